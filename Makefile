@@ -10,6 +10,7 @@
 #   make viewer, engine, bench   a window; OpenSceneGraph as the host; milliseconds on a GPU. make viewer-test
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
 #   make wasm      the headers as WebAssembly       make npm         a package with it and the texts of WebGL 2
+#   make format    the layout of every header, example and test, by clang-format 14
 #   make clean
 
 CFLAGS   ?= -O2 -g
@@ -188,10 +189,19 @@ build/fuzz-files: tests/fuzz_files.c tests/others.c build/sanitized/util.o build
 test: build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/test
 	build/test $(ONLY)
 
+# In place. Another version of clang-format lays out otherwise, so that only 14 is taken; tables that it would break
+# stand between clang-format off and on.
+FORMATTED = ssgi.h ssgi_gl.h $(shell find examples tests -name '*.[ch]' -o -name '*.cpp')
+CLANG_FORMAT = $(shell command -v clang-format-14 || echo clang-format)
+format:
+	@$(CLANG_FORMAT) --version 2>/dev/null | grep -q 'version 14\.' || \
+	  { echo 'format: clang-format 14 is missing (apt-get install clang-format-14)' >&2; exit 2; }
+	$(CLANG_FORMAT) -i $(FORMATTED)
+
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes demo test chart light peers stability fit glsl golden deps clean
+.PHONY: all install uninstall wasm npm passes demo test chart light peers stability fit glsl golden deps format clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
 VIEWER_O    = util.o image.o $(addprefix scene/,mesh.o shapes.o scenes.o scene.o light.o) trace/places.o trace/truth.o library.o

@@ -25,7 +25,7 @@
                    cosine-weighted
       environments latitude-longitude images as OpenEXR's, linear radiance, rgb[3 * (y * width + x) + c]:
                    row 0 at +y, the image centre looks to +z, +x is left of the centre; solid angles of texels are
-                   exact; values above 1e24 count as that
+                   exact; values above 1e24 are clamped to it
       errors       functions that can be misused return ssgi_result and, through the last argument (may be NULL), a
                    static sentence that begins with the argument's name; outputs are then untouched. Nothing prints,
                    exits, allocates or keeps state: all is reentrant.
@@ -39,7 +39,7 @@
       >>environment  images as octahedral maps over lobes and cones, and as directional lights; virtual
                    point lights
       >>trace      a small BVH over your triangles: closest hit, any hit
-      >>surfels    triangles as discs about as large on the screen, what splatting them costs
+      >>surfels    triangles as discs of about equal size on the screen, and what splatting those costs
       >>dipole     multiple scattering under surfaces
       >>field      ambient occlusion fields: bake, fit, look up, save and load
       >>plan       what a scene needs: its numbers in, method, settings, predicted error and cost out
@@ -80,34 +80,37 @@ extern "C" {
 
 typedef enum ssgi_result {
     SSGI_OK = 0,
-    SSGI_BAD_ARGUMENT,      /* the sentence names it */
-    SSGI_TOO_SMALL,         /* the memory given does not suffice; the size query tells how much does */
-    SSGI_CANCELLED          /* your progress callback said so */
+    SSGI_BAD_ARGUMENT, /* the sentence names it */
+    SSGI_TOO_SMALL,    /* the memory given does not suffice; the size query tells how much does */
+    SSGI_CANCELLED     /* your progress callback said so */
 } ssgi_result;
 
 /* ==== >>view =================================================================================================== */
 
 /* How a projection's clip z becomes window depth. */
-enum { SSGI_CLIP_GL = 0,    /* NDC z in [-1,1], window depth 0.5 z + 0.5: GL's default */
-       SSGI_CLIP_ZERO };    /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
+enum {
+    SSGI_CLIP_GL = 0, /* NDC z in [-1,1], window depth 0.5 z + 0.5: GL's default */
+    SSGI_CLIP_ZERO,   /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
+};
 
 /* The camera parameters that the passes use; made by ssgi_view_from_projection, read-only for you. */
 typedef struct ssgi_view {
-    float unproject[4];     /* view xy = (pixel * [0,1] + [2,3]) * view depth; orthographic: without "* view depth" */
-    float project[4];       /* pixel = view xy / view depth * [0,1] + [2,3];   orthographic: without "/ view depth" */
-    float depth[2];         /* 1 / view depth = [0] + [1] * window depth;      orthographic: view depth = ... */
-    float clear;            /* the window depth of the background: 1, or 0 when the projection is reversed */
-    int   orthographic;     /* 0 or 1 */
-    int   width, height;    /* pixels of the frame */
-    float oblique[2];       /* depth[] decodes window depth + pixel * this: 0 but for oblique near planes */
+    float unproject[4]; /* view xy = (pixel * [0,1] + [2,3]) * view depth; orthographic: without "* view depth" */
+    float project[4];   /* pixel = view xy / view depth * [0,1] + [2,3];   orthographic: without "/ view depth" */
+    float depth[2];     /* 1 / view depth = [0] + [1] * window depth;      orthographic: view depth = ... */
+    float clear;        /* the window depth of the background: 1, or 0 when the projection is reversed */
+    int orthographic;   /* 0 or 1 */
+    int width, height;  /* pixels of the frame */
+    float oblique[2];   /* depth[] decodes window depth + pixel * this: 0 but for oblique near planes */
 } ssgi_view;
 
 /* Decodes a projection matrix, the one that GL got: perspective or orthographic, any window depth (normal, reversed,
    infinite far plane), off-centre (sub-pixel jitter, stereo), y up or down, the near plane oblique (planar reflections:
    desc.oblique of ssgi_gl.h), right-handed or left-handed.
-   Left-handed, the camera along +z (orthographic: read as right-handed, all would lie behind the eye): view space here
-   is yours with z negated. Negate z of what you give in view space (lights; normals: desc.left_handed), and the third
-   row (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation's too; what comes back is likewise.
+   Left-handed: your camera looks along +z, and view space here is yours with z negated. (An orthographic projection is
+   taken for left-handed where a right-handed camera would have all of its depth range behind the eye.) Negate z of what
+   you give in view space (lights; for normals there is desc.left_handed) and the third row (elements 2, 6, 10, 14) of
+   every matrix to view space, frame.rotation included. What comes back has z negated likewise.
      projection     [limit: w row (0,0,-1,0), (0,0,1,0) or (0,0,0,1) up to a common factor; x and y do not mix]
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
      width, height  [units: pixels] [limit: 1..65536] of the frame that the projection fills
@@ -116,20 +119,22 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
                                                int height, const char **why);
 
 /* View depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth of 0 or
-   infinity) gives SSGI_FAR. Where view->oblique is not 0 it depends on the pixel. GLSL twin: ssgi_decode. */
+   infinity) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use ssgi_view_depth_at, whose pixel is a
+   position, centres at .5. GLSL twin: ssgi_decode. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
-#define SSGI_FAR 1e18f      /* the view depth of the background: beyond any scene, its square a finite float */
+#define SSGI_FAR 1e18f /* the view depth of the background: beyond any scene, its square a finite float */
 
 /* The view-space point seen at a pixel position (centres at .5) at a view depth; and back: the pixel position of a
    view-space point, with its depth [limit: > 0 when perspective] in out[2]. GLSL twins: ssgi_position, ssgi_project. */
-SSGI_DEF void  ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
-SSGI_DEF void  ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
+SSGI_DEF void ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
+SSGI_DEF void ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
 
-/* View depth of the near plane that the projection implies [units: view]; where that is oblique, its least. */
+/* View depth of the near plane that the projection implies [units: view]; of an oblique one the least in the frame. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 
-/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
+/* Width of a pixel on a surface that faces the viewer at this view depth [units: view]: the larger of width and height.
+ */
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
 /* An extra camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
@@ -139,33 +144,35 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
      displacement        [units: radii] along the main camera's axes: x right, y up, z toward the viewer
      world_to_view       up as the main camera's; if it looks along that, the main camera's forward is up; at the centre
                          it looks as the main camera does; mirrored if that is (left-handed)
-     projection          GL clip, square, symmetric; encloses the sphere, at most 100 degrees wide; near plane radius /
-                         50, since a solid cut by the near plane looks empty; far plane distance + radius
+     projection          GL clip, square, symmetric; encloses the sphere, at most 100 degrees wide. The near plane is at
+                         0.02 radii, close since a solid that it cuts looks empty; the far plane is behind the sphere
    The outputs may be the inputs. */
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
 
-/* Default displacements, i modulo 4: left, right, above, behind. For a main camera two radii from the centre they keep
-   that distance and turn about the centre by 60 degrees to either side and 20 up, 75 up, and to the far side, 50 up. */
+/* Default displacements, i modulo 4: left, right, above, behind. A main camera two radii from the centre keeps that
+   distance and turns about the centre: by 60 degrees to the left or right and 20 up; by 75 up; to the far side, 50
+   up. */
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
 /* ==== >>kernel ================================================================================================= */
 
 /* Radical inverse (van der Corput): the digits of i in a base, reflected about the radix point, in [0,1); 0 for a base
-   below 2. Bases 2, 3 .. as coordinates: Halton; i/n beside base 2: Hammersley. */
+   below 2. Halton points have the inverses in bases 2, 3 .. as coordinates, Hammersley points i/n and the one in 2. */
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
-/* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; for counts not yet known. */
-SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
+/* The i-th point of the R2 sequence in [0,1)^2, which steps by powers of the plastic number: evenly spread after any
+   count, so that the count need not be known. */
+SSGI_DEF void ssgi_r2(uint32_t i, float out[2]);
 
 /* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
      sets       [limit: 1..4096] independent sets (interleave them over pixels)
      samples    [limit: 1..4096] of each
      xyz        unit directions on the hemisphere about +z, density cos/pi, so that every sample counts 1/n;
                 low-discrepancy in each set, the sets rotated against each other
-     length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at length *
-                radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
+     length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at
+                length * radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
    [SSDO09 section 3; sets that integrate an unoccluded constant exactly: see examples/docs/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
@@ -176,7 +183,7 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
 #define SSGI_SH_MAX_BANDS 6
 
 /* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
-SSGI_DEF void  ssgi_sh_basis(float *out, int bands, const float direction[3]);
+SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
 /* Factor of band l from radiance to irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24; else 0. */
 SSGI_DEF float ssgi_sh_cosine(int l);
@@ -192,18 +199,21 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
 
 /* Windows: factors of the bands that reduce a narrow light's ringing. Beside each, for a sun in 4 bands that gives a
    facing surface irradiance 1: the series' peak; its least irradiance; how far occlusion takes it below 0. */
-enum { SSGI_SH_WINDOW_NONE = 0,     /* 1.20, -0.037, 0.20    1: sharpest, rings most */
-       SSGI_SH_WINDOW_HANN,         /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
-       /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
-       SSGI_SH_WINDOW_POSITIVE };
+enum {
+    SSGI_SH_WINDOW_NONE = 0, /* 1.20, -0.037, 0.20    1: sharpest, rings most */
+    SSGI_SH_WINDOW_HANN,     /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
+    /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
+    SSGI_SH_WINDOW_POSITIVE
+};
 
 /* A window's factors: bands floats, the first 1 [limit: bands as ssgi_sh_basis; a window out of range is NONE]. */
-SSGI_DEF void  ssgi_sh_window(float *out, int bands, int window);
+SSGI_DEF void ssgi_sh_window(float *out, int bands, int window);
 
-/* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] =
-   sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]. zonal[l] =
-   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)): the clamped cosine about a normal, the transfer of an unoccluded point. */
-SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
+/* A function about +z, turned to a unit direction. zonal[l] is its coefficient at l*l + l, the others are 0.
+     out[i] = sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]
+   With zonal[l] = ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)) it is the clamped cosine about a normal: the transfer of an
+   unoccluded point. */
+SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
 
 /* Rotates a function by the rotation R of world_to_view [limit: rigid; NULL: none]: its value along w moves to R w.
      coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients
@@ -211,18 +221,22 @@ SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const fl
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels,
                              const float *world_to_view);
 
-/* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels [limit:
-   bands as ssgi_sh_basis; channels below 1 give zeros]. A value that is not finite makes its band's energy so. */
+/* Energy of each band, bands floats: out[l] is the sum of squares of the band's coefficients, [channels * i + c], over
+   m and channels. A value that is not finite makes its band's energy so.
+     bands, channels    [limit: bands as ssgi_sh_basis; channels below 1 give zeros] */
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
-/* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics: c_i += irradiance k w_l f_l Y_i(direction), with k
-   such that an unoccluded surface that faces the light receives exactly `irradiance`, whatever bands and window.
-   [SLO08, S3HO12; without k it would be 1.06 of it for 4 bands, 0.83 with Hann]
+/* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics [SLO08, S3HO12]:
+     coefficient i += irradiance k w_l f_l Y_i(direction)
+   w_l is the window; k makes an unoccluded surface that faces the light receive exactly `irradiance`, whatever bands
+   and window (without k it would receive 1.06 of it with 4 bands, 0.83 with Hann's window).
      bands       [limit: 1..SSGI_SH_MAX_BANDS]
      direction   to the light [limit: finite, not 0], of any length
-     sine        [limit: 0..1] 0: directional, or a point far away. Above: a sphere of uniform radiance, radius /
-                 distance of its centre: f_l, the mean of the Legendre polynomial l over the cap that it fills
+     sine        [limit: 0..1] of the angular radius. 0: a directional light, f_l = 1. Above: a sphere of uniform
+                 radiance, its radius over the distance of its centre; f_l is the mean of the Legendre polynomial l over
+                 its cap
      irradiance  of a surface that faces it [limit: finite; clamped to +-1e24]; negative values subtract light
+     window      SSGI_SH_WINDOW_NONE ..
    Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. A hemisphere
    light, radiance a above and b below, adds sqrt(pi) (a + b) to coefficient 0 and pi (a - b) Y_i(up) to i = 1..3. */
 SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
@@ -230,64 +244,69 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 
 /* ==== >>environment ============================================================================================ */
 
-/* Octahedral map: directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z; decoding gives a
+/* Octahedral map: directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z. Decoding gives a
    unit vector: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
-SSGI_DEF void  ssgi_octahedral_encode(const float direction[3], float out[2]);
-SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
+SSGI_DEF void ssgi_octahedral_encode(const float direction[3], float out[2]);
+SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3]);
 
-/* An environment seen through a lobe about every direction: an octahedral map, out[3 * (y * size + x) + c] at e = (x +
-   0.5, y + 0.5) / size * 2 - 1.
+/* An environment seen through a lobe about every direction, as an octahedral map: out[3 * (y * size + x) + c] is at
+   e = (x + 0.5, y + 0.5) / size * 2 - 1.
      size           [limit: 8..256]
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
      solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above: the average over
                     a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, whose width 1 / integral p^2 is nearly
                     solid_angle (exactly: tanh(kappa) of it). Below 0.05 it counts as 0.05.
    A constant environment is kept exactly. The image is first averaged to 96 x 48 cells, which widens a lobe by up to
-   0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048
-   x 1024 at size 64: 0.25 s at most at -O2, one core; the time goes with size^2 from there. Takes 60 KB of stack. */
+   0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) An image of
+   2048 x 1024 at size 64 takes 0.25 s at most at -O2 on one core, and the time goes with size^2. Takes 60 KB of
+   stack. */
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why);
 
 /* The same over cones: the mean radiance within the cone about every direction, weighted by the cosine to its axis. A
-   bent cone's light [SSBN11] is one look-up here: slice k of n of a texture array, one an aperture, holds cosine k/n.
+   bent cone's light [SSBN11] is then one look-up in a texture array, whose slice k of n holds the cones of cosine k/n.
      cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi
-   The rim is a ramp as wide as a cell, 3.75 degrees, to either side (less below cosine 0.07: it ends before 90). */
+   The rim is a ramp as wide as a cell, 3.75 degrees, to either side; narrower below cosine 0.07, to end before 90. */
 SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine,
                                            const char **why);
 
 typedef struct ssgi_sun {
-    float direction[3];     /* unit, to the light */
-    float irradiance[3];    /* on a surface that faces it */
+    float direction[3];  /* unit, to the light */
+    float irradiance[3]; /* on a surface that faces it */
 } ssgi_sun;
 
 /* An environment as directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance is
    halved, along its wider side, until there are count. A sun lies at its region's centre of luminance and carries
    all of its light: irradiances sum to the integral of radiance over the sphere.
-     count          [limit: 1..1024] any, not only powers of two; those beyond the number of texels are dark, at +y
+     count          [limit: 1..1024] any, not only powers of two; suns beyond the number of texels are dark, at +y
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
    Reads the image about log2(count) times. Takes 30 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
                                            const char **why);
 
-/* Residual map: map += (irradiance of the directional lights - irradiance reconstructed from the coefficients) / pi. On
-   entry map holds the environment's (ssgi_environment_map, solid_angle 0; zeros without one); the coefficients,
-   [3*i + c], are of environment and lights. Added to the coefficients' light, dimmed by ambient visibility, it makes
-   unoccluded surfaces exact.
-     size, bands, suns   [limit: 8..256; 1..SSGI_SH_MAX_BANDS; count 0 or more, NULL when 0] */
+/* Residual of unoccluded irradiance: what a few bands lack. Dimmed by ambient visibility and added to the light from
+   the coefficients it makes unoccluded surfaces exact.
+     map                 +=  (irradiance of the suns - irradiance reconstructed from the coefficients) / pi. On entry it
+                         holds the environment's map: ssgi_environment_map, solid_angle 0; zeros without an environment
+     size                [limit: 8..256] of the map
+     coefficients        [3*i + c], of environment and suns together
+     bands               [limit: 1..SSGI_SH_MAX_BANDS]
+     suns                [limit: count 0 or more; may be NULL when 0] */
 SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
-                                     int count, const char **why);
+                                      int count, const char **why);
 
 typedef struct ssgi_vpl {
     float position[3], normal[3];
-    float intensity[3];     /* radiant intensity along the normal; intensity * cos theta beside it */
+    float intensity[3]; /* radiant intensity along the normal; at an angle from it times that angle's cosine */
 } ssgi_vpl;
 
 /* Virtual point lights [KEL97] from a reflective shadow map: pixels chosen in proportion to the luminance of their
-   flux, stratified along the map. Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi
-   * intensity) sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
-     count     [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
-     position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is the power that the pixel's surface
-                              reflects; negative and not finite values count as 0 */
+   flux, stratified along the map. Each keeps its pixel's colour and sends an equal share: luminances of the fluxes,
+   pi * intensity, sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
+     count                    [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
+     position, normal, flux   x y z or r g b of pixel k at [3*k]. flux is the power that the pixel's surface reflects;
+                              values that are negative or not finite count as 0
+     pixels                   [limit: > 0] how many the map has */
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why);
 
@@ -304,28 +323,29 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
       if (ssgi_trace_any(&trace, origin, direction, 0.0f, 1.0f)) puts("something is in between");      */
 
 typedef struct ssgi_trace {
-    const void *nodes, *blocks;       /* in the memory given to ssgi_trace_build */
-    uint32_t    node_count;           /* 0: nothing can be hit */
-    uint32_t    block_count;          /* four triangles each */
-    uint32_t    triangles, skipped;   /* as given, and how many of them were degenerate or out of range */
+    const void *nodes, *blocks;  /* in the memory given to ssgi_trace_build */
+    uint32_t node_count;         /* 0: nothing can be hit */
+    uint32_t block_count;        /* four triangles each */
+    uint32_t triangles, skipped; /* as given, and how many of them were degenerate or out of range */
 } ssgi_trace;
 
 typedef struct ssgi_hit {
-    float    t;                       /* origin + t * direction is the point hit */
-    float    u, v;                    /* weights of the triangle's second and third corner, in [0,1] */
+    float t;    /* origin + t * direction is the point hit */
+    float u, v; /* weights of the triangle's second and third corner, in [0,1] */
     uint32_t triangle;
 } ssgi_hit;
 
 #define SSGI_TRACE_MAX_TRIANGLES 0x3fffffffu
 
-/* Bytes that ssgi_trace_build needs, about 59 a triangle. 0: no triangles, more than that, or than size_t can hold. */
+/* Bytes that ssgi_trace_build needs, about 59 a triangle. 0 for no triangles, for more than SSGI_TRACE_MAX_TRIANGLES
+   and for more than size_t can count. */
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
 /* Builds over corners index[3*i], index[3*i+1], index[3*i+2] of triangle i; index NULL: corners 3*i, 3*i+1, 3*i+2.
-   position    x y z of vertex k at (const char *)position + k * stride_bytes, aligned as floats are [limit: 12 or more,
-               a multiple of 4]
-   memory      size >= ssgi_trace_size(triangles) bytes of any alignment (else SSGI_TOO_SMALL); the trace points into
-               it: keep it where it is. position and index are not needed afterwards.
+   position      x y z of vertex k at (const char *)position + k * stride_bytes
+   stride_bytes  [limit: 12 or more, a multiple of 4]
+   memory        size >= ssgi_trace_size(triangles) bytes of any alignment (else SSGI_TOO_SMALL); the trace points into
+                 it: keep it where it is. position and index are not needed afterwards.
    Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit; those smaller
    than about 1e-18 may be missed. Indices are not checked. O(n log n) but for contrived input; no allocation; recursion
    at most 62 deep, whatever the input. */
@@ -344,56 +364,65 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 /* ==== >>surfels ================================================================================================ */
 
 /* Deep screen space [DSS14]: triangles become discs of about equal size on the screen, also where they are hidden, at
-   grazing angles, off screen or behind the eye. Passes of ssgi_gl.h make the same surfels on the GPU (SSGI_GL_SURFELS);
-   SSGI_GL_SPLAT takes either. Points keep off a triangle's edges: it is scaled about the centre of its inscribed circle
-   by 1 - r / the circle's radius, at least 1/4, so that discs end at the edges unless they are wider than it. */
+   grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU; pass splat
+   takes either. Centres keep off a triangle's edges, so that discs of radius r end there: the triangle is shrunk about
+   the centre of its inscribed circle by 1 - r / the circle's radius, at least 1/4, before points are placed in it. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte; what transform feedback captures. */
 typedef struct ssgi_surfel {
-    float position[3], radius;      /* view space */
-    float normal[3], seed;          /* unit. seed: in [0,1), what chooses its sub-buffers */
-    float colour[3], unused;        /* source colour until lit; then outgoing radiance for a bounce, irradiance for
-                                       scattering; not read for occlusion */
+    float position[3], radius; /* view space */
+    float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers */
+    float colour[3], unused;   /* the source's colour until lit; then the radiance that leaves it for a bounce, the
+                                  irradiance that it receives for scattering; not read for occlusion */
 } ssgi_surfel;
 
+/* How surfels are made. Zero is the default everywhere. */
 typedef struct ssgi_surfel_desc {
-    float size;     /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
-    int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, of triangles beyond level 64 */
-    float offscreen_growth; /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance
-                       outside the frustum, where no visible pixel is close; 1e-6: none, as published */
-    int   keep_small;  /* [limit: 0..1] 0: triangles smaller than three surfels keep each with probability area / (3 pi
-                       r^2), radius unchanged: cost does not grow with mesh detail; 1: keep all, as published */
-    float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum; the
-                       radius of occlusion, for instance */
+    /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.015] diameter of a surfel that faces the viewer: s */
+    float size;
+    /* [limit: 0..32] [default: 8] into how many parts an edge may be split where the tessellator's last level, 64, is
+       too coarse for the triangle */
+    int splits;
+    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the frustum, where no
+       visible pixel is close; 1e-6: none, as published */
+    float offscreen_growth;
+    /* [limit: 0..1] 0: a triangle smaller than its three surfels keeps each with probability area / (3 pi r^2), at an
+       unchanged radius, so that cost does not grow with mesh detail. 1: it keeps all, as published */
+    int keep_small;
+    /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum: the radius of occlusion,
+       for instance */
+    float max_distance;
 } ssgi_surfel_desc;
 
-/* Triangles; strides in bytes, 0 = three floats, tightly. */
+/* The triangles that become surfels. */
 typedef struct ssgi_surfel_source {
-    const float *position;          /* x y z a vertex */
-    const float *normal;            /* the same of normals, any length; NULL: the triangle's own */
-    const float *colour;            /* the same of what goes to ssgi_surfel.colour; NULL: 1 1 1 */
-    size_t position_stride, normal_stride, colour_stride;
-    const uint32_t *index;          /* 3 a triangle; NULL: vertices in their order */
+    const float *position;                                /* x y z of each vertex */
+    const float *normal;                                  /* of each vertex, any length; NULL: the triangle's own */
+    const float *colour;                                  /* of each vertex, for ssgi_surfel.colour; NULL: 1 1 1 */
+    size_t position_stride, normal_stride, colour_stride; /* [units: bytes] [limit: multiples of 4] 0: three floats */
+    const uint32_t *index;                                /* 3 a triangle; NULL: vertices in their order */
     size_t triangles;
-    float  to_view[16];             /* [limit: finite, invertible] mesh to view space */
+    float to_view[16]; /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
 
-/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, offscreen_growth,
-   splits; defaults in place. */
+/* What ssgi_gl_frame.surfel holds, with defaults in place: radius per view depth (orthographic: radius), view depth of
+   the near plane, offscreen_growth, splits. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const char **why);
 
 /* Subdivides triangles that need more than desc->splits parts an edge, such as a ground that reaches the horizon, into
-   four, recursively, at most ten levels; drops those farther outside the frustum than desc->max_distance. The others
-   stay unchanged, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
-   (normal 0 0 0 where source->normal is NULL): usable as source of ssgi_surfels and as patches. Writes at most capacity
-   triangles, and to *count how many there are. */
+   four, recursively, at most ten times; drops those farther outside the frustum than desc->max_distance. The others
+   stay unchanged, in their order.
+     out      27 floats a triangle: position, normal, colour of each corner in mesh space (normal 0 0 0 where
+              source->normal is NULL). Usable as a source of ssgi_surfels and as patches
+     count    how many triangles there are; at most `capacity` of them are written */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* Makes surfels of triangles; their areas sum to the triangle's. Writes at most capacity, and to *count how many there
-   are (query with out = NULL). Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for a
-   radius above 0 give none; normals not finite count as 0. seed depends on the vertex indices and the place only. */
+/* Makes surfels of triangles; their areas sum to the triangle's. Writes at most `capacity`, and to *count how many
+   there are (query with out NULL and capacity 0). Triangles without area, with corners that are not finite or beyond
+   SSGI_FAR, or too small for a radius above 0 give none; normals that are not finite count as 0. A surfel's seed
+   depends on its triangle's vertex indices and its place there alone. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -403,42 +432,57 @@ typedef struct ssgi_splat {
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
     float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent, over ssgi_gl_frame.sent */
     float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
-    int   levels;       /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
+    int levels; /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 5] every level doubles the reach, at about equal cost */
 } ssgi_splat;
+
 enum { SSGI_SPLAT_LEVELS = 7 };
 
-/* Texels along x and y of one level in the shuffled layout: width and height [limit: 1..65536] rounded up to 2^(levels
-   - 1) [limit: 1..7]; all levels lie below each other in one texture: size[0] x (levels * size[1]). */
+/* Texels along x and y of one level in the shuffled layout: the frame's size, rounded up to multiples of
+   2^(levels - 1). All levels lie below each other in one texture of size[0] x (levels * size[1]) texels.
+     width, height   [limit: 1..65536]
+     levels          [limit: 1..7] */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
 
 /* The cost of a frame before anything is drawn. */
 typedef struct ssgi_surfel_cost {
-    size_t surfels;                         /* how many */
-    int    splits;                          /* what the triangles ask for: ssgi_surfel_desc.splits allows it */
-    double pixels[SSGI_SPLAT_LEVELS];       /* texels that the splats of each level cover, each overlap counted */
+    size_t surfels;                   /* how many */
+    int splits;                       /* how many the triangles ask for; ssgi_surfel_desc.splits limits them */
+    double pixels[SSGI_SPLAT_LEVELS]; /* texels that the splats of each level cover, each overlap counted */
 } ssgi_surfel_cost;
-/* Predicts it: counts exactly, pixels from one surfel at the centre of each part of a triangle (within 1.4 % of all
-   surfels' where tested). desc, view, source as for ssgi_surfels; splat: zeros are the defaults. */
+
+/* Predicts it. Surfels are counted exactly; pixels are those of one surfel at the centre of each part of a triangle
+   times the part's surfels (within 1.4 % of all surfels' where tested). desc, view, source as for ssgi_surfels; zeros
+   in splat are the defaults. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
                                           const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* ==== >>dipole ================================================================================================= */
 
-/* Multiple scattering under a surface by the dipole [JMLH01, JB02; DSS14 4]: three channels; lengths in the unit that
-   ssgi_dipole_set was given. z_r, z_v, sigma_tr, alpha': */
-typedef struct ssgi_dipole { double z_r[3], z_v[3], sigma_tr[3], albedo[3]; } ssgi_dipole;
-/* Reduced scattering [limit: > 0] and absorption [limit: >= 0; units: 1/unit]; eta: refraction [limit: 1..3] */
+/* Multiple scattering under a surface by the dipole of [JMLH01, JB02; DSS14 section 4], three channels. Lengths are in
+   the unit that ssgi_dipole_set was given. */
+typedef struct ssgi_dipole {
+    double z_r[3];      /* depth of the real source below the surface */
+    double z_v[3];      /* height of the virtual source above it */
+    double sigma_tr[3]; /* effective transport coefficient */
+    double albedo[3];   /* alpha', the reduced albedo */
+} ssgi_dipole;
+
+/* A dipole of a material.
+     sigma_s    reduced scattering coefficient [units: 1/length] [limit: > 0]
+     sigma_a    absorption coefficient [units: 1/length] [limit: >= 0]
+     eta        relative index of refraction [limit: 1..3] */
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why);
-/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: >= 0]; 0 for a channel outside 0..2. */
+
+/* Diffuse reflectance R_d [units: 1/length^2] at a distance [limit: >= 0]; 0 for a channel outside 0..2. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 
 /* ==== >>field ================================================================================================== */
 
-/* Ambient occlusion fields [AOF05]: occlusion by a rigid occluder on its surroundings, baked once, evaluated at any
-   point at a cost independent of its triangle count. For each direction of a cube map about the occluder's centre
-   the field stores the spherical cap that the occluder subtends, as a function of distance from its convex hull to the
-   field's reach.
+/* Ambient occlusion fields [AOF05]: the occlusion of its surroundings by a rigid occluder, baked once, evaluated at any
+   point at a cost that does not depend on its number of triangles. For each direction of a cube map about the
+   occluder's centre the field stores the spherical cap that the occluder subtends, as a function of the distance from
+   the centre, between the convex hull and the field's reach.
 
       ssgi_field_desc d = { 0 };                                   every choice at its default
       uint32_t *texels = malloc(ssgi_field_size(16));              16 x 16 texels a face
@@ -450,52 +494,63 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
 
 /* How a field is baked. Zero is the default everywhere. */
 typedef struct ssgi_field_desc {
-    int   resolution;   /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
-    int   radii;        /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
-    int   rays;         /* [limit: 0, 16..65536] [default: 128] a sample */
-    float reach;        /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] the field's end */
+    int resolution; /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
+    int radii;      /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
+    int rays;       /* [limit: 0, 16..65536] [default: 128] traced at each distance */
+    float reach;    /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] where the field ends */
     /* Your ray caster: 1 if the ray meets the occluder at any t > 0; NULL: ours, which finds the hull in any case. */
-    int  (*hit)(void *user, const float origin[3], const float direction[3]);
+    int (*hit)(void *user, const float origin[3], const float direction[3]);
     /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
     /* Called now and then on the caller's thread, done in [0,1]; not 0 gives up: SSGI_CANCELLED. */
-    int  (*progress)(void *user, float done);
-    void *user;         /* handed to the three; hit must be reentrant if parallel has threads */
+    int (*progress)(void *user, float done);
+    void *user; /* handed to the three; hit must be reentrant if parallel has threads */
 } ssgi_field_desc;
 
 /* A baked field, in the occluder's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
 typedef struct ssgi_field {
-    const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a
-                               border of one texel from its neighbours; 2 words a texel, 8 bits a component, lowest
-                               first: three logarithms of the distance function, the hull's distance, the characteristic
-                               centre's x y z, the covered share of the cap. Upload as RG32UI */
-    int   resolution;       /* texels along a side of a face */
-    int   radii;            /* distances that were sampled along each direction */
-    float centre[3], radius;/* of the bounding sphere that the field is around; the centre lies in the convex hull */
-    float reach;            /* [units: the mesh's] the field's end, from the centre */
-    float inside;           /* A_0: the mean occlusion in the hull, of points that are not walled in */
-    float low[8], span[8];  /* what 0 and 255 of each component stand for: low, low + span */
-    float median, p95, max_error;/* errors of occlusion, as stored, without ramp, at validation receivers: directions
-                               between texels, radii between samples, random normals */
+    /* The cube map, to be uploaded as RG32UI: (resolution + 2) x 6 (resolution + 2) texels, the faces below each other
+       in GL's order, each within a border of one texel from its neighbours. Two words a texel hold eight components of
+       8 bits, lowest first: three logarithms of the distance function; the hull's distance; x y z of the characteristic
+       centre; the covered share of the cap. */
+    const uint32_t *texels;
+    int resolution; /* texels along a side of a face, without the border */
+    int radii;      /* distances that were sampled along each direction */
+
+    float centre[3], radius; /* [units: the mesh's] the bounding sphere; the centre lies in the convex hull */
+    float reach;             /* [units: the mesh's] where the field ends, from the centre */
+    float inside;            /* A_0: mean occlusion of points in the hull, but for those that the mesh encloses */
+    float low[8], span[8];   /* 0 of a component stands for low, 255 for low + span */
+
+    /* Errors of occlusion as stored, without the ramp, at receivers that the bake did not sample: directions between
+       texels, distances between samples, random normals. */
+    float median, p95, max_error;
 } ssgi_field;
 
 /* How a field fades out, and occlusion inside the convex hull [AOF05 algorithm 1]. */
 typedef struct ssgi_field_limits {
-    float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion falls to 0 */
-    float inside, power;    /* [limit: 0..1; > 0] in the hull: mix(inside, that at the hull, (r/hull)^power) */
+    /* Distances from the centre between which occlusion falls to 0 [units: the mesh's]
+       [limit: 0 <= ramp < reach <= field->reach] */
+    float ramp, reach;
+    /* In the hull, at a share s of the way from the centre: mix(inside, occlusion at the hull, s^power)
+       [limit: 0..1 and > 0] */
+    float inside, power;
 } ssgi_field_limits;
 
-/* Bytes of texels; of a bake's work memory, not needed later: 59 a triangle + 960 resolution^2. 0: bad arguments. */
+/* Bytes of a field's texels; 0 for a bad resolution [limit: 2..128]. */
 SSGI_DEF size_t ssgi_field_size(int resolution);
+
+/* Bytes of a bake's work memory, which is not needed later: 59 a triangle + 960 resolution^2. 0: bad arguments. */
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
-/* Bakes. texels: ssgi_field_size of desc's resolution; they belong to the field from then on. position,
-   stride_bytes, index, triangles as ssgi_trace_build, which tells what triangles are left out. Directions are sampled
-   at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any
-   number of threads and at any optimisation that keeps IEEE arithmetic (not -ffast-math; with FMA instructions
-   -ffp-contract=off). SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size), SSGI_CANCELLED: field is untouched (texels and
-   work are not). resolution 16 with 128 rays is 9.4 million rays. For an error of your choice bake with resolution 4,
-   8, 16 .. until field->p95 is below it. */
+/* Bakes: samples directions at twice the resolution, fits each texel, reduces by a Gaussian [AOF05 section 4.1].
+     texels     ssgi_field_size(desc's resolution) bytes, which belong to the field from then on
+     work       work_size >= ssgi_field_bake_size(desc, triangles) bytes of any alignment
+     position, stride_bytes, index, triangles   as in ssgi_trace_build, which tells what triangles are left out
+   Same input, same bytes, with any number of threads and at any optimisation that keeps IEEE arithmetic (not
+   -ffast-math; with FMA instructions -ffp-contract=off). Fails with SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size) or
+   SSGI_CANCELLED; *field is then untouched, texels and work are not. Resolution 16 with 128 rays takes 9.4 million
+   rays. For an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below it. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
                                      const uint32_t *index, size_t triangles, const char **why);
@@ -503,28 +558,32 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 /* Limits to start from: ramp over the last quarter of the reach, inside as measured, power 1. */
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 
-/* Occlusion at a point by the occluder, in [0,1]; 0 at the reach and beyond. point and normal (unit) in the occluder's
-   coordinates; limits NULL: ssgi_field_limits_of. 1 - it multiplies ambient light; of several occluders 1 - (1 - a)(1 -
-   b) .. Finite whatever the input. GLSL twin: ssgi_field_occlusion. */
+/* Occlusion of a point by the occluder, in [0,1], 0 from the reach on; finite whatever the input. Ambient light is
+   multiplied with 1 - occlusion, once for each occluder. GLSL twin: ssgi_field_occlusion.
+     limits           NULL: ssgi_field_limits_of
+     point, normal    in the occluder's coordinates; the normal unit */
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
                                     const float normal[3]);
 
-/* The cap itself: its solid angle [units: sr], its unit axis, and the share of it that is covered; at
-   the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Returns the
-   point's distance from the centre over the hull's. */
+/* The cap itself, for points in the hull that at the hull: its solid angle [units: sr], its unit axis, and in *fill the
+   share of it that is covered. Returns the point's distance from the centre over the hull's. No argument may be NULL; a
+   point that is not finite counts as the centre. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
 
 /* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that it takes [AOF05 eq. 3].
-     solid_angle  [units: sr] [limit: 0..4 pi, what is beyond counts as the end]
-     cosine       between the cap's axis and the surface's normal [limit: -1..1, likewise]
+     solid_angle  [units: sr] [limit: 0..4 pi, clamped]
+     cosine       between the cap's axis and the surface's normal [limit: -1..1, clamped]
    In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
-/* A file, the same on every machine. Returns its bytes, 0: no field; writes if out is there and capacity suffices. */
+/* A field as the bytes of a file, the same on every machine. Returns how many there are, 0 for no field; writes them if
+   out is not NULL and capacity suffices. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
-/* Loads one. size: of texels, in bytes [limit: ssgi_field_size(field->resolution)]; NULL, 0 fills field but for its
-   texels: ask so first. SSGI_BAD_ARGUMENT: cut short, too long, foreign, another version or corrupt; SSGI_TOO_SMALL. */
+
+/* A field from such bytes. With texels NULL and size 0 all but the texels is filled: ask so first, for the resolution.
+     texels, size   [units: bytes] [limit: ssgi_field_size(field->resolution), else SSGI_TOO_SMALL]
+     file           SSGI_BAD_ARGUMENT: cut short, too long, foreign, of another version, or corrupt */
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why);
 
@@ -541,83 +600,118 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
       if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK) puts(plan.why);
       ssgi_gl_plan(&desc, &plan, NULL);                                of ssgi_gl.h: sets a desc                   */
 
-enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
-       SSGI_PLAN_LIGHT,           /* irradiance from an environment and lights in its harmonics. RMSE over its mean */
-       SSGI_PLAN_BOUNCE,          /* and one diffuse bounce within the radius. RMSE of both together over their mean */
-       SSGI_PLAN_OBJECTS };       /* ambient visibility between rigid objects, at any distance */
-/* plan.method; HSAO dims irradiance of harmonics when light is wanted. */
-enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
-enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };     /* plan.thickness, desc.thickness */
-enum { SSGI_PLAN_SOFTWARE = 0, SSGI_PLAN_GPU };     /* whose costs */
-/* RMS over the pixels with a surface: of 1 - visibility (slabs', where drawn), best - hsao (detail), solid - hsao,
-   slabs - hsao. occlusion 0: no survey; slabs 0: not drawn. */
-typedef struct ssgi_survey { float occlusion, detail, solid, slabs; } ssgi_survey;
+enum {
+    SSGI_PLAN_VISIBILITY = 0, /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
+    SSGI_PLAN_LIGHT,          /* irradiance from an environment and lights in its harmonics. RMSE over its mean */
+    SSGI_PLAN_BOUNCE,         /* and one diffuse bounce within the radius. RMSE of both together over their mean */
+    SSGI_PLAN_OBJECTS,        /* ambient visibility between rigid objects, at any distance. RMSE of it */
+};
 
-/* From full-size pictures of pass HSAO by slices, filtered, count floats each, one radius: preset BALANCED; BEST;
-   BALANCED with desc.thickness SOLID; with SLABS (may be NULL). A pixel that is NaN in any is left out: the pass writes 1
-   where there is no surface, set NaN there. SSGI_BAD_ARGUMENT: NULL but for slabs. */
+/* plan.method. When light is wanted HSAO dims the irradiance of harmonics. */
+enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
+
+/* plan.thickness, as desc.thickness of ssgi_gl.h. */
+enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };
+
+/* plan_scene.device: whose costs. */
+enum {
+    SSGI_PLAN_SOFTWARE = 0, /* llvmpipe's, measured */
+    SSGI_PLAN_GPU,          /* a model, not measured yet: of a pixel 8 for a texel fetched and 1 for an operation */
+};
+
+/* How pictures of one frame differ: RMS over the pixels with a surface. */
+typedef struct ssgi_survey {
+    float occlusion; /* of 1 - visibility, by slabs where they are drawn; 0: no survey */
+    float detail;    /* of best - hsao */
+    float solid;     /* of solid - hsao */
+    float slabs;     /* of slabs - hsao; 0: not drawn */
+} ssgi_survey;
+
+/* A survey of full-size pictures of pass HSAO by slices, filtered, all of one radius; count floats each. A pixel that
+   is NaN in any of them is left out: set it NaN where there is no surface (the pass writes 1 there).
+     hsao, best    preset BALANCED; preset BEST
+     solid         preset BALANCED with desc.thickness SOLID
+     slabs         preset BALANCED with desc.thickness SLABS; may be NULL, the others not */
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
                                     const float *slabs, size_t count, const char **why);
 
-/* Errors against ray-traced truth, in the measure of `wanted`. unoccluded: without any occlusion; hsao: of slices at
-   the preset BALANCED, multiplied with the light where light is wanted; slabs: the same with thickness SLABS, 0 = not
-   known. known: 0 = no calibration. */
-typedef struct ssgi_calibration { int known; float unoccluded, hsao, slabs; } ssgi_calibration;
+/* Errors against ray-traced truth, in the measure of plan_scene.wanted. */
+typedef struct ssgi_calibration {
+    int known;        /* 0: no calibration */
+    float unoccluded; /* of no occlusion at all */
+    float hsao;       /* of slices at the preset BALANCED, multiplied with the light where light is wanted */
+    float slabs;      /* the same with thickness SLABS; 0: not known */
+} ssgi_calibration;
 
-/* Traces ambient visibility at count points and compares (for light and bounces your renderer does that). The rays'
-   variance is removed by comparing two halves, so 64 suffice. 3000 points spread over the frame come within 3 to 6 % of
-   all its pixels (half of 27 views; nine in ten: 10 %): 0.2 million rays.
-     position, normal   world space as the trace is, 3 floats each; normals unit, toward the viewer. Positions by
+/* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
+   renderer would do that.) The rays' variance is removed by comparing two halves, so that 64 rays suffice. 3000 points
+   spread over the frame, 0.2 million rays, come within 3 to 6 % of all its pixels in half of 27 views, within 10 % in
+   nine of ten.
+     position, normal   of each point, in the trace's space; normals unit, toward the viewer. Take positions from
                         tracing the pixels' rays: those from depth are too coarse far away
-     hsao, slabs        ambient visibility in the frame at those points; slabs: may be NULL
-     rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
+     hsao, slabs        ambient visibility in the frame at each point; slabs may be NULL
+     count              [limit: > 0] points
+     rays               [limit: 2..65536]
+     radius             [limit: > 0, finite] */
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
-                                   const float *normal, const float *hsao, const float *slabs, size_t count, int rays,
-                                   float radius, const char **why);
+                                         const float *normal, const float *hsao, const float *slabs, size_t count,
+                                         int rays, float radius, const char **why);
 
+/* What is known of a scene, and what is asked for. Zero means not known, or the default. A comment in capitals names
+   the values of `wanted` for which a member is read. */
 typedef struct ssgi_plan_scene {
-    int   wanted;           /* SSGI_PLAN_VISIBILITY .. */
-    int   device;           /* whose costs: SSGI_PLAN_SOFTWARE (llvmpipe's, measured), SSGI_PLAN_GPU (a model: 8 for a
-                               texel fetched and 1 for an operation, a pixel; not measured yet) */
-    float error;            /* [limit: >= 0] 0: the least that the budget buys */
-    float budget;           /* [units: unblurred 16-sample ssaos] [limit: >= 0] 0: any */
-    float screen_radius;    /* the radius over the frame's height: radius * project / (depth * height), mean over
-                               visible pixels [limit: >= 0] [default: 0.15] */
+    /* what is asked for */
+    int wanted;   /* SSGI_PLAN_VISIBILITY .. */
+    int device;   /* SSGI_PLAN_SOFTWARE .. */
+    float error;  /* [limit: >= 0] 0: the least that the budget buys */
+    float budget; /* [units: unblurred 16-sample ssaos of the device] [limit: >= 0] 0: any */
+
+    /* the geometry in the frame */
+    float screen_radius; /* [limit: >= 0] [default: 0.15] the radius over the frame's height, mean over the visible
+                            pixels: radius * view.project[1] / (view depth * height) */
     ssgi_survey survey;
-    ssgi_calibration calibration;   /* OBJECTS: only unoccluded is read */
-    float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
-    int   map;              /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
-    float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
-    int   thickness;           /* the most that may be drawn: 0, SSGI_PLAN_BACK, SSGI_PLAN_SLABS */
-    float depth_pass;       /* [units: as budget] of one depth-only pass of the scene: BACK adds 1, SLABS 3 of it */
-    int   history;          /* 1: frames may be averaged: the camera's motion is known, a trail may show */
-    double surfels;         /* VISIBILITY: that the triangles become at size 0.015 (ssgi_surfels_predict), over the
-                               frame's pixels; 0: none may be made */
-    double splats;          /* texels of their splats, all levels, over the frame's pixels [default: 170] */
-    int   occluders;        /* OBJECTS: with fields */
-    float coverage;         /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
+    ssgi_calibration calibration; /* OBJECTS: only unoccluded is read */
+
+    /* the light */
+    float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
+    int map;         /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
+    float albedo;    /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
+
+    /* what may be drawn */
+    int thickness;    /* the most: SSGI_PLAN_CONSTANT, _BACK or _SLABS */
+    float depth_pass; /* [units: as budget] cost of one depth-only pass of the scene; BACK adds 1 of it, SLABS 3 */
+    int history;      /* 1: frames may be averaged: the camera's motion is known, a trail may show */
+    double surfels;   /* VISIBILITY: how many the triangles become at size 0.015 (ssgi_surfels_predict), over the
+                         frame's pixels; 0: none may be made */
+    double splats;    /* VISIBILITY: texels of their splats, all levels, over the frame's pixels [default: 170] */
+    int occluders;    /* OBJECTS: how many have fields */
+    float coverage;   /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
-    int   method;           /* SSGI_PLAN_NOTHING .. */
-    /* as in ssgi_gl_desc (history: ssgi_gl_chain); resolution: of fields. 0 where the method has none */
-    int   thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
-    float size;             /* ssgi_surfel_desc.size */
-    float cost;             /* predicted, in unblurred 16-sample ssaos of the device, with depth passes, without what
-                               makes surfels and fields */
-    float error;            /* predicted */
-    int   meets;            /* 1: error <= 1.05 x that asked for, cost within the budget; 0 if no error was asked for */
-    char  why[160];         /* one sentence */
+    int method; /* SSGI_PLAN_NOTHING .. */
+
+    /* settings, 0 where the method has none: as in ssgi_gl_desc, but history as in ssgi_gl_chain, resolution of fields,
+       size of ssgi_surfel_desc */
+    int thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
+    float size;
+
+    /* what they are predicted to give */
+    float cost;    /* [units: as budget] with depth passes, without what makes surfels and fields */
+    float error;   /* in the measure of `wanted` */
+    int meets;     /* 1: error <= 1.05 x that asked for, and cost within the budget; 0 if no error was asked for */
+    char why[160]; /* one sentence */
 } ssgi_plan;
 
-/* Where nothing meets the error: the nearest, with meets 0, and `why` begins "cannot be met". Bad input:
-   SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
+/* Plans. Where nothing meets the error the nearest choice is given, with meets 0 and a `why` that begins "cannot be
+   met". Bad input: SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
-/* Choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked), why
-   empty: 1 and *plan filled; 0 and *plan untouched past the last, for NULL, or where the choice is not for what is
-   wanted or needs what the scene does not give. */
+/* Choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked), and an
+   empty `why`. Returns 1 with *plan filled; 0 with *plan untouched past the last choice, for NULL, or where the choice
+   is not for what is wanted or needs what the scene does not give. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
+
 enum { SSGI_PLAN_CHOICES = 46 };
 
 #ifdef __cplusplus
@@ -654,16 +748,35 @@ SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
 }
 
 /* Argument checks of functions with a parameter `why`. */
-#define SSGI__CHECK(good, sentence)    do { if (!(good)) return ssgi__bad(why, sentence); } while (0)
-#define SSGI__RANGE(n, least, most)    SSGI__CHECK((n) >= least && (n) <= most, #n ": must be " #least ".." #most)
-#define SSGI__ZERO_OR(n, name, a, b)   SSGI__CHECK(!(n) || ((n) >= a && (n) <= b), name ": must be 0 or " #a ".." #b)
-#define SSGI__SIZE(width, height)      SSGI__RANGE(width, 1, 65536); SSGI__RANGE(height, 1, 65536)
-#define SSGI__THERE(a)                 SSGI__CHECK(a, #a ": must not be NULL")
-#define SSGI__THERE2(a, b)             SSGI__THERE(a); SSGI__THERE(b)
-#define SSGI__THERE3(a, b, c)          SSGI__THERE(a); SSGI__THERE(b); SSGI__THERE(c)
+#define SSGI__CHECK(good, sentence) \
+    do { \
+        if (!(good)) return ssgi__bad(why, sentence); \
+    } while (0)
+#define SSGI__RANGE(n, least, most) SSGI__CHECK((n) >= least && (n) <= most, #n ": must be " #least ".." #most)
+#define SSGI__ZERO_OR(n, name, a, b) SSGI__CHECK(!(n) || ((n) >= a && (n) <= b), name ": must be 0 or " #a ".." #b)
+#define SSGI__SIZE(width, height) \
+    SSGI__RANGE(width, 1, 65536); \
+    SSGI__RANGE(height, 1, 65536)
+#define SSGI__THERE(a) SSGI__CHECK(a, #a ": must not be NULL")
+#define SSGI__THERE2(a, b) \
+    SSGI__THERE(a); \
+    SSGI__THERE(b)
+#define SSGI__THERE3(a, b, c) \
+    SSGI__THERE(a); \
+    SSGI__THERE(b); \
+    SSGI__THERE(c)
 #define SSGI__ENOUGH(size, least, sentence) \
-    do { if ((size) < (least)) { ssgi__bad(why, sentence); return SSGI_TOO_SMALL; } } while (0)
-#define SSGI__TRY(call)                do { const ssgi_result r_ = (call); if (r_ != SSGI_OK) return r_; } while (0)
+    do { \
+        if ((size) < (least)) { \
+            ssgi__bad(why, sentence); \
+            return SSGI_TOO_SMALL; \
+        } \
+    } while (0)
+#define SSGI__TRY(call) \
+    do { \
+        const ssgi_result r_ = (call); \
+        if (r_ != SSGI_OK) return r_; \
+    } while (0)
 
 /* By the bits: -ffast-math lets a compiler assume that x - x == 0. */
 static int ssgi__finite(float x)
@@ -677,21 +790,24 @@ static int ssgi__finite(float x)
 SSGI__FN int ssgi__finites(const float *v, int count)
 {
     if (!v) return 0;
-    while (count > 0 && ssgi__finite(*v)) { ++v; --count; }
+    while (count > 0 && ssgi__finite(*v)) {
+        ++v;
+        --count;
+    }
     return count == 0;
 }
 
 /* Whether all are finite and 0 or more. */
 SSGI__FN int ssgi__positive(const float *v, int count)
 {
-    while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) { ++v; --count; }
+    while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) {
+        ++v;
+        --count;
+    }
     return count == 0;
 }
 
-SSGI__FN int ssgi__within(float x, float least, float most)
-{
-    return ssgi__finite(x) && x >= least && x <= most;
-}
+SSGI__FN int ssgi__within(float x, float least, float most) { return ssgi__finite(x) && x >= least && x <= most; }
 
 /* A choice whose 0 means its default. */
 SSGI__FN int ssgi__zero_or(float x, float least, float most)
@@ -707,7 +823,7 @@ static double ssgi__light(float x, float least)
 
 static double ssgi__luminance(const double rgb[3]) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-/* rgb times a weight; returns the luminance of that */
+/* A radiance times a weight. Returns its luminance. */
 SSGI__FN double ssgi__light3(double out[3], const float *rgb, float least, double weight)
 {
     for (int c = 0; c < 3; ++c) out[c] = weight * ssgi__light(rgb[c], least);
@@ -715,8 +831,11 @@ SSGI__FN double ssgi__light3(double out[3], const float *rgb, float least, doubl
 }
 
 static float ssgi__min(float a, float b) { return a < b ? a : b; }
+
 static float ssgi__max(float a, float b) { return a > b ? a : b; }
+
 static float ssgi__abs(float a) { return ssgi__max(a, -a); }
+
 SSGI__FN int ssgi__clamp(int a, int least, int most) { return a < least ? least : a > most ? most : a; }
 
 SSGI__FN double ssgi__dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -744,7 +863,7 @@ SSGI__FN void ssgi__floats(float out[3], const double v[3])
     for (int i = 0; i < 3; ++i) out[i] = (float)v[i];
 }
 
-/* returns the length that it had; 0 stays 0 */
+/* Returns the length that it had; 0 stays 0. */
 SSGI__FN double ssgi__normalise(double v[3])
 {
     const double length = sqrt(ssgi__dot(v, v));
@@ -785,14 +904,16 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
         return ssgi__bad(why, "projection: elements 0 and 5 must not be 0");
     if (perspective ? projection[14] == 0.0f : projection[10] == 0.0f)
         return ssgi__bad(why, "projection: depth must vary (element 14, orthographic 10)");
-    scale = clip == SSGI_CLIP_GL ? 2.0 : 1.0;       /* NDC z = scale * window depth + shift */
+    scale = clip == SSGI_CLIP_GL ? 2.0 : 1.0; /* NDC z = scale * window depth + shift */
     shift = clip == SSGI_CLIP_GL ? -1.0 : 0.0;
     if (perspective ? m[11] > 0.0 : (m[14] - shift) / m[10] <= 0.0 && (m[14] - shift - scale) / m[10] <= 0.0)
-        for (int i = 8; i < 12; ++i) m[i] = -m[i];  /* left-handed: of z negated it is right-handed */
+        for (int i = 8; i < 12; ++i) m[i] = -m[i]; /* left-handed: of z negated it is right-handed */
 
     /* NDC x = m0 x/z - m8 (perspective, z the view depth) or m0 x + m12; pixel = (NDC/2 + 1/2) size. The same for y. */
     memset(&v, 0, sizeof v);
-    v.width = width; v.height = height; v.orthographic = !perspective;
+    v.width = width;
+    v.height = height;
+    v.orthographic = !perspective;
     for (int i = 0; i < 2; ++i) {
         double size = i ? height : width, gain = m[i * 5], centre = perspective ? -m[8 + i] : m[12 + i];
         v.project[i] = (float)(gain * 0.5 * size);
@@ -802,11 +923,11 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
         v.oblique[i] = (float)(-2.0 * m[2 + 4 * i] / (size * gain * scale));
         skew -= m[2 + 4 * i] * (1.0 + centre) / gain;
     }
-    if (perspective) {                              /* NDC z = m14/z - m10, and m2 x/z + m6 y/z where it is oblique */
+    if (perspective) { /* NDC z = m14/z - m10, and m2 x/z + m6 y/z where it is oblique */
         v.depth[0] = (float)((shift + m[10] - skew) / m[14]);
         v.depth[1] = (float)(scale / m[14]);
-        v.clear = v.depth[1] > 0.0f ? 0.0f : 1.0f;  /* nearness grows with window depth: reversed */
-    } else {                                        /* NDC z = -m10 z + m14, and m2 x + m6 y */
+        v.clear = v.depth[1] > 0.0f ? 0.0f : 1.0f; /* nearness grows with window depth: reversed */
+    } else {                                       /* NDC z = -m10 z + m14, and m2 x + m6 y */
         v.depth[0] = (float)((m[14] - shift + skew) / m[10]);
         v.depth[1] = (float)(-scale / m[10]);
         v.clear = v.depth[1] > 0.0f ? 1.0f : 0.0f;
@@ -860,17 +981,17 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
     return ssgi__max(x, y) * (view->orthographic ? 1.0f : z);
 }
 
-/* Distance of a view-space point outside the frustum: the largest of those beyond the side planes and the near plane; 0
-   inside. The far plane is ignored. */
+/* Distance of a view-space point outside the frustum, 0 inside: the largest of those beyond the side planes and the
+   near plane. The far plane does not count. */
 SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
 {
     const double z = -point[2];
     double most = (double)ssgi_view_near(view) - z;
     if (!(most > 0.0)) most = 0.0;
-    for (int k = 0; k < 4; ++k) {                   /* left, right, lower, upper */
+    for (int k = 0; k < 4; ++k) { /* left, right, lower, upper */
         const int axis = k / 2, side = k % 2;
         const double pixel = side ? (double)(axis ? view->height : view->width) : 0.0;
-        const double edge = pixel * (double)view->unproject[axis] + (double)view->unproject[2 + axis];  /* per depth */
+        const double edge = pixel * (double)view->unproject[axis] + (double)view->unproject[2 + axis]; /* per depth */
         const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
         const double d = view->orthographic ? sign * (point[axis] - edge)
                                             : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
@@ -879,34 +1000,43 @@ SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
     return most;
 }
 
+/* The rotation of the main camera's matrix, a row an axis. */
+SSGI__FN ssgi_result ssgi__main_axes(double axis[3][3], const float main_world_to_view[16], const char **why)
+{
+    SSGI__CHECK(ssgi__finites(main_world_to_view, 16), "main_world_to_view: must be finite");
+    for (int i = 0; i < 9; ++i) axis[i % 3][i / 3] = (double)main_world_to_view[i / 3 * 4 + i % 3];
+    for (int i = 0; i < 9; ++i)
+        if (fabs(ssgi__dot(axis[i / 3], axis[i % 3]) - (i / 3 == i % 3 ? 1.0 : 0.0)) > 1e-3)
+            return ssgi__bad(why, "main_world_to_view: must be rigid: a rotation and a translation");
+    for (int i = 0; i < 4; ++i)
+        if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f))
+            return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
+    return SSGI_OK;
+}
+
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
 {
-    const double cos40 = 0.76604444311897803520;        /* half of 100 degrees: sine and cosine change places */
+    const double sin50 = 0.76604444311897803520, cot50 = 0.83909963117728001176; /* of half the widest angle */
     const double r = (double)radius;
     double was[3][3], axis[3][3], turn[3], eye[3] = { 0, 0, 0 }, distance, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
     ssgi_view seen;
     SSGI__THERE3(world_to_view, projection, main_world_to_view);
-    SSGI__CHECK(ssgi__finites(main_world_to_view, 16), "main_world_to_view: must be finite");
-    for (int i = 0; i < 9; ++i) was[i % 3][i / 3] = (double)main_world_to_view[i / 3 * 4 + i % 3];
-    for (int i = 0; i < 9; ++i)
-        if (fabs(ssgi__dot(was[i / 3], was[i % 3]) - (i / 3 == i % 3 ? 1.0 : 0.0)) > 1e-3)
-            return ssgi__bad(why, "main_world_to_view: must be rigid: a rotation and a translation");
-    for (int i = 0; i < 4; ++i)
-        if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f))
-            return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
+    SSGI__TRY(ssgi__main_axes(was, main_world_to_view, why));
     SSGI__CHECK(ssgi__finites(centre, 3), "centre: must be there and finite");
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
     SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be there and finite");
-    for (int k = 0; k < 3; ++k) {               /* the main eye stands at minus the translation, in its own axes */
+
+    /* z looks away from the centre; x is across the main camera's y, or where that is z its forward direction */
+    for (int k = 0; k < 3; ++k) { /* the main eye stands at minus the translation, in its own axes */
         for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
         axis[2][k] = eye[k] - (double)centre[k];
     }
     distance = ssgi__normalise(axis[2]);
-    if (distance < 1e-6 * r) {
+    if (distance < 1e-6 * r) { /* at the centre: as the main camera looks */
         memcpy(axis[2], was[2], sizeof axis[2]);
         ssgi__normalise(axis[2]);
     }
@@ -917,15 +1047,16 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     }
     ssgi__cross(axis[1], axis[2], axis[0]);
     ssgi__cross(turn, was[0], was[1]);
-    for (int k = 0; k < 3 && ssgi__dot(turn, was[2]) < 0.0; ++k) axis[0][k] = -axis[0][k];
+    for (int k = 0; k < 3 && ssgi__dot(turn, was[2]) < 0.0; ++k) axis[0][k] = -axis[0][k]; /* mirrored */
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
         view[12 + i] = (float)-ssgi__dot(axis[i], eye);
     }
     view[15] = 1.0f;
+
     near_plane = 0.02 * r;
     far_plane = distance + r;
-    clip[0] = clip[5] = (float)(distance * cos40 > r ? sqrt((distance - r) * far_plane) / r : 0.83909963117728001176);
+    clip[0] = clip[5] = (float)(distance * sin50 > r ? sqrt((distance - r) * far_plane) / r : cot50);
     clip[10] = (float)(-(far_plane + near_plane) / (far_plane - near_plane));
     clip[11] = -1.0f;
     clip[14] = (float)(-2.0 * far_plane * near_plane / (far_plane - near_plane));
@@ -939,8 +1070,10 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
 
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3])
 {
-    static const float all[4][3] = { { -1.62760f, 0.68404f, -1.06031f }, { 1.62760f, 0.68404f, -1.06031f },
-                                     { 0.0f, 1.93185f, -1.48236f }, { 0.0f, 1.53209f, -3.28558f } };
+    static const float all[4][3] = { { -1.62760f, 0.68404f, -1.06031f },
+                                     { 1.62760f, 0.68404f, -1.06031f },
+                                     { 0.0f, 1.93185f, -1.48236f },
+                                     { 0.0f, 1.53209f, -3.28558f } };
     memcpy(out, all[i & 3], sizeof all[0]);
 }
 
@@ -950,8 +1083,11 @@ SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i)
 {
     double f = 1.0, r = 0.0;
     if (base < 2) return 0.0f;
-    for (; i; i /= base) { f /= (double)base; r += f * (double)(i % base); }
-    return ssgi__min((float)r, 1.0f - FLT_EPSILON / 2);      /* 0.99999999 rounds up to 1 */
+    for (; i; i /= base) {
+        f /= (double)base;
+        r += f * (double)(i % base);
+    }
+    return ssgi__min((float)r, 1.0f - FLT_EPSILON / 2); /* 0.99999999 rounds up to 1 */
 }
 
 SSGI__FN float ssgi__fract(double x)
@@ -968,7 +1104,11 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2])
 
 SSGI__FN int ssgi__gcd(int a, int b)
 {
-    while (b) { int c = a % b; a = b; b = c; }
+    while (b) {
+        int c = a % b;
+        a = b;
+        b = c;
+    }
     return a;
 }
 
@@ -1001,16 +1141,17 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
 
 #define SSGI__SH_MOST (SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS)
 
-/* norm * Q_lm(z) * Re or Im (x + iy)^m, where Q_lm sin^m is the associated Legendre function without its sign */
+/* Function m of band l is norm * Q_lm(z) * Re or Im (x + iy)^|m|, where Q_lm sin^m is the associated Legendre function
+   without its sign. Q follows by the recurrence in l. */
 SSGI__FN void ssgi__sh_basis(double *out, int bands, const double d[3])
 {
     /* sqrt((2l+1) (l-m)! / (4 pi (l+m)!)), times sqrt(2) for m > 0, at l (l+1)/2 + m */
-    static const double norm[] = {
-        0.28209479177387814, 0.48860251190291992, 0.48860251190291992, 0.63078313050504009, 0.36418281019735976,
-        0.18209140509867988, 0.74635266518023080, 0.30469719964297729, 0.09635371475468515, 0.03933623932844291,
-        0.84628437532163450, 0.26761861742291570, 0.06307831305050400, 0.01685838828361839, 0.00596034033761120,
-        0.93560257962738880, 0.24157154730437160, 0.04565273128546023, 0.00931882475114763, 0.00219646805807518,
-        0.00069458418713245 };
+    static const double norm[] = { 0.28209479177387814, 0.48860251190291992, 0.48860251190291992, 0.63078313050504009,
+                                   0.36418281019735976, 0.18209140509867988, 0.74635266518023080, 0.30469719964297729,
+                                   0.09635371475468515, 0.03933623932844291, 0.84628437532163450, 0.26761861742291570,
+                                   0.06307831305050400, 0.01685838828361839, 0.00596034033761120, 0.93560257962738880,
+                                   0.24157154730437160, 0.04565273128546023, 0.00931882475114763, 0.00219646805807518,
+                                   0.00069458418713245 };
     double real = 1.0, imaginary = 0.0, top = 1.0;
     for (int m = 0; m < bands; ++m) {
         double q = top, before = 0.0, turned;
@@ -1105,10 +1246,10 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
     return SSGI_OK;
 }
 
-/* solid angle of the rectangle from (0,0) to (x,y) at distance 1 */
+/* Solid angle of the rectangle from (0,0) to (x,y) at distance 1. */
 SSGI__FN double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
 
-/* GL table 8.19, s and t in [-1,1] */
+/* The direction of a place on a face, s and t in [-1,1]: OpenGL 4.6, table 8.19. */
 SSGI__FN void ssgi__cube_direction(double out[3], int face, double s, double t)
 {
     static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 },
@@ -1120,11 +1261,20 @@ SSGI__FN void ssgi__cube_direction(double out[3], int face, double s, double t)
     ssgi__normalise(out);
 }
 
-SSGI__FN int ssgi__cube_place(float at[2], const float w[3])      /* the face, at in [-1,1] */
+/* The face of GL's cube map that a direction meets, and where: at in [-1,1]. */
+SSGI__FN int ssgi__cube_place(float at[2], const float w[3])
 {
     const float x = fabsf(w[0]), y = fabsf(w[1]), z = fabsf(w[2]);
-    if (x >= y && x >= z) { at[0] = (w[0] < 0.0f ? w[2] : -w[2]) / x; at[1] = -w[1] / x; return w[0] < 0.0f; }
-    if (y >= z) { at[0] = w[0] / y; at[1] = (w[1] < 0.0f ? -w[2] : w[2]) / y; return 2 + (w[1] < 0.0f); }
+    if (x >= y && x >= z) {
+        at[0] = (w[0] < 0.0f ? w[2] : -w[2]) / x;
+        at[1] = -w[1] / x;
+        return w[0] < 0.0f;
+    }
+    if (y >= z) {
+        at[0] = w[0] / y;
+        at[1] = (w[1] < 0.0f ? -w[2] : w[2]) / y;
+        return 2 + (w[1] < 0.0f);
+    }
     at[0] = (w[2] < 0.0f ? -w[0] : w[0]) / z;
     at[1] = -w[1] / z;
     return 4 + (w[2] < 0.0f);
@@ -1161,7 +1311,7 @@ SSGI_DEF void ssgi_sh_window(float *out, int bands, int window)
     for (int l = 0; l < bands; ++l) {
         const double hann = 0.5 + 0.5 * cos(SSGI__PI * l / bands);
         out[l] = (float)(window == SSGI_SH_WINDOW_HANN ? hann : window == SSGI_SH_WINDOW_POSITIVE ? positive : 1.0);
-        positive *= (bands - 1.0 - l) / (bands + 1.0 + l);      /* p!(p+1)! / ((p-l)!(p+l+1)!), p = bands - 1 */
+        positive *= (bands - 1.0 - l) / (bands + 1.0 + l); /* p!(p+1)! / ((p-l)!(p+l+1)!), p = bands - 1 */
     }
 }
 
@@ -1221,8 +1371,8 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
         }
 }
 
-/* Means of the Legendre polynomials over [cosine, 1]: a cap's factor for each band. No cancellation at
-   cosine 1, as differences of polynomials would. */
+/* A cap's factor for each band: the means of the Legendre polynomials over [cosine, 1]. By a recurrence of their own,
+   as differences of polynomials would cancel near cosine 1. */
 SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 {
     mean[0] = 1.0;
@@ -1231,7 +1381,7 @@ SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
         mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
 }
 
-/* 0 if it is not a direction */
+/* A unit vector; 0 for what has no direction. */
 SSGI__FN int ssgi__direction(double d[3], const float *v)
 {
     if (!ssgi__finites(v, 3)) return 0;
@@ -1295,7 +1445,7 @@ SSGI__FN void ssgi__octahedral_texel(float out[3], int texel, int size)
     ssgi_octahedral_decode(e, out);
 }
 
-/* Intersection of the spans [a, a + la] and [b, b + lb]. */
+/* The intersection of [a, a + la] and [b, b + lb]. */
 SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
 {
     *begin = a > b ? a : b;
@@ -1328,7 +1478,8 @@ SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3
     }
 }
 
-/* Weights: exp(kappa (cosine - 1)), or for kappa 0 the cosine, ramped up by slope; nothing for cosines up to least. */
+/* The environment averaged about every direction of an octahedral map. A cell's weight is exp(kappa (cosine - 1)), or
+   with kappa 0 the cosine, times a ramp that rises by `slope` from `least` on, up to which it is 0. */
 SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa,
                                              float least, float slope, const char **why)
 {
@@ -1373,14 +1524,14 @@ SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *
     return SSGI_OK;
 }
 
-#define SSGI__STEEP 1e30f       /* no ramp */
+#define SSGI__STEEP 1e30f /* a slope that is no ramp */
 
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why)
 {
     const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
     SSGI__CHECK(ssgi__positive(&solid_angle, 1), "solid_angle: must be finite, 0 or above");
-    /* the lobe is below 1e-7 beyond that */
+    /* beyond cosine 1 - 16 / kappa the lobe is below 1e-7 of its peak */
     return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f,
                                    SSGI__STEEP, why);
 }
@@ -1395,7 +1546,10 @@ SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rg
                                    half > 0.0f ? 0.5f / half : SSGI__STEEP, why);
 }
 
-typedef struct ssgi__region { int lower[2], upper[2]; double energy; } ssgi__region;    /* columns, rows */
+typedef struct ssgi__region {
+    int lower[2], upper[2]; /* columns, rows */
+    double energy;
+} ssgi__region;
 
 #define SSGI__REGION_BINS 256
 
@@ -1423,7 +1577,7 @@ SSGI__FN void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const
     ssgi__equirect_row(polar, 0.5 * (part.lower[1] + part.upper[1]), width, height);
     axis = rows > 1 && (columns < 2 || 2.0 * columns * polar[0] / width <= (double)rows / height);
     while ((part.upper[axis] - part.lower[axis] - 1) >> shift >= SSGI__REGION_BINS) ++shift;
-    for (;; shift = 0) {                            /* sides of more than 256: first the bin, then the line within it */
+    for (;; shift = 0) { /* sides of more than 256: first the bin, then the line within it */
         ssgi__region_bins(bin, &part, axis, shift, rgb, width, height);
         last = (part.upper[axis] - part.lower[axis] - 1) >> shift;
         for (b = 0; b < last && before + bin[b] < half; ++b) before += bin[b];
@@ -1474,14 +1628,15 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
     SSGI__THERE(out);
     SSGI__RANGE(count, 1, 1024);
     SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
-    ssgi__region_bins(bin, &region[0], 0, 16, rgb, width, height);      /* all in one bin */
+    ssgi__region_bins(bin, &region[0], 0, 16, rgb, width, height); /* all in one bin */
     region[0].energy = bin[0];
     for (n = 1; n < count; ++n) {
         int most = -1;
         for (int i = 0; i < n; ++i) {
             const ssgi__region *r = &region[i];
             if ((r->upper[0] - r->lower[0] > 1 || r->upper[1] - r->lower[1] > 1)
-                && (most < 0 || r->energy > region[most].energy)) most = i;
+                && (most < 0 || r->energy > region[most].energy))
+                most = i;
         }
         if (most < 0) break;
         ssgi__region_split(&region[most], &region[n], rgb, width, height);
@@ -1492,7 +1647,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
 }
 
 SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
-                                     int count, const char **why)
+                                      int count, const char **why)
 {
     SSGI__THERE(map);
     SSGI__RANGE(size, 8, 256);
@@ -1535,8 +1690,7 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
     }
     SSGI__CHECK(total > 0.0, "flux: must be above 0 somewhere");
     sum = here = ssgi__light3(rgb, flux, 0.0f, 1.0);
-    /* last guards the end against rounding */
-    k = 0;
+    k = 0; /* not beyond `last`, the last pixel with flux: rounding may miss the end */
     for (int i = 0; i < count; ++i) {
         const double at = (i + (double)ssgi_radical_inverse(2, (uint32_t)i)) / count * total;
         while (k < last && sum <= at) sum += here = ssgi__light3(rgb, flux + 3 * ++k, 0.0f, 1.0);
@@ -1554,40 +1708,45 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
    multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there are at
    most 2 L / 3 + 1 nodes, as a node with fewer than four children has only leaves. */
 
-#define SSGI__TRACE_LIMIT  1e12f                  /* products of three such lengths stay finite */
-#define SSGI__TRACE_LEAF   0x80000000u
-#define SSGI__TRACE_NONE   0xffffffffu
-#define SSGI__TRACE_DEEP   32                     /* binary levels split in the middle; at most 30 more by count */
-#define SSGI__TRACE_STACK  (3 * (SSGI__TRACE_DEEP + 30) + 4)
+#define SSGI__TRACE_LIMIT 1e12f /* products of three such lengths stay finite */
+#define SSGI__TRACE_LEAF 0x80000000u
+#define SSGI__TRACE_NONE 0xffffffffu
+#define SSGI__TRACE_DEEP 32 /* binary levels split in the middle; at most 30 more by count */
+#define SSGI__TRACE_STACK (3 * (SSGI__TRACE_DEEP + 30) + 4)
 
 typedef struct ssgi__trace_node {
-    float    bound[2][3][4];                      /* lower and upper; axis; child */
-    uint32_t child[4];                            /* node, or block + LEAF */
+    float bound[2][3][4]; /* lower and upper; axis; child */
+    uint32_t child[4];    /* node, or block + LEAF */
 } ssgi__trace_node;
 
 typedef struct ssgi__trace_block {
-    float    corner[3][3][4];                     /* corner; axis; triangle */
+    float corner[3][3][4]; /* corner; axis; triangle */
     uint32_t triangle[4];
 } ssgi__trace_block;
 
-typedef struct ssgi__trace_item { float lower[3], upper[3]; uint32_t triangle; } ssgi__trace_item;
+typedef struct ssgi__trace_item {
+    float lower[3], upper[3];
+    uint32_t triangle;
+} ssgi__trace_item;
 
-typedef struct ssgi__trace_range {                /* items to become one child */
+/* Items that become one child. */
+typedef struct ssgi__trace_range {
     uint32_t first, count, depth;
-    float    lower[3], upper[3], clower[3], cupper[3];      /* bounds; bounds of the centres, times two */
+    float lower[3], upper[3];   /* bounds */
+    float clower[3], cupper[3]; /* bounds of the centres, times two */
 } ssgi__trace_range;
 
 typedef struct ssgi__trace_job {
-    ssgi__trace_node  *nodes;
+    ssgi__trace_node *nodes;
     ssgi__trace_block *blocks;
-    ssgi__trace_item  *items;
-    uint32_t           node_count;
-    const char        *position;
-    size_t             stride;
-    const uint32_t    *index;
+    ssgi__trace_item *items;
+    uint32_t node_count;
+    const char *position;
+    size_t stride;
+    const uint32_t *index;
 } ssgi__trace_job;
 
-/* finite and within the limit, by the bits: -ffast-math may drop any comparison */
+/* Finite and within the limit, by the bits: -ffast-math may drop any comparison. */
 static int ssgi__trace_sane(float x)
 {
     const float limit = SSGI__TRACE_LIMIT;
@@ -1655,7 +1814,7 @@ static float ssgi__trace_area(const float lower[3], const float upper[3])
     return x * y + y * z + z * x;
 }
 
-/* puts the items with the smallest centres along axis into the first want of count places [Hoare 1961] */
+/* Puts the items with the smallest centres along an axis into the first `want` of `count` places [Hoare 1961]. */
 SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t want, int axis)
 {
     int64_t lower = 0, upper = (int64_t)count - 1, goal = (int64_t)want;
@@ -1678,7 +1837,8 @@ SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_
     }
 }
 
-/* splits a range of more than four in two, the first with a multiple of four items */
+/* Splits a range of more than four items in two, in the middle of the longest axis, moved so that the left part
+   gets a multiple of four. */
 SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left,
                                 ssgi__trace_range *right)
 {
@@ -1712,14 +1872,15 @@ SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range
     ssgi__trace_bound(items, right);
 }
 
-/* items are consumed before their block is written, so both share memory (see ssgi_trace_build) */
+/* Makes a leaf of a range's items. They are read before the block is written: both share memory, see
+   ssgi_trace_build. */
 SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
 {
     uint32_t id[4];
     ssgi__trace_block *block = job->blocks + range->first / 4;
     for (uint32_t k = 0; k < 4; k++)
         id[k] = k < range->count ? job->items[range->first + k].triangle : SSGI__TRACE_NONE;
-    memset(block, 0, sizeof *block);                /* a triangle of zeros has no area: never hit */
+    memset(block, 0, sizeof *block); /* a triangle of zeros has no area: never hit */
     for (uint32_t k = 0; k < 4; k++) {
         block->triangle[k] = id[k];
         for (uint32_t c = 0; k < range->count && c < 3; c++)
@@ -1738,7 +1899,10 @@ SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_r
         float most = 0.0f;
         for (int k = 0; k < count; k++) {
             const float area = ssgi__trace_area(range[k].lower, range[k].upper);
-            if (range[k].count > 4 && (widest < 0 || area > most)) { widest = k; most = area; }
+            if (range[k].count > 4 && (widest < 0 || area > most)) {
+                widest = k;
+                most = area;
+            }
         }
         if (widest < 0) break;
         for (int k = count++; k > widest + 1; k--) range[k] = range[k - 1];
@@ -1747,7 +1911,7 @@ SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_r
     }
     for (int k = 0; k < 4; k++) {
         ssgi__trace_node *node = job->nodes + self;
-        for (int i = 0; i < 3; i++) {                   /* an empty child's box is inside out: never entered */
+        for (int i = 0; i < 3; i++) { /* an empty child's box is inside out: never entered */
             node->bound[0][i][k] = k < count ? range[k].lower[i] : 2.0f * SSGI__TRACE_LIMIT;
             node->bound[1][i][k] = k < count ? range[k].upper[i] : -2.0f * SSGI__TRACE_LIMIT;
         }
@@ -1800,10 +1964,39 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
     return SSGI_OK;
 }
 
+/* A ray, prepared for boxes and for triangles. */
 typedef struct ssgi__trace_ray {
-    float origin[3], slope[2];                    /* x, y, z permuted so that z is the direction's longest axis */
-    int   axis[3];
+    float origin[3], direction[3];
+    float inverse[3]; /* 1 / direction, finite */
+    int sign[3];      /* 1 where the direction is negative */
+    /* the same with x, y, z permuted so that z is the direction's longest axis, and sheared along it */
+    int axis[3];
+    float from[3], slope[2];
 } ssgi__trace_ray;
+
+/* 0 for a ray that can hit nothing: not finite, too far out, or without direction. */
+static int ssgi__trace_ray_set(ssgi__trace_ray *ray, const float origin[3], const float direction[3])
+{
+    float size = 0.0f, longest = 0.0f;
+    for (int i = 0; i < 3; i++) {
+        ray->origin[i] = origin[i];
+        ray->direction[i] = direction[i];
+        size += ssgi__abs(origin[i]) + ssgi__abs(direction[i]);
+    }
+    for (int i = 2; i >= 0; i--) longest = ssgi__max(ssgi__abs(direction[i]), longest);
+    if (!ssgi__trace_sane(size) || !(longest > 1e-18f)) return 0;
+    for (int i = 0; i < 3; i++) { /* no infinity: 0 * infinity would be NaN on the face of a box */
+        const float least = longest * 1e-12f;
+        ray->sign[i] = direction[i] < 0.0f;
+        ray->inverse[i] = 1.0f / (ray->sign[i] ? ssgi__min(direction[i], -least) : ssgi__max(direction[i], least));
+    }
+    ray->axis[2] = longest > ssgi__abs(direction[0]) ? longest > ssgi__abs(direction[1]) ? 2 : 1 : 0;
+    ray->axis[0] = (ray->axis[2] + 1) % 3;
+    ray->axis[1] = (ray->axis[2] + 2) % 3;
+    for (int i = 0; i < 3; i++) ray->from[i] = origin[ray->axis[i]];
+    for (int i = 0; i < 2; i++) ray->slope[i] = direction[ray->axis[i]] / direction[ray->axis[2]];
+    return 1;
+}
 
 /* weight[c][k]: unnormalised barycentric weight of corner c of triangle k; outside[k] above 0: the ray's line misses
    it. The corners are sheared so that the ray is the z axis; a weight's sign is then exact for the sheared corners,
@@ -1811,7 +2004,7 @@ typedef struct ssgi__trace_ray {
 static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float weight[3][4],
                                   float outside[4])
 {
-    const float ox = ray->origin[0], oy = ray->origin[1], oz = ray->origin[2], sx = ray->slope[0], sy = ray->slope[1];
+    const float ox = ray->from[0], oy = ray->from[1], oz = ray->from[2], sx = ray->slope[0], sy = ray->slope[1];
     const int x = ray->axis[0], y = ray->axis[1], z = ray->axis[2];
     const float *x0 = block->corner[0][x], *y0 = block->corner[0][y], *z0 = block->corner[0][z];
     const float *x1 = block->corner[1][x], *y1 = block->corner[1][y], *z1 = block->corner[1][z];
@@ -1829,7 +2022,7 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
     }
 }
 
-/* where the ray meets the plane of triangle k, -1 if it lies in it; in double, for small things on large triangles */
+/* Where the ray meets the plane of triangle k, -1 if it lies in it; in double, for small things on large triangles. */
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
 {
     double e[3], f[3], facing = 0.0, height = 0.0;
@@ -1846,73 +2039,84 @@ static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const f
     return facing < 0.0 || facing > 0.0 ? (float)(height / facing) : -1.0f;
 }
 
-/* hit NULL: returns at the first hit found */
+/* The closest hit in tmin < t < tmax of a leaf's triangles, or with `hit` NULL any. Returns 1 if there is one; *tmax is
+   then its distance. */
+static int ssgi__trace_leaf(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float tmin, float *tmax,
+                            ssgi_hit *hit)
+{
+    float weight[3][4], outside[4];
+    int found = 0;
+    ssgi__trace_block_hit(block, ray, weight, outside);
+    for (int k = 0; k < 4; k++) {
+        if (outside[k] > 0.0f) continue;
+        const float t = ssgi__trace_distance(block, k, ray->origin, ray->direction);
+        const float sum = weight[0][k] + weight[1][k] + weight[2][k];
+        if (!(t > tmin && t < *tmax && ssgi__abs(sum) > 0.0f)) continue;
+        if (!hit) return 1;
+        found = 1;
+        hit->t = *tmax = t;
+        hit->u = ssgi__min(1.0f, ssgi__max(0.0f, weight[1][k] / sum));
+        hit->v = ssgi__min(1.0f - hit->u, ssgi__max(0.0f, weight[2][k] / sum));
+        hit->triangle = block->triangle[k];
+    }
+    return found;
+}
+
+/* Where the ray enters and leaves the boxes of a node's children, within tmin .. tmax; missed where enter > leave. */
+static void ssgi__trace_boxes(const ssgi__trace_node *node, const ssgi__trace_ray *ray, float tmin, float tmax,
+                              float enter[4], float leave[4])
+{
+    const float *o = ray->origin, *inverse = ray->inverse;
+    const int *sign = ray->sign;
+    const float *x0 = node->bound[sign[0]][0], *x1 = node->bound[1 - sign[0]][0];
+    const float *y0 = node->bound[sign[1]][1], *y1 = node->bound[1 - sign[1]][1];
+    const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
+    for (int k = 0; k < 4; k++) {
+        const float ex = (x0[k] - o[0]) * inverse[0], lx = (x1[k] - o[0]) * inverse[0];
+        const float ey = (y0[k] - o[1]) * inverse[1], ly = (y1[k] - o[1]) * inverse[1];
+        const float ez = (z0[k] - o[2]) * inverse[2], lz = (z1[k] - o[2]) * inverse[2];
+        enter[k] = ssgi__max(ssgi__max(ex, ey), ssgi__max(ez, tmin));
+        leave[k] = ssgi__min(ssgi__min(lx, ly), lz) * 1.0000006f; /* covers the rounding of both ends [Ize 2013] */
+        leave[k] = ssgi__min(leave[k], tmax);
+    }
+}
+
+/* From near to far. With `hit` NULL it returns at the first hit that it finds. */
 SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                               float tmax, ssgi_hit *hit)
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)trace->nodes;
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)trace->blocks;
-    struct { uint32_t child; float t; } stack[SSGI__TRACE_STACK];
-    const float o[3] = { origin[0], origin[1], origin[2] }, d[3] = { direction[0], direction[1], direction[2] };
+
+    struct {
+        uint32_t child;
+        float t;
+    } stack[SSGI__TRACE_STACK];
+
     ssgi__trace_ray ray;
-    float weight[3][4], enter[4], leave[4], inverse[3], longest, size = 0.0f;
-    int sign[3], top = 0, found = 0;
-    for (int i = 0; i < 3; i++) size += ssgi__abs(o[i]) + ssgi__abs(d[i]);
-    longest = ssgi__max(ssgi__abs(d[0]), ssgi__max(ssgi__abs(d[1]), ssgi__abs(d[2])));
-    if (!ssgi__trace_sane(size) || !(longest > 1e-18f) || trace->node_count == 0) return 0;
-    for (int i = 0; i < 3; i++) {                   /* no infinity: 0 * infinity would be NaN on the face of a box */
-        const float least = longest * 1e-12f;
-        sign[i] = d[i] < 0.0f;
-        inverse[i] = 1.0f / (sign[i] ? ssgi__min(d[i], -least) : ssgi__max(d[i], least));
-    }
-    ray.axis[2] = longest > ssgi__abs(d[0]) ? longest > ssgi__abs(d[1]) ? 2 : 1 : 0;
-    ray.axis[0] = (ray.axis[2] + 1) % 3;
-    ray.axis[1] = (ray.axis[2] + 2) % 3;
-    for (int i = 0; i < 3; i++) ray.origin[i] = o[ray.axis[i]];
-    for (int i = 0; i < 2; i++) ray.slope[i] = d[ray.axis[i]] / d[ray.axis[2]];
+    int top = 0, found = 0;
+    if (trace->node_count == 0 || !ssgi__trace_ray_set(&ray, origin, direction)) return 0;
     tmin = tmin > 0.0f ? tmin : 0.0f;
     stack[top].child = 0;
     stack[top++].t = tmin;
     while (top) {
         const uint32_t child = stack[--top].child;
+        float enter[4], leave[4];
+        const int base = top;
         if (stack[top].t > tmax) continue;
         if (child & SSGI__TRACE_LEAF) {
-            const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
-            ssgi__trace_block_hit(block, &ray, weight, enter);
-            for (int k = 0; k < 4; k++) {
-                if (enter[k] > 0.0f) continue;
-                const float t = ssgi__trace_distance(block, k, o, d), sum = weight[0][k] + weight[1][k] + weight[2][k];
-                if (!(t > tmin && t < tmax && ssgi__abs(sum) > 0.0f)) continue;
-                if (!hit) return 1;
-                found = 1;
-                hit->t = tmax = t;
-                hit->u = ssgi__min(1.0f, ssgi__max(0.0f, weight[1][k] / sum));
-                hit->v = ssgi__min(1.0f - hit->u, ssgi__max(0.0f, weight[2][k] / sum));
-                hit->triangle = block->triangle[k];
-            }
-        } else {
-            const ssgi__trace_node *node = nodes + child;
-            const float *x0 = node->bound[sign[0]][0], *x1 = node->bound[1 - sign[0]][0];
-            const float *y0 = node->bound[sign[1]][1], *y1 = node->bound[1 - sign[1]][1];
-            const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
-            const int base = top;
-            for (int k = 0; k < 4; k++) {               /* the slack covers the rounding of both ends [Ize 2013] */
-                const float ex = (x0[k] - o[0]) * inverse[0], ey = (y0[k] - o[1]) * inverse[1],
-                            ez = (z0[k] - o[2]) * inverse[2];
-                const float lx = (x1[k] - o[0]) * inverse[0], ly = (y1[k] - o[1]) * inverse[1],
-                            lz = (z1[k] - o[2]) * inverse[2];
-                enter[k] = ssgi__max(ssgi__max(ex, ey), ssgi__max(ez, tmin));
-                leave[k] = ssgi__min(ssgi__min(lx, ly), lz) * 1.0000006f;
-                leave[k] = ssgi__min(leave[k], tmax);
-            }
-            for (int k = 0; k < 4; k++)
-                if (enter[k] <= leave[k]) {
-                    int j = top++;
-                    for (; hit && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
-                    stack[j].child = node->child[k];
-                    stack[j].t = enter[k];
-                }
+            found |= ssgi__trace_leaf(blocks + (child & ~SSGI__TRACE_LEAF), &ray, tmin, &tmax, hit);
+            if (found && !hit) return 1;
+            continue;
         }
+        ssgi__trace_boxes(nodes + child, &ray, tmin, tmax, enter, leave);
+        for (int k = 0; k < 4; k++)
+            if (enter[k] <= leave[k]) { /* the nearest on top, where the order matters */
+                int j = top++;
+                for (; hit && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
+                stack[j].child = nodes[child].child[k];
+                stack[j].t = enter[k];
+            }
     }
     return found;
 }
@@ -1931,8 +2135,10 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* ==== >>surfels (implementation) =============================================================================== */
 
-/* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even
-   i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
+/* Points of a triangle that is tessellated to level i all around, with equal spacing, in point mode [DSS14 section
+   3.1]: (3/4) i^2 + (3/2) i + 1 for an even i, 3 ceil(i/2)^2 for an odd one. 0 for a level outside 1..64. */
+#define SSGI__TESS_MOST 3169.0 /* at level 64, the tessellator's last */
+
 SSGI__FN int ssgi__tess_count(int level)
 {
     const int half = (level + 1) / 2;
@@ -1940,7 +2146,8 @@ SSGI__FN int ssgi__tess_count(int level)
     return level % 2 ? 3 * half * half : 3 * half * half + 3 * half + 1;
 }
 
-/* Point i of ring k, which has n - 2k segments a side: its place on the lattice of 1/n, from the ring's own corners. */
+/* Point i of a ring: its place on the lattice, counted from the ring's own corners. Ring k of level n has n - 2k
+   segments a side. */
 SSGI__FN void ssgi__tess_lattice(int place[3], int segments, int i)
 {
     const int side = segments ? i / segments : 0, along = segments ? i % segments : 0;
@@ -1949,23 +2156,26 @@ SSGI__FN void ssgi__tess_lattice(int place[3], int segments, int i)
     place[(side + 2) % 3] = 0;
 }
 
-SSGI__FN uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014] */
+/* The hash of PCG [O'Neill 2014]. */
+SSGI__FN uint32_t ssgi__hash(uint32_t x)
 {
     x = x * 747796405u + 2891336453u;
     x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
     return (x >> 22) ^ x;
 }
 
-/* The level, 1..64 (0 culls), at which so many discs have the triangle's area; beyond 3169 discs it needs splits. */
+/* The least level, 1..64, that has as many points as discs of the radius have the area; for more discs than level 64
+   has points the triangle needs splits. */
 SSGI__FN int ssgi__tess_level(double area, double radius)
 {
     const double discs = area / (SSGI__PI * radius * radius);
     if (!(discs > 3.0)) return 1;
-    return discs > 3169.0 ? 64 : (int)ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5);
+    return discs > SSGI__TESS_MOST ? 64 : (int)ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5);
 }
 
-/* Radius of a surfel at a view depth, s/2 image heights on the screen: r = scale * (|depth - near| + near), scale = s
-   tan(alpha/2) [DSS14 3.1]; behind the near plane they grow again. Orthographic: scale, s/2 heights, everywhere. */
+/* Radius of a surfel at a view depth [DSS14 section 3.1]: r = scale (|depth - near| + near), with scale = s
+   tan(alpha/2). That is s/2 image heights on the screen; behind the near plane surfels grow again. Orthographic: scale
+   everywhere. */
 SSGI__FN double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
 {
     return orthographic ? scale[0] : scale[0] * (fabs(depth - scale[1]) + scale[1]);
@@ -1976,13 +2186,13 @@ typedef struct ssgi__surfel_maker {
     const ssgi_view *view;
     const ssgi_surfel_source *source;
     ssgi_surfel_desc desc;
-    double scale[2], normals[3][3], side;       /* side: -1 where the mesh is mirrored */
+    double scale[2], normals[3][3], side; /* side: -1 where the mesh is mirrored */
 } ssgi__surfel_maker;
 
 typedef struct ssgi__patch {
     double at[3][3], normal[3][3], colour[3][3];
-    double face[3], area, radius;       /* face: the triangle's own unit normal, as its corners turn */
-    int    level, alive, count;         /* alive: bits of a triangle's three points at level 1; count: of surfels */
+    double face[3], area, radius; /* face: the triangle's own unit normal, as its corners turn */
+    int level, alive, count;      /* alive: bits of a triangle's three points at level 1; count: of surfels */
     uint32_t key;
 } ssgi__patch;
 
@@ -2025,7 +2235,7 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
-/* smallest surfel radius in it: at the depth in its range that is nearest to the near plane */
+/* The smallest surfel radius in a patch: at the depth in its range that is nearest to the near plane. */
 SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_maker *m)
 {
     double low = 1e300, high = -1e300;
@@ -2054,7 +2264,8 @@ SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_ma
 
 SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m, int most)
 {
-    const double r = ssgi__surfel_finest(whole, m), n = ceil(sqrt(whole->area / (SSGI__PI * r * r * 3169.0)) - 1e-5);
+    const double r = ssgi__surfel_finest(whole, m),
+                 n = ceil(sqrt(whole->area / (SSGI__PI * r * r * SSGI__TESS_MOST)) - 1e-5);
     return n < 1.0 ? 1 : n < most ? (int)n : most;
 }
 
@@ -2063,7 +2274,8 @@ SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const d
     for (int i = 0; i < 3; ++i) out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
-/* Part i of n * n, inset from the edges. 0: too far outside the frustum, or thinned out. Twin of main_levels. */
+/* Part number `part` of n * n of a triangle, inset from its edges. 0: too far outside the frustum, or thinned out. GLSL
+   twin: main_levels. */
 SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
     int row = (int)sqrt((double)part), place;
@@ -2082,12 +2294,12 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     aside = ssgi__surfel_outside(p, m, middle, &extent);
     if (m->desc.max_distance > 0.0f && aside - extent > (double)m->desc.max_distance) return 0;
     wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2])
-             + (double)m->desc.offscreen_growth * aside;
+           + (double)m->desc.offscreen_growth * aside;
     p->key = whole->key + (uint32_t)part * 0x85ebca6bu;
     p->level = ssgi__tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.keep_small || share > 1.0) share = 1.0;
-    p->alive = 0;       /* by the golden ratio: even along the order of indices, which is mostly spatial */
+    p->alive = 0; /* by the golden ratio: even along the order of indices, which is mostly spatial */
     for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
@@ -2109,7 +2321,7 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     return 1;
 }
 
-/* Twin of the tessellation evaluation shader. */
+/* The surfel at a place of a ring. GLSL twin: main_points. */
 SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring,
                                  const int place[3])
 {
@@ -2119,7 +2331,8 @@ SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, 
     ssgi__surfel_mix(at, p->at, w);
     ssgi__surfel_mix(normal, p->normal, w);
     ssgi__surfel_mix(colour, p->colour, w);
-    if (!(ssgi__normalise(normal) > 0.0)) for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
+    if (!(ssgi__normalise(normal) > 0.0))
+        for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
     ssgi__floats(out->position, at);
     ssgi__floats(out->normal, normal);
     ssgi__floats(out->colour, colour);
@@ -2133,8 +2346,7 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
 {
     SSGI__THERE(desc);
     SSGI__CHECK(view && view->width > 0 && view->height > 0, "view: must come from ssgi_view_from_projection");
-    SSGI__CHECK(ssgi__zero_or(desc->size, 1e-4f, 1.0f),
-                "desc.size: must be 1e-4..1, or 0 for the default");
+    SSGI__CHECK(ssgi__zero_or(desc->size, 1e-4f, 1.0f), "desc.size: must be 1e-4..1, or 0 for the default");
     SSGI__CHECK(desc->splits >= 0 && desc->splits <= 32, "desc.splits: must be 0..32");
     SSGI__CHECK(desc->keep_small >= 0 && desc->keep_small <= 1, "desc.keep_small: must be 0 or 1");
     SSGI__CHECK(ssgi__within(desc->offscreen_growth, 0.0f, 1.0f), "desc.offscreen_growth: must be 0..1");
@@ -2199,7 +2411,10 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
         const int splits = ssgi__surfel_triangle(&whole, &m, t) ? ssgi__surfel_splits(&whole, &m, m.desc.splits) : 0;
         for (int part = 0; part < splits * splits; ++part) {
             if (!ssgi__surfel_part(&p, &m, &whole, splits, part)) continue;
-            if (n >= capacity) { n += (size_t)p.count; continue; }
+            if (n >= capacity) {
+                n += (size_t)p.count;
+                continue;
+            }
             for (int ring = 0; 2 * ring <= p.level; ++ring) {
                 const int segments = p.level - 2 * ring, points = segments ? 3 * segments : 1;
                 for (int i = 0; i < points; ++i) {
@@ -2216,7 +2431,11 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
     return SSGI_OK;
 }
 
-typedef struct ssgi__divider { ssgi__surfel_maker maker; float *out; size_t capacity, count; } ssgi__divider;
+typedef struct ssgi__divider {
+    ssgi__surfel_maker maker;
+    float *out;
+    size_t capacity, count;
+} ssgi__divider;
 
 SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
 {
@@ -2234,12 +2453,12 @@ SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth
     aside = ssgi__surfel_outside(&p, m, middle, &extent) - extent;
     if (m->desc.max_distance > 0.0f && aside > (double)m->desc.max_distance) return;
     r = ssgi__surfel_finest(&p, m) + (aside > 0.0 ? (double)m->desc.offscreen_growth * aside : 0.0);
-    if (depth == 10 || p.area <= SSGI__PI * 3169.0 * r * r * m->desc.splits * m->desc.splits) {
+    if (depth == 10 || p.area <= SSGI__PI * SSGI__TESS_MOST * r * r * m->desc.splits * m->desc.splits) {
         if (d->count < d->capacity) memcpy(d->out + 27 * d->count, v, 27 * sizeof *v);
         ++d->count;
         return;
     }
-    for (int c = 0; c < 4; ++c) {       /* a corner and its edges' midpoints, or the three midpoints */
+    for (int c = 0; c < 4; ++c) { /* a corner and its edges' midpoints, or the three midpoints */
         float child[27];
         for (int i = 0; i < 27; ++i) {
             const int k = i / 9, a = c < 3 ? c : k, b = c < 3 ? (c + k) % 3 : (k + 1) % 3;
@@ -2275,13 +2494,15 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
     return SSGI_OK;
 }
 
-/* Beyond it a surfel's contribution is below epsilon; brightest: largest component of what it sends [DSS14 3.2, 4]. */
+/* Distance beyond which a surfel's contribution is below epsilon [DSS14 sections 3.2, 4]: where its form factor, r^2
+   over d^2 + r^2, times the largest component of what it sends is epsilon. */
 SSGI__FN double ssgi__surfel_reach(double radius, double brightest, double epsilon)
 {
     return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
 }
 
-/* Distances that a level covers, (shell[0], shell[1]]: up to reach for 0, reach 2^(l-1) .. reach 2^l for l; to most. */
+/* The distances that a level covers, from shell[0] to shell[1]: level 0 up to reach, level l from reach 2^(l-1) to
+   reach 2^l, none beyond `most`. */
 SSGI__FN void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
 {
     shell[0] = level > 0 ? fmin(ldexp(reach, level - 1), most) : 0.0;
@@ -2302,8 +2523,8 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
         const double x = (double)centre[axis], off = x * x + z * z - r * r, t = off > 0.0 ? sqrt(off) : 0.0;
         double end[2];
         for (int side = 0; side < 2; ++side) {
-            const double e = side ? r : -r, depth = z * t - x * e;         /* of the tangent's point, over |c|^2 / t */
-            /* where it meets the front */
+            const double e = side ? r : -r, depth = z * t - x * e; /* of the tangent's point, times |c|^2 / t */
+            /* where the sphere meets the front */
             const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);
             double slope = z < begin ? cut : x + e;
             if (!view->orthographic)
@@ -2323,8 +2544,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
 SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
 {
     SSGI__THERE2(splat, view);
-    SSGI__CHECK(ssgi__zero_or(splat->epsilon, 1e-6f, 1.0f),
-                "splat.epsilon: must be 1e-6..1, or 0 for the default");
+    SSGI__CHECK(ssgi__zero_or(splat->epsilon, 1e-6f, 1.0f), "splat.epsilon: must be 1e-6..1, or 0 for the default");
     SSGI__CHECK(ssgi__positive(&splat->max_distance, 1), "splat.max_distance: must be 0 or more and finite");
     SSGI__CHECK(ssgi__positive(&splat->max_radiance, 1), "splat.max_radiance: must be 0 or more and finite");
     SSGI__CHECK(ssgi__positive(&splat->near_depth, 1), "splat.near_depth: must be 0 or more and finite");
@@ -2394,7 +2614,7 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why)
 {
-    /* F_dr [JMLH01 2.3] */
+    /* F_dr, the diffuse Fresnel reflectance, and A [JMLH01 section 2.3] */
     const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n,
                  a = (1.0 + inside) / (1.0 - inside);
     SSGI__THERE3(dipole, sigma_s, sigma_a);
@@ -2426,8 +2646,8 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 
 /* ==== >>field (implementation) ================================================================================= */
 
-#define SSGI__FIELD_FEW      128     /* corners that approximate the hull */
-#define SSGI__FIELD_HELD     512     /* validation positions, with four normals each */
+#define SSGI__FIELD_FEW 128  /* corners that approximate the hull */
+#define SSGI__FIELD_HELD 512 /* validation positions, with four receivers each */
 
 /* ---- samples */
 
@@ -2449,7 +2669,8 @@ SSGI__FN void ssgi__field_axes(float axes[3][3], const double axis[3])
 {
     double side[3] = { 0.0, 0.0, 0.0 }, up[3];
     int least = 0;
-    for (int i = 1; i < 3; ++i) if (fabs(axis[i]) < fabs(axis[least])) least = i;
+    for (int i = 1; i < 3; ++i)
+        if (fabs(axis[i]) < fabs(axis[least])) least = i;
     side[least] = 1.0;
     ssgi__cross(up, axis, side);
     ssgi__normalise(up);
@@ -2459,8 +2680,9 @@ SSGI__FN void ssgi__field_axes(float axes[3][3], const double axis[3])
     ssgi__floats(axes[2], axis);
 }
 
-/* out[0]: solid angle, out[1..3]: vector irradiance (the integral of visibility times direction) of what `hit` (NULL:
-   trace) meets from a point, by rays within acos(cosine) of axis (unit). occlusion: NULL, or of receivers there. */
+/* What an occluder does to a point, by rays within acos(cosine) of a unit axis; `hit` NULL: ours.
+     out         solid angle of what is hit; its vector irradiance, which is the integral of the directions that are hit
+     occlusion   of four receivers with these normals, or NULL */
 SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
                                  int (*hit)(void *, const float *, const float *), void *user, const float point[3],
                                  const double axis[3], float cosine, int rays, uint32_t seed)
@@ -2487,7 +2709,7 @@ SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double norm
 
 /* ---- fits */
 
-/* a x = b for a symmetric 3x3, by Cramer's rule; 0 if it is singular */
+/* Solves a x = b for a symmetric 3x3 by Cramer's rule; 0 if it is singular. */
 SSGI__FN int ssgi__field_solve(double x[3], double a[3][3], double b[3])
 {
     double minor[3], determinant;
@@ -2507,9 +2729,15 @@ SSGI__FN void ssgi__field_equation(double a[3][3], double b[3], const double d[3
     ssgi__along(b, b, r, d);
 }
 
-/* Levenberg and Marquardt's descent over three unknowns. f gives the error (and, where a is not NULL, its normal
-   equations: a += J J^T, b -= J residual); an error that is not below the last one, NaN included, is a step too far. */
-typedef struct ssgi__field_data { const double *radii, *values, *w; int count, chord; double most; } ssgi__field_data;
+/* Levenberg and Marquardt's descent over three unknowns, until the error is at most `stop`. f gives the error, and
+   where a is not NULL adds its normal equations: J J^T to a, -J residual to b. An error that is not below the last one,
+   NaN included, is a step too far. */
+typedef struct ssgi__field_data {
+    const double *radii, *values, *w;
+    int count, chord;
+    double most;
+} ssgi__field_data;
+
 typedef double (*ssgi__field_error)(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3]);
 
 SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
@@ -2536,7 +2764,8 @@ SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, s
     return error;
 }
 
-/* q of the unknowns: q0, q2 = m + e^u0, e^u2, q1 = m - e^((u0 + u2)/2) + e^u1, m = 1/most: above m on all of [0,1]. */
+/* The coefficients q of the unknowns u, such that the polynomial is above m = 1/most on all of [0,1]: q0 = m + e^u0,
+   q2 = m + e^u2, q1 = m - e^((u0 + u2)/2) + e^u1. */
 SSGI__FN void ssgi__field_bernstein(double q[3], const double u[3], double most)
 {
     q[0] = 1.0 / most + exp(u[0]);
@@ -2548,7 +2777,8 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
 {
     const double first = data->radii[0], length = data->radii[data->count - 1] - first;
     double q[3], sum = 0.0;
-    for (int i = 0; i < 3; ++i) if (!(fabs(u[i]) < 60.0)) return 1e300;
+    for (int i = 0; i < 3; ++i)
+        if (!(fabs(u[i]) < 60.0)) return 1e300;
     ssgi__field_bernstein(q, u, data->most);
     for (int i = 0; i < data->count; ++i) {
         const double t = (data->radii[i] - first) / length, c0 = (1.0 - t) * (1.0 - t), c1 = 2.0 * t * (1.0 - t),
@@ -2566,15 +2796,15 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
     return sum;
 }
 
-/* Fits 1/q to values in 0..most at radii, ascending, 3 at least: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2, t from 0 at
-   the first radius to 1 at the last: a quadratic in r as published [AOF05 eq. 6, 9], held above 1/most between them.
+/* Fits 1/q to values in 0..most at three or more radii, ascending: a quadratic in r as published [AOF05 eq. 6, 9], but
+   held above 1/most from the first radius, t = 0, to the last, t = 1: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2.
    Returns the sum of squared errors. */
 SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
     const double m = 1.0 / most, first = values[0], last = values[count - 1];
     const ssgi__field_data data = { radii, values, NULL, count, 0, most };
     double u[3], error;
-    /* starts from the curve through both ends */
+    /* the descent starts from the curve through both ends */
     q[0] = first > 1e-9 * most ? 1.0 / first : 1e9 * m;
     q[2] = last > 1e-9 * most ? 1.0 / last : 1e9 * m;
     for (int i = 0; i < 3; i += 2) u[i] = log(q[i] - m > 1e-9 * m ? q[i] - m : 1e-6 * m);
@@ -2586,8 +2816,8 @@ SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *
     return error;
 }
 
-/* The sum over directions of |from point to c - direction|^2 (chord) or (1 - cosine)^2; beyond the hull's tangent at
-   the first radius, where directions would flip, too far. */
+/* How far directions miss a point c, summed: as squared chords, |unit vector to c - direction|^2, or as (1 - cosine)^2.
+   A point beyond the hull's tangent at the first radius, where directions would flip, is too far. */
 SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
 {
     double sum = 0.0;
@@ -2601,7 +2831,7 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
         cosine = ssgi__dot(v, y);
         residual = 1.0 - cosine;
         sum += data->chord ? 2.0 * residual : residual * residual;
-        for (int n = 0; a && n < (data->chord ? 3 : 1); ++n) {      /* a row a residual: of v - y, or of 1 - cosine */
+        for (int n = 0; a && n < (data->chord ? 3 : 1); ++n) { /* a row a residual: of v - y, or of 1 - cosine */
             double d[3], r = data->chord ? v[n] - y[n] : residual;
             for (int k = 0; k < 3; ++k)
                 d[k] = (data->chord ? (k == n ? 1.0 : 0.0) - v[n] * v[k] : cosine * v[k] - y[k]) / length;
@@ -2611,9 +2841,11 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
     return sum;
 }
 
-/* The point c that directions (unit, 3 each; zero vectors do not count) from radius * w point to [AOF05 eq. 7, 10]; 0 0
-   0 when nothing tells. Returns the sum of (1 - cosine)^2, never above that of c = 0. That error is flat near its
-   least: the chord leads there, the error polishes. flat: an error that tells nothing. */
+/* The characteristic centre c [AOF05 eq. 7, 10]: the point that the directions seen from radius * w point to; the
+   origin where they do not tell. Returns the sum of (1 - cosine)^2, never above that of the origin. That error is flat
+   near its least: the chord leads there, the error polishes.
+     directions   unit, 3 each; zero vectors do not count
+     flat         an error that tells nothing */
 SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
                                    int count, double flat)
 {
@@ -2621,7 +2853,7 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
     memset(c, 0, sizeof at);
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
-    if (!(best > flat)) return best;            /* all point at the centre already: undetermined */
+    if (!(best > flat)) return best; /* all point at the centre already: undetermined */
     for (int polish = 0; polish < 2; ++polish) {
         data.chord = !polish;
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
@@ -2643,12 +2875,18 @@ typedef struct ssgi__field_occluder {
     double few[SSGI__FIELD_FEW][3], loose;
 } ssgi__field_occluder;
 
-/* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found stay closed. */
+/* The corner that is farthest along n, about the centre; returns how far. Boxes that end before what is found are not
+   opened. */
 SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double n[3], double out[3])
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
-    struct { uint32_t child; double most; } stack[SSGI__TRACE_STACK];
+
+    struct {
+        uint32_t child;
+        double most;
+    } stack[SSGI__TRACE_STACK];
+
     double best = -1e300, p[3];
     int top = 0;
     stack[top].child = 0;
@@ -2662,7 +2900,10 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
                 for (int c = 0; c < 3; ++c) {
                     for (int i = 0; i < 3; ++i) p[i] = (double)block->corner[c][i][k] - m->centre[i];
                     const double s = ssgi__dot(n, p);
-                    if (s > best) { best = s; memcpy(out, p, sizeof p); }
+                    if (s > best) {
+                        best = s;
+                        memcpy(out, p, sizeof p);
+                    }
                 }
         } else {
             const ssgi__trace_node *node = nodes + child;
@@ -2670,7 +2911,7 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
             for (int k = 0; k < 4; ++k) {
                 double most = 0.0;
                 int j;
-                if (node->bound[0][0][k] > node->bound[1][0][k]) continue;      /* empty */
+                if (node->bound[0][0][k] > node->bound[1][0][k]) continue; /* empty */
                 for (int i = 0; i < 3; ++i) most += n[i] * ((double)node->bound[n[i] > 0.0][i][k] - m->centre[i]);
                 if (most <= best) continue;
                 for (j = top++; j > base && stack[j - 1].most > most; --j) stack[j] = stack[j - 1];
@@ -2682,8 +2923,10 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
     return best;
 }
 
-/* A triangle of hull corners that the ray from the centre crosses: it leaves on the plane normal . x = distance. */
-typedef struct ssgi__field_portal { double corner[3][3], normal[3], distance; } ssgi__field_portal;
+/* A triangle of hull corners that a ray from the centre crosses, in the plane normal . x = distance. */
+typedef struct ssgi__field_portal {
+    double corner[3][3], normal[3], distance;
+} ssgi__field_portal;
 
 SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
 {
@@ -2698,11 +2941,12 @@ SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
 /* Distance beyond the hull at which samples start, so that none starts inside the mesh. */
 SSGI__FN double ssgi__field_slack(const ssgi__field_occluder *m) { return 1e-4 * m->radius; }
 
-/* Where the ray leaves the hull. From a face of a small octahedron about the centre, part of the hull so that even flat
-   occluders have one: the farthest corner along the portal's normal splits it, until none is beyond its plane. */
+/* Distance at which a ray from the centre along w leaves the hull. The portal is at first a face of a small octahedron
+   about the centre, which counts as part of the hull so that even flat occluders have one. The farthest corner along
+   its normal splits it, until none is beyond its plane. */
 SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3], ssgi__field_portal *p)
 {
-    const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0);      /* an odd number of mirrors */
+    const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0); /* an odd number of mirrors */
     memset(p, 0, sizeof *p);
     for (int i = 0; i < 3; ++i)
         p->corner[turned && i < 2 ? 1 - i : i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
@@ -2712,7 +2956,7 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
         int best = 0;
         ssgi__field_portal_plane(p);
         if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
-        for (int i = 0; i < 3; ++i) {           /* the part of three that holds the ray by the largest margin */
+        for (int i = 0; i < 3; ++i) { /* the part of three that holds the ray by the largest margin */
             double least = 1e300;
             split[i] = *p;
             memcpy(split[i].corner[i], farthest, sizeof farthest);
@@ -2722,7 +2966,10 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
                 s = ssgi__dot(side, w);
                 if (s < least) least = s;
             }
-            if (least > inside) { inside = least; best = i; }
+            if (least > inside) {
+                inside = least;
+                best = i;
+            }
         }
         *p = split[best];
     }
@@ -2730,12 +2977,14 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
     return facing > 1e-9 ? p->distance / facing : m->radius;
 }
 
-SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)     /* even over the sphere */
+/* Direction i of n, evenly spread over the sphere: a spiral by the golden angle. */
+SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)
 {
     ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
 }
 
-/* Centre: the mean of the farthest corners over all directions, the hull's Steiner point, inside. 0: has no extent. */
+/* Centre, radius, corners of the hull. The centre is the mean of the farthest corners over all directions: the hull's
+   Steiner point, which is inside. 0: the occluder has no extent. */
 SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -2747,7 +2996,7 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
         for (int k = 0; k < 3; ++k) centre[k] += m->few[n][k] / SSGI__FIELD_FEW;
     }
     for (int k = 0; k < 3; ++k) {
-        volatile float rounded = (float)centre[k];      /* gcc 12's vectoriser drops (double)(float) */
+        volatile float rounded = (float)centre[k]; /* gcc 12's vectoriser drops (double)(float) */
         m->centre[k] = (double)rounded;
     }
     for (int n = 0; n < SSGI__FIELD_FEW; ++n) ssgi__along(m->few[n], m->few[n], -1.0, m->centre);
@@ -2769,12 +3018,12 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
         beyond = ssgi__field_farthest(m, w, p) - most;
         if (beyond > m->loose) m->loose = beyond;
     }
-    m->loose = 1.5 * m->loose + 1e-3 * m->radius;       /* a margin for the directions between */
+    m->loose = 1.5 * m->loose + 1e-3 * m->radius; /* for the directions between those that were tried */
     return 1;
 }
 
-/* A cone about a point outside of the hull that holds all of the occluder: about the mean direction to some corners,
-   wider by what they lack; or the half space below the hull's plane. */
+/* A cone from a point outside of the hull that holds all of the occluder: its axis, and the cosine of its half-angle.
+   It is about the mean direction to some corners, wider by what they lack; or the half space below the hull's plane. */
 SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, const double point[3],
                                 const double normal[3])
 {
@@ -2802,8 +3051,8 @@ typedef struct ssgi__field_bake {
     const ssgi_field_desc *desc;
     ssgi__field_occluder occluder;
     ssgi_field *field;
-    float *fine, *coarse;           /* eight components a texel, six faces; of twice the resolution, and of it */
-    float *error;                   /* at validation receivers; reuses fine */
+    float *fine, *coarse; /* eight components a texel, six faces; of twice the field's resolution, and of that */
+    float *error;         /* of validation receivers; reuses fine */
     int first;
 } ssgi__field_bake;
 
@@ -2855,7 +3104,7 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
         ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->desc->rays, (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
         values[i] = length < SSGI__PI ? length : SSGI__PI;
-        if (sum[0] > 0.0) {     /* covered share of the cap with this vector irradiance and solid angle */
+        if (sum[0] > 0.0) { /* covered share of the cap with this vector irradiance and solid angle */
             const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0,
                          share = length / (SSGI__PI * (1.0 - edge * edge));
             fill += sum[0] * (edge < 0.9999 && share < 1.0 ? share : 1.0);
@@ -2868,15 +3117,16 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     ssgi__field_centre(c, w, radii, directions, b->desc->radii,
                        0.0625 * b->desc->radii / ((double)b->desc->rays * b->desc->rays));
     length = sqrt(ssgi__dot(c, c));
-    if (length > b->occluder.radius) for (int k = 0; k < 3; ++k) c[k] = c[k] * b->occluder.radius / length;
-    q[1] += sqrt(q[0] * q[2]);  /* positive if q > 0 on [0,1]; blends of logarithms stay positive */
+    if (length > b->occluder.radius)
+        for (int k = 0; k < 3; ++k) c[k] = c[k] * b->occluder.radius / length;
+    q[1] += sqrt(q[0] * q[2]); /* positive if q > 0 on [0,1]; blends of logarithms stay positive */
     for (int k = 0; k < 3; ++k) out[k] = ssgi__min((float)(log(q[k]) * 1.44269504088896341), 20.0f);
     out[3] = (float)hull;
     ssgi__floats(out + 4, c);
     out[7] = seen > 0.0 ? (float)(fill / seen) : 1.0f;
 }
 
-/* Reduction by a Gaussian as wide as a fine texel. */
+/* The coarse map: each texel by a Gaussian over 4 x 4 fine ones, a fine texel in deviation. */
 SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
 {
     static const float weight[4] = { 0.13447f, 0.36553f, 0.36553f, 0.13447f };
@@ -2894,7 +3144,7 @@ SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
             }
 }
 
-/* Ranges, integers, borders. */
+/* The field's texels: 8 bits a component over its range, and borders. */
 SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
 {
     ssgi_field *f = b->field;
@@ -2913,7 +3163,7 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
         for (int y = -1; y <= size; ++y)
             for (int x = -1; x <= size; ++x, texels += 2) {
                 const int xi = ssgi__clamp(x, 0, size - 1), yi = ssgi__clamp(y, 0, size - 1);
-                const int corner = x != xi && y != yi;  /* three meet there: the border holds their mean [GL 8.14] */
+                const int corner = x != xi && y != yi; /* three meet there: the border holds their mean [GL 8.14] */
                 const float *a = b->coarse + 8 * ssgi__cube_texel(face, x, corner ? yi : y, size),
                             *up = b->coarse + 8 * ssgi__cube_texel(face, xi, y, size),
                             *own = b->coarse + 8 * ssgi__cube_texel(face, xi, yi, size);
@@ -2926,7 +3176,8 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
             }
 }
 
-/* A_0: mean occlusion of points inside the hull, without those enclosed by the mesh. */
+/* A_0: mean occlusion of points in the hull, weighted toward the centre. Where more than 95 % of the rays hit, the mesh
+   encloses the point, which does not count. */
 SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
     const double up[3] = { 0.0, 0.0, 1.0 }, sphere = 4.0 * SSGI__PI;
@@ -2957,10 +3208,11 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     ssgi__field_portal portal;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
-    for (int n = 0; n < 4; ++n) {                   /* none faces straight away, where occlusion is 0 */
+    for (int n = 0; n < 4; ++n) { /* none faces straight away, where occlusion is 0 */
         ssgi__polar(normal[n], 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
                     2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4)));
-        if (ssgi__dot(normal[n], w) > 0.5) for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
+        if (ssgi__dot(normal[n], w) > 0.5)
+            for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
     }
     ssgi__field_look(sum, occlusion, normal, point, b, w, hull * pow((double)b->field->reach / hull, share), &portal,
                      1024, (uint32_t)i ^ 0x55555555u);
@@ -2973,10 +3225,11 @@ SSGI__FN void ssgi__field_held(void *context, int i)
 SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job)(void *, int), void *context)
 {
     if (desc->parallel) desc->parallel(desc->user, count, job, context);
-    else for (int i = 0; i < count; ++i) job(context, i);
+    else
+        for (int i = 0; i < count; ++i) job(context, i);
 }
 
-/* The error that this share of the validation receivers does not exceed. */
+/* The least error that this share of the validation receivers does not exceed. */
 SSGI__FN float ssgi__field_rank(const ssgi__field_bake *b, double share)
 {
     const int all = 4 * SSGI__FIELD_HELD;
@@ -3016,7 +3269,8 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     return SSGI_OK;
 }
 
-SSGI__FN size_t ssgi__field_floats(int resolution)        /* of both maps, and of the errors */
+/* How many floats both maps of a bake take; the errors reuse the fine one. */
+SSGI__FN size_t ssgi__field_floats(int resolution)
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
     return (fine > held ? fine : held) + fine / 4;
@@ -3078,15 +3332,19 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 
 /* ---- looking up */
 
-/* The integral of the clamped cosine over a cap: by the two arcs that bound its part above the horizon. */
+/* The integral of the clamped cosine over a cap [AOF05 eq. 3], by the two arcs that bound its part above the
+   horizon. */
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine)
 {
     const float pi = 3.14159265f;
     float h = solid_angle > 0.0f ? solid_angle / (2.0f * pi) : 0.0f, c = ssgi__max(-1.0f, ssgi__min(cosine, 1.0f));
     float s, x, w, a;
-    const int large = h > 1.0f;         /* more than a hemisphere: the complement is a cap, too */
-    if (large) { h = h < 2.0f ? 2.0f - h : 0.0f; c = -c; }
-    s = h * (2.0f - h);                 /* squared sine of its radius; (1 - k)(1 + k) would cancel */
+    const int large = h > 1.0f; /* more than a hemisphere: the complement is a cap, too */
+    if (large) {
+        h = h < 2.0f ? 2.0f - h : 0.0f;
+        c = -c;
+    }
+    s = h * (2.0f - h); /* squared sine of its radius; (1 - k)(1 + k) would cancel */
     if (!(s > 0.0f)) a = 0.0f;
     else if (c * c >= s) a = c > 0.0f ? s * c : 0.0f;
     else {
@@ -3104,7 +3362,7 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
     return l;
 }
 
-/* The components along w, bilinear between texels. */
+/* A field's components along w, bilinear between texels. */
 SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
 {
     float at[2];
@@ -3133,7 +3391,11 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     float direction[3], c[8], r, hull, t, q0, q1, q2, q, s;
     for (int k = 0; k < 3; ++k) w[k] = ssgi__finite(point[k]) ? (double)point[k] - (double)field->centre[k] : 0.0;
     r = (float)ssgi__normalise(w);
-    if (!(r > 0.0f && r < 1e18f)) { w[0] = w[1] = 0.0; w[2] = 1.0; r = r > 1.0f ? 1e18f : 0.0f; }
+    if (!(r > 0.0f && r < 1e18f)) {
+        w[0] = w[1] = 0.0;
+        w[2] = 1.0;
+        r = r > 1.0f ? 1e18f : 0.0f;
+    }
     ssgi__floats(direction, w);
     ssgi__field_fetch(c, field, direction);
     hull = c[3];
@@ -3142,12 +3404,13 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     q2 = exp2f(c[2]);
     q1 = exp2f(c[1]) - sqrtf(q0 * q2);
     q = q0 * (1.0f - t) * (1.0f - t) + 2.0f * q1 * t * (1.0f - t) + q2 * t * t;
-    s = q * most > 1.0f ? 1.0f / (q * most) : 1.0f;         /* vector irradiance over pi */
+    s = q * most > 1.0f ? 1.0f / (q * most) : 1.0f; /* vector irradiance over pi */
     *fill = ssgi__max(c[7], s);
     s /= *fill;
     *solid_angle = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
     for (int k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
-    if (!(ssgi__normalise(v) > 0.0)) for (int k = 0; k < 3; ++k) v[k] = -w[k];
+    if (!(ssgi__normalise(v) > 0.0))
+        for (int k = 0; k < 3; ++k) v[k] = -w[k];
     ssgi__floats(axis, v);
     return r / hull;
 }
@@ -3173,11 +3436,13 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
     return a > 0.0f ? a < 1.0f ? a : 1.0f : 0.0f;
 }
 
-/* ---- files: 32-bit words, lowest byte first */
+/* ---- files: 32-bit words, lowest byte first: magic number, version, resolution, radii; the field's other numbers as
+   floats; texels; two words of checksum over all before */
 
-#define SSGI__FIELD_HEAD    29              /* words before the texels; after them two of checksum */
-#define SSGI__FIELD_MAGIC   0x69677373u     /* "ssgi" */
-#define SSGI__FIELD_VERSION 0x32464f41u     /* "AOF2" */
+#define SSGI__FIELD_NUMBERS 25
+#define SSGI__FIELD_HEAD (4 + SSGI__FIELD_NUMBERS) /* words before the texels */
+#define SSGI__FIELD_MAGIC 0x69677373u              /* "ssgi" */
+#define SSGI__FIELD_VERSION 0x32464f41u            /* "AOF2" */
 
 SSGI__FN void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
 {
@@ -3190,7 +3455,23 @@ SSGI__FN uint32_t ssgi__field_get(const unsigned char *in, size_t i)
          | (uint32_t)in[4 * i + 3] << 24;
 }
 
-SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)        /* FNV-1a */
+/* Where a field's floats are, in the order of a file. */
+SSGI__FN void ssgi__field_numbers(float *number[SSGI__FIELD_NUMBERS], ssgi_field *f)
+{
+    size_t n = 0;
+    for (int k = 0; k < 3; ++k) number[n++] = &f->centre[k];
+    number[n++] = &f->radius;
+    number[n++] = &f->reach;
+    number[n++] = &f->inside;
+    for (int k = 0; k < 8; ++k) number[n++] = &f->low[k];
+    for (int k = 0; k < 8; ++k) number[n++] = &f->span[k];
+    number[n++] = &f->median;
+    number[n++] = &f->p95;
+    number[n++] = &f->max_error;
+}
+
+/* FNV-1a's hash. */
+SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)
 {
     uint64_t h = 14695981039346656037u;
     for (; size; --size) h = (h ^ *data++) * 1099511628211u;
@@ -3202,14 +3483,20 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     unsigned char *bytes = (unsigned char *)out;
     const size_t words = field ? ssgi_field_size(field->resolution) / 4 : 0,
                  size = words ? 4 * (SSGI__FIELD_HEAD + words + 2) : 0;
-    uint32_t number[25];
+    float *number[SSGI__FIELD_NUMBERS];
+    ssgi_field f;
     if (!words || capacity < size || !out) return size;
+    f = *field;
+    ssgi__field_numbers(number, &f);
     ssgi__field_put(bytes, 0, SSGI__FIELD_MAGIC);
     ssgi__field_put(bytes, 1, SSGI__FIELD_VERSION);
     ssgi__field_put(bytes, 2, (uint32_t)field->resolution);
     ssgi__field_put(bytes, 3, (uint32_t)field->radii);
-    memcpy(number, (const char *)field + offsetof(ssgi_field, centre), sizeof number);      /* centre .. most */
-    for (size_t i = 0; i < 25; ++i) ssgi__field_put(bytes, 4 + i, number[i]);
+    for (size_t i = 0; i < SSGI__FIELD_NUMBERS; ++i) {
+        uint32_t word;
+        memcpy(&word, number[i], sizeof word);
+        ssgi__field_put(bytes, 4 + i, word);
+    }
     for (size_t i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
     const uint64_t h = ssgi__field_checksum(bytes, size - 8);
     ssgi__field_put(bytes, size / 4 - 2, (uint32_t)h);
@@ -3217,11 +3504,12 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     return size;
 }
 
+/* All of a file but its texels. */
 SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
 {
     static const char corrupt[] = "file: is corrupt";
     const unsigned char *bytes = (const unsigned char *)file;
-    float number[25];
+    float *number[SSGI__FIELD_NUMBERS];
     uint32_t head[4] = { 0 };
     size_t words = 0;
     SSGI__THERE(file);
@@ -3239,13 +3527,16 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     SSGI__CHECK(size <= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is longer than its field");
     const uint64_t h = ssgi__field_get(bytes, size / 4 - 2) | (uint64_t)ssgi__field_get(bytes, size / 4 - 1) << 32;
     SSGI__CHECK(ssgi__field_checksum(bytes, size - 8) == h, corrupt);
-    for (size_t i = 0; i < 25; ++i) {
+    ssgi__field_numbers(number, f);
+    for (size_t i = 0; i < SSGI__FIELD_NUMBERS; ++i) {
         const uint32_t word = ssgi__field_get(bytes, 4 + i);
-        memcpy(&number[i], &word, sizeof word);
-        SSGI__CHECK(ssgi__within(number[i], i < 14 ? -1e15f : 0.0f, 1e15f), corrupt);
+        memcpy(number[i], &word, sizeof word);
+        SSGI__CHECK(ssgi__within(*number[i], -1e15f, 1e15f), corrupt);
     }
-    memcpy((char *)f + offsetof(ssgi_field, centre), number, sizeof number);
-    for (int i = 0; i < 3; ++i) SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
+    SSGI__CHECK(ssgi__positive(f->span, 8), corrupt);
+    SSGI__CHECK(f->median >= 0.0f && f->p95 >= 0.0f && f->max_error >= 0.0f, corrupt);
+    for (int i = 0; i < 3; ++i) /* logarithms: so that their powers of 2 are finite */
+        SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
     SSGI__CHECK(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f, corrupt);
     SSGI__CHECK(ssgi__within(f->inside, 0.0f, 1.0f), corrupt);
     return SSGI_OK;
@@ -3290,8 +3581,8 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, cons
 }
 
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
-                                   const float *normal, const float *hsao, const float *slabs, size_t count, int rays,
-                                   float radius, const char **why)
+                                         const float *normal, const float *hsao, const float *slabs, size_t count,
+                                         int rays, float radius, const char **why)
 {
     const float *const shown[3] = { NULL, hsao, slabs };
     double square[3] = { 0.0, 0.0, 0.0 };
@@ -3310,7 +3601,8 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
         for (int k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
         for (int k = 0; k < 2 * (rays / 2); ++k) {
             const double u = ((k >> 1) + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1))) / (rays / 2);
-            const double turn = (2.0 * SSGI__PI) * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
+            const double turn = (2.0 * SSGI__PI)
+                              * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
                                  + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1) + 0x9e3779b9u));
             const float x = (float)(sqrt(u) * cos(turn)), y = (float)(sqrt(u) * sin(turn)), z = (float)sqrt(1.0 - u);
             for (int c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
@@ -3330,22 +3622,33 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
     return SSGI_OK;
 }
 
-/* The squared error is a linear combination of scene terms, whose weights were fitted for each choice
-   (examples/lab/fit.c): the calibration's squared errors; the unoccluded one times a surfel's size over the radius, once
-   and twice, times the light's unevenness, times the energy beyond the bands, times the albedo; and a constant term. */
-enum { SSGI__PLAN_UNOCCLUDED, SSGI__PLAN_HSAO_ERROR, SSGI__PLAN_SLABS_ERROR, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER,
-       SSGI__PLAN_UNEVEN, SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT_ERROR, SSGI__PLAN_TERMS };
+/* The predicted squared error of a choice is a linear combination of these terms of the scene, with weights that were
+   fitted for each choice (make fit). E is the squared error without any occlusion. */
+enum {
+    SSGI__PLAN_UNOCCLUDED,     /* E */
+    SSGI__PLAN_HSAO_ERROR,     /* squared error of hsao */
+    SSGI__PLAN_SLABS_ERROR,    /* squared error of hsao with slabs */
+    SSGI__PLAN_COARSE,         /* E times a surfel's size over the radius */
+    SSGI__PLAN_COARSER,        /* E times the square of that */
+    SSGI__PLAN_UNEVEN,         /* E times the light's energy beyond band 0, over that of band 0 */
+    SSGI__PLAN_LEFT_OUT,       /* E times the light's energy beyond the choice's bands, over that of band 0 */
+    SSGI__PLAN_BOUNCED,        /* E times the square of the albedo, when a bounce is wanted */
+    SSGI__PLAN_CONSTANT_ERROR, /* 1e-4 */
+    SSGI__PLAN_TERMS           /* how many */
+};
 
-/* A choice: for what quantity, settings, cost in software and on a GPU, weights of the terms. */
+/* A choice: what it is for, its settings, its cost in software and on a GPU, weights of the terms. */
 typedef struct ssgi__plan_row {
     signed char wanted, method, thickness, half, directions, steps, bands, history, resolution;
     float size, cost[2], term[SSGI__PLAN_TERMS];
 } ssgi__plan_row;
 
+/* clang-format off */
 #define SSGI__ROW(wanted, method, thickness, half, directions, steps, bands, history, resolution, size, cost, gpu, \
                   unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant) \
-    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI_PLAN_##thickness, half, directions, steps, bands, history, resolution, \
-      size, { cost, gpu }, { unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant } }
+    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI_PLAN_##thickness, half, directions, steps, bands, history, \
+      resolution, size, { cost, gpu }, \
+      { unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant } }
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
     SSGI__ROW(VISIBILITY, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
@@ -3395,28 +3698,53 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
     SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 4, 0, .05f, .05f, .016f, 0, 0, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 8, 0, .05f, .05f, .012f, 0, 0, 0, 0, 0, 0, 0, .45f)
 };
+/* clang-format on */
 
-static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
-/* Squared errors without occlusion, of hsao, of slabs, from a survey's squares; without slabs, with (examples/lab/fit.c) */
+/* What a scene that leaves a number 0 is taken to have. */
+#define SSGI__PLAN_RADIUS 0.15   /* screen_radius */
+#define SSGI__PLAN_ALBEDO 0.6f   /* albedo */
+#define SSGI__PLAN_TEXELS 170.0  /* splats */
+#define SSGI__PLAN_COVERAGE 0.1f /* coverage */
+#define SSGI__PLAN_SURFEL 0.015f /* the size of surfels that scene.surfels and .splats count */
+/* An error below a tenth of the one asked for is negligible: in squares it adds a hundredth. */
+#define SSGI__PLAN_NEGLIGIBLE 0.1
+
+/* Energies of the built-in sky's bands. */
+static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };
+
+/* Squared errors from a survey's squares (make fit). A row each: without occlusion, of hsao, of slabs. Columns: weights
+   of occlusion, detail, solid, slabs. First of surveys without slabs, then with them. */
 static const float ssgi__plan_survey[2][3][4] = {
     { { 1.26f, 4.11f, 0.441f, 0 }, { 0.0423f, 3.98f, 0.368f, 0 }, { 0.0163f, 3.31f, 0.293f, 0 } },
-    { { 1.2f, 3.71f, 0, 1.75f }, { 0.0314f, 3.31f, 0, 0.984f }, { 0.0126f, 2.97f, 0, 0.517f } } };
-/* What splats cost beside a choice's own: per texel a pixel, per surfel a pixel; in software, on a GPU */
-static const float ssgi__plan_splats[2][2] = { { 0.13f, 63.0f }, { 0.22f, 6.9f } };
+    { { 1.2f, 3.71f, 0, 1.75f }, { 0.0314f, 3.31f, 0, 0.984f }, { 0.0126f, 2.97f, 0, 0.517f } }
+};
+
+/* What splats and fields cost beside a choice's own; in software, on a GPU. */
+static const struct {
+    float texel, surfel; /* per texel of splats and per surfel, over the frame's pixels */
+    float occluder;      /* per occluder that reaches all pixels */
+} ssgi__plan_costs[2] = { { 0.13f, 63.0f, 0.6f }, { 0.22f, 6.9f, 0.3f } };
 
 SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s)
 {
-    return s->screen_radius > 0.0f ? (double)s->screen_radius : 0.15;
+    return s->screen_radius > 0.0f ? (double)s->screen_radius : SSGI__PLAN_RADIUS;
 }
 
-/* Squared errors of nothing, hsao, hsao with slabs: of the calibration, else from the survey, else a guess. */
+static const float *ssgi__plan_energy(const ssgi_plan_scene *s)
+{
+    return s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+}
+
+/* Squared errors without occlusion, of hsao, of hsao with slabs: of the calibration, else from the survey, else a
+   guess. A calibration without slabs scales what else is known of them. */
 SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
 {
+    static const double guess[3] = { 0.02, 0.003, 0.003 };
     const double known[3] = { (double)s->calibration.unoccluded, (double)s->calibration.hsao,
                               (double)s->calibration.slabs };
     const float v[4] = { s->survey.occlusion, s->survey.detail, s->survey.solid, s->survey.slabs };
     for (int k = 0; k < 3; ++k) {
-        square[k] = v[0] > 0.0f ? 1e-6 : k ? 0.003 : 0.02;
+        square[k] = v[0] > 0.0f ? 1e-6 : guess[k];
         for (int i = 0; i < 4 && v[0] > 0.0f; ++i)
             square[k] += (double)ssgi__plan_survey[v[3] > 0.0f][k][i] * (double)v[i] * (double)v[i];
     }
@@ -3427,9 +3755,9 @@ SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
 
 SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
-    const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+    const float *energy = ssgi__plan_energy(s);
     const double size = (double)row->size / ssgi__plan_radius(s);
-    const double albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
+    const double albedo = (double)(s->albedo > 0.0f ? s->albedo : SSGI__PLAN_ALBEDO);
     double square[3], uneven = 0.0, left = 0.0;
     ssgi__plan_errors(square, s);
     for (int l = 1; l < 4 && s->wanted; ++l) {
@@ -3451,110 +3779,150 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
 /* Whether a scene has what a choice requires, and benefits from it. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
-    const int m = row->method, given = m == SSGI_PLAN_SSDO ? s->map : m == SSGI_PLAN_SURFELS ? s->surfels > 0.0
-                                     : m != SSGI_PLAN_FIELD || s->occluders > 0;
-    if (row->wanted != s->wanted || !given || row->thickness > s->thickness || row->history > s->history)
-        return 0;
-    /* skip directional methods when the energy above band 0 is negligible */
+    const int m = row->method;
+    if (row->wanted != s->wanted || row->thickness > s->thickness || row->history > s->history) return 0;
+    if (m == SSGI_PLAN_SSDO && !s->map) return 0;
+    if (m == SSGI_PLAN_SURFELS && !(s->surfels > 0.0)) return 0;
+    if (m == SSGI_PLAN_FIELD && s->occluders < 1) return 0;
+    /* light from everywhere, or nearly so, has no direction: methods that know directions are taken to gain a tenth of
+       the uneven term */
     return row->wanted != SSGI_PLAN_LIGHT || (m != SSGI_PLAN_S3HO && m != SSGI_PLAN_SSDO)
-        || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= 0.1 * (double)s->error;
+        || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= SSGI__PLAN_NEGLIGIBLE * (double)s->error;
 }
 
-/* Beyond the choice's own: depth passes, fields, surfels, which are the fewer the larger they are. */
+/* A choice's own cost, and that of depth passes, fields, surfels. Surfels go with 1 / size^2, texels of splats with
+   1 / size^(1/2). */
 SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const int gpu = s->device == SSGI_PLAN_GPU;
-    const float larger = row->size > 0.0f ? 0.015f / row->size : 1.0f;
+    const float finer = row->size > 0.0f ? SSGI__PLAN_SURFEL / row->size : 1.0f;
     float cost = row->cost[gpu];
     if (row->thickness >= SSGI_PLAN_BACK) cost += s->depth_pass * (row->thickness == SSGI_PLAN_SLABS ? 3.0f : 1.0f);
     if (row->method == SSGI_PLAN_FIELD)
-        cost += (gpu ? 0.3f : 0.6f) * (float)s->occluders * (s->coverage > 0.0f ? s->coverage : 0.1f);
+        cost += ssgi__plan_costs[gpu].occluder * (float)s->occluders
+              * (s->coverage > 0.0f ? s->coverage : SSGI__PLAN_COVERAGE);
     if (row->method == SSGI_PLAN_SURFELS)
-        cost += ssgi__plan_splats[gpu][0] * (float)(s->splats > 0.0 ? s->splats : 170.0) * sqrtf(larger)
-              + ssgi__plan_splats[gpu][1] * (float)s->surfels * larger * larger;
+        cost += ssgi__plan_costs[gpu].texel * (float)(s->splats > 0.0 ? s->splats : SSGI__PLAN_TEXELS) * sqrtf(finer)
+              + ssgi__plan_costs[gpu].surfel * (float)s->surfels * finer * finer;
     return cost;
 }
 
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
     const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
-    const ssgi_plan settings = { row->method, row->thickness, row->half, row->directions, row->steps, row->bands,
-                                 row->history, 0, row->directions > 0, row->resolution, row->size, 0.0f, 0.0f, 0, "" };
+    const float *energy;
     double term[SSGI__PLAN_TERMS], square = 0.0;
     if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
     ssgi__plan_terms(term, row, s);
     if (!ssgi__plan_fits(row, s, term)) return 0;
-    *plan = settings;
+    memset(plan, 0, sizeof *plan);
+    plan->method = row->method;
+    plan->thickness = row->thickness;
+    plan->half = row->half;
+    plan->directions = row->directions;
+    plan->steps = row->steps;
+    plan->bands = row->bands;
+    plan->history = row->history;
+    plan->filter_radius = row->directions > 0;
+    plan->resolution = row->resolution;
+    plan->size = row->size;
     for (int k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)sqrt(square);
     plan->cost = ssgi__plan_cost(row, s);
-    const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
-    while (plan->bands > 1 /* bands whose energy is negligible */
+    /* bands whose energy is negligible are left out; a band is taken to matter by 0.02 of its share of the energy */
+    energy = ssgi__plan_energy(s);
+    while (plan->bands > 1
            && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
-                  < 0.1 * (double)s->error)
+                  < SSGI__PLAN_NEGLIGIBLE * (double)s->error)
         --plan->bands;
+    if (row->method != SSGI_PLAN_SURFELS) return 1;
     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
-    if (row->method == SSGI_PLAN_SURFELS)
-        for (plan->levels = 1; plan->levels < SSGI_SPLAT_LEVELS
-             && (double)row->size * 1.5 * (1 << (plan->levels - 1)) < ssgi__plan_radius(s);) ++plan->levels;
+    plan->levels = 1;
+    while (plan->levels < SSGI_SPLAT_LEVELS
+           && (double)row->size * 1.5 * (1 << (plan->levels - 1)) < ssgi__plan_radius(s))
+        ++plan->levels;
     return 1;
 }
 
-SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
+SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
 {
-    static const char *const method[] = { "nothing", "hsao", "ssdo", "s3ho", "dss", "fields" };
-    static const char *const extra[2][4] = { { "", ", solid", ", back faces", ", slabs" }, { "", ", history" } };
-    static const int ten[5] = { 10000, 1000, 100, 10, 1 };
-    ssgi_plan best, p;
-    float goal = 0.0f, figure[3] = { 0.0f, 0.0f, 0.0f };
-    const char *words;
-    char *at;
-    int tried = 0, found = 0, digit = 0;
-    SSGI__THERE(plan);
     SSGI__CHECK(s, "scene: must not be NULL");
     SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
                 "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
-    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->thickness >= 0 && s->thickness <= SSGI_PLAN_SLABS && s->history >= 0
-                && s->history <= 1 && s->occluders >= 0, "scene.device, .thickness, .history, .occluders: must be 0..1, "
-                "0..3, 0..1, 0 or more");
+    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->thickness >= 0 && s->thickness <= SSGI_PLAN_SLABS
+                    && s->history >= 0 && s->history <= 1 && s->occluders >= 0,
+                "scene.device, .thickness, .history, .occluders: must be 0..1, 0..3, 0..1, 0 or more");
     SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
-                && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
-                && ssgi__positive(&s->coverage, 1), "scene.error, .budget, .screen_radius, .albedo, .depth_pass, "
-                ".coverage: must be finite and 0 or more");
+                    && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
+                    && ssgi__positive(&s->coverage, 1),
+                "scene.error, .budget, .screen_radius, .albedo, .depth_pass, .coverage: must be finite and 0 or more");
     SSGI__CHECK(ssgi__within((float)s->surfels, 0.0f, 1e18f) && ssgi__within((float)s->splats, 0.0f, 1e18f),
                 "scene.surfels, .splats: must be finite and 0 or more");
     SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");
     SSGI__CHECK(ssgi__finite(s->calibration.unoccluded + s->calibration.hsao + s->calibration.slabs),
                 "scene.calibration: must be finite");
     SSGI__CHECK(ssgi__positive(&s->survey.occlusion, 1) && ssgi__positive(&s->survey.detail, 1)
-                && ssgi__positive(&s->survey.solid, 1) && ssgi__positive(&s->survey.slabs, 1),
+                    && ssgi__positive(&s->survey.solid, 1) && ssgi__positive(&s->survey.slabs, 1),
                 "scene.survey: must be finite and 0 or more");
+    return SSGI_OK;
+}
+
+SSGI__FN char *ssgi__plan_word(char *at, const char *word)
+{
+    while (*word) *at++ = *word++;
+    return at;
+}
+
+/* An error in 4 decimals: by hand, as there is no stdio.h here, and a locale would choose the point. */
+SSGI__FN char *ssgi__plan_figure(char *at, float x)
+{
+    const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
+    *at++ = (char)('0' + n / 10000);
+    *at++ = '.';
+    for (int unit = 1000; unit; unit /= 10) *at++ = (char)('0' + n / unit % 10);
+    return at;
+}
+
+/* plan->why: "hsao, slabs: errs by 0.0123, the cheapest of all choices within 5 % of 0.0130". It has room for the
+   longest. */
+SSGI__FN void ssgi__plan_sentence(ssgi_plan *plan, float error)
+{
+    static const char *const method[] = { "nothing", "hsao", "ssdo", "s3ho", "dss", "fields" };
+    static const char *const thickness[] = { "", ", solid", ", back faces", ", slabs" };
+    char *at = plan->why;
+    if (!plan->meets && error > 0.0f) {
+        at = ssgi__plan_figure(ssgi__plan_word(at, "cannot be met: "), error);
+        at = ssgi__plan_word(at, "; the nearest: ");
+    }
+    at = ssgi__plan_word(ssgi__plan_word(at, method[plan->method]), thickness[plan->thickness]);
+    at = ssgi__plan_word(at, plan->history ? ", history: errs by " : ": errs by ");
+    at = ssgi__plan_figure(at, plan->error);
+    if (plan->meets) at = ssgi__plan_figure(ssgi__plan_word(at, ", the cheapest of all choices within 5 % of "), error);
+    else if (!(error > 0.0f)) at = ssgi__plan_word(at, ", the least that may be had");
+    *at = 0;
+}
+
+SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
+{
+    ssgi_plan best, p;
+    float goal = 0.0f;
+    int tried = 0, found = 0;
+    SSGI__THERE(plan);
+    SSGI__TRY(ssgi__plan_bad(s, why));
     memset(&best, 0, sizeof best);
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the least error, or the one asked for */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest within 5 % of the goal */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the cheapest within 5 % of it */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (p.error > 1.05f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.05f * s->error;
         best = p;
         found = 1;
     }
-    figure[0] = best.meets || !(s->error > 0.0f) ? best.error : s->error;
-    figure[1] = best.meets ? s->error : best.error;
-    words = best.meets ? "*: errs by #.####, the cheapest of all choices within 5 % of #.####"
-          : s->error > 0.0f ? "cannot be met: #.####; the nearest: *: errs by #.####"
-          : "*: errs by #.####, the least that may be had";
-    for (at = best.why; *words; ++words) {              /* digits by hand: no stdio.h, no locale */
-        const float x = figure[digit / 5];
-        const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
-        const char *const said[3] = { method[best.method], extra[0][best.thickness], extra[1][best.history] };
-        for (int k = 0; k < 3 && *words == '*'; ++k) for (const char *m = said[k]; *m; ++m) *at++ = *m;
-        if (*words == '#') { *at++ = (char)('0' + n / ten[digit % 5] % 10); ++digit; }
-        else if (*words != '*') *at++ = *words;
-    }
+    ssgi__plan_sentence(&best, s->error);
     *plan = best;
     return SSGI_OK;
 }
@@ -3568,6 +3936,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    Before that a minor version may rename: its changes are listed here, old -> new.
 
    CHANGES in 0.3, November 2026
+   Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.
    Renamed: desc.behind, SSGI_GL_BEHIND_* -> desc.thickness, SSGI_GL_THICKNESS_*; plan_scene.behind, plan.behind ->
    .thickness; functions in the GLSL, which has words in whole.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.

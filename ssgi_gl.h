@@ -21,17 +21,21 @@
       ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);        // view: an ssgi_view, see ssgi.h; radius 0.5 view units
 
    HOW A PASS IS DRAWN
-      Vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, the viewport on the image inside the
-      target, glDrawArrays(GL_TRIANGLES, 0, 3). Off: tests of depth (its mask does not matter then), stencil, scissor,
-      alpha (compatibility contexts); blending, but where told below; culling, rasteriser discard, logic op, clip
-      distances. Colour mask on, polygons filled, no sampler object on its units: it would override textures' filters.
-      Textures are read by texelFetch at level 0, so wrap modes do not matter, but a texture must be complete: one
-      without mip levels reads 0 under GL's default minifying filter, and the result is black. GL_NEAREST is right for
-      all; depth and 32-bit float textures need it in GLES and WebGL. A texture has one unit, by its name, in every
-      variant of a pass. The uniform block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have
-      layout(binding) the rows' slots are in the text; in the others set them once by name (glUniform1i,
-      glUniformBlockBinding). The projection is the one that depth was drawn with: some engines (OpenSceneGraph) move
-      near and far behind its getter; for left-handed ones see ssgi_view_from_projection (ssgi.h). No GL is called here.
+      draw         vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, the viewport on the image
+                   inside the target, glDrawArrays(GL_TRIANGLES, 0, 3)
+      state        off: tests of depth (its mask does not matter then), of stencil, scissor and alpha (compatibility
+                   contexts); blending, but where told below; culling, rasteriser discard, logic op, clip distances.
+                   Colour mask on, polygons filled
+      textures     have one unit, by name, in every variant of a pass. They are read by texelFetch at level 0: wrap
+                   modes do not matter, but a texture must be complete. One without mip levels reads 0 under GL's
+                   default minifying filter, and the result is black. GL_NEAREST is right for all; depth and 32-bit
+                   floats need it in GLES and WebGL. No sampler object on their units: it would override their filters
+      uniforms     the block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding)
+                   the slots of ssgi_gl_reflect's rows are in the text; in the others set them once by name
+                   (glUniform1i, glUniformBlockBinding)
+      projection   the one that depth was drawn with: some engines (OpenSceneGraph) move near and far behind its getter.
+                   For left-handed ones see ssgi_view_from_projection (ssgi.h)
+      No GL is called here.
 
    PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
                 hsao     ambient visibility: slices through the view direction [TLG23], or the paper's march [HSAO08]
@@ -46,6 +50,7 @@
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
                 blur, history            edge-preserving filter of what the others wrote; before it, mean over frames
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
+
    SOURCES      as in ssgi.h, and
                 [SA07]   Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion techniques on GPUs
                 [TLG23]  Therrien, Levesque, Gilet 2023, Screen space indirect lighting with visibility bitmask: slices
@@ -64,17 +69,25 @@
                    the buffer's three vec4 a surfel with divisor 1; with tessellate from patches, and nothing is kept
 
    ROOMS        search for ">>"
-      >>desc  what you choose      >>emit  text out          >>io  what a pass reads and writes      >>steps  the draws
-      >>frame  what changes per frame    >>rows  the table of inputs and outputs    >>passes  main of each stage
-      >>library  GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
+      >>desc       what you choose, and in which limits
+      >>emit       a desc in, text out
+      >>io         what a pass reads and writes
+      >>steps      the draws of a whole chain
+      >>frame      what changes per frame; extra cameras, lights, occluders
+      >>library    GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
+      >>rows       the table of inputs and outputs
+      >>passes     the main function of each stage
+      and the implementations of >>desc, >>emit (with >>io), >>frame, >>steps
+
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its line in >>passes, its
-                outputs in >>rows. An accumulator: #if lines in ssgi_gather, an output row, its field in >>desc.
-                An input: a row. What a text reads is what its functions name; nothing else says it again.
+                outputs in >>rows. An accumulator: a member of ssgi_sums, where taps are added to it, an output row, its
+                field in >>desc. An input: a row. What a text reads is what its functions name; nothing else says it.
 
    OTHER LANGUAGES     ssgi_gl_choice_at, _member_at and _reflect have all names, limits and offsets; the repository's
                        make glsl writes them beside the texts (manifest.json), make wasm serves JavaScript. cffi takes
                        what gcc -E -P '-D__attribute__(x)=' prints; bindgen -- --target=x86_64-pc-windows-msvc
                        -ffreestanding has constants of the fields' type. desc.pass in Python: setattr(desc, "pass", ..)
+
    NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, a_ssgi_* attributes, v_ssgi_* between
                        stages, ssgi_*() functions, SSGI_* constants; nothing else at global scope. */
 #ifndef SSGI_GL_H
@@ -87,6 +100,7 @@ extern "C" {
 #endif
 
 /* ==== >>desc ====================================================================================================== */
+
 /* desc.pass: see PASSES above. */
 enum {
     SSGI_GL_SSAO = 0,
@@ -138,18 +152,18 @@ enum {
 
 /* desc.depth: what the depth texture holds. A CUSTOM one's layer 0 is the visible surface. */
 enum {
-    SSGI_GL_DEPTH_WINDOW = 0,   /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
-    SSGI_GL_DEPTH_LINEAR,       /* positive view depth; <= 0, inf or NaN is background */
-    SSGI_GL_DEPTH_CUSTOM,       /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call ssgi_decode */
+    SSGI_GL_DEPTH_WINDOW = 0, /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
+    SSGI_GL_DEPTH_LINEAR,     /* positive view depth; <= 0, inf or NaN is background */
+    SSGI_GL_DEPTH_CUSTOM,     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call ssgi_decode */
 };
 
 /* desc.normal: source and packing of normals. */
 enum {
-    SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture), need not be unit */
-    SSGI_GL_NORMAL_UNSIGNED,    /* xyz * 0.5 + 0.5 (unorm texture) */
-    SSGI_GL_NORMAL_OCTAHEDRAL,  /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
-    SSGI_GL_NORMAL_FROM_DEPTH,  /* no texture: from the nearer depth neighbours, 4 more fetches */
-    SSGI_GL_NORMAL_CUSTOM,      /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
+    SSGI_GL_NORMAL_SIGNED = 0, /* xyz in [-1,1] (any float or snorm texture), need not be unit */
+    SSGI_GL_NORMAL_UNSIGNED,   /* xyz * 0.5 + 0.5 (unorm texture) */
+    SSGI_GL_NORMAL_OCTAHEDRAL, /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
+    SSGI_GL_NORMAL_FROM_DEPTH, /* no texture: from the nearer depth neighbours, 4 more fetches */
+    SSGI_GL_NORMAL_CUSTOM,     /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
 };
 
 /* desc.noise: the pattern that decorrelates neighbouring pixels. */
@@ -160,21 +174,21 @@ enum {
 
 /* desc.search: where a gather looks for what occludes. */
 enum {
-    SSGI_GL_SLICES = 0,         /* planes through the view direction, walked both ways [TLG23] */
-    SSGI_GL_POINTS,             /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
-    SSGI_GL_MARCH,              /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
+    SSGI_GL_SLICES = 0, /* planes through the view direction, walked both ways [TLG23] */
+    SSGI_GL_POINTS,     /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
+    SSGI_GL_MARCH,      /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 };
 
-/* desc.thickness: how far visible surfaces reach, away from the viewer. */
+/* desc.thickness: how far visible surfaces reach, away from the viewer. Where there is no back face, or it is the
+   visible surface itself (a sheet), BACK and SLABS have frame.thickness. */
 enum {
     SSGI_GL_THICKNESS_CONSTANT = 0, /* frame.thickness */
-    SSGI_GL_THICKNESS_SOLID,    /* without end */
-    SSGI_GL_THICKNESS_BACK,     /* to the nearest back face (t_ssgi_back: a depth pass, front faces culled); of sheets,
-                                   and where there is none, frame.thickness */
-    SSGI_GL_THICKNESS_SLABS,    /* and from the next front face behind that to its back face: two more, peeled */
+    SSGI_GL_THICKNESS_SOLID,        /* without end */
+    SSGI_GL_THICKNESS_BACK,         /* to the nearest back face: t_ssgi_back, a depth pass with front faces culled */
+    SSGI_GL_THICKNESS_SLABS,        /* and from the next front face behind that to its back face: two peeled passes */
 };
 
-/* desc.falloff: an occluder's weight over its distance t; sets the distribution of samples along their directions. */
+/* desc.falloff: an occluder's weight over its distance t. Slices multiply with it, points are distributed by it. */
 enum {
     SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius, the paper's */
     SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: what a bounce needs that restores what virtual point lights clamp
@@ -184,15 +198,15 @@ enum {
 /* desc.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer shows. */
 enum {
     SSGI_GL_FADE_NONE = 0,
-    SSGI_GL_FADE_SMOOTH,        /* from 1 at frame.fade to 0 at the radius */
-    SSGI_GL_FADE_LAMBDA,        /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
+    SSGI_GL_FADE_SMOOTH, /* from 1 at frame.fade to 0 at the radius */
+    SSGI_GL_FADE_LAMBDA, /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
 };
 
-/* desc.environment: where the light of the environment comes from. */
+/* desc.environment: what the light of the environment is read from. */
 enum {
     SSGI_GL_ENVIRONMENT_NONE = 0,
-    SSGI_GL_ENVIRONMENT_SH,     /* frame.harmonics: all directions for the price of the visibility */
-    SSGI_GL_ENVIRONMENT_MAP,    /* world space, a look-up a direction: ssgi_environment_map */
+    SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: all directions at the cost of the visibility alone */
+    SSGI_GL_ENVIRONMENT_MAP, /* a texture in world space, read once a direction: ssgi_environment_map */
 };
 
 /* desc.bounce: estimator of what an occluded direction receives. */
@@ -218,53 +232,54 @@ enum {
     SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone: what s3ho reads, whose light comes later */
 };
 
-/* desc.transfer: what the coefficients of s3ho hold. */
+/* desc.transfer: what the coefficients of s3ho hold. From 3 bands on three sets take 6 targets (GLES has 4). */
 enum {
     SSGI_GL_TRANSFER_DIRECT = 0, /* one set: the transfer of unoccluded directions */
-    SSGI_GL_TRANSFER_BOTH,      /* one a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
-    SSGI_GL_TRANSFER_REFLECTED, /* one a channel: what occluders reflect. 6 targets from 3 bands on (GLES: 4) */
+    SSGI_GL_TRANSFER_BOTH,       /* a set a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
+    SSGI_GL_TRANSFER_REFLECTED,  /* a set a channel: what occluders reflect alone */
 };
 
 /* desc.shading: how the coefficients are shaded. */
 enum {
     SSGI_GL_SHADING_HARMONICS = 0, /* dot product with frame.harmonics [S3HO12 2.2] */
-    SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean unoccluded direction */
-    SSGI_GL_SHADING_BENT_CONE,  /* the same, from a cone as wide as the unoccluded directions [SSBN11] */
-    SSGI_GL_SHADING_BENT,       /* no light: that direction, view space, unit; cosine of the cone's half-angle */
+    SSGI_GL_SHADING_BENT_NORMAL,   /* ambient visibility times irradiance along the mean unoccluded direction */
+    SSGI_GL_SHADING_BENT_CONE,     /* the same, from a cone as wide as the unoccluded directions [SSBN11] */
+    SSGI_GL_SHADING_BENT,          /* no light: that direction, view space, unit; cosine of the cone's half-angle */
 };
 
 /* desc.objects: which object a pixel shows, so that no occluder shades itself; NONE: all in reach are darkened. */
 enum {
     SSGI_GL_OBJECTS_NONE = 0,
-    SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
-    SSGI_GL_OBJECTS_CUSTOM,     /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
+    SSGI_GL_OBJECTS_TEXTURE, /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
+    SSGI_GL_OBJECTS_CUSTOM,  /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
 };
 
 /* desc.effect: what surfels do to pixels. */
 enum {
     SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
-    SSGI_GL_EFFECT_LIGHT,       /* unoccluded irradiance over pi, less what surfels block of the environment */
-    SSGI_GL_EFFECT_BOUNCE,      /* irradiance over pi from what surfels send */
-    SSGI_GL_EFFECT_SPECULAR,    /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
-    SSGI_GL_EFFECT_SCATTER,     /* radiance that leaves a translucent surface: frame.dipole, over what surfels get */
+    SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less what surfels block of the environment */
+    SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from what surfels send */
+    SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
+    SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface: frame.dipole, over what surfels get */
 };
 
 /* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards. */
 enum {
-    SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
-    SSGI_GL_SENDS_LIGHTS,       /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
-                                   the environment, open, if desc.environment */
-    SSGI_GL_SENDS_CUSTOM,       /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
+    SSGI_GL_SENDS_COLOUR = 0, /* the colour that they had */
+    SSGI_GL_SENDS_LIGHTS,     /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
+                                 the environment, open, if desc.environment */
+    SSGI_GL_SENDS_CUSTOM,     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
 };
 
 /* desc.colour: what blur and history filter. */
 enum {
-    SSGI_GL_GREY = 0,           /* ambient visibility */
-    SSGI_GL_COLOUR,             /* light, three channels */
-    SSGI_GL_COEFFICIENTS,       /* of s3ho */
+    SSGI_GL_GREY = 0,     /* ambient visibility */
+    SSGI_GL_COLOUR,       /* light, three channels */
+    SSGI_GL_COEFFICIENTS, /* of s3ho */
 };
 
-/* desc.onto: how the result is put onto your picture, by blending. Light is added, times albedo, where not NONE. */
+/* desc.onto: how ambient visibility is put onto your picture, by blending. Light is added, times albedo, by any of them
+   but NONE. */
 enum {
     SSGI_GL_ONTO_NONE = 0,
     SSGI_GL_ONTO_MULTIPLY,      /* linear values. In a picture that holds direct light that is dimmed, too */
@@ -272,8 +287,8 @@ enum {
     SSGI_GL_ONTO_AMBIENT,       /* what is occluded of t_ssgi_ambient, the picture's ambient part, is subtracted */
 };
 
-/* desc.restore: what is filtered instead of light. Unoccluded light is exact at every pixel and differs across creases:
-   blur puts it back unfiltered, at full size. */
+/* desc.restore: what history and blur filter instead of light. Unoccluded light is known exactly at every pixel and
+   differs across creases, which a filter would smooth: blur puts it back unfiltered, at full size. */
 enum {
     SSGI_GL_RESTORE_NONE = 0,
     SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [HHM18] */
@@ -282,97 +297,113 @@ enum {
 
 /* desc.filter: how a neighbour is weighted. */
 enum {
-    SSGI_GL_BILATERAL = 0,      /* a box over a tile, by its distance to the tangent plane */
-    SSGI_GL_GAUSSIAN,           /* the paper's, by the inverse of the depth difference [HSAO08 4.1.3] */
+    SSGI_GL_BILATERAL = 0, /* a box over a tile, by its distance to the tangent plane */
+    SSGI_GL_GAUSSIAN,      /* the paper's, by the inverse of the depth difference [HSAO08 4.1.3] */
 };
 
 /* What you choose when a program is built. Zero is the default everywhere; counts become literal constants in the text,
-   and what is off leaves no text behind. A comment begins with the passes that look at the field; the others ignore it,
-   but it must be in its limits [0..1 where none is told]. ssgi_gl_check names the field that is not. */
+   and what is off leaves no text behind. A comment begins with the passes that look at the field, where its heading
+   does not tell; the others ignore it, but it must be in its limits [0..1 where none is told]. ssgi_gl_check names the
+   field that is not. */
 typedef struct ssgi_gl_desc {
-    /* every pass */
-    int pass;            /* SSGI_GL_SSAO .. */
-    int dialect;         /* SSGI_GL_330 .. */
-    int orthographic;    /* 1: the camera is orthographic (ssgi_view.orthographic says so) */
-    int depth;           /* SSGI_GL_DEPTH_WINDOW .. */
-    int normal;          /* SSGI_GL_NORMAL_SIGNED .. */
-    int world_normals;   /* 1: the normals are in world space; frame.rotation turns them into view space */
-    int half;            /* gathers, shade, history   1: a pixel of every 2x2, rounded up; blur   1: to full size */
-    int lines;           /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
-    int left_handed;     /* 1: view-space normals have +z away from the viewer; all else: ssgi_view_from_projection */
-    int oblique;         /* DEPTH_WINDOW   1: the near plane may be oblique (ssgi_view.oblique) */
-    int multisampled;    /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; the rest is yours to resolve. Sample 0 is
-                            read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
-    int array;           /* 1: your textures (depth, normal, back, albedo, direct, ambient, objects, motion) are arrays
-                            with a slice a view, as for stereo: frame.slice. What passes write stays 2D */
+    /* ---- the text */
+    int pass;    /* SSGI_GL_SSAO .. */
+    int dialect; /* SSGI_GL_330 .. */
+    int lines;   /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
 
-    /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
-    int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
-    int search;          /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao has points */
-    int directions;      /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
-    int samples;         /* points   [limit: 0..64] [default: 16; lights 8]  directions; on a segment */
-    int steps;           /* [limit: 0..64] [default: 6; points 1]  N_s, a direction; of points the first occluded */
-    int thickness;       /* SSGI_GL_THICKNESS_CONSTANT .. */
-    int falloff;         /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
-    int kernel;          /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
-    int fade;            /* points   SSGI_GL_FADE_NONE .. */
-    int range;           /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
-    int layers;          /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd one to
-                            the next; an odd last one as thickness says */
-    int views;           /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if one sees it in
-                            front of its depth; occluded if none does and one finds it inside a solid */
-    int view_layers;     /* [limit: 0..8] [default: 1]  depth layers of each extra camera (view) */
-    int receiver;        /* ssdo, lights, senders   [limit: 0..7, below layers]  the lit layer, of hidden senders */
-    int normal_rays;     /* hsao by march   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
-    int hard;            /* hsao, splat, ssdo by slices   1: no attenuation, all within the radius occludes fully */
+    /* ---- the camera */
+    int orthographic; /* 1: it is orthographic (ssgi_view.orthographic says so) */
+    int oblique;      /* DEPTH_WINDOW   1: its near plane may be oblique (ssgi_view.oblique) */
+    int left_handed;  /* 1: view-space normals have +z away from the viewer; all else: ssgi_view_from_projection */
 
-    /* ssdo, and lights */
-    int environment;     /* and blur   SSGI_GL_ENVIRONMENT_NONE .. */
-    int bounce;          /* SSGI_GL_BOUNCE_NONE ..; ssdo: not both NONE; both share the visibility, two targets */
-    int restore;         /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; until blur with this desc
-                            and colour = 1 o_ssgi_light is not light; a bounce alone is not restored */
-    int two_sided;       /* ssdo, s3ho   1: senders shine from both sides; 0: from the side seen, slices a quarter from
-                            the other. splat   surfels occlude from both sides: for sheets and leaves */
-    int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */
-    int shadow;          /* lights   SSGI_GL_SHADOW_SEGMENT .. */
-    int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass of this frame wrote */
+    /* ---- your textures */
+    int depth;         /* SSGI_GL_DEPTH_WINDOW .. */
+    int normal;        /* SSGI_GL_NORMAL_SIGNED .. */
+    int world_normals; /* 1: the normals are in world space; frame.rotation turns them into view space */
+    int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS, the rest is yours to resolve. Sample 0 is
+                          read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
+    int array;         /* 1: depth, normal, back, albedo, direct, ambient, objects and motion are array textures with a
+                          slice a view, as for stereo: frame.slice. What passes write stays 2D */
 
-    /* s3ho, shade, blur of coefficients */
-    int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  squared: how many; bent: 2 */
-    int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
-    int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing
-                            is restored, since it has no unoccluded light */
-    int shaded;          /* s3ho   1: no coefficients, shaded with frame.harmonics at once; shade is not drawn */
-    int residual;        /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds ambient
-                            visibility times the residual of unoccluded irradiance (ssgi_sh_residual) */
-    int shading;         /* shade   SSGI_GL_SHADING_HARMONICS .. */
-    int lights;          /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone; a
-                            POINT is a sphere of radius min_distance */
-    int albedo;          /* shade   1: writes outgoing radiance; 0: irradiance over pi */
+    /* ---- gathers, which are ssao, hsao, ssdo, s3ho: where they look. lights tests points as they do */
+    int search;      /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao always has points */
+    int directions;  /* slices, march   [limit: 0..32] [default: slices 1, march 6]  slices have two each; N_d */
+    int samples;     /* points   [limit: 0..64] [default: 16; lights 8]  directions; of lights points on a segment */
+    int steps;       /* [limit: 0..64] [default: 6; points 1]  on each direction, N_s; of points the first occluded one
+                        counts */
+    int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
+    int noise;       /* SSGI_GL_NOISE_GRADIENT .. */
+    int kernel;      /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
+    int half;        /* gathers, shade, history   1: for one pixel of every 2x2, rounded up; blur   1: to full size */
 
-    /* field; surfels, shuffle, splat, unshuffle, smooth, sum */
-    int objects;         /* field   SSGI_GL_OBJECTS_NONE .. */
-    int effect;          /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
-    int levels;          /* [limit: 0..7] [default: 5]  each doubles the reach, and the taps of the last's smoothing */
-    int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
-    int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int span;            /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what
-                            is nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
-    int near_samples;    /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
-                            its centre alone, as published, which finds half at 1/3 radius from a wall */
-    int axis;            /* smooth   0: along x; 1: along y */
+    /* ---- gathers, lights: what occludes */
+    int thickness;   /* SSGI_GL_THICKNESS_CONSTANT .. */
+    int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: it is solid from an odd one to
+                        the next; an odd last one is as thick as thickness says */
+    int views;       /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if one sees it in
+                        front of its depth; occluded if none does and one finds it inside a solid */
+    int view_layers; /* all but slices   [limit: 0..8] [default: 1]  depth layers of each extra camera */
+    int falloff;     /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
+    int fade;        /* points   SSGI_GL_FADE_NONE .. */
+    int range;       /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
+    int hard;        /* hsao, splat, ssdo by slices   1: no attenuation, all within the radius occludes fully */
 
-    /* blur, history, compose */
-    int colour;          /* SSGI_GL_GREY .. ; coefficients are blur's alone: history goes behind shade */
-    int motion;          /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
-    int onto;            /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE ..; what they write */
-    int filter;          /* SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
-    int filter_radius;   /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half: 1: 3x3 */
-    int filter_normals;  /* and smooth   1: neighbours' normals are compared too, 1 more fetch each */
+    /* ---- light: ssdo, lights, senders */
+    int environment; /* ssdo, blur, history, surfels, splat   SSGI_GL_ENVIRONMENT_NONE .. */
+    int bounce;      /* ssdo   SSGI_GL_BOUNCE_NONE ..; environment and bounce are not both NONE. With both, two targets
+                        are written from one visibility. compose   1: adds t_ssgi_bounce */
+    int two_sided;   /* ssdo, s3ho   1: senders shine from both sides; 0: from the side that is seen, while in slices
+                        the other side sends a quarter of that. splat   1: surfels occlude from both sides, for
+                        sheets */
+    int radiance;    /* senders   SSGI_GL_RADIANCE_LIGHT .. */
+    int receiver;    /* ssdo, lights, senders   [limit: 0..7, below layers]  the depth layer that is lit: so that hidden
+                        surfaces send, too */
+    int shadow;      /* lights, surfels, splat   SSGI_GL_SHADOW_SEGMENT .. */
+    int accumulate;  /* lights   1: adds to t_ssgi_light, what an earlier pass of this frame wrote */
+    int restore;     /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; with another o_ssgi_light
+                        is not light until blur has drawn with this desc and colour = 1. A bounce alone is not
+                        restored */
 
-    /* your own text */
-    const char *version; /* your first line(s) instead of "#version ..", verbatim; NULL = ours */
-    const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL = none */
+    /* ---- coefficients: s3ho, shade, blur of them */
+    int bands;    /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2 coefficients; bent ones need 2 */
+    int packed;   /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
+    int transfer; /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing is
+                     restored, since it has no unoccluded light */
+    int shaded;   /* s3ho   1: no coefficients, shaded with frame.harmonics at once; shade is not drawn */
+    int residual; /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds ambient visibility
+                     times the residual of unoccluded irradiance (ssgi_sh_residual) */
+    int shading;  /* shade   SSGI_GL_SHADING_HARMONICS .. */
+    int lights;   /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone; a POINT is
+                     a sphere of radius min_distance */
+    int albedo;   /* shade   1: writes outgoing radiance; 0: irradiance over pi */
+
+    /* ---- fields */
+    int objects; /* field   SSGI_GL_OBJECTS_NONE .. */
+
+    /* ---- surfels: surfels, shuffle, splat, unshuffle, smooth, sum */
+    int effect;       /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
+    int levels;       /* [limit: 0..7] [default: 5]  each doubles the reach; the last's smoothing doubles its
+                         taps */
+    int tessellate;   /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
+    int sends;        /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
+    int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what is
+                         nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
+    int near_samples; /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1: its
+                         centre alone, as published, which finds half at 1/3 radius from a wall */
+    int axis;         /* smooth   0: along x; 1: along y */
+
+    /* ---- filters: blur, history, compose */
+    int colour;         /* SSGI_GL_GREY ..; of coefficients blur alone: history goes behind shade */
+    int filter;         /* blur   SSGI_GL_BILATERAL .. */
+    int filter_radius;  /* blur   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half: 1 is
+                           3x3 */
+    int filter_normals; /* blur, smooth   1: neighbours' normals are compared, too: 1 more fetch each */
+    int motion;         /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
+    int onto;           /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE .. */
+
+    /* ---- your own text */
+    const char *version; /* your first line(s) instead of "#version ..", verbatim; NULL: ours */
+    const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
 } ssgi_gl_desc;
 
 /* Measured settings: the points of the README's chart. Sets what trades cost for accuracy in desc->pass with
@@ -386,27 +417,36 @@ typedef struct ssgi_gl_desc {
    All else stays, desc.thickness, too: set BACK or SLABS where solids are closed and you can draw those passes. Passes
    without such settings are left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
+
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
-/* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's;
-   the rest stays. ssdo and s3ho have restore, s3ho is shaded, residual, ssdo without an environment has MAP. Yours
-   to add: a bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is ssgi_gl_chain.history. Surfels,
-   fields: the pass that draws them. Bad input, or NOTHING: desc stays. */
+/* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work (of surfels and fields the one that
+   draws them), with its settings and the filter's; the rest stays. ssdo and s3ho get restore; s3ho gets shaded and
+   residual; ssdo without an environment gets MAP. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and
+   plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
-/* SSGI_OK, or which field is wrong and what it may be ("desc.steps: must be 0..64"). */
+/* SSGI_OK, or SSGI_BAD_ARGUMENT and which field is wrong and what it may be ("desc.steps: must be 0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 
-/* An int of ssgi_gl_desc (version and fetch are the only fields that are none): 0 .. most. values: an enum's words, in
-   order from 0, blanks between; the sentence has the prefix that makes enumerators of them. Other fields': "". */
-typedef struct ssgi_gl_choice { const char *name, *values, *sentence; size_t offset; int most; } ssgi_gl_choice;
-SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);  /* the i-th; NULL past the last */
+/* A field of ssgi_gl_desc that is an int: all but version and fetch. */
+typedef struct ssgi_gl_choice {
+    const char *name;     /* "search" */
+    const char *values;   /* an enum's words in order from 0, blanks between: "SLICES POINTS MARCH"; of others "" */
+    const char *sentence; /* what it must be; of an enum with the prefix that makes enumerators of the words */
+    size_t offset;        /* bytes into ssgi_gl_desc */
+    int most;             /* its largest value; the least is 0 */
+} ssgi_gl_choice;
 
-/* What a good desc means: its pass's defaults in place, and 0 what that does not look at. Both have the same text.
-     desc   [limit: not NULL, passes ssgi_gl_check] */
+/* The i-th field; NULL past the last. */
+SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
+
+/* What a desc means: its pass's defaults in place, and 0 where the pass does not look. Both have the same text.
+     desc   [limit: not NULL, one that ssgi_gl_check takes] */
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
 
 /* ==== >>emit ====================================================================================================== */
+
 /* Writes the GLSL of one stage. Like snprintf: returns the length of the whole text without its terminating 0, writes
    at most capacity bytes and always terminates them (capacity > 0); out may be NULL when capacity is 0. A stage that
    the pass does not have gives an empty text. A bad desc or stage returns 0 and writes nothing. The same desc gives
@@ -418,223 +458,318 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
 /* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
-   (ssgi_sh_turn) and a dot product, over struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k
-   of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). Like snprintf. bands [limit: 1..4]; 0 is returned for others. */
+   (ssgi_sh_turn) and a dot product. struct ssgi_sh { vec4 a, b, c, d; } holds coefficient 4w + k in lane k of word w,
+   as many words as the bands need (1 band: a.x; 2: a; 3: a, b, c.x). Like snprintf. bands [limit: 1..4]; 0 is returned
+   for others. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* The GLSL of fields for your own shaders, with its samplers, the same for every good desc but VULKAN's. float
-   ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of 1 - occlusion over rows
-   0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was given.
-   GLES: after "precision highp float; precision highp int;"; VULKAN: after "#extension
-   GL_EXT_samplerless_texture_functions : require". Like snprintf; 0 for a bad desc. */
+/* The GLSL of fields for your own shaders, with its samplers:
+     float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal);
+   It returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, but for those of that
+   object (0: none), in the space that ssgi_gl_occluder_set was given. The text is the same for every good desc but
+   VULKAN's. In GLES it needs "precision highp float; precision highp int;" before it, in VULKAN the extension
+   GL_EXT_samplerless_texture_functions. Like snprintf; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
-SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past the last */
-SSGI_DEF const char *ssgi_gl_dialect_name(int dialect);   /* "330", "vulkan"; NULL past the last */
+SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
+SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* "330", "vulkan"; NULL past the last */
 
 /* ==== >>io ======================================================================================================== */
-/* ssgi_gl_io.kind. CAPTURE: a varying for transform feedback */
+
+/* ssgi_gl_io.kind. PARAM: a member of a uniform block. CAPTURE: a varying for transform feedback. */
 enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT, SSGI_GL_ATTRIBUTE, SSGI_GL_CAPTURE };
 
 /* One input or output of a pass: the very row that its declaration was printed from. */
 typedef struct ssgi_gl_io {
-    const char *name;    /* exactly as in the text: "t_ssgi_depth" */
-    int         kind;
-    const char *type;    /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D" */
-    int         slot;    /* TEXTURE: unit, 0..15, the same in every variant of the pass (and binding; VULKAN: less 2).
-                            OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its value.
-                            PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
-    size_t      offset;     /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. Else 0 */
-    const char *format;  /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
+    const char *name; /* exactly as in the text: "t_ssgi_depth" */
+    int kind;
+    const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D" */
+    int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass (and binding; VULKAN: less 2).
+                           OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its value.
+                           PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
+    size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. Else 0 */
+    const char *format; /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
 } ssgi_gl_io;
 
 #define SSGI_GL_MAX_IO 48
 
-/* Writes the rows of a pass in this variant, as the text has them, at most capacity; returns how many, 0: a bad desc */
+/* Writes the rows of a pass in this variant, as the text has them, at most `capacity`; returns how many there are, 0
+   for a bad desc. */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
 
 /* Row i of kind PARAM, whatever the pass: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
 SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* ==== >>steps ================================================================================================== */
+
 /* What is drawn for a desc: its pass, and the passes before and behind it. Zero: the pass alone. */
 typedef struct ssgi_gl_chain {
-    ssgi_gl_desc desc;   /* SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT; passes around it have its choices, too. SSDO with
-                            an environment and a bounce: that light, then its bounce. S3HO with a transfer: its senders
-                            first. SPLAT by LIGHT: of desc.environment; then with desc.bounce what surfels send */
-    ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc; another: none */
+    /* ---- what is drawn */
+    ssgi_gl_desc desc;   /* pass SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT. The passes around it are drawn with its
+                            choices, too: SSDO with an environment and a bounce draws that light, then its bounce; S3HO
+                            with a transfer its senders first; SPLAT by LIGHT with a bounce then what surfels send */
+    ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc. Another pass:
+                            none */
     int width, height;   /* [units: pixels] [limit: 1..16384]  of the image: ssgi_gl_frame.size */
-    int blur;            /* 1: what is gathered is filtered */
-    int history;         /* 1: it is averaged over frames before */
-    int vectors;         /* s3ho   1: coefficients are filtered, then shaded: for light that changes; 0: light is */
-    int reuse;           /* ssdo   1: senders send the last frame's light, so that one gather does both */
-    int vpls;            /* ssdo   1: lights adds virtual point lights to the bounce, which restores what they clamp */
-    int direct;          /* 1: senders send your own radiance, too (t_ssgi_direct) */
-    int surfels;         /* splat  1: from what pass surfels wrote this frame: surfels lit, or from patches */
-    int hidden_sky;      /* splat  1: desc.environment lights surfels that the picture does not show, unoccluded */
-    int unsmoothed;      /* splat  1: levels are added unfiltered */
-    int precise;         /* 1: targets of 32-bit floats; 2: coefficients, too. Else 16 bits, 8 for what is final */
+
+    /* ---- how it is filtered */
+    int blur;       /* 1: what is gathered is filtered within surfaces */
+    int history;    /* 1: before that it is averaged over frames */
+    int vectors;    /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is filtered */
+    int unsmoothed; /* splat   1: levels are added unfiltered */
+
+    /* ---- what is sent */
+    int reuse;  /* ssdo   1: senders send the last frame's light, so that one gather does light and bounce */
+    int vpls;   /* ssdo   1: pass lights adds virtual point lights to the bounce, which restores what they clamp */
+    int direct; /* 1: senders send your own radiance, too (t_ssgi_direct) */
+
+    /* ---- surfels */
+    int surfels;    /* splat   1: pass surfels writes them this frame: lit, or from patches */
+    int hidden_sky; /* splat   1: desc.environment lights surfels that the picture does not show, unoccluded */
+
+    /* ---- targets */
+    int precise; /* 0: 16-bit floats, 8 bits for what is final; 1: 32-bit floats; 2: for coefficients, too */
 } ssgi_gl_chain;
 
 /* What a texture of yours is: ssgi_gl_input.meaning. */
-enum { SSGI_GL_YOUR_DEPTH = 0, SSGI_GL_YOUR_LAYERS, SSGI_GL_YOUR_BACK, SSGI_GL_YOUR_VIEWS, SSGI_GL_YOUR_NORMAL,
-       SSGI_GL_YOUR_ALBEDO, SSGI_GL_YOUR_LAYER_NORMALS, SSGI_GL_YOUR_LAYER_ALBEDOS, SSGI_GL_YOUR_DIRECT,
-       SSGI_GL_YOUR_NOISE, SSGI_GL_YOUR_KERNEL, SSGI_GL_YOUR_ENVIRONMENT, SSGI_GL_YOUR_IRRADIANCE, SSGI_GL_YOUR_LIGHTS,
-       SSGI_GL_YOUR_SHADOW, SSGI_GL_YOUR_OCCLUDERS, SSGI_GL_YOUR_FIELDS, SSGI_GL_YOUR_OBJECTS, SSGI_GL_YOUR_MOTION,
-       SSGI_GL_YOUR_AMBIENT, SSGI_GL_YOURS /* how many */ };
+enum {
+    SSGI_GL_YOUR_DEPTH = 0,
+    SSGI_GL_YOUR_LAYERS,
+    SSGI_GL_YOUR_BACK,
+    SSGI_GL_YOUR_VIEWS,
+    SSGI_GL_YOUR_NORMAL,
+    SSGI_GL_YOUR_ALBEDO,
+    SSGI_GL_YOUR_LAYER_NORMALS,
+    SSGI_GL_YOUR_LAYER_ALBEDOS,
+    SSGI_GL_YOUR_DIRECT,
+    SSGI_GL_YOUR_NOISE,
+    SSGI_GL_YOUR_KERNEL,
+    SSGI_GL_YOUR_ENVIRONMENT,
+    SSGI_GL_YOUR_IRRADIANCE,
+    SSGI_GL_YOUR_LIGHTS,
+    SSGI_GL_YOUR_SHADOW,
+    SSGI_GL_YOUR_OCCLUDERS,
+    SSGI_GL_YOUR_FIELDS,
+    SSGI_GL_YOUR_OBJECTS,
+    SSGI_GL_YOUR_MOTION,
+    SSGI_GL_YOUR_AMBIENT,
+    SSGI_GL_YOURS /* how many */
+};
 
 /* The numbers that glTexImage2D takes. */
-typedef struct ssgi_gl_format { const char *name; unsigned internal, format, type; int bytes; } ssgi_gl_format;
+typedef struct ssgi_gl_format {
+    const char *name;
+    unsigned internal, format, type;
+    int bytes;
+} ssgi_gl_format;
 
 typedef struct ssgi_gl_input {
-    const char *name, *type; /* as in the text: "t_ssgi_depth", "sampler2D" */
-    int unit;            /* of the sampler: ssgi_gl_io.slot */
-    unsigned target;     /* GL_TEXTURE_2D .. */
-    int meaning;         /* -1: a texture of the steps; else yours, SSGI_GL_YOUR_DEPTH .. */
-    int texture, last;   /* its number, -1: yours; 1: as the last frame left it */
-    const ssgi_gl_format *format;  /* of the steps' textures; NULL: yours, as ssgi_gl_io.format says */
-    int width, height;   /* of the steps' textures; of yours the least */
+    const char *name, *type;      /* as in the text: "t_ssgi_depth", "sampler2D" */
+    int unit;                     /* of the sampler: ssgi_gl_io.slot */
+    unsigned target;              /* GL_TEXTURE_2D .. */
+    int meaning;                  /* a texture of yours: SSGI_GL_YOUR_DEPTH ..; -1: one that the steps write */
+    int texture;                  /* of the latter its number; -1: yours */
+    int last;                     /* 1: as the last frame left it */
+    const ssgi_gl_format *format; /* of the steps' textures; NULL: yours, as ssgi_gl_io.format says */
+    int width, height;            /* of the steps' textures; of yours the least that is needed */
 } ssgi_gl_input;
 
+/* ssgi_gl_output.result. A chain has one texture of LIGHT, or of BOUNCE, or both; with desc.onto neither. */
+enum {
+    SSGI_GL_RESULT_NONE = 0,
+    SSGI_GL_RESULT_LIGHT, /* light, ambient visibility or bent normals */
+    SSGI_GL_RESULT_BOUNCE,
+};
+
 typedef struct ssgi_gl_output {
-    const char *name;
-    int texture;         /* number, from 0 in the order of first use; -1: your picture */
-    const ssgi_gl_format *format;
-    int slices, slice;   /* 0: GL_TEXTURE_2D; else an array texture of so many layers, drawn into layer `slice` */
-    int kept;            /* 1: there are two of it, which change places each frame: history */
-    int result;          /* SSGI_GL_RESULT_NONE .. */
+    const char *name;             /* as in the text: "o_ssgi_ao" */
+    int texture;                  /* its number, from 0 in the order of first use; -1: your picture */
+    const ssgi_gl_format *format; /* NULL: your picture's */
+    int slices, slice;            /* 0: GL_TEXTURE_2D; else an array of so many layers, drawn into layer `slice` */
+    int kept;                     /* 1: make two of it, which change places each frame: history */
+    int result;                   /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
-/* LIGHT: or ambient visibility, or bent normals. A chain has one of it, or of BOUNCE, or both; on your picture neither
-   is asked for. */
-enum { SSGI_GL_RESULT_NONE = 0, SSGI_GL_RESULT_LIGHT, SSGI_GL_RESULT_BOUNCE };
-enum { SSGI_GL_SIZE_FULL = 0, SSGI_GL_SIZE_HALF, SSGI_GL_SIZE_LEVELS };
+
+/* ssgi_gl_step.size */
+enum {
+    SSGI_GL_SIZE_FULL = 0,
+    SSGI_GL_SIZE_HALF,   /* of the image, rounded up */
+    SSGI_GL_SIZE_LEVELS, /* of all levels: ssgi_splat_size */
+};
 
 /* One draw. Text of each stage: ssgi_gl_emit of desc. */
 typedef struct ssgi_gl_step {
     ssgi_gl_desc desc;
-    int size, width, height; /* SSGI_GL_SIZE_FULL ..; of the image in the targets, at frame.target (HALF: half of it) */
-    int inputs, outputs;
+
+    /* ---- where: the image in the targets begins at frame.target, of HALF at half of that */
+    int size;          /* SSGI_GL_SIZE_FULL .. */
+    int width, height; /* [units: pixels] of that image */
+
+    /* ---- what it reads and writes */
+    int inputs, outputs; /* how many */
     ssgi_gl_input input[16];
     ssgi_gl_output output[6];
-    int frame;           /* uniform block: 0 yours; 1 + 2v that of extra camera v (its G-buffer, too); 2 + 2v the same,
-                            rotation from its view space to yours; 9 yours, lights being the virtual point lights */
-    unsigned primitive;  /* GL_TRIANGLES ..; of SURFELS captured, rasteriser discarded */
+    int frame; /* the uniform block. 0: yours. 1 + 2v: that of extra camera v, whose G-buffer it reads, too. 2 + 2v: the
+                  same with rotation from its view space to yours. 9: yours, with virtual point lights as lights */
+
+    /* ---- the draw */
+    unsigned primitive;      /* GL_TRIANGLES ..; those of SURFELS are captured, rasteriser discarded */
     int vertices, instances; /* 0: as many as you have: surfels, occluders, three a triangle */
-    unsigned blend[3];   /* equation, source, destination; 0: off */
-    int clear;           /* 1: the targets are cleared first, to clear_to in each component */
+    unsigned blend[3];       /* equation, source, destination; 0: off */
+    int clear;               /* 1: the targets are cleared first, to clear_to in each component */
     float clear_to;
 } ssgi_gl_step;
 
-/* Writes the draws in their order, at most capacity; returns how many there are, also with steps NULL and capacity 0;
-   0 for a bad chain (why says what). Clear the steps' textures to 0 when you make them, and again when the size
-   changes. With desc.onto the last step draws onto your picture. */
+/* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0;
+   0 for a bad chain, and why. Clear the steps' textures to 0 when you make them, and again when the size changes. With
+   desc.onto the last step draws onto your picture. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
-/* What GL has: at a unit, or a target (unit and filter are not looked at). format: GL_TEXTURE_INTERNAL_FORMAT, 0 =
-   nothing; filter: GL_TEXTURE_MIN_FILTER; compare: GL_TEXTURE_COMPARE_MODE. */
-typedef struct ssgi_gl_bound { unsigned target, format; int width, height; unsigned filter, compare; } ssgi_gl_bound;
+/* What GL has at a unit, or as a target. */
+typedef struct ssgi_gl_bound {
+    unsigned target; /* GL_TEXTURE_2D ..; of targets not looked at */
+    unsigned format; /* GL_TEXTURE_INTERNAL_FORMAT; 0: nothing is bound */
+    int width, height;
+    unsigned filter;  /* GL_TEXTURE_MIN_FILTER; of targets not looked at */
+    unsigned compare; /* GL_TEXTURE_COMPARE_MODE; of targets not looked at */
+} ssgi_gl_bound;
 
-/* What would be drawn wrong, in a sentence that names step, texture and unit; like snprintf, 0: nothing. For debug
-   builds: units of 16, targets of step->outputs, NULL = not looked at. */
+/* For debug builds: what would be drawn wrong, in a sentence that names step, texture and unit. Like snprintf; 0 when
+   nothing would.
+     units      what is bound at each of 16 units; NULL: not looked at
+     targets    what each of step->outputs is drawn into; NULL: not looked at */
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
                                    const ssgi_gl_bound *targets);
 
 /* ==== >>frame ================================================================================================== */
-/* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140). */
+
+/* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140), in whose order
+   the members are. */
 typedef struct ssgi_gl_frame {
-    float   project[4];  /* from ssgi_view */
-    float   unproject[4];
-    float   decode[4];   /* depth[0], depth[1], clear, 0 */
-    int32_t origin[2];   /* [units: texels]  first texel of the image in the G-buffer's textures */
-    int32_t size[2];     /* [units: pixels]  of the image. For a margin, larger than what is shown: scissor the passes
-                            (but senders, and what lights them) to the inner rectangle and what their filters read */
-    int32_t target[2];   /* [units: texels]  first texel of the image in what passes write; half of it in half size */
-    float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
-    float   offset;      /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of points */
-    float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.thickness has
-                            no other; 1 radius suits ssao, 0.5 march, 0.4 light */
-    float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
-    float   fade;        /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
-    float   distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
-    float   gain;        /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
-    float   max_slope;   /* [default: 20]  largest slope, tan of light against normal, that maps' bias follows */
-    int32_t lights;      /* how many rows of t_ssgi_lights */
-    float   lambda;      /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
-    float   rotation[12]; /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
-    float   harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: ssgi_gl_harmonics_set; black by default */
-    float   surfel[4];   /* surfels, smooth: ssgi_gl_surfels_set */
-    float   mesh[16];    /* surfels: mesh to view space, column-major; identity by default */
-    float   dipole[16];  /* EFFECT_SCATTER: ssgi_gl_dipole_set */
-    float   keep_small;  /* surfels: ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
-    float   near_depth;  /* field, splat: lower bound of the frame's view depths [units: view] [default: the near
-                            plane]: the last frame's minimum, for instance, culls most of what is around the eye */
-    float   sent;        /* EFFECT_BOUNCE and after [limit: > 0] [default: 1]: radiance that counts as bright:
-                            ssgi_gl_sent_set makes the result linear in the light */
-    float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
-                            it sends over `sent` (times the lobe's peak) */
-    float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
-    float   history;     /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  frames averaged; 0: anew */
-    int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
-    float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
-    float   last_to[16]; /* history: view space to the last frame's pixels (times depth when perspective) and depth */
-    float   last_from[16]; /* and back: ssgi_gl_frame_history */
-    float   oblique[2];  /* desc.oblique: from ssgi_view */
-    int32_t slice, unused; /* desc.array: the layer of your array textures; fills the block's last 16 bytes */
+    /* ---- the camera: from ssgi_view */
+    float project[4];
+    float unproject[4];
+    float decode[4]; /* ssgi_view.depth[0], [1], clear; 0 */
+
+    /* ---- the image */
+    int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
+    int32_t size[2];   /* [units: pixels]  of the image. For a margin, larger than what is shown: scissor the passes
+                          (but senders, and what lights them) to the inner rectangle and what their filters read */
+    int32_t target[2]; /* [units: texels]  first texel of the image in what passes write; half of it in half size */
+
+    /* ---- gathers */
+    float radius;         /* [units: view] [limit: > 0]  farthest occluder */
+    float offset;         /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of
+                             points */
+    float thickness;      /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.thickness
+                             has no other; 1 radius suits ssao, 0.5 march, 0.4 light */
+    float phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
+    float fade;           /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
+    float distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
+    float gain;           /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
+    float max_slope;      /* [default: 20]  shadow maps: their bias follows slopes, tan of light against normal, to
+                             here */
+    int32_t lights;       /* how many rows of t_ssgi_lights */
+    float lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
+
+    /* ---- the world */
+    float rotation[12];  /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
+    float harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: ssgi_gl_harmonics_set; black by default */
+
+    /* ---- surfels, and fields */
+    float surfel[4];  /* ssgi_gl_surfels_set */
+    float mesh[16];   /* mesh to view space, column-major; identity by default */
+    float dipole[16]; /* EFFECT_SCATTER: ssgi_gl_dipole_set */
+    float keep_small; /* ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
+    float near_depth; /* field, splat   [units: view] [default: the near plane]  lower bound of the frame's view depths:
+                         the last frame's minimum, for instance, culls most of what is around the eye */
+    float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
+                         ssgi_gl_sent_set makes the result linear in the light */
+    float epsilon;    /* splat   [default: 0.1]  the least that a surfel is drawn for: form factor, or that times what
+                         it sends over `sent` (times the lobe's peak) */
+    float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
+
+    /* ---- the rest, where std140 has room for it */
+    float history;       /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  frames averaged; 0: anew */
+    int32_t level[2];    /* surfels   [units: texels]  of one level: ssgi_splat_size */
+    float window[4];     /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
+    float last_to[16];   /* history: view space to the last frame's pixels (times depth when perspective) and depth */
+    float last_from[16]; /* and back: ssgi_gl_frame_history */
+    float oblique[2];    /* desc.oblique: from ssgi_view */
+    int32_t slice;       /* desc.array: the layer of your array textures */
+    int32_t unused;      /* fills the block's last 16 bytes */
 } ssgi_gl_frame;
 
-/* Fills a frame: view, image at the origin of textures and targets, else defaults. radius [units: view] [limit: > 0] */
+/* Fills a frame: view, image at the origin of textures and targets, else defaults.
+     radius   [units: view] [limit: > 0] */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
-/* Sets history, last_to, last_from. view and last_world_to_view: of the last frame, as GL had them, jitter and all, its
-   kind of projection this frame's; matrices are rigid. Another size is refused: leave history 0 then, and at a cut. */
+/* Sets history, last_to, last_from. Leave history 0 at a cut and where the size changes.
+     view, last_world_to_view    of the last frame, as GL had them, jitter and all; view has this frame's kind of
+                                 projection and size
+     matrices                    [limit: rigid, finite] world to view space */
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
-    const float main_world_to_view[16], const float last_world_to_view[16], const char **why);
+                                           const float main_world_to_view[16], const float last_world_to_view[16],
+                                           const char **why);
 
-/* frame.phase of frame number k, in [0,1): the noise of any few frames in a row is spread evenly. */
+/* frame.phase of frame number k, in [0,1): spreads the noise of any few frames in a row evenly. */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
-/* Sets what surfels are made with: view, desc (frame.radius takes the place of max_distance) and mesh_to_view as in
-   ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict
-   tells how many it asks for. */
+/* Sets what surfels are made with. Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells
+   how many splits it asks for.
+     view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
+     levels         desc.levels [limit: 1..7]
+     mesh_to_view   as source.to_view; NULL: stays as it is */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
                                          int levels, const float *mesh_to_view, const char **why);
 
-/* Sets frame->dipole; unit: view units of the dipole's unit of length (0.001 when it is per mm and the scene in m). */
+/* Sets frame->dipole.
+     unit   [limit: > 0] view units in the dipole's unit of length (0.001 when it is in mm and the scene in m) */
 SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why);
 
-/* Sets frame->harmonics: coefficients [3*i + c] of 1..4 bands in the world, turned by world_to_view (may be NULL). */
+/* Sets frame->harmonics.
+     coefficients    [3*i + c], in the world [limit: finite]
+     bands           [limit: 1..4]
+     world_to_view   turns them [limit: rigid; NULL: none] */
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
                                            const float *world_to_view, const char **why);
 
-/* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Hardware depths in slices of one array
-   texture, camera v's layer j in slice v * view_layers + j, from texel 0,0 on; each camera may use a part of it. */
+/* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Their hardware depths are slices of one
+   array texture, t_ssgi_views: camera v's layer j is slice v * view_layers + j, from texel 0,0 on. A camera may use a
+   part of its slice. */
 typedef struct ssgi_gl_views {
-    float   to[4][16];   /* view space to x, y, z, 1: pixels (times z if perspective), that camera's depth; columns */
-    float   from[4][16]; /* back */
-    float   decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
-    float   size[4][4];  /* [units: pixels]  width, height; slack: what lies less before a surface is not known to be in
-                            the open, at depth 1 when perspective; 0 */
+    float to[4][16];    /* view space to x, y (pixels, times z if perspective), that camera's depth z, 1; columns */
+    float from[4][16];  /* and back */
+    float decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
+    float size[4][4];   /* [units: pixels]  width, height; [units: view, at depth 1 when perspective]  slack: of what is
+                           closer before a surface it is not known that it is visible; 0 */
 } ssgi_gl_views;
 
-/* Sets camera i of 0..3. Matrices are rigid, world to view: the main camera's, the extra one's (`view`). An oblique
-   view is refused. */
+/* Sets camera i of 0..3: view and extra_world_to_view are the extra camera's. An oblique view is refused.
+     matrices   [limit: rigid, finite] world to view space */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
-    const float main_world_to_view[16], const float extra_world_to_view[16], const char **why);
+                                       const float main_world_to_view[16], const float extra_world_to_view[16],
+                                       const char **why);
 
-/* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. All zero but the first eight
-   members is a light without a shadow map. A SPOT lights only what its map sees, with desc.shadow MAP or FILL: six of
-   them are a point light with a cube of maps. */
+/* ssgi_gl_light.kind. With desc.shadow MAP or FILL a SPOT lights only what its map sees: six of them are a point light
+   with a cube of maps. */
 enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
+
+/* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. With zeros from patch on it
+   has no shadow map. */
 typedef struct ssgi_gl_light {
-    float at[3], kind;   /* SUN: unit vector to the light; else where it is; view space. kind: SSGI_GL_SUN .. */
-    float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: that along its
-                               normal. min_distance: clamp of the distance in 1/d^2; of a SUN with several maps
-                               (desc.shadow MAP or FILL), as rows from fine to wide: how many of them follow */
-    float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
-                               when perspective: 2 tan(angle/2) / texels */
-    float map[3][4];     /* rows: view space to x, y (texels in the tile, times depth if perspective), its depth */
-    float decode[4];     /* of its ssgi_view: depth[0], [1], clear, orthographic */
-    float tile[4];       /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
+    float at[3];        /* view space. SUN: unit vector to the light; else where it is */
+    float kind;         /* SSGI_GL_SUN .. */
+    float colour[3];    /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: that along its normal */
+    float min_distance; /* clamp of the distance in 1/d^2. SUN: how many of the rows that follow are the same sun with a
+                           wider map each (desc.shadow MAP or FILL) */
+    float normal[3];    /* VPL: unit normal, from which it falls off by the cosine */
+
+    /* ---- the shadow map: ssgi_gl_light_map */
+    float patch;     /* width of a texel of the map, at depth 1 when perspective: 2 tan(angle/2) / texels */
+    float map[3][4]; /* rows: view space to x, y (texels in the tile, times depth if perspective), its depth */
+    float decode[4]; /* of its ssgi_view: depth[0], [1], clear, orthographic */
+    float tile[4];   /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
 } ssgi_gl_light;
 
 /* Gives a light its shadow map, drawn by a camera with the projection of `view`. Sets map, patch, decode, tile. An
@@ -642,22 +777,27 @@ typedef struct ssgi_gl_light {
      x, y       [units: texels] [limit: >= 0] the map's first texel in t_ssgi_shadow
      matrices   [limit: rigid, finite] world to the main camera's view space, and to the light's */
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
-    const float main_world_to_view[16], const float light_world_to_view[16], const char **why);
+                                       const float main_world_to_view[16], const float light_world_to_view[16],
+                                       const char **why);
 
-/* Sets frame->sent for surfels under lights (their rows; SPOT within its map; unshadowed) and sky, the mean radiance of
-   the environment: half of all radiance sent comes from surfels that send as much or more, in their largest component.
-   Unchanged where nothing is sent. surfels: colour as yet unshaded.
-     sky    [limit: >= 0, finite]; NULL = black */
+/* Sets frame->sent to a radiance such that half of all that is sent comes from surfels that send as much or more, in
+   their largest component. It stays where nothing is sent.
+     surfels    with their colours as yet unlit [limit: finite]
+     lights     rows of t_ssgi_lights that light them, unshadowed; a SPOT within its map [limit: finite]
+     sky        mean radiance of the environment [limit: >= 0, finite; NULL: black] */
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
-    const ssgi_gl_light *lights, int light_count, const float sky[3], const char **why);
+                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
+                                      const char **why);
 
 /* An occluder: a row of t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. Made by ssgi_gl_occluder_set. */
 typedef struct ssgi_gl_occluder {
-    float at[3], radius; /* the sphere that it darkens, view space */
-    float to_field[3][4]; /* view space to the occluder's coordinates about the field's centre: rows */
-    float ramp, reach, inside, power;     /* ssgi_field_limits */
-    float low[8], span[8], resolution;
-    float slice, baked_reach, object;     /* of t_ssgi_fields; ssgi_field.reach; number for desc.objects, 0 = none */
+    float at[3], radius;               /* the sphere that it darkens, view space */
+    float to_field[3][4];              /* view space to the occluder's coordinates about the field's centre: rows */
+    float ramp, reach, inside, power;  /* ssgi_field_limits */
+    float low[8], span[8], resolution; /* ssgi_field */
+    float slice;                       /* of t_ssgi_fields */
+    float baked_reach;                 /* ssgi_field.reach */
+    float object;                      /* its number for desc.objects; 0: none */
 } ssgi_gl_occluder;
 
 /* Sets an occluder where it stands now.
@@ -666,7 +806,8 @@ typedef struct ssgi_gl_occluder {
      mesh_to_view  [limit: rotation, translation, uniform scale; may mirror] from the bake's coordinates to the pass's
      object        [limit: 0..16777215] */
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
-    const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why);
+                                          const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
+                                          int object, const char **why);
 
 #ifdef __cplusplus
 }
@@ -691,13 +832,18 @@ extern "C" {
    resolves them, and none reaches the text. An entry is kept where its name occurs in what is kept after it; main_* are
    named by >>passes. Entries of one name exclude each other. Your textures are fetched at ", p + u_ssgi_origin, 0":
    where they are arrays (desc.array) the emitter puts the slice in. */
-typedef struct ssgi_gl__code { const char *name; int line; const char *text; } ssgi_gl__code;
+typedef struct ssgi_gl__code {
+    const char *name;
+    int line;
+    const char *text;
+} ssgi_gl__code;
 
+/* clang-format off */
 static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>fetch: depth, position, normal, noise, environment ====================================================== */
 
 { "SSGI_FAR", __LINE__ + 1,
-    "const float SSGI_FAR = 1e18; // the view depth of nothing\n" },
+    "const float SSGI_FAR = 1e18; // view depth of background\n" },
 
 { "SSGI_PI", __LINE__ + 1,
     "const float SSGI_PI = 3.14159265;\n" },
@@ -707,7 +853,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_inside", __LINE__ + 1,
     "bool ssgi_inside(ivec2 p) {\n"
-    "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n"
+    "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // uint(-1) is large\n"
     "}\n" },
 
 { "ssgi_decode", __LINE__ + 1,
@@ -742,7 +888,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slabs", __LINE__ + 1,
-    "// view depths: the nearest back face at or behind what is seen, the next front face behind it, and its end\n"
+    "// view depths: nearest back face at or behind what is seen; next front face behind that, and its back face\n"
     "vec3 ssgi_slabs(ivec2 p) {\n"
     "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0); // #if thickness == BACK\n"
     "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if thickness == SLABS\n"
@@ -759,7 +905,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_project", __LINE__ + 1,
-    "vec2 ssgi_project(vec3 P) { // pixel position of a view-space point before the eye\n"
+    "vec2 ssgi_project(vec3 P) { // pixel position of a view-space point, P.z < 0\n"
     "    return P.xy * u_ssgi_project.xy + u_ssgi_project.zw; // #if orthographic\n"
     "    return P.xy * (u_ssgi_project.xy / -P.z) + u_ssgi_project.zw; // #if !orthographic\n"
     "}\n" },
@@ -791,7 +937,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float off = max(u_ssgi_near_depth + at.z, 0.0), r = sqrt(max(at.w * at.w - off * off, 0.0));\n"
     "    vec4 p = vec4(at.xy - r, at.xy + r) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "#else\n"
-    "    // slopes of its tangents in the planes of x and of y, or where it meets the near depth\n"
+    "    // slopes of its tangents in the planes of x and of y, or of where it meets the near depth\n"
     "    float near = u_ssgi_near_depth, z = -at.z, r = at.w;\n"
     "    float chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
     "    if (z + r <= near) return vec4(0.0);\n"
@@ -885,7 +1031,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_environment", __LINE__ + 1,
-    "vec3 ssgi_environment(vec3 d) { // its radiance about a direction in the world\n"
+    "vec3 ssgi_environment(vec3 d) { // radiance about a direction in the world\n"
     "    ivec2 size = textureSize(t_ssgi_environment, 0), p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
     "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n"
     "}\n" },
@@ -909,7 +1055,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n"
     "}\n" },
 
-/* ---- what senders write, one fetch a sample */
+/* ---- What senders write, for one fetch a sample: 64 bits. Radiance is m * 2^(e - 24), with 9 bits of m a channel and
+   5 of e. View depth is its float's exponent from 2^-20 on, in 6 bits, and 14 bits of its mantissa. The normal is 6
+   bits of each octahedral coordinate. */
 
 { "ssgi_unpack_radiance", __LINE__ + 1,
     "// what senders wrote: radiance; view depth; the way of the normal, not unit\n"
@@ -932,7 +1080,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// radiance in [0, 65408] as three mantissas of 9 bits and one exponent\n"
     "uint ssgi_pack_radiance(vec3 c) {\n"
     "    c = clamp(c, 0.0, 65408.0);\n"
-    "    // rounds up to the next exponent where 9 bits would overflow\n"
+    "    // 1 + 2^-10: what would round to 512 has the next exponent\n"
     "    float most = max(max(c.x, c.y), max(c.z, 6.1035156e-5)) * 1.0009775;\n"
     "    uint e = min((floatBitsToUint(most) >> 23u) - 111u, 31u);\n"
     "    uvec3 m = min(uvec3(c * uintBitsToFloat((151u - e) << 23u) + 0.5), uvec3(511u));\n"
@@ -966,12 +1114,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "SSGI_SHEET", __LINE__ + 1,
-    "// a back face no farther behind the front than this, of its depth, is the front itself: half precision\n"
+    "// a back face closer behind the front than this, of its depth, is the front itself: half precision\n"
     "const float SSGI_SHEET = 0.0005;\n" },
 
 { "ssgi_slab_thickness", __LINE__ + 1,
-    "// Thickness of slabs that begin at z, clamped to least .. radius. Sheets, whose back face is the visible\n"
-    "// surface, and surfaces without a back face have ssgi_thickness().\n"
+    "// Thickness of slabs that begin at z, within least .. radius. Sheets, whose back face is what is seen,\n"
+    "// and surfaces without a back face have ssgi_thickness().\n"
     "vec2 ssgi_slab_thickness(vec2 z, vec2 back, vec2 least) {\n"
     "    vec2 front = z * (1.0 + SSGI_SHEET);\n"
     "    bvec2 closed = bvec2(back.x > front.x && back.x < SSGI_FAR, back.y > front.y && back.y < SSGI_FAR);\n"
@@ -1055,10 +1203,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_way", __LINE__ + 1,
-    "vec3 ssgi_way; // from the receiver to the sample\n" },
+    "vec3 ssgi_way; // receiver to sample\n" },
 
 { "ssgi_offer_sender", __LINE__ + 1,
-    "// of the surfaces that send around a sample the one closest to the segment is the sender\n"
+    "// keeps the sender that is closest to the segment from the receiver to the sample\n"
     "void ssgi_offer_sender(uvec2 s, vec3 Q) {\n"
     "    vec3 L = ssgi_radiance_from(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
@@ -1085,7 +1233,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_solid_occludes", __LINE__ + 1,
-    "// weight of a solid that depth s at a pixel of camera v lies in\n"
+    "// weight of the solid around depth s at a pixel of camera v\n"
     "float ssgi_solid_occludes(ssgi_solid a, int v, ivec2 p, float s) {\n"
     "    ssgi_offer_sender(a.front_sender, ssgi_point(v, p, a.front)); // #if bounce\n"
     "    if (a.back < SSGI_FAR) ssgi_offer_sender(a.back_sender, ssgi_point(v, p, a.back)); // #if bounce\n"
@@ -1094,8 +1242,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occupancy", __LINE__ + 1,
-    "// Depth s at a pixel of camera v: above 0 inside solid geometry, which is from an odd\n"
-    "// layer to the next; -1 in front of the visible surface by more than the slack; 0 unknown.\n"
+    "// What depth s is at a pixel of camera v: above 0, inside solid geometry, which is from an odd layer\n"
+    "// to the next; -1, before the visible surface by more than the slack; 0, unknown\n"
     "float ssgi_occupancy(int v, ivec2 p, float s, int layers, float slack) {\n"
     "    // without a layer for its far side geometry has ssgi_thickness() or no end; behind that is unknown\n"
     "    float found = 0.0;\n"
@@ -1106,7 +1254,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (a.back >= SSGI_FAR) back = a.front + ssgi_thickness(); // #if thickness != SOLID\n"
     "        if (!known && s <= a.front - slack) found = -1.0;\n"
     "        if (!known && s > a.front && s < back) found = ssgi_solid_occludes(a, v, p, s);\n"
-    "        // within the slack in front of a surface is unknown, too\n"
+    "        // within the slack before a surface it is unknown, too\n"
     "        known = known || s < back || a.back >= SSGI_FAR;\n"
     "    }\n"
     "    return found;\n"
@@ -1140,7 +1288,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_sending_depth", __LINE__ + 1,
-    "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel's surface, which becomes the sender\n"
+    "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel, whose surface becomes the sender\n"
     "    uvec2 s = ssgi_sender_texel(-1, p, 0);\n"
     "    float z = ssgi_unpack_depth(s.y);\n"
     "    ssgi_sender.xyz = ssgi_radiance_from(s, ssgi_point(-1, p, z));\n"
@@ -1167,7 +1315,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_blocked", __LINE__ + 1,
     "#if !(layers > 1 || views)\n"
-    "// occlusion of S: behind the visible surface within its thickness (desc.thickness); 0 off screen, behind the eye\n"
+    "// occlusion of S: within the thickness behind what is seen; 0 off screen or behind the eye\n"
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    float z = ssgi_depth(p); // #if !bounce\n"
@@ -1269,7 +1417,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sh_quarter", __LINE__ + 1,
-    "// and about x by a quarter, forth (1) or back (-1)\n"
+    "// turns them about x by a quarter, forth (1) or back (-1)\n"
     "void ssgi_sh_quarter(inout ssgi_sh s, float way) {\n"
     "    float q = s.c.x;\n"
     "    s.c.x = 0.5 * q - 0.86602540 * s.b.z;\n"
@@ -1361,14 +1509,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pack_first", __LINE__ + 1,
-    "uvec4 ssgi_pack_first(ssgi_sh s) { // coefficients 0..7, 8..15\n"
+    "uvec4 ssgi_pack_first(ssgi_sh s) { // coefficients 0..7\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), ssgi_pack_half(s.a.zw), 0u, 0u);\n"
     "    u.zw = uvec2(ssgi_pack_half(s.b.xy), ssgi_pack_half(s.b.zw)); // #if bands > 2\n"
     "    return u;\n"
     "}\n" },
 
 { "ssgi_pack_more", __LINE__ + 1,
-    "uvec4 ssgi_pack_more(ssgi_sh s) {\n"
+    "uvec4 ssgi_pack_more(ssgi_sh s) { // 8..15\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.c.xy), 0u, 0u, 0u);\n"
     "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw)); // #if bands > 3\n"
     "    return u;\n"
@@ -1413,7 +1561,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_irradiance", __LINE__ + 1,
-    "// and all three, over pi, of a surface with normal n\n"
+    "// irradiance over pi of a surface with normal n\n"
     "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
     "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
     "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * SSGI_OVER_PI;\n"
@@ -1424,7 +1572,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>light: lights, senders, shading of coefficients ========================================================= */
 
 { "SSGI_SUN", __LINE__ + 1,
-    "const float SSGI_SUN = 0.5; // ssgi_gl_light.kind is below\n" },
+    "const float SSGI_SUN = 0.5; // kinds of suns are below\n" },
 
 { "SSGI_POINT", __LINE__ + 1,
     "const float SSGI_POINT = 1.5;\n" },
@@ -1487,7 +1635,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * ray), u_ssgi_max_slope);\n"
     "    float width = s.facing.w * (flat_ ? 1.0 : q.z), bias = width * 0.70710678 * slope;\n"
     "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + texel), 0).x);\n"
-    "    // a fiftieth of a texel, the rounding of the map's depth, and that of P\n"
+    "    // a fiftieth of a texel, the rounding of the map's depth, that of P\n"
     "    float slack = 0.02 * width + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
     "    contact = max(q.z - slack - z, 0.0) * ray;\n"
     "    return q.z - bias - slack > z ? 1.0 : 0.0;\n"
@@ -1679,7 +1827,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_reflected", __LINE__ + 1,
-    "// adds a sender's lobe times its albedo; o: its normal, w: the way [S3HO12 eq. 5], ours of solid angle\n"
+    "// adds a sender's cosine lobe times albedo [S3HO12 eq. 5], by solid angle; o: its normal; w: way to it\n"
     "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
     "    o = normalize(o);\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
@@ -1862,10 +2010,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ---- The walk: planes through the view direction, from near to far [TLG23]. Each side has 32 sectors of equal
    cosine-weighted measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its
-   distance; the surface has the thickness of desc.thickness. Taps of one surface are joined: they also cover the sectors
-   between them, at their mean distance. n over the length l of its projection makes dot(d, n) the height over the
-   tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y. */
+   distance; the surface has the thickness of desc.thickness. Taps of one surface are joined: they also cover the
+   sectors between them, at their mean distance. n over the length l of its projection makes dot(d, n) the height over
+   the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y. */
 
+/* [DSS14 section 3.1] */
 { "ssgi_surfel_radius", __LINE__ + 1,
     "float ssgi_surfel_radius(float depth) {\n"
     "    return u_ssgi_surfel.x; // #if orthographic\n"
@@ -1927,7 +2076,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 t, up, n; // t in the tangent plane, up perpendicular to it; n: the normal over its projection's length\n"
     "    float cosg; // with sing, for ssgi_arc\n"
     "    vec2 sing, sectors, noise, share; // sectors per measure, rounding noise, the hemisphere's share per sector\n"
-    "    vec2 x, y; // change of a point's x, y per depth on its ray (perspective: plus x, y over depth)\n"
+    "    vec2 x, y; // a point's x, y along its ray, per depth (perspective: plus x, y over depth)\n"
     "};\n" },
 
 { "ssgi_slice_of", __LINE__ + 1,
@@ -2101,7 +2250,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_walk_slice", __LINE__ + 1,
-    "// a slice from near to far; pixels: of a radius along it\n"
+    "// a slice from near to far; pixels: that a radius along it covers\n"
     "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_sums sums) {\n"
     "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // of the radius // #if span\n"
     "    pixels *= share; // #if span\n"
@@ -2111,7 +2260,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        u *= u;\n"
     "        ivec2 q0 = ivec2(floor(pixel + pixels * u.x)), q1 = ivec2(floor(pixel - pixels * u.y));\n"
     "        ssgi_taps t = ssgi_taps_at(s, P, q0, q1);\n"
-    "        vec2 gap = (u - w.u) * u_ssgi_radius, second = vec2(0.0); // gap: from tap to tap\n"
+    "        vec2 gap = (u - w.u) * u_ssgi_radius, second = vec2(0.0); // gap: between taps\n"
     "        gap *= share; // #if span\n"
     "        w.u = u;\n"
     "        vec3 back0 = ssgi_slabs(t.q0), back1 = ssgi_slabs(t.q1); // #if thickness > SOLID\n"
@@ -2260,9 +2409,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    a *= 1.0 / 255.0, b *= 1.0 / 255.0;\n"
     "}\n" },
 
+/* [AOF05 eq. 3] */
 { "ssgi_cap", __LINE__ + 1,
-    "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine,\n"
-    "// at most a hemisphere; c: cosine between its axis and the normal\n"
+    "// cosine-weighted occlusion of a spherical cap, at most a hemisphere; k, S: cosine of its radius,\n"
+    "// squared sine; c: cosine between its axis and the normal\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
@@ -2278,6 +2428,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n"
     "}\n" },
 
+/* [AOF05 algorithm 1] */
 { "ssgi_field_occlusion", __LINE__ + 1,
     "// occlusion by an occluder, in [0,1]; n: unit normal\n"
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
@@ -2529,6 +2680,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0); // #if effect != OCCLUSION\n"
     "}\n" },
 
+/* [DSS14 section 3.2] */
 { "ssgi_shell", __LINE__ + 1,
     "// the rectangle of one sub-buffer that a surfel covers at a level\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n"
@@ -2584,7 +2736,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gloss", __LINE__ + 1,
-    "float ssgi_gloss; // solid angle over pi of what ssgi_form is of, times the lobe\n" },
+    "float ssgi_gloss; // solid angle over pi of ssgi_form's discs, times the lobe\n" },
 
 { "ssgi_disc", __LINE__ + 1,
     "float ssgi_disc(vec3 v, vec3 n, float rr) {\n"
@@ -2648,6 +2800,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = ssgi_effect(v_ssgi_sent.xyz, v, form, area); // #if effect != OCCLUSION\n"
     "}\n" },
 
+/* The dipole [JMLH01 section 2.3, DSS14 section 4]. */
 { "main_splat_scatter", __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
@@ -2752,7 +2905,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_scatter = vec4(sum.xyz, z); // #if effect == SCATTER\n"
     "}\n" },
 
-/* ---- blur: what a pixel's neighbours on its surface have. In half size the four or more of half size around it. */
+/* ---- blur: the mean of a pixel's neighbours on its surface; from half size, of the pixels of half size around it. */
 
 { "ssgi_blurred", __LINE__ + 1,
     "struct ssgi_blurred { // the pixel that is filtered\n"
@@ -2770,7 +2923,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_neighbour", __LINE__ + 1,
-    "struct ssgi_neighbour { ivec2 at, q, o; }; // its texel, its pixel, from the one that is filtered\n" },
+    "struct ssgi_neighbour { ivec2 at, q, o; }; // texel; pixel; offset from the one that is filtered\n" },
 
 { "ssgi_neighbour_at", __LINE__ + 1,
     "ssgi_neighbour ssgi_neighbour_at(ivec2 p, int x, int y) {\n"
@@ -2895,7 +3048,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz, 0.0);\n"
     "}\n" },
 
-/* ---- history: the mean over frames of what the last ones saw of this surface */
+/* ---- history: the mean over frames of what the last ones saw of this surface. Where light changes the average
+   follows: two running means of the 3x3 mean are kept, one over two frames (quick) and one over all. */
+
+/* How far quick may be from this frame's 3x3 mean, by the deviation of its pixels and by the mean: 0.7 deviations are
+   three to five times the noise of such a mean, so that what is beyond is a change. Of the mean 2 %, where nothing
+   deviates. */
+{ "SSGI_JUMP", __LINE__ + 1,
+    "const vec2 SSGI_JUMP = vec2(0.7, 0.02);\n" },
+
+/* How far the mean over all frames may be from quick: as far as the noise of a 3x3 mean goes, which is a quarter to a
+   seventh of the deviation; or 0.5 % of the mean, about a step of 8 bits. */
+{ "SSGI_DRIFT", __LINE__ + 1,
+    "const vec2 SSGI_DRIFT = vec2(0.2, 0.005);\n" },
+
+/* What share of the frames is forgotten where the mean had to follow by a drift or more: of 16 frames two stay. */
+{ "SSGI_FORGOTTEN", __LINE__ + 1,
+    "const float SSGI_FORGOTTEN = 0.85;\n" },
 
 { "ssgi_finite", __LINE__ + 1,
     "// no NaN, nothing beyond 1e9; by the bits, since compilers turn !(a < b) into a >= b\n"
@@ -2923,7 +3092,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_reproject", __LINE__ + 1,
-    "// a point's pixel and depth in the last frame\n"
+    "// P's pixel and depth in the last frame\n"
     "vec3 ssgi_reproject(vec3 P) {\n"
     "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
     "    return P; // #if orthographic\n"
@@ -2931,7 +3100,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_image", __LINE__ + 1,
-    "struct ssgi_image { int wide; ivec2 first, size; }; // what is averaged: pixels a texel, its place, its size\n" },
+    "struct ssgi_image { int wide; ivec2 first, size; }; // the averaged image: pixels a texel; its place, size\n" },
 
 { "ssgi_image_of", __LINE__ + 1,
     "ssgi_image ssgi_image_of() {\n"
@@ -2946,6 +3115,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 light, means;\n"
     "};\n" },
 
+/* A texel shows P's plane if it is within the slack of it: half a footprint and a thousandth of the depth, which the
+   rounding of 16-bit depths takes. nearest: squared, in texels, how far off it may have been. */
 { "ssgi_last_of", __LINE__ + 1,
     "// Reprojects P: the closer of two texels of the last frame that shows P's plane and holds finite values, and\n"
     "// its offset in texels. Interpolation would blur over frames: that texel is kept whole and its offset is\n"
@@ -2960,7 +3131,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float slack = 0.5 * wide * footprint - 0.001 * P.z;\n"
     "#if motion\n"
     "    vec2 by = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy;\n"
-    "    slack += max(distance(at, by) - 0.5, 0.0) * footprint; // it may have come closer as far\n"
+    "    slack += max(distance(at, by) - 0.5, 0.0) * footprint; // its depth may have changed as much\n"
     "    at = by;\n"
     "#endif\n"
     "    at = (at - 0.5) / wide;\n"
@@ -2981,6 +3152,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return best;\n"
     "}\n" },
 
+/* What is seen at a tap now is looked up in the last frame. Both depths are those of one surface if they differ by less
+   than the slack: half a texel's footprint, ten texels' times how far the last frame's texel lies beside the place, and
+   0.2 % of the depth. If they differ, the nearer surface counts if it occludes P: if its cosine times 1 - distance over
+   radius is above a twentieth. */
 { "ssgi_occluder_moved", __LINE__ + 1,
     "// Whether depth at a tap, `by` texels off, shows that an occluder of P came or went. along: how far P moved\n"
     "// on its own\n"
@@ -2999,8 +3174,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return abs(e - was.z) > slack && dot(n, Q) * (1.0 - l) > 0.05 * l;\n"
     "}\n" },
 
+/* The direction is interleaved gradient noise, as in ssgi_noise; the distance is a second one, independent of it. */
 { "ssgi_occluders_moved", __LINE__ + 1,
-    "// Whether any of two taps says so, or any of those of the other pixels of a 2x2: these tell each other.\n"
+    "// whether one of two taps shows it, here or, by derivatives, in another pixel of the 2x2 quad\n"
     "bool ssgi_occluders_moved(ivec2 h, vec3 P, vec3 n, ssgi_image image) {\n"
     "    vec2 xi = fract(fract(dot(vec2(h), vec2(0.0671, 0.00584))) * vec2(52.983, 386.77) + u_ssgi_phase);\n"
     "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / float(image.wide); // #if orthographic\n"
@@ -3020,8 +3196,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return max(moved, abs(dFdy(moved))) > 0.0;\n"
     "}\n" },
 
+/* A twentieth of the radius from the tangent plane, and a pixel, is as far as blur reaches (ssgi_blur_weight). */
 { "ssgi_neighbourhood", __LINE__ + 1,
-    "// mean of 3x3 within the surface, as blur will see them, and the deviation of a mean of as many\n"
+    "// of 3x3 pixels within the surface: mean, as blur will see it; deviation, larger where they are few\n"
     "vec2 ssgi_neighbourhood(ivec2 h, vec3 P, vec3 n, ssgi_image image) {\n"
     "    vec3 plane = ssgi_plane(P, n), sum = vec3(0.0);\n"
     "    float near = 1.0 / (0.05 * u_ssgi_radius + float(image.wide) * ssgi_footprint(-P.z));\n"
@@ -3047,20 +3224,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    bool moved = ssgi_occluders_moved(h, P, n, image);\n"
     "    o_ssgi_light = now; // #if colour == COLOUR\n"
     "    o_ssgi_ao = now.xw; // #if colour == GREY\n"
-    "    o_ssgi_means = vec4(v, v, 1.0, 528.0); // 528: carried by nothing\n"
+    "    o_ssgi_means = vec4(v, v, 1.0, 528.0); // 528 = 16 * 33: no offset is carried\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    ssgi_last last = ssgi_last_of(p, P, n, image);\n"
     "    if (last.off.z > 0.0 && !moved) frames = min(last.means.z + 1.0, u_ssgi_history);\n"
-    "    // Where light changes the average follows: its 3x3 mean stays within the noise of recent frames',\n"
-    "    // a quarter to a seventh of their spread, more where few are of this surface.\n"
     "    vec2 around = ssgi_neighbourhood(h, P, n, image);\n"
-    "    float jump = 0.7 * around.y + 0.02 * abs(around.x);\n"
-    "    float drift = 0.2 * around.y + 0.005 * abs(around.x) + 1e-9;\n"
+    "    float jump = SSGI_JUMP.x * around.y + SSGI_JUMP.y * abs(around.x);\n"
+    "    float drift = SSGI_DRIFT.x * around.y + SSGI_DRIFT.y * abs(around.x) + 1e-9;\n"
     "    float quick = mix(last.means.x, around.x, 1.0 / min(frames, 2.0));\n"
     "    quick = clamp(quick, around.x - jump, around.x + jump);\n"
     "    float mean = mix(last.means.y, around.x, 1.0 / frames);\n"
     "    float by = clamp(mean, quick - drift, quick + drift) - mean;\n"
-    "    frames = max(frames * (1.0 - 0.85 * min(abs(by) / drift, 1.0)), 1.0);\n"
+    "    frames = max(frames * (1.0 - SSGI_FORGOTTEN * min(abs(by) / drift, 1.0)), 1.0);\n"
     "    if (!(mean > 0.0 && by < 2.0 * mean)) frames = 1.0; // #if colour == COLOUR && restore != DIFFERENCE\n"
     "    vec4 average = mix(last.light, now, 1.0 / frames);\n"
     "#if colour == COLOUR && restore == DIFFERENCE\n"
@@ -3079,142 +3254,215 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 };
 
+/* clang-format on */
+
 /* ==== >>rows: inputs and outputs ================================================================================== */
+
 /* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always).
    Texture units are fixed, and differ where textures meet in a pass. Locations of outputs and attributes, and places
-   of captures, count up in this order. bytes: of a member; 1: a texture of yours, which desc.array makes an array. */
-typedef struct ssgi_gl__row { const char *when; size_t bytes; ssgi_gl_io io; } ssgi_gl__row;
+   of captures, count up in this order. */
+typedef struct ssgi_gl__row {
+    const char *when;
+    size_t bytes; /* of a member; 1: a texture of yours, which desc.array makes an array */
+    ssgi_gl_io io;
+} ssgi_gl__row;
 
-#define SSGI_GL__C(name, of) { NULL, 0, { "SSGI_" #name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "" } }
-#define SSGI_GL__IN(block, prefix, of, member, type, units) \
+/* clang-format off */
+#define SSGI_GL__ROW_CONSTANT(name, of) \
+    { NULL, 0, { "SSGI_" #name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "" } }
+#define SSGI_GL__ROW_MEMBER(block, prefix, of, member, type, units) \
     { NULL, sizeof ((of *)0)->member, { prefix #member, SSGI_GL_PARAM, type, block, offsetof(of, member), units } }
-#define SSGI_GL__P(member, type, units) SSGI_GL__IN(0, "u_ssgi_", ssgi_gl_frame, member, type, units)
-#define SSGI_GL__V(member, type, units) SSGI_GL__IN(1, "u_ssgi_view_", ssgi_gl_views, member, type, units)
-#define SSGI_GL__T(name, unit, when, type, is) { when, 0, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
-#define SSGI_GL__Y(name, unit, when, type, is) { when, 1, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
-#define SSGI_GL__O(name, when, type, is)       { when, 0, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, is } }
-#define SSGI_GL__A(name, type, is)             { NULL, 0, { "a_ssgi_" name, SSGI_GL_ATTRIBUTE, type, 0, 0, is } }
-#define SSGI_GL__K(name, type, is)             { NULL, 0, { "v_ssgi_" name, SSGI_GL_CAPTURE, type, 0, 0, is } }
+#define SSGI_GL__ROW_FRAME(member, type, units) \
+    SSGI_GL__ROW_MEMBER(0, "u_ssgi_", ssgi_gl_frame, member, type, units)
+#define SSGI_GL__ROW_VIEWS(member, type, units) \
+    SSGI_GL__ROW_MEMBER(1, "u_ssgi_view_", ssgi_gl_views, member, type, units)
+#define SSGI_GL__ROW_TEXTURE(name, unit, when, type, is) \
+    { when, 0, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
+#define SSGI_GL__ROW_YOURS(name, unit, when, type, is) \
+    { when, 1, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
+#define SSGI_GL__ROW_OUTPUT(name, when, type, is) { when, 0, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, is } }
+#define SSGI_GL__ROW_ATTRIBUTE(name, type, is)    { NULL, 0, { "a_ssgi_" name, SSGI_GL_ATTRIBUTE, type, 0, 0, is } }
+#define SSGI_GL__ROW_CAPTURE(name, type, is)      { NULL, 0, { "v_ssgi_" name, SSGI_GL_CAPTURE, type, 0, 0, is } }
+
 /* What s3ho writes and shade and blur read: a texture and an output of one name. */
-#define SSGI_GL__FLOATS(name, unit, is) \
-    SSGI_GL__T(name, unit, "!packed", "sampler2D", SSGI_GL__HDR ": " is), \
-    SSGI_GL__O(name, "!packed", "vec4", SSGI_GL__HDR ": " is)
-#define SSGI_GL__HALVES(name, unit, is) \
-    SSGI_GL__T(name, unit, "packed", "usampler2D", "RGBA32UI: " is), \
-    SSGI_GL__O(name, "packed", "uvec4", "RGBA32UI: " is)
+#define SSGI_GL__ROWS_FLOATS(name, unit, is) \
+    SSGI_GL__ROW_TEXTURE(name, unit, "!packed", "sampler2D", SSGI_GL__HDR ": " is), \
+    SSGI_GL__ROW_OUTPUT(name, "!packed", "vec4", SSGI_GL__HDR ": " is)
+#define SSGI_GL__ROWS_HALVES(name, unit, is) \
+    SSGI_GL__ROW_TEXTURE(name, unit, "packed", "usampler2D", "RGBA32UI: " is), \
+    SSGI_GL__ROW_OUTPUT(name, "packed", "uvec4", "RGBA32UI: " is)
 #define SSGI_GL__HDR "RGBA32F or RGBA16F"
 
 static const ssgi_gl__row ssgi_gl__rows[] = {
-    SSGI_GL__C(SAMPLES, samples), SSGI_GL__C(DIRECTIONS, directions), SSGI_GL__C(STEPS, steps),
-    SSGI_GL__C(NORMAL_RAYS, normal_rays), SSGI_GL__C(LAYERS, layers), SSGI_GL__C(VIEWS, views),
-    SSGI_GL__C(VIEW_LAYERS, view_layers), SSGI_GL__C(RECEIVER, receiver), SSGI_GL__C(LEVELS, levels),
-    SSGI_GL__C(NEAR_SAMPLES, near_samples), SSGI_GL__C(AXIS, axis), SSGI_GL__C(FILTER_RADIUS, filter_radius),
-    SSGI_GL__C(SPAN, span),
+    SSGI_GL__ROW_CONSTANT(SAMPLES, samples),
+    SSGI_GL__ROW_CONSTANT(DIRECTIONS, directions),
+    SSGI_GL__ROW_CONSTANT(STEPS, steps),
+    SSGI_GL__ROW_CONSTANT(NORMAL_RAYS, normal_rays),
+    SSGI_GL__ROW_CONSTANT(LAYERS, layers),
+    SSGI_GL__ROW_CONSTANT(VIEWS, views),
+    SSGI_GL__ROW_CONSTANT(VIEW_LAYERS, view_layers),
+    SSGI_GL__ROW_CONSTANT(RECEIVER, receiver),
+    SSGI_GL__ROW_CONSTANT(LEVELS, levels),
+    SSGI_GL__ROW_CONSTANT(NEAR_SAMPLES, near_samples),
+    SSGI_GL__ROW_CONSTANT(AXIS, axis),
+    SSGI_GL__ROW_CONSTANT(FILTER_RADIUS, filter_radius),
+    SSGI_GL__ROW_CONSTANT(SPAN, span),
 
-    SSGI_GL__P(project, "vec4", "pixels per view xy / depth; pixels"),
-    SSGI_GL__P(unproject, "vec4", "view xy / depth per pixel"),
-    SSGI_GL__P(decode, "vec4", "window depth to view depth"), SSGI_GL__P(origin, "ivec2", "texels"),
-    SSGI_GL__P(size, "ivec2", "pixels"), SSGI_GL__P(target, "ivec2", "texels"),
-    SSGI_GL__P(radius, "float", "view units"), SSGI_GL__P(offset, "float", "half pixels"),
-    SSGI_GL__P(thickness, "float", "view units"), SSGI_GL__P(phase, "float", "turns"),
-    SSGI_GL__P(fade, "float", "view units"), SSGI_GL__P(distance_clamp, "float", "radii"),
-    SSGI_GL__P(gain, "float", ""), SSGI_GL__P(max_slope, "float", "tan"),
-    SSGI_GL__P(lights, "int", "rows of t_ssgi_lights"), SSGI_GL__P(lambda, "float", "per radius"),
-    SSGI_GL__P(rotation, "mat3", "world to view"),
-    SSGI_GL__P(harmonics, "vec4[12]", "light, view space: coefficients 4w .. 4w + 3 of channel c at 3w + c"),
-    SSGI_GL__P(surfel, "vec4", "view radius per depth; near plane; radius per distance outside the frustum; splits"),
-    SSGI_GL__P(mesh, "mat4", "mesh to view"), SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
-    SSGI_GL__P(keep_small, "float", "1: small triangles keep all of their surfels"),
-    SSGI_GL__P(near_depth, "float", "view units"), SSGI_GL__P(sent, "float", "what counts as bright"),
-    SSGI_GL__P(epsilon, "float", ""), SSGI_GL__P(exponent, "float", ""), SSGI_GL__P(history, "float", "frames"),
-    SSGI_GL__P(level, "ivec2", "texels of a level"), SSGI_GL__P(window, "vec4", "a band"),
-    SSGI_GL__P(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
-    SSGI_GL__P(last_from, "mat4", "and back"),
-    SSGI_GL__P(oblique, "vec2", "window depth per pixel"), SSGI_GL__P(slice, "int", "of your textures"),
-    SSGI_GL__V(to, "mat4[4]", "view space to pixels (times depth) and depth"), SSGI_GL__V(from, "mat4[4]", "and back"),
-    SSGI_GL__V(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
-    SSGI_GL__V(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
+    SSGI_GL__ROW_FRAME(project, "vec4", "pixels per view xy / depth; pixels"),
+    SSGI_GL__ROW_FRAME(unproject, "vec4", "view xy / depth per pixel"),
+    SSGI_GL__ROW_FRAME(decode, "vec4", "window depth to view depth"),
+    SSGI_GL__ROW_FRAME(origin, "ivec2", "texels"),
+    SSGI_GL__ROW_FRAME(size, "ivec2", "pixels"),
+    SSGI_GL__ROW_FRAME(target, "ivec2", "texels"),
+    SSGI_GL__ROW_FRAME(radius, "float", "view units"),
+    SSGI_GL__ROW_FRAME(offset, "float", "half pixels"),
+    SSGI_GL__ROW_FRAME(thickness, "float", "view units"),
+    SSGI_GL__ROW_FRAME(phase, "float", "turns"),
+    SSGI_GL__ROW_FRAME(fade, "float", "view units"),
+    SSGI_GL__ROW_FRAME(distance_clamp, "float", "radii"),
+    SSGI_GL__ROW_FRAME(gain, "float", ""),
+    SSGI_GL__ROW_FRAME(max_slope, "float", "tan"),
+    SSGI_GL__ROW_FRAME(lights, "int", "rows of t_ssgi_lights"),
+    SSGI_GL__ROW_FRAME(lambda, "float", "per radius"),
+    SSGI_GL__ROW_FRAME(rotation, "mat3", "world to view"),
+    SSGI_GL__ROW_FRAME(harmonics, "vec4[12]", "light, view space: coefficients 4w .. 4w + 3 of channel c at 3w + c"),
+    SSGI_GL__ROW_FRAME(surfel, "vec4",
+                       "view radius per depth; near plane; radius per distance outside the frustum; splits"),
+    SSGI_GL__ROW_FRAME(mesh, "mat4", "mesh to view"),
+    SSGI_GL__ROW_FRAME(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
+    SSGI_GL__ROW_FRAME(keep_small, "float", "1: small triangles keep all of their surfels"),
+    SSGI_GL__ROW_FRAME(near_depth, "float", "view units"),
+    SSGI_GL__ROW_FRAME(sent, "float", "what counts as bright"),
+    SSGI_GL__ROW_FRAME(epsilon, "float", ""),
+    SSGI_GL__ROW_FRAME(exponent, "float", ""),
+    SSGI_GL__ROW_FRAME(history, "float", "frames"),
+    SSGI_GL__ROW_FRAME(level, "ivec2", "texels of a level"),
+    SSGI_GL__ROW_FRAME(window, "vec4", "a band"),
+    SSGI_GL__ROW_FRAME(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
+    SSGI_GL__ROW_FRAME(last_from, "mat4", "and back"),
+    SSGI_GL__ROW_FRAME(oblique, "vec2", "window depth per pixel"),
+    SSGI_GL__ROW_FRAME(slice, "int", "of your textures"),
 
-    SSGI_GL__Y("depth", 0, "!multisampled", "sampler2D", "hardware depth (any, compare mode off) or R32F view depth, "
-               "NEAREST"),
-    SSGI_GL__Y("normal", 1, "!receiver && !multisampled", "sampler2D", "RGBA16F, RGB10_A2, RG16F .. as desc.normal "
-               "says, NEAREST"),
-    SSGI_GL__T("depth", 0, "multisampled", "sampler2DMS", "hardware depth or R32F view depth: sample 0"),
-    SSGI_GL__T("normal", 1, "multisampled", "sampler2DMS", "RGBA16F .. as desc.normal says: sample 0"),
-    SSGI_GL__T("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
-    SSGI_GL__T("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
-    SSGI_GL__T("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
-    SSGI_GL__T("views", 4, NULL, "sampler2DArray", "hardware depth, slice camera * view_layers + layer, NEAREST"),
-    SSGI_GL__T("senders", 5, NULL, "usampler2DArray", "RG32UI: what senders wrote, a slice a layer, NEAREST"),
-    SSGI_GL__T("view_senders", 6, NULL, "usampler2DArray", "RG32UI: slice camera * view_layers + layer, NEAREST"),
-    SSGI_GL__T("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
-    SSGI_GL__T("environment", 8, NULL, "sampler2D", "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
-    SSGI_GL__T("irradiance", 9, NULL, "sampler2DArray", "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with "
-               "desc.residual ssgi_sh_residual's map; for cones k of n ssgi_environment_cone, cosine k/n"),
-    SSGI_GL__T("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
-    SSGI_GL__T("shadow", 11, NULL, "sampler2D", "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
-    SSGI_GL__T("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
-    SSGI_GL__T("bounce", 10, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo or s3ho wrote of the bounce"),
-    SSGI_GL__Y("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
-    SSGI_GL__Y("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
-    SSGI_GL__T("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
-    SSGI_GL__Y("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
-    SSGI_GL__Y("back", 13, "thickness != SLABS", "sampler2D", "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
-    SSGI_GL__Y("back", 13, "thickness == SLABS", "sampler2D", "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest "
-               "back face; next front face behind it; next back face behind that"),
-    SSGI_GL__T("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
-    SSGI_GL__Y("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
-    SSGI_GL__T("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
-    SSGI_GL__T("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
-    SSGI_GL__T("levels", 3, NULL, "sampler2D", "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
-    SSGI_GL__T("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao, hsao or history wrote"),
-    SSGI_GL__T("history", 2, NULL, "sampler2D", "what this wrote for the last frame, NEAREST: o_ssgi_ao, _light"),
-    SSGI_GL__T("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
-    SSGI_GL__Y("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
+    SSGI_GL__ROW_VIEWS(to, "mat4[4]", "view space to pixels (times depth) and depth"),
+    SSGI_GL__ROW_VIEWS(from, "mat4[4]", "and back"),
+    SSGI_GL__ROW_VIEWS(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
+    SSGI_GL__ROW_VIEWS(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
 
-    SSGI_GL__O("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
-    SSGI_GL__O("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
-    SSGI_GL__O("ao", "pass != FIELD && pass != BLUR", "vec2", "RG32F or RG16F: ambient visibility, view depth; R8 or "
-               "R16F if nothing filters"),
-    SSGI_GL__O("picture", NULL, "vec4", "your picture"),
-    SSGI_GL__O("light", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
-    SSGI_GL__O("means", NULL, "vec4", SSGI_GL__HDR ": means of 3x3 over a few frames, over all, how many; 0"),
-    SSGI_GL__O("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
-    SSGI_GL__O("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
-    SSGI_GL__O("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
-    SSGI_GL__O("sender", NULL, "uvec2", "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 "
-               "bits of exponent and 14, octahedral view-space normal as 6 6"),
-    SSGI_GL__O("bent", NULL, "vec4", "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
-    SSGI_GL__O("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
-    SSGI_GL__O("levels", "effect == OCCLUSION", "float", "R32F, or R16F that loses what is below 1/2000: form factors"),
-    SSGI_GL__O("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": what surfels bring, form factors"),
-    SSGI_GL__FLOATS("sh0", 2, "coefficients 0..3; R16F suffices for 1 band"),
-    SSGI_GL__HALVES("sh0", 2, "coefficients 0..7; R32UI suffices for 1 band, RG32UI for 2"),
-    SSGI_GL__FLOATS("sh1", 3, "coefficients 4..7"),
-    SSGI_GL__HALVES("sh1", 3, "coefficients 8..15; R32UI suffices for 3 bands"),
-    SSGI_GL__FLOATS("sh2", 4, "coefficients 8..11; R16F suffices for 3 bands"),
-    SSGI_GL__FLOATS("sh3", 5, "coefficients 12..15"),
-    SSGI_GL__HALVES("red0", 6, "coefficients 0..7 of red; R32UI suffices for 1 band, RG32UI for 2"),
-    SSGI_GL__HALVES("red1", 7, "coefficients 8..15 of red; R32UI suffices for 3 bands"),
-    SSGI_GL__HALVES("green0", 8, "the same of green"), SSGI_GL__HALVES("green1", 11, "the same of green"),
-    SSGI_GL__HALVES("blue0", 14, "the same of blue"), SSGI_GL__HALVES("blue1", 15, "the same of blue"),
+    SSGI_GL__ROW_YOURS("depth", 0, "!multisampled", "sampler2D",
+                       "hardware depth (any, compare mode off) or R32F view depth, NEAREST"),
+    SSGI_GL__ROW_YOURS("normal", 1, "!receiver && !multisampled", "sampler2D",
+                       "RGBA16F, RGB10_A2, RG16F .. as desc.normal says, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("depth", 0, "multisampled", "sampler2DMS", "hardware depth or R32F view depth: sample 0"),
+    SSGI_GL__ROW_TEXTURE("normal", 1, "multisampled", "sampler2DMS", "RGBA16F .. as desc.normal says: sample 0"),
+    SSGI_GL__ROW_TEXTURE("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
+    SSGI_GL__ROW_TEXTURE("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
+    SSGI_GL__ROW_TEXTURE("views", 4, NULL, "sampler2DArray",
+                         "hardware depth, slice camera * view_layers + layer, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("senders", 5, NULL, "usampler2DArray", "RG32UI: what senders wrote, a slice a layer, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("view_senders", 6, NULL, "usampler2DArray",
+                         "RG32UI: slice camera * view_layers + layer, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
+    SSGI_GL__ROW_TEXTURE("environment", 8, NULL, "sampler2D",
+                         "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
+    SSGI_GL__ROW_TEXTURE("irradiance", 9, NULL, "sampler2DArray",
+                         "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with desc.residual "
+                         "ssgi_sh_residual's map; for cones k of n ssgi_environment_cone, cosine k/n"),
+    SSGI_GL__ROW_TEXTURE("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
+    SSGI_GL__ROW_TEXTURE("shadow", 11, NULL, "sampler2D",
+                         "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
+    SSGI_GL__ROW_TEXTURE("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
+    SSGI_GL__ROW_TEXTURE("bounce", 10, NULL, "sampler2D",
+                         SSGI_GL__HDR ", NEAREST: what ssdo or s3ho wrote of the bounce"),
+    SSGI_GL__ROW_YOURS("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
+    SSGI_GL__ROW_YOURS("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
+    SSGI_GL__ROW_TEXTURE("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
+    SSGI_GL__ROW_YOURS("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
+    SSGI_GL__ROW_YOURS("back", 13, "thickness != SLABS", "sampler2D",
+                       "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
+    SSGI_GL__ROW_YOURS("back", 13, "thickness == SLABS", "sampler2D",
+                       "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest back face; next front face behind "
+                       "it; next back face behind that"),
+    SSGI_GL__ROW_TEXTURE("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
+    SSGI_GL__ROW_YOURS("objects", 3, NULL, "usampler2D",
+                       "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
+    SSGI_GL__ROW_TEXTURE("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
+    SSGI_GL__ROW_TEXTURE("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
+    SSGI_GL__ROW_TEXTURE("levels", 3, NULL, "sampler2D",
+                         "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao, hsao or history wrote"),
+    SSGI_GL__ROW_TEXTURE("history", 2, NULL, "sampler2D",
+                         "what this wrote for the last frame, NEAREST: o_ssgi_ao, _light"),
+    SSGI_GL__ROW_TEXTURE("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
+    SSGI_GL__ROW_YOURS("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
-    SSGI_GL__A("position", "vec3", "mesh space"), SSGI_GL__A("normal", "vec3", "mesh space, any length; 0: the face's"),
-    SSGI_GL__A("colour", "vec3", "of ssgi_surfel"), SSGI_GL__A("surfel0", "vec4", "ssgi_surfel: position, radius"),
-    SSGI_GL__A("surfel1", "vec4", "normal, seed"), SSGI_GL__A("surfel2", "vec4", "colour"),
-    SSGI_GL__K("surfel0", "vec4", "ssgi_surfel: position, radius"), SSGI_GL__K("surfel1", "vec4", "normal, seed"),
-    SSGI_GL__K("surfel2", "vec4", "colour") };
+    SSGI_GL__ROW_OUTPUT("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
+    SSGI_GL__ROW_OUTPUT("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
+    SSGI_GL__ROW_OUTPUT("ao", "pass != FIELD && pass != BLUR", "vec2",
+                        "RG32F or RG16F: ambient visibility, view depth; R8 or R16F if nothing filters"),
+    SSGI_GL__ROW_OUTPUT("picture", NULL, "vec4", "your picture"),
+    SSGI_GL__ROW_OUTPUT("light", NULL, "vec4",
+                        SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
+    SSGI_GL__ROW_OUTPUT("means", NULL, "vec4", SSGI_GL__HDR ": means of 3x3 over a few frames, over all, how many; 0"),
+    SSGI_GL__ROW_OUTPUT("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
+    SSGI_GL__ROW_OUTPUT("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
+    SSGI_GL__ROW_OUTPUT("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
+    SSGI_GL__ROW_OUTPUT("sender", NULL, "uvec2",
+                        "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent "
+                        "and 14, octahedral view-space normal as 6 6"),
+    SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",
+                        "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
+    SSGI_GL__ROW_OUTPUT("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
+    SSGI_GL__ROW_OUTPUT("levels", "effect == OCCLUSION", "float",
+                        "R32F, or R16F that loses what is below 1/2000: form factors"),
+    SSGI_GL__ROW_OUTPUT("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": what surfels bring, form factors"),
+    SSGI_GL__ROWS_FLOATS("sh0", 2, "coefficients 0..3; R16F suffices for 1 band"),
+    SSGI_GL__ROWS_HALVES("sh0", 2, "coefficients 0..7; R32UI suffices for 1 band, RG32UI for 2"),
+    SSGI_GL__ROWS_FLOATS("sh1", 3, "coefficients 4..7"),
+    SSGI_GL__ROWS_HALVES("sh1", 3, "coefficients 8..15; R32UI suffices for 3 bands"),
+    SSGI_GL__ROWS_FLOATS("sh2", 4, "coefficients 8..11; R16F suffices for 3 bands"),
+    SSGI_GL__ROWS_FLOATS("sh3", 5, "coefficients 12..15"),
+    SSGI_GL__ROWS_HALVES("red0", 6, "coefficients 0..7 of red; R32UI suffices for 1 band, RG32UI for 2"),
+    SSGI_GL__ROWS_HALVES("red1", 7, "coefficients 8..15 of red; R32UI suffices for 3 bands"),
+    SSGI_GL__ROWS_HALVES("green0", 8, "the same of green"),
+    SSGI_GL__ROWS_HALVES("green1", 11, "the same of green"),
+    SSGI_GL__ROWS_HALVES("blue0", 14, "the same of blue"),
+    SSGI_GL__ROWS_HALVES("blue1", 15, "the same of blue"),
+
+    SSGI_GL__ROW_ATTRIBUTE("position", "vec3", "mesh space"),
+    SSGI_GL__ROW_ATTRIBUTE("normal", "vec3", "mesh space, any length; 0: the face's"),
+    SSGI_GL__ROW_ATTRIBUTE("colour", "vec3", "of ssgi_surfel"),
+    SSGI_GL__ROW_ATTRIBUTE("surfel0", "vec4", "ssgi_surfel: position, radius"),
+    SSGI_GL__ROW_ATTRIBUTE("surfel1", "vec4", "normal, seed"),
+    SSGI_GL__ROW_ATTRIBUTE("surfel2", "vec4", "colour"),
+
+    SSGI_GL__ROW_CAPTURE("surfel0", "vec4", "ssgi_surfel: position, radius"),
+    SSGI_GL__ROW_CAPTURE("surfel1", "vec4", "normal, seed"),
+    SSGI_GL__ROW_CAPTURE("surfel2", "vec4", "colour")
+};
+
+/* clang-format on */
 
 /* ==== >>passes: the main function of each stage =================================================================== */
-typedef struct ssgi_gl__pass { int pass; const char *name, *when, *mains[SSGI_GL_STAGES]; } ssgi_gl__pass;
+
+typedef struct ssgi_gl__pass {
+    int pass;
+    const char *name, *when, *mains[SSGI_GL_STAGES];
+} ssgi_gl__pass;
 
 #define SSGI_GL__WHEN(pass, name, when, main) \
-    { SSGI_GL_##pass, name, when, { "main_triangle", main, NULL, NULL, NULL } }
+    { \
+        SSGI_GL_##pass, name, when, { "main_triangle", main, NULL, NULL, NULL } \
+    }
 #define SSGI_GL__ALWAYS(pass, name, main) SSGI_GL__WHEN(pass, name, NULL, main)
 #define SSGI_GL__SPLAT(when, fragment) \
     { SSGI_GL_SPLAT, "splat", "!tessellate && " when, { "main_quad", fragment, NULL, NULL, NULL } }, \
-    { SSGI_GL_SPLAT, "splat", "tessellate && " when, \
-      { "main_patch", fragment, "main_levels", "main_points", "main_strip" } }
+    { \
+        SSGI_GL_SPLAT, "splat", "tessellate && " when, \
+        { \
+            "main_patch", fragment, "main_levels", "main_points", "main_strip" \
+        } \
+    }
 
 static const ssgi_gl__pass ssgi_gl__passes[] = {
     SSGI_GL__ALWAYS(SSAO, "ssao", "main_occlusion"),
@@ -3242,80 +3490,155 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     SSGI_GL__WHEN(BLUR, "blur", "colour == COEFFICIENTS", "main_blur_coefficients"),
     SSGI_GL__ALWAYS(HISTORY, "history", "main_history"),
     SSGI_GL__WHEN(COMPOSE, "compose", "colour == GREY", "main_compose_grey"),
-    SSGI_GL__WHEN(COMPOSE, "compose", "colour != GREY", "main_compose_light") };
+    SSGI_GL__WHEN(COMPOSE, "compose", "colour != GREY", "main_compose_light")
+};
 
-enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
-       SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
-       SSGI_GL__VARIANTS = (int)(sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes) };
+enum {
+    SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
+    SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
+    SSGI_GL__VARIANTS = (int)(sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes)
+};
 
 /* ==== >>desc (implementation) ===================================================================================== */
-static ssgi_result ssgi_gl__bad(const char **why, const char *sentence) {
+
+static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
+{
     if (why) *why = sentence;
     return SSGI_BAD_ARGUMENT;
 }
 
 /* Argument checks of functions with a parameter `why`. */
-#define SSGI_GL__CHECK(good, sentence) do { if (!(good)) return ssgi_gl__bad(why, sentence); } while (0)
-#define SSGI_GL__THERE(a)              SSGI_GL__CHECK(a, #a ": must not be NULL")
+#define SSGI_GL__CHECK(good, sentence) \
+    do { \
+        if (!(good)) return ssgi_gl__bad(why, sentence); \
+    } while (0)
+#define SSGI_GL__THERE(a) SSGI_GL__CHECK(a, #a ": must not be NULL")
 #define SSGI_GL__VIEW(v) \
     SSGI_GL__CHECK((v) && (v)->width > 0 && (v)->height > 0, "view: must come from ssgi_view_from_projection")
-#define SSGI_GL__TRY(call)             do { const ssgi_result r_ = (call); if (r_ != SSGI_OK) return r_; } while (0)
+#define SSGI_GL__TRY(call) \
+    do { \
+        const ssgi_result r_ = (call); \
+        if (r_ != SSGI_OK) return r_; \
+    } while (0)
 
-/* Names and values are those of #if lines, too. */
-#define SSGI_GL__I(field, n) { #field, "", "desc." #field ": must be 0.." #n, offsetof(ssgi_gl_desc, field), n }
-#define SSGI_GL__B(field) { #field, "", "desc." #field ": must be 0 or 1", offsetof(ssgi_gl_desc, field), 1 }
-#define SSGI_GL__N(field, last, prefix, values) \
-    { #field, values, "desc." #field ": must be " prefix "_ and one of " values, offsetof(ssgi_gl_desc, field), last }
-#define SSGI_GL__E(field, KIND, LAST, values) SSGI_GL__N(field, SSGI_GL_##KIND##_##LAST, "SSGI_GL_" #KIND, values)
+/* One row a field, in the struct's order; names and words are those of #if lines, too. COUNT: 0 .. most. SWITCH: 0 or
+   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. WORDS: the same with a prefix of its own. */
+/* clang-format off */
+#define SSGI_GL__FIELD_COUNT(field, most) \
+    { #field, "", "desc." #field ": must be 0.." #most, offsetof(ssgi_gl_desc, field), most }
+#define SSGI_GL__FIELD_SWITCH(field) \
+    { #field, "", "desc." #field ": must be 0 or 1", offsetof(ssgi_gl_desc, field), 1 }
+#define SSGI_GL__FIELD_WORDS(field, last, prefix, words) \
+    { #field, words, "desc." #field ": must be " prefix "_ and one of " words, offsetof(ssgi_gl_desc, field), last }
+#define SSGI_GL__FIELD_ENUM(field, KIND, LAST, words) \
+    SSGI_GL__FIELD_WORDS(field, SSGI_GL_##KIND##_##LAST, "SSGI_GL_" #KIND, words)
+/* clang-format on */
+
 static const ssgi_gl_choice ssgi_gl__fields[] = {
-    SSGI_GL__N(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
-               "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY COMPOSE"),
-    SSGI_GL__N(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
-    SSGI_GL__E(depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM"),
-    SSGI_GL__E(normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"), SSGI_GL__B(orthographic),
-    SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines), SSGI_GL__B(left_handed), SSGI_GL__B(oblique),
-    SSGI_GL__B(multisampled), SSGI_GL__B(array), SSGI_GL__E(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
-    SSGI_GL__I(samples, 64), SSGI_GL__I(steps, 64), SSGI_GL__E(thickness, THICKNESS, SLABS, "CONSTANT SOLID BACK SLABS"),
-    SSGI_GL__E(falloff, FALLOFF, SQUARE, "LINEAR SQUARE"), SSGI_GL__B(kernel),
-    SSGI_GL__E(fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"), SSGI_GL__B(range), SSGI_GL__I(layers, 8),
-    SSGI_GL__I(views, 4), SSGI_GL__I(view_layers, 8), SSGI_GL__I(receiver, 7),
-    SSGI_GL__N(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"), SSGI_GL__I(directions, 32),
-    SSGI_GL__I(normal_rays, 8), SSGI_GL__B(hard), SSGI_GL__E(environment, ENVIRONMENT, MAP, "NONE SH MAP"),
-    SSGI_GL__E(bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH"),
-    SSGI_GL__E(restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE"), SSGI_GL__B(two_sided),
-    SSGI_GL__E(radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO"),
-    SSGI_GL__E(shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE"), SSGI_GL__B(accumulate), SSGI_GL__I(bands, 4),
-    SSGI_GL__B(packed), SSGI_GL__E(transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"), SSGI_GL__B(shaded),
-    SSGI_GL__B(residual), SSGI_GL__E(shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
-    SSGI_GL__B(lights), SSGI_GL__B(albedo), SSGI_GL__E(objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
-    SSGI_GL__E(effect, EFFECT, SCATTER, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"), SSGI_GL__I(levels, 7),
-    SSGI_GL__B(tessellate), SSGI_GL__E(sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"), SSGI_GL__I(span, 64),
-    SSGI_GL__I(near_samples, 16), SSGI_GL__B(axis),
-    SSGI_GL__N(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
-    SSGI_GL__N(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4),
-    SSGI_GL__B(filter_normals), SSGI_GL__B(motion),
-    SSGI_GL__E(onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT") };
+    SSGI_GL__FIELD_WORDS(pass, SSGI_GL_PASSES - 1, "SSGI_GL",
+                         "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE SPLAT UNSHUFFLE SMOOTH SUM "
+                         "BLUR HISTORY COMPOSE"),
+    SSGI_GL__FIELD_WORDS(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
+    SSGI_GL__FIELD_SWITCH(lines),
+
+    SSGI_GL__FIELD_SWITCH(orthographic),
+    SSGI_GL__FIELD_SWITCH(oblique),
+    SSGI_GL__FIELD_SWITCH(left_handed),
+
+    SSGI_GL__FIELD_ENUM(depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM"),
+    SSGI_GL__FIELD_ENUM(normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
+    SSGI_GL__FIELD_SWITCH(world_normals),
+    SSGI_GL__FIELD_SWITCH(multisampled),
+    SSGI_GL__FIELD_SWITCH(array),
+
+    SSGI_GL__FIELD_WORDS(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"),
+    SSGI_GL__FIELD_COUNT(directions, 32),
+    SSGI_GL__FIELD_COUNT(samples, 64),
+    SSGI_GL__FIELD_COUNT(steps, 64),
+    SSGI_GL__FIELD_COUNT(normal_rays, 8),
+    SSGI_GL__FIELD_ENUM(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
+    SSGI_GL__FIELD_SWITCH(kernel),
+    SSGI_GL__FIELD_SWITCH(half),
+
+    SSGI_GL__FIELD_ENUM(thickness, THICKNESS, SLABS, "CONSTANT SOLID BACK SLABS"),
+    SSGI_GL__FIELD_COUNT(layers, 8),
+    SSGI_GL__FIELD_COUNT(views, 4),
+    SSGI_GL__FIELD_COUNT(view_layers, 8),
+    SSGI_GL__FIELD_ENUM(falloff, FALLOFF, SQUARE, "LINEAR SQUARE"),
+    SSGI_GL__FIELD_ENUM(fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"),
+    SSGI_GL__FIELD_SWITCH(range),
+    SSGI_GL__FIELD_SWITCH(hard),
+
+    SSGI_GL__FIELD_ENUM(environment, ENVIRONMENT, MAP, "NONE SH MAP"),
+    SSGI_GL__FIELD_ENUM(bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH"),
+    SSGI_GL__FIELD_SWITCH(two_sided),
+    SSGI_GL__FIELD_ENUM(radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO"),
+    SSGI_GL__FIELD_COUNT(receiver, 7),
+    SSGI_GL__FIELD_ENUM(shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE"),
+    SSGI_GL__FIELD_SWITCH(accumulate),
+    SSGI_GL__FIELD_ENUM(restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE"),
+
+    SSGI_GL__FIELD_COUNT(bands, 4),
+    SSGI_GL__FIELD_SWITCH(packed),
+    SSGI_GL__FIELD_ENUM(transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"),
+    SSGI_GL__FIELD_SWITCH(shaded),
+    SSGI_GL__FIELD_SWITCH(residual),
+    SSGI_GL__FIELD_ENUM(shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
+    SSGI_GL__FIELD_SWITCH(lights),
+    SSGI_GL__FIELD_SWITCH(albedo),
+
+    SSGI_GL__FIELD_ENUM(objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
+
+    SSGI_GL__FIELD_ENUM(effect, EFFECT, SCATTER, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
+    SSGI_GL__FIELD_COUNT(levels, 7),
+    SSGI_GL__FIELD_SWITCH(tessellate),
+    SSGI_GL__FIELD_ENUM(sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"),
+    SSGI_GL__FIELD_COUNT(span, 64),
+    SSGI_GL__FIELD_COUNT(near_samples, 16),
+    SSGI_GL__FIELD_SWITCH(axis),
+
+    SSGI_GL__FIELD_WORDS(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
+    SSGI_GL__FIELD_WORDS(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"),
+    SSGI_GL__FIELD_COUNT(filter_radius, 4),
+    SSGI_GL__FIELD_SWITCH(filter_normals),
+    SSGI_GL__FIELD_SWITCH(motion),
+    SSGI_GL__FIELD_ENUM(onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT")
+};
+
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
-/* head: after the version, be it ours or not. set: before bindings, NULL where there are none; textures: their first */
-typedef struct ssgi_gl__dialect { const char *name, *version, *head, *set; int textures; } ssgi_gl__dialect;
+typedef struct ssgi_gl__dialect {
+    const char *name, *version;
+    const char *head; /* behind the version, be it ours or yours */
+    const char *set;  /* in layout(), before a binding; NULL: no layout(binding) */
+    int textures;     /* binding of texture unit 0 */
+} ssgi_gl__dialect;
+
 #define SSGI_GL__ES \
     "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler2DArray;\n" \
     "precision highp usampler2D;\nprecision highp usampler2DArray;\n"
 static const ssgi_gl__dialect ssgi_gl__dialects[] = {
-    { "330", "#version 330 core\n", "", NULL, 0 }, { "410", "#version 410 core\n", "", NULL, 0 },
-    { "450", "#version 450 core\n", "", "", 0 }, { "300es", "#version 300 es\n", SSGI_GL__ES, NULL, 0 },
-    { "310es", "#version 310 es\n", SSGI_GL__ES, "", 0 }, { "320es", "#version 320 es\n", SSGI_GL__ES, "", 0 },
-    { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = 0, ", 2 } };
-static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset) {
+    { "330", "#version 330 core\n", "", NULL, 0 },
+    { "410", "#version 410 core\n", "", NULL, 0 },
+    { "450", "#version 450 core\n", "", "", 0 },
+    { "300es", "#version 300 es\n", SSGI_GL__ES, NULL, 0 },
+    { "310es", "#version 310 es\n", SSGI_GL__ES, "", 0 },
+    { "320es", "#version 320 es\n", SSGI_GL__ES, "", 0 },
+    { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = 0, ", 2 }
+};
+
+static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
+{
     int value;
     memcpy(&value, (const char *)d + offset, sizeof value);
     return value;
 }
+
 static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
+
 static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d) { return !when || ssgi_gl__any(&when, d); }
 
-/* What does not go together, as in #if lines. */
+/* What does not go together, as a condition of #if lines, and the sentence that says so. */
 #define SSGI_GL__SLICED "pass > SSAO && pass < LIGHTS && search == SLICES && "
 static const char *const ssgi_gl__rules[][2] = {
     { "pass == HSAO && search == POINTS", "desc.search: hsao is SSGI_GL_SLICES or _MARCH; points are ssao's" },
@@ -3323,13 +3646,16 @@ static const char *const ssgi_gl__rules[][2] = {
       "desc.search: only hsao marches; ssdo and s3ho are SSGI_GL_SLICES or _POINTS" },
     { "pass == HSAO && search == SLICES && normal_rays",
       "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon" },
-    { SSGI_GL__SLICED "layers > 1", "desc.layers: slices read what is seen and its slabs (desc.thickness); hidden layers "
+    { SSGI_GL__SLICED "layers > 1",
+      "desc.layers: slices read what is seen and its slabs (desc.thickness); hidden layers "
       "need SSGI_GL_POINTS or _MARCH" },
-    { SSGI_GL__SLICED "views", "desc.views: slices read what is seen and its slabs (desc.thickness); extra cameras need "
+    { SSGI_GL__SLICED "views",
+      "desc.views: slices read what is seen and its slabs (desc.thickness); extra cameras need "
       "SSGI_GL_POINTS or _MARCH" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
       "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE" },
-    { "(thickness == BACK || thickness == SLABS) && pass < SENDERS && (layers > 1 || views)", "desc.thickness: back faces are "
+    { "(thickness == BACK || thickness == SLABS) && pass < SENDERS && (layers > 1 || views)",
+      "desc.thickness: back faces are "
       "those of one layer and camera; layers and views want SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
     { "world_normals && normal == FROM_DEPTH", "desc.world_normals: normals from depth are in view space" },
     { "half && pass == BLUR && filter == GAUSSIAN", "desc.filter: only SSGI_GL_BILATERAL brings half size to full" },
@@ -3349,9 +3675,11 @@ static const char *const ssgi_gl__rules[][2] = {
     { "pass == SURFELS && dialect == VULKAN",
       "desc.pass: surfels needs transform feedback; for SSGI_GL_VULKAN ssgi_surfels makes them on the CPU" },
     { "tessellate && (pass == SURFELS || pass == SPLAT) && dialect != 410 && dialect != 450 && dialect < 320ES",
-      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450, _320ES or _VULKAN" } };
+      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450, _320ES or _VULKAN" }
+};
 
-SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why) {
+SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
+{
     SSGI_GL__THERE(desc);
     for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
         const int value = ssgi_gl__get(desc, ssgi_gl__fields[i].offset);
@@ -3360,39 +3688,74 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why) {
     for (size_t i = 0; i < sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules; ++i)
         SSGI_GL__CHECK(!ssgi_gl__holds(ssgi_gl__rules[i][0], desc), ssgi_gl__rules[i][1]);
     SSGI_GL__CHECK(!desc->receiver || desc->receiver < desc->layers, "desc.receiver: must be below desc.layers");
-    SSGI_GL__CHECK(desc->fetch || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
-                                                  "sends == CUSTOM", desc),
+    SSGI_GL__CHECK(desc->fetch
+                       || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
+                                          "sends == CUSTOM",
+                                          desc),
                    "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel: what is CUSTOM");
     return SSGI_OK;
 }
 
-SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i) {
+SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i)
+{
     return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i] : NULL;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why) {
-    static const struct counts { unsigned char half, samples, directions, steps, rays, faded; } table[5][3] = {
-        /* of ssao; slices; march; ssdo and s3ho, whose points along a direction miss less than single ones; lights */
-        { { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 }, { 0, 32, 0, 1, 0, 0 } },
-        { { 1, 0, 1, 4, 0, 0 }, { 1, 0, 2, 8, 0, 0 }, { 0, 0, 2, 10, 0, 0 } },
-        { { 0, 0, 4, 6, 0, 0 }, { 0, 0, 6, 9, 1, 0 }, { 0, 0, 8, 18, 2, 0 } },
-        { { 1, 4, 0, 4, 0, 1 }, { 0, 4, 0, 4, 0, 1 }, { 0, 8, 0, 6, 0, 1 } },
-        { { 0, 4, 0, 1, 0, 0 }, { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 } } };
+/* What a preset sets. Of points directions and normal_rays stay as they are, of the others samples, range and fade. */
+typedef struct ssgi_gl__preset {
+    int half, samples, directions, steps, normal_rays;
+    int fades; /* 1: range, and fade SMOOTH */
+} ssgi_gl__preset;
+
+enum { SSGI_GL__OF_SSAO, SSGI_GL__OF_SLICES, SSGI_GL__OF_MARCH, SSGI_GL__OF_POINTS, SSGI_GL__OF_LIGHTS };
+
+/* clang-format off */
+static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_BEST + 1] = {
+    /* half, samples, directions, steps, normal_rays, fades */
+    { { 0,  8, 0,  1, 0, 0 },       /* ssao: FAST */
+      { 0, 16, 0,  1, 0, 0 },       /*       BALANCED */
+      { 0, 32, 0,  1, 0, 0 } },     /*       BEST */
+    { { 1,  0, 1,  4, 0, 0 },       /* slices: FAST */
+      { 1,  0, 2,  8, 0, 0 },       /*         BALANCED */
+      { 0,  0, 2, 10, 0, 0 } },     /*         BEST */
+    { { 0,  0, 4,  6, 0, 0 },       /* march: FAST */
+      { 0,  0, 6,  9, 1, 0 },       /*        BALANCED */
+      { 0,  0, 8, 18, 2, 0 } },     /*        BEST */
+    /* several along a direction, as single ones miss more */
+    { { 1,  4, 0,  4, 0, 1 },       /* points of ssdo, s3ho: FAST */
+      { 0,  4, 0,  4, 0, 1 },       /*                       BALANCED */
+      { 0,  8, 0,  6, 0, 1 } },     /*                       BEST */
+    { { 0,  4, 0,  1, 0, 0 },       /* segments of lights: FAST */
+      { 0,  8, 0,  1, 0, 0 },       /*                     BALANCED */
+      { 0, 16, 0,  1, 0, 0 } } };   /*                     BEST */
+
+/* clang-format on */
+
+static int ssgi_gl__presets_of(const ssgi_gl_desc *desc)
+{
+    if (desc->pass == SSGI_GL_SSAO) return SSGI_GL__OF_SSAO;
+    if (desc->pass == SSGI_GL_LIGHTS) return SSGI_GL__OF_LIGHTS;
+    if (desc->search == SSGI_GL_SLICES) return SSGI_GL__OF_SLICES;
+    return desc->search == SSGI_GL_MARCH ? SSGI_GL__OF_MARCH : SSGI_GL__OF_POINTS;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
+{
+    const ssgi_gl__preset *set;
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(preset >= 0 && preset <= SSGI_GL_BEST, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
     if (desc->pass > SSGI_GL_SHADE && desc->pass != SSGI_GL_BLUR && desc->pass != SSGI_GL_HISTORY)
-        return SSGI_OK;                 /* these have no quality settings in the shader */
-    const struct counts *c = table[desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_LIGHTS ? 4
-                                 : desc->search == SSGI_GL_SLICES ? 1 : desc->search == SSGI_GL_MARCH ? 2 : 3] + preset;
-    desc->half = c->half;
-    desc->steps = c->steps;
-    if (c->samples) {
-        desc->samples = c->samples;
-        desc->range = c->faded;
-        desc->fade = c->faded ? SSGI_GL_FADE_SMOOTH : SSGI_GL_FADE_NONE;
+        return SSGI_OK; /* nothing in these trades cost for accuracy */
+    set = &ssgi_gl__presets[ssgi_gl__presets_of(desc)][preset];
+    desc->half = set->half;
+    desc->steps = set->steps;
+    if (set->samples) {
+        desc->samples = set->samples;
+        desc->range = set->fades;
+        desc->fade = set->fades ? SSGI_GL_FADE_SMOOTH : SSGI_GL_FADE_NONE;
     } else {
-        desc->directions = c->directions;
-        desc->normal_rays = c->rays;
+        desc->directions = set->directions;
+        desc->normal_rays = set->normal_rays;
     }
     if (desc->pass == SSGI_GL_SSDO && desc->environment) desc->restore = SSGI_GL_RESTORE_RATIO;
     desc->filter = SSGI_GL_BILATERAL;
@@ -3401,7 +3764,8 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why) {
+SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why)
+{
     static const int passes[] = { 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_SPLAT, SSGI_GL_FIELD };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_NOTHING && plan->method <= SSGI_PLAN_FIELD,
@@ -3423,8 +3787,10 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     return SSGI_OK;
 }
 
-/* So that #if lines need not ask for the pass: s3ho has its transfer's bounce, harmonics where it keeps what is open */
-SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
+/* So that #if lines need not ask for the pass, s3ho has a bounce where it has a transfer, and an environment SH where
+   its coefficients hold unoccluded directions. */
+SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
+{
     ssgi_gl_desc d = *desc;
     const int pass = d.pass, ssdo = pass == SSGI_GL_SSDO, s3ho = pass == SSGI_GL_S3HO, shade = pass == SSGI_GL_SHADE;
     const int points = pass == SSGI_GL_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_BLUR, splat = pass == SSGI_GL_SPLAT;
@@ -3433,7 +3799,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
     const int averages = blur || pass == SSGI_GL_HISTORY;
     const int restores = averages && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce)
-        && d.transfer != SSGI_GL_TRANSFER_REFLECTED;
+                      && d.transfer != SSGI_GL_TRANSFER_REFLECTED;
     if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
@@ -3462,7 +3828,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
         || !(shade || restores || (s3ho && d.shaded) || (ssdo && d.environment)))
         d.residual = 0;
     if (!(shade || (restores && !d.shaded)) || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
-    if (d.shading && !d.lights && d.bands > 2) d.bands = 2;                 /* a mean direction needs two bands */
+    if (d.shading && !d.lights && d.bands > 2) d.bands = 2; /* a mean direction needs two bands */
     if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
     if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
     if (!slices && ((!splat && pass != SSGI_GL_SUM) || d.effect > SSGI_GL_EFFECT_BOUNCE)) d.span = 0;
@@ -3471,33 +3837,51 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
 }
 
 /* ==== >>emit (implementation) ===================================================================================== */
-/* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers */
-static int ssgi_gl__letter(char c) {
+
+/* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers. A function reads
+   from *s on and leaves *s behind what it has read. */
+
+static int ssgi_gl__letter(char c)
+{
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
-static size_t ssgi_gl__word(const char **s) {           /* after blanks; *s is at its first letter */
+
+/* Length of the next word. *s moves over blanks, to its first letter. */
+static size_t ssgi_gl__word(const char **s)
+{
     size_t n = 0;
     while (**s == ' ') ++*s;
     while (ssgi_gl__letter((*s)[n])) ++n;
     return n;
 }
-static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length) {
+
+static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length)
+{
     for (int i = 0; i < SSGI_GL__FIELDS; ++i)
         if (!strncmp(ssgi_gl__fields[i].name, name, length) && !ssgi_gl__fields[i].name[length])
             return &ssgi_gl__fields[i];
     return NULL;
 }
-static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length) {       /* -1: there is none */
+
+/* The value that a word or number stands for in a field; -1: none. */
+static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length)
+{
     const char *s = field->values;
     size_t n;
     int value = 0;
-    for (; (n = ssgi_gl__word(&s)) != 0; ++value, s += n) if (n == length && !memcmp(s, name, n)) return value;
+    for (; (n = ssgi_gl__word(&s)) != 0; ++value, s += n)
+        if (n == length && !memcmp(s, name, n)) return value;
     for (value = 0; length && *name >= '0' && *name <= '9'; --length) value = 10 * value + *name++ - '0';
     return length ? -1 : value;
 }
-static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d) {
+
+static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
+{
     size_t n = ssgi_gl__word(s);
-    if (**s == '!') { ++*s; return !ssgi_gl__operand(s, d); }
+    if (**s == '!') {
+        ++*s;
+        return !ssgi_gl__operand(s, d);
+    }
     if (**s == '(') {
         const int inner = (++*s, ssgi_gl__any(s, d));
         ssgi_gl__word(s);
@@ -3517,7 +3901,9 @@ static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d) {
     *s += n;
     return sign == '=' ? value == other : sign == '!' ? value != other : sign == '<' ? value < other : value > other;
 }
-static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d) {
+
+static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
+{
     int any = 0, all = ssgi_gl__operand(s, d);
     for (;;) {
         const char sign = (char)(ssgi_gl__word(s), **s);
@@ -3528,11 +3914,19 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d) {
     }
 }
 
-/* ---- the lines of a function that a desc keeps; state: of each #if around: '+' kept, '-' not yet, '.' no more */
-typedef struct ssgi_gl__reader { const char *at; const ssgi_gl_desc *d; int line, depth; char state[8];
+/* ---- the lines of a function that a desc keeps */
+
+typedef struct ssgi_gl__reader {
+    const char *at; /* what is not read yet */
+    const ssgi_gl_desc *d;
+    int line;      /* of the header */
+    int depth;     /* how many #if are open */
+    char state[8]; /* of each of them: '+' kept, '-' not yet, '.' no more */
 } ssgi_gl__reader;
+
 /* The next line that is kept, without its newline and guard; NULL after the last. */
-static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length) {
+static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
+{
     while (*r->at) {
         const char *line = r->at, *end = strchr(line, '\n'), *guard, *s;
         char *state = &r->state[r->depth ? r->depth - 1 : 0];
@@ -3541,7 +3935,7 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length) {
         if (*line != '#') {
             if (r->depth && *state != '+') continue;
             guard = (const char *)memchr(line, '#', (size_t)(end - line));
-            if (guard) {                        /* ".. // #if" */
+            if (guard) { /* ".. // #if" */
                 s = guard + 3;
                 if (!ssgi_gl__any(&s, r->d)) continue;
                 end = guard - 4;
@@ -3549,12 +3943,13 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length) {
             *length = (size_t)(end - line);
             return line;
         }
-        if (line[1] == 'i') {                   /* #if */
+        if (line[1] == 'i') { /* #if */
             const int kept = !r->depth || *state == '+';
             s = line + 3;
             r->state[r->depth++] = kept ? ssgi_gl__any(&s, r->d) ? '+' : '-' : '.';
-        } else if (line[2] == 'n') --r->depth;  /* #endif */
-        else {                                  /* #elif, #else */
+        } else if (line[2] == 'n') { /* #endif */
+            --r->depth;
+        } else { /* #elif, #else */
             s = line + 5;
             *state = *state != '-' ? '.' : line[3] == 's' || ssgi_gl__any(&s, r->d) ? '+' : '-';
         }
@@ -3563,24 +3958,42 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length) {
 }
 
 /* ---- linking: what is named in what is kept */
-typedef struct ssgi_gl__names { const char *at[512]; unsigned char length[512], custom; } ssgi_gl__names;
-static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add) {
+/* A hash table, with open addresses. */
+enum { SSGI_GL__SLOTS = 512 };
+
+typedef struct ssgi_gl__names {
+    const char *at[SSGI_GL__SLOTS];
+    unsigned char length[SSGI_GL__SLOTS];
+    unsigned char custom; /* 1: a function of desc.fetch is named */
+} ssgi_gl__names;
+
+/* Whether a name is in the table; `add` puts it there, if it was not. */
+
+static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add)
+{
     uint32_t h = 2166136261u;
     size_t i;
     for (i = 0; i < length; ++i) h = (h ^ (unsigned char)s[i]) * 16777619u;
     for (h ^= h >> 15;; ++h) {
-        const char **at = &names->at[h % 512];
-        if (!*at && add) { *at = s; names->length[h % 512] = (unsigned char)length; }
+        const char **at = &names->at[h % SSGI_GL__SLOTS];
+        if (!*at && add) {
+            *at = s;
+            names->length[h % SSGI_GL__SLOTS] = (unsigned char)length;
+        }
         if (!*at) return 0;
-        if (names->length[h % 512] == length && !memcmp(*at, s, length)) return 1;
+        if (names->length[h % SSGI_GL__SLOTS] == length && !memcmp(*at, s, length)) return 1;
     }
 }
 
 /* Adds our names in a line of GLSL: ssgi_*, SSGI_*, and u_ssgi_* and the like; not those in comments. */
-static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end) {
+static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
+{
     while (s < end && !(s[0] == '/' && s[1] == '/')) {
         const char *from = s;
-        if (!ssgi_gl__letter(*s)) { ++s; continue; }
+        if (!ssgi_gl__letter(*s)) {
+            ++s;
+            continue;
+        }
         while (ssgi_gl__letter(*s)) ++s;
         if (s - from < 6 || (memcmp(from, "ssgi_", 5) && memcmp(from, "SSGI_", 5) && memcmp(from + 1, "_ssgi", 5)))
             continue;
@@ -3589,9 +4002,15 @@ static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
     }
 }
 
-typedef struct ssgi_gl__stage { unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS], fetch; } ssgi_gl__stage;
-/* Keeps, from the last function to the first, those that are named in what is kept; then the rows that are. */
-static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots) {
+typedef struct ssgi_gl__stage {
+    unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS]; /* 1: kept */
+    unsigned char fetch;                                    /* 1: desc.fetch is read; 2: and calls ssgi_decode */
+} ssgi_gl__stage;
+
+/* Keeps, from the last function to the first, those that are named in what is kept, beginning with the roots; then the
+   rows that are named. */
+static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
+{
     const int decodes = d->fetch && strstr(d->fetch, "ssgi_decode");
     ssgi_gl__names names;
     size_t n;
@@ -3611,14 +4030,19 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
         stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0) && ssgi_gl__holds(row->when, d);
         if (d->array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_slice", 12, 1);
     }
-    stage->fetch = (unsigned char)(names.custom << decodes);        /* 2: your text calls ssgi_decode */
+    stage->fetch = (unsigned char)(names.custom << decodes);
 }
 
-/* A desc resolved and linked: its pass, what each stage keeps. */
-typedef struct ssgi_gl__program { ssgi_gl_desc d; const ssgi_gl__pass *pass; ssgi_gl__stage stage[SSGI_GL_STAGES];
+/* A desc resolved and linked: the row of its pass, and what each stage keeps. */
+typedef struct ssgi_gl__program {
+    ssgi_gl_desc d;
+    const ssgi_gl__pass *pass;
+    ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
-/* 0 where the pass has no such stage; SSGI_GL_STAGES: all of them. */
-static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage) {
+
+/* Links one stage, or with SSGI_GL_STAGES all of them. 0 where the pass has no such stage. */
+static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage)
+{
     memset(p, 0, sizeof *p);
     p->d = ssgi_gl_resolve(desc);
     for (const ssgi_gl__pass *pass = ssgi_gl__passes; pass < ssgi_gl__passes + SSGI_GL__VARIANTS; ++pass)
@@ -3629,19 +4053,25 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
     return 1;
 }
 
-/* What Vulkan calls otherwise: a word, or the word itself. */
-static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length) {
-    static const char *const words[][2] = {
-        { "gl_InstanceID", "gl_InstanceIndex" }, { "sampler2DArray", "texture2DArray" }, { "usampler2D", "utexture2D" },
-        { "gl_VertexID", "gl_VertexIndex" }, { "sampler2D", "texture2D" }, { "usampler2DArray", "utexture2DArray" },
-        { "sampler2DMS", "texture2DMS" } };
+/* What Vulkan calls a word, where it calls it otherwise. */
+static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length)
+{
+    static const char *const words[][2] = { { "gl_InstanceID", "gl_InstanceIndex" },
+                                            { "sampler2DArray", "texture2DArray" },
+                                            { "usampler2D", "utexture2D" },
+                                            { "gl_VertexID", "gl_VertexIndex" },
+                                            { "sampler2D", "texture2D" },
+                                            { "usampler2DArray", "utexture2DArray" },
+                                            { "sampler2DMS", "texture2DMS" } };
     for (size_t i = 0; i < sizeof words / sizeof *words && dialect == SSGI_GL_VULKAN; ++i)
         if (!strncmp(words[i][0], word, length) && !words[i][0][length]) return words[i][1];
     return word;
 }
 
-/* Rows of a stage, or of all stages, each once. A uniform block has the same members in each stage that reads any. */
-static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity) {
+/* Rows of a stage, or with SSGI_GL_STAGES of all, each once; a uniform block has the same members in each stage that
+   reads any. Returns how many there are. */
+static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
+{
     int n = 0, slots[SSGI_GL_CAPTURE + 1] = { 0 }, block[2] = { 0 };
     for (int i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
         if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
@@ -3650,12 +4080,14 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         int used = 0;
         for (int s = 0; s < SSGI_GL_STAGES; ++s) used |= p->stage[s].row[i];
         if (!used) continue;
-        if (io.kind == SSGI_GL_CONSTANT) { io.slot = ssgi_gl__get(&p->d, io.offset); io.offset = 0; }
-        else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = slots[io.kind]++;
+        if (io.kind == SSGI_GL_CONSTANT) {
+            io.slot = ssgi_gl__get(&p->d, io.offset);
+            io.offset = 0;
+        } else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = slots[io.kind]++;
         else if (io.kind == SSGI_GL_TEXTURE && ssgi_gl__rows[i].bytes && p->d.array)
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
         if (io.kind == SSGI_GL_CAPTURE && p->pass->mains[SSGI_GL_GEOMETRY] && stage >= SSGI_GL_GEOMETRY)
-            continue;                           /* between stages: captured is what leaves the last */
+            continue; /* between stages: captured is what leaves the last */
         if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_PARAM ? block[io.slot] : p->stage[stage].row[i])) continue;
         io.type = ssgi_gl__word_of(p->d.dialect, io.type, strlen(io.type));
         if (n++ < capacity) out[n - 1] = io;
@@ -3664,16 +4096,23 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
 }
 
 /* ---- printing: a sink that writes, measures and hashes */
-typedef struct ssgi_gl__text { char *out; size_t capacity, length; uint64_t hash; } ssgi_gl__text;
-static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n) {
+typedef struct ssgi_gl__text {
+    char *out;
+    size_t capacity, length;
+    uint64_t hash;
+} ssgi_gl__text;
+
+static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n)
+{
     for (; n; --n, ++s, ++t->length) {
         if (t->length + 1 < t->capacity) t->out[t->length] = *s;
         t->hash = (t->hash ^ (uint64_t)(unsigned char)*s) * 1099511628211u;
     }
 }
 
-/* printf with %s, %d, and %f of 7 decimals [limit: below 100]; by integers, for the C library's follow the locale. */
-static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...) {
+/* printf with %s, %d, and %f of 7 decimals [limit: below 100]. By integers, as the C library's follow the locale. */
+static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
+{
     va_list args;
     va_start(args, format);
     for (; *format; ++format) {
@@ -3700,8 +4139,10 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...) {
     va_end(args);
 }
 
-/* A uniform block: members in the order of its struct, which the rows have, gaps where this pass reads nothing. */
-static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set) {
+/* A uniform block: members in the order of its struct, which is that of the rows; gaps where this pass reads
+   nothing. */
+static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set)
+{
     size_t at = 0;
     int gaps = 0, k;
     for (int i = 0; i < n; ++i) {
@@ -3724,7 +4165,8 @@ static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, 
 }
 
 /* The points of SSAO, as ssgi_kernel makes them. */
-static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples) {
+static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
+{
     float k[4 * 64];
     ssgi_kernel(k, 1, samples, NULL);
     ssgi_gl__print(t, "const vec4 SSGI_KERNEL[%d] = vec4[%d](", samples, samples);
@@ -3734,8 +4176,10 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples) {
     ssgi_gl__print(t, ");\n");
 }
 
-/* A line in Vulkan's words; what goes from stage to stage has locations, counted up on either side: place. */
-static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2]) {
+/* A line in Vulkan's words. What goes from stage to stage gets locations; place: the next one out and the next one
+   in. */
+static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2])
+{
     const char *const line = s, *const end = s + length, *name = s, *word;
     int between = ssgi_gl__letter(*s), *at = &place[!strncmp(s, "in ", 3) || !strncmp(s + strcspn(s, " "), " in ", 4)];
     while (between && strncmp(name, "v_ssgi_", 7)) between = ++name < end;
@@ -3751,37 +4195,47 @@ static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, 
     }
 }
 
+/* A line of a kept function; where your textures are arrays (desc.array) it fetches them from a slice. */
+static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t length, const ssgi_gl_desc *d, int place[2])
+{
+    static const char flat[] = ", p + u_ssgi_origin"; /* a slice is put in where ", 0" follows */
+    const char *yours = d->array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
+    for (;;) {
+        const size_t part = yours && yours < line + length ? (size_t)(yours - line) : length;
+        if (d->dialect == SSGI_GL_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
+        else ssgi_gl__put(t, line, part);
+        if (part == length) break;
+        ssgi_gl__print(t, ", ivec3(p + u_ssgi_origin, u_ssgi_slice)");
+        length -= part + sizeof flat - 1;
+        line = yours + sizeof flat - 1;
+        yours = NULL;
+    }
+    ssgi_gl__put(t, "\n", 1);
+}
+
 /* The kept functions, in the order of the library. */
-static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, const ssgi_gl_desc *d) {
+static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, const ssgi_gl_desc *d)
+{
     int place[2] = { 0, 0 };
-    for (int i = 0; i < SSGI_GL__CODES; ++i) if (stage->code[i]) {
+    for (int i = 0; i < SSGI_GL__CODES; ++i) {
         ssgi_gl__reader r = { ssgi_gl__library[i].text, d, ssgi_gl__library[i].line - 1, 0, { 0 } };
         const char *line;
         size_t n;
         int last = -1;
+        if (!stage->code[i]) continue;
         ssgi_gl__print(t, "\n");
         while ((line = ssgi_gl__next(&r, &n)) != NULL) {
-            const char *yours = d->array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
             if (d->lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
             last = r.line;
-            for (;;) {
-                const size_t part = yours && yours < line + n ? (size_t)(yours - line) : n;
-                if (d->dialect == SSGI_GL_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
-                else ssgi_gl__put(t, line, part);
-                if (part == n) break;
-                ssgi_gl__print(t, ", ivec3(p + u_ssgi_origin, u_ssgi_slice)");
-                n -= part + 19;                         /* ", p + u_ssgi_origin" */
-                line = yours + 19;
-                yours = NULL;
-            }
-            ssgi_gl__put(t, "\n", 1);
+            ssgi_gl__print_line(t, line, n, d, place);
         }
         if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL")) ssgi_gl__print_kernel(t, d->samples);
     }
 }
 
-static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stage) {
-    static const char *const words[] = { "uniform", "", "out", "", "in", "out" };          /* by kind */
+static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stage)
+{
+    static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* by ssgi_gl_io.kind */
     const ssgi_gl_desc *d = &p->d;
     const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->dialect];
     const char *version = d->version ? d->version : dialect->version;
@@ -3809,12 +4263,14 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     ssgi_gl__print_codes(t, &p->stage[stage], d);
 }
 
-static size_t ssgi_gl__end(ssgi_gl__text *t) {
+static size_t ssgi_gl__end(ssgi_gl__text *t)
+{
     if (t->capacity) t->out[t->length < t->capacity ? t->length : t->capacity - 1] = 0;
     return t->length;
 }
 
-SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage) {
+SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage)
+{
     ssgi_gl__program p;
     ssgi_gl__text t = { out, capacity, 0, 0 };
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || stage < 0 || stage >= SSGI_GL_STAGES || (!out && capacity)) return 0;
@@ -3823,22 +4279,25 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
 }
 
 /* Functions alone, and the samplers that they read. */
-static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots) {
+static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots)
+{
     ssgi_gl__stage stage;
     ssgi_gl__text t = { out, capacity, 0, 0 };
     const ssgi_gl__dialect *const in = &ssgi_gl__dialects[d->dialect];
     ssgi_gl__link(&stage, d, roots);
-    for (int i = 0; i < SSGI_GL__ROWS; ++i) if (stage.row[i]) {
-        const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
-        if (in->textures) ssgi_gl__print(&t, "layout(%sbinding = %d) ", in->set, io->slot + in->textures);
-        ssgi_gl__print(&t, "uniform highp %s ", ssgi_gl__word_of(d->dialect, io->type, strlen(io->type)));
-        ssgi_gl__print(&t, "%s; // %s\n", io->name, io->format);
-    }
+    for (int i = 0; i < SSGI_GL__ROWS; ++i)
+        if (stage.row[i]) {
+            const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
+            if (in->textures) ssgi_gl__print(&t, "layout(%sbinding = %d) ", in->set, io->slot + in->textures);
+            ssgi_gl__print(&t, "uniform highp %s ", ssgi_gl__word_of(d->dialect, io->type, strlen(io->type)));
+            ssgi_gl__print(&t, "%s; // %s\n", io->name, io->format);
+        }
     ssgi_gl__print_codes(&t, &stage, d);
     return ssgi_gl__end(&t);
 }
 
-SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands) {
+SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
+{
     ssgi_gl_desc d;
     if (bands < 1 || bands > 4 || (!out && capacity)) return 0;
     memset(&d, 0, sizeof d);
@@ -3846,7 +4305,8 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands) {
     return ssgi_gl__functions(out, capacity, &d, "SSGI_COSINE ssgi_sh_zonal ssgi_sh_add ssgi_sh_dot ssgi_sh_turn");
 }
 
-SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc) {
+SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc)
+{
     ssgi_gl_desc d;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
     d = *desc;
@@ -3855,38 +4315,49 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
     return ssgi_gl__functions(out, capacity, &d, "ssgi_field_visibility");
 }
 
-SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity) {
+SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity)
+{
     ssgi_gl__program p;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!rows && capacity > 0)) return 0;
     ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
     return ssgi_gl__collect(&p, SSGI_GL_STAGES, rows, capacity);
 }
-SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i) {
+
+SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i)
+{
     int k = 0, n = 0;
     while (k < SSGI_GL__ROWS && (ssgi_gl__rows[k].io.kind != SSGI_GL_PARAM || n++ != i)) ++k;
     return k < SSGI_GL__ROWS ? &ssgi_gl__rows[k].io : NULL;
 }
 
-SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc) {
+SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
+{
     ssgi_gl__program p;
-    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u };         /* FNV-1a over the very texts */
+    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* FNV-1a over the very texts */
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
     ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
-    for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) if (p.pass->mains[stage]) ssgi_gl__write(&t, &p, stage);
+    for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
+        if (p.pass->mains[stage]) ssgi_gl__write(&t, &p, stage);
     return t.hash;
 }
 
-SSGI_DEF const char *ssgi_gl_pass_name(int pass) {
-    for (int i = 0; i < SSGI_GL__VARIANTS; ++i) if (ssgi_gl__passes[i].pass == pass) return ssgi_gl__passes[i].name;
+SSGI_DEF const char *ssgi_gl_pass_name(int pass)
+{
+    for (int i = 0; i < SSGI_GL__VARIANTS; ++i)
+        if (ssgi_gl__passes[i].pass == pass) return ssgi_gl__passes[i].name;
     return NULL;
 }
-SSGI_DEF const char *ssgi_gl_dialect_name(int dialect) {
+
+SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
+{
     return dialect >= 0 && dialect < SSGI_GL_DIALECTS ? ssgi_gl__dialects[dialect].name : NULL;
 }
 
 /* ==== >>frame (implementation) ==================================================================================== */
-/* Whether all are finite and none is larger than the most [limit: >= 0]; by the bits, which -ffast-math leaves. */
-static int ssgi_gl__within(const float *v, int count, float most) {
+
+/* Whether all are finite and none is larger than `most` [limit: >= 0], by the bits, which -ffast-math leaves. */
+static int ssgi_gl__within(const float *v, int count, float most)
+{
     uint32_t limit, bits;
     memcpy(&limit, &most, sizeof limit);
     for (; count > 0; ++v, --count) {
@@ -3895,10 +4366,13 @@ static int ssgi_gl__within(const float *v, int count, float most) {
     }
     return 1;
 }
+
 static int ssgi_gl__above(float x) { return ssgi_gl__within(&x, 1, SSGI_FAR) && x > 0.0f; }
+
 #define SSGI_GL__MATRIX(m) SSGI_GL__CHECK(ssgi_gl__within(m, 16, SSGI_FAR), #m ": must be finite")
 
-SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why) {
+SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why)
+{
     ssgi_gl_frame f;
     SSGI_GL__THERE(frame);
     SSGI_GL__VIEW(view);
@@ -3930,7 +4404,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 }
 
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
-                                         int levels, const float *mesh_to_view, const char **why) {
+                                         int levels, const float *mesh_to_view, const char **why)
+{
     float scale[4];
     int size[2] = { 0, 0 };
     SSGI_GL__THERE(frame);
@@ -3944,68 +4419,89 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
     return SSGI_OK;
 }
 
+/* Irradiance over pi of a surfel by a light of colour 1, without occlusion; the light's kind as >>light of the library
+   tells it apart. */
+static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
+{
+    const int sun = l->kind<0.5f, spot = l->kind> 1.5f && l->kind<2.5f, vpl = l->kind> 2.5f;
+    const double least = (double)l->min_distance * (double)l->min_distance;
+    double to[3], q[3], d = 0.0, facing = 0.0, from = 0.0; /* q: the surfel in the light's map */
+    for (int c = 0; c < 3; ++c) {
+        to[c] = (double)l->at[c] - (sun ? 0.0 : (double)s->position[c]);
+        d += to[c] * to[c];
+        facing += to[c] * (double)s->normal[c];
+        from -= to[c] * (double)l->normal[c];
+        q[c] = (double)l->map[c][3];
+        for (int k = 0; k < 3; ++k) q[c] += (double)l->map[c][k] * (double)s->position[k];
+    }
+    if (!(d > 0.0) || !(facing > 0.0)) return 0.0;
+    if (sun && l->min_distance > 0.0f) return 0.0; /* the row of its widest map counts */
+    if (spot && l->tile[2] > 0.0f
+        && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
+             && q[1] < q[2] * (double)l->tile[3]))
+        return 0.0;
+    if (vpl) facing *= from > 0.0 ? from / sqrt(d) : 0.0;
+    facing /= sqrt(d) * 3.14159265358979;
+    return sun ? facing : facing / (d > least ? d : least);
+}
+
+/* The largest component of what a surfel sends. */
+static double ssgi_gl__sent_by(const ssgi_surfel *s, const ssgi_gl_light *lights, int light_count, const float *sky)
+{
+    double light[3] = { 0.0, 0.0, 0.0 }, sent = 0.0;
+    for (int c = 0; sky && c < 3; ++c) light[c] = (double)sky[c];
+    for (int k = 0; k < light_count; ++k) {
+        const double share = ssgi_gl__light_on(s, &lights[k]);
+        for (int c = 0; c < 3; ++c) light[c] += share * (double)lights[k].colour[c];
+    }
+    for (int c = 0; c < 3; ++c) {
+        light[c] *= (double)s->colour[c];
+        sent = light[c] > sent ? light[c] : sent;
+    }
+    return sent < (double)SSGI_FAR ? sent : 0.0;
+}
+
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
-    const ssgi_gl_light *lights, int light_count, const float sky[3], const char **why) {
-    enum { BINS = 256 };                            /* of what is sent, below the most */
-    const double octave = 8.0;
+                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
+                                      const char **why)
+{
+    enum { BINS = 256 }; /* of radiances below the most, each 1/8 of an octave: down to 2^-32 of it */
+
+    const double octave = 8.0; /* bins */
     double sum[BINS] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
-    int b, c;
+    int b;
     SSGI_GL__THERE(frame);
     SSGI_GL__CHECK(surfels || !count, "surfels: must not be NULL when there are any");
     SSGI_GL__CHECK(lights || light_count <= 0, "lights: must not be NULL when there are any");
     SSGI_GL__CHECK(light_count >= 0, "light_count: must be 0 or more");
     SSGI_GL__CHECK(!sky || (ssgi_gl__within(sky, 3, SSGI_FAR) && sky[0] >= 0.0f && sky[1] >= 0.0f && sky[2] >= 0.0f),
                    "sky: must be 0 or more and finite");
-    for (size_t i = 0; i < count; ++i)                  /* position to colour */
+    for (size_t i = 0; i < count; ++i) /* position to colour */
         SSGI_GL__CHECK(ssgi_gl__within((const float *)&surfels[i], 11, SSGI_FAR), "surfels: must be finite");
     for (int k = 0; k < light_count; ++k)
         SSGI_GL__CHECK(ssgi_gl__within((const float *)&lights[k], (int)(sizeof *lights / sizeof(float)), 1e30f),
                        "lights: must be finite");
-    for (int pass = 0; pass < 2; ++pass)
-        for (size_t i = 0; i < count; ++i) {
-            const ssgi_surfel *s = &surfels[i];
-            double light[3] = { 0 }, sent = 0.0;
-            for (c = 0; sky && c < 3; ++c) light[c] = (double)sky[c];
-            for (int k = 0; k < light_count; ++k) {
-                const ssgi_gl_light *l = &lights[k];
-                const double least = (double)l->min_distance * (double)l->min_distance;
-                double to[3], d, g = 0.0, from = 0.0, q[3];
-                for (c = 0; c < 3; ++c) {
-                    to[c] = (double)l->at[c] - (l->kind > 0.5f ? (double)s->position[c] : 0.0);
-                    g += to[c] * (double)s->normal[c];
-                    from -= to[c] * (double)l->normal[c];
-                    q[c] = (double)l->map[c][3];
-                    for (b = 0; b < 3; ++b) q[c] += (double)l->map[c][b] * (double)s->position[b];
-                }
-                d = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
-                if (!(d > 0.0) || !(g > 0.0) || (l->kind < 0.5f && l->min_distance > 0.0f)) continue;
-                if (l->kind > 2.5f) g *= from > 0.0 ? from / sqrt(d) : 0.0;
-                if (l->kind > 1.5f && l->kind < 2.5f && l->tile[2] > 0.0f
-                    && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
-                         && q[1] < q[2] * (double)l->tile[3]))
-                    continue;
-                g /= sqrt(d) * 3.14159265358979;
-                if (l->kind > 0.5f) g /= d > least ? d : least;
-                for (c = 0; c < 3; ++c) light[c] += g * (double)l->colour[c];
-            }
-            for (c = 0; c < 3; ++c) {
-                light[c] *= (double)s->colour[c];
-                sent = light[c] > sent ? light[c] : sent;
-            }
-            if (!(sent > 0.0 && sent < (double)SSGI_FAR)) continue;
-            if (!pass) { most = sent > most ? sent : most; continue; }
-            b = (int)(octave * log2(most / sent));
-            sent *= (double)s->radius * (double)s->radius;
-            sum[b < BINS ? b : BINS - 1] += sent;
-            all += sent;
-        }
+    for (size_t i = 0; i < count; ++i) {
+        const double sent = ssgi_gl__sent_by(&surfels[i], lights, light_count, sky);
+        most = sent > most ? sent : most;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const double sent = ssgi_gl__sent_by(&surfels[i], lights, light_count, sky);
+        const double flux = sent * (double)surfels[i].radius * (double)surfels[i].radius;
+        if (!(sent > 0.0)) continue;
+        b = (int)(octave * log2(most / sent));
+        sum[b < BINS ? b : BINS - 1] += flux;
+        all += flux;
+    }
+    /* the median, within its bin by the share of the bin that it takes */
     for (b = 0; b < BINS && below + sum[b] < 0.5 * all; ++b) below += sum[b];
     if (all > 0.0 && b < BINS)
         frame->sent = (float)(most * exp2(-(b + 1 - (below + sum[b] - 0.5 * all) / sum[b]) / octave));
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why) {
+SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why)
+{
     float scaled[16] = { 0 };
     SSGI_GL__CHECK(frame && dipole, "frame, dipole: must not be NULL");
     SSGI_GL__CHECK(ssgi_gl__above(unit), "unit: must be > 0 and finite");
@@ -4013,7 +4509,7 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
         scaled[c] = (float)dipole->z_r[c] * unit;
         scaled[4 + c] = (float)dipole->z_v[c] * unit;
         scaled[8 + c] = (float)dipole->sigma_tr[c] / unit;
-        scaled[12 + c] = 0.25f * (float)dipole->albedo[c];              /* pi r^2 over 4 pi */
+        scaled[12 + c] = 0.25f * (float)dipole->albedo[c]; /* pi r^2 over 4 pi */
     }
     SSGI_GL__CHECK(ssgi_gl__within(scaled, 16, SSGI_FAR), "dipole: must be finite, also times and over unit");
     memcpy(frame->dipole, scaled, sizeof scaled);
@@ -4021,7 +4517,8 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
 }
 
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
-                                           const float *world_to_view, const char **why) {
+                                           const float *world_to_view, const char **why)
+{
     float turned[48] = { 0 };
     SSGI_GL__THERE(frame);
     SSGI_GL__THERE(coefficients);
@@ -4034,11 +4531,13 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
     return SSGI_OK;
 }
 
-/* a * b of two rigid world-to-view matrices: a after the inverse of b */
-static void ssgi_gl__relative(double out[16], const float a[16], const float b[16]) {
+/* Of two rigid world-to-view matrices: a after the inverse of b. */
+static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
+{
     memset(out, 0, 16 * sizeof *out);
-    for (int c = 0; c < 3; ++c) for (int r = 0; r < 3; ++r) for (int k = 0; k < 3; ++k)
-        out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            for (int k = 0; k < 3; ++k) out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
     for (int r = 0; r < 3; ++r) {
         out[12 + r] = (double)a[12 + r];
         for (int c = 0; c < 3; ++c) out[12 + r] -= out[4 * c + r] * (double)b[12 + c];
@@ -4048,7 +4547,8 @@ static void ssgi_gl__relative(double out[16], const float a[16], const float b[1
 /* Column-major: a point of the main camera's view space to x, y (pixels, times depth when perspective), view depth, 1
    of another camera; and back. */
 static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
-                                      const float *other, const char **why) {
+                                      const float *other, const char **why)
+{
     double m[16], b[16];
     SSGI_GL__VIEW(view);
     SSGI_GL__CHECK(main_view, "main_world_to_view: must not be NULL");
@@ -4063,7 +4563,7 @@ static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_v
         to[4 * c + 2] = (float)z;
         to[4 * c + 3] = c == 3 ? 1.0f : 0.0f;
     }
-    for (int r = 0; r < 4; ++r) {   /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
+    for (int r = 0; r < 4; ++r) { /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
         const double shift = b[r] * (double)view->unproject[2] + b[4 + r] * (double)view->unproject[3];
         from[r] = (float)(b[r] * (double)view->unproject[0]);
         from[4 + r] = (float)(b[4 + r] * (double)view->unproject[1]);
@@ -4073,16 +4573,21 @@ static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_v
     return SSGI_OK;
 }
 
-static void ssgi_gl__decode(float decode[4], const ssgi_view *view) {
+static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
+{
     memcpy(decode, view->depth, sizeof view->depth);
     decode[2] = view->clear;
     decode[3] = (float)view->orthographic;
 }
+
 #define SSGI_GL__STRAIGHT(view) \
     SSGI_GL__CHECK(!(view) || ((view)->oblique[0] == 0.0f && (view)->oblique[1] == 0.0f), \
                    "view: its near plane must not be oblique; only the picture's may be")
+
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
-    const float main_world_to_view[16], const float extra_world_to_view[16], const char **why) {
+                                       const float main_world_to_view[16], const float extra_world_to_view[16],
+                                       const char **why)
+{
     SSGI_GL__THERE(views);
     SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
     SSGI_GL__THERE(extra_world_to_view);
@@ -4095,7 +4600,9 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
 }
 
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
-    const float main_world_to_view[16], const float last_world_to_view[16], const char **why) {
+                                           const float main_world_to_view[16], const float last_world_to_view[16],
+                                           const char **why)
+{
     float to[16], from[16];
     SSGI_GL__THERE(frame);
     SSGI_GL__THERE(last_world_to_view);
@@ -4108,12 +4615,15 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
     return SSGI_OK;
 }
 
-SSGI_DEF float ssgi_gl_phase(uint32_t k) {
-    return (float)((k * 2654435769u) >> 8) / 16777216.0f;       /* the golden ratio's multiples, less the whole */
+SSGI_DEF float ssgi_gl_phase(uint32_t k)
+{
+    return (float)((k * 2654435769u) >> 8) / 16777216.0f; /* the fraction of k times the golden ratio */
 }
 
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
-    const float main_world_to_view[16], const float light_world_to_view[16], const char **why) {
+                                       const float main_world_to_view[16], const float light_world_to_view[16],
+                                       const char **why)
+{
     float to[16], from[16];
     SSGI_GL__THERE(light);
     SSGI_GL__CHECK(x >= 0 && y >= 0, "x: the tile must lie in the atlas, x and y >= 0");
@@ -4129,7 +4639,9 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
 }
 
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
-    const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why) {
+                                          const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
+                                          int object, const char **why)
+{
     ssgi_field_limits l;
     ssgi_gl_occluder c;
     double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 };
@@ -4142,7 +4654,8 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
     SSGI_GL__CHECK(object >= 0 && object <= 16777215, "object: must be 0..16777215");
     l = limits ? *limits : ssgi_field_limits_of(field);
     SSGI_GL__CHECK(ssgi_gl__within(&l.ramp, 1, SSGI_FAR) && ssgi_gl__within(&l.reach, 1, SSGI_FAR)
-                   && ssgi_gl__within(&l.inside, 1, SSGI_FAR), "limits: must be finite");
+                       && ssgi_gl__within(&l.inside, 1, SSGI_FAR),
+                   "limits: must be finite");
     SSGI_GL__CHECK(l.ramp >= 0.0f && l.ramp < l.reach && l.reach <= field->reach * 1.000001f,
                    "limits.reach: must be above limits.ramp >= 0, and at most field->reach");
     SSGI_GL__CHECK(l.inside >= 0.0f && l.inside <= 1.0f, "limits.inside: must be 0..1");
@@ -4155,10 +4668,10 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
         }
     for (int i = 0; i < 3; ++i)
         SSGI_GL__CHECK(square[i] > 1e-30 && square[i] < 1.002 * square[0] && square[i] > 0.998 * square[0]
-                       && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0],
+                           && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0],
                        "mesh_to_view: must be a rotation, a translation and a uniform scale");
     memset(&c, 0, sizeof c);
-    for (int i = 0; i < 3; ++i) {       /* the inverse: transposed over the squared scale */
+    for (int i = 0; i < 3; ++i) { /* the inverse: transposed over the squared scale */
         double shift = -(double)field->centre[i];
         c.at[i] = m[12 + i];
         for (int k = 0; k < 3; ++k) {
@@ -4181,26 +4694,78 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 }
 
 /* ==== >>steps (implementation) ==================================================================================== */
-static const ssgi_gl_format ssgi_gl__formats[] = {      /* 16 bits, 32 bits, 32-bit integers of R, RG, RGBA; R8 */
-    { "R16F", 0x822d, 0x1903, 0x140b, 2 }, { "R32F", 0x822e, 0x1903, 0x1406, 4 },
-    { "R32UI", 0x8236, 0x8d94, 0x1405, 4 }, { "RG16F", 0x822f, 0x8227, 0x140b, 4 },
-    { "RG32F", 0x8230, 0x8227, 0x1406, 8 }, { "RG32UI", 0x823c, 0x8228, 0x1405, 8 },
-    { "RGBA16F", 0x881a, 0x1908, 0x140b, 8 }, { "RGBA32F", 0x8814, 0x1908, 0x1406, 16 },
-    { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16 }, { "R8", 0x8229, 0x1903, 0x1401, 1 } };
-static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
-    "depth", "layers", "back", "views", "normal", "albedo", "normal", "albedo", "direct", "noise", "kernel",
-    "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient" };
 
-/* Steps as they are added. written: the last texture of a name, less o_ssgi_ or t_ssgi_; light, bounce: -1: none;
-   picture: a step has drawn onto yours. */
+/* GL's numbers by GL's names, as no GL header is read here. */
+#define SSGI_GL__POINTS 0x0000u
+#define SSGI_GL__TRIANGLES 0x0004u
+#define SSGI_GL__PATCHES 0x000eu
+#define SSGI_GL__TEXTURE_2D 0x0de1u
+#define SSGI_GL__TEXTURE_2D_ARRAY 0x8c1au
+#define SSGI_GL__TEXTURE_2D_MULTISAMPLE 0x9100u
+#define SSGI_GL__ZERO 0x0000u
+#define SSGI_GL__ONE 0x0001u
+#define SSGI_GL__DST_COLOR 0x0306u
+#define SSGI_GL__FUNC_ADD 0x8006u
+#define SSGI_GL__FUNC_REVERSE_SUBTRACT 0x800bu
+#define SSGI_GL__LINEAR 0x2601u
+#define SSGI_GL__NEAREST_MIPMAP_NEAREST 0x2700u /* the first of the filters between mip levels, which are the last */
+#define SSGI_GL__DEPTH_COMPONENT 0x1902u
+#define SSGI_GL__DEPTH_COMPONENT16 0x81a5u /* 24 and 32 follow */
+#define SSGI_GL__DEPTH_COMPONENT32 0x81a7u
+#define SSGI_GL__DEPTH24_STENCIL8 0x88f0u
+#define SSGI_GL__DEPTH_COMPONENT32F 0x8cacu
+#define SSGI_GL__DEPTH32F_STENCIL8 0x8cadu
+#define SSGI_GL__R8I 0x8231u /* of one and two channels all integers are between these */
+#define SSGI_GL__RG32UI 0x823cu
+#define SSGI_GL__RGBA32UI 0x8d70u /* of three and four channels between these */
+#define SSGI_GL__RGB8I 0x8d8fu
+
+/* Formats of targets: by their channels, then by the kind of number. Columns: name, internal format, format, type,
+   bytes of a texel. */
+enum { SSGI_GL__R, SSGI_GL__RG, SSGI_GL__RGBA, SSGI_GL__CHANNELS };
+
+enum { SSGI_GL__HALF, SSGI_GL__FLOAT, SSGI_GL__UINT, SSGI_GL__KINDS };
+
+static const ssgi_gl_format ssgi_gl__formats[SSGI_GL__CHANNELS][SSGI_GL__KINDS] = {
+    { { "R16F", 0x822d, 0x1903, 0x140b, 2 },       /* RED, HALF_FLOAT */
+      { "R32F", 0x822e, 0x1903, 0x1406, 4 },       /* RED, FLOAT */
+      { "R32UI", 0x8236, 0x8d94, 0x1405, 4 } },    /* RED_INTEGER, UNSIGNED_INT */
+    { { "RG16F", 0x822f, 0x8227, 0x140b, 4 },      /* RG, HALF_FLOAT */
+      { "RG32F", 0x8230, 0x8227, 0x1406, 8 },      /* RG, FLOAT */
+      { "RG32UI", 0x823c, 0x8228, 0x1405, 8 } },   /* RG_INTEGER, UNSIGNED_INT */
+    { { "RGBA16F", 0x881a, 0x1908, 0x140b, 8 },    /* RGBA, HALF_FLOAT */
+      { "RGBA32F", 0x8814, 0x1908, 0x1406, 16 },   /* RGBA, FLOAT */
+      { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16 } } /* RGBA_INTEGER, UNSIGNED_INT */
+};
+static const ssgi_gl_format ssgi_gl__r8 = { "R8", 0x8229, 0x1903, 0x1401, 1 }; /* RED, UNSIGNED_BYTE */
+
+/* By ssgi_gl_input.meaning: the texture's name less t_ssgi_. */
+static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
+    "depth",  "layers",      "back",       "views",  "normal", "albedo",    "normal", "albedo",  "direct", "noise",
+    "kernel", "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient"
+};
+
+/* Steps as they are added. */
 typedef struct ssgi_gl__build {
     const ssgi_gl_chain *chain;
-    ssgi_gl_step *steps, spare;
-    int capacity, count, textures, names, light, bounce, picture;
-    struct { const char *name; int texture; } written[32];
-    const char *why;
+    ssgi_gl_step *steps, spare; /* spare: for what is beyond the capacity */
+    int capacity, count;
+    int textures;      /* numbers given so far */
+    int light, bounce; /* which of them hold the result; -1: none */
+    int picture;       /* 1: a step has drawn onto yours */
+    const char *why;   /* what is wrong; NULL: nothing */
+
+    /* the texture that was last written under a name, less o_ssgi_ or t_ssgi_; -1: none */
+    int names;
+
+    struct {
+        const char *name;
+        int texture;
+    } written[32];
 } ssgi_gl__build;
-static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name) {
+
+static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
+{
     int i = 0;
     while (i < b->names && strcmp(b->written[i].name, name)) ++i;
     if (i == b->names) {
@@ -4211,105 +4776,142 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name) {
     return &b->written[i].texture;
 }
 
-static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out) {
+/* The format of an output: what it needs, in as few bits as chain.precise lets it have. */
+static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
+{
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
-    const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT, sh = !strncmp(out->name, "o_ssgi_sh", 9);
-    const int wide = chain->precise > sh && !(blended && d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN);
-    const int whole = *out->type == 'u', halves = whole && size == '4';
-    int lanes = *out->type == 'f' ? 0 : size == '2' ? 1 : 2;
-    if (d->pass == SSGI_GL_SHUFFLE) return &ssgi_gl__formats[8];
-    if ((sh || halves) && (d->bands == 1 || (d->bands == 3 && last == (halves ? '1' : '2')))) lanes = 0;
-    if (halves && d->bands == 2) lanes = 1;
-    if (*out->type == 'f' && !wide && d->pass != SSGI_GL_SPLAT) return &ssgi_gl__formats[9];
-    return &ssgi_gl__formats[3 * lanes + (whole ? 2 : wide)];
+    const int single = *out->type == 'f', whole = *out->type == 'u', halves = whole && size == '4';
+    const int coefficients = !strncmp(out->name, "o_ssgi_sh", 9);
+    const int gles = d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN; /* does not blend 32-bit floats */
+    const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT;
+    const int wide = chain->precise > coefficients && !(blended && gles);
+    int channels = single ? SSGI_GL__R : size == '2' ? SSGI_GL__RG : SSGI_GL__RGBA;
+    if (d->pass == SSGI_GL_SHUFFLE) return &ssgi_gl__formats[SSGI_GL__RGBA][SSGI_GL__UINT];
+    /* coefficients that do not fill their last texture: 1 in the first, the 9th in the second or third */
+    if ((coefficients || halves) && (d->bands == 1 || (d->bands == 3 && last == (halves ? '1' : '2'))))
+        channels = SSGI_GL__R;
+    if (halves && d->bands == 2) channels = SSGI_GL__RG;
+    if (single && !wide && d->pass != SSGI_GL_SPLAT) return &ssgi_gl__r8;
+    return &ssgi_gl__formats[channels][whole ? SSGI_GL__UINT : wide ? SSGI_GL__FLOAT : SSGI_GL__HALF];
 }
 
-/* frame: as ssgi_gl_step has it. Textures that it reads are yours, or what was last written under their names. */
-static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame) {
-    /* multiply, add, subtract */
-    static const unsigned blend[3][3] = { { 0x8006, 0x0306, 0 }, { 0x8006, 1, 1 }, { 0x800b, 1, 1 } };
-    const int field = pass == SSGI_GL_FIELD, splat = pass == SSGI_GL_SPLAT, surfels = pass == SSGI_GL_SURFELS;
+/* Where a step draws: the image's size in its targets. d: resolved. */
+static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
+{
+    const int half = d->half && d->pass != SSGI_GL_BLUR;
+    int level[2] = { 0, 0 };
+    s->size = half ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
+    s->width = (chain->width + half) >> half;
+    s->height = (chain->height + half) >> half;
+    if (d->pass < SSGI_GL_SHUFFLE || d->pass > SSGI_GL_SMOOTH) return;
+    ssgi_splat_size(level, chain->width, chain->height, d->levels, NULL);
+    s->size = SSGI_GL_SIZE_LEVELS;
+    s->width = level[0];
+    s->height = level[1] * d->levels;
+}
+
+/* How it draws: a triangle over all of it; a quad of two a field, and a surfel and level; or patches. d: resolved. */
+static void ssgi_gl__step_draw(ssgi_gl_step *s, const ssgi_gl_desc *d)
+{
+    static const unsigned multiply[3] = { SSGI_GL__FUNC_ADD, SSGI_GL__DST_COLOR, SSGI_GL__ZERO };
+    static const unsigned add[3] = { SSGI_GL__FUNC_ADD, SSGI_GL__ONE, SSGI_GL__ONE };
+    static const unsigned subtract[3] = { SSGI_GL__FUNC_REVERSE_SUBTRACT, SSGI_GL__ONE, SSGI_GL__ONE };
+    const int field = d->pass == SSGI_GL_FIELD, splat = d->pass == SSGI_GL_SPLAT, surfels = d->pass == SSGI_GL_SURFELS;
+    const int patches = d->tessellate && (surfels || splat);
+    s->primitive = patches ? SSGI_GL__PATCHES : surfels ? SSGI_GL__POINTS : SSGI_GL__TRIANGLES;
+    s->vertices = patches || surfels ? 0 : field ? 6 : splat ? 6 * d->levels : 3;
+    s->instances = !(field || splat || patches);
+    s->clear = field || splat;
+    s->clear_to = (float)field; /* fields multiply, surfels add up */
+    if (splat || (d->onto && d->colour != SSGI_GL_GREY)) memcpy(s->blend, add, sizeof add);
+    else if (d->onto == SSGI_GL_ONTO_AMBIENT) memcpy(s->blend, subtract, sizeof subtract);
+    else if (field || d->onto) memcpy(s->blend, multiply, sizeof multiply);
+}
+
+/* A texture that it reads: yours, or what was last written under its name. */
+static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_gl_desc *d, const ssgi_gl_io *row)
+{
+    ssgi_gl_input *in = &s->input[s->inputs++];
+    const char *const name = row->name + strlen("t_ssgi_"), end = row->type[strlen(row->type) - 1];
+    int m = 0;
+    while (m < SSGI_GL_YOURS && strcmp(ssgi_gl__yours[m], name)) ++m;
+    in->name = row->name;
+    in->type = row->type;
+    in->unit = row->slot;
+    in->target = end == 'y' ? SSGI_GL__TEXTURE_2D_ARRAY       /* sampler2DArray */
+               : end == 'S' ? SSGI_GL__TEXTURE_2D_MULTISAMPLE /* sampler2DMS */
+                            : SSGI_GL__TEXTURE_2D;
+    if (m < SSGI_GL_YOURS) {
+        in->texture = -1;
+        in->meaning = m;
+        if (d->receiver && m == SSGI_GL_YOUR_NORMAL) in->meaning = SSGI_GL_YOUR_LAYER_NORMALS;
+        if (d->receiver && m == SSGI_GL_YOUR_ALBEDO) in->meaning = SSGI_GL_YOUR_LAYER_ALBEDOS;
+        if (m != SSGI_GL_YOUR_VIEWS && m <= SSGI_GL_YOUR_ALBEDO && !s->frame) {
+            in->width = b->chain->width;
+            in->height = b->chain->height;
+        }
+        return;
+    }
+    in->meaning = -1;
+    in->last = d->pass == SSGI_GL_HISTORY && (!strcmp(name, "history") || !strcmp(name, "means"));
+    /* of history its own outputs, which are numbered next; -1: what a later step writes */
+    in->texture = in->last ? b->textures + !strcmp(name, "means") : *ssgi_gl__texture(b, name);
+}
+
+static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_gl_desc *d, const ssgi_gl_io *row)
+{
+    ssgi_gl_output *out = &s->output[s->outputs++];
+    out->name = row->name;
+    out->format = d->onto ? NULL : ssgi_gl__format(b->chain, d, row);
+    out->kept = d->pass == SSGI_GL_HISTORY;
+    if (d->pass == SSGI_GL_SENDERS) return; /* a slice of what all of them write: ssgi_gl__send */
+    out->texture = d->onto ? -1 : b->textures++;
+    b->picture |= d->onto != SSGI_GL_ONTO_NONE;
+    *ssgi_gl__texture(b, row->name + strlen("o_ssgi_")) = out->texture;
+}
+
+/* A step more. frame: as ssgi_gl_step has it. */
+static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
+{
     ssgi_gl_step *s = b->count < b->capacity ? &b->steps[b->count] : &b->spare;
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     ssgi_gl_desc d = *desc;
-    int rows, patches, half, level[2] = { 0, 0 };
+    int rows;
     d.pass = pass;
     ++b->count;
     memset(s, 0, sizeof *s);
     if (b->why || ssgi_gl_check(&d, &b->why) != SSGI_OK) return s;
-    rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
     s->desc = d;
     s->frame = frame;
+    rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
     d = ssgi_gl_resolve(&d);
-    half = d.half && pass != SSGI_GL_BLUR;
-    s->size = half ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
-    s->width = (b->chain->width + half) >> half;
-    s->height = (b->chain->height + half) >> half;
-    if (pass >= SSGI_GL_SHUFFLE && pass <= SSGI_GL_SMOOTH) {
-        s->size = SSGI_GL_SIZE_LEVELS;
-        ssgi_splat_size(level, b->chain->width, b->chain->height, d.levels, NULL);
-        s->width = level[0];
-        s->height = level[1] * d.levels;
-    }
-    patches = d.tessellate && (surfels || splat);
-    s->primitive = patches ? 0xe : surfels ? 0 : 4;
-    s->vertices = patches || surfels ? 0 : field ? 6 : splat ? 6 * d.levels : 3;
-    s->instances = !(field || splat || patches);
-    s->clear = field || splat;
-    s->clear_to = (float)field;
-    if (s->clear || d.onto)
-        memcpy(s->blend, blend[splat || (d.onto && d.colour) ? 1 : d.onto == SSGI_GL_ONTO_AMBIENT ? 2 : 0],
-               sizeof s->blend);
-    for (int i = 0; i < rows; ++i) {                    /* textures come before the outputs of their names */
-        ssgi_gl_input *in = &s->input[s->inputs];
-        ssgi_gl_output *out = &s->output[s->outputs];
-        const char *const name = row[i].name + 7, end = row[i].type[strlen(row[i].type) - 1];
-        if (row[i].kind == SSGI_GL_TEXTURE) {
-            int m = 0;
-            ++s->inputs;
-            in->name = row[i].name;
-            in->type = row[i].type;
-            in->unit = row[i].slot;                     /* GL_TEXTURE_2D_ARRAY, _2D_MULTISAMPLE, _2D */
-            in->target = end == 'y' ? 0x8c1a : end == 'S' ? 0x9100 : 0x0de1;
-            while (m < SSGI_GL_YOURS && strcmp(ssgi_gl__yours[m], name)) ++m;
-            if (m != SSGI_GL_YOUR_VIEWS && m <= SSGI_GL_YOUR_ALBEDO && !frame) {
-                in->width = b->chain->width;
-                in->height = b->chain->height;
-            }
-            in->last = pass == SSGI_GL_HISTORY && m == SSGI_GL_YOURS && (*name == 'h' || *name == 'm');
-            in->texture = in->last ? b->textures + (*name == 'm')           /* its own, which are numbered next */
-                        : m == SSGI_GL_YOURS ? *ssgi_gl__texture(b, name) : -1;     /* -1: what is written later */
-            in->meaning = m == SSGI_GL_YOURS ? -1
-                        : d.receiver && (m == SSGI_GL_YOUR_NORMAL || m == SSGI_GL_YOUR_ALBEDO) ? m + 2 : m;
-        } else if (row[i].kind == SSGI_GL_OUTPUT) {
-            ++s->outputs;
-            out->name = row[i].name;
-            out->format = d.onto ? NULL : ssgi_gl__format(b->chain, &d, &row[i]);
-            out->kept = pass == SSGI_GL_HISTORY;
-            if (pass == SSGI_GL_SENDERS) continue;      /* a slice of what all of them write */
-            out->texture = d.onto ? -1 : b->textures++;
-            b->picture |= d.onto != SSGI_GL_ONTO_NONE;
-            *ssgi_gl__texture(b, name) = out->texture;
-        }
+    ssgi_gl__step_size(s, b->chain, &d);
+    ssgi_gl__step_draw(s, &d);
+    for (int i = 0; i < rows; ++i) { /* textures come before the outputs of their names */
+        if (row[i].kind == SSGI_GL_TEXTURE) ssgi_gl__step_input(b, s, &d, &row[i]);
+        if (row[i].kind == SSGI_GL_OUTPUT) ssgi_gl__step_output(b, s, &d, &row[i]);
     }
     return s;
 }
 
-/* What was last written under that name is averaged over frames and filtered, if at all: the texture that holds it. */
-static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name) {
+/* Averages what was last written under a name over frames and filters it, as the chain wants. Returns the texture that
+   holds it, -1: your picture does. */
+static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name)
+{
     const int grey = !strcmp(name, "ao");
     int *const held = ssgi_gl__texture(b, grey ? "ao" : "light");
     ssgi_gl_desc d = *of;
     d.colour = grey ? SSGI_GL_GREY : SSGI_GL_COLOUR;
-    d.filter_normals |= !strcmp(name, "bounce");        /* it differs across creases, and nothing restores it */
+    d.filter_normals |= !strcmp(name, "bounce"); /* it differs across creases, and nothing restores it */
     *held = *ssgi_gl__texture(b, name);
     if (b->chain->history) ssgi_gl__add(b, &d, SSGI_GL_HISTORY, 0);
     if (b->chain->blur) ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
     return b->picture ? -1 : *held;
 }
 
-/* Your lights over what `light` holds, -1: nothing. */
-static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame) {
+/* Adds your lights to what texture `light` holds, -1: nothing. Returns the texture that holds the sum. */
+static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame)
+{
     ssgi_gl_desc d = *lights;
     if (d.pass != SSGI_GL_LIGHTS) return light;
     d.accumulate = light >= 0;
@@ -4317,27 +4919,29 @@ static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int lig
     return ssgi_gl__add(b, &d, SSGI_GL_LIGHTS, frame)->output[0].texture;
 }
 
-/* The desc for a layer of a camera, -1: the main one. */
-static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer) {
+/* The desc for a depth layer as an extra camera sees it; camera -1: the main one. */
+static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer)
+{
     ssgi_gl_desc d = *desc;
     d.receiver = layer;
     if (camera < 0 && !layer) return d;
-    d.normal = SSGI_GL_NORMAL_SIGNED;                   /* depth gives those of what is seen alone */
-    if (d.pass != SSGI_GL_LIGHTS) d.half = d.restore = 0;       /* nothing filters it */
+    d.normal = SSGI_GL_NORMAL_SIGNED;                     /* depth gives those of what is seen alone */
+    if (d.pass != SSGI_GL_LIGHTS) d.half = d.restore = 0; /* nothing filters it */
     if (camera < 0) return d;
-    d.views = d.orthographic = d.depth = 0;             /* hardware depth */
+    d.views = d.orthographic = d.depth = 0; /* hardware depth */
     d.layers = b->chain->desc.view_layers;
     return d;
 }
 
-static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance) {
+static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance)
+{
     const ssgi_gl_desc *const of = &b->chain->desc;
     const int layers = camera < 0 ? of->layers : of->view_layers, slices = layers ? layers : 1;
     ssgi_gl_desc d = ssgi_gl__seen_by(b, of, camera, layer);
     int *held = ssgi_gl__texture(b, camera < 0 ? "senders" : "view_senders");
     ssgi_gl_output *out;
     d.radiance = radiance;
-    d.world_normals |= camera >= 0;                     /* that camera's view space to yours */
+    d.world_normals |= camera >= 0; /* that camera's view space to yours */
     out = ssgi_gl__add(b, &d, SSGI_GL_SENDERS, camera < 0 ? 0 : 2 + 2 * camera)->output;
     if (*held < 0) *held = b->textures++;
     out->texture = *held;
@@ -4345,8 +4949,9 @@ static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance
     out->slice = camera < 0 ? layer : camera * slices + layer;
 }
 
-/* What lights a layer of a camera at once, -1: nothing does. */
-static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer) {
+/* The texture that holds what lights a layer of a camera directly; -1: nothing does. */
+static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer)
+{
     const ssgi_gl_desc lights = ssgi_gl__seen_by(b, &b->chain->lights, camera, layer);
     const int frame = camera < 0 ? 0 : 1 + 2 * camera;
     ssgi_gl_desc d = ssgi_gl__seen_by(b, &b->chain->desc, camera, layer);
@@ -4358,7 +4963,8 @@ static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer) {
 }
 
 /* Senders that the picture does not show: lit in their own camera's picture, or behind the first layer. */
-static void ssgi_gl__hidden(ssgi_gl__build *b) {
+static void ssgi_gl__hidden(ssgi_gl__build *b)
+{
     const ssgi_gl_desc *d = &b->chain->desc;
     const int view_layers = d->view_layers ? d->view_layers : 1, albedo = d->pass == SSGI_GL_S3HO;
     const int first = d->views * view_layers, last = first + (d->layers ? d->layers - 1 : 0);
@@ -4372,7 +4978,8 @@ static void ssgi_gl__hidden(ssgi_gl__build *b) {
     }
 }
 
-static void ssgi_gl__ssdo(ssgi_gl__build *b) {
+static void ssgi_gl__ssdo(ssgi_gl__build *b)
+{
     const ssgi_gl_chain *chain = b->chain;
     const int both = chain->direct ? SSGI_GL_RADIANCE_BOTH : SSGI_GL_RADIANCE_LIGHT;
     ssgi_gl_desc d = chain->desc;
@@ -4389,7 +4996,7 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b) {
     }
     b->light = ssgi_gl__direct(b, -1, 0);
     if (d.bounce && (b->light >= 0 || chain->direct)) {
-        if (chain->vpls) {                              /* just the falloff that they lack, of single points */
+        if (chain->vpls) { /* just the falloff that they lack, of single points */
             d.falloff = SSGI_GL_FALLOFF_SQUARE;
             d.fade = d.range = 0;
             if (d.search == SSGI_GL_POINTS) {
@@ -4405,13 +5012,15 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b) {
     if (chain->vpls) b->bounce = ssgi_gl__light(b, &chain->lights, b->bounce, 9);
 }
 
-/* Bent normals instead of light. */
-static int ssgi_gl__directions_alone(const ssgi_gl_chain *chain) {
+/* Whether the chain ends with bent normals instead of light. */
+static int ssgi_gl__directions_alone(const ssgi_gl_chain *chain)
+{
     const ssgi_gl_desc *const d = &chain->desc;
     return d->pass == SSGI_GL_S3HO && d->shading == SSGI_GL_SHADING_BENT && (chain->vectors || !d->shaded);
 }
 
-static void ssgi_gl__s3ho(ssgi_gl__build *b) {
+static void ssgi_gl__s3ho(ssgi_gl__build *b)
+{
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
     d.environment = SSGI_GL_ENVIRONMENT_SH;
@@ -4435,8 +5044,10 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b) {
     b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
 }
 
-/* One effect of surfels, what slices see of it added. light: of what the picture shows, -1: none. */
-static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light) {
+/* One effect of surfels, with what slices see of it (desc.span). light: the texture of light on what the picture shows,
+   -1: none. Returns the texture that holds the effect. */
+static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light)
+{
     const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
     ssgi_gl_desc d = *of, near = d;
     d.effect = effect;
@@ -4445,11 +5056,11 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect,
     if (d.span) {
         near.directions = 2;
         near.steps = 4;
-        near.hard |= lit;                               /* light does not fade */
+        near.hard |= lit; /* light does not fade */
         near.search = SSGI_GL_SLICES;
         near.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
         near.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
-        near.restore = SSGI_GL_RESTORE_RATIO;           /* sum multiplies by it */
+        near.restore = SSGI_GL_RESTORE_RATIO; /* sum multiplies by it */
         *ssgi_gl__texture(b, "light") = light;
         if (bounce) ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_LIGHT);
         ssgi_gl__add(b, &near, lit ? SSGI_GL_SSDO : SSGI_GL_HSAO, 0);
@@ -4458,7 +5069,7 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect,
         near.colour = lit ? SSGI_GL_COLOUR : SSGI_GL_GREY;
         near.filter_radius = 1;
         near.filter_normals = bounce;
-        near.onto = SSGI_GL_ONTO_NONE;                  /* sum reads it */
+        near.onto = SSGI_GL_ONTO_NONE; /* sum reads it */
         ssgi_gl__add(b, &near, SSGI_GL_BLUR, 0);
     }
     ssgi_gl__add(b, &d, SSGI_GL_SPLAT, 0);
@@ -4469,7 +5080,8 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect,
     return ssgi_gl__add(b, &d, SSGI_GL_SUM, 0)->output[0].texture;
 }
 
-static void ssgi_gl__deep(ssgi_gl__build *b) {
+static void ssgi_gl__deep(ssgi_gl__build *b)
+{
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
     if (!chain->hidden_sky) d.environment = SSGI_GL_ENVIRONMENT_NONE;
@@ -4482,8 +5094,9 @@ static void ssgi_gl__deep(ssgi_gl__build *b) {
     if (chain->desc.bounce) b->bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, b->light);
 }
 
-/* What a chain is made of must be there, and go together. */
-static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain) {
+/* What a chain lacks, or what of it does not go together, as a sentence; NULL: nothing. */
+static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
+{
     if (!chain) return "chain: must not be NULL";
     const int pass = chain->desc.pass, lit = chain->lights.pass == SSGI_GL_LIGHTS;
     if (pass < 0 || (pass > SSGI_GL_S3HO && pass != SSGI_GL_FIELD && pass != SSGI_GL_SPLAT))
@@ -4492,15 +5105,16 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain) {
         return "chain.width, height: must be 1..16384";
     if (chain->history && chain->vectors && pass == SSGI_GL_S3HO)
         return "chain.history: averages light, not coefficients: needs vectors = 0";
-    if (ssgi_gl__directions_alone(chain) && (lit || chain->history || chain->desc.onto
-                                             || (chain->blur && !chain->vectors)))
+    if (ssgi_gl__directions_alone(chain)
+        && (lit || chain->history || chain->desc.onto || (chain->blur && !chain->vectors)))
         return "chain.desc.shading: SSGI_GL_SHADING_BENT is not light: lights, history and onto need another shading, "
                "blur needs vectors = 1";
     return NULL;
 }
 
 /* Puts ambient visibility, or light with the bounce, onto your picture, unless blur has done so. */
-static void ssgi_gl__compose(ssgi_gl__build *b) {
+static void ssgi_gl__compose(ssgi_gl__build *b)
+{
     ssgi_gl_desc d = b->chain->desc;
     const int grey = d.pass < SSGI_GL_SSDO || d.pass == SSGI_GL_FIELD || (d.pass == SSGI_GL_SPLAT && !d.effect);
     if (!d.onto || b->picture) return;
@@ -4511,7 +5125,8 @@ static void ssgi_gl__compose(ssgi_gl__build *b) {
     ssgi_gl__add(b, &d, SSGI_GL_COMPOSE, 0);
 }
 
-static void ssgi_gl__build_chain(ssgi_gl__build *b) {
+static void ssgi_gl__build_chain(ssgi_gl__build *b)
+{
     const ssgi_gl_desc *const d = &b->chain->desc;
     if (d->pass == SSGI_GL_SSDO) ssgi_gl__ssdo(b);
     else if (d->pass == SSGI_GL_S3HO) ssgi_gl__s3ho(b);
@@ -4523,16 +5138,17 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b) {
     if (!b->why) ssgi_gl__compose(b);
 }
 
-SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why) {
+SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why)
+{
     const char *const bad = ssgi_gl__chain_bad(chain);
     ssgi_gl_chain own;
     ssgi_gl__build b;
     if (bad) return ssgi_gl__bad(why, bad), 0;
     own = *chain;
-    if (own.desc.pass != SSGI_GL_S3HO)                  /* fields of s3ho and shade that blur looks at, too */
+    if (own.desc.pass != SSGI_GL_S3HO) /* fields of s3ho and shade that blur looks at, too */
         own.desc.transfer = own.desc.shaded = own.desc.shading = own.desc.lights = 0;
-    if (own.desc.pass == SSGI_GL_SSDO && !own.desc.bands) own.desc.bands = 3;       /* blur's default is 4 */
-    for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {        /* checks all, then writes */
+    if (own.desc.pass == SSGI_GL_SSDO && !own.desc.bands) own.desc.bands = 3; /* blur's default is 4 */
+    for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {      /* checks all, then writes */
         memset(&b, 0, sizeof b);
         b.chain = &own;
         b.steps = steps;
@@ -4541,28 +5157,38 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         ssgi_gl__build_chain(&b);
         if (b.why) return ssgi_gl__bad(why, b.why), 0;
     }
-    for (int i = 0; i < b.count && i < b.capacity; ++i) for (int k = 0; k < steps[i].outputs; ++k) {
-        ssgi_gl_output *const out = &steps[i].output[k];
-        out->result = out->texture == b.light ? SSGI_GL_RESULT_LIGHT
-                    : out->texture == b.bounce && b.bounce >= 0 ? SSGI_GL_RESULT_BOUNCE : SSGI_GL_RESULT_NONE;
-        for (int m = 0; m < b.count && m < b.capacity; ++m) for (int n = 0; n < steps[m].inputs; ++n) {
-            ssgi_gl_input *const in = &steps[m].input[n];       /* of yours nothing is known */
-            if (in->meaning < 0 && in->texture < 0) { in->texture = b.light; in->last = 1; }
-            if (in->meaning >= 0 || in->texture != out->texture) continue;
-            in->format = out->format;
-            in->width = steps[i].width;
-            in->height = steps[i].height;
+    for (int i = 0; i < b.count && i < b.capacity; ++i)
+        for (int k = 0; k < steps[i].outputs; ++k) {
+            ssgi_gl_output *const out = &steps[i].output[k];
+            out->result = out->texture == b.light                   ? SSGI_GL_RESULT_LIGHT
+                        : out->texture == b.bounce && b.bounce >= 0 ? SSGI_GL_RESULT_BOUNCE
+                                                                    : SSGI_GL_RESULT_NONE;
+            for (int m = 0; m < b.count && m < b.capacity; ++m)
+                for (int n = 0; n < steps[m].inputs; ++n) {
+                    ssgi_gl_input *const in = &steps[m].input[n]; /* of yours nothing is known */
+                    if (in->meaning < 0 && in->texture < 0) {
+                        in->texture = b.light;
+                        in->last = 1;
+                    }
+                    if (in->meaning >= 0 || in->texture != out->texture) continue;
+                    in->format = out->format;
+                    in->width = steps[i].width;
+                    in->height = steps[i].height;
+                }
         }
-    }
     return b.count;
 }
 
-/* What is wrong with the texture of an input, or (in NULL) of an output; NULL: nothing. */
+/* What is wrong with the texture of an input, or with `in` NULL of an output; NULL: nothing. */
 static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *in, const ssgi_gl_format *format,
-                                  int width, int height) {
+                                  int width, int height)
+{
     const unsigned f = is->format;
-    const int integer = (f >= 0x8231 && f <= 0x823c) || (f >= 0x8d70 && f <= 0x8d8f), m = in ? in->meaning : -1;
-    const int depth = f == 0x1902 || (f >= 0x81a5 && f <= 0x81a7) || f == 0x88f0 || f == 0x8cac || f == 0x8cad;
+    const int integer = (f >= SSGI_GL__R8I && f <= SSGI_GL__RG32UI) || (f >= SSGI_GL__RGBA32UI && f <= SSGI_GL__RGB8I);
+    const int depth = f == SSGI_GL__DEPTH_COMPONENT || f == SSGI_GL__DEPTH24_STENCIL8
+                   || f == SSGI_GL__DEPTH_COMPONENT32F || f == SSGI_GL__DEPTH32F_STENCIL8
+                   || (f >= SSGI_GL__DEPTH_COMPONENT16 && f <= SSGI_GL__DEPTH_COMPONENT32);
+    const int m = in ? in->meaning : -1;
     if (!f) return "nothing is bound";
     if (in && is->target != in->target) return "is of another target than its sampler (2D, array, multisample)";
     if (format && f != format->internal) return "is not of the format that the step names";
@@ -4570,20 +5196,22 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
     if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
     if (is->width < width || is->height < height) return "is smaller than what is drawn";
     if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
-    if (!in || in->target == 0x9100) return NULL;           /* samples are not filtered */
-    if (is->filter >= 0x2700) return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
-    if (is->filter == 0x2601 && (depth || integer)) return "must have GL_NEAREST as its filter";
+    if (!in || in->target == SSGI_GL__TEXTURE_2D_MULTISAMPLE) return NULL; /* samples are not filtered */
+    if (is->filter >= SSGI_GL__NEAREST_MIPMAP_NEAREST)
+        return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
+    if (is->filter == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its filter";
     return is->compare ? "must have GL_NONE as its compare mode" : NULL;
 }
 
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
-                                   const ssgi_gl_bound *targets) {
+                                   const ssgi_gl_bound *targets)
+{
     ssgi_gl__text t = { out, capacity, 0, 0 };
     for (int i = 0; step && units && i < step->inputs && !t.length; ++i) {
         const ssgi_gl_input *in = &step->input[i];
         const char *wrong = ssgi_gl__wrong(&units[in->unit], in, in->format, in->width, in->height);
-        if (wrong) ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit,
-                                  wrong);
+        if (wrong)
+            ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit, wrong);
     }
     for (int i = 0; step && targets && i < step->outputs && !t.length; ++i) {
         const ssgi_gl_output *o = &step->output[i];

@@ -779,6 +779,21 @@ static void what_is_printed(void)
           "the settings of s3ho: %s", text);
 }
 
+/* Another version lays out otherwise: only 14 judges. */
+static void formatted(void)
+{
+    char text[4000];
+    if (!has("clang-format")) return;
+    if (shell(text, sizeof text, "clang-format --version | grep 'version 14\\.'%s%s", "", "")) {
+        t_note("clang-format is not of version 14: not tried");
+        return;
+    }
+    CHECK(!shell(text, sizeof text, "cd '%s' && clang-format --dry-run --Werror ssgi.h ssgi_gl.h%s", getenv("PWD"), ""),
+          "make format would change a header: %s", text);
+    CHECK(!shell(text, sizeof text, "! grep -nE '.{121}' '%s/ssgi.h' '%s/ssgi_gl.h'", getenv("PWD"), getenv("PWD")),
+          "longer than 120 columns: %s", text);
+}
+
 void test_build(void)
 {
     char text[1000];
@@ -787,6 +802,7 @@ void test_build(void)
     shell(text, sizeof text, "cp '%s/ssgi.h' '%s/ssgi_gl.h' .", getenv("PWD"), getenv("PWD"));
     RUN("both headers compile without a warning and link, as C99, C11, C++11 and C++17, whole and static", compilers);
     RUN("a baked field has the same bytes at any optimisation", optimised);
+    RUN("both headers are as make format leaves them, in 120 columns", formatted);
     RUN("an optimiser is quick with both implementations", compile_time);
     RUN("the code in the headers' openings, in the README and in examples/minimal.c compiles and runs", documentation);
     RUN("the manifest names every file, what belongs together, and rows that the texts have", manifest);

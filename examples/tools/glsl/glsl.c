@@ -119,7 +119,7 @@ static void add_tag(const char *word, const char *comment, const char *end, cons
    SSGI_GL_GAUSSIAN" or "SSGI_GL_SSAO ..". */
 static void add_names(const char *header, const char *comment, const char *end)
 {
-    char first[80] = "enum { ";
+    char first[80] = "enum {\n    "; /* as make format leaves it */
     const char *name = strstr(comment, "SSGI_"), *at;
     const size_t length = name && name < end ? strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
     const char *between = ", ";
@@ -127,7 +127,7 @@ static void add_names(const char *header, const char *comment, const char *end)
     strncat(first, name, length);
     at = strstr(header, first);
     if (!at) return;
-    for (at += strlen("enum { "); *at && *at != '}';) {
+    for (at += strlen("enum {"); *at && *at != '}';) {
         const size_t n = strspn(at, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
         if (!strncmp(at, "/*", 2)) { at = strstr(at, "*/"); if (!at) return; at += 2; continue; }
         if (!strncmp(at, "SSGI_", 5) && strncmp(at, "SSGI_GL_PASSES", n)
