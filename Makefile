@@ -17,11 +17,16 @@ WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE -Iexamples $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
-KIT       = util image $(addprefix scene/,mesh shapes scenes scene light) $(addprefix trace/,places truth) \
-            $(addprefix gl/,gl gbuffer shadow field) \
-            $(addprefix run/,fetches settings run frames lights deep plan)
+# The rooms of the kit, each of which calls those before it alone: make tree.
+BASE      = util image
+SCENE     = $(addprefix scene/,mesh shapes scenes scene light)
+TRACE     = $(addprefix trace/,camera truth lit scatter floor places)
+GL        = $(addprefix gl/,gl gbuffer shadow field)
+RUN       = $(addprefix run/,settings fetches draw cost passes margin views lights lit occluders deep run frames plan)
+KIT       = $(BASE) $(SCENE) $(TRACE) $(GL) $(RUN)
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
-HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h
+HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \
+            examples/kit/kit_trace.h
 
 all: build/render build/report build/stability build/glsl-text build/minimal
 
@@ -194,7 +199,7 @@ clean:
 .PHONY: all install uninstall wasm npm passes demo test chart light peers stability fit glsl golden deps clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
-VIEWER_O    = util.o image.o $(addprefix scene/,mesh.o shapes.o scenes.o scene.o light.o) trace/places.o trace/truth.o library.o
+VIEWER_O    = $(addsuffix .o,$(BASE) $(SCENE) $(TRACE) library)
 VIEWER_LIBS = $(KIT_LIBS) $$(pkg-config --libs glfw3) -lGL
 viewer: build/viewer
 glfw:

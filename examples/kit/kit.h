@@ -10,15 +10,15 @@
      scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of, scenes.c: the
      built-in ones
      light.c    environments and lights
-     truth.c    cameras, ray-traced truth (visibility, light), floor, all over ssgi.h's trace room
+     camera.c   cameras
+     truth.c    ray-traced truth over ssgi.h's trace room; of light lit.c, under surfaces scatter.c; floor.c: what one
+     depth layer can know
      gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
      gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
      shadow.c   shadow maps as one atlas, reflective shadow maps
      field.c    ambient occlusion fields of a scene's shapes, baked and as textures
-     fetches.c  what a pass fetches, read off its text
      settings.c the table of methods and their settings
-     run.c      a method's passes, run and timed; frames.c: one frame after another; lights.c: cameras, shadow maps,
-     lit methods, fields; deep.c: deep screen space
+     run.c      a method made ready on a G-buffer; kit_run.h: the other files of kit/run
      plan.c     what a scene needs
 
    CONVENTIONS
@@ -36,6 +36,8 @@
 #include <stdio.h>
 #include "../../ssgi.h"
 #include "../../ssgi_gl.h"
+
+#define KIT_PI 3.14159265358979323846
 
 /* ---- >>util ------------------------------------------------------------------------------------------------- */
 
@@ -65,6 +67,10 @@ void   kit_streams_open(void);
 int    kit_streams_close(kit_error *err);
 double kit_seconds(void);                                   /* monotonic clock */
 double kit_median(double *v, int count);                    /* sorts v; count > 0 */
+float  kit_middle(float *v, size_t count);                  /* the same, of an even count the upper of the two */
+double kit_dot(const double a[3], const double b[3]);
+void   kit_cross(const double a[3], const double b[3], double out[3]);      /* out is neither a nor b */
+int    kit_unit(double v[3]);                               /* 0 if v has no direction, then left as it is */
 /* FNV-1a of size bytes, continued from h; the first call passes KIT_HASH. */
 #define KIT_HASH UINT64_C(14695981039346656037)
 uint64_t kit_hash(uint64_t h, const void *data, size_t size);
@@ -239,11 +245,15 @@ void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[
 /* in [0, width] x [0, height]; direction need not be unit */
 void kit_env_place(const kit_image *env, const float direction[3], double at[2]);
 void kit_env_direction(const kit_image *env, double x, double y, float direction[3]);  /* unit */
-/* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers as above, finite, colours 0 or more; a sun's direction need not be
-   unit, but not 0. */
+/* The picture as three floats a texel, row by row, which ssgi.h takes; free(). NULL: no memory. */
+float *kit_env_interleaved(const kit_image *env);
+
 /* Published constants of scattering [JMLH01 figure 5], per millimetre: number i; NULL past them. */
 typedef struct kit_material { const char *name; float sigma_s[3], sigma_a[3], eta; } kit_material;
 const kit_material *kit_material_of(int i);
+
+/* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers in -1e12..1e12, as build/render's are; colours 0 or more; a sun's
+   direction need not be unit, but not 0. */
 int  kit_light_parse(kit_light *light, const char *text, kit_error *err);
 
 /* ---- >>truth ------------------------------------------------------------------------------------------------ */

@@ -20,10 +20,6 @@ typedef struct kit_vertex { double p[3], n[3]; } kit_vertex;
 /* One moulding of a turned profile, from (r0, y0) upwards to (r1, y1), swelling outwards by bulge in its middle. */
 typedef struct kit_moulding { double r0, y0, r1, y1, bulge; } kit_moulding;
 
-void   kit_cross(const double a[3], const double b[3], double out[3]);
-double kit_dot(const double a[3], const double b[3]);
-void   kit_unit(double v[3]);
-
 void   kit_colour(kit_build *b, double r, double g, double blue);
 void   kit_place_at(kit_build *b, double x, double y, double z, double turn);
 void   kit_place_tilted(kit_build *b, double x, double y, double z, double turn, double tilt);

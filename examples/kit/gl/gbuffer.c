@@ -284,11 +284,11 @@ int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const k
 
 int kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *g, const kit_scene *scene, int pixels, kit_error *err)
 {
-    const double pi = 3.14159265358979323846, more = 1 + 2.0 * pixels / g->viewport[3];
+    const double more = 1 + 2.0 * pixels / g->viewport[3];
     kit_camera c = g->camera;
     c.width = g->viewport[2] + 2 * pixels;
     c.height = g->viewport[3] + 2 * pixels;
-    c.fovy = (float)(360 / pi * atan(more * tan((double)c.fovy * pi / 360)));
+    c.fovy = (float)(360 / KIT_PI * atan(more * tan((double)c.fovy * KIT_PI / 360)));
     c.ortho_height = (float)(more * (double)c.ortho_height);
     return kit_gbuffer_from_scene(wide, scene, &c, NULL, err);
 }

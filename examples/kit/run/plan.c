@@ -92,12 +92,10 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
 /* Of the environment's harmonics. */
 static int energy_of(float energy[4], const kit_lighting *light, kit_error *err)
 {
-    const size_t texels = (size_t)light->env.width * (size_t)light->env.height;
     float sh[48] = { 0 };
     if (light->env.data) {
-        float *rgb = malloc(3 * texels * sizeof *rgb);
+        float *rgb = kit_env_interleaved(&light->env);
         if (!rgb) return kit_fail(err, "out of memory");
-        for (size_t i = 0; i < 3 * texels; ++i) rgb[i] = light->env.data[i % 3 * texels + i / 3];
         ssgi_sh_project_equirect(sh, 4, rgb, light->env.width, light->env.height, NULL);
         free(rgb);
     }

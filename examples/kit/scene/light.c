@@ -7,18 +7,17 @@
 #include <string.h>
 #include <strings.h>
 
-static const double pi = 3.14159265358979323846;
 
 void kit_env_place(const kit_image *env, const float direction[3], double at[2])
 {
     const double x = (double)direction[0], y = (double)direction[1], z = (double)direction[2];
-    at[0] = env->width * fmin(fmax(0.5 - atan2(x, z) / (2 * pi), 0), 1);
-    at[1] = env->height * fmin(fmax(0.5 - atan2(y, sqrt(x * x + z * z)) / pi, 0), 1);
+    at[0] = env->width * fmin(fmax(0.5 - atan2(x, z) / (2 * KIT_PI), 0), 1);
+    at[1] = env->height * fmin(fmax(0.5 - atan2(y, sqrt(x * x + z * z)) / KIT_PI, 0), 1);
 }
 
 void kit_env_direction(const kit_image *env, double x, double y, float direction[3])
 {
-    const double longitude = pi * (1 - 2 * x / env->width), latitude = pi * (0.5 - y / env->height);
+    const double longitude = KIT_PI * (1 - 2 * x / env->width), latitude = KIT_PI * (0.5 - y / env->height);
     direction[0] = (float)(sin(longitude) * cos(latitude));
     direction[1] = (float)sin(latitude);
     direction[2] = (float)(cos(longitude) * cos(latitude));
@@ -44,7 +43,7 @@ void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[
 }
 
 /* Horizon to zenith, a glow of 20 degrees half-width about the sun's place, and a ground that takes over within 6
-   degrees below the horizon. The luminance of the irradiance over pi facing up is 1.01. */
+   degrees below the horizon. The luminance of the irradiance over KIT_PI facing up is 1.01. */
 static void sky_radiance(const float d[3], double rgb[3])
 {
     static const double zenith[3] = { 0.38, 0.66, 1.28 }, horizon[3] = { 1.20, 1.32, 1.42 },
@@ -66,13 +65,13 @@ typedef struct glow { double longitude, latitude, wide, high, power, rgb[3]; } g
 /* 1 in the middle, 1/2 at the half sizes, 0 from 1.4 of them on */
 static double glow_at(const glow *g, const float d[3])
 {
-    const double lon = g->longitude * pi / 180, lat = g->latitude * pi / 180, x = (double)d[0], y = (double)d[1],
+    const double lon = g->longitude * KIT_PI / 180, lat = g->latitude * KIT_PI / 180, x = (double)d[0], y = (double)d[1],
                  z = (double)d[2], level = x * sin(lon) + z * cos(lon);
     const double depth = level * cos(lat) + y * sin(lat);
     if (depth <= 0) return 0;
     const double across = atan2(x * cos(lon) - z * sin(lon), depth), up = atan2(y * cos(lat) - level * sin(lat), depth);
-    const double off = pow(pow(fabs(across) * 180 / pi / g->wide, g->power)
-                               + pow(fabs(up) * 180 / pi / g->high, g->power),
+    const double off = pow(pow(fabs(across) * 180 / KIT_PI / g->wide, g->power)
+                               + pow(fabs(up) * 180 / KIT_PI / g->high, g->power),
                            1 / g->power),
                  t = fmin(1, fmax(0, (1.4 - off) / 0.8));
     return t * t * (3 - 2 * t);
@@ -88,7 +87,7 @@ static void add_glows(double rgb[3], const float d[3], const glow *glows, size_t
 #define GLOWS(table) table, sizeof (table) / sizeof (table)[0]
 
 /* In the spirit of Debevec's probe of Grace Cathedral: a dim, warm room; stained glass, blue and green to +x, amber to
-   -x; a few lamps, warm to -x. The luminance of the irradiance over pi facing up is 1. */
+   -x; a few lamps, warm to -x. The luminance of the irradiance over KIT_PI facing up is 1. */
 static void probe_radiance(const float d[3], double rgb[3])
 {
     static const double low[3] = { 0.090, 0.066, 0.045 }, high[3] = { 0.30, 0.215, 0.13 };
@@ -104,7 +103,7 @@ static void probe_radiance(const float d[3], double rgb[3])
 }
 
 /* A living room by day: walls and ceiling of a fortieth of the windows' radiance, three tall windows toward +x and a
-   wide one toward -x, a ceiling lamp, and the sun's patch on the floor. The luminance of the irradiance over pi facing
+   wide one toward -x, a ceiling lamp, and the sun's patch on the floor. The luminance of the irradiance over KIT_PI facing
    up is 1. */
 static void windows_radiance(const float d[3], double rgb[3])
 {
@@ -119,7 +118,7 @@ static void windows_radiance(const float d[3], double rgb[3])
 
 /* A street along z at night: a dark sky, facades to both sides with lit windows, and six lamps of a degree's half-angle
    that bring nine tenths of the light from less than a thousandth of the sphere. The luminance of the irradiance over
-   pi facing up is 1. */
+   KIT_PI facing up is 1. */
 static void street_radiance(const float d[3], double rgb[3])
 {
     static const double sky[3] = { 0.016, 0.017, 0.026 }, haze[3] = { 0.13, 0.092, 0.058 },
@@ -160,8 +159,8 @@ static int drawn(kit_image *env, void (*radiance)(const float d[3], double rgb[3
 
 int kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_error *err)
 {
-    const glow disc = { atan2((double)sun->at[0], (double)sun->at[2]) * 180 / pi,
-                        asin(fmin(fmax((double)sun->at[1], -1), 1)) * 180 / pi,
+    const glow disc = { atan2((double)sun->at[0], (double)sun->at[2]) * 180 / KIT_PI,
+                        asin(fmin(fmax((double)sun->at[1], -1), 1)) * 180 / KIT_PI,
                         degrees,
                         degrees,
                         2,
@@ -179,7 +178,7 @@ int kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_er
                 const double weight = glow_at(&disc, d), cosine = (double)d[0] * (double)sun->at[0]
                                                                   + (double)d[1] * (double)sun->at[1]
                                                                   + (double)d[2] * (double)sun->at[2];
-                if (!pass) facing += weight * cosine * 2 * pi / width * pi / height * sin(pi * (y + 0.5) / height);
+                if (!pass) facing += weight * cosine * 2 * KIT_PI / width * KIT_PI / height * sin(KIT_PI * (y + 0.5) / height);
                 for (int c = 0; c < 3 && pass; ++c)
                     env->data[(c * height + y) * width + x] += (float)(weight / facing * (double)sun->colour[c]);
             }
@@ -250,4 +249,12 @@ const kit_material *kit_material_of(int i)
         { "spectralon", { 11.6f, 20.4f, 14.9f }, { 0.0f, 0.0f, 0.0f }, 1.3f },
         { "wholemilk",  { 2.55f, 3.21f, 3.77f }, { 0.0011f, 0.0024f, 0.014f }, 1.3f } };
     return i >= 0 && i < (int)(sizeof materials / sizeof materials[0]) ? &materials[i] : NULL;
+}
+
+float *kit_env_interleaved(const kit_image *env)
+{
+    const size_t texels = (size_t)env->width * (size_t)env->height;
+    float *rgb = malloc(3 * texels * sizeof *rgb);
+    for (size_t i = 0; rgb && i < 3 * texels; ++i) rgb[i] = env->data[i % 3 * texels + i / 3];
+    return rgb;
 }

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
 
 /* ---- >>shapes of closed form; big planes are cut finer towards the origin, for a rasteriser's sake ----------- */
 
@@ -254,7 +253,7 @@ static void build_grass(kit_build *b)
 
 static void soffit_surface(const void *shape, double u, double v, kit_vertex *out)
 {
-    const double *s = shape, a = PI * u;                                 /* radius, spring height, half thickness */
+    const double *s = shape, a = KIT_PI * u;                                 /* radius, spring height, half thickness */
     out->p[0] = s[2] * (2 * v - 1); out->p[1] = s[1] + s[0] * sin(a); out->p[2] = s[0] * cos(a);
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = -cos(a);
 }
@@ -269,7 +268,7 @@ static void arch(kit_build *b, double radius, double spring, double top, double 
         double z0 = side * radius, z1 = side * half_bay;
         kit_box(b, -t, spring, z0 < z1 ? z0 : z1, t, top, z0 < z1 ? z1 : z0);
         for (int i = 0; i < PIECES; i++) {
-            double a = PI * i / PIECES, c = PI * (i + 1) / PIECES, x = side * t;
+            double a = KIT_PI * i / PIECES, c = KIT_PI * (i + 1) / PIECES, x = side * t;
             double q[4][3] = { { x, spring + radius * sin(a), radius * cos(a) },
                                { x, spring + radius * sin(c), radius * cos(c) },
                                { x, top, radius * cos(c) },
@@ -340,8 +339,8 @@ static void build_colonnade(kit_build *b)
 /* hanging from its top edge, s[0] to either side, s[1] long, in s[2] folds of uneven depth, deeper and wider below */
 static void curtain_surface(const void *shape, double u, double v, kit_vertex *out)
 {
-    const double *s = shape, folds = 2 * PI * s[2], a = folds * u + 0.9 * sin(2 * PI * u + s[3]);
-    const double slope = folds + 1.8 * PI * cos(2 * PI * u + s[3]), deep = 0.045 + 0.02 * sin(5 * u + s[3]) + 0.035 * v;
+    const double *s = shape, folds = 2 * KIT_PI * s[2], a = folds * u + 0.9 * sin(2 * KIT_PI * u + s[3]);
+    const double slope = folds + 1.8 * KIT_PI * cos(2 * KIT_PI * u + s[3]), deep = 0.045 + 0.02 * sin(5 * u + s[3]) + 0.035 * v;
     const double drift = 0.07 * v * v, width = 2 * s[0] * (1 + 0.12 * v);
     out->p[0] = width * (u - 0.5); out->p[1] = -s[1] * v; out->p[2] = deep * sin(a) + drift;
     out->n[0] = -(deep * slope * cos(a) + 0.1 * cos(5 * u + s[3]) * sin(a)); out->n[1] = 0; out->n[2] = width;
@@ -351,7 +350,7 @@ static void curtain_surface(const void *shape, double u, double v, kit_vertex *o
 /* an open half pipe along x: half its length, radius */
 static void gutter_surface(const void *shape, double u, double v, kit_vertex *out)
 {
-    const double *s = shape, a = PI * v;
+    const double *s = shape, a = KIT_PI * v;
     out->p[0] = s[0] * (2 * u - 1); out->p[1] = -s[1] * sin(a); out->p[2] = -s[1] * cos(a);
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = -cos(a);
 }
@@ -360,11 +359,11 @@ static void gutter_surface(const void *shape, double u, double v, kit_vertex *ou
 static void chain(kit_build *b, const double from[3], const double to[3], double sag, const double link[2])
 {
     const double way[2] = { to[0] - from[0], to[2] - from[2] }, run = hypot(way[0], way[1]);
-    const double turn = 180 / PI * atan2(way[0], way[1]);
+    const double turn = 180 / KIT_PI * atan2(way[0], way[1]);
     const double pitch = 2 * link[0] - 3 * link[1], rise = to[1] - from[1];
     double t = 0;
     for (int i = 0; t <= 1; i++) {
-        const double slope = rise - 4 * sag * (1 - 2 * t), tilt = 180 / PI * atan2(slope, run);
+        const double slope = rise - 4 * sag * (1 - 2 * t), tilt = 180 / KIT_PI * atan2(slope, run);
         kit_place_tilted(b, from[0] + t * way[0], from[1] + t * rise - 4 * sag * t * (1 - t),
                          from[2] + t * way[1], i & 1 ? turn + 90 : turn, i & 1 ? 90 : -tilt);
         kit_patch(b, 20, 8, kit_torus_surface, link);
@@ -545,7 +544,7 @@ static void build_pebbles(kit_build *b)
         int blocked = kit_chance(b) < 0.2;
         x += slack * kit_between(b, -1, 1); z += slack * kit_between(b, -1, 1);
         for (int k = 0; k < 2; k++) {                                    /* a table's leg is here */
-            const double *t = tables[k], c = cos(t[2] * PI / 180), s = sin(t[2] * PI / 180), dx = x - t[0],
+            const double *t = tables[k], c = cos(t[2] * KIT_PI / 180), s = sin(t[2] * KIT_PI / 180), dx = x - t[0],
                          dz = z - t[1];
             blocked |= hypot(fabs(c * dx - s * dz) - t[3], fabs(s * dx + c * dz) - t[4]) < 1.42 * (size + leg);
         }

@@ -305,18 +305,18 @@ static void list_words(char *out, size_t size, const kit_setting *s)
 static int list(const char *name, kit_error *err)
 {
     kit_method m;
+    kit_setting s;
     const char *about, *scene;
     int found = 0;
     for (int i = 0; kit_method_at(&m, i); ++i) {
         if (name && strcmp(name, m.name)) continue;
         found = 1;
         printf("%-12s %s\n", m.name, m.about);
-        for (int k = 0; name && k < m.count; ++k) {
-            const kit_setting *s = &m.setting[k];
+        for (int k = 0; name && kit_method_setting(&s, &m, k); ++k) {
             char values[160];
-            if (s->choices) list_words(values, sizeof values, s);
-            else snprintf(values, sizeof values, "%g in %g..%g", s->value, s->least, s->most);
-            printf("  %-16s %-28s %s\n", s->key, values, s->about);
+            if (s.choices) list_words(values, sizeof values, &s);
+            else snprintf(values, sizeof values, "%g in %g..%g", s.value, s.least, s.most);
+            printf("  %-16s %-28s %s\n", s.key, values, s.about);
         }
     }
     if (!found) return kit_fail(err, "--list %s: there is no method of that name (--list names all)", name);
@@ -435,8 +435,9 @@ static void json_plan(const ssgi_plan *plan)
 
 static void json_settings(const kit_method *m, const kit_run *run)
 {
+    kit_setting s;
     printf(", \"settings\": {");
-    for (int i = 0; i < m->count; ++i) json_value(i ? ", " : "", m->setting[i].key, m->setting[i].value, -9);
+    for (int i = 0; kit_method_setting(&s, m, i); ++i) json_value(i ? ", " : "", s.key, s.value, -9);
     printf("}");
     json_value(", ", "margin_pixels", run->margin, 0);
     json_value(", ", "fetches", run->fetches, -6);
@@ -647,16 +648,16 @@ static int trace_deep(job *j, kit_error *err)
     const kit_camera *camera = &j->gbuffer.camera;
     const float radius = (float)j->radius;
     ssgi_dipole dipole;
-    if (kit_method_value(m, "unit") > 0) {
-        const kit_material *of = kit_material_of((int)kit_method_value(m, "material"));
+    if (m->set.unit > 0) {
+        const kit_material *of = kit_material_of(m->set.material);
         if (ssgi_dipole_set(&dipole, of->sigma_s, of->sigma_a, of->eta, NULL) != SSGI_OK)
             return kit_fail(err, "--set material=%s: has no dipole", of->name);
         return kit_truth_scatter(&j->r.picture, &j->scene, camera, &j->lighting, &dipole,
-                                 (float)kit_method_value(m, "unit"), 1000 * (size_t)j->o.truth, 1, err);
+                                 (float)m->set.unit, 1000 * (size_t)j->o.truth, 1, err);
     }
     if (!strcmp(m->name, "dss-gloss"))
         return kit_truth_gloss(&j->r.picture, &j->scene, camera, &j->lighting, radius, KIT_ATTENUATION_NONE,
-                               kit_method_value(m, "exponent"), j->o.truth, 1, err);
+                               m->set.exponent, j->o.truth, 1, err);
     return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, radius, KIT_ATTENUATION_NONE, 1, j->o.truth,
                          1, err);
 }
@@ -666,13 +667,13 @@ static int trace(job *j, kit_error *err)
     static const int falloffs[] = { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_SQUARE };
     const kit_method *m = &j->method;
     const kit_camera *camera = &j->gbuffer.camera;
-    const int rays = j->o.truth, hard = kit_method_value(m, "hard") > 0;
-    const int attenuation = hard ? KIT_ATTENUATION_NONE : falloffs[(int)kit_method_value(m, "falloff")];
+    const int rays = j->o.truth, hard = m->set.hard;
+    const int attenuation = hard ? KIT_ATTENUATION_NONE : falloffs[m->set.falloff];
     if (rays && !strncmp(m->name, "dss-", 4)) return trace_deep(j, err);
     if (rays && j->r.lit) {
-        const int vpls = kit_method_value(m, "vpls") > 0,
-                  bounce = kit_method_value(m, "bounce") > 0 || kit_method_value(m, "indirect") > 0 || vpls;
-        const int all = kit_method_value(m, "suns") > 0 || vpls;    /* these see as far as shadow maps do */
+        const int vpls = m->set.vpls > 0,
+                  bounce = m->set.bounce || m->set.indirect || vpls;
+        const int all = m->set.suns || vpls;    /* these see as far as shadow maps do */
         return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, all ? INFINITY : (float)j->radius,
                              all ? KIT_ATTENUATION_NONE : attenuation, bounce, rays, 1, err);
     }
