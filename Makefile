@@ -205,14 +205,15 @@ viewer: build/viewer
 glfw:
 	@pkg-config --exists glfw3 || sh examples/kit/install.sh libglfw3-dev || \
 	  { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
-build/viewer: examples/viewer/viewer.c $(VIEWER_O:%=build/kit/%) | glfw
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $^ $(VIEWER_LIBS) -o $@
+VIEWER      = $(addprefix examples/viewer/,viewer.c gl.c gltf.c gbuffer.c truth.c panel.c pictures.c window.c arguments.c)
+build/viewer: $(VIEWER) $(VIEWER_O:%=build/kit/%) examples/viewer/viewer.h | glfw
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
 
 # The same under sanitizers: of memory and undefined behaviour, of threads.
-build/viewer-sanitized: examples/viewer/viewer.c $(VIEWER_O:%=build/sanitized/%) | glfw
-	@echo '  cc $@'; $(CC) $(SANITIZE) $^ $(VIEWER_LIBS) -o $@
-build/viewer-threads: examples/viewer/viewer.c $(VIEWER_O:%=build/threads/%) | glfw
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread $^ $(VIEWER_LIBS) -o $@
+build/viewer-sanitized: $(VIEWER) $(VIEWER_O:%=build/sanitized/%) examples/viewer/viewer.h | glfw
+	@echo '  cc $@'; $(CC) $(SANITIZE) $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
+build/viewer-threads: $(VIEWER) $(VIEWER_O:%=build/threads/%) examples/viewer/viewer.h | glfw
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
 build/threads/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread -c $< -o $@
