@@ -18,15 +18,15 @@ EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/inclu
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE -Iexamples $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
 # The rooms of the kit, each of which calls those before it alone: make tree.
-BASE      = util image
-SCENE     = $(addprefix scene/,mesh shapes scenes scene light)
+BASE      = util image exr hdr png score
+SCENE     = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light)
 TRACE     = $(addprefix trace/,camera truth lit scatter floor places)
 GL        = $(addprefix gl/,gl gbuffer shadow field)
 RUN       = $(addprefix run/,settings fetches draw cost passes margin views lights lit occluders deep run frames plan)
 KIT       = $(BASE) $(SCENE) $(TRACE) $(GL) $(RUN)
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \
-            examples/kit/kit_trace.h
+            examples/kit/kit_trace.h examples/kit/kit_image.h examples/kit/kit_obj.h
 
 all: build/render build/report build/stability build/glsl-text build/minimal
 
@@ -181,12 +181,12 @@ build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h example
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(PAGE_O) $(KIT_O) $(KIT_LIBS) -o $@
 
 # Pictures are written and read while memory runs out: malloc is this program's own.
-build/starve: tests/starve.c tests/others.c build/kit/util.o build/kit/image.o tests/others.h
+build/starve: tests/starve.c tests/others.c $(BASE:%=build/kit/%.o) tests/others.h
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -fno-builtin $(filter-out %.h,$^) $(KIT_LIBS) -o $@
 
 # Damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
 build/fuzz-files: FLAGS = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined
-build/fuzz-files: tests/fuzz_files.c tests/others.c build/sanitized/util.o build/sanitized/image.o tests/others.h
+build/fuzz-files: tests/fuzz_files.c tests/others.c $(BASE:%=build/sanitized/%.o) tests/others.h
 	@echo '  cc $@'; $(CC) $(FLAGS) $(filter-out %.h,$^) $(KIT_LIBS) -o $@
 
 # make test ONLY="math text" runs those groups.

@@ -4,11 +4,12 @@
    only a laboratory needs: ray-traced truth and scores. One file a room:
 
      util.c     errors, progress, threads, whole files, JSON
-     image.c    float pictures: EXR in and out, HDR in, PNG in and out, scores, difference colours
+     image.c    float pictures; exr.c: EXR in and out, hdr.c: HDR in, png.c: PNG out, score.c: scores, difference
+     colours
      places.c   where a picture's error sits: edges, border, interior
-     mesh.c     triangles: OBJ and MTL reader
+     mesh.c     triangles: OBJ and MTL reader, with text.c and materials.c
      scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of, scenes.c: the
-     built-in ones
+     built-in ones, of buildings.c, thin.c and solids.c
      light.c    environments and lights
      camera.c   cameras
      truth.c    ray-traced truth over ssgi.h's trace room; of light lit.c, under surfaces scatter.c; floor.c: what one
@@ -38,6 +39,7 @@
 #include "../../ssgi_gl.h"
 
 #define KIT_PI 3.14159265358979323846
+#define KIT_MOST 1e12                      /* of a number that people type: floats still compute with its squares */
 
 /* ---- >>util ------------------------------------------------------------------------------------------------- */
 
@@ -252,8 +254,8 @@ float *kit_env_interleaved(const kit_image *env);
 typedef struct kit_material { const char *name; float sigma_s[3], sigma_a[3], eta; } kit_material;
 const kit_material *kit_material_of(int i);
 
-/* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers in -1e12..1e12, as build/render's are; colours 0 or more; a sun's
-   direction need not be unit, but not 0. */
+/* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers in -KIT_MOST..KIT_MOST, colours 0 or more; a sun's direction need
+   not be unit, but not 0. */
 int  kit_light_parse(kit_light *light, const char *text, kit_error *err);
 
 /* ---- >>truth ------------------------------------------------------------------------------------------------ */

@@ -1,4 +1,5 @@
-/* kit_build.h - what shapes.c, scenes.c and scene.c share: scenes being built. Private to them. */
+/* kit_build.h - what shapes.c, buildings.c, thin.c, solids.c, scenes.c and scene.c share: scenes being
+   built. Private to them. */
 #ifndef KIT_BUILD_H
 #define KIT_BUILD_H
 
@@ -70,6 +71,18 @@ typedef struct kit_builtin {
     void  (*make)(kit_build *);
     float   eye[3], target[3], fovy, znear, radius;
 } kit_builtin;
+void   kit_build_room(kit_build *b);        /* buildings.c */
+void   kit_build_colonnade(kit_build *b);
+void   kit_build_grass(kit_build *b);       /* thin.c */
+void   kit_build_slats(kit_build *b);
+void   kit_build_cornell(kit_build *b);     /* solids.c */
+void   kit_build_columns(kit_build *b);
+void   kit_build_plates(kit_build *b);
+void   kit_build_pebbles(kit_build *b);
+void   kit_build_boxes(kit_build *b);
+void   kit_build_blocks(kit_build *b);
+void   kit_build_casters(kit_build *b);
+void   kit_build_crowd(kit_build *b);
 const kit_builtin *kit_builtin_at(int i);  /* NULL past the last */
 
 #endif

@@ -1,5 +1,5 @@
-/* kit_trace.h - what camera.c, truth.c, lit.c, scatter.c and floor.c share: cameras in doubles, rays by chance, pictures
-   of them. Private to them. */
+/* kit_trace.h - what camera.c, truth.c, lit.c, scatter.c and floor.c share: cameras in doubles, rays by chance,
+   pictures of them. Private to them. */
 #ifndef KIT_TRACE_H
 #define KIT_TRACE_H
 
@@ -128,7 +128,7 @@ int    kit_truth_run(kit_truth *job, kit_image *out, const char *channels, const
    returns their mean. */
 double kit_accumulate(float *cdf, int n);
 double kit_pick(const float *cdf, int n, float u);     /* where the running sum is u, in [0, n) */
-/* Adds up the irradiance over KIT_PI at a place; and, unless bounce is NULL, that of light which the hits around
+/* Adds up the irradiance over pi at a place; and, unless bounce is NULL, that of light which the hits around
    reflect. rays: by cosine, by environment, both from point first on. */
 void   kit_gather(const kit_truth *job, const kit_place *at, uint32_t seed, uint32_t first, const int rays[2],
                   double irradiance[3], double *bounce);

@@ -29,7 +29,8 @@ static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
         failed =
             (env->data && ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK)
             || ssgi_sh_residual(map, OPEN, run->harmonics, bands, suns, n, &why) != SSGI_OK
-            || !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, kit_rgba(four, map, OPEN))));
+            || !(run->irradiance =
+                     kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, kit_rgba(four, map, OPEN))));
     free(map);
     free(four);
     return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;

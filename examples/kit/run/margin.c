@@ -1,4 +1,5 @@
-/* margin.c - what is seen beyond the picture: a wider G-buffer, and what of it each pass draws. Declared in kit_run.h. */
+/* margin.c - what is seen beyond the picture: a wider G-buffer, and what of it each pass draws. Declared in
+   kit_run.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <stdlib.h>

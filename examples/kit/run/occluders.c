@@ -61,7 +61,8 @@ static int add_occluders(kit_making *m, occluders *all, const float picture[16])
 {
     const kit_scene *scene = m->world->scene;
     kit_run *run = m->run;
-    for (int s = 0; s < scene->shapes; ++s) if (add_shape(m, all, s, picture)) return -1;   /* rows: shape after shape */
+    /* rows: shape after shape */
+    for (int s = 0; s < scene->shapes; ++s) if (add_shape(m, all, s, picture)) return -1;
     if (all->count && !(run->fields = kit_keep(run, kit_field_atlas(all->field, all->fields))))
         return kit_fail(m->err, "no memory for %d fields", all->fields);
     m->rows[0] = kit_keep(run, kit_texture(10, all->count ? all->count : 1, GL_RGBA32F, all->rows[0].at));

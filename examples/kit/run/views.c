@@ -23,7 +23,9 @@ static size_t gather_points(kit_sight *seen, float *depths, double sum[4], doubl
             *squares += (double)at[k] * (double)at[k];
         }
         sum[3] += 1;
-        if (i % 7 == 0 && abs(2 * x - frame->width) < frame->width / 2 && abs(2 * y - frame->height) < frame->height / 2)
+        const int middle = abs(2 * x - frame->width) < frame->width / 2
+                        && abs(2 * y - frame->height) < frame->height / 2;
+        if (i % 7 == 0 && middle)
             depths[count++] = z[i];
     }
     return count;

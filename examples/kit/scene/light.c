@@ -43,7 +43,7 @@ void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[
 }
 
 /* Horizon to zenith, a glow of 20 degrees half-width about the sun's place, and a ground that takes over within 6
-   degrees below the horizon. The luminance of the irradiance over KIT_PI facing up is 1.01. */
+   degrees below the horizon. The luminance of the irradiance over pi facing up is 1.01. */
 static void sky_radiance(const float d[3], double rgb[3])
 {
     static const double zenith[3] = { 0.38, 0.66, 1.28 }, horizon[3] = { 1.20, 1.32, 1.42 },
@@ -65,8 +65,8 @@ typedef struct glow { double longitude, latitude, wide, high, power, rgb[3]; } g
 /* 1 in the middle, 1/2 at the half sizes, 0 from 1.4 of them on */
 static double glow_at(const glow *g, const float d[3])
 {
-    const double lon = g->longitude * KIT_PI / 180, lat = g->latitude * KIT_PI / 180, x = (double)d[0], y = (double)d[1],
-                 z = (double)d[2], level = x * sin(lon) + z * cos(lon);
+    const double lon = g->longitude * KIT_PI / 180, lat = g->latitude * KIT_PI / 180;
+    const double x = (double)d[0], y = (double)d[1], z = (double)d[2], level = x * sin(lon) + z * cos(lon);
     const double depth = level * cos(lat) + y * sin(lat);
     if (depth <= 0) return 0;
     const double across = atan2(x * cos(lon) - z * sin(lon), depth), up = atan2(y * cos(lat) - level * sin(lat), depth);
@@ -87,7 +87,7 @@ static void add_glows(double rgb[3], const float d[3], const glow *glows, size_t
 #define GLOWS(table) table, sizeof (table) / sizeof (table)[0]
 
 /* In the spirit of Debevec's probe of Grace Cathedral: a dim, warm room; stained glass, blue and green to +x, amber to
-   -x; a few lamps, warm to -x. The luminance of the irradiance over KIT_PI facing up is 1. */
+   -x; a few lamps, warm to -x. The luminance of the irradiance over pi facing up is 1. */
 static void probe_radiance(const float d[3], double rgb[3])
 {
     static const double low[3] = { 0.090, 0.066, 0.045 }, high[3] = { 0.30, 0.215, 0.13 };
@@ -103,7 +103,7 @@ static void probe_radiance(const float d[3], double rgb[3])
 }
 
 /* A living room by day: walls and ceiling of a fortieth of the windows' radiance, three tall windows toward +x and a
-   wide one toward -x, a ceiling lamp, and the sun's patch on the floor. The luminance of the irradiance over KIT_PI facing
+   wide one toward -x, a ceiling lamp, and the sun's patch on the floor. The luminance of the irradiance over pi facing
    up is 1. */
 static void windows_radiance(const float d[3], double rgb[3])
 {
@@ -118,7 +118,7 @@ static void windows_radiance(const float d[3], double rgb[3])
 
 /* A street along z at night: a dark sky, facades to both sides with lit windows, and six lamps of a degree's half-angle
    that bring nine tenths of the light from less than a thousandth of the sphere. The luminance of the irradiance over
-   KIT_PI facing up is 1. */
+   pi facing up is 1. */
 static void street_radiance(const float d[3], double rgb[3])
 {
     static const double sky[3] = { 0.016, 0.017, 0.026 }, haze[3] = { 0.13, 0.092, 0.058 },
@@ -178,7 +178,8 @@ int kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_er
                 const double weight = glow_at(&disc, d), cosine = (double)d[0] * (double)sun->at[0]
                                                                   + (double)d[1] * (double)sun->at[1]
                                                                   + (double)d[2] * (double)sun->at[2];
-                if (!pass) facing += weight * cosine * 2 * KIT_PI / width * KIT_PI / height * sin(KIT_PI * (y + 0.5) / height);
+                if (!pass)
+                    facing += weight * cosine * 2 * KIT_PI / width * KIT_PI / height * sin(KIT_PI * (y + 0.5) / height);
                 for (int c = 0; c < 3 && pass; ++c)
                     env->data[(c * height + y) * width + x] += (float)(weight / facing * (double)sun->colour[c]);
             }
@@ -215,7 +216,7 @@ int kit_light_parse(kit_light *light, const char *text, kit_error *err)
     static const char *const kinds[] = { [KIT_SUN] = "sun:", [KIT_POINT] = "point:" };
     kit_light read = { 0 };
     double    v[6], length = 1;
-    int       ok = 1, used = 0;
+    int       ok = 1, small = 1, used = 0;
     while (read.kind < 2 && strncmp(text, kinds[read.kind], strlen(kinds[read.kind]))) ++read.kind;
     if (read.kind < 2)
         sscanf(text + strlen(kinds[read.kind]), "%lf,%lf,%lf,%lf,%lf,%lf%n", &v[0], &v[1], &v[2], &v[3], &v[4], &v[5],
@@ -227,8 +228,10 @@ int kit_light_parse(kit_light *light, const char *text, kit_error *err)
         read.at[i] = (float)(v[i] / length);
         read.colour[i] = (float)v[3 + i];
         ok = ok && isfinite(read.at[i]) && isfinite(read.colour[i]) && read.colour[i] >= 0;
+        small = small && fabs(v[i]) <= KIT_MOST && v[3 + i] <= KIT_MOST;
     }
     if (!ok) return kit_fail(err, "light %s: numbers must be finite, colours 0 or more, a sun's direction not 0", text);
+    if (!small) return kit_fail(err, "light %s: its numbers must be in -%g..%g", text, KIT_MOST, KIT_MOST);
     *light = read;
     return 0;
 }

@@ -164,7 +164,8 @@ int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camer
             memmove(job.index + 3 * triangles, job.index + 3 * row * y, 3 * job.count[y] * sizeof *job.index);
             triangles += job.count[y];
         }
-        failed = triangles && kit_trace_new(&job.ambient.trace, &memory, job.position, job.index, triangles, "floor", err);
+        failed = triangles
+              && kit_trace_new(&job.ambient.trace, &memory, job.position, job.index, triangles, "floor", err);
     }
     failed = failed || kit_image_new(&image, job.width, job.height, "Y", err);
     if (!failed) {

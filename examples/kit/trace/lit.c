@@ -175,7 +175,7 @@ static void add_lamps(const kit_truth *job, const kit_place *at, uint32_t seed, 
     }
 }
 
-/* One direction's share of the environment's irradiance over KIT_PI, where strategies cosine and env take rays[0] and
+/* One direction's share of the environment's irradiance over pi, where strategies cosine and env take rays[0] and
    rays[1] of them: multiple importance sampling with the balance heuristic [Veach and Guibas 1995], so that it does not
    matter whose direction it is. */
 static void add_env(const kit_truth *job, const float n[3], const float d[3], double visible, const int rays[2],
@@ -194,7 +194,8 @@ static void add_light(const kit_truth *job, const kit_place *at, const kit_light
     const int sun = light->kind == KIT_SUN;
     float to[3];
     for (int i = 0; i < 3; ++i) to[i] = light->at[i] - (sun ? 0 : at->origin[i]);
-    const double length = sqrt(kit_facing(to, to)), weight = kit_facing(at->n, to) / length / KIT_PI / (sun ? 1 : length * length);
+    const double length = sqrt(kit_facing(to, to)),
+                 weight = kit_facing(at->n, to) / length / KIT_PI / (sun ? 1 : length * length);
     if (!(weight > 0) || !isfinite(weight)) return;
     /* what holds the light does not shadow it */
     if (ssgi_trace_any(&job->ambient.trace, at->origin, to, 0, sun ? INFINITY : 0.99999f)) return;
@@ -202,8 +203,8 @@ static void add_light(const kit_truth *job, const kit_place *at, const kit_light
 }
 
 /* What the hit of ray number r sends back, weighted */
-static void add_sent(const kit_truth *job, const ssgi_hit *hit, const float d[3], uint32_t r, uint32_t seed, double weight,
-                     int rays, double sum[3])
+static void add_sent(const kit_truth *job, const ssgi_hit *hit, const float d[3], uint32_t r, uint32_t seed,
+                     double weight, int rays, double sum[3])
 {
     const uint32_t hit_seed = kit_mix(seed ^ 0xc2b2ae35u), shuffle = kit_mix(seed ^ 0x27d4eb2fu);
     const int one[2] = { job->env_row != NULL, job->env_row != NULL };
@@ -264,9 +265,10 @@ static int lit_run(kit_truth *job, kit_image *out, const kit_scene *scene, const
         return kit_fail(err, "truth: the environment has %d channels: must have 3", lighting->env.channels);
     kit_image rest = { 0 };
     job->env = &lighting->env;
-    const int failed = (job->pixel == lit_pixel && !job->bounce && lighting->env.data && lamps_begin(job, &rest, err))
-                       || env_begin(job, err)
-                       || kit_truth_run(job, out, KIT_LIT_CHANNELS, scene, camera, radius, attenuation, rays, stride, err);
+    const int failed =
+        (job->pixel == lit_pixel && !job->bounce && lighting->env.data && lamps_begin(job, &rest, err))
+        || env_begin(job, err)
+        || kit_truth_run(job, out, KIT_LIT_CHANNELS, scene, camera, radius, attenuation, rays, stride, err);
     free(job->env_row);
     free(job->env_column);
     free(job->lamp);

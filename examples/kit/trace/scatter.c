@@ -11,7 +11,7 @@ enum { REFLECTANCES = 16384 };                  /* the dipole's, by distance, a 
 typedef struct scattering {
     kit_truth job;
     float *area;                                /* running sum over the triangles */
-    /* position, irradiance over KIT_PI: 4 each; of the lit ones alone when all are made */
+    /* position, irradiance over pi: 4 each; of the lit ones alone when all are made */
     float *sample;
     size_t samples;
     float  per_unit, table[REFLECTANCES][4];    /* table entries a world unit; times a sample's area; the fourth is 0 */
@@ -124,8 +124,8 @@ int kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *
     else if (!s) failed = kit_fail(err, "truth: out of memory");
     else failed = scatter_begin(s, samples, scene, lighting, dipole, unit, err);
     job.within = s;
-    failed =
-        failed || kit_truth_run(&job, out, KIT_LIT_CHANNELS, scene, camera, INFINITY, KIT_ATTENUATION_NONE, 1, stride, err);
+    failed = failed
+          || kit_truth_run(&job, out, KIT_LIT_CHANNELS, scene, camera, INFINITY, KIT_ATTENUATION_NONE, 1, stride, err);
     if (s) { free(s->area); free(s->sample); }
     free(s);
     return failed ? -1 : 0;

@@ -178,8 +178,8 @@ static void truth_row(void *context, int y)
     }
 }
 
-int kit_truth_run(kit_truth *job, kit_image *out, const char *channels, const kit_scene *scene, const kit_camera *camera,
-                     float radius, int attenuation, int rays, int stride, kit_error *err)
+int kit_truth_run(kit_truth *job, kit_image *out, const char *channels, const kit_scene *scene,
+                  const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err)
 {
     void *memory = NULL;
     if (kit_camera_check(camera, "truth", err)) return -1;
