@@ -28,6 +28,9 @@ KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \
             examples/kit/kit_trace.h examples/kit/kit_image.h examples/kit/kit_obj.h
 
+EXAMPLE_H = examples/tools/render/render.h examples/lab/report.h examples/lab/page/page.h \
+            examples/tools/glsl/choices.h examples/tools/glsl/manifest.h
+
 all: build/render build/report build/stability build/glsl-text build/minimal
 
 # What is missing is installed where that can be done, else named in one line.
@@ -42,24 +45,24 @@ build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) -std=c99 $(WARNINGS) $(CFLAGS) -c $< -o $@
 
-build/render: examples/tools/render/render.c $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+RENDER = $(addprefix tools/render/,render options report frames)
+build/render: $(RENDER:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # The same under sanitizers, for make test: drawn with once a method.
-SANITIZED = $(KIT:%=build/sanitized/%.o) build/sanitized/library.o build/sanitized/render.o
+SANITIZED = $(KIT:%=build/sanitized/%.o) build/sanitized/library.o $(RENDER:%=build/sanitized/examples/%.o)
 SANITIZE  = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 build/sanitized/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(SANITIZE) -c $< -o $@
 
-build/sanitized/render.o: examples/tools/render/render.c $(HEADERS) | deps
+build/sanitized/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(SANITIZE) -c $< -o $@
 
 build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
-EXAMPLE_H = examples/lab/report.h examples/lab/page/page.h examples/tools/glsl/choices.h examples/tools/glsl/manifest.h
 build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
