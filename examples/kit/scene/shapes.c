@@ -251,14 +251,15 @@ void kit_set_place(kit_scene *s, int k, const float m[16])
     memcpy(o->to_world, m, sizeof o->to_world);
 }
 
-int kit_own_shape(kit_scene *s, int k)
+/* Makes object k's triangles, so many, a shape of its own. */
+static int own_shape(kit_scene *s, int k, size_t triangles)
 {
     static const float identity[16] = { 1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 0,  0, 0, 0, 1 };
     kit_object *o = &s->object[k];
     kit_mesh shape, *more = realloc(s->shape, ((size_t)s->shapes + 1) * sizeof *more);
     memset(&shape, 0, sizeof shape);
     if (more) s->shape = more;
-    for (size_t t = o->first; t < s->mesh.triangles; t++) shape.triangles += s->mesh.object[t] == (uint32_t)k + 1;
+    shape.triangles = triangles;
     shape.position = malloc(shape.triangles * 9 * sizeof *shape.position + 1);
     shape.normal = malloc(shape.triangles * 9 * sizeof *shape.normal + 1);
     if (!more || !shape.position || !shape.normal) {
@@ -275,6 +276,26 @@ int kit_own_shape(kit_scene *s, int k)
     o->shape = s->shapes++;
     kit_set_place(s, k, identity);
     return 0;
+}
+
+int kit_own_shape(kit_scene *s, int k)
+{
+    size_t triangles = 0;
+    for (size_t t = s->object[k].first; t < s->mesh.triangles; t++)
+        triangles += s->mesh.object[t] == (uint32_t)k + 1;
+    return own_shape(s, k, triangles);
+}
+
+/* The same of all objects from first on that have none: their triangles are counted at once. */
+static int own_shapes(kit_scene *s, int first)
+{
+    size_t *triangles = calloc((size_t)s->objects + 1, sizeof *triangles);
+    int failed = !triangles;
+    for (size_t t = 0; t < s->mesh.triangles && !failed; t++) triangles[s->mesh.object[t]]++;
+    for (int k = first; k < s->objects && !failed; k++)
+        if (s->object[k].shape < 0) failed = own_shape(s, k, triangles[k + 1]);
+    free(triangles);
+    return failed;
 }
 
 static int holds(const kit_object *a, const kit_object *b)
@@ -307,8 +328,7 @@ static void judge(kit_scene *s, int k)
 
 int kit_complete(kit_scene *s, int first)
 {
-    for (int k = first; k < s->objects; k++)
-        if (s->object[k].shape < 0 && kit_own_shape(s, k)) return -1;
+    if (own_shapes(s, first)) return -1;
     for (int k = first; k < s->objects; k++)
         if (s->object[k].casts < 0) judge(s, k);
     kit_mesh_bounds(&s->mesh);
