@@ -2,7 +2,7 @@
 #
 #   make         everything, into build/          make chart       speed against accuracy, into report/
 #   make demo    the main job, into report/       make stability   where methods fail, into report/
-#   make test    all tests                        make peers       what others have, for the chart
+#   make test    all tests; tree: who calls whom  make peers       what others have, for the chart
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make golden    the hashes of those texts that make test compares
 #   make passes    examples/docs/PASSES.md, the table of them
@@ -17,7 +17,7 @@ WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE -Iexamples $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
-# The rooms of the kit, each of which calls those before it alone: make tree.
+# The rooms of the kit, each of which calls those before it alone, as make tree proves.
 BASE      = util image exr hdr png score
 SCENE     = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light)
 TRACE     = $(addprefix trace/,camera truth lit scatter floor places)
@@ -192,14 +192,18 @@ build/fuzz-files: FLAGS = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-san
 build/fuzz-files: tests/fuzz_files.c tests/others.c $(BASE:%=build/sanitized/%.o) tests/others.h
 	@echo '  cc $@'; $(CC) $(FLAGS) $(filter-out %.h,$^) $(KIT_LIBS) -o $@
 
+# No room of examples/ calls one above it.
+tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(GLSL_O)
+	@sh tests/tree.sh $(sort $^)
+
 # make test ONLY="math text" runs those groups.
-test: build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/test
+test: tree build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/test
 	build/test $(ONLY)
 
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes demo test chart light peers stability fit glsl golden deps clean
+.PHONY: all install uninstall wasm npm passes demo test tree chart light peers stability fit glsl golden deps clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
 VIEWER_O    = $(addsuffix .o,$(BASE) $(SCENE) $(TRACE) library)

@@ -1,6 +1,6 @@
 /* kit_run.h - what the files of kit/run share: how a run is made ready. Private to them.
 
-   Each calls those above it alone, as make tree proves:
+   Each calls those above it alone; make tree proves that none call each other in a circle:
 
      settings.c, fetches.c      what a method is; what a pass fetches
      draw.c      a run that is open: drawn, read back, closed
