@@ -346,6 +346,9 @@ double kit_run_ms(const kit_run *run);     /* sum over the passes of the last ti
    (irradiance over pi, before albedo). */
 int  kit_run_read(kit_image *out, const kit_run *run, kit_error *err);
 void kit_run_close(kit_run *run);          /* leaves it all zero; fine of one that is, with no context, too */
+/* One picture of a method by its name, with settings as kit_method_set takes them: opened, drawn, read and closed. */
+int  kit_run_picture(kit_image *out, kit_gbuffer *gbuffer, const kit_world *world, const char *method, const char *set,
+                     float radius, kit_error *err);
 
 /* ---- >>frames ----------------------------------------------------------------------------------------------- */
 

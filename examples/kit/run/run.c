@@ -105,3 +105,17 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
 {
     return kit_run_open_wide(run, g, method, radius, world, -1, err);
 }
+
+int kit_run_picture(kit_image *out, kit_gbuffer *g, const kit_world *world, const char *method, const char *set,
+                    float radius, kit_error *err)
+{
+    kit_method m;
+    kit_run run;
+    if (kit_method_find(&m, method, err) || kit_method_set(&m, set, err)
+        || kit_run_open(&run, g, &m, radius, world, err))
+        return -1;
+    kit_run_draw(&run, 0);
+    const int failed = kit_run_read(out, &run, err);
+    kit_run_close(&run);
+    return failed;
+}

@@ -1,10 +1,5 @@
 /* scenes.c - the built-in scenes. Declared in kit_build.h. */
 #include "kit/kit_build.h"
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 
 /* ---- >>shapes of closed form; big planes are cut finer towards the origin, for a rasteriser's sake ----------- */
 

@@ -2,7 +2,6 @@
 #include "kit/kit_build.h"
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- >>closed scenes: every solid is a closed two-manifold that touches no other, so depth peeling finds fronts and

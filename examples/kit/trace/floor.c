@@ -129,15 +129,50 @@ static void floor_row(void *context, int y)
     }
 }
 
+/* The visible surface as triangles, indices of pixels; how many. */
+static size_t floor_triangles(floor_job *job)
+{
+    const size_t row = 2 * (size_t)(job->width - 1), blocks = (size_t)(job->height - 1);
+    size_t triangles = 0;
+    kit_parallel(NULL, job->height, floor_place, job);
+    kit_parallel(NULL, job->height - 1, floor_join, job);
+    for (size_t y = 0; y < blocks; ++y) {               /* close the gaps between the rows */
+        memmove(job->index + 3 * triangles, job->index + 3 * row * y, 3 * job->count[y] * sizeof *job->index);
+        triangles += job->count[y];
+    }
+    return triangles;
+}
+
+static int floor_trace(kit_image *out, floor_job *job, kit_error *err)
+{
+    const size_t pixels = (size_t)job->width * (size_t)job->height,
+                 most = 2 * (size_t)(job->width - 1) * (size_t)(job->height - 1);
+    void *memory = NULL;
+    kit_image image;
+    job->position = malloc(3 * pixels * sizeof *job->position);
+    job->index = malloc((3 * most + 1) * sizeof *job->index);
+    job->count = malloc((size_t)job->height * sizeof *job->count);
+    if (!job->position || !job->index || !job->count)
+        return kit_fail(err, "floor: no memory for %zu pixels", pixels);
+    const size_t triangles = floor_triangles(job);
+    if (triangles
+        && kit_trace_new(&job->ambient.trace, &memory, job->position, job->index, triangles, "floor", err))
+        return -1;
+    const int failed = kit_image_new(&image, job->width, job->height, "Y", err);
+    if (!failed) {
+        job->out = image.data;
+        kit_parallel("floor", job->height, floor_row, job);
+        *out = image;
+    }
+    free(memory);
+    return failed;
+}
+
 int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation,
                  int rays, int stride, kit_error *err)
 {
     static const char *const names[4] = { "Z", "N.X", "N.Y", "N.Z" };
     floor_job job = { .camera = *camera, .width = frame->width, .height = frame->height, .stride = stride };
-    kit_image image = { 0 };
-    void *memory = NULL;
-    size_t triangles = 0;
-    int failed;
     const float *channel[4];
     if (kit_camera_check(camera, "floor", err)) return -1;
     if (stride < 1) return kit_fail(err, "floor: stride %d: must be 1 or more", stride);
@@ -150,33 +185,10 @@ int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camer
     job.z = channel[0];
     for (int i = 0; i < 3; ++i) job.n[i] = channel[1 + i];
     if (kit_ambient_begin(&job.ambient, radius, attenuation, rays, "floor", err)) return -1;
-    const size_t pixels = (size_t)job.width * (size_t)job.height, row = 2 * (size_t)(job.width - 1),
-                 blocks = (size_t)(job.height - 1);
-    job.position = malloc(3 * pixels * sizeof *job.position);
-    job.index = malloc((3 * row * blocks + 1) * sizeof *job.index);
-    job.count = malloc((blocks + 1) * sizeof *job.count);
-    failed = !job.position || !job.index || !job.count;
-    if (failed) kit_fail(err, "floor: no memory for %zu pixels", pixels);
-    if (!failed) {
-        kit_parallel(NULL, job.height, floor_place, &job);
-        kit_parallel(NULL, job.height - 1, floor_join, &job);
-        for (size_t y = 0; y < blocks; ++y) {           /* close the gaps between the rows */
-            memmove(job.index + 3 * triangles, job.index + 3 * row * y, 3 * job.count[y] * sizeof *job.index);
-            triangles += job.count[y];
-        }
-        failed = triangles
-              && kit_trace_new(&job.ambient.trace, &memory, job.position, job.index, triangles, "floor", err);
-    }
-    failed = failed || kit_image_new(&image, job.width, job.height, "Y", err);
-    if (!failed) {
-        job.out = image.data;
-        kit_parallel("floor", job.height, floor_row, &job);
-        *out = image;
-    }
+    const int failed = floor_trace(out, &job, err);
     free(job.ambient.points);
     free(job.position);
     free(job.index);
     free(job.count);
-    free(memory);
     return failed ? -1 : 0;
 }
