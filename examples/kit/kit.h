@@ -1,31 +1,31 @@
 /* kit.h - the small embedder that the examples and the tests share. Not part of the library.
 
    It brings what an engine already has: a headless GL context, meshes, pictures, a G-buffer; and what
-   only a laboratory needs: ray-traced truth and scores. One file a room:
+   only a laboratory needs: ray-traced truth and scores. A room is a folder, and calls those above it alone:
 
-     util.c     errors, progress, threads, whole files, JSON
-     image.c    float pictures; exr.c: EXR in and out, hdr.c: HDR in, png.c: PNG out, score.c: scores, difference
-     colours
-     places.c   where a picture's error sits: edges, border, interior
-     mesh.c     triangles: OBJ and MTL reader, with text.c and materials.c
-     scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of, scenes.c: the
-     built-in ones, of buildings.c, thin.c and solids.c
-     light.c    environments and lights
-     camera.c   cameras
-     truth.c    ray-traced truth over ssgi.h's trace room; of light lit.c, under surfaces scatter.c; floor.c: what one
-     depth layer can know
-     gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
-     gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
-     shadow.c   shadow maps as one atlas, reflective shadow maps
-     field.c    ambient occlusion fields of a scene's shapes, baked and as textures
-     settings.c the table of methods and their settings
-     run.c      a method made ready on a G-buffer; kit_run.h: the other files of kit/run
-     plan.c     what a scene needs
+     kit/       util.c     errors, progress, threads, whole files, JSON, vectors
+                image.c    float pictures; exr.c, hdr.c, png.c: read and written; score.c: compared
+     scene/     mesh.c     triangles of an OBJ; text.c: its lines, materials.c: its MTL files
+                scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of;
+                           scenes.c: the built-in ones, of buildings.c, thin.c and solids.c
+                light.c    environments and lights
+     trace/     camera.c   cameras
+                truth.c    ray-traced truth over ssgi.h's trace room; lit.c: of light, scatter.c: under surfaces
+                floor.c    what one depth layer can know
+                places.c   where a picture's error sits: edges, border, interior
+     gl/        gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
+                gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
+                shadow.c   shadow maps as one atlas, reflective shadow maps
+                field.c    ambient occlusion fields of a scene's shapes, baked and as textures
+     run/       settings.c the table of methods and their settings
+                run.c      a method made ready on a G-buffer; kit_run.h names the files that this takes
+                frames.c   one frame after another
+                plan.c     what a scene needs
 
    CONVENTIONS
      errors    every function that can fail returns 0, or -1 with one line in the kit_error that names the file or
                argument and what is wrong with it; outputs are then untouched and nothing needs freeing. err may be
-                  NULL.
+               NULL.
      pictures  planar floats, row 0 at the top
      matrices  float[16], column-major, as in ssgi.h
      world     right-handed; angles in degrees at this level (people type them), radians inside */

@@ -253,6 +253,7 @@ typedef struct kit_setting {
 typedef struct kit_method {
     const char  *name, *about;
     int          number;                   /* of kit_method_at */
+    int          pass, effect;             /* SSGI_GL_SSAO ..; of surfels SSGI_GL_EFFECT_OCCLUSION .. */
     int          lit;                      /* 0: writes ambient visibility Y */
     int          between;                  /* 1: of other objects alone: its truth is kit_truth_objects */
     kit_settings set;
@@ -294,6 +295,8 @@ typedef struct kit_pass {
     int                rows;
     double             ms;                 /* of the last kit_run_draw that was timed */
 } kit_pass;
+
+/* ---- >>run -------------------------------------------------------------------------------------------------- */
 
 /* A method made ready on one G-buffer: programs, targets, uniforms, and what it needs of the world. The G-buffer stays
    the caller's and must outlive it. */
@@ -392,6 +395,8 @@ double kit_plan_error(const kit_image *picture, const kit_image *truth, const ki
 int  kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err);
 /* The same: what the environment brings to an open surface, dimmed, and the lights with their shadows. */
 int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);
+
+/* ---- >>passes ----------------------------------------------------------------------------------------------- */
 
 /* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and occluders
    count as one of each. 0 for a bad desc. */

@@ -321,9 +321,10 @@ int kit_method_at(kit_method *method, int i)
     m.name = plans[i].name;
     m.about = plans[i].about;
     m.number = i;
-    m.between = plans[i].pass == SSGI_GL_FIELD;
-    m.lit = plans[i].pass == SSGI_GL_SSDO || plans[i].pass == SSGI_GL_S3HO
-            || (plans[i].pass == SSGI_GL_SPLAT && plans[i].search);
+    m.pass = plans[i].pass;
+    m.effect = m.pass == SSGI_GL_SPLAT ? plans[i].search : SSGI_GL_EFFECT_OCCLUSION;
+    m.between = m.pass == SSGI_GL_FIELD;
+    m.lit = m.pass == SSGI_GL_SSDO || m.pass == SSGI_GL_S3HO || m.effect != SSGI_GL_EFFECT_OCCLUSION;
     memset(&desc, 0, sizeof desc);
     desc.pass = plans[i].pass;
     if (plans[i].pass == SSGI_GL_SPLAT) desc.effect = plans[i].search; else desc.search = plans[i].search;

@@ -130,14 +130,14 @@ static int trace_deep(job *j, kit_error *err)
     const kit_camera *camera = &j->gbuffer.camera;
     const float radius = (float)j->radius;
     ssgi_dipole dipole;
-    if (m->set.unit > 0) {
+    if (m->effect == SSGI_GL_EFFECT_SCATTER) {
         const kit_material *of = kit_material_of(m->set.material);
         if (ssgi_dipole_set(&dipole, of->sigma_s, of->sigma_a, of->eta, NULL) != SSGI_OK)
             return kit_fail(err, "--set material=%s: has no dipole", of->name);
         return kit_truth_scatter(&j->r.picture, &j->scene, camera, &j->lighting, &dipole,
                                  (float)m->set.unit, 1000 * (size_t)j->o.truth, 1, err);
     }
-    if (!strcmp(m->name, "dss-gloss"))
+    if (m->effect == SSGI_GL_EFFECT_SPECULAR)
         return kit_truth_gloss(&j->r.picture, &j->scene, camera, &j->lighting, radius, KIT_ATTENUATION_NONE,
                                m->set.exponent, j->o.truth, 1, err);
     return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, radius, KIT_ATTENUATION_NONE, 1, j->o.truth,
@@ -151,10 +151,9 @@ static int trace(job *j, kit_error *err)
     const kit_camera *camera = &j->gbuffer.camera;
     const int rays = j->o.truth, hard = m->set.hard;
     const int attenuation = hard ? KIT_ATTENUATION_NONE : falloffs[m->set.falloff];
-    if (rays && !strncmp(m->name, "dss-", 4)) return trace_deep(j, err);
+    if (rays && m->effect != SSGI_GL_EFFECT_OCCLUSION) return trace_deep(j, err);
     if (rays && j->r.lit) {
-        const int vpls = m->set.vpls > 0,
-                  bounce = m->set.bounce || m->set.indirect || vpls;
+        const int vpls = m->set.vpls > 0, bounce = m->set.bounce || m->set.indirect || vpls;
         const int all = m->set.suns || vpls;    /* these see as far as shadow maps do */
         return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, all ? INFINITY : (float)j->radius,
                              all ? KIT_ATTENUATION_NONE : attenuation, bounce, rays, 1, err);
