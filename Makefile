@@ -2,7 +2,7 @@
 #
 #   make         everything, into build/          make chart       speed against accuracy, into report/
 #   make demo    the main job, into report/       make stability   where methods fail, into report/
-#   make test    all tests                        make peers       what others have, for the chart
+#   make test    all tests; tree: who calls whom  make peers       what others have, for the chart
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make golden    the hashes of those texts that make test compares
 #   make passes    examples/docs/PASSES.md, the table of them
@@ -18,11 +18,19 @@ WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE -Iexamples $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
-KIT       = util image $(addprefix scene/,mesh shapes scenes scene light) $(addprefix trace/,places truth) \
-            $(addprefix gl/,gl gbuffer shadow field) \
-            $(addprefix run/,fetches settings run frames lights deep plan)
+# The rooms of the kit, each of which calls those before it alone, as make tree proves.
+BASE      = util image exr hdr png score
+SCENE     = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light)
+TRACE     = $(addprefix trace/,camera truth lit scatter floor places)
+GL        = $(addprefix gl/,gl gbuffer shadow field)
+RUN       = $(addprefix run/,settings fetches draw cost passes margin views lights lit occluders deep run frames plan)
+KIT       = $(BASE) $(SCENE) $(TRACE) $(GL) $(RUN)
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
-HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h
+HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \
+            examples/kit/kit_trace.h examples/kit/kit_image.h examples/kit/kit_obj.h
+
+EXAMPLE_H = examples/tools/render/render.h examples/lab/report.h examples/lab/page/page.h \
+            examples/tools/glsl/choices.h examples/tools/glsl/manifest.h
 
 all: build/render build/report build/stability build/glsl-text build/minimal
 
@@ -38,24 +46,24 @@ build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) -std=c99 $(WARNINGS) $(CFLAGS) -c $< -o $@
 
-build/render: examples/tools/render/render.c $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+RENDER = $(addprefix tools/render/,render options report frames)
+build/render: $(RENDER:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # The same under sanitizers, for make test: drawn with once a method.
-SANITIZED = $(KIT:%=build/sanitized/%.o) build/sanitized/library.o build/sanitized/render.o
+SANITIZED = $(KIT:%=build/sanitized/%.o) build/sanitized/library.o $(RENDER:%=build/sanitized/examples/%.o)
 SANITIZE  = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 build/sanitized/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(SANITIZE) -c $< -o $@
 
-build/sanitized/render.o: examples/tools/render/render.c $(HEADERS) | deps
+build/sanitized/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(SANITIZE) -c $< -o $@
 
 build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
-EXAMPLE_H = examples/lab/report.h examples/lab/page/page.h examples/tools/glsl/choices.h examples/tools/glsl/manifest.h
 build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
@@ -177,16 +185,20 @@ build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h example
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(PAGE_O) $(KIT_O) $(KIT_LIBS) -o $@
 
 # Pictures are written and read while memory runs out: malloc is this program's own.
-build/starve: tests/starve.c tests/others.c build/kit/util.o build/kit/image.o tests/others.h
+build/starve: tests/starve.c tests/others.c $(BASE:%=build/kit/%.o) tests/others.h
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -fno-builtin $(filter-out %.h,$^) $(KIT_LIBS) -o $@
 
 # Damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
 build/fuzz-files: FLAGS = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined
-build/fuzz-files: tests/fuzz_files.c tests/others.c build/sanitized/util.o build/sanitized/image.o tests/others.h
+build/fuzz-files: tests/fuzz_files.c tests/others.c $(BASE:%=build/sanitized/%.o) tests/others.h
 	@echo '  cc $@'; $(CC) $(FLAGS) $(filter-out %.h,$^) $(KIT_LIBS) -o $@
 
+# No room of examples/ calls one above it.
+tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(GLSL_O)
+	@sh tests/tree.sh $(sort $^)
+
 # make test ONLY="math text" runs those groups.
-test: build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/test
+test: tree build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/test
 	build/test $(ONLY)
 
 # In place. Another version of clang-format lays out otherwise, so that only 14 is taken; tables that it would break
@@ -201,23 +213,24 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes demo test chart light peers stability fit glsl golden deps format clean
+.PHONY: all install uninstall wasm npm passes demo test tree chart light peers stability fit glsl golden deps format clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
-VIEWER_O    = util.o image.o $(addprefix scene/,mesh.o shapes.o scenes.o scene.o light.o) trace/places.o trace/truth.o library.o
+VIEWER_O    = $(addsuffix .o,$(BASE) $(SCENE) $(TRACE) library)
 VIEWER_LIBS = $(KIT_LIBS) $$(pkg-config --libs glfw3) -lGL
 viewer: build/viewer
 glfw:
 	@pkg-config --exists glfw3 || sh examples/kit/install.sh libglfw3-dev || \
 	  { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
-build/viewer: examples/viewer/viewer.c $(VIEWER_O:%=build/kit/%) | glfw
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $^ $(VIEWER_LIBS) -o $@
+VIEWER      = $(addprefix examples/viewer/,viewer.c gl.c gltf.c gbuffer.c truth.c panel.c pictures.c window.c arguments.c)
+build/viewer: $(VIEWER) $(VIEWER_O:%=build/kit/%) examples/viewer/viewer.h | glfw
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
 
 # The same under sanitizers: of memory and undefined behaviour, of threads.
-build/viewer-sanitized: examples/viewer/viewer.c $(VIEWER_O:%=build/sanitized/%) | glfw
-	@echo '  cc $@'; $(CC) $(SANITIZE) $^ $(VIEWER_LIBS) -o $@
-build/viewer-threads: examples/viewer/viewer.c $(VIEWER_O:%=build/threads/%) | glfw
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread $^ $(VIEWER_LIBS) -o $@
+build/viewer-sanitized: $(VIEWER) $(VIEWER_O:%=build/sanitized/%) examples/viewer/viewer.h | glfw
+	@echo '  cc $@'; $(CC) $(SANITIZE) $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
+build/viewer-threads: $(VIEWER) $(VIEWER_O:%=build/threads/%) examples/viewer/viewer.h | glfw
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
 build/threads/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread -c $< -o $@

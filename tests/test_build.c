@@ -673,6 +673,7 @@ static void command_line(void)
                   { "room --frames 2 --orbit nan --out q%d.exr", "--orbit nan" },
                   { "room --frames 2 --out q%+4d.exr", "--out q%+4d.exr" },
                   { "room --camera 1e30,0,0,0,0,0 --out a.exr", "1e30" },
+                  { "cornell --method ssdo --light point:1e38,0,0,1,1,1 --out a.exr", "1e38" },
                   { "casters --frames 99 --slide 0,1e12,0 --out q%d.exr --size 8x8 --slide 1e13,0,0", "--slide" },
                   { "casters --frames 200 --slide 1e12,0,0 --out q%d.exr", "--slide: in 200 frames" },
                   { "room --size 8x8 --score ''", "--score: its value is empty" },

@@ -256,9 +256,9 @@ static void drawable(void)
                   "choice %d: %s", i, why);
             CHECK(!kit_plan_method(&m, &p, s.wanted, &err), "choice %d: %s", i, err.text);
             CHECK(p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD
-                      || (int)kit_method_value(&m, "steps") == p.steps,
-                  "choice %d: %g steps", i, kit_method_value(&m, "steps"));
-            CHECK(p.method != SSGI_PLAN_SSDO || (kit_method_value(&m, "bounce") > 0) == (s.wanted == SSGI_PLAN_BOUNCE),
+                      || m.set.steps == p.steps,
+                  "choice %d: %d steps", i, m.set.steps);
+            CHECK(p.method != SSGI_PLAN_SSDO || (m.set.bounce > 0) == (s.wanted == SSGI_PLAN_BOUNCE),
                   "choice %d: its bounce", i);
         }
 }

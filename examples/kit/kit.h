@@ -1,30 +1,31 @@
 /* kit.h - the small embedder that the examples and the tests share. Not part of the library.
 
    It brings what an engine already has: a headless GL context, meshes, pictures, a G-buffer; and what
-   only a laboratory needs: ray-traced truth and scores. One file a room:
+   only a laboratory needs: ray-traced truth and scores. A room is a folder, and calls those above it alone:
 
-     util.c     errors, progress, threads, whole files, JSON
-     image.c    float pictures: EXR in and out, HDR in, PNG in and out, scores, difference colours
-     places.c   where a picture's error sits: edges, border, interior
-     mesh.c     triangles: OBJ and MTL reader
-     scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of, scenes.c: the
-     built-in ones
-     light.c    environments and lights
-     truth.c    cameras, ray-traced truth (visibility, light), floor, all over ssgi.h's trace room
-     gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
-     gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
-     shadow.c   shadow maps as one atlas, reflective shadow maps
-     field.c    ambient occlusion fields of a scene's shapes, baked and as textures
-     fetches.c  what a pass fetches, read off its text
-     settings.c the table of methods and their settings
-     run.c      a method's passes, run and timed; frames.c: one frame after another; lights.c: cameras, shadow maps,
-     lit methods, fields; deep.c: deep screen space
-     plan.c     what a scene needs
+     kit/       util.c     errors, progress, threads, whole files, JSON, vectors
+                image.c    float pictures; exr.c, hdr.c, png.c: read and written; score.c: compared
+     scene/     mesh.c     triangles of an OBJ; text.c: its lines, materials.c: its MTL files
+                scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of;
+                           scenes.c: the built-in ones, of buildings.c, thin.c and solids.c
+                light.c    environments and lights
+     trace/     camera.c   cameras
+                truth.c    ray-traced truth over ssgi.h's trace room; lit.c: of light, scatter.c: under surfaces
+                floor.c    what one depth layer can know
+                places.c   where a picture's error sits: edges, border, interior
+     gl/        gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
+                gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
+                shadow.c   shadow maps as one atlas, reflective shadow maps
+                field.c    ambient occlusion fields of a scene's shapes, baked and as textures
+     run/       settings.c the table of methods and their settings
+                run.c      a method made ready on a G-buffer; kit_run.h names the files that this takes
+                frames.c   one frame after another
+                plan.c     what a scene needs
 
    CONVENTIONS
      errors    every function that can fail returns 0, or -1 with one line in the kit_error that names the file or
                argument and what is wrong with it; outputs are then untouched and nothing needs freeing. err may be
-                  NULL.
+               NULL.
      pictures  planar floats, row 0 at the top
      matrices  float[16], column-major, as in ssgi.h
      world     right-handed; angles in degrees at this level (people type them), radians inside */
@@ -36,6 +37,9 @@
 #include <stdio.h>
 #include "../../ssgi.h"
 #include "../../ssgi_gl.h"
+
+#define KIT_PI 3.14159265358979323846
+#define KIT_MOST 1e12                      /* of a number that people type: floats still compute with its squares */
 
 /* ---- >>util ------------------------------------------------------------------------------------------------- */
 
@@ -65,6 +69,10 @@ void   kit_streams_open(void);
 int    kit_streams_close(kit_error *err);
 double kit_seconds(void);                                   /* monotonic clock */
 double kit_median(double *v, int count);                    /* sorts v; count > 0 */
+float  kit_middle(float *v, size_t count);                  /* the same, of an even count the upper of the two */
+double kit_dot(const double a[3], const double b[3]);
+void   kit_cross(const double a[3], const double b[3], double out[3]);      /* out is neither a nor b */
+int    kit_unit(double v[3]);                               /* 0 if v has no direction, then left as it is */
 /* FNV-1a of size bytes, continued from h; the first call passes KIT_HASH. */
 #define KIT_HASH UINT64_C(14695981039346656037)
 uint64_t kit_hash(uint64_t h, const void *data, size_t size);
@@ -239,11 +247,15 @@ void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[
 /* in [0, width] x [0, height]; direction need not be unit */
 void kit_env_place(const kit_image *env, const float direction[3], double at[2]);
 void kit_env_direction(const kit_image *env, double x, double y, float direction[3]);  /* unit */
-/* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers as above, finite, colours 0 or more; a sun's direction need not be
-   unit, but not 0. */
+/* The picture as three floats a texel, row by row, which ssgi.h takes; free(). NULL: no memory. */
+float *kit_env_interleaved(const kit_image *env);
+
 /* Published constants of scattering [JMLH01 figure 5], per millimetre: number i; NULL past them. */
 typedef struct kit_material { const char *name; float sigma_s[3], sigma_a[3], eta; } kit_material;
 const kit_material *kit_material_of(int i);
+
+/* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers in -KIT_MOST..KIT_MOST, colours 0 or more; a sun's direction need
+   not be unit, but not 0. */
 int  kit_light_parse(kit_light *light, const char *text, kit_error *err);
 
 /* ---- >>truth ------------------------------------------------------------------------------------------------ */

@@ -1,4 +1,5 @@
-/* kit_build.h - what shapes.c, scenes.c and scene.c share: scenes being built. Private to them. */
+/* kit_build.h - what shapes.c, buildings.c, thin.c, solids.c, scenes.c and scene.c share: scenes being
+   built. Private to them. */
 #ifndef KIT_BUILD_H
 #define KIT_BUILD_H
 
@@ -19,10 +20,6 @@ typedef struct kit_build {
 typedef struct kit_vertex { double p[3], n[3]; } kit_vertex;
 /* One moulding of a turned profile, from (r0, y0) upwards to (r1, y1), swelling outwards by bulge in its middle. */
 typedef struct kit_moulding { double r0, y0, r1, y1, bulge; } kit_moulding;
-
-void   kit_cross(const double a[3], const double b[3], double out[3]);
-double kit_dot(const double a[3], const double b[3]);
-void   kit_unit(double v[3]);
 
 void   kit_colour(kit_build *b, double r, double g, double blue);
 void   kit_place_at(kit_build *b, double x, double y, double z, double turn);
@@ -74,6 +71,18 @@ typedef struct kit_builtin {
     void  (*make)(kit_build *);
     float   eye[3], target[3], fovy, znear, radius;
 } kit_builtin;
+void   kit_build_room(kit_build *b);        /* buildings.c */
+void   kit_build_colonnade(kit_build *b);
+void   kit_build_grass(kit_build *b);       /* thin.c */
+void   kit_build_slats(kit_build *b);
+void   kit_build_cornell(kit_build *b);     /* solids.c */
+void   kit_build_columns(kit_build *b);
+void   kit_build_plates(kit_build *b);
+void   kit_build_pebbles(kit_build *b);
+void   kit_build_boxes(kit_build *b);
+void   kit_build_blocks(kit_build *b);
+void   kit_build_casters(kit_build *b);
+void   kit_build_crowd(kit_build *b);
 const kit_builtin *kit_builtin_at(int i);  /* NULL past the last */
 
 #endif

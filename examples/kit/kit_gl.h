@@ -207,22 +207,56 @@ GLuint kit_field_atlas(const ssgi_field *const *field, int count);
 
 /* ---- >>method ----------------------------------------------------------------------------------------------- */
 
-/* A setting of a method: what --set key=value takes. A choice takes one of its words, everything else a number in
-   [least, most]. */
+/* What --set chooses, resolved: a member a key, of the same name; --list tells what each one means to its method. A
+   method that lacks a key has 0 there. Choices are numbers, in the order of their words: these, or the library's
+   (SSGI_GL_THICKNESS_ .. of behind, SSGI_GL_SHADOW_ .. of shadows, SSGI_SH_WINDOW_ .. of window). */
+enum { KIT_ENVIRONMENT_MAP, KIT_ENVIRONMENT_SH, KIT_ENVIRONMENT_NONE };
+enum { KIT_STORE_HALF, KIT_STORE_PACKED, KIT_STORE_FLOAT };
+enum { KIT_INDIRECT_NONE, KIT_INDIRECT_JOINT, KIT_INDIRECT_APART };
+enum { KIT_FILTERED_VECTORS, KIT_FILTERED_LIGHT };
+enum { KIT_LIGHTS_HARMONICS, KIT_LIGHTS_SHADOWED };
+enum { KIT_OCCLUDERS_SOLID, KIT_OCCLUDERS_ALL };
+enum { KIT_WAY_CPU, KIT_WAY_CAPTURE, KIT_WAY_DIRECT };
+typedef struct kit_settings {
+    /* where a gather looks */
+    int    directions, steps, samples, normal_rays, sets, half, range, noise;
+    double offset, phase;                  /* half pixels; [0, 1] */
+    int    layers, views, view_layers, view_size;
+    double margin;                         /* radii */
+    /* what occludes there, and how much of it */
+    int    behind, hard, falloff, fade, normal;
+    double thickness, fade_from, lambda;   /* radii, radii, per radius */
+    /* filters */
+    int    blur, filter, filter_normals, restore, history;
+    /* light */
+    int    environment, bounce, reuse, two_sided, shadows, points, solid, shadow_size, suns, vpls;
+    double distance_clamp, gain, max_slope;    /* radii; 1: a patch's own area; a slope */
+    /* as spherical harmonics, or bent normals */
+    int    bands, store, indirect, filtered, residual, window, lights, cone;
+    /* fields */
+    int    resolution, radii, rays, own, occluders;
+    double reach, ramp, inside, power;     /* bounding spheres' radii; of the reach; below 0: as measured; exponent */
+    /* surfels */
+    int    levels, way, near_samples, span, sky, near_depth, keep_small, splits, smooth, material;
+    double size, epsilon, offscreen_growth, exponent, unit;    /* size: image heights; unit: world's, of a millimetre */
+} kit_settings;
+
+/* A setting of a method, as --list shows it: what --set key=value takes. A choice takes one of its words, everything
+   else a number in [least, most]. */
 typedef struct kit_setting {
     const char *key, *about;
     const char *choices;                   /* "slices march": words for 0, 1 ..; NULL = a number */
-    double      value, least, most;        /* value: the default */
+    double      value, least, most;        /* value: what the method has, at first the default */
     int         whole;                     /* takes whole numbers only */
 } kit_setting;
 
-#define KIT_MAX_SETTINGS 48
 typedef struct kit_method {
-    const char *name, *about;
-    int         lit;                       /* 0: writes ambient visibility Y */
-    int         between;                   /* 1: of other objects alone: its truth is kit_truth_objects */
-    int         count;
-    kit_setting setting[KIT_MAX_SETTINGS];
+    const char  *name, *about;
+    int          number;                   /* of kit_method_at */
+    int          pass, effect;             /* SSGI_GL_SSAO ..; of surfels SSGI_GL_EFFECT_OCCLUSION .. */
+    int          lit;                      /* 0: writes ambient visibility Y */
+    int          between;                  /* 1: of other objects alone: its truth is kit_truth_objects */
+    kit_settings set;
 } kit_method;
 
 /* The i-th method with its settings at their defaults; 0 past the last. */
@@ -230,7 +264,7 @@ int  kit_method_at(kit_method *method, int i);
 int  kit_method_find(kit_method *method, const char *name, kit_error *err);
 /* "key=value"; several separated by commas. On failure nothing has changed. */
 int  kit_method_set(kit_method *method, const char *text, kit_error *err);
-double kit_method_value(const kit_method *method, const char *key);
+int  kit_method_setting(kit_setting *setting, const kit_method *method, int i);    /* its i-th; 0 past the last */
 ssgi_field_desc kit_method_field(const kit_method *method);    /* what aof's settings ask of a bake */
 
 /* What a method may need beyond the G-buffer: the scene, to peel, for extra cameras and shadow maps (NULL with a
@@ -261,6 +295,8 @@ typedef struct kit_pass {
     int                rows;
     double             ms;                 /* of the last kit_run_draw that was timed */
 } kit_pass;
+
+/* ---- >>run -------------------------------------------------------------------------------------------------- */
 
 /* A method made ready on one G-buffer: programs, targets, uniforms, and what it needs of the world. The G-buffer stays
    the caller's and must outlive it. */
@@ -313,6 +349,9 @@ double kit_run_ms(const kit_run *run);     /* sum over the passes of the last ti
    (irradiance over pi, before albedo). */
 int  kit_run_read(kit_image *out, const kit_run *run, kit_error *err);
 void kit_run_close(kit_run *run);          /* leaves it all zero; fine of one that is, with no context, too */
+/* One picture of a method by its name, with settings as kit_method_set takes them: opened, drawn, read and closed. */
+int  kit_run_picture(kit_image *out, kit_gbuffer *gbuffer, const kit_world *world, const char *method, const char *set,
+                     float radius, kit_error *err);
 
 /* ---- >>frames ----------------------------------------------------------------------------------------------- */
 
@@ -356,6 +395,8 @@ double kit_plan_error(const kit_image *picture, const kit_image *truth, const ki
 int  kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err);
 /* The same: what the environment brings to an open surface, dimmed, and the lights with their shadows. */
 int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);
+
+/* ---- >>passes ----------------------------------------------------------------------------------------------- */
 
 /* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and occluders
    count as one of each. 0 for a bad desc. */

@@ -57,6 +57,18 @@ double kit_median(double *v, int count)
     return count % 2 ? v[count / 2] : 0.5 * (v[count / 2 - 1] + v[count / 2]);
 }
 
+static int by_float(const void *a, const void *b)
+{
+    const float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+float kit_middle(float *v, size_t count)
+{
+    qsort(v, count, sizeof *v, by_float);
+    return v[count / 2];
+}
+
 uint64_t kit_hash(uint64_t h, const void *data, size_t size)
 {
     for (const unsigned char *p = data, *end = p + size; p < end; ++p) h = (h ^ *p) * 1099511628211u;
@@ -315,4 +327,19 @@ void kit_json_number(FILE *out, double v, int decimals)
     if (!isfinite(v)) fputs("null", out);
     else if (decimals < 0) fprintf(out, "%.*g", -decimals, v);
     else fprintf(out, "%.*f", decimals, v);
+}
+
+double kit_dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+void kit_cross(const double a[3], const double b[3], double out[3])
+{
+    for (int i = 0; i < 3; ++i) out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+int kit_unit(double v[3])
+{
+    const double length = sqrt(kit_dot(v, v));
+    if (!(length > 0) || !isfinite(length)) return 0;
+    for (int i = 0; i < 3; ++i) v[i] /= length;
+    return 1;
 }

@@ -202,7 +202,7 @@ int main(int argc, char **argv)
                 kit_error why;
                 if (!*r->why && measure(r, s, &g, scene.radius, &world, &why))
                     snprintf(r->why, sizeof r->why, "%.150s", why.text);
-                const int behind = (int)kit_method_value(&r->method, "behind");
+                const int behind = r->method.set.behind;
                 const int two = behind == SSGI_GL_THICKNESS_SLABS;     /* anew: the first was of a cold program */
                 if (behind >= SSGI_GL_THICKNESS_BACK && !kit_gbuffer_slabs(&g, &scene, 1 + two, NULL))
                     r->slabs[s] = k ? fmin(r->slabs[s], g.slab_ms[two]) : g.slab_ms[two];

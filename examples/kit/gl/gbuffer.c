@@ -284,11 +284,11 @@ int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const k
 
 int kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *g, const kit_scene *scene, int pixels, kit_error *err)
 {
-    const double pi = 3.14159265358979323846, more = 1 + 2.0 * pixels / g->viewport[3];
+    const double more = 1 + 2.0 * pixels / g->viewport[3];
     kit_camera c = g->camera;
     c.width = g->viewport[2] + 2 * pixels;
     c.height = g->viewport[3] + 2 * pixels;
-    c.fovy = (float)(360 / pi * atan(more * tan((double)c.fovy * pi / 360)));
+    c.fovy = (float)(360 / KIT_PI * atan(more * tan((double)c.fovy * KIT_PI / 360)));
     c.ortho_height = (float)(more * (double)c.ortho_height);
     return kit_gbuffer_from_scene(wide, scene, &c, NULL, err);
 }
@@ -412,98 +412,129 @@ static int channels_find(const float **channel, const kit_image *frame, int laye
                                   missing);
 }
 
-int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err)
+/* What of a frame's channels there is. */
+typedef struct frame_channels {
+    const float *layer[KIT_MAX_LAYERS][CHANNELS], *slab[3], *motion[2];
+    int          layers, colours, lit;
+    size_t       slabs;                    /* 0, 1: the nearest back face, 3: two slabs */
+} frame_channels;
+
+static int channels_of(frame_channels *f, const kit_image *frame, kit_error *err)
 {
-    const size_t width = (size_t)frame->width, texels = width * (size_t)frame->height;
-    const float *channel[KIT_MAX_LAYERS][CHANNELS];
-    const float *slab[3];
-    size_t known;
-    float view[16], *depth, *normal, *albedo, *direct;
-    kit_gbuffer g;
-    GLint limit = 0;
-    int colours, lit;
-    size_t layers = 0;
-    memset(&g, 0, sizeof g);
-    while (g.layers < KIT_MAX_LAYERS) {
-        const int found = channels_find(channel[g.layers], frame, g.layers, Z, ALBEDO, err);
+    memset(f, 0, sizeof *f);
+    while (f->layers < KIT_MAX_LAYERS) {
+        const int found = channels_find(f->layer[f->layers], frame, f->layers, Z, ALBEDO, err);
         if (found < 0) return -1;
         if (!found) break;
-        g.layers++;
+        f->layers++;
     }
-    if (!g.layers) return kit_fail(err, "frame: channel Z is missing; Z, N.X, N.Y and N.Z are needed");
-    colours = channels_find(channel[0], frame, 0, ALBEDO, DIRECT, err);
-    lit = channels_find(channel[0], frame, 0, DIRECT, CHANNELS, err);
-    if (colours < 0 || lit < 0) return -1;
-    for (int layer = 1; layer < g.layers && colours; layer++)
-        if (channels_find(channel[layer], frame, layer, ALBEDO, DIRECT, err) != 1)
+    if (!f->layers) return kit_fail(err, "frame: channel Z is missing; Z, N.X, N.Y and N.Z are needed");
+    f->colours = channels_find(f->layer[0], frame, 0, ALBEDO, DIRECT, err);
+    f->lit = channels_find(f->layer[0], frame, 0, DIRECT, CHANNELS, err);
+    if (f->colours < 0 || f->lit < 0) return -1;
+    for (int layer = 1; layer < f->layers && f->colours; layer++)
+        if (channels_find(f->layer[layer], frame, layer, ALBEDO, DIRECT, err) != 1)
             return kit_fail(err, "frame: layer%d lacks albedo, which the first layer has", layer);
-    layers = (size_t)g.layers;
-    for (int i = 0; i < 3; i++) slab[i] = kit_image_channel(frame, slab_names[i]);
-    const float *const moved[2] = { kit_image_channel(frame, "motion.X"), kit_image_channel(frame, "motion.Y") };
-    if ((slab[1] || slab[2]) && !(slab[0] && slab[1] && slab[2]))
+    for (int i = 0; i < 3; i++) f->slab[i] = kit_image_channel(frame, slab_names[i]);
+    f->motion[0] = kit_image_channel(frame, "motion.X");
+    f->motion[1] = kit_image_channel(frame, "motion.Y");
+    if ((f->slab[1] || f->slab[2]) && !(f->slab[0] && f->slab[1] && f->slab[2]))
         return kit_fail(err, "frame: front2.Z and back2.Z need each other and back.Z");
-    known = slab[2] ? 3 : slab[0] ? 1 : 0;
+    f->slabs = f->slab[2] ? 3 : f->slab[0] ? 1 : 0;
+    return 0;
+}
+
+/* Where the frame has texel i of a texture, whose rows run the other way. */
+static size_t frame_row(const kit_gbuffer *g, size_t i)
+{
+    const size_t width = (size_t)g->width;
+    return (size_t)g->height * width - (i / width + 1) * width + i % width;
+}
+
+/* Texel at of the layers, one behind the other: depth, normal and colours as the frame has them. */
+static void take_texel(const kit_gbuffer *g, const frame_channels *f, size_t at, float *depth, float *normal,
+                       float *albedo, float *direct)
+{
+    const size_t texels = (size_t)g->width * (size_t)g->height, layer = at / texels, i = at % texels;
+    const size_t from = frame_row(g, i);
+    const float *const *c_of = f->layer[layer];
+    double n[3];
+    if (!(c_of[Z][from] > 0 && c_of[Z][from] <= FLT_MAX)) return;
+    depth[at] = c_of[Z][from];
+    for (int c = 0; c < 3; c++) n[c] = (double)c_of[N + c][from];
+    const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    normal[4 * at + 2] = layer % 2 ? -1.0f : 1.0f;
+    for (size_t c = 0; c < 3 && length > 0 && length <= DBL_MAX; c++) normal[4 * at + c] = (float)(n[c] / length);
+    for (size_t c = 0; c < 3 && f->colours; c++) albedo[4 * at + c] = c_of[ALBEDO + c][from];
+    albedo[4 * at + 3] = 1;
+    for (size_t c = 0; c < 3 && f->lit && !layer; c++) {
+        const float value = c_of[DIRECT + c][from];
+        direct[4 * i + c] = value > 0 && value <= FLT_MAX ? value : 0.0f;
+    }
+}
+
+/* room: for 9 floats a texel of each layer, and 4 more a texel, all 0 */
+static void take_layers(kit_gbuffer *g, const frame_channels *f, float *room)
+{
+    const size_t texels = (size_t)g->width * (size_t)g->height, all = (size_t)g->layers * texels;
+    float *depth = room, *normal = depth + all, *albedo = normal + 4 * all, *direct = albedo + 4 * all;
+    for (size_t at = 0; at < all; at++) take_texel(g, f, at, depth, normal, albedo, direct);
+    g->depth  = kit_texture(g->width, g->height, GL_R32F, depth);
+    g->normal = kit_texture(g->width, g->height, GL_RGBA32F, normal);
+    if (f->colours) g->albedo = kit_texture(g->width, g->height, GL_RGBA16F, albedo);
+    if (f->lit)     g->direct = kit_texture(g->width, g->height, GL_RGBA32F, direct);
+    if (g->layers == 1) return;
+    g->layer_depth  = kit_texture_array(g->width, g->height, g->layers - 1, GL_R32F, depth + texels);
+    g->layer_normal = kit_texture_array(g->width, g->height, g->layers - 1, GL_RGBA32F, normal + 4 * texels);
+    if (f->colours)
+        g->layer_albedo = kit_texture_array(g->width, g->height, g->layers - 1, GL_RGBA16F, albedo + 4 * texels);
+}
+
+/* What lies behind, and where it was; room as above. */
+static void take_slabs_and_motion(kit_gbuffer *g, const frame_channels *f, float *room)
+{
+    const size_t texels = (size_t)g->width * (size_t)g->height;
+    for (size_t at = 0; at < f->slabs * texels; at++) {
+        const float z = f->slab[at / texels][frame_row(g, at % texels)];
+        room[at] = z > 0 && z <= FLT_MAX ? z : 0;
+    }
+    if (f->slabs) g->back = kit_texture(g->width, g->height, GL_R32F, room);
+    if (f->slabs > 1) g->slabs = packed_slabs(g, room);
+    if (!f->motion[0] || !f->motion[1]) return;
+    for (size_t i = 0; i < texels; i++)
+        for (size_t c = 0; c < 2; c++) {   /* bottom row first, +y up */
+            const float v = f->motion[c][frame_row(g, i)];
+            room[2 * i + c] = !isfinite(v) ? 0 : c ? -v : v;
+        }
+    g->motion = kit_texture(g->width, g->height, GL_RG32F, room);
+}
+
+int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err)
+{
+    const size_t texels = (size_t)frame->width * (size_t)frame->height;
+    frame_channels f;
+    kit_gbuffer g;
+    float view[16];
+    GLint limit = 0;
+    if (channels_of(&f, frame, err)) return -1;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     if (frame->width > limit || frame->height > limit)
         return kit_fail(err, "frame: %d x %d is larger than this context's textures (%d)", frame->width, frame->height,
                         (int)limit);
+    memset(&g, 0, sizeof g);
+    g.layers = f.layers;
     g.camera = *camera;
     g.camera.width  = g.width  = g.viewport[2] = frame->width;
     g.camera.height = g.height = g.viewport[3] = frame->height;
     g.depth_is_linear = 1;
-    planes_from_depths(&g.camera, channel[0][Z], texels);
+    planes_from_depths(&g.camera, f.layer[0][Z], texels);
     kit_camera_matrices(&g.camera, view, g.projection);
-    depth = calloc(texels * (9 * layers + 4), sizeof *depth);
-    if (!depth)
-        return kit_fail(err, "frame: no memory for %d x %d texels in %zu layers", frame->width, frame->height, layers);
-    normal = depth + layers * texels;
-    albedo = normal + 4 * layers * texels;
-    direct = albedo + 4 * layers * texels;
-    for (size_t at = 0; at < layers * texels; at++) {
-        const size_t layer = at / texels, i = at % texels;
-        /* rows turn over */
-        const size_t from = (size_t)frame->height * width - (i / width + 1) * width + i % width;
-        const float *const *c_of = channel[layer];
-        double n[3], length;
-        if (!(c_of[Z][from] > 0 && c_of[Z][from] <= FLT_MAX)) continue;
-        depth[at] = c_of[Z][from];
-        for (int c = 0; c < 3; c++) n[c] = (double)c_of[N + c][from];
-        length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        normal[4 * at + 2] = layer % 2 ? -1.0f : 1.0f;
-        for (size_t c = 0; c < 3 && length > 0 && length <= DBL_MAX; c++) normal[4 * at + c] = (float)(n[c] / length);
-        for (size_t c = 0; c < 3 && colours; c++) albedo[4 * at + c] = c_of[ALBEDO + c][from];
-        albedo[4 * at + 3] = 1;
-        for (size_t c = 0; c < 3 && lit && !layer; c++) {
-            const float value = c_of[DIRECT + c][from];
-            direct[4 * i + c] = value > 0 && value <= FLT_MAX ? value : 0.0f;
-        }
-    }
-    g.depth  = kit_texture(g.width, g.height, GL_R32F, depth);
-    g.normal = kit_texture(g.width, g.height, GL_RGBA32F, normal);
-    if (colours) g.albedo = kit_texture(g.width, g.height, GL_RGBA16F, albedo);
-    if (lit)     g.direct = kit_texture(g.width, g.height, GL_RGBA32F, direct);
-    if (g.layers > 1) {
-        g.layer_depth  = kit_texture_array(g.width, g.height, g.layers - 1, GL_R32F, depth + texels);
-        g.layer_normal = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA32F, normal + 4 * texels);
-        if (colours)
-            g.layer_albedo = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA16F, albedo + 4 * texels);
-    }
-    for (size_t at = 0; at < known * texels; at++) {
-        const size_t i = at % texels;
-        const float z = slab[at / texels][(size_t)frame->height * width - (i / width + 1) * width + i % width];
-        depth[at] = z > 0 && z <= FLT_MAX ? z : 0;
-    }
-    if (moved[0] && moved[1]) {             /* bottom row first, +y up */
-        for (size_t i = 0; i < texels; i++)
-            for (size_t c = 0; c < 2; c++) {
-                const float v = moved[c][(size_t)frame->height * width - (i / width + 1) * width + i % width];
-                normal[2 * i + c] = !isfinite(v) ? 0 : c ? -v : v;
-            }
-        g.motion = kit_texture(g.width, g.height, GL_RG32F, normal);
-    }
-    if (known) g.back = kit_texture(g.width, g.height, GL_R32F, depth);
-    if (known > 1) g.slabs = packed_slabs(&g, depth);
-    free(depth);
+    float *room = calloc(texels * (9 * (size_t)g.layers + 4), sizeof *room);
+    if (!room)
+        return kit_fail(err, "frame: no memory for %d x %d texels in %d layers", frame->width, frame->height, g.layers);
+    take_layers(&g, &f, room);
+    take_slabs_and_motion(&g, &f, room);
+    free(room);
     *gbuffer = g;
     return 0;
 }
@@ -537,64 +568,80 @@ static void names_add(char *names, size_t size, int layer, int first, int last)
     }
 }
 
+/* Where a texture has pixel i of the picture, whose rows run the other way. */
+static size_t texel_of(const kit_gbuffer *g, size_t i)
+{
+    const size_t width = (size_t)g->viewport[2], y = (size_t)g->viewport[3] - 1 - i / width;
+    return ((size_t)g->viewport[1] + y) * (size_t)g->width + (size_t)g->viewport[0] + i % width;
+}
+
+/* A layer into its channels. room: 13 floats a texel. */
+static int read_layer(kit_image *image, const kit_gbuffer *g, int layer, float *room)
+{
+    const size_t texels = (size_t)g->width * (size_t)g->height, channels = g->albedo ? DIRECT : ALBEDO,
+                 pixels = (size_t)g->viewport[2] * (size_t)g->viewport[3];
+    float *depth = room, *normal = depth + texels, *albedo = normal + 4 * texels, *direct = albedo + 4 * texels;
+    float *out = image->data + (size_t)layer * channels * pixels,
+          *out_direct = image->data + (size_t)g->layers * channels * pixels;
+    const int lit = g->direct && !layer;
+    if ((lit && kit_texture_read(g->direct, g->width, g->height, 4, direct))
+        || layer_read(g->depth, g->layer_depth, layer, g, 1, depth)
+        || layer_read(g->normal, g->layer_normal, layer, g, 4, normal)
+        || (g->albedo && layer_read(g->albedo, g->layer_albedo, layer, g, 4, albedo)))
+        return -1;
+    for (size_t i = 0; i < pixels; i++) {
+        const size_t from = texel_of(g, i);
+        const double z = view_depth(g, (double)depth[from]);
+        if (!(z > 0)) continue;
+        out[i] = (float)z;
+        for (size_t c = 0; c < 3; c++) {
+            out[(N + c) * pixels + i] = normal[4 * from + c];
+            if (g->albedo) out[(ALBEDO + c) * pixels + i] = albedo[4 * from + c];
+            if (lit) out_direct[c * pixels + i] = direct[4 * from + c];
+        }
+    }
+    return 0;
+}
+
+/* So many slabs' depths; room: 4 floats a texel */
+static int read_slabs(kit_image *image, const kit_gbuffer *g, size_t slabs, float *room)
+{
+    const size_t pixels = (size_t)g->viewport[2] * (size_t)g->viewport[3];
+    if (!slabs) return 0;
+    if (kit_texture_read(slabs > 1 ? g->slabs : g->back, g->width, g->height, slabs > 1 ? 4 : 1, room)) return -1;
+    for (size_t k = 0; k < slabs; k++) {
+        float *out = kit_image_channel(image, slab_names[k]);
+        for (size_t i = 0; i < pixels; i++) {
+            const size_t from = texel_of(g, i);
+            out[i] = (float)view_depth(g, (double)room[slabs > 1 ? 4 * from + k : from]);
+        }
+    }
+    return 0;
+}
+
 int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
 {
-    const size_t texels = (size_t)g->width * (size_t)g->height, channels = g->albedo ? DIRECT : ALBEDO;
-    const size_t width = (size_t)g->viewport[2], height = (size_t)g->viewport[3], pixels = width * height,
-                 known = g->slabs  ? 3
-                         : g->back ? 1
-                                   : 0;
+    const size_t texels = (size_t)g->width * (size_t)g->height, slabs = g->slabs ? 3 : g->back ? 1 : 0;
     char names[KIT_MAX_CHANNELS * 32] = "";
-    float *depth, *normal, *albedo, *direct;
     kit_image image;
-    int result = 0;
-    for (int layer = 0; layer < g->layers; layer++) names_add(names, sizeof names, layer, Z, (int)channels);
+    int failed = 0;
+    for (int layer = 0; layer < g->layers; layer++)
+        names_add(names, sizeof names, layer, Z, g->albedo ? DIRECT : ALBEDO);
     if (g->direct) names_add(names, sizeof names, 0, DIRECT, CHANNELS);
-    for (size_t i = 0; i < known; i++) {
+    for (size_t i = 0; i < slabs; i++) {
         const size_t length = strlen(names);
         snprintf(names + length, sizeof names - length, ",%s", slab_names[i]);
     }
-    depth = malloc(texels * 13 * sizeof *depth);
-    if (!depth) return kit_fail(err, "G-buffer: no memory to read %d x %d texels", g->width, g->height);
+    float *room = malloc(texels * 13 * sizeof *room);
+    if (!room) return kit_fail(err, "G-buffer: no memory to read %d x %d texels", g->width, g->height);
     if (kit_image_new(&image, g->viewport[2], g->viewport[3], names, err)) {
-        free(depth);
+        free(room);
         return -1;
     }
-    normal = depth + texels;
-    albedo = normal + 4 * texels;
-    direct = albedo + 4 * texels;
-    if (g->direct) result = kit_texture_read(g->direct, g->width, g->height, 4, direct);
-    for (int layer = 0; layer < g->layers && !result; layer++) {
-        float *out = image.data + (size_t)layer * channels * pixels,
-              *out_direct = image.data + (size_t)g->layers * channels * pixels;
-        result = layer_read(g->depth, g->layer_depth, layer, g, 1, depth)
-                 || layer_read(g->normal, g->layer_normal, layer, g, 4, normal)
-                 || (g->albedo && layer_read(g->albedo, g->layer_albedo, layer, g, 4, albedo));
-        for (size_t i = 0; i < pixels && !result; i++) {
-            const size_t y = height - 1 - i / width;
-            const size_t from = ((size_t)g->viewport[1] + y) * (size_t)g->width + (size_t)g->viewport[0] + i % width;
-            const double z = view_depth(g, (double)depth[from]);
-            if (!(z > 0)) continue;
-            out[i] = (float)z;
-            for (size_t c = 0; c < 3; c++) {
-                out[(N + c) * pixels + i] = normal[4 * from + c];
-                if (g->albedo) out[(ALBEDO + c) * pixels + i] = albedo[4 * from + c];
-                if (g->direct && !layer) out_direct[c * pixels + i] = direct[4 * from + c];
-            }
-        }
-    }
-    if (known && !result)
-        result = kit_texture_read(known > 1 ? g->slabs : g->back, g->width, g->height, known > 1 ? 4 : 1, normal);
-    for (size_t k = 0; k < known && !result; k++) {
-        float *out = kit_image_channel(&image, slab_names[k]);
-        for (size_t i = 0; i < pixels; i++) {
-            const size_t from = ((size_t)g->viewport[1] + height - 1 - i / width) * (size_t)g->width
-                                + (size_t)g->viewport[0] + i % width;
-            out[i] = (float)view_depth(g, (double)normal[known > 1 ? 4 * from + k : from]);
-        }
-    }
-    free(depth);
-    if (result) {
+    for (int layer = 0; layer < g->layers && !failed; layer++) failed = read_layer(&image, g, layer, room);
+    failed = failed || read_slabs(&image, g, slabs, room);
+    free(room);
+    if (failed) {
         kit_image_free(&image);
         return kit_fail(err, "G-buffer: %s cannot read its textures back", kit_gl_name());
     }

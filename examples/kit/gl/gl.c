@@ -358,64 +358,74 @@ static void attach_to_read(GLenum attachment, GLuint texture, int slice)
     else           glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, attachment, texture, 0, slice);
 }
 
+/* Depth, a float a texel, then spread to four. */
+static void read_depth(int width, int height, float *data)
+{
+    const size_t texels = (size_t)width * (size_t)height;
+    glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, data);
+    if (glGetError() != GL_NO_ERROR) {                         /* GLES: integer depth only as integers */
+        glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, data);
+        for (size_t i = 0; i < texels; i++) {
+            uint32_t bits;
+            memcpy(&bits, data + i, sizeof bits);
+            data[i] = (float)((double)bits / 4294967295.0);
+        }
+    }
+    for (size_t i = texels; i-- > 0; ) data[4 * i] = data[i];
+}
+
+/* Colours, four floats a texel, or the bits of four integers. */
+static int read_colour(int width, int height, float *data)
+{
+    const size_t texels = (size_t)width * (size_t)height;
+    GLint type = GL_FLOAT;
+    glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                                          GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+    if (type == GL_UNSIGNED_INT) glReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, data);
+    else if (type != GL_UNSIGNED_NORMALIZED || !gl.es) glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, data);
+    else {                                 /* only bytes are sure to be read; no wider format of this kind is made */
+        uint8_t *bytes = malloc(texels * 4);
+        if (!bytes) return -1;
+        glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+        for (size_t i = 0; i < texels * 4; i++) data[i] = (float)bytes[i] / 255.0f;
+        free(bytes);
+    }
+    return 0;
+}
+
+/* What is attached to the framebuffer that is bound for reading, as four floats a texel. */
+static int read_attached(GLuint texture, int slice, int width, int height, float *data)
+{
+    attach_to_read(GL_COLOR_ATTACHMENT0, texture, slice);
+    const int is_depth = glCheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE;
+    if (is_depth) {                        /* GLES reads depth by NV_read_depth, which Mesa and NVIDIA have */
+        attach_to_read(GL_COLOR_ATTACHMENT0, 0, slice);
+        attach_to_read(GL_DEPTH_ATTACHMENT, texture, slice);
+    }
+    if (glCheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return -1;
+    while (glGetError() != GL_NO_ERROR) {}
+    if (is_depth) read_depth(width, height, data);
+    else if (read_colour(width, height, data)) return -1;
+    return glGetError() == GL_NO_ERROR ? 0 : -1;
+}
+
 static int texture_read(GLuint texture, int slice, int width, int height, int components, float *out)
 {
-    size_t texels = (size_t)width * (size_t)height;
-    GLint type = GL_FLOAT, framebuffer_was = 0;
+    const size_t texels = (size_t)width * (size_t)height, wanted = (size_t)components;
+    GLint framebuffer_was = 0;
     GLuint framebuffer;
-    int is_depth, result = -1;
-    uint8_t *bytes = NULL;
-    float *data;
     if (width < 1 || height < 1 || components < 1 || components > 4) return -1;
-    data = malloc(texels * 4 * sizeof *data);
+    float *data = malloc(texels * 4 * sizeof *data);
     if (!data) return -1;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer_was);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-    attach_to_read(GL_COLOR_ATTACHMENT0, texture, slice);
-    is_depth = glCheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE;
-    /* GLES reads depth by NV_read_depth, which Mesa and NVIDIA have */
-    if (is_depth) {
-        attach_to_read(GL_COLOR_ATTACHMENT0, 0, slice);
-        attach_to_read(GL_DEPTH_ATTACHMENT, texture, slice);
-    }
-    if (glCheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) goto done;
-    while (glGetError() != GL_NO_ERROR) {}
-    if (is_depth) {
-        glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, data);
-        if (glGetError() != GL_NO_ERROR) {                     /* GLES: integer depth only as integers */
-            glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, data);
-            for (size_t i = 0; i < texels; i++) {
-                uint32_t bits;
-                memcpy(&bits, data + i, sizeof bits);
-                data[i] = (float)((double)bits / 4294967295.0);
-            }
-        }
-        for (size_t i = texels; i-- > 0; ) data[4 * i] = data[i];
-    } else {
-        glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
-                                              GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-        /* there only bytes are sure to be read; no wider format of this kind is made here */
-        if (type == GL_UNSIGNED_NORMALIZED && gl.es) {
-            bytes = malloc(texels * 4);
-            if (!bytes) goto done;
-            glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
-            for (size_t i = 0; i < texels * 4; i++) data[i] = (float)bytes[i] / 255.0f;
-        } else if (type == GL_UNSIGNED_INT)
-            glReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, data);
-        else
-            glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, data);
-    }
-    if (glGetError() != GL_NO_ERROR) goto done;
-    for (size_t i = 0; i < texels; i++)
-        memcpy(out + i * (size_t)components, data + 4 * i, (size_t)components * sizeof *out);
-    result = 0;
-done:
+    const int failed = read_attached(texture, slice, width, height, data);
+    for (size_t i = 0; i < texels && !failed; i++) memcpy(out + i * wanted, data + 4 * i, wanted * sizeof *out);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, (GLuint)framebuffer_was);
     glDeleteFramebuffers(1, &framebuffer);
-    free(bytes);
     free(data);
-    return result;
+    return failed;
 }
 
 int kit_texture_read(GLuint texture, int width, int height, int components, float *out)

@@ -27,6 +27,26 @@ static void draw(const kit_mesh *mesh, const kit_shadow_camera *camera, GLint at
     glDrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * mesh->triangles));
 }
 
+/* Whether the context can draw an atlas of that size, and the tiles lie in it. */
+static int check_atlas(int width, int height, const kit_scene *scene, const kit_shadow_camera *camera, int count,
+                       kit_error *err)
+{
+    const size_t triangles = scene->mesh.triangles, most = 0x7fffffff / 3;
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (width < 1 || height < 1 || width > limit || height > limit || triangles > most)
+        return kit_fail(err, "shadow atlas of %s: %d x %d texels with %zu triangles is more or less than this context "
+                             "can draw (1 to %d texels, %zu triangles)",
+                        scene->name, width, height, triangles, (int)limit, most);
+    for (int i = 0; i < count; i++) {
+        const int *t = camera[i].tile;
+        if (t[0] < 0 || t[1] < 0 || t[2] < 1 || t[3] < 1 || t[0] > width - t[2] || t[1] > height - t[3])
+            return kit_fail(err, "shadow atlas of %s: tile %d (%d, %d, %d x %d) is not inside %d x %d texels",
+                            scene->name, i, t[0], t[1], t[2], t[3], width, height);
+    }
+    return 0;
+}
+
 GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit_shadow_camera *camera, int count,
                         kit_error *err)
 {
@@ -34,25 +54,9 @@ GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit
     static const GLfloat clear = 1;
     const kit_mesh *mesh = &scene->mesh;
     GLuint atlas, framebuffer, program;
-    GLint limit = 0;
     int drawn;
     kit_soup soup;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-    if (width < 1 || height < 1 || width > limit || height > limit || mesh->triangles > 0x7fffffff / 3) {
-        kit_fail(err,
-                 "shadow atlas of %s: %d x %d texels with %zu triangles is more or less than this context can draw (1 "
-                 "to %d texels, %d triangles)",
-                 scene->name, width, height, mesh->triangles, (int)limit, 0x7fffffff / 3);
-        return 0;
-    }
-    for (int i = 0; i < count; i++) {
-        const int *t = camera[i].tile;
-        if (t[0] < 0 || t[1] < 0 || t[2] < 1 || t[3] < 1 || t[0] > width - t[2] || t[1] > height - t[3]) {
-            kit_fail(err, "shadow atlas of %s: tile %d (%d, %d, %d x %d) is not inside %d x %d texels",
-                     scene->name, i, t[0], t[1], t[2], t[3], width, height);
-            return 0;
-        }
-    }
+    if (check_atlas(width, height, scene, camera, count, err)) return 0;
     program = kit_program_text("", vertex_source, fragment_source, err);
     if (!program) return 0;
     while (glGetError() != GL_NO_ERROR) {}
@@ -131,14 +135,42 @@ static double pixel_angle(size_t x, size_t y, size_t resolution)
     return corner_angle(u + w, v + w) - corner_angle(u, v + w) - corner_angle(u + w, v) + corner_angle(u, v);
 }
 
+/* A face of a light's map: what is seen there, into the pixels from that one on. */
+static int rsm_face(float *const map[3], const kit_scene *scene, const kit_light *light, const kit_camera *camera,
+                    kit_error *err)
+{
+    const size_t size = (size_t)camera->width, pixels = size * size;
+    const double area = pow((double)camera->ortho_height / camera->width, 2);
+    float view[16], projection[16];
+    kit_gbuffer gbuffer;
+    kit_image frame;
+    if (kit_gbuffer_from_scene(&gbuffer, scene, camera, NULL, err)) return -1;
+    const int failed = kit_gbuffer_read(&frame, &gbuffer, err);
+    kit_gbuffer_free(&gbuffer);
+    if (failed) return -1;
+    kit_camera_matrices(camera, view, projection);
+    for (size_t i = 0; i < pixels; i++) {
+        const size_t x = i % size, y = i / size, at = 3 * i;
+        const double power = light->kind == KIT_SUN ? area : pixel_angle(x, y, size);
+        if (!(frame.data[i] > 0)) continue;
+        kit_camera_point(camera, (int)x, (int)y, (double)frame.data[i], map[0] + at);
+        for (size_t c = 0; c < 3; c++) {
+            for (size_t r = 0; r < 3; r++) map[1][at + c] += view[4 * c + r] * frame.data[(1 + r) * pixels + i];
+            map[2][at + c] = (float)((double)frame.data[(4 + c) * pixels + i] * (double)light->colour[c] * power);
+        }
+    }
+    kit_image_free(&frame);
+    return 0;
+}
+
 int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, const kit_scene *scene,
             const kit_light *light, int resolution, kit_error *err)
 {
-    const size_t size = (size_t)resolution, face_pixels = size * size, faces = light->kind == KIT_POINT ? 6 : 1,
+    const size_t face_pixels = (size_t)resolution * (size_t)resolution, faces = light->kind == KIT_POINT ? 6 : 1,
                  count = faces * face_pixels;
     double direction[3], length = 0;
     float *map[3];
-    int result = 0;
+    int failed = 0;
     for (int i = 0; i < 3; i++) length += (double)light->at[i] * (double)light->at[i];
     length = sqrt(length);
     for (int i = 0; i < 3; i++) direction[i] = (double)light->at[i] / length;
@@ -148,34 +180,14 @@ int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, cons
     if (resolution < 1 || resolution > 4096) return kit_fail(err, "resolution %d: must be 1..4096", resolution);
     for (int i = 0; i < 3; i++) map[i] = calloc(3 * count, sizeof *map[i]);
     if (!map[0] || !map[1] || !map[2])
-        result = kit_fail(err, "resolution %d: no memory for %zu pixels", resolution, count);
-    for (size_t face = 0; face < faces && !result; face++) {
+        failed = kit_fail(err, "resolution %d: no memory for %zu pixels", resolution, count);
+    for (size_t face = 0; face < faces && !failed; face++) {
         const kit_camera camera = camera_of(light, direction, (int)face, &scene->mesh, resolution);
-        const double area = pow((double)camera.ortho_height / resolution, 2);
-        float view[16], projection[16];
-        kit_gbuffer gbuffer;
-        kit_image frame;
-        result = kit_gbuffer_from_scene(&gbuffer, scene, &camera, NULL, err);
-        if (result) break;
-        result = kit_gbuffer_read(&frame, &gbuffer, err);
-        kit_gbuffer_free(&gbuffer);
-        if (result) break;
-        kit_camera_matrices(&camera, view, projection);
-        for (size_t i = 0; i < face_pixels; i++) {
-            const size_t x = i % size, y = i / size, at = 3 * (face * face_pixels + i);
-            const double power = light->kind == KIT_SUN ? area : pixel_angle(x, y, size);
-            if (!(frame.data[i] > 0)) continue;
-            kit_camera_point(&camera, (int)x, (int)y, (double)frame.data[i], map[0] + at);
-            for (size_t c = 0; c < 3; c++) {
-                for (size_t r = 0; r < 3; r++)
-                    map[1][at + c] += view[4 * c + r] * frame.data[(1 + r) * face_pixels + i];
-                map[2][at + c] =
-                    (float)((double)frame.data[(4 + c) * face_pixels + i] * (double)light->colour[c] * power);
-            }
-        }
-        kit_image_free(&frame);
+        float *const of[3] = { map[0] + 3 * face * face_pixels, map[1] + 3 * face * face_pixels,
+                               map[2] + 3 * face * face_pixels };
+        failed = rsm_face(of, scene, light, &camera, err);
     }
-    if (result) {
+    if (failed) {
         for (int i = 0; i < 3; i++) free(map[i]);
         return -1;
     }

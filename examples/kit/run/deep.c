@@ -1,10 +1,8 @@
-/* deep.c - deep screen space: surfels of a scene, and the passes that splat them. */
+/* deep.c - deep screen space: surfels of a scene, and the passes that splat them. Declared in kit_run.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- >>deep: surfels, and the passes that splat them ------------------------------------------------------------- */
 
 /* A vertex array of vec3 or vec4 attributes, interleaved. */
 static GLuint array_of(GLuint buffer, int attributes, int components, GLuint divisor)
@@ -86,124 +84,128 @@ static void mean_of(float sky[3], const kit_image *env)
     const size_t texels = (size_t)env->width * (size_t)env->height;
     double sum[4] = { 0 };
     for (size_t i = 0; i < texels; ++i) {
-        const double area = sin(3.14159265358979 * ((double)(i / (size_t)env->width) + 0.5) / env->height);
+        const double area = sin(KIT_PI * ((double)(i / (size_t)env->width) + 0.5) / env->height);
         for (size_t c = 0; c < 3; ++c) sum[c] += area * (double)env->data[c * texels + i];
         sum[3] += area;
     }
     for (int c = 0; c < 3; ++c) sky[c] = (float)(sum[c] / sum[3]);
 }
 
-int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
+/* What a run needs of its surfels before they are passes. */
+typedef struct surfels {
+    ssgi_surfel_desc desc;
+    ssgi_surfel     *surfel;               /* so many as the run says */
+    float           *vertices;             /* of patches, 9 floats each */
+    int              patches[2];
+    double           pixels;               /* of their splats, predicted */
+    ssgi_gl_light   *rows;                 /* lamps as the picture's camera has them, so many */
+    int              lamps;
+} surfels;
+
+static void surfels_free(surfels *s)
 {
-    static const kit_lighting dark;
+    free(s->surfel);
+    free(s->vertices);
+    free(s->rows);
+}
+
+/* lit: the environment, the lamps and their shadow maps. */
+static int light_surfels(kit_making *m, surfels *s, const float picture[16])
+{
+    const kit_image *env = &m->world->lighting->env;
     kit_run *run = m->run;
-    kit_gbuffer *g = run->gbuffer;
-    const kit_scene *scene = m->world->scene;
-    const int way = (int)kit_method_value(m->method, "way"), effect = m->gather.effect,
-              lit = effect != SSGI_GL_EFFECT_OCCLUSION;
-    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (int)kit_method_value(m->method, "splits"),
-                                 fmaxf((float)kit_method_value(m->method, "offscreen_growth"), 1e-6f),
-                                 (int)kit_method_value(m->method, "keep_small"),
-                                 run->frame.radius < 1e17f ? run->frame.radius : 0 };
-    ssgi_splat splat = { .epsilon = run->frame.epsilon,
-                         .max_distance = run->frame.radius < 1e17f ? run->frame.radius : 0,
-                         .levels = m->gather.levels };
-    const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
-    const kit_world world = { scene, lighting };
+    kit_sight seen;
+    int count;
+    kit_rotation_of(run->frame.rotation, picture, NULL);
+    m->gather.environment = SSGI_GL_ENVIRONMENT_MAP;
+    if (env->data && kit_add_environment(m)) return -1;
+    /* of surfels: what splats hide is seen all the same */
+    if (!env->data || !m->set->sky) m->gather.environment = SSGI_GL_ENVIRONMENT_NONE;
+    if (kit_seen(run->gbuffer, &seen, m->err)) return -1;
+    kit_placed_light *placed = kit_placed_lights_new(m, &seen, &count, &s->lamps);
+    free(seen.point);
+    if (!placed) return -1;
+    const int failed = kit_add_atlas(m, placed, count);
+    if (!failed)
+        m->rows[0] = kit_keep(run, s->lamps ? kit_light_rows(placed, 0, s->lamps, picture)
+                                            : kit_texture(8, 1, GL_RGBA32F, NULL));
+    s->rows = kit_lights_seen(placed, 0, s->lamps, picture);
+    free(placed);
+    run->frame.lights = s->lamps;
+    m->gather.shadow = m->lights.shadow;
+    m->gather.sends = SSGI_GL_SENDS_LIGHTS;
+    return failed;
+}
+
+/* The surfels of the scene's patches, what splatting them costs, and what they send. */
+static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const float picture[16])
+{
+    const kit_image *env = &m->world->lighting->env;
+    const int scatter = m->gather.effect == SSGI_GL_EFFECT_SCATTER;
+    kit_run *run = m->run;
+    const ssgi_splat splat = { .epsilon = run->frame.epsilon, .max_distance = s->desc.max_distance,
+                               .levels = m->gather.levels, .near_depth = run->frame.near_depth };
     ssgi_surfel_cost cost;
-    ssgi_gl_chain chain;
-    const char *why = "";
-    float *vertices;
-    ssgi_surfel *surfels = NULL;
-    int patches[2], failed = 0, direct = 0, placed_count = 0;
-    ssgi_gl_light *rows = NULL;
-    if (!scene)
-        return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene",
-                        m->method->name);
-    if (way && !glPatchParameteri) return kit_fail(m->err, "--set way: %s has no tessellation", kit_gl_name());
-    if (ssgi_gl_surfels_set(&run->frame, view, &d, m->gather.levels, picture, &why) != SSGI_OK)
-        return kit_fail(m->err, "%s", why);
-    m->world = &world;
-    if (kit_method_value(m->method, "near_depth") > 0 && nearest_of(&run->frame.near_depth, g, m->err)) return -1;
-    splat.near_depth = run->frame.near_depth;
-    if (lit) {
-        kit_sight seen;
-        kit_placed_light *placed;
-        kit_rotation_of(run->frame.rotation, picture, NULL);
-        m->gather.environment = SSGI_GL_ENVIRONMENT_MAP;
-        if (lighting->env.data && kit_add_environment(m)) return -1;
-        /* of surfels: what splats hide is seen all the same */
-        if (!lighting->env.data || !(kit_method_value(m->method, "sky") > 0))
-            m->gather.environment = SSGI_GL_ENVIRONMENT_NONE;
-        if (kit_seen(g, &seen, m->err)) return -1;
-        placed = kit_placed_lights_new(m, &seen, &placed_count, &direct);
-        free(seen.point);
-        if (!placed) return -1;
-        failed = kit_add_atlas(m, placed, placed_count);
-        m->rows[0] = failed ? 0
-                            : kit_keep(run, direct ? kit_light_rows(placed, 0, direct, picture)
-                                                   : kit_texture(8, 1, GL_RGBA32F, NULL));
-        rows = kit_lights_seen(placed, 0, direct, picture);
-        free(placed);
-        run->frame.lights = direct;
-        m->gather.shadow = m->lights.shadow;
-        m->gather.sends = SSGI_GL_SENDS_LIGHTS;
-        if (failed) return -1;
-    }
-    vertices = patches_of(scene, &d, view, picture, effect == SSGI_GL_EFFECT_SCATTER, patches);
-    ssgi_surfel_source source = { .position = vertices,
-                                  .normal = vertices ? vertices + 3 : NULL,
-                                  .colour = vertices ? vertices + 6 : NULL,
+    const char *why = "out of memory";
+    float sky[3] = { 0, 0, 0 };
+    s->vertices = patches_of(m->world->scene, &s->desc, view, picture, scatter, s->patches);
+    if (!s->vertices) return kit_fail(m->err, "surfels: %s", why);
+    ssgi_surfel_source source = { .position = s->vertices,
+                                  .normal = s->vertices + 3,
+                                  .colour = s->vertices + 6,
                                   .position_stride = 36,
                                   .normal_stride = 36,
                                   .colour_stride = 36,
-                                  .triangles = (size_t)(patches[0] + patches[1]) };
+                                  .triangles = (size_t)(s->patches[0] + s->patches[1]) };
     memcpy(source.to_view, picture, sizeof source.to_view);
-    for (int pass = 0; pass < 2 && vertices && !failed; ++pass) {           /* counts, then surfels */
-        if (pass) surfels = malloc((run->surfels + 1) * sizeof *surfels);
-        failed = (pass && !surfels)
-                 || ssgi_surfels(surfels, pass ? run->surfels : 0, &run->surfels, &d, view, &source, &why) != SSGI_OK;
+    int failed = ssgi_surfels(NULL, 0, &run->surfels, &s->desc, view, &source, &why) != SSGI_OK;   /* counts */
+    if (!failed) s->surfel = malloc((run->surfels + 1) * sizeof *s->surfel);
+    failed = failed || !s->surfel
+          || ssgi_surfels(s->surfel, run->surfels, &run->surfels, &s->desc, view, &source, &why) != SSGI_OK
+          || ssgi_surfels_predict(&cost, &s->desc, &splat, view, &source, &why) != SSGI_OK;
+    if (!failed && m->run->lit) {
+        if (env->data && (m->gather.environment || m->gather.span)) mean_of(sky, env);
+        failed = !s->rows || ssgi_gl_sent_set(&run->frame, s->surfel, run->surfels, s->rows, s->lamps, sky, &why)
+                                 != SSGI_OK;
     }
-    if (vertices && !failed) failed = ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK;
-    if (lit && !failed && vertices) {
-        float sky[3] = { 0, 0, 0 };
-        if (lighting->env.data && (m->gather.environment || m->gather.span)) mean_of(sky, &lighting->env);
-        failed = !rows || ssgi_gl_sent_set(&run->frame, surfels, run->surfels, rows, direct, sky, &why) != SSGI_OK;
-    }
-    free(rows);
-    if (!vertices || failed) {
-        free(vertices);
-        free(surfels);
-        return kit_fail(m->err, "surfels: %s", *why ? why : "out of memory");
-    }
-    for (int l = 0; l < m->gather.levels; ++l) run->splat_pixels += cost.pixels[l];
-    run->fetches += run->splat_pixels / ((double)view->width * view->height);
-    if (way) run->buffers[0] = buffer_of(vertices, 27 * (size_t)(patches[0] + patches[1]) * sizeof *vertices);
-    else run->buffers[0] = buffer_of(surfels, (run->surfels + 1) * sizeof *surfels);
+    if (failed) return kit_fail(m->err, "surfels: %s", why);
+    for (int l = 0; l < m->gather.levels; ++l) s->pixels += cost.pixels[l];
+    return 0;
+}
+
+/* The buffers that passes make surfels of, and that they write them into. */
+static void add_buffers(kit_run *run, const surfels *s, int way)
+{
+    const size_t patches = (size_t)(s->patches[0] + s->patches[1]), size = sizeof *s->surfel;
+    if (way) run->buffers[0] = buffer_of(s->vertices, 27 * patches * sizeof *s->vertices);
+    else run->buffers[0] = buffer_of(s->surfel, (run->surfels + 1) * size);
     run->arrays[0] = array_of(run->buffers[0], 3, way ? 3 : 4, way ? 0 : 1);
-    if (way == 1 || lit)
-        run->buffers[1] = buffer_of(NULL, (3 * run->surfels + run->surfels / 16 + 1024) * sizeof *surfels);
-    free(vertices);
-    free(surfels);
-    chain = kit_chain(m);
+    if (way == KIT_WAY_CAPTURE || run->lit)
+        run->buffers[1] = buffer_of(NULL, (3 * run->surfels + run->surfels / 16 + 1024) * size);
+}
+
+static ssgi_gl_chain chain_of(const kit_making *m, const surfels *s)
+{
+    const int way = m->set->way, lit = m->run->lit;
+    ssgi_gl_chain chain = kit_chain(m);
     chain.blur = chain.history = 0;
-    chain.desc.tessellate = way > 0;
-    chain.desc.bounce = effect == SSGI_GL_EFFECT_LIGHT;
-    chain.desc.environment = lit && lighting->env.data ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
+    chain.desc.tessellate = way != KIT_WAY_CPU;
+    chain.desc.bounce = m->gather.effect == SSGI_GL_EFFECT_LIGHT;
+    chain.desc.environment =
+        lit && m->world->lighting->env.data ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
     chain.hidden_sky = m->gather.environment != SSGI_GL_ENVIRONMENT_NONE;
-    chain.unsmoothed = !(kit_method_value(m->method, "smooth") > 0);
-    chain.surfels = way == 1 || (lit && !way);          /* surfels come out of a pass: from patches, or lit */
-    if (direct) chain.lights = m->lights;
+    chain.unsmoothed = !m->set->smooth;
+    /* surfels come out of a pass: from patches, or lit */
+    chain.surfels = way == KIT_WAY_CAPTURE || (lit && way == KIT_WAY_CPU);
+    if (s->lamps) chain.lights = m->lights;
     if (way) chain.desc.dialect = kit_gl_is_es() ? SSGI_GL_320ES : SSGI_GL_410;
-    if (effect == SSGI_GL_EFFECT_SCATTER) {
-        const kit_material *material = kit_material_of((int)kit_method_value(m->method, "material"));
-        ssgi_dipole dipole;
-        ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
-        ssgi_gl_dipole_set(&run->frame, &dipole, (float)kit_method_value(m->method, "unit"), NULL);
-    }
-    if (lit && !g->albedo) kit_add_grey(m);
-    if (kit_add_steps(m, &chain, 0, &run->light, &run->bounce)) return -1;
-    if (chain.surfels) {
+    return chain;
+}
+
+/* What the passes draw from, and where surfels go that one of them makes. */
+static void connect_buffers(kit_run *run, const surfels *s, int way, int captured)
+{
+    if (captured) {
         if (!way) run->arrays[2] = array_of(run->buffers[0], 3, 4, 0);
         run->arrays[1] = array_of(run->buffers[1], 3, 4, 1);
         if (way) glGenQueries(1, &run->query);
@@ -212,47 +214,54 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         kit_pass *p = &run->pass[i];
         const int made = p->desc.pass == SSGI_GL_SURFELS;
         if (!made && p->desc.pass != SSGI_GL_SPLAT) continue;
-        p->array = !made ? run->arrays[chain.surfels] : way ? run->arrays[0] : run->arrays[2];
-        if (p->desc.tessellate) memcpy(p->patches, patches, sizeof patches);
-        p->splits = d.splits;
+        p->array = !made ? run->arrays[captured] : way ? run->arrays[0] : run->arrays[2];
+        if (p->desc.tessellate) memcpy(p->patches, s->patches, sizeof s->patches);
+        p->splits = s->desc.splits;
         if (made) p->capture = run->buffers[1];
     }
+}
+
+static void add_dipole(kit_making *m)
+{
+    const kit_material *material = kit_material_of(m->set->material);
+    ssgi_dipole dipole;
+    ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
+    ssgi_gl_dipole_set(&m->run->frame, &dipole, (float)m->set->unit, NULL);
+}
+
+static int add_surfel_passes(kit_making *m, surfels *s, const ssgi_view *view, const float picture[16])
+{
+    kit_run *run = m->run;
+    if ((run->lit && light_surfels(m, s, picture)) || make_surfels(m, s, view, picture)) return -1;
+    run->splat_pixels += s->pixels;
+    run->fetches += run->splat_pixels / ((double)view->width * view->height);
+    add_buffers(run, s, m->set->way);
+    const ssgi_gl_chain chain = chain_of(m, s);
+    if (m->gather.effect == SSGI_GL_EFFECT_SCATTER) add_dipole(m);
+    if (run->lit && !run->gbuffer->albedo) kit_add_grey(m);
+    if (kit_add_steps(m, &chain, 0, &run->light, &run->bounce)) return -1;
+    connect_buffers(run, s, m->set->way, chain.surfels);
     return 0;
 }
-/* Makes surfels or splats them, from patches or from a buffer. */
-void kit_draw_surfels(kit_run *run, const kit_pass *p)
+
+int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
 {
-    const int capture = p->capture != 0, counted = capture && run->query;
-    GLint was;
-    GLuint written = 0;
-    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &was);
-    glBindVertexArray(p->array);
-    if (capture) {
-        glEnable(GL_RASTERIZER_DISCARD);
-        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, p->capture);
-        if (counted) glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, run->query);
-        glBeginTransformFeedback(GL_POINTS);
-    }
-    if (p->desc.tessellate) {
-        glPatchParameteri(GL_PATCH_VERTICES, 3);
-        /* Mesa mixes up points beyond 65536 that one draw tessellates */
-        const int all = p->patches[0] + p->patches[1], most = kit_gl_is_software() ? 20 : all;
-        for (int first = 0, count; first < all; first += count) {
-            const int end = first < p->patches[0] ? p->patches[0] : all;
-            count = end - first < most ? end - first : most;
-            glDrawArraysInstanced(GL_PATCHES, 3 * first, 3 * count, first < p->patches[0] ? 1 : p->splits * p->splits);
-        }
-    } else if (capture) glDrawArrays(GL_POINTS, 0, (GLsizei)run->surfels);
-    else glDrawArraysInstanced(p->step->primitive, 0, p->step->vertices, (GLsizei)run->surfels);
-    if (capture) {
-        glEndTransformFeedback();
-        if (counted) {
-            glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
-            glGetQueryObjectuiv(run->query, GL_QUERY_RESULT, &written);
-            run->surfels = written;
-        }
-        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
-        glDisable(GL_RASTERIZER_DISCARD);
-    }
-    glBindVertexArray((GLuint)was);
+    const kit_settings *set = m->set;
+    kit_run *run = m->run;
+    surfels s = { .desc = { .size = (float)set->size,
+                            .splits = set->splits,
+                            .offscreen_growth = fmaxf((float)set->offscreen_growth, 1e-6f),
+                            .keep_small = set->keep_small,
+                            .max_distance = run->frame.radius < 1e17f ? run->frame.radius : 0 } };
+    const char *why = "";
+    if (!m->world->scene)
+        return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene",
+                        m->method->name);
+    if (set->way && !glPatchParameteri) return kit_fail(m->err, "--set way: %s has no tessellation", kit_gl_name());
+    if (ssgi_gl_surfels_set(&run->frame, view, &s.desc, m->gather.levels, picture, &why) != SSGI_OK)
+        return kit_fail(m->err, "%s", why);
+    if (set->near_depth && nearest_of(&run->frame.near_depth, run->gbuffer, m->err)) return -1;
+    const int failed = add_surfel_passes(m, &s, view, picture);
+    surfels_free(&s);
+    return failed;
 }

@@ -91,7 +91,7 @@ int kit_frames_next(kit_frames *f, kit_gbuffer *g, const kit_method *method, flo
                     kit_image *alone, kit_error *err)
 {
     kit_run *last = f->now, *run = &f->run[last == &f->run[0]];
-    const int keeps = kit_method_value(method, "history") > 0;
+    const int keeps = method->set.history;
     kit_image picture = { 0 };
     int failed = kit_run_open_wide(run, g, method, radius, world, last && keeps ? last->margin : -1, err)
               || (alone && draw_alone(&picture, run, keeps ? f->number : 0, err))

@@ -13,21 +13,6 @@ enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
 static const char *const pictures[PICTURES][2] = { { "hsao", "" }, { "hsao-best", "" }, { "hsao", "behind=solid" },
                                                    { "hsao", "behind=slabs" } };
 
-static int drawn(kit_image *out, kit_gbuffer *g, const kit_world *world, const char *method, const char *set,
-                 float radius, kit_error *err)
-{
-    kit_method m;
-    kit_run run;
-    int failed;
-    if (kit_method_find(&m, method, err) || kit_method_set(&m, set, err)
-        || kit_run_open(&run, g, &m, radius, world, err))
-        return -1;
-    kit_run_draw(&run, 0);
-    failed = kit_run_read(out, &run, err);
-    kit_run_close(&run);
-    return failed;
-}
-
 /* Pixels without a surface are left out. */
 static int survey_of(ssgi_survey *survey, kit_image picture[PICTURES], int count, const float *z, kit_error *err)
 {
@@ -92,12 +77,10 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
 /* Of the environment's harmonics. */
 static int energy_of(float energy[4], const kit_lighting *light, kit_error *err)
 {
-    const size_t texels = (size_t)light->env.width * (size_t)light->env.height;
     float sh[48] = { 0 };
     if (light->env.data) {
-        float *rgb = malloc(3 * texels * sizeof *rgb);
+        float *rgb = kit_env_interleaved(&light->env);
         if (!rgb) return kit_fail(err, "out of memory");
-        for (size_t i = 0; i < 3 * texels; ++i) rgb[i] = light->env.data[i % 3 * texels + i / 3];
         ssgi_sh_project_equirect(sh, 4, rgb, light->env.width, light->env.height, NULL);
         free(rgb);
     }
@@ -136,9 +119,9 @@ static int light_of(kit_image *open, kit_image *direct, kit_gbuffer *g, const ki
 {
     memset(direct, 0, sizeof *direct);
     /* nothing is in the way within so small a radius */
-    if (drawn(open, g, world, "ssdo-points", "bounce=none,blur=0", 1e-4f * radius, err)) return -1;
+    if (kit_run_picture(open, g, world, "ssdo-points", "bounce=none,blur=0", 1e-4f * radius, err)) return -1;
     if (!world->lighting || !world->lighting->lights) return 0;
-    return drawn(direct, g, world, "ssdo-points", "environment=none,bounce=none", radius, err);
+    return kit_run_picture(direct, g, world, "ssdo-points", "environment=none,bounce=none", radius, err);
 }
 
 /* The same of light: the truth of one pixel in every block, visibility dims what the environment brings to open
@@ -226,7 +209,7 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     s->wanted = wanted;
     s->thickness = slabs ? SSGI_PLAN_SLABS : g->back ? SSGI_PLAN_BACK : SSGI_PLAN_CONSTANT;
     for (int k = 0; k < count; ++k)
-        if (drawn(&picture[k], g, &dark, pictures[k][0], pictures[k][1], radius, err)) return -1;
+        if (kit_run_picture(&picture[k], g, &dark, pictures[k][0], pictures[k][1], radius, err)) return -1;
     if (kit_gbuffer_read(&frame, g, err)) return -1;
     const float *z = kit_image_channel(&frame, "Z"), *green = kit_image_channel(&frame, "albedo.G");
     kit_camera_matrices(&g->camera, to_view, projection);

@@ -15,168 +15,167 @@ enum {
     PLAN = 0 /* the method asks for it itself */
 };
 
-typedef struct row { kit_setting setting; int where; size_t offset; } row;
+/* member: of kit_settings, whose type says whether the setting takes whole numbers only */
+typedef struct row { kit_setting setting; size_t member; int where; size_t offset; } row;
 #define DESC(field)  offsetof(ssgi_gl_desc, field)
 #define FRAMED(field) offsetof(ssgi_gl_frame, field)
-/* choices: words, NULL for a number; whole: 1 for whole numbers */
-#define ROW(name, key, about, choices, value, least, most, whole, where, offset) \
-    static const row name = { { key, about, choices, value, least, most, whole }, where, offset };
+#define WHOLE(member) _Generic(((const kit_settings *)0)->member, int: 1, double: 0)
+/* choices: words, NULL for a number */
+#define ROW(name, key, about, choices, value, least, most, where, offset) \
+    static const row name = { { #key, about, choices, value, least, most, WHOLE(key) }, \
+                              offsetof(kit_settings, key), where, offset };
 
-ROW(noise_row, "noise", "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, 1, PLAN, 0)
-ROW(normal_row, "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1, PLAN, 0)
+ROW(noise_row, noise, "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, PLAN, 0)
+ROW(normal_row, normal, "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, PLAN, 0)
 #define THICKNESS(name, value) \
-    ROW(name, "thickness", "constant thickness of visible surfaces, in radii", NULL, value, 0, 100, 0, SCALED, \
-        FRAMED(thickness))
+    ROW(name, thickness, "constant thickness of visible surfaces, in radii", NULL, value, 0, 100, \
+        SCALED, FRAMED(thickness))
 THICKNESS(thickness_row, 1)
 THICKNESS(slice_thick_row, 0.6)
 THICKNESS(lit_thick_row, 0.4)
 THICKNESS(half_thick_row, 0.5)
 THICKNESS(most_thick_row, 0.7)
-ROW(behind_row, "behind", "thickness of visible surfaces: constant; unlimited; to the back face; two slabs",
-    "constant solid back slabs", 0, 0, 3, 1, GATHER, DESC(thickness))
-ROW(half_row, "half", "1: one pixel of every 2x2, brought to full size by the filter",
-    NULL, 0, 0, 1, 1, GATHER, DESC(half))
-ROW(hard_row, "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1, GATHER, DESC(hard))
-ROW(offset_row, "offset", "lift of the receiver along its normal, in half pixels",
-    NULL, 1.5, 0, 100, 0, FRAME, FRAMED(offset))
-ROW(blur_row, "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1, PLAN, 0)
-ROW(filter_row, "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1, GATHER, DESC(filter))
-ROW(compare_row, "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1, GATHER, DESC(filter_normals))
-ROW(restore_row, "restore", "the filter smooths light, its ratio to unoccluded light, or its difference from it",
-    "none ratio difference", 1, 0, 2, 1, GATHER, DESC(restore))
-ROW(vector_restore_row, "restore",
+ROW(behind_row, behind, "thickness of visible surfaces: constant; unlimited; to the back face; two slabs",
+    "constant solid back slabs", 0, 0, 3, GATHER, DESC(thickness))
+ROW(half_row, half, "1: one pixel of every 2x2, brought to full size by the filter",
+    NULL, 0, 0, 1, GATHER, DESC(half))
+ROW(hard_row, hard, "1: no attenuation by distance", NULL, 0, 0, 1, GATHER, DESC(hard))
+ROW(offset_row, offset, "lift of the receiver along its normal, in half pixels",
+    NULL, 1.5, 0, 100, FRAME, FRAMED(offset))
+ROW(blur_row, blur, "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, PLAN, 0)
+ROW(filter_row, filter, "kind of filter", "bilateral gaussian", 0, 0, 1, GATHER, DESC(filter))
+ROW(compare_row, filter_normals, "1: the filter compares normals too", NULL, 0, 0, 1, GATHER, DESC(filter_normals))
+ROW(restore_row, restore, "the filter smooths light, its ratio to unoccluded light, or its difference from it",
+    "none ratio difference", 1, 0, 2, GATHER, DESC(restore))
+ROW(vector_restore_row, restore,
     "the filter smooths light, its ratio to unoccluded light, or its difference from it (joint: always this)",
-    "none ratio difference", 1, 0, 2, 1, GATHER, DESC(restore))
-ROW(phase_row, "phase", "offset of the noise", NULL, 0, 0, 1, 0, FRAME, FRAMED(phase))
-ROW(layers_row, "layers", "peeled depth layers; closed solids only",
-    NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(layers))
-ROW(views_row, "views", "extra cameras; closed solids only", NULL, 0, 0, 4, 1, GATHER | LIGHTS, DESC(views))
-ROW(view_layers_row, "view_layers", "depth layers of each extra camera",
-    NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(view_layers))
-ROW(view_size_row, "view_size", "pixels of an extra camera's side", NULL, 256, 16, 4096, 1, PLAN, 0)
+    "none ratio difference", 1, 0, 2, GATHER, DESC(restore))
+ROW(phase_row, phase, "offset of the noise", NULL, 0, 0, 1, FRAME, FRAMED(phase))
+ROW(layers_row, layers, "peeled depth layers; closed solids only",
+    NULL, 1, 1, KIT_MAX_LAYERS, GATHER | LIGHTS, DESC(layers))
+ROW(views_row, views, "extra cameras; closed solids only", NULL, 0, 0, 4, GATHER | LIGHTS, DESC(views))
+ROW(view_layers_row, view_layers, "depth layers of each extra camera",
+    NULL, 1, 1, KIT_MAX_LAYERS, GATHER | LIGHTS, DESC(view_layers))
+ROW(view_size_row, view_size, "pixels of an extra camera's side", NULL, 256, 16, 4096, PLAN, 0)
 
-ROW(history_row, "history", "1: averaged over frames before the filter; the first frame is as without it",
-    NULL, 0, 0, 1, 1, PLAN, 0)
-ROW(margin_row, "margin", "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, 0, PLAN, 0)
-ROW(samples_row, "samples", "directions per pixel", NULL, 16, 1, 64, 1, GATHER, DESC(samples))
-ROW(march_row, "steps", "points along a direction; the first occluded one counts",
-    NULL, 1, 1, 64, 1, GATHER, DESC(steps))
-ROW(falloff_row, "falloff", "weight of an occluder at distance t: 1 - t/radius, or 1 - (t/radius)^2",
-    "linear square", 0, 0, 1, 1, GATHER, DESC(falloff))
-ROW(fade_row, "fade", "weight of an occluder by the distance of the surface in the depth buffer",
-    "none smooth lambda", 0, 0, 2, 1, GATHER, DESC(fade))
-ROW(lambda_row, "lambda", "of that fade, per radius: larger is weaker", NULL, 4, 0, 1000, 0, FRAME, FRAMED(lambda))
-ROW(range_row, "range", "1: ignore surfaces beyond the radius or below the receiver's plane",
-    NULL, 0, 0, 1, 1, GATHER, DESC(range))
-ROW(fade_from_row, "fade_from", "where smooth fading begins, in radii", NULL, 0.3, 0, 1, 0, SCALED, FRAMED(fade))
-ROW(sets_row, "sets", "sets of directions in a texture, one per pixel; 0 = one set, rotated",
-    NULL, 0, 0, 256, 1, PLAN, 0)
-ROW(slices_row, "directions", "slices, two directions each", NULL, 1, 1, 32, 1, GATHER, DESC(directions))
-ROW(dirs_row, "directions", "N_d: directions in the tangent plane", NULL, 6, 1, 32, 1, GATHER, DESC(directions))
-ROW(steps_row, "steps", "N_s: steps per direction", NULL, 6, 1, 64, 1, GATHER, DESC(steps))
-ROW(rays_row, "normal_rays", "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, 1, GATHER, DESC(normal_rays))
+ROW(history_row, history, "1: averaged over frames before the filter; the first frame is as without it",
+    NULL, 0, 0, 1, PLAN, 0)
+ROW(margin_row, margin, "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, PLAN, 0)
+ROW(samples_row, samples, "directions per pixel", NULL, 16, 1, 64, GATHER, DESC(samples))
+ROW(march_row, steps, "points along a direction; the first occluded one counts", NULL, 1, 1, 64, GATHER, DESC(steps))
+ROW(falloff_row, falloff, "weight of an occluder at distance t: 1 - t/radius, or 1 - (t/radius)^2",
+    "linear square", 0, 0, 1, GATHER, DESC(falloff))
+ROW(fade_row, fade, "weight of an occluder by the distance of the surface in the depth buffer",
+    "none smooth lambda", 0, 0, 2, GATHER, DESC(fade))
+ROW(lambda_row, lambda, "of that fade, per radius: larger is weaker", NULL, 4, 0, 1000, FRAME, FRAMED(lambda))
+ROW(range_row, range, "1: ignore surfaces beyond the radius or below the receiver's plane",
+    NULL, 0, 0, 1, GATHER, DESC(range))
+ROW(fade_from_row, fade_from, "where smooth fading begins, in radii", NULL, 0.3, 0, 1, SCALED, FRAMED(fade))
+ROW(sets_row, sets, "sets of directions in a texture, one per pixel; 0 = one set, rotated", NULL, 0, 0, 256, PLAN, 0)
+ROW(slices_row, directions, "slices, two directions each", NULL, 1, 1, 32, GATHER, DESC(directions))
+ROW(dirs_row, directions, "N_d: directions in the tangent plane", NULL, 6, 1, 32, GATHER, DESC(directions))
+ROW(steps_row, steps, "N_s: steps per direction", NULL, 6, 1, 64, GATHER, DESC(steps))
+ROW(rays_row, normal_rays, "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, GATHER, DESC(normal_rays))
 
-ROW(environment_row, "environment", "how --env is used", "map sh none", 0, 0, 2, 1, PLAN, 0)
-ROW(bounce_row, "bounce", "one diffuse bounce, by which estimator",
-    "none solid-angle patch", 1, 0, 2, 1, GATHER, DESC(bounce))
-ROW(reuse_row, "reuse", "1: senders use the last frame's light, so that one gather does both",
-    NULL, 0, 0, 1, 1, PLAN, 0)
-ROW(two_sided_row, "two_sided", "1: senders are two-sided", NULL, 0, 0, 1, 1, GATHER, DESC(two_sided))
-ROW(distance_clamp_row, "distance_clamp", "clamp of the distance to a patch, in radii",
-    NULL, 0.25, 0, 100, 0, FRAME, FRAMED(distance_clamp))
-ROW(gain_row, "gain", "area of patches, times pi r^2/N", NULL, 1, 0, 1000, 0, FRAME, FRAMED(gain))
-ROW(shadows_row, "shadows", "of --light: screen-space segments, maps, maps with segments over their bias",
-    "segment map fill none", 2, 0, 3, 1, LIGHTS, DESC(shadow))
-ROW(shadows_d_row, "shadows", "of --light: maps or none", "segment map fill none", 1, 0, 3, 1, LIGHTS, DESC(shadow))
-ROW(points_row, "points", "on a segment toward a light", NULL, 8, 1, 64, 1, LIGHTS, DESC(samples))
-ROW(solid_row, "solid", "1: shadows: unlimited thickness", NULL, 0, 0, 1, 1, PLAN, 0)
-ROW(max_slope_row, "max_slope", "largest slope that the shadow maps' bias follows",
-    NULL, 20, 0, 1000, 0, FRAME, FRAMED(max_slope))
-ROW(shadow_row, "shadow_size", "texels of a shadow map's side", NULL, 1024, 16, 8192, 1, PLAN, 0)
-ROW(suns_row, "suns", "the environment as directional lights with shadow maps; 0: directional occlusion",
-    NULL, 0, 0, 1024, 1, PLAN, 0)
-ROW(vpls_row, "vpls", "virtual point lights of the first --light: the bounce beyond the radius",
-    NULL, 0, 0, 4096, 1, PLAN, 0)
+ROW(environment_row, environment, "how --env is used", "map sh none", 0, 0, 2, PLAN, 0)
+ROW(bounce_row, bounce, "one diffuse bounce, by which estimator",
+    "none solid-angle patch", 1, 0, 2, GATHER, DESC(bounce))
+ROW(reuse_row, reuse, "1: senders use the last frame's light, so that one gather does both", NULL, 0, 0, 1, PLAN, 0)
+ROW(two_sided_row, two_sided, "1: senders are two-sided", NULL, 0, 0, 1, GATHER, DESC(two_sided))
+ROW(distance_clamp_row, distance_clamp, "clamp of the distance to a patch, in radii",
+    NULL, 0.25, 0, 100, FRAME, FRAMED(distance_clamp))
+ROW(gain_row, gain, "area of patches, times pi r^2/N", NULL, 1, 0, 1000, FRAME, FRAMED(gain))
+ROW(shadows_row, shadows, "of --light: screen-space segments, maps, maps with segments over their bias",
+    "segment map fill none", 2, 0, 3, LIGHTS, DESC(shadow))
+ROW(shadows_d_row, shadows, "of --light: maps or none", "segment map fill none", 1, 0, 3, LIGHTS, DESC(shadow))
+ROW(points_row, points, "on a segment toward a light", NULL, 8, 1, 64, LIGHTS, DESC(samples))
+ROW(solid_row, solid, "1: shadows: unlimited thickness", NULL, 0, 0, 1, PLAN, 0)
+ROW(max_slope_row, max_slope, "largest slope that the shadow maps' bias follows",
+    NULL, 20, 0, 1000, FRAME, FRAMED(max_slope))
+ROW(shadow_row, shadow_size, "texels of a shadow map's side", NULL, 1024, 16, 8192, PLAN, 0)
+ROW(suns_row, suns, "the environment as directional lights with shadow maps; 0: directional occlusion",
+    NULL, 0, 0, 1024, PLAN, 0)
+ROW(vpls_row, vpls, "virtual point lights of the first --light: the bounce beyond the radius",
+    NULL, 0, 0, 4096, PLAN, 0)
 
-ROW(bands_row, "bands", "of spherical harmonics: 1, 4, 9 or 16 coefficients",
-    NULL, 4, 1, 4, 1, GATHER, DESC(bands))
-ROW(few_bands_row, "bands", "environment=sh: of spherical harmonics", NULL, 3, 1, 4, 1, GATHER, DESC(bands))
-ROW(store_row, "store", "coefficients as halves, halves packed into integers, or floats",
-    "half packed float", 0, 0, 2, 1, PLAN, 0)
-ROW(packed_row, "store", "coefficients that are filtered or meet lamps: halves, packed halves, floats; joint: packed",
-    "half packed float", 1, 0, 2, 1, PLAN, 0)
-ROW(indirect_row, "indirect", "one bounce: none, in the gather of the occlusion, in its own",
-    "none joint apart", 1, 0, 2, 1, PLAN, 0)
-ROW(filtered_row, "filtered", "what is filtered", "vectors light", 1, 0, 1, 1, PLAN, 0)
-ROW(residual_row, "residual", "1: unoccluded irradiance is exact, harmonics give the occlusion alone",
-    NULL, 1, 0, 1, 1, GATHER, DESC(residual))
-ROW(window_row, "window", "of lights as harmonics", "none hann positive", 1, 0, 2, 1, PLAN, 0)
-ROW(lights_row, "lights", "--light as harmonics, or by maps and segments, without a bounce", "harmonics shadowed",
-    0, 0, 1, 1, PLAN, 0)
-ROW(shadowed_row, "lights", "--light as harmonics of two bands, which are wider than a lamp, or by maps and segments",
-    "harmonics shadowed", 1, 0, 1, 1, PLAN, 0)
-ROW(cone_row, "cone", "environment over the cone of unoccluded directions, or irradiance along their mean",
-    "normal cone", 1, 0, 1, 1, PLAN, 0)
+ROW(bands_row, bands, "of spherical harmonics: 1, 4, 9 or 16 coefficients", NULL, 4, 1, 4, GATHER, DESC(bands))
+ROW(few_bands_row, bands, "environment=sh: of spherical harmonics", NULL, 3, 1, 4, GATHER, DESC(bands))
+ROW(store_row, store, "coefficients as halves, halves packed into integers, or floats",
+    "half packed float", 0, 0, 2, PLAN, 0)
+ROW(packed_row, store, "coefficients that are filtered or meet lamps: halves, packed halves, floats; joint: packed",
+    "half packed float", 1, 0, 2, PLAN, 0)
+ROW(indirect_row, indirect, "one bounce: none, in the gather of the occlusion, in its own",
+    "none joint apart", 1, 0, 2, PLAN, 0)
+ROW(filtered_row, filtered, "what is filtered", "vectors light", 1, 0, 1, PLAN, 0)
+ROW(residual_row, residual, "1: unoccluded irradiance is exact, harmonics give the occlusion alone",
+    NULL, 1, 0, 1, GATHER, DESC(residual))
+ROW(window_row, window, "of lights as harmonics", "none hann positive", 1, 0, 2, PLAN, 0)
+ROW(lights_row, lights, "--light as harmonics, or by maps and segments, without a bounce",
+    "harmonics shadowed", 0, 0, 1, PLAN, 0)
+ROW(shadowed_row, lights, "--light as harmonics of two bands, which are wider than a lamp, or by maps and segments",
+    "harmonics shadowed", 1, 0, 1, PLAN, 0)
+ROW(cone_row, cone, "environment over the cone of unoccluded directions, or irradiance along their mean",
+    "normal cone", 1, 0, 1, PLAN, 0)
 
-ROW(resolution_row, "resolution", "texels along a side of a field's cube map", NULL, 16, 2, 128, 1, PLAN, 0)
-ROW(radii_row, "radii", "distances sampled along each direction", NULL, 12, 4, 64, 1, PLAN, 0)
-ROW(rays_a_row, "rays", "a sample of the bake", NULL, 128, 16, 65536, 1, PLAN, 0)
-ROW(reach_row, "reach", "influence of occluders, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0, PLAN, 0)
-ROW(ramp_row, "ramp", "start of their fade, as a share of the reach", NULL, 0.75, 0, 0.99, 0, PLAN, 0)
-ROW(inside_row, "inside", "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, 0, PLAN, 0)
-ROW(power_row, "power", "p: exponent of the blend toward it", NULL, 1, 0.01, 100, 0, PLAN, 0)
-ROW(own_row, "own", "1: occluders occlude themselves too", NULL, 0, 0, 1, 1, PLAN, 0)
-ROW(occluders_row, "occluders", "which objects: solid ones that contain no other, or all",
-    "solid all", 0, 0, 1, 1, PLAN, 0)
+ROW(resolution_row, resolution, "texels along a side of a field's cube map", NULL, 16, 2, 128, PLAN, 0)
+ROW(radii_row, radii, "distances sampled along each direction", NULL, 12, 4, 64, PLAN, 0)
+ROW(rays_a_row, rays, "a sample of the bake", NULL, 128, 16, 65536, PLAN, 0)
+ROW(reach_row, reach, "influence of occluders, in radii of their bounding spheres", NULL, 8, 1.5, 64, PLAN, 0)
+ROW(ramp_row, ramp, "start of their fade, as a share of the reach", NULL, 0.75, 0, 0.99, PLAN, 0)
+ROW(inside_row, inside, "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, PLAN, 0)
+ROW(power_row, power, "p: exponent of the blend toward it", NULL, 1, 0.01, 100, PLAN, 0)
+ROW(own_row, own, "1: occluders occlude themselves too", NULL, 0, 0, 1, PLAN, 0)
+ROW(occluders_row, occluders, "which objects: solid ones that contain no other, or all",
+    "solid all", 0, 0, 1, PLAN, 0)
 
-ROW(size_row, "size", "s: diameter of a surfel, in image heights", NULL, 0.015, 1e-4, 1, 0, PLAN, 0)
-ROW(epsilon_row, "epsilon", "smallest form factor that a surfel is drawn for",
-    NULL, 0.1, 1e-6, 1, 0, FRAME, FRAMED(epsilon))
-ROW(deep_epsilon_row, "epsilon", "smallest form factor that a surfel is drawn for",
-    NULL, 0.02, 1e-6, 1, 0, FRAME, FRAMED(epsilon))
-ROW(deep_levels_row, "levels", "each doubles the reach", NULL, 7, 1, SSGI_SPLAT_LEVELS, 1, GATHER, DESC(levels))
-ROW(levels_row, "levels", "each doubles the reach", NULL, 5, 1, SSGI_SPLAT_LEVELS, 1, GATHER, DESC(levels))
-ROW(way_row, "way", "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once",
-    "cpu capture direct", 0, 0, 2, 1, PLAN, 0)
-ROW(near_row, "near_samples", "points over a surfel for pixels within 4 of its radii; 1: its centre",
-    NULL, 4, 1, 16, 1, GATHER, DESC(near_samples))
-ROW(span_row, "span", "what is nearer than so many surfel radii is left to slices, all else to surfels",
-    NULL, 4, 0, 64, 1, GATHER, DESC(span))
-ROW(hidden_sky_row, "sky", "1: --env lights surfels that the picture does not show, too, unoccluded",
-    NULL, 0, 0, 1, 1, PLAN, 0)
-ROW(offscreen_growth_row, "offscreen_growth", "radius added per distance outside the frustum",
-    NULL, 0.1, 0, 1, 0, PLAN, 0)
-ROW(near_depth_row, "near_depth", "splats end at: 1: the frame's minimum depth, 0: the near plane",
-    NULL, 1, 0, 1, 1, PLAN, 0)
-ROW(both_row, "two_sided", "1: surfels have two sides, as sheets and leaves want it",
-    NULL, 0, 0, 1, 1, GATHER, DESC(two_sided))
-ROW(keep_small_row, "keep_small", "1: every triangle keeps a surfel; 0: small ones are thinned",
-    NULL, 0, 0, 1, 1, PLAN, 0)
-ROW(each_row, "keep_small", "1: every triangle keeps a surfel; 0: small ones are thinned, visibly",
-    NULL, 1, 0, 1, 1, PLAN, 0)
-ROW(splits_row, "splits", "largest number of parts of a large triangle's edge", NULL, 8, 1, 32, 1, PLAN, 0)
-ROW(smooth_row, "smooth", "0: levels are added unfiltered", NULL, 1, 0, 1, 1, PLAN, 0)
-ROW(likeness_row, "filter_normals", "1: the smoothing compares normals too",
-    NULL, 0, 0, 1, 1, GATHER, DESC(filter_normals))
-ROW(exponent_row, "exponent", "of the lobe", NULL, 32, 0, 10000, 0, FRAME, FRAMED(exponent))
-ROW(sky_row, "sky", "1: --env lights surfels too, unoccluded", NULL, 1, 0, 1, 1, PLAN, 0)
-ROW(material_row, "material", "published scattering constants",
-    "apple chicken1 chicken2 cream ketchup marble potato skimmilk skin1 skin2 spectralon wholemilk", 5, 0, 11, 1,
-        PLAN, 0)
-ROW(unit_row, "unit", "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, 0, PLAN, 0)
+ROW(size_row, size, "s: diameter of a surfel, in image heights", NULL, 0.015, 1e-4, 1, PLAN, 0)
+ROW(epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
+    NULL, 0.1, 1e-6, 1, FRAME, FRAMED(epsilon))
+ROW(deep_epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
+    NULL, 0.02, 1e-6, 1, FRAME, FRAMED(epsilon))
+ROW(deep_levels_row, levels, "each doubles the reach", NULL, 7, 1, SSGI_SPLAT_LEVELS, GATHER, DESC(levels))
+ROW(levels_row, levels, "each doubles the reach", NULL, 5, 1, SSGI_SPLAT_LEVELS, GATHER, DESC(levels))
+ROW(way_row, way, "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once",
+    "cpu capture direct", 0, 0, 2, PLAN, 0)
+ROW(near_row, near_samples, "points over a surfel for pixels within 4 of its radii; 1: its centre",
+    NULL, 4, 1, 16, GATHER, DESC(near_samples))
+ROW(span_row, span, "what is nearer than so many surfel radii is left to slices, all else to surfels",
+    NULL, 4, 0, 64, GATHER, DESC(span))
+ROW(hidden_sky_row, sky, "1: --env lights surfels that the picture does not show, too, unoccluded",
+    NULL, 0, 0, 1, PLAN, 0)
+ROW(offscreen_growth_row, offscreen_growth, "radius added per distance outside the frustum", NULL, 0.1, 0, 1, PLAN, 0)
+ROW(near_depth_row, near_depth, "splats end at: 1: the frame's minimum depth, 0: the near plane",
+    NULL, 1, 0, 1, PLAN, 0)
+ROW(both_row, two_sided, "1: surfels have two sides, as sheets and leaves want it",
+    NULL, 0, 0, 1, GATHER, DESC(two_sided))
+ROW(keep_small_row, keep_small, "1: every triangle keeps a surfel; 0: small ones are thinned", NULL, 0, 0, 1, PLAN, 0)
+ROW(each_row, keep_small, "1: every triangle keeps a surfel; 0: small ones are thinned, visibly",
+    NULL, 1, 0, 1, PLAN, 0)
+ROW(splits_row, splits, "largest number of parts of a large triangle's edge", NULL, 8, 1, 32, PLAN, 0)
+ROW(smooth_row, smooth, "0: levels are added unfiltered", NULL, 1, 0, 1, PLAN, 0)
+ROW(likeness_row, filter_normals, "1: the smoothing compares normals too",
+    NULL, 0, 0, 1, GATHER, DESC(filter_normals))
+ROW(exponent_row, exponent, "of the lobe", NULL, 32, 0, 10000, FRAME, FRAMED(exponent))
+ROW(sky_row, sky, "1: --env lights surfels too, unoccluded", NULL, 1, 0, 1, PLAN, 0)
+ROW(material_row, material, "published scattering constants",
+    "apple chicken1 chicken2 cream ketchup marble potato skimmilk skin1 skin2 spectralon wholemilk",
+    5, 0, 11, PLAN, 0)
+ROW(unit_row, unit, "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, PLAN, 0)
+
+enum { MAX_SETTINGS = 48 };
 
 /* A method; search: what it searches by, of surfels their effect. */
 typedef struct plan {
     const char *name, *about;
     int         pass, search, preset;
-    const row  *rows[KIT_MAX_SETTINGS];
+    const row  *rows[MAX_SETTINGS];
     int         count;
 } plan;
 /* Rows, and how many: more than a method has room for do not compile. */
 #define SETTINGS(...) { __VA_ARGS__ }, COUNTED(sizeof((const row *const[]){ __VA_ARGS__ }) / sizeof(const row *))
 #define COUNTED(n) \
     ((int)(n) + 0 * (int)sizeof(struct { \
-        _Static_assert((n) <= KIT_MAX_SETTINGS, "a method has more than KIT_MAX_SETTINGS"); \
+        _Static_assert((n) <= MAX_SETTINGS, "a method has more than MAX_SETTINGS"); \
         int i; \
     }))
 #define SLICES \
@@ -292,6 +291,27 @@ static const char *const instead[][2] = {
     { "ssdo-bounce", "directions=1,steps=16,behind=slabs,reuse=1" }
 };
 
+static double value_of(const kit_settings *set, const row *w)
+{
+    const char *at = (const char *)set + w->member;
+    return w->setting.whole ? *(const int *)(const void *)at : *(const double *)(const void *)at;
+}
+
+static void set_value(kit_settings *set, const row *w, double value)
+{
+    char *at = (char *)set + w->member;
+    if (w->setting.whole) *(int *)(void *)at = (int)value; else *(double *)(void *)at = value;
+}
+
+int kit_method_setting(kit_setting *setting, const kit_method *method, int i)
+{
+    const plan *of = &plans[method->number];
+    if (i < 0 || i >= of->count) return 0;
+    *setting = of->rows[i]->setting;
+    setting->value = value_of(&method->set, of->rows[i]);
+    return 1;
+}
+
 int kit_method_at(kit_method *method, int i)
 {
     kit_method m;
@@ -300,21 +320,22 @@ int kit_method_at(kit_method *method, int i)
     memset(&m, 0, sizeof m);
     m.name = plans[i].name;
     m.about = plans[i].about;
-    m.between = plans[i].pass == SSGI_GL_FIELD;
-    m.lit = plans[i].pass == SSGI_GL_SSDO || plans[i].pass == SSGI_GL_S3HO
-            || (plans[i].pass == SSGI_GL_SPLAT && plans[i].search);
+    m.number = i;
+    m.pass = plans[i].pass;
+    m.effect = m.pass == SSGI_GL_SPLAT ? plans[i].search : SSGI_GL_EFFECT_OCCLUSION;
+    m.between = m.pass == SSGI_GL_FIELD;
+    m.lit = m.pass == SSGI_GL_SSDO || m.pass == SSGI_GL_S3HO || m.effect != SSGI_GL_EFFECT_OCCLUSION;
     memset(&desc, 0, sizeof desc);
     desc.pass = plans[i].pass;
     if (plans[i].pass == SSGI_GL_SPLAT) desc.effect = plans[i].search; else desc.search = plans[i].search;
     desc.environment = m.lit ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
     ssgi_gl_preset(&desc, plans[i].preset, NULL);
-    for (; m.count < plans[i].count; ++m.count) {          /* what the preset sets, the setting starts from */
-        const row *w = plans[i].rows[m.count];
+    for (int k = 0; k < plans[i].count; ++k) {              /* what the preset sets, the setting starts from */
+        const row *w = plans[i].rows[k];
         int value = 0;
-        m.setting[m.count] = w->setting;
         if (w->where & GATHER) memcpy(&value, (const char *)&desc + w->offset, sizeof value);
-        if (value) m.setting[m.count].value = value;
-        if (w == &blur_row) m.setting[m.count].value = desc.filter_radius;
+        set_value(&m.set, w, value ? value : w->setting.value);
+        if (w == &blur_row) m.set.blur = desc.filter_radius;
     }
     for (size_t k = 0; k < sizeof instead / sizeof *instead; ++k)
         if (!strcmp(m.name, instead[k][0]) && kit_method_set(&m, instead[k][1], NULL)) return 0;
@@ -339,34 +360,47 @@ static const char *const renamed[][2] = {
     { "steepest", "max_slope" }, { "casters", "occluders" }
 };
 
+/* The number of a word among a setting's; -1: it has no such word. */
+static int choice_of(const char *words, const char *value)
+{
+    for (int k = 0; *words; ++k) {
+        const size_t n = strcspn(words, " ");
+        if (strlen(value) == n && !strncmp(words, value, n)) return k;
+        words += n + (words[n] ? 1 : 0);
+    }
+    return -1;
+}
+
+/* The value that a setting's text means. */
+static int parse_value(double *out, const kit_setting *s, const char *text, kit_error *err)
+{
+    char *end;
+    if (s->choices) {
+        *out = choice_of(s->choices, text);
+        return *out < 0 ? kit_fail(err, "--set %s=%s: must be one of: %s", s->key, text, s->choices) : 0;
+    }
+    *out = strtod(text, &end);
+    if (end == text || *end || !(*out >= s->least && *out <= s->most) || (s->whole && *out != floor(*out)))
+        return kit_fail(err, "--set %s=%s: must be a %snumber in %g..%g", s->key, text, s->whole ? "whole " : "",
+                        s->least, s->most);
+    return 0;
+}
+
 static int set_one(kit_method *m, const char *text, size_t length, kit_error *err)
 {
-    char key[128], *value, *end;
+    const plan *of = &plans[m->number];
+    char key[128], *value;
     if (length >= sizeof key) return kit_fail(err, "--set %.40s...: too long", text);
     memcpy(key, text, length);
     key[length] = 0;
     value = strchr(key, '=');
     if (!value) return kit_fail(err, "--set %s: must be key=value", key);
     *value++ = 0;
-    for (int i = 0; i < m->count; ++i) {
-        kit_setting *s = &m->setting[i];
-        double v = -1;
-        if (strcmp(s->key, key)) continue;
-        if (s->choices) {
-            const char *word = s->choices;
-            for (int k = 0; *word; ++k) {
-                size_t n = strcspn(word, " ");
-                if (strlen(value) == n && !strncmp(word, value, n)) v = k;
-                word += n + (word[n] ? 1 : 0);
-            }
-            if (v < 0) return kit_fail(err, "--set %s=%s: must be one of: %s", key, value, s->choices);
-        } else {
-            v = strtod(value, &end);
-            if (end == value || *end || !(v >= s->least && v <= s->most) || (s->whole && v != floor(v)))
-                return kit_fail(err, "--set %s=%s: must be a %snumber in %g..%g", key, value, s->whole ? "whole " : "",
-                                s->least, s->most);
-        }
-        s->value = v;
+    for (int i = 0; i < of->count; ++i) {
+        double v;
+        if (strcmp(of->rows[i]->setting.key, key)) continue;
+        if (parse_value(&v, &of->rows[i]->setting, value, err)) return -1;
+        set_value(&m->set, of->rows[i], v);
         return 0;
     }
     for (size_t i = 0; i < sizeof renamed / sizeof *renamed; ++i)
@@ -388,64 +422,62 @@ int kit_method_set(kit_method *method, const char *text, kit_error *err)
     return 0;
 }
 
-double kit_method_value(const kit_method *method, const char *key)
-{
-    for (int i = 0; i < method->count; ++i) if (!strcmp(method->setting[i].key, key)) return method->setting[i].value;
-    return 0;
-}
-
 ssgi_field_desc kit_method_field(const kit_method *method)
 {
     ssgi_field_desc d;
     memset(&d, 0, sizeof d);
-    d.resolution = (int)kit_method_value(method, "resolution");
-    d.radii = (int)kit_method_value(method, "radii");
-    d.rays = (int)kit_method_value(method, "rays");
-    d.reach = (float)kit_method_value(method, "reach");
+    d.resolution = method->set.resolution;
+    d.radii = method->set.radii;
+    d.rays = method->set.rays;
+    d.reach = (float)method->set.reach;
     return d;
 }
-/* From the settings: the passes' descs, and what of the frame they set. */
+
+/* ---- >>apply ---------------------------------------------------------------------------------------------------- */
+
+static int check_combination(const kit_making *m)
+{
+    const kit_settings *set = m->set;
+    if (m->kept && m->gather.pass == SSGI_GL_S3HO && set->filtered != KIT_FILTERED_LIGHT)
+        return kit_fail(m->err, "--set history=1: averages light, not coefficients; it needs filtered=light");
+    if (set->indirect == KIT_INDIRECT_JOINT && set->store != KIT_STORE_PACKED)
+        return kit_fail(m->err, "--set store=%s: one gather with the bounce packs its coefficients: it needs "
+                                "indirect=none or apart", set->store == KIT_STORE_FLOAT ? "float" : "half");
+    return 0;
+}
+
 int kit_settings_apply(kit_making *m, float radius)
 {
-    const plan *of = NULL;
+    const plan *of = &plans[m->method->number];
+    const kit_settings *set = m->set;
     ssgi_gl_desc *to[2] = { &m->gather, &m->lights };
-    for (int i = 0; i < PLANS; ++i) if (!strcmp(plans[i].name, m->method->name)) of = &plans[i];
-    if (!of) return kit_fail(m->err, "method %s: there is none of that name", m->method->name);
     m->gather.pass = of->pass;
     if (of->pass == SSGI_GL_SPLAT) m->gather.effect = of->search; else m->gather.search = of->search;
     m->lights = m->gather;
     m->lights.pass = SSGI_GL_LIGHTS;
-    for (int i = 0; i < m->method->count; ++i) {
+    for (int i = 0; i < of->count; ++i) {
         const row *w = of->rows[i];
-        const double v = m->method->setting[i].value;
+        const double v = value_of(set, w);
         const int whole = (int)v;
         const float real = (float)(w->where == SCALED ? v * (double)radius : v);
         for (int k = 0; k < 2; ++k) if (w->where & 1 << k) memcpy((char *)to[k] + w->offset, &whole, sizeof whole);
         if (w->where & (FRAME | SCALED)) memcpy((char *)&m->run->frame + w->offset, &real, sizeof real);
     }
-    m->blurred = (int)kit_method_value(m->method, "blur");
-    m->gather.filter_radius = m->blurred;
-    m->kept = kit_method_value(m->method, "history") > 0;
-    if (m->kept && m->gather.pass == SSGI_GL_S3HO && !(kit_method_value(m->method, "filtered") > 0))
-        return kit_fail(m->err, "--set history=1: averages light, not coefficients; it needs filtered=light");
-    if (kit_method_value(m->method, "indirect") == 1 && kit_method_value(m->method, "store") != 1)
-        return kit_fail(m->err, "--set store=%s: one gather with the bounce packs its coefficients: it needs "
-                                "indirect=none or apart", kit_method_value(m->method, "store") > 1 ? "float" : "half");
-    m->gather.noise = m->lights.noise = kit_method_value(m->method, "noise") > 0 ? SSGI_GL_NOISE_TEXTURE
-        : SSGI_GL_NOISE_GRADIENT;
-    m->gather.kernel = kit_method_value(m->method, "sets") > 0;
-    m->lights.thickness = kit_method_value(m->method, "solid") > 0 ? SSGI_GL_THICKNESS_SOLID : SSGI_GL_THICKNESS_CONSTANT;
+    m->blurred = set->blur;
+    m->kept = set->history;
+    if (check_combination(m)) return -1;
+    m->gather.filter_radius = set->blur;
+    m->gather.noise = m->lights.noise = set->noise;
+    m->gather.kernel = set->sets > 0;
+    m->lights.thickness = set->solid ? SSGI_GL_THICKNESS_SOLID : SSGI_GL_THICKNESS_CONSTANT;
     if (m->gather.pass == SSGI_GL_S3HO) {
-        const int bent = !m->gather.bands;
-        if (bent) {
+        if (!m->gather.bands) {            /* bent normals */
             m->gather.bands = 2;
-            m->gather.shading =
-                kit_method_value(m->method, "cone") > 0 ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
+            m->gather.shading = set->cone ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
         }
-        m->gather.packed = (int)kit_method_value(m->method, "store") == 1;
-        if (!(kit_method_value(m->method, "lights") > 0)) m->lights.shadow = SSGI_GL_SHADOW_NONE;
+        m->gather.packed = set->store == KIT_STORE_PACKED;
+        if (set->lights == KIT_LIGHTS_HARMONICS) m->lights.shadow = SSGI_GL_SHADOW_NONE;
     }
-    if (kit_method_value(m->method, "normal") > 0)
-        m->gather.normal = m->lights.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+    if (set->normal) m->gather.normal = m->lights.normal = SSGI_GL_NORMAL_FROM_DEPTH;
     return 0;
 }

@@ -7,18 +7,17 @@
 #include <string.h>
 #include <strings.h>
 
-static const double pi = 3.14159265358979323846;
 
 void kit_env_place(const kit_image *env, const float direction[3], double at[2])
 {
     const double x = (double)direction[0], y = (double)direction[1], z = (double)direction[2];
-    at[0] = env->width * fmin(fmax(0.5 - atan2(x, z) / (2 * pi), 0), 1);
-    at[1] = env->height * fmin(fmax(0.5 - atan2(y, sqrt(x * x + z * z)) / pi, 0), 1);
+    at[0] = env->width * fmin(fmax(0.5 - atan2(x, z) / (2 * KIT_PI), 0), 1);
+    at[1] = env->height * fmin(fmax(0.5 - atan2(y, sqrt(x * x + z * z)) / KIT_PI, 0), 1);
 }
 
 void kit_env_direction(const kit_image *env, double x, double y, float direction[3])
 {
-    const double longitude = pi * (1 - 2 * x / env->width), latitude = pi * (0.5 - y / env->height);
+    const double longitude = KIT_PI * (1 - 2 * x / env->width), latitude = KIT_PI * (0.5 - y / env->height);
     direction[0] = (float)(sin(longitude) * cos(latitude));
     direction[1] = (float)sin(latitude);
     direction[2] = (float)(cos(longitude) * cos(latitude));
@@ -66,13 +65,13 @@ typedef struct glow { double longitude, latitude, wide, high, power, rgb[3]; } g
 /* 1 in the middle, 1/2 at the half sizes, 0 from 1.4 of them on */
 static double glow_at(const glow *g, const float d[3])
 {
-    const double lon = g->longitude * pi / 180, lat = g->latitude * pi / 180, x = (double)d[0], y = (double)d[1],
-                 z = (double)d[2], level = x * sin(lon) + z * cos(lon);
+    const double lon = g->longitude * KIT_PI / 180, lat = g->latitude * KIT_PI / 180;
+    const double x = (double)d[0], y = (double)d[1], z = (double)d[2], level = x * sin(lon) + z * cos(lon);
     const double depth = level * cos(lat) + y * sin(lat);
     if (depth <= 0) return 0;
     const double across = atan2(x * cos(lon) - z * sin(lon), depth), up = atan2(y * cos(lat) - level * sin(lat), depth);
-    const double off = pow(pow(fabs(across) * 180 / pi / g->wide, g->power)
-                               + pow(fabs(up) * 180 / pi / g->high, g->power),
+    const double off = pow(pow(fabs(across) * 180 / KIT_PI / g->wide, g->power)
+                               + pow(fabs(up) * 180 / KIT_PI / g->high, g->power),
                            1 / g->power),
                  t = fmin(1, fmax(0, (1.4 - off) / 0.8));
     return t * t * (3 - 2 * t);
@@ -160,8 +159,8 @@ static int drawn(kit_image *env, void (*radiance)(const float d[3], double rgb[3
 
 int kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_error *err)
 {
-    const glow disc = { atan2((double)sun->at[0], (double)sun->at[2]) * 180 / pi,
-                        asin(fmin(fmax((double)sun->at[1], -1), 1)) * 180 / pi,
+    const glow disc = { atan2((double)sun->at[0], (double)sun->at[2]) * 180 / KIT_PI,
+                        asin(fmin(fmax((double)sun->at[1], -1), 1)) * 180 / KIT_PI,
                         degrees,
                         degrees,
                         2,
@@ -179,7 +178,8 @@ int kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_er
                 const double weight = glow_at(&disc, d), cosine = (double)d[0] * (double)sun->at[0]
                                                                   + (double)d[1] * (double)sun->at[1]
                                                                   + (double)d[2] * (double)sun->at[2];
-                if (!pass) facing += weight * cosine * 2 * pi / width * pi / height * sin(pi * (y + 0.5) / height);
+                if (!pass)
+                    facing += weight * cosine * 2 * KIT_PI / width * KIT_PI / height * sin(KIT_PI * (y + 0.5) / height);
                 for (int c = 0; c < 3 && pass; ++c)
                     env->data[(c * height + y) * width + x] += (float)(weight / facing * (double)sun->colour[c]);
             }
@@ -216,7 +216,7 @@ int kit_light_parse(kit_light *light, const char *text, kit_error *err)
     static const char *const kinds[] = { [KIT_SUN] = "sun:", [KIT_POINT] = "point:" };
     kit_light read = { 0 };
     double    v[6], length = 1;
-    int       ok = 1, used = 0;
+    int       ok = 1, small = 1, used = 0;
     while (read.kind < 2 && strncmp(text, kinds[read.kind], strlen(kinds[read.kind]))) ++read.kind;
     if (read.kind < 2)
         sscanf(text + strlen(kinds[read.kind]), "%lf,%lf,%lf,%lf,%lf,%lf%n", &v[0], &v[1], &v[2], &v[3], &v[4], &v[5],
@@ -228,8 +228,10 @@ int kit_light_parse(kit_light *light, const char *text, kit_error *err)
         read.at[i] = (float)(v[i] / length);
         read.colour[i] = (float)v[3 + i];
         ok = ok && isfinite(read.at[i]) && isfinite(read.colour[i]) && read.colour[i] >= 0;
+        small = small && fabs(v[i]) <= KIT_MOST && v[3 + i] <= KIT_MOST;
     }
     if (!ok) return kit_fail(err, "light %s: numbers must be finite, colours 0 or more, a sun's direction not 0", text);
+    if (!small) return kit_fail(err, "light %s: its numbers must be in -%g..%g", text, KIT_MOST, KIT_MOST);
     *light = read;
     return 0;
 }
@@ -250,4 +252,12 @@ const kit_material *kit_material_of(int i)
         { "spectralon", { 11.6f, 20.4f, 14.9f }, { 0.0f, 0.0f, 0.0f }, 1.3f },
         { "wholemilk",  { 2.55f, 3.21f, 3.77f }, { 0.0011f, 0.0024f, 0.014f }, 1.3f } };
     return i >= 0 && i < (int)(sizeof materials / sizeof materials[0]) ? &materials[i] : NULL;
+}
+
+float *kit_env_interleaved(const kit_image *env)
+{
+    const size_t texels = (size_t)env->width * (size_t)env->height;
+    float *rgb = malloc(3 * texels * sizeof *rgb);
+    for (size_t i = 0; rgb && i < 3 * texels; ++i) rgb[i] = env->data[i % 3 * texels + i / 3];
+    return rgb;
 }

@@ -7,7 +7,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#define PI 3.14159265358979323846
 
 const char *kit_scene_builtin(int i, const char **about)
 {
@@ -30,7 +29,8 @@ static kit_build resume(const kit_scene *scene)
 static void frame_bounds(kit_camera *camera, const kit_mesh *mesh)
 {
     double back[3] = { 0.45, 0.35, 1 }, up[3] = { 0, 1, 0 }, right[3], centre[3], distance = 1e-6;
-    const double tangent = tan((double)camera->fovy * PI / 360) / 1.06, aspect = (double)camera->width / camera->height;
+    const double tangent = tan((double)camera->fovy * KIT_PI / 360) / 1.06,
+                 aspect = (double)camera->width / camera->height;
     kit_unit(back);
     kit_cross(up, back, right);
     kit_unit(right);
@@ -197,7 +197,7 @@ void kit_scene_move(kit_scene *scene, double time)
         const int way = o->base % 3, hops = 1 + o->base % 2;
         const double size = sqrt((double)base[0] * (double)base[0] + (double)base[1] * (double)base[1]
                                  + (double)base[2] * (double)base[2]);
-        const double start = 2.4 * o->base, now = start + 2 * PI * time, hop = sin(PI * time * hops);
+        const double start = 2.4 * o->base, now = start + 2 * KIT_PI * time, hop = sin(KIT_PI * time * hops);
         double arm[3];
         kit_build b;
         float m[16];

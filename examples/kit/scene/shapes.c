@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
 
 void kit_colour(kit_build *b, double r, double g, double blue)
 {
@@ -34,19 +33,6 @@ double kit_chance(kit_build *b)
 
 double kit_between(kit_build *b, double low, double high) { return low + (high - low) * kit_chance(b); }
 
-void kit_cross(const double a[3], const double b[3], double out[3])
-{
-    for (int i = 0; i < 3; i++) out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
-double kit_dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-void kit_unit(double v[3])
-{
-    double length = sqrt(kit_dot(v, v));
-    for (int i = 0; i < 3; i++) v[i] = length > 0 ? v[i] / length : 0;
-}
-
 static int grow(kit_build *b)
 {
     kit_mesh *m = &b->scene.mesh;
@@ -67,8 +53,8 @@ static int grow(kit_build *b)
 
 void kit_rotate(const kit_build *b, const double in[3], double out[3])
 {
-    const double c = cos(b->turn * PI / 180), s = sin(b->turn * PI / 180), ct = cos(b->tilt * PI / 180),
-                 st = sin(b->tilt * PI / 180);
+    const double c = cos(b->turn * KIT_PI / 180), s = sin(b->turn * KIT_PI / 180), ct = cos(b->tilt * KIT_PI / 180),
+                 st = sin(b->tilt * KIT_PI / 180);
     const double z = st * in[1] + ct * in[2];
     out[0] = c * in[0] + s * z;
     out[1] = ct * in[1] - st * in[2];
@@ -170,15 +156,15 @@ void kit_patch(kit_build *b, int nu, int nv, kit_surface *surface, const void *s
 
 void kit_sphere_surface(const void *shape, double u, double v, kit_vertex *out)
 {
-    const double radius = *(const double *)shape, y = v >= 1 ? 1 : -cos(PI * v), r = v >= 1 ? 0 : sin(PI * v),
-                 a = 2 * PI * fmod(u, 1);
+    const double radius = *(const double *)shape, y = v >= 1 ? 1 : -cos(KIT_PI * v), r = v >= 1 ? 0 : sin(KIT_PI * v),
+                 a = 2 * KIT_PI * fmod(u, 1);
     out->n[0] = r * cos(a); out->n[1] = y; out->n[2] = r * sin(a);
     for (int i = 0; i < 3; i++) out->p[i] = radius * out->n[i];
 }
 
 void kit_torus_surface(const void *shape, double u, double v, kit_vertex *out)
 {
-    const double *r = shape, a = 2 * PI * fmod(u, 1), t = 2 * PI * fmod(v, 1);
+    const double *r = shape, a = 2 * KIT_PI * fmod(u, 1), t = 2 * KIT_PI * fmod(v, 1);
     out->n[0] = cos(t) * cos(a); out->n[1] = sin(t); out->n[2] = cos(t) * sin(a);
     out->p[0] = (r[0] + r[1] * cos(t)) * cos(a); out->p[1] = r[1] * sin(t); out->p[2] = (r[0] + r[1] * cos(t)) * sin(a);
 }
@@ -186,7 +172,7 @@ void kit_torus_surface(const void *shape, double u, double v, kit_vertex *out)
 static void moulding_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const kit_moulding *m = shape;
-    const double dr = m->r1 - m->r0, dy = m->y1 - m->y0, length = sqrt(dr * dr + dy * dy), a = 2 * PI * fmod(u, 1);
+    const double dr = m->r1 - m->r0, dy = m->y1 - m->y0, length = sqrt(dr * dr + dy * dy), a = 2 * KIT_PI * fmod(u, 1);
     const double swell = 4 * v * (1 - v) * m->bulge / length, slope = 4 * (1 - 2 * v) * m->bulge / length;
     const double r = m->r0 + v * dr + swell * dy, y = m->y0 + v * dy - swell * dr;
     const double tr = dr + slope * dy, ty = dy - slope * dr, t = sqrt(tr * tr + ty * ty);
@@ -265,14 +251,15 @@ void kit_set_place(kit_scene *s, int k, const float m[16])
     memcpy(o->to_world, m, sizeof o->to_world);
 }
 
-int kit_own_shape(kit_scene *s, int k)
+/* Makes object k's triangles, so many, a shape of its own. */
+static int own_shape(kit_scene *s, int k, size_t triangles)
 {
     static const float identity[16] = { 1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 0,  0, 0, 0, 1 };
     kit_object *o = &s->object[k];
     kit_mesh shape, *more = realloc(s->shape, ((size_t)s->shapes + 1) * sizeof *more);
     memset(&shape, 0, sizeof shape);
     if (more) s->shape = more;
-    for (size_t t = o->first; t < s->mesh.triangles; t++) shape.triangles += s->mesh.object[t] == (uint32_t)k + 1;
+    shape.triangles = triangles;
     shape.position = malloc(shape.triangles * 9 * sizeof *shape.position + 1);
     shape.normal = malloc(shape.triangles * 9 * sizeof *shape.normal + 1);
     if (!more || !shape.position || !shape.normal) {
@@ -289,6 +276,26 @@ int kit_own_shape(kit_scene *s, int k)
     o->shape = s->shapes++;
     kit_set_place(s, k, identity);
     return 0;
+}
+
+int kit_own_shape(kit_scene *s, int k)
+{
+    size_t triangles = 0;
+    for (size_t t = s->object[k].first; t < s->mesh.triangles; t++)
+        triangles += s->mesh.object[t] == (uint32_t)k + 1;
+    return own_shape(s, k, triangles);
+}
+
+/* The same of all objects from first on that have none: their triangles are counted at once. */
+static int own_shapes(kit_scene *s, int first)
+{
+    size_t *triangles = calloc((size_t)s->objects + 1, sizeof *triangles);
+    int failed = !triangles;
+    for (size_t t = 0; t < s->mesh.triangles && !failed; t++) triangles[s->mesh.object[t]]++;
+    for (int k = first; k < s->objects && !failed; k++)
+        if (s->object[k].shape < 0) failed = own_shape(s, k, triangles[k + 1]);
+    free(triangles);
+    return failed;
 }
 
 static int holds(const kit_object *a, const kit_object *b)
@@ -321,8 +328,7 @@ static void judge(kit_scene *s, int k)
 
 int kit_complete(kit_scene *s, int first)
 {
-    for (int k = first; k < s->objects; k++)
-        if (s->object[k].shape < 0 && kit_own_shape(s, k)) return -1;
+    if (own_shapes(s, first)) return -1;
     for (int k = first; k < s->objects; k++)
         if (s->object[k].casts < 0) judge(s, k);
     kit_mesh_bounds(&s->mesh);

@@ -91,15 +91,7 @@ static float *values_of(const kit_image *i) { return kit_image_channel(i, i->cha
 static int drawn(kit_image *out, shot *s, const char *name, const char *set_to, float radius, kit_error *err)
 {
     const kit_world world = { &s->scene, &s->lighting };
-    kit_method made;
-    kit_run run;
-    if (kit_method_find(&made, name, err) || kit_method_set(&made, set_to, err)
-        || kit_run_open(&run, &s->gbuffer, &made, radius, &world, err))
-        return -1;
-    kit_run_draw(&run, 0);
-    const int failed = kit_run_read(out, &run, err);
-    kit_run_close(&run);
-    return failed;
+    return kit_run_picture(out, &s->gbuffer, &world, name, set_to, radius, err);
 }
 
 /* The same with what the frame before kept, and without, noise alike. */

@@ -16,12 +16,12 @@
       build/glsl-text FOLDER 300es   one dialect alone
       build/glsl-text --types        the fields of ssgi_gl_desc as TypeScript
 
-      build/glsl-text --passes ssgi_gl.h     examples/docs/PASSES.md: what each pass reads and writes, from reflection; the
-                                     fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it
+      build/glsl-text --passes ssgi_gl.h   examples/docs/PASSES.md: what each pass reads and writes, from reflection;
+                                 the fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it
       build/glsl-text --golden       tests/golden.txt: a hash of the text of each pass and choice in a stage, over all
-         dialects of GL, where the choice changes it;
-                                     "+" is of all pairs of choices in 450, "vulkan" of all choices in that dialect.
-                                     make golden rewrites that file: its diff shows which variants a change touches */
+                                     dialects of GL, where the choice changes it; "+" is of all pairs of choices in
+                                     450, "vulkan" of all choices in that dialect. make golden rewrites that file: its
+                                     diff shows which variants a change touches */
 #include "kit/kit_gl.h"
 #include <errno.h>
 #include <stdarg.h>

@@ -157,34 +157,36 @@ static void put_block(FILE *f, const char *name, int block, const char *prefix, 
     fputs("\n] }", f);
 }
 
-int manifest_write(const char *path, kit_error *err)
+/* What a reader of the manifest needs to know, a line each. */
+static const char *const about[] = {
+    "variants: each set of files that belongs together. desc: the fields of ssgi_gl_desc that are not 0, enums by "
+    "their words (fields has them in order from 0); fetch: true: with this manifest's fetch (vulkan: "
+    "fetch_vulkan) as desc.fetch; files by "
+    "stage; rows: a number in row_lists.",
+    "row_lists: numbers in rows. rows: ssgi_gl_io, what a program reads and writes, in the order of its text.",
+    "frame, views: ssgi_gl_frame, ssgi_gl_views, the blocks of the same layout (std140); a mat3 has 3 columns of "
+    "4 floats. desc: ssgi_gl_desc, in C; the offsets of ints are the same on every machine, most is the greatest "
+    "value, 0 the least. defaults: what the zeros of a desc of that pass mean (ssgi_gl_resolve).",
+    "functions: files without a main, for shaders of your own (ssgi_gl_field, ssgi_gl_sh).",
+    "Python: the field pass is a keyword there: setattr(desc, 'pass', ..), getattr. cffi takes what gcc -E -P "
+    "'-D__attribute__(x)=' makes of ssgi_gl.h.",
+    "Rust: bindgen ssgi_gl.h -- --target=x86_64-pc-windows-msvc -ffreestanding gives constants the fields' type, "
+    "i32, on any 64-bit machine; without it they are u32."
+};
+
+static void put_about(FILE *f)
 {
-    static const char *const about[] = {
-        "variants: each set of files that belongs together. desc: the fields of ssgi_gl_desc that are not 0, enums by "
-        "their words (fields has them in order from 0); fetch: true: with this manifest's fetch (vulkan: "
-        "fetch_vulkan) as desc.fetch; files by "
-        "stage; rows: a number in row_lists.",
-        "row_lists: numbers in rows. rows: ssgi_gl_io, what a program reads and writes, in the order of its text.",
-        "frame, views: ssgi_gl_frame, ssgi_gl_views, the blocks of the same layout (std140); a mat3 has 3 columns of "
-        "4 floats. desc: ssgi_gl_desc, in C; the offsets of ints are the same on every machine, most is the greatest "
-        "value, 0 the least. defaults: what the zeros of a desc of that pass mean (ssgi_gl_resolve).",
-        "functions: files without a main, for shaders of your own (ssgi_gl_field, ssgi_gl_sh).",
-        "Python: the field pass is a keyword there: setattr(desc, 'pass', ..), getattr. cffi takes what gcc -E -P "
-        "'-D__attribute__(x)=' makes of ssgi_gl.h.",
-        "Rust: bindgen ssgi_gl.h -- --target=x86_64-pc-windows-msvc -ffreestanding gives constants the fields' type, "
-        "i32, on any 64-bit machine; without it they are u32."
-    };
-    const ssgi_gl_choice *c;
-    const char *name;
-    char *text = NULL;
-    size_t size;
-    FILE *f = open_memstream(&text, &size);
-    if (!f) return kit_fail(err, "%s: out of memory", path);
     fprintf(f, "{ \"ssgi\": \"%d.%d\",\n\"about\": [", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);
     for (size_t i = 0; i < sizeof about / sizeof *about; ++i) {
         fputs(i ? ",\n" : "\n", f);
         put_string(f, about[i]);
     }
+}
+
+/* ssgi_gl_desc: where its fields are, and their words. */
+static void put_fields(FILE *f)
+{
+    const ssgi_gl_choice *c;
     fprintf(f, "\n],\n\"desc\": { \"size\": %zu, \"pointer\": %zu, \"strings\": [\n"
                "{ \"name\": \"version\", \"offset\": %zu }, { \"name\": \"fetch\", \"offset\": %zu }\n], \"fields\": [",
             sizeof(ssgi_gl_desc), sizeof(char *), offsetof(ssgi_gl_desc, version), offsetof(ssgi_gl_desc, fetch));
@@ -199,6 +201,11 @@ int manifest_write(const char *path, kit_error *err)
         put_string(f, c->sentence);
         fputs(" }", f);
     }
+}
+
+static void put_defaults(FILE *f)
+{
+    const char *name;
     fputs("\n] },\n\"defaults\": {", f);
     for (int pass = 0; (name = ssgi_gl_pass_name(pass)) != NULL; ++pass) {
         ssgi_gl_desc d;
@@ -209,6 +216,17 @@ int manifest_write(const char *path, kit_error *err)
         put_desc(f, &d);
     }
     fputs("\n}", f);
+}
+
+int manifest_write(const char *path, kit_error *err)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    if (!f) return kit_fail(err, "%s: out of memory", path);
+    put_about(f);
+    put_fields(f);
+    put_defaults(f);
     put_block(f, "frame", 0, "u_ssgi_", sizeof(ssgi_gl_frame));
     put_block(f, "views", 1, "u_ssgi_view_", sizeof(ssgi_gl_views));
     put_table(f, "rows", &rows);

@@ -9,7 +9,7 @@
 # The last three have vertex and fragment stages, and their NDC's y points up: their vertex stages negate it, so that
 # row 0 of a target is what it is for Vulkan. For each a line says how many there are; what fails is named, status 1.
 folder=$1
-tint=$(dirname "$0")/../build/tint/twgsl
+tint=$(dirname "$0")/../../../build/tint/twgsl
 work=$(mktemp -d) || exit 2
 trap 'rm -rf "$work"' EXIT
 

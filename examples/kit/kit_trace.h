@@ -1,0 +1,136 @@
+/* kit_trace.h - what camera.c, truth.c, lit.c, scatter.c and floor.c share: cameras in doubles, rays by chance,
+   pictures of them. Private to them. */
+#ifndef KIT_TRACE_H
+#define KIT_TRACE_H
+
+#include "kit/kit.h"
+
+/* ---- >>camera */
+
+/* Rows of the rotation: right, up, backward. */
+void   kit_camera_axes(const kit_camera *camera, double axes[3][3]);
+/* half the picture's extent: at view depth 1, or orthographic in world units */
+void   kit_camera_half(const kit_camera *camera, double half[2]);
+/* View-space ray through a pixel's centre: a point at view depth z is o + d z. shift counts in pixels, +x to the right,
+   +y upward. */
+void   kit_camera_view_ray(const kit_camera *camera, int x, int y, double o[3], double d[3]);
+int    kit_camera_check(const kit_camera *camera, const char *what, kit_error *err);
+
+/* ---- >>rays from a point */
+
+/* ---- rays from a point ----------------------------------------------------------------------------------------- */
+
+typedef struct kit_ambient {
+    ssgi_trace trace;
+    float      radius;
+    int        attenuation, rays;
+    const kit_scene *others;        /* NULL, or only objects of this scene that cast count, except number own */
+    uint32_t   own;
+    /* Sobol's second dimension, bits reversed (the first dimension's are the index); a power of two of them, rays at
+       least */
+    uint32_t  *points;
+    uint32_t   mask;                /* that power less one */
+} kit_ambient;
+
+static inline uint32_t kit_reverse(uint32_t x)
+{
+    x = (x >> 1 & 0x55555555u) | (x & 0x55555555u) << 1;
+    x = (x >> 2 & 0x33333333u) | (x & 0x33333333u) << 2;
+    x = (x >> 4 & 0x0f0f0f0fu) | (x & 0x0f0f0f0fu) << 4;
+    x = (x >> 8 & 0x00ff00ffu) | (x & 0x00ff00ffu) << 8;
+    return x >> 16 | x << 16;
+}
+
+/* PCG's [O'Neill 2014] */
+static inline uint32_t kit_mix(uint32_t x)
+{
+    x = x * 747796405u + 2891336453u;
+    x = (x >> ((x >> 28) + 4) ^ x) * 277803737u;
+    return x >> 22 ^ x;
+}
+
+/* nested uniform scrambling by a hash [Laine and Karras 2011; Burley 2020] */
+static inline uint32_t kit_scramble(uint32_t reversed, uint32_t seed)
+{
+    uint32_t x = reversed ^ reversed * 0x3d20adeau;
+    x += seed;
+    x *= seed >> 16 | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return kit_reverse(x);
+}
+
+/* Checks what was asked for, and fills a but for its trace; the caller frees points. */
+int    kit_ambient_begin(kit_ambient *a, float radius, int attenuation, int rays, const char *what, kit_error *err);
+void   kit_ambient_point(const kit_ambient *a, uint32_t i, uint32_t seed, float at[2]);      /* in [0,1)^2 */
+/* A direction about n by its coordinates there; one by chance, cosine-weighted. */
+void   kit_around(const float n[3], float x, float y, float z, float d[3]);
+void   kit_cosine_direction(const float n[3], const float at[2], float d[3]);
+/* How much the nearest hit within radius takes from a direction, [0,1]; hit: where it is, NULL if that does not
+   matter */
+double kit_blocked(const kit_ambient *a, const float origin[3], const float d[3], ssgi_hit *hit);
+/* Off the surface at p along the unit vector lift, by some ten times the rounding of points as far from the origin of
+   coordinates as magnitude. */
+void   kit_lift_off(const float p[3], float magnitude, const float lift[3], float origin[3]);
+float  kit_ambient_at(const kit_ambient *a, uint32_t pixel, const float origin[3], const float n[3]);  /* n unit */
+/* free(memory) once it is traced no more */
+int    kit_trace_new(ssgi_trace *trace, void **memory, const float *position, const uint32_t *index, size_t triangles,
+                     const char *what, kit_error *err);
+
+/* ---- >>a picture of them */
+
+/* ---- truth ---------------------------------------------------------------------------------------------------- */
+
+typedef struct kit_place {              /* on the surface, as seen along a ray */
+    float origin[3];                /* lifted off the face, toward the ray */
+    float n[3];                     /* shading normal, turned to that side */
+    const float *albedo;
+    uint32_t object;
+} kit_place;
+
+typedef struct kit_truth kit_truth;
+struct kit_truth {
+    kit_ambient         ambient;
+    const kit_scene    *scene;
+    const kit_mesh     *mesh;       /* its */
+    kit_camera          camera;
+    kit_image           out;
+    int                 stride;
+    /* one value a channel */
+    void              (*pixel)(const kit_truth *job, uint32_t pixel, const kit_place *at, float *value);
+    float               background;
+    const kit_lighting *lighting;
+    int                 bounce;
+    const kit_image    *env;                    /* the lighting's, or what its lamps leave of it */
+    float              *env_row, *env_column;   /* see env_begin; NULL = no environment */
+    int                 env_cells[2];           /* columns, rows */
+    struct lamp        *lamp;                   /* see lamps_begin */
+    int                 lamps;
+    double              exponent;   /* of the lobe */
+    const struct scattering *within;
+};
+
+static inline int kit_skipped(int x, int y, int stride) { return x % stride != stride / 2 || y % stride != stride / 2; }
+
+static inline double kit_facing(const float n[3], const float d[3])
+{
+    return (double)n[0] * (double)d[0] + (double)n[1] * (double)d[1] + (double)n[2] * (double)d[2];
+}
+
+void   kit_place_of(const kit_mesh *mesh, const ssgi_hit *hit, const float direction[3], kit_place *at);
+/* job: pixel, background and what that needs; channels: of the picture */
+int    kit_truth_run(kit_truth *job, kit_image *out, const char *channels, const kit_scene *scene,
+                     const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err);
+
+/* ---- >>lit */
+
+/* Turns the weights at cdf[1..n] into their running sum, from cdf[0] = 0 to cdf[n] = 1 (all 0 if there is none), and
+   returns their mean. */
+double kit_accumulate(float *cdf, int n);
+double kit_pick(const float *cdf, int n, float u);     /* where the running sum is u, in [0, n) */
+/* Adds up the irradiance over pi at a place; and, unless bounce is NULL, that of light which the hits around
+   reflect. rays: by cosine, by environment, both from point first on. */
+void   kit_gather(const kit_truth *job, const kit_place *at, uint32_t seed, uint32_t first, const int rays[2],
+                  double irradiance[3], double *bounce);
+
+#endif

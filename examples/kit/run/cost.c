@@ -1,0 +1,74 @@
+/* cost.c - what a run costs: pixels that its passes draw, operations, bytes that they move. Declared in kit_gl.h and
+   kit_run.h. */
+#include "kit/kit_run.h"
+#include <math.h>
+
+double kit_pass_pixels(const kit_pass *p)
+{
+    return p->box[2] ? (double)p->box[2] * p->box[3] : (double)p->width * p->height;
+}
+
+double kit_run_pixels(const kit_run *run)
+{
+    return (double)(run->frame.size[0] - 2 * run->margin) * (run->frame.size[1] - 2 * run->margin);
+}
+
+/* Bytes of a texel, and how many texels there are. */
+static double texel_of(double *texels, GLuint texture, GLenum target)
+{
+    static const GLenum bits_of[] = { GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
+                                      GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE };
+    const GLenum face = target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : target;
+    GLint size[3] = { 0 }, bits = 0, all = 0;
+    glBindTexture(target, texture);
+    for (GLenum i = 0; i < 2; ++i) glGetTexLevelParameteriv(face, 0, GL_TEXTURE_WIDTH + i, &size[i]);
+    glGetTexLevelParameteriv(face, 0, GL_TEXTURE_DEPTH, &size[2]);
+    for (size_t i = 0; i < sizeof bits_of / sizeof *bits_of; ++i, all += bits)
+        glGetTexLevelParameteriv(face, 0, bits_of[i], &bits);
+    glBindTexture(target, 0);
+    *texels = (double)size[0] * size[1] * (target == GL_TEXTURE_CUBE_MAP ? 6 : size[2]);
+    return all / 8.0;
+}
+
+/* What a row of a pass moves: all of an input; of an output what is drawn. */
+static double row_bytes(const kit_run *run, const kit_pass *p, const ssgi_gl_io *io)
+{
+    const kit_gbuffer *g = p->gbuffer;
+    const int in = io->kind == SSGI_GL_TEXTURE;
+    double texels;
+    if (!in && (io->kind != SSGI_GL_OUTPUT || !p->framebuffer)) return 0;
+    /* without targets of its own it draws into a slice */
+    const GLuint texture = in ? kit_pass_texture(run, p, io->name) : p->target[0] ? p->target[io->slot] : p->slices;
+    if (!texture) return 0;
+    /* of the G-buffer's farther layers */
+    const int slices = texture == g->layer_depth ? p->desc.layers - 1
+                                                 : texture == g->layer_normal || texture == g->layer_albedo;
+    const double texel =
+        texel_of(&texels, texture, in ? kit_target_of(io) : p->target[0] ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY);
+    if (slices) texels *= (double)slices / (g->layers - 1);
+    if (!in) texels = p->desc.pass == SSGI_GL_SPLAT ? 2 * run->splat_pixels : kit_pass_pixels(p);
+    return texel * texels;
+}
+
+double kit_run_bytes(const kit_run *run)
+{
+    double bytes = 0;
+    if (!glGetTexLevelParameteriv) return (double)NAN;
+    for (int i = 0; i < run->passes; ++i) {
+        const kit_pass *p = &run->pass[i];
+        for (int k = 0; k < (p->aside ? 0 : p->rows); ++k) bytes += row_bytes(run, p, &p->io[k]);
+        if (p->desc.pass == SSGI_GL_SPLAT || p->capture) bytes += (double)run->surfels * sizeof(ssgi_surfel);
+    }
+    return bytes / kit_run_pixels(run);
+}
+
+double kit_run_operations(const kit_run *run)
+{
+    double operations = 0;
+    for (int i = 0; i < run->passes; ++i) {
+        const kit_pass *p = &run->pass[i];
+        const double texels = p->desc.pass == SSGI_GL_SPLAT ? run->splat_pixels : kit_pass_pixels(p);
+        if (!p->aside && p->step->outputs) operations += kit_operations(&p->desc) * texels;
+    }
+    return operations / kit_run_pixels(run);
+}

@@ -1,0 +1,100 @@
+/* margin.c - what is seen beyond the picture: a wider G-buffer, and what of it each pass draws. Declared in
+   kit_run.h. */
+#include "kit/kit_run.h"
+#include <math.h>
+#include <stdlib.h>
+
+/* How wide a margin is, in pixels: see kit_run_open. Where the border shows nothing, depth is what all of the picture
+   shows; 0 where that shows nothing either. */
+static int margin_of(int *pixels, const kit_gbuffer *g, double radius, double margin, kit_error *err)
+{
+    const int width = g->viewport[2], height = g->viewport[3], most = (width < height ? width : height) / 16 * 4;
+    kit_image frame;
+    float *depth, *z;
+    size_t count = 0;
+    double wide = 0;
+    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    z = kit_image_channel(&frame, "Z");
+    depth = malloc((size_t)width * (size_t)height * sizeof *depth);
+    for (int all = 0; all < 2 && depth && !count; ++all)
+        for (int i = 0; i < width * height; ++i) {
+            const int x = i % width, y = i / width, border = !x || !y || x == width - 1 || y == height - 1;
+            if (z[i] > 0 && (border || all)) depth[count++] = z[i];
+        }
+    if (count) {
+        const double median = (double)kit_middle(depth, count);
+        wide = 0.5 * height * (double)g->projection[5] * radius * margin;
+        if (g->camera.fovy > 0) wide /= median;
+    }
+    kit_image_free(&frame);
+    if (!depth) return kit_fail(err, "out of memory");
+    free(depth);
+    *pixels = wide < most ? 4 * (int)ceil(wide / 4) : most;
+    return 0;
+}
+
+int kit_add_margin(kit_making *m, kit_gbuffer **g, float radius, int pixels)
+{
+    kit_run *run = m->run;
+    const double margin = m->set->margin;
+    if (!(margin > 0)) return 0;
+    if (!m->world->scene)
+        return kit_fail(m->err, "--set margin=%g: a frame holds nothing beyond its border; it needs a scene", margin);
+    if (pixels >= 0) run->margin = pixels;
+    else if (margin_of(&run->margin, *g, (double)radius, margin, m->err)) return -1;
+    if (!run->margin) return 0;
+    if (kit_gbuffer_widen(&run->wide, *g, m->world->scene, run->margin, m->err)) return -1;
+    *g = &run->wide;
+    return 0;
+}
+
+static int draws(const kit_pass *p, GLuint texture)
+{
+    for (int k = 0; texture && k < KIT_MAX_TARGETS; ++k) if (p->target[k] == texture) return 1;
+    return 0;
+}
+
+/* How many pixels beyond the picture each pass draws; ALL of what is seen; -1: none reads it. */
+enum { ALL = 1 << 20 };
+static void rims_of(const kit_run *run, int rim[KIT_MAX_PASSES])
+{
+    int changed = 1;
+    for (int i = 0; i < run->passes; ++i) {
+        const kit_pass *p = &run->pass[i];
+        const int result = draws(p, run->light) || draws(p, run->bounce) || draws(p, run->joint);
+        rim[i] = !p->target[0] || p->gbuffer != run->gbuffer ? ALL : result ? 0 : -1;
+    }
+    while (changed) {
+        changed = 0;
+        for (int j = 0; j < run->passes; ++j) {
+            const kit_pass *p = &run->pass[j];
+            const int reach = rim[j] + (p->desc.pass == SSGI_GL_BLUR ? 2 * p->desc.filter_radius + 2 : 0);
+            const int wanted = reach < ALL ? reach : ALL;
+            for (int i = 0; i < run->passes && rim[j] >= 0; ++i) {
+                int read = 0;
+                for (int k = 0; k < p->step->inputs; ++k) read |= draws(&run->pass[i], p->input[k]);
+                if (!read || rim[i] >= wanted) continue;
+                rim[i] = wanted;
+                changed = 1;
+            }
+        }
+    }
+}
+
+void kit_limit_passes(kit_run *run)
+{
+    int rim[KIT_MAX_PASSES];
+    if (!run->margin) return;
+    rims_of(run, rim);
+    run->fetches = 0;
+    for (int i = 0; i < run->passes; ++i) {
+        kit_pass *p = &run->pass[i];
+        const int half = p->step->size == SSGI_GL_SIZE_HALF, from = run->margin - rim[i];
+        for (int k = 0; k < 2 && rim[i] >= 0 && from > 0; ++k) {
+            const int to = run->frame.size[k] - from;
+            p->box[k] = half ? from / 2 : from;
+            p->box[2 + k] = (half ? (to + 1) / 2 : to) - p->box[k];
+        }
+        if (!p->aside) run->fetches += kit_fetches(&p->desc) * kit_pass_pixels(p) / kit_run_pixels(run);
+    }
+}

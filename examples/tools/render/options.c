@@ -1,0 +1,372 @@
+/* options.c - the command line: what is asked for, and what cannot go with what; --help, --list. */
+#include "render.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char render_usage[] =
+    "usage: render SCENE.obj | NAME | --gbuffer FRAME.exr   [options]\n"
+    "  render SCENE.obj --method hsao --radius 0.5 --out ao.png\n"
+    "  render room --truth 256 --out truth.exr\n"
+    "  render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20\n"
+    "  render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png\n"
+    "  render --gbuffer frame.exr --fovy 60 --radius 1 --out ao.png\n"
+    "  render --list | --list hsao\n"
+    "what to draw\n"
+    "  --gbuffer F.exr       a captured frame: Z (view depth > 0), N.X N.Y N.Z (view space); perhaps albedo.R ..,\n"
+    "                        direct.R .., farther depth layers layer1.Z ..; back.Z, front2.Z, back2.Z (behind=);\n"
+    "                        --camera tells where it was taken\n"
+    "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --near N  --far F  --size WxH\n"
+    "  --fovy DEGREES | --ortho-height UNITS\n"
+    "  --ground              a square under the mesh\n"
+    "  --env F.exr | F.hdr | sky | probe | windows | street | white     radiance, latitude-longitude; lit methods\n"
+    "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
+    "16\n"
+    "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]; perhaps with motion.X motion.Y,\n"
+    "                        pixels from where a point was in the frame before, +y down; --out has a %04d. All are\n"
+    "                        read, and must have one size and the same channels, before the first picture is written\n"
+    "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target; each is written as\n"
+    "                        it is drawn, and those before it stay where one cannot be\n"
+    "  --slide X,Y,Z         --frames: the first object that casts moves so far a frame, world units\n"
+    "how\n"
+    "  --method NAME         [hsao]; --list names all, --list NAME the settings of one with their defaults\n"
+    "  --set key=value,..    settings of the method\n"
+    "  --radius R            farthest occluder, scene units   [the scene's own]\n"
+    "  --plan WHAT:ERROR[:BUDGET]   visibility, light, bounce or objects (occlusion between them): the cheapest\n"
+    "                        method that is predicted to err by ERROR; BUDGET in 16-sample ssaos. Only light and\n"
+    "                        bounce look at --env and --light\n"
+    "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples)\n"
+    "  --floor RAYS          the exact answer from the depth buffer instead of a method\n"
+    "  --context osmesa | egl | egl-es   [osmesa]\n"
+    "what comes out\n"
+    "  --out F.exr | F.png   Y = ambient visibility; lit: R G B, irradiance.R .., bounce.R .. (PNG: R G B, sRGB)\n"
+    "  --score REF.exr       RMSE, bias, p95 and SSIM against a reference; then edges (within 3 pixels of a jump in\n"
+    "                        depth), border (nearer to it than the radius is long) and interior apart\n"
+    "  --time N              median GL time of each pass over N frames\n"
+    "  --save-gbuffer F.exr  the G-buffer, as --gbuffer takes it\n"
+    "  --json                machine-readable\n";
+
+/* ---- >>values ---------------------------------------------------------------------------------------------------- */
+
+/* Numbers of the world; beyond that floats leave no room to compute with them. */
+int render_numbers(const char *name, const char *text, float *out, int count, kit_error *err)
+{
+    float v[9];
+    const char *at = text;
+    for (int i = 0; i < count; ++i) {
+        char *end;
+        v[i] = strtof(at, &end);
+        if (end == at || *end != (i + 1 < count ? ',' : 0))
+            return kit_fail(err, "%s %s: must be %d numbers with commas between", name, text, count);
+        if (!(fabs((double)v[i]) <= KIT_MOST))
+            return kit_fail(err, "%s %s: its numbers must be in -%g..%g", name, text, KIT_MOST, KIT_MOST);
+        at = end + 1;
+    }
+    memcpy(out, v, (size_t)count * sizeof *v);
+    return 0;
+}
+
+static int number(const char *name, const char *text, double least, double most, double *out, kit_error *err)
+{
+    char *end;
+    double v = strtod(text, &end);
+    if (end == text || *end || !(v >= least && v <= most))
+        return kit_fail(err, "%s %s: must be a number in %g..%g", name, text, least, most);
+    *out = v;
+    return 0;
+}
+
+static int whole(const char *name, const char *text, int least, int most, int *out, kit_error *err)
+{
+    double v;
+    if (number(name, text, least, most, &v, err)) return -1;
+    if (v != floor(v)) return kit_fail(err, "%s %s: must be a whole number", name, text);
+    *out = (int)v;
+    return 0;
+}
+
+static int take_plan(options *o, const char *name, const char *text, kit_error *err)
+{
+    static const char *const wanted[] = { "visibility:", "light:", "bounce:", "objects:" };
+    enum { WANTED = (int)(sizeof wanted / sizeof *wanted) };
+    char *end;
+    for (o->planned = 0; o->planned < WANTED; ++o->planned) {
+        const size_t n = strlen(wanted[o->planned]);
+        if (strncmp(text, wanted[o->planned], n)) continue;
+        o->plan[0] = strtod(text + n, &end);
+        if (end == text + n || !(o->plan[0] >= 0 && o->plan[0] < 1e6) || (*end && *end != ':')) break;
+        const char *budget = *end ? end + 1 : "0";
+        o->plan[1] = strtod(budget, &end);
+        if (end == budget || *end || !(o->plan[1] >= 0 && o->plan[1] < 1e6)) break;
+        ++o->planned;
+        return 0;
+    }
+    return kit_fail(err, "%s %s: must be visibility:ERROR, light:ERROR, bounce:ERROR or objects:ERROR, perhaps "
+                         ":BUDGET behind", name, text);
+}
+
+int render_plans_light(const options *o)
+{
+    return o->planned - 1 == SSGI_PLAN_LIGHT || o->planned - 1 == SSGI_PLAN_BOUNCE;
+}
+
+/* The number that a text begins with, of digits alone; 0: there is none, or it is above most. */
+static int digits(const char **at, int most)
+{
+    int v = 0;
+    for (; **at >= '0' && **at <= '9'; ++*at) v = v > most ? v : 10 * v + (**at - '0');
+    return v > most ? 0 : v;
+}
+
+int render_numbered(char *out, size_t size, const char *path, int k)
+{
+    const char *at = strchr(path, '%'), *end = at ? at + 1 : "";
+    const int wide = digits(&end, 9);
+    if (*end != 'd' || (end > at + 1 && !wide) || strchr(end, '%')) return 0;
+    const int n = snprintf(out, size, "%.*s%0*d%s", (int)(at - path), path, wide, k, end + 1);
+    return !out || (n > 0 && (size_t)n < size);
+}
+
+/* Whether the usage has an option of that name. */
+static int is_option(const char *name)
+{
+    const size_t n = strlen(name);
+    for (const char *at = render_usage; (at = strstr(at, name)) != NULL; ++at)
+        if (at[-1] == ' ' && strchr(" \n", at[n])) return 1;
+    return 0;
+}
+
+/* ---- >>table ---------------------------------------------------------------------------------------------------- */
+
+static int take_size(options *o, const char *name, const char *text, kit_error *err)
+{
+    const char *at = text;
+    const int width = digits(&at, 16384), cross = *at == 'x', height = cross ? (++at, digits(&at, 16384)) : 0;
+    if (!width || !height || *at) return kit_fail(err, "%s %s: must be WxH, each 1..16384", name, text);
+    o->width = width;
+    o->height = height;
+    return 0;
+}
+
+static int take_set(options *o, const char *name, const char *text, kit_error *err)
+{
+    if (o->sets == RENDER_SETS) return kit_fail(err, "%s %s: at most %d of them", name, text, RENDER_SETS);
+    o->set[o->sets++] = text;
+    return 0;
+}
+
+static int take_light(options *o, const char *name, const char *text, kit_error *err)
+{
+    if (o->lights == KIT_MAX_LIGHTS) return kit_fail(err, "%s %s: at most %d of them", name, text, KIT_MAX_LIGHTS);
+    o->light[o->lights++] = text;
+    return 0;
+}
+
+static int take_camera(options *o, const char *name, const char *text, kit_error *err)
+{
+    o->has_camera = 1;
+    return render_numbers(name, text, o->camera, 6, err);
+}
+
+static int take_up(options *o, const char *name, const char *text, kit_error *err)
+{
+    o->has_up = 1;
+    return render_numbers(name, text, o->up, 3, err);
+}
+
+static int take_slide(options *o, const char *name, const char *text, kit_error *err)
+{
+    return render_numbers(name, text, o->slide, 3, err);
+}
+
+/* An option with a value: what takes it, or the member that gets it. */
+typedef struct option {
+    const char *name;
+    enum { TAKEN, TEXT, WHOLE, NUMBER } kind;
+    size_t      at;                        /* const char *, int, double */
+    double      least, most;
+    int       (*take)(options *o, const char *name, const char *text, kit_error *err);
+} option;
+#define TO(member) offsetof(options, member)
+static const option table[] = {
+    { "--gbuffer", TEXT, TO(gbuffer), 0, 0, NULL },
+    { "--sequence", TEXT, TO(sequence), 0, 0, NULL },
+    { "--frames", WHOLE, TO(frames), 1, 9999, NULL },
+    { "--orbit", NUMBER, TO(orbit), -360, 360, NULL },
+    { "--slide", TAKEN, 0, 0, 0, take_slide },
+    { "--method", TEXT, TO(method), 0, 0, NULL },
+    { "--score", TEXT, TO(score), 0, 0, NULL },
+    { "--out", TEXT, TO(out), 0, 0, NULL },
+    { "--save-gbuffer", TEXT, TO(save), 0, 0, NULL },
+    { "--context", TEXT, TO(context), 0, 0, NULL },
+    { "--set", TAKEN, 0, 0, 0, take_set },
+    { "--env", TEXT, TO(env), 0, 0, NULL },
+    { "--light", TAKEN, 0, 0, 0, take_light },
+    { "--camera", TAKEN, 0, 0, 0, take_camera },
+    { "--up", TAKEN, 0, 0, 0, take_up },
+    { "--fovy", NUMBER, TO(fovy), 0.1, 179, NULL },
+    { "--ortho-height", NUMBER, TO(ortho_height), 1e-12, KIT_MOST, NULL },
+    { "--near", NUMBER, TO(znear), 1e-12, KIT_MOST, NULL },
+    { "--far", NUMBER, TO(zfar), 1e-12, KIT_MOST, NULL },
+    { "--plan", TAKEN, 0, 0, 0, take_plan },
+    { "--radius", NUMBER, TO(radius), 1e-12, KIT_MOST, NULL },
+    { "--truth", WHOLE, TO(truth), 1, 65536, NULL },
+    { "--floor", WHOLE, TO(floor), 1, 65536, NULL },
+    { "--time", WHOLE, TO(time), 1, 100000, NULL },
+    { "--size", TAKEN, 0, 0, 0, take_size }
+};
+
+static int take(options *o, const char *name, const char *text, kit_error *err)
+{
+    for (size_t i = 0; i < sizeof table / sizeof *table; ++i) {
+        const option *t = &table[i];
+        void *member = (char *)o + t->at;
+        if (strcmp(name, t->name)) continue;
+        switch (t->kind) {
+        case TEXT:   memcpy(member, &text, sizeof text); return 0;
+        case WHOLE:  return whole(name, text, (int)t->least, (int)t->most, member, err);
+        case NUMBER: return number(name, text, t->least, t->most, member, err);
+        default:     return t->take(o, name, text, err);
+        }
+    }
+    return kit_fail(err, "%s: there is no such option (--help names all)", name);
+}
+
+/* ---- >>what goes with what --------------------------------------------------------------------------------------- */
+
+static int check_frames(const options *o, kit_error *err)
+{
+    const int many = o->sequence || o->frames;
+    if (o->frames && !o->scene) return kit_fail(err, "--frames: is of a scene; frames that are files are a --sequence");
+    if ((o->slide[0] != 0 || o->slide[1] != 0 || o->slide[2] != 0) && !o->frames)
+        return kit_fail(err, "--slide: moves an object from frame to frame: needs --frames");
+    for (int i = 0; i < 3; ++i)
+        if (fabs((double)o->slide[i]) * o->frames > 1e14)
+            return kit_fail(err, "--slide: in %d frames the object would be beyond 1e14", o->frames);
+    if (many && (o->truth || o->floor || o->score || o->time || o->save || o->planned))
+        return kit_fail(err, "%s: writes a method's pictures alone", o->frames ? "--frames" : "--sequence");
+    if (many && !render_numbered(NULL, 0, o->out ? o->out : "", 0))
+        return kit_fail(err, "--out %s: a picture a frame needs a %%04d in it", o->out ? o->out : "");
+    return 0;
+}
+
+/* What is asked of a scene, and of a frame in its place. */
+static int check_source(const options *o, kit_error *err)
+{
+    const char *from = o->sequence ? "--sequence" : "--gbuffer";
+    if (!o->scene && !o->gbuffer) return kit_fail(err, "a scene or --gbuffer must be given");
+    if (o->scene && o->gbuffer) return kit_fail(err, "--gbuffer %s: cannot go with a scene (%s)", o->gbuffer, o->scene);
+    if (o->planned && (o->sets || o->floor || o->truth))
+        return kit_fail(err,
+                        "--plan: chooses the method and its settings: --set, --truth and --floor cannot go with it");
+    if (render_plans_light(o) && !o->env) return kit_fail(err, "--plan: light and bounce need --env");
+    if (o->planned - 1 == SSGI_PLAN_OBJECTS && o->gbuffer)
+        return kit_fail(err, "--plan objects: needs a scene; a frame has no objects to bake");
+    if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
+    if (o->gbuffer && o->truth)
+        return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
+    if (o->gbuffer && !(o->fovy > 0) && !(o->ortho_height > 0))
+        return kit_fail(err, "%s %s: needs --fovy or --ortho-height", from, o->gbuffer);
+    if (o->gbuffer && !(o->radius > 0)) return kit_fail(err, "%s %s: needs --radius", from, o->gbuffer);
+    if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
+    if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
+    if (o->znear > 0 && o->zfar > 0 && !(o->znear < o->zfar))
+        return kit_fail(err, "--far %g: must be beyond --near %g", o->zfar, o->znear);
+    return 0;
+}
+
+static int check_results(const options *o, kit_error *err)
+{
+    const char *out = o->out ? strrchr(o->out, '.') : NULL, *save = o->save ? strrchr(o->save, '.') : NULL;
+    if ((o->truth || o->floor) && o->time) return kit_fail(err, "--time: only a method has GL times");
+    if (!o->out && !o->score && !o->time && !o->save)
+        return kit_fail(err, "nothing to do: give --out, --score, --time or --save-gbuffer");
+    if (o->out && (!out || (strcmp(out, ".exr") && strcmp(out, ".png"))))
+        return kit_fail(err, "--out %s: must end in .exr or .png", o->out);
+    if (o->save && (!save || strcmp(save, ".exr")))
+        return kit_fail(err, "--save-gbuffer %s: must end in .exr", o->save);
+    if (o->save && o->out && !strcmp(o->out, o->save))
+        return kit_fail(err, "--save-gbuffer %s: is --out's file", o->save);
+    return 0;
+}
+
+/* ---- >>parse ----------------------------------------------------------------------------------------------------- */
+
+/* 1: an option that stands alone, or --list with the name that may follow. */
+static int take_alone(options *o, const char *name, const char *next, int *i)
+{
+    if (!strcmp(name, "--help")) o->help = 1;
+    else if (!strcmp(name, "--json")) o->json = 1;
+    else if (!strcmp(name, "--ground")) o->ground = 1;
+    else if (!strcmp(name, "--list")) {
+        o->list = 1;
+        if (next && *next != '-') { o->listed = next; ++*i; }
+    } else return 0;
+    return 1;
+}
+
+int render_parse(options *o, int argc, char **argv, kit_error *err)
+{
+    memset(o, 0, sizeof *o);
+    o->method = "hsao";
+    for (int i = 1; i < argc; ++i) {
+        const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
+        if (strncmp(a, "--", 2)) {
+            if (o->scene) return kit_fail(err, "%s: only one scene can be given (%s is one already)", a, o->scene);
+            o->scene = a;
+            continue;
+        }
+        if (take_alone(o, a, v, &i)) continue;
+        if (!v)
+            return kit_fail(err, "%s: %s", a,
+                            is_option(a) ? "needs a value" : "there is no such option (--help names all)");
+        if (!*v && strcmp(a, "--set")) return kit_fail(err, "%s: its value is empty", a);
+        ++i;
+        if (take(o, a, v, err)) return -1;
+    }
+    if (o->list || o->help) return 0;
+    if (o->sequence && (o->scene || o->gbuffer || o->has_camera || o->frames))
+        return kit_fail(err, "--sequence %s: names its frames and cameras itself", o->sequence);
+    if (o->sequence) o->gbuffer = o->sequence;
+    return check_frames(o, err) || check_source(o, err) || check_results(o, err) ? -1 : 0;
+}
+
+/* ---- >>list ------------------------------------------------------------------------------------------------------ */
+
+/* The words that a setting takes, the default one in brackets. */
+static void list_words(char *out, size_t size, const kit_setting *s)
+{
+    const char *word = s->choices;
+    size_t used = 0;
+    for (int k = 0; *word && used < size; ++k) {
+        const int n = (int)strcspn(word, " "), ours = k == (int)s->value;
+        used += (size_t)snprintf(out + used, size - used, "%s%s%.*s%s", k ? " " : "", ours ? "[" : "", n, word,
+                                 ours ? "]" : "");
+        word += n + (word[n] == ' ');
+    }
+}
+
+int render_list(const char *name, kit_error *err)
+{
+    kit_method m;
+    kit_setting s;
+    const char *about, *scene;
+    int found = 0;
+    for (int i = 0; kit_method_at(&m, i); ++i) {
+        if (name && strcmp(name, m.name)) continue;
+        found = 1;
+        printf("%-12s %s\n", m.name, m.about);
+        for (int k = 0; name && kit_method_setting(&s, &m, k); ++k) {
+            char values[160];
+            if (s.choices) list_words(values, sizeof values, &s);
+            else snprintf(values, sizeof values, "%g in %g..%g", s.value, s.least, s.most);
+            printf("  %-16s %-28s %s\n", s.key, values, s.about);
+        }
+    }
+    if (!found) return kit_fail(err, "--list %s: there is no method of that name (--list names all)", name);
+    if (name) return 0;
+    puts("settings of one: --list NAME\n\nbuilt-in scenes");
+    for (int i = 0; (scene = kit_scene_builtin(i, &about)) != NULL; ++i) printf("%-12s %s\n", scene, about);
+    return 0;
+}

@@ -1,0 +1,88 @@
+/* render.h - what build/render's files share: what is asked for, what it takes, what was measured. */
+#ifndef RENDER_H
+#define RENDER_H
+
+#include "kit/kit_gl.h"
+
+/* ---- >>options */
+
+enum { RENDER_SETS = 32 };
+
+typedef struct options {
+    /* what to draw: a scene, a frame, or a list of frames */
+    const char *scene, *gbuffer, *sequence, *env, *light[KIT_MAX_LIGHTS];
+    int         lights, ground, frames, width, height;
+    double      orbit;                     /* degrees a frame */
+    float       slide[3];                  /* a frame */
+    int         has_camera, has_up;
+    float       camera[6], up[3];          /* eye, target */
+    double      fovy, ortho_height, znear, zfar;       /* 0: not said */
+    /* how */
+    const char *method, *set[RENDER_SETS], *context;
+    int         sets, truth, floor;        /* rays; 0: not asked */
+    double      radius;                    /* 0: the scene's own */
+    int         planned;                   /* SSGI_PLAN_VISIBILITY .. and 1; 0: not asked */
+    double      plan[2];                   /* error, budget */
+    /* what comes out */
+    const char *out, *score, *save, *listed;
+    int         time, json, list, help;
+} options;
+
+extern const char render_usage[];
+int  render_parse(options *o, int argc, char **argv, kit_error *err);
+/* All methods and scenes, a line each; or the settings of one method. */
+int  render_list(const char *name, kit_error *err);
+int  render_numbers(const char *name, const char *text, float *out, int count, kit_error *err);
+/* Of light, which the planned method may bring by ambient visibility. */
+int  render_plans_light(const options *o);
+/* A path whose one %d, or %04d, is replaced by a number; 0 if it has none, or does not fit. */
+int  render_numbered(char *out, size_t size, const char *path, int k);
+
+/* ---- >>report */
+
+/* The picture, its foreground mask, and what was measured: of ambient visibility; or of radiance, irradiance and
+   bounce, their three channels together. */
+enum { GROUPS = 3 };
+
+typedef struct result {
+    kit_image        picture, frame;
+    const kit_run   *run;
+    const ssgi_plan *plan;
+    double          *ms;
+    int              frames, lit;
+    kit_score        score[GROUPS];
+    kit_score_place  place[GROUPS][KIT_PLACES];
+    double           nothing[GROUPS];          /* lit: mean of the reference */
+} result;
+
+int  render_score(result *r, const char *path, const kit_camera *camera, double radius, kit_error *err);
+void render_report(const options *o, const kit_method *m, const result *r, double radius);
+
+/* ---- >>job: what it takes */
+
+typedef struct job {
+    options      o;
+    kit_method   method;
+    kit_scene    scene;
+    kit_gbuffer  gbuffer;
+    kit_run      run;
+    kit_frames   frames;
+    kit_lighting lighting;
+    kit_world    world;
+    ssgi_plan    plan;
+    double       radius;
+    result       r;
+} job;
+
+int  render_open_settings(job *j, kit_error *err);
+int  render_open_frame(kit_gbuffer *g, const options *o, int lit, kit_error *err);
+int  render_open_scene(job *j, kit_error *err);
+/* As its ending says, EXR or PNG. */
+int  render_write(const kit_image *picture, int lit, const char *path, kit_error *err);
+
+/* ---- >>frames */
+
+/* A picture a frame, written as it is drawn; each run takes over the last one's history. */
+int  render_play(job *j, kit_error *err);
+
+#endif

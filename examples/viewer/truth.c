@@ -1,0 +1,121 @@
+/* truth.c - the truth, traced by the kit in a thread beside the drawing, a 64th of the pixels at a time. */
+#include "viewer.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What the kit skips by stride 8 is cheap, and shift moves which 64th it does not skip. The picture's sides are rounded
+   up to multiples of 8; its pixels stay as large. A pixel's number turns its rays: columns on the right and rows above
+   that nobody looks at make another number of each 64th, else 8 x 8 pixels would share their noise. */
+static kit_camera truth_camera(const kit_camera *c, int i, int j)
+{
+    kit_camera to = *c;
+    to.width = (c->width + 7) / 8 * 8 + 8 * i;
+    to.height = (c->height + 7) / 8 * 8 + 8 * j;
+    to.fovy = (float)(360 / KIT_PI * atan(tan((double)c->fovy * KIT_PI / 360) * to.height / c->height));
+    to.ortho_height = c->ortho_height * (float)to.height / (float)c->height;
+    to.shift[0] = 4 - (float)i + 0.5f * (float)(c->width - to.width);
+    to.shift[1] = (float)j - 4 + 0.5f * (float)(to.height - c->height) - 8 * (float)j;
+    return to;
+}
+
+/* Into the picture; in the first round also into what is not known around it, so that it is seen at once. */
+static void truth_add(truth *t, const kit_image *traced, int lit, int rays, int k, int i, int j)
+{
+    const int above = 8 * j, w = t->camera.width, h = t->camera.height, block = k == 0 ? 8 : k < 4 ? 4 : k < 16 ? 2 : 1;
+    const size_t pixels = (size_t)traced->width * (size_t)traced->height;
+    for (int y = 4 + above; y < traced->height; y += 8)
+        for (int x = 4; x < traced->width; x += 8) {
+            const int at[2] = { x + i - 4, y - above + j - 4 };
+            if (at[0] >= w) break;
+            for (int b = 0; b < block * block; ++b) {
+                const int px = at[0] + b % block, py = at[1] + b / block;
+                if (px >= w || py >= h || (b && t->rays[py * w + px])) continue;
+                for (size_t c = 0; c < 3; ++c)
+                    t->rgb[3 * (size_t)(py * w + px) + c] =
+                        traced->data[(lit ? c * pixels : 0) + (size_t)y * (size_t)traced->width + (size_t)x];
+                if (!b) t->rays[py * w + px] = rays;
+            }
+        }
+    t->now.share = (float)(k + 1) / 64;
+    t->now.tracing = rays;
+    t->now.rounds += k == 63;
+    ++t->now.version;
+}
+
+static void *truth_thread(void *context)
+{
+    static const int rounds[] = { 16, 64, 256, 1024 };
+    truth *t = context;
+    unsigned done = 0;
+    pthread_mutex_lock(&t->lock);
+    for (;;) {
+        while (!t->quit && t->wanted == done) pthread_cond_wait(&t->wake, &t->lock);
+        if (t->quit) break;
+        const unsigned now = t->wanted;
+        const kit_camera camera = t->camera;
+        const float radius = t->radius;
+        const int lit = t->lit;
+        for (int k = 0; k < 64 * 4 && t->wanted == now && !t->quit && !t->failed; ++k) {
+            const int rays = rounds[k / 64], b = k % 64;
+            const int i = (b & 1) * 4 + (b >> 2 & 1) * 2 + (b >> 4 & 1);
+            const int j = (b >> 1 & 1) * 4 + (b >> 3 & 1) * 2 + (b >> 5 & 1);
+            const kit_camera part = truth_camera(&camera, i, j);
+            kit_image traced;
+            kit_error err;
+            pthread_mutex_unlock(&t->lock);
+            const int failed =
+                lit ? kit_truth_lit(&traced, t->scene, &part, t->lighting, radius, KIT_ATTENUATION_LINEAR, 1, rays, 8,
+                                    &err)
+                    : kit_truth_ao(&traced, t->scene, &part, radius, KIT_ATTENUATION_LINEAR, rays, 8, &err);
+            pthread_mutex_lock(&t->lock);
+            if (!failed && t->wanted == now) truth_add(t, &traced, lit, rays, b, i, j);
+            if (!failed) kit_image_free(&traced);
+            else if (t->wanted == now) { t->failed = 1; t->err = err; }
+        }
+        done = now;
+    }
+    pthread_mutex_unlock(&t->lock);
+    return NULL;
+}
+
+/* What is wanted is written here alone: it may be read here without the lock. */
+int truth_want(truth *t, const kit_camera *camera, float radius, int lit, kit_error *err)
+{
+    const size_t pixels = (size_t)camera->width * (size_t)camera->height;
+    if (t->started && !memcmp(&t->camera, camera, sizeof *camera) && t->radius == radius && t->lit == lit) return 0;
+    float *rgb = calloc(3 * pixels, sizeof *rgb);
+    int *rays = calloc(pixels, sizeof *rays);
+    if (!rgb || !rays) {
+        free(rgb);
+        free(rays);
+        return kit_fail(err, "no memory for a truth of %d x %d", camera->width, camera->height);
+    }
+    pthread_mutex_lock(&t->lock);
+    free(t->rgb);
+    free(t->rays);
+    t->rgb = rgb;
+    t->rays = rays;
+    t->camera = *camera;
+    t->radius = radius;
+    t->lit = lit;
+    t->failed = 0;
+    t->now = (progress){ .version = t->now.version + 1 };
+    ++t->wanted;
+    pthread_cond_signal(&t->wake);
+    pthread_mutex_unlock(&t->lock);
+    if (!t->started) t->started = !pthread_create(&t->thread, NULL, truth_thread, t);
+    return t->started ? 0 : kit_fail(err, "no thread for the truth");
+}
+
+void truth_close(truth *t)
+{
+    pthread_mutex_lock(&t->lock);
+    t->quit = 1;
+    ++t->wanted;
+    pthread_cond_signal(&t->wake);
+    pthread_mutex_unlock(&t->lock);
+    if (t->started) pthread_join(t->thread, NULL);
+    free(t->rgb);
+    free(t->rays);
+}

@@ -1,0 +1,37 @@
+#!/bin/sh
+# tree.sh - no room of examples/ calls one above it, and no files of the kit call each other in a circle: what each
+# object file defines and what it asks for, as nm has them.
+#
+#   make tree                  of the kit, build/render and build/report
+#   sh tests/tree.sh FILE.o .. of these
+#
+# A room is a folder; those of one height are rooms that do not call each other.
+edges=$(mktemp) || exit 2
+trap 'rm -f "$edges"' EXIT
+for f in "$@"; do nm -P -g "$f" | awk -v f="$f" '{ print ($2 == "U" ? "asks" : "has"), f, $1 }'; done | sort | awk '
+    # height of a file, by its folder
+    function height(f) {
+        return f ~ /^build\/examples\/lab\// ? 6 : f ~ /^build\/examples\// ? 5 : f ~ /^build\/kit\/run\// ? 4 \
+             : f ~ /^build\/kit\/gl\// ? 3 : f ~ /^build\/kit\/trace\// ? 2 : f ~ /^build\/kit\/scene\// ? 1 : 0
+    }
+    function room(f) { if (f ~ /\/lab\//) return "lab"; sub(/[^\/]*$/, "", f); return f }
+    $1 == "asks" { asked[++asks] = $2 " " $3 }
+    $1 == "has" { where[$3] = $2 }
+    END {
+        for (i = 1; i <= asks; ++i) {
+            split(asked[i], a, " ")
+            to = where[a[2]]
+            if (to == "" || to == a[1]) continue
+            up = height(to) - height(a[1])
+            if (up > 0 || (!up && room(to) != room(a[1]))) { print "up: " a[1] " calls " a[2] " of " to; bad = 1 }
+            if (height(a[1]) < 5) print "edge " a[1] " " to
+        }
+        exit bad
+    }' >"$edges"
+bad=$?
+grep '^up: ' "$edges" >&2
+circle=$(sed -n 's/^edge //p' "$edges" | sort -u | tsort 2>&1 >/dev/null) || bad=1
+test -z "$circle" || { echo "circle: $circle" >&2; bad=1; }
+test -s "$edges" || { echo 'tree: nm names no call at all' >&2; bad=1; }
+test $bad = 0 && echo "tree: $# files of examples/ call none above them, and the kit's none in a circle"
+exit $bad
