@@ -54,19 +54,23 @@ build/sanitized/render.o: examples/tools/render/render.c $(HEADERS) | deps
 build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
-EXAMPLE_H = examples/lab/report.h examples/lab/page/page.h examples/tools/glsl/choices.h examples/tools/glsl/manifest.h
+EXAMPLE_H = $(wildcard examples/lab/*/*.h) examples/tools/glsl/choices.h examples/tools/glsl/manifest.h
 build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-REPORT = lab/report lab/measure/stage lab/page/page tools/glsl/choices \
-         $(addprefix lab/chart/,parts lit pairs fields deep plan peers costs)
+REPORT = lab/report tools/glsl/choices $(addprefix lab/measure/,folder rows picture stage score clock measure peers) \
+         $(addprefix lab/page/,page table svg scatter pictures terms units) \
+         $(addprefix lab/chart/,ao strip lit pairs fields fields_demo fields_stage deep deep_demo deep_moving deep_stage \
+         plan costs)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
-PAGE_O = build/examples/lab/page/page.o
-build/stability: examples/lab/stability/stability.c examples/lab/stability/sweeps.c $(PAGE_O) $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(PAGE_O) $(KIT_O) $(KIT_LIBS) -o $@
+# What sweeps and measures, which make test does as well; and what shows it.
+SWEEP     = lab/measure/picture $(addprefix lab/stability/,sweeps curve shot sweep maths)
+STABILITY = $(SWEEP) lab/measure/folder lab/page/page lab/page/svg lab/stability/show lab/stability/stability
+build/stability: $(STABILITY:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 GLSL_O = $(addprefix build/examples/tools/glsl/,choices.o manifest.o)
 build/glsl-text: examples/tools/glsl/glsl.c $(GLSL_O) $(KIT_O)
@@ -99,7 +103,7 @@ peers:
 	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }
 	@mkdir -p build/peers
 	npm install --prefix build/peers --no-save --ignore-scripts --no-audit --no-fund --silent $(PEERS)
-	@cp examples/lab/chart/peers.mjs build/peers/
+	@cp examples/lab/measure/peers.mjs build/peers/
 
 # Where methods fail; report/stability.html. make stability QUICK=1 is smaller.
 stability: build/stability build/figures
@@ -172,8 +176,8 @@ npm: build/wasm/ssgi.wasm build/glsl-text
 
 TESTS = main t others $(addprefix test_,math trace files models library text twins pipeline light vectors field casters \
         steps surfels plan stability build)
-build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h examples/lab/stability/stability.c examples/lab/stability/sweeps.c $(PAGE_O) $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(PAGE_O) $(KIT_O) $(KIT_LIBS) -o $@
+build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h $(SWEEP:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(SWEEP:%=build/examples/%.o) $(KIT_O) $(KIT_LIBS) -o $@
 
 # Pictures are written and read while memory runs out: malloc is this program's own.
 build/starve: tests/starve.c tests/others.c build/kit/util.o build/kit/image.o tests/others.h

@@ -1,16 +1,18 @@
 /* costs.c - what each pass and each choice costs in instructions and fetches, read off the SPIR-V that glslang makes of
-   the texts. Declared in report.h.
+   the texts. Declared in costs.h.
 
    Counts are static: of the text as it stands, loops counted once, before any optimiser. Beside them the most texels
    that a pixel fetches (kit_fetches). A choice that is off costs nothing:
    set while what it belongs to is off, it leaves the text as it is, byte for byte; which do so is listed. */
-#include "lab/report.h"
+#include "lab/chart/costs.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
+#include "kit/kit_gl.h"
+#include "lab/measure/folder.h"
+#include "lab/page/page.h"
 #include "tools/glsl/choices.h"
 
 #define COSTS "build/costs"
@@ -200,7 +202,7 @@ int costs_chart(FILE *html, const char *out, kit_error *err)
     page csv;
     char title[64];
     int count, texts, missing;
-    if (folder(COSTS, err)) return -1;
+    if (folder_make(COSTS, err)) return -1;
     count = costs_write(costs, &texts, err);
     if (count < 0) return -1;
     missing = costs_count(costs, count, texts, err);

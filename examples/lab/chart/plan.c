@@ -1,10 +1,11 @@
 /* plan.c - what report.c shows of the plan: choices measured on scenes that it was not fitted on, and whether it chose
-   well; and the fit itself, whose numbers stand in ssgi.h's room >>plan. Declared in report.h. */
-#include "lab/report.h"
+   well; and what the fit reads, whose numbers stand in ssgi.h's room >>plan. Declared in plan.h. */
+#include "lab/chart/plan.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "lab/measure/measure.h"
+#include "lab/page/page.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -65,8 +66,9 @@ static int planned_open(stage *s, const plan_view *p, const lit *light, int suns
     static const kit_light two[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } },
                                       { KIT_SUN, { 0.75f, 0.6f, 0.27f }, { 0.5f, 2.3f, 2.2f } } };
     view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
-    for (int i = 0; i < views_count; ++i) if (!strcmp(views[i].name, p->scene)) { v = views[i]; v.lit = light; }
-    if (packages_of(v.path) && access(v.path, R_OK)) return 0;
+    for (int i = 0; i < stage_views_count; ++i)
+        if (!strcmp(stage_views[i].name, p->scene)) { v = stage_views[i]; v.lit = light; }
+    if (stage_packages(v.path) && access(v.path, R_OK)) return 0;
     if (stage_load(s, &v, err)) return -1;
     if (suns) {
         kit_image_free(&s->lighting.env);
@@ -103,17 +105,17 @@ static int planned_draw(kit_image *out, double *time, double *model, stage *s, c
     if (p->method == SSGI_PLAN_NOTHING) {
         if (kit_image_new(out, s->frame.width, s->frame.height, "Y", err)) return -1;
         for (int i = 0; i < out->width * out->height; ++i) out->data[i] = 1;
-        return s->lit ? light_by(out, s, err) : 0;
+        return s->lit ? stage_dim(out, s, err) : 0;
     }
     if (kit_plan_method(&m, p, wanted, err) || kit_run_open(&run, &s->gbuffer, &m, s->radius, &world, err)) return -1;
-    if (draw_settled(&run, 0, 1, err) < 0 || kit_run_read(out, &run, err)
-        || (s->lit && !run.lit && light_by(out, s, err)))
+    if (picture_settled(&run, 0, 1, err) < 0 || kit_run_read(out, &run, err)
+        || (s->lit && !run.lit && stage_dim(out, s, err)))
         return -1;
     *model = model_of(&run);
     const double slow = kit_run_ms(&run);           /* slow choices are timed as they were first drawn */
-    before = draw(fixed);
-    const double ms = p->cost < PLANNED_SLOW ? draw(&run) : slow;
-    after = draw(fixed);
+    before = clock_draw(fixed);
+    const double ms = p->cost < PLANNED_SLOW ? clock_draw(&run) : slow;
+    after = clock_draw(fixed);
     *time = ms / (0.5 * (before + after));
     kit_run_close(&run);
     return 0;
@@ -128,7 +130,7 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
     snprintf(r->name, sizeof r->name, "%s", name);
     if (kit_plan_numbers(&r->numbers, &s->gbuffer, &world, s->radius, wanted, err)) return -1;
     r->numbers.history = 1;
-    if (run_open(&fixed, s, reference.method, reference.settings, s->radius, err)) return -1;
+    if (stage_run(&fixed, s, clock_reference.method, clock_reference.settings, s->radius, err)) return -1;
     kit_run_draw(&fixed, 1);
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         r->error[i] = r->cost[i] = r->model[i] = (double)NAN;
@@ -159,8 +161,8 @@ static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
 
 static int same_plan(const ssgi_plan *a, const ssgi_plan *b)
 {
-    return a->method == b->method && a->thickness == b->thickness && a->half == b->half && a->directions == b->directions
-           && a->steps == b->steps && a->bands == b->bands && a->history == b->history
+    return a->method == b->method && a->thickness == b->thickness && a->half == b->half
+           && a->directions == b->directions && a->steps == b->steps && a->bands == b->bands && a->history == b->history
            && a->resolution == b->resolution && !(fabsf(a->size - b->size) > 0);
 }
 
@@ -247,8 +249,8 @@ static int planned_all(planned_row *rows, int *count, int which, int quick, kit_
             if (there < 0) return -1;
             if (!there) break;
             s.between = wanted == SSGI_PLAN_OBJECTS;
-            if (trace(&truth, &s, is_lit ? of_light.rays : quick ? 64 : 256, PLANNED_STRIDE + is_lit, err)
-                || (is_lit && stage_lit(&s, err)))
+            if (stage_trace(&truth, &s, is_lit ? of_light.rays : quick ? 64 : 256, PLANNED_STRIDE + is_lit, err)
+                || (is_lit && stage_light(&s, err)))
                 return -1;
             snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, is_lit ? " " : "",
                      is_lit ? light : "");

@@ -1,24 +1,13 @@
-/* sweeps.c - what stability.c sweeps: methods, and the causes of failure, each a scene and one thing in it that
-   changes. Included by stability.c, which measures. */
+/* sweeps.c - what is swept: methods, and the causes of failure, each a scene and one thing in it that changes. Declared
+   in sweeps.h. */
+#include "lab/stability/sweeps.h"
+#include <math.h>
+#include <string.h>
+#include "lab/stability/maths.h"
 
 /* ---- >>methods --------------------------------------------------------------------------------------------------- */
 
-/* What a method is shown with: all that reads the screen; light, which is ambient visibility when it is white and from
-   everywhere; surfels; fields; what back faces mends; a sun that turns. */
-enum {
-    SCREEN = 1,
-    LIGHT = 2,
-    OF_SURFELS = 4,
-    FIELD = 8,
-    THIN = 16,
-    TURNED = 32,
-    KEPT = 64 /* over frames */,
-    KEPT_LIGHT = 128 /* the same, of light */,
-    AMBIENT = SCREEN | LIGHT | OF_SURFELS
-};
-/* widest: picture that it is drawn at */
-typedef struct method { const char *label, *method, *settings; int of, widest; } method;
-static const method methods[] = {
+const swept sweeps_method[] = {
     { "ssao",       "ssao",       "",                             SCREEN,         3840 },
     { "hsao-fast",  "hsao-fast",  "",                             SCREEN,         3840 },
     { "hsao",       "hsao",       "",                             SCREEN,         3840 },
@@ -37,45 +26,11 @@ static const method methods[] = {
     { "dss-lit",    "dss-lit",    "size=0.03",                    TURNED,         1280 },
     { "aof",        "aof",        "resolution=8,radii=8,rays=64", FIELD,          1920 }
 };
-enum { METHODS = sizeof methods / sizeof *methods };
+const int sweeps_methods = sizeof sweeps_method / sizeof *sweeps_method;
+_Static_assert(sizeof sweeps_method / sizeof *sweeps_method <= MOST_METHODS, "more methods than MOST_METHODS");
 
-/* ---- >>causes ---------------------------------------------------------------------------------------------------- */
+/* ---- >>looks: what a frame of each cause shows ------------------------------------------------------------------- */
 
-/* What a frame shows; what is 0 is the scene's own. */
-/* how depth is stored: view depth as 32F; as 16F; window depth */
-enum { EXACT = 1, HALF, UNORM24, FLOAT32, REVERSED32 };
-enum { BOXES = 2, SUN_DEGREES = 3, MOST_VALUES = 12 };
-typedef struct look {
-    const char *scene, *only;              /* only: of what casts the first of that name is there alone, placed */
-    float placed[16], box[BOXES][6];       /* boxes with y1 > y0 are added */
-    float eye[3], target[3], up[3], fovy, znear, zfar;
-    /* of the whole scene; the camera then moves by so many of the target's pixels to the right, by that share of the
-       way to it */
-    float scale, aside, nearer;
-    float radius, pixels;                  /* pixels: of the radius at the target */
-    float where[2][3];                     /* what is scored: bounds, on each axis where the lower one is lower */
-    float sun[3];                          /* direction to the sun, in the sky; else light is white from everywhere */
-    int   format, width, height, stride, rays, within;   /* within: the truth of a sun is traced, within the radius */
-} look;
-
-/* How frames become a figure: RMSE to the truth; to the same picture with exact depth; deviation over frames after
-   reprojection, less the truth's; second difference over frames; that of light over its mean, less an open
-   surface's; with history, RMSE over that of the frame alone, the most of a sequence, so many frames after CHANGED,
-   and, all frames together, where the frame before showed something else; after CHANGED, what is left of what was. */
-enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL };
-enum { FRAMES = 16, CHANGED = 8 };
-typedef struct result result;
-typedef struct cause {
-    const char *name, *title, *across;     /* across: what varies, and its unit */
-    int kind, of, width, rays, log;        /* log: the axis is logarithmic */
-    void (*at)(look *l, double value, int frame);
-    int (*curves)(result *r, kit_error *err);      /* instead: of the library's maths alone */
-    double value[MOST_VALUES];             /* up to the first 0 after the first value */
-    /* the last two: what the number is, and the chart's other axis; NULL = the kind's */
-    const char *about, *number, *up;
-} cause;
-
-static const float PI_180 = 0.01745329252f;
 static void set(float v[3], float x, float y, float z) { v[0] = x; v[1] = y; v[2] = z; }
 static void set_box(float b[6], float x0, float y0, float z0, float x1, float y1, float z1)
 {
@@ -91,7 +46,7 @@ static void camera(look *l, float x, float y, float z, float tx, float ty, float
 
 static void tilt(look *l, double value, int frame)
 {
-    const float a = (float)value * PI_180;
+    const float a = (float)value * DEGREE;
     (void)frame;
     camera(l, 0, 3 * cosf(a), 3 * sinf(a), 0, 0, 0, 30);
     set(l->up, 0, sinf(a), -cosf(a));
@@ -110,7 +65,7 @@ static void tilt_wall(look *l, double value, int frame)
 /* Rolled by ten degrees: what is thinner than a pixel is seen here and there. */
 static void pole(look *l, double value, int frame)
 {
-    const float w = 0.5f * (float)value * 2 * 4 * tanf(15 * PI_180) / (float)l->height;
+    const float w = 0.5f * (float)value * 2 * 4 * tanf(15 * DEGREE) / (float)l->height;
     (void)frame;
     camera(l, 0, 10, 4, 0, 10, 0, 30);
     set(l->up, 0.1763f, 1, 0);
@@ -123,7 +78,7 @@ static void pole(look *l, double value, int frame)
 
 static void rail(look *l, double value, int frame)
 {
-    const float w = 0.5f * (float)value * 2 * 2.9f * tanf(15 * PI_180) / (float)l->height;
+    const float w = 0.5f * (float)value * 2 * 2.9f * tanf(15 * DEGREE) / (float)l->height;
     (void)frame;
     camera(l, 0, 1.5f, 2.5f, 0, 0, 0, 30);
     set(l->up, 0.1763f, 1, 0);
@@ -220,7 +175,7 @@ static void closer(look *l, double value, int frame)
 
 static void sun(look *l, double value, int frame)
 {
-    const float a = (40 + (float)value * (float)frame) * PI_180;
+    const float a = (40 + (float)value * (float)frame) * DEGREE;
     l->scene = "boxes";
     set(l->sun, cosf(a), 0.8f, sinf(a));
 }
@@ -233,7 +188,7 @@ static void lit_within(look *l, double value, int frame)
 
 static void turning(look *l, double value, int frame)
 {
-    const float a = (20 + (float)value * (float)frame) * PI_180, size = 1.4f, c = size * cosf(a), s = size * sinf(a);
+    const float a = (20 + (float)value * (float)frame) * DEGREE, size = 1.4f, c = size * cosf(a), s = size * sinf(a);
     const float m[16] = { c, 0, -s, 0, 0, size, 0, 0, s, 0, c, 0, 0, 0.36f * size + 0.01f, 0, 1 };
     l->scene = "casters";
     l->only = "table";
@@ -254,7 +209,7 @@ static void sized(look *l, double value, int frame)
 
 static void rolled(look *l, double value, int frame)
 {
-    const float a = (float)value * (float)frame * PI_180;
+    const float a = (float)value * (float)frame * DEGREE;
     l->scene = "casters";
     set(l->up, sinf(a), cosf(a), 0);
 }
@@ -262,7 +217,7 @@ static void rolled(look *l, double value, int frame)
 /* A box on a floor, so many pixels from the middle. */
 static void box_at(look *l, float pixels)
 {
-    const float x = pixels * 2 * 5 * tanf(15 * PI_180) / (float)l->height;
+    const float x = pixels * 2 * 5 * tanf(15 * DEGREE) / (float)l->height;
     camera(l, 0, 3, 4, 0, 0.2f, 0, 30);
     l->radius = 0.6f;
     set_box(l->box[0], x - 0.4f, 0.001f, -0.4f, x + 0.4f, 0.7f, 0.4f);
@@ -279,15 +234,11 @@ static void jumped(look *l, double value, int frame)
     l->nearer = frame < CHANGED ? 0 : 0.3f;
 }
 
-static int ringing_open(result *r, kit_error *err);
-static int ringing_in_shade(result *r, kit_error *err);
-static int hull(result *r, kit_error *err);
-static int hull_steps(result *r, kit_error *err);
-static int popping(result *r, kit_error *err);
+/* ---- >>causes ---------------------------------------------------------------------------------------------------- */
 
 #define DEPTHS   { 1.2225, 78.24, 1251.84, 5007.36, 10014.72, 20029.44, 40058.88, 80117.76 }
 #define SLIDING  { -0.8, -0.6, -0.4, -0.2, -0.001, 0.2, 0.4, 0.6, 0.8 }
-static const cause causes[] = {
+const cause sweeps_cause[] = {
     { "tilt",
       "View tilt, a bare plane",
       "tilt of the view against the plane's normal, degrees",
@@ -489,7 +440,7 @@ static const cause causes[] = {
       0,
       0,
       NULL,
-      ringing_open,
+      maths_ringing_open,
       { 0 },
       "Irradiance over that of an open surface that faces the sun.",
       "most negative irradiance",
@@ -503,7 +454,7 @@ static const cause causes[] = {
       0,
       0,
       NULL,
-      ringing_in_shade,
+      maths_ringing_in_shade,
       { 0 },
       "The same where a cone of 30 degrees is seen, 45 degrees off the normal, and nothing else.",
       "most negative irradiance",
@@ -517,7 +468,7 @@ static const cause causes[] = {
       0,
       0,
       NULL,
-      hull,
+      maths_hull,
       { 0 },
       "Occlusion by a table, on a line between its legs, facing up.",
       "largest error",
@@ -531,7 +482,7 @@ static const cause causes[] = {
       0,
       0,
       NULL,
-      hull_steps,
+      maths_hull_steps,
       { 0 },
       "What a hundredth of the table's size adds.",
       "largest step",
@@ -545,10 +496,18 @@ static const cause causes[] = {
       0,
       1,
       NULL,
-      popping,
+      maths_popping,
       { 0 },
       "Two dozen shapes; how many surfels a step of 1 % of the distance adds or takes. Areas alone would add 2 %.",
       "largest change",
       "change of the count, a share of it" }
 };
-enum { CAUSES = sizeof causes / sizeof *causes };
+const int sweeps_causes = sizeof sweeps_cause / sizeof *sweeps_cause;
+_Static_assert(sizeof sweeps_cause / sizeof *sweeps_cause <= MOST_CAUSES, "more causes than MOST_CAUSES");
+
+look sweeps_look(const cause *c, double value, int frame)
+{
+    look l = { .scene = "plane", .width = c->width, .height = c->width * 9 / 16, .stride = 1, .rays = c->rays };
+    c->at(&l, value, frame);
+    return l;
+}
