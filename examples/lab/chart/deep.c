@@ -15,70 +15,84 @@
 
 #define DSS(label, settings, quick) { label, "dss", settings, quick }
 static const entry deep_ao[] = { /* rows of one label make one curve */
-                                 { "ssao", "ssao", "samples=8", 0 },
-                                 { "ssao", "ssao", "", 1 },
-                                 { "hsao", "hsao-fast", "", 1 },
-                                 { "hsao", "hsao", "", 1 },
-                                 { "hsao", "hsao-best", "", 1 },
-                                 DSS("dss", "size=0.06", 0),
-                                 DSS("dss", "size=0.03", 1),
-                                 DSS("dss", "", 1),
-                                 DSS("dss, epsilon 0.02, 4 levels", "size=0.03,epsilon=0.02,levels=4", 0)
+    { "ssao", "ssao", "samples=8", 0 },
+    { "ssao", "ssao", "", 1 },
+    { "hsao", "hsao-fast", "", 1 },
+    { "hsao", "hsao", "", 1 },
+    { "hsao", "hsao-best", "", 1 },
+    DSS("dss", "size=0.06", 0),
+    DSS("dss", "size=0.03", 1),
+    DSS("dss", "", 1),
+    DSS("dss, epsilon 0.02, 4 levels", "size=0.03,epsilon=0.02,levels=4", 0)
 };
 static const entry deep_figure8[] = {
     DSS("epsilon", COARSE ",levels=4,epsilon=0.2", 1),  DSS("epsilon", COARSE ",levels=4,epsilon=0.1", 1),
     DSS("epsilon", COARSE ",levels=4,epsilon=0.02", 1), DSS("levels", COARSE ",epsilon=0.1,levels=1", 0),
     DSS("levels", COARSE ",epsilon=0.1,levels=2", 1),   DSS("levels", COARSE ",epsilon=0.1,levels=6", 0)
 };
-static const entry deep_choices[] = { DSS("defaults", COARSE, 1),
-                                      DSS("every triangle", COARSE ",keep_small=1", 0),
-                                      DSS("no growth off screen: as published", COARSE ",offscreen_growth=0", 0),
-                                      DSS("from the near plane on", COARSE ",near_depth=0", 0),
-                                      DSS("near_samples: the centre alone", COARSE ",near_samples=1", 0),
-                                      DSS("no smoothing", COARSE ",smooth=0", 0),
-                                      DSS("smoothing compares normals", COARSE ",filter_normals=1", 0),
-                                      DSS("by tessellation", COARSE ",way=capture", 0),
-                                      DSS("by geometry shader", COARSE ",way=direct", 0) };
-static const entry deep_lights[] = { { "dss-lit", "dss-lit", COARSE, 1 },
-                                     { "dss-lit", "dss-lit", "", 0 },
-                                     { "dss-lit, epsilon 0.02", "dss-lit", COARSE ",epsilon=0.02,levels=4", 0 },
-                                     { "dss-lit, no sky on surfels", "dss-lit", COARSE ",sky=0", 0 } };
-static const entry deep_ssdos[] = { { "ssdo", "ssdo-fast", "", 0 },
-                                    { "ssdo", "ssdo", "", 1 },
-                                    { "ssdo", "ssdo-best", "", 0 },
-                                    { "ssdo, 4 cameras", "ssdo-points", "views=4", 0 } };
-static const entry deep_mirrors[] = { { "dss-gloss", "dss-gloss", "exponent=8,size=0.06", 0 },
-                                      { "dss-gloss", "dss-gloss", "exponent=8,size=0.03", 1 },
-                                      { "dss-gloss, epsilon 0.02", "dss-gloss", "exponent=8,size=0.03,epsilon=0.02",
-                                        0 } };
-static const entry deep_marbles[] = { { "dss-scatter", "dss-scatter", MARBLE, 1 },
-                                      { "dss-scatter, 5 levels", "dss-scatter", MARBLE ",levels=5", 0 },
-                                      { "dss-scatter, epsilon 0.1", "dss-scatter", MARBLE ",epsilon=0.1", 0 },
-                                      { "dss-scatter, shares of triangles", "dss-scatter",
-                                        MARBLE ",keep_small=0", 1 } };
-static const entry deep_effects[] = { { "ambient occlusion", "dss", "way=capture", 1 },
-                                      { "directional occlusion, a bounce", "dss-lit", "way=capture", 1 },
-                                      { "one specular bounce", "dss-gloss", "way=capture", 1 },
-                                      { "scattering", "dss-scatter", "way=capture," MARBLE, 1 } };
+static const entry deep_choices[] = {
+    DSS("defaults", COARSE, 1),
+    DSS("every triangle", COARSE ",keep_small=1", 0),
+    DSS("no growth off screen: as published", COARSE ",offscreen_growth=0", 0),
+    DSS("from the near plane on", COARSE ",near_depth=0", 0),
+    DSS("near_samples: the centre alone", COARSE ",near_samples=1", 0),
+    DSS("no smoothing", COARSE ",smooth=0", 0),
+    DSS("smoothing compares normals", COARSE ",filter_normals=1", 0),
+    DSS("by tessellation", COARSE ",way=capture", 0),
+    DSS("by geometry shader", COARSE ",way=direct", 0)
+};
+static const entry deep_lights[] = {
+    { "dss-lit", "dss-lit", COARSE, 1 },
+    { "dss-lit", "dss-lit", "", 0 },
+    { "dss-lit, epsilon 0.02", "dss-lit", COARSE ",epsilon=0.02,levels=4", 0 },
+    { "dss-lit, no sky on surfels", "dss-lit", COARSE ",sky=0", 0 }
+};
+static const entry deep_ssdos[] = {
+    { "ssdo", "ssdo-fast", "", 0 },
+    { "ssdo", "ssdo", "", 1 },
+    { "ssdo", "ssdo-best", "", 0 },
+    { "ssdo, 4 cameras", "ssdo-points", "views=4", 0 }
+};
+static const entry deep_mirrors[] = {
+    { "dss-gloss", "dss-gloss", "exponent=8,size=0.06", 0 },
+    { "dss-gloss", "dss-gloss", "exponent=8,size=0.03", 1 },
+    { "dss-gloss, epsilon 0.02", "dss-gloss", "exponent=8,size=0.03,epsilon=0.02", 0 }
+};
+static const entry deep_marbles[] = {
+    { "dss-scatter", "dss-scatter", MARBLE, 1 },
+    { "dss-scatter, 5 levels", "dss-scatter", MARBLE ",levels=5", 0 },
+    { "dss-scatter, epsilon 0.1", "dss-scatter", MARBLE ",epsilon=0.1", 0 },
+    { "dss-scatter, shares of triangles", "dss-scatter", MARBLE ",keep_small=0", 1 }
+};
+static const entry deep_effects[] = {
+    { "ambient occlusion", "dss", "way=capture", 1 },
+    { "directional occlusion, a bounce", "dss-lit", "way=capture", 1 },
+    { "one specular bounce", "dss-gloss", "way=capture", 1 },
+    { "scattering", "dss-scatter", "way=capture," MARBLE, 1 }
+};
 /* The same reach, radius sqrt(1 / epsilon - 1) 2^(levels - 1): 16^2 (1/0.1 - 1) = 1/0.000433839 - 1. half: of the
    picture's width and height, brought to full size bilinearly. */
 typedef struct full { entry entry; int half; } full;
-static const full deep_figure9[] = { { DSS("5 levels", COARSE ",levels=5,epsilon=0.1", 1), 0 },
-                                     { DSS("full size, 1 level", COARSE ",levels=1,epsilon=0.000433839", 1), 0 },
-                                     { DSS("half size, 1 level", COARSE ",levels=1,epsilon=0.000433839", 1), 1 },
-                                     { DSS("half size, 5 levels", COARSE ",levels=5,epsilon=0.1", 0), 1 } };
+static const full deep_figure9[] = {
+    { DSS("5 levels", COARSE ",levels=5,epsilon=0.1", 1), 0 },
+    { DSS("full size, 1 level", COARSE ",levels=1,epsilon=0.000433839", 1), 0 },
+    { DSS("half size, 1 level", COARSE ",levels=1,epsilon=0.000433839", 1), 1 },
+    { DSS("half size, 5 levels", COARSE ",levels=5,epsilon=0.1", 0), 1 }
+};
 
 typedef struct growth { const char *label, *settings; int width, quick; } growth;
-static const growth deep_growth[] = { { "surfels", "size=0.06", 320, 1 },
-                                      { "surfels", COARSE, 320, 1 },
-                                      { "surfels", "size=0.015", 320, 0 },
-                                      { "pixels", COARSE, 160, 1 },
-                                      { "pixels", COARSE, 320, 0 },
-                                      { "pixels", COARSE, 640, 0 },
-                                      { "levels", COARSE ",epsilon=0.1,levels=1", 320, 1 },
-                                      { "levels", COARSE ",epsilon=0.1,levels=2", 320, 0 },
-                                      { "levels", COARSE ",epsilon=0.1,levels=4", 320, 1 },
-                                      { "levels", COARSE ",epsilon=0.1,levels=6", 320, 0 } };
+static const growth deep_growth[] = {
+    { "surfels", "size=0.06", 320, 1 },
+    { "surfels", COARSE, 320, 1 },
+    { "surfels", "size=0.015", 320, 0 },
+    { "pixels", COARSE, 160, 1 },
+    { "pixels", COARSE, 320, 0 },
+    { "pixels", COARSE, 640, 0 },
+    { "levels", COARSE ",epsilon=0.1,levels=1", 320, 1 },
+    { "levels", COARSE ",epsilon=0.1,levels=2", 320, 0 },
+    { "levels", COARSE ",epsilon=0.1,levels=4", 320, 1 },
+    { "levels", COARSE ",epsilon=0.1,levels=6", 320, 0 }
+};
 
 typedef struct deep_table {
     const char *title, *about;
@@ -88,30 +102,30 @@ typedef struct deep_table {
     const char *svg;
 } deep_table;
 static const deep_table deep_tables[] = { /* one without title goes on with the table before it */
-                                          { "Deep screen space: speed against accuracy, bunny", "Bunny on a floor.",
-                                            BUNNY_AO, PART(deep_ao, COUNT(deep_ao)), 1, "chart-deep.svg" },
-                                          { "Deep screen space: speed against accuracy, room", "Room.",
-                                            OWN_VIEW("room"), PART(deep_ao, COUNT(deep_ao)), 0, "chart-deep-room.svg" },
-                                          { "Deep screen space: epsilon and levels",
-                                            "The paper's figure 8: epsilon and levels, surfels of 0.03.", BUNNY_AO,
-                                            PART(deep_figure8, COUNT(deep_figure8)), 0, "chart-deep-figure8.svg" },
-                                          { "Deep screen space: other choices",
-                                            "Bunny on a floor, surfels of 0.03; one choice at a time.", BUNNY_AO,
-                                            PART(deep_choices, COUNT(deep_choices)), 0, NULL },
-                                          { "Deep screen space: light",
-                                            "Bunny and four boxes under the sky and a sun, one bounce. Of ssdo: what "
-                                            "is within the radius weighted by 1 - t/radius, in its truth, too;",
-                                            FADING, PART(deep_ssdos, COUNT(deep_ssdos)), 1, NULL },
-                                          { NULL, "of dss-lit: all whole, in its truth, too.", WHOLE_LIGHT,
-                                            PART(deep_lights, COUNT(deep_lights)), 1, NULL },
-                                          { "Deep screen space: one specular bounce",
-                                            "Open box under a point light, a lobe of exponent 8. Irradiance stands for "
-                                            "the lobe's radiance.",
-                                            LOBE, PART(deep_mirrors, COUNT(deep_mirrors)), 0, NULL },
-                                          { "Deep screen space: scattering",
-                                            "A bunny of marble, 4 cm high, lit from behind. Irradiance stands for the "
-                                            "radiance that leaves it.",
-                                            OF_MARBLE, PART(deep_marbles, COUNT(deep_marbles)), 0, NULL }
+    { "Deep screen space: speed against accuracy, bunny", "Bunny on a floor.",
+      BUNNY_AO, PART(deep_ao, COUNT(deep_ao)), 1, "chart-deep.svg" },
+    { "Deep screen space: speed against accuracy, room", "Room.",
+      OWN_VIEW("room"), PART(deep_ao, COUNT(deep_ao)), 0, "chart-deep-room.svg" },
+    { "Deep screen space: epsilon and levels",
+      "The paper's figure 8: epsilon and levels, surfels of 0.03.", BUNNY_AO,
+      PART(deep_figure8, COUNT(deep_figure8)), 0, "chart-deep-figure8.svg" },
+    { "Deep screen space: other choices",
+      "Bunny on a floor, surfels of 0.03; one choice at a time.", BUNNY_AO,
+      PART(deep_choices, COUNT(deep_choices)), 0, NULL },
+    { "Deep screen space: light",
+      "Bunny and four boxes under the sky and a sun, one bounce. Of ssdo: what "
+      "is within the radius weighted by 1 - t/radius, in its truth, too;",
+      FADING, PART(deep_ssdos, COUNT(deep_ssdos)), 1, NULL },
+    { NULL, "of dss-lit: all whole, in its truth, too.", WHOLE_LIGHT,
+      PART(deep_lights, COUNT(deep_lights)), 1, NULL },
+    { "Deep screen space: one specular bounce",
+      "Open box under a point light, a lobe of exponent 8. Irradiance stands for "
+      "the lobe's radiance.",
+      LOBE, PART(deep_mirrors, COUNT(deep_mirrors)), 0, NULL },
+    { "Deep screen space: scattering",
+      "A bunny of marble, 4 cm high, lit from behind. Irradiance stands for the "
+      "radiance that leaves it.",
+      OF_MARBLE, PART(deep_marbles, COUNT(deep_marbles)), 0, NULL }
 };
 
 enum {

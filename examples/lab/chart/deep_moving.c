@@ -13,13 +13,17 @@ static const float turn_eye[3] = { 0.35f, 0.9f, 2.8f }, turn_from = -8, turn_to 
 
 static const lit deep_white = { "white", { NULL }, 0, 0, 0, 64, 1, NO_CROPS };
 
-static const entry deep_watched[] = { { "hsao", "hsao", "", 1 },
-                                      { "ssdo", "ssdo", "bounce=none", 1 },
-                                      { "dss", "dss", COARSE, 1 } };
-static const entry deep_moved[] = { { "hsao", "hsao", "", 1 },
-                                    { "ssao", "ssao", "", 0 },
-                                    { "dss", "dss", COARSE, 1 },
-                                    { "dss, every triangle", "dss", COARSE ",keep_small=1", 0 } };
+static const entry deep_watched[] = {
+    { "hsao", "hsao", "", 1 },
+    { "ssdo", "ssdo", "bounce=none", 1 },
+    { "dss", "dss", COARSE, 1 }
+};
+static const entry deep_moved[] = {
+    { "hsao", "hsao", "", 1 },
+    { "ssao", "ssao", "", 0 },
+    { "dss", "dss", COARSE, 1 },
+    { "dss, every triangle", "dss", COARSE ",keep_small=1", 0 }
+};
 
 _Static_assert(TURNS * COUNT(deep_watched) <= MOST_DEEP, "more rows than MOST_DEEP");
 

@@ -14,8 +14,8 @@
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
 static const entry field_entries[] = { /* rows of one label make one curve */
-                                       AOF("field", "resolution=4", 1), AOF("field", "resolution=8", 1),
-                                       AOF("field", "resolution=16", 1)
+    AOF("field", "resolution=4", 1), AOF("field", "resolution=8", 1),
+    AOF("field", "resolution=16", 1)
 };
 typedef struct field_scene { const char *title; setup setup; const char *curve; } field_scene;
 static const field_scene field_scenes[] = {
@@ -38,20 +38,25 @@ static const field_scene field_scenes[] = {
 /* occluders: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the
    occluder's bounding sphere in its place. */
 typedef struct cost { const char *label, *settings; int occluders; float size; int quick; } cost;
-static const cost of_triangles[] = { { "bunny, 69,000 triangles", "", 0, 0, 1 },
-                                     { "cube, 12 triangles", "", -1, 0, 1 } };
-static const cost of_pixels[] = { { "one ball, size 2", "", 0, 2, 0 },
-                                  { "one ball, size 1", "", 0, 1, 1 },
-                                  { "one ball, size 1/2", "", 0, 0.5f, 0 },
-                                  { "one ball, size 1/4", "", 0, 0.25f, 1 },
-                                  { "one ball, size 1/8", "", 0, 0.125f, 0 } };
-static const cost of_occluders[] = { { "1 occluder", "", 1, 0, 1 },
-                                     { "10 occluders", "", 10, 0, 1 },
-                                     { "24 occluders", "", 24, 0, 1 },
-                                     { "100 occluders", "", 100, 0, 1 },
-                                     { "100 occluders", "reach=4", 100, 0, 0 } };
-static const struct { setup setup; const cost *costs; int count;
-} cost_sets[] = {
+static const cost of_triangles[] = {
+    { "bunny, 69,000 triangles", "", 0, 0, 1 },
+    { "cube, 12 triangles", "", -1, 0, 1 }
+};
+static const cost of_pixels[] = {
+    { "one ball, size 2", "", 0, 2, 0 },
+    { "one ball, size 1", "", 0, 1, 1 },
+    { "one ball, size 1/2", "", 0, 0.5f, 0 },
+    { "one ball, size 1/4", "", 0, 0.25f, 1 },
+    { "one ball, size 1/8", "", 0, 0.125f, 0 }
+};
+static const cost of_occluders[] = {
+    { "1 occluder", "", 1, 0, 1 },
+    { "10 occluders", "", 10, 0, 1 },
+    { "24 occluders", "", 24, 0, 1 },
+    { "100 occluders", "", 100, 0, 1 },
+    { "100 occluders", "reach=4", 100, 0, 0 }
+};
+static const struct { setup setup; const cost *costs; int count; } cost_sets[] = {
     { { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL },
         NO_SPOTS,
         NO_BOXES,
@@ -79,19 +84,20 @@ static const bake bakes[] = {
     { "bunny", "", 0, 0, 0 },
 };
 
-static const struct { const char *label[2]; setup setup;
-} pairs[] = { { { "balls, each traced", "balls, each by its field" },
-                { CLOSE("two-balls"),
-                  { { "ball", 1, { -0.6f, 0.501f, 0 } }, { "ball", 1, { 0.6f, 0.501f, 0 } } },
-                  NO_BOXES,
-                  0,
-                  256 } },
-              { { "cubes, each traced", "cubes, each by its field" },
-                { CLOSE("two-cubes"),
-                  { { "cube", 1, { -0.6f, 0.501f, 0 } }, { "cube", 1, { 0.6f, 0.501f, 0 } } },
-                  NO_BOXES,
-                  0,
-                  256 } } };
+static const struct { const char *label[2]; setup setup; } pairs[] = {
+    { { "balls, each traced", "balls, each by its field" },
+      { CLOSE("two-balls"),
+        { { "ball", 1, { -0.6f, 0.501f, 0 } }, { "ball", 1, { 0.6f, 0.501f, 0 } } },
+        NO_BOXES,
+        0,
+        256 } },
+    { { "cubes, each traced", "cubes, each by its field" },
+      { CLOSE("two-cubes"),
+        { { "cube", 1, { -0.6f, 0.501f, 0 } }, { "cube", 1, { 0.6f, 0.501f, 0 } } },
+        NO_BOXES,
+        0,
+        256 } }
+};
 
 enum {
     FIELD_SCENES = COUNT(field_scenes),
@@ -100,6 +106,8 @@ enum {
     PAIR_SET,
     FIELD_SETS,
     MOST_FIELD_ROWS = 32,
+    FIELD_WIDTH = 240,
+    FIELD_HEIGHT = 135,
     COST_WIDTH = 640,
     COST_HEIGHT = 360
 };
@@ -113,8 +121,8 @@ static int accuracy_of(FILE *html, const field_scene *f, const options *o, row *
     const int count = COUNT(field_entries);
     kit_image picture[COUNT(field_entries)];
     stage s;
-    if (fields_open(&s, &f->setup, 240, 135, err) || fields_measure(rows, &s, field_entries, count, picture, err)
-        || fields_about(html, &s, "", err))
+    if (fields_open(&s, &f->setup, FIELD_WIDTH, FIELD_HEIGHT, err)
+        || fields_measure(rows, &s, field_entries, count, picture, err) || fields_about(html, &s, "", err))
         return -1;
     if (pictures_thumbs(html, o->out, units_name(), &s, rows, picture, count, err)) return -1;
     for (int i = 0; i <= count; ++i) rows[i].scene = f->setup.view.name;
@@ -268,7 +276,7 @@ static int pairs_of(row *rows, kit_error *err)
         kit_image each[2][2];                                   /* traced, by its field */
         int one = 0, other;
         stage s;
-        if (fields_open(&s, &pairs[k].setup, 240, 135, err)) return -1;
+        if (fields_open(&s, &pairs[k].setup, FIELD_WIDTH, FIELD_HEIGHT, err)) return -1;
         while (!s.scene.object[one].casts) ++one;
         for (other = one + 1; !s.scene.object[other].casts;) ++other;
         for (int i = 0; i < 2; ++i) {
@@ -289,36 +297,41 @@ static int pairs_of(row *rows, kit_error *err)
     return count;
 }
 
+/* What comes after the scenes. */
+static const struct { const char *title, *about; } other_sets[] = {
+    { "Fields: what occluders cost",
+      "Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand "
+      "for distances. Times are of the pass alone. Covered: pixels within the occluders' reach, "
+      "each occluder's; a software rasteriser works for all pixels of the rectangles around those spheres." },
+    { "Fields: what a bake takes",
+      "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the "
+      "smallest resolution, up to 16, and the fewest radii, up to 12, with which 95 % of them are; else the most of "
+      "both." },
+    { "Fields: two occluders",
+      "Two occluders by each other on a ground, one's occlusion a, the other's b, and what both take together. "
+      "Between: 0.002 are for noise." }
+};
+
 static const char *field_title(int k)
 {
-    return k < FIELD_SCENES ? field_scenes[k].title
-           : k == COST_SET  ? "Fields: what occluders cost"
-           : k == BAKE_SET  ? "Fields: what a bake takes"
-                            : "Fields: two occluders";
+    return k < FIELD_SCENES ? field_scenes[k].title : other_sets[k - FIELD_SCENES].title;
 }
 
 static int fields_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
 {
-    static const char *const about[] = {
-        "Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand "
-        "for distances. Times are of the pass alone. Covered: pixels within the occluders' reach, "
-        "each occluder's; a software rasteriser works for all pixels of the rectangles around those spheres.",
-        "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the "
-        "smallest resolution, up to 16, and the fewest radii, up to 12, with which 95 % of them are; else the most of "
-        "both.",
-        "Two occluders by each other on a ground, one's occlusion a, the other's b, and what both take together. "
-        "Between: 0.002 are for noise."
-    };
     if (!units_asked(o, "aof") || (o->quick && (k == FIELD_SCENES - 1 || k == PAIR_SET))) return 0;
     if (!rows) return 1;
     if (!k) fputs("<h2>Fields: error against memory</h2>\n", html);
-    fprintf(html, "<h%d>%s</h%d>\n", k < FIELD_SCENES ? 3 : 2, field_title(k), k < FIELD_SCENES ? 3 : 2);
-    if (k == COST_SET) fprintf(html, "<p>%d x %d pixels. ", COST_WIDTH / stage_thrift, COST_HEIGHT / stage_thrift);
-    if (k >= FIELD_SCENES) fprintf(html, "%s%s</p>\n", k == COST_SET ? "" : "<p>", about[k - FIELD_SCENES]);
-    return k < FIELD_SCENES ? accuracy_of(html, &field_scenes[k], o, rows, err)
-           : k == COST_SET  ? costs_of(rows, o->quick, err)
-           : k == BAKE_SET  ? bakes_of(rows, o->quick, err)
-                            : pairs_of(rows, err);
+    if (k < FIELD_SCENES) {
+        fprintf(html, "<h3>%s</h3>\n", field_title(k));
+        return accuracy_of(html, &field_scenes[k], o, rows, err);
+    }
+    fprintf(html, "<h2>%s</h2>\n<p>", field_title(k));
+    if (k == COST_SET) fprintf(html, "%d x %d pixels. ", COST_WIDTH / stage_thrift, COST_HEIGHT / stage_thrift);
+    fprintf(html, "%s</p>\n", other_sets[k - FIELD_SCENES].about);
+    return k == COST_SET   ? costs_of(rows, o->quick, err)
+           : k == BAKE_SET ? bakes_of(rows, o->quick, err)
+                           : pairs_of(rows, err);
 }
 
 int fields_units(const options *o) { return units_count(fields_unit, FIELD_SETS, o); }

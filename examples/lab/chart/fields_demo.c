@@ -9,8 +9,10 @@
 
 static const entry moving_entries[]   = { AOF("casters", "resolution=8", 1) };
 static const entry pedestal_entries[] = { AOF("4 x 4", "resolution=4", 1), AOF("8 x 8", "resolution=8", 1) };
-static const entry sunk_entries[] = { AOF("A_0 as measured", "resolution=8", 1),
-                                      AOF("A_0 = 1, p = 2", "resolution=8,inside=1,power=2", 1) };
+static const entry sunk_entries[] = {
+    AOF("A_0 as measured", "resolution=8", 1),
+    AOF("A_0 = 1, p = 2", "resolution=8,inside=1,power=2", 1)
+};
 
 typedef struct field_part {
     const char *title, *about;
@@ -19,12 +21,7 @@ typedef struct field_part {
     int count, crop[MOST_CROPS][4];
 } field_part;
 #define MOVING(name, time) \
-    { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, moving_entries, COUNT(moving_entries), \
-    { \
-        { \
-            0 \
-        } \
-    }
+    { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, moving_entries, COUNT(moving_entries), { { 0 } }
 static const field_part field_parts[] = {
     { "Fields: occluders that move",
       "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest,",

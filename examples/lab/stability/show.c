@@ -5,27 +5,27 @@
 #include "lab/page/page.h"
 #include "lab/page/svg.h"
 
+#define OF_ALONE "error over that of the frame alone"
+#define DIFFERENCE "method, truth, difference (full colour: 0.5)"
 /* What the number of a cause is, what its chart shows, and what stands beside a picture. */
-static const struct { const char *number, *up, *shown;
-} kinds[] = { { "largest RMSE to the truth", "RMSE to the truth", "method, truth, difference (full colour: 0.5)" },
-              { "greatest depth up to which RMSE stays within 0.02", "RMSE to the picture with exact depth",
-                "with this depth, with exact depth, difference (full colour: 0.5)" },
-              { "largest deviation over frames, less the truth's", "deviation over frames",
-                "method, truth, deviation over frames (full colour: 0.05)" },
-              { "largest second difference over frames", "second difference over frames, as deviation",
-                "method, truth, second difference (full colour: 0.05)" },
-              { "largest second difference, less an open surface's, over the mean",
-                "second difference over frames, over the mean",
-                "method, open surface (both times 0.4), second difference (full colour: 0.05)" },
-              { "largest error over that of the frame alone", "error over that of the frame alone",
-                "method, truth, difference (full colour: 0.5)" },
-              { "largest error over that of the frame alone", "error over that of the frame alone",
-                "method, truth, difference (full colour: 0.5)" },
-              { "largest error of what is newly seen over that of the frame alone",
-                "error of what is newly seen over that of the frame alone",
-                "method, truth, difference (full colour: 0.5)" },
-              { "most of what was that is left", "what was before and is still seen, of ambient visibility",
-                "method, truth, difference (full colour: 0.5)" } };
+static const struct { const char *number, *up, *shown; } kinds[] = {
+    [ERROR] = { "largest RMSE to the truth", "RMSE to the truth", DIFFERENCE },
+    [PRECISION] = { "greatest depth up to which RMSE stays within 0.02", "RMSE to the picture with exact depth",
+                    "with this depth, with exact depth, difference (full colour: 0.5)" },
+    [DEVIATION] = { "largest deviation over frames, less the truth's", "deviation over frames",
+                    "method, truth, deviation over frames (full colour: 0.05)" },
+    [SECOND] = { "largest second difference over frames", "second difference over frames, as deviation",
+                 "method, truth, second difference (full colour: 0.05)" },
+    [LIT_SECOND] = { "largest second difference, less an open surface's, over the mean",
+                     "second difference over frames, over the mean",
+                     "method, open surface (both times 0.4), second difference (full colour: 0.05)" },
+    [FOLLOWS] = { "largest " OF_ALONE, OF_ALONE, DIFFERENCE },
+    [AFTER] = { "largest " OF_ALONE, OF_ALONE, DIFFERENCE },
+    [NEWLY] = { "largest error of what is newly seen over that of the frame alone",
+                "error of what is newly seen over that of the frame alone", DIFFERENCE },
+    [TRAIL] = { "most of what was that is left", "what was before and is still seen, of ambient visibility",
+                DIFFERENCE }
+};
 
 static const char *settings_of(const curve *c) { return c->method < 0 ? "" : sweeps_method[c->method].settings; }
 
