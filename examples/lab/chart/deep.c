@@ -11,8 +11,6 @@
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-#define PART(entries, count) entries, count
-
 #define DSS(label, settings, quick) { label, "dss", settings, quick }
 static const entry deep_ao[] = { /* rows of one label make one curve */
     { "ssao", "ssao", "samples=8", 0 },
@@ -103,29 +101,29 @@ typedef struct deep_table {
 } deep_table;
 static const deep_table deep_tables[] = { /* one without title goes on with the table before it */
     { "Deep screen space: speed against accuracy, bunny", "Bunny on a floor.",
-      BUNNY_AO, PART(deep_ao, COUNT(deep_ao)), 1, "chart-deep.svg" },
+      BUNNY_AO, WITH_COUNT(deep_ao), 1, "chart-deep.svg" },
     { "Deep screen space: speed against accuracy, room", "Room.",
-      OWN_VIEW("room"), PART(deep_ao, COUNT(deep_ao)), 0, "chart-deep-room.svg" },
+      OWN_VIEW("room"), WITH_COUNT(deep_ao), 0, "chart-deep-room.svg" },
     { "Deep screen space: epsilon and levels",
       "The paper's figure 8: epsilon and levels, surfels of 0.03.", BUNNY_AO,
-      PART(deep_figure8, COUNT(deep_figure8)), 0, "chart-deep-figure8.svg" },
+      WITH_COUNT(deep_figure8), 0, "chart-deep-figure8.svg" },
     { "Deep screen space: other choices",
       "Bunny on a floor, surfels of 0.03; one choice at a time.", BUNNY_AO,
-      PART(deep_choices, COUNT(deep_choices)), 0, NULL },
+      WITH_COUNT(deep_choices), 0, NULL },
     { "Deep screen space: light",
       "Bunny and four boxes under the sky and a sun, one bounce. Of ssdo: what "
       "is within the radius weighted by 1 - t/radius, in its truth, too;",
-      FADING, PART(deep_ssdos, COUNT(deep_ssdos)), 1, NULL },
+      FADING, WITH_COUNT(deep_ssdos), 1, NULL },
     { NULL, "of dss-lit: all whole, in its truth, too.", WHOLE_LIGHT,
-      PART(deep_lights, COUNT(deep_lights)), 1, NULL },
+      WITH_COUNT(deep_lights), 1, NULL },
     { "Deep screen space: one specular bounce",
       "Open box under a point light, a lobe of exponent 8. Irradiance stands for "
       "the lobe's radiance.",
-      LOBE, PART(deep_mirrors, COUNT(deep_mirrors)), 0, NULL },
+      LOBE, WITH_COUNT(deep_mirrors), 0, NULL },
     { "Deep screen space: scattering",
       "A bunny of marble, 4 cm high, lit from behind. Irradiance stands for the "
       "radiance that leaves it.",
-      OF_MARBLE, PART(deep_marbles, COUNT(deep_marbles)), 0, NULL }
+      OF_MARBLE, WITH_COUNT(deep_marbles), 0, NULL }
 };
 
 enum {

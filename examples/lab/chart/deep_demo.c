@@ -14,39 +14,38 @@ static const entry deep_beside[]  = { { "hsao", "hsao", "", 1 }, { "dss", "dss",
 static const entry deep_under[]   = { { "dss-scatter", "dss-scatter", MARBLE, 1 } };
 
 typedef struct deep_part { const char *title, *about; deep_view see; const entry *entries; int count; } deep_part;
-#define PART(entries, count) entries, count
 static const deep_part deep_demos[] = {
     { "Deep screen space: ambient occlusion",
       "Discs of all triangles, seen or not, take from the ambient light of the pixels around them. Bunny on a floor.",
-      BUNNY_AO, PART(deep_two, COUNT(deep_two)) },
+      BUNNY_AO, WITH_COUNT(deep_two) },
     { "Deep screen space: light",
       "Bunny and four boxes under the sky and a sun, one bounce; all within the radius counts whole. Surfels of 0.03.",
-      WHOLE_LIGHT, PART(deep_lit, COUNT(deep_lit)) },
+      WHOLE_LIGHT, WITH_COUNT(deep_lit) },
     { "Deep screen space: one specular bounce",
       "Open box under a point light, met by a lobe of exponent 8. Nothing here does that in screen space.", LOBE,
-      PART(deep_mirror, COUNT(deep_mirror)) },
+      WITH_COUNT(deep_mirror) },
     { "Deep screen space: scattering under the surface",
       "A bunny of marble, 4 cm high, lit from behind. Nothing here does that in screen space. Truth: the dipole over "
       "samples on all of the mesh.",
-      OF_MARBLE, PART(deep_under, COUNT(deep_under)) },
+      OF_MARBLE, WITH_COUNT(deep_under) },
     { "Deep screen space: what the picture does not show",
       "Beside the picture: along its left side stands a wall, off the picture.",
       { { "off-screen", "plane", 0, { 0.15f, 0.9f, 2 }, { 1.2f, 0.1f, 0 }, 30, 0.6f, NULL },
         { { -0.2f, 0.001f, -4, 0, 1, 1.5f } },
         PLAINLY },
-      PART(deep_beside, COUNT(deep_beside)) },
+      WITH_COUNT(deep_beside) },
     { NULL,
       "Hidden: a box behind a screen.",
       { { "hidden", "plane", 0, { 0, 1, 4 }, { 0.15f, 0.15f, 0 }, 26, 0.6f, NULL },
         { { -0.75f, 0.001f, -0.4f, -0.02f, 0.6f, 0.2f }, { -1.2f, 0.001f, 1.2f, 0, 0.75f, 1.24f } },
         PLAINLY },
-      PART(deep_beside, COUNT(deep_beside)) },
+      WITH_COUNT(deep_beside) },
     { NULL,
       "At grazing angle: of a box the side that occludes is seen edge-on.",
       { { "grazing", "plane", 0, { 0, 0.45f, 3.2f }, { 0.1f, 0.3f, 0 }, 24, 0.6f, NULL },
         { { -0.6f, 0.001f, -0.8f, 0, 0.7f, 0.4f } },
         PLAINLY },
-      PART(deep_beside, COUNT(deep_beside)) }
+      WITH_COUNT(deep_beside) }
 };
 enum { DEEP_DEMOS = COUNT(deep_demos) };
 static deep_set demo_sets[DEEP_DEMOS];

@@ -32,7 +32,7 @@ int  deep_open(stage *s, const deep_view *v, kit_error *err);
    failed. */
 int  deep_measure(row *rows, stage *s, const char *scene, const entry *entries, int count, int rounds,
                   kit_image *pictures, kit_error *err);
-/* Of rows of one picture each, and a title; NULL: none yet. */
+/* A table. */
 enum { MOST_DEEP = 32 };
 typedef struct deep_set { const char *title; row row[MOST_DEEP]; int count; } deep_set;
 void deep_about(FILE *html, const stage *s, const char *about);

@@ -62,10 +62,9 @@ static const struct { setup setup; const cost *costs; int count; } cost_sets[] =
         NO_BOXES,
         0,
         16 },
-      of_triangles,
-      COUNT(of_triangles) },
-    { { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 16 }, of_pixels, COUNT(of_pixels) },
-    { { WHOLE("crowd", "crowd"), NO_SPOTS, NO_BOXES, 0, 16 }, of_occluders, COUNT(of_occluders) }
+      WITH_COUNT(of_triangles) },
+    { { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 16 }, WITH_COUNT(of_pixels) },
+    { { WHOLE("crowd", "crowd"), NO_SPOTS, NO_BOXES, 0, 16 }, WITH_COUNT(of_occluders) }
 };
 
 /* triangles: of a lumpy ball; 0: the label's first word names the shape. threads: 0 = one a core. */

@@ -21,7 +21,7 @@ typedef struct field_part {
     int count, crop[MOST_CROPS][4];
 } field_part;
 #define MOVING(name, time) \
-    { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, moving_entries, COUNT(moving_entries), { { 0 } }
+    { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, WITH_COUNT(moving_entries), { { 0 } }
 static const field_part field_parts[] = {
     { "Fields: occluders that move",
       "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest,",
@@ -36,8 +36,7 @@ static const field_part field_parts[] = {
           { -5, -1.8f, -1.3f, 5, -1.6f, 6 } },
         0,
         256 },
-      pedestal_entries,
-      COUNT(pedestal_entries),
+      WITH_COUNT(pedestal_entries),
       { { 108, 114, 107, 54 }, { 70, 4, 107, 54 } } },
     { "Fields: inside of the hull",
       "A table and a torus, half of each in the ground: between a table's legs, and in a ring, there is ground inside "
@@ -47,8 +46,7 @@ static const field_part field_parts[] = {
         NO_BOXES,
         0,
         128 },
-      sunk_entries,
-      COUNT(sunk_entries),
+      WITH_COUNT(sunk_entries),
       { { 0 } } }
 };
 static const char *const demo_title = "Ambient occlusion fields";

@@ -143,74 +143,68 @@ static const lit_table lit_demos[] = {
     { "Light: a sky and a sun",
       "Bunny and four boxes under the built-in sky and a sun with shadows.",
       { BOXES_VIEW, &sun_and_sky },
-      sun_entries,
-      COUNT(sun_entries),
+      WITH_COUNT(sun_entries),
       OF_LIT,
       0 },
     { "Light: one lamp, one bounce", "Open box under a point light with shadows, no environment.",
-      SCENE("cornell", "cornell", &lamp), lamp_entries, COUNT(lamp_entries), OF_LIT, 0 },
+      SCENE("cornell", "cornell", &lamp), WITH_COUNT(lamp_entries), OF_LIT, 0 },
     { "Harmonics: two suns",
       "Three white boxes between a pink sun from the left and a turquoise one from the right. " LOCAL,
-      SCENE("boxes", "boxes", &two_suns), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
+      SCENE("boxes", "boxes", &two_suns), WITH_COUNT(harmonics_entries), OF_LIT, 0 },
     { "Harmonics: the suns changed over", "The same boxes, turquoise from the left, pink from the right. " LOCAL,
-      SCENE("boxes-changed", "boxes", &suns_changed), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
+      SCENE("boxes-changed", "boxes", &suns_changed), WITH_COUNT(harmonics_entries), OF_LIT, 0 },
     { "Harmonics: a sky and a bright sun",
       "White blocks under the built-in sky and a yellow sun from the right; below, their shadow side and their sunny "
       "side. " LOCAL,
-      SCENE("blocks", "blocks", &yellow_sun), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 }
+      SCENE("blocks", "blocks", &yellow_sun), WITH_COUNT(harmonics_entries), OF_LIT, 0 }
 };
 static const lit_table lit_tables[] = {
     { "Light: speed against accuracy",
       "Bunny and four boxes under the sky, one bounce.",
       { BOXES_VIEW, &sky_boxes },
-      deep_entries,
-      COUNT(deep_entries),
+      WITH_COUNT(deep_entries),
       OF_LIT,
       1 },
     { "What light costs",
       "The same scene; 16 directions, no filter.",
       { BOXES_VIEW, &sky_boxes },
-      cost_entries,
-      COUNT(cost_entries),
+      WITH_COUNT(cost_entries),
       OF_LIT,
       0 },
     { "What is hidden: columns",
       "Made to need more than one depth layer: coloured columns behind white ones, a box beside the picture.",
-      SCENE("columns", "columns", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
+      SCENE("columns", "columns", &sky_alone), WITH_COUNT(extension_entries), OF_LIT, 0 },
     { "What is hidden: plates", "Made to need more: thin plates, bars and hoops over a floor.",
-      SCENE("plates", "plates", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 1 },
+      SCENE("plates", "plates", &sky_alone), WITH_COUNT(extension_entries), OF_LIT, 1 },
     { "What is hidden: room",
       "Not made for it: its walls, floor and ceiling are sheets, where layers and cameras want closed solids, and "
       "cameras stand outside.",
-      SCENE("room", "room", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
+      SCENE("room", "room", &sky_alone), WITH_COUNT(extension_entries), OF_LIT, 0 },
     { "What harmonics cost",
       "Bunny and four boxes under the sky, no filter but where it says so. Filtering vectors is filtering before they "
       "meet the light.",
       { BOXES_VIEW, &sky_boxes },
-      vector_entries,
-      COUNT(vector_entries),
+      WITH_COUNT(vector_entries),
       OF_LIT,
       0 },
     { "Under a high-contrast probe",
       "White blocks in a dim room with coloured windows and lamps, no bounce, no filter. Hue, in degrees: the mean "
       "angle between rgb vectors, weighted by the truth's luminance; and of that, what blockers keep 5 % or more of "
       "the light from.",
-      SCENE("blocks-probe", "blocks", &probe_alone), probe_entries, COUNT(probe_entries), OF_SPLIT, 1 }
+      SCENE("blocks-probe", "blocks", &probe_alone), WITH_COUNT(probe_entries), OF_SPLIT, 1 }
 };
 
 /* The same entries under one light each; shown as one table. */
 static const char *const bands_title = "How many bands";
+#define BANDS(name, lit) SCENE(name, "boxes", lit), WITH_COUNT(band_entries), OF_LIT, 0
 static const lit_table band_tables[] = {
-    { "white", "White: radiance 1 from everywhere.", SCENE("boxes-white", "boxes", &band_lits[0]), band_entries,
-      COUNT(band_entries), OF_LIT, 0 },
-    { "sky", "Sky: the built-in one.", SCENE("boxes-sky", "boxes", &band_lits[1]), band_entries, COUNT(band_entries),
-      OF_LIT, 0 },
+    { "white", "White: radiance 1 from everywhere.", BANDS("boxes-white", &band_lits[0]) },
+    { "sky", "Sky: the built-in one.", BANDS("boxes-sky", &band_lits[1]) },
     { "local suns", "Local suns: pink from the left, turquoise from the right. " LOCAL,
-      SCENE("boxes-suns", "boxes", &band_lits[2]), band_entries, COUNT(band_entries), OF_LIT, 0 },
+      BANDS("boxes-suns", &band_lits[2]) },
     { "suns", "Suns: the same pictures against the whole scene's sharp shadows.",
-      SCENE("boxes-sharp", "boxes", &band_lits[3]), band_entries, COUNT(band_entries), OF_LIT, 0 },
-    { "probe", "Probe: a dim room with coloured windows and lamps.", SCENE("boxes-probe", "boxes", &band_lits[4]),
-      band_entries, COUNT(band_entries), OF_LIT, 0 }
+      BANDS("boxes-sharp", &band_lits[3]) },
+    { "probe", "Probe: a dim room with coloured windows and lamps.", BANDS("boxes-probe", &band_lits[4]) }
 };
 enum {
     LIT_DEMOS = COUNT(lit_demos),

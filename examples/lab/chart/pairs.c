@@ -98,7 +98,7 @@ static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *
     view v = scenes[k / PROBES].view;
     entry entries[MOST_ENTRIES];
     kit_image picture[MOST_ENTRIES], visible;
-    const int count = units_chosen(entries, pair_entries, COUNT(pair_entries), o);
+    const int count = units_chosen(entries, WITH_COUNT(pair_entries), o);
     char name[64];
     stage s;
     if (!count || !there(o, k)) return 0;

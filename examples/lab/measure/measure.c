@@ -9,8 +9,7 @@ static int measure_entry(row *r, kit_run *run, kit_image *picture, stage *s, con
     *r = row_blank(0, s->name, e->label, e->method, e->settings);
     if (stage_run(run, s, e->method, e->settings, s->radius, err)) return -1;
     r->fetches = run->fetches + (s->lit && !run->lit ? s->lights.fetches : 0);
-    return picture_settled(run, 0, 1, err) < 0 || kit_run_read(picture, run, err)
-                   || (s->lit && !run->lit && stage_dim(picture, s, err)) || score_picture(r, s, picture, err)
+    return stage_settled(picture, s, run, 0, 1, err) || score_picture(r, s, picture, err)
                    || (phases && score_phases(r, s, run, phases, picture, err))
                ? -1
                : 0;

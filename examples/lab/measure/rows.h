@@ -5,6 +5,7 @@
 #include "kit/kit.h"
 
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
+#define WITH_COUNT(table) table, COUNT(table)      /* two members of a struct, or two arguments */
 
 /* The columns that a row is shown with. */
 enum {

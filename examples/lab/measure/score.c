@@ -95,9 +95,7 @@ static int sums_draw(sums *t, const stage *s, kit_run *run, int phases, kit_erro
     kit_image now;
     run->frame.phase = (float)t->drawn / (float)phases;
     kit_run_update(run);
-    if (picture_settled(run, SETTLED * (unsigned)t->drawn, 0, err) < 0 || kit_run_read(&now, run, err)
-        || (s->lit && !run->lit && stage_dim(&now, s, err)))
-        return -1;
+    if (stage_settled(&now, s, run, SETTLED * (unsigned)t->drawn, 0, err)) return -1;
     sums_add(t, &now);
     kit_image_free(&now);
     return 0;

@@ -161,6 +161,14 @@ int stage_run(kit_run *run, stage *s, const char *method, const char *set, float
     return picture_run(run, &s->gbuffer, &world, method, set, radius, err);
 }
 
+int stage_settled(kit_image *out, const stage *s, kit_run *run, unsigned first, int timed, kit_error *err)
+{
+    return picture_settled(run, first, timed, err) < 0 || kit_run_read(out, run, err)
+                   || (s->lit && !run->lit && stage_dim(out, s, err))
+               ? -1
+               : 0;
+}
+
 int stage_drawn(kit_image *out, stage *s, const char *method, const char *set, float radius, kit_error *err)
 {
     const kit_world world = { &s->scene, &s->lighting };

@@ -91,8 +91,10 @@ int stage_trace(kit_image *out, const stage *s, int rays, int stride, kit_error 
 int stage_visibility(kit_image *out, const stage *s, kit_error *err);
 /* Lit by ambient visibility: it dims the environment's light, not the lights'. */
 int stage_dim(kit_image *visibility, const stage *s, kit_error *err);
-/* A run of a method on the stage; and its picture, drawn once, which is of light where the stage is lit. */
+/* A run of a method on the stage; its picture, settled (see picture_settled); a method's picture, drawn once. Where the
+   stage is lit, pictures are of light. */
 int stage_run(kit_run *run, stage *s, const char *method, const char *set, float radius, kit_error *err);
+int stage_settled(kit_image *out, const stage *s, kit_run *run, unsigned first, int timed, kit_error *err);
 int stage_drawn(kit_image *out, stage *s, const char *method, const char *set, float radius, kit_error *err);
 
 #endif
