@@ -19,17 +19,17 @@ EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/inclu
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE -Iexamples $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
-BASE      = util image exr hdr png score
-SCENE     = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light)
-TRACE     = $(addprefix trace/,camera truth lit scatter floor places)
-GL        = $(addprefix gl/,gl gbuffer shadow field)
-RUN       = $(addprefix run/,settings fetches draw cost passes margin views lights lit occluders deep run frames plan)
-KIT       = $(BASE) $(SCENE) $(TRACE) $(GL) $(RUN)
+KIT_BASE    = util image exr hdr png score
+KIT_SCENE   = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light)
+KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
+KIT_GL      = $(addprefix gl/,gl gbuffer shadow field)
+KIT_RUN     = $(addprefix run/,settings fetches draw cost passes margin views lights lit occluders deep run frames plan)
+KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \
             examples/kit/kit_trace.h examples/kit/kit_image.h examples/kit/kit_obj.h
 
-EXAMPLE_H = examples/tools/render/render.h examples/lab/report.h examples/lab/page/page.h \
+EXAMPLE_H = examples/tools/render/render.h $(wildcard examples/lab/*/*.h) \
             examples/tools/glsl/choices.h examples/tools/glsl/manifest.h
 
 all: build/render build/report build/stability build/glsl-text build/minimal
@@ -68,14 +68,18 @@ build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-REPORT = lab/report lab/measure/stage lab/page/page tools/glsl/choices \
-         $(addprefix lab/chart/,parts lit pairs fields deep plan peers costs)
+REPORT = lab/report tools/glsl/choices $(addprefix lab/measure/,folder rows picture stage score clock measure peers) \
+         $(addprefix lab/page/,page table svg scatter pictures terms units) \
+         $(addprefix lab/chart/,ao strip lit pairs fields fields_demo fields_stage deep deep_demo deep_moving deep_stage \
+         plan costs)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
-PAGE_O = build/examples/lab/page/page.o
-build/stability: examples/lab/stability/stability.c examples/lab/stability/sweeps.c $(PAGE_O) $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(PAGE_O) $(KIT_O) $(KIT_LIBS) -o $@
+# What sweeps and measures, which make test does as well; and what shows it.
+SWEEP     = lab/measure/picture $(addprefix lab/stability/,sweeps curve shot sweep maths)
+STABILITY = $(SWEEP) lab/measure/folder lab/page/page lab/page/svg lab/stability/show lab/stability/stability
+build/stability: $(STABILITY:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 GLSL_O = $(addprefix build/examples/tools/glsl/,choices.o manifest.o)
 build/glsl-text: examples/tools/glsl/glsl.c $(GLSL_O) $(KIT_O)
@@ -108,7 +112,7 @@ peers:
 	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }
 	@mkdir -p build/peers
 	npm install --prefix build/peers --no-save --ignore-scripts --no-audit --no-fund --silent $(PEERS)
-	@cp examples/lab/chart/peers.mjs build/peers/
+	@cp examples/lab/measure/peers.mjs build/peers/
 
 # Where methods fail; report/stability.html. make stability QUICK=1 is smaller.
 stability: build/stability build/figures
@@ -116,9 +120,9 @@ stability: build/stability build/figures
 	build/figures
 
 # examples/docs/FIGURES.md, from the csv of the two above; of quick ones report/FIGURES.md.
-build/figures: examples/lab/chart/figures.c build/kit/util.o $(HEADERS) | deps
-	@mkdir -p $(@D)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/kit/util.o -lm -lpthread -o $@
+FIGURES = $(addprefix lab/figures/,figures csv markdown tables ambient choices stability)
+build/figures: $(FIGURES:%=build/examples/%.o) build/kit/util.o
+	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
 
 # Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table; what make bench
 # measured on a GPU goes into its second column of costs.
@@ -181,16 +185,16 @@ npm: build/wasm/ssgi.wasm build/glsl-text
 
 TESTS = main t others $(addprefix test_,math trace files models library text twins pipeline light vectors field casters \
         steps surfels plan stability build)
-build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h examples/lab/stability/stability.c examples/lab/stability/sweeps.c $(PAGE_O) $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(PAGE_O) $(KIT_O) $(KIT_LIBS) -o $@
+build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h $(SWEEP:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(SWEEP:%=build/examples/%.o) $(KIT_O) $(KIT_LIBS) -o $@
 
 # Pictures are written and read while memory runs out: malloc is this program's own.
-build/starve: tests/starve.c tests/others.c $(BASE:%=build/kit/%.o) tests/others.h
+build/starve: tests/starve.c tests/others.c $(KIT_BASE:%=build/kit/%.o) tests/others.h
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -fno-builtin $(filter-out %.h,$^) $(KIT_LIBS) -o $@
 
 # Damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
 build/fuzz-files: FLAGS = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined
-build/fuzz-files: tests/fuzz_files.c tests/others.c $(BASE:%=build/sanitized/%.o) tests/others.h
+build/fuzz-files: tests/fuzz_files.c tests/others.c $(KIT_BASE:%=build/sanitized/%.o) tests/others.h
 	@echo '  cc $@'; $(CC) $(FLAGS) $(filter-out %.h,$^) $(KIT_LIBS) -o $@
 
 # No room of examples/ calls one above it.
@@ -216,7 +220,7 @@ clean:
 .PHONY: all install uninstall wasm npm passes demo test tree chart light peers stability fit glsl golden deps format clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
-VIEWER_O    = $(addsuffix .o,$(BASE) $(SCENE) $(TRACE) library)
+VIEWER_O    = $(addsuffix .o,$(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) library)
 VIEWER_LIBS = $(KIT_LIBS) $$(pkg-config --libs glfw3) -lGL
 viewer: build/viewer
 glfw:

@@ -1,9 +1,9 @@
 /* test_stability.c - what `make stability` finds to hold must go on holding: its own sweeps, the quick values, a few
    methods each. */
 #include "t.h"
-#define main stability_main
-#include "../examples/lab/stability/stability.c"
-#undef main
+#include "kit/kit_gl.h"
+#include "lab/stability/sweep.h"
+#include <string.h>
 
 /* Numbers of a sweep's curves (methods, or what the curve is called) and their bounds; of what is seen beside them, "",
    at least that much is there to get wrong. */
@@ -51,18 +51,18 @@ static const struct bounded *now;
 static void holds_still(void)
 {
     static result r;
-    options o = { .quick = 1 };
+    sweep_options o = { .quick = 1 };
     kit_error err = { "" };
     int c = 0;
-    while (c < CAUSES - 1 && strcmp(causes[c].name, now->cause)) ++c;
+    while (c < sweeps_causes - 1 && strcmp(sweeps_cause[c].name, now->cause)) ++c;
     for (int i = 0; i < 5 && now->bound[i].label; ++i)
-        for (int m = 0; m < METHODS; ++m)
-            if (!strcmp(methods[m].label, now->bound[i].label)) o.methods += o.method[m] = 1;
-    if (!CHECK(!sweep(&r, &causes[c], &o, now->cause, &err), "%s", err.text)) return;
+        for (int m = 0; m < sweeps_methods; ++m)
+            if (!strcmp(sweeps_method[m].label, now->bound[i].label)) o.methods += o.method[m] = 1;
+    if (!CHECK(!sweep(&r, &sweeps_cause[c], &o, now->cause, &err), "%s", err.text)) return;
     for (int i = 0; i < 5 && now->bound[i].label; ++i) {
         const curve *found = NULL;
         for (int k = 0; k < r.curves; ++k)
-            if (*now->bound[i].label ? !strcmp(r.curve[k].label, now->bound[i].label) : r.curve[k].method == -2)
+            if (*now->bound[i].label ? !strcmp(r.curve[k].label, now->bound[i].label) : r.curve[k].method == BESIDE)
                 found = &r.curve[k];
         if (!CHECK(found != NULL, "%s: there is no curve \"%s\"", now->cause, now->bound[i].label)) continue;
         CHECK(found->number >= now->bound[i].least && found->number <= now->bound[i].most,

@@ -14,6 +14,9 @@
 
 enum { ROUNDS = 3, DRAWS = 15, SIZES = 2, MOST = 64, PARTS = 24 };
 
+/* What the command is asked for; method NULL: all. */
+typedef struct options { const char *context, *scene, *method, *out; } options;
+
 typedef struct row {
     kit_method  method;
     const char *set;                       /* beyond the defaults */
@@ -24,6 +27,14 @@ typedef struct row {
     int         parts, draws;
     char        why[160];                  /* it cannot be drawn here */
 } row;
+
+/* What is drawn, and what it took. */
+typedef struct bench {
+    row          row[MOST];
+    int          count, software, sizes, size[SIZES][2];
+    kit_scene    scene;
+    kit_lighting sky, both;                /* both: and a sun, which what scatters, and what shines, wants */
+} bench;
 
 static const char *const more[][2] = {
     { "ssao", "samples=32" }, { "hsao", "normal=depth" }, { "hsao", "behind=back" }, { "hsao", "behind=slabs" },
@@ -126,103 +137,133 @@ static int plan_csv(const char *path, kit_gbuffer *g, float radius, const kit_wo
     return failed ? -1 : 0;
 }
 
-static void print(FILE *f, row *rows, int count, int size[][2], int sizes, const char *scene, int software,
-                  size_t triangles, const char *command)
+/* ---- >>writing --------------------------------------------------------------------------------------------------- */
+
+static void print_row(FILE *f, const bench *b, row *r)
+{
+    const int digits = b->software ? 0 : 3;
+    fprintf(f, "| `%s`%s%s%s |", r->method.name, *r->set ? " `" : "", r->set, *r->set ? "`" : "");
+    for (int s = 0; s < b->sizes; ++s) {
+        if (r->timed[s]) fprintf(f, " %.*f |", digits, kit_median(r->ms[s], r->timed[s]));
+        else fputs(" |", f);
+    }
+    if (*r->why) fprintf(f, " not drawn: %s", r->why);
+    for (int k = 0; k < r->parts && !*r->why; ++k)
+        fprintf(f, "%s %s %.*f", k ? "," : "", r->part[k], digits, r->part_ms[k]);
+    if (r->slabs[0] > 0) fprintf(f, "; and the scene's back faces %.*f", digits, r->slabs[0]);
+    fputs(" |\n", f);
+}
+
+static void print(FILE *f, bench *b, const char *command)
 {
     fprintf(f, "`%s` on %s: `%s`, %zu triangles, medians of %d frames, milliseconds by %s.\n", command, kit_gl_name(),
-            scene, triangles, software ? DRAWS : ROUNDS * DRAWS, software ? "the clock" : "timer queries");
-    if (software)
+            b->scene.name, b->scene.mesh.triangles, b->software ? DRAWS : ROUNDS * DRAWS,
+            b->software ? "the clock" : "timer queries");
+    if (b->software)
         fputs("**No GPU was found: a CPU drew this, small, few rows. These times say nothing about a GPU.**\n", f);
     fputs("\n| method | ", f);
-    for (int s = 0; s < sizes; ++s) fprintf(f, "%dx%d | ", size[s][0], size[s][1]);
-    fprintf(f, "passes at %dx%d |\n|---|", size[0][0], size[0][1]);
-    for (int s = 0; s < sizes; ++s) fputs("--:|", f);
+    for (int s = 0; s < b->sizes; ++s) fprintf(f, "%dx%d | ", b->size[s][0], b->size[s][1]);
+    fprintf(f, "passes at %dx%d |\n|---|", b->size[0][0], b->size[0][1]);
+    for (int s = 0; s < b->sizes; ++s) fputs("--:|", f);
     fputs("---|\n", f);
-    for (int i = 0; i < count; ++i) {
-        row *r = &rows[i];
-        fprintf(f, "| `%s`%s%s%s |", r->method.name, *r->set ? " `" : "", r->set, *r->set ? "`" : "");
-        for (int s = 0; s < sizes; ++s) {
-            if (r->timed[s]) fprintf(f, " %.*f |", software ? 0 : 3, kit_median(r->ms[s], r->timed[s]));
-            else fputs(" |", f);
-        }
-        if (*r->why) fprintf(f, " not drawn: %s", r->why);
-        for (int k = 0; k < r->parts && !*r->why; ++k)
-            fprintf(f, "%s %s %.*f", k ? "," : "", r->part[k], software ? 0 : 3, r->part_ms[k]);
-        if (r->slabs[0] > 0) fprintf(f, "; and the scene's back faces %.*f", software ? 0 : 3, r->slabs[0]);
-        fputs(" |\n", f);
+    for (int i = 0; i < b->count; ++i) print_row(f, b, &b->row[i]);
+}
+
+/* To the file, and to standard output. */
+static int print_both(bench *b, const options *a, kit_error *err)
+{
+    char command[256] = "make bench";
+    FILE *f = fopen(a->out, "w");
+    if (!f) return kit_fail(err, "%s: cannot be written", a->out);
+    if (strcmp(a->context, "egl")) snprintf(command, sizeof command, "make bench CONTEXT=%.100s", a->context);
+    if (strcmp(a->scene, "room"))
+        snprintf(command + strlen(command), sizeof command - strlen(command), " SCENE=%.100s", a->scene);
+    print(f, b, command);
+    const int failed = fclose(f) ? kit_fail(err, "%s: cannot be written", a->out) : 0;
+    print(stdout, b, command);
+    return failed;
+}
+
+/* ---- >>main ------------------------------------------------------------------------------------------------------ */
+
+static int parse(options *a, int argc, char **argv, kit_error *err)
+{
+    *a = (options){ "egl", "room", NULL, "report/bench.md" };
+    for (int i = 1; i + 1 < argc; i += 2) {
+        if (!strcmp(argv[i], "--context")) a->context = argv[i + 1];
+        else if (!strcmp(argv[i], "--scene")) a->scene = argv[i + 1];
+        else if (!strcmp(argv[i], "--method")) a->method = argv[i + 1];
+        else if (!strcmp(argv[i], "--out")) a->out = argv[i + 1];
+        else return kit_fail(err, "%s: there is no such option (--context, --scene, --method, --out)", argv[i]);
     }
+    return argc % 2 ? 0 : kit_fail(err, "%s: needs a value", argv[argc - 1]);
+}
+
+static int bench_open(bench *b, const options *a, kit_error *err)
+{
+    static const int large[SIZES][2] = { { 1920, 1080 }, { 3840, 2160 } }, small[2] = { 480, 270 };
+    static const kit_light sun = { KIT_SUN, { 0.4f, 0.8f, 0.45f }, { 3, 2.8f, 2.4f } };
+    if (kit_gl_open(a->context, err) || kit_scene_load(&b->scene, a->scene, 0, err)
+        || kit_env_read(&b->sky.env, "sky", err))
+        return -1;
+    b->software = kit_gl_is_software();
+    b->sizes = b->software ? 1 : SIZES;
+    memcpy(b->size, large, sizeof large);
+    if (b->software) memcpy(b->size[0], small, sizeof small);
+    b->both = b->sky;
+    b->both.lights = 1;
+    b->both.light[0] = sun;
+    b->count = rows_new(b->row, a->method, b->software, err);
+    return b->count < 0 ? -1 : 0;
+}
+
+/* What the scene's back faces take, where a row asks for them; anew: the first was of a cold program. */
+static void time_slabs(row *r, int s, int round, kit_gbuffer *g, const kit_scene *scene)
+{
+    const int behind = r->method.set.behind, two = behind == SSGI_GL_THICKNESS_SLABS;
+    if (behind < SSGI_GL_THICKNESS_BACK || kit_gbuffer_slabs(g, scene, 1 + two, NULL)) return;
+    r->slabs[s] = round ? fmin(r->slabs[s], g->slab_ms[two]) : g->slab_ms[two];
+}
+
+/* All rows at one size. A row that cannot be drawn says why, and is left out from then on. */
+static int bench_size(bench *b, int s, const options *a, kit_error *err)
+{
+    const kit_world world = { &b->scene, &b->sky }, with_sun = { &b->scene, &b->both };
+    kit_camera camera = b->scene.camera;
+    kit_gbuffer g;
+    camera.width = b->size[s][0];
+    camera.height = b->size[s][1];
+    if (kit_gbuffer_from_scene(&g, &b->scene, &camera, NULL, err)) return -1;
+    for (int k = 0; k < (b->software ? 1 : ROUNDS); ++k)
+        for (int i = 0; i < b->count; ++i) {
+            row *r = &b->row[i];
+            const int lamp = !strcmp(r->method.name, "dss-gloss") || !strcmp(r->method.name, "dss-scatter");
+            kit_error why;
+            if (!*r->why && measure(r, s, &g, b->scene.radius, lamp ? &with_sun : &world, &why))
+                snprintf(r->why, sizeof r->why, "%.150s", why.text);
+            time_slabs(r, s, k, &g, &b->scene);
+            kit_progress(s ? "3840x2160" : "1920x1080",
+                         ((double)k * b->count + i + 1) / (b->count * (ROUNDS + 0.01)));
+        }
+    const int wants_plan = !s && !a->method && !b->software,
+              failed = wants_plan ? plan_csv("report/plan-gpu.csv", &g, b->scene.radius, &world, err) : 0;
+    kit_progress("", 1);
+    if (!failed) kit_gbuffer_free(&g);
+    return failed;
 }
 
 int main(int argc, char **argv)
 {
-    static row rows[MOST];
-    static const float sun_at[3] = { 0.4f, 0.8f, 0.45f }, sun_colour[3] = { 3, 2.8f, 2.4f };
-    const char *context = "egl", *name = "room", *asked = NULL, *out = "report/bench.md";
-    char command[256] = "make bench";
-    int size[SIZES][2] = { { 1920, 1080 }, { 3840, 2160 } }, sizes = SIZES, count = 0, failed = 0;
+    static bench b;
     kit_error err = { "" };
-    kit_scene scene = { 0 };
-    kit_lighting sky = { 0 }, both;
+    options a;
     kit_streams_open();
-    for (int i = 1; i + 1 < argc && !failed; i += 2) {
-        if (!strcmp(argv[i], "--context")) context = argv[i + 1];
-        else if (!strcmp(argv[i], "--scene")) name = argv[i + 1];
-        else if (!strcmp(argv[i], "--method")) asked = argv[i + 1];
-        else if (!strcmp(argv[i], "--out")) out = argv[i + 1];
-        else failed = kit_fail(&err, "%s: there is no such option (--context, --scene, --method, --out)", argv[i]);
-    }
-    if (!failed && argc % 2 == 0) failed = kit_fail(&err, "%s: needs a value", argv[argc - 1]);
-    if (strcmp(context, "egl")) snprintf(command, sizeof command, "make bench CONTEXT=%.100s", context);
-    if (strcmp(name, "room"))
-        snprintf(command + strlen(command), sizeof command - strlen(command), " SCENE=%.100s", name);
-    failed = failed || kit_gl_open(context, &err) || kit_scene_load(&scene, name, 0, &err)
-             || kit_env_read(&sky.env, "sky", &err);
-    const int software = !failed && kit_gl_is_software();
-    if (!failed) {
-        count = rows_new(rows, asked, software, &err);
-        failed = count < 0;
-    }
-    if (software) { sizes = 1; size[0][0] = 480; size[0][1] = 270; }
-    both = sky;
-    both.lights = 1;                        /* what scatters, and what shines, wants a light */
-    both.light[0].kind = KIT_SUN;
-    memcpy(both.light[0].at, sun_at, sizeof sun_at);
-    memcpy(both.light[0].colour, sun_colour, sizeof sun_colour);
-    for (int s = 0; s < sizes && !failed; ++s) {
-        kit_camera camera = scene.camera;
-        kit_gbuffer g;
-        camera.width = size[s][0];
-        camera.height = size[s][1];
-        failed = kit_gbuffer_from_scene(&g, &scene, &camera, NULL, &err);
-        for (int k = 0; k < (software ? 1 : ROUNDS) && !failed; ++k)
-            for (int i = 0; i < count; ++i) {
-                row *r = &rows[i];
-                const int lamp = !strcmp(r->method.name, "dss-gloss") || !strcmp(r->method.name, "dss-scatter");
-                const kit_world world = { &scene, lamp ? &both : &sky };
-                kit_error why;
-                if (!*r->why && measure(r, s, &g, scene.radius, &world, &why))
-                    snprintf(r->why, sizeof r->why, "%.150s", why.text);
-                const int behind = r->method.set.behind;
-                const int two = behind == SSGI_GL_THICKNESS_SLABS;     /* anew: the first was of a cold program */
-                if (behind >= SSGI_GL_THICKNESS_BACK && !kit_gbuffer_slabs(&g, &scene, 1 + two, NULL))
-                    r->slabs[s] = k ? fmin(r->slabs[s], g.slab_ms[two]) : g.slab_ms[two];
-                kit_progress(s ? "3840x2160" : "1920x1080", ((double)k * count + i + 1) / (count * (ROUNDS + 0.01)));
-            }
-        if (!failed && !s && !asked && !software)
-            failed = plan_csv("report/plan-gpu.csv", &g, scene.radius, &(kit_world){ &scene, &sky }, &err);
-        kit_progress("", 1);
-        if (!failed) kit_gbuffer_free(&g);
-    }
-    FILE *f = failed ? NULL : fopen(out, "w");
-    if (!failed && !f) failed = kit_fail(&err, "%s: cannot be written", out);
-    if (f) {
-        print(f, rows, count, size, sizes, scene.name, software, scene.mesh.triangles, command);
-        if (fclose(f)) failed = kit_fail(&err, "%s: cannot be written", out);
-        print(stdout, rows, count, size, sizes, scene.name, software, scene.mesh.triangles, command);
-    }
+    int failed = parse(&a, argc, argv, &err) || bench_open(&b, &a, &err);
+    for (int s = 0; s < b.sizes && !failed; ++s) failed = bench_size(&b, s, &a, &err);
+    failed = failed || print_both(&b, &a, &err);
     kit_fields_free();
-    kit_image_free(&sky.env);
-    kit_scene_free(&scene);
+    kit_image_free(&b.sky.env);
+    kit_scene_free(&b.scene);
     if (!failed) failed = kit_streams_close(&err);
     if (failed) { fprintf(stderr, "bench: %s\n", err.text); return 2; }
     kit_gl_close();

@@ -148,15 +148,80 @@ static void fit_survey(int count)
         }
 }
 
-int main(int argc, char **argv)
+/* Every line of the csv that fits; how many, -1: one is no row. */
+static int read_rows(FILE *f, const char *path)
+{
+    char line[1024];
+    int count = 0, fits;
+    for (int k = 1; count < MOST_ROWS && fgets(line, sizeof line, f); ++k) {
+        if (read_row(&row[count], &fits, line)) {
+            fprintf(stderr, "fit: %s: line %d is not a measured choice\n", path, k);
+            return -1;
+        }
+        count += fits && row[count].choice >= 0 && row[count].choice < SSGI_PLAN_CHOICES;
+    }
+    return count;
+}
+
+/* What a GPU took for each choice; 0: not measured. */
+static void read_gpu(double gpu[SSGI_PLAN_CHOICES], FILE *f)
+{
+    double ratio;
+    for (int c; fscanf(f, "%d,%lf", &c, &ratio) == 2;) if (c >= 0 && c < SSGI_PLAN_CHOICES) gpu[c] = ratio;
+}
+
+/* The equations of a choice's error, and what it cost; how many. */
+static int equations_of(double costs[2][MOST_ROWS], int c, int count)
+{
+    const ssgi__plan_row *r = &ssgi__plan_rows[c];
+    int n = 0;
+    for (int i = 0; i < count; ++i) {
+        if (row[i].choice != c) continue;
+        for (int k = 0; k < 2; ++k) costs[k][n] = row[i].cost[k];
+        equations[n].square = row[i].error * row[i].error;
+        ssgi__plan_terms(equations[n].term, r, &row[i].scene);
+        /* a row's error follows the calibration of its own thickness model */
+        if (!r->thickness && r->method != SSGI_PLAN_SURFELS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
+        if (r->thickness == SSGI_PLAN_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
+        ++n;
+    }
+    return n;
+}
+
+/* In software, and on a GPU: measured there, else by the model; what was not measured stays as it is. */
+static double cost_of(double *costs, int n, const ssgi__plan_row *r, int column, double base, double gpu)
+{
+    qsort(costs, (size_t)n, sizeof *costs, by_value);
+    return column && gpu > 0                    ? gpu
+           : r->method == SSGI_PLAN_SURFELS     ? floor(10 * base + 0.5) / 10
+           : r->method == SSGI_PLAN_FIELD || !n ? (double)r->cost[column]
+                                                : costs[n / 2];
+}
+
+/* A line of the table. */
+static void print_choice(int c, int count, const double base[2], double gpu)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
                              *const method[] = { "NOTHING", "HSAO", "SSDO", "S3HO", "SURFELS", "FIELD" },
                              *const behind[] = { "CONSTANT", "SOLID", "BACK", "SLABS" };
-    double x[MOST_TERMS], costs[2][MOST_ROWS], base[2];
-    char line[1024];
-    int count = 0, fits;
-    double gpu[SSGI_PLAN_CHOICES] = { 0 }, ratio;
+    static double costs[2][MOST_ROWS];
+    const ssgi__plan_row *r = &ssgi__plan_rows[c];
+    double x[MOST_TERMS];
+    const int n = equations_of(costs, c, count);
+    const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
+    for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
+    printf("    SSGI__ROW(%s, %s, %s, %d, %d, %d, %d, %d, %d, ", wanted[r->wanted], method[r->method],
+           behind[r->thickness], r->half, r->directions, r->steps, r->bands, r->history, r->resolution);
+    printf(r->size > 0 ? "%gf" : "%g", (double)r->size);
+    for (int k = 0; k < 2; ++k) literal(cost_of(costs[k], n, r, k, base[k], gpu));
+    for (int k = 0; k < MOST_TERMS; ++k) literal(x[k] < 1e-3 ? 0 : x[k]);
+    puts(c + 1 < SSGI_PLAN_CHOICES ? ")," : ")");
+    fprintf(stderr, "choice %d: %d rows, spread %.3f\n", c, n, spread);
+}
+
+int main(int argc, char **argv)
+{
+    double base[2], gpu[SSGI_PLAN_CHOICES] = { 0 };
     FILE *f = argc == 2 || argc == 3 ? fopen(argv[1], "r") : NULL;
     FILE *measured_gpu = argc == 3 ? fopen(argv[2], "r") : NULL;
     if (!f || (argc == 3 && !measured_gpu)) {
@@ -164,46 +229,14 @@ int main(int argc, char **argv)
                 argv[f ? argc - 1 : argc > 1]);
         return 2;
     }
-    for (int c; measured_gpu && fscanf(measured_gpu, "%d,%lf", &c, &ratio) == 2;)
-        if (c >= 0 && c < SSGI_PLAN_CHOICES) gpu[c] = ratio;
+    if (measured_gpu) read_gpu(gpu, measured_gpu);
     if (measured_gpu) fclose(measured_gpu);
-    for (int k = 1; count < MOST_ROWS && fgets(line, sizeof line, f); ++k) {
-        if (read_row(&row[count], &fits, line)) {
-            fprintf(stderr, "fit: %s: line %d is not a measured choice\n", argv[1], k);
-            return 2;
-        }
-        count += fits && row[count].choice >= 0 && row[count].choice < SSGI_PLAN_CHOICES;
-    }
+    const int count = read_rows(f, argv[1]);
     fclose(f);
+    if (count < 0) return 2;
     know(row, count);
     fit_splats(count, base);
     fit_survey(count);
-    for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) {
-        const ssgi__plan_row *r = &ssgi__plan_rows[c];
-        int n = 0;
-        for (int i = 0; i < count; ++i) {
-            if (row[i].choice != c) continue;
-            for (int k = 0; k < 2; ++k) costs[k][n] = row[i].cost[k];
-            equations[n].square = row[i].error * row[i].error;
-            ssgi__plan_terms(equations[n].term, r, &row[i].scene);
-            /* a row's error follows the calibration of its own thickness model */
-            if (!r->thickness && r->method != SSGI_PLAN_SURFELS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
-            if (r->thickness == SSGI_PLAN_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
-            ++n;
-        }
-        const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
-        for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
-        printf("    SSGI__ROW(%s, %s, %s, %d, %d, %d, %d, %d, %d, ", wanted[r->wanted], method[r->method],
-               behind[r->thickness], r->half, r->directions, r->steps, r->bands, r->history, r->resolution);
-        printf(r->size > 0 ? "%gf" : "%g", (double)r->size);
-        for (int k = 0; k < 2; ++k) {
-            qsort(costs[k], (size_t)n, sizeof **costs, by_value);
-            literal(k && gpu[c] > 0 ? gpu[c] : r->method == SSGI_PLAN_SURFELS ? floor(10 * base[k] + 0.5) / 10
-                    : r->method == SSGI_PLAN_FIELD || !n ? (double)r->cost[k] : costs[k][n / 2]);
-        }
-        for (int k = 0; k < MOST_TERMS; ++k) literal(x[k] < 1e-3 ? 0 : x[k]);
-        puts(c + 1 < SSGI_PLAN_CHOICES ? ")," : ")");
-        fprintf(stderr, "choice %d: %d rows, spread %.3f\n", c, n, spread);
-    }
+    for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) print_choice(c, count, base, gpu[c]);
     return 0;
 }

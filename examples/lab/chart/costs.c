@@ -1,21 +1,24 @@
 /* costs.c - what each pass and each choice costs in instructions and fetches, read off the SPIR-V that glslang makes of
-   the texts. Declared in report.h.
+   the texts. Declared in costs.h.
 
    Counts are static: of the text as it stands, loops counted once, before any optimiser. Beside them the most texels
-   that a pixel fetches (kit_fetches). A choice that is off costs nothing:
-   set while what it belongs to is off, it leaves the text as it is, byte for byte; which do so is listed. */
-#include "lab/report.h"
+   that a pixel fetches (kit_fetches). A choice that is off costs nothing: set while what it belongs to is off, it
+   leaves the text as it is, byte for byte; which do so is listed. */
+#include "lab/chart/costs.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
+#include "kit/kit_gl.h"
+#include "lab/measure/folder.h"
+#include "lab/page/page.h"
 #include "tools/glsl/choices.h"
 
 #define COSTS "build/costs"
 enum { MOST_COSTS = 2048 };
 
+/* Of a stage of a variant with a choice. text: its hash. */
 typedef struct tally {
     int variant, choice, stage, texels, instructions, fetches, branches, loops;
     uint64_t text;
@@ -39,37 +42,55 @@ static ssgi_gl_desc cost_desc(int v, int c)
     return with_choice(d, c);
 }
 
-/* Writes every text that differs from its pass's base, each once, unless its SPIR-V is there from before; how many
-   costs there are. The vertex stages of passes over the picture are all the same triangle and left out. */
+/* The text's file is COSTS/HASH.STAGE, its SPIR-V's that and .spv. */
+static void cost_path(char path[128], const tally *k, const char *ending)
+{
+    snprintf(path, 128, COSTS "/%016llx.%s%s", (unsigned long long)k->text, stage_endings[k->stage], ending);
+}
+
+/* Adds a text to n costs, and writes it, unless another has the same or its SPIR-V is there from before. Returns how
+   many texts that are, -1 = failed. */
+static int cost_add(tally *costs, int n, int v, int c, int at, const char *text, kit_error *err)
+{
+    const ssgi_gl_desc d = cost_desc(v, c);
+    char path[128];
+    int same = 0;
+    costs[n] = (tally){ .variant = v, .choice = c, .stage = at, .texels = kit_fetches(&d),
+                        .text = kit_hash(KIT_HASH + (uint64_t)at, text, strlen(text)) };
+    while (costs[same].text != costs[n].text) ++same;
+    cost_path(path, &costs[n], ".spv");
+    if (same < n || !access(path, F_OK)) return 0;
+    cost_path(path, &costs[n], "");
+    return kit_file_write(path, text, strlen(text), err) ? -1 : 1;
+}
+
+/* A stage of a variant with a choice, if it differs from that without: n and texts grow. */
+static int cost_stage(tally *costs, int *n, int *texts, int v, int c, int at, kit_error *err)
+{
+    const ssgi_gl_desc d = cost_desc(v, c);
+    ssgi_gl_desc base = cost_desc(v, 0);
+    base.fetch = d.fetch;                          /* the caller's text is in every text, read or not */
+    char *text = cost_text(&d, at), *was = c ? cost_text(&base, at) : NULL;
+    int written = 0;
+    if (text && !(was && !strcmp(text, was))) written = cost_add(costs, (*n)++, v, c, at, text, err);
+    if (written > 0) *texts += written;
+    free(text);
+    free(was);
+    return written < 0 ? -1 : 0;
+}
+
+/* Writes every text that differs from its pass's base; how many costs there are, and texts that were written. The
+   vertex stages of passes over the picture are all the same triangle and left out. */
 static int costs_write(tally *costs, int *texts, kit_error *err)
 {
     int n = 0;
     *texts = 0;
-    for (int v = 0; v < variants_count; ++v)
+    for (int v = 0; v < variants_count; ++v) {
+        const int pass = variants[v].desc.pass, first = pass == SSGI_GL_SURFELS || pass == SSGI_GL_SPLAT ? 0 : 1;
         for (int c = 0; c < choices_count; ++c)
-            for (int at = variants[v].desc.pass == SSGI_GL_SURFELS || variants[v].desc.pass == SSGI_GL_SPLAT ? 0 : 1;
-                 at < SSGI_GL_STAGES && n < MOST_COSTS; ++at) {
-                ssgi_gl_desc base = cost_desc(v, 0), d = cost_desc(v, c);
-                base.fetch = d.fetch;                      /* the caller's text is in every text, read or not */
-                char *text = cost_text(&d, at), *was = c ? cost_text(&base, at) : NULL, path[128];
-                if (text && !(was && !strcmp(text, was))) {
-                    tally *k = &costs[n++];
-                    int i = 0, failed = 0;
-                    *k = (tally){ v, c, at, kit_fetches(&d), 0, 0, 0, 0,
-                        kit_hash(KIT_HASH + (uint64_t)at, text, strlen(text)) };
-                    while (costs[i].text != k->text) ++i;
-                    snprintf(path, sizeof path, COSTS "/%016llx.%s.spv", (unsigned long long)k->text,
-                             stage_endings[at]);
-                    if (i == n - 1 && access(path, F_OK)) {
-                        path[strlen(path) - 4] = 0;
-                        failed = kit_file_write(path, text, strlen(text), err);
-                        ++*texts;
-                    }
-                    if (failed) { free(text); free(was); return -1; }
-                }
-                free(text);
-                free(was);
-            }
+            for (int at = first; at < SSGI_GL_STAGES && n < MOST_COSTS; ++at)
+                if (cost_stage(costs, &n, texts, v, c, at, err)) return -1;
+    }
     return n;
 }
 
@@ -79,7 +100,7 @@ static int cost_read(tally *k, kit_error *err)
     size_t size;
     const uint32_t *word;
     int inside = 0;
-    snprintf(path, sizeof path, COSTS "/%016llx.%s.spv", (unsigned long long)k->text, stage_endings[k->stage]);
+    cost_path(path, k, ".spv");
     if (kit_file_read(&data, &size, path, err)) return -1;
     word = (const uint32_t *)(void *)data;
     for (size_t i = 5; i < size / 4 && word[i] >> 16; i += word[i] >> 16) {
@@ -189,40 +210,27 @@ static void cost_html(FILE *f, const tally *k, const tally *base)
     fprintf(f, "<td>%d<td>%d<td>%d<td>%d\n", k->fetches, k->texels, k->branches, k->loops);
 }
 
-/* A table of all passes at their defaults, one of every choice, and costs.csv. */
-int costs_chart(FILE *html, const char *out, kit_error *err)
+static const char *const table_head =
+    "<div class=\"wide\"><table>\n<tr><th>pass<th>choice<th title=\"in SPIR-V, loops once, not optimised\">instructions"
+    "<th title=\"to the defaults\">more<th title=\"instructions that fetch or sample\">fetching"
+    "<th title=\"the most that a pixel fetches, all loops\">texels a pixel<th>branches<th>loops\n";
+
+/* All passes at their defaults. */
+static void defaults_html(FILE *html, const tally *costs, int count)
 {
-    static const char *const head = "<div class=\"wide\"><table>\n<tr><th>pass<th>choice<th title=\"in SPIR-V, loops "
-                                    "once, not optimised\">instructions<th title=\"to the defaults\">more"
-                                    "<th title=\"instructions that fetch or sample\">fetching<th title=\"the most that "
-                                    "a pixel fetches, all loops\">texels a pixel<th>branches<th>loops\n";
-    static tally costs[MOST_COSTS];
-    page csv;
-    char title[64];
-    int count, texts, missing;
-    if (folder(COSTS, err)) return -1;
-    count = costs_write(costs, &texts, err);
-    if (count < 0) return -1;
-    missing = costs_count(costs, count, texts, err);
-    if (missing < 0) return -1;
-    fputs("<h2>Instructions and fetches</h2>\n", html);
-    if (missing) { fputs("<p class=\"faint\">Not counted: glslangValidator is missing.</p>\n", html); return 0; }
     fprintf(html,
             "<p>Of each pass as emitted for GLSL 4.50, in SPIR-V by glslang, before any optimiser: static counts, "
             "loops once; texels a pixel: with all loops. "
             "<a href=\"costs.csv\">costs.csv</a></p>\n%s",
-            head);
-    if (page_open(&csv, err)) return -1;
-    fputs("pass,choice,stage,instructions,fetch_instructions,texels_a_pixel,branches,loops\n", csv.file);
-    for (int i = 0; i < count; ++i) {
-        cost_title(title, costs[i].variant);
-        fprintf(csv.file, "\"%s\",\"%s\",%s,%d,%d,%d,%d,%d\n", title, choices[costs[i].choice].name,
-                stage_endings[costs[i].stage], costs[i].instructions, costs[i].fetches, costs[i].texels,
-                costs[i].branches, costs[i].loops);
-        if (!costs[i].choice) cost_html(html, &costs[i], NULL);
-    }
-    fputs("</table></div>\n<details><summary>With one choice each</summary>\n", html);
-    fputs(head, html);
+            table_head);
+    for (int i = 0; i < count; ++i) if (!costs[i].choice) cost_html(html, &costs[i], NULL);
+    fputs("</table></div>\n", html);
+}
+
+/* Every choice, beside its pass at its defaults. */
+static void choices_html(FILE *html, const tally *costs, int count)
+{
+    fprintf(html, "<details><summary>With one choice each</summary>\n%s", table_head);
     for (int i = 0; i < count; ++i) {
         const tally *base = NULL;
         for (int k = 0; k < i && costs[i].choice; ++k)
@@ -230,16 +238,50 @@ int costs_chart(FILE *html, const char *out, kit_error *err)
                 base = &costs[k];
         cost_html(html, &costs[i], base);
     }
-    fputs("</table></div>\n</details>\n<details><summary>What is off costs nothing</summary>\n<p>Each choice below was "
+    fputs("</table></div>\n</details>\n", html);
+}
+
+static void waiting_html(FILE *html)
+{
+    fputs("<details><summary>What is off costs nothing</summary>\n<p>Each choice below was "
           "set alone, and the text stayed the same byte for byte, because it waits for one of those in "
           "brackets.</p>\n<dl>\n",
           html);
     for (int v = 0; v < variants_count; ++v) {
+        char title[64];
         cost_title(title, v);
         fprintf(html, "<dt>%s<dd>", title);
         if (!costs_waiting(html, v)) fputs("nothing waits", html);
         fputc('\n', html);
     }
     fputs("</dl>\n</details>\n", html);
+}
+
+static int costs_csv(const tally *costs, int count, const char *out, kit_error *err)
+{
+    page csv;
+    if (page_open(&csv, err)) return -1;
+    fputs("pass,choice,stage,instructions,fetch_instructions,texels_a_pixel,branches,loops\n", csv.file);
+    for (const tally *k = costs; k < costs + count; ++k) {
+        char title[64];
+        cost_title(title, k->variant);
+        fprintf(csv.file, "\"%s\",\"%s\",%s,%d,%d,%d,%d,%d\n", title, choices[k->choice].name, stage_endings[k->stage],
+                k->instructions, k->fetches, k->texels, k->branches, k->loops);
+    }
     return page_close(&csv, out, "costs.csv", err);
+}
+
+int costs_chart(FILE *html, const char *out, kit_error *err)
+{
+    static tally costs[MOST_COSTS];
+    int texts;
+    if (folder_make(COSTS, err)) return -1;
+    const int count = costs_write(costs, &texts, err), missing = count < 0 ? -1 : costs_count(costs, count, texts, err);
+    if (missing < 0) return -1;
+    fputs("<h2>Instructions and fetches</h2>\n", html);
+    if (missing) { fputs("<p class=\"faint\">Not counted: glslangValidator is missing.</p>\n", html); return 0; }
+    defaults_html(html, costs, count);
+    choices_html(html, costs, count);
+    waiting_html(html);
+    return costs_csv(costs, count, out, err);
 }

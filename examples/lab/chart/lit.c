@@ -1,9 +1,13 @@
 /* lit.c - what report.c shows of light: pictures for the demo, a chart, what layers, cameras and points buy, what
-   harmonics buy. Declared in report.h. */
-#include "lab/report.h"
+   harmonics buy. Declared in lit.h. */
+#include "lab/chart/lit.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
+#include "lab/measure/measure.h"
+#include "lab/page/page.h"
+#include "lab/page/pictures.h"
+#include "lab/page/scatter.h"
+#include "lab/page/table.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -139,74 +143,68 @@ static const lit_table lit_demos[] = {
     { "Light: a sky and a sun",
       "Bunny and four boxes under the built-in sky and a sun with shadows.",
       { BOXES_VIEW, &sun_and_sky },
-      sun_entries,
-      COUNT(sun_entries),
+      WITH_COUNT(sun_entries),
       OF_LIT,
       0 },
     { "Light: one lamp, one bounce", "Open box under a point light with shadows, no environment.",
-      SCENE("cornell", "cornell", &lamp), lamp_entries, COUNT(lamp_entries), OF_LIT, 0 },
+      SCENE("cornell", "cornell", &lamp), WITH_COUNT(lamp_entries), OF_LIT, 0 },
     { "Harmonics: two suns",
       "Three white boxes between a pink sun from the left and a turquoise one from the right. " LOCAL,
-      SCENE("boxes", "boxes", &two_suns), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
+      SCENE("boxes", "boxes", &two_suns), WITH_COUNT(harmonics_entries), OF_LIT, 0 },
     { "Harmonics: the suns changed over", "The same boxes, turquoise from the left, pink from the right. " LOCAL,
-      SCENE("boxes-changed", "boxes", &suns_changed), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
+      SCENE("boxes-changed", "boxes", &suns_changed), WITH_COUNT(harmonics_entries), OF_LIT, 0 },
     { "Harmonics: a sky and a bright sun",
       "White blocks under the built-in sky and a yellow sun from the right; below, their shadow side and their sunny "
       "side. " LOCAL,
-      SCENE("blocks", "blocks", &yellow_sun), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 }
+      SCENE("blocks", "blocks", &yellow_sun), WITH_COUNT(harmonics_entries), OF_LIT, 0 }
 };
 static const lit_table lit_tables[] = {
     { "Light: speed against accuracy",
       "Bunny and four boxes under the sky, one bounce.",
       { BOXES_VIEW, &sky_boxes },
-      deep_entries,
-      COUNT(deep_entries),
+      WITH_COUNT(deep_entries),
       OF_LIT,
       1 },
     { "What light costs",
       "The same scene; 16 directions, no filter.",
       { BOXES_VIEW, &sky_boxes },
-      cost_entries,
-      COUNT(cost_entries),
+      WITH_COUNT(cost_entries),
       OF_LIT,
       0 },
     { "What is hidden: columns",
       "Made to need more than one depth layer: coloured columns behind white ones, a box beside the picture.",
-      SCENE("columns", "columns", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
+      SCENE("columns", "columns", &sky_alone), WITH_COUNT(extension_entries), OF_LIT, 0 },
     { "What is hidden: plates", "Made to need more: thin plates, bars and hoops over a floor.",
-      SCENE("plates", "plates", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 1 },
+      SCENE("plates", "plates", &sky_alone), WITH_COUNT(extension_entries), OF_LIT, 1 },
     { "What is hidden: room",
       "Not made for it: its walls, floor and ceiling are sheets, where layers and cameras want closed solids, and "
       "cameras stand outside.",
-      SCENE("room", "room", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
+      SCENE("room", "room", &sky_alone), WITH_COUNT(extension_entries), OF_LIT, 0 },
     { "What harmonics cost",
       "Bunny and four boxes under the sky, no filter but where it says so. Filtering vectors is filtering before they "
       "meet the light.",
       { BOXES_VIEW, &sky_boxes },
-      vector_entries,
-      COUNT(vector_entries),
+      WITH_COUNT(vector_entries),
       OF_LIT,
       0 },
     { "Under a high-contrast probe",
       "White blocks in a dim room with coloured windows and lamps, no bounce, no filter. Hue, in degrees: the mean "
       "angle between rgb vectors, weighted by the truth's luminance; and of that, what blockers keep 5 % or more of "
       "the light from.",
-      SCENE("blocks-probe", "blocks", &probe_alone), probe_entries, COUNT(probe_entries), OF_SPLIT, 1 }
+      SCENE("blocks-probe", "blocks", &probe_alone), WITH_COUNT(probe_entries), OF_SPLIT, 1 }
 };
 
 /* The same entries under one light each; shown as one table. */
 static const char *const bands_title = "How many bands";
+#define BANDS(name, lit) SCENE(name, "boxes", lit), WITH_COUNT(band_entries), OF_LIT, 0
 static const lit_table band_tables[] = {
-    { "white", "White: radiance 1 from everywhere.", SCENE("boxes-white", "boxes", &band_lits[0]), band_entries,
-      COUNT(band_entries), OF_LIT, 0 },
-    { "sky", "Sky: the built-in one.", SCENE("boxes-sky", "boxes", &band_lits[1]), band_entries, COUNT(band_entries),
-      OF_LIT, 0 },
+    { "white", "White: radiance 1 from everywhere.", BANDS("boxes-white", &band_lits[0]) },
+    { "sky", "Sky: the built-in one.", BANDS("boxes-sky", &band_lits[1]) },
     { "local suns", "Local suns: pink from the left, turquoise from the right. " LOCAL,
-      SCENE("boxes-suns", "boxes", &band_lits[2]), band_entries, COUNT(band_entries), OF_LIT, 0 },
+      BANDS("boxes-suns", &band_lits[2]) },
     { "suns", "Suns: the same pictures against the whole scene's sharp shadows.",
-      SCENE("boxes-sharp", "boxes", &band_lits[3]), band_entries, COUNT(band_entries), OF_LIT, 0 },
-    { "probe", "Probe: a dim room with coloured windows and lamps.", SCENE("boxes-probe", "boxes", &band_lits[4]),
-      band_entries, COUNT(band_entries), OF_LIT, 0 }
+      BANDS("boxes-sharp", &band_lits[3]) },
+    { "probe", "Probe: a dim room with coloured windows and lamps.", BANDS("boxes-probe", &band_lits[4]) }
 };
 enum {
     LIT_DEMOS = COUNT(lit_demos),
@@ -222,7 +220,7 @@ typedef struct lit_row_set { row row[MOST_ROWS]; int count; } lit_row_set;
 _Static_assert(ON_STRIDE(PROBE_STRIDE), "noise is probed where there is no truth");
 static lit_row_set demo_sets[LIT_DEMOS], sets[LIT_SETS];
 
-/* ---- >>pages ----------------------------------------------------------------------------------------------------- */
+/* ---- >>demo ------------------------------------------------------------------------------------------------------ */
 
 /* What stands under a heading: scene, radius, resolution, truth, and how far the truth itself is off, by tracing some
    of it with more rays. */
@@ -231,8 +229,7 @@ static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
     char bounce[32] = "";
     kit_image probe;
     row noise;
-    memset(&noise, 0, sizeof noise);
-    if (trace(&probe, s, 4 * s->rays, PROBE_STRIDE, err) || score(&noise, s, &probe, err)) return -1;
+    if (stage_trace(&probe, s, 4 * s->rays, PROBE_STRIDE, err) || score_picture(&noise, s, &probe, err)) return -1;
     kit_image_free(&probe);
     if (s->lit->bounce) snprintf(bounce, sizeof bounce, ", bounce %.3f", noise.error[2]);
     fprintf(html,
@@ -244,17 +241,64 @@ static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
     return 0;
 }
 
+enum { CROP_TIMES = 4, DEMO_WIDTH = 480, DEMO_HEIGHT = 270, DEMO_ROUNDS = 2 };
+
+/* One figure: the picture, exposed, and its difference to the truth's exposed luminance; without a row it is the
+   truth. */
+static int demo_figure(FILE *html, const char *out, const stage *s, const pictured *p, const row *r,
+                       const kit_image *luminance, kit_error *err)
+{
+    const double range = 0.2;
+    kit_image whole;
+    char note[64];
+    if (pictures_exposed(&whole, p->picture, s->lit->exposure, NULL, 1, err)
+        || pictures_save(&whole, "R,G,B", 1, out, p->slug, ".png", err))
+        return -1;
+    if (!r) snprintf(note, sizeof note, "%d rays a pixel", s->lit->rays);
+    else if (isnan(r->relative)) snprintf(note, sizeof note, "error %.3f", r->share);
+    else snprintf(note, sizeof note, "time %.2f, error %.3f", r->relative, r->share);
+    page_figure(html, p->slug, p->label, note, whole.width, whole.height, r != NULL);
+    if (!r) page_key(html, range);
+    fputs("</figure>\n", html);
+    if (r && pictures_difference(&whole, luminance, (float)range, out, p->slug, err)) return -1;
+    kit_image_free(&whole);
+    return 0;
+}
+
+/* The truth, what is given, methods: whole, then in part. rows: methods, what is given. */
+static int demo_figures(FILE *html, const char *out, const stage *s, const lit_table *t, const row *rows,
+                        const kit_image *picture, kit_error *err)
+{
+    const int count = t->count + s->givens;
+    pictured p[1 + MOST_ROWS];
+    kit_image luminance;
+    if (pictures_exposed(&luminance, &s->truth, s->lit->exposure, NULL, 1, err)) return -1;
+    for (int i = 0; i <= count; ++i) {
+        const int at = i > s->givens ? i - 1 - s->givens : t->count + i - 1;
+        p[i].label = i ? rows[at].label : "ray-traced truth";
+        p[i].picture = !i ? &s->truth : i > s->givens ? &picture[at] : &s->given[i - 1].picture;
+        snprintf(p[i].slug, sizeof p[i].slug, "lit-%s-", t->view.name);
+        pictures_slug(p[i].slug + strlen(p[i].slug), p[i].label);
+        if (demo_figure(html, out, s, &p[i], i ? &rows[at] : NULL, &luminance, err)) return -1;
+    }
+    fputs("</div>\n", html);
+    kit_image_free(&luminance);
+    for (int k = 0; k < MOST_CROPS && s->lit->crop[k][2]; ++k) {
+        const int *crop = s->lit->crop[k];
+        if (pictures_crops(html, out, p, count + 1, k, crop, s->lit->exposure, CROP_TIMES, err)) return -1;
+        fprintf(html, "<p class=\"faint\">%d x %d pixels of each, from %d, %d on, every pixel as %d x %d.</p>\n",
+                crop[2], crop[3], crop[0], crop[1], CROP_TIMES, CROP_TIMES);
+    }
+    return 0;
+}
+
 static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, int *count, kit_error *err)
 {
-    enum { TIMES = 4, WIDTH = 480, HEIGHT = 270, ROUNDS = 2 };
-    const double range = 0.2;
-    kit_image picture[MOST_ROWS], whole, part, luminance, difference;
-    const kit_image *from[1 + MOST_ROWS];           /* the truth, what is given, methods */
-    const char *label[1 + MOST_ROWS];
+    kit_image picture[MOST_ROWS];
     stage s;
-    char slug[1 + MOST_ROWS][128], name[160], note[64];
-    if (stage_open(&s, &t->view, WIDTH, HEIGHT, err)) return -1;
-    if (measure(rows, &s, t->entries, t->count, ROUNDS, 0, picture, err)) return -1;
+    if (stage_open(&s, &t->view, DEMO_WIDTH, DEMO_HEIGHT, err)
+        || measure_entries(rows, &s, t->entries, t->count, DEMO_ROUNDS, 0, picture, err))
+        return -1;
     fprintf(html, "<h2>%s</h2>\n", t->title);
     if (lit_about(html, &s, t, err)) return -1;
     *count = t->count + s.givens;
@@ -262,51 +306,11 @@ static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, i
             "<p>Exposure %g, clamped at 1, sRGB; the environment itself is not drawn. Differences are of exposed "
             "luminance.</p>\n<div class=\"grid\">\n",
             (double)s.lit->exposure);
-    if (exposed(&luminance, &s.truth, s.lit->exposure, NULL, 1, err)) return -1;
-    for (int i = 0; i <= *count; ++i) {
-        const int at = i > s.givens ? i - 1 - s.givens : t->count + i - 1;
-        label[i] = i ? rows[at].label : "ray-traced truth";
-        from[i] = !i ? &s.truth : i > s.givens ? &picture[at] : &s.given[i - 1].picture;
-        if (exposed(&whole, from[i], s.lit->exposure, NULL, 1, err)) return -1;
-        snprintf(slug[i], sizeof slug[i], "lit-%s-", t->view.name);
-        slug_of(slug[i] + strlen(slug[i]), label[i]);
-        if (!i) snprintf(note, sizeof note, "%d rays a pixel", s.lit->rays);
-        else if (isnan(rows[at].relative)) snprintf(note, sizeof note, "error %.3f", rows[at].share);
-        else snprintf(note, sizeof note, "time %.2f, error %.3f", rows[at].relative, rows[at].share);
-        if (save(&whole, "R,G,B", 1, out, slug[i], ".png", err)) return -1;
-        figure_html(html, slug[i], label[i], note, whole.width, whole.height, i > 0);
-        if (!i) key_html(html, range);
-        fputs("</figure>\n", html);
-        if (i) {
-            if (kit_image_difference(&difference, &whole, &luminance, "Y", (float)range, err)
-                || save(&difference, "R,G,B", 0, out, slug[i], "-difference.png", err))
-                return -1;
-            kit_image_free(&difference);
-        }
-        kit_image_free(&whole);
-    }
-    fputs("</div>\n", html);
-    for (int k = 0; k < MOST_CROPS && s.lit->crop[k][2]; ++k) {
-        const int *crop = s.lit->crop[k];
-        fputs("<div class=\"grid crops\">\n", html);
-        for (int i = 0; i <= *count; ++i) {
-            snprintf(name, sizeof name, "%s-crop%s", slug[i], k ? "-2" : "");
-            if (exposed(&part, from[i], s.lit->exposure, crop, TIMES, err)
-                || save(&part, "R,G,B", 1, out, name, ".png", err))
-                return -1;
-            figure_html(html, name, label[i], "", part.width, part.height, 0);
-            fputs("</figure>\n", html);
-            kit_image_free(&part);
-        }
-        fprintf(html,
-                "</div>\n<p class=\"faint\">%d x %d pixels of each, from %d, %d on, every pixel as %d x %d.</p>\n",
-                crop[2], crop[3], crop[0], crop[1], TIMES, TIMES);
-    }
+    if (demo_figures(html, out, &s, t, rows, picture, err)) return -1;
     fputs("<h3>Figures</h3>\n", html);
     table_html(html, rows, *count);
     for (int i = 0; i < t->count; ++i) kit_image_free(&picture[i]);
     for (int i = 0; i < *count; ++i) rows[i].scene = t->view.name;
-    kit_image_free(&luminance);
     stage_close(&s);
     return 0;
 }
@@ -320,79 +324,10 @@ int lit_demo(FILE *html, const char *out, kit_error *err)
 
 void lit_demo_text(FILE *f)
 {
-    for (int k = 0; k < LIT_DEMOS; ++k) {
-        fprintf(f, "\n%s\n", lit_demos[k].title);
-        table_text(f, demo_sets[k].row, demo_sets[k].count);
-    }
+    for (int k = 0; k < LIT_DEMOS; ++k) table_titled(f, lit_demos[k].title, demo_sets[k].row, demo_sets[k].count);
 }
 
-int split(row *r, stage *s, kit_run *run, int phases, const kit_image *picture, kit_error *err)
-{
-    static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };
-    static const char *const lit_names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const ao_names[1] = {
-        "Y"
-    };
-    const char *const *names = s->lit ? lit_names : ao_names;
-    const size_t pixels = (size_t)s->truth.width * (size_t)s->truth.height, channels = s->lit ? 3 : 1;
-    const float *z = kit_image_channel(&s->frame, "Z"), *truth[3], *open[3] = { NULL };
-    double *sum = calloc(2 * channels * pixels, sizeof *sum), *squares = sum + channels * pixels, level = 0, off = 0,
-           noise = 0, hue[2] = { 0 }, weight[2] = { 0 }, values = 0;
-    int drawn = 0, differs = 0;
-    if (!sum) return kit_fail(err, "out of memory");
-    do {
-        kit_image now = { 0 };
-        if (drawn) {
-            run->frame.phase = (float)drawn / (float)phases;
-            kit_run_update(run);
-            /* with a history: of frames that no other has */
-            if (draw_settled(run, SETTLED * (unsigned)drawn, 0, err) < 0 || kit_run_read(&now, run, err)
-                || (s->lit && !run->lit && light_by(&now, s, err))) return -1;
-        }
-        for (size_t c = 0; c < channels; ++c) {
-            const float *v = kit_image_channel(drawn ? &now : picture, names[c]);
-            for (size_t i = 0; i < pixels; ++i) {
-                differs |= drawn && (double)v[i] * drawn != sum[c * pixels + i];
-                sum[c * pixels + i] += (double)v[i];
-                squares[c * pixels + i] += (double)v[i] * (double)v[i];
-            }
-        }
-        kit_image_free(&now);
-        ++drawn;
-    } while (run && drawn < (drawn == 2 && !differs ? 2 : phases));
-    for (size_t c = 0; c < channels; ++c) {
-        truth[c] = kit_image_channel(&s->truth, names[c]);
-        if (s->lit) open[c] = kit_image_channel(&s->given[0].picture, names[c]);
-    }
-    for (size_t i = 0; i < pixels; ++i) {
-        double of[2] = { 0, 0 }, product = 0, bright = 0, unblocked = 0, turned = 0;
-        if (!(z[i] > 0) || isnan(sum[i])) continue;
-        for (size_t c = 0; c < channels; ++c) {
-            const double is = sum[c * pixels + i] / drawn, should = (double)truth[c][i];
-            level += should;
-            off += (is - should) * (is - should);
-            if (differs) noise += fmax(0, squares[c * pixels + i] / drawn - is * is) * drawn / (drawn - 1);
-            of[0] += is * is;
-            of[1] += should * should;
-            product += is * should;
-            if (s->lit) bright += luminance[c] * should;
-            if (s->lit) unblocked += luminance[c] * (double)open[c][i];
-            values += 1;
-        }
-        if (of[0] > 0 && of[1] > 0) turned = acos(fmin(1, product / sqrt(of[0] * of[1])));
-        for (int k = 0; k < (bright < 0.95 * unblocked ? 2 : 1); ++k) {
-            hue[k] += bright * turned;
-            weight[k] += bright;
-        }
-    }
-    level = s->lit ? level / values : 1;
-    r->of = s->lit ? OF_SPLIT : r->of | OF_PHASES;
-    r->split[0] = sqrt((off + noise * (drawn - 1) / drawn) / values) / level;
-    r->split[1] = sqrt(fmax(0, off - noise / drawn) / values) / level;
-    r->split[2] = run ? sqrt(noise / values) / level : (double)NAN;
-    for (int k = 0; k < 2; ++k) r->split[3 + k] = hue[k] / weight[k] * 180 / acos(-1);
-    free(sum);
-    return 0;
-}
+/* ---- >>chart ----------------------------------------------------------------------------------------------------- */
 
 /* A row a number of bands, two columns a light: irradiance's error and the time. */
 static void bands_table(FILE *f, const lit_row_set *band, int html)
@@ -419,26 +354,26 @@ static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *e
     const lit_table *t = lit_table_at(k);
     entry entries[MOST_ENTRIES];
     kit_image picture[MOST_ENTRIES];
-    const int count = chosen(entries, t->entries, t->count, o);
+    const int count = units_chosen(entries, t->entries, t->count, o);
     stage s;
     if (!count || (o->quick && !t->quick)) return 0;
     if (!rows) return 1;
     if (stage_load(&s, &t->view, err)) return -1;
     s.stride = LIT_STRIDE;
     if (stage_show(&s, &t->view, LIT_WIDTH, LIT_HEIGHT, err)
-        || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, t->of == OF_SPLIT ? PHASES : 0,
-                   picture, err))
+        || measure_entries(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS,
+                           t->of == OF_SPLIT ? PHASES : 0, picture, err))
         return -1;
     for (int i = 0; i < count + s.givens; ++i) rows[i].scene = t->view.name;
     if (k <= LIT_TABLES) fprintf(html, "<h2>%s</h2>\n", k < LIT_TABLES ? t->title : bands_title);
-    if (lit_about(html, &s, t, err) || (k < LIT_TABLES && thumbs(html, o->out, &s, rows, picture, count, err)))
-        return -1;
+    if (lit_about(html, &s, t, err)) return -1;
+    if (k < LIT_TABLES && pictures_thumbs(html, o->out, units_name(), &s, rows, picture, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
     return count + s.givens;
 }
 
-int lit_units(const options *o) { return planned(lit_unit, LIT_SETS, o); }
+int lit_units(const options *o) { return units_count(lit_unit, LIT_SETS, o); }
 
 int lit_chart(FILE *html, const options *o, kit_error *err)
 {
@@ -448,10 +383,11 @@ int lit_chart(FILE *html, const options *o, kit_error *err)
     for (int k = 0; k < LIT_SETS; ++k) {
         const lit_table *t = lit_table_at(k);
         lit_row_set *set = &sets[k];
-        set->count = unit(html, o, "lit", k, lit_unit, set->row, err);
+        set->count = units_measure(html, o, "lit", k, lit_unit, set->row, err);
         if (set->count < 0) return -1;
         if (!set->count) continue;
-        if (!k && chart_of(html, o->out, "chart-lit.svg", t->title, &lit_words, set->row, set->count, (double)NAN, err))
+        if (!k && scatter_chart(html, o->out, "chart-lit.svg", t->title, &scatter_lit, set->row, set->count,
+                                (double)NAN, err))
             return -1;
         if (k < LIT_TABLES) table_html(html, set->row, set->count);
         table_csv(csv.file, set->row, set->count, !shown++);
@@ -462,11 +398,7 @@ int lit_chart(FILE *html, const options *o, kit_error *err)
 
 void lit_chart_text(FILE *f)
 {
-    for (int k = 0; k < LIT_TABLES; ++k) {
-        if (!sets[k].count) continue;
-        fprintf(f, "\n%s\n", lit_tables[k].title);
-        table_text(f, sets[k].row, sets[k].count);
-    }
+    for (int k = 0; k < LIT_TABLES; ++k) table_titled(f, lit_tables[k].title, sets[k].row, sets[k].count);
     if (!sets[LIT_TABLES].count) return;
     fprintf(f, "\n%s\n", bands_title);
     bands_table(f, sets + LIT_TABLES, 0);

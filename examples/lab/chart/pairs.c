@@ -1,10 +1,13 @@
 /* pairs.c - what report.c shows of light on every pair of a scene and a probe: a method that suits one of them only is
-   seen to. Declared in report.h. */
-#include "lab/report.h"
+   seen to. Declared in pairs.h. */
+#include "lab/chart/pairs.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "lab/measure/measure.h"
+#include "lab/page/page.h"
+#include "lab/page/pictures.h"
+#include "lab/page/table.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -72,9 +75,8 @@ static int there(const options *o, int k)
 /* A row whose figures come from a picture, without a time. */
 static int picture_row(row *r, const stage *s, const char *label, const kit_image *picture, kit_error *err)
 {
-    *r = blank(OF_LIT, s->name, label, "");
-    r->method = "none";
-    return score(r, s, picture, err);
+    *r = row_blank(OF_LIT, s->name, label, "none", "");
+    return score_picture(r, s, picture, err);
 }
 
 /* How far the truth is off by itself: against NOISE_RAYS times its rays at every NOISE_STRIDE-th pixel, which begin
@@ -83,7 +85,7 @@ static int picture_row(row *r, const stage *s, const char *label, const kit_imag
 static int noise_row(row *r, const stage *s, kit_error *err)
 {
     kit_image probe;
-    if (trace(&probe, s, NOISE_RAYS * s->rays, NOISE_STRIDE, err) || picture_row(r, s, noise_label, &probe, err))
+    if (stage_trace(&probe, s, NOISE_RAYS * s->rays, NOISE_STRIDE, err) || picture_row(r, s, noise_label, &probe, err))
         return -1;
     kit_image_free(&probe);
     r->error[1] /= sqrt(1 - 1.0 / NOISE_RAYS);
@@ -96,7 +98,7 @@ static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *
     view v = scenes[k / PROBES].view;
     entry entries[MOST_ENTRIES];
     kit_image picture[MOST_ENTRIES], visible;
-    const int count = chosen(entries, pair_entries, COUNT(pair_entries), o);
+    const int count = units_chosen(entries, WITH_COUNT(pair_entries), o);
     char name[64];
     stage s;
     if (!count || !there(o, k)) return 0;
@@ -107,13 +109,11 @@ static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *
     if (stage_load(&s, &v, err) || stage_look(&s, &v, PAIR_WIDTH, PAIR_HEIGHT, err)) return -1;
     s.stride = LIT_STRIDE;
     s.rays = s.lit->rays;                           /* a quick chart's, too: noise below 1 % is what it is for */
-    if (stage_compare(&s, err)
-        || measure(rows, &s, entries, count, QUICK_ROUNDS, 0, picture, err))
-        return -1;
+    if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, QUICK_ROUNDS, 0, picture, err)) return -1;
     row *beside = rows + count;                     /* measure left the open row there */
     beside[1] = beside[0];
     beside[1].label = open_label;
-    if (stage_visibility(&visible, &s, err) || light_by(&visible, &s, err)
+    if (stage_visibility(&visible, &s, err) || stage_dim(&visible, &s, err)
         || picture_row(&beside[0], &s, scalar_label, &visible, err) || noise_row(&beside[2], &s, err))
         return -1;
     snprintf(pairs[k].name, sizeof pairs[k].name, "%s", s.name);
@@ -122,19 +122,19 @@ static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *
         rows[i].share = rows[i].error[1] / beside[1].error[1];
     }
     fputs("<h3>", html);
-    escaped(html, s.name);
+    page_escaped(html, s.name);
     fprintf(html,
             "</h3>\n<p>%zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel, every "
             "second pixel of every second row; its own noise %.4f of the mean.</p>\n",
             s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, s.rays, beside[2].error[1]);
-    if (thumbs(html, o->out, &s, rows, picture, count, err)) return -1;
+    if (pictures_thumbs(html, o->out, units_name(), &s, rows, picture, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     kit_image_free(&visible);
     stage_close(&s);
     return count + BESIDE;
 }
 
-int pair_units(const options *o) { return planned(pair_unit, PAIRS, o); }
+int pairs_units(const options *o) { return units_count(pair_unit, PAIRS, o); }
 
 /* ---- >>pages ----------------------------------------------------------------------------------------------------- */
 
@@ -176,7 +176,7 @@ static void missing(FILE *f, const options *o)
                    INTERIOR_PACKAGE "\n");
 }
 
-void pair_text(FILE *f, const options *o)
+void pairs_text(FILE *f, const options *o)
 {
     const pair *first = first_pair();
     if (!first) return;
@@ -190,8 +190,8 @@ void pair_text(FILE *f, const options *o)
         char time[16] = "-", below[16];
         if (!isnan(s.time)) snprintf(time, sizeof time, "%.2f", s.time);
         snprintf(below, sizeof below, "%d of %d", s.below, s.pairs);
-        fprintf(f, "%-32s %-30s %6.3f %6.3f %-20s %8s %6s %+7.3f\n", r->label, settings_of(r), s.mean, s.worst, s.whose,
-                below, time, s.bias);
+        fprintf(f, "%-32s %-30s %6.3f %6.3f %-20s %8s %6s %+7.3f\n", r->label, table_settings(r), s.mean, s.worst,
+                s.whose, below, time, s.bias);
     }
     fprintf(f, "%-20s", "pair");
     for (int i = 0; i < rows - 1; ++i) fprintf(f, " %6d", i + 1);
@@ -220,11 +220,11 @@ static void pair_html(FILE *f, const options *o)
         char time[16] = "&ndash;";
         if (!isnan(s.time)) snprintf(time, sizeof time, "%.2f", s.time);
         fprintf(f, "<tr><td>%s<td><code>%s</code><td>%.3f<td>%.3f<td>%s<td>%d of %d<td>%s<td>%+.3f\n", r->label,
-                settings_of(r), s.mean, s.worst, s.whose, s.below, s.pairs, time, s.bias);
+                table_settings(r), s.mean, s.worst, s.whose, s.below, s.pairs, time, s.bias);
     }
     fputs("</table></div>\n<div class=\"wide\"><table>\n<tr><th>pair", f);
     for (int i = 0; i < rows - 1; ++i)
-        fprintf(f, "<th title=\"%s\">%s", settings_of(&first->row[i]), first->row[i].label);
+        fprintf(f, "<th title=\"%s\">%s", table_settings(&first->row[i]), first->row[i].label);
     fputs("<th title=\"RMSE of no occlusion over the mean\">nothing<th title=\"RMSE of the truth itself over the "
           "mean\">noise\n", f);
     for (int k = 0; k < PAIRS; ++k) {
@@ -239,7 +239,7 @@ static void pair_html(FILE *f, const options *o)
     fputs("</p>\n", f);
 }
 
-int pair_chart(FILE *html, const options *o, kit_error *err)
+int pairs_chart(FILE *html, const options *o, kit_error *err)
 {
     page csv, each;
     int shown = 0;
@@ -247,7 +247,7 @@ int pair_chart(FILE *html, const options *o, kit_error *err)
     fputs("scene,probe,label,method,settings,relative_time,irradiance,irradiance_bias,share,pixels\n", csv.file);
     for (int k = 0; k < PAIRS; ++k) {
         pair *p = &pairs[k];
-        p->count = unit(each.file, o, "pair", k, pair_unit, p->row, err);
+        p->count = units_measure(each.file, o, "pair", k, pair_unit, p->row, err);
         if (p->count < 0) return -1;
         shown += p->count > 0;
         for (int i = 0; i < p->count; ++i) {

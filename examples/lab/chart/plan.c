@@ -1,10 +1,11 @@
 /* plan.c - what report.c shows of the plan: choices measured on scenes that it was not fitted on, and whether it chose
-   well; and the fit itself, whose numbers stand in ssgi.h's room >>plan. Declared in report.h. */
-#include "lab/report.h"
+   well; and what the fit reads, whose numbers stand in ssgi.h's room >>plan. Declared in plan.h. */
+#include "lab/chart/plan.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "lab/measure/measure.h"
+#include "lab/page/page.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -59,34 +60,47 @@ typedef struct planned_row {
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
 
+/* Two soft suns, pink and turquoise, in place of the stage's light. */
+static int planned_suns(stage *s, kit_error *err)
+{
+    static const kit_light suns[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } },
+                                       { KIT_SUN, { 0.75f, 0.6f, 0.27f }, { 0.5f, 2.3f, 2.2f } } };
+    enum { SOFT = 14 };                    /* degrees */
+    kit_image_free(&s->lighting.env);
+    memset(&s->lighting.env, 0, sizeof s->lighting.env);
+    for (int i = 0; i < 2; ++i) if (kit_env_add_sun(&s->lighting.env, &suns[i], SOFT, err)) return -1;
+    s->traced = s->lighting;
+    return 0;
+}
+
+/* The view, turned and nearer; from well aside it is from lower, too. */
+static void planned_turn(view *v, const plan_view *p, const kit_scene *scene)
+{
+    if (!(v->fovy > 0)) {
+        memcpy(v->eye, scene->camera.eye, sizeof v->eye);
+        memcpy(v->target, scene->camera.target, sizeof v->target);
+        v->fovy = scene->camera.fovy;
+    }
+    v->radius = p->radius * (v->radius > 0 ? v->radius : scene->radius);
+    const float c = cosf(p->turn), s = sinf(p->turn),
+                d[3] = { v->eye[0] - v->target[0], v->eye[1] - v->target[1], v->eye[2] - v->target[2] },
+                e[3] = { c * d[0] + s * d[2], p->turn > 0.5f ? 0.7f * d[1] : d[1], c * d[2] - s * d[0] };
+    for (int k = 0; k < 3; ++k) v->eye[k] = v->target[k] + p->nearer * e[k];
+}
+
 /* 1; 0: its package is not there. */
 static int planned_open(stage *s, const plan_view *p, const lit *light, int suns, kit_error *err)
 {
-    static const kit_light two[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } },
-                                      { KIT_SUN, { 0.75f, 0.6f, 0.27f }, { 0.5f, 2.3f, 2.2f } } };
+    static const int judged[2] = { JUDGED_WIDTH, JUDGED_HEIGHT }, fits[2] = { PLANNED_WIDTH, PLANNED_HEIGHT },
+                     is_lit[2] = { PLANNED_LIT_WIDTH, PLANNED_LIT_HEIGHT };
+    const int *size = light ? is_lit : p->fits ? fits : judged;
     view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
-    for (int i = 0; i < views_count; ++i) if (!strcmp(views[i].name, p->scene)) { v = views[i]; v.lit = light; }
-    if (packages_of(v.path) && access(v.path, R_OK)) return 0;
-    if (stage_load(s, &v, err)) return -1;
-    if (suns) {
-        kit_image_free(&s->lighting.env);
-        memset(&s->lighting.env, 0, sizeof s->lighting.env);
-        for (int i = 0; i < 2; ++i) if (kit_env_add_sun(&s->lighting.env, &two[i], 14, err)) return -1;
-        s->traced = s->lighting;
-    }
-    if (!(v.fovy > 0)) {
-        memcpy(v.eye, s->scene.camera.eye, sizeof v.eye);
-        memcpy(v.target, s->scene.camera.target, sizeof v.target);
-        v.fovy = s->scene.camera.fovy;
-    }
-    v.radius = p->radius * (v.radius > 0 ? v.radius : s->scene.radius);
-    const float d[3] = { v.eye[0] - v.target[0], v.eye[1] - v.target[1], v.eye[2] - v.target[2] }, c = cosf(p->turn),
-                n = sinf(p->turn);
-    const float e[3] = { c * d[0] + n * d[2], p->turn > 0.5f ? 0.7f * d[1] : d[1], c * d[2] - n * d[0] };
-    for (int k = 0; k < 3; ++k) v.eye[k] = v.target[k] + p->nearer * e[k];
-    const int size[3][2] = { { JUDGED_WIDTH, JUDGED_HEIGHT }, { PLANNED_WIDTH, PLANNED_HEIGHT },
-                             { PLANNED_LIT_WIDTH, PLANNED_LIT_HEIGHT } }, *of = size[light ? 2 : p->fits];
-    return stage_look(s, &v, of[0], of[1], err) ? -1 : 1;
+    for (int i = 0; i < stage_views_count; ++i)
+        if (!strcmp(stage_views[i].name, p->scene)) { v = stage_views[i]; v.lit = light; }
+    if (stage_packages(v.path) && access(v.path, R_OK)) return 0;
+    if (stage_load(s, &v, err) || (suns && planned_suns(s, err))) return -1;
+    planned_turn(&v, p, &s->scene);
+    return stage_look(s, &v, size[0], size[1], err) ? -1 : 1;
 }
 
 static double model_of(const kit_run *run) { return KIT_FETCH_OPERATIONS * run->fetches + kit_run_operations(run); }
@@ -103,17 +117,16 @@ static int planned_draw(kit_image *out, double *time, double *model, stage *s, c
     if (p->method == SSGI_PLAN_NOTHING) {
         if (kit_image_new(out, s->frame.width, s->frame.height, "Y", err)) return -1;
         for (int i = 0; i < out->width * out->height; ++i) out->data[i] = 1;
-        return s->lit ? light_by(out, s, err) : 0;
+        return s->lit ? stage_dim(out, s, err) : 0;
     }
-    if (kit_plan_method(&m, p, wanted, err) || kit_run_open(&run, &s->gbuffer, &m, s->radius, &world, err)) return -1;
-    if (draw_settled(&run, 0, 1, err) < 0 || kit_run_read(out, &run, err)
-        || (s->lit && !run.lit && light_by(out, s, err)))
+    if (kit_plan_method(&m, p, wanted, err) || kit_run_open(&run, &s->gbuffer, &m, s->radius, &world, err)
+        || stage_settled(out, s, &run, 0, 1, err))
         return -1;
     *model = model_of(&run);
     const double slow = kit_run_ms(&run);           /* slow choices are timed as they were first drawn */
-    before = draw(fixed);
-    const double ms = p->cost < PLANNED_SLOW ? draw(&run) : slow;
-    after = draw(fixed);
+    before = clock_draw(fixed);
+    const double ms = p->cost < PLANNED_SLOW ? clock_draw(&run) : slow;
+    after = clock_draw(fixed);
     *time = ms / (0.5 * (before + after));
     kit_run_close(&run);
     return 0;
@@ -128,7 +141,7 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
     snprintf(r->name, sizeof r->name, "%s", name);
     if (kit_plan_numbers(&r->numbers, &s->gbuffer, &world, s->radius, wanted, err)) return -1;
     r->numbers.history = 1;
-    if (run_open(&fixed, s, reference.method, reference.settings, s->radius, err)) return -1;
+    if (stage_run(&fixed, s, clock_reference.method, clock_reference.settings, s->radius, err)) return -1;
     kit_run_draw(&fixed, 1);
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         r->error[i] = r->cost[i] = r->model[i] = (double)NAN;
@@ -159,52 +172,81 @@ static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
 
 static int same_plan(const ssgi_plan *a, const ssgi_plan *b)
 {
-    return a->method == b->method && a->thickness == b->thickness && a->half == b->half && a->directions == b->directions
-           && a->steps == b->steps && a->bands == b->bands && a->history == b->history
+    return a->method == b->method && a->thickness == b->thickness && a->half == b->half
+           && a->directions == b->directions && a->steps == b->steps && a->bands == b->bands && a->history == b->history
            && a->resolution == b->resolution && !(fabsf(a->size - b->size) > 0);
 }
 
+/* What the plan takes for an error that is asked for, and the cheapest choice that meets it; below 0: none. */
+typedef struct judged {
+    const planned_row *row;
+    double    asked;
+    ssgi_plan plan, cheapest;
+    int       taken, best, within, good;
+} judged;
+
+/* 0: there is no such plan. */
+static int judge(judged *j, const planned_row *r, double asked, int blind, int history)
+{
+    ssgi_plan_scene numbers = r->numbers;
+    *j = (judged){ .row = r, .asked = asked, .taken = -1, .best = -1 };
+    numbers.error = (float)asked;
+    numbers.history = history;
+    if (blind) numbers.calibration.known = 0;
+    if (ssgi_plan_make(&j->plan, &numbers, NULL) != SSGI_OK) return 0;
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+        ssgi_plan p;
+        if (isnan(r->error[i]) || !ssgi_plan_choice(&p, i, &numbers)) continue;
+        if (same_plan(&p, &j->plan)) j->taken = i;
+        if (r->error[i] <= asked && (j->best < 0 || r->cost[i] < r->cost[j->best])) j->best = i;
+    }
+    if (j->best < 0 || j->taken < 0) return 1;
+    j->within = r->error[j->taken] <= 1.2 * asked;
+    j->good = j->within && r->cost[j->taken] <= 1.25 * r->cost[j->best] + 1e-9;
+    ssgi_plan_choice(&j->cheapest, j->best, &r->numbers);
+    return 1;
+}
+
+static void verdict_add(verdict *v, const judged *j)
+{
+    if (j->best < 0) {                                          /* nothing meets it */
+        ++v->beyond;
+        v->told += !j->plan.meets;
+    }
+    if (j->best < 0 || j->taken < 0) return;
+    const int needed = j->cheapest.method != SSGI_PLAN_NOTHING;
+    ++v->pairs;
+    v->good += j->good;
+    v->within += j->within;
+    v->needed += needed;
+    v->good_needed += needed && j->good;
+}
+
+static void judged_print(FILE *html, FILE *csv, const judged *j)
+{
+    static const char *const names[] = { "visibility", "light", "bounce", "objects" };
+    const planned_row *r = j->row;
+    const char *wanted = names[r->numbers.wanted];
+    const int taken = j->taken, best = j->best;
+    char plan[320], cheapest[320];
+    plan_name(plan, &j->plan, r->numbers.wanted);
+    plan_name(cheapest, &j->cheapest, r->numbers.wanted);
+    fprintf(html, "<tr><td>%s<td>%s<td>%.3g<td>%s<td>%.3f<td>%.3f<td>%.2f<td>%s<td>%.3f<td>%.2f<td>%s\n", r->name,
+            wanted, j->asked, plan, (double)j->plan.error, r->error[taken], r->cost[taken], cheapest, r->error[best],
+            r->cost[best], j->good ? "yes" : "<b>no</b>");
+    fprintf(csv, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, wanted, j->asked, plan, (double)j->plan.error,
+            r->error[taken], r->cost[taken], cheapest, r->error[best], r->cost[best], j->good);
+}
+
 /* One row a scene and error asked for: what the plan takes, what it predicts, what is measured, what the cheapest
-   choice that meets the error would cost. NULL: counts alone. */
+   choice that meets the error would cost. html, csv NULL: counts alone. */
 static void planned_judge(verdict *v, FILE *html, FILE *csv, const planned_row *r, int blind, int history)
 {
-    static const char *const wanted[] = { "visibility", "light", "bounce", "objects" };
     for (int k = 0; k < PLANNED_ERRORS; ++k) {
-        const double asked = planned_errors[r->numbers.wanted][k];
-        ssgi_plan_scene numbers = r->numbers;
-        ssgi_plan plan, p;
-        char text[2][320];
-        int taken = -1, best = -1;
-        numbers.error = (float)asked;
-        numbers.history = history;
-        if (blind) numbers.calibration.known = 0;
-        if (ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK) continue;
-        for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
-            if (isnan(r->error[i]) || !ssgi_plan_choice(&p, i, &numbers)) continue;
-            if (same_plan(&p, &plan)) taken = i;
-            if (r->error[i] <= asked && (best < 0 || r->cost[i] < r->cost[best])) best = i;
-        }
-        if (best < 0) {                                         /* nothing meets it */
-            ++v->beyond;
-            v->told += !plan.meets;
-        }
-        if (best < 0 || taken < 0) continue;
-        const int good = r->cost[taken] <= 1.25 * r->cost[best] + 1e-9 && r->error[taken] <= 1.2 * asked;
-        ssgi_plan_choice(&p, best, &r->numbers);
-        ++v->pairs;
-        v->good += good;
-        v->within += r->error[taken] <= 1.2 * asked;
-        v->needed += p.method != SSGI_PLAN_NOTHING;
-        v->good_needed += p.method != SSGI_PLAN_NOTHING && good;
-        plan_name(text[0], &plan, numbers.wanted);
-        plan_name(text[1], &p, numbers.wanted);
-        if (html)
-            fprintf(html, "<tr><td>%s<td>%s<td>%.3g<td>%s<td>%.3f<td>%.3f<td>%.2f<td>%s<td>%.3f<td>%.2f<td>%s\n",
-                    r->name, wanted[numbers.wanted], asked, text[0], (double)plan.error, r->error[taken],
-                    r->cost[taken], text[1], r->error[best], r->cost[best], good ? "yes" : "<b>no</b>");
-        if (csv)
-            fprintf(csv, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, wanted[numbers.wanted], asked, text[0],
-                    (double)plan.error, r->error[taken], r->cost[taken], text[1], r->error[best], r->cost[best], good);
+        judged j;
+        if (!judge(&j, r, planned_errors[r->numbers.wanted][k], blind, history)) continue;
+        verdict_add(v, &j);
+        if (html && j.best >= 0 && j.taken >= 0) judged_print(html, csv, &j);
     }
 }
 
@@ -225,42 +267,51 @@ static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
     }
 }
 
-/* Measures choices on the views that fit, or on those that judge (which: 1, 0), of scenes that are there. quick:
-   fewer. */
-static int planned_all(planned_row *rows, int *count, int which, int quick, kit_error *err)
+/* Measures choices on the k-th view for what is wanted there. quick: fewer rays. 1; 0: its package is not there. */
+static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error *err)
 {
-    *count = 0;
+    const plan_view *p = &planned_views[k];
+    const int is_lit = wanted == SSGI_PLAN_LIGHT || wanted == SSGI_PLAN_BOUNCE, white = !p->fits && k % 5 == 0;
+    const int turn = (p->fits ? k : k + 1) + (wanted == SSGI_PLAN_BOUNCE);      /* each view has another light */
+    const char *const light = planned_lights[white ? 3 : turn % 3];
+    const int suns = !strcmp(light, "suns");
+    const lit of_light = { .env = suns ? "white" : light, .bounce = wanted == SSGI_PLAN_BOUNCE,
+                           .rays = quick ? 128 : 384, .exposure = 1 };
+    char name[64];
+    stage s;
+    kit_image truth;
+    const int there = planned_open(&s, p, is_lit ? &of_light : NULL, suns, err);
+    if (there <= 0) return there;
+    s.between = wanted == SSGI_PLAN_OBJECTS;
+    if (stage_trace(&truth, &s, is_lit ? of_light.rays : quick ? 64 : 256, PLANNED_STRIDE + is_lit, err)
+        || (is_lit && stage_light(&s, err)))
+        return -1;
+    snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, is_lit ? " " : "", is_lit ? light : "");
+    if (planned_measure(r, &s, &truth, name, wanted, err)) return -1;
+    kit_image_free(&truth);
+    stage_close(&s);
+    return 1;
+}
+
+/* The views that fit, or those that judge (which: 1, 0), of scenes that are there; how many rows, -1 = failed. quick:
+   fewer. */
+static int planned_all(planned_row *rows, int which, int quick, kit_error *err)
+{
+    int count = 0;
     for (int k = 0, shown = 0; k < PLANNED_VIEWS; ++k) {
         const plan_view *p = &planned_views[k];
-        char name[64];
         if (p->fits != which || (quick && ++shown % 3 != 1)) continue;
-        for (int wanted = 0; wanted < (p->objects ? 4 : 3); ++wanted) {
-            const int at = which ? k : k + 1, white = !which && k % 5 == 0, is_lit = wanted % 3 != 0;
-            const char *const light = planned_lights[white ? 3 : (at + (wanted == 2)) % 3];
-            const lit of_light = {
-                !strcmp(light, "suns") ? "white" : light, { NULL }, 0, wanted == 2, 0, quick ? 128 : 384, 1, NO_CROPS
-            };
-            stage s;
-            kit_image truth;
+        for (int wanted = 0, there = 1; wanted < (p->objects ? 4 : 3) && there; ++wanted) {
+            const int is_lit = wanted == SSGI_PLAN_LIGHT || wanted == SSGI_PLAN_BOUNCE;
             if (is_lit && quick && shown % 2) continue;
-            const int there = planned_open(&s, p, is_lit ? &of_light : NULL, !strcmp(light, "suns"), err);
+            there = planned_view(&rows[count], k, wanted, quick, err);
             if (there < 0) return -1;
-            if (!there) break;
-            s.between = wanted == SSGI_PLAN_OBJECTS;
-            if (trace(&truth, &s, is_lit ? of_light.rays : quick ? 64 : 256, PLANNED_STRIDE + is_lit, err)
-                || (is_lit && stage_lit(&s, err)))
-                return -1;
-            snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, is_lit ? " " : "",
-                     is_lit ? light : "");
-            if (planned_measure(&rows[*count], &s, &truth, name, wanted, err)) return -1;
-            ++*count;
-            kit_image_free(&truth);
-            stage_close(&s);
+            count += there;
         }
         kit_progress("plan", (k + 1.0) / PLANNED_VIEWS);
     }
     kit_progress("plan", 1);
-    return 0;
+    return count;
 }
 
 /* Single times are noisy: a choice's cost becomes what is predicted times the median, over the views, of what it took
@@ -286,9 +337,9 @@ static void planned_smooth(planned_row *rows, int count)
 int plan_fit(const char *out, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
-    int count;
     page csv;
-    if (planned_all(rows, &count, 1, 0, err) || page_open(&csv, err)) return -1;
+    const int count = planned_all(rows, 1, 0, err);
+    if (count < 0 || page_open(&csv, err)) return -1;
     for (int i = 0; i < count; ++i) planned_numbers_csv(csv.file, &rows[i], 1);
     return page_close(&csv, out, "plan-fit.csv", err);
 }
@@ -296,15 +347,8 @@ int plan_fit(const char *out, kit_error *err)
 /* with a calibration, without; both without history and with */
 static verdict verdicts[2];
 
-int plan_chart(FILE *html, const options *o, kit_error *err)
+static void plan_html_head(FILE *html)
 {
-    static planned_row rows[MOST_PLANNED];
-    const verdict *v = verdicts;
-    int count;
-    page csv, numbers, summary;
-    memset(verdicts, 0, sizeof verdicts);
-    if (planned_all(rows, &count, 0, o->quick, err) || page_open(&csv, err) || page_open(&numbers, err)) return -1;
-    planned_smooth(rows, count);
     fputs("<h2>What a scene needs</h2>\n<p>ssgi_plan_make on scenes that it was not fitted on: for each error asked "
           "for, what it takes and what that turns out to err by and to cost, beside the cheapest choice that "
           "meets the error. Good: at most 1.25 times that cost, at most 1.2 times that error. Pairs whose error no "
@@ -313,6 +357,49 @@ int plan_chart(FILE *html, const options *o, kit_error *err)
           "class=\"wide\"><table>\n<tr><th>scene<th>wanted<th>asked<th>plan<th>predicted<th>measured<th>cost<th>"
           "cheapest that meets it<th>error<th>cost<th>good\n",
           html);
+}
+
+static void plan_html_end(FILE *html)
+{
+    const verdict *v = verdicts;
+    fprintf(html,
+            "</table></div>\n<p>Without history, as above, and with it, good: %d of %d; where doing nothing would not "
+            "do: %d of %d; within 1.2 of the error alone: %d. From a survey, without a calibration: %d of %d, %d. Of "
+            "errors that no choice meets the plan reports %d of %d, without a calibration %d. The same as text: "
+            "<a href=\"plan.csv\">plan.csv</a>, <a href=\"plan-numbers.csv\">plan-numbers.csv</a>.</p>\n",
+            v[0].good, v[0].pairs, v[0].good_needed, v[0].needed, v[0].within, v[1].good, v[1].pairs, v[1].within,
+            v[0].told, v[0].beyond, v[1].told);
+}
+
+static int plan_summary(const char *out, kit_error *err)
+{
+    const verdict *v = verdicts;
+    const struct { const char *what; int good, pairs; } lines[] = {
+        { "with a calibration", v[0].good, v[0].pairs },
+        { "\"with a calibration, where doing nothing would not do\"", v[0].good_needed, v[0].needed },
+        { "\"with a calibration, within 1.2 of the error alone\"", v[0].within, v[0].pairs },
+        { "\"without a calibration, from a survey\"", v[1].good, v[1].pairs },
+        { "\"the same, within 1.2 of the error alone\"", v[1].within, v[1].pairs },
+        { "\"what no choice meets, told\"", v[0].told, v[0].beyond },
+        { "\"the same, without a calibration\"", v[1].told, v[1].beyond }
+    };
+    page csv;
+    if (page_open(&csv, err)) return -1;
+    fputs("what,good,pairs\n", csv.file);
+    for (int i = 0; i < COUNT(lines); ++i)
+        fprintf(csv.file, "%s,%d,%d\n", lines[i].what, lines[i].good, lines[i].pairs);
+    return page_close(&csv, out, "plan-summary.csv", err);
+}
+
+int plan_chart(FILE *html, const options *o, kit_error *err)
+{
+    static planned_row rows[MOST_PLANNED];
+    page csv, numbers;
+    const int count = planned_all(rows, 0, o->quick, err);
+    memset(verdicts, 0, sizeof verdicts);
+    if (count < 0 || page_open(&csv, err) || page_open(&numbers, err)) return -1;
+    planned_smooth(rows, count);
+    plan_html_head(html);
     fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", csv.file);
     for (int i = 0; i < count; ++i) {
         for (int history = 0; history < 2; ++history) {
@@ -321,23 +408,11 @@ int plan_chart(FILE *html, const options *o, kit_error *err)
         }
         planned_numbers_csv(numbers.file, &rows[i], 0);
     }
-    fprintf(html,
-            "</table></div>\n<p>Without history, as above, and with it, good: %d of %d; where doing nothing would not "
-            "do: %d of %d; within 1.2 of the error alone: %d. From a survey, without a calibration: %d of %d, %d. Of "
-            "errors that no choice meets the plan reports %d of %d, without a calibration %d. The same as text: "
-            "<a href=\"plan.csv\">plan.csv</a>, <a href=\"plan-numbers.csv\">plan-numbers.csv</a>.</p>\n",
-            v[0].good, v[0].pairs, v[0].good_needed, v[0].needed, v[0].within, v[1].good, v[1].pairs, v[1].within,
-            v[0].told, v[0].beyond, v[1].told);
-    if (page_open(&summary, err)) return -1;
-    fprintf(summary.file,
-            "what,good,pairs\nwith a calibration,%d,%d\n\"with a calibration, where doing nothing would not "
-            "do\",%d,%d\n\"with a calibration, within 1.2 of the error alone\",%d,%d\n"
-            "\"without a calibration, from a survey\",%d,%d\n\"the same, within 1.2 of the error alone\",%d,%d\n"
-            "\"what no choice meets, told\",%d,%d\n\"the same, without a calibration\",%d,%d\n",
-            v[0].good, v[0].pairs, v[0].good_needed, v[0].needed, v[0].within, v[0].pairs, v[1].good, v[1].pairs,
-            v[1].within, v[1].pairs, v[0].told, v[0].beyond, v[1].told, v[1].beyond);
-    if (page_close(&summary, o->out, "plan-summary.csv", err)) return -1;
-    return page_close(&csv, o->out, "plan.csv", err) || page_close(&numbers, o->out, "plan-numbers.csv", err) ? -1 : 0;
+    plan_html_end(html);
+    return plan_summary(o->out, err) || page_close(&csv, o->out, "plan.csv", err)
+                   || page_close(&numbers, o->out, "plan-numbers.csv", err)
+               ? -1
+               : 0;
 }
 
 void plan_text(FILE *f)

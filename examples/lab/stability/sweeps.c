@@ -1,24 +1,13 @@
-/* sweeps.c - what stability.c sweeps: methods, and the causes of failure, each a scene and one thing in it that
-   changes. Included by stability.c, which measures. */
+/* sweeps.c - what is swept: methods, and the causes of failure, each a scene and one thing in it that changes. Declared
+   in sweeps.h. */
+#include "lab/stability/sweeps.h"
+#include <math.h>
+#include <string.h>
+#include "lab/stability/maths.h"
 
 /* ---- >>methods --------------------------------------------------------------------------------------------------- */
 
-/* What a method is shown with: all that reads the screen; light, which is ambient visibility when it is white and from
-   everywhere; surfels; fields; what back faces mends; a sun that turns. */
-enum {
-    SCREEN = 1,
-    LIGHT = 2,
-    OF_SURFELS = 4,
-    FIELD = 8,
-    THIN = 16,
-    TURNED = 32,
-    KEPT = 64 /* over frames */,
-    KEPT_LIGHT = 128 /* the same, of light */,
-    AMBIENT = SCREEN | LIGHT | OF_SURFELS
-};
-/* widest: picture that it is drawn at */
-typedef struct method { const char *label, *method, *settings; int of, widest; } method;
-static const method methods[] = {
+const swept sweeps_method[] = {
     { "ssao",       "ssao",       "",                             SCREEN,         3840 },
     { "hsao-fast",  "hsao-fast",  "",                             SCREEN,         3840 },
     { "hsao",       "hsao",       "",                             SCREEN,         3840 },
@@ -37,45 +26,11 @@ static const method methods[] = {
     { "dss-lit",    "dss-lit",    "size=0.03",                    TURNED,         1280 },
     { "aof",        "aof",        "resolution=8,radii=8,rays=64", FIELD,          1920 }
 };
-enum { METHODS = sizeof methods / sizeof *methods };
+const int sweeps_methods = sizeof sweeps_method / sizeof *sweeps_method;
+_Static_assert(sizeof sweeps_method / sizeof *sweeps_method <= MOST_METHODS, "more methods than MOST_METHODS");
 
-/* ---- >>causes ---------------------------------------------------------------------------------------------------- */
+/* ---- >>looks: what a frame of each cause shows ------------------------------------------------------------------- */
 
-/* What a frame shows; what is 0 is the scene's own. */
-/* how depth is stored: view depth as 32F; as 16F; window depth */
-enum { EXACT = 1, HALF, UNORM24, FLOAT32, REVERSED32 };
-enum { BOXES = 2, SUN_DEGREES = 3, MOST_VALUES = 12 };
-typedef struct look {
-    const char *scene, *only;              /* only: of what casts the first of that name is there alone, placed */
-    float placed[16], box[BOXES][6];       /* boxes with y1 > y0 are added */
-    float eye[3], target[3], up[3], fovy, znear, zfar;
-    /* of the whole scene; the camera then moves by so many of the target's pixels to the right, by that share of the
-       way to it */
-    float scale, aside, nearer;
-    float radius, pixels;                  /* pixels: of the radius at the target */
-    float where[2][3];                     /* what is scored: bounds, on each axis where the lower one is lower */
-    float sun[3];                          /* direction to the sun, in the sky; else light is white from everywhere */
-    int   format, width, height, stride, rays, within;   /* within: the truth of a sun is traced, within the radius */
-} look;
-
-/* How frames become a figure: RMSE to the truth; to the same picture with exact depth; deviation over frames after
-   reprojection, less the truth's; second difference over frames; that of light over its mean, less an open
-   surface's; with history, RMSE over that of the frame alone, the most of a sequence, so many frames after CHANGED,
-   and, all frames together, where the frame before showed something else; after CHANGED, what is left of what was. */
-enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL };
-enum { FRAMES = 16, CHANGED = 8 };
-typedef struct result result;
-typedef struct cause {
-    const char *name, *title, *across;     /* across: what varies, and its unit */
-    int kind, of, width, rays, log;        /* log: the axis is logarithmic */
-    void (*at)(look *l, double value, int frame);
-    int (*curves)(result *r, kit_error *err);      /* instead: of the library's maths alone */
-    double value[MOST_VALUES];             /* up to the first 0 after the first value */
-    /* the last two: what the number is, and the chart's other axis; NULL = the kind's */
-    const char *about, *number, *up;
-} cause;
-
-static const float PI_180 = 0.01745329252f;
 static void set(float v[3], float x, float y, float z) { v[0] = x; v[1] = y; v[2] = z; }
 static void set_box(float b[6], float x0, float y0, float z0, float x1, float y1, float z1)
 {
@@ -91,7 +46,7 @@ static void camera(look *l, float x, float y, float z, float tx, float ty, float
 
 static void tilt(look *l, double value, int frame)
 {
-    const float a = (float)value * PI_180;
+    const float a = (float)value * DEGREE;
     (void)frame;
     camera(l, 0, 3 * cosf(a), 3 * sinf(a), 0, 0, 0, 30);
     set(l->up, 0, sinf(a), -cosf(a));
@@ -110,7 +65,7 @@ static void tilt_wall(look *l, double value, int frame)
 /* Rolled by ten degrees: what is thinner than a pixel is seen here and there. */
 static void pole(look *l, double value, int frame)
 {
-    const float w = 0.5f * (float)value * 2 * 4 * tanf(15 * PI_180) / (float)l->height;
+    const float w = 0.5f * (float)value * 2 * 4 * tanf(15 * DEGREE) / (float)l->height;
     (void)frame;
     camera(l, 0, 10, 4, 0, 10, 0, 30);
     set(l->up, 0.1763f, 1, 0);
@@ -123,7 +78,7 @@ static void pole(look *l, double value, int frame)
 
 static void rail(look *l, double value, int frame)
 {
-    const float w = 0.5f * (float)value * 2 * 2.9f * tanf(15 * PI_180) / (float)l->height;
+    const float w = 0.5f * (float)value * 2 * 2.9f * tanf(15 * DEGREE) / (float)l->height;
     (void)frame;
     camera(l, 0, 1.5f, 2.5f, 0, 0, 0, 30);
     set(l->up, 0.1763f, 1, 0);
@@ -220,7 +175,7 @@ static void closer(look *l, double value, int frame)
 
 static void sun(look *l, double value, int frame)
 {
-    const float a = (40 + (float)value * (float)frame) * PI_180;
+    const float a = (40 + (float)value * (float)frame) * DEGREE;
     l->scene = "boxes";
     set(l->sun, cosf(a), 0.8f, sinf(a));
 }
@@ -233,7 +188,7 @@ static void lit_within(look *l, double value, int frame)
 
 static void turning(look *l, double value, int frame)
 {
-    const float a = (20 + (float)value * (float)frame) * PI_180, size = 1.4f, c = size * cosf(a), s = size * sinf(a);
+    const float a = (20 + (float)value * (float)frame) * DEGREE, size = 1.4f, c = size * cosf(a), s = size * sinf(a);
     const float m[16] = { c, 0, -s, 0, 0, size, 0, 0, s, 0, c, 0, 0, 0.36f * size + 0.01f, 0, 1 };
     l->scene = "casters";
     l->only = "table";
@@ -254,7 +209,7 @@ static void sized(look *l, double value, int frame)
 
 static void rolled(look *l, double value, int frame)
 {
-    const float a = (float)value * (float)frame * PI_180;
+    const float a = (float)value * (float)frame * DEGREE;
     l->scene = "casters";
     set(l->up, sinf(a), cosf(a), 0);
 }
@@ -262,7 +217,7 @@ static void rolled(look *l, double value, int frame)
 /* A box on a floor, so many pixels from the middle. */
 static void box_at(look *l, float pixels)
 {
-    const float x = pixels * 2 * 5 * tanf(15 * PI_180) / (float)l->height;
+    const float x = pixels * 2 * 5 * tanf(15 * DEGREE) / (float)l->height;
     camera(l, 0, 3, 4, 0, 0.2f, 0, 30);
     l->radius = 0.6f;
     set_box(l->box[0], x - 0.4f, 0.001f, -0.4f, x + 0.4f, 0.7f, 0.4f);
@@ -279,276 +234,239 @@ static void jumped(look *l, double value, int frame)
     l->nearer = frame < CHANGED ? 0 : 0.3f;
 }
 
-static int ringing_open(result *r, kit_error *err);
-static int ringing_in_shade(result *r, kit_error *err);
-static int hull(result *r, kit_error *err);
-static int hull_steps(result *r, kit_error *err);
-static int popping(result *r, kit_error *err);
+/* ---- >>causes ---------------------------------------------------------------------------------------------------- */
 
 #define DEPTHS   { 1.2225, 78.24, 1251.84, 5007.36, 10014.72, 20029.44, 40058.88, 80117.76 }
 #define SLIDING  { -0.8, -0.6, -0.4, -0.2, -0.001, 0.2, 0.4, 0.6, 0.8 }
-static const cause causes[] = {
-    { "tilt",
-      "View tilt, a bare plane",
-      "tilt of the view against the plane's normal, degrees",
-      ERROR,
-      AMBIENT,
-      240,
-      16,
-      0,
-      tilt,
-      NULL,
-      { 0.001, 30, 50, 65, 75, 80, 84, 87, 89 },
+const cause sweeps_cause[] = {
+    { .name = "tilt",
+      .title = "View tilt, a bare plane",
+      .across = "tilt of the view against the plane's normal, degrees",
+      .kind = ERROR, .of = AMBIENT, .width = 240, .rays = 16, .at = tilt,
+      .value = { 0.001, 30, 50, 65, 75, 80, 84, 87, 89 },
       .about = "A plane occludes nothing of itself: all that is seen is false." },
-    { "tilt-wall",
-      "View tilt, a plane and a wall",
-      "tilt of the view against the plane's normal, degrees",
-      ERROR,
-      AMBIENT,
-      240,
-      128,
-      0,
-      tilt_wall,
-      NULL,
-      { 0.001, 30, 50, 65, 75, 80, 84, 87, 89 },
+    { .name = "tilt-wall",
+      .title = "View tilt, a plane and a wall",
+      .across = "tilt of the view against the plane's normal, degrees",
+      .kind = ERROR, .of = AMBIENT, .width = 240, .rays = 128, .at = tilt_wall,
+      .value = { 0.001, 30, 50, 65, 75, 80, 84, 87, 89 },
       .about = "A low wall along the line of sight; both are scored." },
-    { "pole",
-      "Thickness: a pole before a far wall",
-      "thickness of the pole, pixels",
-      ERROR,
-      AMBIENT | THIN,
-      240,
-      64,
-      1,
-      pole,
-      NULL,
-      { 0.1, 0.3, 1, 2, 4, 10, 20 },
+    { .name = "pole",
+      .title = "Thickness: a pole before a far wall",
+      .across = "thickness of the pole, pixels",
+      .kind = ERROR, .of = AMBIENT | THIN, .width = 240, .rays = 64, .log = 1, .at = pole,
+      .value = { 0.1, 0.3, 1, 2, 4, 10, 20 },
       .about = "The wall is almost four radii behind: it is open, and darkness around the pole is a halo." },
-    { "rail",
-      "Thickness: a rail above a floor",
-      "thickness of the rail, pixels",
-      ERROR,
-      AMBIENT | THIN,
-      240,
-      128,
-      1,
-      rail,
-      NULL,
-      { 0.1, 0.3, 1, 2, 4, 10, 20 },
+    { .name = "rail",
+      .title = "Thickness: a rail above a floor",
+      .across = "thickness of the rail, pixels",
+      .kind = ERROR, .of = AMBIENT | THIN, .width = 240, .rays = 128, .log = 1, .at = rail,
+      .value = { 0.1, 0.3, 1, 2, 4, 10, 20 },
       .about = "Half a radius above the floor: its occlusion goes with its thickness." },
-    { "halo",
-      "Distance behind a depth discontinuity",
-      "distance of the wall behind the screen's edge, radii",
-      ERROR,
-      AMBIENT | THIN,
-      240,
-      128,
-      1,
-      screen,
-      NULL,
-      { 0.1, 0.3, 0.6, 1, 1.5, 3, 10, 30 },
-      .about =
-          "A screen before a wall; of the wall two radii beside the edge are scored. Beyond one radius it is open." },
-    { "radius",
-      "Radius, from a tenth of a pixel to the whole screen",
-      "radius, pixels at the middle of the room",
-      ERROR,
-      AMBIENT,
-      240,
-      64,
-      1,
-      of_pixels,
-      NULL,
-      { 0.1, 0.3, 1, 3, 10, 30, 80, 240 },
+    { .name = "halo",
+      .title = "Distance behind a depth discontinuity",
+      .across = "distance of the wall behind the screen's edge, radii",
+      .kind = ERROR, .of = AMBIENT | THIN, .width = 240, .rays = 128, .log = 1, .at = screen,
+      .value = { 0.1, 0.3, 0.6, 1, 1.5, 3, 10, 30 },
+      .about = "A screen before a wall; of the wall two radii beside the edge are scored. Beyond one radius it is "
+               "open." },
+    { .name = "radius",
+      .title = "Radius, from a tenth of a pixel to the whole screen",
+      .across = "radius, pixels at the middle of the room",
+      .kind = ERROR, .of = AMBIENT, .width = 240, .rays = 64, .log = 1, .at = of_pixels,
+      .value = { 0.1, 0.3, 1, 3, 10, 30, 80, 240 },
       .about = "Room." },
-    { "off-screen", "Sliding off the screen", "how far the box is off the screen, radii", ERROR, AMBIENT | FIELD, 240,
-      128, 0, off_screen, NULL, SLIDING,
+    { .name = "off-screen",
+      .title = "Sliding off the screen",
+      .across = "how far the box is off the screen, radii",
+      .kind = ERROR, .of = AMBIENT | FIELD, .width = 240, .rays = 128, .at = off_screen,
+      .value = SLIDING,
       .about = "A box slides off; the ground beside it, or beside the picture's border, is scored. Of aof: occlusion "
-               "at any distance, against its own "
-               "truth, here and below." },
-    { "hidden", "Sliding behind another", "how far the box is behind the screen's edge, radii", ERROR, AMBIENT | FIELD,
-      240, 128, 0, behind, NULL, SLIDING,
+               "at any distance, against its own truth, here and below." },
+    { .name = "hidden",
+      .title = "Sliding behind another",
+      .across = "how far the box is behind the screen's edge, radii",
+      .kind = ERROR, .of = AMBIENT | FIELD, .width = 240, .rays = 128, .at = behind,
+      .value = SLIDING,
       .about = "A box slides behind a screen in front; the ground beside it, or beside the screen's edge, is scored." },
-    { "near-plane",
-      "Crossing the near plane",
-      "front of the box before the near plane, radii",
-      ERROR,
-      AMBIENT | FIELD,
-      240,
-      128,
-      0,
-      near_plane,
-      NULL,
-      { 1.2, 0.8, 0.4, 0.1, -0.1, -0.3, -0.5, -0.7, -0.9 },
+    { .name = "near-plane",
+      .title = "Crossing the near plane",
+      .across = "front of the box before the near plane, radii",
+      .kind = ERROR, .of = AMBIENT | FIELD, .width = 240, .rays = 128, .at = near_plane,
+      .value = { 1.2, 0.8, 0.4, 0.1, -0.1, -0.3, -0.5, -0.7, -0.9 },
       .about = "A box comes toward the camera, is cut open, and is gone at -0.8; the ground beside it is scored." },
-    { "depth-16f", "View depth stored as 16 bits of float", "view depth", PRECISION, AMBIENT, 160, 0, 1, half_float,
-      NULL, DEPTHS,
-      .about = "Boxes, near plane at 0.1; the radius is of the same number of pixels at all depths, and only precision "
-               "changes. To the picture with exact depth." },
-    { "depth-24", "View depth as 24 bits of window depth", "view depth", PRECISION, AMBIENT, 160, 0, 1, unorm24, NULL,
-      DEPTHS, .about = "The same." },
-    { "depth-32f", "View depth as 32 bits of window depth, float", "view depth", PRECISION, AMBIENT, 160, 0, 1, float32,
-      NULL, DEPTHS, .about = "The same." },
-    { "depth-reversed", "View depth as 32 bits of reversed window depth, float", "view depth", PRECISION, AMBIENT, 160,
-      0, 1, reversed32, NULL, DEPTHS, .about = "The same." },
-    { "camera",
-      "The camera moves sideways",
-      "pixels a frame",
-      DEVIATION,
-      AMBIENT | FIELD,
-      160,
-      128,
-      1,
-      moved,
-      NULL,
-      { 0.1, 0.25, 0.5, 1, 2, 4 },
+    { .name = "depth-16f",
+      .title = "View depth stored as 16 bits of float",
+      .across = "view depth",
+      .kind = PRECISION, .of = AMBIENT, .width = 160, .log = 1, .at = half_float,
+      .value = DEPTHS,
+      .about = "Boxes, near plane at 0.1; the radius is of the same number of pixels at all depths, and only "
+               "precision changes. To the picture with exact depth." },
+    { .name = "depth-24",
+      .title = "View depth as 24 bits of window depth",
+      .across = "view depth",
+      .kind = PRECISION, .of = AMBIENT, .width = 160, .log = 1, .at = unorm24,
+      .value = DEPTHS,
+      .about = "The same." },
+    { .name = "depth-32f",
+      .title = "View depth as 32 bits of window depth, float",
+      .across = "view depth",
+      .kind = PRECISION, .of = AMBIENT, .width = 160, .log = 1, .at = float32,
+      .value = DEPTHS,
+      .about = "The same." },
+    { .name = "depth-reversed",
+      .title = "View depth as 32 bits of reversed window depth, float",
+      .across = "view depth",
+      .kind = PRECISION, .of = AMBIENT, .width = 160, .log = 1, .at = reversed32,
+      .value = DEPTHS,
+      .about = "The same." },
+    { .name = "camera",
+      .title = "The camera moves sideways",
+      .across = "pixels a frame",
+      .kind = DEVIATION, .of = AMBIENT | FIELD, .width = 160, .rays = 128, .log = 1, .at = moved,
+      .value = { 0.1, 0.25, 0.5, 1, 2, 4 },
       .about = "Two dozen shapes. Places that all frames show, between four pixels each." },
-    { "dolly",
-      "The camera comes closer",
-      "percent of the distance a frame",
-      DEVIATION,
-      AMBIENT | FIELD,
-      160,
-      128,
-      1,
-      closer,
-      NULL,
-      { 0.1, 0.3, 1, 3 },
+    { .name = "dolly",
+      .title = "The camera comes closer",
+      .across = "percent of the distance a frame",
+      .kind = DEVIATION, .of = AMBIENT | FIELD, .width = 160, .rays = 128, .log = 1, .at = closer,
+      .value = { 0.1, 0.3, 1, 3 },
       .about = "The same, for surfels that pop." },
-    { "light",
-      "The sun turns",
-      "degrees a frame",
-      LIT_SECOND,
-      TURNED,
-      160,
-      256,
-      1,
-      sun,
-      NULL,
-      { 0.25, 0.5, 1, 2, 4, 8 },
+    { .name = "light",
+      .title = "The sun turns",
+      .across = "degrees a frame",
+      .kind = LIT_SECOND, .of = TURNED, .width = 160, .rays = 256, .log = 1, .at = sun,
+      .value = { 0.25, 0.5, 1, 2, 4, 8 },
       .about = "Three boxes under the sky and a soft sun, in the environment." },
-    { "rotation",
-      "An object turns",
-      "degrees a frame",
-      SECOND,
-      AMBIENT | FIELD,
-      160,
-      256,
-      1,
-      turning,
-      NULL,
-      { 0.25, 0.5, 1, 2, 4, 8 },
+    { .name = "rotation",
+      .title = "An object turns",
+      .across = "degrees a frame",
+      .kind = SECOND, .of = AMBIENT | FIELD, .width = 160, .rays = 256, .log = 1, .at = turning,
+      .value = { 0.25, 0.5, 1, 2, 4, 8 },
       .about = "A table on a ground; places move with it." },
-    { "kept-camera", "Over frames: the camera moves sideways", "pixels a frame", FOLLOWS, KEPT, 160, 64, 1,
-      moved, NULL, { 1e-4, 0.1, 0.25, 0.5, 1, 2, 4 },
+    { .name = "kept-camera",
+      .title = "Over frames: the camera moves sideways",
+      .across = "pixels a frame",
+      .kind = FOLLOWS, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = moved,
+      .value = { 1e-4, 0.1, 0.25, 0.5, 1, 2, 4 },
       .about = "Two dozen shapes, sixteen frames; the first value stands still. Under white light ssdo is all but "
                "hsao: the same slices." },
-    { "kept-dolly", "Over frames: the camera comes closer", "percent a frame", FOLLOWS, KEPT, 160, 64, 1,
-      closer, NULL, { 0.1, 0.3, 1 }, .about = "The same." },
-    { "kept-roll", "Over frames: the camera rolls", "degrees a frame", FOLLOWS, KEPT, 160, 64, 1,
-      rolled, NULL, { 0.1, 0.3, 1 }, .about = "The same." },
-    { "kept-slide", "Over frames: a box slides over a floor", "pixels a frame", FOLLOWS, KEPT, 160, 64, 1,
-      slid, NULL, { 0.1, 0.25, 0.5, 1, 2, 4 }, .about = "Without motion vectors." },
-    { "kept-appear", "Over frames: a box appears", "frames after", AFTER, KEPT, 160, 64, 1,
-      appeared, NULL, { 1, 2, 3, 5, 8 }, .about = "Without motion vectors." },
-    { "kept-jump", "Over frames: a box is elsewhere at once", "frames after", AFTER, KEPT, 160, 64, 1,
-      vanished, NULL, { 1, 2, 3, 5, 8 }, .about = "Without motion vectors." },
-    { "kept-trail-appear", "Over frames: a box appears, what is left of the light that was", "frames after", TRAIL,
-      KEPT, 160, 64, 1, appeared, NULL, { 1, 2, 3, 5, 8 }, .about = "Where the truth changed by more than 0.05." },
-    { "kept-trail-jump", "Over frames: a box is elsewhere at once, what is left of what was", "frames after", TRAIL,
-      KEPT, 160, 64, 1, vanished, NULL, { 1, 2, 3, 5, 8 }, .about = "Where the truth changed by more than 0.05." },
-    { "kept-flicker", "Over frames: deviation while the camera moves sideways", "pixels a frame", DEVIATION, KEPT, 160,
-      64, 1, moved, NULL, { 0.1, 0.25, 0.5, 1 }, .about = "Eight frames, after eight that are not counted." },
-    { "kept-cut", "Over frames: another view that nobody tells of", "frames after", AFTER, KEPT, 160, 64, 1,
-      jumped, NULL, { 1, 2, 3, 5, 8 }, .about = "A cut that is told of starts anew." },
-    { "kept-newly", "Over frames: what the frame before did not show", "pixels a frame", NEWLY, KEPT, 160, 64, 1,
-      moved, NULL, { 1, 2, 4, 8 }, .about = "Two dozen shapes, the camera moves sideways: beside silhouettes, and at "
-                                            "the picture's border." },
-    { "kept-light", "Over frames: the sun turns", "degrees a frame", FOLLOWS, KEPT_LIGHT, 160, 64, 1,
-      lit_within, NULL, { 1e-4, 0.5, 2, 8 },
+    { .name = "kept-dolly",
+      .title = "Over frames: the camera comes closer",
+      .across = "percent a frame",
+      .kind = FOLLOWS, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = closer,
+      .value = { 0.1, 0.3, 1 },
+      .about = "The same." },
+    { .name = "kept-roll",
+      .title = "Over frames: the camera rolls",
+      .across = "degrees a frame",
+      .kind = FOLLOWS, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = rolled,
+      .value = { 0.1, 0.3, 1 },
+      .about = "The same." },
+    { .name = "kept-slide",
+      .title = "Over frames: a box slides over a floor",
+      .across = "pixels a frame",
+      .kind = FOLLOWS, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = slid,
+      .value = { 0.1, 0.25, 0.5, 1, 2, 4 },
+      .about = "Without motion vectors." },
+    { .name = "kept-appear",
+      .title = "Over frames: a box appears",
+      .across = "frames after",
+      .kind = AFTER, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = appeared,
+      .value = { 1, 2, 3, 5, 8 },
+      .about = "Without motion vectors." },
+    { .name = "kept-jump",
+      .title = "Over frames: a box is elsewhere at once",
+      .across = "frames after",
+      .kind = AFTER, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = vanished,
+      .value = { 1, 2, 3, 5, 8 },
+      .about = "Without motion vectors." },
+    { .name = "kept-trail-appear",
+      .title = "Over frames: a box appears, what is left of the light that was",
+      .across = "frames after",
+      .kind = TRAIL, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = appeared,
+      .value = { 1, 2, 3, 5, 8 },
+      .about = "Where the truth changed by more than 0.05." },
+    { .name = "kept-trail-jump",
+      .title = "Over frames: a box is elsewhere at once, what is left of what was",
+      .across = "frames after",
+      .kind = TRAIL, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = vanished,
+      .value = { 1, 2, 3, 5, 8 },
+      .about = "Where the truth changed by more than 0.05." },
+    { .name = "kept-flicker",
+      .title = "Over frames: deviation while the camera moves sideways",
+      .across = "pixels a frame",
+      .kind = DEVIATION, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = moved,
+      .value = { 0.1, 0.25, 0.5, 1 },
+      .about = "Eight frames, after eight that are not counted." },
+    { .name = "kept-cut",
+      .title = "Over frames: another view that nobody tells of",
+      .across = "frames after",
+      .kind = AFTER, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = jumped,
+      .value = { 1, 2, 3, 5, 8 },
+      .about = "A cut that is told of starts anew." },
+    { .name = "kept-newly",
+      .title = "Over frames: what the frame before did not show",
+      .across = "pixels a frame",
+      .kind = NEWLY, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = moved,
+      .value = { 1, 2, 4, 8 },
+      .about = "Two dozen shapes, the camera moves sideways: beside silhouettes, and at the picture's border." },
+    { .name = "kept-light",
+      .title = "Over frames: the sun turns",
+      .across = "degrees a frame",
+      .kind = FOLLOWS, .of = KEPT_LIGHT, .width = 160, .rays = 64, .log = 1, .at = lit_within,
+      .value = { 1e-4, 0.5, 2, 8 },
       .about = "Three boxes under the sky and a soft sun; the first value stands still. Nothing tells that light "
                "changed: what is seen is its lag." },
-    { "resolution",
-      "Resolution at constant angular radius",
-      "pixels across",
-      ERROR,
-      AMBIENT,
-      160,
-      128,
-      1,
-      sized,
-      NULL,
-      { 160, 320, 640, 1280, 1920, 3840 },
+    { .name = "resolution",
+      .title = "Resolution at constant angular radius",
+      .across = "pixels across",
+      .kind = ERROR, .of = AMBIENT, .width = 160, .rays = 128, .log = 1, .at = sized,
+      .value = { 160, 320, 640, 1280, 1920, 3840 },
       .about = "Room, from 160 x 90 to 3840 x 2160." },
-    { "sh-open",
-      "Ringing of a sun as harmonics: an open surface",
-      "angle of the sun to the normal, degrees",
-      ERROR,
-      0,
-      0,
-      0,
-      0,
-      NULL,
-      ringing_open,
-      { 0 },
-      "Irradiance over that of an open surface that faces the sun.",
-      "most negative irradiance",
-      "irradiance" },
-    { "sh-shade",
-      "Ringing of a sun as harmonics: in shade",
-      "angle of the sun to the normal, degrees",
-      ERROR,
-      0,
-      0,
-      0,
-      0,
-      NULL,
-      ringing_in_shade,
-      { 0 },
-      "The same where a cone of 30 degrees is seen, 45 degrees off the normal, and nothing else.",
-      "most negative irradiance",
-      "irradiance" },
-    { "hull",
-      "Through the hull of a field's occluder",
-      "place along the line, in sizes of the table",
-      ERROR,
-      0,
-      0,
-      0,
-      0,
-      NULL,
-      hull,
-      { 0 },
-      "Occlusion by a table, on a line between its legs, facing up.",
-      "largest error",
-      "occlusion" },
-    { "hull-steps",
-      "Through the hull of a field's occluder: steps",
-      "place along the line, in sizes of the table",
-      ERROR,
-      0,
-      0,
-      0,
-      0,
-      NULL,
-      hull_steps,
-      { 0 },
-      "What a hundredth of the table's size adds.",
-      "largest step",
-      "step of occlusion" },
-    { "surfels",
-      "Surfel counts with the camera's distance",
-      "distance of the camera, times the nearest",
-      ERROR,
-      0,
-      0,
-      0,
-      1,
-      NULL,
-      popping,
-      { 0 },
-      "Two dozen shapes; how many surfels a step of 1 % of the distance adds or takes. Areas alone would add 2 %.",
-      "largest change",
-      "change of the count, a share of it" }
+    { .name = "sh-open",
+      .title = "Ringing of a sun as harmonics: an open surface",
+      .across = "angle of the sun to the normal, degrees",
+      .kind = ERROR, .curves = maths_ringing_open,
+      .about = "Irradiance over that of an open surface that faces the sun.",
+      .number = "most negative irradiance",
+      .up = "irradiance" },
+    { .name = "sh-shade",
+      .title = "Ringing of a sun as harmonics: in shade",
+      .across = "angle of the sun to the normal, degrees",
+      .kind = ERROR, .curves = maths_ringing_in_shade,
+      .about = "The same where a cone of 30 degrees is seen, 45 degrees off the normal, and nothing else.",
+      .number = "most negative irradiance",
+      .up = "irradiance" },
+    { .name = "hull",
+      .title = "Through the hull of a field's occluder",
+      .across = "place along the line, in sizes of the table",
+      .kind = ERROR, .curves = maths_hull,
+      .about = "Occlusion by a table, on a line between its legs, facing up.",
+      .number = "largest error",
+      .up = "occlusion" },
+    { .name = "hull-steps",
+      .title = "Through the hull of a field's occluder: steps",
+      .across = "place along the line, in sizes of the table",
+      .kind = ERROR, .curves = maths_hull_steps,
+      .about = "What a hundredth of the table's size adds.",
+      .number = "largest step",
+      .up = "step of occlusion" },
+    { .name = "surfels",
+      .title = "Surfel counts with the camera's distance",
+      .across = "distance of the camera, times the nearest",
+      .kind = ERROR, .log = 1, .curves = maths_popping,
+      .about = "Two dozen shapes; how many surfels a step of 1 % of the distance adds or takes. Areas alone would "
+               "add 2 %.",
+      .number = "largest change",
+      .up = "change of the count, a share of it" }
 };
-enum { CAUSES = sizeof causes / sizeof *causes };
+const int sweeps_causes = sizeof sweeps_cause / sizeof *sweeps_cause;
+_Static_assert(sizeof sweeps_cause / sizeof *sweeps_cause <= MOST_CAUSES, "more causes than MOST_CAUSES");
+
+look sweeps_look(const cause *c, double value, int frame)
+{
+    look l = { .scene = "plane", .width = c->width, .height = c->width * 9 / 16, .stride = 1, .rays = c->rays };
+    c->at(&l, value, frame);
+    return l;
+}

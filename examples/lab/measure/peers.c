@@ -1,17 +1,17 @@
-/* peers.c - what people would pick instead of this library, beside it on the chart of ambient occlusion. Declared in
-   report.h.
+/* peers.c - what people would pick instead of this library, as rows beside its own. Declared in peers.h.
 
    peers.mjs (make peers puts it, and the packages that it drives, under build/peers) writes what each effect draws for
    a view, as GLSL and numbers; here it is drawn on the stage's own depth and normals, timed and scored as the library's
    methods are, and scored again after the best fit of two numbers a picture: what no gain, power or intensity of theirs
    could better. Timed is all that makes the ambient visibility, their denoisers too; not what only multiplies the
    picture by it. */
-#include "lab/report.h"
+#include "lab/measure/peers.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
+#include "lab/measure/clock.h"
+#include "lab/measure/score.h"
 
 #define PEERS "build/peers/"
 enum { PEER_PASSES = 8, PEER_SAMPLERS = 12, PEER_TARGETS = 2, PEER_TEXTURES = 160, PEER_BINS = 1024 };
@@ -26,45 +26,52 @@ typedef struct peer { char label[64], settings[128]; peer_pass pass[PEER_PASSES]
 typedef struct peer_texture { GLuint name; int width, height; } peer_texture;
 typedef struct peer_set { peer peer[MOST_PEERS]; peer_texture texture[PEER_TEXTURES]; int peers, textures; } peer_set;
 
-/* One line: how they stand on the chart, or why there are none. */
-#define THEY "three.js, n8ao, Babylon.js and PlayCanvas"
-static const char *const peers_here = THEY ": the radius matched to ours, after the best fit of two numbers to each "
-                                      "picture, which ours does without.";
-static const char *peers_missing = "";
-const char *peers_note(void) { return *peers_missing ? peers_missing : peers_here; }
+static const char *missing = "";
+
+const char *peers_missing(void) { return missing; }
 
 /* ---- >>reading: the view for the script, and what it made of it -------------------------------------------------- */
 
-/* 0 = none, with peers_missing set. */
+/* Size, planes, radius, matrices and the median depth, as the script reads them. */
+static int peers_view(const stage *s, double depth, kit_error *err)
+{
+    const kit_camera *c = &s->gbuffer.camera;
+    float matrix[2][16];
+    char text[1024];
+    size_t n;
+    kit_camera_matrices(c, matrix[1], matrix[0]);
+    n = (size_t)snprintf(text, sizeof text, "%d %d %.9g %.9g %.9g", c->width, c->height, (double)c->znear,
+                         (double)c->zfar, (double)s->radius);
+    for (int i = 0; i < 32; ++i)
+        n += (size_t)snprintf(text + n, sizeof text - n, " %.9g", (double)matrix[i / 16][i % 16]);
+    n += (size_t)snprintf(text + n, sizeof text - n, " %.9g\n", depth);
+    return kit_file_write(PEERS "view.txt", text, n, err);
+}
+
+/* 0 = none, and missing says why. */
 static int peers_write(const stage *s, int quick, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
     const size_t pixels = (size_t)c->width * (size_t)c->height;
     const float *z = kit_image_channel(&s->frame, "Z");
     double *depths = malloc(pixels * sizeof *depths);
-    float matrix[2][16];
-    page p;
     struct stat status;
     int n = 0;
     if (!depths) return kit_fail(err, "out of memory");
     for (size_t i = 0; i < pixels; ++i) if (z[i] > 0) depths[n++] = (double)z[i];
-    peers_missing = stat(PEERS "peers.mjs", &status)
-                        ? "Without " THEY ": make peers installs them (it needs node, npm and the network)."
-                    : c->fovy <= 0 || c->depth != KIT_DEPTH_NORMAL || s->gbuffer.depth_is_linear || !n
-                        ? "Without " THEY ": they are not driven with such a view."
-                        : "";
-    if (*peers_missing) { free(depths); return 0; }
-    kit_camera_matrices(c, matrix[1], matrix[0]);
-    if (page_open(&p, err)) { free(depths); return -1; }
-    fprintf(p.file, "%d %d %.9g %.9g %.9g", c->width, c->height, (double)c->znear, (double)c->zfar, (double)s->radius);
-    for (int i = 0; i < 32; ++i) fprintf(p.file, " %.9g", (double)matrix[i / 16][i % 16]);
-    fprintf(p.file, " %.9g\n", kit_median(depths, n));
+    missing = stat(PEERS "peers.mjs", &status)
+                  ? "Without " PEERS_THEY ": make peers installs them (it needs node, npm and the network)."
+              : c->fovy <= 0 || c->depth != KIT_DEPTH_NORMAL || s->gbuffer.depth_is_linear || !n
+                  ? "Without " PEERS_THEY ": they are not driven with such a view."
+                  : "";
+    const double depth = *missing ? 0 : kit_median(depths, n);
     free(depths);
-    if (page_close(&p, PEERS, "view.txt", err)) return -1;
+    if (*missing) return 0;
+    if (peers_view(s, depth, err)) return -1;
     if (system(quick ? "node " PEERS "peers.mjs quick < " PEERS "view.txt"
                      : "node " PEERS "peers.mjs < " PEERS "view.txt"))
-        peers_missing = "Without " THEY ": node cannot run " PEERS "peers.mjs.";
-    return !*peers_missing;
+        missing = "Without " PEERS_THEY ": node cannot run " PEERS "peers.mjs.";
+    return !*missing;
 }
 
 static void peer_uniform(GLuint program, const char *type, const char *name, int count, const float *values)
@@ -420,10 +427,6 @@ static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
     return set->textures ? 0 : kit_fail(err, "out of memory");
 }
 
-/* Rows of ambient visibility: each peer with the radius matched to the stage's, at some of its
-   qualities; with room for fewer than MOST_PEERS rows, one of each, PEERS_QUICK in all. figure[FITTED] is the share
-   after the best fit. How many there are; 0 = none, peers_note() says why; -1 = failed. Their names last until the
-   next call. */
 int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
 {
     static peer_set set;
@@ -438,18 +441,15 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
     for (int i = 0; i < count && !failed; ++i) {
         kit_image picture;
         row *r = &rows[i];
-        memset(r, 0, sizeof *r);
-        for (int k = 0; k < FIGURES; ++k) r->figure[k] = (double)NAN;
-        r->scene = s->name;
-        r->label = r->method = set.peer[i].label;
-        r->settings = set.peer[i].settings;
+        *r = row_blank(0, s->name, set.peer[i].label, set.peer[i].label, set.peer[i].settings);
+        r->bytes = 0;                          /* nobody counts theirs */
         peer_draw(&set, i);
         failed = peer_fetches(&r->fetches, &set.peer[i], s, err) || peer_picture(&picture, &set, &set.peer[i], s, err);
         if (failed) break;
         r->figure[FITTED] = fit_best(&picture, s);
         for (size_t k = 0; k < (size_t)picture.width * (size_t)picture.height; ++k)
             picture.data[k] = fminf(fmaxf(picture.data[k], 0), 1);
-        failed = score(r, s, &picture, err);
+        failed = score_picture(r, s, &picture, err);
         r->figure[FITTED] *= r->share / r->score.rmse;
         kit_image_free(&picture);
         kit_progress(what, (i + 1.0) / (count + 1.0));
@@ -458,47 +458,4 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
     failed = failed || clock_all(rows, s, peer_draw, &set, count, rounds, err);
     peers_free(&set);
     return failed ? -1 : count;
-}
-
-/* What the chart draws: the first methods of rows as they are, and the peers from there to count with the radius
-   matched, their error the fitted one. How many. */
-int peers_points(row *points, const row *rows, int methods, int count)
-{
-    for (int i = 0; i < count; ++i) {
-        points[i] = rows[i];
-        if (i >= methods) points[i].share = rows[i].figure[FITTED];
-    }
-    return count;
-}
-
-/* For each peer: does the library, raw, in no more than its time err no more than the peer
-   after its fit? Against how many it does, and each that it does not. */
-void peers_verdict(FILE *f, const row *rows, int methods, int count)
-{
-    int all = 0, met = 0;
-    for (int i = methods; i < count; ++i) {
-        double best = HUGE_VAL;
-        for (int k = 0; k < methods; ++k) if (rows[k].relative <= rows[i].relative) best = fmin(best, rows[k].share);
-        ++all;
-        if (best <= rows[i].figure[FITTED]) ++met;
-        else
-            fprintf(f, "%s: %s (%s) errs by %.3f after its fit, the library in that time by %.3f\n", rows->scene,
-                    rows[i].label, rows[i].settings, rows[i].figure[FITTED], best);
-    }
-    if (all)
-        fprintf(f,
-                "%s: the library errs no more, raw, than %d of %d settings of " THEY " in their time after their fit\n",
-                rows->scene, met, all);
-}
-
-void peers_terms(FILE *f)
-{
-    fputs("<dl>\n<dt>three.js, n8ao, Babylon.js, PlayCanvas<dd>Other people's ambient occlusion, as their own code "
-          "draws it, denoisers included, on the same depth and normals, timed in the same rounds; what only multiplies "
-          "the picture by it is not timed. Defaults: as they come, whatever the scene's units. Else with the radius R "
-          "of ours, and with what of theirs shapes the effect chosen for the least error in these scenes.\n"
-          "<dt>fitted<dd>The share after the better of a v<sup>b</sup> and 1 &minus; a (1 &minus; v)<sup>b</sup>, "
-          "clamped, with the best a and b for that one picture, found with the truth in hand: no gain or power of "
-          "theirs comes nearer.\n</dl>\n",
-          f);
 }

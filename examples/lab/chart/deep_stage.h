@@ -1,0 +1,44 @@
+/* deep_stage.h - what the pages on deep screen space share: their views, rows of them without the floor. */
+#ifndef LAB_DEEP_STAGE_H
+#define LAB_DEEP_STAGE_H
+
+#include <stdio.h>
+#include "lab/measure/measure.h"
+
+/* boxes are added, where their upper y is above their lower one */
+typedef struct deep_view { view view; float box[4][6]; otherwise otherwise; } deep_view;
+enum { DEEP_WIDTH = 320, DEEP_HEIGHT = 180 };
+
+extern const lit deep_sky, deep_lamp, deep_behind;
+#define PLAINLY    { 0, 0, 0, 0, NULL }
+#define WHOLLY     { 1, 0, 0, 0, NULL }
+#define BUNNY_VIEW(name, ground, radius, lit) \
+    { name, BUNNY, ground, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, radius, lit }, NO_BOX
+#define NO_BOX    { { 0 } }
+#define BUNNY_AO  { BUNNY_VIEW("bunny-on-floor", 1, 0.6f, NULL), PLAINLY }
+/* as ssdo has it: less the farther within the radius */
+#define FADING    { BUNNY_VIEW("light-fading", 1, 0.6f, &deep_sky), PLAINLY }
+#define WHOLE_LIGHT { BUNNY_VIEW("light-whole", 1, 0.6f, &deep_sky), WHOLLY }      /* as dss-lit has it */
+#define LOBE      { { "gloss", "cornell", 0, { 0 }, { 0 }, 0, 1.5f, &deep_lamp }, NO_BOX, { 1, GLOSS, 8, 0, NULL } }
+#define OF_MARBLE { BUNNY_VIEW("marble", 0, 10, &deep_behind), { 0, SCATTER, 0, 0.05f, "marble" } }
+#define OWN_VIEW(scene) { { scene, scene, 0, { 0 }, { 0 }, 0, 0, NULL }, NO_BOX, PLAINLY }
+
+#define COARSE "size=0.03"
+#define MARBLE "material=marble,unit=0.05,levels=7,epsilon=0.02"
+
+int  deep_load(stage *s, const deep_view *v, kit_error *err);
+int  deep_open(stage *s, const deep_view *v, kit_error *err);
+/* Measured as the others are, but without the floor, and shown with other columns. Returns how many rows, -1 =
+   failed. */
+int  deep_measure(row *rows, stage *s, const char *scene, const entry *entries, int count, int rounds,
+                  kit_image *pictures, kit_error *err);
+/* A table. */
+enum { MOST_DEEP = 32 };
+typedef struct deep_set { const char *title; row row[MOST_DEEP]; int count; } deep_set;
+void deep_about(FILE *html, const stage *s, const char *about);
+
+/* A camera that turns away, and one that moves: how many rows; -1 = failed. */
+int  deep_turns(FILE *html, int quick, row *rows, kit_error *err);
+int  deep_motion(FILE *html, int quick, row *rows, kit_error *err);
+
+#endif

@@ -1,0 +1,126 @@
+/* strip.c - what report.c shows of history: one frame alone, and the last of sixteen, beside the truth. Declared in
+   strip.h. */
+#include "lab/chart/strip.h"
+#include <math.h>
+#include "lab/measure/score.h"
+#include "lab/page/page.h"
+#include "lab/page/pictures.h"
+
+/* A camera that comes round to the demo's own in SETTLED frames. */
+static const char strip_method[] = "hsao-fast", strip_settings[] = "history=1";
+static const double STRIP_DEGREES = 0.2;    /* a frame */
+enum { STRIP_DRAWN = 4 };                   /* times, each with noise of its own */
+
+/* One frame alone and the last of SETTLED, beside the truth; each is drawn STRIP_DRAWN times. */
+typedef struct strip { kit_image picture[2][STRIP_DRAWN]; double rmse[2], share[2], noise[2]; } strip;
+static strip shown;
+
+static int strip_draw(strip *t, stage *s, kit_error *err)
+{
+    static kit_frames frames;
+    kit_gbuffer seen[SETTLED];
+    kit_method m;
+    const kit_world world = { &s->scene, NULL };
+    if (kit_method_find(&m, strip_method, err) || kit_method_set(&m, strip_settings, err)) return -1;
+    for (int k = 0; k < SETTLED; ++k) {
+        kit_camera camera = s->gbuffer.camera;
+        kit_camera_orbit(&camera, &s->gbuffer.camera, STRIP_DEGREES * (k + 1 - SETTLED));
+        if (kit_gbuffer_from_scene(&seen[k], &s->scene, &camera, NULL, err)) return -1;
+    }
+    for (int i = 0; i < STRIP_DRAWN; ++i) {
+        frames.number = (unsigned)(SETTLED * i);
+        for (int k = 0; k < SETTLED; ++k) {
+            kit_image *alone = k + 1 == SETTLED ? &t->picture[0][i] : NULL;
+            kit_progress("a strip of frames", (i * SETTLED + k + 1.0) / (STRIP_DRAWN * SETTLED));
+            if (kit_frames_next(&frames, &seen[k], &m, s->radius, &world, alone, err)) return -1;
+            kit_run_draw(frames.now, 0);
+        }
+        if (kit_run_read(&t->picture[1][i], frames.now, err)) return -1;
+        kit_frames_close(&frames);
+    }
+    for (int k = 0; k < SETTLED; ++k) kit_gbuffer_free(&seen[k]);
+    return 0;
+}
+
+/* The root of a pixel's variance over the drawings, its mean over the pixels. */
+static double strip_noise(const kit_image picture[STRIP_DRAWN], const kit_image *frame)
+{
+    const float *z = kit_image_channel(frame, "Z");
+    double noise = 0;
+    size_t pixels = 0;
+    for (int p = 0; p < frame->width * frame->height; ++p) {
+        double sum = 0, squares = 0;
+        if (!(z[p] > 0)) continue;
+        for (int i = 0; i < STRIP_DRAWN; ++i) {
+            const double v = (double)picture[i].data[p];
+            sum += v;
+            squares += v * v;
+        }
+        noise += fmax(0, squares - sum * sum / STRIP_DRAWN) / (STRIP_DRAWN - 1);
+        ++pixels;
+    }
+    return sqrt(noise / (double)pixels);
+}
+
+/* Error, its mean over the drawings, and noise. */
+static int strip_score(strip *t, const stage *s, kit_error *err)
+{
+    for (int g = 0; g < 2; ++g) {
+        t->rmse[g] = t->share[g] = 0;
+        for (int i = 0; i < STRIP_DRAWN; ++i) {
+            row r;
+            if (score_picture(&r, s, &t->picture[g][i], err)) return -1;
+            t->rmse[g] += r.score.rmse / STRIP_DRAWN;
+            t->share[g] += r.share / STRIP_DRAWN;
+        }
+        t->noise[g] = strip_noise(t->picture[g], &s->frame);
+    }
+    return 0;
+}
+
+/* The middle of a picture, each pixel twice. */
+static int enlarged(kit_image *out, const kit_image *picture, kit_error *err)
+{
+    const int left = picture->width / 4, top = picture->height / 2;
+    if (kit_image_new(out, picture->width, picture->height, "Y", err)) return -1;
+    for (int i = 0; i < out->width * out->height; ++i)
+        out->data[i] = kit_image_channel(picture, "Y")[(top + i / out->width / 2) * picture->width
+                                                       + left + i % out->width / 2];
+    return 0;
+}
+
+int strip_demo(FILE *html, stage *s, const char *out, kit_error *err)
+{
+    static const char *const slugs[3] = { "strip-one", "strip-frames", "strip-truth" },
+                      *const labels[3] = { "one frame", "sixteen frames", "ray-traced truth" };
+    strip *t = &shown;
+    if (strip_draw(t, s, err) || strip_score(t, s, err)) return -1;
+    fprintf(html, "<h2>Over frames</h2>\n<p>%s, --set %s, while the camera turns by %g degrees a frame: the last frame "
+            "alone, as the last of sixteen, and its truth; the middle of the picture, enlarged. Noise: root of a "
+            "pixel's variance over %d drawings, its mean over the pixels.</p>\n<div class=\"grid\">\n",
+            strip_method, strip_settings, STRIP_DEGREES, STRIP_DRAWN);
+    for (int k = 0; k < 3; ++k) {
+        kit_image large;
+        char note[96] = "";
+        if (enlarged(&large, k < 2 ? &t->picture[k][0] : &s->truth, err)
+            || pictures_save(&large, "Y", 0, out, slugs[k], ".png", err))
+            return -1;
+        if (k < 2) snprintf(note, sizeof note, "RMSE %.4f, error %.3f, noise %.4f", t->rmse[k], t->share[k],
+                            t->noise[k]);
+        page_figure(html, slugs[k], labels[k], note, large.width, large.height, 0);
+        fputs("</figure>\n", html);
+        kit_image_free(&large);
+    }
+    fputs("</div>\n", html);
+    for (int i = 0; i < 2 * STRIP_DRAWN; ++i) kit_image_free(&t->picture[i % 2][i / 2]);
+    return 0;
+}
+
+void strip_text(FILE *f)
+{
+    static const char *const labels[2] = { "one frame", "sixteen frames" };
+    fprintf(f, "\n%s %s, the camera turning %g degrees a frame\n", strip_method, strip_settings, STRIP_DEGREES);
+    for (int k = 0; k < 2; ++k)
+        fprintf(f, "%-15s RMSE %.4f, share %.3f, noise %.4f\n", labels[k], shown.rmse[k], shown.share[k],
+                shown.noise[k]);
+}

@@ -1,0 +1,15 @@
+/* sections.h - the sections of FIGURES.md, each of one csv or two; nothing where that is not there. */
+#ifndef LAB_SECTIONS_H
+#define LAB_SECTIONS_H
+
+#include "lab/figures/markdown.h"
+
+void section_ambient(const markdown *m);
+void section_pairs(const markdown *m);
+/* kind: "lit", "aof" or "deep", of the csv of that name */
+void section_tables(const markdown *m, const char *kind, const char *name);
+void section_plan(const markdown *m);
+void section_costs(const markdown *m);
+void section_stability(const markdown *m);
+
+#endif

@@ -1,0 +1,45 @@
+/* measure.c - rows of methods on a stage: drawn, scored, timed. Declared in measure.h. */
+#include "lab/measure/measure.h"
+#include <math.h>
+#include <string.h>
+
+/* Opens and draws what is timed later; picture: for the caller to free. */
+static int measure_entry(row *r, kit_run *run, kit_image *picture, stage *s, const entry *e, int phases, kit_error *err)
+{
+    *r = row_blank(0, s->name, e->label, e->method, e->settings);
+    if (stage_run(run, s, e->method, e->settings, s->radius, err)) return -1;
+    r->fetches = run->fetches + (s->lit && !run->lit ? s->lights.fetches : 0);
+    return stage_settled(picture, s, run, 0, 1, err) || score_picture(r, s, picture, err)
+                   || (phases && score_phases(r, s, run, phases, picture, err))
+               ? -1
+               : 0;
+}
+
+static int measure_given(row *r, stage *s, const given *g, int phases, kit_error *err)
+{
+    *r = row_blank(0, s->name, g->label, g->method, "");
+    if (score_picture(r, s, &g->picture, err) || (phases && score_phases(r, s, NULL, phases, &g->picture, err)))
+        return -1;
+    if (!strcmp(r->label, "floor") && FLOOR_STRIDE > 1) r->score.ssim = (double)NAN;      /* has no neighbours */
+    return 0;
+}
+
+int measure_entries(row *rows, stage *s, const entry *entries, int count, int rounds, int phases, kit_image *pictures,
+                    kit_error *err)
+{
+    kit_run run[MOST_ENTRIES];
+    char what[128];
+    snprintf(what, sizeof what, "%s: methods", s->name);
+    kit_progress(what, 0);
+    for (int i = 0; i < count; ++i) {
+        kit_image picture;
+        if (measure_entry(&rows[i], &run[i], &picture, s, &entries[i], phases, err)) return -1;
+        if (pictures) pictures[i] = picture; else kit_image_free(&picture);
+        kit_progress(what, (i + 1.0) / (count + 1.0));
+    }
+    kit_progress(what, 1);
+    if (clock_runs(rows, s, run, count, rounds, err)) return -1;
+    for (int i = 0; i < s->givens; ++i)
+        if (measure_given(&rows[count + i], s, &s->given[i], phases, err)) return -1;
+    return 0;
+}

@@ -1,0 +1,23 @@
+/* rows.c - a row of which nothing is measured yet. Declared in rows.h. */
+#include "lab/measure/rows.h"
+#include <math.h>
+
+row row_blank(int of, const char *scene, const char *label, const char *method, const char *settings)
+{
+    const double none = (double)NAN;
+    row r = { .scene = scene,
+              .label = label,
+              .method = method,
+              .settings = settings,
+              .fetches = none,
+              .bytes = none,
+              .relative = none,
+              .ms = none,
+              .share = none,
+              .score = { none, none, none, none, 0 },
+              .of = of };
+    for (int k = 0; k < 3; ++k) r.error[k] = r.bias[k] = none;
+    for (int k = 0; k < SPLITS; ++k) r.split[k] = none;
+    for (int k = 0; k < FIGURES; ++k) r.figure[k] = none;
+    return r;
+}

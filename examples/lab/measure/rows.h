@@ -1,0 +1,97 @@
+/* rows.h - a row: what is known of one setting of a method on one scene. measure/ fills rows, page/ shows them. */
+#ifndef LAB_ROWS_H
+#define LAB_ROWS_H
+
+#include "kit/kit.h"
+
+#define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
+#define WITH_COUNT(table) table, COUNT(table)      /* two members of a struct, or two arguments */
+
+/* The columns that a row is shown with. */
+enum {
+    OF_AO = 1,
+    OF_LIT = 2,
+    OF_SPLIT = 4,
+    OF_FIELD = 8,
+    OF_COST = 16,
+    OF_BAKE = 32,
+    OF_PAIR = 64,
+    OF_FIELDS = OF_FIELD | OF_COST | OF_BAKE | OF_PAIR,
+    OF_DEEP = 128,
+    OF_DEEP_LIT = 256,
+    OF_GROWTH = 512,
+    OF_STAGES = 1024,
+    OF_TURN = 2048,
+    OF_MOTION = 4096,
+    OF_PHASES = 8192,
+    OF_PEER = 16384,
+    OF_PLACES = OF_AO | OF_LIT,
+    OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION
+};
+
+/* Of what is drawn with several phases of its noise: the error in all, what of it is the model's, and noise; the angle
+   of hue, of all and of what is in shade. */
+enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLITS };
+
+/* What is known of fields: of the bake; of a picture's error beside its score; the occluders' reach as a share of the
+   picture, each counted; of two occluders' occlusions. Of deep screen space: what is splatted; its stages' shares of
+   the time; how far the camera is turned; what a place's visibility varies by while the camera moves. Of AO, and of
+   irradiance: edges, border and interior apart. */
+enum {
+    TRIANGLES,
+    RESOLUTION,
+    RADII,
+    BAKE_RAYS,
+    THREADS,
+    SECONDS,
+    WORK,
+    BYTES,
+    BAKED_MEDIAN,
+    BAKED_P95,
+    BAKED_MOST,
+    MEDIAN,
+    MOST,
+    COVERED,
+    BY_PRODUCT,
+    BY_MOST,
+    BY_SUM,
+    BETWEEN,
+    SURFELS,
+    SPLATS,
+    PICTURE,
+    STAGE,
+    STAGES = 7,
+    DEGREES = STAGE + STAGES,
+    FLICKER,
+    FLICKER_TRUE,
+    FLICKER_ADDED,
+    FITTED,
+    PLACE_ERROR,
+    PLACE_AREA = PLACE_ERROR + KIT_PLACES,
+    PLACE_RMSE = PLACE_AREA + KIT_PLACES,
+    PLACE_BIAS = PLACE_RMSE + KIT_PLACES,
+    FIGURES = PLACE_BIAS + KIT_PLACES
+};
+
+/* What does not apply is NAN. scene: or "mean", of several. */
+typedef struct row {
+    const char *scene, *label, *method, *settings;   /* label: names the curve; rows of one curve follow each other */
+    double fetches, bytes, relative, ms, share;
+    kit_score score;                                 /* of ambient visibility, or of radiance */
+    /* the columns that it is shown with; not OF_AO: share is error[0], and these are known: */
+    int of;
+    /* RMSE and bias of radiance, irradiance, bounce, over the truth's means */
+    double error[3], bias[3];
+    double split[SPLITS];                            /* OF_SPLIT, OF_PHASES: of irradiance, of visibility */
+    double figure[FIGURES];                          /* OF_FIELDS, OF_DEEPS */
+} row;
+
+/* What is measured as a row. quick: shown by chart --quick too */
+typedef struct entry { const char *label, *method, *settings; int quick; } entry;
+
+enum { MOST_ENTRIES = 48, MOST_ROWS = MOST_ENTRIES + 2 };
+
+/* A row of which nothing is known but its names. */
+row row_blank(int of, const char *scene, const char *label, const char *method, const char *settings);
+
+#endif

@@ -1,0 +1,156 @@
+/* score.c - how far a picture is from a stage's truth: over the picture, on edges, border and interior apart, and over
+   the phases of its noise. Declared in score.h. */
+#include "lab/measure/score.h"
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- >>picture --------------------------------------------------------------------------------------------------- */
+
+/* Edges, border and interior apart. */
+static int score_places(row *r, const stage *s, const kit_image *picture, const char *const *channels, kit_error *err)
+{
+    kit_score_place place[KIT_PLACES];
+    if (s->places.width != picture->width || s->places.height != picture->height) return 0;
+    if (kit_score_places(place, picture, &s->truth, channels, s->lit ? 3 : 1, &s->places, err)) return -1;
+    for (int k = 0; k < KIT_PLACES; ++k) {
+        const double none = place[k].score.pixels ? 0 : (double)NAN;
+        r->figure[PLACE_ERROR + k] = place[k].error;
+        r->figure[PLACE_AREA + k] = place[k].area;
+        r->figure[PLACE_RMSE + k] = place[k].score.rmse + none;
+        r->figure[PLACE_BIAS + k] = place[k].score.bias + none;
+    }
+    return 0;
+}
+
+int score_picture(row *r, const stage *s, const kit_image *picture, kit_error *err)
+{
+    static const char *const names[4][3] = { { "R", "G", "B" },
+                                             { "irradiance.R", "irradiance.G", "irradiance.B" },
+                                             { "bounce.R", "bounce.G", "bounce.B" },
+                                             { "Y", NULL, NULL } };
+    const float *z = kit_image_channel(&s->frame, "Z");
+    size_t pixels = (size_t)picture->width * (size_t)picture->height;
+    float *mask = malloc(pixels * sizeof *mask);
+    kit_score here, unit;
+    int failed = mask ? 0 : kit_fail(err, "out of memory");
+    for (size_t i = 0; i < pixels && mask; ++i) mask[i] = isnan(picture->data[i]) ? 0 : z[i];
+    r->of = s->lit ? OF_LIT : s->between ? OF_FIELD : OF_AO;
+    for (int k = 0; k < SPLITS; ++k) r->split[k] = (double)NAN;
+    for (int k = 0; k < 3; ++k) r->error[k] = r->bias[k] = (double)NAN;
+    for (int g = s->lit ? 0 : 3; g < (s->lit ? 3 : 4) && !failed; ++g) {
+        failed = kit_score_channels(&here, picture, &s->truth, names[g], s->lit ? 3 : 1, mask, err)
+                 || kit_score_channels(&unit, &s->unit, &s->truth, names[g], s->lit ? 3 : 1, mask, err);
+        const double share = s->lit ? -unit.bias : unit.rmse, known = share > 0 ? 1 / share : (double)NAN;
+        if (s->stride > 1) here.ssim = (double)NAN;      /* has no neighbours */
+        if (g % 3 == 0) r->score = here;
+        if (g % 3 == 0) r->share = here.rmse * known;
+        if (s->lit) r->error[g] = here.rmse * known;
+        if (s->lit) r->bias[g] = here.bias * known;
+        if (!failed && (g == 1 || (g == 3 && !s->between))) failed = score_places(r, s, picture, names[g], err);
+    }
+    free(mask);
+    return failed ? -1 : 0;
+}
+
+/* ---- >>phases of the noise --------------------------------------------------------------------------------------- */
+
+/* Of each value its sum and that of its squares, over so many pictures. */
+typedef struct sums {
+    const char *const *names;              /* of the channels */
+    size_t  channels, pixels;
+    double *sum, *squares;                 /* squares: behind sum */
+    int     drawn, differs;                /* differs: some picture from those before */
+} sums;
+
+static int sums_new(sums *t, const stage *s, kit_error *err)
+{
+    static const char *const lit_names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const ao_names[1] = {
+        "Y"
+    };
+    *t = (sums){ .names = s->lit ? lit_names : ao_names, .channels = s->lit ? 3 : 1,
+                 .pixels = (size_t)s->truth.width * (size_t)s->truth.height };
+    t->sum = calloc(2 * t->channels * t->pixels, sizeof *t->sum);
+    if (!t->sum) return kit_fail(err, "out of memory");
+    t->squares = t->sum + t->channels * t->pixels;
+    return 0;
+}
+
+static void sums_add(sums *t, const kit_image *picture)
+{
+    for (size_t c = 0; c < t->channels; ++c) {
+        const float *v = kit_image_channel(picture, t->names[c]);
+        for (size_t i = 0; i < t->pixels; ++i) {
+            double *const sum = &t->sum[c * t->pixels + i];
+            t->differs |= t->drawn && (double)v[i] * t->drawn != *sum;
+            *sum += (double)v[i];
+            t->squares[c * t->pixels + i] += (double)v[i] * (double)v[i];
+        }
+    }
+    ++t->drawn;
+}
+
+/* The next phase; with a history of frames that no other phase has. */
+static int sums_draw(sums *t, const stage *s, kit_run *run, int phases, kit_error *err)
+{
+    kit_image now;
+    run->frame.phase = (float)t->drawn / (float)phases;
+    kit_run_update(run);
+    if (stage_settled(&now, s, run, SETTLED * (unsigned)t->drawn, 0, err)) return -1;
+    sums_add(t, &now);
+    kit_image_free(&now);
+    return 0;
+}
+
+/* Sums over the pixels: the truth, squared differences of the mean picture, variances; of hue the angles by their
+   weights, of all and of what is in shade. */
+typedef struct errors { double level, off, noise, values, hue[2], weight[2]; } errors;
+
+/* open: the light without blockers; visibility has none. */
+static void errors_add(errors *e, const sums *t, size_t i, const float *const *truth, const float *const *open)
+{
+    static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };
+    double of[2] = { 0, 0 }, product = 0, bright = 0, unblocked = 0, turned = 0;
+    for (size_t c = 0; c < t->channels; ++c) {
+        const double is = t->sum[c * t->pixels + i] / t->drawn, should = (double)truth[c][i];
+        e->level += should;
+        e->off += (is - should) * (is - should);
+        if (t->differs)
+            e->noise += fmax(0, t->squares[c * t->pixels + i] / t->drawn - is * is) * t->drawn / (t->drawn - 1);
+        of[0] += is * is;
+        of[1] += should * should;
+        product += is * should;
+        if (open[c]) bright += luminance[c] * should;
+        if (open[c]) unblocked += luminance[c] * (double)open[c][i];
+        e->values += 1;
+    }
+    if (of[0] > 0 && of[1] > 0) turned = acos(fmin(1, product / sqrt(of[0] * of[1])));
+    for (int k = 0; k < (bright < 0.95 * unblocked ? 2 : 1); ++k) {
+        e->hue[k] += bright * turned;
+        e->weight[k] += bright;
+    }
+}
+
+int score_phases(row *r, stage *s, kit_run *run, int phases, const kit_image *picture, kit_error *err)
+{
+    const float *z = kit_image_channel(&s->frame, "Z"), *truth[3], *open[3] = { NULL };
+    errors e = { 0 };
+    sums t;
+    if (sums_new(&t, s, err)) return -1;
+    sums_add(&t, picture);
+    while (run && t.drawn < (t.drawn == 2 && !t.differs ? 2 : phases))
+        if (sums_draw(&t, s, run, phases, err)) { free(t.sum); return -1; }
+    for (size_t c = 0; c < t.channels; ++c) {
+        truth[c] = kit_image_channel(&s->truth, t.names[c]);
+        if (s->lit) open[c] = kit_image_channel(&s->given[0].picture, t.names[c]);
+    }
+    for (size_t i = 0; i < t.pixels; ++i)
+        if (z[i] > 0 && !isnan(t.sum[i])) errors_add(&e, &t, i, truth, open);
+    const double level = s->lit ? e.level / e.values : 1;
+    r->of = s->lit ? OF_SPLIT : r->of | OF_PHASES;
+    r->split[SPLIT_ALL] = sqrt((e.off + e.noise * (t.drawn - 1) / t.drawn) / e.values) / level;
+    r->split[SPLIT_MODEL] = sqrt(fmax(0, e.off - e.noise / t.drawn) / e.values) / level;
+    r->split[SPLIT_NOISE] = run ? sqrt(e.noise / e.values) / level : (double)NAN;
+    for (int k = 0; k < 2; ++k) r->split[SPLIT_HUE + k] = e.hue[k] / e.weight[k] * 180 / acos(-1);
+    free(t.sum);
+    return 0;
+}

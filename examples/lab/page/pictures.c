@@ -1,0 +1,133 @@
+/* pictures.c - pictures that a page shows: exposed, made smaller, kept beside it. Declared in pictures.h. */
+#include "lab/page/pictures.h"
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+#include "lab/page/page.h"
+#include "lab/page/table.h"
+
+int pictures_save(const kit_image *image, const char *names, int srgb, const char *out, const char *slug,
+                  const char *ending, kit_error *err)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s%s", out, slug, ending);
+    return strstr(ending, ".exr") ? kit_exr_write(image, path, err) : kit_png_write(image, names, srgb, path, err);
+}
+
+void pictures_slug(char slug[64], const char *label)
+{
+    size_t n = 0;
+    for (; *label && n < 63; ++label)
+        if (isalnum((unsigned char)*label)) slug[n++] = (char)tolower((unsigned char)*label);
+        else if (n && slug[n - 1] != '-') slug[n++] = '-';
+    slug[n] = 0;
+}
+
+int pictures_exposed(kit_image *out, const kit_image *picture, float exposure, const int *crop, int times,
+                     kit_error *err)
+{
+    static const char *const names[3] = { "R", "G", "B" };
+    static const float weight[3] = { 0.2126f, 0.7152f, 0.0722f };
+    const int all[4] = { 0, 0, picture->width, picture->height };
+    size_t i = 0;
+    if (!crop) crop = all;
+    if (kit_image_new(out, crop[2] * times, crop[3] * times, "R,G,B,Y", err)) return -1;
+    for (int y = 0; y < out->height; ++y)
+        for (int x = 0; x < out->width; ++x, ++i)
+            for (size_t c = 0; c < 3; ++c) {
+                const float v =
+                    exposure
+                    * kit_image_channel(picture, names[c])[(size_t)(crop[1] + y / times) * (size_t)picture->width
+                                                           + (size_t)(crop[0] + x / times)];
+                out->data[c * (size_t)out->width * (size_t)out->height + i] = v;
+                out->data[3 * (size_t)out->width * (size_t)out->height + i] += weight[c] * v;
+            }
+    return 0;
+}
+
+int pictures_difference(const kit_image *picture, const kit_image *truth, float range, const char *out,
+                        const char *slug, kit_error *err)
+{
+    kit_image difference;
+    if (kit_image_difference(&difference, picture, truth, "Y", range, err)
+        || pictures_save(&difference, "R,G,B", 0, out, slug, "-difference.png", err))
+        return -1;
+    kit_image_free(&difference);
+    return 0;
+}
+
+int pictures_crops(FILE *html, const char *out, const pictured *p, int count, int k, const int *crop, float exposure,
+                   int times, kit_error *err)
+{
+    fputs("<div class=\"grid crops\">\n", html);
+    for (int i = 0; i < count; ++i) {
+        kit_image part;
+        char name[160];
+        snprintf(name, sizeof name, "%s-crop%s", p[i].slug, k ? "-2" : "");
+        if (pictures_exposed(&part, p[i].picture, exposure, crop, times, err)
+            || pictures_save(&part, "R,G,B", 1, out, name, ".png", err))
+            return -1;
+        page_figure(html, name, p[i].label, "", part.width, part.height, 0);
+        fputs("</figure>\n", html);
+        kit_image_free(&part);
+    }
+    fputs("</div>\n", html);
+    return 0;
+}
+
+/* Means of blocks of pixels, of what is known: no wider than most, blocks no smaller than least. */
+static int shrunk(kit_image *out, const kit_image *picture, const char *names, int most, int least, kit_error *err)
+{
+    const int fits = (picture->width + most - 1) / most, block = fits > least ? fits : least;
+    if (kit_image_new(out, picture->width / block, picture->height / block, names, err)) return -1;
+    for (int c = 0; c < out->channels; ++c) {
+        const float *from = kit_image_channel(picture, out->name[c]);
+        float *to = kit_image_channel(out, out->name[c]);
+        for (int i = 0; i < out->width * out->height; ++i) {
+            int known = 0;
+            for (int k = 0; k < block * block; ++k) {
+                const int x = i % out->width * block + k % block, y = i / out->width * block + k / block;
+                const float v = from[y * picture->width + x];
+                if (isnan(v)) continue;
+                to[i] += v;
+                ++known;
+            }
+            to[i] /= (float)known;
+        }
+    }
+    return 0;
+}
+
+int pictures_thumbs(FILE *html, const char *out, const char *name, const stage *s, const row *rows,
+                    const kit_image *pictures, int count, kit_error *err)
+{
+    static const char *const endings[] = { "truth", "fast", "best" };
+    const char *const names = s->lit ? "R,G,B" : "Y";
+    int fast = 0, best = 0;
+    for (int i = 1; i < count; ++i) {
+        const row *r = &rows[i], *f = &rows[fast];
+        if (f->relative > 1 ? r->relative < f->relative : r->relative < 1 && r->score.rmse < f->score.rmse) fast = i;
+        if (r->score.rmse < rows[best].score.rmse) best = i;
+    }
+    fputs("<div class=\"grid thumbs\">\n", html);
+    for (int k = 0; k < (best == fast ? 2 : 3); ++k) {
+        const row *r = &rows[k > 1 ? best : fast];
+        const kit_image *from = k ? &pictures[r - rows] : &s->truth;
+        kit_image bright = { 0 }, small;
+        char slug[160], label[160], note[64] = "";
+        if (s->lit && pictures_exposed(&bright, from, s->lit->exposure, NULL, 1, err)) return -1;
+        if (shrunk(&small, s->lit ? &bright : from, names, 320, s->stride, err)) return -1;
+        snprintf(slug, sizeof slug, "thumb-%s-", name);
+        pictures_slug(slug + strlen(slug), s->name);
+        snprintf(slug + strlen(slug), sizeof slug - strlen(slug), "-%s", endings[k]);
+        snprintf(label, sizeof label, k ? "%s, %s" : "ray-traced truth", r->label, table_settings(r));
+        if (k) snprintf(note, sizeof note, "time %.2f, error %.3f", r->relative, r->share);
+        if (pictures_save(&small, names, s->lit != NULL, out, slug, ".png", err)) return -1;
+        page_figure(html, slug, label, note, small.width, small.height, 0);
+        fputs("</figure>\n", html);
+        kit_image_free(&bright);
+        kit_image_free(&small);
+    }
+    fputs("</div>\n", html);
+    return 0;
+}

@@ -1,0 +1,237 @@
+/* table.c - rows as tables: one list of columns for text, HTML and CSV. Declared in table.h. */
+#include "lab/page/table.h"
+#include <math.h>
+#include <string.h>
+#include "kit/kit_gl.h"
+#include "lab/page/page.h"
+
+const char *table_settings(const row *r) { return *r->settings ? r->settings : isnan(r->fetches) ? "" : "defaults"; }
+
+/* ---- >>columns --------------------------------------------------------------------------------------------------- */
+
+typedef struct column { int of; const char *head, *key, *about; size_t offset; int digits, sign; } column;
+static const column columns[] = {
+    { OF_BAKE, "triangles", "triangles", "of the occluder", offsetof(row, figure[TRIANGLES]), 0, 0 },
+    { OF_BAKE, "texels", "resolution", "along the side of a face of the cube map", offsetof(row, figure[RESOLUTION]), 0,
+      0 },
+    { OF_BAKE, "radii", "radii", "distances sampled along each direction", offsetof(row, figure[RADII]), 0, 0 },
+    { OF_BAKE, "rays", "rays", "a sample", offsetof(row, figure[BAKE_RAYS]), 0, 0 },
+    { OF_BAKE, "threads", "threads", "of the bake", offsetof(row, figure[THREADS]), 0, 0 },
+    { OF_FIELD | OF_BAKE, "kB", "kilobytes", "of all fields, 1000 bytes each", offsetof(row, figure[BYTES]), 1, 0 },
+    { OF_BAKE, "work, MB", "work_megabytes", "memory of the bake, free again afterwards", offsetof(row, figure[WORK]),
+      1, 0 },
+    { OF_FIELD | OF_BAKE, "bake, s", "bake_seconds", "the clock's, of all fields' bakes",
+      offsetof(row, figure[SECONDS]), 2, 0 },
+    { OF_FIELD | OF_BAKE, "b. median", "baked_median",
+      "error of occlusion that the bake reports, at receivers that took no part in it: half are off by less; of "
+      "several fields the worst",
+      offsetof(row, figure[BAKED_MEDIAN]), 4, 0 },
+    { OF_FIELD | OF_BAKE, "b. p95", "baked_p95", "the same: 95 % of them", offsetof(row, figure[BAKED_P95]), 4, 0 },
+    { OF_FIELD | OF_BAKE, "b. most", "baked_most", "the same: all of them", offsetof(row, figure[BAKED_MOST]), 4, 0 },
+    { OF_COST, "covered", "covered", "pixels within an occluder's reach over all pixels, summed over the occluders",
+      offsetof(row, figure[COVERED]), 3, 0 },
+    { OF_GROWTH | OF_STAGES, "pixels", "pixels_thousands", "of the picture, thousands", offsetof(row, figure[PICTURE]),
+      1, 0 },
+    { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "surfels", "surfels", "how many discs the triangles became",
+      offsetof(row, figure[SURFELS]), 0, 0 },
+    { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "splats", "splat_pixels",
+      "texels that splats cover at all levels, over the picture's pixels; predicted", offsetof(row, figure[SPLATS]), 1,
+      0 },
+    { OF_TURN, "degrees", "degrees", "that the camera has turned away", offsetof(row, figure[DEGREES]), 1, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT, "fetches", "fetches", "texel fetches per pixel, all passes", offsetof(row, fetches), 1,
+      0 },
+    { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH, "bytes", "bytes",
+      "moved per pixel, all passes, each texel of a pass's inputs and outputs once", offsetof(row, bytes), 0, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "time", "relative_time",
+      "GL time relative to one unblurred 16-sample ssao", offsetof(row, relative), 2, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "ms", "ms",
+      "GL time, milliseconds", offsetof(row, ms), 1, 0 },
+    { OF_FIELD, "median", "median", "half of the pixels are off by less", offsetof(row, figure[MEDIAN]), 4, 0 },
+    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "RMSE", "rmse", "root mean square difference to the truth",
+      offsetof(row, score.rmse), 4, 0 },
+    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "share", "share", "RMSE over the RMSE of having no AO",
+      offsetof(row, share), 3, 0 },
+    { OF_PEER, "fitted", "share_fitted", "the share after the best fit of two numbers to this picture",
+      offsetof(row, figure[FITTED]), 3, 0 },
+    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "bias", "bias", "mean difference to the truth; below 0: too dark",
+      offsetof(row, score.bias), 4, 1 },
+    { OF_AO | OF_FIELD | OF_DEEP, "p95", "p95", "95 % of the pixels are off by less", offsetof(row, score.p95), 4, 0 },
+    { OF_PHASES, "model", "model_error",
+      "RMSE of the mean over the phases of the noise, less what noise that still has", offsetof(row, split[1]), 4, 0 },
+    { OF_PHASES, "noise", "noise", "root of a pixel's variance over the phases of the noise, its mean over the pixels",
+      offsetof(row, split[2]), 4, 0 },
+    { OF_FIELD, "most", "most", "the worst pixel", offsetof(row, figure[MOST]), 3, 0 },
+    { OF_PAIR, "product", "product", "RMSE of 1 - (1 - a)(1 - b), a and b being the two occluders' occlusions",
+      offsetof(row, figure[BY_PRODUCT]), 4, 0 },
+    { OF_PAIR, "max", "max_of_two", "RMSE of the larger one", offsetof(row, figure[BY_MOST]), 4, 0 },
+    { OF_PAIR, "sum", "sum_of_two", "RMSE of the sum, at most 1", offsetof(row, figure[BY_SUM]), 4, 0 },
+    { OF_PAIR, "between", "between", "share of the pixels whose true occlusion lies from the larger one to the sum",
+      offsetof(row, figure[BETWEEN]), 3, 0 },
+    { OF_LIT | OF_DEEP_LIT, "radiance", "radiance", "RMSE of outgoing radiance over the truth's mean",
+      offsetof(row, error[0]), 4, 0 },
+    { OF_LIT | OF_DEEP_LIT, "bias", "radiance_bias", "mean difference of radiance over the truth's mean",
+      offsetof(row, bias[0]), 4, 1 },
+    { OF_LIT | OF_DEEP_LIT, "irradiance", "irradiance", "RMSE of irradiance over the truth's mean",
+      offsetof(row, error[1]), 4, 0 },
+    { OF_LIT | OF_DEEP_LIT, "bias", "irradiance_bias", "mean difference of irradiance over the truth's mean",
+      offsetof(row, bias[1]), 4, 1 },
+    { OF_LIT | OF_DEEP_LIT, "bounce", "bounce", "RMSE of the bounce over the truth's mean bounce",
+      offsetof(row, error[2]), 3, 0 },
+    { OF_LIT | OF_DEEP_LIT, "bias", "bounce_bias", "mean difference of the bounce over the truth's mean bounce",
+      offsetof(row, bias[2]), 3, 1 },
+    { OF_STAGES, "surfels", "share_surfels", "share of the time: made and captured, lit",
+      offsetof(row, figure[STAGE + 0]), 3, 0 },
+    { OF_STAGES, "shuffle", "share_shuffle", "share of the time: positions and normals dealt out to all levels",
+      offsetof(row, figure[STAGE + 1]), 3, 0 },
+    { OF_STAGES, "splat", "share_splat", "share of the time: of all effects", offsetof(row, figure[STAGE + 2]), 3, 0 },
+    { OF_STAGES, "unshuffle", "share_unshuffle", "share of the time: pixels back in place",
+      offsetof(row, figure[STAGE + 3]), 3, 0 },
+    { OF_STAGES, "smooth", "share_smooth", "share of the time: both axes", offsetof(row, figure[STAGE + 4]), 3, 0 },
+    { OF_STAGES, "sum", "share_sum", "share of the time: of the levels", offsetof(row, figure[STAGE + 5]), 3, 0 },
+    { OF_STAGES, "light", "share_light", "share of the time: the lights on what is seen",
+      offsetof(row, figure[STAGE + 6]), 3, 0 },
+    { OF_MOTION, "varies", "varies",
+      "standard deviation of a place's ambient visibility over the frames, RMS over the places",
+      offsetof(row, figure[FLICKER]), 4, 0 },
+    { OF_MOTION, "truth's", "varies_true", "the same of the truth: pixels fall elsewhere",
+      offsetof(row, figure[FLICKER_TRUE]), 4, 0 },
+    { OF_MOTION, "added", "varies_added", "root of the difference of their squares",
+      offsetof(row, figure[FLICKER_ADDED]), 4, 0 },
+    { OF_SPLIT, "irradiance", "irradiance_phases",
+      "RMSE of irradiance over the truth's mean, over all phases of the noise", offsetof(row, split[0]), 4, 0 },
+    { OF_SPLIT, "bias error", "irradiance_bias_error",
+      "RMSE of the mean over the phases of the noise, less what noise that still has", offsetof(row, split[1]), 4, 0 },
+    { OF_SPLIT, "noise", "irradiance_noise",
+      "root of a pixel's variance over the phases of the noise, its mean over the pixels", offsetof(row, split[2]), 4,
+      0 },
+    { OF_SPLIT, "hue, deg", "hue_degrees",
+      "mean angle between the rgb of the mean picture and of the truth, weighted by the truth's luminance",
+      offsetof(row, split[3]), 2, 0 },
+    { OF_SPLIT, "in shade", "hue_in_shade_degrees",
+      "the same over pixels that blockers keep 5 % or more of their light from", offsetof(row, split[4]), 2, 0 },
+    { OF_PLACES, "edge", "edge_error", "share of the squared error within 3 pixels of a jump in depth",
+      offsetof(row, figure[PLACE_ERROR + 0]), 3, 0 },
+    { OF_PLACES, NULL, "edge_pixels", "share of the pixels", offsetof(row, figure[PLACE_AREA + 0]), 3, 0 },
+    { OF_PLACES, NULL, "edge_rmse", "RMSE there", offsetof(row, figure[PLACE_RMSE + 0]), 4, 0 },
+    { OF_PLACES, NULL, "edge_bias", "bias there", offsetof(row, figure[PLACE_BIAS + 0]), 4, 1 },
+    { OF_PLACES, "border", "border_error",
+      "share of the squared error elsewhere, nearer to the border than the radius is long",
+      offsetof(row, figure[PLACE_ERROR + 1]), 3, 0 },
+    { OF_PLACES, NULL, "border_pixels", "share of the pixels", offsetof(row, figure[PLACE_AREA + 1]), 3, 0 },
+    { OF_PLACES, NULL, "border_rmse", "RMSE there", offsetof(row, figure[PLACE_RMSE + 1]), 4, 0 },
+    { OF_PLACES, NULL, "border_bias", "bias there", offsetof(row, figure[PLACE_BIAS + 1]), 4, 1 },
+    { OF_PLACES, "inside", "interior_error", "share of the squared error of what is left",
+      offsetof(row, figure[PLACE_ERROR + 2]), 3, 0 },
+    { OF_PLACES, NULL, "interior_pixels", "share of the pixels", offsetof(row, figure[PLACE_AREA + 2]), 3, 0 },
+    { OF_PLACES, NULL, "interior_rmse", "RMSE there", offsetof(row, figure[PLACE_RMSE + 2]), 4, 0 },
+    { OF_PLACES, NULL, "interior_bias", "bias there", offsetof(row, figure[PLACE_BIAS + 2]), 4, 1 },
+    { OF_AO | OF_LIT | OF_DEEP, "SSIM", "ssim", "structural similarity with the truth, 1 = the same",
+      offsetof(row, score.ssim), 4, 0 }
+};
+
+/* The next column after c (-1: the first) that is of one of these kinds; -1 past the last. A software rasteriser's
+   milliseconds would mislead. Those without a head are in CSV alone. */
+static int next_key(int c, int of)
+{
+    while (++c < (int)(sizeof columns / sizeof columns[0]))
+        if (columns[c].of & of && !(columns[c].offset == offsetof(row, ms) && kit_gl_is_software())) return c;
+    return -1;
+}
+
+static int next_column(int c, int of)
+{
+    do c = next_key(c, of); while (c >= 0 && !columns[c].head);
+    return c;
+}
+
+static double figure_of(const row *r, int c)
+{
+    double v;
+    memcpy(&v, (const char *)r + columns[c].offset, sizeof v);
+    return v;
+}
+
+static const char *cell(char out[32], const row *r, int c, const char *none)
+{
+    double v = figure_of(r, c);
+    if (isnan(v)) return none;
+    snprintf(out, 32, columns[c].sign ? "%+.*f" : "%.*f", columns[c].digits, v);
+    return out;
+}
+
+/* ---- >>tables ---------------------------------------------------------------------------------------------------- */
+
+void table_text(FILE *f, const row *rows, int count)
+{
+    int label = 6, settings = 8;
+    char text[32];
+    for (int i = 0; i < count; ++i) {
+        int l = (int)strlen(rows[i].label), s = (int)strlen(table_settings(&rows[i]));
+        if (l > label) label = l;
+        if (s > settings) settings = s;
+    }
+    fprintf(f, "%-*s  %-*s", label, "method", settings, "settings");
+    for (int c = -1; (c = next_column(c, rows->of)) >= 0;) fprintf(f, " %10s", columns[c].head);
+    fputc('\n', f);
+    for (int i = 0; i < count; ++i) {
+        fprintf(f, "%-*s  %-*s", label, rows[i].label, settings, table_settings(&rows[i]));
+        for (int c = -1; (c = next_column(c, rows->of)) >= 0;) fprintf(f, " %10s", cell(text, &rows[i], c, "-"));
+        fputc('\n', f);
+    }
+}
+
+void table_titled(FILE *f, const char *title, const row *rows, int count)
+{
+    if (!count) return;
+    fprintf(f, "\n%s\n", title);
+    table_text(f, rows, count);
+}
+
+void table_html(FILE *f, const row *rows, int count)
+{
+    char text[32];
+    fputs("<div class=\"wide\"><table>\n<tr><th>method<th>settings", f);
+    for (int c = -1; (c = next_column(c, rows->of)) >= 0;)
+        fprintf(f, "<th title=\"%s\">%s", columns[c].about, columns[c].head);
+    fputs("\n", f);
+    for (int i = 0; i < count; ++i) {
+        fprintf(f, i && strcmp(rows[i].label, rows[i - 1].label) ? "<tr class=\"first\"><td>" : "<tr><td>");
+        page_escaped(f, rows[i].label);
+        fputs("<td><code>", f);
+        page_escaped(f, table_settings(&rows[i]));
+        fputs("</code>", f);
+        for (int c = -1; (c = next_column(c, rows->of)) >= 0;) fprintf(f, "<td>%s", cell(text, &rows[i], c, "&ndash;"));
+        fputs("\n", f);
+    }
+    fputs("</table></div>\n", f);
+}
+
+static void csv_field(FILE *f, const char *s)
+{
+    fputc('"', f);
+    for (; *s; ++s) { if (*s == '"') fputc('"', f); fputc(*s, f); }
+    fputc('"', f);
+}
+
+void table_csv(FILE *f, const row *rows, int count, int head)
+{
+    /* all that is lit makes one table, all of fields another, all of deep screen space a third */
+    const int of = rows->of & OF_AO       ? OF_PHASES | (rows->of & (OF_AO | OF_PEER))
+                   : rows->of & OF_FIELDS ? OF_FIELDS
+                   : rows->of & OF_DEEPS  ? OF_DEEPS
+                                          : OF_LIT | OF_SPLIT;
+    if (head) {
+        fputs("scene,label,method,settings", f);
+        for (int c = -1; (c = next_key(c, of)) >= 0;) fprintf(f, ",%s", columns[c].key);
+        fputs(",pixels\n", f);
+    }
+    for (int i = 0; i < count; ++i) {
+        const char *const names[] = { rows[i].scene, rows[i].label, rows[i].method, rows[i].settings };
+        for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_field(f, names[k]); }
+        for (int c = -1; (c = next_key(c, of)) >= 0;) {
+            double v = figure_of(&rows[i], c);
+            if (isnan(v)) fputc(',', f); else fprintf(f, ",%.6g", v);
+        }
+        fprintf(f, ",%zu\n", rows[i].score.pixels);
+    }
+}

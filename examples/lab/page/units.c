@@ -1,0 +1,136 @@
+/* units.c - what a chart is made of, kept while it is not whole. Declared in units.h. */
+#include "lab/page/units.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "kit/kit_gl.h"
+#include "lab/measure/folder.h"
+#include "lab/measure/stage.h"
+#include "lab/page/page.h"
+
+int units_asked(const options *o, const char *method)
+{
+    return !o->method || !strncmp(method, o->method, strlen(o->method));
+}
+
+int units_chosen(entry *out, const entry *entries, int count, const options *o)
+{
+    int n = 0;
+    for (int i = 0; i < count; ++i)
+        if ((entries[i].quick || !o->quick) && units_asked(o, entries[i].method)) out[n++] = entries[i];
+    return n;
+}
+
+/* ---- >>units ----------------------------------------------------------------------------------------------------- */
+
+enum { MOST_UNITS = 96 };
+static struct { uint64_t key; int all, count, measured; double begun; char now[32], path[MOST_UNITS][96]; } units;
+
+static uint64_t hashed_file(uint64_t h, const char *path)
+{
+    char *data;
+    size_t size;
+    if (kit_file_read(&data, &size, path, NULL)) return h;
+    h = kit_hash(h, data, size);
+    free(data);
+    return h;
+}
+
+int units_count(measuring *measure, int count, const options *o)
+{
+    int sum = 0;
+    for (int k = 0; k < count; ++k) sum += measure(NULL, o, k, NULL, NULL);
+    return sum;
+}
+
+/* What all units depend on: the program with its tables, what it is asked for, meshes. */
+void units_begin(const options *o, int all)
+{
+    static const char *const files[] = { BUNNY, BED, MAPLE, HOUSE };
+    const char *const text[] = { kit_gl_name(), o->out, o->method ? o->method : "", o->quick ? "quick" : "" };
+    memset(&units, 0, sizeof units);
+    units.all = all;
+    units.begun = kit_seconds();
+    units.key = hashed_file(KIT_HASH, "/proc/self/exe");
+    for (int i = 0; i < COUNT(files); ++i) units.key = hashed_file(units.key, files[i]);
+    for (int i = 0; i < COUNT(text); ++i) units.key = kit_hash(units.key, text[i], strlen(text[i]) + 1);
+    for (int i = 0; i < o->scenes; ++i)
+        units.key = hashed_file(kit_hash(units.key, o->scene[i], strlen(o->scene[i]) + 1), o->scene[i]);
+}
+
+void units_end(void)
+{
+    for (int i = 0; i < units.count; ++i) remove(units.path[i]);
+}
+
+/* Whether the pictures that a part of the page shows are still in the folder. */
+static int pictured(const char *html, const char *out)
+{
+    char path[4096];
+    while ((html = strstr(html, "src=\"")) != NULL) {
+        html += strlen("src=\"");
+        snprintf(path, sizeof path, "%s/%.*s", out, (int)strcspn(html, "\""), html);
+        if (access(path, R_OK)) return 0;
+    }
+    return 1;
+}
+
+/* What an interrupted chart left of a unit: how many rows; -1: nothing. */
+static int recalled(FILE *html, const options *o, const char *path, row *rows)
+{
+    char *text, *at;
+    size_t size;
+    int count;
+    if (kit_file_read(&text, &size, path, NULL)) return -1;    /* text stays: rows point into it */
+    memcpy(&count, text, sizeof count);
+    memcpy(rows, text + sizeof count, (size_t)count * sizeof *rows);
+    at = text + sizeof count + (size_t)count * sizeof *rows;
+    for (int i = 0; i < count; ++i) {
+        const char **name[] = { &rows[i].scene, &rows[i].label, &rows[i].method, &rows[i].settings };
+        for (int j = 0; j < COUNT(name); ++j, at += strlen(at) + 1) *name[j] = at;
+    }
+    if (!pictured(at, o->out)) return -1;
+    fputs(at, html);
+    return count;
+}
+
+static void keep(const char *path, const page *part, const row *rows, int count)
+{
+    page kept;
+    kit_error note;
+    if (page_open(&kept, NULL)) return;
+    fwrite(&count, sizeof count, 1, kept.file);
+    fwrite(rows, sizeof *rows, (size_t)count, kept.file);
+    for (int i = 0; i < count; ++i)
+        fprintf(kept.file, "%s%c%s%c%s%c%s%c", rows[i].scene, 0, rows[i].label, 0, rows[i].method, 0,
+                rows[i].settings, 0);
+    fwrite(part->text, 1, part->size, kept.file);
+    if (folder_make(FOLDER_CACHE, &note) || page_close(&kept, FOLDER_CACHE, path + strlen(FOLDER_CACHE "/"), &note))
+        fprintf(stderr, "report: note: what is measured is not kept: %s\n", note.text);
+}
+
+int units_measure(FILE *html, const options *o, const char *kind, int k, measuring *measure, row *rows, kit_error *err)
+{
+    char *path = units.path[units.count], left[64] = "";
+    page part;
+    if (!measure(NULL, o, k, NULL, NULL)) return 0;
+    ++units.count;
+    snprintf(units.now, sizeof units.now, "%s-%d", kind, k);
+    snprintf(path, sizeof *units.path, FOLDER_CACHE "/unit-%s-%016llx", units.now, (unsigned long long)units.key);
+    const int before = recalled(html, o, path, rows);
+    if (before >= 0) return before;
+    if (units.measured)
+        snprintf(left, sizeof left, ", about %.0f min left",
+                 ceil((kit_seconds() - units.begun) / units.measured * (units.all - units.count + 1) / 60));
+    if (isatty(2)) fprintf(stderr, "%d of %d%s\n", units.count, units.all, left);
+    if (page_open(&part, err)) return -1;
+    const int count = measure(part.file, o, k, rows, err);
+    ++units.measured;
+    fflush(part.file);
+    if (count >= 0) keep(path, &part, rows, count);
+    page_into(&part, html);
+    return count;
+}
+
+const char *units_name(void) { return units.now; }

@@ -1,0 +1,29 @@
+/* units.h - what a chart is made of: a unit is a table on a scene, its rows and its part of the page. It is kept until
+   the chart is whole, so that an interrupted one goes on where it was. */
+#ifndef LAB_UNITS_H
+#define LAB_UNITS_H
+
+#include <stdio.h>
+#include "lab/measure/rows.h"
+
+enum { MOST_SCENES = 16 };
+/* What a command is asked for; NULL, 0: not. */
+typedef struct options { const char *out, *mesh, *method, *context, *scene[MOST_SCENES]; int quick, scenes; } options;
+/* Whether --method asks for a method; the entries that a chart shows, and how many. */
+int units_asked(const options *o, const char *method);
+int units_chosen(entry *out, const entry *entries, int count, const options *o);
+
+/* Measures the k-th of its kind: its rows, and what stands in the page. How many rows; -1 = failed. rows NULL: whether
+   there are any. */
+typedef int measuring(FILE *html, const options *o, int k, row *rows, kit_error *err);
+/* How many of count are there. */
+int units_count(measuring *measure, int count, const options *o);
+/* all: how many units the chart has. end: of a chart that is whole, whose units need not be kept. */
+void units_begin(const options *o, int all);
+void units_end(void);
+/* One unit: measured, or as an interrupted chart left it. How many rows, 0: none are asked for; -1 = failed. */
+int units_measure(FILE *html, const options *o, const char *kind, int k, measuring *measure, row *rows, kit_error *err);
+/* What is being measured, "lit-3". */
+const char *units_name(void);
+
+#endif

@@ -1,0 +1,203 @@
+/* shot.c - a scene as one frame of a sweep shows it. Declared in shot.h. */
+#include "lab/stability/shot.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- >>opening --------------------------------------------------------------------------------------------------- */
+
+/* Depth as it would be stored elsewhere. */
+static int recode(shot *s, int format, kit_error *err)
+{
+    kit_gbuffer *g = &s->gbuffer;
+    const float *z = kit_image_channel(&s->frame, "Z"), *p = g->projection;
+    const int linear = format == EXACT || format == HALF, reversed = format == REVERSED32;
+    float view[16], *texel = malloc((size_t)g->width * (size_t)g->height * sizeof *texel);
+    if (!texel) return kit_fail(err, "out of memory");
+    g->camera.depth = reversed ? KIT_DEPTH_REVERSED : KIT_DEPTH_NORMAL;
+    g->depth_is_linear = linear;
+    kit_camera_matrices(&g->camera, view, g->projection);
+    for (int i = 0; i < g->width * g->height; ++i) {
+        const double d = (double)z[(g->height - 1 - i / g->width) * g->width + i % g->width];
+        int e;
+        const double m = frexp(d, &e), half = ldexp(rint(ldexp(m, 11)), e - 11);
+        const double clip = d > 0 ? ((double)p[14] - (double)p[10] * d) / d : 1 - reversed,
+                     window = reversed ? clip : 0.5 + 0.5 * clip;
+        texel[i] = (float)(format == EXACT     ? d
+                           : format == HALF    ? half > 65504 ? HUGE_VAL : half
+                           : format == UNORM24 ? rint(window * 16777215) / 16777215
+                                               : window);
+    }
+    glDeleteTextures(1, &g->depth);
+    g->depth = kit_texture(g->width, g->height, linear ? GL_R32F : GL_DEPTH_COMPONENT32F, texel);
+    free(texel);
+    return 0;
+}
+
+/* What is scored, and which object each pixel shows. */
+static int look_around(shot *s, const look *l, kit_error *err)
+{
+    const int width = s->gbuffer.width, height = s->gbuffer.height;
+    const size_t pixels = (size_t)width * (size_t)height;
+    const float *z = kit_image_channel(&s->frame, "Z");
+    uint32_t *shown = malloc(pixels * sizeof *shown);
+    s->mask = calloc(pixels, sizeof *s->mask);
+    s->object = malloc(pixels * sizeof *s->object);
+    if (!shown || !s->mask || !s->object) return kit_fail(err, "out of memory");
+    if (kit_texture_read(s->gbuffer.object, width, height, 1, (float *)(void *)shown))
+        return kit_fail(err, "object numbers cannot be read");
+    for (int i = 0; i < width * height; ++i) {
+        float p[3];
+        s->object[i] = shown[(height - 1 - i / width) * width + i % width];
+        if (!(z[i] > 0)) continue;
+        kit_camera_point(&s->gbuffer.camera, i % width, i / width, (double)z[i], p);
+        s->mask[i] = 1;
+        for (int c = 0; c < 3; ++c)
+            if (l->where[0][c] < l->where[1][c] && (p[c] < l->where[0][c] || p[c] > l->where[1][c])) s->mask[i] = 0;
+    }
+    free(shown);
+    return 0;
+}
+
+float shot_aim(kit_camera *c, const look *l)
+{
+    float away[3], right[3], length = 0, size = 0;
+    if (l->fovy > 0) {
+        memcpy(c->eye, l->eye, sizeof c->eye);
+        memcpy(c->target, l->target, sizeof c->target);
+        c->fovy = l->fovy;
+    }
+    if (l->up[1] != 0 || l->up[2] != 0) memcpy(c->up, l->up, sizeof c->up);
+    for (int i = 0; i < 3; ++i) {
+        if (l->scale > 0) c->eye[i] *= l->scale;
+        if (l->scale > 0) c->target[i] *= l->scale;
+        away[i] = c->target[i] - c->eye[i];
+        length += away[i] * away[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        right[i] = away[(i + 1) % 3] * c->up[(i + 2) % 3] - away[(i + 2) % 3] * c->up[(i + 1) % 3];
+        size += right[i] * right[i];
+    }
+    const float pixel = 2 * sqrtf(length) * tanf(0.5f * c->fovy * DEGREE) / (float)l->height;
+    for (int i = 0; i < 3; ++i) {
+        const float move = l->aside * pixel * right[i] / sqrtf(size);
+        c->eye[i] += move + l->nearer * away[i];
+        c->target[i] += move;
+    }
+    c->width = l->width;
+    c->height = l->height;
+    if (l->znear > 0) c->znear = l->znear;
+    c->zfar = l->zfar;
+    c->depth = KIT_DEPTH_REVERSED;
+    return pixel;
+}
+
+static int drawn(kit_image *out, shot *s, const char *method, const char *set, float radius, kit_error *err)
+{
+    const kit_world world = { &s->scene, &s->lighting };
+    return picture_drawn(out, &s->gbuffer, &world, method, set, radius, err);
+}
+
+/* Boxes are added; of what casts, one is alone there, if so asked: others go into the ground; all is scaled. */
+static int furnish(shot *s, const look *l, kit_error *err)
+{
+    static const float grey[3] = { 0.7f, 0.7f, 0.7f },
+                       hidden[16] = { 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, -0.1f, 0, 1 };
+    kit_mesh *mesh = &s->scene.mesh;
+    for (const float(*b)[6] = l->box; b < l->box + BOXES && (*b)[4] > (*b)[1]; ++b)
+        if (kit_scene_add_box(&s->scene, *b, *b + 3, grey, err)) return -1;
+    for (int i = 0, found = 0; l->only && i < s->scene.objects; ++i) {
+        kit_object *o = &s->scene.object[i];
+        const int it = o->casts && !found && !strcmp(o->name, l->only);
+        if (!o->casts) continue;
+        if (kit_scene_place(&s->scene, i, it ? l->placed : hidden, err)) return -1;
+        found |= it;
+        o->casts = it;
+    }
+    for (size_t i = 0; l->scale > 0 && i < 9 * mesh->triangles; ++i) mesh->position[i] *= l->scale;
+    for (int i = 0; l->scale > 0 && i < 3; ++i) { mesh->lower[i] *= l->scale; mesh->upper[i] *= l->scale; }
+    for (int i = 0; i < s->scene.objects && i < MOST_OBJECTS; ++i)
+        memcpy(s->to_world[i], s->scene.object[i].to_world, sizeof s->to_world[i]);
+    return 0;
+}
+
+static int light_up(shot *s, const look *l, kit_error *err)
+{
+    const kit_light sun = { KIT_SUN, { l->sun[0], l->sun[1], l->sun[2] }, { 3, 3, 3 } };
+    const int lit = l->sun[1] > 0;
+    if (kit_env_read(&s->lighting.env, lit ? "sky" : "white", err)) return -1;
+    return lit ? kit_env_add_sun(&s->lighting.env, &sun, SUN_DEGREES, err) : 0;
+}
+
+static int trace(shot *s, const look *l, const int truths[2], kit_error *err)
+{
+    const kit_camera *c = &s->gbuffer.camera;
+    const int lit = l->sun[1] > 0, attenuation = KIT_ATTENUATION_LINEAR;
+    if (truths[0] && lit && l->within)
+        return kit_truth_lit(&s->truth[0], &s->scene, c, &s->lighting, s->radius, attenuation, 0, l->rays, l->stride,
+                             err);
+    /* so small a radius is open: light's own change */
+    if (truths[0] && lit) return drawn(&s->truth[0], s, "ssdo-points", "bounce=none,blur=0", 1e-4f * s->radius, err);
+    if (truths[0] && kit_truth_ao(&s->truth[0], &s->scene, c, s->radius, attenuation, l->rays, l->stride, err))
+        return -1;
+    return truths[1] ? kit_truth_objects(&s->truth[1], &s->scene, c, l->rays, l->stride, err) : 0;
+}
+
+int shot_open(shot *s, const look *l, const int truths[2], kit_error *err)
+{
+    memset(s, 0, sizeof *s);
+    if (kit_scene_load(&s->scene, l->scene, 0, err) || furnish(s, l, err)) return -1;
+    kit_camera c = s->scene.camera;
+    const float pixel = shot_aim(&c, l), scale = l->scale > 0 ? l->scale : 1;
+    s->radius = l->pixels > 0 ? l->pixels * pixel : (l->radius > 0 ? l->radius : s->scene.radius) * scale;
+    return kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &c, NULL, err)
+                   || kit_gbuffer_read(&s->frame, &s->gbuffer, err) || look_around(s, l, err)
+                   || (l->format && recode(s, l->format, err)) || light_up(s, l, err)
+               ? -1
+               : trace(s, l, truths, err);
+}
+
+void shot_close(shot *s)
+{
+    for (int m = 0; m < MOST_METHODS; ++m) { kit_image_free(&s->picture[m]); kit_image_free(&s->single[m]); }
+    for (int k = 0; k < 2; ++k) kit_image_free(&s->truth[k]);
+    kit_image_free(&s->frame);
+    kit_image_free(&s->lighting.env);
+    kit_gbuffer_free(&s->gbuffer);
+    kit_scene_free(&s->scene);
+    free(s->mask);
+    free(s->object);
+}
+
+/* ---- >>pictures -------------------------------------------------------------------------------------------------- */
+
+float *shot_values(const kit_image *i) { return kit_image_channel(i, i->channels > 1 ? "irradiance.G" : "Y"); }
+
+int shot_draw(shot *s, int m, kit_error *err)
+{
+    return drawn(&s->picture[m], s, sweeps_method[m].method, sweeps_method[m].settings, s->radius, err);
+}
+
+int shot_draw_kept(shot *s, int m, kit_frames *frames, kit_error *err)
+{
+    const kit_world world = { &s->scene, &s->lighting };
+    kit_method made;
+    if (kit_method_find(&made, sweeps_method[m].method, err) || kit_method_set(&made, sweeps_method[m].settings, err)
+        || kit_frames_next(frames, &s->gbuffer, &made, s->radius, &world, &s->single[m], err))
+        return -1;
+    kit_run_draw(frames->now, 0);
+    return kit_run_read(&s->picture[m], frames->now, err);
+}
+
+int shot_value_at(double *value, const shot *s, const kit_image *picture, const float p[3], uint32_t object)
+{
+    const picture_view seen = { &s->frame, &s->gbuffer.camera, s->object };
+    return picture_at(value, shot_values(picture), &seen, p, object);
+}
+
+void shot_place(const shot *s, int pixel, float p[3])
+{
+    const int width = s->frame.width;
+    kit_camera_point(&s->gbuffer.camera, pixel % width, pixel / width,
+                     (double)kit_image_channel(&s->frame, "Z")[pixel], p);
+}

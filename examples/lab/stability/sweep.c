@@ -1,0 +1,314 @@
+/* sweep.c - a method is swept through a cause of failure: its frames become its error, flicker, lag or trail at each
+   value. Declared in sweep.h. */
+#include "lab/stability/sweep.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "lab/stability/shot.h"
+
+/* ---- >>figures of one frame -------------------------------------------------------------------------------------- */
+
+/* Root of the mean square difference (a NULL: 1 everywhere) where b is known and it is scored. What is no number is off
+   by 1. */
+static double apart(const kit_image *a, const kit_image *b, const float *mask)
+{
+    double sum = 0;
+    size_t count = 0;
+    for (int i = 0; i < b->width * b->height; ++i) {
+        if (!(mask[i] > 0) || isnan(shot_values(b)[i])) continue;
+        const double d = (a ? (double)shot_values(a)[i] : 1) - (double)shot_values(b)[i];
+        sum += isnan(d) ? 1 : d * d;
+        ++count;
+    }
+    return sqrt(sum / (double)count);
+}
+
+/* Scores only places that the frame before did not show. */
+static void only_new(shot *s, const shot *last)
+{
+    for (int i = 0; i < s->frame.width * s->frame.height; ++i) {
+        double v;
+        float p[3];
+        if (!(s->mask[i] > 0)) continue;
+        shot_place(s, i, p);
+        if (shot_value_at(&v, last, &last->truth[0], p, s->object[i])) s->mask[i] = 0;
+    }
+}
+
+/* How much of what was before is still seen: where the truth has changed, the picture's mean difference from the frame
+   alone, counted toward what was. */
+static double remains(const shot *s, const shot *before, int m)
+{
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < s->frame.width * s->frame.height; ++i) {
+        const float now = shot_values(&s->truth[0])[i], was = shot_values(&before->truth[0])[i];
+        if (!(s->mask[i] > 0) || !(fabsf(now - was) > 0.05f)) continue;
+        const float d = shot_values(&s->picture[m])[i] - shot_values(&s->single[m])[i];
+        sum += (double)(was > now ? d : -d);
+        ++count;
+    }
+    return count ? sum / count : 0;
+}
+
+/* ---- >>figures over frames --------------------------------------------------------------------------------------- */
+
+/* A place of an object that stands elsewhere in another frame. */
+static void carry(float p[3], const float *from, const float *to)
+{
+    const float square = from[0] * from[0] + from[1] * from[1] + from[2] * from[2];
+    float q[3];
+    for (int k = 0; k < 3; ++k)
+        q[k] = (from[4 * k] * (p[0] - from[12]) + from[4 * k + 1] * (p[1] - from[13])
+                + from[4 * k + 2] * (p[2] - from[14]))
+               / square;
+    for (int k = 0; k < 3; ++k) p[k] = to[k] * q[0] + to[4 + k] * q[1] + to[8 + k] * q[2] + to[12 + k];
+}
+
+/* A place that the first frame shows, in all frames; 0: some frame does not show it. */
+static int followed(double v[FRAMES], const shot *shots, int frames, const kit_image *const *pictures, int pixel)
+{
+    const uint32_t o = shots->object[pixel];
+    float p[3];
+    if (!(shots->mask[pixel] > 0)) return 0;
+    shot_place(shots, pixel, p);
+    for (int k = 0; k < frames; ++k) {
+        const float *from = shots->to_world[(o - 1) % MOST_OBJECTS], *to = shots[k].to_world[(o - 1) % MOST_OBJECTS];
+        float q[3];
+        memcpy(q, p, sizeof q);
+        if (o > 0 && o <= MOST_OBJECTS && memcmp(from, to, sizeof *shots->to_world)) carry(q, from, to);
+        if (!shot_value_at(&v[k], &shots[k], pictures[k], q, o)) return 0;
+    }
+    return 1;
+}
+
+/* How much places that the first frame shows vary: their deviation over the frames; or, of what changes anyway, the
+   second difference, as the deviation of noise that has it (1 -2 1: root of 6). map: the same of each pixel, 0 where it
+   is not known. mean: of what is held. */
+static double flicker(float *map, double *mean, const shot *shots, int frames, const kit_image *const *pictures,
+                      int second)
+{
+    double sum = 0, all = 0;
+    size_t places = 0;
+    for (int i = 0; i < shots->frame.width * shots->frame.height; ++i) {
+        double v[FRAMES], middle = 0, square = 0;
+        map[i] = 0;
+        if (!followed(v, shots, frames, pictures, i)) continue;
+        for (int k = 0; k < frames; ++k) middle += v[k] / frames;
+        for (int k = 0; k < frames && !second; ++k) square += (v[k] - middle) * (v[k] - middle) / (frames - 1);
+        for (int k = 1; k + 1 < frames && second; ++k)
+            square += pow(v[k - 1] - 2 * v[k] + v[k + 1], 2) / (6.0 * (frames - 2));
+        map[i] = (float)sqrt(square);
+        sum += square;
+        all += middle;
+        ++places;
+    }
+    *mean = all / (double)places;
+    return sqrt(sum / (double)places);
+}
+
+/* All frames' error over that of the frames alone. */
+static double newly_over_alone(const shot *shots, int frames, int m)
+{
+    double sum[2] = { 0, 0 };
+    for (int k = 1; k < frames; ++k)
+        for (int g = 0; g < 2; ++g) {
+            const kit_image *picture = g ? &shots[k].single[m] : &shots[k].picture[m];
+            const double e = apart(picture, &shots[k].truth[0], shots[k].mask);
+            if (e > 0) sum[g] += e * e;
+        }
+    return sqrt(sum[0] / sum[1]);
+}
+
+/* The most that a frame's error, from first on, is over that of the frame alone. */
+static double most_over_alone(const shot *shots, int first, int frames, int m)
+{
+    double most = 0;
+    for (int k = first; k < frames; ++k) {
+        const shot *s = &shots[k];
+        most = fmax(most, apart(&s->picture[m], &s->truth[0], s->mask)
+                              / fmax(apart(&s->single[m], &s->truth[0], s->mask), 1e-4));
+    }
+    return most;
+}
+
+/* A method's flicker, less the truth's where that is known; of what is beside (m below 0) the truth's. */
+static double flicker_of(float *map, const shot *shots, int frames, int kind, int m, int between)
+{
+    const kit_image *truths[FRAMES], *pictures[FRAMES];
+    const int second = kind != DEVIATION;
+    double mean, own, y;
+    for (int k = 0; k < frames; ++k) {
+        truths[k] = &shots[k].truth[between];
+        pictures[k] = m < 0 ? truths[k] : &shots[k].picture[m];
+    }
+    own = flicker(map, &mean, shots, frames, truths, second) / (kind == LIT_SECOND ? mean : 1);
+    y = flicker(map, &mean, shots, frames, pictures, second) / (kind == LIT_SECOND ? mean : 1);
+    return m >= 0 && kind != SECOND ? sqrt(fmax(0, y * y - own * own)) : y;
+}
+
+/* ---- >>points ---------------------------------------------------------------------------------------------------- */
+
+/* Picture, truth and their difference (or what flickers) side by side, of one pixel in stride x stride: as many as the
+   truth has. */
+static int strip(kit_image *out, const kit_image *a, const kit_image *b, const float *map, const look *l, float gain,
+                 kit_error *err)
+{
+    const int width = l->width / l->stride, height = l->height / l->stride, pixels = width * height;
+    kit_image small[3], colour;                /* what is shown: two of these and the difference of two */
+    for (int k = 0; k < 3; ++k) {
+        if (kit_image_new(&small[k], width, height, "Y", err)) return -1;
+        for (int i = 0; i < pixels; ++i) {
+            const int from = (i / width * l->stride + l->stride / 2) * l->width + i % width * l->stride + l->stride / 2;
+            small[k].data[i] = k < 2 ? shot_values(k ? b : a)[from]
+                               : map ? map[from] + shot_values(b)[from]
+                                     : shot_values(a)[from];
+        }
+    }
+    if (kit_image_difference(&colour, &small[2], &small[1], "Y", map ? 0.05f : 0.5f, err)
+        || kit_image_new(out, 3 * width, height, "R,G,B", err))
+        return -1;
+    for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < pixels; ++i)
+            for (int k = 0; k < 3; ++k)
+                out->data[(c * height + i / width) * 3 * width + k * width + i % width] =
+                    k < 2 ? gain * small[k].data[i] : colour.data[c * pixels + i];
+    for (int k = 0; k < 3; ++k) kit_image_free(&small[k]);
+    kit_image_free(&colour);
+    return 0;
+}
+
+/* What a curve is compared with in the last frame. */
+static const kit_image *truth_of(const shot *shots, int frames, int kind, int m, int between)
+{
+    return kind == PRECISION && m >= 0 ? &shots[0].picture[m] : &shots[frames - 1].truth[between];
+}
+
+/* A curve's figure, from the frames of one value. map: see flicker; else it stays as it is. */
+static double figure_of(float *map, const shot *shots, int frames, int kind, int m, int between)
+{
+    const shot *s = &shots[frames - 1];
+    switch (kind) {
+    case ERROR:
+    case PRECISION: return apart(m < 0 ? NULL : &s->picture[m], truth_of(shots, frames, kind, m, between), s->mask);
+    case NEWLY:     return newly_over_alone(shots, frames, m);
+    case TRAIL:     return remains(s, &shots[CHANGED - 1], m);
+    case FOLLOWS:   return most_over_alone(shots, 1, frames, m);
+    case AFTER:     return most_over_alone(shots, frames - 1, frames, m);
+    default:        return flicker_of(map, shots, frames, kind, m, between);
+    }
+}
+
+/* A point of every curve, from the frames of one value; the worst is kept as a picture. */
+static int point_of(result *r, int point, const shot *shots, int frames, const look *l, kit_error *err)
+{
+    const int kind = r->cause->kind, flickers = kind == DEVIATION || kind == SECOND || kind == LIT_SECOND;
+    const shot *shown = flickers ? shots : &shots[frames - 1];
+    float *map = calloc((size_t)l->width * (size_t)l->height, sizeof *map);
+    if (!map) return kit_fail(err, "out of memory");
+    for (int i = 0; i < r->curves; ++i) {
+        curve *c = &r->curve[i];
+        const int m = c->method, between = m >= 0 && sweeps_method[m].of == FIELD;
+        kit_image worst;
+        if (m >= 0 && !shots[frames - 1].picture[m].data) continue;
+        const double y = figure_of(map, shots, frames, kind, m, between);
+        c->y[point] = y;
+        if (c->number >= y) continue;
+        c->number = y;
+        c->at = r->x[point];
+        if (m < 0) continue;
+        if (strip(&worst, &shown->picture[m],
+                  flickers ? &shots[0].truth[between] : truth_of(shots, frames, kind, m, between),
+                  flickers ? map : NULL, l, kind == LIT_SECOND ? 0.4f : 1, err))
+            return -1;
+        kit_image_free(&c->worst);
+        c->worst = worst;
+    }
+    free(map);
+    return 0;
+}
+
+/* Where precision holds: the largest value up to which all are within LIMIT. */
+static const double LIMIT = 0.02;
+static void holds(result *r)
+{
+    for (curve *c = r->curve; c < r->curve + r->curves; ++c) {
+        c->number = 0;
+        for (int k = 0; k < r->points && c->y[k] <= LIMIT; ++k) c->number = r->x[k];
+    }
+}
+
+/* ---- >>sweep ----------------------------------------------------------------------------------------------------- */
+
+/* How many frames a value of a cause takes. */
+static int frames_of(const cause *c, double value)
+{
+    if (c->kind == ERROR) return 1;
+    if (c->kind == PRECISION) return 2;
+    if (c->kind == AFTER || c->kind == TRAIL) return CHANGED + (int)value;
+    return c->kind == FOLLOWS || c->kind == NEWLY || (c->kind == DEVIATION && c->of == KEPT) ? FRAMES : 4;
+}
+
+/* A curve a method that is swept, and what is beside them; which truths they want. */
+static void curves_of(result *r, const sweep_options *o, int truths[2])
+{
+    static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL, NULL, NULL };
+    const cause *c = r->cause;
+    if (beside[c->kind]) curve_new(r, beside[c->kind], BESIDE);
+    for (int m = 0; m < sweeps_methods; ++m) {
+        if (!(sweeps_method[m].of & c->of) || (o->methods && !o->method[m])) continue;
+        curve_new(r, sweeps_method[m].label, m);
+        if (c->kind != PRECISION) truths[sweeps_method[m].of == FIELD] = truths[0] = 1;
+    }
+}
+
+static int draw(shot *s, int m, int width, kit_frames *kept, kit_error *err)
+{
+    if (sweeps_method[m < 0 ? 0 : m].of & (KEPT | KEPT_LIGHT)) return shot_draw_kept(s, m, &kept[m], err);
+    return m >= 0 && width <= sweeps_method[m].widest ? shot_draw(s, m, err) : 0;
+}
+
+/* The frames of the v-th value, drawn by all, and the point that they make. done, share: of kit_progress. */
+static int value_of(result *r, double value, const sweep_options *o, const int truths[2], const char *what, double done,
+                    double share, kit_error *err)
+{
+    static shot shots[FRAMES];
+    static kit_frames kept[MOST_METHODS];
+    const cause *c = r->cause;
+    const int frames = frames_of(c, value);
+    const int first = c->kind == DEVIATION && c->of == KEPT ? CHANGED : 0;     /* before, there is no history yet */
+    look l;
+    r->x[r->points] = value;
+    for (int k = 0; k < frames; ++k) {
+        l = sweeps_look(c, value, k);
+        if (o->quick) l.rays /= 2;
+        kit_progress(what, done + share * k / frames);
+        if (shot_open(&shots[k], &l, truths, err)) return -1;
+        if (c->kind == NEWLY && k) only_new(&shots[k], &shots[k - 1]);
+        for (int i = 0; i < r->curves; ++i) {
+            if (draw(&shots[k], r->curve[i].method, l.width, kept, err)) return -1;
+            kit_progress(what, done + share * (k + (i + 0.99) / r->curves) / frames);
+        }
+    }
+    for (int m = 0; m < sweeps_methods; ++m) kit_frames_close(&kept[m]);
+    if (point_of(r, r->points++, shots + first, frames - first, &l, err)) return -1;
+    for (int k = 0; k < frames; ++k) shot_close(&shots[k]);
+    return 0;
+}
+
+int sweep(result *r, const cause *c, const sweep_options *o, const char *what, kit_error *err)
+{
+    int truths[2] = { 0, 0 }, values = 1;
+    memset(r, 0, sizeof *r);
+    r->cause = c;
+    if (c->curves) return c->curves(r, err);
+    while (values < MOST_VALUES && c->value[values] != 0) ++values;
+    curves_of(r, o, truths);
+    for (int v = 0; v < values; ++v) {
+        if (o->quick && (v % 2 != (values - 1) % 2 || sweeps_look(c, c->value[v], 0).width > 1920)) continue;
+        if (value_of(r, c->value[v], o, truths, what, (double)v / values, 1.0 / values, err)) return -1;
+    }
+    kit_progress(what, 1);
+    if (c->kind == PRECISION) holds(r);
+    return 0;
+}

@@ -1,0 +1,16 @@
+/* sweep.h - a method is swept through a cause of failure: frames of it are drawn, and become figures. */
+#ifndef LAB_SWEEP_H
+#define LAB_SWEEP_H
+
+#include "lab/stability/curve.h"
+
+/* causes, methods: how many are asked for; 0 = all */
+typedef struct sweep_options {
+    const char *out;
+    int quick, causes, methods, cause[MOST_CAUSES], method[MOST_METHODS];
+} sweep_options;
+
+/* what: for kit_progress. The curves' pictures are the caller's to free. */
+int sweep(result *r, const cause *c, const sweep_options *o, const char *what, kit_error *err);
+
+#endif

@@ -1,0 +1,73 @@
+/* sweeps.h - what is swept: methods, and the causes of failure, each a scene and one thing in it that changes. */
+#ifndef LAB_SWEEPS_H
+#define LAB_SWEEPS_H
+
+#include "kit/kit.h"
+
+#define DEGREE 0.01745329252f          /* in radians */
+
+/* ---- >>methods --------------------------------------------------------------------------------------------------- */
+
+/* What a method is shown with: all that reads the screen; light, which is ambient visibility when it is white and from
+   everywhere; surfels; fields; what back faces mends; a sun that turns. */
+enum {
+    SCREEN = 1,
+    LIGHT = 2,
+    OF_SURFELS = 4,
+    FIELD = 8,
+    THIN = 16,
+    TURNED = 32,
+    KEPT = 64 /* over frames */,
+    KEPT_LIGHT = 128 /* the same, of light */,
+    AMBIENT = SCREEN | LIGHT | OF_SURFELS
+};
+/* widest: picture that it is drawn at */
+typedef struct swept { const char *label, *method, *settings; int of, widest; } swept;
+enum { MOST_METHODS = 24 };
+extern const swept sweeps_method[];
+extern const int sweeps_methods;
+
+/* ---- >>causes ---------------------------------------------------------------------------------------------------- */
+
+/* how depth is stored: view depth as 32F; as 16F; window depth */
+enum { EXACT = 1, HALF, UNORM24, FLOAT32, REVERSED32 };
+enum { BOXES = 2, SUN_DEGREES = 3, MOST_VALUES = 12 };
+/* What a frame shows; what is 0 is the scene's own. */
+typedef struct look {
+    const char *scene, *only;              /* only: of what casts the first of that name is there alone, placed */
+    float placed[16], box[BOXES][6];       /* boxes with y1 > y0 are added */
+    float eye[3], target[3], up[3], fovy, znear, zfar;
+    /* of the whole scene; the camera then moves by so many of the target's pixels to the right, by that share of the
+       way to it */
+    float scale, aside, nearer;
+    float radius, pixels;                  /* pixels: of the radius at the target */
+    float where[2][3];                     /* what is scored: bounds, on each axis where the lower one is lower */
+    float sun[3];                          /* direction to the sun, in the sky; else light is white from everywhere */
+    int   format, width, height, stride, rays, within;   /* within: the truth of a sun is traced, within the radius */
+} look;
+
+/* How frames become a figure: RMSE to the truth; to the same picture with exact depth; deviation over frames after
+   reprojection, less the truth's; second difference over frames; that of light over its mean, less an open
+   surface's; with history, RMSE over that of the frame alone, the most of a sequence, so many frames after CHANGED,
+   and, all frames together, where the frame before showed something else; after CHANGED, what is left of what was. */
+enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL };
+enum { FRAMES = 16, CHANGED = 8 };
+typedef struct result result;
+typedef struct cause {
+    const char *name, *title, *across;     /* across: what varies, and its unit */
+    int kind, of, width, rays, log;        /* log: the axis is logarithmic */
+    void (*at)(look *l, double value, int frame);
+    int (*curves)(result *r, kit_error *err);      /* instead: of the library's maths alone */
+    double value[MOST_VALUES];             /* up to the first 0 after the first value */
+    /* the last two: what the number is, and the chart's other axis; NULL = the kind's */
+    const char *about, *number, *up;
+} cause;
+
+enum { MOST_CAUSES = 48 };
+extern const cause sweeps_cause[];
+extern const int sweeps_causes;
+
+/* What a frame of a cause shows, at a value. */
+look sweeps_look(const cause *c, double value, int frame);
+
+#endif
