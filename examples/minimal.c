@@ -1,6 +1,6 @@
 /* minimal.c - a whole program: OSMesa is the engine's context, a few boxes its scene; ssgi's part stands between the
-   lines of "====". It makes programs and textures at each draw: an engine does that once; examples/viewer/viewer.c has it for
-   a window, frame by frame. Writes ao.pgm.      cc examples/minimal.c -lOSMesa -lm && ./a.out */
+   lines of "====". It makes programs and textures at each draw: an engine does that once; examples/viewer/viewer.c has
+   it for a window, frame by frame. Writes ao.pgm.      cc examples/minimal.c -lOSMesa -lm && ./a.out */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
 #include <GL/glext.h>
