@@ -50,6 +50,7 @@
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
                 blur, history            edge-preserving filter of what the others wrote; before it, mean over frames
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
+                width    writes how thick what is seen is taken to be, beside its view depth: once a frame, for slices
 
    SOURCES      as in ssgi.h, and
                 [SA07]   Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion techniques on GPUs
@@ -120,6 +121,7 @@ enum {
     SSGI_GL_BLUR,
     SSGI_GL_HISTORY,
     SSGI_GL_COMPOSE,
+    SSGI_GL_WIDTH,
     SSGI_GL_PASSES, /* how many */
 };
 
@@ -179,13 +181,17 @@ enum {
     SSGI_GL_MARCH,      /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 };
 
-/* desc.thickness: how far visible surfaces reach, away from the viewer. Where there is no back face, or it is the
-   visible surface itself (a sheet), BACK and SLABS have frame.thickness. */
+/* desc.thickness: how far visible surfaces reach, away from the viewer. Slices read WIDTH, BACK and SLABS from what
+   pass width wrote, beside the depth, with one fetch. For them, with BACK and SLABS, a surface without a back face is as
+   thick as with WIDTH, and one that is its own back face (a sheet) half as thick. Points have frame.thickness for both:
+   they would step over what is thinner. */
 enum {
-    SSGI_GL_THICKNESS_CONSTANT = 0, /* frame.thickness */
-    SSGI_GL_THICKNESS_SOLID,        /* without end */
-    SSGI_GL_THICKNESS_BACK,         /* to the nearest back face: t_ssgi_back, a depth pass with front faces culled */
-    SSGI_GL_THICKNESS_SLABS,        /* and from the next front face behind that to its back face: two peeled passes */
+    SSGI_GL_THICKNESS_DEFAULT = 0, /* slices of ssgi_gl_steps, without layers and views: WIDTH; all else: CONSTANT */
+    SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness */
+    SSGI_GL_THICKNESS_SOLID,       /* without end */
+    SSGI_GL_THICKNESS_WIDTH,       /* as thick as it is wide in the picture, at most frame.thickness and the radius */
+    SSGI_GL_THICKNESS_BACK,        /* to the nearest back face: t_ssgi_back, a depth pass with front faces culled */
+    SSGI_GL_THICKNESS_SLABS,       /* and from the next front face behind that to its back face: two peeled passes */
 };
 
 /* desc.falloff: an occluder's weight over its distance t. Slices multiply with it, points are distributed by it. */
@@ -337,7 +343,7 @@ typedef struct ssgi_gl_desc {
     int half;        /* gathers, shade, history   1: for one pixel of every 2x2, rounded up; blur   1: to full size */
 
     /* ---- gathers, lights: what occludes */
-    int thickness;   /* SSGI_GL_THICKNESS_CONSTANT .. */
+    int thickness;   /* SSGI_GL_THICKNESS_DEFAULT .. */
     int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: it is solid from an odd one to
                         the next; an odd last one is as thick as thickness says */
     int views;       /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if one sees it in
@@ -869,14 +875,37 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n"
     "}\n" },
 
+{ "ssgi_measured", __LINE__ + 1,
+    "// what pass width wrote for a pixel: view depth, whose last 6 bits are the thickness, of the radius\n"
+    "uint ssgi_measured(ivec2 p) {\n"
+    "    uvec4 m = texelFetch(t_ssgi_width, (p >> 1) + u_ssgi_target / 2, 0);\n"
+    "    m.xy = (p.y & 1) == 0 ? m.xy : m.zw;\n"
+    "    return (p.x & 1) == 0 ? m.x : m.y;\n"
+    "}\n" },
+
+{ "ssgi_measured_depth", __LINE__ + 1,
+    "float ssgi_measured_depth(uint m) {\n"
+    "    float z = uintBitsToFloat(m & 0xffffffc0u);\n"
+    "    return z > 0.0 ? z : SSGI_FAR; // 0: out of the picture\n"
+    "}\n" },
+
 { "ssgi_depth", __LINE__ + 1,
+    "#if pass < SENDERS && (thickness == WIDTH || (thickness > WIDTH && search == SLICES))\n"
+    "float ssgi_depth(ivec2 p) { // view depth at a pixel\n"
+    "    return ssgi_measured_depth(ssgi_measured(p));\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_depth", __LINE__ + 1,
+    "#if !(pass < SENDERS && (thickness == WIDTH || (thickness > WIDTH && search == SLICES)))\n"
     "float ssgi_depth(ivec2 p) { // view depth at a pixel\n"
     "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x); // #if depth == WINDOW && !oblique\n"
     "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x; // #if depth == LINEAR || !depth && oblique\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0); // #if depth == CUSTOM\n"
     "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
     "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
-    "}\n" },
+    "}\n"
+    "#endif\n" },
 
 { "ssgi_layer", __LINE__ + 1,
     "float ssgi_layer(ivec2 p, int j) { // view depth of a hidden layer, 1 .., at a pixel\n"
@@ -914,6 +943,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_footprint(float z) { // width of a pixel at a view depth\n"
     "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)); // #if orthographic\n"
     "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)) * z; // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_plane", __LINE__ + 1,
+    "vec3 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P, for ssgi_above_plane\n"
+    "    return vec3(n.xy * u_ssgi_unproject.xy, n.z); // #if orthographic\n"
+    "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z); // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_above_plane", __LINE__ + 1,
+    "// height above the plane through P of the point at depth z, o pixels away\n"
+    "float ssgi_above_plane(vec3 k, vec2 o, vec3 P, float z) {\n"
+    "    return dot(k.xy, o) - k.z * (z + P.z); // #if orthographic\n"
+    "    return (dot(k.xy, o) + k.z) * z + k.z * P.z; // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_off_plane", __LINE__ + 1,
+    "float ssgi_off_plane(vec3 k, vec2 o, vec3 P, float z) { // its distance\n"
+    "    return abs(ssgi_above_plane(k, o, P, z));\n"
     "}\n" },
 
 { "ssgi_screen", __LINE__ + 1,
@@ -1106,6 +1153,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_segment_length", __LINE__ + 1,
     "float ssgi_segment_length; // length of the segment that is tested\n" },
 
+{ "ssgi_measured_width", __LINE__ + 1,
+    "// thickness of what is seen at a pixel, in view units, from ssgi_measured\n"
+    "float ssgi_measured_width(uint m) {\n"
+    "    float width = float(m & 63u) * (u_ssgi_radius / 63.0);\n"
+    "    return min(width, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
+    "    return width; // #if pass != LIGHTS\n"
+    "}\n" },
+
 { "ssgi_thickness", __LINE__ + 1,
     "float ssgi_thickness() { // constant thickness of visible surfaces\n"
     "    // short segments must not hit surfaces that float far in front of them\n"
@@ -1118,12 +1173,93 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_SHEET = 0.0005;\n" },
 
 { "ssgi_slab_thickness", __LINE__ + 1,
-    "// Thickness of slabs that begin at z, within least .. radius. Sheets, whose back face is what is seen,\n"
-    "// and surfaces without a back face have ssgi_thickness().\n"
+    "// Thickness of slabs that begin at z, within least .. radius. Sheets, whose back face is what is seen, and\n"
+    "// surfaces without a back face have ssgi_thickness(): points step over what is thinner.\n"
     "vec2 ssgi_slab_thickness(vec2 z, vec2 back, vec2 least) {\n"
     "    vec2 front = z * (1.0 + SSGI_SHEET);\n"
     "    bvec2 closed = bvec2(back.x > front.x && back.x < SSGI_FAR, back.y > front.y && back.y < SSGI_FAR);\n"
     "    return max(min(mix(vec2(ssgi_thickness()), back - z, closed), u_ssgi_radius), least);\n"
+    "}\n" },
+
+{ "ssgi_second_thickness", __LINE__ + 1,
+    "// thickness of a second slab, at most the radius; without a back face that of what is seen\n"
+    "float ssgi_second_thickness(float front, float back, float width) {\n"
+    "    return min(back > front * (1.0 + SSGI_SHEET) && back < SSGI_FAR ? back - front : width, u_ssgi_radius);\n"
+    "}\n" },
+
+/* ---- pass width: how thick surfaces are taken to be; as thick as they are wide in the picture */
+
+{ "SSGI_THINNEST", __LINE__ + 1,
+    "const float SSGI_THINNEST = 0.02; // of the radius\n" },
+
+{ "SSGI_OTHER", __LINE__ + 1,
+    "const float SSGI_OTHER = 0.1; // of the radius: thickness beside the edge of another surface, in one 2x2\n" },
+
+{ "SSGI_LIFTED", __LINE__ + 1,
+    "const float SSGI_LIFTED = 0.05; // of the radius: off a tangent plane by less a surface goes on\n" },
+
+{ "SSGI_LONGEST", __LINE__ + 1,
+    "const int SSGI_LONGEST = 32; // pixels\n" },
+
+{ "ssgi_end", __LINE__ + 1,
+    "// What is seen o pixels from P: 1 rises above the tangent plane there, or is out of the picture; -1 drops\n"
+    "// below it, away from the viewer, or nothing is seen; 0 the surface goes on.\n"
+    "int ssgi_end(ivec2 p, ivec2 o, vec3 P, vec3 plane, float slack) {\n"
+    "    float z = ssgi_depth(p + o), h = ssgi_above_plane(plane, vec2(o), P, z);\n"
+    "    if (!ssgi_inside(p + o)) return 1;\n"
+    "    if (z >= SSGI_FAR || (h < -slack && z > -P.z)) return -1;\n"
+    "    return h > slack ? 1 : 0;\n"
+    "}\n" },
+
+{ "ssgi_run", __LINE__ + 1,
+    "// Pixels that the surface at P goes on along a direction of the picture until it drops away. The radius\n"
+    "// where it ends in another that rises above it, or at the picture's edge: its end is hidden.\n"
+    "float ssgi_run(ivec2 p, ivec2 way, vec3 P, vec3 plane, float footprint, float pixels) {\n"
+    "    float run = pixels, wide = max(pixels / float(2 * SSGI_LONGEST), 1.0);\n"
+    "    for (int i = 0; i < 5; ++i) { // from far to near: the nearest end counts\n"
+    "        int k = int(float(SSGI_LONGEST >> i) * wide);\n"
+    "        int end_ = ssgi_end(p, way * k, P, plane, SSGI_LIFTED * u_ssgi_radius + 0.5 * footprint * float(k));\n"
+    "        run = end_ > 0 ? pixels : end_ < 0 ? float(k) : run;\n"
+    "    }\n"
+    "    return run;\n"
+    "}\n" },
+
+{ "ssgi_slab_widths", __LINE__ + 1,
+    "// widths of a 2x2, or where there is a back face its distance; of sheets, whose back face is what is seen, half\n"
+    "vec4 ssgi_slab_widths(ivec2 p, vec4 z, vec4 width) {\n"
+    "    for (int i = 0; i < 4; ++i) {\n"
+    "        float back = ssgi_slabs(p + ivec2(i & 1, i >> 1)).x;\n"
+    "        if (back < SSGI_FAR) width[i] = back > z[i] * (1.0 + SSGI_SHEET) ? back - z[i] : 0.5 * width[i];\n"
+    "    }\n"
+    "    return width;\n"
+    "}\n" },
+
+{ "ssgi_pack_measured", __LINE__ + 1,
+    "// view depth, to 4e-6 of it, and thickness, in [0, 1] of the radius\n"
+    "uvec4 ssgi_pack_measured(vec4 z, vec4 width) {\n"
+    "    z = mix(z, vec4(2.0 * SSGI_FAR), greaterThanEqual(z, vec4(SSGI_FAR)));\n"
+    "    return ((floatBitsToUint(z) + 32u) & 0xffffffc0u) | uvec4(width * 63.0 + 0.5);\n"
+    "}\n" },
+
+{ "main_width", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel;\n"
+    "    vec4 z = vec4(ssgi_depth(p), ssgi_depth(p + ivec2(1, 0)), ssgi_depth(p + ivec2(0, 1)), ssgi_depth(p + 1));\n"
+    "    vec4 width = vec4(SSGI_OTHER * u_ssgi_radius);\n"
+    "    if (z.x < SSGI_FAR) {\n"
+    "        vec3 P = ssgi_position(vec2(p) + 0.5, z.x), n = ssgi_normal(p, P), plane = ssgi_plane(P, n);\n"
+    "        float footprint = ssgi_footprint(z.x), pixels = u_ssgi_radius / footprint;\n"
+    "        float x = ssgi_run(p, ivec2(1, 0), P, plane, footprint, pixels);\n"
+    "        float y = ssgi_run(p, ivec2(0, 1), P, plane, footprint, pixels);\n"
+    "        x += ssgi_run(p, ivec2(-1, 0), P, plane, footprint, pixels);\n"
+    "        y += ssgi_run(p, ivec2(0, -1), P, plane, footprint, pixels);\n"
+    "        vec3 off = vec3(ssgi_off_plane(plane, vec2(1.0, 0.0), P, z.y),\n"
+    "            ssgi_off_plane(plane, vec2(0.0, 1.0), P, z.z), ssgi_off_plane(plane, vec2(1.0), P, z.w));\n"
+    "        bvec3 same = lessThan(off, vec3(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
+    "        width = mix(width, vec4(min(min(x, y) * footprint, u_ssgi_thickness)), bvec4(true, same));\n"
+    "    }\n"
+    "    width = ssgi_slab_widths(p, z, width); // #if thickness > WIDTH\n"
+    "    o_ssgi_width = ssgi_pack_measured(z, clamp(width / u_ssgi_radius, SSGI_THINNEST, 1.0));\n"
     "}\n" },
 
 /* ---- the occluder: what it sends, its distance */
@@ -1296,6 +1432,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return z;\n"
     "}\n" },
 
+{ "ssgi_thickness_at", __LINE__ + 1,
+    "float ssgi_thickness_at(ivec2 p, float z) { // of what is seen at a pixel, at depth z; a pixel at least\n"
+    "    return max(ssgi_measured_width(ssgi_measured(p)), ssgi_footprint(z));\n"
+    "}\n" },
+
 { "ssgi_in_slabs", __LINE__ + 1,
     "// whether depth s lies in a pixel's first slab, which begins at z, or in its second; z becomes that one's front\n"
     "bool ssgi_in_slabs(ivec2 p, float s, inout float z) {\n"
@@ -1322,7 +1463,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float z = ssgi_sending_depth(p); // #if bounce\n"
     "    bool found = -S.z > z; // #if thickness == SOLID\n"
     "    bool found = -S.z > z && -S.z < z + ssgi_thickness(); // #if thickness == CONSTANT\n"
-    "    bool found = ssgi_in_slabs(p, -S.z, z); // #if thickness > SOLID\n"
+    "    bool found = -S.z > z && -S.z < z + ssgi_thickness_at(p, z); // #if thickness == WIDTH\n"
+    "    bool found = ssgi_in_slabs(p, -S.z, z); // #if thickness > WIDTH\n"
     "    return S.z < 0.0 && ssgi_inside(p) && found\n"
     "        ? ssgi_fade_weight(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
     "        ? 1.0 : 0.0; // #if !(fade || range)\n"
@@ -2122,11 +2264,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 z, x, y, distance; // view depth; along t and up\n"
     "    vec2 c, h; // cosine and sine of the elevation\n"
     "    bvec2 inside, seen, up; // in the picture; within the radius; above the tangent plane\n"
+    "    vec2 width; // thickness of what is seen // #if thickness > SOLID\n"
     "};\n" },
 
 { "ssgi_taps_at", __LINE__ + 1,
     "ssgi_taps ssgi_taps_at(ssgi_slice s, vec3 P, ivec2 q0, ivec2 q1) {\n"
-    "    vec2 z = vec2(ssgi_depth(q0), ssgi_depth(q1));\n"
+    "    vec2 z = vec2(ssgi_depth(q0), ssgi_depth(q1)); // #if thickness < WIDTH\n"
+    "    uvec2 m = uvec2(ssgi_measured(q0), ssgi_measured(q1)); // #if thickness > SOLID\n"
+    "    vec2 z = vec2(ssgi_measured_depth(m.x), ssgi_measured_depth(m.y)); // #if thickness > SOLID\n"
+    "    vec2 width = vec2(ssgi_measured_width(m.x), ssgi_measured_width(m.y)); // #if thickness > SOLID\n"
     "    vec3 d0 = ssgi_position(vec2(q0) + 0.5, z.x) - P, d1 = ssgi_position(vec2(q1) + 0.5, z.y) - P;\n"
     "    vec2 x = vec2(dot(d0, s.t), -dot(d1, s.t)), y = vec2(dot(d0, s.n), dot(d1, s.n));\n"
     "    vec2 l = max(sqrt(vec2(dot(d0, d0), dot(d1, d1))), 1e-18);\n"
@@ -2135,7 +2281,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    bvec2 inside = bvec2(ssgi_inside(q0), ssgi_inside(q1));\n"
     "    bvec2 seen = bvec2(inside.x && l.x < u_ssgi_radius, inside.y && l.y < u_ssgi_radius);\n"
     "    bvec2 up = bvec2(seen.x && h.x > least.x, seen.y && h.y > least.y);\n"
-    "    return ssgi_taps(q0, q1, d0, d1, z, x, y, l, mix(c, -c, lessThan(x, vec2(0.0))), h, inside, seen, up);\n"
+    "    c = mix(c, -c, lessThan(x, vec2(0.0)));\n"
+    "    return ssgi_taps(q0, q1, d0, d1, z, x, y, l, c, h, inside, seen, up); // #if thickness < WIDTH\n"
+    "    return ssgi_taps(q0, q1, d0, d1, z, x, y, l, c, h, inside, seen, up, width); // #if thickness > SOLID\n"
     "}\n" },
 
 { "ssgi_walked", __LINE__ + 1,
@@ -2238,9 +2386,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_cover_second", __LINE__ + 1,
     "// the same of second slabs behind the taps\n"
-    "vec2 ssgi_cover_second(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 front, vec2 back, vec2 gap) {\n"
+    "vec2 ssgi_cover_second(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 front, vec2 deep) {\n"
     "    vec2 x = t.x, y = t.y, high = ssgi_deepen(s, x, y, t.z, front - t.z), bx = x, by = y;\n"
-    "    vec2 low = min(ssgi_deepen(s, bx, by, front, ssgi_slab_thickness(front, back, 2.0 * gap)), high);\n"
+    "    vec2 low = min(ssgi_deepen(s, bx, by, front, deep), high);\n"
     "    vec2 l = sqrt(x * x + y * y);\n"
     "    bvec2 seen = bvec2(t.inside.x && l.x < u_ssgi_radius, t.inside.y && l.y < u_ssgi_radius);\n"
     "    l = 0.5 * (l + min(l, sqrt(bx * bx + by * by)));\n"
@@ -2263,13 +2411,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 gap = (u - w.u) * u_ssgi_radius, second = vec2(0.0); // gap: between taps\n"
     "        gap *= share; // #if span\n"
     "        w.u = u;\n"
-    "        vec3 back0 = ssgi_slabs(t.q0), back1 = ssgi_slabs(t.q1); // #if thickness > SOLID\n"
-    "        vec2 deep = ssgi_slab_thickness(t.z, vec2(back0.x, back1.x), gap); // #if thickness > SOLID\n"
-    "        vec2 first = ssgi_cover(s, w, t, deep, gap); // #if thickness > SOLID\n"
+    "        vec2 first = ssgi_cover(s, w, t, max(t.width, gap), gap); // #if thickness > SOLID\n"
     "        vec2 first = ssgi_cover(s, w, t, vec2(u_ssgi_thickness), gap); // #if thickness == CONSTANT\n"
     "        vec2 first = ssgi_cover(s, w, t); // #if thickness == SOLID\n"
     "#if thickness == SLABS\n"
-    "        second = ssgi_cover_second(s, w, t, vec2(back0.y, back1.y), vec2(back0.z, back1.z), gap);\n"
+    "        vec3 back0 = ssgi_slabs(t.q0), back1 = ssgi_slabs(t.q1);\n"
+    "        vec2 deep = vec2(ssgi_second_thickness(back0.y, back0.z, t.width.x),\n"
+    "            ssgi_second_thickness(back1.y, back1.z, t.width.y));\n"
+    "        second = ssgi_cover_second(s, w, t, vec2(back0.y, back1.y), max(deep, 2.0 * gap));\n"
     "#endif\n"
     "        sums.all += first.x + first.y + second.x + second.y; // #if pass == HSAO\n"
     "        ssgi_add_sent(sums, t.q0, t.d0, first.x, second.x); // #if bounce\n"
@@ -2817,19 +2966,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * u_ssgi_dipole[3].xyz * R, 1.0) * (v_ssgi_turned.w * v_ssgi_at.w);\n"
     "}\n" },
 /* ==== >>filter: within surfaces, over frames, onto your picture ================================================= */
-
-{ "ssgi_plane", __LINE__ + 1,
-    "vec3 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P, for ssgi_off_plane\n"
-    "    return vec3(n.xy * u_ssgi_unproject.xy, n.z); // #if orthographic\n"
-    "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z); // #if !orthographic\n"
-    "}\n" },
-
-{ "ssgi_off_plane", __LINE__ + 1,
-    "// distance from the plane through P of the point at depth z, o pixels away\n"
-    "float ssgi_off_plane(vec3 k, vec2 o, vec3 P, float z) {\n"
-    "    return abs(dot(k.xy, o) - k.z * (z + P.z)); // #if orthographic\n"
-    "    return abs((dot(k.xy, o) + k.z) * z + k.z * P.z); // #if !orthographic\n"
-    "}\n" },
 
 /* ---- surfels' levels */
 
@@ -3384,6 +3520,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                        "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest back face; next front face behind "
                        "it; next back face behind that"),
     SSGI_GL__ROW_TEXTURE("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
+    SSGI_GL__ROW_TEXTURE("width", 2, NULL, "usampler2D", "RGBA32UI, half size, NEAREST: what width wrote"),
     SSGI_GL__ROW_YOURS("objects", 3, NULL, "usampler2D",
                        "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
     SSGI_GL__ROW_TEXTURE("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
@@ -3410,6 +3547,9 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_OUTPUT("sender", NULL, "uvec2",
                         "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent "
                         "and 14, octahedral view-space normal as 6 6"),
+    SSGI_GL__ROW_OUTPUT("width", NULL, "uvec4",
+                        "RGBA32UI: for each pixel of a 2x2 its view depth, whose last 6 bits are the thickness, of the "
+                        "radius"),
     SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",
                         "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
     SSGI_GL__ROW_OUTPUT("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
@@ -3490,7 +3630,8 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     SSGI_GL__WHEN(BLUR, "blur", "colour == COEFFICIENTS", "main_blur_coefficients"),
     SSGI_GL__ALWAYS(HISTORY, "history", "main_history"),
     SSGI_GL__WHEN(COMPOSE, "compose", "colour == GREY", "main_compose_grey"),
-    SSGI_GL__WHEN(COMPOSE, "compose", "colour != GREY", "main_compose_light")
+    SSGI_GL__WHEN(COMPOSE, "compose", "colour != GREY", "main_compose_light"),
+    SSGI_GL__ALWAYS(WIDTH, "width", "main_width")
 };
 
 enum {
@@ -3537,7 +3678,7 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
 static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__FIELD_WORDS(pass, SSGI_GL_PASSES - 1, "SSGI_GL",
                          "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE SPLAT UNSHUFFLE SMOOTH SUM "
-                         "BLUR HISTORY COMPOSE"),
+                         "BLUR HISTORY COMPOSE WIDTH"),
     SSGI_GL__FIELD_WORDS(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
     SSGI_GL__FIELD_SWITCH(lines),
 
@@ -3560,7 +3701,7 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__FIELD_SWITCH(kernel),
     SSGI_GL__FIELD_SWITCH(half),
 
-    SSGI_GL__FIELD_ENUM(thickness, THICKNESS, SLABS, "CONSTANT SOLID BACK SLABS"),
+    SSGI_GL__FIELD_ENUM(thickness, THICKNESS, SLABS, "DEFAULT CONSTANT SOLID WIDTH BACK SLABS"),
     SSGI_GL__FIELD_COUNT(layers, 8),
     SSGI_GL__FIELD_COUNT(views, 4),
     SSGI_GL__FIELD_COUNT(view_layers, 8),
@@ -3654,9 +3795,9 @@ static const char *const ssgi_gl__rules[][2] = {
       "SSGI_GL_POINTS or _MARCH" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
       "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE" },
-    { "(thickness == BACK || thickness == SLABS) && pass < SENDERS && (layers > 1 || views)",
-      "desc.thickness: back faces are "
-      "those of one layer and camera; layers and views want SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
+    { "thickness > SOLID && pass < SENDERS && (layers > 1 || views)",
+      "desc.thickness: widths and back faces are those of one layer and camera; layers and views want "
+      "SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
     { "world_normals && normal == FROM_DEPTH", "desc.world_normals: normals from depth are in view space" },
     { "half && pass == BLUR && filter == GAUSSIAN", "desc.filter: only SSGI_GL_BILATERAL brings half size to full" },
     { "pass == HISTORY && colour == COEFFICIENTS",
@@ -3767,6 +3908,8 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why)
 {
     static const int passes[] = { 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_SPLAT, SSGI_GL_FIELD };
+    static const int thickness[] = { SSGI_GL_THICKNESS_CONSTANT, SSGI_GL_THICKNESS_SOLID, SSGI_GL_THICKNESS_BACK,
+                                     SSGI_GL_THICKNESS_SLABS };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_NOTHING && plan->method <= SSGI_PLAN_FIELD,
                    "plan: must not be NULL, and of something");
@@ -3776,7 +3919,8 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     if (d.pass == SSGI_GL_SSDO && !d.environment) d.environment = SSGI_GL_ENVIRONMENT_MAP;
     SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_BALANCED, why));
     d.half = plan->half;
-    d.directions = plan->directions, d.steps = plan->steps, d.thickness = plan->thickness;
+    d.directions = plan->directions, d.steps = plan->steps;
+    d.thickness = thickness[plan->thickness];
     d.bands = plan->bands, d.levels = plan->levels, d.filter_radius = plan->filter_radius;
     if (d.pass == SSGI_GL_S3HO) {
         d.shaded = d.residual = 1;
@@ -3797,20 +3941,22 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     const int surfels = pass == SSGI_GL_SURFELS || splat, reads = shade || (blur && d.colour == SSGI_GL_COEFFICIENTS);
     const int slices = (pass == SSGI_GL_HSAO || ssdo || s3ho) && d.search == SSGI_GL_SLICES;
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
-    const int averages = blur || pass == SSGI_GL_HISTORY;
+    const int averages = blur || pass == SSGI_GL_HISTORY, width = pass == SSGI_GL_WIDTH;
     const int restores = averages && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce)
                       && d.transfer != SSGI_GL_TRANSFER_REFLECTED;
     if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
-    if (pass == SSGI_GL_SSAO) d.search = SSGI_GL_POINTS;
+    if (pass == SSGI_GL_SSAO || pass == SSGI_GL_LIGHTS) d.search = SSGI_GL_POINTS;
     if (pass == SSGI_GL_HSAO && !slices) d.falloff = SSGI_GL_FALLOFF_LINEAR;
     if (!d.filter_radius) d.filter_radius = d.filter == SSGI_GL_GAUSSIAN ? 2 : 1;
     if (!d.bands) d.bands = ssdo ? 3 : 4;
     if (!d.levels) d.levels = 5;
     if (!d.layers) d.layers = 1;
     if (!d.view_layers) d.view_layers = 1;
-    if (!points && pass != SSGI_GL_HSAO && !shade && !averages) d.half = 0;
+    if (!points && pass != SSGI_GL_HSAO && !shade && !averages) d.half = width;
+    if (!d.thickness) d.thickness = width ? SSGI_GL_THICKNESS_WIDTH : SSGI_GL_THICKNESS_CONSTANT;
+    if (d.thickness == SSGI_GL_THICKNESS_BACK && slices) d.thickness = SSGI_GL_THICKNESS_WIDTH; /* width reads them */
     if (!ssdo && pass != SSGI_GL_LIGHTS && pass != SSGI_GL_SENDERS) d.receiver = 0;
     if (!points || slices) d.fade = d.range = 0;
     if (!s3ho && !reads) d.transfer = 0;
@@ -4786,7 +4932,7 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
     const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT;
     const int wide = chain->precise > coefficients && !(blended && gles);
     int channels = single ? SSGI_GL__R : size == '2' ? SSGI_GL__RG : SSGI_GL__RGBA;
-    if (d->pass == SSGI_GL_SHUFFLE) return &ssgi_gl__formats[SSGI_GL__RGBA][SSGI_GL__UINT];
+    if (d->pass == SSGI_GL_SHUFFLE || d->pass == SSGI_GL_WIDTH) return &ssgi_gl__formats[SSGI_GL__RGBA][SSGI_GL__UINT];
     /* coefficients that do not fill their last texture: 1 in the first, the 9th in the second or third */
     if ((coefficients || halves) && (d->bands == 1 || (d->bands == 3 && last == (halves ? '1' : '2'))))
         channels = SSGI_GL__R;
@@ -4870,21 +5016,16 @@ static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_
     *ssgi_gl__texture(b, row->name + strlen("o_ssgi_")) = out->texture;
 }
 
-/* A step more. frame: as ssgi_gl_step has it. */
-static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
+/* A step more, of a desc that goes together. frame: as ssgi_gl_step has it. */
+static ssgi_gl_step *ssgi_gl__append(ssgi_gl__build *b, const ssgi_gl_desc *desc, const ssgi_gl_io *row, int rows,
+                                     int frame)
 {
-    ssgi_gl_step *s = b->count < b->capacity ? &b->steps[b->count] : &b->spare;
-    ssgi_gl_io row[SSGI_GL_MAX_IO];
-    ssgi_gl_desc d = *desc;
-    int rows;
-    d.pass = pass;
+    ssgi_gl_step *const s = b->count < b->capacity ? &b->steps[b->count] : &b->spare;
+    const ssgi_gl_desc d = ssgi_gl_resolve(desc);
     ++b->count;
     memset(s, 0, sizeof *s);
-    if (b->why || ssgi_gl_check(&d, &b->why) != SSGI_OK) return s;
-    s->desc = d;
+    s->desc = *desc;
     s->frame = frame;
-    rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
-    d = ssgi_gl_resolve(&d);
     ssgi_gl__step_size(s, b->chain, &d);
     ssgi_gl__step_draw(s, &d);
     for (int i = 0; i < rows; ++i) { /* textures come before the outputs of their names */
@@ -4892,6 +5033,33 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
         if (row[i].kind == SSGI_GL_OUTPUT) ssgi_gl__step_output(b, s, &d, &row[i]);
     }
     return s;
+}
+
+/* Pass width, for the one that wants most of it: it is written once, whatever reads it. */
+static void ssgi_gl__width(ssgi_gl__build *b, const ssgi_gl_desc *desc)
+{
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    ssgi_gl_desc d = *desc;
+    if (b->chain->lights.thickness > d.thickness) d.thickness = b->chain->lights.thickness;
+    if (b->chain->desc.thickness > d.thickness) d.thickness = b->chain->desc.thickness;
+    d.pass = SSGI_GL_WIDTH;
+    ssgi_gl__append(b, &d, row, ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), 0);
+}
+
+/* A step more, pass width before it where it is the first that reads what that writes. */
+static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
+{
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    ssgi_gl_desc d = *desc;
+    d.pass = pass;
+    if (b->why || ssgi_gl_check(&d, &b->why) != SSGI_OK) {
+        memset(&b->spare, 0, sizeof b->spare);
+        return &b->spare;
+    }
+    const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
+    for (int i = 0; i < rows; ++i)
+        if (!strcmp(row[i].name, "t_ssgi_width") && *ssgi_gl__texture(b, "width") < 0) ssgi_gl__width(b, &d);
+    return ssgi_gl__append(b, &d, row, rows, frame);
 }
 
 /* Averages what was last written under a name over frames and filters it, as the chain wants. Returns the texture that
@@ -5138,6 +5306,14 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b)
     if (!b->why) ssgi_gl__compose(b);
 }
 
+/* What errs least of what needs no further input: widths in slices, which read one layer of one camera. */
+static void ssgi_gl__thickness(ssgi_gl_desc *d)
+{
+    const int gathers = d->pass == SSGI_GL_HSAO || d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_S3HO;
+    const int slices = gathers && d->search == SSGI_GL_SLICES;
+    if (d->thickness == SSGI_GL_THICKNESS_DEFAULT && slices) d->thickness = SSGI_GL_THICKNESS_WIDTH;
+}
+
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why)
 {
     const char *const bad = ssgi_gl__chain_bad(chain);
@@ -5147,6 +5323,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
     own = *chain;
     if (own.desc.pass != SSGI_GL_S3HO) /* fields of s3ho and shade that blur looks at, too */
         own.desc.transfer = own.desc.shaded = own.desc.shading = own.desc.lights = 0;
+    ssgi_gl__thickness(&own.desc);
     if (own.desc.pass == SSGI_GL_SSDO && !own.desc.bands) own.desc.bands = 3; /* blur's default is 4 */
     for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {      /* checks all, then writes */
         memset(&b, 0, sizeof b);

@@ -86,8 +86,8 @@ if [ ! -x build/viewer ]; then skip 'viewer, GLFW is missing (apt-get install li
 else
     for m in ssao hsao hsao-march 'hsao back' 'hsao slabs' 'hsao solid'; do
         name=${m% *} behind=${m#"$name"} behind=${behind# }
-        build/viewer room --method "$name" --behind ${behind:-constant} --size $size --shot $work/a.png
-        build/render room --method "$name" --set behind=${behind:-constant} --size $size --out $work/b.png
+        build/viewer room --method "$name" --behind ${behind:-auto} --size $size --shot $work/a.png
+        build/render room --method "$name" --set behind=${behind:-auto} --size $size --out $work/b.png
         near "viewer, $m" $work/a.png $work/b.png 0.006
     done
     for m in ssdo s3ho; do

@@ -89,7 +89,7 @@ option_value() {    # of an option, good or bad, into $picked; 1 if it has none
     case $picked$1 in
     own--method | own--right) pick ssao hsao hsao-march ssdo ssdo-points s3ho truth ;;
     own--preset) pick fast balanced best ;;
-    own--behind) pick constant solid back slabs ;;
+    own--behind) pick auto constant solid width back slabs ;;
     own--normal) pick gbuffer depth ;;
     own--env) pick sky white street none "$work/folder" "$work/a.obj" "$work/noise.obj" ;;
     own--frames) pick 1 2 3 4 0 -1 1.5 1e3 99999999999999999999 ;;

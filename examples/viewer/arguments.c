@@ -50,7 +50,8 @@ const char usage[] =
     "usage: viewer SCENE.obj | SCENE.gltf | NAME   [options]; h in the window lists its keys\n"
     "  --method ssao | hsao | hsao-march | ssdo | ssdo-points | s3ho   [hsao]\n"
     "  --right METHOD | truth     beside it\n"
-    "  --preset fast | balanced | best   --behind constant | solid | back | slabs   --normal gbuffer | depth\n"
+    "  --preset fast | balanced | best   --behind auto | constant | solid | width | back | slabs\n"
+    "  --normal gbuffer | depth\n"
     "  --radius R  --history  --env sky | FILE  --ground  --size WxH  --camera ex,ey,ez,tx,ty,tz  --up x,y,z\n"
     "  --shot F.png   a picture of the window, then the end   --frames N   so many frames before it   --keys\n";
 
@@ -79,8 +80,8 @@ static int option(viewer *v, asked *to, const char *name, const char *value)
         return must(v, left->preset >= 0, name, value, "be fast, balanced or best");
     }
     if (!strcmp(name, "--behind")) {
-        v->behind = word(value, behinds, 4);
-        return must(v, v->behind >= 0, name, value, "be constant, solid, back or slabs");
+        v->behind = word(value, behinds, 6);
+        return must(v, v->behind >= 0, name, value, "be auto, constant, solid, width, back or slabs");
     }
     if (!strcmp(name, "--normal")) {
         v->from_depth = word(value, normals, 2);

@@ -53,7 +53,7 @@ static const char keys[] =
     "p  P\tpreset: left, right half\n"
     "s\tsplit: off, a method, the truth\n"
     "arrows\tmove the split\n"
-    "b\tbehind surfaces: constant, solid, back faces, slabs\n"
+    "b\tbehind surfaces: width for slices, constant, solid, width, back faces, slabs\n"
     "[  ]\tradius\t\tt\thistory\n"
     "n\tnormals: given, from depth\n"
     "e\terror to the truth\n"

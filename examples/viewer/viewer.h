@@ -91,7 +91,7 @@ typedef struct chain {
 typedef struct method { const char *name; int pass, search, lit; float thickness; } method;
 enum { METHODS = 6, TRUTH = METHODS, OPEN = 32, MAP = 64 };
 extern const method methods[METHODS];
-extern const char *const presets[3], *const behinds[4];
+extern const char *const presets[3], *const behinds[6];
 
 typedef struct half {
     int       method, preset, known;        /* known: last is of the frame before */

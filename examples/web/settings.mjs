@@ -17,7 +17,8 @@ export const methods = {
 };
 export const presets = { __proto__: null, FAST: 'fast', BALANCED: 'balanced', BEST: 'best' };
 export const views = ['lit', 'ambient', 'difference'];
-export const behinds = { __proto__: null, CONSTANT: 'constant', SOLID: 'unlimited', BACK: 'to the back face' };
+export const behinds = { __proto__: null, DEFAULT: 'as thick as wide', CONSTANT: 'constant', SOLID: 'unlimited',
+                         BACK: 'to the back face' };
 export const normals = { __proto__: null, SIGNED: 'of the G-buffer', FROM_DEPTH: 'from depth' };
 export const sizes = ['480x270', '640x360', '960x540', '1280x720', '1920x1080'];
 
@@ -86,7 +87,7 @@ export const settings = {
     b: word('none', [...Object.keys(methods), 'truth', 'off']),
     q: word('BALANCED', Object.keys(presets)),
     radius: number(0, -2, 2),
-    behind: word('CONSTANT', Object.keys(behinds)),
+    behind: word('DEFAULT', Object.keys(behinds)),
     thickness: number(-1, 0, 2, -1, ', or -1 for the method\'s own'),
     normals: word('SIGNED', Object.keys(normals)),
     history: flag(false),

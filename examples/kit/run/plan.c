@@ -10,8 +10,8 @@ enum { PLACES = 8000, PLACE_RAYS = 64, LIGHT_PLACES = 3000, LIGHT_RAYS = 768 };
 
 /* What a plan is made from: ambient visibility of four kinds; slabs where the scene or the frame has them. */
 enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
-static const char *const pictures[PICTURES][2] = { { "hsao", "" }, { "hsao-best", "" }, { "hsao", "behind=solid" },
-                                                   { "hsao", "behind=slabs" } };
+static const char *const pictures[PICTURES][2] = { { "hsao", "behind=constant" }, { "hsao-best", "behind=constant" },
+                                                   { "hsao", "behind=solid" }, { "hsao", "behind=slabs" } };
 
 /* Pixels without a surface are left out. */
 static int survey_of(ssgi_survey *survey, kit_image picture[PICTURES], int count, const float *z, kit_error *err)
@@ -250,7 +250,8 @@ const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
     for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i)
         if (asked[i].value >= asked[i].least)
             n += (size_t)snprintf(set + n, 256 - n, "%s%s=%d", n ? "," : "", asked[i].key, asked[i].value);
-    if (p->thickness) n += (size_t)snprintf(set + n, 256 - n, ",behind=%s", behind[p->thickness]);
+    if (p->method == SSGI_PLAN_HSAO || p->method == SSGI_PLAN_SSDO || p->method == SSGI_PLAN_S3HO)
+        n += (size_t)snprintf(set + n, 256 - n, ",behind=%s", behind[p->thickness]);
     if (p->method == SSGI_PLAN_SURFELS) n += (size_t)snprintf(set + n, 256 - n, ",size=%g", (double)p->size);
     if (wanted == SSGI_PLAN_BOUNCE && p->method == SSGI_PLAN_SSDO) snprintf(set + n, 256 - n, ",reuse=1");
     if (wanted != SSGI_PLAN_BOUNCE && (p->method == SSGI_PLAN_SSDO || p->method == SSGI_PLAN_S3HO))

@@ -28,15 +28,16 @@ typedef struct row { kit_setting setting; size_t member; int where; size_t offse
 ROW(noise_row, noise, "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, PLAN, 0)
 ROW(normal_row, normal, "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, PLAN, 0)
 #define THICKNESS(name, value) \
-    ROW(name, thickness, "constant thickness of visible surfaces, in radii", NULL, value, 0, 100, \
+    ROW(name, thickness, "thickness of visible surfaces, constant or the most of a width, in radii", NULL, value, 0, 100, \
         SCALED, FRAMED(thickness))
 THICKNESS(thickness_row, 1)
 THICKNESS(slice_thick_row, 0.6)
 THICKNESS(lit_thick_row, 0.4)
 THICKNESS(half_thick_row, 0.5)
 THICKNESS(most_thick_row, 0.7)
-ROW(behind_row, behind, "thickness of visible surfaces: constant; unlimited; to the back face; two slabs",
-    "constant solid back slabs", 0, 0, 3, GATHER, DESC(thickness))
+ROW(behind_row, behind, "thickness of what is seen: width for slices, else constant; constant; unlimited; as thick as "
+    "wide in the picture; to the back face; two slabs",
+    "auto constant solid width back slabs", 0, 0, 5, GATHER, DESC(thickness))
 ROW(half_row, half, "1: one pixel of every 2x2, brought to full size by the filter",
     NULL, 0, 0, 1, GATHER, DESC(half))
 ROW(hard_row, hard, "1: no attenuation by distance", NULL, 0, 0, 1, GATHER, DESC(hard))

@@ -42,6 +42,8 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
     { "hsao, full size", "hsao-best",  "directions=2,steps=6",                0 },
     { "hsao, full size", "hsao-best",  "",                                    1 },
     { "hsao, full size", "hsao-best",  "directions=4,steps=6,blur=2",         1 },
+    { "hsao, constant",  "hsao",       "behind=constant",                     1 },
+    { "hsao, constant",  "hsao-best",  "behind=constant",                     0 },
     { "hsao, solid",     "hsao",       "behind=solid",                        1 },
     { "hsao, back faces", "hsao",      "behind=back",                         1 },
     { "hsao, back faces", "hsao-best", "behind=back",                         0 },

@@ -28,6 +28,7 @@ const choice choices[] = { { "", 0, 0 },
                            CHOICE("rays", normal_rays, 1),
                            CHOICE("hard", hard, 1),
                            CHOICE("solid", thickness, SSGI_GL_THICKNESS_SOLID),
+                           CHOICE("width", thickness, SSGI_GL_THICKNESS_WIDTH),
                            CHOICE("back", thickness, SSGI_GL_THICKNESS_BACK),
                            CHOICE("slabs", thickness, SSGI_GL_THICKNESS_SLABS),
                            CHOICE("steps", steps, 3),
@@ -122,7 +123,8 @@ const variant variants[] = {
     { "`history`", { .pass = SSGI_GL_HISTORY } },
     { "`history`, colour", { .pass = SSGI_GL_HISTORY, .colour = SSGI_GL_COLOUR } },
     { "`history`, motion", { .pass = SSGI_GL_HISTORY, .motion = 1 } },
-    { "`compose`", { .pass = SSGI_GL_COMPOSE } }
+    { "`compose`", { .pass = SSGI_GL_COMPOSE } },
+    { "`width`", { .pass = SSGI_GL_WIDTH } }
 };
 const int variants_count = (int)(sizeof variants / sizeof variants[0]);
 
