@@ -168,8 +168,15 @@ npm: build/wasm/ssgi.wasm build/glsl-text
 	@echo 'build/npm: ssgi $(VERSION)'
 
 TESTS = main t others test_math test_trace test_files test_models test_library test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_steps test_surfels test_plan test_stability test_build
-build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) build/examples/page.o $(KIT_O) $(KIT_LIBS) -o $@
+TEST_H = tests/t.h tests/others.h tests/frames.h
+build/tests/%.o: tests/%.c $(HEADERS) $(TEST_H) | deps
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
+
+build/tests/test_stability.o: examples/stability.c examples/sweeps.c
+
+build/test: $(TESTS:%=build/tests/%.o) build/examples/page.o $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # Pictures are written and read while memory runs out: malloc is this program's own.
 build/starve: tests/starve.c tests/others.c build/kit/util.o build/kit/image.o tests/others.h
