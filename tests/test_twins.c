@@ -1153,6 +1153,52 @@ static void twin_spheres(void)
     }
 }
 
+/* Parts that a triangle's edges need: by the finest surfels in it, wherever it is about the near plane and the eye. */
+static void twin_parts(void)
+{
+    enum { MOST = 40 };
+    static const float m[2][16] = { { 1, 0, 0, 0, 0, 1.5f, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
+                                    { 0.5f, 0, 0, 0, 0, 0.7f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
+    static char text[TEXT];
+    random_state = 43;
+    for (int k = 0; k < 2; ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1, .orthographic = k };
+        const char *why = "";
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        int parts[2] = { 0, 0 };
+        if (!CHECK(ssgi_view_from_projection(&view, m[k], SSGI_CLIP_GL, 640, 480, &why) == SSGI_OK
+                       && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK, "%s", why))
+            return;
+        const float scale[4] = { 0.002f, 0.5f, 0, MOST };
+        memcpy(frame.surfel, scale, sizeof scale);
+        for (int i = 0; i < MANY; ++i) {                   /* view depths, area */
+            for (int c = 0; c < 3; ++c) in[i][c] = uniform(-1, 2) * (i & 1 ? 1 : 0.3f);
+            in[i][3] = powf(10, uniform(-3, 0.5f));
+        }
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_TESS_CONTROL);
+        char *const rest = strstr(text, "layout(vertices");
+        if (rest) *rest = 0;
+        if (!CHECK(rest, "no tessellator") || !probe_text(text, SSGI_GL_410, &frame, 0,
+                                                          "o = vec4(ssgi_parts(a.xyz, a.w));"))
+            return;
+        for (int i = 0; i < MANY; ++i) {
+            ssgi__surfel_maker maker = { .view = &view, .scale = { (double)scale[0], (double)scale[1] } };
+            ssgi__patch whole = { .area = (double)in[i][3] };
+            for (int c = 0; c < 3; ++c) whole.at[c][2] = -(double)in[i][c];
+            const double r = ssgi__surfel_finest(&whole, &maker),
+                         exact = sqrt((double)in[i][3] / (3.14159265358979 * 3169 * r * r));
+            if (fabs(exact - nearbyint(exact)) < 1e-4) continue;
+            const int want = ssgi__surfel_splits(&whole, &maker, MOST);
+            NEAR(out[i][0], want, 0, "ssgi_parts");
+            parts[0] += want > 1;
+            parts[1] += want < MOST;
+        }
+        CHECK(parts[0] > MANY / 4 && parts[1] > MANY / 4, "%d triangles in parts, %d in fewer than most", parts[0],
+              parts[1]);
+    }
+}
+
 /* ---- >>history: what is read of the last frame ------------------------------------------------------------------- */
 
 /* A camera that stands still, or went so far sideways. */
@@ -1322,6 +1368,7 @@ void test_twins(void)
     RUN("the Gaussian filter has its radius' deviation", gaussian_weights);
     RUN("of a sender's unseen side counts a quarter, edge-on nothing, of a second slab half", unseen_sides);
     RUN("a sphere's bounds in the picture as in C, before and across the near depth", twin_spheres);
+    RUN("a triangle's parts are as many as in C, about the near plane, too", twin_parts);
     RUN("an offset that no history has written leads no farther than a texel", history_stays_near);
     RUN("offsets are carried along, and end at a texel", history_keeps_offsets);
     RUN("the fewer texels a surface has, the farther its mean may be off", history_spreads);
