@@ -1112,6 +1112,33 @@ static void unseen_sides(void)
     probed_layers = 0;
 }
 
+/* Several points over a disc straight ahead stand in the middles of rings of equal area: their sum telescopes. Beyond
+   four radii it is its centre alone. */
+static void points_over_a_disc(void)
+{
+    static const int points[] = { 2, 4, 16 };
+    static char text[TEXT];
+    const ssgi_gl_frame frame = { .radius = 1 };
+    random_state = 47;
+    for (int k = 0; k < 3; ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_SPLAT, .dialect = SSGI_GL_450, .near_samples = points[k] };
+        for (int i = 0; i < MANY; ++i) { in[i][0] = uniform(0.1f, 2); in[i][1] = powf(10, uniform(-2, 1)); }
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_FRAGMENT);
+        char *const rest = strstr(text, "flat in");
+        if (rest) *rest = 0;
+        if (!CHECK(rest, "no varyings")
+            || !probe_text(text, d.dialect, &frame, 0,
+                           "o = vec4(ssgi_form(vec3(0.0, 0.0, a.x), vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, -1.0), a.y));"))
+            return;
+        for (int i = 0; i < MANY; ++i) {
+            const double h = (double)in[i][0], rr = (double)in[i][1], half = 0.5 * rr / points[k],
+                         several = h / rr * (1 / (h * h + half) - 1 / (h * h + rr + half)),
+                         want = h * h < 16 * rr ? several : 1 / (h * (h * h + rr));
+            if (fabs(h * h / (16 * rr) - 1) > 1e-5) NEAR(out[i][0], want, 2e-5 * want, "ssgi_form");
+        }
+    }
+}
+
 /* Pixel bounds of spheres, also of those that the near depth cuts. */
 static void twin_spheres(void)
 {
@@ -1367,6 +1394,7 @@ void test_twins(void)
     RUN("smooth averages 2^l pixels, whose ends share a weight", smooth_weights);
     RUN("the Gaussian filter has its radius' deviation", gaussian_weights);
     RUN("of a sender's unseen side counts a quarter, edge-on nothing, of a second slab half", unseen_sides);
+    RUN("several points over a disc stand in the middles of equal rings", points_over_a_disc);
     RUN("a sphere's bounds in the picture as in C, before and across the near depth", twin_spheres);
     RUN("a triangle's parts are as many as in C, about the near plane, too", twin_parts);
     RUN("an offset that no history has written leads no farther than a texel", history_stays_near);
