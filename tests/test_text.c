@@ -303,6 +303,21 @@ static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
     return text;
 }
 
+/* Descs may have a text in common, of fields that a pass does not look at: it is compiled once. */
+static void each_once(void)
+{
+    static char text[SSGI_GL_STAGES * TEXT];
+    static set_of all;
+    int kept = 0;
+    for (int i = 0; i < texts; ++i) {
+        const char *const source = source_of(text, &spoken[i].desc, spoken[i].stage);
+        const int before = all.count;
+        place_of(&all, hash_of(source, strlen(source)));
+        if (all.count > before || spoken[i].fresh) spoken[kept++] = spoken[i];
+    }
+    texts = kept;
+}
+
 /* Every variant in a desktop dialect and in an ES one, in turn, of those that it may have, and in Vulkan's: each choice
    meets each other choice, and each dialect. The stages of their own that passes have as one program, and in Vulkan's
    dialect the first of every pass; the others' vertex stage once a dialect; every toolbox in every dialect. */
@@ -337,6 +352,7 @@ static void speak(void)
         spoken[at].fresh = s == interfaces && (int)(hash >> 40 & 1) == way;     /* one in ES, the next not */
         if (spoken[at].fresh && CHECK(s < 1 << 10, "too many interfaces")) seen[interfaces++] = hash;
     }
+    each_once();
     for (int i = 0; i < SSGI_GL_DIALECTS; ++i, ++texts) {
         const ssgi_gl_desc d = { .dialect = i };
         spoken[texts].desc = d;
@@ -368,9 +384,9 @@ static void *glslang_run(void *folder)
             glslang.linked += spoken[i].fresh;
         }
         snprintf(path, sizeof path,
-                 "cd '%s' && ls | grep '^[0-9]' | xargs -r -n 256 -P 2 glslangValidator 2>&1 && "
+                 "cd '%s' && ls | grep '^[0-9]' | xargs -r -n 512 -P 2 glslangValidator 2>&1 && "
                  "ls | sed -n 's/^\\(p.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'glslangValidator -l {}.*' 2>&1 && "
-                 "ls | grep '^v' | xargs -r -n 32 -P 2 sh -c 'glslangValidator -V \"$@\" 2>&1 | "
+                 "ls | grep '^v' | xargs -r -n 56 -P 2 sh -c 'glslangValidator -V \"$@\" 2>&1 | "
                  "grep \"^v[0-9]*[.]\\|^ERROR: v[0-9]\"' sh && "
                  "ls | sed -n 's/^\\(w.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'mkdir d{} && cd d{} && "
                  "glslangValidator -V ../{}.*' 2>&1 && rm -r * && echo passed",
