@@ -340,7 +340,7 @@ static void fuzz(void)
 {
     char text[4000];
     int status = shell(text, sizeof text,
-                       "gcc -O1 -I. -fsanitize=address,undefined -fno-sanitize-recover=all '%s/tests/fuzz.c' -o "
+                       "gcc -O1 -DSSGI_STATIC -I. -fsanitize=address,undefined -fno-sanitize-recover=all '%s/tests/fuzz.c' -o "
                        "fuzz %s && ./fuzz 24000",
                        getenv("PWD"), "-lm");
     CHECK(!status, "24,000 inputs under address and undefined-behaviour sanitizers: %s", text);
