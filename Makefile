@@ -6,6 +6,7 @@
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make golden    the hashes of those texts that make test compares
 #   make passes    examples/PASSES.md, the table of them
+#   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
 #   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
 #   make viewer, engine, bench   a window; OpenSceneGraph as the host; milliseconds on a GPU. make viewer-test
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
@@ -167,6 +168,15 @@ npm: build/wasm/ssgi.wasm build/glsl-text
 	@sed 's/@VERSION@/$(VERSION)/' examples/packages/package.json >build/npm/package.json
 	@echo 'build/npm: ssgi $(VERSION)'
 
+# The GLSL of ssgi_gl.h as files, for an editor: make glsl-out DIR=d writes them, make glsl-in DIR=d reads them back.
+LIBRARY_C = examples/library.c
+build/library: $(LIBRARY_C) build/kit/util.o $(HEADERS) | deps
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/kit/util.o -lm -lpthread -o $@
+glsl-out glsl-in: build/library
+	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }
+	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
+
 TESTS = main t others test_math test_trace test_files test_models test_library test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_steps test_surfels test_plan test_stability test_build
 TEST_H = tests/t.h tests/others.h tests/frames.h
 build/tests/%.o: tests/%.c $(HEADERS) $(TEST_H) | deps
@@ -187,14 +197,17 @@ build/fuzz-files: FLAGS = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-san
 build/fuzz-files: tests/fuzz_files.c tests/others.c build/sanitized/util.o build/sanitized/image.o tests/others.h
 	@echo '  cc $@'; $(CC) $(FLAGS) $(filter-out %.h,$^) $(KIT_LIBS) -o $@
 
-# make test ONLY="math text" runs those groups.
-test: build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/test
-	build/test $(ONLY)
+# make test ONLY="math text" runs those groups, make test PASS=blur those that draw that pass.
+GROUPS_OF = $(shell sed -n 's/^| `$(1)` | \([a-z ]*\) |$$/\1/p' examples/docs/CONTRIBUTING.md)
+test: build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/library \
+      build/test
+	$(if $(PASS),$(if $(call GROUPS_OF,$(PASS)),,$(error PASS=$(PASS): examples/docs/CONTRIBUTING.md has no such pass)))
+	build/test $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
 
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes demo test chart light peers stability fit glsl golden deps clean
+.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test chart light peers stability fit glsl golden deps clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
 VIEWER_O    = util.o image.o places.o mesh.o shapes.o scenes.o scene.o light.o truth.o library.o

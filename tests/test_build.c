@@ -336,6 +336,31 @@ static void documentation(void)
           "the headers' first lines and SSGI_VERSION disagree");
 }
 
+/* The library of GLSL as files: back it is the same header, to the byte; an edit arrives; what is broken is refused by
+   name and leaves the header as it was. */
+static void library_as_files(void)
+{
+    static const struct { const char *edit, *says; } broken[] = {
+        { "sed -i '0,/^#endif$/{/^#endif$/d}' glsl/visibility.glsl", "not in pairs" },
+        { "echo '// mine' >glsl/mine.glsl", "mine.glsl: is no room" },
+        { "rm glsl/fetch.glsl", "fetch.glsl" },
+        { "printf %%s '//@ ssgi_x' >>glsl/fetch.glsl", "fetch.glsl: is no text that ends its last line" },
+        { ": >glsl/fetch.glsl", "fetch.glsl: " } };
+    char text[4000], line[600];
+    CHECK(!shell(text, sizeof text, "cp ssgi_gl.h edited.h && '%s/build/library' out edited.h glsl && '%s/build/library'"
+                 " in edited.h glsl && cmp ssgi_gl.h edited.h", getenv("PWD"), getenv("PWD")), "%s", text);
+    CHECK(!shell(text, sizeof text, "sed -i 's/SSGI_UNSEEN = 0.25/SSGI_UNSEEN = 0.5/' glsl/*.glsl && '%s/build/library' "
+                 "in edited.h glsl && diff ssgi_gl.h edited.h | grep -c '^> .*SSGI_UNSEEN = 0.5' && gcc -fsyntax-only "
+                 "-xc edited.h%s", getenv("PWD"), ""), "an edit of a file does not reach the header: %s", text);
+    for (size_t i = 0; i < sizeof broken / sizeof *broken; ++i) {
+        snprintf(line, sizeof line, "cp ssgi_gl.h edited.h && rm -r glsl && '%%s/build/library' out edited.h glsl && %s "
+                 "&& ! '%%s/build/library' in edited.h glsl && cmp ssgi_gl.h edited.h", broken[i].edit);
+        const int failed = shell(text, sizeof text, line, getenv("PWD"), getenv("PWD"));
+        const char *end = strchr(text, '\n');
+        CHECK(!failed && end && !end[1] && strstr(text, broken[i].says), "%s: %s", broken[i].edit, text);
+    }
+}
+
 static void fuzz(void)
 {
     char text[4000];
@@ -795,6 +820,7 @@ void test_build(void)
     RUN("a baked field has the same bytes at any optimisation", optimised);
     RUN("an optimiser is quick with both implementations", compile_time);
     RUN("the code in the headers' openings, in the README and in examples/minimal.c compiles and runs", documentation);
+    RUN("the library of GLSL as files comes back to the byte; edits arrive, what is broken is refused", library_as_files);
     RUN("the manifest names every file, what belongs together, and rows that the texts have", manifest);
     RUN("the headers as WebAssembly, without a C library, give the same texts, rows and blocks", wasm);
     RUN("what make install and make npm leave serves pkg-config, CMake and node", packages);
