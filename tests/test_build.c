@@ -193,8 +193,10 @@ static void compilers(void)
         const int failed = shell(text, sizeof text, "%s -c implementation.c -o implementation.o%s", compile, "")
                         || text[0];
         if (!i) implementation_seconds = t_spent(1) - before;
-        CHECK(!failed && !shell(text, sizeof text, "%s rooms.c field.c deep.c main.c -x none implementation.o -o two %s "
-                                "&& ./two", compile, "-lm")
+        CHECK(!failed
+                  && !shell(text, sizeof text,
+                            "%s rooms.c field.c deep.c main.c -x none implementation.o -o two %s && ./two", compile,
+                            "-lm")
                   && !text[0],
               "%s: %s", modes[i].whole, text);
         CHECK(!shell(text, sizeof text, "%s " WARNINGS " -Wno-unused-function -I. static.c -o one %s && ./one",
@@ -347,14 +349,19 @@ static void library_as_files(void)
         { "printf %%s '//@ ssgi_x' >>glsl/fetch.glsl", "fetch.glsl: is no text that ends its last line" },
         { ": >glsl/fetch.glsl", "fetch.glsl: " } };
     char text[4000], line[600];
-    CHECK(!shell(text, sizeof text, "cp ssgi_gl.h edited.h && '%s/build/library' out edited.h glsl && '%s/build/library'"
-                 " in edited.h glsl && cmp ssgi_gl.h edited.h", getenv("PWD"), getenv("PWD")), "%s", text);
-    CHECK(!shell(text, sizeof text, "sed -i 's/SSGI_UNSEEN = 0.25/SSGI_UNSEEN = 0.5/' glsl/*.glsl && '%s/build/library' "
-                 "in edited.h glsl && diff ssgi_gl.h edited.h | grep -c '^> .*SSGI_UNSEEN = 0.5' && gcc -fsyntax-only "
-                 "-xc edited.h%s", getenv("PWD"), ""), "an edit of a file does not reach the header: %s", text);
+    CHECK(!shell(text, sizeof text,
+                 "cp ssgi_gl.h edited.h && '%s/build/library' out edited.h glsl && "
+                 "'%s/build/library' in edited.h glsl && cmp ssgi_gl.h edited.h",
+                 getenv("PWD"), getenv("PWD")), "%s", text);
+    CHECK(!shell(text, sizeof text,
+                 "sed -i 's/SSGI_UNSEEN = 0.25/SSGI_UNSEEN = 0.5/' glsl/*.glsl && "
+                 "'%s/build/library' in edited.h glsl && diff ssgi_gl.h edited.h | "
+                 "grep -c '^> .*SSGI_UNSEEN = 0.5' && gcc -fsyntax-only -xc edited.h%s",
+                 getenv("PWD"), ""), "an edit of a file does not reach the header: %s", text);
     for (size_t i = 0; i < sizeof broken / sizeof *broken; ++i) {
-        snprintf(line, sizeof line, "cp ssgi_gl.h edited.h && rm -r glsl && '%%s/build/library' out edited.h glsl && %s "
-                 "&& ! '%%s/build/library' in edited.h glsl && cmp ssgi_gl.h edited.h", broken[i].edit);
+        snprintf(line, sizeof line,
+                 "cp ssgi_gl.h edited.h && rm -r glsl && '%%s/build/library' out edited.h glsl && "
+                 "%s && ! '%%s/build/library' in edited.h glsl && cmp ssgi_gl.h edited.h", broken[i].edit);
         const int failed = shell(text, sizeof text, line, getenv("PWD"), getenv("PWD"));
         const char *end = strchr(text, '\n');
         CHECK(!failed && end && !end[1] && strstr(text, broken[i].says), "%s: %s", broken[i].edit, text);
@@ -365,8 +372,8 @@ static void fuzz(void)
 {
     char text[4000];
     int status = shell(text, sizeof text,
-                       "gcc -O1 -DSSGI_STATIC -I. -fsanitize=address,undefined -fno-sanitize-recover=all '%s/tests/fuzz.c' -o "
-                       "fuzz %s && ./fuzz 24000",
+                       "gcc -O1 -DSSGI_STATIC -I. -fsanitize=address,undefined -fno-sanitize-recover=all "
+                       "'%s/tests/fuzz.c' -o fuzz %s && ./fuzz 24000",
                        getenv("PWD"), "-lm");
     CHECK(!status, "24,000 inputs under address and undefined-behaviour sanitizers: %s", text);
 }
@@ -376,7 +383,8 @@ static void not_numbers(void)
     static const char *const modes[] = { "gcc -O2 -ffast-math", "gcc -O1" };
     char text[4000];
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i)
-        CHECK(!shell(text, sizeof text, "%s -DSSGI_STATIC -I. '%s/tests/nan.c' -o nan -lm && ./nan", modes[i], getenv("PWD")),
+        CHECK(!shell(text, sizeof text, "%s -DSSGI_STATIC -I. '%s/tests/nan.c' -o nan -lm && ./nan", modes[i],
+                     getenv("PWD")),
               "%s: %s", modes[i], text);
 }
 
@@ -820,7 +828,8 @@ void test_build(void)
     RUN("a baked field has the same bytes at any optimisation", optimised);
     RUN("an optimiser is quick with both implementations", compile_time);
     RUN("the code in the headers' openings, in the README and in examples/minimal.c compiles and runs", documentation);
-    RUN("the library of GLSL as files comes back to the byte; edits arrive, what is broken is refused", library_as_files);
+    RUN("the library of GLSL as files comes back to the byte; edits arrive, what is broken is refused",
+        library_as_files);
     RUN("the manifest names every file, what belongs together, and rows that the texts have", manifest);
     RUN("the headers as WebAssembly, without a C library, give the same texts, rows and blocks", wasm);
     RUN("what make install and make npm leave serves pkg-config, CMake and node", packages);

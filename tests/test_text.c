@@ -1587,7 +1587,7 @@ static void golden(void)
     for (int i = 0; i < lines && i < SHOWN; ++i) CHECK(0, "%s", line[i]);
 }
 
-/* ---- >>complete: whoever adds something is told where it is missing ----------------------------------------------- */
+/* ---- >>complete: whoever adds something is told where it is missing ---------------------------------------------- */
 
 /* Fields that no choice of >>variants need vary. */
 static const char *const unvaried[][2] = {
@@ -1716,8 +1716,8 @@ static void every_pass(void)
         CHECK(strstr(passes, start), "%s: PASSES.md has no section on it: add it to variants of glsl-text's choices.c, "
               "then make passes", name);
         /* surfels fills a buffer of yours, once */
-        CHECK(drawn_ >> pass & 1 || pass == SSGI_GL_SURFELS, "%s: ssgi_gl_steps never draws it: ssgi_gl.h, >>steps, and a chain that asks for it "
-              "in drawn_passes (tests/test_text.c)", name);
+        CHECK(drawn_ >> pass & 1 || pass == SSGI_GL_SURFELS, "%s: ssgi_gl_steps never draws it: ssgi_gl.h, >>steps, "
+              "and a chain that asks for it in drawn_passes (tests/test_text.c)", name);
         snprintf(start, sizeof start, "\n| `%s` | ", name);
         row = strstr(contributing, start);
         if (!CHECK(row, "%s: examples/docs/CONTRIBUTING.md has no row on it in its table of passes and test groups",
@@ -1733,7 +1733,8 @@ static void every_pass(void)
                        group))
                 continue;
             for (c = source; *c; ++c) *c = (char)tolower((unsigned char)*c);
-            for (c = source; !named && (c = strstr(c, name)) != NULL; ++c) named = c == source || !isalnum((unsigned char)c[-1]);
+            for (c = source; !named && (c = strstr(c, name)) != NULL; ++c)
+                named = c == source || !isalnum((unsigned char)c[-1]);
             CHECK(named, "CONTRIBUTING.md, %s: %s never names it", name, path);
             free(source);
         }

@@ -936,7 +936,8 @@ static void view_slack(void)
                        still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
     static float map[MANY][4], wall[MANY];
     const ssgi_gl_desc d = {
-        .dialect = SSGI_GL_450, .views = 1, .samples = 4, .depth = SSGI_GL_DEPTH_LINEAR, .thickness = SSGI_GL_THICKNESS_SOLID
+        .dialect = SSGI_GL_450, .views = 1, .samples = 4, .depth = SSGI_GL_DEPTH_LINEAR,
+        .thickness = SSGI_GL_THICKNESS_SOLID
     };
     ssgi_view view;
     ssgi_gl_frame frame;
@@ -1170,7 +1171,7 @@ static void twin_spheres(void)
             const int is = ssgi__sphere_bounds(b, &view, in[i], in[i][3], frame.near_depth);
             for (int c = 0; c < 4; ++c) got[c] = fminf(fmaxf(out[i][c], 0), c & 1 ? 480 : 640);
             if (is) for (int c = 0; c < 4; ++c) NEAR(got[c], b[c], 0.02, "ssgi_sphere");
-            else CHECK(got[2] - got[0] < 0.02f || got[3] - got[1] < 0.02f, "a sphere that is not seen covers something");
+            else CHECK(got[2] - got[0] < 0.02f || got[3] - got[1] < 0.02f, "a sphere that is not seen is drawn");
             if (in[i][3] - in[i][2] < frame.near_depth)    /* no width would be a texel when it is rounded outwards */
                 for (int c = 0; c < 4; ++c) NEAR(out[i][c], 0, 0, "ssgi_sphere before the near depth");
             cut += is && -in[i][2] - in[i][3] < frame.near_depth;
