@@ -323,6 +323,7 @@ static void each_once(void)
         place_of(&all, hash_of(source, strlen(source)));
         if (all.count > before || spoken[i].fresh) spoken[kept++] = spoken[i];
     }
+    memset(spoken + kept, 0, (size_t)(texts - kept) * sizeof *spoken);     /* more are to follow there */
     texts = kept;
 }
 
@@ -394,7 +395,7 @@ static void *glslang_run(void *folder)
         snprintf(path, sizeof path,
                  "cd '%s' && ls | grep '^[0-9]' | xargs -r -n 512 -P 2 glslangValidator 2>&1 && "
                  "ls | sed -n 's/^\\(p.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'glslangValidator -l {}.*' 2>&1 && "
-                 "ls | grep '^v' | xargs -r -n 56 -P 2 sh -c 'glslangValidator -V \"$@\" 2>&1 | "
+                 "ls | grep '^v' | xargs -r -n 32 -P 2 sh -c 'glslangValidator -V \"$@\" 2>&1 | "
                  "grep \"^v[0-9]*[.]\\|^ERROR: v[0-9]\"' sh && "
                  "ls | sed -n 's/^\\(w.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'mkdir d{} && cd d{} && "
                  "glslangValidator -V ../{}.*' 2>&1 && rm -r * && echo passed",
