@@ -6,6 +6,7 @@
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make golden    the hashes of those texts that make test compares
 #   make passes    examples/docs/PASSES.md, the table of them
+#   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
 #   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
 #   make viewer, engine, bench   a window; OpenSceneGraph as the host; milliseconds on a GPU. make viewer-test
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
@@ -183,10 +184,24 @@ npm: build/wasm/ssgi.wasm build/glsl-text
 	@sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/package.json >build/npm/package.json
 	@echo 'build/npm: ssgi $(VERSION)'
 
+# The GLSL of ssgi_gl.h as files, for an editor: make glsl-out DIR=d writes them, make glsl-in DIR=d reads them back.
+LIBRARY_C = examples/tools/glsl/library.c
+build/library: $(LIBRARY_C) build/kit/util.o $(HEADERS) | deps
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/kit/util.o -lm -lpthread -o $@
+glsl-out glsl-in: build/library
+	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }
+	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
+
 TESTS = main t others $(addprefix test_,math trace files models library text twins pipeline light vectors field casters \
         steps surfels plan stability build)
-build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h $(SWEEP:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(SWEEP:%=build/examples/%.o) $(KIT_O) $(KIT_LIBS) -o $@
+TEST_H = tests/t.h tests/others.h tests/frames.h
+build/tests/%.o: tests/%.c $(HEADERS) $(EXAMPLE_H) $(TEST_H) | deps
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
+
+build/test: $(TESTS:%=build/tests/%.o) $(SWEEP:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # Pictures are written and read while memory runs out: malloc is this program's own.
 build/starve: tests/starve.c tests/others.c $(KIT_BASE:%=build/kit/%.o) tests/others.h
@@ -201,9 +216,12 @@ build/fuzz-files: tests/fuzz_files.c tests/others.c $(KIT_BASE:%=build/sanitized
 tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(GLSL_O)
 	@sh tests/tree.sh $(sort $^)
 
-# make test ONLY="math text" runs those groups.
-test: tree build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/test
-	build/test $(ONLY)
+# make test ONLY="math text" runs those groups, make test PASS=blur those that draw that pass.
+GROUPS_OF = $(shell sed -n 's/^| `$(1)` | \([a-z ]*\) |$$/\1/p' examples/docs/CONTRIBUTING.md)
+test: tree build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/library \
+      build/test
+	$(if $(PASS),$(if $(call GROUPS_OF,$(PASS)),,$(error PASS=$(PASS): examples/docs/CONTRIBUTING.md has no such pass)))
+	build/test $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
 
 # In place. Another version of clang-format lays out otherwise, so that only 14 is taken; tables that it would break
 # stand between clang-format off and on.
@@ -217,7 +235,8 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes demo test tree chart light peers stability fit glsl golden deps format clean
+.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light peers stability fit glsl \
+        golden deps format clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
 VIEWER_O    = $(addsuffix .o,$(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) library)

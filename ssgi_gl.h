@@ -4004,7 +4004,8 @@ static size_t ssgi_gl__word(const char **s)
 static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length)
 {
     for (int i = 0; i < SSGI_GL__FIELDS; ++i)
-        if (!strncmp(ssgi_gl__fields[i].name, name, length) && !ssgi_gl__fields[i].name[length])
+        if (*ssgi_gl__fields[i].name == *name && !strncmp(ssgi_gl__fields[i].name, name, length)
+            && !ssgi_gl__fields[i].name[length])
             return &ssgi_gl__fields[i];
     return NULL;
 }

@@ -10,12 +10,12 @@
 
 /* long ones first: the last to end is then a short one */
 static const struct { const char *name; void (*run)(void);
-} groups[] = { { "build", test_build },       { "casters", test_casters },     { "surfels", test_surfels },
-               { "pipeline", test_pipeline }, { "stability", test_stability }, { "plan", test_plan },
-               { "library", test_library },   { "text", test_text },           { "twins", test_twins },
-               { "light", test_light },       { "vectors", test_vectors },     { "field", test_field },
-               { "math", test_math },         { "trace", test_trace },         { "files", test_files },
-               { "steps", test_steps },       { "models", test_models } };
+} groups[] = { { "build", test_build }, { "text", test_text }, { "stability", test_stability },
+               { "pipeline", test_pipeline }, { "light", test_light }, { "vectors", test_vectors },
+               { "surfels", test_surfels }, { "casters", test_casters }, { "trace", test_trace },
+               { "field", test_field }, { "files", test_files }, { "steps", test_steps }, { "plan", test_plan },
+               { "math", test_math }, { "twins", test_twins }, { "models", test_models },
+               { "library", test_library } };
 enum { GROUPS = (int)(sizeof groups / sizeof groups[0]) };
 
 static struct { pid_t process; FILE *said; int answer[2], done; double seconds; } job[GROUPS];

@@ -844,6 +844,102 @@ static void hulls(void)
     t_note("a cube's faces, touched: occlusion is at least %.4f", contact);
 }
 
+/* Small triangles by chance, about the unit sphere. */
+static mesh *cloud_mesh(void)
+{
+    static mesh m;
+    m.triangles = 0;
+    for (int k = 0; k < 400; ++k) {
+        double w[3];
+        direction(w);
+        const double length = uniform(0.85, 1);
+        float *p = m.position + 9 * m.triangles++;
+        for (int i = 0; i < 9; ++i) p[i] = (float)(length * w[i % 3] + uniform(-0.03, 0.03));
+    }
+    return &m;
+}
+
+/* Rays go into a cone, about few directions, that holds all of the mesh: also what sticks out between them. */
+static void cones(void)
+{
+    static uint64_t memory[1 << 17];
+    double widest = 0;
+    int wide = 0, all = 0;
+    for (int k = 0; k < 12; ++k) {
+        const mesh *const m = k == 0 ? ball_mesh() : k == 1 ? box_mesh(cube) : k == 2 ? table_mesh() : cloud_mesh();
+        ssgi__field_occluder o = { .radius = 0 };
+        if (!CHECK(ssgi_trace_build(&o.trace, memory, sizeof memory, m->position, 12, NULL, m->triangles, NULL)
+                       == SSGI_OK && ssgi__field_measure(&o), "mesh %d", k))
+            return;
+        for (int i = 0; i < 300; ++i) {
+            double w[3], at[3], axis[3], least = 1;
+            ssgi__field_portal portal;
+            direction(w);
+            const double hull = ssgi__field_exit(&o, w, &portal) + ssgi__field_slack(&o);
+            for (int c = 0; c < 3; ++c) at[c] = w[c] * hull * (1 + (i % 4) * uniform(0, 3));
+            const double cosine = (double)ssgi__field_cone(axis, &o, at, portal.normal);
+            for (size_t t = 0; t < 3 * m->triangles; ++t) {
+                double d[3];
+                for (int c = 0; c < 3; ++c) d[c] = (double)m->position[3 * t + (size_t)c] - o.centre[c] - at[c];
+                normalise(d);
+                least = fmin(least, dot(d, axis));
+            }
+            CHECK(least >= cosine - 1e-5, "mesh %d: %.2f degrees outside of the cone", k,
+                  (acos(least) - acos(cosine)) * 180 / PI);
+            wide += !(cosine > 0);
+            ++all;
+            if (k < 3 && cosine > 0) widest = fmax(widest, acos(cosine) - acos(least));
+        }
+    }
+    CHECK(wide < all / 2 && widest < 0.5, "%d of %d cones are half spaces, others wider by up to %.2f", wide, all,
+          widest);
+    t_note("%d of %d cones are half spaces, those of a ball, a cube and a table wider by up to %.2f", wide, all,
+           widest);
+}
+
+/* The mean of points inside the hull, nearer ones counting more, is of those that the mesh does not enclose: between
+   two closed boxes, whose hull is a box. */
+static void inside_hulls(void)
+{
+    enum { POINTS = 3000, RAYS = 128 };
+    static const double half[3] = { 0.6, 0.6, 0.6 }, aside[2][3] = { { -1, 0, 0 }, { 1, 0, 0 } }, hull[3] = { 1.6, 0.6,
+                                                                                                         0.6 };
+    static mesh m;
+    const ssgi_field_desc d = { .resolution = 4, .radii = 4, .rays = 16 };
+    double sum = 0, weight = 0;
+    m.triangles = 0;
+    for (int k = 0; k < 2; ++k) add_box(&m, aside[k], half);
+    const ssgi_field f = baked(0, &d, &m);
+    for (int i = 0; i < POINTS; ++i) {
+        const double r = uniform(0, 1);
+        double w[3], p[3], exit_ = 1e30;
+        int enclosed = 0, hits = 0;
+        direction(w);
+        for (int k = 0; k < 3; ++k)
+            exit_ = fmin(exit_, ((w[k] > 0 ? hull[k] : -hull[k]) - (double)f.centre[k]) / w[k]);
+        for (int k = 0; k < 3; ++k) p[k] = (double)f.centre[k] + r * exit_ * w[k];
+        for (int k = 0; k < 2; ++k)
+            enclosed |= fabs(p[0] - aside[k][0]) < half[0] && fabs(p[1]) < half[1] && fabs(p[2]) < half[2];
+        for (int n = 0; n < RAYS && !enclosed; ++n) {
+            double way[3];
+            direction(way);
+            const float dir[3] = { (float)way[0], (float)way[1], (float)way[2] };
+            int hit = 0;
+            for (int k = 0; k < 2; ++k) {
+                const float from[3] = { (float)(p[0] - aside[k][0]), (float)p[1], (float)p[2] };
+                hit |= box_hit((void *)(uintptr_t)half, from, dir);
+            }
+            hits += hit;
+        }
+        if (enclosed) continue;
+        sum += (1 - r) * hits / RAYS;
+        weight += 1 - r;
+    }
+    CHECK(fabs((double)f.inside - sum / weight) < 0.04, "%.3f, of points between the boxes %.3f", (double)f.inside,
+          sum / weight);
+    t_note("%.3f, of points between the boxes %.3f", (double)f.inside, sum / weight);
+}
+
 /* The one closed form: a ball that rests on a plane takes 1/(1 + rho^2)^1.5 of it. */
 static void ball_on_plane(void)
 {
@@ -1059,6 +1155,8 @@ void test_field(void)
     RUN("bad descs, meshes and sizes are named and leave the field untouched", bad_arguments);
     RUN("triangles, needles, flat occluders, far, tiny and huge ones stay in [0,1]; scale does not matter", degenerate);
     RUN("hulls are where the mesh ends, and what touches one is dark", hulls);
+    RUN("cones to which rays are confined hold all of a mesh", cones);
+    RUN("inside a hull counts what the mesh does not enclose", inside_hulls);
     RUN("a ball on a plane has the closed form's contact shadow", ball_on_plane);
     RUN("there is no seam at edges and corners", borders);
     RUN("limits: ramp, reach, inside and power; points that are not finite", limits);

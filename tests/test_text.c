@@ -1,6 +1,13 @@
 /* test_text.c - the emitted text, by what any program may call: compilers, snprintf's law, reflection, names,
    sentences, fuzz, speed. */
 #include "t.h"
+/* white-box: this file has its own copy of the library, for its tables of GLSL and rows */
+#define SSGI_STATIC
+#define SSGI_IMPLEMENTATION
+#define SSGI_GL_IMPLEMENTATION
+#if defined(__GNUC__)
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
 #include "../ssgi_gl.h"
 #include "kit/kit_gl.h"
 
@@ -35,7 +42,7 @@ static const choice choices[] = {
     CHOICE(effect, 5, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
     CHOICE(axis, 2, 0, 1),          CHOICE(restore, 3, 0, 1),  CHOICE(span, 2, 0, 4),
     CHOICE(motion, 2, 0, 1),        CHOICE(left_handed, 2, 0, 1), CHOICE(oblique, 2, 0, 1),
-    CHOICE(multisampled, 2, 0, 1),  CHOICE(array, 2, 0, 1)
+    CHOICE(multisampled, 2, 0, 1),  CHOICE(array, 2, 0, 1),    CHOICE(onto, 4, 0, 1)
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
@@ -221,6 +228,7 @@ static void make_variants(void)
                                .directions = 2,
                                .fetch = FETCH };
             for (int k = 0; k < CHOICES; ++k) set(&d, choices[k].offset, choices[k].first);
+            d.environment = pass == SSGI_GL_SSDO ? SSGI_GL_ENVIRONMENT_SH : 0;     /* else it is refused: no key */
             ssgi_gl_desc other = d;
             other.search = other.tessellate = 0;
             if (!way || ssgi_gl_key(&d) != ssgi_gl_key(&other)) shape[shapes++] = d;
@@ -303,6 +311,22 @@ static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
     return text;
 }
 
+/* Descs may have a text in common, of fields that a pass does not look at: it is compiled once. */
+static void each_once(void)
+{
+    static char text[SSGI_GL_STAGES * TEXT];
+    static set_of all;
+    int kept = 0;
+    for (int i = 0; i < texts; ++i) {
+        const char *const source = source_of(text, &spoken[i].desc, spoken[i].stage);
+        const int before = all.count;
+        place_of(&all, hash_of(source, strlen(source)));
+        if (all.count > before || spoken[i].fresh) spoken[kept++] = spoken[i];
+    }
+    memset(spoken + kept, 0, (size_t)(texts - kept) * sizeof *spoken);     /* more are to follow there */
+    texts = kept;
+}
+
 /* Every variant in a desktop dialect and in an ES one, in turn, of those that it may have, and in Vulkan's: each choice
    meets each other choice, and each dialect. The stages of their own that passes have as one program, and in Vulkan's
    dialect the first of every pass; the others' vertex stage once a dialect; every toolbox in every dialect. */
@@ -337,6 +361,7 @@ static void speak(void)
         spoken[at].fresh = s == interfaces && (int)(hash >> 40 & 1) == way;     /* one in ES, the next not */
         if (spoken[at].fresh && CHECK(s < 1 << 10, "too many interfaces")) seen[interfaces++] = hash;
     }
+    each_once();
     for (int i = 0; i < SSGI_GL_DIALECTS; ++i, ++texts) {
         const ssgi_gl_desc d = { .dialect = i };
         spoken[texts].desc = d;
@@ -368,7 +393,7 @@ static void *glslang_run(void *folder)
             glslang.linked += spoken[i].fresh;
         }
         snprintf(path, sizeof path,
-                 "cd '%s' && ls | grep '^[0-9]' | xargs -r -n 256 -P 2 glslangValidator 2>&1 && "
+                 "cd '%s' && ls | grep '^[0-9]' | xargs -r -n 512 -P 2 glslangValidator 2>&1 && "
                  "ls | sed -n 's/^\\(p.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'glslangValidator -l {}.*' 2>&1 && "
                  "ls | grep '^v' | xargs -r -n 32 -P 2 sh -c 'glslangValidator -V \"$@\" 2>&1 | "
                  "grep \"^v[0-9]*[.]\\|^ERROR: v[0-9]\"' sh && "
@@ -1289,7 +1314,6 @@ static void sentences(void)
         { NULL, { .pass = SSGI_GL_SHADE, .bands = 1, .packed = 1, .transfer = 2 } }
     };
     const char *why = "";
-    CHECK(offsetof(ssgi_gl_desc, version) / sizeof(int) - INTS < 2, "desc has ints that this test does not know");
     CHECK(ssgi_gl_check(NULL, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "desc:"), "NULL: %s", why);
     for (size_t i = 0; i < INTS; ++i)
         for (int k = 0; k < 4; ++k) {
@@ -1554,11 +1578,170 @@ static void speed(void)
 
 static void golden(void)
 {
-    char line[1000];
+    enum { SHOWN = 4 };
+    char line[SHOWN][200], rest[1000];
     FILE *pipe = popen("build/glsl-text --golden | diff tests/golden.txt - 2>&1", "r");
     int lines = 0;
-    while (pipe && fgets(line, sizeof line, pipe)) if (lines++ < 5) CHECK(0, "%.*s", (int)strcspn(line, "\n"), line);
-    CHECK(pipe && !pclose(pipe) && !lines, "%d lines differ (if that is meant: make golden)", lines);
+    while (pipe && fgets(rest, sizeof rest, pipe))
+        if (lines++ < SHOWN) snprintf(line[lines - 1], sizeof line[0], "%.*s", (int)strcspn(rest, "\n"), rest);
+    CHECK(pipe && !pclose(pipe) && !lines, "if that is meant: make golden. %d lines differ", lines);
+    for (int i = 0; i < lines && i < SHOWN; ++i) CHECK(0, "%s", line[i]);
+}
+
+/* ---- >>complete: whoever adds something is told where it is missing ---------------------------------------------- */
+
+/* Fields that no choice of >>variants need vary. */
+static const char *const unvaried[][2] = {
+    { "pass", "a shape" }, { "dialect", "each text has several" }, { "search", "a shape" }, { "tessellate", "a shape" },
+    { "lines", "every eighth text" }, { "samples", "a constant" }, { "directions", "a constant" },
+    { "levels", "a constant" }, { "filter_radius", "a constant" } };
+
+/* Every int of the struct, as the header has it, is in the library's table and in both of this file. */
+static void every_field(void)
+{
+    char *header, name[64];
+    size_t size;
+    int found = 0;
+    if (!CHECK(!kit_file_read(&header, &size, "ssgi_gl.h", NULL), "ssgi_gl.h cannot be read")) return;
+    const char *at = strstr(header, "typedef struct ssgi_gl_desc {"), *end = at ? strstr(at, "} ssgi_gl_desc;") : NULL;
+    for (; end && (at = strchr(at, '\n')) != NULL && at++ < end;) {
+        const ssgi_gl_choice *field = NULL, *c;
+        int in_ints = 0, in_choices = 0;
+        if (sscanf(at, " int %63[a-z_];", name) != 1) continue;
+        ++found;
+        for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i) if (!strcmp(c->name, name)) field = c;
+        if (!CHECK(field, "desc.%s is not in ssgi_gl__fields (ssgi_gl.h, >>desc): no check, no #if, no key knows it",
+                   name))
+            continue;
+        for (int i = 0; i < INTS; ++i)
+            in_ints |= ints[i].offset == field->offset && ints[i].most == field->most;
+        for (int i = 0; i < CHOICES; ++i) in_choices |= choices[i].offset == field->offset;
+        for (size_t i = 0; i < sizeof unvaried / sizeof *unvaried; ++i) in_choices |= !strcmp(unvaried[i][0], name);
+        CHECK(in_ints, "desc.%s: add INT(%s, %d) to ints (tests/test_text.c, >>sentences)", name, name, field->most);
+        CHECK(in_choices, "desc.%s: no text is compiled with it: add CHOICE(%s, ..) to choices (tests/test_text.c, "
+              ">>variants) and to those of glsl-text's choices.c, then make golden", name, name);
+    }
+    free(header);
+    CHECK(found == INTS, "%d fields in the header, %d in ints (tests/test_text.c, >>sentences)", found, INTS);
+}
+
+/* Every line of the library and every row is in a text that is compiled. */
+static void every_line(void)
+{
+    static char text[SSGI_GL_STAGES * TEXT], line_of[400];
+    static set_of lines;
+    static char met[SSGI_GL__ROWS];
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    for (int i = 0; i < texts + 4; ++i) {
+        if (i >= texts) ssgi_gl_sh(text, sizeof text, i - texts + 1);
+        else if (spoken[i].desc.dialect != SSGI_GL_VULKAN || spoken[i].desc.tessellate)
+            source_of(text, &spoken[i].desc, spoken[i].stage);
+        else continue;
+        for (const char *line = text, *end; *line; line = end + (*end != 0)) {
+            end = line + strcspn(line, "\n");
+            place_of(&lines, hash_of(line, (size_t)(end - line)));
+        }
+        for (int k = 0, n = i < texts ? ssgi_gl_reflect(&spoken[i].desc, row, SSGI_GL_MAX_IO) : 0; k < n; ++k)
+            for (int r = 0; r < SSGI_GL__ROWS; ++r)
+                met[r] |= ssgi_gl__rows[r].io.name == row[k].name && ssgi_gl__rows[r].io.format == row[k].format;
+    }
+    for (int i = 0; i < SSGI_GL__CODES; ++i) {
+        const ssgi_gl__code *c = &ssgi_gl__library[i];
+        if (!strcmp(c->name, "SSGI_KERNEL")) continue;     /* its numbers are printed */
+        for (const char *line = c->text, *end; *line; line = end + 1) {
+            end = strchr(line, '\n');
+            const char *guard = memchr(line, '#', (size_t)(end - line));
+            if (guard == line) continue;
+            const int length = (int)((guard ? guard - 4 : end) - line), before = lines.count;
+            snprintf(line_of, sizeof line_of, "%.*s", length, line);
+            place_of(&lines, hash_of(line_of, strlen(line_of)));
+            CHECK(lines.count == before, "%s: no text that is compiled has \"%s\": its #if wants a choice in choices "
+                  "(tests/test_text.c, >>variants), or it cannot be reached", c->name, line_of);
+        }
+    }
+    for (int r = 0; r < SSGI_GL__ROWS; ++r)
+        CHECK(met[r], "row %s, \"%.40s\": no text that is compiled has it: choices (tests/test_text.c, >>variants)",
+              ssgi_gl__rows[r].io.name, ssgi_gl__rows[r].io.format);
+}
+
+/* The text of a document, wherever it is kept. */
+static char *document(const char *name)
+{
+    static const char *const folders[] = { "examples/docs", "examples" };
+    char path[200], *data = NULL;
+    size_t size;
+    for (int i = 0; i < 2 && !data; ++i) {
+        snprintf(path, sizeof path, "%s/%s", folders[i], name);
+        if (access(path, R_OK) || kit_file_read(&data, &size, path, NULL)) data = NULL;
+    }
+    CHECK(data, "%s cannot be read", name);
+    return data;
+}
+
+/* The passes that ssgi_gl_steps draws, of chains that between them ask for everything. */
+static uint64_t drawn_passes(void)
+{
+    static const ssgi_gl_desc descs[] = {
+        { .pass = SSGI_GL_SSAO }, { .pass = SSGI_GL_HSAO }, { .pass = SSGI_GL_HSAO, .onto = SSGI_GL_ONTO_MULTIPLY },
+        { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
+        { .pass = SSGI_GL_S3HO }, { .pass = SSGI_GL_FIELD }, { .pass = SSGI_GL_SPLAT },
+        { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT, .onto = SSGI_GL_ONTO_MULTIPLY } };
+    uint64_t passes = 0;
+    for (size_t i = 0; i < sizeof descs / sizeof *descs; ++i)
+        for (int flags = 0; flags < 8; ++flags) {
+            static ssgi_gl_step step[128];
+            ssgi_gl_chain chain = { .desc = descs[i], .width = 64, .height = 36 };
+            chain.desc.dialect = SSGI_GL_450;
+            chain.blur = flags & 1;
+            chain.history = flags >> 1 & 1;
+            chain.lights.pass = flags & 4 ? SSGI_GL_LIGHTS : 0;
+            const int n = ssgi_gl_steps(step, 128, &chain, NULL);
+            for (int k = 0; k < n && k < 128; ++k) passes |= (uint64_t)1 << step[k].desc.pass;
+        }
+    return passes;
+}
+
+/* Every pass has its section of PASSES.md, steps that draw it, and a row in CONTRIBUTING.md's table, whose groups are
+   there and name it. */
+static void every_pass(void)
+{
+    char *passes = document("PASSES.md"), *contributing = document("CONTRIBUTING.md");
+    const uint64_t drawn_ = drawn_passes();
+    for (int pass = 0; pass < SSGI_GL_PASSES && passes && contributing; ++pass) {
+        char start[80], group[40], path[80];
+        const char *const name = ssgi_gl_pass_name(pass), *at, *row;
+        if (!CHECK(*name, "pass %d has no name: add it to ssgi_gl__passes and to the values of pass in ssgi_gl__fields "
+                   "(ssgi_gl.h, >>passes, >>desc)", pass))
+            continue;
+        snprintf(start, sizeof start, "### `%s`", name);
+        CHECK(strstr(passes, start), "%s: PASSES.md has no section on it: add it to variants of glsl-text's choices.c, "
+              "then make passes", name);
+        /* surfels fills a buffer of yours, once */
+        CHECK(drawn_ >> pass & 1 || pass == SSGI_GL_SURFELS, "%s: ssgi_gl_steps never draws it: ssgi_gl.h, >>steps, "
+              "and a chain that asks for it in drawn_passes (tests/test_text.c)", name);
+        snprintf(start, sizeof start, "\n| `%s` | ", name);
+        row = strstr(contributing, start);
+        if (!CHECK(row, "%s: examples/docs/CONTRIBUTING.md has no row on it in its table of passes and test groups",
+                   name))
+            continue;
+        for (at = row + strlen(start); sscanf(at, "%39[a-z]", group) == 1; at += strspn(at, " ")) {
+            char *source = NULL, *c;
+            size_t size;
+            int named = 0;
+            at += strlen(group);
+            snprintf(path, sizeof path, "tests/test_%s.c", group);
+            if (!CHECK(!kit_file_read(&source, &size, path, NULL), "CONTRIBUTING.md, %s: there is no group %s", name,
+                       group))
+                continue;
+            for (c = source; *c; ++c) *c = (char)tolower((unsigned char)*c);
+            for (c = source; !named && (c = strstr(c, name)) != NULL; ++c)
+                named = c == source || !isalnum((unsigned char)c[-1]);
+            CHECK(named, "CONTRIBUTING.md, %s: %s never names it", name, path);
+            free(source);
+        }
+    }
+    free(passes);
+    free(contributing);
 }
 
 void test_text(void)
@@ -1582,5 +1765,8 @@ void test_text(void)
     if (desktop) kit_gl_close();
     RUN("random descs are refused with a sentence, or emitted whole", fuzz);
     RUN("a text takes a few times as long as reading it", speed);
+    RUN("every field of a desc is varied, refused by name and known to the library's table", every_field);
+    RUN("every line of the library and every row is in a text that is compiled", every_line);
+    RUN("every pass is described, drawn by steps, and has its row in CONTRIBUTING.md", every_pass);
     RUN("the texts are those whose hashes are in tests/golden.txt", golden);
 }

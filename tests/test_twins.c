@@ -2,6 +2,13 @@
    read: extra cameras, those of shadow maps, the light of a frame; and what a weight or a limit that no formula gives
    does in GLSL, by cases worked out by hand. */
 #include "t.h"
+/* white-box: this file has its own copy of the library, for what is private in it */
+#define SSGI_STATIC
+#define SSGI_IMPLEMENTATION
+#define SSGI_GL_IMPLEMENTATION
+#if defined(__GNUC__)
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
 #include "../ssgi_gl.h"
 #include "kit/kit_gl.h"
 
@@ -839,6 +846,47 @@ static void slices_limits(void)
     }
 }
 
+/* What stands before the receiver and a wall beside it: a pole farther away than the radius; and a second slab that
+   begins behind a plane turned from the viewer. Neither covers anything, however deep it is, or hides the wall. */
+static void what_covers_nothing(void)
+{
+    static const struct { int thickness; double tilt; float back[2]; } row[] = {
+        { SSGI_GL_THICKNESS_CONSTANT, 0, { 0, 0 } }, { SSGI_GL_THICKNESS_SOLID, 0, { 0, 0 } },
+        { SSGI_GL_THICKNESS_BACK, 0, { 0, 0 } },     { SSGI_GL_THICKNESS_SLABS, 0, { 0, 0 } },
+        { SSGI_GL_THICKNESS_SLABS, 95, { 8.5f, 9.7f } } };
+    static float map[MANY][4];
+    const int centre = SIDE / 2 * SIDE + SIDE / 2;
+    for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .directions = 1, .steps = 2, .hard = 1,
+                                 .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR, .thickness = row[k].thickness };
+        const double tilt = row[k].tilt * 0.017453292519943;
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        float covered[2];
+        if (!facing(&view, &frame, 2)) return;
+        frame.thickness = 2;
+        in[centre][0] = (float)sin(tilt);
+        in[centre][1] = (float)cos(tilt);
+        for (int pole = 0; pole < 2; ++pole) {
+            memset(map, 0, sizeof map);
+            for (int i = 0; i < MANY; ++i) {               /* taps: 2 and 18 pixels aside; the back is what is seen */
+                const int aside = abs(i % SIDE - SIDE / 2);
+                map[i][0] = !aside ? 10 : aside > 8 ? 9 : pole ? 7.9f : 100;
+                if (pole && aside <= 8) memcpy(&map[i][1], row[k].back, sizeof row[k].back);
+            }
+            GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+            const int went = probe(&d, &frame, texture,
+                                   "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel));"
+                                   "o = vec4(ssgi_gather(texel, P, vec3(a.x, 0.0, a.y), vec2(0.0, 0.5)).all);");
+            glDeleteTextures(1, &texture);
+            if (!went) return;
+            covered[pole] = out[centre][0];
+        }
+        CHECK(covered[0] > 0.1f && covered[1] == covered[0], "thickness %d, tilt %g: a wall covers %g, with more %g",
+              row[k].thickness, row[k].tilt, (double)covered[0], (double)covered[1]);
+    }
+}
+
 /* A surface just before what a shadow map shows, which faces its light and whose texels are points: lit as long as that
    is what rounding does. */
 static void shadow_slack(void)
@@ -888,7 +936,8 @@ static void view_slack(void)
                        still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
     static float map[MANY][4], wall[MANY];
     const ssgi_gl_desc d = {
-        .dialect = SSGI_GL_450, .views = 1, .samples = 4, .depth = SSGI_GL_DEPTH_LINEAR, .thickness = SSGI_GL_THICKNESS_SOLID
+        .dialect = SSGI_GL_450, .views = 1, .samples = 4, .depth = SSGI_GL_DEPTH_LINEAR,
+        .thickness = SSGI_GL_THICKNESS_SOLID
     };
     ssgi_view view;
     ssgi_gl_frame frame;
@@ -923,10 +972,11 @@ static void view_slack(void)
 
 typedef struct given { const char *name; GLuint texture; } given;
 
-/* A pass alone, into floats. */
-static int pass_drawn(float *result, int components, int width, int height, const ssgi_gl_desc *d,
+/* One of a pass's outputs alone, into floats. */
+static int pass_drawn(float *result, int output, int components, int width, int height, const ssgi_gl_desc *d,
                       const ssgi_gl_frame *frame, const given *textures, int count)
 {
+    const GLenum to = GL_COLOR_ATTACHMENT0 + (GLenum)output, buffers[2] = { output ? GL_NONE : to, to };
     kit_error err = { "" };
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     GLuint block, framebuffer, program = kit_pass_program(d, &err),
@@ -947,7 +997,8 @@ static int pass_drawn(float *result, int components, int width, int height, cons
             }
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, to, GL_TEXTURE_2D, target, 0);
+    glDrawBuffers(1 + output, buffers);
     glViewport(0, 0, width, height);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     const int read = kit_texture_read(target, width, height, components, result);
@@ -991,7 +1042,7 @@ static void smooth_weights(void)
                                  .axis = axis,
                                  .orthographic = 1,
                                  .depth = SSGI_GL_DEPTH_LINEAR };
-        if (!pass_drawn(got, 1, SIDE, LEVELS * SIDE, &d, &frame, t, 3)) return;
+        if (!pass_drawn(got, 0, 1, SIDE, LEVELS * SIDE, &d, &frame, t, 3)) return;
         for (int l = 0; l < LEVELS; ++l)
             for (int k = -8; k <= 8; ++k) {
                 const int reach = 1 << l >> 1, away = abs(k);
@@ -1016,7 +1067,7 @@ static void gaussian_weights(void)
     if (!facing(&view, &frame, 1)) return;
     for (int i = 0; i < MANY; ++i) { ao[i][0] = i == 32 * SIDE + 32; ao[i][1] = 5; }
     const given t = { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, ao[0]) };
-    if (!pass_drawn(got, 1, SIDE, SIDE, &d, &frame, &t, 1)) return;
+    if (!pass_drawn(got, 0, 1, SIDE, SIDE, &d, &frame, &t, 1)) return;
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
             const double is = (double)(got[(32 + y) * SIDE + 32 + x] / got[32 * SIDE + 32]),
@@ -1024,6 +1075,263 @@ static void gaussian_weights(void)
             CHECK(fabs(is - want) < 1e-5, "%d, %d away: %g of the centre's weight, not %g", x, y, is, want);
         }
     glDeleteTextures(1, &t.texture);
+}
+
+/* A sender that shows its unseen side sends a quarter of what is seen of it, edge-on nothing; a second slab behind it
+   half; what shines from both sides all. */
+static void unseen_sides(void)
+{
+    static const struct { float d[3], share[3]; } row[] = {    /* the normal is +z: before it, behind it, beside it */
+        { { 0.3f, 0, -1 }, { 1, 1, 1 } },       { { 0, 0.2f, 1 }, { 0.25f, 0.25f, 1 } },
+        { { 1, 0, -0.04f }, { 1, 1, 1 } },      { { 1, 0, 0.04f }, { 0.25f, 0.25f, 1 } },
+        { { 0, 1, -0.02f }, { 0, 0, 1 } },      { { 0, -1, 0.02f }, { 0, 0, 1 } } };
+    enum { ROWS = (int)(sizeof row / sizeof row[0]) };
+    static uint32_t sender[MANY][2];
+    const float share = 0.125f, second = 0.25f;
+    for (int i = 0; i < MANY; ++i) {
+        sender[i][0] = 256u | 128u << 9 | 64u << 18 | 16u << 27;           /* 1, 1/2, 1/4 */
+        sender[i][1] = 32u | 32u << 6;
+    }
+    probed_layers = kit_texture_array(SIDE, SIDE, 1, GL_RG32UI, (const float *)(const void *)sender);
+    for (int kind = 0; kind < 3; ++kind) {     /* plain, slabs, both sides */
+        const ssgi_gl_desc d = { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_450, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE,
+                                 .thickness = kind == 1 ? SSGI_GL_THICKNESS_SLABS : SSGI_GL_THICKNESS_SOLID,
+                                 .two_sided = kind == 2 };
+        const ssgi_gl_frame frame = { .radius = 1 };
+        memset(in, 0, sizeof in);
+        for (int i = 0; i < ROWS; ++i) memcpy(in[i], row[i].d, sizeof row[i].d);
+        if (!probe(&d, &frame, 0,
+                   "ssgi_sums s = ssgi_sums_none(vec3(0.0, 0.0, 1.0)); ssgi_add_sent(s, ivec2(0), a.xyz, 0.125, 0.25);"
+                   "o = vec4(s.bounce, 0.0);"))
+            break;
+        for (int i = 0; i < ROWS; ++i) {
+            const float want = share * row[i].share[kind] + (kind == 1 ? 0.5f * second : 0);
+            for (int c = 0; c < 3; ++c) NEAR(out[i][c], ldexpf(want, -c), 1e-6, "ssgi_add_sent");
+        }
+    }
+    glDeleteTextures(1, &probed_layers);
+    probed_layers = 0;
+}
+
+/* Several points over a disc straight ahead stand in the middles of rings of equal area: their sum telescopes. Beyond
+   four radii it is its centre alone. */
+static void points_over_a_disc(void)
+{
+    static const int points[] = { 2, 4, 16 };
+    static char text[TEXT];
+    const ssgi_gl_frame frame = { .radius = 1 };
+    random_state = 47;
+    for (int k = 0; k < 3; ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_SPLAT, .dialect = SSGI_GL_450, .near_samples = points[k] };
+        for (int i = 0; i < MANY; ++i) { in[i][0] = uniform(0.1f, 2); in[i][1] = powf(10, uniform(-2, 1)); }
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_FRAGMENT);
+        char *const rest = strstr(text, "flat in");
+        if (rest) *rest = 0;
+        if (!CHECK(rest, "no varyings")
+            || !probe_text(text, d.dialect, &frame, 0,
+                           "o = vec4(ssgi_form(vec3(0.0, 0.0, a.x), vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, -1.0), a.y));"))
+            return;
+        for (int i = 0; i < MANY; ++i) {
+            const double h = (double)in[i][0], rr = (double)in[i][1], half = 0.5 * rr / points[k],
+                         several = h / rr * (1 / (h * h + half) - 1 / (h * h + rr + half)),
+                         want = h * h < 16 * rr ? several : 1 / (h * (h * h + rr));
+            if (fabs(h * h / (16 * rr) - 1) > 1e-5) NEAR(out[i][0], want, 2e-5 * want, "ssgi_form");
+        }
+    }
+}
+
+/* Pixel bounds of spheres, also of those that the near depth cuts. */
+static void twin_spheres(void)
+{
+    static const float m[2][16] = { { 1, 0, 0, 0, 0, -1.5f, 0, 0, 0.1f, 0.2f, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
+                                    { 0.5f, 0, 0, 0, 0, 0.7f, 0, 0, 0, 0, -0.02f, 0, 0.1f, -0.2f, -1, 1 } };
+    static char text[TEXT];
+    random_state = 41;
+    for (int k = 0; k < 8; ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_FIELD, .dialect = SSGI_GL_450, .orthographic = k & 1 };
+        const char *why = "";
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        int cut = 0, empty = 0;
+        if (!CHECK(ssgi_view_from_projection(&view, m[k & 1], SSGI_CLIP_GL, 640, 480, &why) == SSGI_OK
+                       && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK, "%s", why))
+            return;
+        frame.near_depth = k < 2 ? frame.near_depth : uniform(0.1f, 2);
+        for (int i = 0; i < MANY; ++i) {
+            const float r = powf(10, uniform(-1, 0.5f)),
+                        s[4] = { uniform(-4, 4), uniform(-4, 4), -uniform(-2, 6), r };
+            memcpy(in[i], s, sizeof s);
+        }
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_VERTEX);
+        char *const rest = strstr(text, "flat out");
+        if (rest) *rest = 0;
+        if (!CHECK(rest, "no vertex stage") || !probe_text(text, d.dialect, &frame, 0, "o = ssgi_sphere(a);")) return;
+        for (int i = 0; i < MANY; ++i) {
+            float b[4] = { 0, 0, 0, 0 }, got[4];
+            const int is = ssgi__sphere_bounds(b, &view, in[i], in[i][3], frame.near_depth);
+            for (int c = 0; c < 4; ++c) got[c] = fminf(fmaxf(out[i][c], 0), c & 1 ? 480 : 640);
+            if (is) for (int c = 0; c < 4; ++c) NEAR(got[c], b[c], 0.02, "ssgi_sphere");
+            else CHECK(got[2] - got[0] < 0.02f || got[3] - got[1] < 0.02f, "a sphere that is not seen is drawn");
+            if (in[i][3] - in[i][2] < frame.near_depth)    /* no width would be a texel when it is rounded outwards */
+                for (int c = 0; c < 4; ++c) NEAR(out[i][c], 0, 0, "ssgi_sphere before the near depth");
+            cut += is && -in[i][2] - in[i][3] < frame.near_depth;
+            empty += !is;
+        }
+        CHECK(cut > 100 && empty > 100, "%d spheres are cut, %d not seen", cut, empty);
+    }
+}
+
+/* Parts that a triangle's edges need: by the finest surfels in it, wherever it is about the near plane and the eye. */
+static void twin_parts(void)
+{
+    enum { MOST = 40 };
+    static const float m[2][16] = { { 1, 0, 0, 0, 0, 1.5f, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
+                                    { 0.5f, 0, 0, 0, 0, 0.7f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
+    static char text[TEXT];
+    random_state = 43;
+    for (int k = 0; k < 2; ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1, .orthographic = k };
+        const char *why = "";
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        int parts[2] = { 0, 0 };
+        if (!CHECK(ssgi_view_from_projection(&view, m[k], SSGI_CLIP_GL, 640, 480, &why) == SSGI_OK
+                       && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK, "%s", why))
+            return;
+        const float scale[4] = { 0.002f, 0.5f, 0, MOST };
+        memcpy(frame.surfel, scale, sizeof scale);
+        for (int i = 0; i < MANY; ++i) {                   /* view depths, area */
+            for (int c = 0; c < 3; ++c) in[i][c] = uniform(-1, 2) * (i & 1 ? 1 : 0.3f);
+            in[i][3] = powf(10, uniform(-3, 0.5f));
+        }
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_TESS_CONTROL);
+        char *const rest = strstr(text, "layout(vertices");
+        if (rest) *rest = 0;
+        if (!CHECK(rest, "no tessellator") || !probe_text(text, SSGI_GL_410, &frame, 0,
+                                                          "o = vec4(ssgi_parts(a.xyz, a.w));"))
+            return;
+        for (int i = 0; i < MANY; ++i) {
+            ssgi__surfel_maker maker = { .view = &view, .scale = { (double)scale[0], (double)scale[1] } };
+            ssgi__patch whole = { .area = (double)in[i][3] };
+            for (int c = 0; c < 3; ++c) whole.at[c][2] = -(double)in[i][c];
+            const double r = ssgi__surfel_finest(&whole, &maker),
+                         exact = sqrt((double)in[i][3] / (3.14159265358979 * 3169 * r * r));
+            if (fabs(exact - nearbyint(exact)) < 1e-4) continue;
+            const int want = ssgi__surfel_splits(&whole, &maker, MOST);
+            NEAR(out[i][0], want, 0, "ssgi_parts");
+            parts[0] += want > 1;
+            parts[1] += want < MOST;
+        }
+        CHECK(parts[0] > MANY / 4 && parts[1] > MANY / 4, "%d triangles in parts, %d in fewer than most", parts[0],
+              parts[1]);
+    }
+}
+
+/* ---- >>history: what is read of the last frame ------------------------------------------------------------------- */
+
+/* A camera that stands still, or went so far sideways. */
+static int follows_itself(ssgi_view *view, ssgi_gl_frame *frame, float radius, float by)
+{
+    const float now[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    float last[16];
+    const char *why = "";
+    memcpy(last, now, sizeof last);
+    last[12] = last[13] = by;
+    return facing(view, frame, radius)
+        && CHECK(ssgi_gl_frame_history(frame, view, now, last, &why) == SSGI_OK, "%s", why);
+}
+
+/* An offset that no history has written leads no farther than a texel: of a plane that shows a ramp, two texels at most
+   from where it was. */
+static void history_stays_near(void)
+{
+    static float map[MANY][4];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1 };
+    ssgi_gl_frame frame;
+    ssgi_view view;
+    int found = 0;
+    if (!follows_itself(&view, &frame, 1, 0)) return;
+    for (int odd = 0; odd < 40; ++odd) {
+        const float offset = odd < 32 ? (float)(16 * odd) * 33 : powf(10, (float)(odd - 30));
+        for (int i = 0; i < MANY; ++i) {                   /* value, depth, frames, offset */
+            const float texel[4] = { (float)(i % SIDE + i / SIDE), 10, 5, offset };
+            memcpy(map[i], texel, sizeof texel);
+        }
+        GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+        const int went = probe(&d, &frame, texture,
+                               "vec3 P = ssgi_position(vec2(texel) + 0.5, 10.0);"
+                               "ssgi_last l = ssgi_last_of(texel, P, vec3(0.0, 0.0, 1.0), ssgi_image_of());"
+                               "o = vec4(l.light.x, l.off);");
+        glDeleteTextures(1, &texture);
+        if (!went) return;
+        for (int i = 0; i < MANY; ++i) {
+            if (!(out[i][3] > 0)) continue;
+            ++found;
+            CHECK(fabsf(out[i][0] - (float)(i % SIDE + i / SIDE)) <= 4, "offset %g: %g from where it was",
+                  (double)offset, (double)out[i][0] - i % SIDE - i / SIDE);
+        }
+    }
+    CHECK(found > 10 * MANY, "%d texels were found", found);
+}
+
+/* What is carried along is written as far as it goes: beyond the last sixteenth it stays that, in both words. */
+static void history_keeps_offsets(void)
+{
+    static float now[MANY][2], then[MANY][2], means[MANY][4], got[MANY][4];
+    static const struct { float carried, moved, want; } row[] = {
+        { 1023, -0.45f, 1023 }, { 0, 0.45f, 0 }, { 528, 0, 528 }, { 528 + 33 * 6, 0, 528 + 33 * 5 } };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1 };
+    const int centre = SIDE / 2 * SIDE + SIDE / 2;
+    for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        if (!follows_itself(&view, &frame, 0.01f, row[k].moved / 16)) return;
+        for (int i = 0; i < MANY; ++i) {                   /* of the last frame one texel is of the plane */
+            const float texel[4] = { 0.5f, 0.5f, 5, row[k].carried };
+            now[i][0] = then[i][0] = 0.5f;
+            now[i][1] = 10;
+            then[i][1] = i == centre ? 10 : 50;
+            memcpy(means[i], texel, sizeof texel);
+        }
+        const given t[4] = { { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, now[0]) },
+                             { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RG32F, then[0]) },
+                             { "t_ssgi_means", kit_texture(SIDE, SIDE, GL_RGBA32F, means[0]) },
+                             { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, NULL) } };
+        if (!pass_drawn(got[0], 1, 4, SIDE, SIDE, &d, &frame, t, 4)) return;
+        CHECK(got[centre][2] == 6 && got[centre][3] == row[k].want, "%g, moved by %g: %g after %g frames, not %g",
+              (double)row[k].carried, (double)row[k].moved, (double)got[centre][3], (double)got[centre][2],
+              (double)row[k].want);
+        for (int i = 0; i < 4; ++i) glDeleteTextures(1, &t[i].texture);
+    }
+}
+
+/* Where 1 to 9 of 3x3 texels are of the surface: their mean, and of values that are all alike a tenth of it times
+   sqrt(few (few - 1)), few = 9 over their number. */
+static void history_spreads(void)
+{
+    static float map[MANY][4];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1 };
+    ssgi_gl_frame frame;
+    ssgi_view view;
+    if (!facing(&view, &frame, 1)) return;
+    for (int i = 0; i < MANY; ++i) {                       /* blocks of 4x4: block b holds 1 + b % 9 of the surface */
+        const int x = i % SIDE % 4, y = i / SIDE % 4, block = i % SIDE / 4 + SIDE / 4 * (i / SIDE / 4),
+                  place = (3 * y + x + 5) % 9;             /* the middle first */
+        const int on = x < 3 && y < 3 && place <= block % 9;
+        map[i][0] = on ? 0.6f : 0.1f;
+        map[i][1] = on ? 10 : 50;
+    }
+    GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+    const int went = probe(&d, &frame, texture,
+                           "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_now(texel).w);"
+                           "o = vec4(ssgi_neighbourhood(texel, P, vec3(0.0, 0.0, 1.0), ssgi_image_of()), 0.0, 0.0);");
+    glDeleteTextures(1, &texture);
+    for (int i = 0; went && i < MANY; ++i) {
+        const double few = 9.0 / (1 + (i % SIDE / 4 + SIDE / 4 * (i / SIDE / 4)) % 9);
+        if (i % SIDE % 4 != 1 || i / SIDE % 4 != 1) continue;
+        NEAR(out[i][0], 0.6, 1e-6, "the mean");
+        NEAR(out[i][1], 0.06 * sqrt(few * (few - 1)), 1e-3, "the deviation");
+    }
 }
 
 /* ---- >>light of a frame ------------------------------------------------------------------------------------------ */
@@ -1081,9 +1389,17 @@ void test_twins(void)
     RUN("sectors are covered once, by the nearest; on the mean as much as intervals are", twin_sectors);
     RUN("slabs are as deep as their back faces say; sheets and open things by the thickness", twin_deep);
     RUN("a slice leaves out taps below 0.004 over the plane, and beyond the normal below 0.4", slices_limits);
+    RUN("what is beyond the radius, or begins behind the plane, covers nothing, however deep", what_covers_nothing);
     RUN("before a shadow map's surface it is lit for as far as depths are rounded", shadow_slack);
     RUN("an extra camera knows what is open two pixels before its surfaces", view_slack);
     RUN("smooth averages 2^l pixels, whose ends share a weight", smooth_weights);
     RUN("the Gaussian filter has its radius' deviation", gaussian_weights);
+    RUN("of a sender's unseen side counts a quarter, edge-on nothing, of a second slab half", unseen_sides);
+    RUN("several points over a disc stand in the middles of equal rings", points_over_a_disc);
+    RUN("a sphere's bounds in the picture as in C, before and across the near depth", twin_spheres);
+    RUN("a triangle's parts are as many as in C, about the near plane, too", twin_parts);
+    RUN("an offset that no history has written leads no farther than a texel", history_stays_near);
+    RUN("offsets are carried along, and end at a texel", history_keeps_offsets);
+    RUN("the fewer texels a surface has, the farther its mean may be off", history_spreads);
     kit_gl_close();
 }

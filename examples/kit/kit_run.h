@@ -95,6 +95,10 @@ GLuint    kit_light_rows(const kit_placed_light *placed, int first, int last, co
 /* The environment as the passes read it: harmonics, a map over a direction's solid angle, irradiance (and light over
    cones). */
 int       kit_add_environment(kit_making *m);
+/* ssgi_environment_map of a solid angle, or where that is below 0 ssgi_environment_cone of a cosine, of an environment
+   that is interleaved */
+ssgi_result kit_environment_of(float *out, int size, const float *rgb, const kit_image *env, float solid_angle,
+                               float cosine, const char **why);
 float    *kit_rgba(float *four, const float *map, int size);    /* size * size texels of three floats, as four */
 void      kit_add_grey(kit_making *m);                 /* albedo of meshes without a material */
 

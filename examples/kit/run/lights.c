@@ -272,6 +272,34 @@ float *kit_rgba(float *four, const float *map, int size)
     return four;
 }
 
+/* The last few are kept, for runs on one environment ask for the same. */
+ssgi_result kit_environment_of(float *out, int size, const float *rgb, const kit_image *env, float solid_angle,
+                               float cosine, const char **why)
+{
+    enum { KEPT = 16, MOST_SIZE = 64 };
+    static struct { uint64_t key; float map[3 * MOST_SIZE * MOST_SIZE]; } kept[KEPT];
+    static int next;
+    const size_t texels = (size_t)(size * size);
+    const struct { int width, height, size; float solid_angle, cosine; } of = { env->width, env->height, size,
+                                                                                solid_angle, cosine };
+    const uint64_t key = kit_hash(kit_hash(KIT_HASH, &of, sizeof of), rgb,
+                                  3 * (size_t)env->width * (size_t)env->height * sizeof *rgb);
+    for (int i = 0; i < KEPT && size <= MOST_SIZE; ++i)
+        if (kept[i].key == key) {
+            memcpy(out, kept[i].map, 3 * texels * sizeof *out);
+            return SSGI_OK;
+        }
+    const ssgi_result result =
+        solid_angle >= 0 ? ssgi_environment_map(out, size, rgb, env->width, env->height, solid_angle, why)
+                         : ssgi_environment_cone(out, size, rgb, env->width, env->height, cosine, why);
+    if (result == SSGI_OK && size <= MOST_SIZE) {
+        kept[next].key = key;
+        memcpy(kept[next].map, out, 3 * texels * sizeof *out);
+        next = (next + 1) % KEPT;
+    }
+    return result;
+}
+
 int kit_add_environment(kit_making *m)
 {
     enum { SIZE = 64, OPEN = 32, CONES = 8 };
@@ -290,18 +318,17 @@ int kit_add_environment(kit_making *m)
         failed = ssgi_sh_project_equirect(run->harmonics, m->gather.bands, run->equirect, env->width, env->height, &why)
                  != SSGI_OK;
     if (!failed && mapped)
-        failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height,
-                                      m->gather.samples ? (float)(2 * KIT_PI / m->gather.samples)
-                                      : m->gather.directions
-                                          ? (float)(0.75 * KIT_PI / m->gather.directions)
-                                          : (float)KIT_PI * run->frame.epsilon /* of surfels at the end of a shell */,
-                                      &why)
+        failed = kit_environment_of(map, SIZE, run->equirect, env,
+                                    m->gather.samples ? (float)(2 * KIT_PI / m->gather.samples)
+                                    : m->gather.directions
+                                        ? (float)(0.75 * KIT_PI / m->gather.directions)
+                                        : (float)KIT_PI * run->frame.epsilon /* of surfels at the end of a shell */,
+                                    0, &why)
                      != SSGI_OK
                  || !(run->environment = kit_keep(run, kit_texture(SIZE, SIZE, GL_RGBA32F, kit_rgba(four, map, SIZE))));
     for (int k = 0; k < slices && !failed && open_too; ++k) {
         failed =
-            ssgi_environment_cone(map, OPEN, run->equirect, env->width, env->height, (float)k / (float)slices, &why)
-            != SSGI_OK;
+            kit_environment_of(map, OPEN, run->equirect, env, -1, (float)k / (float)slices, &why) != SSGI_OK;
         kit_rgba(open + 4 * k * OPEN * OPEN, map, OPEN);
     }
     if (!failed && open_too)

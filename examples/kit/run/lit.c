@@ -27,7 +27,7 @@ static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
     ssgi_sh_window(run->frame.window, bands, window);
     if (m->gather.residual && !m->gather.shading && !failed)
         failed =
-            (env->data && ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK)
+            (env->data && kit_environment_of(map, OPEN, run->equirect, env, 0, 0, &why) != SSGI_OK)
             || ssgi_sh_residual(map, OPEN, run->harmonics, bands, suns, n, &why) != SSGI_OK
             || !(run->irradiance =
                      kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, kit_rgba(four, map, OPEN))));

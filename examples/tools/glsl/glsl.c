@@ -242,7 +242,7 @@ static void print_golden(void)
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
             uint64_t plain = 0, pairs = basis, vulkan = basis;
-            for (int a = 0; a < choices_count; ++a) {
+            for (int a = 0; a < choices_count && !ferror(stdout); ++a) {
                 uint64_t hash = basis;
                 for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect) {
                     const ssgi_gl_desc d = variant_of(pass, dialect, a, 0);

@@ -9,6 +9,7 @@
    comments between entries is kept. Both ways are exact: out and in again leaves the header as it was. */
 #include "kit/kit.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -118,6 +119,18 @@ static void quoted(text *out, const char *line, size_t length)
     puts_to(out, "\\n\"");
 }
 
+/* Is every #if of an entry closed? Returns the line that is wrong, counted from 0, or -1. */
+static int unclosed(const char *lines, const char *end)
+{
+    int depth = 0, number = 0, opened = 0;
+    for (const char *line = lines; line < end; line = strchr(line, '\n') + 1, ++number) {
+        if (!strncmp(line, "#if ", 4) && !depth++) opened = number;
+        else if (!strncmp(line, "#endif\n", 7) && --depth < 0) return number;
+        else if ((!strncmp(line, "#el", 3)) && !depth) return number;
+    }
+    return depth ? opened : -1;
+}
+
 static void put_entry(text *out, const char *lines, const char *end)
 {
     for (const char *line = lines, *stop; line < end; line = stop + 1) {
@@ -127,12 +140,19 @@ static void put_entry(text *out, const char *lines, const char *end)
     }
 }
 
+static size_t lines_between(const char *from, const char *to)
+{
+    size_t count = 0;
+    for (; from < to; ++from) count += *from == '\n';
+    return count;
+}
+
 static int read_room(text *out, const char *path, kit_error *err)
 {
     char *data;
     size_t size;
     if (kit_file_read(&data, &size, path, err)) return -1;
-    int failed = data[size - 1] != '\n' ? kit_fail(err, "%s: does not end its last line", path) : 0, number = 0;
+    int failed = !size || data[size - 1] != '\n' || memchr(data, 0, size) ? kit_fail(err, "%s: is no text that ends its last line", path) : 0, number = 0;
     for (char *line = data, *end; *line && !failed; line = end) {
         end = strchr(line, '\n') + 1;
         ++number;
@@ -150,7 +170,10 @@ static int read_room(text *out, const char *path, kit_error *err)
             ++number;
             stop = next;
         }
+        const int first = number - (int)lines_between(end, stop), wrong = unclosed(end, stop);
         if (stop == end) failed = kit_fail(err, "%s: line %d: an entry without text", path, number);
+        else if (wrong >= 0)
+            failed = kit_fail(err, "%s: line %d: #if and #endif are not in pairs", path, first + 1 + wrong);
         put_entry(out, end, stop);
         end = stop;
     }
@@ -158,9 +181,30 @@ static int read_room(text *out, const char *path, kit_error *err)
     return failed;
 }
 
+/* A .glsl in the folder that is no room's would be lost without a word. */
+static int no_strangers(const char *from, const char *to, const char *folder, kit_error *err)
+{
+    DIR *files = opendir(folder);
+    int failed = files ? 0 : kit_fail(err, "%s: cannot be read: %s", folder, strerror(errno));
+    for (struct dirent *file; !failed && (file = readdir(files)) != NULL;) {
+        const size_t length = strlen(file->d_name);
+        char path[4096];
+        int known = length < 5 || strcmp(file->d_name + length - 5, ".glsl");
+        for (const char *line = from; line < to && !known; line = strchr(line, '\n') + 1)
+            known = !strncmp(line, room_mark, strlen(room_mark)) && room_path(path, folder, line)
+                 && !strcmp(strrchr(path, '/') + 1, file->d_name);
+        if (!known)
+            failed = kit_fail(err, "%s/%s: is no room of the header: a new room begins with its \"%s..\" line there",
+                              folder, file->d_name, room_mark);
+    }
+    if (files) closedir(files);
+    return failed;
+}
+
 /* Rooms come in the header's order. */
 static int read_rooms(text *out, const char *from, const char *to, const char *folder, kit_error *err)
 {
+    if (no_strangers(from, to, folder, err)) return -1;
     for (const char *line = from; line < to; line = strchr(line, '\n') + 1) {
         char path[4096];
         if (strncmp(line, room_mark, strlen(room_mark))) continue;
