@@ -126,12 +126,13 @@ static int fit(kit_run *run, kit_gbuffer *g, float radius, int beyond)
     if (beyond) { run->frame.target[0] = 8; run->frame.target[1] = 6; }
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
-        const int by = p->desc.half && !i ? 2 : 1;
+        const int width = p->desc.pass == SSGI_GL_WIDTH, blur = p->desc.pass == SSGI_GL_BLUR;
+        const int by = width || (p->desc.half && !blur) ? 2 : 1;
         p->width = (g->viewport[2] + by - 1) / by + beyond;
         p->height = (g->viewport[3] + by - 1) / by + beyond;
         glBindTexture(GL_TEXTURE_2D, p->target[0]);
-        glTexImage2D(GL_TEXTURE_2D, 0, i ? GL_R32F : GL_RG32F, p->width, p->height, 0, i ? GL_RED : GL_RG, GL_FLOAT,
-                     NULL);
+        glTexImage2D(GL_TEXTURE_2D, 0, width ? GL_RGBA32UI : blur ? GL_R32F : GL_RG32F, p->width, p->height, 0,
+                     width ? GL_RGBA_INTEGER : blur ? GL_RED : GL_RG, width ? GL_UNSIGNED_INT : GL_FLOAT, NULL);
     }
     return 1;
 }
@@ -666,17 +667,32 @@ static void same_picture(void)
 
 enum { ENGINE_W = 240, ENGINE_H = 136, ENGINE = ENGINE_W * ENGINE_H };
 
-/* The run's gather, its choices changed, on another G-buffer. */
+static const ssgi_gl_desc *gather_of(const kit_run *run)
+{
+    int i = 0;
+    while (run->pass[i].desc.pass == SSGI_GL_WIDTH) ++i;
+    return &run->pass[i].desc;
+}
+
+/* The run, choices of the gather and of the passes before it changed, on another G-buffer. */
 static int otherwise(kit_image *out, kit_run *run, kit_gbuffer *g, ssgi_gl_desc d, float radius, int slice)
 {
-    kit_pass *p = &run->pass[0];
-    const GLuint was = p->program;
+    GLuint was[2];
     int ok = fit(run, g, radius, 0);
     run->frame.slice = slice;
-    p->program = kit_pass_program(&d, &err);
-    ok = ok && TRY(!p->program) && draw(out, run);
-    glDeleteProgram(p->program);
-    p->program = was;
+    for (int i = 0; i < 2; ++i) {
+        kit_pass *p = &run->pass[i];
+        was[i] = p->program;
+        d.pass = p->desc.pass;
+        if (d.pass == SSGI_GL_BLUR) continue;
+        p->program = kit_pass_program(&d, &err);
+        ok = ok && TRY(!p->program);
+    }
+    ok = ok && draw(out, run);
+    for (int i = 0; i < 2; ++i) {
+        if (run->pass[i].program != was[i]) glDeleteProgram(run->pass[i].program);
+        run->pass[i].program = was[i];
+    }
     run->frame.slice = 0;
     return ok;
 }
@@ -771,7 +787,7 @@ static void what_engines_have(void)
     for (int k = 8; k < 12; ++k) other.projection[k] = -g.projection[k];
     for (int i = 0; i < 4 * ENGINE; ++i) flat_[i] = i % 4 == 2 ? -n[i] : n[i];
     other.normal = kit_texture(ENGINE_W, ENGINE_H, GL_RGBA32F, flat_);
-    d = run.pass[0].desc;
+    d = *gather_of(&run);
     d.left_handed = 1;
     if (!otherwise(&got, &run, &other, d, scene.radius, 0)) return;
     CHECK(!apart(&want, &got, 0, 0), "left-handed: %d pixels differ", apart(&want, &got, 0, 0));
@@ -779,7 +795,7 @@ static void what_engines_have(void)
     glDeleteTextures(1, &other.normal);
 
     if (sampled(texture, &g)) {
-        d = run.pass[0].desc;
+        d = *gather_of(&run);
         d.multisampled = 1;
         if (!otherwise(&got, &run, &g, d, scene.radius, 0)) return;
         CHECK(!apart(&want, &got, 0, 0), "multisampled: %d pixels differ", apart(&want, &got, 0, 0));
@@ -795,14 +811,14 @@ static void what_engines_have(void)
         glActiveTexture(GL_TEXTURE0 + i);
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture[i]);
     }
-    d = run.pass[0].desc;
+    d = *gather_of(&run);
     d.array = 1;
     if (!otherwise(&got, &run, &g, d, scene.radius, 1)) return;
     CHECK(!apart(&want, &got, 0, 0), "a slice: %d pixels differ", apart(&want, &got, 0, 0));
     kit_image_free(&got);
     glDeleteTextures(2, texture);
 
-    d = run.pass[0].desc;
+    d = *gather_of(&run);
     d.depth = SSGI_GL_DEPTH_CUSTOM;                        /* its sampler is at unit 0, where depth is */
     d.fetch = "uniform sampler2D my_depth;\nfloat ssgi_custom_depth(ivec2 texel, int layer) {\n"
               "    return ssgi_decode(texelFetch(my_depth, texel, layer).x);\n}";
@@ -823,7 +839,7 @@ static void what_engines_have(void)
     }
     CHECK(!beyond, "%d pixels are outside of the oblique frustum", beyond);
     other.depth = kit_texture(ENGINE_W, ENGINE_H, GL_DEPTH_COMPONENT32F, m);
-    d = run.pass[0].desc;
+    d = *gather_of(&run);
     d.oblique = 1;
     if (!otherwise(&got, &run, &other, d, scene.radius, 0)) return;
     t_note("oblique: RMSE %.1e, %d pixels by more than 1/255", difference(&want, &got, 0, 0, 0),
@@ -845,7 +861,8 @@ static void what_engines_have(void)
     other.normal = kit_texture(ENGINE_W, ENGINE_H, GL_RGBA32F, flat_);
     for (int k = 0; k < 2; ++k) {
         kit_image straight;
-        d = run.pass[0].desc;
+        d = *gather_of(&run);
+        d.thickness = SSGI_GL_THICKNESS_CONSTANT;          /* widths begin at a 2x2's lower left, which is another */
         if (k) d.normal = SSGI_GL_NORMAL_FROM_DEPTH;
         if (!otherwise(&straight, &run, &g, d, scene.radius, 0) || !otherwise(&got, &run, &other, d, scene.radius, 0))
             return;
@@ -868,16 +885,18 @@ static void what_engines_have(void)
 
 /* ---- sizes, radii, garbage --------------------------------------------------------------------------------------- */
 
-/* How many pixels of any pass are not in [0,1], or not 1 where nothing holds no depth. */
+/* How many pixels of any pass that writes visibility are not in [0,1], or not 1 where nothing holds no depth. */
 static int wrong(const kit_run *run, const float *nothing)
 {
     int n = 0;
     for (int i = 0; i < run->passes; ++i) {
         const kit_pass *p = &run->pass[i];
         float v[160 * 90];
+        if (p->desc.pass == SSGI_GL_WIDTH) continue;
         if (p->width * p->height > 160 * 90 || kit_texture_read(p->target[0], p->width, p->height, 1, v)) return -1;
         for (int k = 0; k < p->width * p->height; ++k)
-            n += !(v[k] >= 0 && v[k] <= 1) || (nothing && (i || !p->desc.half) && !(nothing[k] > 0) && v[k] < 1);
+            n += !(v[k] >= 0 && v[k] <= 1)
+                 || (nothing && (p->desc.pass == SSGI_GL_BLUR || !p->desc.half) && !(nothing[k] > 0) && v[k] < 1);
     }
     return n;
 }
@@ -1042,6 +1061,94 @@ static void near_the_truth(void)
     }
     CHECK(share[2] < share[0] && share[0] < share[1], "best, balanced, fast are not in this order");
     kit_image_free(&out);
+    kit_image_free(&truth);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
+/* A post 12 pixels wide and a pole of one before a wall: how thick each is taken to be, by its own width, by back
+   faces, and as a sheet, whose back face is what is seen; and that view depths come along. */
+static void widths_are_measured(void)
+{
+    enum { W = 96, H = 64, POST = 20, ACROSS = 12, POLE = 45 };
+    static const char *const sets[] = { "behind=width", "behind=back" };
+    static float depth[W * H], back[W * H], normal[4 * W * H];
+    static uint32_t got[W * H];
+    const kit_camera c = looking_along_z(W, H, 1);         /* 2 units high: a pixel is 1/32 */
+    const float pixel = 2.0f / H, radius = 32 * pixel;
+    for (int i = 0; i < W * H; ++i) {
+        const int x = i % W, y = i / W, post = x >= POST && x < POST + ACROSS;
+        depth[i] = post ? 5 : x == POLE ? 4 : 10;
+        back[i] = x == POLE ? 4 : !post ? 0 : y < H / 2 ? 5.5f : 5;    /* the post: a solid below, a sheet above */
+        normal[4 * i + 2] = 1;
+    }
+    kit_gbuffer g = raw(&c, 1, GL_R32F, depth, normal);
+    g.back = kit_texture(W, H, GL_R32F, back);
+    for (int m = 0; m < 2; ++m) {
+        kit_run run;
+        int bad[4] = { 0 };
+        if (!start(&run, &g, "hsao", sets[m], radius)) return;
+        run.frame.thickness = radius;
+        kit_run_update(&run);
+        kit_run_draw(&run, 0);
+        if (!CHECK(run.pass[0].desc.pass == SSGI_GL_WIDTH, "%s: the first pass is another", sets[m])) return;
+        glBindFramebuffer(GL_FRAMEBUFFER, run.pass[0].framebuffer);
+        glReadPixels(0, 0, W / 2, H / 2, GL_RGBA_INTEGER, GL_UNSIGNED_INT, got);
+        for (int y = 8; y < H - 8; ++y)
+            for (int x = 8; x < W - 8; ++x) {
+                const uint32_t texel = got[4 * (y / 2 * W / 2 + x / 2) + 2 * (y & 1) + (x & 1)], bits = texel & ~63u;
+                const double thick = (texel & 63) / 63.0 * 32;          /* pixels */
+                const int post = x >= POST && x < POST + ACROSS;
+                float z;
+                memcpy(&z, &bits, sizeof z);
+                bad[0] += !(fabsf(z / depth[y * W + x] - 1) < 4e-6f);
+                if (post && m && y < H / 2) bad[1] += fabs(thick - 16) > 0.3;           /* 0.5 units */
+                else if (post) bad[1] += !(thick >= (m ? 0.5 : 1) * ACROSS - 0.3 && thick <= (m ? 1 : 2) * ACROSS);
+                else if (x == POLE) bad[2] += fabs(thick - (m ? 1.6 : 3.2)) > 0.3;      /* not of its 2x2's surface */
+                else bad[3] += thick < 31.7 && x != POLE - 1;                           /* the wall has no end */
+            }
+        CHECK(!bad[0] && !bad[1] && !bad[2] && !bad[3], "%s: wrong are %d depths, %d pixels of the post, %d of the "
+              "pole, %d of the wall", sets[m], bad[0], bad[1], bad[2], bad[3]);
+        kit_run_close(&run);
+    }
+    glDeleteTextures(1, &g.back);
+    g.back = 0;
+    kit_gbuffer_free(&g);
+}
+
+/* A ball whose winding is the wrong way round looks like a sheet to who reads back faces: that costs little. */
+static void wrong_winding(void)
+{
+    enum { W = 160, H = 90 };
+    static const char *const sets[3] = { "behind=width", "behind=back", "behind=slabs" };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_image truth, out;
+    kit_score score[3];
+    if (!TRY(kit_scene_load(&scene, "sphere", 0, &err))) return;
+    scene.camera.width = W;
+    scene.camera.height = H;
+    if (!TRY(kit_truth_ao(&truth, &scene, &scene.camera, 0.7f, KIT_ATTENUATION_LINEAR, 128, 1, &err))) return;
+    for (size_t t = 0; t < scene.mesh.triangles; ++t)
+        for (int k = 0; k < 3; ++k) {
+            float *const p = scene.mesh.position + 9 * t, *const n = scene.mesh.normal + 9 * t;
+            const float was[2] = { p[3 + k], n[3 + k] };
+            p[3 + k] = p[6 + k], p[6 + k] = was[0];
+            n[3 + k] = n[6 + k], n[6 + k] = was[1];
+        }
+    if (!TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))) return;
+    const kit_world world = { &scene, NULL };
+    for (int m = 0; m < 3; ++m) {
+        char set[64];
+        snprintf(set, sizeof set, "directions=4,steps=16,%s", sets[m]);
+        if (!TRY(kit_run_picture(&out, &g, &world, "hsao-best", set, 0.7f, &err))
+            || !TRY(kit_score_channel(&score[m], &out, &truth, "Y", NULL, &err)))
+            return;
+        kit_image_free(&out);
+        CHECK(score[m].rmse < 1.3 * score[0].rmse, "%s: RMSE %.4f, by widths %.4f", sets[m], score[m].rmse,
+              score[0].rmse);
+    }
+    t_note("RMSE by widths %.4f, back faces %.4f, slabs %.4f", score[0].rmse, score[1].rmse, score[2].rmse);
     kit_image_free(&truth);
     kit_gbuffer_free(&g);
     kit_scene_free(&scene);
@@ -1662,6 +1769,8 @@ void test_pipeline(void)
     RUN("garbage in depth and normals stays within [0,1]", garbage_is_survived);
     RUN("a room is near its ray-traced truth", near_the_truth);
     RUN("thin plates seen in perspective, with their back faces, are near their truth", plates_in_perspective);
+    RUN("a post is as thick as it is wide, or as its back face says; a sheet half as thick", widths_are_measured);
+    RUN("a ball whose winding is wrong is nearly as true with back faces as without", wrong_winding);
     RUN("the foretold number of fetches is what shaders make", fetches_are_counted);
     RUN("a last frame is where both cameras say; one of another size is refused by name", last_frames);
     RUN("over sixteen frames noise falls; the first after a cut is a single one", history_is_quiet);

@@ -171,8 +171,8 @@ static void by_hand(void)
                 ssgi_plan_choice(&p[k], i, &s);
             }
             if (p[0].method < 0) continue;
-            CHECK(fabsf(p[2].cost - p[0].cost - 2 * passes[p[0].thickness]) < 1e-5f, "choice %d: depth passes cost %g", i,
-                  (double)(p[2].cost - p[0].cost));
+            CHECK(fabsf(p[2].cost - p[0].cost - 2 * passes[p[0].thickness]) < 1e-5f, "choice %d: depth passes cost %g",
+                  i, (double)(p[2].cost - p[0].cost));
             CHECK(p[0].method == SSGI_PLAN_NOTHING || fabsf(p[1].cost / p[0].cost - 1) > 0.01f,
                   "choice %d: %g in either column", i, (double)p[0].cost);
             CHECK(p[0].method != SSGI_PLAN_FIELD
@@ -242,6 +242,10 @@ static void refused(void)
 /* Every choice becomes a desc that is good, and a method of the kit with the same settings. */
 static void drawable(void)
 {
+    static const int thickness[] = { [SSGI_PLAN_CONSTANT] = SSGI_GL_THICKNESS_CONSTANT,
+                                     [SSGI_PLAN_SOLID] = SSGI_GL_THICKNESS_SOLID,
+                                     [SSGI_PLAN_BACK] = SSGI_GL_THICKNESS_BACK,
+                                     [SSGI_PLAN_SLABS] = SSGI_GL_THICKNESS_SLABS };
     ssgi_plan_scene s = { .thickness = SSGI_PLAN_SLABS, .history = 1, .surfels = 1, .occluders = 1, .map = 1 };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
@@ -252,7 +256,7 @@ static void drawable(void)
             ssgi_plan p;
             if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_NOTHING) continue;
             CHECK(ssgi_gl_plan(&desc, &p, &why) == SSGI_OK && desc.depth == SSGI_GL_DEPTH_LINEAR
-                      && desc.steps == p.steps && desc.thickness == p.thickness && desc.half == p.half,
+                      && desc.steps == p.steps && desc.thickness == thickness[p.thickness] && desc.half == p.half,
                   "choice %d: %s", i, why);
             CHECK(!kit_plan_method(&m, &p, s.wanted, &err), "choice %d: %s", i, err.text);
             CHECK(p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD

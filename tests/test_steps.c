@@ -322,7 +322,8 @@ static void onto_a_picture(void)
             CHECK(h.step[h.steps - 1].desc.pass == (blur ? SSGI_GL_BLUR : SSGI_GL_COMPOSE)
                       && h.step[h.steps - 1].output[0].texture == -1, "onto %d: the last step is another", onto);
             if (!TRY(kit_texture_read(h.picture, W, H, 4, got))) return;
-            if (!blur && !TRY(kit_texture_read(h.made[0][0], W, H, 1, raw))) return;
+            const GLuint gathered = h.made[h.step[h.steps - 2].output[0].texture][0];
+            if (!blur && !TRY(kit_texture_read(gathered, W, H, 1, raw))) return;
             for (int i = 0; i < 4 * W * H; ++i) {
                 const double v = (double)(blur ? filtered : raw)[i / 4], want = i % 4 == 3 ? 0.5
                     : onto == 1 ? 0.5 * v : onto == 2 ? 0.5 * pow(v, 1 / 2.2) : 0.5 - 0.25 * (1 - v);
@@ -377,15 +378,61 @@ static void refusals(void)
     CHECK(!ssgi_gl_steps(NULL, 0, NULL, NULL), "a chain of NULL");
 }
 
+/* Pass width: once, before all that read it, for the one that wants the most of it; only where slices read it. A tap
+   costs as many fetches with it as without. */
+static void widths(void)
+{
+    static const struct { int at, thickness; ssgi_gl_chain chain; } row[] = {
+        { 0, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_HSAO } } },
+        { 0, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_S3HO }, .vectors = 1, .blur = 1 } },
+        { 0, SSGI_GL_THICKNESS_SLABS, { .desc = { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP,
+                                                  .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE,
+                                                  .thickness = SSGI_GL_THICKNESS_SLABS }, .blur = 1 } },
+        { 1, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
+                                        .direct = 1 } },
+        { 0, SSGI_GL_THICKNESS_BACK, { .desc = { .pass = SSGI_GL_HSAO, .thickness = SSGI_GL_THICKNESS_BACK } } },
+        { -1, 0, { .desc = { .pass = SSGI_GL_HSAO, .thickness = SSGI_GL_THICKNESS_CONSTANT } } },
+        { -1, 0, { .desc = { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .layers = 2 } } },
+        { -1, 0, { .desc = { .pass = SSGI_GL_SSAO } } },
+        { -1, 0, { .desc = { .pass = SSGI_GL_SSAO, .thickness = SSGI_GL_THICKNESS_BACK } } },
+        { -1, 0, { .desc = { .pass = SSGI_GL_SPLAT, .span = 4 } } },
+        { 0, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_SSAO, .thickness = SSGI_GL_THICKNESS_WIDTH } } },
+    };
+    const ssgi_gl_desc alone = { .pass = SSGI_GL_HSAO }, resolved = ssgi_gl_resolve(&alone);
+    for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
+        ssgi_gl_step step[STEPS];
+        ssgi_gl_chain chain = row[i].chain;
+        const char *why = "";
+        int times = 0, at = -1;
+        chain.width = chain.height = 8;
+        const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
+        if (!CHECK(n > 0, "%d: %s", i, why)) continue;
+        for (int k = n - 1; k >= 0; --k) {
+            if (step[k].desc.pass != SSGI_GL_WIDTH) continue;
+            at = k;
+            ++times;
+        }
+        CHECK(at == row[i].at && times == (at >= 0) && (at < 0 || step[at].desc.thickness == row[i].thickness),
+              "%d: step %d, %d of them, thickness %d", i, at, times, at < 0 ? 0 : step[at].desc.thickness);
+    }
+    CHECK(resolved.thickness == SSGI_GL_THICKNESS_CONSTANT, "a text alone has thickness %d", resolved.thickness);
+    ssgi_gl_desc constant = { .pass = SSGI_GL_HSAO, .half = 1, .directions = 2, .steps = 8 }, wide = constant;
+    const ssgi_gl_desc pass = { .pass = SSGI_GL_WIDTH };
+    wide.thickness = SSGI_GL_THICKNESS_WIDTH;
+    CHECK(kit_fetches(&wide) == kit_fetches(&constant) && kit_fetches(&pass) == 25,
+          "%d fetches with widths, %d without; %d in their pass", kit_fetches(&wide), kit_fetches(&constant),
+          kit_fetches(&pass));
+}
+
 /* What the last step of a chain brings, by its output's name, and whether that is its result or your picture. */
 static void results(void)
 {
     static const struct { const char *output; int steps; ssgi_gl_chain chain; } row[] = {
-        { "o_ssgi_bent", 2, { .desc = { .pass = SSGI_GL_S3HO, .shading = SSGI_GL_SHADING_BENT }, .width = 8,
-                              .height = 8 } },
         { "o_ssgi_bent", 3, { .desc = { .pass = SSGI_GL_S3HO, .shading = SSGI_GL_SHADING_BENT }, .width = 8,
+                              .height = 8 } },
+        { "o_ssgi_bent", 4, { .desc = { .pass = SSGI_GL_S3HO, .shading = SSGI_GL_SHADING_BENT }, .width = 8,
                               .height = 8, .blur = 1, .vectors = 1 } },
-        { "o_ssgi_light", 2, { .desc = { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH }, .width = 8,
+        { "o_ssgi_light", 3, { .desc = { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH }, .width = 8,
                                .height = 8, .blur = 1 } },
         { "o_ssgi_picture", 9, { .desc = { .pass = SSGI_GL_SPLAT, .span = 4, .levels = 2,
                                            .onto = SSGI_GL_ONTO_MULTIPLY }, .width = 8, .height = 8 } },
@@ -520,6 +567,7 @@ void test_steps(void)
             RUN("what is bound wrong is named before it is drawn", wrong_things);
             RUN("ambient visibility stands on a picture", onto_a_picture);
             RUN("a chain that cannot be drawn is refused", refusals);
+            RUN("pass width is drawn once, where slices read it, and costs a tap nothing", widths);
             RUN("every chain ends with its result, or on the picture", results);
             RUN("chains by chance are refused, or draw without an error", random_chains);
         }

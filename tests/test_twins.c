@@ -212,6 +212,7 @@ static float *const ins = &in[0][0], *const outs = &out[0][0];    /* the same, f
 
 static ssgi_gl_views probed;               /* extra cameras that probes see, */
 static GLuint probed_layers;               /* and what these see */
+static GLuint probed_width;                /* what pass width wrote, at its unit */
 
 /* A text up to its main, and a main that makes o of inputs: in to out. X(k): texel k of the pixel's four of the input,
    a: its own; Y(k): the same of maps, which all textures of the text read too. */
@@ -247,7 +248,7 @@ static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, GLuin
     }
     for (GLenum unit = 0; unit < 16; ++unit) {
         glActiveTexture(GL_TEXTURE0 + unit);
-        glBindTexture(GL_TEXTURE_2D, unit == 15 ? input : maps);
+        glBindTexture(GL_TEXTURE_2D, unit == 15 ? input : unit == 2 && probed_width ? probed_width : maps);
         glBindTexture(GL_TEXTURE_2D_ARRAY, probed_layers);
     }
     glGenFramebuffers(1, &framebuffer);
@@ -770,11 +771,11 @@ static void twin_sectors(void)
     }
 }
 
-/* Depths of slabs: as measured, at least a gap, at most the radius; of sheets, to a half's rounding, and of what has no
-   back, the thickness. */
+/* Depths of slabs, for points: as measured, at least a gap, at most the radius; of sheets, to a half's rounding, and of
+   what has no back, the thickness. */
 static void twin_deep(void)
 {
-    const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .thickness = SSGI_GL_THICKNESS_BACK };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_SSAO, .dialect = SSGI_GL_450, .thickness = SSGI_GL_THICKNESS_BACK };
     ssgi_gl_frame frame;
     memset(&frame, 0, sizeof frame);
     frame.radius = 0.5f;
@@ -846,6 +847,19 @@ static void slices_limits(void)
     }
 }
 
+/* What pass width would write of view depths in x, were all as thick as the radius. */
+static GLuint as_thick_as_the_radius(const float (*map)[4])
+{
+    static uint32_t packed[MANY];
+    for (int i = 0; i < MANY; ++i) {                       /* a texel a 2x2 */
+        const int x = i % SIDE, y = i / SIDE;
+        uint32_t bits;
+        memcpy(&bits, &map[i][0], sizeof bits);
+        packed[4 * (y / 2 * SIDE / 2 + x / 2) + 2 * (y & 1) + (x & 1)] = ((bits + 32) & ~63u) | 63;
+    }
+    return kit_texture(SIDE / 2, SIDE / 2, GL_RGBA32UI, (const float *)(const void *)packed);
+}
+
 /* What stands before the receiver and a wall beside it: a pole farther away than the radius; and a second slab that
    begins behind a plane turned from the viewer. Neither covers anything, however deep it is, or hides the wall. */
 static void what_covers_nothing(void)
@@ -875,10 +889,13 @@ static void what_covers_nothing(void)
                 if (pole && aside <= 8) memcpy(&map[i][1], row[k].back, sizeof row[k].back);
             }
             GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+            probed_width = as_thick_as_the_radius((const float (*)[4])map);
             const int went = probe(&d, &frame, texture,
                                    "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel));"
                                    "o = vec4(ssgi_gather(texel, P, vec3(a.x, 0.0, a.y), vec2(0.0, 0.5)).all);");
             glDeleteTextures(1, &texture);
+            glDeleteTextures(1, &probed_width);
+            probed_width = 0;
             if (!went) return;
             covered[pole] = out[centre][0];
         }
