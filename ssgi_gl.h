@@ -182,9 +182,9 @@ enum {
 };
 
 /* desc.thickness: how far visible surfaces reach, away from the viewer. Slices read WIDTH, BACK and SLABS from what
-   pass width wrote, beside the depth, with one fetch. For them, with BACK and SLABS, a surface without a back face is as
-   thick as with WIDTH, and one that is its own back face (a sheet) half as thick. Points have frame.thickness for both:
-   they would step over what is thinner. */
+   pass width wrote, beside the depth, with one fetch. For them, with BACK and SLABS, a surface without a back face is
+   as thick as with WIDTH, and one that is its own back face (a sheet) half as thick. Points have frame.thickness for
+   both: they would step over what is thinner. */
 enum {
     SSGI_GL_THICKNESS_DEFAULT = 0, /* slices of ssgi_gl_steps, without layers and views: WIDTH; all else: CONSTANT */
     SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness */
@@ -1199,7 +1199,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_LIFTED = 0.05; // of the radius: off a tangent plane by less a surface goes on\n" },
 
 { "SSGI_LONGEST", __LINE__ + 1,
-    "const int SSGI_LONGEST = 32; // pixels\n" },
+    "const float SSGI_LONGEST = 32.0; // pixels\n" },
 
 { "ssgi_end", __LINE__ + 1,
     "// What is seen o pixels from P: 1 rises above the tangent plane there, or is out of the picture; -1 drops\n"
@@ -1215,11 +1215,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Pixels that the surface at P goes on along a direction of the picture until it drops away. The radius\n"
     "// where it ends in another that rises above it, or at the picture's edge: its end is hidden.\n"
     "float ssgi_run(ivec2 p, ivec2 way, vec3 P, vec3 plane, float footprint, float pixels) {\n"
-    "    float run = pixels, wide = max(pixels / float(2 * SSGI_LONGEST), 1.0);\n"
+    "    float run = pixels, reach = max(0.5 * pixels, SSGI_LONGEST);\n"
     "    for (int i = 0; i < 5; ++i) { // from far to near: the nearest end counts\n"
-    "        int k = int(float(SSGI_LONGEST >> i) * wide);\n"
-    "        int end_ = ssgi_end(p, way * k, P, plane, SSGI_LIFTED * u_ssgi_radius + 0.5 * footprint * float(k));\n"
-    "        run = end_ > 0 ? pixels : end_ < 0 ? float(k) : run;\n"
+    "        float k = floor(reach * exp2(-float(i)));\n"
+    "        int end_ = ssgi_end(p, way * int(k), P, plane, SSGI_LIFTED * u_ssgi_radius + 0.5 * footprint * k);\n"
+    "        run = end_ > 0 ? pixels : end_ < 0 ? k : run;\n"
     "    }\n"
     "    return run;\n"
     "}\n" },
@@ -1253,10 +1253,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float y = ssgi_run(p, ivec2(0, 1), P, plane, footprint, pixels);\n"
     "        x += ssgi_run(p, ivec2(-1, 0), P, plane, footprint, pixels);\n"
     "        y += ssgi_run(p, ivec2(0, -1), P, plane, footprint, pixels);\n"
-    "        vec3 off = vec3(ssgi_off_plane(plane, vec2(1.0, 0.0), P, z.y),\n"
+    "        vec4 off = vec4(0.0, ssgi_off_plane(plane, vec2(1.0, 0.0), P, z.y),\n"
     "            ssgi_off_plane(plane, vec2(0.0, 1.0), P, z.z), ssgi_off_plane(plane, vec2(1.0), P, z.w));\n"
-    "        bvec3 same = lessThan(off, vec3(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
-    "        width = mix(width, vec4(min(min(x, y) * footprint, u_ssgi_thickness)), bvec4(true, same));\n"
+    "        bvec4 same = lessThan(off, vec4(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
+    "        width = mix(width, vec4(min(min(x, y) * footprint, u_ssgi_thickness)), same);\n"
     "    }\n"
     "    width = ssgi_slab_widths(p, z, width); // #if thickness > WIDTH\n"
     "    o_ssgi_width = ssgi_pack_measured(z, clamp(width / u_ssgi_radius, SSGI_THINNEST, 1.0));\n"

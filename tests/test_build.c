@@ -303,7 +303,7 @@ static void documentation(void)
     CHECK(!status && strstr(text, "unit 0: t_ssgi_depth"), "ssgi_gl.h's usage: %s", text);
     strcat(both, "    const char *why;\n");
     status = snippet("README.md", "<!-- usage -->\n```c", "```\n<!-- /usage -->", both,
-                     "    return !(count == 2 && length && frame.radius == 0.5f);\n}\n", text, sizeof text);
+                     "    return !(count == 3 && length && frame.radius == 0.5f);\n}\n", text, sizeof text);
     CHECK(!status, "README.md's usage: %s", text);
     CHECK(!shell(text, sizeof text,
                  "awk 'length($0) > 120 || NR > 250 { print \"line \" NR; bad = 1 } END { exit bad }' '%s/README.md'%s",

@@ -29,7 +29,7 @@ typedef struct choice { const char *name; size_t offset; int count, first, step;
 static const choice choices[] = {
     CHOICE(orthographic, 2, 0, 1),  CHOICE(depth, 3, 0, 1),    CHOICE(normal, 5, 0, 1),
     CHOICE(world_normals, 2, 0, 1), CHOICE(noise, 2, 0, 1),    CHOICE(steps, 2, 1, 2),
-    CHOICE(normal_rays, 2, 0, 2),   CHOICE(hard, 2, 0, 1),     CHOICE(thickness, 4, 0, 1),
+    CHOICE(normal_rays, 2, 0, 2),   CHOICE(hard, 2, 0, 1),     CHOICE(thickness, 6, 0, 1),
     CHOICE(falloff, 2, 0, 1),       CHOICE(kernel, 2, 0, 1),   CHOICE(fade, 3, 0, 1),
     CHOICE(range, 2, 0, 1),         CHOICE(layers, 3, 1, 1),   CHOICE(views, 2, 0, 2),
     CHOICE(view_layers, 2, 1, 1),   CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1),
@@ -1245,9 +1245,9 @@ static void lint(void)
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
 static const struct { const char *start; size_t offset; int most;
 } ints[] = { /* all of a desc */
-             INT(pass, 16),         INT(dialect, 6),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
+             INT(pass, 17),         INT(dialect, 6),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
              INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 2),  INT(directions, 32),
-             INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(thickness, 3),   INT(falloff, 1),
+             INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(thickness, 5),   INT(falloff, 1),
              INT(kernel, 1),        INT(fade, 2),          INT(range, 1),          INT(layers, 8),  INT(views, 4),
              INT(view_layers, 8),   INT(receiver, 7),      INT(environment, 2),    INT(bounce, 2),  INT(bands, 4),
              INT(packed, 1),        INT(transfer, 2),      INT(shaded, 1),         INT(shading, 3), INT(lights, 1),
