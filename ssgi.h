@@ -610,7 +610,7 @@ enum {
 /* plan.method. When light is wanted HSAO dims the irradiance of harmonics. */
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
 
-/* plan.thickness, as desc.thickness of ssgi_gl.h. */
+/* plan.thickness: named as desc.thickness of ssgi_gl.h is, other numbers; ssgi_gl_plan translates. */
 enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };
 
 /* plan_scene.device: whose costs. */
@@ -629,7 +629,7 @@ typedef struct ssgi_survey {
 
 /* A survey of full-size pictures of pass HSAO by slices, filtered, all of one radius; count floats each. A pixel that
    is NaN in any of them is left out: set it NaN where there is no surface (the pass writes 1 there).
-     hsao, best    preset BALANCED; preset BEST
+     hsao, best    presets BALANCED and BEST with desc.thickness CONSTANT
      solid         preset BALANCED with desc.thickness SOLID
      slabs         preset BALANCED with desc.thickness SLABS; may be NULL, the others not */
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
@@ -639,7 +639,7 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, cons
 typedef struct ssgi_calibration {
     int known;        /* 0: no calibration */
     float unoccluded; /* of no occlusion at all */
-    float hsao;       /* of slices at the preset BALANCED, multiplied with the light where light is wanted */
+    float hsao;       /* of slices at the preset BALANCED, thickness CONSTANT; where light is wanted, times the light */
     float slabs;      /* the same with thickness SLABS; 0: not known */
 } ssgi_calibration;
 
@@ -3939,6 +3939,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.
    Renamed: desc.behind, SSGI_GL_BEHIND_* -> desc.thickness, SSGI_GL_THICKNESS_*; plan_scene.behind, plan.behind ->
    .thickness; functions in the GLSL, which has words in whole.
+   New: pass WIDTH and desc.thickness WIDTH, which ssgi_gl_steps takes for slices by itself (DEFAULT); with BACK and
+   SLABS slices need that pass, too, and sheets are half as thick as wide instead of frame.thickness.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
 
    CHANGES in 0.2, November 2026

@@ -420,8 +420,8 @@ typedef struct ssgi_gl_desc {
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
-   All else stays, desc.thickness, too: set BACK or SLABS where solids are closed and you can draw those passes. Passes
-   without such settings are left as they are. Bad input leaves desc as it is. */
+   All else stays, desc.thickness, too: set BACK or SLABS where you can draw those passes. Passes without such settings
+   are left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
@@ -660,7 +660,8 @@ typedef struct ssgi_gl_frame {
     /* ---- the image */
     int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
     int32_t size[2];   /* [units: pixels]  of the image. For a margin, larger than what is shown: scissor the passes
-                          (but senders, and what lights them) to the inner rectangle and what their filters read */
+                          (but width, senders, and what lights them) to the inner rectangle and what their filters
+                          read */
     int32_t target[2]; /* [units: texels]  first texel of the image in what passes write; half of it in half size */
 
     /* ---- gathers */
@@ -668,7 +669,7 @@ typedef struct ssgi_gl_frame {
     float offset;         /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of
                              points */
     float thickness;      /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.thickness
-                             has no other; 1 radius suits ssao, 0.5 march, 0.4 light */
+                             has no other, and the most of WIDTH; 1 radius suits ssao, 0.5 march, 0.4 light */
     float phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
     float fade;           /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
     float distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
