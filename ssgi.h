@@ -43,6 +43,7 @@
       >>dipole     multiple scattering under surfaces
       >>field      ambient occlusion fields: bake, fit, look up, save and load
       >>plan       what a scene needs: its numbers in, method, settings, predicted error and cost out
+      and at the end of the file what each version renamed (CHANGES), and the licence
 
    SOURCES      [HSAO08] Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion
                 [SSDO09] Ritschel, Grosch, Seidel 2009, Approximating dynamic global illumination in image space
@@ -101,7 +102,7 @@ typedef struct ssgi_view {
     float clear;        /* the window depth of the background: 1, or 0 when the projection is reversed */
     int orthographic;   /* 0 or 1 */
     int width, height;  /* pixels of the frame */
-    float oblique[2];   /* depth[] decodes window depth + pixel * this: 0 but for oblique near planes */
+    float oblique[2];   /* depth[] decodes window depth + dot(pixel, this): 0 but for oblique near planes */
 } ssgi_view;
 
 /* Decodes a projection matrix, the one that GL got: perspective or orthographic, any window depth (normal, reversed,
@@ -133,8 +134,7 @@ SSGI_DEF void ssgi_view_project(const ssgi_view *view, const float point[3], flo
 /* View depth of the near plane that the projection implies [units: view]; of an oblique one the least in the frame. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 
-/* Width of a pixel on a surface that faces the viewer at this view depth [units: view]: the larger of width and height.
- */
+/* Size of a pixel [units: view] on a surface that faces the viewer at this view depth: the larger of its two sides. */
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
 /* An extra camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
@@ -142,8 +142,8 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
      main_world_to_view  [limit: rigid: rotation and translation; z may be negated]
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
      displacement        [units: radii] along the main camera's axes: x right, y up, z toward the viewer
-     world_to_view       up as the main camera's; if it looks along that, the main camera's forward is up; at the centre
-                         it looks as the main camera does; mirrored if that is (left-handed)
+     world_to_view       its up is the main camera's, or where it looks along that the main camera's forward. Standing
+                         at the centre it looks as the main camera does. Mirrored if that is (left-handed)
      projection          GL clip, square, symmetric; encloses the sphere, at most 100 degrees wide. The near plane is at
                          0.02 radii, close since a solid that it cuts looks empty; the far plane is behind the sphere
    The outputs may be the inputs. */
@@ -151,9 +151,9 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
 
-/* Default displacements, i modulo 4: left, right, above, behind. A main camera two radii from the centre keeps that
-   distance and turns about the centre: by 60 degrees to the left or right and 20 up; by 75 up; to the far side, 50
-   up. */
+/* Default displacements, i modulo 4: left, right, above, behind. With the main camera two radii from the centre the
+   extra ones are as far from it, turned about it by 60 degrees to the left or right and 20 up; by 75 up; to the far
+   side and 50 up. */
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
 /* ==== >>kernel ================================================================================================= */
@@ -202,8 +202,7 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
 enum {
     SSGI_SH_WINDOW_NONE = 0, /* 1.20, -0.037, 0.20    1: sharpest, rings most */
     SSGI_SH_WINDOW_HANN,     /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
-    /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
-    SSGI_SH_WINDOW_POSITIVE
+    SSGI_SH_WINDOW_POSITIVE, /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
 };
 
 /* A window's factors: bands floats, the first 1 [limit: bands as ssgi_sh_basis; a window out of range is NONE]. */
@@ -610,13 +609,13 @@ enum {
 /* plan.method. When light is wanted HSAO dims the irradiance of harmonics. */
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
 
-/* plan.thickness: named as desc.thickness of ssgi_gl.h is, other numbers; ssgi_gl_plan translates. */
+/* plan.thickness: desc.thickness of ssgi_gl.h with other numbers and without WIDTH; ssgi_gl_plan translates. */
 enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };
 
 /* plan_scene.device: whose costs. */
 enum {
     SSGI_PLAN_SOFTWARE = 0, /* llvmpipe's, measured */
-    SSGI_PLAN_GPU,          /* a model, not measured yet: of a pixel 8 for a texel fetched and 1 for an operation */
+    SSGI_PLAN_GPU,          /* a model, not measured yet: a pixel costs 8 per texel fetched and 1 per operation */
 };
 
 /* How pictures of one frame differ: RMS over the pixels with a surface. */
@@ -645,11 +644,12 @@ typedef struct ssgi_calibration {
 
 /* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
    renderer would do that.) The rays' variance is removed by comparing two halves, so that 64 rays suffice. 3000 points
-   spread over the frame, 0.2 million rays, come within 3 to 6 % of all its pixels in half of 27 views, within 10 % in
-   nine of ten.
+   spread over the frame, 0.2 million rays, give the error over all of its pixels to 3 to 6 % in half of 27 views, to
+   10 % in nine of ten.
      position, normal   of each point, in the trace's space; normals unit, toward the viewer. Take positions from
                         tracing the pixels' rays: those from depth are too coarse far away
-     hsao, slabs        ambient visibility in the frame at each point; slabs may be NULL
+     hsao, slabs        ambient visibility in the frame at each point, by the settings of ssgi_calibration; slabs may be
+                        NULL
      count              [limit: > 0] points
      rays               [limit: 2..65536]
      radius             [limit: > 0, finite] */
@@ -664,7 +664,7 @@ typedef struct ssgi_plan_scene {
     int wanted;   /* SSGI_PLAN_VISIBILITY .. */
     int device;   /* SSGI_PLAN_SOFTWARE .. */
     float error;  /* [limit: >= 0] 0: the least that the budget buys */
-    float budget; /* [units: unblurred 16-sample ssaos of the device] [limit: >= 0] 0: any */
+    float budget; /* [units: time of an unblurred 16-sample ssao on the device] [limit: >= 0] 0: any */
 
     /* the geometry in the frame */
     float screen_radius; /* [limit: >= 0] [default: 0.15] the radius over the frame's height, mean over the visible
@@ -673,13 +673,14 @@ typedef struct ssgi_plan_scene {
     ssgi_calibration calibration; /* OBJECTS: only unoccluded is read */
 
     /* the light */
-    float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
+    float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: a clear sky's, as 1 : 0.42 : 0.13
+                        : 0.18 */
     int map;         /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
     float albedo;    /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
 
     /* what may be drawn */
-    int thickness;    /* the most: SSGI_PLAN_CONSTANT, _BACK or _SLABS */
-    float depth_pass; /* [units: as budget] cost of one depth-only pass of the scene; BACK adds 1 of it, SLABS 3 */
+    int thickness;    /* the most that may be chosen: SSGI_PLAN_CONSTANT, _BACK or _SLABS */
+    float depth_pass; /* [units: as budget] [limit: >= 0] cost of one depth-only pass; BACK adds 1 of it, SLABS 3 */
     int history;      /* 1: frames may be averaged: the camera's motion is known, a trail may show */
     double surfels;   /* VISIBILITY: how many the triangles become at size 0.015 (ssgi_surfels_predict), over the
                          frame's pixels; 0: none may be made */
@@ -691,8 +692,8 @@ typedef struct ssgi_plan_scene {
 typedef struct ssgi_plan {
     int method; /* SSGI_PLAN_NOTHING .. */
 
-    /* settings, 0 where the method has none: as in ssgi_gl_desc, but history as in ssgi_gl_chain, resolution of fields,
-       size of ssgi_surfel_desc */
+    /* settings, 0 where the method has none: as in ssgi_gl_desc, but thickness SSGI_PLAN_CONSTANT .., history of
+       ssgi_gl_chain, resolution of ssgi_field_desc, size of ssgi_surfel_desc */
     int thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
     float size;
 
@@ -3709,7 +3710,7 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 /* An error below a tenth of the one asked for is negligible: in squares it adds a hundredth. */
 #define SSGI__PLAN_NEGLIGIBLE 0.1
 
-/* Energies of the built-in sky's bands. */
+/* Energies of a clear sky's bands: those of the examples' "sky". */
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };
 
 /* Squared errors from a survey's squares (make fit). A row each: without occlusion, of hsao, of slabs. Columns: weights
@@ -3939,8 +3940,9 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.
    Renamed: desc.behind, SSGI_GL_BEHIND_* -> desc.thickness, SSGI_GL_THICKNESS_*; plan_scene.behind, plan.behind ->
    .thickness; functions in the GLSL, which has words in whole.
-   New: pass WIDTH and desc.thickness WIDTH, which ssgi_gl_steps takes for slices by itself (DEFAULT); with BACK and
-   SLABS slices need that pass, too, and sheets are half as thick as wide instead of frame.thickness.
+   New: pass WIDTH and desc.thickness WIDTH, which ssgi_gl_steps takes for slices by itself (DEFAULT, the new 0). With
+   BACK and SLABS slices need that pass, too: what has no back face is as thick as wide, and sheets half as thick,
+   instead of frame.thickness.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
 
    CHANGES in 0.2, November 2026

@@ -26,7 +26,7 @@
       state        off: tests of depth (its mask does not matter then), of stencil, scissor and alpha (compatibility
                    contexts); blending, but where told below; culling, rasteriser discard, logic op, clip distances.
                    Colour mask on, polygons filled
-      textures     have one unit, by name, in every variant of a pass. They are read by texelFetch at level 0: wrap
+      textures     a name has the same unit in every variant of a pass. They are read by texelFetch at level 0: wrap
                    modes do not matter, but a texture must be complete. One without mip levels reads 0 under GL's
                    default minifying filter, and the result is black. GL_NEAREST is right for all; depth and 32-bit
                    floats need it in GLES and WebGL. No sampler object on their units: it would override their filters
@@ -50,7 +50,7 @@
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
                 blur, history            edge-preserving filter of what the others wrote; before it, mean over frames
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
-                width    writes how thick what is seen is taken to be, beside its view depth: once a frame, for slices
+                width    writes view depth and thickness of what is seen, for gathers and lights: desc.thickness
 
    SOURCES      as in ssgi.h, and
                 [SA07]   Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion techniques on GPUs
@@ -59,15 +59,18 @@
                          desc.restore
 
    WHAT IS DRAWN, IN WHICH ORDER, INTO WHAT is data: ssgi_gl_steps (>>steps; a loop: examples/minimal.c). Left to you:
-      lights       shadow maps are yours, drawn as ever; suns and point lights of t_ssgi_lights are not shadowed without
-      s3ho         with chain.vectors its filtered coefficients stay good while the geometry does: where the light alone
-                   changed, draw the steps from shade on again
-      field        an ssgi_gl_occluder each, rows of t_ssgi_occluders: no filter. In forward shaders: ssgi_gl_field
-      history      frame.phase = ssgi_gl_phase(number); ssgi_gl_frame_history but after a cut or a change of size
-      splat        surfels by ssgi_surfels on the CPU, or by pass surfels: rasteriser discarded, transform feedback of
-                   its CAPTURE rows, interleaved, is ssgi_surfel[] (at most two of radius 0 for each one of
-                   ssgi_surfels); with tessellate patches of 3 vertices, instanced splits * splits times. Drawn from
-                   the buffer's three vec4 a surfel with divisor 1; with tessellate from patches, and nothing is kept
+      lights       you draw the shadow maps that desc.shadow MAP and FILL read. Lights without a map: see desc.shadow
+      s3ho         with chain.vectors the filtered coefficients hold while camera and geometry stay: where the light
+                   alone changed, draw only the steps from shade on
+      field        each occluder is a row of t_ssgi_occluders (ssgi_gl_occluder). Not filtered. In forward shaders:
+                   ssgi_gl_field
+      history      each frame set frame.phase = ssgi_gl_phase(its number), and call ssgi_gl_frame_history except after a
+                   cut or a change of size
+      splat        surfels are made by ssgi_surfels on the CPU, or by pass surfels: transform feedback of its CAPTURE
+                   rows, interleaved, rasteriser discard on, is ssgi_surfel[] (with at most two of radius 0 for each
+                   that ssgi_surfels makes). Pass splat reads three vec4 attributes an instance, with divisor 1. With
+                   tessellate either pass draws patches of 3 vertices, instanced splits * splits times, and splat
+                   needs no buffer of surfels
 
    ROOMS        search for ">>"
       >>desc       what you choose, and in which limits
@@ -181,12 +184,18 @@ enum {
     SSGI_GL_MARCH,      /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 };
 
-/* desc.thickness: how far visible surfaces reach, away from the viewer. Slices read WIDTH, BACK and SLABS from what
-   pass width wrote, beside the depth, with one fetch. For them, with BACK and SLABS, a surface without a back face is
-   as thick as with WIDTH, and one that is its own back face (a sheet) half as thick. Points have frame.thickness for
-   both: they would step over what is thinner. */
+/* desc.thickness: how far visible surfaces reach, away from the viewer.
+     pass width      is read by slices with WIDTH, BACK and SLABS, by the others with WIDTH: thickness and view depth in
+                     one fetch, instead of t_ssgi_depth's. ssgi_gl_steps draws it once a frame, with the largest
+                     thickness of chain.desc and chain.lights. On your own draw it first, with the reader's desc but
+                     for the pass
+     slices          BACK, SLABS: a surface without a back face is as thick as with WIDTH, one that is its own back face
+                     (a sheet) half as thick. SLABS: the second slab is fetched from t_ssgi_back. All three are at least
+                     0.02 radii and the spacing of the taps
+     points, march   BACK, SLABS: both slabs are fetched from t_ssgi_back. A surface without a back face, and a sheet,
+                     is as thick as frame.thickness: points would step over what is thinner */
 enum {
-    SSGI_GL_THICKNESS_DEFAULT = 0, /* slices of ssgi_gl_steps, without layers and views: WIDTH; all else: CONSTANT */
+    SSGI_GL_THICKNESS_DEFAULT = 0, /* ssgi_gl_steps with hsao, ssdo, s3ho by slices: WIDTH; all else: CONSTANT */
     SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness */
     SSGI_GL_THICKNESS_SOLID,       /* without end */
     SSGI_GL_THICKNESS_WIDTH,       /* as thick as it is wide in the picture, at most frame.thickness and the radius */
@@ -344,15 +353,15 @@ typedef struct ssgi_gl_desc {
 
     /* ---- gathers, lights: what occludes */
     int thickness;   /* SSGI_GL_THICKNESS_DEFAULT .. */
-    int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: it is solid from an odd one to
-                        the next; an odd last one is as thick as thickness says */
+    int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from each odd one to the
+                        next; an odd last one is as thick as thickness says, CONSTANT or SOLID */
     int views;       /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if one sees it in
                         front of its depth; occluded if none does and one finds it inside a solid */
     int view_layers; /* all but slices   [limit: 0..8] [default: 1]  depth layers of each extra camera */
     int falloff;     /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
     int fade;        /* points   SSGI_GL_FADE_NONE .. */
     int range;       /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
-    int hard;        /* hsao, splat, ssdo by slices   1: no attenuation, all within the radius occludes fully */
+    int hard;        /* hsao, splat; ssdo, s3ho by slices   1: no attenuation, all within the radius occludes fully */
 
     /* ---- light: ssdo, lights, senders */
     int environment; /* ssdo, blur, history, surfels, splat   SSGI_GL_ENVIRONMENT_NONE .. */
@@ -371,7 +380,8 @@ typedef struct ssgi_gl_desc {
                         restored */
 
     /* ---- coefficients: s3ho, shade, blur of them */
-    int bands;    /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2 coefficients; bent ones need 2 */
+    int bands;    /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2 coefficients; bent
+                     ones need 2 */
     int packed;   /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
     int transfer; /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing is
                      restored, since it has no unoccluded light */
@@ -428,8 +438,9 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work (of surfels and fields the one that
    draws them), with its settings and the filter's; the rest stays. ssdo and s3ho get restore; s3ho gets shaded and
-   residual; ssdo without an environment gets MAP. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and
-   plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
+   residual; ssdo without an environment gets MAP; thickness is the plan's: CONSTANT, not WIDTH, where it draws no back
+   faces. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is
+   ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
 /* SSGI_OK, or SSGI_BAD_ARGUMENT and which field is wrong and what it may be ("desc.steps: must be 0..64"). */
@@ -668,8 +679,9 @@ typedef struct ssgi_gl_frame {
     float radius;         /* [units: view] [limit: > 0]  farthest occluder */
     float offset;         /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of
                              points */
-    float thickness;      /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.thickness
-                             has no other, and the most of WIDTH; 1 radius suits ssao, 0.5 march, 0.4 light */
+    float thickness;      /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces: desc.thickness
+                             CONSTANT; the most of WIDTH; BACK and SLABS by points where there is no back face. 1
+                             radius suits ssao, 0.5 march, 0.4 light */
     float phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
     float fade;           /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
     float distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
@@ -748,8 +760,8 @@ typedef struct ssgi_gl_views {
     float to[4][16];    /* view space to x, y (pixels, times z if perspective), that camera's depth z, 1; columns */
     float from[4][16];  /* and back */
     float decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
-    float size[4][4];   /* [units: pixels]  width, height; [units: view, at depth 1 when perspective]  slack: of what is
-                           closer before a surface it is not known that it is visible; 0 */
+    float size[4][4];   /* [units: pixels]  width, height; [units: view, at depth 1 when perspective]  slack: what is in
+                           front of a surface by less is not taken to be visible; 0 */
 } ssgi_gl_views;
 
 /* Sets camera i of 0..3: view and extra_world_to_view are the extra camera's. An oblique view is refused.
@@ -877,7 +889,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_measured", __LINE__ + 1,
-    "// what pass width wrote for a pixel: view depth, whose last 6 bits are the thickness, of the radius\n"
+    "// what pass width wrote for a pixel: view depth; its last 6 bits are the thickness in radii / 63\n"
     "uint ssgi_measured(ivec2 p) {\n"
     "    uvec4 m = texelFetch(t_ssgi_width, (p >> 1) + u_ssgi_target / 2, 0);\n"
     "    m.xy = (p.y & 1) == 0 ? m.xy : m.zw;\n"
@@ -1188,7 +1200,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return min(back > front * (1.0 + SSGI_SHEET) && back < SSGI_FAR ? back - front : width, u_ssgi_radius);\n"
     "}\n" },
 
-/* ---- pass width: how thick surfaces are taken to be; as thick as they are wide in the picture */
+/* ---- pass width: surfaces are taken to be as thick as they are wide in the picture. From the first pixel of each 2x2
+   ssgi_run goes left, right, down and up to where the surface drops away; the width is the shorter of the two sums. A
+   run reaches half the radius, SSGI_LONGEST where that is more; a surface that goes on beyond has the radius. The other
+   three pixels share the width where they lie in the first one's plane, and have SSGI_OTHER where they do not. */
 
 { "SSGI_THINNEST", __LINE__ + 1,
     "const float SSGI_THINNEST = 0.02; // of the radius\n" },
@@ -1471,6 +1486,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ? 1.0 : 0.0; // #if !(fade || range)\n"
     "}\n"
     "#endif\n" },
+
 /* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
 
 /* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0. Twins of >>sh in ssgi.h. */
@@ -1947,6 +1963,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float z = ssgi_depth(p);\n"
     "    o_ssgi_bent = z < SSGI_FAR ? ssgi_bent(ssgi_load(ivec2(gl_FragCoord.xy)).c[0]) : vec4(0.0);\n"
     "}\n" },
+
 /* ==== >>gather: sampling around a pixel ========================================================================= */
 
 { "ssgi_sums", __LINE__ + 1,
@@ -2517,6 +2534,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients v = ssgi_transfer(ssgi_gather(p, P, n, ssgi_noise(texel)));\n"
     "    o_ssgi_light.xyz = ssgi_encode_for_filter(ssgi_irradiance(v, n), P, n);\n"
     "}\n" },
+
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
 
 { "ssgi_corner", __LINE__ + 1,
@@ -2966,6 +2984,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 R = y * (s + a) * exp(s * (h - 1.0 / a)) * a * a + z * (s + b) * exp(s * (h - 1.0 / b)) * b * b;\n"
     "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * u_ssgi_dipole[3].xyz * R, 1.0) * (v_ssgi_turned.w * v_ssgi_at.w);\n"
     "}\n" },
+
 /* ==== >>filter: within surfaces, over frames, onto your picture ================================================= */
 
 /* ---- surfels' levels */
@@ -3549,8 +3568,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                         "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent "
                         "and 14, octahedral view-space normal as 6 6"),
     SSGI_GL__ROW_OUTPUT("width", NULL, "uvec4",
-                        "RGBA32UI: for each pixel of a 2x2 its view depth, whose last 6 bits are the thickness, of the "
-                        "radius"),
+                        "RGBA32UI: of each pixel of a 2x2 view depth; its last 6 bits are thickness in radii / 63"),
     SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",
                         "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
     SSGI_GL__ROW_OUTPUT("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
@@ -5037,7 +5055,7 @@ static ssgi_gl_step *ssgi_gl__append(ssgi_gl__build *b, const ssgi_gl_desc *desc
     return s;
 }
 
-/* Pass width, for the one that wants most of it: it is written once, whatever reads it. */
+/* Adds pass width, with the largest thickness of the chain: it is drawn once, whatever reads it. */
 static void ssgi_gl__width(ssgi_gl__build *b, const ssgi_gl_desc *desc)
 {
     ssgi_gl_io row[SSGI_GL_MAX_IO];
@@ -5308,7 +5326,8 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b)
     if (!b->why) ssgi_gl__compose(b);
 }
 
-/* What errs least of what needs no further input: widths in slices, which read one layer of one camera. */
+/* DEFAULT in a chain: slices have WIDTH, which errs least of what needs no further input. The rest may read layers and
+   cameras, which have no widths. */
 static void ssgi_gl__thickness(ssgi_gl_desc *d)
 {
     const int gathers = d->pass == SSGI_GL_HSAO || d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_S3HO;
