@@ -5118,6 +5118,8 @@ static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc
     if (camera < 0) return d;
     d.views = d.orthographic = d.depth = 0; /* hardware depth */
     d.layers = b->chain->desc.view_layers;
+    /* widths and back faces are the main camera's */
+    if (d.thickness > SSGI_GL_THICKNESS_SOLID) d.thickness = SSGI_GL_THICKNESS_CONSTANT;
     return d;
 }
 

@@ -415,6 +415,22 @@ static void widths(void)
         CHECK(at == row[i].at && times == (at >= 0) && (at < 0 || step[at].desc.thickness == row[i].thickness),
               "%d: step %d, %d of them, thickness %d", i, at, times, at < 0 ? 0 : step[at].desc.thickness);
     }
+    for (int thickness = SSGI_GL_THICKNESS_WIDTH; thickness <= SSGI_GL_THICKNESS_SLABS; ++thickness) {
+        ssgi_gl_step step[STEPS];
+        const ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .views = 1,
+                                                .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
+                                      .lights = { .pass = SSGI_GL_LIGHTS, .thickness = thickness },
+                                      .width = 8, .height = 8 };
+        const char *why = "";
+        const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
+        int others = 0, wide = 0;
+        CHECK(n > 0, "lights by thickness %d: %s", thickness, why);
+        for (int k = 0; k < n; ++k) {
+            others += step[k].frame > 0;
+            wide += step[k].frame > 0 && step[k].desc.thickness > SSGI_GL_THICKNESS_SOLID;
+        }
+        CHECK(others && !wide, "%d of %d steps of another camera read what the main one sees", wide, others);
+    }
     CHECK(resolved.thickness == SSGI_GL_THICKNESS_CONSTANT, "a text alone has thickness %d", resolved.thickness);
     ssgi_gl_desc constant = { .pass = SSGI_GL_HSAO, .half = 1, .directions = 2, .steps = 8 }, wide = constant;
     const ssgi_gl_desc pass = { .pass = SSGI_GL_WIDTH };
