@@ -4957,7 +4957,7 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
     if ((coefficients || halves) && (d->bands == 1 || (d->bands == 3 && last == (halves ? '1' : '2'))))
         channels = SSGI_GL__R;
     if (halves && d->bands == 2) channels = SSGI_GL__RG;
-    if (single && !wide && d->pass != SSGI_GL_SPLAT) return &ssgi_gl__r8;
+    if (single && !wide && !strncmp(out->format, "R8", 2)) return &ssgi_gl__r8; /* what a byte holds, as its row says */
     return &ssgi_gl__formats[channels][whole ? SSGI_GL__UINT : wide ? SSGI_GL__FLOAT : SSGI_GL__HALF];
 }
 

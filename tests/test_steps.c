@@ -440,6 +440,34 @@ static void widths(void)
           kit_fetches(&pass));
 }
 
+/* The formats that steps give are among those that the rows of their outputs name; precise ones are wider. */
+static void formats(void)
+{
+    static const ssgi_gl_desc descs[] = {
+        { .pass = SSGI_GL_SSAO }, { .pass = SSGI_GL_HSAO, .half = 1 }, { .pass = SSGI_GL_FIELD },
+        { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
+        { .pass = SSGI_GL_S3HO, .bands = 1 }, { .pass = SSGI_GL_S3HO, .packed = 1, .bands = 3 },
+        { .pass = SSGI_GL_SPLAT }, { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT,
+                                     .environment = SSGI_GL_ENVIRONMENT_MAP } };
+    for (int i = 0; i < (int)(sizeof descs / sizeof *descs); ++i) {
+        ssgi_gl_step step[STEPS];
+        const ssgi_gl_chain chain = { .desc = descs[i], .blur = 1, .width = 64, .height = 36 };
+        const char *why = "";
+        const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
+        CHECK(n > 0, "%d: %s", i, why);
+        for (int k = 0; k < n; ++k) {
+            ssgi_gl_io row[SSGI_GL_MAX_IO];
+            const int rows = ssgi_gl_reflect(&step[k].desc, row, SSGI_GL_MAX_IO);
+            for (int o = 0; o < step[k].outputs; ++o)
+                for (int r = 0; r < rows; ++r)
+                    if (row[r].kind == SSGI_GL_OUTPUT && !strcmp(row[r].name, step[k].output[o].name))
+                        CHECK(strstr(row[r].format, step[k].output[o].format->name), "%s: %s is %s, its row says %s",
+                              ssgi_gl_pass_name(step[k].desc.pass), row[r].name, step[k].output[o].format->name,
+                              row[r].format);
+        }
+    }
+}
+
 /* What the last step of a chain brings, by its output's name, and whether that is its result or your picture. */
 static void results(void)
 {
@@ -584,6 +612,7 @@ void test_steps(void)
             RUN("ambient visibility stands on a picture", onto_a_picture);
             RUN("a chain that cannot be drawn is refused", refusals);
             RUN("pass width is drawn once, where slices read it, and costs a tap nothing", widths);
+            RUN("formats of targets are those that rows name", formats);
             RUN("every chain ends with its result, or on the picture", results);
             RUN("chains by chance are refused, or draw without an error", random_chains);
         }

@@ -1710,9 +1710,6 @@ static void every_pass(void)
     for (int pass = 0; pass < SSGI_GL_PASSES && passes && contributing; ++pass) {
         char start[80], group[40], path[80];
         const char *const name = ssgi_gl_pass_name(pass), *at, *row;
-        if (!CHECK(*name, "pass %d has no name: add it to ssgi_gl__passes and to the values of pass in ssgi_gl__fields "
-                   "(ssgi_gl.h, >>passes, >>desc)", pass))
-            continue;
         snprintf(start, sizeof start, "### `%s`", name);
         CHECK(strstr(passes, start), "%s: PASSES.md has no section on it: add it to variants of glsl-text's choices.c, "
               "then make passes", name);
@@ -1744,8 +1741,17 @@ static void every_pass(void)
     free(contributing);
 }
 
+/* First, for what follows asks passes for their rows. */
+static int every_pass_has_a_row(void)
+{
+    int pass = 0;
+    while (pass < SSGI_GL_PASSES && ssgi_gl_pass_name(pass)) ++pass;
+    return CHECK(pass == SSGI_GL_PASSES, "pass %d has no row in ssgi_gl__passes (ssgi_gl.h, >>passes)", pass);
+}
+
 void test_text(void)
 {
+    if (!every_pass_has_a_row()) return;
     make_variants();
     speak();
     RUN("every text compiles: each pass, dialect and choice, with Khronos' compiler and Mesa's; a vertex stage of its "
