@@ -195,7 +195,7 @@ glsl-out glsl-in: build/library
 
 TESTS = main t others $(addprefix test_,math trace files models library text twins pipeline light vectors field casters \
         steps surfels plan stability build)
-TEST_H = tests/t.h tests/others.h tests/frames.h
+TEST_H = tests/t.h tests/own.h tests/others.h tests/frames.h
 build/tests/%.o: tests/%.c $(HEADERS) $(EXAMPLE_H) $(TEST_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@

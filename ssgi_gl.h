@@ -1185,19 +1185,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// a back face closer behind the front than this, of its depth, is the front itself: half precision\n"
     "const float SSGI_SHEET = 0.0005;\n" },
 
+{ "ssgi_closed", __LINE__ + 1,
+    "bool ssgi_closed(float front, float back) { // whether there is a back face behind a front\n"
+    "    return back > front * (1.0 + SSGI_SHEET) && back < SSGI_FAR;\n"
+    "}\n" },
+
 { "ssgi_slab_thickness", __LINE__ + 1,
     "// Thickness of slabs that begin at z, within least .. radius. Sheets, whose back face is what is seen, and\n"
     "// surfaces without a back face have ssgi_thickness(): points step over what is thinner.\n"
     "vec2 ssgi_slab_thickness(vec2 z, vec2 back, vec2 least) {\n"
-    "    vec2 front = z * (1.0 + SSGI_SHEET);\n"
-    "    bvec2 closed = bvec2(back.x > front.x && back.x < SSGI_FAR, back.y > front.y && back.y < SSGI_FAR);\n"
+    "    bvec2 closed = bvec2(ssgi_closed(z.x, back.x), ssgi_closed(z.y, back.y));\n"
     "    return max(min(mix(vec2(ssgi_thickness()), back - z, closed), u_ssgi_radius), least);\n"
     "}\n" },
 
 { "ssgi_second_thickness", __LINE__ + 1,
     "// thickness of a second slab, at most the radius; without a back face that of what is seen\n"
     "float ssgi_second_thickness(float front, float back, float width) {\n"
-    "    return min(back > front * (1.0 + SSGI_SHEET) && back < SSGI_FAR ? back - front : width, u_ssgi_radius);\n"
+    "    return min(ssgi_closed(front, back) ? back - front : width, u_ssgi_radius);\n"
     "}\n" },
 
 /* ---- pass width: surfaces are taken to be as thick as they are wide in the picture. From the first pixel of each 2x2
@@ -1245,7 +1249,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec4 ssgi_slab_widths(ivec2 p, vec4 z, vec4 width) {\n"
     "    for (int i = 0; i < 4; ++i) {\n"
     "        float back = ssgi_slabs(p + ivec2(i & 1, i >> 1)).x;\n"
-    "        if (back < SSGI_FAR) width[i] = back > z[i] * (1.0 + SSGI_SHEET) ? back - z[i] : 0.5 * width[i];\n"
+    "        if (back < SSGI_FAR) width[i] = ssgi_closed(z[i], back) ? back - z[i] : 0.5 * width[i];\n"
     "    }\n"
     "    return width;\n"
     "}\n" },
@@ -3950,6 +3954,11 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     return SSGI_OK;
 }
 
+static int ssgi_gl__slices(const ssgi_gl_desc *d)
+{
+    return d->pass > SSGI_GL_SSAO && d->pass < SSGI_GL_LIGHTS && d->search == SSGI_GL_SLICES;
+}
+
 /* So that #if lines need not ask for the pass, s3ho has a bounce where it has a transfer, and an environment SH where
    its coefficients hold unoccluded directions. */
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
@@ -3958,7 +3967,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     const int pass = d.pass, ssdo = pass == SSGI_GL_SSDO, s3ho = pass == SSGI_GL_S3HO, shade = pass == SSGI_GL_SHADE;
     const int points = pass == SSGI_GL_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_BLUR, splat = pass == SSGI_GL_SPLAT;
     const int surfels = pass == SSGI_GL_SURFELS || splat, reads = shade || (blur && d.colour == SSGI_GL_COEFFICIENTS);
-    const int slices = (pass == SSGI_GL_HSAO || ssdo || s3ho) && d.search == SSGI_GL_SLICES;
+    const int slices = ssgi_gl__slices(&d);
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
     const int averages = blur || pass == SSGI_GL_HISTORY, width = pass == SSGI_GL_WIDTH;
     const int restores = averages && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce)
@@ -4946,17 +4955,15 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
 static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
 {
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
-    const int single = *out->type == 'f', whole = *out->type == 'u', halves = whole && size == '4';
-    const int coefficients = !strncmp(out->name, "o_ssgi_sh", 9);
+    const int single = *out->type == 'f', whole = *out->type == 'u';
+    const int coefficients = last >= '0' && last <= '3'; /* o_ssgi_sh0 .., red0 ..: whole where they are packed */
     const int gles = d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN; /* does not blend 32-bit floats */
     const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT;
     const int wide = chain->precise > coefficients && !(blended && gles);
     int channels = single ? SSGI_GL__R : size == '2' ? SSGI_GL__RG : SSGI_GL__RGBA;
-    if (d->pass == SSGI_GL_SHUFFLE || d->pass == SSGI_GL_WIDTH) return &ssgi_gl__formats[SSGI_GL__RGBA][SSGI_GL__UINT];
     /* coefficients that do not fill their last texture: 1 in the first, the 9th in the second or third */
-    if ((coefficients || halves) && (d->bands == 1 || (d->bands == 3 && last == (halves ? '1' : '2'))))
-        channels = SSGI_GL__R;
-    if (halves && d->bands == 2) channels = SSGI_GL__RG;
+    if (coefficients && (d->bands == 1 || (d->bands == 3 && last == (whole ? '1' : '2')))) channels = SSGI_GL__R;
+    if (coefficients && whole && d->bands == 2) channels = SSGI_GL__RG;
     if (single && !wide && !strncmp(out->format, "R8", 2)) return &ssgi_gl__r8; /* what a byte holds, as its row says */
     return &ssgi_gl__formats[channels][whole ? SSGI_GL__UINT : wide ? SSGI_GL__FLOAT : SSGI_GL__HALF];
 }
@@ -5332,9 +5339,7 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b)
    cameras, which have no widths. */
 static void ssgi_gl__thickness(ssgi_gl_desc *d)
 {
-    const int gathers = d->pass == SSGI_GL_HSAO || d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_S3HO;
-    const int slices = gathers && d->search == SSGI_GL_SLICES;
-    if (d->thickness == SSGI_GL_THICKNESS_DEFAULT && slices) d->thickness = SSGI_GL_THICKNESS_WIDTH;
+    if (d->thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__slices(d)) d->thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why)

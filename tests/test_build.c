@@ -310,8 +310,8 @@ static void documentation(void)
                  getenv("PWD"), ""),
           "README.md: 250 lines of 120 columns are enough: %s", text);
     CHECK(!shell(text, sizeof text,
-                 "cd '%s' && for f in README.md examples/docs/*.md; do for l in $(grep -o '](%s)' $f | tr -d '()]' | cut "
-                 "-d'#' -f1); do "
+                 "cd '%s' && for f in README.md examples/docs/*.md; do "
+                 "for l in $(grep -o '](%s)' $f | tr -d '()]' | cut -d'#' -f1); do "
                  "test -e \"$(dirname $f)/$l\" || { echo \"$f: $l\"; exit 1; }; done; done",
                  getenv("PWD"), "[^)]*"),
           "a link leads nowhere: %s", text);
@@ -329,8 +329,8 @@ static void documentation(void)
               && strstr(text, "P5 960 540 255"),
           "examples/minimal.c: %s", text);
     CHECK(!shell(text, sizeof text,
-        "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/docs/PASSES.md' passes.md", getenv("PWD"),
-        getenv("PWD")),
+                 "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/docs/PASSES.md' passes.md",
+                 getenv("PWD"), getenv("PWD")),
           "examples/docs/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
     CHECK(!shell(text, sizeof text, "grep -q 'v0.3 ' '%s/ssgi.h' && grep -q 'v0.3 ' '%s/ssgi_gl.h'", getenv("PWD"),
                  getenv("PWD"))

@@ -1,14 +1,6 @@
 /* test_library.c - the library of GLSL as it is written: every condition names a field, every call a function before
    it, every row and function can be reached. */
-#include "t.h"
-
-#define SSGI_STATIC                        /* this file has its own copy of the library, for its tables */
-#define SSGI_IMPLEMENTATION
-#define SSGI_GL_IMPLEMENTATION
-#if defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Wunused-function"
-#endif
-#include "../ssgi_gl.h"
+#include "own.h"
 #include <ctype.h>
 
 enum { CODES = SSGI_GL__CODES, ROWS = SSGI_GL__ROWS };
@@ -224,14 +216,6 @@ static void reflection(void)
                 ++resolved;
             }
     CHECK(resolved > 500, "%d descs", resolved);
-}
-
-/* First, for what follows asks passes for their rows. */
-static int every_pass_has_a_row(void)
-{
-    int pass = 0;
-    while (pass < SSGI_GL_PASSES && ssgi_gl_pass_name(pass)) ++pass;
-    return CHECK(pass == SSGI_GL_PASSES, "pass %d has no row in ssgi_gl__passes (ssgi_gl.h, >>passes)", pass);
 }
 
 void test_library(void)

@@ -1,13 +1,6 @@
 /* test_surfels.c - surfels and what is done with them: tessellation, sizes, reach, form factors, bounds, the dipole on
    the CPU; the passes of deep screen space through the whole of GL, against brute force and truth. */
-#include "t.h"
-/* white-box: this file has its own copy of the library, for what is private in it */
-#define SSGI_STATIC
-#define SSGI_IMPLEMENTATION
-#define SSGI_GL_IMPLEMENTATION
-#if defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Wunused-function"
-#endif
+#include "own.h"
 #include "frames.h"
 
 #include <math.h>

@@ -1,14 +1,6 @@
 /* test_text.c - the emitted text, by what any program may call: compilers, snprintf's law, reflection, names,
    sentences, fuzz, speed. */
-#include "t.h"
-/* white-box: this file has its own copy of the library, for its tables of GLSL and rows */
-#define SSGI_STATIC
-#define SSGI_IMPLEMENTATION
-#define SSGI_GL_IMPLEMENTATION
-#if defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Wunused-function"
-#endif
-#include "../ssgi_gl.h"
+#include "own.h"
 #include "kit/kit_gl.h"
 
 #include <ctype.h>
@@ -1739,14 +1731,6 @@ static void every_pass(void)
     }
     free(passes);
     free(contributing);
-}
-
-/* First, for what follows asks passes for their rows. */
-static int every_pass_has_a_row(void)
-{
-    int pass = 0;
-    while (pass < SSGI_GL_PASSES && ssgi_gl_pass_name(pass)) ++pass;
-    return CHECK(pass == SSGI_GL_PASSES, "pass %d has no row in ssgi_gl__passes (ssgi_gl.h, >>passes)", pass);
 }
 
 void test_text(void)

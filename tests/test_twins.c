@@ -1,15 +1,7 @@
 /* test_twins.c - functions of the emitted GLSL against the same in C, drawn by OSMesa; and what C writes for GLSL to
    read: extra cameras, those of shadow maps, the light of a frame; and what a weight or a limit that no formula gives
    does in GLSL, by cases worked out by hand. */
-#include "t.h"
-/* white-box: this file has its own copy of the library, for what is private in it */
-#define SSGI_STATIC
-#define SSGI_IMPLEMENTATION
-#define SSGI_GL_IMPLEMENTATION
-#if defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Wunused-function"
-#endif
-#include "../ssgi_gl.h"
+#include "own.h"
 #include "kit/kit_gl.h"
 
 #include <math.h>

@@ -80,7 +80,7 @@ static int option(viewer *v, asked *to, const char *name, const char *value)
         return must(v, left->preset >= 0, name, value, "be fast, balanced or best");
     }
     if (!strcmp(name, "--behind")) {
-        v->behind = word(value, behinds, 6);
+        v->behind = word(value, behinds, BEHINDS);
         return must(v, v->behind >= 0, name, value, "be auto, constant, solid, width, back or slabs");
     }
     if (!strcmp(name, "--normal")) {

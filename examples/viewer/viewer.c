@@ -130,7 +130,7 @@ const method methods[METHODS] = {
     { "s3ho", SSGI_GL_S3HO, SSGI_GL_SLICES, 1, 0.4f }
 };
 const char *const presets[3] = { "fast", "balanced", "best" };
-const char *const behinds[6] = { "auto", "constant", "solid", "width", "back", "slabs" };
+const char *const behinds[BEHINDS] = { "auto", "constant", "solid", "width", "back", "slabs" };
 
 /* The environment as a half's method reads it: harmonics, a map over a direction's solid angle, irradiance. */
 static int environment_open(viewer *v, half *h, const ssgi_gl_desc *d)

@@ -91,7 +91,8 @@ typedef struct chain {
 typedef struct method { const char *name; int pass, search, lit; float thickness; } method;
 enum { METHODS = 6, TRUTH = METHODS, OPEN = 32, MAP = 64 };
 extern const method methods[METHODS];
-extern const char *const presets[3], *const behinds[6];
+enum { BEHINDS = SSGI_GL_THICKNESS_SLABS + 1 };   /* words of desc.thickness */
+extern const char *const presets[3], *const behinds[BEHINDS];
 
 typedef struct half {
     int       method, preset, known;        /* known: last is of the frame before */

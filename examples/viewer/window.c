@@ -31,7 +31,7 @@ static void on_key(GLFWwindow *window, int key, int code, int action, int mods)
         break;
     case GLFW_KEY_M: h->method = (h->method + 1) % (METHODS + (h != v->half)); break;
     case GLFW_KEY_P: h->preset = (h->preset + 1) % 3; break;
-    case GLFW_KEY_B: v->behind = (v->behind + 1) % 6; break;
+    case GLFW_KEY_B: v->behind = (v->behind + 1) % BEHINDS; break;
     case GLFW_KEY_N: v->from_depth = !v->from_depth; break;
     case GLFW_KEY_T: v->history = !v->history; break;
     default: return;

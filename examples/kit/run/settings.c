@@ -28,8 +28,8 @@ typedef struct row { kit_setting setting; size_t member; int where; size_t offse
 ROW(noise_row, noise, "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, PLAN, 0)
 ROW(normal_row, normal, "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, PLAN, 0)
 #define THICKNESS(name, value) \
-    ROW(name, thickness, "thickness of visible surfaces, constant or the most of a width, in radii", NULL, value, 0, 100, \
-        SCALED, FRAMED(thickness))
+    ROW(name, thickness, "thickness of visible surfaces, constant or the most of a width, in radii", \
+        NULL, value, 0, 100, SCALED, FRAMED(thickness))
 THICKNESS(thickness_row, 1)
 THICKNESS(slice_thick_row, 0.6)
 THICKNESS(lit_thick_row, 0.4)

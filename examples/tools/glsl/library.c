@@ -152,7 +152,8 @@ static int read_room(text *out, const char *path, kit_error *err)
     char *data;
     size_t size;
     if (kit_file_read(&data, &size, path, err)) return -1;
-    int failed = !size || data[size - 1] != '\n' || memchr(data, 0, size) ? kit_fail(err, "%s: is no text that ends its last line", path) : 0, number = 0;
+    const int text_ends = size && data[size - 1] == '\n' && !memchr(data, 0, size);
+    int failed = text_ends ? 0 : kit_fail(err, "%s: is no text that ends its last line", path), number = 0;
     for (char *line = data, *end; *line && !failed; line = end) {
         end = strchr(line, '\n') + 1;
         ++number;
