@@ -609,8 +609,9 @@ enum {
 /* plan.method. When light is wanted HSAO dims the irradiance of harmonics. */
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
 
-/* plan.thickness: desc.thickness of ssgi_gl.h with other numbers and without WIDTH; ssgi_gl_plan translates. */
-enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };
+/* plan.thickness: desc.thickness of ssgi_gl.h with other numbers; ssgi_gl_plan translates. WIDTH is the default of
+   chains: ssgi_gl_steps draws pass width, of which the costs here know. */
+enum { SSGI_PLAN_WIDTH = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };
 
 /* plan_scene.device: whose costs. */
 enum {
@@ -628,7 +629,7 @@ typedef struct ssgi_survey {
 
 /* A survey of full-size pictures of pass HSAO by slices, filtered, all of one radius; count floats each. A pixel that
    is NaN in any of them is left out: set it NaN where there is no surface (the pass writes 1 there).
-     hsao, best    presets BALANCED and BEST with desc.thickness CONSTANT
+     hsao, best    presets BALANCED and BEST with the default thickness, of chains WIDTH
      solid         preset BALANCED with desc.thickness SOLID
      slabs         preset BALANCED with desc.thickness SLABS; may be NULL, the others not */
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
@@ -638,7 +639,7 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, cons
 typedef struct ssgi_calibration {
     int known;        /* 0: no calibration */
     float unoccluded; /* of no occlusion at all */
-    float hsao;       /* of slices at the preset BALANCED, thickness CONSTANT; where light is wanted, times the light */
+    float hsao;       /* of slices at the preset BALANCED, thickness WIDTH; where light is wanted, times the light */
     float slabs;      /* the same with thickness SLABS; 0: not known */
 } ssgi_calibration;
 
@@ -679,7 +680,7 @@ typedef struct ssgi_plan_scene {
     float albedo;    /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
 
     /* what may be drawn */
-    int thickness;    /* the most that may be chosen: SSGI_PLAN_CONSTANT, _BACK or _SLABS */
+    int thickness;    /* the most that may be chosen: SSGI_PLAN_WIDTH, _BACK or _SLABS */
     float depth_pass; /* [units: as budget] [limit: >= 0] cost of one depth-only pass; BACK adds 1 of it, SLABS 3 */
     int history;      /* 1: frames may be averaged: the camera's motion is known, a trail may show */
     double surfels;   /* VISIBILITY: how many the triangles become at size 0.015 (ssgi_surfels_predict), over the
@@ -692,7 +693,7 @@ typedef struct ssgi_plan_scene {
 typedef struct ssgi_plan {
     int method; /* SSGI_PLAN_NOTHING .. */
 
-    /* settings, 0 where the method has none: as in ssgi_gl_desc, but thickness SSGI_PLAN_CONSTANT .., history of
+    /* settings, 0 where the method has none: as in ssgi_gl_desc, but thickness SSGI_PLAN_WIDTH .., history of
        ssgi_gl_chain, resolution of ssgi_field_desc, size of ssgi_surfel_desc */
     int thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
     float size;
@@ -3652,52 +3653,52 @@ typedef struct ssgi__plan_row {
       { unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant } }
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
-    SSGI__ROW(VISIBILITY, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, .82f, .92f, .02f, 1.3f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 8, 0, 0, 0, 0, .98f, 1.2f, .005f, 1.08f, 0, 0, 0, 0, 0, 0, .042f),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.35f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 12, 0, 1, 0, 0, 1.51f, 1.71f, 0, .9f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 0, 1, 10, 0, 0, 0, 0, 2.58f, 3.45f, .002f, .87f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 0, 2, 10, 0, 0, 0, 0, 4.38f, 6.3f, 0, .82f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, .82f, .92f, .02f, 1.3f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 8, 0, 0, 0, 0, .98f, 1.2f, .005f, 1.08f, 0, 0, 0, 0, 0, 0, .042f),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 1.35f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 12, 0, 1, 0, 0, 1.51f, 1.71f, 0, .9f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 0, 1, 10, 0, 0, 0, 0, 2.58f, 3.45f, .002f, .87f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 0, 2, 10, 0, 0, 0, 0, 4.38f, 6.3f, 0, .82f, 0, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 1, 8, 0, 0, 0, 0, 1.18f, 1.41f, 0, .88f, .19f, 0, 0, 0, 0, 0, .19f),
-    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 2, 8, 0, 0, 0, 0, 1.7f, 2.2f, 0, .81f, .15f, 0, 0, 0, 0, 0, .032f),
+    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 2, 10, 0, 0, 0, 0, 1.7f, 2.2f, 0, .81f, .15f, 0, 0, 0, 0, 0, .032f),
     SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 8, 0, 0, 0, 0, 1.41f, 1.75f, .006f, 0, 1.09f, 0, 0, 0, 0, 0, .019f),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.02f, 2.87f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 2, 10, 0, 0, 0, 0, 2.02f, 2.87f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 2.08f, 2.54f, 0, 0, .86f, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 1, 10, 0, 0, 0, 0, 4.03f, 6.2f, .001f, 0, .81f, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 2, 10, 0, 0, 0, 0, 7.38f, 11.8f, 0, 0, .74f, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 3, 12, 0, 0, 0, 0, 12.0f, 20.7f, 0, 0, .69f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, SURFELS, CONSTANT, 0, 0, 0, 0, 0, 0, 0.03f, 5.4f, 3.1f, 0, 0, .48f, .021f, .37f, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, SURFELS, CONSTANT, 0, 0, 0, 0, 0, 0, 0.015f, 5.4f, 3.1f, 0, 0, .4f, .18f, .87f, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, .81f, .92f, .072f, .91f, 0, 0, 0, .004f, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.38f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.13f, 2.87f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, SURFELS, WIDTH, 0, 0, 0, 0, 0, 0, 0.03f, 5.4f, 3.1f, 0, 0, .48f, .021f, .37f, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, SURFELS, WIDTH, 0, 0, 0, 0, 0, 0, 0.015f, 5.4f, 3.1f, 0, 0, .4f, .18f, .87f, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, .81f, .92f, .072f, .91f, 0, 0, 0, .004f, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 1.38f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 2, 10, 0, 0, 0, 0, 2.13f, 2.87f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(LIGHT, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 1.9f, 2.54f, 0, 0, .96f, 0, 0, .001f, 0, 0, .43f),
-    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 1, 4, 4, 0, 0, 0, 1.27f, 1.4f, .25f, .043f, 0, 0, 0, .037f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 2, 8, 2, 0, 0, 0, 1.8f, 2.2f, .055f, .49f, 0, 0, 0, .022f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 2, 8, 4, 0, 0, 0, 1.93f, 2.39f, .091f, .33f, 0, 0, 0, .011f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, SLABS, 1, 2, 8, 4, 0, 0, 0, 2.58f, 3.55f, .13f, 0, .13f, 0, 0, .015f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 1, 6, 4, 0, 0, 0, 1.27f, 1.4f, .25f, .043f, 0, 0, 0, .037f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 2, 10, 2, 0, 0, 0, 1.8f, 2.2f, .055f, .49f, 0, 0, 0, .022f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 2, 10, 4, 0, 0, 0, 1.93f, 2.39f, .091f, .33f, 0, 0, 0, .011f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, SLABS, 1, 2, 10, 4, 0, 0, 0, 2.58f, 3.55f, .13f, 0, .13f, 0, 0, .015f, 0, 0, 0),
     SSGI__ROW(LIGHT, S3HO, SLABS, 0, 2, 10, 4, 0, 0, 0, 8.53f, 13.9f, .13f, 0, .016f, 0, 0, .018f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 1.07f, 1.17f, .22f, .13f, 0, 0, 0, .04f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.83f, 2.15f, .11f, .22f, 0, 0, 0, .023f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.07f, 1.17f, .22f, .13f, 0, 0, 0, .04f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 1.83f, 2.15f, .11f, .22f, 0, 0, 0, .023f, 0, 0, 0),
     SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 12, 0, 0, 0, 0, 2.13f, 2.66f, .13f, 0, .15f, 0, 0, .029f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.37f, 3.31f, .14f, 0, .076f, 0, 0, .024f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 2, 10, 0, 0, 0, 0, 2.37f, 3.31f, .14f, 0, .076f, 0, 0, .024f, 0, 0, 0),
     SSGI__ROW(LIGHT, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 8.68f, 13.3f, .11f, 0, 0, 0, 0, .027f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 4, 0, 1, 0, 0, 1.79f, 1.71f, .21f, 0, 0, 0, 0, .043f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, .78f, .92f, .1f, .87f, 0, 0, 0, .004f, 0, 0, .13f),
-    SSGI__ROW(BOUNCE, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.28f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, CONSTANT, 1, 1, 4, 4, 0, 0, 0, 1.89f, 1.77f, .5f, 0, 0, 0, 0, .034f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, CONSTANT, 1, 2, 8, 4, 0, 0, 0, 3.29f, 3.5f, .4f, 0, 0, 0, 0, .019f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, SLABS, 1, 2, 8, 4, 0, 0, 0, 3.77f, 4.68f, .32f, 0, 0, 0, 0, .021f, 0, 0, .47f),
-    SSGI__ROW(BOUNCE, SSDO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 2.36f, 2.32f, .44f, 0, 0, 0, 0, .018f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, SSDO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 3.44f, 3.67f, .32f, 0, 0, 0, 0, .012f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, SSDO, SLABS, 1, 2, 8, 0, 0, 0, 0, 4.05f, 4.85f, .25f, 0, 0, 0, 0, .017f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 6, 0, 1, 0, 0, 1.79f, 1.71f, .21f, 0, 0, 0, 0, .043f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(BOUNCE, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, .78f, .92f, .1f, .87f, 0, 0, 0, .004f, 0, 0, .13f),
+    SSGI__ROW(BOUNCE, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 1.28f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, WIDTH, 1, 1, 6, 4, 0, 0, 0, 1.89f, 1.77f, .5f, 0, 0, 0, 0, .034f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, WIDTH, 1, 2, 10, 4, 0, 0, 0, 3.29f, 3.5f, .4f, 0, 0, 0, 0, .019f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, SLABS, 1, 2, 10, 4, 0, 0, 0, 3.77f, 4.68f, .32f, 0, 0, 0, 0, .021f, 0, 0, .47f),
+    SSGI__ROW(BOUNCE, SSDO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 2.36f, 2.32f, .44f, 0, 0, 0, 0, .018f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, SSDO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 3.44f, 3.67f, .32f, 0, 0, 0, 0, .012f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, SSDO, SLABS, 1, 2, 10, 0, 0, 0, 0, 4.05f, 4.85f, .25f, 0, 0, 0, 0, .017f, 0, 0, 0),
     SSGI__ROW(BOUNCE, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 11.1f, 16.8f, .21f, 0, 0, 0, 0, .014f, 0, 0, .1f),
-    SSGI__ROW(OBJECTS, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 4, 0, .05f, .05f, .016f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 8, 0, .05f, .05f, .012f, 0, 0, 0, 0, 0, 0, 0, .45f)
+    SSGI__ROW(OBJECTS, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, WIDTH, 0, 0, 0, 0, 0, 4, 0, .05f, .05f, .016f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, WIDTH, 0, 0, 0, 0, 0, 8, 0, .05f, .05f, .012f, 0, 0, 0, 0, 0, 0, 0, .45f)
 };
 /* clang-format on */
 

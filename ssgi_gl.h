@@ -426,7 +426,7 @@ typedef struct ssgi_gl_desc {
    desc->search, and in its filter, so that the same desc serves blur: half, directions or samples, steps, normal_rays,
    noise, filter, filter_radius; range and fade of points; of ssdo with an environment restore RATIO, without which
    blur would smooth creases.
-     slices        FAST half size 1x4, BALANCED half 2x8, BEST full 2x10 (slices x steps)
+     slices        FAST half size 1x6, BALANCED half 2x10, BEST full 2x10 (slices x steps)
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
@@ -438,8 +438,8 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work (of surfels and fields the one that
    draws them), with its settings and the filter's; the rest stays. ssdo and s3ho get restore; s3ho gets shaded and
-   residual; ssdo without an environment gets MAP; thickness is the plan's: CONSTANT, not WIDTH, where it draws no back
-   faces. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is
+   residual; ssdo without an environment gets MAP; thickness is the plan's: where it draws no back faces DEFAULT, which in
+   chains is WIDTH. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is
    ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
@@ -3110,7 +3110,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if half\n"
     "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(vec2(t.o));\n"
     "    // never 0: if no tap lies on the plane, the closest to it wins\n"
-    "    float w = tent.x * tent.y * max(1.0 - off, 1e-3 / (1.0 + off));\n"
+    "    float w = tent.x * tent.y / (0.1 + off * off);\n"
     "#else\n"
     "    float w = max(1.0 - off, 0.0);\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == SSGI_FILTER_RADIUS) w *= 0.5;\n"
@@ -3879,8 +3879,8 @@ static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_BEST + 1] = {
     { { 0,  8, 0,  1, 0, 0 },       /* ssao: FAST */
       { 0, 16, 0,  1, 0, 0 },       /*       BALANCED */
       { 0, 32, 0,  1, 0, 0 } },     /*       BEST */
-    { { 1,  0, 1,  4, 0, 0 },       /* slices: FAST */
-      { 1,  0, 2,  8, 0, 0 },       /*         BALANCED */
+    { { 1,  0, 1,  6, 0, 0 },       /* slices: FAST */
+      { 1,  0, 2, 10, 0, 0 },       /*         BALANCED */
       { 0,  0, 2, 10, 0, 0 } },     /*         BEST */
     { { 0,  0, 4,  6, 0, 0 },       /* march: FAST */
       { 0,  0, 6,  9, 1, 0 },       /*        BALANCED */
@@ -3931,7 +3931,7 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why)
 {
     static const int passes[] = { 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_SPLAT, SSGI_GL_FIELD };
-    static const int thickness[] = { SSGI_GL_THICKNESS_CONSTANT, SSGI_GL_THICKNESS_SOLID, SSGI_GL_THICKNESS_BACK,
+    static const int thickness[] = { SSGI_GL_THICKNESS_DEFAULT, SSGI_GL_THICKNESS_SOLID, SSGI_GL_THICKNESS_BACK,
                                      SSGI_GL_THICKNESS_SLABS };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_NOTHING && plan->method <= SSGI_PLAN_FIELD,

@@ -242,7 +242,7 @@ static void refused(void)
 /* Every choice becomes a desc that is good, and a method of the kit with the same settings. */
 static void drawable(void)
 {
-    static const int thickness[] = { [SSGI_PLAN_CONSTANT] = SSGI_GL_THICKNESS_CONSTANT,
+    static const int thickness[] = { [SSGI_PLAN_WIDTH] = SSGI_GL_THICKNESS_DEFAULT,
                                      [SSGI_PLAN_SOLID] = SSGI_GL_THICKNESS_SOLID,
                                      [SSGI_PLAN_BACK] = SSGI_GL_THICKNESS_BACK,
                                      [SSGI_PLAN_SLABS] = SSGI_GL_THICKNESS_SLABS };

@@ -90,7 +90,7 @@ static void know(measured *row, int count)
 {
     for (int i = 0; i < count; ++i) {
         const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
-        const int balanced = r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 8;
+        const int balanced = r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 10;
         for (int k = 0; k < count; ++k) {
             ssgi_calibration *c = &row[k].scene.calibration;
             if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
@@ -203,7 +203,7 @@ static void print_choice(int c, int count, const double base[2], double gpu)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
                              *const method[] = { "NOTHING", "HSAO", "SSDO", "S3HO", "SURFELS", "FIELD" },
-                             *const behind[] = { "CONSTANT", "SOLID", "BACK", "SLABS" };
+                             *const behind[] = { "WIDTH", "SOLID", "BACK", "SLABS" };
     static double costs[2][MOST_ROWS];
     const ssgi__plan_row *r = &ssgi__plan_rows[c];
     double x[MOST_TERMS];

@@ -10,7 +10,7 @@ enum { PLACES = 8000, PLACE_RAYS = 64, LIGHT_PLACES = 3000, LIGHT_RAYS = 768 };
 
 /* What a plan is made from: ambient visibility of four kinds; slabs where the scene or the frame has them. */
 enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
-static const char *const pictures[PICTURES][2] = { { "hsao", "behind=constant" }, { "hsao-best", "behind=constant" },
+static const char *const pictures[PICTURES][2] = { { "hsao", "behind=width" }, { "hsao-best", "behind=width" },
                                                    { "hsao", "behind=solid" }, { "hsao", "behind=slabs" } };
 
 /* Pixels without a surface are left out. */
@@ -207,7 +207,7 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     size_t seen = 0;
     memset(s, 0, sizeof *s);
     s->wanted = wanted;
-    s->thickness = slabs ? SSGI_PLAN_SLABS : g->back ? SSGI_PLAN_BACK : SSGI_PLAN_CONSTANT;
+    s->thickness = slabs ? SSGI_PLAN_SLABS : g->back ? SSGI_PLAN_BACK : SSGI_PLAN_WIDTH;
     for (int k = 0; k < count; ++k)
         if (kit_run_picture(&picture[k], g, &dark, pictures[k][0], pictures[k][1], radius, err)) return -1;
     if (kit_gbuffer_read(&frame, g, err)) return -1;
@@ -240,7 +240,7 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
 const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
 {
     static const char *const names[] = { NULL, "hsao", "ssdo", "s3ho", "dss", "aof" },
-                      *const behind[] = { "constant", "solid", "back", "slabs" };
+                      *const behind[] = { "width", "solid", "back", "slabs" };
     const struct { const char *key; int value, least; } asked[] = {
         { "half", p->half, p->directions ? 0 : 1 }, { "directions", p->directions, 1 }, { "steps", p->steps, 1 },
         { "bands", p->bands, 1 }, { "history", p->history, 1 }, { "blur", p->filter_radius, 1 },
