@@ -77,11 +77,17 @@ static void caps(void)
                  { 13, -0.5, 1 },
                  { PI / 4, 1.5, 0.234375 },
                  { PI / 4, -1.5, 0 } }; /* beyond the ends */
-    double worst = 0;
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i)
-        worst = fmax(worst, fabs((double)ssgi_cap_occlusionf((float)rows[i].solid_angle, (float)rows[i].cosine)
-                                 - rows[i].occlusion));
-    CHECK(worst < 1e-6, "off by %g", worst);
+    double worst = 0, single = 0;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
+        const double exact = rows[i].occlusion, o = rows[i].solid_angle, c = rows[i].cosine;
+        worst = fmax(worst, fabs(ssgi_cap_occlusion(o, c) - exact));
+        single = fmax(single, fabs((double)ssgi_cap_occlusionf((float)o, (float)c) - exact));
+    }
+    CHECK(worst < 1e-12 && single < 2e-7, "off by %g, as floats by %g", worst, single);
+    const double no[] = { NAN, INFINITY, -INFINITY };
+    for (int i = 0; i < 3; ++i)
+        CHECK(ssgi_cap_occlusion(no[i], 1) == 0 && ssgi_cap_occlusion(PI, no[i]) == ssgi_cap_occlusion(PI, 0),
+              "what is not finite: %g, %g", ssgi_cap_occlusion(no[i], 1), ssgi_cap_occlusion(PI, no[i]));
     double before[81] = { 0 };
     for (int i = 0; i <= 160; ++i) for (int j = 0; j <= 80; ++j) {
             const double o = 4 * PI * i / 160, c = j / 40.0 - 1, a = (double)ssgi_cap_occlusionf((float)o, (float)c),
@@ -91,6 +97,57 @@ static void caps(void)
             if (i == 80) CHECK(fabs(a - 0.5 - 0.5 * c) < 1e-6, "half of the sphere, cosine %g: %.9g", c, a);
             before[j] = a;
     }
+}
+
+/* A look-up as the header describes it. */
+static double looked_up(const float *table, int size, double solid_angle, double cosine)
+{
+    const double u = (solid_angle / (4 * PI) * (size - 1) + 0.5) / size, v = ((cosine + 1) / 2 * (size - 1) + 0.5) / size,
+                 x = u * size - 0.5, y = v * size - 0.5;
+    const int i = (int)fmin(x, size - 2), j = (int)fmin(y, size - 2);
+    const float *at = table + j * size + i;
+    const double low = (double)at[0] + (x - i) * (double)(at[1] - at[0]),
+                 high = (double)at[size] + (x - i) * (double)(at[size + 1] - at[size]);
+    return low + (y - j) * (high - low);
+}
+
+static void cap_tables(void)
+{
+    static const struct { int size; double most, rms;
+    } sizes[] = { { 32, 2.9e-3, 3.8e-4 }, { 64, 1.4e-3, 1e-4 }, { 128, 6.6e-4, 2.8e-5 } };
+    /* by quadrature, on a grid of 64 x 64 cells: solid angle, cosine */
+    static const struct { int x, y; double occlusion;
+    } rows[] = { { 1, 33, 0.0043360642700743697 }, { 8, 30, 0.059092098503439251 }, { 20, 20, 0.12196989623960146 },
+                 { 31, 40, 0.60561821739016908 }, { 32, 13, 0.20312500000000003 }, { 40, 20, 0.47046421768861002 },
+                 { 45, 50, 0.94551137474100155 }, { 60, 5, 0.80224609374999978 }, { 64, 0, 1 } };
+    static float table[128 * 128];
+    const char *why = "";
+    CHECK(ssgi_cap_table(table, 65, &why) == SSGI_OK, "%s", why);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i)
+        CHECK(fabs((double)table[65 * rows[i].y + rows[i].x] - rows[i].occlusion) < 1e-7, "texel %d, %d: %.9g",
+              rows[i].x, rows[i].y, (double)table[65 * rows[i].y + rows[i].x]);
+    for (int n = 0; n < 3; ++n) {
+        const int size = sizes[n].size;
+        double most = 0, square = 0;
+        ssgi_cap_table(table, size, NULL);
+        for (int i = 0; i <= 500; ++i)
+            for (int j = 0; j <= 500; ++j) {
+                const double o = 4 * PI * i / 500, c = j / 250.0 - 1,
+                             off = looked_up(table, size, o, c) - ssgi_cap_occlusion(o, c);
+                most = fmax(most, fabs(off));
+                square += off * off / (501 * 501);
+                if (i == 500) CHECK(fabs(looked_up(table, size, o, c) - 1) < 1e-6, "all of the sphere, cosine %g", c);
+            }
+        CHECK(most < sizes[n].most && most > 0.8 * sizes[n].most && sqrt(square) < 1.1 * sizes[n].rms,
+              "%d: off by at most %.2e, RMS %.1e", size, most, sqrt(square));
+        t_note("%d: off by at most %.2e, RMS %.1e", size, most, sqrt(square));
+    }
+    memset(table, 0x5a, sizeof table);
+    const float was = table[0];
+    CHECK(ssgi_cap_table(NULL, 32, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "out:"), "no memory: \"%s\"", why);
+    for (int size = 1; size <= 4097; size += 4096)
+        CHECK(ssgi_cap_table(table, size, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "size:") && !memcmp(table, &was, 4),
+              "size %d: \"%s\"", size, why);
 }
 
 /* ---- >>field: what a bake is made of ----------------------------------------------------------------------------- */
@@ -1145,6 +1202,7 @@ static void files(void)
 void test_field(void)
 {
     RUN("a cap under the cosine is the closed form in all its branches, complementary and monotone", caps);
+    RUN("a table of caps is the closed form at its texels, and between them as close as its size says", cap_tables);
     RUN("fits reach the reference's error for cubes, slabs and a ball, and never hold more than the sphere", fits);
     RUN("centres reach the reference's error, stay put where nothing tells, and find one that is there", centres);
     RUN("samples are a cube's exact solid angle and vector irradiance, by rays in the cone only", sampled);
