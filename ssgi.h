@@ -361,6 +361,22 @@ SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], 
 SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                             float tmax);
 
+/* Ambient visibility of points, by cosine-weighted rays: a rigid object's self-occlusion, for instance, as an attribute
+   of its vertices [AOF05 section 1].
+     out                count of them, in [0,1]
+     position, normal   x y z of point k at [3*k]; normals of any length
+     radius             [units: the mesh's] [limit: above 0; 0: without end, hard only] hits beyond it do not count
+     rays               [limit: 1..65536] a point
+     hard               [limit: 0 or 1] 0: a hit at the distance t occludes by 1 - t/radius; 1: fully
+   Rays begin off the surface: along the normal by 4e-6 of the largest coordinate in the trace. Lift positions yourself
+   where vertex normals stand far off the faces', whose neighbours then occlude. A point without a normal, or one that
+   is not finite, is open. The value depends on the trace, the point and the normal alone, so that copies of a vertex
+   agree, and threads may take a part of the points each. RMS error of sampling by 256 rays, and 1024: beside a wall
+   0.0006, 0.00015, hard 0.005, 0.002; in a groove hard 0.007, 0.003. */
+SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, const float *position,
+                                           const float *normal, size_t count, float radius, int rays, int hard,
+                                           const char **why);
+
 /* ==== >>surfels ================================================================================================ */
 
 /* Deep screen space [DSS14]: triangles become discs of about equal size on the screen, also where they are hidden, at
@@ -518,13 +534,22 @@ typedef struct ssgi_field_desc {
     int radii;      /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
     int rays;       /* [limit: 0, 16..65536] [default: 128] traced at each distance */
     float reach;    /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] where the field ends */
+    int unfiltered; /* [limit: 0 or 1] 1: directions are sampled at the resolution itself, without the Gaussian: what
+                       thin parts do then is figure 5 of the paper, in a quarter of the time */
     /* Your ray caster: 1 if the ray meets the occluder at any t > 0; NULL: ours, which finds the hull in any case. */
     int (*hit)(void *user, const float origin[3], const float direction[3]);
+    /* Your samples instead of rays [AOF05 section 4.1], rasterised for instance: of point i, x y z at point[3 * i] in the
+       mesh's space, out[4 * i] is the solid angle of the occluder [units: sr] and the next three are its mean direction,
+       from the point to it. Its length tells how far the occluder fills its cap; 1, or more than can be, is a cap that
+       is filled, as in the paper, which has unit directions. What is not finite counts as nothing seen. Called once a
+       direction, with all its distances: desc.radii points from near the hull to the reach, ascending. What is inside
+       the hull, and the reported errors, come from rays in any case. NULL: rays. */
+    void (*sample)(void *user, float *out, const float *point, int count);
     /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
     /* Called now and then on the caller's thread, done in [0,1]; not 0 gives up: SSGI_CANCELLED. */
     int (*progress)(void *user, float done);
-    void *user; /* handed to the three; hit must be reentrant if parallel has threads */
+    void *user; /* handed to all of them; hit and sample must be reentrant if parallel has threads */
 } ssgi_field_desc;
 
 /* A baked field, in the occluder's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
@@ -563,7 +588,8 @@ SSGI_DEF size_t ssgi_field_size(int resolution);
 /* Bytes of a bake's work memory, which is not needed later: 59 a triangle + 960 resolution^2. 0: bad arguments. */
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
-/* Bakes: samples directions at twice the resolution, fits each texel, reduces by a Gaussian [AOF05 section 4.1].
+/* Bakes: samples directions at twice the resolution, fits each texel, reduces by a Gaussian [AOF05 section 4.1]; by
+   rays, or from desc.sample.
      texels     ssgi_field_size(desc's resolution) bytes, which belong to the field from then on
      work       work_size >= ssgi_field_bake_size(desc, triangles) bytes of any alignment
      position, stride_bytes, index, triangles   as in ssgi_trace_build, which tells what triangles are left out
@@ -887,6 +913,22 @@ SSGI__FN double ssgi__normalise(double v[3])
     return length;
 }
 
+/* Two axes across a unit vector, which is the third. */
+SSGI__FN void ssgi__axes(float axes[3][3], const double axis[3])
+{
+    double side[3] = { 0.0, 0.0, 0.0 }, up[3];
+    int least = 0;
+    for (int i = 1; i < 3; ++i)
+        if (fabs(axis[i]) < fabs(axis[least])) least = i;
+    side[least] = 1.0;
+    ssgi__cross(up, axis, side);
+    ssgi__normalise(up);
+    ssgi__cross(side, up, axis);
+    ssgi__floats(axes[0], side);
+    ssgi__floats(axes[1], up);
+    ssgi__floats(axes[2], axis);
+}
+
 /* The unit vector at a height and an azimuth. */
 SSGI__FN void ssgi__polar(double w[3], double z, double angle)
 {
@@ -1105,6 +1147,17 @@ SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i)
     }
     return ssgi__min((float)r, 1.0f - FLT_EPSILON / 2); /* 0.99999999 rounds up to 1 */
 }
+
+/* The hash of PCG [O'Neill 2014]. */
+SSGI__FN uint32_t ssgi__hash(uint32_t x)
+{
+    x = x * 747796405u + 2891336453u;
+    x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
+    return (x >> 22) ^ x;
+}
+
+/* A share of a turn, in [0,1). */
+SSGI__FN double ssgi__turn(uint32_t seed) { return (double)ssgi__hash(seed) / 4294967296.0; }
 
 SSGI__FN float ssgi__fract(double x)
 {
@@ -2149,6 +2202,73 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
     return ssgi__trace_walk(trace, origin, direction, tmin, tmax, NULL);
 }
 
+/* Cosine-weighted occlusion of a point whose normal is axes[2], by stratified rays that are turned by seed. */
+SSGI__FN double ssgi__trace_occlusion(const ssgi_trace *trace, const float from[3], float axes[3][3], float radius,
+                                      int rays, int hard, uint32_t seed)
+{
+    const double shift = ssgi__turn(seed), spin = ssgi__turn(seed + 0x9e3779b9u);
+    double sum = 0.0;
+    for (int k = 0; k < rays; ++k) {
+        const double u = (k + shift) / rays;
+        const double angle = (2.0 * SSGI__PI) * ((double)ssgi_radical_inverse(2, (uint32_t)k) + spin);
+        const float x = (float)(sqrt(u) * cos(angle)), y = (float)(sqrt(u) * sin(angle)), z = (float)sqrt(1.0 - u);
+        float d[3];
+        ssgi_hit hit;
+        for (int c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
+        if (hard) sum += ssgi_trace_any(trace, from, d, 0.0f, radius);
+        else if (ssgi_trace_closest(trace, from, d, 0.0f, radius, &hit)) sum += 1.0 - (double)(hit.t / radius);
+    }
+    return sum / rays;
+}
+
+/* The largest coordinate in it, of either sign. */
+SSGI__FN float ssgi__trace_extent(const ssgi_trace *trace)
+{
+    const ssgi__trace_node *root = (const ssgi__trace_node *)trace->nodes;
+    float most = 0.0f;
+    for (int k = 0; k < 4 && trace->node_count; ++k)
+        for (int i = 0; i < 3 && root->bound[0][i][k] <= root->bound[1][i][k]; ++i)
+            most = ssgi__max(most, ssgi__max(ssgi__abs(root->bound[0][i][k]), ssgi__abs(root->bound[1][i][k])));
+    return most;
+}
+
+/* A number for a point, by its bits: 0 and -0 are one. */
+SSGI__FN uint32_t ssgi__trace_seed(const float p[3])
+{
+    uint32_t seed = 0, bits;
+    for (int i = 0; i < 3; ++i) {
+        memcpy(&bits, &p[i], sizeof bits);
+        seed = ssgi__hash(seed ^ (bits & 0x7fffffffu ? bits : 0u));
+    }
+    return seed;
+}
+
+SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, const float *position,
+                                           const float *normal, size_t count, float radius, int rays, int hard,
+                                           const char **why)
+{
+    SSGI__THERE2(out, trace);
+    SSGI__THERE2(position, normal);
+    SSGI__RANGE(rays, 1, 65536);
+    SSGI__RANGE(hard, 0, 1);
+    SSGI__CHECK(ssgi__finite(radius) && radius >= (hard ? 0.0f : 1e-30f),
+                "radius: must be finite and above 0; where hard, 0 is without end");
+    const float lift = 4e-6f * ssgi__trace_extent(trace), end = radius > 0.0f ? radius : 3e38f;
+    for (size_t i = 0; i < count; ++i) {
+        const float *p = position + 3 * i, *n = normal + 3 * i;
+        double along[3];
+        float axes[3][3], from[3];
+        out[i] = 1.0f;
+        if (!ssgi__finites(p, 3) || !ssgi__finites(n, 3)) continue;
+        ssgi__doubles(along, n);
+        if (!(ssgi__normalise(along) > 0.0)) continue;
+        ssgi__axes(axes, along);
+        for (int k = 0; k < 3; ++k) from[k] = p[k] + lift * axes[2][k];
+        out[i] = (float)(1.0 - ssgi__trace_occlusion(trace, from, axes, end, rays, hard, ssgi__trace_seed(p)));
+    }
+    return SSGI_OK;
+}
+
 /* ==== >>surfels (implementation) =============================================================================== */
 
 /* Points of a triangle that is tessellated to level i all around, with equal spacing, in point mode [DSS14 section
@@ -2170,14 +2290,6 @@ SSGI__FN void ssgi__tess_lattice(int place[3], int segments, int i)
     place[side] = segments - along;
     place[(side + 1) % 3] = along;
     place[(side + 2) % 3] = 0;
-}
-
-/* The hash of PCG [O'Neill 2014]. */
-SSGI__FN uint32_t ssgi__hash(uint32_t x)
-{
-    x = x * 747796405u + 2891336453u;
-    x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
-    return (x >> 22) ^ x;
 }
 
 /* The least level, 1..64, that has as many points as discs of the radius have the area; for more discs than level 64
@@ -2705,8 +2817,6 @@ SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
 
 /* ---- samples */
 
-SSGI__FN double ssgi__field_turn(uint32_t seed) { return (double)ssgi__hash(seed) / 4294967296.0; }
-
 /* Ray i of a stratified cone about axes[2]: directions are uniform, turned by seed. */
 SSGI__FN void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
 {
@@ -2719,21 +2829,6 @@ SSGI__FN void ssgi__field_ray(float direction[3], float axes[3][3], float cosine
         direction[k] = radius * (cosf(angle) * axes[0][k] + sinf(angle) * axes[1][k]) + z * axes[2][k];
 }
 
-SSGI__FN void ssgi__field_axes(float axes[3][3], const double axis[3])
-{
-    double side[3] = { 0.0, 0.0, 0.0 }, up[3];
-    int least = 0;
-    for (int i = 1; i < 3; ++i)
-        if (fabs(axis[i]) < fabs(axis[least])) least = i;
-    side[least] = 1.0;
-    ssgi__cross(up, axis, side);
-    ssgi__normalise(up);
-    ssgi__cross(side, up, axis);
-    ssgi__floats(axes[0], side);
-    ssgi__floats(axes[1], up);
-    ssgi__floats(axes[2], axis);
-}
-
 /* What an occluder does to a point, by rays within acos(cosine) of a unit axis; `hit` NULL: ours.
      out         solid angle of what is hit; its vector irradiance, which is the integral of the directions that are hit
      occlusion   of four receivers with these normals, or NULL */
@@ -2742,12 +2837,12 @@ SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double norm
                                  const double axis[3], float cosine, int rays, uint32_t seed)
 {
     const double share = 2.0 * SSGI__PI * (1.0 - (double)cosine) / rays;
-    const double shift[2] = { ssgi__field_turn(seed), ssgi__field_turn(seed ^ 0x9e3779b9u) };
+    const double shift[2] = { ssgi__turn(seed), ssgi__turn(seed ^ 0x9e3779b9u) };
     float axes[3][3], d[3];
     double along[3];
     memset(out, 0, 4 * sizeof *out);
     if (occlusion) memset(occlusion, 0, 4 * sizeof *occlusion);
-    ssgi__field_axes(axes, axis);
+    ssgi__axes(axes, axis);
     for (int i = 0; i < rays; ++i) {
         ssgi__field_ray(d, axes, cosine, i, shift);
         if (hit ? !hit(user, point, d) : !ssgi_trace_any(trace, point, d, 0.0f, 3e38f)) continue;
@@ -3105,7 +3200,8 @@ typedef struct ssgi__field_bake {
     const ssgi_field_desc *desc;
     ssgi__field_occluder occluder;
     ssgi_field *field;
-    float *fine, *coarse; /* eight components a texel, six faces; of twice the field's resolution, and of that */
+    int size;             /* of the fine map's faces: twice the field's resolution, or that */
+    float *fine, *coarse; /* eight components a texel, six faces; the latter of the field's resolution */
     float *error;         /* of validation receivers; reuses fine */
     int first;
 } ssgi__field_bake;
@@ -3140,22 +3236,46 @@ SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal
                        rays, seed);
 }
 
+/* The same along w at all its radii, by the caller's samples: each as solid angle and vector irradiance. */
+SSGI__FN void ssgi__field_yours(double sum[][4], const ssgi__field_bake *b, const double w[3], const double *radii)
+{
+    float point[3 * 64], out[4 * 64];
+    memset(out, 0, sizeof out);
+    for (int i = 0; i < b->desc->radii; ++i)
+        for (int k = 0; k < 3; ++k) point[3 * i + k] = (float)(radii[i] * w[k] + b->occluder.centre[k]);
+    b->desc->sample(b->desc->user, out, point, b->desc->radii);
+    for (int i = 0; i < b->desc->radii; ++i) {
+        double length, most;
+        memset(sum[i], 0, sizeof sum[i]);
+        if (!ssgi__finites(out + 4 * i, 4) || !(out[4 * i] > 0.0f)) continue;
+        sum[i][0] = (double)ssgi__min(out[4 * i], 6.28318531f); /* seen from beyond the hull */
+        ssgi__doubles(sum[i] + 1, out + 4 * i + 1);
+        length = ssgi__normalise(sum[i] + 1);
+        most = 1.0 - sum[i][0] / (4.0 * SSGI__PI); /* mean direction of a cap that is filled */
+        for (int k = 1; k < 4; ++k) sum[i][k] *= sum[i][0] * (length < most ? length : most);
+    }
+}
+
 /* One texel of the fine map: samples along its direction, and what they fit. */
 SSGI__FN void ssgi__field_texel(void *context, int job)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
-    const int size = 2 * b->field->resolution, texel = b->first + job, face = texel / (size * size),
-              y = texel / size % size, x = texel % size;
+    const int size = b->size, texel = b->first + job, face = texel / (size * size), y = texel / size % size,
+              x = texel % size;
     const double reach = (double)b->field->reach;
     float *out = b->fine + 8 * (size_t)texel, point[3];
-    double w[3], radii[64], values[64], directions[3 * 64], q[3], c[3], hull, length, fill = 0.0, seen = 0.0;
+    double w[3], radii[64], sums[64][4], values[64], directions[3 * 64], q[3], c[3];
+    double hull, length, fill = 0.0, seen = 0.0;
     ssgi__field_portal portal;
     ssgi__cube_direction(w, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
     hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
+    for (int i = 0; i < b->desc->radii; ++i) radii[i] = hull * pow(reach / hull, (double)i / (b->desc->radii - 1));
+    if (b->desc->sample) ssgi__field_yours(sums, b, w, radii);
     for (int i = 0; i < b->desc->radii; ++i) {
-        double sum[4];
-        radii[i] = hull * pow(reach / hull, (double)i / (b->desc->radii - 1));
-        ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->desc->rays, (uint32_t)(texel * 64 + i));
+        double *sum = sums[i];
+        if (!b->desc->sample)
+            ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->desc->rays,
+                             (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
         values[i] = length < SSGI__PI ? length : SSGI__PI;
         if (sum[0] > 0.0) { /* covered share of the cap with this vector irradiance and solid angle */
@@ -3185,7 +3305,8 @@ SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
 {
     static const float weight[4] = { 0.13447f, 0.36553f, 0.36553f, 0.13447f };
     const int size = b->field->resolution;
-    for (int face = 0; face < 6; ++face)
+    if (b->size == size) memcpy(b->coarse, b->fine, (size_t)(48 * size * size) * sizeof *b->fine);
+    for (int face = 0; face < 6 && b->size > size; ++face)
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 float *out = b->coarse + 8 * ssgi__cube_texel(face, x, y, size);
@@ -3239,7 +3360,7 @@ SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
     ssgi__field_portal portal;
     float point[3];
     for (int i = 0; i < 256; ++i) {
-        const double r = ssgi__field_turn((uint32_t)i);
+        const double r = ssgi__turn((uint32_t)i);
         ssgi__field_spiral(w, i, 256);
         ssgi__along(w, b->occluder.centre, r * ssgi__field_exit(&b->occluder, w, &portal), w);
         ssgi__floats(point, w);
@@ -3263,8 +3384,8 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
     for (int n = 0; n < 4; ++n) { /* none faces straight away, where occlusion is 0 */
-        ssgi__polar(normal[n], 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
-                    2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4)));
+        ssgi__polar(normal[n], 2.0 * ssgi__turn((uint32_t)(8 * i + n)) - 1.0,
+                    2.0 * SSGI__PI * ssgi__turn((uint32_t)(8 * i + n + 4)));
         if (ssgi__dot(normal[n], w) > 0.5)
             for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
     }
@@ -3320,6 +3441,7 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     SSGI__ZERO_OR(desc->radii, "desc.radii", 4, 64);
     SSGI__ZERO_OR(desc->rays, "desc.rays", 16, 65536);
     SSGI__CHECK(ssgi__zero_or(desc->reach, 1.5f, 64.0f), "desc.reach: must be 0 or 1.5..64");
+    SSGI__CHECK(desc->unfiltered == 0 || desc->unfiltered == 1, "desc.unfiltered: must be 0 or 1");
     return SSGI_OK;
 }
 
@@ -3365,7 +3487,8 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     f.inside = ssgi__field_inside(&b);
     f.resolution = d.resolution;
     f.radii = d.radii;
-    const int block = d.resolution * d.resolution, all = 24 * block;
+    b.size = d.unfiltered ? d.resolution : 2 * d.resolution;
+    const int block = d.resolution * d.resolution, all = 6 * b.size * b.size;
     for (b.first = 0; b.first < all; b.first += block) {
         if (d.progress && d.progress(d.user, (float)b.first / (float)all)) {
             ssgi__bad(why, "desc.progress: gave the bake up");
@@ -3622,23 +3745,15 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
     SSGI__RANGE(rays, 2, 65536);
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
     for (size_t i = 0; i < count; ++i) {
-        double along[3], occlusion[2] = { 0.0, 0.0 };
-        float axes[3][3], from[3], d[3];
-        ssgi_hit hit;
+        double along[3], occlusion[2];
+        float axes[3][3], from[3];
         ssgi__doubles(along, normal + 3 * i);
         ssgi__normalise(along);
-        ssgi__field_axes(axes, along);
+        ssgi__axes(axes, along);
         for (int k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
-        for (int k = 0; k < 2 * (rays / 2); ++k) {
-            const double u = ((k >> 1) + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1))) / (rays / 2);
-            const double turn = (2.0 * SSGI__PI)
-                              * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
-                                 + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1) + 0x9e3779b9u));
-            const float x = (float)(sqrt(u) * cos(turn)), y = (float)(sqrt(u) * sin(turn)), z = (float)sqrt(1.0 - u);
-            for (int c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
-            if (ssgi_trace_closest(trace, from, d, 0.0f, radius, &hit))
-                occlusion[k & 1] += (1.0 - (double)(hit.t / radius)) / (rays / 2);
-        }
+        for (int k = 0; k < 2; ++k) /* of rays of their own */
+            occlusion[k] = ssgi__trace_occlusion(trace, from, axes, radius, rays / 2, 0,
+                                                 (uint32_t)(2 * i) + (uint32_t)k);
         for (int k = 0; k < 3; ++k) {
             const double visible = shown[k] && ssgi__finite(shown[k][i]) ? (double)shown[k][i] : 1.0;
             square[k] += (occlusion[0] - (1.0 - visible)) * (occlusion[1] - (1.0 - visible));

@@ -703,6 +703,113 @@ static void own_rays(void)
            worst, wrong);
 }
 
+/* Samples of the tests' own, exact. half: of a box; NULL: of the unit ball, of which `filled` is there. */
+typedef struct rasters {
+    const double *half;
+    double filled;
+    int unit, broken;                      /* unit: the paper's directions; broken: what is not finite */
+    int calls, wrong;
+    float reach;
+} rasters;
+
+static void rasterised(void *user, float *out, const float *point, int count)
+{
+    rasters *s = (rasters *)user;
+    double before = 0;
+    ++s->calls;
+    for (int i = 0; i < count; ++i) {
+        double p[3], exact[4] = { 0 };
+        for (int k = 0; k < 3; ++k) p[k] = (double)point[3 * i + k];
+        const double r = sqrt(dot(p, p));
+        s->wrong += r <= before;
+        for (int k = 0, in = 0; k < 3 && s->half; ++k) s->wrong += (in += fabs(p[k]) <= s->half[k]) == 3;
+        before = r;
+        if (s->half) box_exact(exact, s->half, p);
+        else {
+            const double sine = fmin(1 / r, 1);        /* the mesh is a little smaller than the ball */
+            exact[0] = 2 * PI * (1 - sqrt(1 - sine * sine));
+            for (int k = 0; k < 3; ++k) exact[1 + k] = -PI * sine * sine * p[k] / r;
+        }
+        for (int k = 1; k < 4; ++k) exact[k] /= exact[0];
+        if (s->unit) normalise(exact + 1);
+        exact[0] *= s->half ? 1 : s->filled;
+        for (int k = 0; k < 4; ++k) out[4 * i + k] = s->broken > k ? i % 2 ? NAN : INFINITY : (float)exact[k];
+    }
+    s->wrong += fabs(before / (double)s->reach - 1) > 0.01;
+}
+
+/* A field from samples of one's own: that of many rays; the paper's unit directions make caps that are filled, shorter
+   ones what is behind holes; where the bake asks for them. */
+static void own_samples(void)
+{
+    const double half[3] = { 1, 0.5, 0.25 }, up[3] = { 0, 0, 1 };
+    rasters of = { .half = half };
+    ssgi_field_desc d = { .resolution = 4, .radii = 6, .rays = 1024, .reach = 4 };
+    const ssgi_field traced_field = baked(0, &d, box_mesh(half));
+    of.reach = traced_field.reach;
+    d.sample = rasterised;
+    d.user = &of;
+    const ssgi_field exact = baked(1, &d, box_mesh(half));
+    const double off = apart(&traced_field, &exact, 1);
+    CHECK(off < 0.02 && fabsf(exact.p95 - traced_field.p95) < 0.005f && exact.inside == traced_field.inside,
+          "a box by exact samples: off by %.4f, errors %.4f and %.4f", off, (double)exact.p95, (double)traced_field.p95);
+    CHECK(of.calls == 24 * 16 && !of.wrong, "%d directions, %d points where they should not be", of.calls, of.wrong);
+    double worst[3] = { 0 };
+    for (int n = 0; n < 3; ++n) {          /* directions as they are; the paper's; of a ball that is half holes */
+        rasters ball = { .filled = n == 2 ? 0.5 : 1, .unit = n == 1, .reach = 0 };
+        d = (ssgi_field_desc){ .resolution = 4, .rays = 16, .sample = rasterised, .user = &ball };
+        const ssgi_field f = baked(2, &d, ball_mesh());
+        for (int i = 0; i <= 300; ++i) {
+            const double rho = i * 0.02, a = 2.4 * i, p[3] = { rho * cos(a), rho * sin(a), -1.001 };
+            worst[n] = fmax(worst[n], fabs(seen(&f, point_at(NULL, 1, p), up)
+                                           - ball.filled * pow(1.002001 + rho * rho, -1.5)));
+        }
+    }
+    CHECK(worst[0] < 0.006 && worst[1] < 0.006 && worst[2] < 0.006, "a ball: off by %.4f, %.4f, half of it %.4f", worst[0],
+          worst[1], worst[2]);
+    t_note("a box: off by %.4f from rays; a ball by %.4f, with unit directions %.4f, half of it %.4f", off, worst[0],
+           worst[1], worst[2]);
+    for (int broken = 1; broken < 5; ++broken) {
+        rasters none = { .half = half, .broken = broken };
+        d = (ssgi_field_desc){ .resolution = 2, .radii = 4, .rays = 16, .sample = rasterised, .user = &none };
+        const ssgi_field f = baked(2, &d, box_mesh(half));
+        CHECK(seen(&f, point_at(NULL, 1.5, up), up) < 1e-4, "what is not finite occludes by %g",
+              seen(&f, point_at(NULL, 1.5, up), up));
+    }
+}
+
+/* Without the Gaussian a texel is what its own direction fits, from a quarter of the directions. */
+static void unfiltered(void)
+{
+    double error[2] = { 0, 0 };
+    for (int n = 0; n < 2; ++n) {
+        rasters of = { .half = cube };
+        const ssgi_field_desc d = { .resolution = 6, .radii = 8, .rays = 16, .unfiltered = n, .sample = rasterised,
+                                    .user = &of };
+        const ssgi_field f = baked(n, &d, box_mesh(cube));
+        CHECK(of.calls == (n ? 6 : 24) * 36, "%d: %d directions", n, of.calls);
+        for (int face = 0; face < 6; ++face)
+            for (int i = 0; i < 36; ++i) {
+                double w[3], q[3], radii[8], values[8], exact[4], p[3];
+                float solid_angle, axis[3], fill;
+                ssgi__cube_direction(w, face, (2 * (i % 6) + 1.0) / 6 - 1, (2 * (i / 6) + 1.0) / 6 - 1);
+                const double hull = 1.0002 / fmax(fabs(w[0]), fmax(fabs(w[1]), fabs(w[2]))), reach = (double)f.reach;
+                for (int j = 0; j < 8; ++j) {
+                    radii[j] = hull * pow(reach / hull, j / 7.0);
+                    for (int k = 0; k < 3; ++k) p[k] = radii[j] * w[k];
+                    box_exact(exact, cube, p);
+                    values[j] = normalise(exact + 1);
+                }
+                ssgi__field_fit(q, radii, values, 8, PI);
+                ssgi_field_cap(&f, point_at(NULL, 1.8, w), &solid_angle, axis, &fill);
+                const double h = (double)solid_angle / (2 * PI), one = 1 / quadratic(q, (1.8 - hull) / (reach - hull));
+                error[n] = fmax(error[n], fabs((double)fill * PI * h * (2 - h) - one) / PI);
+            }
+    }
+    CHECK(error[1] < 0.5 * error[0], "directions of texels: off by %.4f, filtered %.4f", error[1], error[0]);
+    t_note("directions of texels: off by %.4f, filtered %.4f", error[1], error[0]);
+}
+
 typedef struct calls_log { int calls, most; float last; int descends; } calls_log;
 
 static int keep(void *user, float done)
@@ -745,7 +852,8 @@ static void bad_arguments(void)
                   { "desc.radii:", { .radii = 65 } },           { "desc.rays:", { .rays = 15 } },
                   { "desc.rays:", { .rays = 65537 } },          { "desc.reach:", { .reach = 1.4f } },
                   { "desc.reach:", { .reach = 65 } },           { "desc.reach:", { .reach = -8 } },
-                  { "desc.reach:", { .reach = NAN } },          { "desc.reach:", { .reach = INFINITY } } };
+                  { "desc.reach:", { .reach = NAN } },          { "desc.reach:", { .reach = INFINITY } },
+                  { "desc.unfiltered:", { .unfiltered = 2 } },  { "desc.unfiltered:", { .unfiltered = -1 } } };
     const ssgi_field_desc good = { .resolution = 2, .radii = 4, .rays = 16 };
     const mesh *m = box_mesh(cube);
     const float *p = m->position;
@@ -1209,6 +1317,8 @@ void test_field(void)
     RUN("the errors that a bake reports are those of receivers and rays of one's own", reported_errors);
     RUN("a field has the same bytes with one thread, several, an index and a stride", same_bytes);
     RUN("a ray caster of one's own gives the same field", own_rays);
+    RUN("samples of one's own give the field of exact rays, unit directions filled caps", own_samples);
+    RUN("unfiltered texels are what their own directions fit", unfiltered);
     RUN("progress ascends to 1, and giving up leaves the field untouched", progress);
     RUN("bad descs, meshes and sizes are named and leave the field untouched", bad_arguments);
     RUN("triangles, needles, flat occluders, far, tiny and huge ones stay in [0,1]; scale does not matter", degenerate);

@@ -234,7 +234,7 @@ typedef struct kit_settings {
     /* as spherical harmonics, or bent normals */
     int    bands, store, indirect, filtered, residual, window, lights, cone;
     /* fields */
-    int    resolution, radii, rays, own, occluders, cap_table;     /* cap_table: texels of a side; 0: closed form */
+    int    resolution, radii, rays, unfiltered, own, occluders, cap_table; /* cap_table: its side; 0: closed form */
     double reach, ramp, inside, power;     /* bounding spheres' radii; of the reach; below 0: as measured; exponent */
     /* surfels */
     int    levels, way, near_samples, span, sky, near_depth, keep_small, splits, smooth, material;
