@@ -513,6 +513,18 @@ SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
             a texel add 2e-3 */
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
 
+/* Irradiance from what an environment shows within a cap [AOF05 section 6]: pi times the cap's occlusion, times its
+   radiance there, averaged by the cosine over 256 directions of the cap. With the cap of ssgi_field_cap it is what an
+   occluder blocks: subtract fill times it from unoccluded irradiance. With the rest of the sphere (4 pi - solid_angle,
+   -axis), the inverse cap, it is what stays open.
+     coefficients   [3*i + c] of radiance: ssgi_sh_project_equirect
+     bands          [limit: 1..SSGI_SH_MAX_BANDS]
+     solid_angle    [units: sr] [limit: finite; clamped to 0..4 pi]
+     axis, normal   [limit: finite, not 0] in the coefficients' space, of any length
+   Exact where the light is constant, else within 0.5 % of the unoccluded irradiance, inverse caps within 1.5 %. */
+SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int bands, float solid_angle,
+                                    const float axis[3], const float normal[3], const char **why);
+
 /* ==== >>field ================================================================================================== */
 
 /* Ambient occlusion fields [AOF05]: the occlusion of its surroundings by a rigid occluder, baked once, evaluated at any
@@ -612,7 +624,7 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
                                     const float normal[3]);
 
 /* The cap itself, for points in the hull that at the hull: its solid angle [units: sr], its unit axis, and in *fill the
-   share of it that is covered. Returns the point's distance from the centre over the hull's. No argument may be NULL; a
+   share of it that is covered. What it blocks of an environment: ssgi_cap_light. Returns the point's distance from the centre over the hull's. No argument may be NULL; a
    point that is not finite counts as the centre. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
@@ -1169,6 +1181,18 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2])
 {
     out[0] = ssgi__fract(0.5 + 0.75487766624669276005 * (double)i);
     out[1] = ssgi__fract(0.5 + 0.56984029099805326591 * (double)i);
+}
+
+/* Ray i of a stratified cone about axes[2]: directions are uniform, turned by seed. */
+SSGI__FN void ssgi__cone_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
+{
+    float at[2], z, radius, angle;
+    ssgi_r2((uint32_t)i, at);
+    z = 1.0f - (1.0f - cosine) * ssgi__fract((double)at[0] + shift[0]);
+    radius = sqrtf(z < 1.0f ? 1.0f - z * z : 0.0f);
+    angle = 6.2831853f * ssgi__fract((double)at[1] + shift[1]);
+    for (int k = 0; k < 3; ++k)
+        direction[k] = radius * (cosf(angle) * axes[0][k] + sinf(angle) * axes[1][k]) + z * axes[2][k];
 }
 
 SSGI__FN int ssgi__gcd(int a, int b)
@@ -2810,24 +2834,49 @@ SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
     return SSGI_OK;
 }
 
+SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int bands, float solid_angle,
+                                    const float axis[3], const float normal[3], const char **why)
+{
+    enum { DIRECTIONS = 256 };
+
+    const double shift[2] = { 0.0, 0.0 };
+    double a[3], n[3], d[3], sum[3] = { 0.0, 0.0, 0.0 }, all = 0.0;
+    float axes[3][3], direction[3], basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+    SSGI__THERE(out);
+    SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
+    SSGI__CHECK(ssgi__finites(coefficients, 3 * bands * bands), "coefficients: must not be NULL, and finite");
+    SSGI__CHECK(ssgi__finite(solid_angle), "solid_angle: must be finite");
+    SSGI__CHECK(ssgi__finites(axis, 3), "axis: must not be NULL, and finite");
+    SSGI__CHECK(ssgi__finites(normal, 3), "normal: must not be NULL, and finite");
+    ssgi__doubles(a, axis);
+    ssgi__doubles(n, normal);
+    SSGI__CHECK(ssgi__normalise(a) > 0.0, "axis: must not be 0");
+    SSGI__CHECK(ssgi__normalise(n) > 0.0, "normal: must not be 0");
+    const double cosine = 1.0 - (double)ssgi__max(0.0f, ssgi__min(solid_angle, 12.5663706f)) / (2.0 * SSGI__PI);
+    const double share = SSGI__PI * ssgi_cap_occlusion((double)solid_angle, ssgi__dot(a, n));
+    ssgi__axes(axes, a);
+    for (int i = 0; i <= DIRECTIONS; ++i) { /* the last, the axis, counts where none else is above the horizon */
+        const int last = i == DIRECTIONS;
+        if (last && all > 0.0) break;
+        ssgi__cone_ray(direction, axes, last ? 1.0f : (float)cosine, i, shift);
+        ssgi__doubles(d, direction);
+        const double facing = last ? 1.0 : ssgi__dot(d, n);
+        if (!(facing > 0.0)) continue;
+        ssgi_sh_basis(basis, bands, direction);
+        all += facing;
+        for (int k = 0; k < bands * bands; ++k)
+            for (int c = 0; c < 3; ++c) sum[c] += facing * (double)(basis[k] * coefficients[3 * k + c]);
+    }
+    for (int c = 0; c < 3; ++c) out[c] = (float)(share * sum[c] / all);
+    return SSGI_OK;
+}
+
 /* ==== >>field (implementation) ================================================================================= */
 
 #define SSGI__FIELD_FEW 128  /* corners that approximate the hull */
 #define SSGI__FIELD_HELD 512 /* validation positions, with four receivers each */
 
 /* ---- samples */
-
-/* Ray i of a stratified cone about axes[2]: directions are uniform, turned by seed. */
-SSGI__FN void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
-{
-    float at[2], z, radius, angle;
-    ssgi_r2((uint32_t)i, at);
-    z = 1.0f - (1.0f - cosine) * ssgi__fract((double)at[0] + shift[0]);
-    radius = sqrtf(z < 1.0f ? 1.0f - z * z : 0.0f);
-    angle = 6.2831853f * ssgi__fract((double)at[1] + shift[1]);
-    for (int k = 0; k < 3; ++k)
-        direction[k] = radius * (cosf(angle) * axes[0][k] + sinf(angle) * axes[1][k]) + z * axes[2][k];
-}
 
 /* What an occluder does to a point, by rays within acos(cosine) of a unit axis; `hit` NULL: ours.
      out         solid angle of what is hit; its vector irradiance, which is the integral of the directions that are hit
@@ -2844,7 +2893,7 @@ SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double norm
     if (occlusion) memset(occlusion, 0, 4 * sizeof *occlusion);
     ssgi__axes(axes, axis);
     for (int i = 0; i < rays; ++i) {
-        ssgi__field_ray(d, axes, cosine, i, shift);
+        ssgi__cone_ray(d, axes, cosine, i, shift);
         if (hit ? !hit(user, point, d) : !ssgi_trace_any(trace, point, d, 0.0f, 3e38f)) continue;
         ssgi__doubles(along, d);
         out[0] += share;
@@ -4088,6 +4137,9 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    BACK and SLABS slices need that pass, too: what has no back face is as thick as wide, and sheets half as thick,
    instead of frame.thickness.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
+   New: room >>cap: ssgi_cap_occlusion in doubles, ssgi_cap_table and desc.cap_table, ssgi_cap_light.
+   New: ssgi_trace_visibility.
+   New: ssgi_field_desc.sample and .unfiltered.
 
    CHANGES in 0.2, November 2026
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_trial, ssgi_plan_try -> ssgi_calibration, ssgi_plan_calibrate (one more

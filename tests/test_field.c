@@ -150,6 +150,81 @@ static void cap_tables(void)
               "size %d: \"%s\"", size, why);
 }
 
+/* Light of a cap: constant light is the cap's share of pi, exactly; light that is z is a closed form about z; any light
+   is what fine steps over the sphere sum to; cap and inverse cap together are the whole. */
+static void cap_lights(void)
+{
+    enum { BANDS = 3, STEPS = 400 };
+    float c[3 * BANDS * BANDS] = { 0 }, basis[BANDS * BANDS], out[3], rest[3];
+    double worst = 0, whole = 0;
+    const char *why = "";
+    c[0] = 2 * sqrtf(4 * (float)PI);
+    c[1] = 0.5f * c[0];
+    for (int i = 0; i < 200; ++i) {
+        double a[3], n[3];
+        direction(a);
+        direction(n);
+        const float o = (float)(i == 7 ? 20 : uniform(0, 4 * PI)), axis[3] = { (float)a[0], (float)a[1], (float)a[2] },
+                    normal[3] = { 3 * (float)n[0], 3 * (float)n[1], 3 * (float)n[2] };
+        const double occlusion = ssgi_cap_occlusion((double)o, dot(a, n));
+        CHECK(ssgi_cap_light(out, c, 1, o, axis, normal, &why) == SSGI_OK, "%s", why);
+        CHECK(fabs((double)out[0] - 2 * PI * occlusion) < 1e-5 && fabsf(2 * out[1] - out[0]) < 1e-6f && out[2] == 0,
+              "constant light: %g %g %g, occlusion %g", (double)out[0], (double)out[1], (double)out[2], occlusion);
+    }
+    for (int k = 0; k < BANDS * BANDS; ++k) for (int i = 0; i < 3; ++i) c[3 * k + i] = (float)uniform(-0.3, 0.3);
+    for (int i = 0; i < 3; ++i) c[i] = 2;
+    for (int t = 0; t < 12; ++t) {
+        double a[3], n[3], sum[3] = { 0 }, open[3] = { 0 }, w[3];
+        direction(a);
+        direction(n);
+        const double o = uniform(0.1, 2 * PI), least = 1 - o / (2 * PI);
+        const float axis[3] = { (float)a[0], (float)a[1], (float)a[2] },
+                    away[3] = { -axis[0], -axis[1], -axis[2] }, normal[3] = { (float)n[0], (float)n[1], (float)n[2] };
+        for (int i = 0; i < STEPS * STEPS; ++i) {
+            float d[3];
+            ssgi__polar(w, 2 * (i % STEPS + 0.5) / STEPS - 1, 2 * PI * (i / STEPS + 0.5) / STEPS);
+            const double facing = dot(w, n) * 4 * PI / (STEPS * STEPS);
+            if (facing < 0) continue;
+            for (int k = 0; k < 3; ++k) d[k] = (float)w[k];
+            ssgi_sh_basis(basis, BANDS, d);
+            for (int k = 0; k < BANDS * BANDS; ++k) for (int j = 0; j < 3; ++j) {
+                const double light = facing * (double)(basis[k] * c[3 * k + j]);
+                open[j] += light;
+                if (dot(w, a) > least) sum[j] += light;
+            }
+        }
+        ssgi_cap_light(out, c, BANDS, (float)o, axis, normal, NULL);
+        ssgi_cap_light(rest, c, BANDS, (float)(4 * PI - o), away, normal, NULL);
+        for (int j = 0; j < 3; ++j) {
+            worst = fmax(worst, fabs((double)out[j] - sum[j]) / open[j]);
+            whole = fmax(whole, fabs((double)(out[j] + rest[j]) - open[j]) / open[j]);
+        }
+    }
+    CHECK(worst < 0.005 && whole < 0.02, "caps: off by %.4f of the whole light, with the inverse cap by %.4f", worst, whole);
+    t_note("caps: off by %.4f of the whole light, with the inverse cap by %.4f", worst, whole);
+    const float z[3] = { 0, 0, 2 }, none[3] = { 0 };
+    memset(c, 0, sizeof c);
+    c[3 * 2] = sqrtf(4 * (float)PI / 3);
+    for (int k = 0; k < 10; ++k) {
+        ssgi_cap_light(out, c, 2, 2 * (float)PI * (1 - 0.1f * (float)k), z, z, NULL);
+        const double exact = 2 * PI / 3 * (1 - pow(0.1 * k, 3));
+        CHECK(fabs((double)out[0] / exact - 1) < 0.005, "light that is z: %g, exactly %g", (double)out[0], exact);
+    }
+    memset(out, 0x5a, sizeof out);
+    const float was = out[0];
+#define REFUSED_LIGHT(start, ...) \
+    CHECK(ssgi_cap_light(__VA_ARGS__, &why) == SSGI_BAD_ARGUMENT && NAMES(why, start) && !memcmp(out, &was, 4), \
+          "%s \"%s\"", start, why)
+    REFUSED_LIGHT("out:", NULL, c, 2, 1, z, z);
+    REFUSED_LIGHT("coefficients:", out, NULL, 2, 1, z, z);
+    REFUSED_LIGHT("bands:", out, c, 0, 1, z, z);
+    REFUSED_LIGHT("bands:", out, c, 7, 1, z, z);
+    REFUSED_LIGHT("solid_angle:", out, c, 2, NAN, z, z);
+    REFUSED_LIGHT("axis:", out, c, 2, 1, none, z);
+    REFUSED_LIGHT("axis:", out, c, 2, 1, NULL, z);
+    REFUSED_LIGHT("normal:", out, c, 2, 1, z, none);
+}
+
 /* ---- >>field: what a bake is made of ----------------------------------------------------------------------------- */
 
 /* Solid angle and vector irradiance of a box about the origin from p outside: the faces that p sees, each two triangles
@@ -1311,6 +1386,7 @@ void test_field(void)
 {
     RUN("a cap under the cosine is the closed form in all its branches, complementary and monotone", caps);
     RUN("a table of caps is the closed form at its texels, and between them as close as its size says", cap_tables);
+    RUN("light of a cap is its share of constant light, and what fine steps sum to of any other", cap_lights);
     RUN("fits reach the reference's error for cubes, slabs and a ball, and never hold more than the sphere", fits);
     RUN("centres reach the reference's error, stay put where nothing tells, and find one that is there", centres);
     RUN("samples are a cube's exact solid angle and vector irradiance, by rays in the cone only", sampled);
