@@ -394,7 +394,9 @@ typedef struct ssgi_gl_desc {
     int albedo;   /* shade   1: writes outgoing radiance; 0: irradiance over pi */
 
     /* ---- fields */
-    int objects; /* field   SSGI_GL_OBJECTS_NONE .. */
+    int objects;   /* field   SSGI_GL_OBJECTS_NONE .. */
+    int cap_table; /* field   0: a cap's occlusion in closed form; 1: from t_ssgi_cap, your ssgi_cap_table, as published
+                      [AOF05 4.2]: 4 more fetches, at most as far off as ssgi_cap_table says */
 
     /* ---- surfels: surfels, shuffle, splat, unshuffle, smooth, sum */
     int effect;       /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
@@ -483,9 +485,9 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 /* The GLSL of fields for your own shaders, with its samplers:
      float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal);
    It returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, but for those of that
-   object (0: none), in the space that ssgi_gl_occluder_set was given. The text is the same for every good desc but
-   VULKAN's. In GLES it needs "precision highp float; precision highp int;" before it, in VULKAN the extension
-   GL_EXT_samplerless_texture_functions. Like snprintf; 0 for a bad desc. */
+   object (0: none), in the space that ssgi_gl_occluder_set was given. Of desc it reads cap_table, and whether
+   dialect is VULKAN, which has another text. In GLES it needs "precision highp float; precision highp int;" before it,
+   in VULKAN the extension GL_EXT_samplerless_texture_functions. Like snprintf; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
@@ -570,6 +572,7 @@ enum {
     SSGI_GL_YOUR_OBJECTS,
     SSGI_GL_YOUR_MOTION,
     SSGI_GL_YOUR_AMBIENT,
+    SSGI_GL_YOUR_CAP,
     SSGI_GL_YOURS /* how many */
 };
 
@@ -2591,6 +2594,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n"
     "}\n" },
 
+/* [AOF05 section 4.2] */
+{ "ssgi_cap_table", __LINE__ + 1,
+    "// the same by your table, bilinear between texels' centres; h: solid angle over 2 pi\n"
+    "float ssgi_cap_table(float h, float c) {\n"
+    "    ivec2 last = textureSize(t_ssgi_cap, 0) - 1;\n"
+    "    vec2 at = clamp(vec2(h, c + 1.0) * 0.5, 0.0, 1.0) * vec2(last);\n"
+    "    ivec2 p = min(ivec2(at), last - 1);\n"
+    "    at -= vec2(p);\n"
+    "    float a = mix(texelFetch(t_ssgi_cap, p, 0).x, texelFetch(t_ssgi_cap, p + ivec2(1, 0), 0).x, at.x);\n"
+    "    float b = mix(texelFetch(t_ssgi_cap, p + ivec2(0, 1), 0).x, texelFetch(t_ssgi_cap, p + 1, 0).x, at.x);\n"
+    "    return mix(a, b, at.y);\n"
+    "}\n" },
+
 { "ssgi_field_at", __LINE__ + 1,
     "// a point in the occluder's space: direction from the centre, distance\n"
     "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) { // occluder: ssgi_gl_occluder from to_field on\n"
@@ -2618,7 +2634,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // the cap of this vector irradiance, and the share of it that is covered\n"
     "    float S = 0.318309886 / max(q, 0.318309886), fill = max(b.w, S);\n"
     "    S /= fill;\n"
-    "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c);\n"
+    "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c); // #if !cap_table\n"
+    "    float A = fill * ssgi_cap_table(S / (1.0 + sqrt(max(1.0 - S, 0.0))), c); // #if cap_table\n"
     "    if (at.w < hull) A = mix(occluder[3].z, A, pow(at.w / hull, occluder[3].w));\n"
     "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n"
     "}\n" },
@@ -3548,6 +3565,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_YOURS("objects", 3, NULL, "usampler2D",
                        "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
     SSGI_GL__ROW_TEXTURE("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
+    SSGI_GL__ROW_TEXTURE("cap", 5, NULL, "sampler2D", "R32F or R16F, any size, NEAREST: ssgi_cap_table"),
     SSGI_GL__ROW_TEXTURE("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
     SSGI_GL__ROW_TEXTURE("levels", 3, NULL, "sampler2D",
                          "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
@@ -3752,6 +3770,7 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__FIELD_SWITCH(albedo),
 
     SSGI_GL__FIELD_ENUM(objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
+    SSGI_GL__FIELD_SWITCH(cap_table),
 
     SSGI_GL__FIELD_ENUM(effect, EFFECT, SCATTER, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
     SSGI_GL__FIELD_COUNT(levels, 7),
@@ -4916,8 +4935,9 @@ static const ssgi_gl_format ssgi_gl__r8 = { "R8", 0x8229, 0x1903, 0x1401, 1 }; /
 
 /* By ssgi_gl_input.meaning: the texture's name less t_ssgi_. */
 static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
-    "depth",  "layers",      "back",       "views",  "normal", "albedo",    "normal", "albedo",  "direct", "noise",
-    "kernel", "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient"
+    "depth",  "layers",    "back",   "views",   "normal",      "albedo",     "normal",
+    "albedo", "direct",    "noise",  "kernel",  "environment", "irradiance", "lights",
+    "shadow", "occluders", "fields", "objects", "motion",      "ambient",    "cap"
 };
 
 /* Steps as they are added. */

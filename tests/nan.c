@@ -58,6 +58,8 @@ CALL(divide, ssgi_surfels_divide(out.floats, 2, &out.count, &surfels, &view, &so
 CALL(make, ssgi_surfels(out.surfel, 64, &out.count, &surfels, &view, &source, &why))
 CALL(predict, ssgi_surfels_predict(&out.cost, &surfels, &splat, &view, &source, &why))
 CALL(scattering, ssgi_dipole_set(&out.dipole, colour, up, number + 1, &why))
+CALL(seen, ssgi_trace_visibility(out.floats, &trace, up, up, 1, number, 2, 0, &why))
+CALL(blocked, ssgi_cap_light(out.floats, coefficients, 4, number, up, colour, &why))
 CALL(calibrate, ssgi_plan_calibrate(&out.calibration, &trace, up, up, &number, NULL, 1, 2, number, &why))
 CALL(plan, ssgi_plan_make(&out.plan, &scene, &why))
 CALL(frame, ssgi_gl_frame_init(&out.frame, &view, number, &why))
@@ -139,6 +141,8 @@ int main(void)
     REFUSES_ONE(predict, &splat.max_distance); REFUSES_ONE(predict, &splat.max_radiance);
     REFUSES(scattering, &colour); REFUSES(scattering, &up); REFUSES_ONE(scattering, &number);
     REFUSES_ONE(bake_size, &baked.reach);
+    REFUSES_ONE(seen, &number);
+    REFUSES(blocked, &coefficients); REFUSES_ONE(blocked, &number); REFUSES(blocked, &up); REFUSES(blocked, &colour);
     REFUSES_ONE(calibrate, &number);
     REFUSES_ONE(plan, &scene.error); REFUSES_ONE(plan, &scene.budget); REFUSES_ONE(plan, &scene.screen_radius);
     REFUSES(plan, &scene.survey); REFUSES(plan, &scene.energy); REFUSES_ONE(plan, &scene.albedo);

@@ -31,14 +31,17 @@ static void placed(float m[16], float angle, float scale, float x, float y, floa
 /* ---- the functions of ssgi_gl_field against their twins ---------------------------------------------------------- */
 
 /* What an expression is at POINTS points, given as two vec4 a point, with the functions of desc. textures:
-   t_ssgi_occluders, _fields. 0 on failure. */
+   t_ssgi_occluders, _fields, and with cap_table _cap. 0 on failure. */
 static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expression, const float *first,
-                     const float *second, const GLuint textures[2])
+                     const float *second, const GLuint *textures)
 {
-    static const char *const names[4] = { "t_ssgi_occluders", "t_ssgi_fields", "u_first", "u_second" };
-    static const GLenum kinds[4] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D, GL_TEXTURE_2D };
+    enum { UNITS = 5 };
+    static const char *const names[UNITS] = { "t_ssgi_occluders", "t_ssgi_fields", "u_first", "u_second",
+                                              "t_ssgi_cap" };
+    static const GLenum kinds[UNITS] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D, GL_TEXTURE_2D,
+                                         GL_TEXTURE_2D };
     static char text[20000];
-    GLuint framebuffer, target = kit_texture(64, 64, GL_RGBA32F, NULL), program, unit[4] = { textures[0], textures[1] };
+    GLuint framebuffer, target = kit_texture(64, 64, GL_RGBA32F, NULL), program, unit[UNITS] = { textures[0], textures[1] };
     size_t n = ssgi_gl_field(text, sizeof text, desc);
     int ok;
     snprintf(text + n, sizeof text - n,
@@ -53,18 +56,19 @@ static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expressio
     if (!CHECK(program != 0, "%s", err.text)) return 0;
     unit[2] = kit_texture(64, 64, GL_RGBA32F, first);
     unit[3] = kit_texture(64, 64, GL_RGBA32F, second);
+    if (desc->cap_table) unit[4] = textures[2];
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
     glViewport(0, 0, 64, 64);
     glUseProgram(program);
-    for (GLint k = 0; k < 4; ++k) {
+    for (GLint k = 0; k < UNITS; ++k) {
         glActiveTexture(GL_TEXTURE0 + (GLenum)k);
         glBindTexture(kinds[k], unit[k]);
         glUniform1i(glGetUniformLocation(program, names[k]), k);
     }
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    for (GLint k = 3; k >= 0; --k) {
+    for (GLint k = UNITS - 1; k >= 0; --k) {
         glActiveTexture(GL_TEXTURE0 + (GLenum)k);
         glBindTexture(kinds[k], 0);
     }
@@ -96,6 +100,22 @@ static void caps(void)
             fmax(worst, fabs((double)out[i] - (double)ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1])));
     CHECK(worst < 1e-5, "off by %.2g", worst);
     t_note("off by at most %.1e", worst);
+    /* by a table: beyond both ends, too */
+    static float table[48 * 48];
+    const ssgi_gl_desc of_table = { .pass = SSGI_GL_FIELD, .cap_table = 1 };
+    ssgi_cap_table(table, 48, NULL);
+    const GLuint texture[3] = { 0, 0, kit_texture(48, 48, GL_R32F, table) };
+    for (int i = 0; i < POINTS; ++i) {
+        at[4 * i] = 2.1f * (float)(i % 64) / 63 - 0.05f;
+        at[4 * i + 1] = 2.2f * (float)(i / 64) / 63 - 1.1f;
+    }
+    if (!evaluated(out, &of_table, "ssgi_cap_table(a.x, a.y)", at, at, texture)) return;
+    for (int i = 0; i < POINTS; ++i)
+        worst =
+            fmax(worst, fabs((double)out[i] - (double)ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1])));
+    CHECK(worst < 2e-3 && worst > 1e-4, "a table of 48: off by %.2g", worst);
+    t_note("a table of 48: off by at most %.1e", worst);
+    glDeleteTextures(1, &texture[2]);
 }
 
 static int scene_of(kit_scene *scene, kit_gbuffer *g, const char *name, const kit_camera *camera)
@@ -223,6 +243,28 @@ static void ball_on_a_plane(void)
     t_note("off by %.4f at most", worst);
     kit_image_free(&frame);
     kit_image_free(&out);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
+/* A picture by a table is the closed form's within what the table's size says; one occluder. */
+static void tables_of_caps(void)
+{
+    static const struct { const char *set; double most; } rows[] = { { "cap_table=128", 6.6e-4 },
+                                                                     { "cap_table=32", 2.9e-3 } };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_image closed, out;
+    if (!scene_of(&scene, &g, "sphere", NULL) || !drawn_aof(&closed, &g, &scene, "")) return;
+    for (int n = 0; n < 2; ++n) {
+        double worst = 0;
+        if (!drawn_aof(&out, &g, &scene, rows[n].set)) return;
+        for (int i = 0; i < W * H; ++i) worst = fmax(worst, fabs((double)out.data[i] - (double)closed.data[i]));
+        CHECK(worst < rows[n].most && worst > 0.01 * rows[n].most, "%s: off by %.2e", rows[n].set, worst);
+        t_note("%s: off by at most %.1e", rows[n].set, worst);
+        kit_image_free(&out);
+    }
+    kit_image_free(&closed);
     kit_gbuffer_free(&g);
     kit_scene_free(&scene);
 }
@@ -562,6 +604,7 @@ void test_casters(void)
     RUN("the shader's caps are the CPU's", caps);
     RUN("the shader's fields are the CPU's: turned, scaled and moved", same_as_on_the_cpu);
     RUN("a ball on a plane is its closed form", ball_on_a_plane);
+    RUN("caps from a table are within its error of the closed form's", tables_of_caps);
     RUN("a draw covers each occluder's sphere of influence from anywhere", what_a_draw_covers);
     RUN("occluders combine to between the most and the sum; one draw and a draw each agree", combination);
     RUN("two dozen occluders against rays", against_truth);

@@ -77,11 +77,17 @@ static void caps(void)
                  { 13, -0.5, 1 },
                  { PI / 4, 1.5, 0.234375 },
                  { PI / 4, -1.5, 0 } }; /* beyond the ends */
-    double worst = 0;
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i)
-        worst = fmax(worst, fabs((double)ssgi_cap_occlusionf((float)rows[i].solid_angle, (float)rows[i].cosine)
-                                 - rows[i].occlusion));
-    CHECK(worst < 1e-6, "off by %g", worst);
+    double worst = 0, single = 0;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
+        const double exact = rows[i].occlusion, o = rows[i].solid_angle, c = rows[i].cosine;
+        worst = fmax(worst, fabs(ssgi_cap_occlusion(o, c) - exact));
+        single = fmax(single, fabs((double)ssgi_cap_occlusionf((float)o, (float)c) - exact));
+    }
+    CHECK(worst < 1e-12 && single < 2e-7, "off by %g, as floats by %g", worst, single);
+    const double no[] = { NAN, INFINITY, -INFINITY };
+    for (int i = 0; i < 3; ++i)
+        CHECK(ssgi_cap_occlusion(no[i], 1) == 0 && ssgi_cap_occlusion(PI, no[i]) == ssgi_cap_occlusion(PI, 0),
+              "what is not finite: %g, %g", ssgi_cap_occlusion(no[i], 1), ssgi_cap_occlusion(PI, no[i]));
     double before[81] = { 0 };
     for (int i = 0; i <= 160; ++i) for (int j = 0; j <= 80; ++j) {
             const double o = 4 * PI * i / 160, c = j / 40.0 - 1, a = (double)ssgi_cap_occlusionf((float)o, (float)c),
@@ -91,6 +97,132 @@ static void caps(void)
             if (i == 80) CHECK(fabs(a - 0.5 - 0.5 * c) < 1e-6, "half of the sphere, cosine %g: %.9g", c, a);
             before[j] = a;
     }
+}
+
+/* A look-up as the header describes it. */
+static double looked_up(const float *table, int size, double solid_angle, double cosine)
+{
+    const double u = (solid_angle / (4 * PI) * (size - 1) + 0.5) / size, v = ((cosine + 1) / 2 * (size - 1) + 0.5) / size,
+                 x = u * size - 0.5, y = v * size - 0.5;
+    const int i = (int)fmin(x, size - 2), j = (int)fmin(y, size - 2);
+    const float *at = table + j * size + i;
+    const double low = (double)at[0] + (x - i) * (double)(at[1] - at[0]),
+                 high = (double)at[size] + (x - i) * (double)(at[size + 1] - at[size]);
+    return low + (y - j) * (high - low);
+}
+
+static void cap_tables(void)
+{
+    static const struct { int size; double most, rms;
+    } sizes[] = { { 32, 2.9e-3, 3.8e-4 }, { 64, 1.4e-3, 1e-4 }, { 128, 6.6e-4, 2.8e-5 } };
+    /* by quadrature, on a grid of 64 x 64 cells: solid angle, cosine */
+    static const struct { int x, y; double occlusion;
+    } rows[] = { { 1, 33, 0.0043360642700743697 }, { 8, 30, 0.059092098503439251 }, { 20, 20, 0.12196989623960146 },
+                 { 31, 40, 0.60561821739016908 }, { 32, 13, 0.20312500000000003 }, { 40, 20, 0.47046421768861002 },
+                 { 45, 50, 0.94551137474100155 }, { 60, 5, 0.80224609374999978 }, { 64, 0, 1 } };
+    static float table[128 * 128];
+    const char *why = "";
+    CHECK(ssgi_cap_table(table, 65, &why) == SSGI_OK, "%s", why);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i)
+        CHECK(fabs((double)table[65 * rows[i].y + rows[i].x] - rows[i].occlusion) < 1e-7, "texel %d, %d: %.9g",
+              rows[i].x, rows[i].y, (double)table[65 * rows[i].y + rows[i].x]);
+    for (int n = 0; n < 3; ++n) {
+        const int size = sizes[n].size;
+        double most = 0, square = 0;
+        ssgi_cap_table(table, size, NULL);
+        for (int i = 0; i <= 500; ++i)
+            for (int j = 0; j <= 500; ++j) {
+                const double o = 4 * PI * i / 500, c = j / 250.0 - 1,
+                             off = looked_up(table, size, o, c) - ssgi_cap_occlusion(o, c);
+                most = fmax(most, fabs(off));
+                square += off * off / (501 * 501);
+                if (i == 500) CHECK(fabs(looked_up(table, size, o, c) - 1) < 1e-6, "all of the sphere, cosine %g", c);
+            }
+        CHECK(most < sizes[n].most && most > 0.8 * sizes[n].most && sqrt(square) < 1.1 * sizes[n].rms,
+              "%d: off by at most %.2e, RMS %.1e", size, most, sqrt(square));
+        t_note("%d: off by at most %.2e, RMS %.1e", size, most, sqrt(square));
+    }
+    memset(table, 0x5a, sizeof table);
+    const float was = table[0];
+    CHECK(ssgi_cap_table(NULL, 32, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "out:"), "no memory: \"%s\"", why);
+    for (int size = 1; size <= 4097; size += 4096)
+        CHECK(ssgi_cap_table(table, size, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "size:") && !memcmp(table, &was, 4),
+              "size %d: \"%s\"", size, why);
+}
+
+/* Light of a cap: constant light is the cap's share of pi, exactly; light that is z is a closed form about z; any light
+   is what fine steps over the sphere sum to; cap and inverse cap together are the whole. */
+static void cap_lights(void)
+{
+    enum { BANDS = 3, STEPS = 400 };
+    float c[3 * BANDS * BANDS] = { 0 }, basis[BANDS * BANDS], out[3], rest[3];
+    double worst = 0, whole = 0;
+    const char *why = "";
+    c[0] = 2 * sqrtf(4 * (float)PI);
+    c[1] = 0.5f * c[0];
+    for (int i = 0; i < 200; ++i) {
+        double a[3], n[3];
+        direction(a);
+        direction(n);
+        const float o = (float)(i == 7 ? 20 : uniform(0, 4 * PI)), axis[3] = { (float)a[0], (float)a[1], (float)a[2] },
+                    normal[3] = { 3 * (float)n[0], 3 * (float)n[1], 3 * (float)n[2] };
+        const double occlusion = ssgi_cap_occlusion((double)o, dot(a, n));
+        CHECK(ssgi_cap_light(out, c, 1, o, axis, normal, &why) == SSGI_OK, "%s", why);
+        CHECK(fabs((double)out[0] - 2 * PI * occlusion) < 1e-5 && fabsf(2 * out[1] - out[0]) < 1e-6f && out[2] == 0,
+              "constant light: %g %g %g, occlusion %g", (double)out[0], (double)out[1], (double)out[2], occlusion);
+    }
+    for (int k = 0; k < BANDS * BANDS; ++k) for (int i = 0; i < 3; ++i) c[3 * k + i] = (float)uniform(-0.3, 0.3);
+    for (int i = 0; i < 3; ++i) c[i] = 2;
+    for (int t = 0; t < 12; ++t) {
+        double a[3], n[3], sum[3] = { 0 }, open[3] = { 0 }, w[3];
+        direction(a);
+        direction(n);
+        const double o = uniform(0.1, 2 * PI), least = 1 - o / (2 * PI);
+        const float axis[3] = { (float)a[0], (float)a[1], (float)a[2] },
+                    away[3] = { -axis[0], -axis[1], -axis[2] }, normal[3] = { (float)n[0], (float)n[1], (float)n[2] };
+        for (int i = 0; i < STEPS * STEPS; ++i) {
+            float d[3];
+            ssgi__polar(w, 2 * (i % STEPS + 0.5) / STEPS - 1, 2 * PI * (i / STEPS + 0.5) / STEPS);
+            const double facing = dot(w, n) * 4 * PI / (STEPS * STEPS);
+            if (facing < 0) continue;
+            for (int k = 0; k < 3; ++k) d[k] = (float)w[k];
+            ssgi_sh_basis(basis, BANDS, d);
+            for (int k = 0; k < BANDS * BANDS; ++k) for (int j = 0; j < 3; ++j) {
+                const double light = facing * (double)(basis[k] * c[3 * k + j]);
+                open[j] += light;
+                if (dot(w, a) > least) sum[j] += light;
+            }
+        }
+        ssgi_cap_light(out, c, BANDS, (float)o, axis, normal, NULL);
+        ssgi_cap_light(rest, c, BANDS, (float)(4 * PI - o), away, normal, NULL);
+        for (int j = 0; j < 3; ++j) {
+            worst = fmax(worst, fabs((double)out[j] - sum[j]) / open[j]);
+            whole = fmax(whole, fabs((double)(out[j] + rest[j]) - open[j]) / open[j]);
+        }
+    }
+    CHECK(worst < 0.005 && whole < 0.02, "caps: off by %.4f of the whole light, with the inverse cap by %.4f", worst, whole);
+    t_note("caps: off by %.4f of the whole light, with the inverse cap by %.4f", worst, whole);
+    const float z[3] = { 0, 0, 2 }, none[3] = { 0 };
+    memset(c, 0, sizeof c);
+    c[3 * 2] = sqrtf(4 * (float)PI / 3);
+    for (int k = 0; k < 10; ++k) {
+        ssgi_cap_light(out, c, 2, 2 * (float)PI * (1 - 0.1f * (float)k), z, z, NULL);
+        const double exact = 2 * PI / 3 * (1 - pow(0.1 * k, 3));
+        CHECK(fabs((double)out[0] / exact - 1) < 0.005, "light that is z: %g, exactly %g", (double)out[0], exact);
+    }
+    memset(out, 0x5a, sizeof out);
+    const float was = out[0];
+#define REFUSED_LIGHT(start, ...) \
+    CHECK(ssgi_cap_light(__VA_ARGS__, &why) == SSGI_BAD_ARGUMENT && NAMES(why, start) && !memcmp(out, &was, 4), \
+          "%s \"%s\"", start, why)
+    REFUSED_LIGHT("out:", NULL, c, 2, 1, z, z);
+    REFUSED_LIGHT("coefficients:", out, NULL, 2, 1, z, z);
+    REFUSED_LIGHT("bands:", out, c, 0, 1, z, z);
+    REFUSED_LIGHT("bands:", out, c, 7, 1, z, z);
+    REFUSED_LIGHT("solid_angle:", out, c, 2, NAN, z, z);
+    REFUSED_LIGHT("axis:", out, c, 2, 1, none, z);
+    REFUSED_LIGHT("axis:", out, c, 2, 1, NULL, z);
+    REFUSED_LIGHT("normal:", out, c, 2, 1, z, none);
 }
 
 /* ---- >>field: what a bake is made of ----------------------------------------------------------------------------- */
@@ -646,6 +778,113 @@ static void own_rays(void)
            worst, wrong);
 }
 
+/* Samples of the tests' own, exact. half: of a box; NULL: of the unit ball, of which `filled` is there. */
+typedef struct rasters {
+    const double *half;
+    double filled;
+    int unit, broken;                      /* unit: the paper's directions; broken: what is not finite */
+    int calls, wrong;
+    float reach;
+} rasters;
+
+static void rasterised(void *user, float *out, const float *point, int count)
+{
+    rasters *s = (rasters *)user;
+    double before = 0;
+    ++s->calls;
+    for (int i = 0; i < count; ++i) {
+        double p[3], exact[4] = { 0 };
+        for (int k = 0; k < 3; ++k) p[k] = (double)point[3 * i + k];
+        const double r = sqrt(dot(p, p));
+        s->wrong += r <= before;
+        for (int k = 0, in = 0; k < 3 && s->half; ++k) s->wrong += (in += fabs(p[k]) <= s->half[k]) == 3;
+        before = r;
+        if (s->half) box_exact(exact, s->half, p);
+        else {
+            const double sine = fmin(1 / r, 1);        /* the mesh is a little smaller than the ball */
+            exact[0] = 2 * PI * (1 - sqrt(1 - sine * sine));
+            for (int k = 0; k < 3; ++k) exact[1 + k] = -PI * sine * sine * p[k] / r;
+        }
+        for (int k = 1; k < 4; ++k) exact[k] /= exact[0];
+        if (s->unit) normalise(exact + 1);
+        exact[0] *= s->half ? 1 : s->filled;
+        for (int k = 0; k < 4; ++k) out[4 * i + k] = s->broken > k ? i % 2 ? NAN : INFINITY : (float)exact[k];
+    }
+    s->wrong += fabs(before / (double)s->reach - 1) > 0.01;
+}
+
+/* A field from samples of one's own: that of many rays; the paper's unit directions make caps that are filled, shorter
+   ones what is behind holes; where the bake asks for them. */
+static void own_samples(void)
+{
+    const double half[3] = { 1, 0.5, 0.25 }, up[3] = { 0, 0, 1 };
+    rasters of = { .half = half };
+    ssgi_field_desc d = { .resolution = 4, .radii = 6, .rays = 1024, .reach = 4 };
+    const ssgi_field traced_field = baked(0, &d, box_mesh(half));
+    of.reach = traced_field.reach;
+    d.sample = rasterised;
+    d.user = &of;
+    const ssgi_field exact = baked(1, &d, box_mesh(half));
+    const double off = apart(&traced_field, &exact, 1);
+    CHECK(off < 0.02 && fabsf(exact.p95 - traced_field.p95) < 0.005f && exact.inside == traced_field.inside,
+          "a box by exact samples: off by %.4f, errors %.4f and %.4f", off, (double)exact.p95, (double)traced_field.p95);
+    CHECK(of.calls == 24 * 16 && !of.wrong, "%d directions, %d points where they should not be", of.calls, of.wrong);
+    double worst[3] = { 0 };
+    for (int n = 0; n < 3; ++n) {          /* directions as they are; the paper's; of a ball that is half holes */
+        rasters ball = { .filled = n == 2 ? 0.5 : 1, .unit = n == 1, .reach = 0 };
+        d = (ssgi_field_desc){ .resolution = 4, .rays = 16, .sample = rasterised, .user = &ball };
+        const ssgi_field f = baked(2, &d, ball_mesh());
+        for (int i = 0; i <= 300; ++i) {
+            const double rho = i * 0.02, a = 2.4 * i, p[3] = { rho * cos(a), rho * sin(a), -1.001 };
+            worst[n] = fmax(worst[n], fabs(seen(&f, point_at(NULL, 1, p), up)
+                                           - ball.filled * pow(1.002001 + rho * rho, -1.5)));
+        }
+    }
+    CHECK(worst[0] < 0.006 && worst[1] < 0.006 && worst[2] < 0.006, "a ball: off by %.4f, %.4f, half of it %.4f", worst[0],
+          worst[1], worst[2]);
+    t_note("a box: off by %.4f from rays; a ball by %.4f, with unit directions %.4f, half of it %.4f", off, worst[0],
+           worst[1], worst[2]);
+    for (int broken = 1; broken < 5; ++broken) {
+        rasters none = { .half = half, .broken = broken };
+        d = (ssgi_field_desc){ .resolution = 2, .radii = 4, .rays = 16, .sample = rasterised, .user = &none };
+        const ssgi_field f = baked(2, &d, box_mesh(half));
+        CHECK(seen(&f, point_at(NULL, 1.5, up), up) < 1e-4, "what is not finite occludes by %g",
+              seen(&f, point_at(NULL, 1.5, up), up));
+    }
+}
+
+/* Without the Gaussian a texel is what its own direction fits, from a quarter of the directions. */
+static void unfiltered(void)
+{
+    double error[2] = { 0, 0 };
+    for (int n = 0; n < 2; ++n) {
+        rasters of = { .half = cube };
+        const ssgi_field_desc d = { .resolution = 6, .radii = 8, .rays = 16, .unfiltered = n, .sample = rasterised,
+                                    .user = &of };
+        const ssgi_field f = baked(n, &d, box_mesh(cube));
+        CHECK(of.calls == (n ? 6 : 24) * 36, "%d: %d directions", n, of.calls);
+        for (int face = 0; face < 6; ++face)
+            for (int i = 0; i < 36; ++i) {
+                double w[3], q[3], radii[8], values[8], exact[4], p[3];
+                float solid_angle, axis[3], fill;
+                ssgi__cube_direction(w, face, (2 * (i % 6) + 1.0) / 6 - 1, (2 * (i / 6) + 1.0) / 6 - 1);
+                const double hull = 1.0002 / fmax(fabs(w[0]), fmax(fabs(w[1]), fabs(w[2]))), reach = (double)f.reach;
+                for (int j = 0; j < 8; ++j) {
+                    radii[j] = hull * pow(reach / hull, j / 7.0);
+                    for (int k = 0; k < 3; ++k) p[k] = radii[j] * w[k];
+                    box_exact(exact, cube, p);
+                    values[j] = normalise(exact + 1);
+                }
+                ssgi__field_fit(q, radii, values, 8, PI);
+                ssgi_field_cap(&f, point_at(NULL, 1.8, w), &solid_angle, axis, &fill);
+                const double h = (double)solid_angle / (2 * PI), one = 1 / quadratic(q, (1.8 - hull) / (reach - hull));
+                error[n] = fmax(error[n], fabs((double)fill * PI * h * (2 - h) - one) / PI);
+            }
+    }
+    CHECK(error[1] < 0.5 * error[0], "directions of texels: off by %.4f, filtered %.4f", error[1], error[0]);
+    t_note("directions of texels: off by %.4f, filtered %.4f", error[1], error[0]);
+}
+
 typedef struct calls_log { int calls, most; float last; int descends; } calls_log;
 
 static int keep(void *user, float done)
@@ -688,7 +927,8 @@ static void bad_arguments(void)
                   { "desc.radii:", { .radii = 65 } },           { "desc.rays:", { .rays = 15 } },
                   { "desc.rays:", { .rays = 65537 } },          { "desc.reach:", { .reach = 1.4f } },
                   { "desc.reach:", { .reach = 65 } },           { "desc.reach:", { .reach = -8 } },
-                  { "desc.reach:", { .reach = NAN } },          { "desc.reach:", { .reach = INFINITY } } };
+                  { "desc.reach:", { .reach = NAN } },          { "desc.reach:", { .reach = INFINITY } },
+                  { "desc.unfiltered:", { .unfiltered = 2 } },  { "desc.unfiltered:", { .unfiltered = -1 } } };
     const ssgi_field_desc good = { .resolution = 2, .radii = 4, .rays = 16 };
     const mesh *m = box_mesh(cube);
     const float *p = m->position;
@@ -1145,12 +1385,16 @@ static void files(void)
 void test_field(void)
 {
     RUN("a cap under the cosine is the closed form in all its branches, complementary and monotone", caps);
+    RUN("a table of caps is the closed form at its texels, and between them as close as its size says", cap_tables);
+    RUN("light of a cap is its share of constant light, and what fine steps sum to of any other", cap_lights);
     RUN("fits reach the reference's error for cubes, slabs and a ball, and never hold more than the sphere", fits);
     RUN("centres reach the reference's error, stay put where nothing tells, and find one that is there", centres);
     RUN("samples are a cube's exact solid angle and vector irradiance, by rays in the cone only", sampled);
     RUN("the errors that a bake reports are those of receivers and rays of one's own", reported_errors);
     RUN("a field has the same bytes with one thread, several, an index and a stride", same_bytes);
     RUN("a ray caster of one's own gives the same field", own_rays);
+    RUN("samples of one's own give the field of exact rays, unit directions filled caps", own_samples);
+    RUN("unfiltered texels are what their own directions fit", unfiltered);
     RUN("progress ascends to 1, and giving up leaves the field untouched", progress);
     RUN("bad descs, meshes and sizes are named and leave the field untouched", bad_arguments);
     RUN("triangles, needles, flat occluders, far, tiny and huge ones stay in [0,1]; scale does not matter", degenerate);

@@ -34,7 +34,8 @@ static const choice choices[] = {
     CHOICE(effect, 5, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
     CHOICE(axis, 2, 0, 1),          CHOICE(restore, 3, 0, 1),  CHOICE(span, 2, 0, 4),
     CHOICE(motion, 2, 0, 1),        CHOICE(left_handed, 2, 0, 1), CHOICE(oblique, 2, 0, 1),
-    CHOICE(multisampled, 2, 0, 1),  CHOICE(array, 2, 0, 1),    CHOICE(onto, 4, 0, 1)
+    CHOICE(multisampled, 2, 0, 1),  CHOICE(array, 2, 0, 1),    CHOICE(onto, 4, 0, 1),
+    CHOICE(cap_table, 2, 0, 1)
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
@@ -910,9 +911,11 @@ static void bindings(void)
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* surfels */
         memset(&p, 0, sizeof p);
         if (i == variants) {
-            CHECK(read_places(&p, source_of(text, &d, TOOLBOX), &d, TOOLBOX, -1) && p.count == 2
-                      && !strcmp(p.bound[4], "t_ssgi_occluders") && !strcmp(p.bound[6], "t_ssgi_fields"),
-                  "fields alone: %s, %s, %d in all", p.bound[4], p.bound[6], p.count);
+            d.cap_table = 1;
+            CHECK(read_places(&p, source_of(text, &d, TOOLBOX), &d, TOOLBOX, -1) && p.count == 3
+                      && !strcmp(p.bound[4], "t_ssgi_occluders") && !strcmp(p.bound[6], "t_ssgi_fields")
+                      && !strcmp(p.bound[7], "t_ssgi_cap"),
+                  "fields alone: %s, %s, %s, %d in all", p.bound[4], p.bound[6], p.bound[7], p.count);
             break;
         }
         for (int k = 0; k < SSGI_GL_STAGES; ++k)
@@ -1248,7 +1251,7 @@ static const struct { const char *start; size_t offset; int most;
              INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 1),    INT(colour, 2),
              INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1),   INT(restore, 2),
              INT(span, 64),         INT(motion, 1),        INT(left_handed, 1),    INT(oblique, 1), INT(array, 1),
-             INT(multisampled, 1),  INT(onto, 3)
+             INT(multisampled, 1),  INT(onto, 3),         INT(cap_table, 1)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -1429,6 +1432,7 @@ static void defaults(void)
         ROW(2 + 4, (.pass = SSGI_GL_FIELD), (.samples = 64, .layers = 8, .half = 1)),
         ROW(5 + 4 + 1, (.pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_TEXTURE, .normal = SSGI_GL_NORMAL_FROM_DEPTH),
             (.half = 1)),
+        ROW(2 + 4 + 4, (.pass = SSGI_GL_FIELD, .cap_table = 1), (.half = 1)),
         ROW(0, (.pass = SSGI_GL_SURFELS),
             (.shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_MAP, .effect = SSGI_GL_EFFECT_BOUNCE)),
         ROW(3 + 6 + 4,

@@ -414,6 +414,119 @@ static void bare_plane(void)
     }
 }
 
+/* ---- ssgi_trace_visibility ------------------------------------------------------------------------------------- */
+
+/* Points on a floor at y = 0, between x = 0 and 1, by closed forms: beside a wall without end, attenuated and not; a
+   wall of the height 1; a groove of the width 1 and depth 1. The sheets are so long that their ends do not count. */
+static double closed_form(int shape, double x)
+{
+    const double wall = (1 - x / sqrt(x * x + 1)) / 2;
+    if (shape < 2) return corner_occlusion(x, shape ? KIT_ATTENUATION_NONE : KIT_ATTENUATION_LINEAR);
+    return shape == 2 ? wall : wall + (1 - (1 - x) / sqrt((1 - x) * (1 - x) + 1)) / 2;
+}
+
+static void visibility(void)
+{
+    enum { POINTS = 400, SHAPES = 4 };
+    static const float floor_at[3] = { -100, 0, -100 }, along[3] = { 200, 0, 0 }, deep[3] = { 0, 0, 200 };
+    static float position[3 * POINTS], normal[3 * POINTS], out[POINTS], other[POINTS];
+    for (int shape = 0; shape < SHAPES; ++shape) {
+        /* of 256 and 1024 rays; by chance alone a hard wall would err by 0.03 and 0.015 */
+        static const double rms[SHAPES][2] = { { 7e-4, 2e-4 }, { 5e-3, 1.7e-3 }, { 6e-3, 2.2e-3 }, { 8e-3, 3.3e-3 } };
+        const float up[3] = { 0, shape < 2 ? 100.0f : 1.0f, 0 };
+        kit_mesh mesh = { 0 };
+        ssgi_trace trace;
+        void *memory;
+        const char *why = "";
+        sheet(&mesh, 1, floor_at, deep, along);
+        for (int side = 0; side < (shape == 3 ? 2 : 1); ++side) {
+            const float p[3] = { (float)side, 0, -100 };
+            sheet(&mesh, 1, p, up, deep);
+        }
+        if (!build(&trace, &memory, mesh.position, mesh.triangles)) return;
+        for (int i = 0; i < POINTS; ++i) {
+            const float p[3] = { ((float)i + 0.5f) / POINTS, 0, 3 * sinf((float)i) }, n[3] = { 0, 0.5f, 0 };
+            memcpy(position + 3 * i, p, sizeof p);
+            memcpy(normal + 3 * i, n, sizeof n);
+        }
+        for (int r = 0; r < 2; ++r) {
+            double square = 0, worst = 0, sum = 0;
+            if (!CHECK(ssgi_trace_visibility(out, &trace, position, normal, POINTS, shape < 2 ? 1.0f : 0.0f,
+                                             256 << 2 * r, shape > 0, &why)
+                           == SSGI_OK,
+                       "%s", why))
+                return;
+            for (int i = 0; i < POINTS; ++i) {
+                const double off = 1 - (double)out[i] - closed_form(shape, (double)position[3 * i]);
+                square += off * off / POINTS;
+                sum += off / POINTS;
+                worst = fmax(worst, fabs(off));
+            }
+            CHECK(sqrt(square) < rms[shape][r] && worst < 4 * rms[shape][r] && fabs(sum) < 0.1 * rms[shape][r],
+                  "shape %d, %d rays: RMS %.5f, worst %.4f, mean %.5f", shape, 256 << 2 * r, sqrt(square), worst, sum);
+            t_note("shape %d, %d rays: RMS %.5f, worst %.4f, mean %.5f", shape, 256 << 2 * r, sqrt(square), worst, sum);
+        }
+        /* a part of the points, and turned about, is the same */
+        for (int i = POINTS / 2; i < POINTS; ++i)
+            memcpy(position + 3 * i, position + 3 * (POINTS - 1 - i), 3 * sizeof(float));
+        ssgi_trace_visibility(other, &trace, position + 3 * POINTS / 2, normal, POINTS / 2, shape < 2 ? 1.0f : 0.0f,
+                              1024, shape > 0, NULL);
+        CHECK(other[0] == out[POINTS / 2 - 1] && other[9] == out[POINTS / 2 - 10],
+              "shape %d: a point's value depends on its place", shape);
+        free(memory);
+        kit_mesh_free(&mesh);
+    }
+}
+
+static void own_visibility(void)
+{
+    kit_mesh mesh = { 0 };
+    ssgi_trace trace;
+    void *memory;
+    const char *why = "";
+    static const float middle[3] = { 300, -20, 5 }, none[6] = { 0, 0, 0, NAN, 1, 0 };
+    ball(&mesh, 20, middle, 2, 0);
+    const size_t corners = 3 * mesh.triangles;
+    float *out = malloc(corners * sizeof *out), *normal = malloc(3 * corners * sizeof *normal), bad[2];
+    if (!out || !normal || !build(&trace, &memory, mesh.position, mesh.triangles)) return;
+    double least = 1, most = 0;
+    for (size_t i = 0; i < 3 * corners; ++i) normal[i] = mesh.position[i] - middle[i % 3];
+    CHECK(ssgi_trace_visibility(out, &trace, mesh.position, normal, corners, 0, 64, 1, &why) == SSGI_OK, "%s", why);
+    for (size_t i = 0; i < corners; ++i) least = fmin(least, (double)out[i]);
+    CHECK(least == 1, "a ball's own corners: %g is seen", least);
+    for (size_t i = 0; i < 3 * corners; ++i) normal[i] = -normal[i];
+    ssgi_trace_visibility(out, &trace, mesh.position, normal, corners, 0, 64, 1, &why);
+    for (size_t i = 0; i < corners; ++i) most = fmax(most, (double)out[i]);
+    CHECK(most < 0.02, "corners of a ball, from within: %g is seen", most);
+    CHECK(ssgi_trace_visibility(bad, &trace, mesh.position, none, 2, 1, 16, 0, NULL) == SSGI_OK && bad[0] == 1
+              && bad[1] == 1,
+          "no normal, and one that is not finite: %g, %g", (double)bad[0], (double)bad[1]);
+    for (int k = 0; k < 9; ++k) {
+        static const char *const names[] = { "out", "trace", "position", "normal", "radius", "radius", "rays", "rays",
+                                             "hard" };
+        bad[0] = 7;
+        CHECK(ssgi_trace_visibility(k == 0 ? NULL : bad, k == 1 ? NULL : &trace, k == 2 ? NULL : mesh.position,
+                                    k == 3 ? NULL : normal, 1,
+                                    k == 4   ? 0.0f
+                                    : k == 5 ? -1.0f
+                                             : 1.0f,
+                                    k == 6   ? 0
+                                    : k == 7 ? 65537
+                                             : 16,
+                                    k == 5   ? 1
+                                    : k == 8 ? 2
+                                             : 0,
+                                    &why)
+                      == SSGI_BAD_ARGUMENT
+                  && !strncmp(why, names[k], strlen(names[k])) && bad[0] == 7,
+              "bad %s: \"%s\"", names[k], why);
+    }
+    free(out);
+    free(normal);
+    free(memory);
+    kit_mesh_free(&mesh);
+}
+
 /* the plane y = 0 or x = 0 of the corner that a ray meets first: 1 floor, 2 wall, 0 none; at: where */
 static int corner_hit(const float o[3], const float d[3], double at[3])
 {
@@ -718,6 +831,8 @@ void test_trace(void)
     RUN("no ray slips between triangles that share an edge", no_cracks);
     RUN("bad arguments are named and leave everything as it was", bad_arguments);
     RUN("camera rays and matrices agree, in every depth layout", cameras);
+    RUN("visibility of points: corner, wall and groove are their closed forms, by the point alone", visibility);
+    RUN("visibility of a ball's own corners: open, from within closed; bad arguments are named", own_visibility);
     RUN("truth: a bare plane is exactly open", bare_plane);
     RUN("truth: a corner agrees with its closed form", corner);
     RUN("truth: a corner under windows and under lamps of a few texels is what all directions sum to", lit_corner);

@@ -234,7 +234,7 @@ typedef struct kit_settings {
     /* as spherical harmonics, or bent normals */
     int    bands, store, indirect, filtered, residual, window, lights, cone;
     /* fields */
-    int    resolution, radii, rays, own, occluders;
+    int    resolution, radii, rays, unfiltered, own, occluders, cap_table; /* cap_table: its side; 0: closed form */
     double reach, ramp, inside, power;     /* bounding spheres' radii; of the reach; below 0: as measured; exponent */
     /* surfels */
     int    levels, way, near_samples, span, sky, near_depth, keep_small, splits, smooth, material;
@@ -308,7 +308,7 @@ typedef struct kit_run {
     /* the result: ambient visibility or irradiance over pi; that of the bounce */
     GLuint        light, bounce;
     GLuint        texture[KIT_MAX_TEXTURES];   /* all that are the run's own */
-    GLuint        noise, kernel, environment, irradiance, view_depth, atlas, grey;
+    GLuint        noise, kernel, environment, irradiance, view_depth, atlas, grey, cap;
     GLuint        block[KIT_FRAMES];
     kit_gbuffer   view[KIT_MAX_VIEWS];     /* of the extra cameras */
     int           margin;                  /* pixels beyond each side of the picture that a gather sees; 0 = none */

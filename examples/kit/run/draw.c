@@ -22,6 +22,7 @@ GLuint kit_pass_texture(const kit_run *run, const kit_pass *p, const char *name)
                   { "lights", p->lights },
                   { "occluders", p->lights },
                   { "fields", run->fields },
+                  { "cap", run->cap },
                   { "objects", p->gbuffer->object },
                   { "motion", p->gbuffer->motion },
                   { "shadow", run->atlas } };

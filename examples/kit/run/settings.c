@@ -121,6 +121,7 @@ ROW(cone_row, cone, "environment over the cone of unoccluded directions, or irra
 ROW(resolution_row, resolution, "texels along a side of a field's cube map", NULL, 16, 2, 128, PLAN, 0)
 ROW(radii_row, radii, "distances sampled along each direction", NULL, 12, 4, 64, PLAN, 0)
 ROW(rays_a_row, rays, "a sample of the bake", NULL, 128, 16, 65536, PLAN, 0)
+ROW(unfiltered_row, unfiltered, "1: a bake without the doubled resolution and the Gaussian", NULL, 0, 0, 1, PLAN, 0)
 ROW(reach_row, reach, "influence of occluders, in radii of their bounding spheres", NULL, 8, 1.5, 64, PLAN, 0)
 ROW(ramp_row, ramp, "start of their fade, as a share of the reach", NULL, 0.75, 0, 0.99, PLAN, 0)
 ROW(inside_row, inside, "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, PLAN, 0)
@@ -128,6 +129,8 @@ ROW(power_row, power, "p: exponent of the blend toward it", NULL, 1, 0.01, 100, 
 ROW(own_row, own, "1: occluders occlude themselves too", NULL, 0, 0, 1, PLAN, 0)
 ROW(occluders_row, occluders, "which objects: solid ones that contain no other, or all",
     "solid all", 0, 0, 1, PLAN, 0)
+ROW(cap_table_row, cap_table, "texels along a side of the table that a cap's occlusion is looked up in, 2 or more; 0: its "
+    "closed form", NULL, 0, 0, 4096, PLAN, 0)
 
 ROW(size_row, size, "s: diameter of a surfel, in image heights", NULL, 0.015, 1e-4, 1, PLAN, 0)
 ROW(epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
@@ -282,8 +285,8 @@ static const plan plans[] = {
       SSGI_GL_FIELD,
       0,
       SSGI_GL_BALANCED,
-      SETTINGS(&resolution_row, &radii_row, &rays_a_row, &reach_row, &ramp_row, &inside_row, &power_row, &own_row,
-               &occluders_row, &normal_row) }
+      SETTINGS(&resolution_row, &radii_row, &rays_a_row, &unfiltered_row, &reach_row, &ramp_row, &inside_row,
+               &power_row, &own_row, &occluders_row, &normal_row, &cap_table_row) }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 /* Settings of methods that are not all the preset's. */
@@ -431,6 +434,7 @@ ssgi_field_desc kit_method_field(const kit_method *method)
     d.radii = method->set.radii;
     d.rays = method->set.rays;
     d.reach = (float)method->set.reach;
+    d.unfiltered = method->set.unfiltered;
     return d;
 }
 
