@@ -347,7 +347,7 @@ static void twin_views(void)
             NEAR(out[i][0], p[0], 4e-7 * (fabs((double)p[0]) + 2 * fabs((double)view.project[2])), "ssgi_project.x");
             NEAR(out[i][1], p[1], 4e-7 * (fabs((double)p[1]) + 2 * fabs((double)view.project[3])), "ssgi_project.y");
             NEAR(out[i][2], ssgi_pixel_footprint(&view, in[i][3]), 2e-7f * out[i][2], "ssgi_footprint");
-            NEAR(out[i][3], 0.5f * ssgi_pixel_footprint(&view, in[i][3]), 3e-7f * out[i][3], "ssgi_lift");
+            NEAR(out[i][3], ssgi_normal_offset(&view, in[i][3]), 3e-7f * out[i][3], "ssgi_lift");
         }
     }
 }
