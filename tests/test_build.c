@@ -711,6 +711,8 @@ static void command_line(void)
                   { "--sequence lit.txt $F", "lit.txt: line 2: lit.exr: must be like the first frame in direct.R" },
                   { "--sequence along.txt $F", "along.txt: line 2: --up" },
                   { "--sequence good.txt --fovy 57 --out q%d.exr", "--sequence good.txt: needs --radius" },
+                  { "--sequence good.txt --fovy 57 --radius guess --out q%d.exr", "needs --radius" },
+                  { "room --radius gues --out a.exr", "--radius gues" },
                   { "room --size 4294967304x8 --out a.exr", "--size 4294967304x8" },
                   { "room --size +8x8 --out a.exr", "--size +8x8" },
                   { "room --frames inf --out q%d.exr", "--frames inf" },

@@ -567,7 +567,7 @@ static void corner_bounces(void)
         { "bounce=patch,distance_clamp=0,samples=64", { 0.5523, 0.19207, 0.050944 }, 0.05 },
         { "bounce=patch,distance_clamp=0,samples=16", { 0.5523, 0.19207, 0.050944 }, 0.1 },
         { "bounce=patch,distance_clamp=0,samples=16,uniform=1", { 0.5523, 0.19207, 0.050944 }, 0.06 },
-        { "bounce=solid-angle,samples=16,uniform=1", { 0.309233, 0.168214, 0.051965 }, 0.01 },
+        { "bounce=solid-angle,samples=16,uniform=1", { 0.309233, 0.168214, 0.051965 }, 0.02 },
         { "directions=8", { 0.309233, 0.168214, 0.051965 }, 0.02 }
     };
     kit_gbuffer g[3];

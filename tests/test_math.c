@@ -1498,6 +1498,13 @@ static void radii(void)
               && again == radius,
           "without an index: %g, with it %g: %s", (double)again, (double)radius, why);
 
+    /* a terrace, from which a wall leads up and a slope down, is none; an edge is seen from one side alone */
+    static const float steps[9][3] = { { 1, 0, 1 },  { 2, 0, 2 }, { 2, 1, 2 }, { 0, 0, 1 }, { 1, 0, 1 },
+                                       { 0, -1, 0 }, { 5, 0, 0 }, { 6, 0, 2 }, { 5, 1, 1 } };
+    CHECK(ssgi_radius_guess(&radius, &found, steps[0], 12, NULL, 3, high, work, words, NULL) == SSGI_OK && found == 2
+              && radius == 4,
+          "a wall's top and a corner: %zu maxima, %g apart", found, (double)radius);
+
     /* a cube of 2 x 2 a side: from the middle its corners are maxima; along an axis its top alone */
     for (int side = 0; side < 6; ++side)
         for (int i = 0; i < 24; ++i) {
