@@ -174,7 +174,8 @@ enum {
 /* desc.noise: the pattern that decorrelates neighbouring pixels. */
 enum {
     SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
-    SSGI_GL_NOISE_TEXTURE,      /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions */
+    SSGI_GL_NOISE_TEXTURE,      /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions;
+                                   ssgi_noise_tile makes one */
 };
 
 /* desc.search: where a gather looks for what occludes. */
