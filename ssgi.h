@@ -244,13 +244,13 @@ enum {
 SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples, const char **why);
 
 /* A tile of noise that is repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. What
-   desc.noise = NOISE_TEXTURE of ssgi_gl.h reads, as RGBA32F or RGBA16F: its z and w; x and y are for shaders that turn
-   their own directions, as the paper's does.
+   desc.noise = NOISE_TEXTURE of ssgi_gl.h reads, as RGBA32F or, up to 1024 sets, RGBA16F: its z and w; x and y are for
+   shaders that turn their own directions, as the paper's does.
      size         [limit: 1..64] texels of a side
      sets         [limit: 1.., a divisor of size * size] each is at as many texels: turn = (set + 0.5)/sets, by which
                   desc.kernel chooses a row and the others turn their directions. size * size: as many turns as texels.
                   Every window of w x h texels, w h = sets, w and h as equal as size allows, has every set once:
-                  a filter as wide sums over all of them. 4, 16 are the 4 x 4 sets of [SSDO09, S3HO12], interleaved.
+                  a filter as wide sums over all of them. Size 4, sets 16: the 4 x 4 sets of [SSDO09, S3HO12].
                   Neighbours have unlike turns; copies of a set lie as far apart as such windows let them
      directions   [limit: 1..1024] N_d of [HSAO08 4.1.2]: a = 2 pi turn/directions, in [0, 2 pi/directions)
    b, in [-0.5, 0.5], moves the steps: the middles of size * size strata, once each, decorrelated from the turn (the
