@@ -34,7 +34,8 @@
    ROOMS        search for ">>"
       >>types      results
       >>view       projection decode: perspective, orthographic, any handedness and depth; extra cameras
-      >>kernel     low-discrepancy points, sample sets
+      >>bias       how far depth fetches and shadow maps are off; a radius to begin with
+      >>kernel     low-discrepancy points, sample sets, tiles of noise
       >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
       >>environment  images as octahedral maps over lobes and cones, and as directional lights; virtual
                    point lights
@@ -157,6 +158,60 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
    side and 50 up. */
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
+/* ==== >>bias =================================================================================================== */
+
+/* Formulas. Of their floats NaN and what is below 0 count as 0, what is above SSGI_FAR as that; results are finite. */
+
+/* How far a receiver is lifted along its normal, so that nearest fetches of its own plane stay below it: z/(f res)
+   [HSAO08 eq. 13]; 0.00802 at z = 10 for 60 degrees, f = 1/tan(30 degrees), over 720 pixels. That is half of
+   ssgi_pixel_footprint, since NDC spans 2, and of two unequal axes the one whose pixels are larger. Orthographic: the
+   same at any depth.
+     view_depth   [units: view] positive: with GL's negative z the receiver would sink into its surface
+   GLSL twin: ssgi_lift, which lifts by frame.offset of these, 1.5 by default: the corners of a pixel need sqrt(2). */
+SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
+
+/* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2)/resolution [SSDO09 section 5].
+     depth        [units: view] z, along the spot's axis: not the distance
+     full_angle   [units: rad] [limit: 0..3.14, clamped] of the spot, from edge to edge
+     resolution   [units: texels] [limit: 1 or more, less counts as 1] along that edge
+   ssgi_gl_light.patch holds it for depth 1. */
+SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
+
+/* Half of what is the patch of a bias. */
+enum {
+    SSGI_BIAS_SAFE = 0,  /* its diagonal: patch/sqrt(2) tan(alpha), which slopes in any direction need */
+    SSGI_BIAS_PUBLISHED, /* its side: patch/2 tan(alpha) [SSDO09 section 5], which suffices for slopes along a side
+                            alone: a plane that slopes along the diagonal shadows itself */
+};
+
+/* The bias of a shadow map: how far below a surface its texel has to be moved, along the map's axis, for a plane not to
+   shadow itself.
+     patch    [units: view] width of a texel there
+     cosine   [limit: 0..1, clamped] of alpha, between the surface's normal and the direction to the light
+     most     [units: view] at least 0: larger ones are cut to it. At 90 degrees, where tan(alpha) is infinite, it is
+              the bias, as for NaN
+     kind     SSGI_BIAS_SAFE ..; another is SAFE
+   GLSL twin: ssgi_shadow, with most = patch/sqrt(2) frame.max_slope, where the light is on the map's axis: there the
+   plane's slope against the map is tan(alpha). Elsewhere ssgi_shadow takes the slope itself. */
+SSGI_DEF float ssgi_shadow_bias(float patch, float cosine, float most, int kind);
+
+/* A radius to begin with: "for a closed polygonal model .. the average distance between two local maxima in the
+   geometry" [SSDO09 section 7.2]. A vertex is a maximum if no edge leads up from it and one leads down; a level part
+   counts once, at its vertex of least x (then y, z). *radius is the mean distance to the nearest other maximum, over
+   1024 of them at most, evenly chosen. With fewer than two maxima (a sphere, a plane) it is a tenth of the diagonal of
+   the bounds.
+     radius          [units: the mesh's] above 0
+     maxima          how many were found; may be NULL
+     position, stride_bytes, index, triangles   as in ssgi_trace_build [limit: 1..2^28 triangles]; vertices at one place
+                     are one. Triangles with a coordinate that is not finite or beyond +-1e12 are left out; without any
+                     others position is SSGI_BAD_ARGUMENT
+     up              heights are along it [limit: finite, not 0]; NULL: they are distances from the middle of the bounds
+     work            [limit: words >= 9 * triangles, else SSGI_TOO_SMALL] not needed later
+   Heights that differ by less than 1e-6 of the diagonal are equal. O(n log n). */
+SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const float *position, size_t stride_bytes,
+                                       const uint32_t *index, size_t triangles, const float *up, uint32_t *work,
+                                       size_t words, const char **why);
+
 /* ==== >>kernel ================================================================================================= */
 
 /* Radical inverse (van der Corput): the digits of i in a base, reflected about the radix point, in [0,1); 0 for a base
@@ -176,6 +231,32 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2]);
                 length * radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
    [SSDO09 section 3; sets that integrate an unoccluded constant exactly: see examples/docs/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
+
+/* How directions are spread. Heights are the middles of equal strata of each set, so that sums over it are exact. */
+enum {
+    SSGI_DIRECTIONS_COSINE = 0, /* the hemisphere about +z, density cos/pi: ssgi_kernel's. Each counts 1/n */
+    SSGI_DIRECTIONS_UNIFORM,    /* the hemisphere, evenly, as published [SSDO09 section 3, S3HO12 2.1]: each stands for
+                                   2 pi/n steradians, and counts 2 z/n where the cosine weighs: the sum of that is 1 */
+    SSGI_DIRECTIONS_SPHERE,     /* the whole sphere, evenly: each stands for 4 pi/n; the sum of z is 0 */
+};
+
+/* Sample sets as ssgi_kernel's, with directions of a kind [limit: SSGI_DIRECTIONS_COSINE ..]; the lengths are the same.
+   For desc.kernel of ssgi_gl.h: COSINE, or with desc.uniform UNIFORM. */
+SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples, const char **why);
+
+/* A tile of noise that is repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. What
+   desc.noise = NOISE_TEXTURE of ssgi_gl.h reads, as RGBA32F or, up to 1024 sets, RGBA16F: its z and w; x and y are for
+   shaders that turn their own directions, as the paper's does.
+     size         [limit: 1..64] texels of a side
+     sets         [limit: 1.., a divisor of size * size] each is at as many texels: turn = (set + 0.5)/sets, by which
+                  desc.kernel chooses a row and the others turn their directions. size * size: as many turns as texels.
+                  Every window of w x h texels, w h = sets, w and h as equal as size allows, has every set once:
+                  a filter as wide sums over all of them. Size 4, sets 16: the 4 x 4 sets of [SSDO09, S3HO12].
+                  Neighbours have unlike turns; copies of a set lie as far apart as such windows let them
+     directions   [limit: 1..1024] N_d of [HSAO08 4.1.2]: a = 2 pi turn/directions, in [0, 2 pi/directions)
+   b, in [-0.5, 0.5], moves the steps: the middles of size * size strata, once each, decorrelated from the turn (the
+   paper's (-1,1) moves them by two steps, to no use). Same input, same tile. */
+SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directions, const char **why);
 
 /* ==== >>sh ===================================================================================================== */
 
@@ -309,6 +390,17 @@ typedef struct ssgi_vpl {
      pixels                   [limit: > 0] how many the map has */
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why);
+
+/* An area light as virtual point lights [SSDO09 section 5], at places spread evenly over it; their intensities sum to
+   radiance times area.
+     count           [limit: 1..4096] of them; nearer to the light than sqrt(area/count) single ones show: clamp there
+                     (ssgi_gl_light.min_distance)
+     corner          of a parallelogram with sides a and b, or of a triangle, which is half of that
+     a, b            it shines to the side of a x b [limit: area 1e-30..1e13, finite, all within 1e30 of the origin]
+     triangle        0 or 1
+     radiance        [limit: 0 or above, finite; clamped to 1e24] that leaves it */
+SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[3], const float a[3], const float b[3],
+                                   int triangle, const float radiance[3], const char **why);
 
 /* ==== >>trace ================================================================================================== */
 
@@ -1148,6 +1240,207 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3])
     memcpy(out, all[i & 3], sizeof all[0]);
 }
 
+/* ==== >>bias (implementation) ================================================================================== */
+
+/* A length: 0..SSGI_FAR, NaN as 0. */
+SSGI__FN float ssgi__length(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    if (!ssgi__finite(x)) return bits == 0x7f800000u ? SSGI_FAR : 0.0f;
+    return ssgi__min(ssgi__max(x, 0.0f), SSGI_FAR);
+}
+
+SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float z)
+{
+    return 0.5f * ssgi_pixel_footprint(view, ssgi__length(z));
+}
+
+SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution)
+{
+    const double half = 0.5 * (double)ssgi__min(ssgi__length(full_angle), 3.14f);
+    const double patch = 2.0 * (double)ssgi__length(depth) * tan(half) / (resolution > 1 ? resolution : 1);
+    return patch < (double)SSGI_FAR ? (float)patch : SSGI_FAR;
+}
+
+SSGI_DEF float ssgi_shadow_bias(float patch, float cosine, float most, int kind)
+{
+    const double half = (double)ssgi__length(patch) * (kind == SSGI_BIAS_PUBLISHED ? 0.5 : 0.70710678118654752440);
+    const double c = (double)ssgi__min(ssgi__length(cosine), 1.0f), limit = (double)ssgi__length(most);
+    const double bias = half * sqrt(1.0 - c * c);
+    return (float)(bias < limit * c ? bias / c : limit);
+}
+
+/* A mesh whose maxima are sought. After sorting, vertices have numbers in the order of their places. */
+typedef struct ssgi__peaks {
+    const char *position;
+    size_t stride;
+    const uint32_t *index;
+    uint32_t *corner; /* a corner at each vertex */
+    uint32_t *vertex; /* at each corner */
+    uint32_t *part;   /* of each vertex: another of its level part or itself; SSGI__UP, SSGI__DOWN */
+    double up[3], middle[3];
+    int along; /* heights are along up; 0: from the middle */
+} ssgi__peaks;
+
+#define SSGI__UP 0x80000000u   /* an edge leads up from it */
+#define SSGI__DOWN 0x40000000u /* one leads down */
+#define SSGI__PART 0x3fffffffu
+
+SSGI__FN void ssgi__peaks_at(double p[3], const ssgi__peaks *m, uint32_t corner)
+{
+    float v[3];
+    memcpy(v, m->position + m->stride * (m->index ? m->index[corner] : corner), sizeof v);
+    ssgi__doubles(p, v);
+}
+
+/* Whether corner a lies before b, by x, then y, then z. */
+SSGI__FN int ssgi__peaks_before(const ssgi__peaks *m, uint32_t a, uint32_t b)
+{
+    double p[3], q[3];
+    int axis = 0;
+    ssgi__peaks_at(p, m, a);
+    ssgi__peaks_at(q, m, b);
+    while (axis < 2 && p[axis] == q[axis]) ++axis;
+    return p[axis] < q[axis];
+}
+
+/* Puts corner k of a heap of n where it belongs: none before those below it. */
+SSGI__FN void ssgi__peaks_sift(const ssgi__peaks *m, size_t k, size_t n)
+{
+    const uint32_t moved = m->corner[k];
+    for (size_t next; (next = 2 * k + 1) < n; k = next) {
+        if (next + 1 < n && ssgi__peaks_before(m, m->corner[next], m->corner[next + 1])) ++next;
+        if (!ssgi__peaks_before(m, moved, m->corner[next])) break;
+        m->corner[k] = m->corner[next];
+    }
+    m->corner[k] = moved;
+}
+
+/* Sorts n corners, then gives those at one place one vertex. Returns how many vertices there are. */
+SSGI__FN size_t ssgi__peaks_weld(const ssgi__peaks *m, size_t n)
+{
+    size_t vertices = 0;
+    for (size_t k = n / 2; k-- > 0;) ssgi__peaks_sift(m, k, n);
+    for (size_t k = n; k-- > 1;) {
+        const uint32_t last = m->corner[0];
+        m->corner[0] = m->corner[k];
+        m->corner[k] = last;
+        ssgi__peaks_sift(m, 0, k);
+    }
+    for (size_t k = 0; k < n; ++k) {
+        const uint32_t corner = m->corner[k];
+        if (!vertices || ssgi__peaks_before(m, m->corner[vertices - 1], corner)) m->corner[vertices++] = corner;
+        m->vertex[corner] = (uint32_t)vertices - 1;
+    }
+    return vertices;
+}
+
+SSGI__FN double ssgi__peaks_height(const ssgi__peaks *m, uint32_t vertex)
+{
+    double p[3];
+    ssgi__peaks_at(p, m, m->corner[vertex]);
+    ssgi__along(p, p, -1.0, m->middle);
+    return m->along ? ssgi__dot(p, m->up) : sqrt(ssgi__dot(p, p));
+}
+
+/* The first vertex of a level part. */
+SSGI__FN uint32_t ssgi__peaks_part(const ssgi__peaks *m, uint32_t vertex)
+{
+    while ((m->part[vertex] & SSGI__PART) != vertex) {
+        const uint32_t up = m->part[vertex] & SSGI__PART;
+        m->part[vertex] = (m->part[up] & SSGI__PART) | (m->part[vertex] & ~SSGI__PART);
+        vertex = m->part[vertex] & SSGI__PART;
+    }
+    return vertex;
+}
+
+/* An edge: joins level ones, marks those that it leads up and down from. */
+SSGI__FN void ssgi__peaks_edge(const ssgi__peaks *m, uint32_t a, uint32_t b, double level)
+{
+    const double rise = ssgi__peaks_height(m, b) - ssgi__peaks_height(m, a);
+    a = ssgi__peaks_part(m, a);
+    b = ssgi__peaks_part(m, b);
+    if (rise > level || rise < -level) {
+        m->part[a] |= rise > 0.0 ? SSGI__UP : SSGI__DOWN;
+        m->part[b] |= rise > 0.0 ? SSGI__DOWN : SSGI__UP;
+    } else if (a != b) {
+        const uint32_t first = a < b ? a : b, other = a < b ? b : a;
+        m->part[first] |= m->part[other] & ~SSGI__PART;
+        m->part[other] = first;
+    }
+}
+
+/* Mean distance from vertices, which are maxima, to the nearest other. */
+SSGI__FN double ssgi__peaks_spacing(const ssgi__peaks *m, const uint32_t *vertex, size_t count)
+{
+    const size_t step = (count + 1023) / 1024;
+    double sum = 0.0;
+    for (size_t i = 0; i < count; i += step) {
+        double p[3], q[3], nearest = DBL_MAX;
+        ssgi__peaks_at(p, m, m->corner[vertex[i]]);
+        for (size_t k = 0; k < count; ++k) {
+            ssgi__peaks_at(q, m, m->corner[vertex[k]]);
+            ssgi__along(q, q, -1.0, p);
+            if (k != i && ssgi__dot(q, q) < nearest) nearest = ssgi__dot(q, q);
+        }
+        sum += sqrt(nearest);
+    }
+    return sum / (double)((count + step - 1) / step);
+}
+
+SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const float *position, size_t stride_bytes,
+                                       const uint32_t *index, size_t triangles, const float *up, uint32_t *work,
+                                       size_t words, const char **why)
+{
+    double low[3] = { DBL_MAX, DBL_MAX, DBL_MAX }, high[3] = { -DBL_MAX, -DBL_MAX, -DBL_MAX }, diagonal;
+    ssgi__peaks m = { (const char *)position, stride_bytes, index, work, NULL, NULL, { 0 }, { 0 }, up != NULL };
+    size_t corners = 0, vertices, found = 0;
+    uint32_t *peak;
+    SSGI__THERE2(radius, position);
+    SSGI__CHECK(stride_bytes >= 12 && stride_bytes % 4 == 0, "stride_bytes: must be 12 or more, a multiple of 4");
+    SSGI__CHECK(triangles >= 1 && triangles <= 1u << 28, "triangles: must be 1..2^28");
+    SSGI__CHECK(!up || ssgi__finites(up, 3), "up: must be finite, or NULL");
+    if (up) ssgi__doubles(m.up, up);
+    SSGI__CHECK(!up || ssgi__normalise(m.up) > 0.0, "up: must not be 0");
+    SSGI__THERE(work);
+    SSGI__ENOUGH(words, 9 * triangles, "words: must be 9 * triangles or more");
+    m.vertex = work + 3 * triangles;
+    m.part = m.vertex + 3 * triangles;
+    for (size_t i = 0; i < 3 * triangles; ++i) m.vertex[i] = SSGI__PART; /* left out */
+    for (size_t i = 0; i < triangles; ++i) {
+        double p[3][3];
+        int inside = 1;
+        for (int k = 0; k < 3; ++k) ssgi__peaks_at(p[k], &m, (uint32_t)(3 * i) + (uint32_t)k);
+        for (int k = 0; k < 9; ++k) inside &= ssgi__within((float)p[k / 3][k % 3], -1e12f, 1e12f);
+        for (int k = 0; k < 3 && inside; ++k) {
+            m.corner[corners++] = (uint32_t)(3 * i) + (uint32_t)k;
+            for (int c = 0; c < 3; ++c) {
+                if (p[k][c] < low[c]) low[c] = p[k][c];
+                if (p[k][c] > high[c]) high[c] = p[k][c];
+            }
+        }
+    }
+    SSGI__CHECK(corners, "position: must have a triangle that is finite and within 1e12");
+    for (int c = 0; c < 3; ++c) m.middle[c] = 0.5 * (low[c] + high[c]);
+    ssgi__along(high, high, -1.0, low);
+    diagonal = sqrt(ssgi__dot(high, high));
+    SSGI__CHECK(diagonal > 1e-30, "position: must not be one point");
+
+    vertices = ssgi__peaks_weld(&m, corners);
+    for (size_t i = 0; i < vertices; ++i) m.part[i] = (uint32_t)i;
+    for (size_t i = 0; i < 3 * triangles; ++i) {
+        const size_t next = i % 3 < 2 ? i + 1 : i - 2;
+        if (m.vertex[i] != SSGI__PART) ssgi__peaks_edge(&m, m.vertex[i], m.vertex[next], 1e-6 * diagonal);
+    }
+    peak = m.vertex; /* not needed any more */
+    for (size_t i = 0; i < vertices; ++i)
+        if (m.part[i] == ((uint32_t)i | SSGI__DOWN)) peak[found++] = (uint32_t)i;
+    *radius = (float)(found > 1 ? ssgi__peaks_spacing(&m, peak, found) : 0.1 * diagonal);
+    if (maxima) *maxima = found;
+    return SSGI_OK;
+}
+
 /* ==== >>kernel (implementation) ================================================================================ */
 
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i)
@@ -1208,9 +1501,24 @@ SSGI__FN int ssgi__gcd(int a, int b)
 
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why)
 {
+    return ssgi_directions(out, SSGI_DIRECTIONS_COSINE, sets, samples, why);
+}
+
+/* The height of a direction, and its distance from z, at a share u of what there is from +z on. */
+SSGI__FN void ssgi__directions_at(double out[2], int kind, double u)
+{
+    const double most = kind == SSGI_DIRECTIONS_SPHERE ? 2.0 : 1.0;
+    out[0] = kind == SSGI_DIRECTIONS_COSINE ? sqrt(1.0 - u) : 1.0 - most * u;
+    out[1] = kind == SSGI_DIRECTIONS_COSINE ? sqrt(u) : sqrt(most * u * (2.0 - most * u));
+}
+
+SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples, const char **why)
+{
     const double two_pi = 2.0 * SSGI__PI, golden = 0.61803398874989484820;
     int step;
     SSGI__THERE(out);
+    SSGI__CHECK(kind >= SSGI_DIRECTIONS_COSINE && kind <= SSGI_DIRECTIONS_SPHERE,
+                "kind: must be SSGI_DIRECTIONS_COSINE, _UNIFORM or _SPHERE");
     SSGI__RANGE(sets, 1, 4096);
     SSGI__RANGE(samples, 1, 4096);
     /* coprime to the count: visits every stratum of length once; near sqrt(2)-1 of it: follows neither u nor azimuth */
@@ -1220,13 +1528,104 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
                slide = 1.0 - (double)ssgi_radical_inverse(3, (uint32_t)set + 1);
         for (int i = 0; i < samples; ++i) {
             /* u stratified at midpoints; azimuth by the golden angle, a spiral in which no two samples line up */
-            double u = ((double)i + 0.5) / samples, phi = two_pi * (fmod((double)i * golden, 1.0) + turn);
+            double u = ((double)i + 0.5) / samples, phi = two_pi * (fmod((double)i * golden, 1.0) + turn), at[2];
             float *o = out + 4 * ((size_t)set * (size_t)samples + (size_t)i);
-            o[0] = (float)(sqrt(u) * cos(phi));
-            o[1] = (float)(sqrt(u) * sin(phi));
-            o[2] = (float)sqrt(1.0 - u);
+            ssgi__directions_at(at, kind, u);
+            o[0] = (float)(at[1] * cos(phi));
+            o[1] = (float)(at[1] * sin(phi));
+            o[2] = (float)at[0];
             o[3] = (float)(((double)(((int64_t)i * step + set) % samples) + slide) / samples);
         }
+    }
+    return SSGI_OK;
+}
+
+/* A block of sets that fills a tile: rows of blocks, each moved left by `shift` against the one before. */
+typedef struct ssgi__block {
+    int w, h, shift;
+} ssgi__block;
+
+/* Least squared distance between a texel and those that stand x, y from it in a block, which is all over the plane. */
+SSGI__FN int ssgi__block_distance(const ssgi__block *b, int x, int y)
+{
+    int least = 1 << 30;
+    for (int k = -b->w / b->h - 1; k <= b->w / b->h + 1; ++k) {
+        int dx = (x - k * b->shift) % b->w, dy = y + k * b->h;
+        if (dx < 0) dx += b->w;
+        if (dx > b->w - dx) dx = b->w - dx;
+        if (!dx && !dy) dx = b->w; /* itself */
+        least = dx * dx + dy * dy < least ? dx * dx + dy * dy : least;
+    }
+    return least;
+}
+
+/* The squarest block that a tile can be made of, and the shift by which its copies lie farthest apart. */
+SSGI__FN ssgi__block ssgi__block_of(int size, int sets)
+{
+    ssgi__block b = { sets, 1, 0 }, tried;
+    int farthest = 0;
+    for (int h = 2; h * h <= sets; ++h)
+        if (size % h == 0 && sets % h == 0 && size % (sets / h) == 0) b.h = h;
+    b.w = sets / b.h;
+    tried = b;
+    for (tried.shift = 0; tried.shift < b.w; ++tried.shift) {
+        if (tried.shift * (size / b.h) % b.w || ssgi__block_distance(&tried, 0, 0) <= farthest) continue;
+        farthest = ssgi__block_distance(&tried, 0, 0);
+        b.shift = tried.shift;
+    }
+    return b;
+}
+
+/* Numbers the texels of a block at 0, 0: each next one is where those before are felt least, by 1/distance^4 in whole
+   numbers, which floats add without rounding. out[4 * (y * size + x) + 3] is the number, out[.. + 2] what is felt. */
+SSGI__FN void ssgi__block_order(float *out, int size, const ssgi__block *b)
+{
+    const int texels = b->w * b->h;
+    for (int i = 0; i < texels; ++i) {
+        float *o = out + 4 * (i / b->w * size + i % b->w);
+        o[2] = 0.0f;
+        o[3] = -1.0f;
+    }
+    for (int number = 0; number < texels; ++number) {
+        const float *least = NULL;
+        int at = 0;
+        for (int i = 0; i < texels; ++i) {
+            const float *o = out + 4 * (i / b->w * size + i % b->w);
+            if (o[3] >= 0.0f || (least && o[2] >= least[2])) continue;
+            least = o;
+            at = i;
+        }
+        out[4 * (at / b->w * size + at % b->w) + 3] = (float)number;
+        for (int i = 0; i < texels; ++i) {
+            const int dd = ssgi__block_distance(b, i % b->w - at % b->w, i / b->w - at / b->w);
+            out[4 * (i / b->w * size + i % b->w) + 2] += (float)((1 << 20) / (dd * dd));
+        }
+    }
+}
+
+SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directions, const char **why)
+{
+    ssgi__block b;
+    int texels, copies, step;
+    SSGI__THERE(out);
+    SSGI__RANGE(size, 1, 64);
+    texels = size * size;
+    SSGI__CHECK(sets >= 1 && texels % sets == 0, "sets: must be a divisor of size * size");
+    SSGI__RANGE(directions, 1, 1024);
+    copies = texels / sets;
+    b = ssgi__block_of(size, sets);
+    /* coprime to the count, near the golden ratio of it: numbers in a row are far apart */
+    for (step = (int)(0.61803399 * texels + 0.5); ssgi__gcd(step, texels) != 1; ++step) {}
+    ssgi__block_order(out, size, &b);
+    for (int i = texels - 1; i >= 0; --i) { /* the block at 0, 0 last: the others read it */
+        const int x = i % size, y = i / size, row = y / b.h, copy = row * (size / b.w) + x / b.w;
+        const int set = (int)out[4 * (y % b.h * size + (x + row * b.shift) % b.w) + 3];
+        const double turn = ((double)set + 0.5) / sets, a = 2.0 * SSGI__PI * turn / directions;
+        float *o = out + 4 * i;
+        o[0] = (float)cos(a);
+        o[1] = (float)sin(a);
+        o[2] = (float)(((double)((int64_t)(set * copies + copy) * step % texels) + 0.5) / texels - 0.5);
+        o[3] = (float)turn;
     }
     return SSGI_OK;
 }
@@ -1791,6 +2190,40 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
         memcpy(out[i].position, position + 3 * k, sizeof out[i].position);
         memcpy(out[i].normal, normal + 3 * k, sizeof out[i].normal);
         for (int c = 0; c < 3; ++c) out[i].intensity[c] = (float)(rgb[c] / here * (total / (SSGI__PI * count)));
+    }
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[3], const float a[3], const float b[3],
+                                   int triangle, const float radiance[3], const char **why)
+{
+    double from[3], side[2][3], normal[3], area;
+    SSGI__THERE(out);
+    SSGI__RANGE(count, 1, 4096);
+    SSGI__CHECK(ssgi__finites(corner, 3), "corner: must be there and finite");
+    SSGI__CHECK(ssgi__finites(a, 3), "a: must be there and finite");
+    SSGI__CHECK(ssgi__finites(b, 3), "b: must be there and finite");
+    SSGI__RANGE(triangle, 0, 1);
+    SSGI__CHECK(ssgi__finites(radiance, 3) && ssgi__positive(radiance, 3),
+                "radiance: must be there, finite and 0 or more");
+    ssgi__doubles(from, corner);
+    ssgi__doubles(side[0], a);
+    ssgi__doubles(side[1], b);
+    ssgi__cross(normal, side[0], side[1]);
+    area = ssgi__normalise(normal) * (triangle ? 0.5 : 1.0);
+    SSGI__CHECK(area >= 1e-30 && area <= 1e13, "a: must span an area of 1e-30..1e13 with b");
+    for (int c = 0; c < 3; ++c)
+        SSGI__CHECK(fabs(from[c]) + fabs(side[0][c]) + fabs(side[1][c]) < 1e30,
+                    "corner: must lie within 1e30 of the origin, as a and b from it");
+    for (int i = 0; i < count; ++i) {
+        double u = (i + 0.5) / count, v = fmod(0.5 + 0.61803398874989484820 * i, 1.0), p[3];
+        if (triangle && v > u) u *= 0.5, v -= u; /* folded: as even as before */
+        else if (triangle) v *= 0.5, u -= v;
+        ssgi__along(p, from, u, side[0]);
+        ssgi__along(p, p, v, side[1]);
+        ssgi__floats(out[i].position, p);
+        ssgi__floats(out[i].normal, normal);
+        for (int c = 0; c < 3; ++c) out[i].intensity[c] = (float)(ssgi__light(radiance[c], 0.0f) * area / count);
     }
     return SSGI_OK;
 }
@@ -4141,6 +4574,9 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    New: room >>cap: ssgi_cap_occlusion in doubles, ssgi_cap_table and desc.cap_table, ssgi_cap_light.
    New: ssgi_trace_visibility.
    New: ssgi_field_desc.sample and .unfiltered.
+   New: ssgi_normal_offset, ssgi_shadow_patch, ssgi_shadow_bias, ssgi_radius_guess (0.1 had them with other arguments).
+   New: ssgi_directions, ssgi_noise_tile; ssgi_vpl_area.
+   New: desc.uniform.
 
    CHANGES in 0.2, November 2026
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_trial, ssgi_plan_try -> ssgi_calibration, ssgi_plan_calibrate (one more

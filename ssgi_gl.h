@@ -174,7 +174,8 @@ enum {
 /* desc.noise: the pattern that decorrelates neighbouring pixels. */
 enum {
     SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
-    SSGI_GL_NOISE_TEXTURE,      /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions */
+    SSGI_GL_NOISE_TEXTURE,      /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions;
+                                   ssgi_noise_tile makes one */
 };
 
 /* desc.search: where a gather looks for what occludes. */
@@ -349,6 +350,8 @@ typedef struct ssgi_gl_desc {
     int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
     int noise;       /* SSGI_GL_NOISE_GRADIENT .. */
     int kernel;      /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
+    int uniform;     /* points of gathers   1: directions spread evenly, as published, each weighted by 2 cos (those in
+                        a texture, too); 0: by the cosine, of equal weight, which err less */
     int half;        /* gathers, shade, history   1: for one pixel of every 2x2, rounded up; blur   1: to full size */
 
     /* ---- gathers, lights: what occludes */
@@ -2013,7 +2016,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]; the distribution of lengths attenuates */
 
 { "SSGI_KERNEL", __LINE__ + 1,
-    "// ssgi_kernel: cosine-weighted directions about +z, w: length\n" },
+    "// ssgi_kernel: cosine-weighted directions about +z, w: length // #if !uniform\n"
+    "// ssgi_directions: even over the hemisphere about +z, w: length // #if uniform\n" },
 
 { "ssgi_length", __LINE__ + 1,
     "float ssgi_length(float xi) { // distance of a sample along its direction\n"
@@ -2063,8 +2067,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_add_bounce", __LINE__ + 1,
     "#if pass == SSDO\n"
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float blocked) {\n"
-    "    // over the cosine pdf: pi r^2/N assumes uniform directions // #if bounce == PATCH\n"
-    "    blocked *= 0.5 / max(direction.z, 0.05); // #if bounce == PATCH\n"
+    "    // over the cosine pdf: pi r^2/N assumes uniform directions // #if bounce == PATCH && !uniform\n"
+    "    // pi r^2/N each, without the weight by the cosine // #if bounce == PATCH && uniform\n"
+    "    blocked *= 0.5 / max(direction.z, 0.05); // #if bounce == PATCH && !uniform\n"
+    "    blocked *= 0.5 / direction.z; // #if bounce == PATCH && uniform\n"
     "    sums.bounce += ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES));\n"
     "}\n"
     "#endif\n" },
@@ -2086,11 +2092,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 direction, light = vec3(0.0);\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
     "        float blocked = ssgi_point_blocked(s, i, direction);\n"
+    "        float weight = 2.0 * direction.z; // 2 pi/N steradians, of pi by the cosine // #if uniform\n"
+    "        blocked *= weight; // #if uniform\n"
     "        sums.all += blocked / float(SSGI_SAMPLES); // #if pass < SSDO\n"
     "        float less = blocked * (-SSGI_PI / float(SSGI_SAMPLES)); // #if environment == SH\n"
     "        ssgi_sh_add(sums.lobe, ssgi_sh_basis(direction), less); // #if environment == SH\n"
     "        vec3 L = ssgi_environment(world * direction); // #if environment == MAP\n"
-    "        light += L, sums.dark += L * blocked; // #if environment == MAP\n"
+    "        light += L, sums.dark += L * blocked; // #if environment == MAP && !uniform\n"
+    "        light += L * weight, sums.dark += L * blocked; // #if environment == MAP && uniform\n"
     "        ssgi_add_bounce(sums, direction, s.basis, blocked); // #if bounce\n"
     "    }\n"
     "    sums.dark /= max(light, 1e-30); // #if environment == MAP\n"
@@ -3740,6 +3749,7 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__FIELD_COUNT(normal_rays, 8),
     SSGI_GL__FIELD_ENUM(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
     SSGI_GL__FIELD_SWITCH(kernel),
+    SSGI_GL__FIELD_SWITCH(uniform),
     SSGI_GL__FIELD_SWITCH(half),
 
     SSGI_GL__FIELD_ENUM(thickness, THICKNESS, SLABS, "DEFAULT CONSTANT SOLID WIDTH BACK SLABS"),
@@ -4005,7 +4015,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     if (!d.thickness) d.thickness = width ? SSGI_GL_THICKNESS_WIDTH : SSGI_GL_THICKNESS_CONSTANT;
     if (d.thickness == SSGI_GL_THICKNESS_BACK && slices) d.thickness = SSGI_GL_THICKNESS_WIDTH; /* width reads them */
     if (!ssdo && pass != SSGI_GL_LIGHTS && pass != SSGI_GL_SENDERS) d.receiver = 0;
-    if (!points || slices) d.fade = d.range = 0;
+    if (!points || slices) d.fade = d.range = d.uniform = 0;
     if (!s3ho && !reads) d.transfer = 0;
     if (pass == SSGI_GL_COMPOSE) d.onto = d.onto ? d.onto : SSGI_GL_ONTO_MULTIPLY;
     else if (!blur || d.colour != SSGI_GL_GREY) d.onto = SSGI_GL_ONTO_NONE;
@@ -4358,11 +4368,11 @@ static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, 
     if (at) ssgi_gl__print(t, "};\n");
 }
 
-/* The points of SSAO, as ssgi_kernel makes them. */
-static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
+/* The points of one set. */
+static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples, int uniform)
 {
     float k[4 * 64];
-    ssgi_kernel(k, 1, samples, NULL);
+    ssgi_directions(k, uniform ? SSGI_DIRECTIONS_UNIFORM : SSGI_DIRECTIONS_COSINE, 1, samples, NULL);
     ssgi_gl__print(t, "const vec4 SSGI_KERNEL[%d] = vec4[%d](", samples, samples);
     for (int i = 0; i < 4 * samples; i += 4)
         ssgi_gl__print(t, "%s\n    vec4(%f, %f, %f, %f)", i ? "," : "", (double)k[i], (double)k[i + 1],
@@ -4423,7 +4433,7 @@ static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, 
             last = r.line;
             ssgi_gl__print_line(t, line, n, d, place);
         }
-        if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL")) ssgi_gl__print_kernel(t, d->samples);
+        if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL")) ssgi_gl__print_kernel(t, d->samples, d->uniform);
     }
 }
 

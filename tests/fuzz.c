@@ -224,6 +224,11 @@ static void pictures(const float *f, size_t count)
     }
     if (ssgi_vpl_choose(vpl, many, f, f, f, pixels, &why) != SSGI_OK) MUST(!strncmp(why, "flux:", 5));
     else for (int i = 0; i < many; ++i) MUST(all_finite(vpl[i].intensity, 3));
+    if (count >= 9 && ssgi_vpl_area(vpl, many, f, f + 3, f + 6, many % 2, f + 1, &why) != SSGI_OK)
+        MUST(strchr(why, ':'));
+    else
+        for (int i = 0; i < many && count >= 9; ++i)
+            MUST(all_finite(vpl[i].position, 3) && all_finite(vpl[i].normal, 3) && all_finite(vpl[i].intensity, 3));
     for (size_t i = 0; i + 3 <= count; i += 3) {
         ssgi_octahedral_encode(f + i, e);
         ssgi_octahedral_decode(e, d);
@@ -269,7 +274,9 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     ssgi_surfel_cost cost;
     ssgi_gl_frame frame;
     const char *why = NULL;
-    size_t many = 0;
+    size_t many = 0, maxima;
+    uint32_t work[18];
+    float radius;
     d.size = count % 3 ? 0.3f : fabsf(f[3]);
     d.splits = (int)(count % 4);
     d.offscreen_growth = count % 7 ? 0.1f : f[6];
@@ -286,6 +293,10 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
             MUST(all_finite(p, 3) && made[i].radius > 0.0f && isfinite(made[i].radius) && side < 1e-5f
                  && made[i].seed >= 0.0f && made[i].seed < 1.0f);
     }
+    if (ssgi_radius_guess(&radius, &maxima, f, 12, NULL, source.triangles, count & 8 ? f + 3 : NULL, work, 18, &why)
+        == SSGI_OK)
+        MUST(radius > 0.0f && isfinite(radius) && maxima < 7);
+    else MUST(!strncmp(why, "position:", 9) || !strncmp(why, "up:", 3));
     if (ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK) MUST(strchr(why, ':'));
     else {
         MUST(cost.surfels == many);
@@ -410,6 +421,7 @@ static void floats(const float *f, size_t count)
                 ssgi_view_position(&view, f[i], f[count - 1 - i], z, p);
                 ssgi_view_project(&view, p, p);
                 MUST(ssgi_pixel_footprint(&view, z) >= 0.0f);
+                MUST(isfinite(ssgi_shadow_bias(ssgi_shadow_patch(f[i], z, (int)i), f[i], z, (int)i & 1)));
             }
             cameras(f, count, &view);
             surfels(f, count, &view);

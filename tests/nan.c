@@ -39,6 +39,7 @@ static struct {
     ssgi_dipole dipole;
     ssgi_surfel surfel[64];
     ssgi_surfel_cost cost;
+    ssgi_vpl vpl[2];
     ssgi_calibration calibration;
     ssgi_plan plan;
     float floats[3 * 64];
@@ -46,6 +47,7 @@ static struct {
 } out;
 
 static const char *why;
+static uint32_t words[9];
 
 #define CALL(name, expression) static ssgi_result name(void) { return expression; }
 CALL(view_of, ssgi_view_from_projection(&out.view, projection, SSGI_CLIP_GL, 64, 36, &why))
@@ -53,6 +55,8 @@ CALL(extra, ssgi_extra_camera(out.floats, out.floats + 16, rigid, up, number, co
 CALL(sh_light, ssgi_sh_light(out.floats, 3, up, number, colour, SSGI_SH_WINDOW_HANN, &why))
 CALL(map, ssgi_environment_map(out.floats, 8, image, 8, 4, number, &why))
 CALL(cone, ssgi_environment_cone(out.floats, 8, image, 8, 4, number, &why))
+CALL(area, ssgi_vpl_area(out.vpl, 2, up, up, colour, 0, image, &why))
+CALL(guess, ssgi_radius_guess(out.floats, &out.count, triangle, 12, NULL, 1, up, words, 9, &why))
 CALL(scale, ssgi_surfel_scale(out.floats, &surfels, &view, &why))
 CALL(divide, ssgi_surfels_divide(out.floats, 2, &out.count, &surfels, &view, &source, &why))
 CALL(make, ssgi_surfels(out.surfel, 64, &out.count, &surfels, &view, &source, &why))
@@ -108,6 +112,30 @@ static void refuses(const char *name, ssgi_result (*call)(void), float *v, size_
 #define REFUSES(call, v) refuses(#call, call, (float *)(v), sizeof *(v) / sizeof(float))
 #define REFUSES_ONE(call, v) refuses(#call, call, v, 1)
 
+/* Those that return a float take anything; what comes is a number in 0..SSGI_FAR. */
+static void formulas(void)
+{
+    static const uint32_t bad[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };
+    const float good = 0.5f;
+    for (int k = 0; k < 5; ++k)
+        for (int i = 0; i < 6; ++i) {
+            float f = 0;
+            memcpy(&f, &bad[k], sizeof f);
+            const float got = i == 0 ? ssgi_normal_offset(&view, f)
+                            : i == 1 ? ssgi_shadow_patch(f, good, 8)
+                            : i == 2 ? ssgi_shadow_patch(good, f, 8)
+                            : i == 3 ? ssgi_shadow_bias(f, good, good, SSGI_BIAS_SAFE)
+                            : i == 4 ? ssgi_shadow_bias(good, f, good, SSGI_BIAS_PUBLISHED)
+                                     : ssgi_shadow_bias(good, good, f, SSGI_BIAS_SAFE);
+            uint32_t bits;
+            memcpy(&bits, &got, sizeof bits);
+            if (bits > 0x5d5e0b6bu) { /* SSGI_FAR */
+                printf("formula %d of %08x gives %08x\n", i, (unsigned)bad[k], (unsigned)bits);
+                ++wrong;
+            }
+        }
+}
+
 int main(void)
 {
     static float work[1 << 17];
@@ -133,6 +161,12 @@ int main(void)
     REFUSES(sh_light, &up); REFUSES(sh_light, &colour); REFUSES_ONE(sh_light, &number);
     REFUSES_ONE(map, &number);
     REFUSES_ONE(cone, &number);
+    REFUSES(area, &up);
+    REFUSES(area, &colour);
+    refuses("area", area, image, 3);
+    REFUSES(guess, &up);
+    refuses("guess", guess, triangle, 9);
+    formulas();
     REFUSES_ONE(scale, &surfels.size); REFUSES_ONE(scale, &surfels.offscreen_growth);
     REFUSES_ONE(scale, &surfels.max_distance);
     REFUSES(divide, &source.to_view);

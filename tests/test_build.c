@@ -58,12 +58,16 @@ static const char *const rooms =
     "-1, 1, 0, -1, 0, 1, -1 };\n"
     "    static const float o[3] = { 0.2f, 0.2f, 0 }, d[3] = { 0, 0, -1 };\n"
     "    static float memory[4096];\n"
-    "    float k[64]; ssgi_view v; ssgi_gl_frame f; ssgi_gl_desc desc; ssgi_gl_io io[SSGI_GL_MAX_IO]; ssgi_trace t; "
+    "    float k[64]; uint32_t work[9]; ssgi_view v; ssgi_gl_frame f; ssgi_gl_desc desc; ssgi_gl_io "
+    "io[SSGI_GL_MAX_IO]; ssgi_trace t; "
     "char text[64]; int i, bad = 0;\n"
     "    for (i = 0; i < (int)sizeof desc; ++i) ((char *)&desc)[i] = 0;\n"
     "    for (i = 0; i < (int)sizeof v; ++i) ((char *)&v)[i] = 0;\n"
     "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK;\n"
-    "    bad += ssgi_kernel(k, 1, 16, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_kernel(k, 1, 16, NULL) != SSGI_OK || ssgi_directions(k, SSGI_DIRECTIONS_SPHERE, 1, 16, NULL) != "
+    "SSGI_OK || ssgi_noise_tile(k, 4, 16, 1, NULL) != SSGI_OK;\n"
+    "    bad += !(ssgi_normal_offset(&v, 1.0f) > 0.0f) || !(ssgi_shadow_bias(ssgi_shadow_patch(1.0f, 1.0f, 64), 0.5f, "
+    "1.0f, SSGI_BIAS_SAFE) > 0.0f) || ssgi_radius_guess(k, NULL, tri, 12, NULL, 1, d, work, 9, NULL) != SSGI_OK;\n"
     "    bad += ssgi_trace_build(&t, memory, sizeof memory, tri, 12, NULL, 1, NULL) != SSGI_OK || !ssgi_trace_any(&t, "
     "o, d, 0.0f, 2.0f);\n"
     "    bad += !ssgi_gl_emit(text, sizeof text, &desc, SSGI_GL_FRAGMENT) || !ssgi_gl_reflect(&desc, io, "
@@ -96,7 +100,8 @@ static const char *const rooms =
     "    bad += !(d[1] > 0.99f) || ssgi_environment_map(map, 8, texel, 2, 1, 0.0f, NULL) != SSGI_OK || "
     "ssgi_environment_cone(map, 8, texel, 2, 1, 0.5f, NULL) != SSGI_OK || ssgi_environment_suns(sun, 2, texel, 2, 1, "
     "NULL) != SSGI_OK;\n"
-    "    bad += ssgi_vpl_choose(vpl, 2, texel, texel, texel, 2, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_vpl_choose(vpl, 2, texel, texel, texel, 2, NULL) != SSGI_OK || ssgi_vpl_area(vpl, 2, texel, up, "
+    "texel, 1, texel, NULL) != SSGI_OK;\n"
     "    ssgi_extra_displacement(0, d);\n"
     "    bad += ssgi_extra_camera(to, projection, rigid, up, 1.0f, d, NULL) != SSGI_OK;\n"
     "    bad += ssgi_gl_views_set(&views, 0, &v, rigid, to, NULL) != SSGI_OK || ssgi_gl_light_map(&light, &v, 0, 0, "
@@ -706,6 +711,8 @@ static void command_line(void)
                   { "--sequence lit.txt $F", "lit.txt: line 2: lit.exr: must be like the first frame in direct.R" },
                   { "--sequence along.txt $F", "along.txt: line 2: --up" },
                   { "--sequence good.txt --fovy 57 --out q%d.exr", "--sequence good.txt: needs --radius" },
+                  { "--sequence good.txt --fovy 57 --radius guess --out q%d.exr", "needs --radius" },
+                  { "room --radius gues --out a.exr", "--radius gues" },
                   { "room --size 4294967304x8 --out a.exr", "--size 4294967304x8" },
                   { "room --size +8x8 --out a.exr", "--size +8x8" },
                   { "room --frames inf --out q%d.exr", "--frames inf" },

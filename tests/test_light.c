@@ -132,6 +132,7 @@ static void furnace(void)
     } row[] = { { "ssdo-points", "room", "reuse=1,two_sided=1", EXACT },
                 { "ssdo-points", "room", "reuse=1,two_sided=1,environment=sh", EXACT },
                 { "ssdo-points", "room", "reuse=1,two_sided=1,fade=smooth,steps=2", EXACT },
+                { "ssdo-points", "room", "reuse=1,two_sided=1,uniform=1,sets=16,noise=texture", EXACT },
                 { "ssdo-points", "columns", "reuse=1,two_sided=1,layers=2,views=2", EXACT },
                 { "ssdo-points", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,behind=solid", EXACT },
                 { "ssdo-points", "room", "reuse=1,two_sided=0", ONE_SIDED },
@@ -140,6 +141,7 @@ static void furnace(void)
                 { "ssdo-points", "columns", "two_sided=1,layers=2,views=2", TWICE },
                 { "s3ho-points", "room", "two_sided=1,bands=1", EXACT },
                 { "s3ho-points", "room", "two_sided=1,bands=2", EXACT },
+                { "s3ho-points", "room", "two_sided=1,bands=2,uniform=1", EXACT },
                 { "s3ho-points", "columns", "two_sided=1,bands=3,fade=lambda,lambda=1,range=1,steps=2", EXACT },
                 { "s3ho-points", "columns", "two_sided=1,layers=2,views=2", EXACT },
                 { "s3ho-points", "room", "two_sided=0", ONE_SIDED },
@@ -326,6 +328,8 @@ static void corner_darkens(void)
                 { "falloff=square", square_corner, 1 },
                 { "steps=2", NULL, 2 },
                 { "steps=4", NULL, 4 },
+                { "uniform=1", linear_corner, 1 },
+                { "uniform=1,environment=sh", linear_corner, 1 },
                 { "falloff=linear,environment=sh", linear_corner, 1 } };
     double worst = 0;
     kit_gbuffer g[3];
@@ -562,6 +566,8 @@ static void corner_bounces(void)
         { "bounce=solid-angle,samples=16", { 0.309233, 0.168214, 0.051965 }, 0.01 },
         { "bounce=patch,distance_clamp=0,samples=64", { 0.5523, 0.19207, 0.050944 }, 0.05 },
         { "bounce=patch,distance_clamp=0,samples=16", { 0.5523, 0.19207, 0.050944 }, 0.1 },
+        { "bounce=patch,distance_clamp=0,samples=16,uniform=1", { 0.5523, 0.19207, 0.050944 }, 0.06 },
+        { "bounce=solid-angle,samples=16,uniform=1", { 0.309233, 0.168214, 0.051965 }, 0.02 },
         { "directions=8", { 0.309233, 0.168214, 0.051965 }, 0.02 }
     };
     kit_gbuffer g[3];

@@ -1,4 +1,4 @@
-/* test_math.c - ssgi.h's rooms of view, kernel, sh and environment against double precision and closed forms. */
+/* test_math.c - ssgi.h's rooms of view, bias, kernel, sh and environment against double precision and closed forms. */
 #include "t.h"
 #include "../ssgi.h"
 
@@ -375,6 +375,100 @@ static void kernels(void)
                   && NAMES(why, bad[i].start) && out[0] == 7.0f,
               "%s \"%s\"", bad[i].start, why);
     }
+}
+
+/* The other kinds: the same points of the square, and the same lengths, with heights whose sums are exact. */
+static void spread(void)
+{
+    static float k[4 * SETS * SAMPLES], d[4 * SETS * SAMPLES];
+    const char *why = "";
+    for (int n = 1; n <= SAMPLES; n += n < 8 ? 1 : 7) {
+        ssgi_kernel(k, SETS, n, NULL);
+        CHECK(ssgi_directions(d, SSGI_DIRECTIONS_COSINE, SETS, n, NULL) == SSGI_OK
+                  && !memcmp(d, k, (size_t)(4 * SETS * n) * sizeof *d),
+              "%d by the cosine are not the kernel's", n);
+        for (int kind = SSGI_DIRECTIONS_UNIFORM; kind <= SSGI_DIRECTIONS_SPHERE; ++kind) {
+            if (!CHECK(ssgi_directions(d, kind, SETS, n, &why) == SSGI_OK, "%s", why)) return;
+            for (int set = 0; set < SETS; ++set) {
+                double z = 0, off = 0;
+                for (int i = 0; i < n; ++i) {
+                    const float *o = d + 4 * (set * n + i), *c = k + 4 * (set * n + i);
+                    const double u = 1 - (double)c[2] * (double)c[2], up = (double)o[2];
+                    off = fmax(off, fabs((kind == SSGI_DIRECTIONS_SPHERE ? (1 - up) / 2 : 1 - up) - u));
+                    off = fmax(off, fabs(dot(o, o) - 1));
+                    off = fmax(off, fabs((double)o[0] * (double)c[1] - (double)o[1] * (double)c[0]));
+                    off = fmax(off, (double)(o[0] * c[0] + o[1] * c[1] < 0) + fabs((double)(o[3] - c[3])));
+                    z += (double)o[2] / n;
+                }
+                CHECK(off < 1e-6, "kind %d, set %d of %d: a direction or a length is off by %g", kind, set, n, off);
+                CHECK(fabs(2 * z - (kind == SSGI_DIRECTIONS_UNIFORM)) < 1e-6, "kind %d, set %d of %d: sum 2 z/n %.9g",
+                      kind, set, n, 2 * z);
+            }
+        }
+    }
+    d[0] = 7;
+    CHECK(ssgi_directions(d, 3, 1, 1, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "kind:") && d[0] == 7
+              && ssgi_directions(d, -1, 1, 1, NULL) == SSGI_BAD_ARGUMENT
+              && ssgi_directions(d, 1, 1, 4097, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "samples:") && d[0] == 7,
+          "\"%s\"", why);
+}
+
+/* Windows: w and h worked out by hand. Distance: of a set's nearest copy, squared. */
+static void tiles(void)
+{
+    static const struct {
+        int size, sets, w, h, distance;
+    } row[] = { { 1, 1, 1, 1, 1 },    { 2, 4, 2, 2, 4 },         { 4, 16, 4, 4, 16 },  { 4, 8, 4, 2, 8 },
+                { 8, 16, 4, 4, 16 },  { 8, 32, 8, 4, 32 },       { 8, 64, 8, 8, 64 },  { 6, 12, 6, 2, 8 },
+                { 5, 5, 5, 1, 5 },    { 16, 64, 8, 8, 64 },      { 12, 24, 6, 4, 20 }, { 32, 1, 1, 1, 1 },
+                { 64, 64, 8, 8, 64 }, { 32, 1024, 32, 32, 1024 } };
+
+    static float t[4 * 64 * 64];
+    const char *why = "";
+    for (size_t r = 0; r < sizeof row / sizeof *row; ++r) {
+        const int n = row[r].size, sets = row[r].sets, w = row[r].w, h = row[r].h;
+        static char strata[64 * 64], seen[64 * 64];
+        int wrong = 0, nearest = 1 << 30;
+        double off = 0;
+        if (!CHECK(ssgi_noise_tile(t, n, sets, 6, &why) == SSGI_OK, "%s", why)) return;
+        memset(strata, 0, sizeof strata);
+        for (int i = 0; i < n * n; ++i) {
+            const double turn = (double)t[4 * i + 3], set = turn * sets - 0.5, b = ((double)t[4 * i + 2] + 0.5) * n * n;
+            off = fmax(off, fabs(set - floor(set + 0.5)) + fabs(b - floor(b) - 0.5));
+            off = fmax(off,
+                       fabs((double)t[4 * i] - cos(PI / 3 * turn)) + fabs((double)t[4 * i + 1] - sin(PI / 3 * turn)));
+            wrong += turn < 0 || turn >= 1 || b < 0 || b > n * n || strata[(int)b]++;
+        }
+        CHECK(!wrong && off < 1e-3, "%d x %d, %d sets: %d strata are not had once; off by %g", n, n, sets, wrong, off);
+        for (int at = 0; at < n * n; ++at) {
+            memset(seen, 0, sizeof seen);
+            for (int i = 0; i < w * h; ++i) {
+                const int x = (at % n + i % w) % n, y = (at / n + i / w) % n;
+                wrong += seen[(int)(t[4 * (y * n + x) + 3] * (float)sets)]++;
+            }
+            for (int y = -w; y <= w; ++y)
+                for (int x = -w; x <= w; ++x) {
+                    const int other = (at / n + y + n) % n * n + (at % n + x + n) % n, dd = x * x + y * y;
+                    if (dd && dd < nearest && t[4 * other + 3] == t[4 * at + 3]) nearest = dd;
+                }
+        }
+        CHECK(!wrong, "%d x %d: of its windows of %d x %d %d texels repeat a set", n, n, w, h, wrong);
+        CHECK(nearest == row[r].distance, "%d x %d, %d sets: a set's copies %g apart", n, n, sets, sqrt(nearest));
+    }
+
+    const struct {
+        float *out;
+        int size, sets, directions;
+        const char *start;
+    } bad[] = { { NULL, 4, 16, 1, "out:" },     { t, 0, 1, 1, "size:" },          { t, 65, 1, 1, "size:" },
+                { t, 4, 0, 1, "sets:" },        { t, 4, 3, 1, "sets:" },          { t, 4, 32, 1, "sets:" },
+                { t, 4, 16, 0, "directions:" }, { t, 4, 16, 1025, "directions:" } };
+
+    t[0] = 7;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
+        CHECK(ssgi_noise_tile(bad[i].out, bad[i].size, bad[i].sets, bad[i].directions, &why) == SSGI_BAD_ARGUMENT
+                  && NAMES(why, bad[i].start) && t[0] == 7,
+              "%s \"%s\"", bad[i].start, why);
 }
 
 /* Greatest difference between the share of points in a box at the origin and its area, over the boxes that the points
@@ -1214,6 +1308,14 @@ static void bad_light(void)
     NAMED("flux:", ssgi_vpl_choose, lights, 8, grid, grid, NULL, 4);
     NAMED("flux:", ssgi_vpl_choose, lights, 8, grid, grid, dark, 1);
     NAMED("pixels:", ssgi_vpl_choose, lights, 8, grid, grid, grid, 0);
+    NAMED("out:", ssgi_vpl_area, NULL, 8, c, c, id, 0, grid);
+    NAMED("corner:", ssgi_vpl_area, lights, 8, NULL, c, id, 0, grid);
+    NAMED("a:", ssgi_vpl_area, lights, 8, c, NULL, id, 0, grid);
+    NAMED("b:", ssgi_vpl_area, lights, 8, c, id, nan, 0, grid);
+    NAMED("a:", ssgi_vpl_area, lights, 8, c, id, id, 0, grid); /* no area */
+    NAMED("triangle:", ssgi_vpl_area, lights, 8, c, c, id, 2, grid);
+    NAMED("radiance:", ssgi_vpl_area, lights, 8, c, c, id, 0, c); /* below 0 */
+    NAMED("radiance:", ssgi_vpl_area, lights, 8, c, c, id, 0, endless);
     for (int k = 0; k < 2; ++k) {
         const int side = k ? 65537 : 0;
         NAMED("bands:", ssgi_sh_project_equirect, out, k ? 7 : 0, grid, 2, 2);
@@ -1234,6 +1336,7 @@ static void bad_light(void)
         NAMED("width:", ssgi_environment_suns, suns, 8, grid, side, 2);
         NAMED("height:", ssgi_environment_suns, suns, 8, grid, 2, side);
         NAMED("count:", ssgi_vpl_choose, lights, k ? 4097 : 0, grid, grid, grid, 4);
+        NAMED("count:", ssgi_vpl_area, lights, k ? 4097 : 0, c, c, id, 0, grid);
     }
     int untouched = !memcmp(out, was, sizeof out);
     for (size_t i = 0; i < sizeof suns; ++i) untouched &= ((const char *)suns)[i] == 0x5a;
@@ -1241,7 +1344,211 @@ static void bad_light(void)
     CHECK(untouched, "a refused call wrote");
 }
 
+/* Of a rectangle of radiance L, seen from points before it: the closed form of its form factor, times pi L. */
+static double seen_from(const double p[3], const double half[2])
+{
+    double sum = 0;
+    for (int k = 0; k < 4; ++k) {
+        const double x = half[0] + (k & 1 ? p[0] : -p[0]), y = half[1] + (k & 2 ? p[1] : -p[1]), h = p[2],
+                     X = sqrt(x * x + h * h), Y = sqrt(y * y + h * h);
+        sum += (x / X * atan(y / X) + y / Y * atan(x / Y)) / 2;
+    }
+    return sum;
+}
+
+static void areas(void)
+{
+    static const float corner[3] = { -1, -0.5f, 0 }, a[3] = { 2, 0, 0 }, b[3] = { 0, 1, 0 }, radiance[3] = { 1, 0, 3 },
+                       other[3] = { 1, 0.5f, 0 }, back[2][3] = { { -2, 0, 0 }, { 0, -1, 0 } };
+    static ssgi_vpl light[4096];
+    const char *why = "";
+    for (int count = 1; count <= 4096; count *= 4) {
+        for (int halves = 0; halves < 2; ++halves) { /* a rectangle; the same as two triangles, half as many each */
+            const int each = halves && count > 1 ? count / 2 : count;
+            double worst = 0, sum = 0;
+            if (!CHECK(ssgi_vpl_area(light, each, corner, a, b, halves, radiance, &why) == SSGI_OK
+                           && (each == count
+                               || ssgi_vpl_area(light + each, each, other, back[0], back[1], 1, radiance, &why)
+                                      == SSGI_OK),
+                       "%s", why))
+                return;
+            if (halves && count == 1) continue;
+            for (int i = 0; i < count; ++i) {
+                const float *p = light[i].position;
+                CHECK(fabsf(p[0]) < 1 && fabsf(p[1]) < 0.5f && p[2] == 0 && light[i].normal[2] == 1, "light %d of %d",
+                      i, count);
+                sum += (double)light[i].intensity[2];
+            }
+            CHECK(fabs(sum / 6 - 1) < 1e-5, "%d lights: intensity %g of an area of 2", count, sum);
+            for (int k = 0; k < 9; ++k) {
+                const double p[3] = { k % 3 - 1, k / 3 * 0.5 - 0.5, 1 }, half[2] = { 1, 0.5 };
+                double got = 0;
+                for (int i = 0; i < count; ++i) {
+                    const double x = p[0] - (double)light[i].position[0], y = p[1] - (double)light[i].position[1],
+                                 dd = x * x + y * y + 1;
+                    got += (double)light[i].intensity[0] / (dd * dd);
+                }
+                worst = fmax(worst, fabs(got / seen_from(p, half) - 1));
+            }
+            CHECK(worst < 1.5 / count, "%d lights%s: irradiance off by %.3f", count, halves ? ", triangles" : "",
+                  worst);
+            if (count == 64) t_note("64 lights%s: irradiance at most %.4f off", halves ? ", triangles" : "", worst);
+        }
+    }
+}
+
 /* ---- >>view: footprints ------------------------------------------------------------------------------------------ */
+
+/* [HSAO08 4.1.1; SSDO09 5]: the numbers of papers and oracles; what no number gets. */
+static void biases(void)
+{
+    static const float m[16] = { 0.9742786f, 0, 0, 0, 0, 1.7320508f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 };
+
+    static const struct {
+        double angle;
+        int resolution;
+        double z, alpha, patch, published, safe;
+    } row[] = { { 60, 1024, 10, 0, 0.0112763724, 0, 0 },
+                { 60, 1024, 10, 80, 0.0112763724, 0.031975743, 0.0452205294 },
+                { 90, 512, 5, 45, 0.01953125, 0.009765625, 0.0138106793 },
+                { 90, 512, 5, 89.9, 0.01953125, 5.59528529, 7.91292834 },
+                { 45, 2048, 20, 60, 0.00809010864, 0.0070062396, 0.00990831907 } };
+
+    ssgi_view v;
+    ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 1280, 720, NULL); /* 60 degrees high */
+    CHECK(fabs((double)ssgi_normal_offset(&v, 10) - 10 / (sqrt(3) * 720)) < 1e-8
+              && fabs((double)ssgi_normal_offset(&v, 10) - 0.00802) < 2e-6
+              && ssgi_normal_offset(&v, 3) == ssgi_pixel_footprint(&v, 3) / 2,
+          "eq. 13: %.9g", (double)ssgi_normal_offset(&v, 10));
+    for (size_t i = 0; i < sizeof row / sizeof *row; ++i) {
+        const float patch = ssgi_shadow_patch((float)row[i].z, (float)(row[i].angle * PI / 180), row[i].resolution),
+                    c = (float)cos(row[i].alpha * PI / 180);
+        CHECK(fabs((double)patch / row[i].patch - 1) < 1e-6, "%g degrees: a patch of %.9g", row[i].angle,
+              (double)patch);
+        for (int kind = SSGI_BIAS_SAFE; kind <= SSGI_BIAS_PUBLISHED; ++kind) {
+            const double want = kind ? row[i].published : row[i].safe,
+                         got = (double)ssgi_shadow_bias(patch, c, 100, kind);
+            CHECK(fabs(got - want) <= 2e-6 * want, "alpha %g, kind %d: %.9g, not %.9g", row[i].alpha, kind, got, want);
+            CHECK(ssgi_shadow_bias(patch, c, 1e-3f, kind) == (want > 1e-3 ? 1e-3f : (float)got), "not cut to the most");
+        }
+    }
+
+    /* a plane over one texel, which has its depth in the middle: how far the nearest corner is before that */
+    for (int azimuth = 0; azimuth <= 90; azimuth += 15)
+        for (int alpha = 15; alpha < 90; alpha += 15) {
+            const double slope = tan(alpha * PI / 180), a = azimuth * PI / 180, rise = 0.5 * slope * (cos(a) + sin(a)),
+                         c = cos(alpha * PI / 180), safe = (double)ssgi_shadow_bias(1, (float)c, 1e9f, SSGI_BIAS_SAFE),
+                         published = (double)ssgi_shadow_bias(1, (float)c, 1e9f, SSGI_BIAS_PUBLISHED);
+            CHECK(rise <= safe * 1.00001 && (azimuth != 45 || rise > safe * 0.99999),
+                  "a plane at %d, %d rises %g, bias %g", azimuth, alpha, rise, safe);
+            CHECK((rise <= published * 1.00001) == (azimuth % 90 == 0), "published, at %d, %d: %g for %g", azimuth,
+                  alpha, published, rise);
+        }
+
+    const float odd[] = { NAN, INFINITY, -INFINITY, -1, 0, 1, 1e38f };
+
+    enum { ODD = (int)(sizeof odd / sizeof *odd) };
+
+    for (int i = 0; i < ODD * ODD * ODD; ++i) {
+        const float a = odd[i % ODD], b = odd[i / ODD % ODD], c = odd[i / ODD / ODD],
+                    got[3] = { ssgi_normal_offset(&v, a), ssgi_shadow_patch(a, b, i - 9),
+                               ssgi_shadow_bias(a, b, c, i - 2) };
+        for (int k = 0; k < 3; ++k)
+            CHECK(got[k] >= 0 && got[k] <= SSGI_FAR, "formula %d of %g %g %g: %g", k, (double)a, (double)b, (double)c,
+                  (double)got[k]);
+        if (!(b > 0) && c == 1) CHECK(got[2] == 1, "cosine %g: %g, not the most", (double)b, (double)got[2]);
+        if (!(a > 0))
+            CHECK(got[0] == 0 && got[1] == 0, "a length of %g: %g %g", (double)a, (double)got[0], (double)got[1]);
+    }
+}
+
+/* n x n hills a spacing apart, each of 8 x 8 cells, turned so that `up` is (0.6, 0, 0.8); the valleys are level. */
+enum { HILLS = 5, CELLS = 8 * HILLS };
+
+static void hill(float p[3], int x, int y, double spacing)
+{
+    const double h = 0.1 * spacing * (1 - cos(PI / 4 * x)) * (1 - cos(PI / 4 * y)), u = x * spacing / 8;
+    p[0] = (float)(0.8 * u + 0.6 * h);
+    p[1] = (float)(y * spacing / 8);
+    p[2] = (float)(-0.6 * u + 0.8 * h);
+}
+
+static void radii(void)
+{
+    static float vertex[CELLS + 1][CELLS + 1][3], soup[CELLS * CELLS * 6 + 3][3];
+    static uint32_t index[CELLS * CELLS * 6], work[9 * (2 * CELLS * CELLS + 1)];
+    static const int quad[6][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 0 }, { 1, 1 }, { 0, 1 } };
+    static const float up[3] = { 3, 0, 4 }, high[3] = { 0, 0, 1 }, none[3] = { 0, 0, 0 }, odd[3] = { 0, INFINITY, 0 };
+    const size_t words = sizeof work / sizeof *work, triangles = 2 * CELLS * CELLS;
+    const char *why = "";
+    float radius = 0, again = 0;
+    size_t found = 0;
+    for (int i = 0; i <= CELLS; ++i)
+        for (int k = 0; k <= CELLS; ++k) hill(vertex[i][k], i, k, 0.3);
+    for (int i = 0; i < CELLS * CELLS * 6; ++i) {
+        const int x = i / 6 / CELLS + quad[i % 6][0], y = i / 6 % CELLS + quad[i % 6][1];
+        index[i] = (uint32_t)(x * (CELLS + 1) + y);
+        memcpy(soup[i], vertex[x][y], sizeof soup[i]);
+    }
+    CHECK(ssgi_radius_guess(&radius, &found, vertex[0][0], 12, index, triangles, up, work, words, &why) == SSGI_OK
+              && found == HILLS * HILLS && fabsf(radius / 0.3f - 1) < 1e-5f,
+          "%zu hills, %g apart: %s", found, (double)radius, why);
+    soup[CELLS * CELLS * 6][1] = NAN; /* a triangle more, which is none */
+    CHECK(ssgi_radius_guess(&again, NULL, soup[0], 12, NULL, triangles + 1, up, work, words, &why) == SSGI_OK
+              && again == radius,
+          "without an index: %g, with it %g: %s", (double)again, (double)radius, why);
+
+    /* a terrace, from which a wall leads up and a slope down, is none; an edge is seen from one side alone */
+    static const float steps[9][3] = { { 1, 0, 1 },  { 2, 0, 2 }, { 2, 1, 2 }, { 0, 0, 1 }, { 1, 0, 1 },
+                                       { 0, -1, 0 }, { 5, 0, 0 }, { 6, 0, 2 }, { 5, 1, 1 } };
+    CHECK(ssgi_radius_guess(&radius, &found, steps[0], 12, NULL, 3, high, work, words, NULL) == SSGI_OK && found == 2
+              && radius == 4,
+          "a wall's top and a corner: %zu maxima, %g apart", found, (double)radius);
+
+    /* a cube of 2 x 2 a side: from the middle its corners are maxima; along an axis its top alone */
+    for (int side = 0; side < 6; ++side)
+        for (int i = 0; i < 24; ++i) {
+            float *p = soup[24 * side + i];
+            p[side / 2] = side % 2 ? 1 : -1;
+            p[(side / 2 + 1) % 3] = (float)(i / 12 + quad[i % 6][0]) - 1;
+            p[(side / 2 + 2) % 3] = (float)(i / 6 % 2 + quad[i % 6][1]) - 1;
+        }
+    CHECK(ssgi_radius_guess(&radius, &found, soup[0], 12, NULL, 48, NULL, work, words, NULL) == SSGI_OK && found == 8
+              && radius == 2,
+          "a cube's corners: %zu, %g apart", found, (double)radius);
+    CHECK(ssgi_radius_guess(&radius, &found, soup[0], 12, NULL, 48, high, work, words, NULL) == SSGI_OK && found == 1
+              && fabsf(radius / (0.2f * sqrtf(3)) - 1) < 1e-6f,
+          "a cube's top: %zu maxima, radius %g", found, (double)radius);
+    for (int i = 0; i < 144; ++i) { /* on the sphere about it */
+        const float l = 1 / sqrtf((float)dot(soup[i], soup[i]));
+        for (int k = 0; k < 3; ++k) soup[i][k] *= l;
+    }
+    CHECK(ssgi_radius_guess(&radius, &found, soup[0], 12, NULL, 48, NULL, work, words, NULL) == SSGI_OK && found == 0
+              && fabsf(radius / (0.2f * sqrtf(3)) - 1) < 1e-6f,
+          "a sphere: %zu maxima, radius %g", found, (double)radius);
+
+    radius = 7;
+
+    const struct {
+        const char *start;
+        const float *position, *up;
+        size_t stride, triangles, words;
+        int result;
+    } bad[] = { { "position:", NULL, up, 12, 1, words, SSGI_BAD_ARGUMENT },
+                { "stride_bytes:", soup[0], up, 8, 1, words, SSGI_BAD_ARGUMENT },
+                { "triangles:", soup[0], up, 12, 0, words, SSGI_BAD_ARGUMENT },
+                { "up:", soup[0], none, 12, 1, words, SSGI_BAD_ARGUMENT },
+                { "up:", soup[0], odd, 12, 1, words, SSGI_BAD_ARGUMENT },
+                { "words:", soup[0], up, 12, 48, 9 * 48 - 1, SSGI_TOO_SMALL },
+                { "position:", soup[CELLS * CELLS * 6 - 2], up, 12, 1, words, SSGI_BAD_ARGUMENT } };
+
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
+        CHECK((int)ssgi_radius_guess(&radius, NULL, bad[i].position, bad[i].stride, NULL, bad[i].triangles, bad[i].up,
+                                     work, bad[i].words, &why)
+                      == bad[i].result
+                  && NAMES(why, bad[i].start) && radius == 7,
+              "%s \"%s\"", bad[i].start, why);
+}
 
 static void footprints(void)
 {
@@ -1270,8 +1577,12 @@ void test_math(void)
     RUN("additional cameras are mirrored where the main one is", mirrored_cameras);
     RUN("additional cameras hold the sphere, centred and no wider, with the main camera's up", extra_cameras);
     RUN("kernels: counts sum to 1, one length a stratum, unit directions, moments of their shape", kernels);
+    RUN("directions of every kind are the kernel's points of the square, with sums that are exact", spread);
+    RUN("tiles of noise: every window has every set once, every stratum is there, copies are far apart", tiles);
     RUN("points are spread far better than random", evenness);
     RUN("a pixel's footprint", footprints);
+    RUN("bias: the papers' and the oracles' numbers, what a plane needs, finite whatever comes", biases);
+    RUN("a radius to begin with: hills' and corners' spacing; a sphere has none", radii);
     RUN("harmonics: the table's functions, the addition theorem, the cosine's factors", harmonics);
     RUN("harmonics: latitude-longitude and cube maps give back what made them", projections);
     RUN("windows: the table's rows: zonal factors, irradiance facing, behind and least, the worst that any mask lets "
@@ -1286,5 +1597,6 @@ void test_math(void)
     RUN("cones: cosine 0 is irradiance, constants exact, a disc inside, across the rim and outside", environment_cones);
     RUN("suns: no light lost, about equal shares, one texel is one sun", sunlight);
     RUN("virtual point lights: the map's flux in all, only where it is lit, by share", vpls);
+    RUN("area lights as points: the closed form of a rectangle", areas);
     RUN("cameras and lights: bad arguments are named, outputs stay", bad_light);
 }

@@ -347,7 +347,7 @@ static void twin_views(void)
             NEAR(out[i][0], p[0], 4e-7 * (fabs((double)p[0]) + 2 * fabs((double)view.project[2])), "ssgi_project.x");
             NEAR(out[i][1], p[1], 4e-7 * (fabs((double)p[1]) + 2 * fabs((double)view.project[3])), "ssgi_project.y");
             NEAR(out[i][2], ssgi_pixel_footprint(&view, in[i][3]), 2e-7f * out[i][2], "ssgi_footprint");
-            NEAR(out[i][3], 0.5f * ssgi_pixel_footprint(&view, in[i][3]), 3e-7f * out[i][3], "ssgi_lift");
+            NEAR(out[i][3], ssgi_normal_offset(&view, in[i][3]), 3e-7f * out[i][3], "ssgi_lift");
         }
     }
 }
@@ -381,6 +381,11 @@ static void twin_noise_and_kernel(void)
     if (probe(&d, &frame, 0, "o = SSGI_KERNEL[(texel.y * 64 + texel.x) % 64];"))
         for (int i = 0; i < MANY; ++i)
             for (int c = 0; c < 4; ++c) NEAR(out[i][c], kernel[4 * (i % 64) + c], 1.2e-7, "SSGI_KERNEL");
+    d.uniform = 1;
+    ssgi_directions(kernel, SSGI_DIRECTIONS_UNIFORM, 1, 64, NULL);
+    if (probe(&d, &frame, 0, "o = SSGI_KERNEL[(texel.y * 64 + texel.x) % 64];"))
+        for (int i = 0; i < MANY; ++i)
+            for (int c = 0; c < 4; ++c) NEAR(out[i][c], kernel[4 * (i % 64) + c], 1.2e-7, "SSGI_KERNEL, uniform");
 }
 
 static void twin_normals(void)
@@ -937,6 +942,47 @@ static void shadow_slack(void)
     }
 }
 
+/* Planes that slope against a sun's map, whose axis is the way to the light, or against a spot's at its axis. The map
+   has a surface before them, by up to twice the bias in C: it shadows from the bias on. */
+static void shadow_bias(void)
+{
+    static float map[MANY][4];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_LIGHTS, .dialect = SSGI_GL_450, .shadow = SSGI_GL_SHADOW_MAP };
+    ssgi_gl_frame frame = { .radius = 1, .max_slope = 6 };
+    for (int k = 0; k < 10; ++k) {
+        const int flat_ = k & 1, tilt = k / 2;
+        const double c = 0.9 - 0.2 * tilt, depth = 20, width = flat_ ? 0.25 : 0.0125;
+        const float patch = 0.25f, most = (float)(0.25 * sqrt(0.5) * 6); /* which the last is cut to */
+        const double bias = (double)ssgi_shadow_bias(patch, (float)c, most, SSGI_BIAS_SAFE);
+        const float light[5][4] = {
+            { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, -1, 0 }, { 0, 1, -1, (float)flat_ }, { 0, 32, SIDE, 1 }
+        };
+        char statements[300];
+        memset(map, 0, sizeof map);
+        memcpy(map[3], light, sizeof light);
+        for (int i = 0; i < SIDE; ++i) {
+            const double shown = depth - bias * (i + 0.5) / 32;
+            const float to = flat_ ? 1 : (float)depth, p[4] = { ((float)i + 0.5f) * to, 0.5f * to, -(float)depth, 0 };
+            map[32 * SIDE + i][0] = (float)(flat_ ? shown : 1 / shown);
+            memcpy(in[i], p, sizeof p);
+        }
+        GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+        /* at the axis the way to the light is as long as the depth */
+        snprintf(statements, sizeof statements,
+                 "ssgi_light s; s.distance = %f, s.facing = vec4(%f); float contact;"
+                 "o = vec4(ssgi_shadow(0, a.xyz, vec3(%f, 0.0, %f), s, %f, contact));",
+                 depth, width, sqrt(1 - c * c), c, c);
+        const int went = probe(&d, &frame, texture, statements);
+        glDeleteTextures(1, &texture);
+        if (!went) return;
+        int lit = 0;
+        for (int i = 0; i < SIDE; ++i) lit += out[i][0] < 0.5f;
+        /* a fiftieth of a texel of slack */
+        CHECK(fabs(lit - 32 * (1 + 0.02 * (double)patch / bias)) <= 1.5, "cosine %g, %s: lit for %g of the bias", c,
+              flat_ ? "a sun" : "a spot", lit / 32.0);
+    }
+}
+
 /* A point that the picture has in matter, and an extra camera before a wall at depth 2: it is open if it stands before
    that by more than two pixels there, which are 2/32 of its depth. */
 static void view_slack(void)
@@ -1400,6 +1446,7 @@ void test_twins(void)
     RUN("a slice leaves out taps below 0.004 over the plane, and beyond the normal below 0.4", slices_limits);
     RUN("what is beyond the radius, or begins behind the plane, covers nothing, however deep", what_covers_nothing);
     RUN("before a shadow map's surface it is lit for as far as depths are rounded", shadow_slack);
+    RUN("a shadow map's bias as in C, up to the largest slope", shadow_bias);
     RUN("an extra camera knows what is open two pixels before its surfaces", view_slack);
     RUN("smooth averages 2^l pixels, whose ends share a weight", smooth_weights);
     RUN("the Gaussian filter has its radius' deviation", gaussian_weights);

@@ -1,6 +1,5 @@
 /* run.c - a method made ready on a G-buffer: what it asks of that, and who opens it. Declared in kit_gl.h. */
 #include "kit/kit_run.h"
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,20 +38,22 @@ static void add_kernel(kit_making *m)
 {
     const int sets = m->set->sets, samples = m->gather.samples;
     float *kernel = malloc(4 * (size_t)(sets * samples) * sizeof *kernel);
-    if (kernel) ssgi_kernel(kernel, sets, samples, NULL);
+    if (kernel)
+        ssgi_directions(kernel, m->gather.uniform ? SSGI_DIRECTIONS_UNIFORM : SSGI_DIRECTIONS_COSINE, sets, samples,
+                        NULL);
     m->run->kernel = kit_keep(m->run, kernel ? kit_texture(samples, sets, GL_RGBA32F, kernel) : 0);
     free(kernel);
 }
 
+/* As many sets as there are, each as often; without any a tile of 16 turns. */
 static void add_noise(kit_making *m)
 {
-    float tile[4 * 16] = { 0 };            /* both strata once each over the 4 x 4 texels, far apart in neighbours */
-    for (int i = 0; i < 16; ++i) {
-        const int x = i % 4, y = i / 4, a = (2 * x + y) % 4, b = (x + 2 * y) % 4;
-        tile[4 * i + 2] = ((float)(4 * b + a) + 0.5f) / 16 - 0.5f;
-        tile[4 * i + 3] = (float)fmod((4 * a + b) * 0.61803398874989485, 1);
-    }
-    m->run->noise = kit_keep(m->run, kit_texture(4, 4, GL_RGBA32F, tile));
+    static float tile[4 * 64 * 64];
+    const int sets = m->gather.kernel ? m->set->sets : 16;
+    int size = 4;
+    while (size < 64 && size * size % sets) ++size;
+    if (ssgi_noise_tile(tile, size, sets, 1, NULL) != SSGI_OK) ssgi_noise_tile(tile, size = 4, 16, 1, NULL);
+    m->run->noise = kit_keep(m->run, kit_texture(size, size, GL_RGBA32F, tile));
 }
 
 /* What there is to draw on a G-buffer, the caller's or a wider one. */

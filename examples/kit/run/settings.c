@@ -73,6 +73,8 @@ ROW(range_row, range, "1: ignore surfaces beyond the radius or below the receive
     NULL, 0, 0, 1, GATHER, DESC(range))
 ROW(fade_from_row, fade_from, "where smooth fading begins, in radii", NULL, 0.3, 0, 1, SCALED, FRAMED(fade))
 ROW(sets_row, sets, "sets of directions in a texture, one per pixel; 0 = one set, rotated", NULL, 0, 0, 256, PLAN, 0)
+ROW(uniform_row, uniform, "1: directions evenly spread and weighted by the cosine, as published; 0: spread by it",
+    NULL, 0, 0, 1, GATHER, DESC(uniform))
 ROW(slices_row, directions, "slices, two directions each", NULL, 1, 1, 32, GATHER, DESC(directions))
 ROW(dirs_row, directions, "N_d: directions in the tangent plane", NULL, 6, 1, 32, GATHER, DESC(directions))
 ROW(steps_row, steps, "N_s: steps per direction", NULL, 6, 1, 64, GATHER, DESC(steps))
@@ -187,8 +189,8 @@ typedef struct plan {
              &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row)
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define POINTS \
-    &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, \
-        &behind_row, &most_thick_row, &offset_row, DEEP
+    &samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, \
+        &range_row, &half_row, &behind_row, &most_thick_row, &offset_row, DEEP
 #define WALK &slices_row, &steps_row, &falloff_row, &half_row, &behind_row, &lit_thick_row, &offset_row
 #define SSDO(...) \
     SETTINGS(__VA_ARGS__, &few_bands_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, \
@@ -212,9 +214,9 @@ static const plan plans[] = {
       SSGI_GL_SSAO,
       0,
       SSGI_GL_BALANCED,
-      SETTINGS(&samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row,
-               &half_row, &behind_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row,
-               &blur_row, &filter_row, &compare_row, &margin_row, &history_row) },
+      SETTINGS(&samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row,
+               &range_row, &half_row, &behind_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row,
+               &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row) },
     { "hsao", "slices through the view direction, sectors occluded from near to far", SSGI_GL_HSAO, SSGI_GL_SLICES,
       SSGI_GL_BALANCED, SLICES },
     { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },

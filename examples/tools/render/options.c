@@ -32,7 +32,8 @@ const char render_usage[] =
     "how\n"
     "  --method NAME         [hsao]; --list names all, --list NAME the settings of one with their defaults\n"
     "  --set key=value,..    settings of the method\n"
-    "  --radius R            farthest occluder, scene units   [the scene's own]\n"
+    "  --radius R | guess    farthest occluder, scene units   [the scene's own]; guess: how far apart the tops of\n"
+    "                        its mesh are\n"
     "  --plan WHAT:ERROR[:BUDGET]   visibility, light, bounce or objects (occlusion between them): the cheapest\n"
     "                        method that is predicted to err by ERROR; BUDGET in 16-sample ssaos. Only light and\n"
     "                        bounce look at --env and --light\n"
@@ -149,6 +150,14 @@ static int take_size(options *o, const char *name, const char *text, kit_error *
     return 0;
 }
 
+static int take_radius(options *o, const char *name, const char *text, kit_error *err)
+{
+    o->guess = !strcmp(text, "guess");
+    if (!o->guess) return number(name, text, 1e-12, KIT_MOST, &o->radius, err);
+    o->radius = 0;
+    return 0;
+}
+
 static int take_set(options *o, const char *name, const char *text, kit_error *err)
 {
     if (o->sets == RENDER_SETS) return kit_fail(err, "%s %s: at most %d of them", name, text, RENDER_SETS);
@@ -210,7 +219,7 @@ static const option table[] = {
     { "--near", NUMBER, TO(znear), 1e-12, KIT_MOST, NULL },
     { "--far", NUMBER, TO(zfar), 1e-12, KIT_MOST, NULL },
     { "--plan", TAKEN, 0, 0, 0, take_plan },
-    { "--radius", NUMBER, TO(radius), 1e-12, KIT_MOST, NULL },
+    { "--radius", TAKEN, 0, 0, 0, take_radius },
     { "--truth", WHOLE, TO(truth), 1, 65536, NULL },
     { "--floor", WHOLE, TO(floor), 1, 65536, NULL },
     { "--time", WHOLE, TO(time), 1, 100000, NULL },

@@ -90,6 +90,25 @@ int render_open_frame(kit_gbuffer *g, const options *o, int lit, kit_error *err)
                     o->gbuffer, o->method);
 }
 
+/* From the tops of the mesh. */
+static int guess_radius(double *radius, const kit_scene *scene, int quiet, kit_error *err)
+{
+    static const float up[3] = { 0, 1, 0 };
+    const size_t triangles = scene->mesh.triangles, words = 9 * triangles;
+    uint32_t *work = malloc(words * sizeof *work + 1);
+    float guess = 0;
+    size_t tops = 0;
+    const char *why = "out of memory";
+    const int failed = !work
+                    || ssgi_radius_guess(&guess, &tops, scene->mesh.position, 12, NULL, triangles, up, work, words,
+                                         &why) != SSGI_OK;
+    free(work);
+    if (failed) return kit_fail(err, "--radius guess: %s", why);
+    *radius = (double)guess;
+    if (!quiet) printf("radius %g, of %zu tops\n", *radius, tops);
+    return 0;
+}
+
 int render_open_scene(job *j, kit_error *err)
 {
     kit_camera camera;
@@ -97,6 +116,7 @@ int render_open_scene(job *j, kit_error *err)
     camera = j->scene.camera;
     camera_of(&camera, &j->o);
     if (camera_check(&camera, err) || kit_gbuffer_from_scene(&j->gbuffer, &j->scene, &camera, NULL, err)) return -1;
+    if (j->o.guess && guess_radius(&j->radius, &j->scene, j->o.json, err)) return -1;
     if (!(j->radius > 0)) j->radius = (double)j->scene.radius;
     j->world.scene = &j->scene;
     return 0;
