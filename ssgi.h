@@ -597,9 +597,9 @@ SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine);
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
 /* The same as a look-up table [AOF05 section 4.2], for desc.cap_table of ssgi_gl.h or for shaders of your own:
-   out[y * size + x] is the occlusion of solid angle 4 pi x / (size - 1) and cosine 2 y / (size - 1) - 1. Values stand at
-   the texels' centres: u = (solid_angle / (4 pi) * (size - 1) + 0.5) / size, v = ((cosine + 1) / 2 * (size - 1) + 0.5) /
-   size.
+   out[y * size + x] is the occlusion of solid angle 4 pi x / (size - 1) and cosine 2 y / (size - 1) - 1. Values stand
+   at the texels' centres: u = (solid_angle / (4 pi) * (size - 1) + 0.5) / size, v = ((cosine + 1) / 2 * (size - 1) +
+   0.5) / size.
      out    size * size floats
      size   [limit: 2..4096] largest error of the bilinear value: 2.9e-3 at 32, 1.4e-3 at 64, 6.6e-4 at 128; 8 bits
             a texel add 2e-3 */
@@ -642,12 +642,12 @@ typedef struct ssgi_field_desc {
                        thin parts do then is figure 5 of the paper, in a quarter of the time */
     /* Your ray caster: 1 if the ray meets the occluder at any t > 0; NULL: ours, which finds the hull in any case. */
     int (*hit)(void *user, const float origin[3], const float direction[3]);
-    /* Your samples instead of rays [AOF05 section 4.1], rasterised for instance: of point i, x y z at point[3 * i] in the
-       mesh's space, out[4 * i] is the solid angle of the occluder [units: sr] and the next three are its mean direction,
-       from the point to it. Its length tells how far the occluder fills its cap; 1, or more than can be, is a cap that
-       is filled, as in the paper, which has unit directions. What is not finite counts as nothing seen. Called once a
-       direction, with all its distances: desc.radii points from near the hull to the reach, ascending. What is inside
-       the hull, and the reported errors, come from rays in any case. NULL: rays. */
+    /* Your samples instead of rays [AOF05 section 4.1], rasterised for instance: of point i, x y z at point[3 * i] in
+       the mesh's space, out[4 * i] is the solid angle of the occluder [units: sr] and the next three are its mean
+       direction, from the point to it. Its length tells how far the occluder fills its cap; 1, or more than can be, is
+       a cap that is filled, as in the paper, which has unit directions. What is not finite counts as nothing seen.
+       Called once a direction, with all its distances: desc.radii points from near the hull to the reach, ascending.
+       What is inside the hull, and the reported errors, come from rays in any case. NULL: rays. */
     void (*sample)(void *user, float *out, const float *point, int count);
     /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
@@ -716,8 +716,8 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
                                     const float normal[3]);
 
 /* The cap itself, for points in the hull that at the hull: its solid angle [units: sr], its unit axis, and in *fill the
-   share of it that is covered. What it blocks of an environment: ssgi_cap_light. Returns the point's distance from the centre over the hull's. No argument may be NULL; a
-   point that is not finite counts as the centre. */
+   share of it that is covered; what it blocks of an environment: ssgi_cap_light. Returns the point's distance from the
+   centre over the hull's. No argument may be NULL; a point that is not finite counts as the centre. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
 

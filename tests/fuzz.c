@@ -319,6 +319,7 @@ static void fields(const float *f, size_t count, const uint8_t *data, size_t siz
     d.resolution = 2;
     d.radii = 4;
     d.rays = 16;
+    d.unfiltered = (int)(size & 1);
     if (!length || (count >= 27 && calls % 16000 == 15999)) {
         static const float one[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 1 };
         const float *from = length ? f : one;
@@ -348,9 +349,10 @@ static void fields(const float *f, size_t count, const uint8_t *data, size_t siz
             const float near_by[3] = { field.centre[0] + field.radius * (float)(data[i] - 128) / 64,
                                        field.centre[1] + field.radius * (float)(data[i + 1] - 128) / 64,
                                        field.centre[2] },
-                        a = ssgi_field_occlusion(&field, NULL, f + i, f + i + 3);
+                        a = ssgi_field_occlusion(&field, NULL, f + i, f + i + 3),
+                        cap = ssgi_cap_occlusionf(f[i], f[i + 1]);
             const float b = ssgi_field_occlusion(&field, NULL, near_by, f + i + 3);
-            MUST(a >= 0.0f && a <= 1.0f && b >= 0.0f && b <= 1.0f);
+            MUST(a >= 0.0f && a <= 1.0f && b >= 0.0f && b <= 1.0f && cap >= 0.0f && cap <= 1.0f);
         }
     } else MUST(!exact || !strncmp(why, "file:", 5));
     free(exact);
@@ -430,6 +432,10 @@ static void floats(const float *f, size_t count)
     pictures(f, count);
     for (size_t i = 1; i * 9 <= count && i <= 256; i += i < 4 ? 1 : i / 2) {
         MUST(ssgi_trace_build(&trace, memory, sizeof memory, f, 12, NULL, i, &why) == SSGI_OK && trace.skipped <= i);
+        float seen[2] = { -1.0f, -1.0f };
+        MUST(ssgi_trace_visibility(seen, &trace, f, f + 3, 1, 0.0f, 4, 1, NULL) == SSGI_OK
+             && ssgi_trace_visibility(seen + 1, &trace, f, f + 3, 1, 2.0f, 4, 0, NULL) == SSGI_OK && seen[0] >= 0.0f
+             && seen[0] <= 1.0f && seen[1] >= 0.0f && seen[1] <= 1.0f);
         if (!ssgi_trace_closest(&trace, f, f + 3, 0.0f, 1e30f, &hit)) continue;
         MUST(hit.triangle < i && hit.t > 0.0f && hit.u >= 0.0f && hit.v >= 0.0f && hit.u + hit.v <= 1.00001f
              && ssgi_trace_any(&trace, f, f + 3, 0.0f, 1e30f));

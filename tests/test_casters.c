@@ -41,7 +41,8 @@ static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expressio
     static const GLenum kinds[UNITS] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D, GL_TEXTURE_2D,
                                          GL_TEXTURE_2D };
     static char text[20000];
-    GLuint framebuffer, target = kit_texture(64, 64, GL_RGBA32F, NULL), program, unit[UNITS] = { textures[0], textures[1] };
+    GLuint framebuffer, target = kit_texture(64, 64, GL_RGBA32F, NULL), program;
+    GLuint unit[UNITS] = { textures[0], textures[1] };
     size_t n = ssgi_gl_field(text, sizeof text, desc);
     int ok;
     snprintf(text + n, sizeof text - n,

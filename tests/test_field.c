@@ -102,8 +102,8 @@ static void caps(void)
 /* A look-up as the header describes it. */
 static double looked_up(const float *table, int size, double solid_angle, double cosine)
 {
-    const double u = (solid_angle / (4 * PI) * (size - 1) + 0.5) / size, v = ((cosine + 1) / 2 * (size - 1) + 0.5) / size,
-                 x = u * size - 0.5, y = v * size - 0.5;
+    const double u = (solid_angle / (4 * PI) * (size - 1) + 0.5) / size,
+                 v = ((cosine + 1) / 2 * (size - 1) + 0.5) / size, x = u * size - 0.5, y = v * size - 0.5;
     const int i = (int)fmin(x, size - 2), j = (int)fmin(y, size - 2);
     const float *at = table + j * size + i;
     const double low = (double)at[0] + (x - i) * (double)(at[1] - at[0]),
@@ -200,7 +200,8 @@ static void cap_lights(void)
             whole = fmax(whole, fabs((double)(out[j] + rest[j]) - open[j]) / open[j]);
         }
     }
-    CHECK(worst < 0.005 && whole < 0.02, "caps: off by %.4f of the whole light, with the inverse cap by %.4f", worst, whole);
+    CHECK(worst < 0.005 && whole < 0.02, "caps: off by %.4f of the whole light, with the inverse cap by %.4f", worst,
+          whole);
     t_note("caps: off by %.4f of the whole light, with the inverse cap by %.4f", worst, whole);
     const float z[3] = { 0, 0, 2 }, none[3] = { 0 };
     memset(c, 0, sizeof c);
@@ -827,7 +828,8 @@ static void own_samples(void)
     const ssgi_field exact = baked(1, &d, box_mesh(half));
     const double off = apart(&traced_field, &exact, 1);
     CHECK(off < 0.02 && fabsf(exact.p95 - traced_field.p95) < 0.005f && exact.inside == traced_field.inside,
-          "a box by exact samples: off by %.4f, errors %.4f and %.4f", off, (double)exact.p95, (double)traced_field.p95);
+          "a box by exact samples: off by %.4f, errors %.4f and %.4f", off, (double)exact.p95,
+          (double)traced_field.p95);
     CHECK(of.calls == 24 * 16 && !of.wrong, "%d directions, %d points where they should not be", of.calls, of.wrong);
     double worst[3] = { 0 };
     for (int n = 0; n < 3; ++n) {          /* directions as they are; the paper's; of a ball that is half holes */
@@ -840,8 +842,8 @@ static void own_samples(void)
                                            - ball.filled * pow(1.002001 + rho * rho, -1.5)));
         }
     }
-    CHECK(worst[0] < 0.006 && worst[1] < 0.006 && worst[2] < 0.006, "a ball: off by %.4f, %.4f, half of it %.4f", worst[0],
-          worst[1], worst[2]);
+    CHECK(worst[0] < 0.006 && worst[1] < 0.006 && worst[2] < 0.006, "a ball: off by %.4f, %.4f, half of it %.4f",
+          worst[0], worst[1], worst[2]);
     t_note("a box: off by %.4f from rays; a ball by %.4f, with unit directions %.4f, half of it %.4f", off, worst[0],
            worst[1], worst[2]);
     for (int broken = 1; broken < 5; ++broken) {

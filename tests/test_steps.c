@@ -172,7 +172,8 @@ static const struct { const char *method, *set; int pass, lit, es; } methods[] =
     { "ssao", "", SSGI_GL_SSAO, 0, 0 }, { "hsao", "", SSGI_GL_HSAO, 0, 1 },
     { "hsao-march", "blur=0", SSGI_GL_HSAO, 0, 0 }, { "ssdo", "environment=sh", SSGI_GL_SSDO, 1, 0 },
     { "ssdo", "shadows=map", SSGI_GL_SSDO, 1, 1 }, { "s3ho", "indirect=none", SSGI_GL_S3HO, 1, 0 },
-    { "aof", "occluders=all,resolution=4,rays=16,cap_table=32", SSGI_GL_FIELD, 0, 1 }, { "dss", "size=0.05", SSGI_GL_SPLAT, 0, 1 }
+    { "aof", "occluders=all,resolution=4,rays=16,cap_table=32", SSGI_GL_FIELD, 0, 1 },
+    { "dss", "size=0.05", SSGI_GL_SPLAT, 0, 1 }
 };
 enum { METHODS = (int)(sizeof methods / sizeof *methods) };
 

@@ -498,6 +498,24 @@ static void own_visibility(void)
     ssgi_trace_visibility(out, &trace, mesh.position, normal, corners, 0, 64, 1, &why);
     for (size_t i = 0; i < corners; ++i) most = fmax(most, (double)out[i]);
     CHECK(most < 0.02, "corners of a ball, from within: %g is seen", most);
+    /* middles of its faces, which rounding puts to either side of them */
+    float *middles = malloc(3 * mesh.triangles * sizeof *middles);
+    for (size_t t = 0; t < mesh.triangles && middles; ++t) {
+        const float *c = mesh.position + 9 * t;
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            middles[3 * t + (size_t)i] = (c[i] + c[3 + i] + c[6 + i]) / 3;
+            normal[3 * t + (size_t)i] = (c[3 + j] - c[j]) * (c[6 + k] - c[k]) - (c[3 + k] - c[k]) * (c[6 + j] - c[j]);
+        }
+        float out_of = 0;
+        for (size_t i = 0; i < 3; ++i) out_of += normal[3 * t + i] * (middles[3 * t + i] - middle[i]);
+        for (size_t i = 0; i < 3 && out_of < 0; ++i) normal[3 * t + i] *= -1;
+    }
+    if (middles) ssgi_trace_visibility(out, &trace, middles, normal, mesh.triangles, 0, 64, 1, &why);
+    least = 1;
+    for (size_t t = 0; t < mesh.triangles; ++t) least = fmin(least, (double)out[t]);
+    CHECK(middles && least == 1, "middles of a ball's faces: %g is seen", least);
+    free(middles);
     CHECK(ssgi_trace_visibility(bad, &trace, mesh.position, none, 2, 1, 16, 0, NULL) == SSGI_OK && bad[0] == 1
               && bad[1] == 1,
           "no normal, and one that is not finite: %g, %g", (double)bad[0], (double)bad[1]);
@@ -832,7 +850,7 @@ void test_trace(void)
     RUN("bad arguments are named and leave everything as it was", bad_arguments);
     RUN("camera rays and matrices agree, in every depth layout", cameras);
     RUN("visibility of points: corner, wall and groove are their closed forms, by the point alone", visibility);
-    RUN("visibility of a ball's own corners: open, from within closed; bad arguments are named", own_visibility);
+    RUN("a ball's own corners and faces are open, from within closed; bad arguments are named", own_visibility);
     RUN("truth: a bare plane is exactly open", bare_plane);
     RUN("truth: a corner agrees with its closed form", corner);
     RUN("truth: a corner under windows and under lamps of a few texels is what all directions sum to", lit_corner);

@@ -131,8 +131,8 @@ ROW(power_row, power, "p: exponent of the blend toward it", NULL, 1, 0.01, 100, 
 ROW(own_row, own, "1: occluders occlude themselves too", NULL, 0, 0, 1, PLAN, 0)
 ROW(occluders_row, occluders, "which objects: solid ones that contain no other, or all",
     "solid all", 0, 0, 1, PLAN, 0)
-ROW(cap_table_row, cap_table, "texels along a side of the table that a cap's occlusion is looked up in, 2 or more; 0: its "
-    "closed form", NULL, 0, 0, 4096, PLAN, 0)
+ROW(cap_table_row, cap_table, "texels along a side of the table that a cap's occlusion is looked up in, 2 or more; "
+    "0: its closed form", NULL, 0, 0, 4096, PLAN, 0)
 
 ROW(size_row, size, "s: diameter of a surfel, in image heights", NULL, 0.015, 1e-4, 1, PLAN, 0)
 ROW(epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
