@@ -3944,6 +3944,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    BACK and SLABS slices need that pass, too: what has no back face is as thick as wide, and sheets half as thick,
    instead of frame.thickness.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
+   New: desc.harmonics CUSTOM, light that varies from place to place, by ssgi_custom_harmonic in desc.fetch.
+   New: desc.dimmed, senders of s3ho that reflect what the last frame's coefficients let through to them.
 
    CHANGES in 0.2, November 2026
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_trial, ssgi_plan_try -> ssgi_calibration, ssgi_plan_calibrate (one more
