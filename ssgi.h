@@ -4577,6 +4577,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    New: ssgi_normal_offset, ssgi_shadow_patch, ssgi_shadow_bias, ssgi_radius_guess (0.1 had them with other arguments).
    New: ssgi_directions, ssgi_noise_tile; ssgi_vpl_area.
    New: desc.uniform.
+   New: desc.harmonics CUSTOM, light that varies from place to place, by ssgi_custom_harmonic in desc.fetch.
+   New: desc.dimmed, senders of s3ho that reflect what the last frame's coefficients let through to them.
 
    CHANGES in 0.2, November 2026
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_trial, ssgi_plan_try -> ssgi_calibration, ssgi_plan_calibrate (one more

@@ -255,6 +255,15 @@ enum {
     SSGI_GL_TRANSFER_REFLECTED,  /* a set a channel: what occluders reflect alone */
 };
 
+/* desc.harmonics: the light that coefficients are dotted with. */
+enum {
+    SSGI_GL_HARMONICS_FRAME = 0, /* frame.harmonics: the same everywhere */
+    SSGI_GL_HARMONICS_CUSTOM,    /* desc.fetch: vec3 ssgi_custom_harmonic(int i, vec3 position): coefficient i of the
+                                    radiance, in the world, at a view-space position, as from a volume of probes
+                                    [S3HO12 1, 6]. Called for each i once a pixel, where coefficients are shaded or
+                                    unoccluded light is restored */
+};
+
 /* desc.shading: how the coefficients are shaded. */
 enum {
     SSGI_GL_SHADING_HARMONICS = 0, /* dot product with frame.harmonics [S3HO12 2.2] */
@@ -368,6 +377,7 @@ typedef struct ssgi_gl_desc {
 
     /* ---- light: ssdo, lights, senders */
     int environment; /* ssdo, blur, history, surfels, splat   SSGI_GL_ENVIRONMENT_NONE .. */
+    int harmonics;   /* ssdo with SH, s3ho shaded, shade and blur by HARMONICS   SSGI_GL_HARMONICS_FRAME .. */
     int bounce;      /* ssdo   SSGI_GL_BOUNCE_NONE ..; environment and bounce are not both NONE. With both, two targets
                         are written from one visibility. compose   1: adds t_ssgi_bounce */
     int two_sided;   /* ssdo, s3ho   1: senders shine from both sides; 0: from the side that is seen, while in slices
@@ -388,7 +398,10 @@ typedef struct ssgi_gl_desc {
     int packed;   /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
     int transfer; /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing is
                      restored, since it has no unoccluded light */
-    int shaded;   /* s3ho   1: no coefficients, shaded with frame.harmonics at once; shade is not drawn */
+    int dimmed;   /* s3ho with a transfer, of one layer   1: a sender reflects what the last frame's coefficients let
+                     through to it, and what reached it by way of others: t_ssgi_last_red0 .., three filtered sets of
+                     BOTH, full size. 0: its open lobe [S3HO12 2.3] */
+    int shaded;   /* s3ho   1: no coefficients, shaded with desc.harmonics at once; shade is not drawn */
     int residual; /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds ambient visibility
                      times the residual of unoccluded irradiance (ssgi_sh_residual) */
     int shading;  /* shade   SSGI_GL_SHADING_HARMONICS .. */
@@ -699,7 +712,8 @@ typedef struct ssgi_gl_frame {
 
     /* ---- the world */
     float rotation[12];  /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
-    float harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: ssgi_gl_harmonics_set; black by default */
+    float harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded, unless desc.harmonics is CUSTOM:
+                            ssgi_gl_harmonics_set; black by default */
 
     /* ---- surfels, and fields */
     float surfel[4];  /* ssgi_gl_surfels_set */
@@ -1310,6 +1324,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_sender_place", __LINE__ + 1,
     "uint ssgi_sender_place; // its normal, packed\n" },
 
+{ "ssgi_sender_pixel", __LINE__ + 1,
+    "ivec2 ssgi_sender_pixel; // where it is seen\n" },
+
 { "ssgi_sender_texel", __LINE__ + 1,
     "// what layer j of camera v sends at a pixel: radiance; normal, view depth\n"
     "uvec2 ssgi_sender_texel(int v, ivec2 p, int j) {\n"
@@ -1454,7 +1471,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uvec2 s = ssgi_sender_texel(-1, p, 0);\n"
     "    float z = ssgi_unpack_depth(s.y);\n"
     "    ssgi_sender.xyz = ssgi_radiance_from(s, ssgi_point(-1, p, z));\n"
-    "    ssgi_sender_place = s.y; // #if transfer\n"
+    "    ssgi_sender_place = s.y; // #if transfer && !dimmed\n"
+    "    ssgi_sender_pixel = p; // #if dimmed\n"
     "    return z;\n"
     "}\n" },
 
@@ -1488,10 +1506,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float z = ssgi_depth(p); // #if !bounce\n"
     "    float z = ssgi_sending_depth(p); // #if bounce\n"
     "    bool found = -S.z > z; // #if thickness == SOLID\n"
-    "    bool found = -S.z > z && -S.z < z + ssgi_thickness(); // #if thickness == CONSTANT\n"
-    "    bool found = -S.z > z && -S.z < z + ssgi_thickness_at(p, z); // #if thickness == WIDTH\n"
+    "    bool seen = ssgi_inside(p); // called before &&: behind it uniforms are read anew for every point\n"
+    "    float end_ = z + ssgi_thickness(); // #if thickness == CONSTANT\n"
+    "    float end_ = z + ssgi_thickness_at(p, z); // #if thickness == WIDTH\n"
+    "    bool found = -S.z > z && -S.z < end_; // #if thickness == CONSTANT || thickness == WIDTH\n"
     "    bool found = ssgi_in_slabs(p, -S.z, z); // #if thickness > WIDTH\n"
-    "    return S.z < 0.0 && ssgi_inside(p) && found\n"
+    "    return S.z < 0.0 && seen && found\n"
     "        ? ssgi_fade_weight(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
     "        ? 1.0 : 0.0; // #if !(fade || range)\n"
     "}\n"
@@ -1677,6 +1697,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return v;\n"
     "}\n" },
 
+{ "ssgi_load_last", __LINE__ + 1,
+    "ssgi_coefficients ssgi_load_last(ivec2 p) { // what was filtered of the last frame's three sets\n"
+    "    ssgi_coefficients v;\n"
+    "    uvec4 red = uvec4(0u), green = red, blue = red; // #if bands < 3\n"
+    "    uvec4 red = texelFetch(t_ssgi_last_red1, p, 0); // #if bands > 2\n"
+    "    uvec4 green = texelFetch(t_ssgi_last_green1, p, 0); // #if bands > 2\n"
+    "    uvec4 blue = texelFetch(t_ssgi_last_blue1, p, 0); // #if bands > 2\n"
+    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_last_red0, p, 0), red);\n"
+    "    v.c[1] = ssgi_unpack(texelFetch(t_ssgi_last_green0, p, 0), green);\n"
+    "    v.c[2] = ssgi_unpack(texelFetch(t_ssgi_last_blue0, p, 0), blue);\n"
+    "    return v;\n"
+    "}\n" },
+
 { "ssgi_pack_first", __LINE__ + 1,
     "uvec4 ssgi_pack_first(ssgi_sh s) { // coefficients 0..7\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), ssgi_pack_half(s.a.zw), 0u, 0u);\n"
@@ -1722,21 +1755,53 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_incoming", __LINE__ + 1,
+    "#if harmonics == FRAME\n"
     "float ssgi_incoming(int c, ssgi_sh s) { // a channel of irradiance [S3HO12 eq. 3]\n"
     "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
     "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c); // #if bands > 2\n"
     "    e += dot(u_ssgi_harmonics[9 + c], s.d); // #if bands > 3\n"
     "    return e;\n"
-    "}\n" },
+    "}\n"
+    "#endif\n" },
 
 { "ssgi_irradiance", __LINE__ + 1,
+    "#if harmonics == FRAME\n"
     "// irradiance over pi of a surface with normal n\n"
     "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
     "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
     "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * SSGI_OVER_PI;\n"
     "    e += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) * ssgi_ambient(v); // #if residual\n"
     "    return e;\n"
-    "}\n" },
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_lit_at", __LINE__ + 1,
+    "vec3 ssgi_lit_at; // where your harmonics are asked for\n" },
+
+{ "ssgi_incoming", __LINE__ + 1,
+    "#if harmonics == CUSTOM\n"
+    "// irradiance by count of your coefficients from number i on: four lanes of each channel's transfer\n"
+    "vec3 ssgi_incoming(int i, int count, vec4 r, vec4 g, vec4 b) {\n"
+    "    vec3 e = vec3(0.0);\n"
+    "    for (int k = 0; k < count; ++k) e += ssgi_custom_harmonic(i + k, ssgi_lit_at) * vec3(r[k], g[k], b[k]);\n"
+    "    return e;\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_irradiance", __LINE__ + 1,
+    "#if harmonics == CUSTOM\n"
+    "// irradiance over pi by your harmonics, which are in the world: the transfer is turned into it\n"
+    "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
+    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_turn(v.c[c], transpose(u_ssgi_rotation));\n"
+    "    ssgi_sh r = v.c[0], g = v.c[1 % v.c.length()], b = v.c[2 % v.c.length()];\n"
+    "    vec3 e = ssgi_incoming(0, 1, r.a, g.a, b.a); // #if bands == 1\n"
+    "    vec3 e = ssgi_incoming(0, 4, r.a, g.a, b.a); // #if bands > 1\n"
+    "    e += ssgi_incoming(4, 4, r.b, g.b, b.b); // #if bands > 2\n"
+    "    e += ssgi_incoming(8, 1, r.c, g.c, b.c); // #if bands == 3\n"
+    "    e += ssgi_incoming(8, 4, r.c, g.c, b.c) + ssgi_incoming(12, 4, r.d, g.d, b.d); // #if bands == 4\n"
+    "    return e * SSGI_OVER_PI;\n"
+    "}\n"
+    "#endif\n" },
 
 /* ==== >>light: lights, senders, shading of coefficients ========================================================= */
 
@@ -1927,6 +1992,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_shaded", __LINE__ + 1,
     "// irradiance over pi from the coefficients of a receiver, by all that shines\n"
     "vec3 ssgi_shaded(ssgi_coefficients v, vec3 P, vec3 n) {\n"
+    "    ssgi_lit_at = P; // #if harmonics == CUSTOM\n"
     "    vec3 sum = ssgi_shade(v, n);\n"
     "    for (int i = 0; i < u_ssgi_lights; ++i) // #if lights\n"
     "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * SSGI_OVER_PI; // #if lights\n"
@@ -1997,13 +2063,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_reflected", __LINE__ + 1,
+    "#if dimmed\n"
+    "// adds the last frame's transfer of the sender at pixel q times albedo [S3HO12 2.3], by solid angle\n"
+    "void ssgi_reflected(inout ssgi_coefficients v, ivec2 q, vec3 albedo) {\n"
+    "    ssgi_coefficients y = ssgi_load_last(q + u_ssgi_target);\n"
+    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y.c[c], albedo[c]);\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_reflected", __LINE__ + 1,
+    "#if !dimmed\n"
     "// adds a sender's cosine lobe times albedo [S3HO12 eq. 5], by solid angle; o: its normal; w: way to it\n"
     "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
     "    o = normalize(o);\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
     "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
-    "}\n" },
+    "}\n"
+    "#endif\n" },
 
 { "ssgi_attenuation", __LINE__ + 1,
     "float ssgi_attenuation(float d) { // an occluder's weight at a distance [HSAO08 3.5]\n"
@@ -2078,8 +2155,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_add_bounce", __LINE__ + 1,
     "#if pass == S3HO\n"
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float blocked) {\n"
+    "    vec3 albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES)); // #if dimmed\n"
+    "    if (blocked > 0.0) ssgi_reflected(sums.bounce, ssgi_sender_pixel, albedo); // #if dimmed\n"
+    "#if !dimmed\n"
     "    vec3 albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES)), o = ssgi_unpack_normal(ssgi_sender_place);\n"
     "    if (blocked > 0.0) ssgi_reflected(sums.bounce, o, basis * direction, albedo);\n"
+    "#endif\n"
     "}\n"
     "#endif\n" },
 
@@ -2370,7 +2451,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    share *= facing > edge ? 1.0 : facing < -edge ? SSGI_UNSEEN : 0.0; // #if !two_sided\n"
     "    share += SSGI_SECOND * second; // #if thickness == SLABS\n"
     "    sums.bounce += ssgi_unpack_radiance(s.x) * share; // #if pass == SSDO\n"
-    "    ssgi_reflected(sums.bounce, o, d, ssgi_unpack_radiance(s.x) * share); // #if pass != SSDO\n"
+    "    ssgi_reflected(sums.bounce, o, d, ssgi_unpack_radiance(s.x) * share); // #if pass != SSDO && !dimmed\n"
+    "    ssgi_reflected(sums.bounce, q, ssgi_unpack_radiance(s.x) * share); // #if pass != SSDO && dimmed\n"
     "}\n" },
 
 { "ssgi_cover", __LINE__ + 1,
@@ -2521,6 +2603,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
     "    ssgi_sums sums = ssgi_gather(p, P, n, ssgi_noise(texel));\n"
     "    o_ssgi_light.xyz = ssgi_map_light(sums.dark, P, n); // #if environment == MAP\n"
+    "    ssgi_lit_at = P; // #if harmonics == CUSTOM\n"
     "    vec3 light = ssgi_irradiance(ssgi_transfer(sums), n); // #if environment == SH\n"
     "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, n); // #if environment == SH\n"
     "    o_ssgi_bounce.xyz = sums.bounce; // #if bounce\n"
@@ -2548,6 +2631,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
     "    ssgi_coefficients v = ssgi_transfer(ssgi_gather(p, P, n, ssgi_noise(texel)));\n"
+    "    ssgi_lit_at = P; // #if harmonics == CUSTOM\n"
     "    o_ssgi_light.xyz = ssgi_encode_for_filter(ssgi_irradiance(v, n), P, n);\n"
     "}\n" },
 
@@ -3477,6 +3561,8 @@ typedef struct ssgi_gl__row {
 #define SSGI_GL__ROWS_HALVES(name, unit, is) \
     SSGI_GL__ROW_TEXTURE(name, unit, "packed", "usampler2D", "RGBA32UI: " is), \
     SSGI_GL__ROW_OUTPUT(name, "packed", "uvec4", "RGBA32UI: " is)
+#define SSGI_GL__ROW_LAST(name, unit, is) \
+    SSGI_GL__ROW_TEXTURE("last_" name, unit, NULL, "usampler2D", "RGBA32UI, NEAREST: " is)
 #define SSGI_GL__HDR "RGBA32F or RGBA16F"
 
 static const ssgi_gl__row ssgi_gl__rows[] = {
@@ -3618,6 +3704,12 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROWS_HALVES("green1", 11, "the same of green"),
     SSGI_GL__ROWS_HALVES("blue0", 14, "the same of blue"),
     SSGI_GL__ROWS_HALVES("blue1", 15, "the same of blue"),
+    SSGI_GL__ROW_LAST("red0", 8, "as t_ssgi_red0, of the last frame, full size"),
+    SSGI_GL__ROW_LAST("red1", 10, "the same of t_ssgi_red1"),
+    SSGI_GL__ROW_LAST("green0", 11, "the same of t_ssgi_green0"),
+    SSGI_GL__ROW_LAST("green1", 12, "the same of t_ssgi_green1"),
+    SSGI_GL__ROW_LAST("blue0", 14, "the same of t_ssgi_blue0"),
+    SSGI_GL__ROW_LAST("blue1", 15, "the same of t_ssgi_blue1"),
 
     SSGI_GL__ROW_ATTRIBUTE("position", "vec3", "mesh space"),
     SSGI_GL__ROW_ATTRIBUTE("normal", "vec3", "mesh space, any length; 0: the face's"),
@@ -3762,6 +3854,7 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__FIELD_SWITCH(hard),
 
     SSGI_GL__FIELD_ENUM(environment, ENVIRONMENT, MAP, "NONE SH MAP"),
+    SSGI_GL__FIELD_ENUM(harmonics, HARMONICS, CUSTOM, "FRAME CUSTOM"),
     SSGI_GL__FIELD_ENUM(bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH"),
     SSGI_GL__FIELD_SWITCH(two_sided),
     SSGI_GL__FIELD_ENUM(radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO"),
@@ -3773,6 +3866,7 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__FIELD_COUNT(bands, 4),
     SSGI_GL__FIELD_SWITCH(packed),
     SSGI_GL__FIELD_ENUM(transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"),
+    SSGI_GL__FIELD_SWITCH(dimmed),
     SSGI_GL__FIELD_SWITCH(shaded),
     SSGI_GL__FIELD_SWITCH(residual),
     SSGI_GL__FIELD_ENUM(shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
@@ -3861,6 +3955,10 @@ static const char *const ssgi_gl__rules[][2] = {
       "desc.shading: a mean direction needs one vector (desc.transfer) of 2 bands or more" },
     { "restore == RATIO && transfer == BOTH && (pass == SHADE || (pass == S3HO && shaded))",
       "desc.restore: what blockers reflect may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
+    { "pass == S3HO && transfer && dimmed && (layers > 1 || views)",
+      "desc.dimmed: the last frame's coefficients are of what is seen: not with desc.layers or .views" },
+    { "harmonics == CUSTOM && residual",
+      "desc.residual: is of frame.harmonics' light: SSGI_GL_HARMONICS_CUSTOM has none" },
     { "multisampled && (dialect == 300ES || array || receiver)",
       "desc.multisampled: not in SSGI_GL_300ES, nor with desc.array or desc.receiver: resolve to plain textures" },
     { "array && (layers > 1 || receiver)", "desc.array: hidden layers (desc.layers, .receiver) are slices themselves" },
@@ -3883,9 +3981,9 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
     SSGI_GL__CHECK(!desc->receiver || desc->receiver < desc->layers, "desc.receiver: must be below desc.layers");
     SSGI_GL__CHECK(desc->fetch
                        || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
-                                          "sends == CUSTOM",
+                                          "sends == CUSTOM || harmonics == CUSTOM",
                                           desc),
-                   "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel: what is CUSTOM");
+                   "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel, _harmonic: what is CUSTOM");
     return SSGI_OK;
 }
 
@@ -4031,6 +4129,10 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
         || !(shade || restores || (s3ho && d.shaded) || (ssdo && d.environment)))
         d.residual = 0;
     if (!(shade || (restores && !d.shaded)) || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
+    if (!s3ho || !d.transfer) d.dimmed = 0;
+    if (d.shading || d.environment == SSGI_GL_ENVIRONMENT_MAP
+        || !(shade || (s3ho && d.shaded) || (ssdo && d.environment) || (blur && d.restore)))
+        d.harmonics = SSGI_GL_HARMONICS_FRAME;
     if (d.shading && !d.lights && d.bands > 2) d.bands = 2; /* a mean direction needs two bands */
     if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
     if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
@@ -5332,6 +5434,10 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
         return "chain.width, height: must be 1..16384";
     if (chain->history && chain->vectors && pass == SSGI_GL_S3HO)
         return "chain.history: averages light, not coefficients: needs vectors = 0";
+    if (pass == SSGI_GL_S3HO && chain->desc.transfer && chain->desc.dimmed
+        && (chain->desc.transfer != SSGI_GL_TRANSFER_BOTH || !chain->vectors || !chain->blur))
+        return "chain.desc.dimmed: reads what was filtered of the last frame's coefficients: needs "
+               "SSGI_GL_TRANSFER_BOTH, vectors = 1 and blur = 1";
     if (ssgi_gl__directions_alone(chain)
         && (lit || chain->history || chain->desc.onto || (chain->blur && !chain->vectors)))
         return "chain.desc.shading: SSGI_GL_SHADING_BENT is not light: lights, history and onto need another shading, "
@@ -5372,6 +5478,13 @@ static void ssgi_gl__thickness(ssgi_gl_desc *d)
     if (d->thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__slices(d)) d->thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
+/* What an input reads that no step before it writes: the last frame's light, or coefficients of a name. */
+static int ssgi_gl__left_by_last(ssgi_gl__build *b, const char *name)
+{
+    static const char last[] = "t_ssgi_last_";
+    return strncmp(name, last, sizeof last - 1) ? b->light : *ssgi_gl__texture(b, name + sizeof last - 1);
+}
+
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why)
 {
     const char *const bad = ssgi_gl__chain_bad(chain);
@@ -5402,7 +5515,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
                 for (int n = 0; n < steps[m].inputs; ++n) {
                     ssgi_gl_input *const in = &steps[m].input[n]; /* of yours nothing is known */
                     if (in->meaning < 0 && in->texture < 0) {
-                        in->texture = b.light;
+                        in->texture = ssgi_gl__left_by_last(&b, in->name);
                         in->last = 1;
                     }
                     if (in->meaning >= 0 || in->texture != out->texture) continue;

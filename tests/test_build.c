@@ -681,6 +681,7 @@ static void command_line(void)
                   { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo-points --env sky --set views=1 --out a.exr",
                     "views=1: a frame" },
                   { "--gbuffer f.exr --fovy 57 --radius 0.5 --set behind=slabs --out a.exr", "channel back.Z" },
+                  { "room --size 8x8 --env sky --method s3ho --set dimmed=1 --out a.exr", "dimmed=1" },
                   { "room --set thin=1 --out a.exr", "--set thin=1: the setting is behind" },
                   { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --truth 4 --out a.exr", "--truth" },
                   { "room --plan best:1 --out a.exr", "--plan best:1" },

@@ -365,6 +365,12 @@ static void refusals(void)
                                   .height = 8 } },
         { "chain.desc.shading", { .desc = { .pass = SSGI_GL_S3HO, .shading = BENT }, .width = 8, .height = 8,
                                   .lights = { .pass = SSGI_GL_LIGHTS } } },
+        { "chain.desc.dimmed", { .desc = { .pass = SSGI_GL_S3HO, .packed = 1, .transfer = 1, .dimmed = 1 }, .width = 8,
+                                 .height = 8, .vectors = 1 } },
+        { "chain.desc.dimmed", { .desc = { .pass = SSGI_GL_S3HO, .packed = 1, .transfer = 1, .dimmed = 1 }, .width = 8,
+                                 .height = 8, .blur = 1 } },
+        { "chain.desc.dimmed", { .desc = { .pass = SSGI_GL_S3HO, .packed = 1, .transfer = 2, .dimmed = 1 }, .width = 8,
+                                 .height = 8, .blur = 1, .vectors = 1 } },
         { "desc.steps", { .desc = { .pass = SSGI_GL_HSAO, .steps = 65 }, .width = 8, .height = 8 } },
         { "desc.packed", { .desc = { .pass = SSGI_GL_S3HO, .transfer = 1 }, .width = 8, .height = 8 } }
     };
@@ -520,7 +526,8 @@ static void any_desc(ssgi_gl_desc *d)
     d->fetch = "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + p.y + j + 1); }\n"
                "vec3 ssgi_custom_normal(ivec2 p) { return vec3(0.0, 0.0, 1.0); }\n"
                "uint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n"
-               "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour; }\n";
+               "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour; }\n"
+               "vec3 ssgi_custom_harmonic(int i, vec3 p) { return p; }\n";
 }
 
 static ssgi_gl_chain any_chain(void)

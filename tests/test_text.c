@@ -27,6 +27,7 @@ static const choice choices[] = {
     CHOICE(view_layers, 2, 1, 1),   CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1),
     CHOICE(bounce, 3, 0, 1),        CHOICE(bands, 4, 1, 1),    CHOICE(packed, 2, 0, 1),
     CHOICE(transfer, 3, 0, 1),      CHOICE(shaded, 2, 0, 1),   CHOICE(shading, 4, 0, 1),
+    CHOICE(dimmed, 2, 0, 1),        CHOICE(harmonics, 2, 0, 1),
     CHOICE(lights, 2, 0, 1),        CHOICE(albedo, 2, 0, 1),   CHOICE(residual, 2, 0, 1),
     CHOICE(two_sided, 2, 0, 1),     CHOICE(shadow, 4, 0, 1),   CHOICE(accumulate, 2, 0, 1),
     CHOICE(radiance, 4, 0, 1),      CHOICE(objects, 3, 0, 1),  CHOICE(half, 2, 0, 1),
@@ -48,7 +49,8 @@ enum {
 #define FETCH \
     "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return " \
     "vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \
-    "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour * max(n.y, p.x); }"
+    "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour * max(n.y, p.x); }\n" \
+    "vec3 ssgi_custom_harmonic(int i, vec3 p) { return p * float(i + 1); }"
 
 #define PART(c) (isalnum((unsigned char)(c)) || (c) == '_')
 
@@ -1252,7 +1254,7 @@ static const struct { const char *start; size_t offset; int most;
              INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 1),    INT(colour, 2),
              INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1),   INT(restore, 2),
              INT(span, 64),         INT(motion, 1),        INT(left_handed, 1),    INT(oblique, 1), INT(array, 1),
-             INT(multisampled, 1),  INT(onto, 3),         INT(cap_table, 1)
+              INT(multisampled, 1),  INT(onto, 3),          INT(cap_table, 1),      INT(dimmed, 1),  INT(harmonics, 1)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -1289,6 +1291,12 @@ static void sentences(void)
         { "desc.fetch:", { .depth = SSGI_GL_DEPTH_CUSTOM } },
         { "desc.fetch:", { .normal = SSGI_GL_NORMAL_CUSTOM } },
         { "desc.fetch:", { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_CUSTOM } },
+        { "desc.fetch:", { .pass = SSGI_GL_SHADE, .harmonics = SSGI_GL_HARMONICS_CUSTOM } },
+        { "desc.residual:",
+          { .pass = SSGI_GL_SHADE, .residual = 1, .harmonics = SSGI_GL_HARMONICS_CUSTOM, .fetch = FETCH } },
+        { "desc.dimmed:", { .pass = SSGI_GL_S3HO, .search = 1, .packed = 1, .transfer = 1, .dimmed = 1, .layers = 2 } },
+        { "desc.dimmed:", { .pass = SSGI_GL_S3HO, .search = 1, .packed = 1, .transfer = 2, .dimmed = 1, .views = 1 } },
+        { NULL, { .pass = SSGI_GL_S3HO, .search = 1, .dimmed = 1, .layers = 2 } },
         { "desc.packed:", { .pass = SSGI_GL_S3HO, .transfer = 1 } },
         { "desc.packed:", { .pass = SSGI_GL_SHADE, .transfer = 2 } },
         { "desc.packed:", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .transfer = 1 } },

@@ -328,6 +328,105 @@ static void walls_reflect(void)
     kit_image_free(&frame);
 }
 
+static uint32_t half_of(double v)                       /* of at least 2^-14, or 0 */
+{
+    const float value = (float)v;
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    const uint32_t rounded = bits + 0xfff + (bits >> 13 & 1);
+    return fabs(v) < 1e-4 ? 0 : ((rounded >> 13 & 0x3ffff) - 0x1c000) | (bits >> 16 & 0x8000);
+}
+
+/* Puts sets into what a pass reads of the last frame: open lobes where `open` has the surface's bit, the wall's 1, the
+   back's 2; elsewhere nothing. */
+static void leave_lobes(const kit_run *run, int pass, const kit_image *frame, int open)
+{
+    static uint32_t texel[2][W * H][4];
+    for (int i = 0; i < W * H; ++i) {
+        const int from = (H - 1 - i / W) * W + i % W, upright = frame->data[W * H + from] > 0.5f;
+        const double n[3] = { upright, 0, !upright };
+        double v[16] = { 0 };
+        if (open >> !upright & 1) open_vector(v, n);
+        for (int k = 0; k < 8; ++k)
+            texel[k / 4][i][k % 4] = half_of(v[2 * k]) | half_of(v[2 * k + 1]) << 16;
+    }
+    const kit_pass *p = &run->pass[pass];
+    for (int k = 0; k < p->step->inputs; ++k) {
+        const char *name = p->step->input[k].name;
+        if (strncmp(name, "t_ssgi_last_", 12)) continue;
+        glBindTexture(GL_TEXTURE_2D, p->input[k]);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, W, H, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                        texel[name[strlen(name) - 1] - '0']);
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+/* What a wall and the back of a room let through to each other by way of the last frame: as much as by open lobes where
+   those were left, nothing where nothing was, each surface on its own. Normals along axes are exact in 6 bits. */
+static void senders_are_dimmed(void)
+{
+    static const double planes[2][4] = { { 1, 0, 0, -0.5 }, { 0, 0, 1, -4 } };
+    static const char *const methods[2] = { "s3ho-points", "s3ho" };
+    const kit_camera c = looking_along_z(W, H, 0);
+    kit_image frame;
+    kit_gbuffer g;
+    if (!planes_seen(&frame, &c, planes, 2, ",albedo.R,albedo.G,albedo.B")) return;
+    for (int i = 4 * W * H; i < 7 * W * H; ++i) frame.data[i] = 0.8f;
+    if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
+    for (int m = 0; m < 2; ++m) {
+        float *vector[6];  /* by open lobes; without reflection; what was left: nothing, the wall, the back, both */
+        double worst = 0, sent = 0;
+        kit_run run;
+        for (int k = 0, pass; k < 6; ++k) {
+            char set[96];
+            snprintf(set, sizeof set, "indirect=%s,store=packed,filtered=vectors,blur=1,dimmed=%d,%s",
+                     k == 1 ? "none" : "joint", k > 1, m ? "steps=6" : "samples=8");
+            if (k < 3 && !begin(&run, &g, methods[m], set, 1, NULL, &dark)) return;
+            for (pass = 0; run.pass[pass].desc.pass != SSGI_GL_S3HO; ++pass) {}
+            const int passes = run.passes;
+            if (k > 1) leave_lobes(&run, pass, &frame, k - 2);
+            run.passes = pass + 1;
+            kit_run_update(&run);
+            kit_run_draw(&run, 0);
+            run.passes = passes;
+            if (!(vector[k] = vectors_new(&run, pass))) return;
+            if (k < 2 || k == 5) kit_run_close(&run);
+        }
+        for (int i = 0; i < 16 * W * H; ++i) {
+            const int at = i / 16, from = (H - 1 - at / W) * W + at % W, upright = frame.data[W * H + from] > 0.5f;
+            sent = fmax(sent, fabs((double)vector[0][i] - (double)vector[1][i]));
+            for (int k = 2; k < 6; ++k) /* a surface gets what the other one sends */
+                worst = fmax(worst, fabs((double)vector[k][i] - (double)vector[(k - 2) >> upright & 1 ? 0 : 1][i]));
+        }
+        CHECK(sent > 0.1 && worst < 1.5e-3, "%s: %.4f off, where %.4f is sent", methods[m], worst, sent);
+        t_note("%s: %.1e off, where %.2f is sent", methods[m], worst, sent);
+        for (int k = 0; k < 6; ++k) free(vector[k]);
+    }
+    kit_image_free(&frame); kit_gbuffer_free(&g);
+}
+
+/* What a chain's gather reads of the last frame is what its filter wrote. */
+static void filtered_sets_are_left(void)
+{
+    const ssgi_gl_chain chain = {
+        .desc = { .pass = SSGI_GL_S3HO, .half = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH, .dimmed = 1 },
+        .width = 64, .height = 48, .blur = 1, .vectors = 1
+    };
+    static ssgi_gl_step step[8];
+    const int count = ssgi_gl_steps(step, 8, &chain, NULL);
+    int read = 0;
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < step[i].inputs; ++k) {
+            const ssgi_gl_input *in = &step[i].input[k];
+            for (int m = i + 1; m < count && !strncmp(in->name, "t_ssgi_last_", 12); ++m)
+                for (int o = 0; o < step[m].outputs && step[m].desc.pass == SSGI_GL_BLUR; ++o)
+                    read += in->texture == step[m].output[o].texture && in->last && in->width == 64 && in->height == 48
+                         && !strcmp(in->name + strlen("t_ssgi_last_"), step[m].output[o].name + strlen("o_ssgi_"))
+                         && in->format == step[m].output[o].format;
+        }
+    CHECK(read == 6, "%d of 6 sets' textures are what the filter wrote", read);
+}
+
 /* From straight above, a step up 0.25 radii beside the receiver, so high: what is seen of it is its top. */
 static void range_is_checked(void)
 {
@@ -1166,6 +1265,70 @@ static void bounce_restores_nothing(void)
     }
 }
 
+/* ---- light that varies ------------------------------------------------------------------------------------------- */
+
+/* GLSL of harmonics [3*i + c], beyond x = 0 times more. */
+static void hook(char *text, size_t size, const float *light, int count, double more)
+{
+    size_t n = (size_t)snprintf(text, size, "const vec3 mine[%d] = vec3[%d](", count, count);
+    for (int i = 0; i < 3 * count; i += 3)
+        n += (size_t)snprintf(text + n, size - n, "%svec3(%.9f, %.9f, %.9f)", i ? ", " : "", (double)light[i],
+                              (double)light[i + 1], (double)light[i + 2]);
+    snprintf(text + n, size - n,
+             ");\nvec3 ssgi_custom_harmonic(int i, vec3 p) { return mine[i] * (p.x > 0.0 ? %.3f : 1.0); }", more);
+}
+
+/* Harmonics of the user's own function: constant ones are frame.harmonics; twice as bright ones on one side of the eye
+   light that side twice, in the gather, in pass shade and where blur restores what is open. */
+static void light_varies(void)
+{
+    static const struct { const char *method, *set; int bands;
+    } row[] = { { "ssdo-points", "bounce=none,environment=sh", 3 },
+                { "ssdo", "bounce=none,environment=sh,blur=1,restore=ratio,bands=1", 1 },
+                { "s3ho-points", "indirect=joint,filtered=light,blur=1,restore=difference", 4 },
+                { "s3ho-points", "indirect=none,filtered=vectors,bands=2", 2 } };
+    float light[48], view[16], projection[16];
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_lighting l;
+    double worst[2] = { 0 };
+    some_light(light);
+    if (!look(&g, &scene, &l, NULL)) return;
+    kit_camera_matrices(&g.camera, view, projection);
+    for (int m = 0; m < (int)(sizeof row / sizeof *row); ++m) {
+        kit_image out[3];
+        char mine[3][2048];
+        for (int k = 0; k < 3; ++k) {
+            kit_run run;
+            if (!begin(&run, &g, row[m].method, row[m].set, scene.radius, &scene, &l)) return;
+            hook(mine[k], sizeof mine[k], light, row[m].bands * row[m].bands, k);
+            for (int i = 0; i < run.passes && k; ++i) {
+                run.pass[i].desc.harmonics = SSGI_GL_HARMONICS_CUSTOM;
+                run.pass[i].desc.fetch = mine[k];
+                if (!remade(&run, i)) return;
+            }
+            if (!k) ssgi_gl_harmonics_set(&run.frame, light, row[m].bands, view, NULL);
+            else memset(run.frame.harmonics, 0, sizeof run.frame.harmonics);
+            if (!drawn(&out[k], &run)) return;
+            kit_run_close(&run);
+        }
+        const float *irradiance[3];
+        for (int k = 0; k < 3; ++k) irradiance[k] = kit_image_channel(&out[k], "irradiance.R");
+        for (int i = 0; i < 3 * W * H; ++i) {
+            const double is = (double)irradiance[0][i], side = i % W * 2 + 1 > W ? 2 : 1;
+            worst[0] = fmax(worst[0], fabs((double)irradiance[1][i] - is));
+            /* differences are smoothed across the edge */
+            if (abs(i % W - W / 2) > 4) worst[1] = fmax(worst[1], fabs((double)irradiance[2][i] - side * is));
+        }
+        CHECK(worst[0] < 2e-5 && worst[1] < 4e-5 && mean(&out[0], "irradiance.G") > 0.5,
+              "%s %s: %.1e off where it is the same everywhere, %.1e where it varies", row[m].method, row[m].set,
+              worst[0], worst[1]);
+        for (int k = 0; k < 3; ++k) kit_image_free(&out[k]);
+    }
+    t_note("%.1e off where it is the same everywhere, %.1e where it varies", worst[0], worst[1]);
+    kit_image_free(&l.env); kit_gbuffer_free(&g); kit_scene_free(&scene);
+}
+
 /* ---- truth ------------------------------------------------------------------------------------------------------- */
 
 static void near_the_truth(void)
@@ -1209,6 +1372,8 @@ void test_vectors(void)
     RUN("an open plane's vector is the cosine lobe, and its light what that makes of it", open_planes);
     RUN("a wall's vector is its expectation, whatever the samples, layers and fading", walls_block);
     RUN("a wall reflects its own lobe, times its albedo", walls_reflect);
+    RUN("senders reflect what the last frame let through to them", senders_are_dimmed);
+    RUN("what a gather reads of the last frame is what its filter wrote", filtered_sets_are_left);
     RUN("what is seen beyond the radius blocks nothing when the range is checked", range_is_checked);
     RUN("ssdo's harmonics are s3ho's", ssdo_agrees);
     RUN("what faces a sun, a point light, a sphere gets its irradiance; what turns away its window's",
@@ -1226,6 +1391,7 @@ void test_vectors(void)
     RUN("lamps alone light bent normals as they light ssdo", lamps_alone);
     RUN("coefficients are stored as asked, or it is refused", storage_is_kept_or_refused);
     RUN("a bounce is smoothed as it is, whatever the filter restores", bounce_restores_nothing);
+    RUN("light may be your own function of the place", light_varies);
     RUN("a room under a sky is near its ray-traced truth", near_the_truth);
     kit_gl_close();
 }

@@ -232,7 +232,7 @@ typedef struct kit_settings {
     int    environment, bounce, reuse, two_sided, shadows, points, solid, shadow_size, suns, vpls;
     double distance_clamp, gain, max_slope;    /* radii; 1: a patch's own area; a slope */
     /* as spherical harmonics, or bent normals */
-    int    bands, store, indirect, filtered, residual, window, lights, cone;
+    int    bands, store, indirect, dimmed, filtered, residual, window, lights, cone;
     /* fields */
     int    resolution, radii, rays, unfiltered, own, occluders, cap_table; /* cap_table: its side; 0: closed form */
     double reach, ramp, inside, power;     /* bounding spheres' radii; of the reach; below 0: as measured; exponent */

@@ -85,7 +85,8 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     run->bytes = kit_run_bytes(run);
     glGenBuffers(KIT_FRAMES, run->block);
     kit_run_update(run);
-    for (int i = 0; i < 2 && m->set->reuse; ++i) kit_run_draw(run, 0);         /* a last frame to reuse */
+    /* a last frame to reuse; of senders' own frames a second bounce */
+    for (int i = 0; i < 2 && (m->set->reuse || m->set->dimmed); ++i) kit_run_draw(run, 0);
     return 0;
 }
 

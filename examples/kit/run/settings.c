@@ -109,6 +109,8 @@ ROW(packed_row, store, "coefficients that are filtered or meet lamps: halves, pa
     "half packed float", 1, 0, 2, PLAN, 0)
 ROW(indirect_row, indirect, "one bounce: none, in the gather of the occlusion, in its own",
     "none joint apart", 1, 0, 2, PLAN, 0)
+ROW(dimmed_row, dimmed, "1: senders reflect what the last frame let through to them, not all of it: several bounces",
+    NULL, 0, 0, 1, GATHER, DESC(dimmed))
 ROW(filtered_row, filtered, "what is filtered", "vectors light", 1, 0, 1, PLAN, 0)
 ROW(residual_row, residual, "1: unoccluded irradiance is exact, harmonics give the occlusion alone",
     NULL, 1, 0, 1, GATHER, DESC(residual))
@@ -202,7 +204,8 @@ typedef struct plan {
         &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \
         &vector_restore_row, &compare_row, &margin_row, &history_row
 #define S3HO(...) \
-    SETTINGS(&bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS(&packed_row, &lights_row, __VA_ARGS__))
+    SETTINGS(&bands_row, &indirect_row, &dimmed_row, &residual_row, &two_sided_row, \
+             VECTORS(&packed_row, &lights_row, __VA_ARGS__))
 #define SSBN(...) SETTINGS(&cone_row, VECTORS(&store_row, &shadowed_row, __VA_ARGS__))
 #define SURFELS(every, epsilon, levels, ...) \
     SETTINGS(&size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, \
@@ -450,6 +453,11 @@ static int check_combination(const kit_making *m)
     if (set->indirect == KIT_INDIRECT_JOINT && set->store != KIT_STORE_PACKED)
         return kit_fail(m->err, "--set store=%s: one gather with the bounce packs its coefficients: it needs "
                                 "indirect=none or apart", set->store == KIT_STORE_FLOAT ? "float" : "half");
+    if (set->dimmed
+        && (set->indirect != KIT_INDIRECT_JOINT || set->filtered != KIT_FILTERED_VECTORS || !set->blur
+            || set->margin > 0))
+        return kit_fail(m->err, "--set dimmed=1: reads the last frame's filtered coefficients: it needs "
+                                "indirect=joint, filtered=vectors, blur=1 or more and margin=0");
     return 0;
 }
 

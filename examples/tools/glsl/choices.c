@@ -8,6 +8,7 @@
     "}\n" \
     "vec3 ssgi_custom_normal(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).xyz; }\n" \
     "vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) { return colour * max(normal.y, 0.0); }\n" \
+    "vec3 ssgi_custom_harmonic(int i, vec3 position) { return vec3(i == 0 ? 3.5 : position.y); }\n" \
     "uint ssgi_custom_object(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).w > 1.0 ? 1u : 0u; }\n"
 static const char custom[] = "uniform sampler2D my_gbuffer;\n" CUSTOM,
                   custom_vulkan[] = "layout(set = 1, binding = 0) uniform texture2D my_gbuffer;\n" CUSTOM;
@@ -53,7 +54,9 @@ const choice choices[] = { { "", 0, 0 },
                            CHOICE("packed", packed, 1),
                            CHOICE("transfer", transfer, SSGI_GL_TRANSFER_BOTH),
                            CHOICE("reflected", transfer, SSGI_GL_TRANSFER_REFLECTED),
+                           CHOICE("dimmed", dimmed, 1),
                            CHOICE("shaded", shaded, 1),
+                           CHOICE("customharmonics", harmonics, SSGI_GL_HARMONICS_CUSTOM),
                            CHOICE("residual", residual, 1),
                            CHOICE("bentnormal", shading, SSGI_GL_SHADING_BENT_NORMAL),
                            CHOICE("bentcone", shading, SSGI_GL_SHADING_BENT_CONE),
@@ -102,6 +105,8 @@ const variant variants[] = {
     { "`ssdo`, bounce", { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE } },
     { "`s3ho`", { .pass = SSGI_GL_S3HO } },
     { "`s3ho`, transfer, packed", { .pass = SSGI_GL_S3HO, .transfer = SSGI_GL_TRANSFER_BOTH, .packed = 1 } },
+    { "`s3ho`, transfer, packed, dimmed",
+      { .pass = SSGI_GL_S3HO, .transfer = SSGI_GL_TRANSFER_BOTH, .packed = 1, .dimmed = 1 } },
     { "`s3ho`, shaded", { .pass = SSGI_GL_S3HO, .shaded = 1 } },
     { "`lights`", { .pass = SSGI_GL_LIGHTS } },
     { "`lights`, maps", { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL } },
@@ -135,7 +140,7 @@ ssgi_gl_desc with_choice(ssgi_gl_desc d, int c)
 {
     if (c) memcpy((char *)&d + choices[c].offset, &choices[c].value, sizeof(int));
     if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM || d.objects == SSGI_GL_OBJECTS_CUSTOM
-        || (d.sends == SSGI_GL_SENDS_CUSTOM && (d.pass == SSGI_GL_SURFELS || d.pass == SSGI_GL_SPLAT)))
+        || d.harmonics == SSGI_GL_HARMONICS_CUSTOM || (d.sends == SSGI_GL_SENDS_CUSTOM && (d.pass == SSGI_GL_SURFELS || d.pass == SSGI_GL_SPLAT)))
         d.fetch = d.dialect == SSGI_GL_VULKAN ? custom_vulkan : custom;
     return d;
 }
