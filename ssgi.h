@@ -4570,6 +4570,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    New: pass WIDTH and desc.thickness WIDTH, which ssgi_gl_steps takes for slices by itself (DEFAULT, the new 0). With
    BACK and SLABS slices need that pass, too: what has no back face is as thick as wide, and sheets half as thick,
    instead of frame.thickness.
+   New: desc.terms and desc.spheres, of the march; its horizon reads desc.layers and desc.views.
+   desc.shadow FILL lifts its segments twice: it darkened creases.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
    New: room >>cap: ssgi_cap_occlusion in doubles, ssgi_cap_table and desc.cap_table, ssgi_cap_light.
    New: ssgi_trace_visibility.

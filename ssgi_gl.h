@@ -185,6 +185,15 @@ enum {
     SSGI_GL_MARCH,      /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 };
 
+/* desc.terms: what of the march counts. All but RAYS seek the horizon: with desc.layers or desc.views by their solids,
+   else what is seen has no far side, whatever desc.thickness is. NORMAL, RAYS: normal_rays 0 is 1. */
+enum {
+    SSGI_GL_TERMS_BOTH = 0, /* below the horizon in closed form; above it normal rays, as many as there are */
+    SSGI_GL_TERMS_HORIZON,  /* below the horizon alone, as normal_rays 0 [HSAO08 fig. 10a] */
+    SSGI_GL_TERMS_NORMAL,   /* above it alone: by how much normal rays darken [HSAO08 fig. 10b] */
+    SSGI_GL_TERMS_RAYS,     /* no horizon: directions x normal_rays rays over the whole hemisphere [HSAO08 fig. 12] */
+};
+
 /* desc.thickness: how far visible surfaces reach, away from the viewer.
      pass width      is read by slices with WIDTH, BACK and SLABS, by the others with WIDTH: thickness and view depth in
                      one fetch, instead of t_ssgi_depth's. ssgi_gl_steps draws it once a frame, with the largest
@@ -357,6 +366,9 @@ typedef struct ssgi_gl_desc {
     int steps;       /* [limit: 0..64] [default: 6; points 1]  on each direction, N_s; of points the first occluded one
                         counts */
     int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
+    int terms;       /* hsao by march   SSGI_GL_TERMS_BOTH .. */
+    int spheres;     /* hsao by march   1: the horizon rises only to what lies within a sphere that grows with the ray,
+                        a step ahead of its end: it occludes less where depths jump [HSAO08 5] */
     int noise;       /* SSGI_GL_NOISE_GRADIENT .. */
     int kernel;      /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
     int uniform;     /* points of gathers   1: directions spread evenly, as published, each weighted by 2 cos (those in
@@ -1394,6 +1406,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sender_place = s.y; // #if transfer\n"
     "}\n" },
 
+{ "ssgi_t", __LINE__ + 1,
+    "vec3 ssgi_t; // the tangent along which the horizon is sought\n" },
+
+{ "ssgi_rise", __LINE__ + 1,
+    "vec3 ssgi_rise; // how far the horizon is sought; the sine of its elevation, its distance\n" },
+
+{ "ssgi_offer_rise", __LINE__ + 1,
+    "void ssgi_offer_rise(vec3 I) { // raises the horizon to the front of a solid\n"
+    "    vec3 d = I - ssgi_P;\n"
+    "    float x = dot(d, ssgi_t), y = dot(d, ssgi_n), l = length(d), H = y * inversesqrt(x * x + y * y);\n"
+    "    if (x > 0.0 && l < ssgi_rise.x && H > ssgi_rise.y) ssgi_rise.yz = vec2(H, l);\n"
+    "}\n" },
+
 { "ssgi_solid", __LINE__ + 1,
     "struct ssgi_solid { // two layers of a pixel: a solid's front and its back, SSGI_FAR where there is none\n"
     "    float front, back;\n"
@@ -1414,6 +1439,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_solid_occludes", __LINE__ + 1,
     "// weight of the solid around depth s at a pixel of camera v\n"
     "float ssgi_solid_occludes(ssgi_solid a, int v, ivec2 p, float s) {\n"
+    "    ssgi_offer_rise(ssgi_point(v, p, a.front)); // #if pass == HSAO && terms != RAYS\n"
     "    ssgi_offer_sender(a.front_sender, ssgi_point(v, p, a.front)); // #if bounce\n"
     "    if (a.back < SSGI_FAR) ssgi_offer_sender(a.back_sender, ssgi_point(v, p, a.back)); // #if bounce\n"
     "    return ssgi_fade_weight(ssgi_point(v, p, s - a.front < a.back - s ? a.front : a.back)); // #if fade || range\n"
@@ -1844,6 +1870,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (contact >= 0.0 && contact < ssgi_footprint(-P.z)) reach = 0.0; // #if shadow == FILL\n"
     "    ssgi_segment_length = reach; // #if thickness != SOLID\n"
     "    vec3 start = ssgi_lift(P, n), along = s.way * reach;\n"
+    "    // short segments stay near a crease's surfaces, whose depth nearest fetches round // #if shadow == FILL\n"
+    "    if (contact >= 0.0) start = ssgi_lift(start, n); // #if shadow == FILL\n"
     "    xi = fract(xi + 0.61803399 * float(i)); // by the golden ratio: another offset for every light\n"
     "    for (int k = 0; k < SSGI_SAMPLES; ++k)\n"
     "        if (ssgi_blocked(start + along * ((float(k + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
@@ -2219,15 +2247,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 r = vec2(0.0);\n"
     "    for (int i = 1; i <= SSGI_STEPS; ++i) {\n"
     "        vec3 Q = start + h * (u_ssgi_radius * (float(i) + beta) / float(SSGI_STEPS));\n"
+    "        float ahead = u_ssgi_radius * (float(i + 1) + beta) / float(SSGI_STEPS); // #if spheres\n"
+    "        float grown = min(ahead, u_ssgi_radius); // #if spheres\n"
+    "#if layers > 1 || views\n"
+    "        ssgi_rise = vec3(u_ssgi_radius, r.x, 0.0); // #if !spheres\n"
+    "        ssgi_rise = vec3(grown, r.x, 0.0); // #if spheres\n"
+    "        if (ssgi_blocked(Q) > 0.0) {\n"
+    "            float H = ssgi_rise.y, l = ssgi_rise.z;\n"
+    "            if (H > r.x) {\n"
+    "#else\n"
     "        if (Q.z >= 0.0) break;\n"
     "        ivec2 q = ivec2(floor(ssgi_project(Q)));\n"
     "        if (!ssgi_inside(q)) break;\n"
     "        float z = ssgi_depth(q);\n"
     "        vec3 d = ssgi_position(vec2(q) + 0.5, z) - P;\n"
     "        float x = dot(d, t), y = dot(d, n), l = length(d);\n"
-    "        if (z < -Q.z && l < u_ssgi_radius && x > 0.0) {\n"
+    "        if (z < -Q.z && l < u_ssgi_radius && x > 0.0) { // #if !spheres\n"
+    "        if (z < -Q.z && l < grown && x > 0.0) { // #if spheres\n"
     "            float H = y * inversesqrt(x * x + y * y);\n"
     "            if (H > r.x) {\n"
+    "#endif\n"
     "                r = vec2(H, r.y + (H * H - r.x * r.x) * ssgi_attenuation(l));\n"
     "                h = H * n + sqrt(max(1.0 - H * H, 0.0)) * t;\n"
     "            }\n"
@@ -2252,12 +2291,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // horizons of SSGI_DIRECTIONS tangents [HSAO08 eq. 6]\n"
     "    mat3 basis = ssgi_basis(n);\n"
     "    vec3 start = ssgi_lift(P, n);\n"
+    "    ssgi_P = P, ssgi_n = n; // #if terms != RAYS && (layers > 1 || views)\n"
     "    float sum = 0.0;\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float a = 2.0 * SSGI_PI * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
     "        vec3 t = basis[0] * cos(a) + basis[1] * sin(a);\n"
-    "        vec2 h = ssgi_horizon(P, start, n, t, xi.y - 0.5);\n"
-    "        sum += h.y;\n"
+    "        ssgi_t = t; // #if terms != RAYS && (layers > 1 || views)\n"
+    "        vec2 h = ssgi_horizon(P, start, n, t, xi.y - 0.5); // #if terms != RAYS\n"
+    "        vec2 h = vec2(0.0); // #if terms == RAYS\n"
+    "        sum += h.y; // #if !terms\n"
     "        vec2 u = vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y); // #if normal_rays\n"
     "        sum += ssgi_above(start, n, t, h.x, u); // #if normal_rays\n"
     "    }\n"
@@ -3839,6 +3881,8 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__FIELD_COUNT(samples, 64),
     SSGI_GL__FIELD_COUNT(steps, 64),
     SSGI_GL__FIELD_COUNT(normal_rays, 8),
+    SSGI_GL__FIELD_ENUM(terms, TERMS, RAYS, "BOTH HORIZON NORMAL RAYS"),
+    SSGI_GL__FIELD_SWITCH(spheres),
     SSGI_GL__FIELD_ENUM(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
     SSGI_GL__FIELD_SWITCH(kernel),
     SSGI_GL__FIELD_SWITCH(uniform),
@@ -4104,6 +4148,10 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
     if (pass == SSGI_GL_SSAO || pass == SSGI_GL_LIGHTS) d.search = SSGI_GL_POINTS;
     if (pass == SSGI_GL_HSAO && !slices) d.falloff = SSGI_GL_FALLOFF_LINEAR;
+    else d.terms = d.spheres = 0;
+    if (d.terms == SSGI_GL_TERMS_HORIZON) d.terms = d.normal_rays = 0;
+    if (d.terms && !d.normal_rays) d.normal_rays = 1;
+    if (d.terms == SSGI_GL_TERMS_RAYS) d.spheres = 0;
     if (!d.filter_radius) d.filter_radius = d.filter == SSGI_GL_GAUSSIAN ? 2 : 1;
     if (!d.bands) d.bands = ssdo ? 3 : 4;
     if (!d.levels) d.levels = 5;

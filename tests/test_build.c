@@ -642,6 +642,7 @@ static void command_line(void)
                   { "room --set steps=99 --out a.exr", "steps=99" },
                   { "casters --method aof --set cap_table=1,resolution=4,rays=16 --out a.exr", "cap_table=1: size:" },
                   { "casters --method aof --set unfiltered=2 --out a.exr", "unfiltered=2" },
+                  { "room --method hsao-march --set terms=all --out a.exr", "terms=all" },
                   { "room --set colour=1 --out a.exr", "colour=1" },
                   { "room --size 0x5 --out a.exr", "--size 0x5" },
                   { "room --camera 1,2 --out a.exr", "--camera 1,2" },

@@ -995,6 +995,34 @@ static void fill_brings_contacts_back(void)
     kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
+/* Coarse maps, and creases a pixel wide: what is filled is in shadow. */
+static void fill_spares_what_is_lit(void)
+{
+    enum { WIDTH = 320, HEIGHT = 180 };
+    static const char *const sets[2] = { "bounce=none,shadow_size=128,shadows=map",
+                                         "bounce=none,shadow_size=128,shadows=fill" };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_lighting l;
+    kit_image out[2];
+    int rightly = 0, wrongly = 0;
+    if (!lighten(&l, NULL, "sun:1,0.35,0.3,3,3,3") || !see(&scene, &g, "boxes", NULL, 0, NULL, WIDTH, HEIGHT)) return;
+    float *distance = blockers_new(&scene, &l.light[0]);
+    for (int m = 0; m < 2; ++m)
+        if (!distance || !lit(&out[m], &g, "ssdo-points", sets[m], scene.radius, &scene, &l)) return;
+    for (int i = 0; i < WIDTH * HEIGHT; ++i) {
+        const size_t k = (size_t)(3 * WIDTH * HEIGHT + i);
+        if (!(out[0].data[k] > 0) || out[1].data[k] > 0) continue;
+        rightly += distance[i] > 0;
+        wrongly += distance[i] <= 0;
+    }
+    CHECK(wrongly <= rightly, "%d pixels rightly darkened, %d wrongly", rightly, wrongly);
+    t_note("%d pixels rightly darkened, %d wrongly", rightly, wrongly);
+    free(distance);
+    kit_image_free(&out[0]); kit_image_free(&out[1]);
+    kit_gbuffer_free(&g); kit_scene_free(&scene);
+}
+
 static void point_light_in_a_box(void)
 {
     static const char *const direct[2] = { "bounce=none,shadows=map", "bounce=none,shadows=fill" };
@@ -1122,6 +1150,7 @@ void test_light(void)
     RUN("a plane does not shadow itself in a map", planes_do_not_shadow_themselves);
     RUN("a sun's maps cover all that is seen", suns_cover_what_is_seen);
     RUN("of what the maps' bias loses a third is filled, and next to nothing darkened", fill_brings_contacts_back);
+    RUN("where creases are a pixel wide, what is filled is in shadow", fill_spares_what_is_lit);
     RUN("a point light, and its virtual lights", point_light_in_a_box);
     kit_gl_close();
 }

@@ -306,6 +306,29 @@ double row_of(kit_run *run, kit_gbuffer *g, int row, int phases)
     return sum / (COLUMNS * phases);
 }
 
+/* The march over a floor along x, up to the face of a wall at c that rises without end, from 45 degrees above, radius 1
+   [HSAO08 fig. 4]: occlusion along tangents at azimuths evenly spread, as the table of corner_converges has it. */
+static double exact_march(double c, int steps, int hard, int spheres)
+{
+    enum { AZIMUTHS = 512 };
+    double sum = 0;
+    for (int a = 0; a < AZIMUTHS; ++a) {
+        const double x = cos(2 * pi * (a + 0.5) / AZIMUTHS), y = sin(2 * pi * (a + 0.5) / AZIMUTHS);
+        double H = 0;
+        for (int i = 1; i <= steps; ++i) {
+            const double d = (double)i / steps, along = d * sqrt(1 - H * H);
+            if (along * x <= c) continue;
+            /* the eye's ray meets the face there */
+            const double up = d * H + (along * x - c), l = sqrt(c * c + along * along * y * y + up * up),
+                         ahead = c * x + along * y * y, rise = up / sqrt(up * up + ahead * ahead);
+            if (l >= 1 || (spheres && l >= (i + 1.0) / steps) || ahead <= 0 || rise <= H) continue;
+            sum += (rise * rise - H * H) * (hard ? 1 : 1 - l);
+            H = rise;
+        }
+    }
+    return sum / AZIMUTHS;
+}
+
 static void corner_converges(void)
 {
     /* the exact march at 6, 12, 24, 48 steps, no jitter; the second without attenuation */
@@ -348,6 +371,21 @@ static void corner_converges(void)
         kit_run_close(&run);
     }
     t_note("march: %.4f off the exact march, %.2f/steps off the truth, hard %.2f/steps", worst, scaled[0], scaled[1]);
+    if (!start(&run, &g[0], "hsao-march",
+               "directions=32,normal_rays=0,blur=0,noise=texture,steps=24,hard=1,spheres=1", 1))
+        return;
+    glBindTexture(GL_TEXTURE_2D, run.noise);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 16, 1, 0, GL_RGBA, GL_FLOAT, tile);
+    for (int i = 0; i < 4; ++i) {
+        const double exact = exact_march(at[i], 24, 1, 1), o = 1 - row_of(&run, &g[i], row_at(at[i]), 1),
+                     plain = exact_march(at[i], 24, 1, 0);
+        CHECK(fabs(plain - march[1][i][2]) < 5e-4, "c %g: the exact march here has %g, not %g", at[i], plain,
+              march[1][i][2]);
+        /* a face that is seen is nearer than the ray's end */
+        CHECK(fabs(o - exact) <= 0.004 && fabs(exact - plain) < 1e-6,
+              "spheres, c %g: %g, the exact march has %g, without spheres %g", at[i], o, exact, plain);
+    }
+    kit_run_close(&run);
     for (int m = 0; m < 3; ++m) {
         double bias = worst = 0;
         int n = 0;
@@ -363,6 +401,157 @@ static void corner_converges(void)
         t_note("%s %s: worst %.4f, bias %+.4f over %d distances", row[m].method, row[m].set, worst, bias / n, n);
     }
     for (int i = 0; i < 4; ++i) kit_gbuffer_free(&g[i]);
+}
+
+/* ---- the march's terms, layers and cameras: closed forms -------------------------------------------------------- */
+
+enum { PIT = 160, PIT_RADIUS = 60 };      /* pixels: of the picture, of the radius */
+static const double pit_lid = 0.6, pit_wall = 0.3;    /* radii over the floor; the wall also from its centre */
+
+/* The floor at depth 4, seen straight down through the one pixel that a lid of 0.05 radii leaves open; where it is
+   wanted, a wall around it, solid downward. Up to three layers. */
+static int pit(kit_gbuffer *g, int lid, int wall)
+{
+    kit_camera camera = looking_along_z(PIT, PIT, 1);
+    kit_image frame;
+    camera.ortho_height = (float)PIT / PIT_RADIUS;
+    if (!TRY(kit_image_new(&frame, PIT, PIT,
+                           "Z,N.X,N.Y,N.Z,layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z,layer2.Z,layer2.N.X,layer2.N.Y,"
+                           "layer2.N.Z", &err)))
+        return 0;
+    for (int i = 0; i < PIT * PIT; ++i) {
+        const double x = (double)(i % PIT - PIT / 2) / PIT_RADIUS, y = (double)(i / PIT - PIT / 2) / PIT_RADIUS,
+                     floor_ = wall && sqrt(x * x + y * y) > pit_wall ? 4 - pit_wall : 4,
+                     z[3] = { 4 - pit_lid, 4 - pit_lid + 0.05, floor_ };
+        const int first = lid && (i % PIT != PIT / 2 || i / PIT != PIT / 2) ? 0 : 2;
+        for (int k = first; k < 3; ++k) {
+            frame.data[4 * (k - first) * PIT * PIT + i] = (float)z[k];
+            frame.data[(4 * (k - first) + 3) * PIT * PIT + i] = 1;
+        }
+    }
+    const int ok = TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
+    kit_image_free(&frame);
+    return ok;
+}
+
+/* occlusion at the one pixel at a picture's centre, over phases */
+static double at_centre(kit_run *run, int x, int y)
+{
+    enum { PHASES = 16 };
+    double sum = 0;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x, y, 1, 1);
+    for (int k = 0; k < PHASES; ++k) {
+        float visible = 0;
+        run->frame.phase = (float)k / PHASES;
+        kit_run_update(run);
+        kit_run_draw(run, 0);
+        glReadPixels(x, y, 1, 1, GL_RED, GL_FLOAT, &visible);
+        sum += 1 - (double)visible;
+    }
+    glDisable(GL_SCISSOR_TEST);
+    return sum / PHASES;
+}
+
+static void terms_of_the_march(void)
+{
+    static const struct {
+        const char *set;
+        int lid, wall;
+        double least, most;
+    } row[] = { /* under a lid: what is seen has no far side, and the horizon goes up to it; with its back it does not,
+                   and normal rays meet it within the radius where z > 0.55. A sphere never reaches it */
+                { "terms=horizon", 1, 0, 0.99, 1 },
+                { "terms=horizon,spheres=1", 1, 0, 0, 0 },
+                { "terms=horizon,layers=3", 1, 0, 0, 0 },
+                { "terms=normal,layers=3", 1, 0, 0.68, 0.7 },
+                { "terms=both,layers=3", 1, 0, 0.68, 0.7 },
+                { "terms=rays,layers=3", 1, 0, 0.68, 0.7 },
+                /* within a wall up to 45 degrees: half, of which normal rays find what the last step left */
+                { "terms=horizon", 0, 1, 0.44, 0.5 },
+                { "terms=both", 0, 1, 0.48, 0.51 },
+                { "terms=rays", 0, 1, 0.48, 0.51 },
+                { "terms=normal", 0, 1, 0, 0.06 },
+                /* both: nothing is open, so the shares below and above the horizon are 1. It goes on to the lid */
+                { "terms=horizon,layers=3", 1, 1, 0.5, 0.56 },
+                { "terms=normal,layers=3", 1, 1, 0.44, 0.5 },
+                { "terms=both,layers=3", 1, 1, 0.999, 1 },
+                { "terms=rays,layers=3", 1, 1, 0.999, 1 },
+                /* a wall seen from above: its top at x is within a step more than x where x > (0.09 - s^2) / 2s,
+                   s = 1/12; found there or up to a step on, at 0.5 to 0.58 */
+                { "terms=horizon,spheres=1,steps=12", 0, 1, 0.208, 0.266 } };
+    enum { ROWS = (int)(sizeof row / sizeof row[0]) };
+    double o[ROWS];
+    for (int i = 0; i < ROWS; ++i) {
+        kit_gbuffer g;
+        kit_run run;
+        char set[160];
+        snprintf(set, sizeof set, "directions=32,normal_rays=8,steps=48,hard=1,blur=0,offset=0,behind=solid,%s",
+                 row[i].set);
+        if (!pit(&g, row[i].lid, row[i].wall) || !start(&run, &g, "hsao-march", set, 1)) return;
+        o[i] = at_centre(&run, PIT / 2, PIT / 2 - 1);    /* the frame's first row is the top */
+        CHECK(o[i] >= row[i].least - 1e-6 && o[i] <= row[i].most + 1e-6, "%s%s%s: %.4f, not in %g..%g", row[i].set,
+              row[i].lid ? ", lid" : "", row[i].wall ? ", wall" : "", o[i], row[i].least, row[i].most);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+    }
+    CHECK(fabs(o[2] + o[3] - o[4]) < 1e-5 && fabs(o[6] + o[9] - o[7]) < 1e-5 && fabs(o[10] + o[11] - o[12]) < 1e-5,
+          "the terms are not the sum's: %g + %g, %g; %g + %g, %g; %g + %g, %g", o[2], o[3], o[4], o[6], o[9], o[7],
+          o[10], o[11], o[12]);
+    t_note("lid %.4f, wall %.4f + %.4f, both %.4f + %.4f", o[4], o[6], o[9], o[10], o[11]);
+}
+
+/* Only an extra camera sees the wall: the picture ends before it. */
+static void horizon_of_another_camera(void)
+{
+    enum { INNER = 16 };
+    double o[2];
+    for (int wall = 0; wall < 2; ++wall) {
+        static float depth[PIT * PIT];
+        kit_scene scene;
+        kit_gbuffer g, wide, narrow;
+        kit_camera camera = looking_along_z(INNER, INNER, 1);
+        kit_image frame;
+        kit_run run;
+        kit_method method;
+        ssgi_view view;
+        float world[16], projection[16];
+        const kit_world with = { &scene, NULL };
+        camera.ortho_height = (float)INNER / PIT_RADIUS;
+        if (!TRY(kit_scene_load(&scene, "plane", 0, &err)) || !pit(&wide, 0, wall)
+            || !TRY(kit_gbuffer_from_scene(&g, &scene, &camera, NULL, &err))
+            || !TRY(kit_image_new(&frame, INNER, INNER, "Z,N.X,N.Y,N.Z", &err)))
+            return;
+        for (int i = 0; i < INNER * INNER; ++i) {
+            frame.data[i] = 4;
+            frame.data[3 * INNER * INNER + i] = 1;
+        }
+        if (!TRY(kit_gbuffer_from_frame(&narrow, &frame, &camera, &err))
+            || !TRY(kit_method_find(&method, "hsao-march", &err))
+            || !TRY(kit_method_set(&method,
+                                   "directions=32,normal_rays=0,steps=48,hard=1,blur=0,offset=0,behind=solid,views=1,"
+                                   "view_size=160", &err))
+            || !TRY(kit_run_open(&run, &narrow, &method, 1, &with, &err)) || !view_of(&view, &wide.camera))
+            return;
+        kit_camera_matrices(&wide.camera, world, projection);
+        CHECK(ssgi_gl_views_set(&run.cameras, 0, &view, world, world, NULL) == SSGI_OK, "no view");
+        run.frame.radius = 1;
+        for (int i = 0; i < PIT * PIT; ++i) {
+            const double x = (double)(i % PIT - PIT / 2) / PIT_RADIUS, y = (double)(i / PIT - PIT / 2) / PIT_RADIUS,
+                         z = wall && sqrt(x * x + y * y) > pit_wall ? 4 - pit_wall : 4;
+            depth[i] = (float)((z - (double)run.cameras.decode[0][0]) / (double)run.cameras.decode[0][1]);
+        }
+        glBindTexture(GL_TEXTURE_2D_ARRAY, run.view_depth);
+        glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, PIT, PIT, 1, 0, GL_RED, GL_FLOAT, depth);
+        o[wall] = at_centre(&run, INNER / 2, INNER / 2);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g); kit_gbuffer_free(&wide); kit_gbuffer_free(&narrow);
+        kit_image_free(&frame);
+        kit_scene_free(&scene);
+    }
+    CHECK(fabs(o[0]) < 1e-6 && o[1] > 0.44 && o[1] < 0.51, "the horizon of another camera's wall: %g, without %g", o[1],
+          o[0]);
+    t_note("wall %.4f, none %.4f", o[1], o[0]);
 }
 
 /* ---- slabs: plates over a floor, endless sideways, from 45 degrees above ----------------------------------------- */
@@ -1757,6 +1946,8 @@ void test_pipeline(void)
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("planes stay bright, tilted and turned, by every method", planes_stay_bright);
     RUN("the corner agrees with its closed forms and with the paper's march", corner_converges);
+    RUN("the march's terms, its layers and its spheres are what closed forms say", terms_of_the_march);
+    RUN("an extra camera's solids raise the horizon", horizon_of_another_camera);
     RUN("plates over a floor cover what they cover: one by its back, one behind another as slabs",
         plates_cover_what_they_cover);
     RUN("taps of a wall are joined: few see it as dark as many", taps_of_a_wall_are_joined);

@@ -22,8 +22,10 @@ static const choice choices[] = {
     CHOICE(orthographic, 2, 0, 1),  CHOICE(depth, 3, 0, 1),    CHOICE(normal, 5, 0, 1),
     CHOICE(world_normals, 2, 0, 1), CHOICE(noise, 2, 0, 1),    CHOICE(steps, 2, 1, 2),
     CHOICE(normal_rays, 2, 0, 2),   CHOICE(hard, 2, 0, 1),     CHOICE(thickness, 6, 0, 1),
+    CHOICE(terms, 4, 0, 1),         CHOICE(spheres, 2, 0, 1),
     CHOICE(falloff, 2, 0, 1),       CHOICE(kernel, 2, 0, 1),   CHOICE(fade, 3, 0, 1),
-    CHOICE(uniform, 2, 0, 1),       CHOICE(range, 2, 0, 1),         CHOICE(layers, 3, 1, 1),   CHOICE(views, 2, 0, 2),
+    CHOICE(uniform, 2, 0, 1),       CHOICE(range, 2, 0, 1),    CHOICE(layers, 3, 1, 1),
+    CHOICE(views, 2, 0, 2),
     CHOICE(view_layers, 2, 1, 1),   CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1),
     CHOICE(bounce, 3, 0, 1),        CHOICE(bands, 4, 1, 1),    CHOICE(packed, 2, 0, 1),
     CHOICE(transfer, 3, 0, 1),      CHOICE(shaded, 2, 0, 1),   CHOICE(shading, 4, 0, 1),
@@ -1254,7 +1256,8 @@ static const struct { const char *start; size_t offset; int most;
              INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 1),    INT(colour, 2),
              INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1),   INT(restore, 2),
              INT(span, 64),         INT(motion, 1),        INT(left_handed, 1),    INT(oblique, 1), INT(array, 1),
-              INT(multisampled, 1),  INT(onto, 3),          INT(cap_table, 1),      INT(dimmed, 1),  INT(harmonics, 1)
+              INT(multisampled, 1),  INT(onto, 3),          INT(cap_table, 1),      INT(dimmed, 1),  INT(harmonics, 1),
+              INT(terms, 3),         INT(spheres, 1)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -1404,8 +1407,18 @@ static void defaults(void)
         ROW(2 + 6 * 2, (.pass = SSGI_GL_HSAO), (.directions = 1, .steps = 6)),
         ROW(2 + 4 * 2 * 2, (.pass = SSGI_GL_HSAO, .steps = 4, .thickness = SSGI_GL_THICKNESS_SLABS), (.directions = 1)),
         ROW(2 + 16 * 2, (.pass = SSGI_GL_SSAO, .thickness = SSGI_GL_THICKNESS_BACK), (.samples = 16)),
-        ROW(2 + 6 * 6 * (1 + 2), (.pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 1, .views = 1),
+        ROW(2 + 6 * 6 * (2 + 2), (.pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 1, .views = 1),
             (.directions = 6, .steps = 6, .view_layers = 1)),
+        ROW(2 + 6 * 6 * 3, (.pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .terms = SSGI_GL_TERMS_RAYS, .layers = 3),
+            (.normal_rays = 1, .spheres = 1)),
+        { { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .layers = 2 },
+          { .pass = SSGI_GL_HSAO,
+            .search = SSGI_GL_MARCH,
+            .layers = 2,
+            .terms = SSGI_GL_TERMS_HORIZON,
+            .normal_rays = 2 },
+          2 + 6 * 6 * 2 },
+        ROW(2 + 6 * 2, (.pass = SSGI_GL_HSAO), (.terms = SSGI_GL_TERMS_RAYS, .spheres = 1)),
         ROW(2 + 16 * 2 + 4, (.pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .environment = SSGI_GL_ENVIRONMENT_MAP),
             (.samples = 16, .steps = 1, .layers = 1)),
         ROW(3 + 16 * (2 * (2 + 2 * 3) + 1),

@@ -219,7 +219,7 @@ enum { KIT_OCCLUDERS_SOLID, KIT_OCCLUDERS_ALL };
 enum { KIT_WAY_CPU, KIT_WAY_CAPTURE, KIT_WAY_DIRECT };
 typedef struct kit_settings {
     /* where a gather looks */
-    int    directions, steps, samples, normal_rays, sets, uniform, half, range, noise;
+    int    directions, steps, samples, normal_rays, terms, spheres, sets, uniform, half, range, noise;
     double offset, phase;                  /* half pixels; [0, 1] */
     int    layers, views, view_layers, view_size;
     double margin;                         /* radii */

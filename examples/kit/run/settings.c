@@ -79,6 +79,10 @@ ROW(slices_row, directions, "slices, two directions each", NULL, 1, 1, 32, GATHE
 ROW(dirs_row, directions, "N_d: directions in the tangent plane", NULL, 6, 1, 32, GATHER, DESC(directions))
 ROW(steps_row, steps, "N_s: steps per direction", NULL, 6, 1, 64, GATHER, DESC(steps))
 ROW(rays_row, normal_rays, "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, GATHER, DESC(normal_rays))
+ROW(terms_row, terms, "horizon and normal rays; either alone; rays over the whole hemisphere, without a horizon",
+    "both horizon normal rays", 0, 0, 3, GATHER, DESC(terms))
+ROW(spheres_row, spheres, "1: the horizon rises only to what lies within a sphere that grows with the ray",
+    NULL, 0, 0, 1, GATHER, DESC(spheres))
 
 ROW(environment_row, environment, "how --env is used", "map sh none", 0, 0, 2, PLAN, 0)
 ROW(bounce_row, bounce, "one diffuse bounce, by which estimator",
@@ -231,7 +235,7 @@ static const plan plans[] = {
       SSGI_GL_HSAO,
       SSGI_GL_MARCH,
       SSGI_GL_BALANCED,
-      SETTINGS(&dirs_row, &steps_row, &rays_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
+      SETTINGS(&dirs_row, &steps_row, &rays_row, &terms_row, &spheres_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
                &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row,
                &history_row) },
     { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, SSGI_GL_SLICES,
