@@ -4,6 +4,7 @@
       build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv,
          chart*.svg and index.html, in a quarter of an hour, or 2 minutes
       build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv, light.html
+      build/report papers [--out report] [--context egl] [--quick]     papers.csv, papers.html, in some minutes
       build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c
       build/report plan  [--out report] [--context egl]     the chart's part on the plan: plan.csv, plan.html
 
@@ -11,8 +12,8 @@
    rows of methods whose names begin so. Truth is kept under build/cache/, and so is what an interrupted chart has
    measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2.
 
-   Here are the commands, which put sections of pages together; a section is a file of chart/. Below them lies page/:
-   how pages, tables, charts and pictures are written, and what is kept of a chart that is not whole; below that
+   Here are the commands, which put sections of pages together; a section is a file of chart/, a paper one of papers/,
+   which sets up some of its stages as chart/ does. Below them lies page/: how pages, tables, charts and pictures are written, and what is kept of a chart that is not whole; below that
    measure/: scenes and their truth, methods drawn, scored and timed. Nothing calls upward, no section another. */
 #include <stdlib.h>
 #include <string.h>
@@ -28,6 +29,7 @@
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
 #include "lab/page/terms.h"
+#include "lab/papers/papers.h"
 
 /* ---- >>demo ------------------------------------------------------------------------------------------------------ */
 
@@ -200,6 +202,31 @@ static int plan(const options *o, kit_error *err)
     return 0;
 }
 
+/* The papers' own tables and figures: papers.html. */
+static int papers(const options *o, kit_error *err)
+{
+    page html;
+    if (o->scenes || o->method) return kit_fail(err, "papers: takes neither --scene nor --method");
+    if (o->quick) stage_thrift = PAPERS_THRIFT;
+    units_begin(o, papers_units());
+    if (page_open(&html, err)) return -1;
+    page_head(html.file, "ssgi: the papers' own tables and figures",
+              "What five papers print, and the same drawn here on a comparable scene: what agrees and what does not is "
+              "worked out from this run's figures.");
+    fprintf(html.file, "<p>Times here: %s.%s</p>\n", kit_gl_name(),
+            o->quick ? " The quick form: small pictures, few rays, fewer rows." : "");
+    if (papers_chart(html.file, o, err)) return -1;
+    terms_chart(html.file);
+    if (page_close(&html, o->out, "papers.html", err)
+        || page_note(o->out, "papers.txt", o->quick ? "quick" : "full", o->quick ? "make papers QUICK=1" : "make papers",
+                     err))
+        return -1;
+    units_end();
+    papers_text(stdout);
+    printf("pictures: %s/papers.html\n", o->out);
+    return 0;
+}
+
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
 static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err); }
@@ -210,6 +237,7 @@ commands[] = {
     { "demo",  0, demo },
     { "chart", 1, chart },
     { "light", 1, light },
+    { "papers", 1, papers },
     { "fit",   0, fit },
     { "plan",  0, plan }
 };
@@ -222,6 +250,7 @@ static void usage(void)
           "speed against accuracy\n"
           "       report light [--out FOLDER] [--context ...] [--quick] [--method NAME]     the chart's part on "
           "light, every pair\n"
+          "       report papers [--out FOLDER] [--context ...] [--quick]     the papers' tables and figures\n"
           "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n"
           "       report plan  [--out FOLDER] [--context ...]     the plan on views that it was not fitted on\n",
           stderr);
@@ -266,7 +295,7 @@ int main(int argc, char **argv)
     if (argc < 2) { usage(); return 2; }
     while (c < commands + COUNT(commands) && strcmp(c->name, argv[1])) ++c;
     if (c == commands + COUNT(commands))
-        kit_fail(&err, "%s: there is no such command (demo, chart, light, fit, plan)", argv[1]);
+        kit_fail(&err, "%s: there is no such command (demo, chart, light, papers, fit, plan)", argv[1]);
     else run(c, argc, argv, &err);
     if (*err.text) {
         kit_progress("", 1);
