@@ -104,9 +104,9 @@ chart: build/report build/figures
 	build/figures
 
 # The papers' own tables and figures, theirs beside ours; report/papers.html, and their part of
-# examples/docs/FIGURES.md. make papers QUICK=1 is smaller.
+# examples/docs/FIGURES.md. make papers QUICK=1 is smaller; PAPER=DSS14 or PAPER='DSS14 Figure 7' shows those alone.
 papers: build/report build/figures
-	build/report papers $(if $(QUICK),--quick) $(CONTEXT:%=--context %)
+	build/report papers $(if $(QUICK),--quick) $(if $(PAPER),--paper '$(PAPER)') $(CONTEXT:%=--context %)
 	build/figures
 
 # The chart's part on light alone: every pair of a scene and a probe; report/light.html. make light QUICK=1 is smaller.

@@ -5,8 +5,8 @@
    Reads chart.txt, stability.txt and papers.txt (kind, command, commit, machine, driver) and the csv beside them. The page
    has two parts, one of the chart and of stability, one of the papers. A part whose runs are full ones goes to
    examples/docs/FIGURES.md, where the other stays as it is, and the charts that it shows to examples/docs/pictures; else it
-   goes to FIGURES.md in the folder of the csv, for a quick run should not replace a full one. After a run of a part of the
-   chart (SCENE, METHOD) that stays as it is. Bad input, or a write that fails: one line on stderr, status 2; the page is
+   goes to FIGURES.md in the folder of the csv, for a quick run should not replace a full one. After a run of some
+   rows (SCENE, METHOD, PAPER) theirs stays as it is. Bad input, or a write that fails: one line on stderr, status 2; the page is
    then as it was. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -111,7 +111,7 @@ static int write_pages(markdown *m, char chart_run, char stability_run, char pap
 {
     const int full = chart_run == 'f' && stability_run == 'f', part = chart_run == 'p' || stability_run == 'p';
     const parts quick = { full || part ? 0 : chart_run, full || part ? 0 : stability_run,
-                          papers_run == 'f' ? 0 : papers_run, NULL, NULL };
+                          papers_run == 'q' ? 'q' : 0, NULL, NULL };
     parts whole = { full ? 'f' : 0, full ? 'f' : 0, papers_run == 'f' ? 'f' : 0, NULL, NULL };
     char path[1024];
     snprintf(path, sizeof path, "%s/FIGURES.md", csv_folder);
@@ -122,7 +122,7 @@ static int write_pages(markdown *m, char chart_run, char stability_run, char pap
     if (!failed && (quick.chart || quick.stability || quick.papers)) failed = write_page(path, m, &quick, err);
     free(whole.kept);
     free(whole.kept_papers);
-    if (part) puts("figures: the chart's and stability's are left as they are, for a part alone was measured");
+    if (part || papers_run == 'p') puts("figures: some are left as they are, for a part alone was measured");
     return failed ? -1 : 0;
 }
 

@@ -20,7 +20,8 @@ enum { HORIZON = OWN, NORMAL, BLUR, NORMAL_SHARE, BLUR_SHARE };
 static const claim pass_claims[] = {
     { "Normal occlusion with one ray takes about what the horizon does (printed: 0.65 to 0.94 of it)",
       WITHIN(3, 4, 0.5, 1.1), NULL },
-    { "The filter takes a tenth of the horizon's time (printed: 0.10 to 0.13)", WITHIN(4, 4, 0.05, 0.2), NULL },
+    { "The filter takes a tenth of the horizon's time (printed: 0.10 to 0.13)", WITHIN(4, 4, 0.05, 0.2),
+      "25 taps of depth and occlusion beside 84 fetches: a CPU's arithmetic hides behind none" },
     { "The time follows the pixels: 6.0 times as many take 5.5 times as long", 0, 4, 0, 4.4, 7.5, NULL }
 };
 
@@ -191,7 +192,7 @@ static const sheet traced_sheet = {
 /* ---- >>Figure 12 ------------------------------------------------------------------------------------------------- */
 
 #define RAYS_MARCHED(n) { .what = #n " rays, marched", .method = "ssao", \
-      .settings = "samples=" #n ",steps=9,range=0,fade=none,blur=0" }
+      .settings = "samples=" #n ",steps=9,fade=smooth,fade_from=0,blur=0" }
 static const paper_row march_rows[] = {
     RAYS_MARCHED(4), RAYS_MARCHED(8), RAYS_MARCHED(16), RAYS_MARCHED(32), RAYS_MARCHED(64),
     { .what = "4 horizons", MARCH("directions=4,steps=9,normal_rays=0,blur=0") },
@@ -209,7 +210,7 @@ static const sheet march_sheet = {
     .paper = "HSAO08", .name = "Figure 12", .title = "ray marching alone beside the horizons",
     .theirs = "Pictures alone: first row ray marching, second row horizons, more rays from left to right.",
     .ours = PEBBLES "Rays by the cosine through the whole hemisphere, marched in 9 steps through the depth buffer (ssao's "
-                    "points along directions); horizons of 9 steps; no filter.",
+                    "points along directions), what they meet faded with its distance; horizons of 9 steps; no filter.",
     .column = { { "noise", NOISE, 3 }, { "time", TIME, 2 }, { "error", ERROR, 3 } },
     .rows = WITH_COUNT(march_rows), .claims = WITH_COUNT(march_claims),
     .draw = sheet_draw, .see = OWN_VIEW("pebbles"), .phases = 3, .pictured = 1

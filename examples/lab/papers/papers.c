@@ -1,5 +1,6 @@
 /* papers.c - all papers, one sheet after another. Declared in papers.h. */
 #include "lab/papers/papers.h"
+#include <string.h>
 #include "lab/page/page.h"
 #include "lab/papers/sheet.h"
 
@@ -14,18 +15,26 @@ const sheet *papers_sheet(int k)
     return NULL;
 }
 
+/* --paper: those whose key and name begin so. */
+static int asked(const options *o, const sheet *t)
+{
+    char name[64];
+    snprintf(name, sizeof name, "%s %s", t->paper, t->name);
+    return !o->paper || !strncmp(name, o->paper, strlen(o->paper));
+}
+
 static int paper_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
 {
     const sheet *t = papers_sheet(k);
-    if (!rows) return 1;
+    if (!rows) return asked(o, t);
     return t->draw(html, o, t, rows, err) ? -1 : t->count;
 }
 
-int papers_units(void)
+int papers_units(const options *o)
 {
     int count = 0;
     while (count < MOST_SHEETS && papers_sheet(count)) ++count;
-    return count;
+    return units_count(paper_unit, count, o);
 }
 
 static void head(FILE *f, const sheet *t)
@@ -47,6 +56,7 @@ static int chart(FILE *html, FILE *csv, const options *o, int k, kit_error *err)
 {
     const sheet *t = papers_sheet(k);
     page pictures;
+    if (!asked(o, t)) return 0;
     head(html, t);
     if (page_open(&pictures, err) || units_measure(pictures.file, o, "papers", k, paper_unit, drawn[k], err) < 0)
         return -1;
@@ -68,7 +78,7 @@ int papers_chart(FILE *html, const options *o, kit_error *err)
     return page_close(&csv, o->out, "papers.csv", err);
 }
 
-void papers_text(FILE *f)
+void papers_text(FILE *f, const options *o)
 {
-    for (int k = 0; k < papers_units(); ++k) show_text(f, papers_sheet(k), drawn[k]);
+    for (int k = 0; papers_sheet(k); ++k) if (asked(o, papers_sheet(k))) show_text(f, papers_sheet(k), drawn[k]);
 }

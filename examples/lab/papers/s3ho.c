@@ -76,11 +76,15 @@ static const paper_row fewer_rows[] = {
     { .what = "SSBN, 16 samples", SSBN_OF(16) }, { .what = "S3HO, 8 samples", S3HO_OF(8) },
     { .what = "SSDO, 8 samples", SSDO_OF(8) },   { .what = "SSBN, 8 samples", SSBN_OF(8) }
 };
+/* why SSDO is not noisier here */
+#define WIDE "the library's map holds light over a direction's share of the sphere, wider the fewer there are: what is left is " \
+             "visibility's noise, the same for both"
 static const claim fewer_claims[] = {
-    { "With 8 samples SSDO is noisier than S3HO", LESS(1, 3, 4), NULL },
-    { "and its colours suffer: the hue is farther off than with 16", LESS(2, 1, 4), NULL },
+    { "With 8 samples SSDO is noisier than S3HO", LESS(1, 3, 4),
+      WIDE },
+    { "and its colours suffer: the hue is farther off than with 16", LESS(2, 1, 4), WIDE },
     { "S3HO keeps its colours with 8 samples", ALIKE(2, 3, 0, 0.15), NULL },
-    { "S3HO's noise is low: with 8 samples below SSDO's with 16", LESS(1, 3, 1), NULL }
+    { "S3HO's noise is low: with 8 samples below SSDO's with 16", LESS(1, 3, 1), WIDE }
 };
 static const sheet fewer_sheet = {
     .paper = "S3HO12", .name = "Figure 8", .title = "close-ups, and fewer samples",
@@ -104,19 +108,19 @@ static const claim bounce_claims[] = {
     { "The bounces are similar: SSDO's error is S3HO's", ALIKE(4, 1, 2, 0.35), NULL },
     { "The bounce costs: 59 ms instead of 14.1", WITHIN(2, 1, 30, 500), NULL }
 };
-static const lit colonnade_sun = { "sky", { "sun:0.5,0.8,0.6,4.4,3.9,3.3" }, 0, 1, 0, 64, 0.7f,
-    { { 40, 100, 80, 45 }, { 190, 90, 80, 45 } } };
+static const lit colonnade_probe = { "probe", { NULL }, 0, 1, 0, 256, 0.9f,
+    { { 40, 60, 80, 45 }, { 150, 125, 80, 45 } } };
 static const sheet bounce_sheet = {
     .paper = "S3HO12", .name = "Figure 9", .title = "noise of one bounce before the filter",
     .theirs = "Crytek's Sponza, untextured, before the bilateral filter; 59 ms with the bounce, on a GTX 470 at "
               "1280x720. The second column is worked out here against table 1's 14.1 ms.",
-    .ours = "Colonnade under the sky and a sun; 16 samples, two steps, no filter.",
+    .ours = "Colonnade under the probe of figure 7; 16 samples, two steps, no filter.",
     .head = { "ms", "+%" },
     .column = { { "noise", NOISE, 4 }, { "bounce's noise", BOUNCE_NOISE, 4 }, { "time +%", OVERHEAD, 0 },
                 { "error", ERROR, 3 }, { "bounce's error", BOUNCE_ERROR, 3 } },
     .rows = WITH_COUNT(bounce_rows), .claims = WITH_COUNT(bounce_claims),
-    .draw = sheet_draw, .phases = 6, .pictured = 2,
-    .see = { { "colonnade-sun", "colonnade", 0, { 0 }, { 0 }, 0, 0, &colonnade_sun }, NO_BOX, PLAINLY }
+    .draw = sheet_draw, .phases = 6, .pictured = 2, .stride = LIT_STRIDE,
+    .see = { { "colonnade-probe", "colonnade", 0, { 0 }, { 0 }, 0, 0, &colonnade_probe }, NO_BOX, PLAINLY }
 };
 
 static const sheet *const sheets[] = { &time_sheet, &probe_sheet, &fewer_sheet, &bounce_sheet };
