@@ -1,5 +1,5 @@
-/* test_papers.c - the papers' tables and figures that make papers draws: that each is there, with rows that can be drawn,
-   and that what a paper says is judged by its rows' figures. */
+/* test_papers.c - the papers' tables and figures that make papers draws: that each is there, with rows that can be
+   drawn, and that what a paper says is judged by its rows' figures. */
 #include "t.h"
 #include "kit/kit_gl.h"
 #include "lab/papers/sheet.h"
@@ -44,7 +44,8 @@ static void sheet_sound(const sheet *t)
         drawn += t->rows[i].method != NULL;
         for (int k = 0; k < heads_of(t); ++k) printed[k] += t->rows[i].printed[k] != NULL;
     }
-    CHECK(drawn && columns_of(t), "%s %s: %d rows are drawn, %d columns shown", t->paper, t->name, drawn, columns_of(t));
+    CHECK(drawn && columns_of(t), "%s %s: %d rows are drawn, %d columns shown", t->paper, t->name, drawn,
+          columns_of(t));
     for (int k = 0; k < heads_of(t); ++k)
         CHECK(printed[k], "%s %s: nothing stands under \"%s\"", t->paper, t->name, t->head[k]);
     for (int k = 0; k < t->claimed; ++k) {

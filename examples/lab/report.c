@@ -14,8 +14,9 @@
    measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2.
 
    Here are the commands, which put sections of pages together; a section is a file of chart/, a paper one of papers/,
-   which sets up some of its stages as chart/ does. Below them lies page/: how pages, tables, charts and pictures are written, and what is kept of a chart that is not whole; below that
-   measure/: scenes and their truth, methods drawn, scored and timed. Nothing calls upward, no section another. */
+   which sets up some of its stages as chart/ does. Below them lies page/: how pages, tables, charts and pictures are
+   written, and what is kept of a chart that is not whole; below that measure/: scenes and their truth, methods drawn,
+   scored and timed. Nothing calls upward, no section another. */
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
@@ -208,7 +209,8 @@ static int papers(const options *o, kit_error *err)
 {
     page html;
     const char *kind = o->paper ? "part" : o->quick ? "quick" : "full";
-    if (!papers_units(o)) return kit_fail(err, "--paper %s: there is none that begins so (\"HSAO08 Table 1\")", o->paper);
+    if (!papers_units(o))
+        return kit_fail(err, "--paper %s: there is none that begins so (\"HSAO08 Table 1\")", o->paper);
     if (o->quick) stage_thrift = PAPERS_THRIFT;
     units_begin(o, papers_units(o));
     if (page_open(&html, err)) return -1;

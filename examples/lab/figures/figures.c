@@ -2,12 +2,12 @@
 
       build/figures [report]
 
-   Reads chart.txt, stability.txt and papers.txt (kind, command, commit, machine, driver) and the csv beside them. The page
-   has two parts, one of the chart and of stability, one of the papers. A part whose runs are full ones goes to
-   examples/docs/FIGURES.md, where the other stays as it is, and the charts that it shows to examples/docs/pictures; else it
-   goes to FIGURES.md in the folder of the csv, for a quick run should not replace a full one. After a run of some
-   rows (SCENE, METHOD, PAPER) theirs stays as it is. Bad input, or a write that fails: one line on stderr, status 2; the page is
-   then as it was. */
+   Reads chart.txt, stability.txt and papers.txt (kind, command, commit, machine, driver) and the csv beside them. The
+   page has two parts, one of the chart and of stability, one of the papers. A part whose runs are full ones goes to
+   examples/docs/FIGURES.md, where the other stays as it is, and the charts that it shows to examples/docs/pictures;
+   else it goes to FIGURES.md in the folder of the csv, for a quick run should not replace a full one. After a run of
+   some rows (SCENE, METHOD, PAPER) theirs stays as it is. Bad input, or a write that fails: one line on stderr, status
+   2; the page is then as it was. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -136,8 +136,8 @@ int main(int argc, char **argv)
                stability_run = run_of("stability.txt", &m.stability_note),
                papers_run = run_of("papers.txt", &m.papers_note);
     if (!chart_run && !stability_run && !papers_run) {
-        fprintf(stderr, "figures: %s: holds none of chart.txt, stability.txt and papers.txt (make chart, make stability, "
-                        "make papers)\n",
+        fprintf(stderr, "figures: %s: holds none of chart.txt, stability.txt and papers.txt (make chart, make "
+                        "stability, make papers)\n",
                 csv_folder);
         return 2;
     }

@@ -77,11 +77,12 @@ static int resolutions(FILE *html, const options *o, const sheet *t, row *rows, 
 
 static const sheet resolution_sheet = {
     .paper = "AOF05", .name = "Table 2", .title = "memory, preprocessing and frame rates by resolution and occluders",
-    .theirs = "A tank on a box, and cubes on a ground, 1024x768, " RADEON "; six 64 bit images a sample. The last of the "
+    .theirs = "A tank on a box, and cubes on a ground, 1024x768, " RADEON ". The last of the "
               "printed columns is worked out from the frame rates.",
-    .erratum = "The text has 17 frames a second for 20 cubes, the table 16. (N+2)^2 6 7 2 bytes give the table's memory.",
-    .ours = "Bunny on a floor at 320x180, 32 rays a sample, 8 radii, all cores; 1 to 20 shapes of a crowd at 640x360. Memory: "
-            "8 bits a component, borders included.",
+    .erratum = "The text has 17 frames a second for 20 cubes, the table 16. (N+2)^2 6 7 2 bytes give "
+               "the table's memory.",
+    .ours = "Bunny on a floor at 320x180, 32 rays a sample, 8 radii, all cores; 1 to 20 shapes of a crowd at "
+            "640x360. Memory: 8 bits a component, borders included.",
     .head = { "bytes", "bake, s", "fps", "ms" },
     .column = { { "kB", KILOBYTES, 1 }, { "bake, s", BAKE_SECONDS, 2 }, { "time", TIME, 2 } },
     .rows = WITH_COUNT(resolution_rows), .claims = WITH_COUNT(resolution_claims), .draw = resolutions
@@ -101,7 +102,8 @@ static const paper_row filtered_rows[] = {
 };
 static const sheet filtered_sheet = {
     .paper = "AOF05", .name = "Figure 5", .title = "undersampling, and a Gaussian from twice the resolution",
-    .theirs = "Pictures, both of 32x32 texels a side, contrast raised.", .ours = "Bunny on a floor, 32 rays a sample, 8 radii.",
+    .theirs = "Pictures, both of 32x32 texels a side, contrast raised.",
+    .ours = "Bunny on a floor, 32 rays a sample, 8 radii.",
     .column = { { "RMSE", RMSE, 4 }, { "time", TIME, 2 } }, .rows = WITH_COUNT(filtered_rows),
     .draw = pictures_on_floor, .pictured = 1
 };
@@ -118,7 +120,8 @@ static const claim texel_claims[] = {
 static const sheet texel_sheet = {
     .paper = "AOF05", .name = "Figure 8", .title = "cube maps from 8x8 to 64x64 beside a reference",
     .theirs = "Pictures: a tank on a box and its shadow on a wall; the reference took hours.",
-    .ours = "Bunny on a floor, 32 rays a sample, 8 radii; the bunny itself is not shaded, as occluders do not see themselves.",
+    .ours = "Bunny on a floor, 32 rays a sample, 8 radii; the bunny itself is not shaded, as occluders do not "
+            "see themselves.",
     .column = { { "RMSE", RMSE, 4 }, { "kB", KILOBYTES, 1 }, { "bake, s", BAKE_SECONDS, 2 } },
     .rows = WITH_COUNT(texel_rows), .claims = WITH_COUNT(texel_claims), .draw = pictures_on_floor, .pictured = 1
 };

@@ -146,8 +146,8 @@ static int terms_apart(FILE *html, const options *o, const sheet *t, row *rows, 
 static const sheet term_sheet = {
     .paper = "HSAO08", .name = "Figure 10", .title = "horizon occlusion, normal occlusion, both",
     .theirs = "Pictures alone, without their settings.",
-    .ours = PEBBLES "N_d = 8, N_s = 18, N_n = 1, no filter. The normal rays' part is the final picture's occlusion less "
-                    "the horizon's.",
+    .ours = PEBBLES "N_d = 8, N_s = 18, N_n = 1, no filter. The normal rays' part is the final picture's occlusion "
+                    "less the horizon's.",
     .column = { { "mean visibility", MEAN, 3 }, { "error", ERROR, 3 } },
     .rows = WITH_COUNT(term_rows), .claims = WITH_COUNT(term_claims),
     .draw = terms_apart, .see = OWN_VIEW("pebbles"), .pictured = 1
@@ -209,8 +209,8 @@ static const claim march_claims[] = {
 static const sheet march_sheet = {
     .paper = "HSAO08", .name = "Figure 12", .title = "ray marching alone beside the horizons",
     .theirs = "Pictures alone: first row ray marching, second row horizons, more rays from left to right.",
-    .ours = PEBBLES "Rays by the cosine through the whole hemisphere, marched in 9 steps through the depth buffer (ssao's "
-                    "points along directions), what they meet faded with its distance; horizons of 9 steps; no filter.",
+    .ours = PEBBLES "Rays by the cosine through the whole hemisphere, marched in 9 steps through the depth buffer "
+                    "(ssao's points along directions), what they meet faded with its distance; horizons of 9 steps; no filter.",
     .column = { { "noise", NOISE, 3 }, { "time", TIME, 2 }, { "error", ERROR, 3 } },
     .rows = WITH_COUNT(march_rows), .claims = WITH_COUNT(march_claims),
     .draw = sheet_draw, .see = OWN_VIEW("pebbles"), .phases = 3, .pictured = 1

@@ -35,8 +35,8 @@ static const claim time_claims[] = {
 };
 static const sheet time_sheet = {
     .paper = "S3HO12", .name = "Table 1", .title = "times of SSAO, S3HO, SSDO and SSBN at 32, 16 and 8 samples",
-    .theirs = "Milliseconds at 1280x720, two steps a direction, GTX 470, Core i7 2.8 GHz. The second column is what each "
-              "takes beyond SSAO, in per cent, worked out here.",
+    .theirs = "Milliseconds at 1280x720, two steps a direction, GTX 470, Core i7 2.8 GHz. The second column is what "
+              "each takes beyond SSAO, in per cent, worked out here.",
     .erratum = "The text calls it Table 4, and has 16.5 and 14.9 ms where the table has 14.1 and 13.3.",
     .ours = "White blocks under a probe at 640x360, no filter. S3HO stores its vectors as the paper does, two packed "
             "targets, and lights them in a pass of its own, which is in its time.",
@@ -64,8 +64,8 @@ static const claim probe_claims[] = {
 static const sheet probe_sheet = {
     .paper = "S3HO12", .name = "Figure 7", .title = "directional occlusion beside ray tracing, 32 samples",
     .theirs = "Pictures under a filtered Grace Cathedral; white Lambertian objects, two steps, 32 samples.",
-    .ours = "White blocks under a probe of a dim room with coloured windows and lamps; no filter. Hue: mean angle of rgb "
-            "to the truth's in shade.",
+    .ours = "White blocks under a probe of a dim room with coloured windows and lamps; no filter. Hue: mean angle of "
+            "rgb to the truth's in shade.",
     .column = PROBE_COLUMNS, .rows = WITH_COUNT(probe_rows), .claims = WITH_COUNT(probe_claims),
     .draw = sheet_draw, .phases = 6, .pictured = 2,
     .see = { { "blocks-probe", "blocks", 0, { 0 }, { 0 }, 0, 0, &probe }, NO_BOX, PLAINLY }
@@ -77,8 +77,8 @@ static const paper_row fewer_rows[] = {
     { .what = "SSDO, 8 samples", SSDO_OF(8) },   { .what = "SSBN, 8 samples", SSBN_OF(8) }
 };
 /* why SSDO is not noisier here */
-#define WIDE "the library's map holds light over a direction's share of the sphere, wider the fewer there are: what is left is " \
-             "visibility's noise, the same for both"
+#define WIDE "the library's map holds light over a direction's share of the sphere, wider the fewer there are: what is " \
+             "left is visibility's noise, the same for both"
 static const claim fewer_claims[] = {
     { "With 8 samples SSDO is noisier than S3HO", LESS(1, 3, 4),
       WIDE },

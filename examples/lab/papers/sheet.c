@@ -86,7 +86,8 @@ static int show_row(FILE *html, const options *o, const sheet *t, const stage *s
 /* The mean of ambient visibility, or of the bounce, where something is seen. */
 static double level_of(const kit_image *picture, const kit_image *frame)
 {
-    const float *z = kit_image_channel(frame, "Z"), *y = kit_image_channel(picture, picture->channels > 1 ? "bounce.G" : "Y");
+    const float *z = kit_image_channel(frame, "Z"),
+                *y = kit_image_channel(picture, picture->channels > 1 ? "bounce.G" : "Y");
     double sum = 0;
     size_t seen = 0;
     for (int i = 0; y && i < picture->width * picture->height; ++i)

@@ -71,7 +71,7 @@ struct sheet {
     deep_view    see;
     int          width, height;            /* 0: SHEET_WIDTH x SHEET_HEIGHT */
     int          rays, phases, stride;     /* of the truth; 0: SHEET_RAYS, not asked, every pixel */
-    int          pictured;                 /* 1: rows are shown as pictures, beside the truth; 2: the lit's crops, too */
+    int          pictured;                 /* 1: rows as pictures, beside the truth; 2: the lit's crops, too */
     float        truth;                    /* radius of the truth where it is not the rows'; what it has is not faded */
 };
 /* halved: even, in the quick form as well */
@@ -100,8 +100,8 @@ void   sheet_blank(const sheet *t, row *rows);
 /* What stands above pictures: triangles, pixels, radius, rays. */
 void   sheet_about(FILE *html, const stage *s);
 int    sheet_rounds(const options *o);
-/* What was drawn on a stage, rows number at[0 .. count - 1]: into their rows and, where the sheet is pictured, the page.
-   Frees the pictures. */
+/* What was drawn on a stage, rows number at[0 .. count - 1]: into their rows and, where the sheet is pictured, the
+   page. Frees the pictures. */
 int    sheet_show(FILE *html, const options *o, const sheet *t, const stage *s, kit_image *picture, const row *drawn,
                   const int *at, int count, row *rows, kit_error *err);
 double sheet_value(const sheet *t, const row *rows, int i, int c);      /* NAN: there is none */

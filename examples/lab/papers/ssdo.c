@@ -8,12 +8,13 @@
 /* ---- >>Table 1 --------------------------------------------------------------------------------------------------- */
 
 /* Half of the paper's width and height. */
-#define SSAO_AT(w, h, size, n, fps) { .slow = w == 600, .what = size ", N = " #n ", SSAO", .printed = { fps }, .method = "ssao", \
-      .settings = "samples=" #n ",blur=0," PLAIN, .width = w, .height = h }
+#define SSAO_AT(w, h, size, n, fps) { .slow = w == 600, .what = size ", N = " #n ", SSAO", .printed = { fps }, \
+      .method = "ssao", .settings = "samples=" #n ",blur=0," PLAIN, .width = w, .height = h }
 #define SSDO_AT(w, h, size, n, row, fps, printed_, time) { .slow = w == 600, .what = size ", N = " #n ", SSDO", \
       .printed = { fps, printed_, time }, .method = "ssdo-points", \
       .settings = "samples=" #n ",steps=1,bounce=none,blur=0," PLAIN, .width = w, .height = h, .base = row }
-#define BOUNCE_AT(w, h, size, n, row, fps, printed_, time) { .slow = w == 600, .what = size ", N = " #n ", with a bounce", \
+#define BOUNCE_AT(w, h, size, n, row, fps, printed_, time) { .slow = w == 600, \
+      .what = size ", N = " #n ", with a bounce", \
       .printed = { fps, printed_, time }, .method = "ssdo-points", \
       .settings = "samples=" #n ",steps=1,bounce=patch,blur=0," PLAIN, .width = w, .height = h, .base = row }
 #define THREE(w, h, size, n, row, ssao, ssdo, lost, time, bounce, bounce_lost, bounce_time) \
@@ -46,10 +47,10 @@ static const lit sky_alone = { "sky", { NULL }, 4, 1, 0, 64, 1, NO_CROPS };
     { { name, BUNNY, 1, { -0.1f, 1.1f, 4.4f }, { 0, -0.25f, 0 }, 32, radius, lit }, NO_BOX, PLAINLY }
 static const sheet time_sheet = {
     .paper = "SSDO09", .name = "Table 1", .title = "frame rates of SSAO, SSDO and SSDO with a bounce",
-    .theirs = "Frames a second, the factory of figure 1, 537,000 triangles, " GEFORCE ", one camera, one layer; the scene "
-              "alone runs at 124. The last of the printed columns is worked out from the frame rates.",
-    .erratum = "\"+%\" is the loss of frames, not added time: 16.8 to 9.0 is 87 % more time, printed as 46.4. At 1200x960 "
-               "with 16 samples 22.2 should be 42.1; and the first row has SSDO faster than SSAO.",
+    .theirs = "Frames a second, the factory of figure 1, 537,000 triangles, " GEFORCE ", one camera, one layer; the "
+              "scene alone runs at 124. The last of the printed columns is worked out from the frame rates.",
+    .erratum = "\"+%\" is the loss of frames, not added time: 16.8 to 9.0 is 87 % more time, printed as 46.4. At "
+               "1200x960 with 16 samples 22.2 should be 42.1; and the first row has SSDO faster than SSAO.",
     .ours = "Bunny and four boxes under the sky, half the widths and heights, no filter; SSAO by ambient visibility "
             "alone, SSDO by a look-up a direction, the bounce by patches. Times are of the passes, without geometry.",
     .head = { "fps", "+%", "time +%" }, .column = { { "ms", MILLISECONDS, 1 }, { "time +%", OVERHEAD, 0 } },
@@ -133,8 +134,8 @@ static const claim natural_claims[] = {
 static const lit whole_sky = { "sky", { NULL }, 0, 0, 0, 128, 1, NO_CROPS };
 static const sheet natural_sheet = {
     .paper = "SSDO09", .name = "Figure 10", .title = "natural illumination by lights with maps",
-    .theirs = "Frames a second at 512x512, 256 lights with a map of 512x512 each. The second column is added time, worked "
-              "out here.",
+    .theirs = "Frames a second at 512x512, 256 lights with a map of 512x512 each. The second column is added time, "
+              "worked out here.",
     .ours = "Three boxes under the sky, 64 lights with maps of 256x256; the truth is blocked by all of the scene.",
     .head = { "fps", "time +%" },
     .column = { { "error", ERROR, 4 }, { "time +%", OVERHEAD, 0 }, { "ms", MILLISECONDS, 0 } },
@@ -160,9 +161,11 @@ static const sheet radiosity_sheet = {
     .paper = "SSDO09", .name = "Figure 11", .title = "instant radiosity with screen-space shadow correction",
     .theirs = "Pictures alone: small details, such as toes, lose their shadows to the bias.",
     .ours = "Bunny and four boxes under a lamp, 64 virtual lights with maps of 64x64; the truth has the whole bounce.",
-    .column = { { "bounce's error", BOUNCE_ERROR, 4 }, { "time +%", OVERHEAD, 0 }, { "radiance's", RADIANCE_ERROR, 4 } },
+    .column = { { "bounce's error", BOUNCE_ERROR, 4 }, { "time +%", OVERHEAD, 0 },
+                { "radiance's", RADIANCE_ERROR, 4 } },
     .rows = WITH_COUNT(radiosity_rows), .claims = WITH_COUNT(radiosity_claims),
-    .draw = sheet_draw, .pictured = 1, .truth = 60, .stride = LIT_STRIDE, .see = BOXES_VIEW("bunny-lamp", 0.4f, &bunny_lamp)
+    .draw = sheet_draw, .pictured = 1, .truth = 60, .stride = LIT_STRIDE,
+    .see = BOXES_VIEW("bunny-lamp", 0.4f, &bunny_lamp)
 };
 
 static const paper_row both_rows[] = {
@@ -182,7 +185,8 @@ static const sheet both_sheet = {
     .paper = "SSDO09", .name = "Figure 12", .title = "instant radiosity with a bounce in screen space",
     .theirs = "Pictures alone; the indirect light is scaled to show its effects.",
     .ours = "Cornell box, 64 virtual lights with maps of 64x64; the truth has the whole bounce.",
-    .column = { { "bounce's error", BOUNCE_ERROR, 4 }, { "time +%", OVERHEAD, 0 }, { "radiance's", RADIANCE_ERROR, 4 } },
+    .column = { { "bounce's error", BOUNCE_ERROR, 4 }, { "time +%", OVERHEAD, 0 },
+                { "radiance's", RADIANCE_ERROR, 4 } },
     .rows = WITH_COUNT(both_rows), .claims = WITH_COUNT(both_claims),
     .draw = sheet_draw, .pictured = 1, .truth = 100, .stride = LIT_STRIDE,
     .see = { { "cornell-lamp", "cornell", 0, { 0 }, { 0 }, 0, 0, &box_lamp }, NO_BOX, PLAINLY }
@@ -190,7 +194,8 @@ static const sheet both_sheet = {
 
 /* ---- >>Figure 14: r_max ------------------------------------------------------------------------------------------ */
 
-#define REACH(of, size) { .what = "r_max " size, .method = "ssdo-points", .settings = "samples=16,steps=2", .reach = of }
+#define REACH(of, size) { .what = "r_max " size, .method = "ssdo-points", .settings = "samples=16,steps=2", \
+      .reach = of }
 static const paper_row reach_rows[] = { REACH(0.25f, "0.15"), REACH(0.5f, "0.3"), REACH(1.0f, "0.6"),
     REACH(2.0f, "1.2") };
 static const claim reach_claims[] = {
