@@ -45,7 +45,8 @@ static const sheet stage_sheet = {
     .paper = "DSS14", .name = "Table 1", .title = "where the time goes, by effect",
     .theirs = "Milliseconds, 512x512, 50,000 triangles; the GPU is not named. The columns add up.",
     .ours = "Bunny, floor and four boxes, 256x256; surfels by tessellation, captured. DO and one diffuse bounce "
-            "are one pass here; the specular bounce beside them. The total holds what is no stage: lights and what is near.",
+            "are one pass here; the specular bounce beside them. The total holds what is no stage: "
+            "lights and what is near.",
     .head = { "AO, ms", "DO, ms", "GI, ms", "SSS, ms" },
     .column = { { "AO, ms", OWN, 0 }, { "DO and GI, ms", OWN + 1, 0 }, { "specular, ms", OWN + 2, 0 },
                 { "SSS, ms", OWN + 3, 0 } },
@@ -66,8 +67,9 @@ static const claim small_claims[] = {
 static const sheet small_sheet = {
     .paper = "DSS14", .name = "Figure 4", .title = "too many triangles a pixel",
     .theirs = "Pictures alone: the same settings on a coarse and on a fine mesh.",
-    .ours = "Bunny on a floor, 69,000 triangles, surfels of 0.06 picture heights alone, 3 levels. (a): of triangles smaller "
-            "than three surfels a share is kept, as if the mesh were coarse; (b): every triangle keeps its own, as published.",
+    .ours = "Bunny on a floor, 69,000 triangles, surfels of 0.06 picture heights alone, 3 levels. (a): of triangles "
+            "smaller than three surfels a share is kept, as if the mesh were coarse; (b): every triangle keeps its "
+            "own, as published.",
     .column = { { "mean visibility", MEAN, 3 }, { "error", ERROR, 3 }, { "surfels", SURFELS_DRAWN, 0 },
                 { "time", TIME, 1 } },
     .rows = WITH_COUNT(small_rows), .claims = WITH_COUNT(small_claims), .draw = sheet_draw, .see = BUNNY_AO,
@@ -121,7 +123,8 @@ static const paper_row gloss_rows[] = {
 static const claim gloss_claims[] = {
     { "The quality is like the reference's: the radiance errs by less than a third of its mean",
       WITHIN(0, 1, 0, 0.33),
-      "surfels do not hide each other, blur what a lobe reflects by their width, and the mean of a box without a sky is small" }
+      "surfels do not hide each other, blur what a lobe reflects by their width, and the mean of a box without a sky "
+      "is small" }
 };
 static const sheet gloss_sheet = {
     .paper = "DSS14", .name = "Figure 7, fourth row", .title = "a specular bounce",

@@ -210,7 +210,8 @@ static const sheet march_sheet = {
     .paper = "HSAO08", .name = "Figure 12", .title = "ray marching alone beside the horizons",
     .theirs = "Pictures alone: first row ray marching, second row horizons, more rays from left to right.",
     .ours = PEBBLES "Rays by the cosine through the whole hemisphere, marched in 9 steps through the depth buffer "
-                    "(ssao's points along directions), what they meet faded with its distance; horizons of 9 steps; no filter.",
+                    "(ssao's points along directions), what they meet faded with its distance; horizons of 9 steps; no "
+                    "filter.",
     .column = { { "noise", NOISE, 3 }, { "time", TIME, 2 }, { "error", ERROR, 3 } },
     .rows = WITH_COUNT(march_rows), .claims = WITH_COUNT(march_claims),
     .draw = sheet_draw, .see = OWN_VIEW("pebbles"), .phases = 3, .pictured = 1

@@ -77,8 +77,8 @@ static const paper_row fewer_rows[] = {
     { .what = "SSDO, 8 samples", SSDO_OF(8) },   { .what = "SSBN, 8 samples", SSBN_OF(8) }
 };
 /* why SSDO is not noisier here */
-#define WIDE "the library's map holds light over a direction's share of the sphere, wider the fewer there are: what is " \
-             "left is visibility's noise, the same for both"
+#define WIDE "the library's map holds light over a direction's share of the sphere, wider the fewer there are: " \
+             "what is left is visibility's noise, the same for both"
 static const claim fewer_claims[] = {
     { "With 8 samples SSDO is noisier than S3HO", LESS(1, 3, 4),
       WIDE },
