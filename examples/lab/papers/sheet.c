@@ -128,10 +128,11 @@ void sheet_about(FILE *html, const stage *s)
     fputs(".</p>\n", html);
 }
 
-/* Close-ups of the truth and of each row, as the light names them. */
+/* Close-ups of the truth, where it has every pixel, and of each row, as the light names them. */
 static int draw_crops(FILE *html, const options *o, const sheet *t, const stage *s, const kit_image *picture,
                       const int *at, int count, kit_error *err)
 {
+    const int gaps = s->stride > 1;
     pictured p[1 + MOST_PAPER_ROWS];
     char name[64];
     snprintf(name, sizeof name, "papers %s %s", t->paper, t->name);
@@ -144,7 +145,8 @@ static int draw_crops(FILE *html, const options *o, const sheet *t, const stage 
     for (int k = 0; k < MOST_CROPS && s->lit->crop[k][2]; ++k) {
         int crop[4];
         for (int j = 0; j < 4; ++j) crop[j] = s->lit->crop[k][j] / stage_thrift;
-        if (pictures_crops(html, o->out, p, count + 1, k, crop, s->lit->exposure, CROP_TIMES, err)) return -1;
+        if (pictures_crops(html, o->out, p + gaps, count + 1 - gaps, k, crop, s->lit->exposure, CROP_TIMES, err))
+            return -1;
     }
     return 0;
 }
