@@ -69,10 +69,10 @@ build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-REPORT = lab/report tools/glsl/choices $(addprefix lab/measure/,folder rows picture stage score clock measure peers) \
+REPORT = lab/report tools/glsl/choices $(addprefix lab/measure/,folder rows picture stage score clock measure halved peers) \
          $(addprefix lab/page/,page table svg scatter pictures terms units) \
          $(addprefix lab/chart/,ao strip lit pairs fields fields_demo fields_stage deep deep_demo deep_moving deep_stage \
-         plan costs)
+         plan costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -103,6 +103,12 @@ chart: build/report build/figures
 	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 	build/figures
 
+# The papers' own tables and figures, theirs beside ours; report/papers.html, and their part of
+# examples/docs/FIGURES.md. make papers QUICK=1 is smaller; PAPER=DSS14 or PAPER='DSS14 Figure 7' shows those alone.
+papers: build/report build/figures
+	build/report papers $(if $(QUICK),--quick) $(if $(PAPER),--paper '$(PAPER)') $(CONTEXT:%=--context %)
+	build/figures
+
 # The chart's part on light alone: every pair of a scene and a probe; report/light.html. make light QUICK=1 is smaller.
 light: build/report
 	build/report light $(if $(QUICK),--quick) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
@@ -120,8 +126,8 @@ stability: build/stability build/figures
 	build/stability $(if $(QUICK),--quick)
 	build/figures
 
-# examples/docs/FIGURES.md, from the csv of the two above; of quick ones report/FIGURES.md.
-FIGURES = $(addprefix lab/figures/,figures csv markdown tables ambient choices stability)
+# examples/docs/FIGURES.md, from the csv of chart, stability and papers; of quick ones report/FIGURES.md.
+FIGURES = $(addprefix lab/figures/,figures csv markdown tables ambient choices stability papers)
 build/figures: $(FIGURES:%=build/examples/%.o) build/kit/util.o
 	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
 
@@ -194,13 +200,14 @@ glsl-out glsl-in: build/library
 	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
 
 TESTS = main t others $(addprefix test_,math trace files models library text twins pipeline light vectors field casters \
-        steps surfels plan stability build)
+        steps surfels plan papers stability build)
 TEST_H = tests/t.h tests/own.h tests/others.h tests/frames.h
 build/tests/%.o: tests/%.c $(HEADERS) $(EXAMPLE_H) $(TEST_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-build/test: $(TESTS:%=build/tests/%.o) $(SWEEP:%=build/examples/%.o) $(KIT_O)
+TESTED = $(sort $(SWEEP) $(filter-out lab/report,$(REPORT)))
+build/test: $(TESTS:%=build/tests/%.o) $(TESTED:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # Pictures are written and read while memory runs out: malloc is this program's own.
@@ -235,7 +242,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light peers stability fit glsl \
+.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light papers peers stability fit glsl \
         golden deps format clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).

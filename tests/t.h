@@ -40,6 +40,7 @@ void test_field(void);
 void test_casters(void);
 void test_surfels(void);
 void test_plan(void);
+void test_papers(void);
 void test_stability(void);
 void test_steps(void);
 void test_build(void);

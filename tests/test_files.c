@@ -533,6 +533,36 @@ static void figures_whole(void)
           && !strcmp(bytes, "# Figures"), "%s: \"%s\"", said, bytes);
 }
 
+/* A full run of the papers' takes its own part of the documentation's page; the other stays to the byte. */
+static void figures_part(void)
+{
+#define OTHER "\n## Ambient occlusion\n\nold figures\n"
+#define HEADING "\n## The papers' own tables and figures\n"
+    static const char csv[] =
+        "paper,figure,row,kind,head,text\nA01,Table 1,0,title,,times\nA01,Table 1,0,theirs,,ms\n"
+        "A01,Table 1,0,ours,,a room\nA01,Table 1,1,what,,8 samples\nA01,Table 1,1,method,ssao,samples=8\n"
+        "A01,Table 1,1,printed,ms,6.9\nA01,Table 1,1,measured,ms,21\nA01,Table 1,2,what,,none\n"
+        "A01,Table 1,2,method,,\nA01,Table 1,2,note,,no such pass\nA01,Table 1,2,printed,ms,\n"
+        "A01,Table 1,2,measured,ms,\nA01,Table 1,0,claim,agrees,faster: agrees\n";
+    char said[1024] = "", bytes[4096] = { 0 };
+    const char *at;
+    files_in_folder(1);
+    mkdir(in_folder("examples"), 0777);
+    mkdir(in_folder("examples/docs"), 0777);
+    put("examples/docs/FIGURES.md", "# Figures\nan old head\n" OTHER HEADING "old\n",
+        strlen("# Figures\nan old head\n" OTHER HEADING "old\n"));
+    mkdir(in_folder("report"), 0777);
+    put("report/papers.txt", "full\na note\n", 12);
+    put("report/papers.csv", csv, sizeof csv - 1);
+    CHECK(!program(said, sizeof said, "d=$PWD && cd '%s' && \"$d/build/figures\" 2>&1", folder), "%s", said);
+    CHECK(get("examples/docs/FIGURES.md", bytes, sizeof bytes - 1) && (at = strstr(bytes, OTHER HEADING)) != NULL
+              && !strstr(bytes, "an old head") && !strstr(at, "old\n")
+              && strstr(at, "| A01 | 1 | 1 | 0 |") && strstr(at, "| 8 samples | `ssao`: `samples=8` | 6.9 | 21 |")
+              && strstr(at, "| none | not drawn: no such pass |  |  |") && strstr(at, "\n- faster: agrees\n"),
+          "%s: \"%s\"", said, bytes);
+    program(said, sizeof said, "cd '%s' && rm -rf examples report", folder);
+}
+
 /* ---- JSON ---------------------------------------------------------------------------------------------------- */
 
 static void json(void)
@@ -1441,6 +1471,7 @@ void test_files(void)
     RUN("pictures are read and written, or one sentence says why not, whichever allocation fails", starved);
     RUN("damaged pictures neither crash nor trip a sanitizer", fuzzed);
     RUN("a page of figures is written whole or not at all", figures_whole);
+    RUN("full figures of the papers take their part of the page, and leave the other", figures_part);
     RUN("JSON: any bytes make a string, what is no number is null", json);
     RUN("a Radiance HDR gives the values of its format, a cut one an error", hdr);
     RUN("a Radiance HDR that is wrong, or claims more than it holds, is a clear error", hdr_bad);

@@ -9,12 +9,14 @@
 edges=$(mktemp) || exit 2
 trap 'rm -f "$edges"' EXIT
 for f in "$@"; do nm -P -g "$f" | awk -v f="$f" '{ print ($2 == "U" ? "asks" : "has"), f, $1 }'; done | sort | awk '
-    # height of a file, by its folder
+    # height of a file, by its folder; in the laboratory: measure, page, chart, papers, and what puts these together
     function height(f) {
-        return f ~ /^build\/examples\/lab\// ? 6 : f ~ /^build\/examples\// ? 5 : f ~ /^build\/kit\/run\// ? 4 \
+        return f ~ /^build\/examples\/lab\/papers\// ? 9 : f ~ /^build\/examples\/lab\/chart\// ? 8 \
+             : f ~ /^build\/examples\/lab\/page\// ? 7 : f ~ /^build\/examples\/lab\/measure\// ? 6 \
+             : f ~ /^build\/examples\/lab\// ? 10 : f ~ /^build\/examples\// ? 5 : f ~ /^build\/kit\/run\// ? 4 \
              : f ~ /^build\/kit\/gl\// ? 3 : f ~ /^build\/kit\/trace\// ? 2 : f ~ /^build\/kit\/scene\// ? 1 : 0
     }
-    function room(f) { if (f ~ /\/lab\//) return "lab"; sub(/[^\/]*$/, "", f); return f }
+    function room(f) { sub(/[^\/]*$/, "", f); return f }
     $1 == "asks" { asked[++asks] = $2 " " $3 }
     $1 == "has" { where[$3] = $2 }
     END {

@@ -4,6 +4,8 @@
       build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv,
          chart*.svg and index.html, in a quarter of an hour, or 2 minutes
       build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv, light.html
+      build/report papers [--out report] [--context egl] [--quick] [--paper "HSAO08 Table 1"]     papers.csv,
+         papers.html, in some minutes
       build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c
       build/report plan  [--out report] [--context egl]     the chart's part on the plan: plan.csv, plan.html
 
@@ -11,9 +13,10 @@
    rows of methods whose names begin so. Truth is kept under build/cache/, and so is what an interrupted chart has
    measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2.
 
-   Here are the commands, which put sections of pages together; a section is a file of chart/. Below them lies page/:
-   how pages, tables, charts and pictures are written, and what is kept of a chart that is not whole; below that
-   measure/: scenes and their truth, methods drawn, scored and timed. Nothing calls upward, no section another. */
+   Here are the commands, which put sections of pages together; a section is a file of chart/, a paper one of papers/,
+   which sets up some of its stages as chart/ does. Below them lies page/: how pages, tables, charts and pictures are
+   written, and what is kept of a chart that is not whole; below that measure/: scenes and their truth, methods drawn,
+   scored and timed. Nothing calls upward, no section another. */
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
@@ -28,6 +31,7 @@
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
 #include "lab/page/terms.h"
+#include "lab/papers/papers.h"
 
 /* ---- >>demo ------------------------------------------------------------------------------------------------------ */
 
@@ -200,18 +204,46 @@ static int plan(const options *o, kit_error *err)
     return 0;
 }
 
+/* The papers' own tables and figures: papers.html. */
+static int papers(const options *o, kit_error *err)
+{
+    page html;
+    const char *kind = o->paper ? "part" : o->quick ? "quick" : "full";
+    if (!papers_units(o))
+        return kit_fail(err, "--paper %s: there is none that begins so (\"HSAO08 Table 1\")", o->paper);
+    if (o->quick) stage_thrift = PAPERS_THRIFT;
+    units_begin(o, papers_units(o));
+    if (page_open(&html, err)) return -1;
+    page_head(html.file, "ssgi: the papers' own tables and figures",
+              "What five papers print, and the same drawn here on a comparable scene: what agrees and what does not is "
+              "worked out from this run's figures.");
+    fprintf(html.file, "<p>Times here: %s.%s</p>\n", kit_gl_name(),
+            o->quick ? " The quick form: small pictures, few rays, fewer rows." : "");
+    if (papers_chart(html.file, o, err)) return -1;
+    terms_chart(html.file);
+    if (page_close(&html, o->out, "papers.html", err)
+        || page_note(o->out, "papers.txt", kind, o->quick ? "make papers QUICK=1" : "make papers", err))
+        return -1;
+    units_end();
+    papers_text(stdout, o);
+    printf("pictures: %s/papers.html\n", o->out);
+    return 0;
+}
+
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
 static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err); }
 
-/* charts: takes --quick, --scene and --method; else --mesh */
-static const struct command { const char *name; int charts; int (*run)(const options *o, kit_error *err); }
+/* What a command takes beside --out and --context. */
+enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16 };
+static const struct command { const char *name; int takes; int (*run)(const options *o, kit_error *err); }
 commands[] = {
-    { "demo",  0, demo },
-    { "chart", 1, chart },
-    { "light", 1, light },
-    { "fit",   0, fit },
-    { "plan",  0, plan }
+    { "demo",   MESH,                    demo },
+    { "chart",  QUICK | SCENES | METHOD, chart },
+    { "light",  QUICK | SCENES | METHOD, light },
+    { "papers", QUICK | PAPER,           papers },
+    { "fit",    MESH,                    fit },
+    { "plan",   MESH,                    plan }
 };
 
 static void usage(void)
@@ -222,29 +254,39 @@ static void usage(void)
           "speed against accuracy\n"
           "       report light [--out FOLDER] [--context ...] [--quick] [--method NAME]     the chart's part on "
           "light, every pair\n"
+          "       report papers [--out FOLDER] [--context ...] [--quick] [--paper HSAO08]     the papers' tables and "
+          "figures\n"
           "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n"
           "       report plan  [--out FOLDER] [--context ...]     the plan on views that it was not fitted on\n",
           stderr);
 }
 
-static int parse(options *o, int is_chart, int argc, char **argv, kit_error *err)
+static int add_scene(options *o, const char *name, kit_error *err)
 {
+    if (o->scenes == MOST_SCENES) return kit_fail(err, "--scene %s: at most %d of them", name, MOST_SCENES);
+    o->scene[o->scenes++] = name;
+    return 0;
+}
+
+static int parse(options *o, const struct command *c, int argc, char **argv, kit_error *err)
+{
+    const struct { const char *name; int of; const char **to; } known[] = {
+        { "--out", 0, &o->out },             { "--context", 0, &o->context }, { "--mesh", MESH, &o->mesh },
+        { "--method", METHOD, &o->method },  { "--paper", PAPER, &o->paper }, { "--scene", SCENES, NULL }
+    };
     memset(o, 0, sizeof *o);
     o->out = "report";
     for (int i = 2; i < argc; ++i) {
         const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
-        if (is_chart && !strcmp(a, "--quick")) { o->quick = 1; continue; }
-        if (strcmp(a, "--out") && strcmp(a, "--context") && strcmp(a, is_chart ? "--scene" : "--mesh")
-            && (!is_chart || strcmp(a, "--method")))
+        int k = 0;
+        if (c->takes & QUICK && !strcmp(a, "--quick")) { o->quick = 1; continue; }
+        while (k < COUNT(known) && (strcmp(a, known[k].name) || (known[k].of && !(c->takes & known[k].of)))) ++k;
+        if (k == COUNT(known))
             return kit_fail(err, "%s: %s takes no such argument (report alone prints what there is)", a, argv[1]);
         if (!v || !*v) return kit_fail(err, "%s: needs a value", a);
         ++i;
-        if (!strcmp(a, "--out")) o->out = v;
-        else if (!strcmp(a, "--context")) o->context = v;
-        else if (!is_chart) o->mesh = v;
-        else if (!strcmp(a, "--method")) o->method = v;
-        else if (o->scenes == MOST_SCENES) return kit_fail(err, "--scene %s: at most %d of them", v, MOST_SCENES);
-        else o->scene[o->scenes++] = v;
+        if (known[k].to) *known[k].to = v;
+        else if (add_scene(o, v, err)) return -1;
     }
     return 0;
 }
@@ -252,7 +294,7 @@ static int parse(options *o, int is_chart, int argc, char **argv, kit_error *err
 static int run(const struct command *c, int argc, char **argv, kit_error *err)
 {
     options o;
-    return parse(&o, c->charts, argc, argv, err) || folder_make(o.out, err) || kit_gl_open(o.context, err)
+    return parse(&o, c, argc, argv, err) || folder_make(o.out, err) || kit_gl_open(o.context, err)
                    || c->run(&o, err)
                ? -1
                : kit_streams_close(err);
@@ -266,7 +308,7 @@ int main(int argc, char **argv)
     if (argc < 2) { usage(); return 2; }
     while (c < commands + COUNT(commands) && strcmp(c->name, argv[1])) ++c;
     if (c == commands + COUNT(commands))
-        kit_fail(&err, "%s: there is no such command (demo, chart, light, fit, plan)", argv[1]);
+        kit_fail(&err, "%s: there is no such command (demo, chart, light, papers, fit, plan)", argv[1]);
     else run(c, argc, argv, &err);
     if (*err.text) {
         kit_progress("", 1);

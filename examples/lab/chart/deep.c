@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "lab/chart/deep_stage.h"
+#include "lab/measure/halved.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
 #include "lab/page/scatter.h"
@@ -70,8 +71,7 @@ static const entry deep_effects[] = {
 };
 /* The same reach, radius sqrt(1 / epsilon - 1) 2^(levels - 1): 16^2 (1/0.1 - 1) = 1/0.000433839 - 1. half: of the
    picture's width and height, brought to full size bilinearly. */
-typedef struct full { entry entry; int half; } full;
-static const full deep_figure9[] = {
+static const sized deep_figure9[] = {
     { DSS("5 levels", COARSE ",levels=5,epsilon=0.1", 1), 0 },
     { DSS("full size, 1 level", COARSE ",levels=1,epsilon=0.000433839", 1), 0 },
     { DSS("half size, 1 level", COARSE ",levels=1,epsilon=0.000433839", 1), 1 },
@@ -167,67 +167,23 @@ static int deep_table_of(FILE *html, const deep_table *t, const options *o, row 
     return count + more;
 }
 
-/* A picture of half the width and height brought to full size. */
-static int doubled(kit_image *out, const kit_image *small, kit_error *err)
-{
-    if (kit_image_new(out, 2 * small->width, 2 * small->height, "Y", err)) return -1;
-    for (int y = 0; y < out->height; ++y)
-        for (int x = 0; x < out->width; ++x) {
-            double sum = 0;
-            for (int k = 0; k < 4; ++k) {                      /* 9 3 3 1 sixteenths */
-                const int near_x = k & 1   ? 0
-                                   : x % 2 ? 1
-                                           : -1,
-                          near_y = k & 2   ? 0
-                                   : y % 2 ? 1
-                                           : -1,
-                          at_x = x / 2 + near_x, at_y = y / 2 + near_y;
-                const int px = at_x < 0              ? 0
-                               : at_x < small->width ? at_x
-                                                     : small->width - 1,
-                          py = at_y < 0               ? 0
-                               : at_y < small->height ? at_y
-                                                      : small->height - 1;
-                sum += (k & 1 ? 0.75 : 0.25) * (k & 2 ? 0.75 : 0.25) * (double)small->data[py * small->width + px];
-            }
-            out->data[y * out->width + x] = (float)sum;
-        }
-    return 0;
-}
-
 static int full_sizes_of(FILE *html, int quick, row *rows, kit_error *err)
 {
-    int count = 0;
     static const deep_view see = BUNNY_AO;
-    kit_run run[COUNT(deep_figure9)];
-    stage s, half;
-    if (deep_open(&s, &see, err)) return -1;
-    half = s;
-    kit_camera camera = s.gbuffer.camera;
-    camera.width /= 2;
-    camera.height /= 2;
-    if (kit_gbuffer_from_scene(&half.gbuffer, &s.scene, &camera, NULL, err)) return -1;
-    for (int i = 0; i < COUNT(deep_figure9); ++i) {
-        const full *f = &deep_figure9[i];
-        kit_image picture, whole;
-        if (quick && !f->entry.quick) continue;
-        row *r = &rows[count];
-        *r = row_blank(OF_DEEP, see.view.name, f->entry.label, f->entry.method, f->entry.settings);
-        if (stage_run(&run[count], f->half ? &half : &s, r->method, r->settings, s.radius, err)) return -1;
-        kit_run_draw(&run[count], 1);
-        if (kit_run_read(&picture, &run[count], err) || (f->half && doubled(&whole, &picture, err))
-            || score_picture(r, &s, f->half ? &whole : &picture, err))
-            return -1;
-        r->of = OF_DEEP;
-        kit_image_free(&picture);
-        if (f->half) kit_image_free(&whole);
-        ++count;
+    sized entries[COUNT(deep_figure9)];
+    int count = 0;
+    stage s;
+    for (int i = 0; i < COUNT(deep_figure9); ++i)
+        if (!quick || deep_figure9[i].entry.quick) entries[count++] = deep_figure9[i];
+    if (deep_open(&s, &see, err) || halved_entries(rows, &s, entries, count, quick ? 1 : DEEP_ROUNDS, NULL, err))
+        return -1;
+    for (int i = 0; i < count; ++i) {
+        rows[i].of = OF_DEEP;
+        rows[i].scene = see.view.name;
     }
-    if (clock_runs(rows, &s, run, count, quick ? 1 : DEEP_ROUNDS, err)) return -1;
     deep_about(html, &s,
                "The paper's figure 9: all reach as far; half sizes are brought to full size bilinearly, which is not "
                "in their times; their splats are of their own pixels.");
-    kit_gbuffer_free(&half.gbuffer);
     stage_close(&s);
     return count;
 }
@@ -236,16 +192,15 @@ static int full_sizes_of(FILE *html, int quick, row *rows, kit_error *err)
 static int deep_costs(row *rows, const deep_view *v, int width, int height, const entry *entries, int count, int of,
                       int rounds, kit_error *err)
 {
-    kit_run run[COUNT(deep_growth)];
     stage s;
-    if (deep_load(&s, v, err) || stage_look(&s, &v->view, width, height, err)) return -1;
+    if (deep_load(&s, v, err) || stage_look(&s, &v->view, width, height, err)
+        || measure_times(rows, &s, entries, count, rounds, err))
+        return -1;
     for (int i = 0; i < count; ++i) {
-        rows[i] = row_blank(of, v->view.name, entries[i].label, entries[i].method, entries[i].settings);
+        rows[i].of = of;
+        rows[i].scene = v->view.name;
         rows[i].figure[PICTURE] = 1e-3 * s.frame.width * s.frame.height;
-        if (stage_run(&run[i], &s, entries[i].method, entries[i].settings, s.radius, err)) return -1;
-        kit_run_draw(&run[i], 1);
     }
-    if (clock_runs(rows, &s, run, count, rounds, err)) return -1;
     stage_close(&s);
     return count;
 }

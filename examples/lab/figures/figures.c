@@ -1,12 +1,13 @@
-/* figures.c - examples/docs/FIGURES.md from the csv that make chart and make stability write.
+/* figures.c - examples/docs/FIGURES.md from the csv that make chart, make stability and make papers write.
 
       build/figures [report]
 
-   Reads chart.txt and stability.txt (kind, command, commit, machine, driver) and the csv beside them. When both are of
-   full runs the page is examples/docs/FIGURES.md, and the charts that it shows go to examples/docs/pictures; else it is
-   FIGURES.md in the folder of the csv, for a quick run should not replace a full one. After a run of a part (SCENE,
-   METHOD) all stays as it is. Bad input, or a write that fails: one line on stderr, status 2; the page is then as it
-   was. */
+   Reads chart.txt, stability.txt and papers.txt (kind, command, commit, machine, driver) and the csv beside them. The
+   page has two parts, one of the chart and of stability, one of the papers. A part whose runs are full ones goes to
+   examples/docs/FIGURES.md, where the other stays as it is, and the charts that it shows to examples/docs/pictures;
+   else it goes to FIGURES.md in the folder of the csv, for a quick run should not replace a full one. After a run of
+   some rows (SCENE, METHOD, PAPER) theirs stays as it is. Bad input, or a write that fails: one line on stderr, status
+   2; the page is then as it was. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,9 +39,9 @@ static int kept(const char *name, kit_error *err)
 
 static void head(const markdown *m)
 {
-    fputs("# Figures\n\nMade by `make chart` and `make stability` from the csv that they write: change nothing here. "
-        "Above each table stand the command,\n"
-          "commit, machine and driver that it comes from.", m->file);
+    fputs("# Figures\n\nMade by `make chart`, `make stability` and `make papers` from the csv that they write: change "
+          "nothing here. Above each table\n"
+          "stand the command, commit, machine and driver that it comes from.", m->file);
     fputs(m->full ? "\n" : " Quick runs have smaller pictures, fewer rays and fewer rows.\n", m->file);
     fputs("\n- Time: GL time of all passes, filter included, relative to one unblurred 16-sample `ssao` in the same "
         "interleaved run.\n"
@@ -66,49 +67,83 @@ static void chart(const markdown *m)
     section_costs(m);
 }
 
-/* The page, in memory first; of full runs with its charts. */
-static int write_page(const char *path, markdown *m, int has_chart, int has_stability, kit_error *err)
+/* What is to be written: the parts, and whether each is measured anew. */
+typedef struct parts { char chart, stability, papers; char *kept, *kept_papers; } parts;
+
+/* The page's parts as they are in examples/docs; "" = there is none. To be freed: kept. */
+static int keep(parts *p, kit_error *err)
+{
+    size_t size;
+    if (kit_file_read(&p->kept, &size, DOCS "FIGURES.md", err)) return -1;
+    char *const first = strstr(p->kept, "\n## "), *const papers = strstr(p->kept, PAPERS_HEADING);
+    p->kept_papers = papers ? strdup(papers) : strdup("");
+    if (!p->kept_papers) return kit_fail(err, "out of memory");
+    if (papers) *papers = 0;
+    if (first) memmove(p->kept, first, strlen(first) + 1);
+    return 0;
+}
+
+/* The page, in memory first. */
+static int write_page(const char *path, markdown *m, const parts *p, kit_error *err)
 {
     char *text = NULL;
     size_t size;
     m->file = open_memstream(&text, &size);
     if (!m->file) return kit_fail(err, "out of memory");
     head(m);
-    if (has_chart) chart(m);
-    if (has_stability) section_stability(m);
+    if (p->chart) chart(m);
+    if (p->stability) section_stability(m);
+    if (m->full && !p->chart) fputs(p->kept, m->file);
+    if (p->papers) section_papers(m);
+    else if (m->full) fputs(p->kept_papers, m->file);
     int failed = ferror(m->file);
     if (fclose(m->file) || failed) failed = kit_fail(err, "out of memory");
-    if (!failed && m->full)
+    if (!failed && m->full && p->chart)
         failed = kept("chart.svg", err) || kept("chart-lit.svg", err) || kept("chart-deep-turn.svg", err);
     if (!failed) failed = kit_file_write(path, text, size, err);
     free(text);
+    if (!failed) printf("figures: %s%s\n", path, m->full ? "" : " (" DOCS "FIGURES.md has full runs alone)");
+    return failed ? -1 : 0;
+}
+
+/* Full runs go to the documentation, others beside the csv. */
+static int write_pages(markdown *m, char chart_run, char stability_run, char papers_run, kit_error *err)
+{
+    const int full = chart_run == 'f' && stability_run == 'f', part = chart_run == 'p' || stability_run == 'p';
+    const parts quick = { full || part ? 0 : chart_run, full || part ? 0 : stability_run,
+                          papers_run == 'q' ? 'q' : 0, NULL, NULL };
+    parts whole = { full ? 'f' : 0, full ? 'f' : 0, papers_run == 'f' ? 'f' : 0, NULL, NULL };
+    char path[1024];
+    snprintf(path, sizeof path, "%s/FIGURES.md", csv_folder);
+    m->full = whole.chart || whole.papers;
+    int failed = m->full && (((!whole.chart || !whole.papers) && keep(&whole, err))
+        || write_page(DOCS "FIGURES.md", m, &whole, err));
+    m->full = 0;
+    if (!failed && (quick.chart || quick.stability || quick.papers)) failed = write_page(path, m, &quick, err);
+    free(whole.kept);
+    free(whole.kept_papers);
+    if (part || papers_run == 'p') puts("figures: some are left as they are, for a part alone was measured");
     return failed ? -1 : 0;
 }
 
 int main(int argc, char **argv)
 {
-    char path[1024];
     kit_error err;
     markdown m = { 0 };
     if (argc > 2 || (argc > 1 && *argv[1] == '-')) { fputs("usage: figures [FOLDER of the csv]\n", stderr); return 2; }
     if (argc > 1) csv_folder = argv[1];
     const char chart_run = run_of("chart.txt", &m.chart_note),
-               stability_run = run_of("stability.txt", &m.stability_note);
-    if (chart_run == 'p' || stability_run == 'p') {
-        puts("figures: left as they are, for a part alone was measured");
-        return 0;
-    }
-    if (!chart_run && !stability_run) {
-        fprintf(stderr, "figures: %s: holds neither chart.txt nor stability.txt (make chart, make stability)\n",
+               stability_run = run_of("stability.txt", &m.stability_note),
+               papers_run = run_of("papers.txt", &m.papers_note);
+    if (!chart_run && !stability_run && !papers_run) {
+        fprintf(stderr, "figures: %s: holds none of chart.txt, stability.txt and papers.txt (make chart, make "
+                        "stability, make papers)\n",
                 csv_folder);
         return 2;
     }
-    m.full = chart_run == 'f' && stability_run == 'f';
-    snprintf(path, sizeof path, m.full ? DOCS "FIGURES.md" : "%s/FIGURES.md", csv_folder);
-    if (write_page(path, &m, chart_run != 0, stability_run != 0, &err)) {
+    if (write_pages(&m, chart_run, stability_run, papers_run, &err)) {
         fprintf(stderr, "figures: %s\n", err.text);
         return 2;
     }
-    printf("figures: %s%s\n", path, m.full ? "" : " (" DOCS "FIGURES.md is written when both runs are full ones)");
     return 0;
 }

@@ -7,8 +7,8 @@
 
 typedef struct markdown {
     FILE       *file;
-    int         full;                      /* both runs are full ones: the page is examples/docs/FIGURES.md */
-    const char *chart_note, *stability_note;   /* where the figures of each come from */
+    int         full;                      /* the page is examples/docs/FIGURES.md */
+    const char *chart_note, *stability_note, *papers_note;   /* where the figures of each come from */
 } markdown;
 
 /* A heading, what the table is about (pictures as examples/docs has them), and where its figures come from. */

@@ -11,5 +11,8 @@ void section_tables(const markdown *m, const char *kind, const char *name);
 void section_plan(const markdown *m);
 void section_costs(const markdown *m);
 void section_stability(const markdown *m);
+/* Begins with this line: what stands from it to the page's end. */
+#define PAPERS_HEADING "\n## The papers' own tables and figures\n"
+void section_papers(const markdown *m);
 
 #endif

@@ -43,3 +43,14 @@ int measure_entries(row *rows, stage *s, const entry *entries, int count, int ro
         if (measure_given(&rows[count + i], s, &s->given[i], phases, err)) return -1;
     return 0;
 }
+
+int measure_times(row *rows, stage *s, const entry *entries, int count, int rounds, kit_error *err)
+{
+    kit_run run[MOST_ENTRIES];
+    for (int i = 0; i < count; ++i) {
+        rows[i] = row_blank(0, s->name, entries[i].label, entries[i].method, entries[i].settings);
+        if (stage_run(&run[i], s, entries[i].method, entries[i].settings, s->radius, err)) return -1;
+        kit_run_draw(&run[i], 1);
+    }
+    return clock_runs(rows, s, run, count, rounds, err);
+}

@@ -10,5 +10,7 @@
    known), then timed. pictures: NULL, or an empty one an entry. */
 int measure_entries(row *rows, stage *s, const entry *entries, int count, int rounds, int phases, kit_image *pictures,
                     kit_error *err);
+/* Times alone: no picture, no truth; of a stage that is loaded and looked at. */
+int measure_times(row *rows, stage *s, const entry *entries, int count, int rounds, kit_error *err);
 
 #endif

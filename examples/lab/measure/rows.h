@@ -30,13 +30,13 @@ enum {
 };
 
 /* Of what is drawn with several phases of its noise: the error in all, what of it is the model's, and noise; the angle
-   of hue, of all and of what is in shade. */
-enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLITS };
+   of hue, of all and of what is in shade; the bounce's noise. */
+enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLIT_BOUNCE, SPLITS };
 
 /* What is known of fields: of the bake; of a picture's error beside its score; the occluders' reach as a share of the
    picture, each counted; of two occluders' occlusions. Of deep screen space: what is splatted; its stages' shares of
    the time; how far the camera is turned; what a place's visibility varies by while the camera moves. Of AO, and of
-   irradiance: edges, border and interior apart. */
+   irradiance: edges, border and interior apart. A picture's mean where something is seen. */
 enum {
     TRIANGLES,
     RESOLUTION,
@@ -70,7 +70,8 @@ enum {
     PLACE_AREA = PLACE_ERROR + KIT_PLACES,
     PLACE_RMSE = PLACE_AREA + KIT_PLACES,
     PLACE_BIAS = PLACE_RMSE + KIT_PLACES,
-    FIGURES = PLACE_BIAS + KIT_PLACES
+    LEVEL = PLACE_BIAS + KIT_PLACES,
+    FIGURES
 };
 
 /* What does not apply is NAN. scene: or "mean", of several. */

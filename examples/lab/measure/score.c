@@ -64,10 +64,10 @@ typedef struct sums {
 
 static int sums_new(sums *t, const stage *s, kit_error *err)
 {
-    static const char *const lit_names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const ao_names[1] = {
-        "Y"
-    };
-    *t = (sums){ .names = s->lit ? lit_names : ao_names, .channels = s->lit ? 3 : 1,
+    static const char *const lit_names[6] = { "irradiance.R", "irradiance.G", "irradiance.B",
+                                              "bounce.R", "bounce.G", "bounce.B" },
+                      *const ao_names[1] = { "Y" };
+    *t = (sums){ .names = s->lit ? lit_names : ao_names, .channels = s->lit ? 6 : 1,
                  .pixels = (size_t)s->truth.width * (size_t)s->truth.height };
     t->sum = calloc(2 * t->channels * t->pixels, sizeof *t->sum);
     if (!t->sum) return kit_fail(err, "out of memory");
@@ -102,20 +102,30 @@ static int sums_draw(sums *t, const stage *s, kit_run *run, int phases, kit_erro
 }
 
 /* Sums over the pixels: the truth, squared differences of the mean picture, variances; of hue the angles by their
-   weights, of all and of what is in shade. */
-typedef struct errors { double level, off, noise, values, hue[2], weight[2]; } errors;
+   weights, of all and of what is in shade. Of the bounce its truth and variances alone. */
+typedef struct errors { double level, off, noise, values, hue[2], weight[2], bounce, bounce_noise; } errors;
+
+/* Over the pictures drawn. */
+static double variance(const sums *t, size_t k)
+{
+    const double mean = t->sum[k] / t->drawn;
+    return t->differs ? fmax(0, t->squares[k] / t->drawn - mean * mean) * t->drawn / (t->drawn - 1) : 0;
+}
 
 /* open: the light without blockers; visibility has none. */
 static void errors_add(errors *e, const sums *t, size_t i, const float *const *truth, const float *const *open)
 {
     static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };
     double of[2] = { 0, 0 }, product = 0, bright = 0, unblocked = 0, turned = 0;
-    for (size_t c = 0; c < t->channels; ++c) {
+    for (size_t c = 3; c < t->channels; ++c) {
+        e->bounce += (double)truth[c][i];
+        e->bounce_noise += variance(t, c * t->pixels + i);
+    }
+    for (size_t c = 0; c < t->channels && c < 3; ++c) {
         const double is = t->sum[c * t->pixels + i] / t->drawn, should = (double)truth[c][i];
         e->level += should;
         e->off += (is - should) * (is - should);
-        if (t->differs)
-            e->noise += fmax(0, t->squares[c * t->pixels + i] / t->drawn - is * is) * t->drawn / (t->drawn - 1);
+        e->noise += variance(t, c * t->pixels + i);
         of[0] += is * is;
         of[1] += should * should;
         product += is * should;
@@ -132,7 +142,7 @@ static void errors_add(errors *e, const sums *t, size_t i, const float *const *t
 
 int score_phases(row *r, stage *s, kit_run *run, int phases, const kit_image *picture, kit_error *err)
 {
-    const float *z = kit_image_channel(&s->frame, "Z"), *truth[3], *open[3] = { NULL };
+    const float *z = kit_image_channel(&s->frame, "Z"), *truth[6], *open[6] = { NULL };
     errors e = { 0 };
     sums t;
     if (sums_new(&t, s, err)) return -1;
@@ -141,7 +151,7 @@ int score_phases(row *r, stage *s, kit_run *run, int phases, const kit_image *pi
         if (sums_draw(&t, s, run, phases, err)) { free(t.sum); return -1; }
     for (size_t c = 0; c < t.channels; ++c) {
         truth[c] = kit_image_channel(&s->truth, t.names[c]);
-        if (s->lit) open[c] = kit_image_channel(&s->given[0].picture, t.names[c]);
+        if (s->lit && s->givens) open[c] = kit_image_channel(&s->given[0].picture, t.names[c]);
     }
     for (size_t i = 0; i < t.pixels; ++i)
         if (z[i] > 0 && !isnan(t.sum[i])) errors_add(&e, &t, i, truth, open);
@@ -150,6 +160,7 @@ int score_phases(row *r, stage *s, kit_run *run, int phases, const kit_image *pi
     r->split[SPLIT_ALL] = sqrt((e.off + e.noise * (t.drawn - 1) / t.drawn) / e.values) / level;
     r->split[SPLIT_MODEL] = sqrt(fmax(0, e.off - e.noise / t.drawn) / e.values) / level;
     r->split[SPLIT_NOISE] = run ? sqrt(e.noise / e.values) / level : (double)NAN;
+    r->split[SPLIT_BOUNCE] = e.bounce > 0 ? sqrt(e.bounce_noise * e.values) / e.bounce : (double)NAN;
     for (int k = 0; k < 2; ++k) r->split[SPLIT_HUE + k] = e.hue[k] / e.weight[k] * 180 / acos(-1);
     free(t.sum);
     return 0;

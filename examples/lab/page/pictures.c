@@ -98,11 +98,26 @@ static int shrunk(kit_image *out, const kit_image *picture, const char *names, i
     return 0;
 }
 
+int pictures_thumb(FILE *html, const char *out, const char *slug, const char *label, const char *note, const stage *s,
+                   const kit_image *picture, kit_error *err)
+{
+    const char *const names = s->lit ? "R,G,B" : "Y";
+    kit_image bright = { 0 }, small;
+    if (s->lit && pictures_exposed(&bright, picture, s->lit->exposure, NULL, 1, err)) return -1;
+    if (shrunk(&small, s->lit ? &bright : picture, names, 320, s->stride, err)
+        || pictures_save(&small, names, s->lit != NULL, out, slug, ".png", err))
+        return -1;
+    page_figure(html, slug, label, note, small.width, small.height, 0);
+    fputs("</figure>\n", html);
+    kit_image_free(&bright);
+    kit_image_free(&small);
+    return 0;
+}
+
 int pictures_thumbs(FILE *html, const char *out, const char *name, const stage *s, const row *rows,
                     const kit_image *pictures, int count, kit_error *err)
 {
     static const char *const endings[] = { "truth", "fast", "best" };
-    const char *const names = s->lit ? "R,G,B" : "Y";
     int fast = 0, best = 0;
     for (int i = 1; i < count; ++i) {
         const row *r = &rows[i], *f = &rows[fast];
@@ -113,20 +128,13 @@ int pictures_thumbs(FILE *html, const char *out, const char *name, const stage *
     for (int k = 0; k < (best == fast ? 2 : 3); ++k) {
         const row *r = &rows[k > 1 ? best : fast];
         const kit_image *from = k ? &pictures[r - rows] : &s->truth;
-        kit_image bright = { 0 }, small;
         char slug[160], label[160], note[64] = "";
-        if (s->lit && pictures_exposed(&bright, from, s->lit->exposure, NULL, 1, err)) return -1;
-        if (shrunk(&small, s->lit ? &bright : from, names, 320, s->stride, err)) return -1;
         snprintf(slug, sizeof slug, "thumb-%s-", name);
         pictures_slug(slug + strlen(slug), s->name);
         snprintf(slug + strlen(slug), sizeof slug - strlen(slug), "-%s", endings[k]);
         snprintf(label, sizeof label, k ? "%s, %s" : "ray-traced truth", r->label, table_settings(r));
         if (k) snprintf(note, sizeof note, "time %.2f, error %.3f", r->relative, r->share);
-        if (pictures_save(&small, names, s->lit != NULL, out, slug, ".png", err)) return -1;
-        page_figure(html, slug, label, note, small.width, small.height, 0);
-        fputs("</figure>\n", html);
-        kit_image_free(&bright);
-        kit_image_free(&small);
+        if (pictures_thumb(html, out, slug, label, note, s, from, err)) return -1;
     }
     fputs("</div>\n", html);
     return 0;

@@ -22,6 +22,9 @@ typedef struct pictured { char slug[128]; const char *label; const kit_image *pi
 int pictures_crops(FILE *html, const char *out, const pictured *p, int count, int k, const int *crop, float exposure,
                    int times, kit_error *err);
 
+/* A small picture of a stage: no wider than 320 pixels, nor finer than its truth. */
+int pictures_thumb(FILE *html, const char *out, const char *slug, const char *label, const char *note, const stage *s,
+                   const kit_image *picture, kit_error *err);
 /* Small pictures: the truth, the best row of those that take no longer than the reference (else the fastest), the best
    of all. name: of what the page shows them in. */
 int pictures_thumbs(FILE *html, const char *out, const char *name, const stage *s, const row *rows,

@@ -48,7 +48,8 @@ int units_count(measuring *measure, int count, const options *o)
 void units_begin(const options *o, int all)
 {
     static const char *const files[] = { BUNNY, BED, MAPLE, HOUSE };
-    const char *const text[] = { kit_gl_name(), o->out, o->method ? o->method : "", o->quick ? "quick" : "" };
+    const char *const text[] = { kit_gl_name(), o->out, o->method ? o->method : "", o->paper ? o->paper : "",
+                                 o->quick ? "quick" : "" };
     memset(&units, 0, sizeof units);
     units.all = all;
     units.begun = kit_seconds();

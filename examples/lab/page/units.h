@@ -8,7 +8,10 @@
 
 enum { MOST_SCENES = 16 };
 /* What a command is asked for; NULL, 0: not. */
-typedef struct options { const char *out, *mesh, *method, *context, *scene[MOST_SCENES]; int quick, scenes; } options;
+typedef struct options {
+    const char *out, *mesh, *method, *paper, *context, *scene[MOST_SCENES];
+    int quick, scenes;
+} options;
 /* Whether --method asks for a method; the entries that a chart shows, and how many. */
 int units_asked(const options *o, const char *method);
 int units_chosen(entry *out, const entry *entries, int count, const options *o);
