@@ -468,8 +468,8 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work (of surfels and fields the one that
    draws them), with its settings and the filter's; the rest stays. ssdo and s3ho get restore; s3ho gets shaded and
-   residual; ssdo without an environment gets MAP; thickness is the plan's: where it draws no back faces DEFAULT, which in
-   chains is WIDTH. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is
+   residual; ssdo without an environment gets MAP; thickness is the plan's: where it draws no back faces DEFAULT, which
+   in chains is WIDTH. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is
    ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
@@ -1406,17 +1406,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sender_place = s.y; // #if transfer\n"
     "}\n" },
 
-{ "ssgi_t", __LINE__ + 1,
-    "vec3 ssgi_t; // the tangent along which the horizon is sought\n" },
+{ "ssgi_rising", __LINE__ + 1,
+    "struct ssgi_rising { // a horizon, raised by what a ray finds\n"
+    "    vec3 tangent; // along which it is sought\n"
+    "    float within; // what is farther away does not count\n"
+    "    float sine, away; // of its elevation; distance of what raised it last\n"
+    "};\n" },
 
 { "ssgi_rise", __LINE__ + 1,
-    "vec3 ssgi_rise; // how far the horizon is sought; the sine of its elevation, its distance\n" },
+    "ssgi_rising ssgi_rise;\n" },
 
 { "ssgi_offer_rise", __LINE__ + 1,
     "void ssgi_offer_rise(vec3 I) { // raises the horizon to the front of a solid\n"
     "    vec3 d = I - ssgi_P;\n"
-    "    float x = dot(d, ssgi_t), y = dot(d, ssgi_n), l = length(d), H = y * inversesqrt(x * x + y * y);\n"
-    "    if (x > 0.0 && l < ssgi_rise.x && H > ssgi_rise.y) ssgi_rise.yz = vec2(H, l);\n"
+    "    float x = dot(d, ssgi_rise.tangent), y = dot(d, ssgi_n), l = length(d), H = y * inversesqrt(x * x + y * y);\n"
+    "    if (x > 0.0 && l < ssgi_rise.within && H > ssgi_rise.sine) ssgi_rise.sine = H, ssgi_rise.away = l;\n"
     "}\n" },
 
 { "ssgi_solid", __LINE__ + 1,
@@ -2250,10 +2254,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float ahead = u_ssgi_radius * (float(i + 1) + beta) / float(SSGI_STEPS); // #if spheres\n"
     "        float grown = min(ahead, u_ssgi_radius); // #if spheres\n"
     "#if layers > 1 || views\n"
-    "        ssgi_rise = vec3(u_ssgi_radius, r.x, 0.0); // #if !spheres\n"
-    "        ssgi_rise = vec3(grown, r.x, 0.0); // #if spheres\n"
+    "        ssgi_rise = ssgi_rising(t, u_ssgi_radius, r.x, 0.0); // #if !spheres\n"
+    "        ssgi_rise = ssgi_rising(t, grown, r.x, 0.0); // #if spheres\n"
     "        if (ssgi_blocked(Q) > 0.0) {\n"
-    "            float H = ssgi_rise.y, l = ssgi_rise.z;\n"
+    "            float H = ssgi_rise.sine, l = ssgi_rise.away;\n"
     "            if (H > r.x) {\n"
     "#else\n"
     "        if (Q.z >= 0.0) break;\n"
@@ -2296,7 +2300,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float a = 2.0 * SSGI_PI * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
     "        vec3 t = basis[0] * cos(a) + basis[1] * sin(a);\n"
-    "        ssgi_t = t; // #if terms != RAYS && (layers > 1 || views)\n"
     "        vec2 h = ssgi_horizon(P, start, n, t, xi.y - 0.5); // #if terms != RAYS\n"
     "        vec2 h = vec2(0.0); // #if terms == RAYS\n"
     "        sum += h.y; // #if !terms\n"

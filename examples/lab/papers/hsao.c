@@ -106,51 +106,23 @@ static const sheet direction_sheet = {
 
 /* ---- >>Figure 10 ------------------------------------------------------------------------------------------------- */
 
+#define TERM(letter, name, set) { .what = letter " " name, MARCH("directions=8,steps=18,blur=0," set) }
 static const paper_row term_rows[] = {
-    { .what = "(a) horizon occlusion", MARCH("directions=8,steps=18,normal_rays=0,blur=0") },
-    { .what = "(b) normal occlusion", MARCH("directions=8,steps=18,normal_rays=1,blur=0"), .note = "less (a)" },
-    { .what = "(c) final", MARCH("directions=8,steps=18,normal_rays=1,blur=0") }
+    TERM("(a)", "horizon occlusion", "terms=horizon"), TERM("(b)", "normal occlusion", "normal_rays=1,terms=normal"),
+    TERM("(c)", "final", "normal_rays=1"), TERM("section 5:", "growing spheres", "normal_rays=1,spheres=1")
 };
 static const claim term_claims[] = {
     { "The horizon's part dominates: it occludes more than the normal rays' does", LESS(0, 0, 1), NULL },
-    { "The final occlusion has less error than the horizon's alone", LESS(1, 2, 0), NULL }
+    { "The final occlusion has less error than the horizon's alone", LESS(1, 2, 0), NULL },
+    { "Growing spheres underestimate: they occlude less", LESS(0, 2, 3), NULL }
 };
-
-/* (b) is what (c) occludes beyond (a): both march the same horizons. */
-static int terms_apart(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err)
-{
-    const entry both[2] = { { t->rows[0].what, t->rows[0].method, t->rows[0].settings, 1 },
-                            { t->rows[2].what, t->rows[2].method, t->rows[2].settings, 1 } };
-    static const int at[3] = { 0, 1, 2 };
-    row two_drawn[4], drawn[3];
-    kit_image picture[3], two[2];
-    stage s;
-    sheet_blank(t, rows);
-    if (sheet_load(&s, t, err) || stage_show(&s, &t->see.view, SHEET_WIDTH, SHEET_HEIGHT, err)
-        || measure_entries(two_drawn, &s, both, 2, sheet_rounds(o), 0, two, err)
-        || kit_image_new(&picture[1], s.frame.width, s.frame.height, "Y", err))
-        return -1;
-    picture[0] = two[0];
-    picture[2] = two[1];
-    for (int i = 0; i < s.frame.width * s.frame.height; ++i)
-        picture[1].data[i] = 1 - (picture[0].data[i] - picture[2].data[i]);
-    drawn[0] = two_drawn[0];
-    drawn[1] = rows[1];
-    drawn[2] = two_drawn[1];
-    sheet_about(html, &s);
-    if (sheet_show(html, o, t, &s, picture, drawn, at, 3, rows, err)) return -1;
-    stage_close(&s);
-    return 0;
-}
-
 static const sheet term_sheet = {
     .paper = "HSAO08", .name = "Figure 10", .title = "horizon occlusion, normal occlusion, both",
     .theirs = "Pictures alone, without their settings.",
-    .ours = PEBBLES "N_d = 8, N_s = 18, N_n = 1, no filter. The normal rays' part is the final picture's occlusion "
-                    "less the horizon's.",
+    .ours = PEBBLES "N_d = 8, N_s = 18, N_n = 1, no filter.",
     .column = { { "mean visibility", MEAN, 3 }, { "error", ERROR, 3 } },
     .rows = WITH_COUNT(term_rows), .claims = WITH_COUNT(term_claims),
-    .draw = terms_apart, .see = OWN_VIEW("pebbles"), .pictured = 1
+    .draw = sheet_draw, .see = OWN_VIEW("pebbles"), .pictured = 1
 };
 
 /* ---- >>Figure 11, Figure 14 -------------------------------------------------------------------------------------- */
@@ -191,10 +163,11 @@ static const sheet traced_sheet = {
 
 /* ---- >>Figure 12 ------------------------------------------------------------------------------------------------- */
 
-#define RAYS_MARCHED(n) { .what = #n " rays, marched", .method = "ssao", \
-      .settings = "samples=" #n ",steps=9,fade=smooth,fade_from=0,blur=0" }
+#define RAYS_MARCHED(n, d, each) { .what = #n " rays, marched", \
+      MARCH("directions=" #d ",normal_rays=" #each ",terms=rays,steps=9,blur=0") }
 static const paper_row march_rows[] = {
-    RAYS_MARCHED(4), RAYS_MARCHED(8), RAYS_MARCHED(16), RAYS_MARCHED(32), RAYS_MARCHED(64),
+    RAYS_MARCHED(4, 4, 1), RAYS_MARCHED(8, 8, 1), RAYS_MARCHED(16, 16, 1), RAYS_MARCHED(32, 32, 1),
+    RAYS_MARCHED(64, 32, 2),
     { .what = "4 horizons", MARCH("directions=4,steps=9,normal_rays=0,blur=0") },
     { .what = "8 horizons", MARCH("directions=8,steps=9,normal_rays=0,blur=0") },
     { .what = "16 horizons", MARCH("directions=16,steps=9,normal_rays=0,blur=0") },
@@ -209,9 +182,8 @@ static const claim march_claims[] = {
 static const sheet march_sheet = {
     .paper = "HSAO08", .name = "Figure 12", .title = "ray marching alone beside the horizons",
     .theirs = "Pictures alone: first row ray marching, second row horizons, more rays from left to right.",
-    .ours = PEBBLES "Rays by the cosine through the whole hemisphere, marched in 9 steps through the depth buffer "
-                    "(ssao's points along directions), what they meet faded with its distance; horizons of 9 steps; no "
-                    "filter.",
+    .ours = PEBBLES "Rays by the cosine through the whole hemisphere, marched in 9 steps (terms=rays); horizons of "
+                    "9 steps; no filter.",
     .column = { { "noise", NOISE, 3 }, { "time", TIME, 2 }, { "error", ERROR, 3 } },
     .rows = WITH_COUNT(march_rows), .claims = WITH_COUNT(march_claims),
     .draw = sheet_draw, .see = OWN_VIEW("pebbles"), .phases = 3, .pictured = 1
