@@ -109,12 +109,12 @@ static const sheet direction_sheet = {
 #define TERM(letter, name, set) { .what = letter " " name, MARCH("directions=8,steps=18,blur=0," set) }
 static const paper_row term_rows[] = {
     TERM("(a)", "horizon occlusion", "terms=horizon"), TERM("(b)", "normal occlusion", "normal_rays=1,terms=normal"),
-    TERM("(c)", "final", "normal_rays=1"), TERM("section 5:", "growing spheres", "normal_rays=1,spheres=1")
+    TERM("(c)", "final", "normal_rays=1"), TERM("(a)", "by growing spheres", "terms=horizon,spheres=1")
 };
 static const claim term_claims[] = {
     { "The horizon's part dominates: it occludes more than the normal rays' does", LESS(0, 0, 1), NULL },
     { "The final occlusion has less error than the horizon's alone", LESS(1, 2, 0), NULL },
-    { "Growing spheres underestimate: they occlude less", LESS(0, 2, 3), NULL }
+    { "Growing spheres (section 5) underestimate: they occlude less than (a)", LESS(0, 0, 3), NULL }
 };
 static const sheet term_sheet = {
     .paper = "HSAO08", .name = "Figure 10", .title = "horizon occlusion, normal occlusion, both",
