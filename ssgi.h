@@ -397,7 +397,8 @@ SSGI_DEF double ssgi_tess_radius(double area, double count);
 /* A surfel: three vec4 attributes of one instance, byte for byte; what transform feedback captures. */
 typedef struct ssgi_surfel {
     float position[3], radius; /* view space */
-    float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers */
+    float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers: on level l the column by the lowest l
+                                  bits of seed 2^24, the row by those above its lowest 8 */
     float colour[3], unused;   /* the source's colour until lit; then the radiance that leaves it for a bounce, the
                                   irradiance that it receives for scattering; not read for occlusion */
 } ssgi_surfel;
@@ -4078,6 +4079,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    New: pass WIDTH and desc.thickness WIDTH, which ssgi_gl_steps takes for slices by itself (DEFAULT, the new 0). With
    BACK and SLABS slices need that pass, too: what has no back face is as thick as wide, and sheets half as thick,
    instead of frame.thickness.
+   New: ssgi_tess_count, _points, _level, _radius; ssgi_surfel_radius, _form_factor, _reach, _shell.
+   New: desc.effect CUSTOM; surfel_desc.overhang, desc.overhang, .enlarge, .combine: as published.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
 
    CHANGES in 0.2, November 2026

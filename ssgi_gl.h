@@ -421,8 +421,7 @@ typedef struct ssgi_gl_desc {
     int levels;       /* [limit: 0..7] [default: 5]  each doubles the reach; the last's smoothing doubles its
                          taps */
     int tessellate;   /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
-    int overhang;     /* surfels, splat when tessellate   ssgi_surfel_desc.overhang (ssgi.h): SSGI_OVERHANG_INCENTRE 0,
-                         SSGI_OVERHANG_CENTROID 1 */
+    int overhang;     /* surfels, splat when tessellate   as ssgi_surfel_desc has it (ssgi.h): how triangles shrink */
     int sends;        /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
     int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what is
                          nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */

@@ -1258,6 +1258,42 @@ static int of_these(kit_image *out, deep *d, const ssgi_surfel *s, size_t count)
     return drawn(out, &d->run);
 }
 
+/* Sub-buffers in turn, as published, instead of by a hash: whoever makes surfels may number them so. On each level the
+   k-th surfel goes to that of k modulo 4^level, so that neighbours do not meet. */
+static void in_turn(void)
+{
+    static const char *const sets[2] = { "levels=5,size=0.04,near_samples=1,span=0,smooth=0",
+                                         "levels=5,size=0.04,near_samples=1,span=0" };
+    for (int m = 0; m < 2; ++m) {
+        double squares[2] = { 0, 0 };
+        int pixels = 0;
+        deep d;
+        kit_image out[2];
+        if (!dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss", sets[m], 0.6f, NULL) || !drawn(&out[0], &d.run)) return;
+        ssgi_surfel *s = held(&d, 0);
+        for (size_t k = 0; k < d.run.surfels; ++k) {
+            uint32_t seed = 0;                                                 /* its low bytes: column, row */
+            for (int l = 0; l < 8; ++l)
+                seed |= (uint32_t)(k >> 2 * l & 1) << l | (uint32_t)(k >> (2 * l + 1) & 1) << (8 + l);
+            s[k].seed = (float)seed / 16777216;
+        }
+        if (!of_these(&out[1], &d, s, d.run.surfels)) return;
+        for (int i = 0; i < 96 * 54; i += 3) {
+            float p[3], n[3];
+            if (!seen(&d, i, p, n)) continue;
+            const double want = exp(-hidden(&d, s, d.run.surfels, 5, 0, p, n));
+            for (int k = 0; k < 2; ++k) squares[k] += pow((double)out[k].data[i] - want, 2);
+            ++pixels;
+        }
+        CHECK(squares[1] < 0.95 * squares[0] && squares[0] / pixels < 6e-4, "%s: RMSE %.5f hashed, %.5f in turn",
+              sets[m], sqrt(squares[0] / pixels), sqrt(squares[1] / pixels));
+        t_note("%s: RMSE %.5f hashed, %.5f in turn", sets[m], sqrt(squares[0] / pixels), sqrt(squares[1] / pixels));
+        free(s);
+        for (int k = 0; k < 2; ++k) kit_image_free(&out[k]);
+        surface(&d);
+    }
+}
+
 static const box block = { { -0.3f, 0, -0.3f }, { 0.3f, 0.6f, 0.3f } };
 
 /* Beside the picture, behind the eye, hidden, across the near plane: each darkens what it faces, as much as it would in
@@ -1691,6 +1727,7 @@ void test_surfels(void)
     RUN("splats are what brute force over all surfels is", as_brute_force);
     RUN("surfels beside the picture, behind the eye, hidden and across the near plane darken what they face", unseen);
     RUN("one surfel in its shells: one pixel of a block, weighted or enlarged", shells);
+    RUN("seeds of one's own: sub-buffers in turn", in_turn);
     RUN("overlap: shares of what is left, or sums", overlap);
     RUN("an effect and a reach of one's own: a disc is what occlusion is", custom);
     RUN("a disc at hand, looked at more near_samples", near_samples);
