@@ -40,7 +40,8 @@
       >>environment  images as octahedral maps over lobes and cones, and as directional lights; virtual
                    point lights
       >>trace      a small BVH over your triangles: closest hit, any hit
-      >>surfels    triangles as discs of about equal size on the screen, and what splatting those costs
+      >>tessellate the points of a tessellated triangle; the level and the radius for its area
+      >>surfels    triangles as discs of about equal size on the screen, their reach, and what splatting those costs
       >>dipole     multiple scattering under surfaces
       >>cap        occlusion of spherical caps, in closed form and as a table
       >>field      ambient occlusion fields: bake, fit, look up, save and load
@@ -469,20 +470,56 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
                                            const float *normal, size_t count, float radius, int rays, int hard,
                                            const char **why);
 
+/* ==== >>tessellate ============================================================================================= */
+
+/* How many points tessellation hardware makes of a triangle whose levels are all `level`, with equal spacing, in point
+   mode [DSS14 section 3.1]: (3/4) i^2 + (3/2) i + 1 at an even level i, 3 ceil(i/2)^2 at an odd one: 3, 7, 12, 19 ..
+   3169. 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
+SSGI_DEF int ssgi_tess_count(int level);
+
+/* The points of a level as gl_TessCoord has them, but for what GPUs round (2e-5), in an order of ours: rings from the
+   edges inwards, each from a corner around.
+     uvw      barycentric coordinates, 3 a point; they sum to 1 [limit: 3 * ssgi_tess_count(level) floats]
+     level    [limit: 1..64] */
+SSGI_DEF ssgi_result ssgi_tess_points(float *uvw, int level, const char **why);
+
+/* The least level, 1..64, whose points are as many as discs of a radius have the triangle's area: with K = area / (pi
+   radius^2) ceil(sqrt((4 K - 1) / 3) - 1) [DSS14 section 3.1]. It is 1 for 3 discs or fewer, where the formula has no
+   level, and 64 for more than 3169, which want the triangle split (ssgi_surfel_desc.splits). The formula is that of
+   even levels: up to 3.25 discs level 1 suffices.
+     area     [units: view^2] 0 or below: level 1
+     radius   [units: view] 0 or below: level 64
+   1 where either is not a finite float. GLSL twin: ssgi_tess_level, of the number of discs. */
+SSGI_DEF int ssgi_tess_level(double area, double radius);
+
+/* The radius at which so many discs have the triangle's area together: sqrt(area / (pi count)) [DSS14 section 3.1].
+   0 where area or count is not above 0 or not a finite float.
+     count    ssgi_tess_count of the level, or that times the share of the triangle's points that stay */
+SSGI_DEF double ssgi_tess_radius(double area, double count);
+
 /* ==== >>surfels ================================================================================================ */
 
 /* Deep screen space [DSS14]: triangles become discs of about equal size on the screen, also where they are hidden, at
    grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU; pass splat
-   takes either. Centres keep off a triangle's edges, so that discs of radius r end there: the triangle is shrunk about
-   the centre of its inscribed circle by 1 - r / the circle's radius, at least 1/4, before points are placed in it. */
+   takes either. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte; what transform feedback captures. */
 typedef struct ssgi_surfel {
     float position[3], radius; /* view space */
-    float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers */
+    float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers: on level l the column by the lowest l
+                                  bits of seed 2^24, the row by those above its lowest 8 */
     float colour[3], unused;   /* the source's colour until lit; then the radiance that leaves it for a bounce, the
                                   irradiance that it receives for scattering; not read for occlusion */
 } ssgi_surfel;
+
+/* ssgi_surfel_desc.overhang: how a triangle shrinks before surfels are placed in it, so that discs of radius r keep off
+   its edges. */
+enum {
+    SSGI_OVERHANG_INCENTRE = 0, /* about the centre of the inscribed circle by 1 - r / the circle's radius, at least
+                                   1/4: discs end at the edges where they fit at all */
+    SSGI_OVERHANG_CENTROID      /* as published, corners move by r toward the centroid, which leaves half of the
+                                   overhang; by 0.9 of the way at most, or slivers would turn over [DSS14 3.1] */
+};
 
 /* How surfels are made. Zero is the default everywhere. */
 typedef struct ssgi_surfel_desc {
@@ -500,6 +537,7 @@ typedef struct ssgi_surfel_desc {
     /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum: the radius of occlusion,
        for instance */
     float max_distance;
+    int overhang; /* SSGI_OVERHANG_INCENTRE .. */
 } ssgi_surfel_desc;
 
 /* The triangles that become surfels. */
@@ -512,6 +550,36 @@ typedef struct ssgi_surfel_source {
     size_t triangles;
     float to_view[16]; /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
+
+/* Radius of a surfel at a view depth [DSS14 section 3.1]: size tan(alpha/2) (|depth - near| + near), alpha the vertical
+   angle of view: half of `size` image heights on the screen; behind the near plane surfels grow again. Orthographic:
+   half of `size` image heights everywhere. 0 where size is not above 0, and for what is not a finite float.
+     size     [units: image heights] s: ssgi_surfel_desc.size, whose default 0.015 is not put in
+     depth    [units: view] of the triangle's centroid; below 0 behind the eye
+   GLSL twin: ssgi_surfel_radius. */
+SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth);
+
+/* Form factor of a disc, to be multiplied by the cosines at both ends: r^2 / (d^2 + r^2) [DSS14 section 4; Wallace,
+   Elmquist, Haines 1989]. Exact on the disc's axis; beside it too low within 4 radii (by half at one). 0 where radius
+   is not above 0, and for what is not a finite float.
+     radius, distance   [units: view] distance: to the centre */
+SSGI_DEF double ssgi_surfel_form_factor(double radius, double distance);
+
+/* Distance at which what a surfel brings has fallen to epsilon: radius sqrt(brightest / epsilon - 1), linear in the
+   radius: the paper's getMaxDist [DSS14 sections 3.2, 4]. 0 where brightest is epsilon or less or radius is not above
+   0, and for what is not a finite float; SSGI_FAR where epsilon is 0 or below.
+     brightest   the largest component of what it sends; 1 for occlusion
+     epsilon     the least that it is drawn for: ssgi_gl_frame.epsilon */
+SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon);
+
+/* The distances d that a level is drawn for, shell[0] < d <= shell[1] [DSS14 section 3.2]: level 0 those up to reach,
+   level l > 0 those from reach 2^(l-1) to reach 2^l. Each distance up to the last level's end is in one shell (level 0:
+   d = 0, too). Both are `most` where the level lies beyond it, and 0 where a length is not above 0 or not a finite
+   float.
+     reach    [units: view] ssgi_surfel_reach
+     level    below 0 as 0, above 64 as 64
+     most     [units: view] ssgi_splat.max_distance; SSGI_FAR: no end */
+SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double most);
 
 /* What ssgi_gl_frame.surfel holds, with defaults in place: radius per view depth (orthographic: radius), view depth of
    the near plane, offscreen_growth, splits. */
@@ -1242,8 +1310,8 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3])
 
 /* ==== >>bias (implementation) ================================================================================== */
 
-/* A length: 0..SSGI_FAR, NaN as 0. */
-SSGI__FN float ssgi__length(float x)
+/* Clamped to 0..SSGI_FAR, NaN as 0. */
+SSGI__FN float ssgi__clamped_length(float x)
 {
     uint32_t bits;
     memcpy(&bits, &x, sizeof bits);
@@ -1253,20 +1321,21 @@ SSGI__FN float ssgi__length(float x)
 
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float z)
 {
-    return 0.5f * ssgi_pixel_footprint(view, ssgi__length(z));
+    return 0.5f * ssgi_pixel_footprint(view, ssgi__clamped_length(z));
 }
 
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution)
 {
-    const double half = 0.5 * (double)ssgi__min(ssgi__length(full_angle), 3.14f);
-    const double patch = 2.0 * (double)ssgi__length(depth) * tan(half) / (resolution > 1 ? resolution : 1);
+    const double half = 0.5 * (double)ssgi__min(ssgi__clamped_length(full_angle), 3.14f);
+    const double patch = 2.0 * (double)ssgi__clamped_length(depth) * tan(half) / (resolution > 1 ? resolution : 1);
     return patch < (double)SSGI_FAR ? (float)patch : SSGI_FAR;
 }
 
 SSGI_DEF float ssgi_shadow_bias(float patch, float cosine, float most, int kind)
 {
-    const double half = (double)ssgi__length(patch) * (kind == SSGI_BIAS_PUBLISHED ? 0.5 : 0.70710678118654752440);
-    const double c = (double)ssgi__min(ssgi__length(cosine), 1.0f), limit = (double)ssgi__length(most);
+    const double half = (double)ssgi__clamped_length(patch)
+                      * (kind == SSGI_BIAS_PUBLISHED ? 0.5 : 0.70710678118654752440);
+    const double c = (double)ssgi__min(ssgi__clamped_length(cosine), 1.0f), limit = (double)ssgi__clamped_length(most);
     const double bias = half * sqrt(1.0 - c * c);
     return (float)(bias < limit * c ? bias / c : limit);
 }
@@ -2727,44 +2796,118 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
     return SSGI_OK;
 }
 
-/* ==== >>surfels (implementation) =============================================================================== */
+/* ==== >>tessellate (implementation) ============================================================================ */
 
-/* Points of a triangle that is tessellated to level i all around, with equal spacing, in point mode [DSS14 section
-   3.1]: (3/4) i^2 + (3/2) i + 1 for an even i, 3 ceil(i/2)^2 for an odd one. 0 for a level outside 1..64. */
-#define SSGI__TESS_MOST 3169.0 /* at level 64, the tessellator's last */
+#define SSGI__TESS_MOST 3169.0 /* points of level 64, the tessellator's last */
 
-SSGI__FN int ssgi__tess_count(int level)
+SSGI_DEF int ssgi_tess_count(int level)
 {
-    const int half = (level + 1) / 2;
     if (level < 1 || level > 64) return 0;
+    const int half = (level + 1) / 2;
     return level % 2 ? 3 * half * half : 3 * half * half + 3 * half + 1;
 }
 
-/* Point i of a ring: its place on the lattice, counted from the ring's own corners. Ring k of level n has n - 2k
-   segments a side. */
-SSGI__FN void ssgi__tess_lattice(int place[3], int segments, int i)
+/* A point of a level. Ring k of level n has n - 2k segments a side, and its own corners at the ends of those. */
+typedef struct ssgi__tess_point {
+    int level, ring;
+    int i;        /* of the ring */
+    int place[3]; /* on the lattice, counted from the ring's corners */
+} ssgi__tess_point;
+
+/* The next point, rings inwards; the first after { level, 0, -1, { 0 } }. 0: there is none. */
+SSGI__FN int ssgi__tess_next(ssgi__tess_point *p)
 {
-    const int side = segments ? i / segments : 0, along = segments ? i % segments : 0;
-    place[side] = segments - along;
-    place[(side + 1) % 3] = along;
-    place[(side + 2) % 3] = 0;
+    int segments = p->level - 2 * p->ring, side, along;
+    if (++p->i >= (segments ? 3 * segments : 1)) {
+        ++p->ring;
+        p->i = 0;
+        segments -= 2;
+    }
+    if (segments < 0) return 0;
+    side = segments ? p->i / segments : 0;
+    along = segments ? p->i % segments : 0;
+    p->place[side] = segments - along;
+    p->place[(side + 1) % 3] = along;
+    p->place[(side + 2) % 3] = 0;
+    return 1;
 }
 
-/* The least level, 1..64, that has as many points as discs of the radius have the area; for more discs than level 64
-   has points the triangle needs splits. */
-SSGI__FN int ssgi__tess_level(double area, double radius)
+SSGI__FN void ssgi__tess_weights(double w[3], const ssgi__tess_point *p)
 {
-    const double discs = area / (SSGI__PI * radius * radius);
+    for (int k = 0; k < 3; ++k) w[k] = (2.0 * p->ring / 3.0 + p->place[k]) / p->level;
+}
+
+SSGI_DEF ssgi_result ssgi_tess_points(float *uvw, int level, const char **why)
+{
+    ssgi__tess_point at = { level, 0, -1, { 0, 0, 0 } };
+    SSGI__THERE(uvw);
+    SSGI__RANGE(level, 1, 64);
+    for (; ssgi__tess_next(&at); uvw += 3) {
+        double w[3];
+        ssgi__tess_weights(w, &at);
+        ssgi__floats(uvw, w);
+    }
+    return SSGI_OK;
+}
+
+/* 1: a finite float above 0. */
+SSGI__FN int ssgi__above_zero(double x) { return ssgi__finite((float)x) && x > 0.0; }
+
+SSGI_DEF int ssgi_tess_level(double area, double radius)
+{
+    double discs;
+    if (!ssgi__above_zero(area) || !ssgi__finite((float)radius)) return 1;
+    if (!((float)radius > 0.0f)) return 64;
+    discs = area / (SSGI__PI * radius * radius);
     if (!(discs > 3.0)) return 1;
     return discs > SSGI__TESS_MOST ? 64 : (int)ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5);
 }
 
-/* Radius of a surfel at a view depth [DSS14 section 3.1]: r = scale (|depth - near| + near), with scale = s
-   tan(alpha/2). That is s/2 image heights on the screen; behind the near plane surfels grow again. Orthographic: scale
-   everywhere. */
+SSGI_DEF double ssgi_tess_radius(double area, double count)
+{
+    return ssgi__above_zero(area) && ssgi__above_zero(count) ? sqrt(area / (SSGI__PI * count)) : 0.0;
+}
+
+/* ==== >>surfels (implementation) =============================================================================== */
+
+/* scale[0]: radius per view depth (orthographic: radius) of a size; scale[1]: view depth of the near plane. */
+SSGI__FN void ssgi__surfel_scale(double scale[2], const ssgi_view *view, double size)
+{
+    scale[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
+    scale[1] = (double)ssgi_view_near(view);
+}
+
 SSGI__FN double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
 {
     return orthographic ? scale[0] : scale[0] * (fabs(depth - scale[1]) + scale[1]);
+}
+
+SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth)
+{
+    double scale[2];
+    if (!ssgi__above_zero(size) || !ssgi__finite((float)depth)) return 0.0;
+    ssgi__surfel_scale(scale, view, size);
+    return ssgi__surfel_radius(scale, view->orthographic, depth);
+}
+
+SSGI_DEF double ssgi_surfel_form_factor(double radius, double distance)
+{
+    if (!ssgi__above_zero(radius) || !ssgi__finite((float)distance)) return 0.0;
+    return radius * radius / (distance * distance + radius * radius);
+}
+
+SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon)
+{
+    if (!ssgi__above_zero(radius) || !ssgi__above_zero(brightest) || !ssgi__finite((float)epsilon)) return 0.0;
+    if (!((float)epsilon > 0.0f)) return (double)SSGI_FAR;
+    return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
+}
+
+SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double most)
+{
+    const int finite = ssgi__above_zero(reach) && ssgi__above_zero(most), l = ssgi__clamp(level, 0, 64);
+    shell[0] = finite && l > 0 ? fmin(ldexp(reach, l - 1), most) : 0.0;
+    shell[1] = finite ? fmin(ldexp(reach, l), most) : 0.0;
 }
 
 /* A triangle or a part of one, and its surfels. */
@@ -2860,12 +3003,33 @@ SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const d
     for (int i = 0; i < 3; ++i) out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
+/* Shrinks a patch, so that discs keep off its edges. GLSL twin: ssgi_inset. */
+SSGI__FN void ssgi__surfel_inset(ssgi__patch *p, int overhang)
+{
+    double weight[3], d[3], centre[3] = { 0.0, 0.0, 0.0 }, sum = 0.0;
+    for (int c = 0; c < 3; ++c) {
+        ssgi__along(d, p->at[(c + 2) % 3], -1.0, p->at[(c + 1) % 3]);
+        weight[c] = overhang == SSGI_OVERHANG_CENTROID ? 1.0 : sqrt(ssgi__dot(d, d)); /* of the inscribed circle */
+        sum += weight[c];
+    }
+    for (int c = 0; c < 3; ++c) ssgi__along(centre, centre, weight[c] / sum, p->at[c]);
+    for (int c = 0; c < 3; ++c) {
+        double kept = 1.0 - p->radius * sum / (2.0 * p->area), least = 0.25;
+        ssgi__along(d, p->at[c], -1.0, centre);
+        if (overhang == SSGI_OVERHANG_CENTROID) {
+            kept = 1.0 - p->radius / sqrt(ssgi__dot(d, d));
+            least = 0.1;
+        }
+        ssgi__along(p->at[c], centre, kept > least ? kept : least, d);
+    }
+}
+
 /* Part number `part` of n * n of a triangle, inset from its edges. 0: too far outside the frustum, or thinned out. GLSL
    twin: main_levels. */
 SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
     int row = (int)sqrt((double)part), place;
-    double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], d[3], perimeter = 0.0, extent, aside, wanted, share, f;
+    double middle[3], extent, aside, wanted, share;
     if (row * row > part) --row;
     place = part - row * row;
     for (int c = 0; c < 3; ++c) {
@@ -2882,38 +3046,28 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2])
            + (double)m->desc.offscreen_growth * aside;
     p->key = whole->key + (uint32_t)part * 0x85ebca6bu;
-    p->level = ssgi__tess_level(p->area, wanted);
+    p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.keep_small || share > 1.0) share = 1.0;
     p->alive = 0; /* by the golden ratio: even along the order of indices, which is mostly spatial */
     for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
-    p->count = p->level > 1 ? ssgi__tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
-    p->radius = sqrt(p->area / (share * SSGI__PI * ssgi__tess_count(p->level)));
+    p->count = p->level > 1 ? ssgi_tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
+    p->radius = ssgi_tess_radius(p->area, share * ssgi_tess_count(p->level));
     if (!((float)p->radius > 0.0f)) return 0;
-    for (int c = 0; c < 3; ++c) {
-        ssgi__along(d, p->at[(c + 2) % 3], -1.0, p->at[(c + 1) % 3]);
-        edge[c] = sqrt(ssgi__dot(d, d));
-        perimeter += edge[c];
-    }
-    for (int c = 0; c < 3; ++c) ssgi__along(centre, centre, edge[c] / perimeter, p->at[c]);
-    f = 1.0 - p->radius * perimeter / (2.0 * p->area);
-    if (f < 0.25) f = 0.25;
-    for (int c = 0; c < 3; ++c) {
-        ssgi__along(d, p->at[c], -1.0, centre);
-        ssgi__along(p->at[c], centre, f, d);
-    }
+    ssgi__surfel_inset(p, m->desc.overhang);
     return 1;
 }
 
-/* The surfel at a place of a ring. GLSL twin: main_points. */
-SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring,
-                                 const int place[3])
+/* The surfel at a point of the patch's level. GLSL twin: main_points. */
+SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p,
+                                 const ssgi__tess_point *point)
 {
-    const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14));
+    const uint32_t number = (uint32_t)(point->place[0] | point->place[1] << 7 | point->ring << 14),
+                   h = ssgi__hash(ssgi__hash(p->key) + number);
     double at[3], normal[3], colour[3], w[3];
-    for (int k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
+    ssgi__tess_weights(w, point);
     ssgi__surfel_mix(at, p->at, w);
     ssgi__surfel_mix(normal, p->normal, w);
     ssgi__surfel_mix(colour, p->colour, w);
@@ -2937,6 +3091,8 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
     SSGI__CHECK(desc->keep_small >= 0 && desc->keep_small <= 1, "desc.keep_small: must be 0 or 1");
     SSGI__CHECK(ssgi__within(desc->offscreen_growth, 0.0f, 1.0f), "desc.offscreen_growth: must be 0..1");
     SSGI__CHECK(ssgi__positive(&desc->max_distance, 1), "desc.max_distance: must be 0 or more and finite");
+    SSGI__CHECK(desc->overhang >= 0 && desc->overhang <= SSGI_OVERHANG_CENTROID,
+                "desc.overhang: must be SSGI_OVERHANG_INCENTRE or _CENTROID");
     *out = *desc;
     if (!(out->offscreen_growth > 0.0f)) out->offscreen_growth = 0.1f;
     if (!(out->size > 0.0f)) out->size = 0.015f;
@@ -2948,10 +3104,12 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
                                        const char **why)
 {
     ssgi_surfel_desc d;
+    double of_view[2];
     SSGI__TRY(ssgi__surfel_desc(&d, desc, view, why));
     SSGI__THERE(scale);
-    scale[0] = 0.5f * d.size * (float)view->height / ssgi__abs(view->project[1]);
-    scale[1] = ssgi_view_near(view);
+    ssgi__surfel_scale(of_view, view, (double)d.size);
+    scale[0] = (float)of_view[0];
+    scale[1] = (float)of_view[1];
     scale[2] = d.offscreen_growth;
     scale[3] = (float)d.splits;
     return SSGI_OK;
@@ -2970,8 +3128,7 @@ SSGI__FN ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_
     SSGI__CHECK(ssgi__finites(s->to_view, 16), "source.to_view: must be finite");
     m->view = view;
     m->source = source;
-    m->scale[0] = 0.5 * (double)m->desc.size * view->height / fabs((double)view->project[1]);
-    m->scale[1] = (double)ssgi_view_near(view);
+    ssgi__surfel_scale(m->scale, view, (double)m->desc.size);
     for (int k = 0; k < 3; ++k) ssgi__doubles(a[k], s->to_view + 4 * k);
     for (int k = 0; k < 3; ++k) {
         ssgi__cross(c, a[(k + 1) % 3], a[(k + 2) % 3]);
@@ -3001,15 +3158,10 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
                 n += (size_t)p.count;
                 continue;
             }
-            for (int ring = 0; 2 * ring <= p.level; ++ring) {
-                const int segments = p.level - 2 * ring, points = segments ? 3 * segments : 1;
-                for (int i = 0; i < points; ++i) {
-                    int place[3];
-                    if (p.level == 1 && !(p.alive >> i & 1)) continue;
-                    ssgi__tess_lattice(place, segments, i);
-                    if (n < capacity) ssgi__surfel_point(&out[n], &m, &p, ring, place);
-                    ++n;
-                }
+            for (ssgi__tess_point at = { p.level, 0, -1, { 0, 0, 0 } }; ssgi__tess_next(&at);) {
+                if (p.level == 1 && !(p.alive >> at.i & 1)) continue;
+                if (n < capacity) ssgi__surfel_point(&out[n], &m, &p, &at);
+                ++n;
             }
         }
     }
@@ -3080,21 +3232,6 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
     return SSGI_OK;
 }
 
-/* Distance beyond which a surfel's contribution is below epsilon [DSS14 sections 3.2, 4]: where its form factor, r^2
-   over d^2 + r^2, times the largest component of what it sends is epsilon. */
-SSGI__FN double ssgi__surfel_reach(double radius, double brightest, double epsilon)
-{
-    return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
-}
-
-/* The distances that a level covers, from shell[0] to shell[1]: level 0 up to reach, level l from reach 2^(l-1) to
-   reach 2^l, none beyond `most`. */
-SSGI__FN void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
-{
-    shell[0] = level > 0 ? fmin(ldexp(reach, level - 1), most) : 0.0;
-    shell[1] = fmin(ldexp(reach, level > 0 ? level : 0), most);
-}
-
 /* Pixels that the part of a sphere deeper than front (> 0 when perspective) covers: bounds x0, y0, x1, y1, clipped to
    the frame, exact in each axis [Mara, McGuire 2013]. 0: none, bounds are untouched. GLSL twin: ssgi_sphere. */
 SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius,
@@ -3158,11 +3295,11 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
 SSGI__FN void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view,
                                  const float centre[3], double radius, double brightest, double count)
 {
-    const double reach = ssgi__surfel_reach(radius, brightest, (double)s->epsilon);
+    const double reach = ssgi_surfel_reach(radius, brightest, (double)s->epsilon);
     for (int l = 0; l < s->levels; ++l) {
         double shell[2];
         float b[4];
-        ssgi__surfel_shell(shell, reach, l, (double)s->max_distance);
+        ssgi_surfel_shell(shell, reach, l, (double)s->max_distance);
         if (!(shell[1] > shell[0]) || !ssgi__sphere_bounds(b, view, centre, (float)shell[1], s->near_depth)) continue;
         cost->pixels[l] += count * (ceil(ldexp((double)b[2], -l)) - floor(ldexp((double)b[0], -l)))
                          * (ceil(ldexp((double)b[3], -l)) - floor(ldexp((double)b[1], -l)));
@@ -4572,6 +4709,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    instead of frame.thickness.
    New: desc.terms and desc.spheres, of the march; its horizon reads desc.layers and desc.views.
    desc.shadow FILL lifts its segments twice: it darkened creases.
+   New: ssgi_tess_count, _points, _level, _radius; ssgi_surfel_radius, _form_factor, _reach, _shell.
+   New: desc.effect CUSTOM; surfel_desc.overhang, desc.overhang, .enlarge, .combine: as published.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
    New: room >>cap: ssgi_cap_occlusion in doubles, ssgi_cap_table and desc.cap_table, ssgi_cap_light.
    New: ssgi_trace_visibility.

@@ -295,6 +295,26 @@ enum {
     SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from what surfels send */
     SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
     SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface: frame.dipole, over what surfels get */
+    SSGI_GL_EFFECT_CUSTOM,        /* yours: two functions in desc.fetch */
+};
+
+/* EFFECT_CUSTOM calls these, which desc.fetch holds: the paper's getMaxDist and computeEffect [DSS14 section 3.2]. A
+   surfel is a disc of view-space position, unit normal and radius; its colour is what desc.sends made of it.
+     float ssgi_custom_reach(vec3 position, vec3 normal, float radius, vec3 colour, float epsilon)
+         the distance from its centre beyond which its effect is less than epsilon (frame.epsilon), linear in the
+         radius; 0: it has none. For a form factor radius * sqrt(1.0 / epsilon - 1.0). Level 0 ends there, each further
+         one at twice the last one's distance, all of them at frame.radius
+     vec4 ssgi_custom_effect(vec3 position, vec3 normal, float radius, vec3 colour, vec3 P, vec3 n)
+         xyz: what it brings to the pixel at P, whose unit normal is n; those of all surfels are summed. w: its form
+         factor there, by which desc.combine counts surfels behind each other; 0: the sum stays as it is. Which side
+         counts is yours to say. Called for pixels in the surfel's shells alone
+   The sum is o_ssgi_custom of pass sum. For a disc that occludes v = position - P, d = dot(v, v), w = radius * radius *
+   max(dot(v, n), 0.0) * max(-dot(v, normal), 0.0) / (d * (d + radius * radius)). */
+
+/* desc.combine: how form factors of many surfels are put together: what they hide of each other is not known. */
+enum {
+    SSGI_GL_COMBINE_SHARE = 0, /* each takes its share of what the others leave: 1 - exp(-sum) */
+    SSGI_GL_COMBINE_ADD,       /* they add up, to 1 at most, as published [DSS14 section 3.2]; darker */
 };
 
 /* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards. */
@@ -431,11 +451,15 @@ typedef struct ssgi_gl_desc {
     int levels;       /* [limit: 0..7] [default: 5]  each doubles the reach; the last's smoothing doubles its
                          taps */
     int tessellate;   /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
+    int overhang;     /* surfels, splat when tessellate   as ssgi_surfel_desc has it (ssgi.h): how triangles shrink */
     int sends;        /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
     int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what is
                          nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
     int near_samples; /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1: its
                          centre alone, as published, which finds half at 1/3 radius from a wall */
+    int enlarge;      /* splat, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they count
+                         4^l times. Wider ones bring up to a third less than they stand for, where epsilon is 0.1 */
+    int combine;      /* sum, but SCATTER   SSGI_GL_COMBINE_SHARE .. */
     int axis;         /* smooth   0: along x; 1: along y */
 
     /* ---- filters: blur, history, compose */
@@ -766,8 +790,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
 /* frame.phase of frame number k, in [0,1): spreads the noise of any few frames in a row evenly. */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
-/* Sets what surfels are made with. Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells
-   how many splits it asks for.
+/* Sets what surfels are made with, but desc->overhang, which the text has: ssgi_gl_desc.overhang. Draw the mesh with
+   desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
      view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
      levels         desc.levels [limit: 1..7]
      mesh_to_view   as source.to_view; NULL: stays as it is */
@@ -2875,13 +2899,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_inset", __LINE__ + 1,
+    "#if overhang == INCENTRE\n"
     "// a corner, scaled about the centre of the inscribed circle so that discs of radius r end at the edges\n"
     "vec3 ssgi_inset(vec3 at[3], int corner, float r, float area) {\n"
     "    vec3 edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
     "    float perimeter = edge.x + edge.y + edge.z, inset = max(1.0 - r * perimeter / (2.0 * area), 0.25);\n"
     "    vec3 centre = (edge.x * at[0] + edge.y * at[1] + edge.z * at[2]) / perimeter;\n"
     "    return centre + inset * (at[corner] - centre);\n"
-    "}\n" },
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_inset", __LINE__ + 1,
+    "#if overhang == CENTROID\n"
+    "// a corner, moved by r toward the centroid, by 0.9 of the way at most\n"
+    "vec3 ssgi_inset(vec3 at[3], int corner, float r, float area) {\n"
+    "    vec3 centre = (at[0] + at[1] + at[2]) / 3.0, way = at[corner] - centre;\n"
+    "    return centre + max(1.0 - r * inversesqrt(dot(way, way)), 0.1) * way;\n"
+    "}\n"
+    "#endif\n" },
 
 { "main_levels", __LINE__ + 1,
     "layout(vertices = 3) out;\n"
@@ -3021,9 +3056,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
     "    float most = 1.0; // #if effect < BOUNCE\n"
-    "    float most = max(sent.x, max(sent.y, sent.z)) / u_ssgi_sent; // #if effect > LIGHT\n"
+    "    float most = max(sent.x, max(sent.y, sent.z)) / u_ssgi_sent; // #if effect > LIGHT && effect != CUSTOM\n"
     "    most *= 0.5 * (u_ssgi_exponent + 1.0); // of the lobe // #if effect == SPECULAR\n"
+    "#if effect == CUSTOM\n"
+    "    float reach = ssgi_custom_reach(at.xyz, turned.xyz, at.w, sent, u_ssgi_epsilon), block = exp2(float(l));\n"
+    "#else\n"
     "    float reach = at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0)), block = exp2(float(l));\n"
+    "#endif\n"
     "    float inner = l > 0 ? reach * 0.5 * block : -1.0, outer = min(reach * block, u_ssgi_radius);\n"
     "    if (!(outer > max(inner, 0.0))) return vec4(0.0);\n"
     "    vec4 b = clamp(ssgi_sphere(vec4(at.xyz, outer)), vec4(0.0), vec2(u_ssgi_size).xyxy);\n"
@@ -3033,8 +3072,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0);\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
     "    vec2 corner = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
+    "#if enlarge\n"
+    "    // of block * block surfels a pixel meets one, which is as large as they are together\n"
+    "    v_ssgi_at = vec4(at.xyz, at.w * at.w * block * block);\n"
+    "    v_ssgi_turned = vec4(turned.xyz, 1.0);\n"
+    "#else\n"
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w);\n"
     "    v_ssgi_turned = vec4(turned.xyz, block * block); // of block * block surfels a pixel meets one\n"
+    "#endif\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
     "    return b + corner.xyxy;\n"
@@ -3144,6 +3189,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * u_ssgi_dipole[3].xyz * R, 1.0) * (v_ssgi_turned.w * v_ssgi_at.w);\n"
     "}\n" },
 
+/* Yours: ssgi_custom_effect. */
+{ "main_splat_custom", __LINE__ + 1,
+    "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
+    "flat in float v_ssgi_end;\n"
+    "void main() {\n"
+    "    uvec4 t = texelFetch(t_ssgi_shuffled, ivec2(gl_FragCoord.xy), 0);\n"
+    "    vec3 P = uintBitsToFloat(t.xyz), m = v_ssgi_turned.xyz, v = v_ssgi_at.xyz - P;\n"
+    "    float dd = dot(v, v), r = sqrt(v_ssgi_at.w);\n"
+    "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
+    "    vec3 n = normalize(ssgi_octahedral_decode((vec2(t.w >> 16, t.w & 65535u) - 32768.0) * (1.0 / 32767.0)));\n"
+    "    o_ssgi_levels = ssgi_custom_effect(v_ssgi_at.xyz, m, r, v_ssgi_sent.xyz, P, n) * v_ssgi_turned.w;\n"
+    "}\n" },
+
 /* ==== >>filter: within surfaces, over frames, onto your picture ================================================= */
 
 /* ---- surfels' levels */
@@ -3175,10 +3233,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_saturate_form", __LINE__ + 1,
+    "#if combine == SHARE\n"
     "// surfel-surfel visibility is ignored: each hides its share of what the others leave\n"
     "float ssgi_saturate_form(float form) {\n"
     "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
-    "}\n" },
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_saturate_form", __LINE__ + 1,
+    "#if combine == ADD\n"
+    "// surfel-surfel visibility is ignored: form factors add up, to 1 at most\n"
+    "float ssgi_saturate_form(float form) {\n"
+    "    return 1.0 / max(form, 1.0);\n"
+    "}\n"
+    "#endif\n" },
 
 { "ssgi_sum_levels", __LINE__ + 1,
     "vec4 ssgi_sum_levels(ivec2 p, float z) {\n"
@@ -3218,6 +3286,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_bounce = vec4(sum.xyz, z); // #if effect == BOUNCE\n"
     "    o_ssgi_specular = vec4(sum.xyz, z); // #if effect == SPECULAR\n"
     "    o_ssgi_scatter = vec4(sum.xyz, z); // #if effect == SCATTER\n"
+    "    o_ssgi_custom = vec4(sum.xyz, z); // #if effect == CUSTOM\n"
     "}\n" },
 
 /* ---- blur: the mean of a pixel's neighbours on its surface; from half size, of the pixels of half size around it. */
@@ -3726,6 +3795,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_OUTPUT("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
     SSGI_GL__ROW_OUTPUT("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
     SSGI_GL__ROW_OUTPUT("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
+    SSGI_GL__ROW_OUTPUT("custom", NULL, "vec4", SSGI_GL__HDR ": what your effect sums up to, view depth"),
     SSGI_GL__ROW_OUTPUT("sender", NULL, "uvec2",
                         "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent "
                         "and 14, octahedral view-space normal as 6 6"),
@@ -3805,8 +3875,9 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { SSGI_GL_SURFELS, "surfels", "!tessellate", { "main_buffer", "main_nothing", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "tessellate", { "main_patch", "main_nothing", "main_levels", "main_points", NULL } },
     SSGI_GL__ALWAYS(SHUFFLE, "shuffle", "main_shuffle"),
-    SSGI_GL__SPLAT("effect != SCATTER", "main_splat"),
+    SSGI_GL__SPLAT("effect < SCATTER", "main_splat"),
     SSGI_GL__SPLAT("effect == SCATTER", "main_splat_scatter"),
+    SSGI_GL__SPLAT("effect == CUSTOM", "main_splat_custom"),
     SSGI_GL__ALWAYS(UNSHUFFLE, "unshuffle", "main_unshuffle"),
     SSGI_GL__ALWAYS(SMOOTH, "smooth", "main_smooth"),
     SSGI_GL__WHEN(SUM, "sum", "effect == OCCLUSION", "main_sum_occlusion"),
@@ -3923,12 +3994,15 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__FIELD_ENUM(objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
     SSGI_GL__FIELD_SWITCH(cap_table),
 
-    SSGI_GL__FIELD_ENUM(effect, EFFECT, SCATTER, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
+    SSGI_GL__FIELD_ENUM(effect, EFFECT, CUSTOM, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER CUSTOM"),
     SSGI_GL__FIELD_COUNT(levels, 7),
     SSGI_GL__FIELD_SWITCH(tessellate),
+    SSGI_GL__FIELD_WORDS(overhang, SSGI_OVERHANG_CENTROID, "SSGI_OVERHANG", "INCENTRE CENTROID"),
     SSGI_GL__FIELD_ENUM(sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"),
     SSGI_GL__FIELD_COUNT(span, 64),
     SSGI_GL__FIELD_COUNT(near_samples, 16),
+    SSGI_GL__FIELD_SWITCH(enlarge),
+    SSGI_GL__FIELD_ENUM(combine, COMBINE, ADD, "SHARE ADD"),
     SSGI_GL__FIELD_SWITCH(axis),
 
     SSGI_GL__FIELD_WORDS(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
@@ -4028,9 +4102,10 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
     SSGI_GL__CHECK(!desc->receiver || desc->receiver < desc->layers, "desc.receiver: must be below desc.layers");
     SSGI_GL__CHECK(desc->fetch
                        || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
-                                          "sends == CUSTOM || harmonics == CUSTOM",
+                                          "sends == CUSTOM || effect == CUSTOM || harmonics == CUSTOM",
                                           desc),
-                   "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel, _harmonic: what is CUSTOM");
+                   "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel, _effect and _reach, _harmonic: "
+                   "what is CUSTOM");
     return SSGI_OK;
 }
 
@@ -4189,6 +4264,9 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
     if (!slices && ((!splat && pass != SSGI_GL_SUM) || d.effect > SSGI_GL_EFFECT_BOUNCE)) d.span = 0;
     if (splat && !(d.tessellate && d.effect > SSGI_GL_EFFECT_LIGHT)) d.sends = SSGI_GL_SENDS_COLOUR;
+    if (!surfels || !d.tessellate) d.overhang = SSGI_OVERHANG_INCENTRE;
+    if (!splat || d.effect == SSGI_GL_EFFECT_SCATTER) d.enlarge = 0;
+    if (pass != SSGI_GL_SUM || d.effect == SSGI_GL_EFFECT_SCATTER) d.combine = SSGI_GL_COMBINE_SHARE;
     return d;
 }
 

@@ -281,6 +281,7 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     d.splits = (int)(count % 4);
     d.offscreen_growth = count % 7 ? 0.1f : f[6];
     d.keep_small = (int)(count & 1);
+    d.overhang = (int)(count % 5) - 1;
     splat.levels = levels;
     source.position = f;
     source.normal = count & 2 ? f + 3 : NULL;

@@ -15,7 +15,7 @@ static float triangle[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 };
 static float colour[3] = { 1, 2, 3 }, up[3] = { 0, 1, 0 }, coefficients[48] = { 1 }, image[8 * 4 * 3] = { 1 };
 static float number = 0.5f;
 static ssgi_view view;
-static ssgi_surfel_desc surfels = { 0.2f, 4, 0.1f, 0, 5 };
+static ssgi_surfel_desc surfels = { 0.2f, 4, 0.1f, 0, 5, SSGI_OVERHANG_CENTROID };
 static ssgi_surfel_source source;
 static ssgi_splat splat = { 0.1f, 1, 1, 0.1f, 4 };
 static ssgi_surfel surfel[2] = { { { 0, 0, -1 }, 0.1f, { 0, 0, 1 }, 0.5f, { 1, 1, 1 }, 0 },
@@ -136,6 +136,29 @@ static void formulas(void)
         }
 }
 
+/* Plain formulas of surfels give what their comments say. */
+static void surfel_formulas(void)
+{
+    static const uint32_t bad[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; ++k) {
+        float f;
+        double shell[2] = { 7, 7 }, other[2] = { 7, 7 };
+        memcpy(&f, &bad[k], sizeof f);
+        const double x = (double)f;
+        ssgi_surfel_shell(shell, x, 1, 2);
+        ssgi_surfel_shell(other, 2, 1, x);
+        if (ssgi_tess_level(x, 1) != 1 || ssgi_tess_level(99, x) != 1 || ssgi_tess_radius(x, 1) != 0
+            || ssgi_tess_radius(1, x) != 0 || ssgi_surfel_radius(&view, x, 1) != 0
+            || ssgi_surfel_radius(&view, 0.1, x) != 0 || ssgi_surfel_form_factor(x, 1) != 0
+            || ssgi_surfel_form_factor(1, x) != 0 || ssgi_surfel_reach(x, 1, 0.1) != 0
+            || ssgi_surfel_reach(1, x, 0.1) != 0 || ssgi_surfel_reach(1, 1, x) != 0 || shell[0] != 0 || shell[1] != 0
+            || other[0] != 0 || other[1] != 0) {
+            printf("a formula of surfels takes %08x for a number\n", (unsigned)bad[k]);
+            ++wrong;
+        }
+    }
+}
+
 int main(void)
 {
     static float work[1 << 17];
@@ -156,6 +179,8 @@ int main(void)
     }
     limits = ssgi_field_limits_of(&field);
 
+    formulas();
+    surfel_formulas();
     REFUSES(view_of, &projection);
     REFUSES(extra, &rigid); REFUSES(extra, &up); REFUSES(extra, &colour); REFUSES_ONE(extra, &number);
     REFUSES(sh_light, &up); REFUSES(sh_light, &colour); REFUSES_ONE(sh_light, &number);
@@ -166,7 +191,6 @@ int main(void)
     refuses("area", area, image, 3);
     REFUSES(guess, &up);
     refuses("guess", guess, triangle, 9);
-    formulas();
     REFUSES_ONE(scale, &surfels.size); REFUSES_ONE(scale, &surfels.offscreen_growth);
     REFUSES_ONE(scale, &surfels.max_distance);
     REFUSES(divide, &source.to_view);

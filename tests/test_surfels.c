@@ -61,20 +61,10 @@ static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, cons
     return s;
 }
 
-/* Radius at a depth of surfels of a size. */
-static double radius_of(const ssgi_view *view, double size, double depth)
-{
-    double scale[2];
-    scale[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
-    scale[1] = (double)ssgi_view_near(view);
-    return ssgi__surfel_radius(scale, view->orthographic, depth);
-}
-
 /* Form factor of a surfel's front seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]: exact on its
    axis, too low beside it when d < 4 r (by half at d = r). */
 static float form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3])
 {
-    const float r2 = surfel->radius * surfel->radius;
     float v[3], d2 = 0, above = 0, before = 0;
     for (int k = 0; k < 3; ++k) {
         v[k] = surfel->position[k] - position[k];
@@ -82,21 +72,8 @@ static float form_factor(const ssgi_surfel *surfel, const float position[3], con
         above += v[k] * normal[k];
         before -= v[k] * surfel->normal[k];
     }
-    return above > 0 && before > 0 ? r2 * above * before / (d2 * (d2 + r2)) : 0;
-}
-
-/* Barycentric coordinates of all points of a level, as ssgi_surfels makes them, rings inwards; returns how many. */
-static int tess_points(float *uvw, int level)
-{
-    int n = 0, place[3];
-    for (int ring = 0; level > 0 && level <= 64 && 2 * ring <= level; ++ring) {
-        const int segments = level - 2 * ring, points = segments ? 3 * segments : 1;
-        for (int i = 0; i < points; ++i, ++n) {
-            ssgi__tess_lattice(place, segments, i);
-            for (int k = 0; k < 3; ++k) uvw[3 * n + k] = (float)((2.0 * ring / 3.0 + place[k]) / level);
-        }
-    }
-    return n;
+    if (!(above > 0 && before > 0)) return 0;
+    return above * before / d2 * (float)ssgi_surfel_form_factor((double)surfel->radius, sqrt((double)d2));
 }
 
 /* ---- tessellation ------------------------------------------------------------------------------------------------ */
@@ -108,17 +85,20 @@ static void points(void)
                                        { 0.333328247f, 0.133331299f, 0.533340454f },
                                        { 0.266662598f, 0.466674805f, 0.266662598f },
                                        { 0.733337402f, 0.133331299f, 0.133331299f } };
-    static float uvw[3 * 3169];
+    static float uvw[3 * 3169 + 1];
     for (int i = 0; i <= 65; ++i) {
         int v = 0;
         for (int segments = i; segments > 0 && i < 65; segments -= 2) v += 3 * segments;
         if (i && i < 65 && i % 2 == 0) ++v;
-        CHECK(ssgi__tess_count(i) == v && tess_points(uvw, i) == v, "level %d: %d points, %d expected", i,
-              ssgi__tess_count(i), v);
+        CHECK(ssgi_tess_count(i) == v, "level %d: %d points, %d expected", i, ssgi_tess_count(i), v);
+        uvw[3 * v] = uvw[v ? 3 * v - 1 : 0] = 7;
+        CHECK((ssgi_tess_points(uvw, i, NULL) == SSGI_OK) == (v > 0) && uvw[3 * v] == 7 && (!v || uvw[3 * v - 1] <= 1),
+              "level %d: another number of points is written", i);
     }
-    CHECK(ssgi__tess_count(64) == 3169 && ssgi__tess_count(1) == 3 && ssgi__tess_count(-1) == 0,
+    CHECK(ssgi_tess_count(1) == 3 && ssgi_tess_count(2) == 7 && ssgi_tess_count(4) == 19 && ssgi_tess_count(64) == 3169
+              && ssgi_tess_count(-1) == 0 && ssgi_tess_count(0x7fffffff) == 0,
           "the ends of the formula");
-    tess_points(uvw, 5);
+    ssgi_tess_points(uvw, 5, NULL);
     for (int k = 0; k < 4; ++k) {
         double least = 1;
         for (int i = 0; i < 27; ++i) {
@@ -141,17 +121,25 @@ static void levels(void)
                 { 100, 11 },  { 200, 16 },  { 400, 23 }, { 800, 32 }, { 1600, 46 }, { 3000, 63 }, { 3168, 64 },
                 { 3169, 64 }, { 3170, 64 }, { 1e4, 64 }, { 1e30, 64 } };
     for (int i = 0; i < COUNT(row); ++i)
-        CHECK(ssgi__tess_level(pi * 0.09 * row[i].discs, 0.3) == row[i].level, "%g discs: level %d, %d expected",
-              row[i].discs, ssgi__tess_level(pi * 0.09 * row[i].discs, 0.3), row[i].level);
+        CHECK(ssgi_tess_level(pi * 0.09 * row[i].discs, 0.3) == row[i].level, "%g discs: level %d, %d expected",
+              row[i].discs, ssgi_tess_level(pi * 0.09 * row[i].discs, 0.3), row[i].level);
     /* where the level's even formula is full: floats stand on either side of it */
     for (int i = 1; i <= 64; ++i)
         for (int k = -1; k <= 1; ++k) {
             const float full = (3 * (float)(i + 1) * (float)(i + 1) + 1) / 4,
                         discs = k ? nextafterf(full, k < 0 ? 0.0f : 1e9f) : full;
-            CHECK(ssgi__tess_level(pi * (double)discs, 1) == i, "%.9g discs: level %d, %d expected", (double)discs,
-                  ssgi__tess_level(pi * (double)discs, 1), i);
+            CHECK(ssgi_tess_level(pi * (double)discs, 1) == i, "%.9g discs: level %d, %d expected", (double)discs,
+                  ssgi_tess_level(pi * (double)discs, 1), i);
         }
-    CHECK(ssgi__tess_level((double)NAN, 1) == 1, "no level for NaN");
+    CHECK(ssgi_tess_level(7 * pi, 1) == 2 && ssgi_tess_level(19 * pi * 0.01, 0.1) == 4, "7 and 19 discs");
+    CHECK(ssgi_tess_level(0, 1) == 1 && ssgi_tess_level(-9, 1) == 1 && ssgi_tess_level(1, 0) == 64
+              && ssgi_tess_level(1, -1e-3) == 64,
+          "no area, no radius");
+    for (int i = 1; i <= 64; ++i) {
+        const double r = ssgi_tess_radius(2.5, ssgi_tess_count(i));
+        CHECK(fabs(pi * r * r * ssgi_tess_count(i) / 2.5 - 1) < 1e-12, "level %d: radius %g", i, r);
+    }
+    CHECK(ssgi_tess_radius(0, 3) == 0 && ssgi_tess_radius(1, 0) == 0 && ssgi_tess_radius(-1, -3) == 0, "no discs");
 }
 
 /* ---- surfels of triangles ---------------------------------------------------------------------------------------- */
@@ -201,7 +189,7 @@ static void areas(void)
         if (!view_of(&view, &c[m], 0)) return;
         const ssgi_surfel_source all = source_of(soup, SMALL);
         ssgi_surfel *s = surfels_of(&n, &d, &view, &all);
-        wanted = radius_of(&view, (double)d.size, 3);
+        wanted = ssgi_surfel_radius(&view, (double)d.size, 3);
         for (size_t i = 0; i < n; ++i) {
             sum += pi * (double)s[i].radius * (double)s[i].radius;
             CHECK(fabs((double)s[i].radius / wanted - 1) < 1e-5, "radius %g, %g wanted", (double)s[i].radius, wanted);
@@ -222,11 +210,12 @@ static void slivers(void)
 {
     static const kit_camera c = { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 },     45, 0, 0.1f, 100, 160,
                                   90,          { 0, 0 },     KIT_DEPTH_NORMAL };
-    int flipped = 0, outside = 0, over = 0, fits = 0;
+    int flipped = 0, outside = 0, over = 0, half = 0, fits = 0;
     ssgi_view view;
     if (!view_of(&view, &c, 0)) return;
     for (int t = 0; t < 10000; ++t) {
         ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * chance()), .keep_small = 1, .splits = 1 };
+        d.overhang = t & 1 ? SSGI_OVERHANG_CENTROID : SSGI_OVERHANG_INCENTRE;
         float p[9], u[3], v[3], n[3], side[3], across[3], axis[2][3];
         const float high = powf(10, -3 * chance()), apex = 1.5f * chance() - 0.25f;
         direction(axis[0]);
@@ -245,7 +234,7 @@ static void slivers(void)
         if (!s || !CHECK(count >= 3, "%zu surfels", count)) return;
         double perimeter = 0, area = 0;
         int level = 1;
-        while (ssgi__tess_count(level) < (int)count) ++level;
+        while (ssgi_tess_count(level) < (int)count) ++level;
         /* the shrunk corners are the first ring's */
         for (int k = 0; k < 3; ++k) {
             u[k] = s[level].position[k] - s[0].position[k];
@@ -262,7 +251,7 @@ static void slivers(void)
             perimeter += sqrt(dot(side, side));
         }
         const double inner = 2 * area / perimeter, r = (double)s[0].radius;
-        const int fit = r <= 0.75 * inner;
+        const int fit = r <= 0.75 * inner && !d.overhang;
         fits += fit;
         for (size_t i = 0; i < count; ++i)
             for (int e = 0; e < 3; ++e) {
@@ -274,13 +263,15 @@ static void slivers(void)
                 cross(n, side, inward);
                 const double distance = dot(from, inward) / sqrt(dot(inward, inward));
                 outside += distance < -2e-7;
+                half += d.overhang && r <= 0.75 * inner && r - distance > 0.4 * r;
                 over += fit && r - distance > 1e-6 * r + 2e-7;                 /* and what float positions lose */
             }
         free(s);
     }
     CHECK(!flipped && !outside && !over && fits > 2000,
           "%d flipped, %d surfels outside, %d discs over the edge, of %d that fit", flipped, outside, over, fits);
-    t_note("discs fit into %d of 10000", fits);
+    CHECK(half > 2000, "corners moved as published leave %d discs over edges by 0.4 radii", half);
+    t_note("discs fit into %d of 5000", fits);
 }
 
 static int all_finite(const ssgi_surfel *s, size_t n)
@@ -368,10 +359,10 @@ static void reach_and_shells(void)
     int wrong = 0;
     for (int e = 0; e < 4; ++e)
         for (int k = 0; k < 20; ++k) {
-            const double r = pow(10, 4 * (double)chance() - 2), reach = ssgi__surfel_reach(r, 1, epsilon[e]),
-                         bright = 0.3 + 5 * (double)chance(), far = ssgi__surfel_reach(r, bright, epsilon[e]);
+            const double r = pow(10, 4 * (double)chance() - 2), reach = ssgi_surfel_reach(r, 1, epsilon[e]),
+                         bright = 0.3 + 5 * (double)chance(), far = ssgi_surfel_reach(r, bright, epsilon[e]);
             ssgi_surfel s = { .radius = (float)r };
-            CHECK(fabs(ssgi__surfel_reach(2 * r, 1, epsilon[e]) / (2 * reach) - 1) < 1e-12, "not linear");
+            CHECK(fabs(ssgi_surfel_reach(2 * r, 1, epsilon[e]) / (2 * reach) - 1) < 1e-12, "not linear");
             for (int i = 0; i < 200; ++i) {
                 const float up[3] = { 0, 0, 1 }, origin[3] = { 0, 0, 0 };
                 float v[3];
@@ -394,7 +385,7 @@ static void reach_and_shells(void)
                       bright, far);
         }
     CHECK(!wrong, "%d surfels bring more beyond their reach, or less within it", wrong);
-    CHECK(ssgi__surfel_reach(1, 0.01, 0.02) == 0 && ssgi__surfel_reach(1, 0.02, 0.02) == 0,
+    CHECK(ssgi_surfel_reach(1, 0.01, 0.02) == 0 && ssgi_surfel_reach(1, 0.02, 0.02) == 0,
           "what is too faint reaches somewhere");
     /* level borders too; nothing beyond most */
     for (int k = 0; k < 3000; ++k) {
@@ -403,12 +394,21 @@ static void reach_and_shells(void)
         int in = 0;
         for (int l = 0; l < 7; ++l) {
             double shell[2];
-            ssgi__surfel_shell(shell, reach, l, most);
+            ssgi_surfel_shell(shell, reach, l, most);
             in += d > shell[0] && d <= shell[1];
         }
         wrong += in != (d <= ldexp(reach, 6) && d <= most);
     }
     CHECK(!wrong, "%d distances are in no shell, or in two", wrong);
+    CHECK(ssgi_surfel_reach(-1, 1, 0.1) == 0 && ssgi_surfel_reach(1, 1, 0) == (double)SSGI_FAR
+              && ssgi_surfel_reach(1, 5, 0.02) > 15.779 && ssgi_surfel_reach(1, 5, 0.02) < 15.780,
+          "reach of no radius, for no epsilon, of 5 at 0.02");
+    for (int k = 0; k < 3; ++k) {
+        static const double lengths[3][2] = { { 0, 1 }, { 1, 0 }, { 1, -1 } };
+        double shell[2] = { 7, 7 };
+        ssgi_surfel_shell(shell, lengths[k][0], 2, lengths[k][1]);
+        CHECK(shell[0] == 0 && shell[1] == 0, "shell %g to %g", shell[0], shell[1]);
+    }
 }
 
 static void form_factors(void)
@@ -588,14 +588,17 @@ static void radii(void)
         c.depth = k % 2 ? KIT_DEPTH_INFINITE : KIT_DEPTH_NORMAL;
         if (k % 3 == 0) c.depth = KIT_DEPTH_REVERSED;
         if (!view_of(&view, &c, k & 1)) return;
-        const double r = radius_of(&view, 0.05, (double)depth);
+        const double r = ssgi_surfel_radius(&view, 0.05, (double)depth);
         CHECK(ssgi__sphere_bounds(b, &view, centre, (float)r, 0.2f)
                   && fabs((double)(b[3] - b[1]) / (0.05 * 90) - 1) < 1e-3,
               "depth %g: %g pixels, 4.5 wanted", (double)depth, (double)(b[3] - b[1]));
         CHECK(fabs((double)ssgi_view_near(&view) - 0.2) < 1e-4, "near plane at %g", (double)ssgi_view_near(&view));
-        CHECK(fabs(radius_of(&view, 0.05, -(double)depth) - radius_of(&view, 0.05, (double)depth + (k % 3 ? 0.4 : 0)))
-                  < 1e-5 * r,
-              "behind the eye");
+        const double behind = ssgi_surfel_radius(&view, 0.05, -(double)depth),
+                     before = ssgi_surfel_radius(&view, 0.05, (double)depth + (k % 3 ? 0.4 : 0));
+        CHECK(fabs(behind - before) < 1e-5 * r, "behind the eye");
+        if (k % 3 == 0) continue;
+        const double published = 0.05 * tan((double)c.fovy * pi / 360) * (fabs((double)depth - 0.2) + 0.2);
+        CHECK(fabs(r / published - 1) < 1e-5, "depth %g: radius %g, %g published", (double)depth, r, published);
     }
 }
 
@@ -813,7 +816,7 @@ static void refusals(void)
         o = was; \
     } while (0)
     /* wherever a desc, a source or a splat is taken */
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 13; ++k) {
         static const char *const names[] = { "desc",
                                              "view",
                                              "desc.size",
@@ -825,7 +828,8 @@ static void refusals(void)
                                              "source",
                                              "source.position",
                                              "source",
-                                             "source.to_view" };
+                                             "source.to_view",
+                                             "desc.overhang" };
         ssgi_surfel_desc d = { 0 };
         ssgi_surfel_source source = source_of(p, 1);
         const ssgi_splat splat = { 0 };
@@ -837,13 +841,14 @@ static void refusals(void)
         if (k == 5) d.keep_small = 2;
         if (k == 6) d.offscreen_growth = -1;
         if (k == 7) d.max_distance = INFINITY;
+        if (k == 12) d.overhang = 2;
         if (k == 9) source.position = NULL;
         if (k == 10) source.normal_stride = 13;
         if (k == 11) memset(source.to_view, 0, sizeof source.to_view);
         const ssgi_surfel_desc *desc = k ? &d : NULL;
         REFUSED(ssgi_surfels(o.out, 2, &o.count, desc, v, from, &why), names[k]);
         REFUSED(ssgi_surfels_predict(&o.cost, desc, &splat, v, from, &why), names[k]);
-        if (k >= 8) continue;
+        if (k >= 8 && k != 12) continue;
         REFUSED(ssgi_surfel_scale(o.scale, desc, v, &why), names[k]);
         REFUSED(ssgi_gl_surfels_set(&o.frame, v, desc, 4, NULL, &why), names[k]);
     }
@@ -869,6 +874,9 @@ static void refusals(void)
     REFUSED(ssgi_surfels(NULL, 2, &o.count, &d, &view, &source, &why), "out");
     REFUSED(ssgi_surfel_scale(NULL, &d, &view, &why), "scale");
     REFUSED(ssgi_splat_size(NULL, 10, 10, 4, &why), "size");
+    REFUSED(ssgi_tess_points(NULL, 4, &why), "uvw");
+    REFUSED(ssgi_tess_points(o.scale, 0, &why), "level");
+    REFUSED(ssgi_tess_points(o.scale, 65, &why), "level");
     REFUSED(ssgi_splat_size(o.size, 0, 10, 4, &why), "width");
     REFUSED(ssgi_splat_size(o.size, 10, 65537, 4, &why), "height");
     REFUSED(ssgi_splat_size(o.size, 10, 10, 8, &why), "levels");
@@ -919,7 +927,7 @@ static void real_tessellator(void)
     double worst = 0;
     int wrong = 0;
     if (!CHECK(program != 0, "%s", err.text)) return;
-    for (int i = 1; i <= 64; ++i) all += (size_t)ssgi__tess_count(i);
+    for (int i = 1; i <= 64; ++i) all += (size_t)ssgi_tess_count(i);
     float *point = malloc((all + 9) * 4 * sizeof *point);
     glTransformFeedbackVaryings(program, 1, &varying, GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(program);
@@ -957,7 +965,7 @@ static void real_tessellator(void)
         }
     }
     for (int level = 1; level <= 64; ++level)
-        for (int i = 0, n = tess_points(uvw, level); i < n; ++i) {
+        for (int i = ssgi_tess_points(uvw, level, NULL) == SSGI_OK ? 0 : 9999; i < ssgi_tess_count(level); ++i) {
             const double u = 3 * level * (double)uvw[3 * i], v = 3 * level * (double)uvw[3 * i + 1];
             wrong += met[level][lrint(u)][lrint(v)] != 1 || fabs(u - (double)lrint(u)) > 1e-4
                      || fabs(v - (double)lrint(v)) > 1e-4
@@ -1064,7 +1072,8 @@ static int by_seed(const void *a, const void *b)
 static void three_ways(void)
 {
     static const char *const ways[] = { "size=0.03,way=cpu", "size=0.03,way=capture", "size=0.03,way=direct" };
-    static const struct { const char *scene; int orthographic; } row[2] = { { "boxes", 0 }, { "pebbles", 1 } };
+    static const struct { const char *scene, *overhang; int orthographic; } row[2] = {
+        { "boxes", "centroid", 0 }, { "pebbles", "incentre", 1 } };
     for (int m = 0; m < 2; ++m) {
         deep d[3];
         kit_image out[3];
@@ -1074,10 +1083,13 @@ static void three_ways(void)
         c = scene.camera;
         kit_scene_free(&scene);
         if (row[m].orthographic) { c.fovy = 0; c.ortho_height = 1; }
-        for (int k = 0; k < 3; ++k)
-            if (!dive(&d[k], row[m].scene, NULL, 0, &c, 96, 54, "dss", ways[k], 0.6f, NULL)
+        for (int k = 0; k < 3; ++k) {
+            char set[64];
+            snprintf(set, sizeof set, "%s,overhang=%s", ways[k], row[m].overhang);
+            if (!dive(&d[k], row[m].scene, NULL, 0, &c, 96, 54, "dss", set, 0.6f, NULL)
                 || !drawn(&out[k], &d[k].run))
                 return;
+        }
         ssgi_surfel *s[2] = { held(&d[0], 0), held(&d[1], 1) };
         size_t n[2] = { d[0].run.surfels, 0 };
         /* what others stand for has radius 0 */
@@ -1157,7 +1169,7 @@ static double hidden(const deep *d, const ssgi_surfel *s, size_t count, int leve
     for (size_t i = 0; i < count; ++i) {
         const float v[3] = { s[i].position[0] - p[0], s[i].position[1] - p[1], s[i].position[2] - p[2] };
         const double distance = sqrt(dot(v, v)),
-                     end = ldexp(ssgi__surfel_reach((double)s[i].radius, 1, (double)d->run.frame.epsilon), levels - 1),
+                     end = ldexp(ssgi_surfel_reach((double)s[i].radius, 1, (double)d->run.frame.epsilon), levels - 1),
                      radius = (double)d->run.frame.radius;
         if (distance <= end && distance <= radius)
             sum += (double)form_factor(&s[i], p, n) * (hard ? 1 : 1 - distance / radius);
@@ -1246,6 +1258,42 @@ static int of_these(kit_image *out, deep *d, const ssgi_surfel *s, size_t count)
     return drawn(out, &d->run);
 }
 
+/* Sub-buffers in turn, as published, instead of by a hash: whoever makes surfels may number them so. On each level the
+   k-th surfel goes to that of k modulo 4^level, so that neighbours do not meet. */
+static void in_turn(void)
+{
+    static const char *const sets[2] = { "levels=5,size=0.04,near_samples=1,span=0,smooth=0",
+                                         "levels=5,size=0.04,near_samples=1,span=0" };
+    for (int m = 0; m < 2; ++m) {
+        double squares[2] = { 0, 0 };
+        int pixels = 0;
+        deep d;
+        kit_image out[2];
+        if (!dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss", sets[m], 0.6f, NULL) || !drawn(&out[0], &d.run)) return;
+        ssgi_surfel *s = held(&d, 0);
+        for (size_t k = 0; k < d.run.surfels; ++k) {
+            uint32_t seed = 0;                                                 /* its low bytes: column, row */
+            for (int l = 0; l < 8; ++l)
+                seed |= (uint32_t)(k >> 2 * l & 1) << l | (uint32_t)(k >> (2 * l + 1) & 1) << (8 + l);
+            s[k].seed = (float)seed / 16777216;
+        }
+        if (!of_these(&out[1], &d, s, d.run.surfels)) return;
+        for (int i = 0; i < 96 * 54; i += 3) {
+            float p[3], n[3];
+            if (!seen(&d, i, p, n)) continue;
+            const double want = exp(-hidden(&d, s, d.run.surfels, 5, 0, p, n));
+            for (int k = 0; k < 2; ++k) squares[k] += pow((double)out[k].data[i] - want, 2);
+            ++pixels;
+        }
+        CHECK(squares[1] < 0.95 * squares[0] && squares[0] / pixels < 6e-4, "%s: RMSE %.5f hashed, %.5f in turn",
+              sets[m], sqrt(squares[0] / pixels), sqrt(squares[1] / pixels));
+        t_note("%s: RMSE %.5f hashed, %.5f in turn", sets[m], sqrt(squares[0] / pixels), sqrt(squares[1] / pixels));
+        free(s);
+        for (int k = 0; k < 2; ++k) kit_image_free(&out[k]);
+        surface(&d);
+    }
+}
+
 static const box block = { { -0.3f, 0, -0.3f }, { 0.3f, 0.6f, 0.3f } };
 
 /* Beside the picture, behind the eye, hidden, across the near plane: each darkens what it faces, as much as it would in
@@ -1310,20 +1358,21 @@ static void unseen(void)
     }
 }
 
-/* One surfel, level by level: a pixel meets it in one of 4^level sub-buffers, 4^level times as strong. */
-static void shells(void)
+/* One surfel, level by level: a pixel meets it in one of 4^level sub-buffers, 4^level times as strong, or 2^level times
+   as wide. */
+static void shells_of(int enlarge)
 {
+    char set[128];
     deep d;
     int wrong = 0, blocks[4] = { 0 }, missed = 0, hits[4] = { 0 };
     double bias[4] = { 0 };
-    if (!dive(&d, "plane", NULL, 0, NULL, 160, 90, "dss", "levels=4,hard=1,smooth=0,epsilon=0.05,near_samples=1,span=0",
-              0, NULL))
-        return;
+    snprintf(set, sizeof set, "levels=4,hard=1,smooth=0,epsilon=0.05,near_samples=1,span=0,enlarge=%d", enlarge);
+    if (!dive(&d, "plane", NULL, 0, NULL, 160, 90, "dss", set, 0, NULL)) return;
     for (int k = 0; k < 4; ++k) {
         static unsigned char met[90][160], level[90][160];
         const ssgi_surfel s = placed(&d, 0.3f * (float)k - 0.4f, 0.12f, 0.1f * (float)k, 0, -1, 0, 0.05f,
                                      (float)(3141592 * (k + 1) & 0xffffff) / 16777216);
-        const double reach = ssgi__surfel_reach(0.05, 1, 0.05);
+        const double reach = ssgi_surfel_reach(0.05, 1, 0.05);
         kit_image out;
         if (!of_these(&out, &d, &s, 1)) return;
         for (int i = 0; i < 160 * 90; ++i) {
@@ -1337,7 +1386,10 @@ static void shells(void)
             int l = 0;
             while (l < 4 && distance > ldexp(reach, l)) ++l;
             if (l > 3) { wrong += met[y][x]; continue; }
-            const double f = (1 << 2 * l) * (double)form_factor(&s, p, n), is = -log((double)out.data[i]);
+            ssgi_surfel wide = s;
+            wide.radius *= enlarge ? (float)(1 << l) : 1;
+            const double f = (double)form_factor(&wide, p, n) * (enlarge ? 1 : 1 << 2 * l),
+                         is = -log((double)out.data[i]);
             level[y][x] = (unsigned char)l;
             if (met[y][x]) {
                 wrong += fabs(is - f) > 2e-5 + 2e-3 * f && fabs(distance / ldexp(reach, l) - 1) > 1e-3
@@ -1369,28 +1421,92 @@ static void shells(void)
     surface(&d);
 }
 
-/* Surfels one behind the other: shares of what is left. */
+static void shells(void)
+{
+    shells_of(0);
+    shells_of(1);
+}
+
+/* Surfels one behind the other: shares of what is left, or sums to 1 at most. */
 static void overlap(void)
 {
-    deep d;
-    kit_image out;
-    double worst = 0, most = 0;
-    if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", "levels=1,hard=1,smooth=0,near_samples=1,span=0", 0,
-              NULL))
-        return;
-    const ssgi_surfel s[3] = { placed(&d, 0, 0.4f, 0, 0, -1, 0, 0.6f, 0), placed(&d, 0, 0.3f, 0, 0, -1, 0, 0.5f, 0.5f),
-                               placed(&d, 0.1f, 0.3f, 0, 0, -1, 0, 0.5f, 0.9f) };
-    if (!of_these(&out, &d, s, 3)) return;
-    for (int i = 0; i < 96 * 54; ++i) {
-        float p[3], n[3];
-        if (!seen(&d, i, p, n)) continue;
-        const double f = hidden(&d, s, 3, 1, 1, p, n);
-        most = fmax(most, f);
-        worst = fmax(worst, fabs((double)out.data[i] - exp(-f)));
+    for (int added = 0; added < 2; ++added) {
+        char set[128];
+        deep d;
+        kit_image out;
+        double worst = 0, most = 0;
+        snprintf(set, sizeof set, "levels=1,hard=1,smooth=0,near_samples=1,span=0,combine=%s", added ? "add" : "share");
+        if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", set, 0, NULL)) return;
+        const ssgi_surfel s[3] = { placed(&d, 0, 0.4f, 0, 0, -1, 0, 0.6f, 0),
+                                   placed(&d, 0, 0.3f, 0, 0, -1, 0, 0.5f, 0.5f),
+                                   placed(&d, 0.1f, 0.3f, 0, 0, -1, 0, 0.5f, 0.9f) };
+        if (!of_these(&out, &d, s, 3)) return;
+        for (int i = 0; i < 96 * 54; ++i) {
+            float p[3], n[3];
+            if (!seen(&d, i, p, n)) continue;
+            const double f = hidden(&d, s, 3, 1, 1, p, n);
+            most = fmax(most, f);
+            worst = fmax(worst, fabs((double)out.data[i] - (added ? 1 - fmin(f, 1) : exp(-f))));
+        }
+        CHECK(worst < 1e-3 && most > 1.5, "%s: off by %.2g, of sums up to %.2f", set, worst, most);
+        kit_image_free(&out);
+        surface(&d);
     }
-    CHECK(worst < 1e-3 && most > 1.5, "off by %.2g, of sums up to %.2f", worst, most);
-    kit_image_free(&out);
-    surface(&d);
+}
+
+/* Occlusion by GLSL of one's own: a disc's reach and form factor. */
+static const char disc[] =
+    "float ssgi_custom_reach(vec3 position, vec3 normal, float radius, vec3 colour, float epsilon) {\n"
+    "    return radius * sqrt(1.0 / epsilon - 1.0);\n"
+    "}\n"
+    "vec4 ssgi_custom_effect(vec3 position, vec3 normal, float radius, vec3 colour, vec3 P, vec3 n) {\n"
+    "    vec3 v = position - P;\n"
+    "    float d = dot(v, v), rr = radius * radius, w = max(dot(v, n), 0.0) * max(-dot(v, normal), 0.0);\n"
+    "    float form = rr * w / (d * (d + rr));\n"
+    "    return vec4(form, form * colour.y, 0.0, form);\n"
+    "}\n";
+
+static const char reaches_nowhere[] =
+    "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 c, float e) { return 0.0; }\n"
+    "vec4 ssgi_custom_effect(vec3 p, vec3 n, float r, vec3 c, vec3 P, vec3 m) { return vec4(1.0); }\n";
+
+/* What one's own effect brings is what the library's does: on a level, on several, enlarged; its channels are its own,
+   and what reaches nowhere brings nothing. */
+static void custom(void)
+{
+    static const char *const sets[] = { "levels=1", "levels=4,way=direct", "levels=4,enlarge=1",
+                                        "levels=4,combine=add" };
+    kit_lighting l;
+    if (!lighten(&l, NULL, "point:0,5,0,1,1,1")) return;
+    for (int k = 0; k <= COUNT(sets); ++k) {
+        char set[2][128];
+        deep d[2];
+        kit_image out[2];
+        kit_method m;
+        double worst = 0, dark = 0;
+        snprintf(set[0], sizeof set[0], "size=0.04,hard=1,near_samples=1,span=0,%s", sets[k % COUNT(sets)]);
+        snprintf(set[1], sizeof set[1], "size=0.04,shadows=none,near_samples=1,%s", sets[k % COUNT(sets)]);
+        if (!dive(&d[0], "boxes", NULL, 0, NULL, 96, 54, "dss", set[0], 0.6f, NULL) || !drawn(&out[0], &d[0].run)
+            || !dive(&d[1], "boxes", NULL, 0, NULL, 96, 54, "dss-gloss", set[1], 0.6f, &l))
+            return;
+        kit_run_close(&d[1].run);
+        const kit_world world = { &d[1].scene, &l };
+        if (!TRY(kit_method_find(&m, "dss-gloss", &err)) || !TRY(kit_method_set(&m, set[1], &err))) return;
+        m.custom = k < COUNT(sets) ? disc : reaches_nowhere;
+        if (!TRY(kit_run_open(&d[1].run, &d[1].g, &m, 0.6f, &world, &err)) || !drawn(&out[1], &d[1].run)) return;
+        const float *got = kit_image_channel(&out[1], "irradiance.R"),
+                    *green = kit_image_channel(&out[1], "irradiance.G"),
+                    *blue = kit_image_channel(&out[1], "irradiance.B");
+        for (int i = 0; i < 96 * 54; ++i) {
+            const double want = k < COUNT(sets) ? 1 - (double)out[0].data[i] : 0;
+            worst = fmax(worst, fabs((double)got[i] - want));
+            worst = fmax(worst, (double)blue[i]);
+            dark = fmax(dark, (double)green[i]);
+        }
+        CHECK(worst < 1e-5 && (dark > 0) == (k < COUNT(sets)), "%d, %s: off by %.2g, by the colour up to %g", k, set[1],
+              worst, dark);
+        for (int i = 0; i < 2; ++i) { kit_image_free(&out[i]); surface(&d[i]); }
+    }
 }
 
 /* A white plane of surfels under a white sky: what leaves it is the dipole's total, also where surfels are wider than
@@ -1538,7 +1654,7 @@ static void creases(void)
             float p[3];
             if (!(z > 0)) continue;
             kit_camera_point(&d.g.camera, i % 160, i / 160, z, p);
-            if (fabsf(p[1]) > 1e-3f || p[0] < 1e-3f || (double)p[0] > radius_of(&d.view, 0.05, z)) continue;
+            if (fabsf(p[1]) > 1e-3f || p[0] < 1e-3f || (double)p[0] > ssgi_surfel_radius(&d.view, 0.05, z)) continue;
             const double c = (double)p[0] / 0.8, s = sqrt(1 - c * c),
                          dark = (acos(c) + c * s - 2 * c * log((1 + s) / c)) / pi;     /* of it by a wall, linearly */
             squares += pow(1 - dark - (double)out.data[i], 2);
@@ -1592,7 +1708,7 @@ void test_surfels(void)
     RUN("points of all 64 levels are counted and placed as the tessellator does", points);
     RUN("levels: the fewest points for the area, at least 1, on either side of every border", levels);
     RUN("surfels have their triangles' area: split ones, and by chance small ones", areas);
-    RUN("of 10,000 slivers no surfel is outside; discs end at edges where they fit", slivers);
+    RUN("of 10,000 slivers none turns over, no surfel is outside; discs end at edges where they fit", slivers);
     RUN("degenerate, endless, far and mirrored triangles", odd_triangles);
     RUN("reach is tight and linear; every distance is in one shell", reach_and_shells);
     RUN("form factors as Wallace's, from fronts alone; what enlarging loses", form_factors);
@@ -1610,8 +1726,10 @@ void test_surfels(void)
     RUN("shuffling deals every pixel out once a level", shuffled);
     RUN("splats are what brute force over all surfels is", as_brute_force);
     RUN("surfels beside the picture, behind the eye, hidden and across the near plane darken what they face", unseen);
-    RUN("one surfel in its shells: one pixel of a block", shells);
-    RUN("overlap: shares of what is left", overlap);
+    RUN("one surfel in its shells: one pixel of a block, weighted or enlarged", shells);
+    RUN("seeds of one's own: sub-buffers in turn", in_turn);
+    RUN("overlap: shares of what is left, or sums", overlap);
+    RUN("an effect and a reach of one's own: a disc is what occlusion is", custom);
     RUN("a disc at hand, looked at more near_samples", near_samples);
     RUN("a scattering plane is as bright as its dipole's total", scattering);
     RUN("beside a wall slices see what surfels are too coarse for", creases);

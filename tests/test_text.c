@@ -34,7 +34,8 @@ static const choice choices[] = {
     CHOICE(two_sided, 2, 0, 1),     CHOICE(shadow, 4, 0, 1),   CHOICE(accumulate, 2, 0, 1),
     CHOICE(radiance, 4, 0, 1),      CHOICE(objects, 3, 0, 1),  CHOICE(half, 2, 0, 1),
     CHOICE(colour, 3, 0, 1),        CHOICE(filter, 2, 0, 1),   CHOICE(filter_normals, 2, 0, 1),
-    CHOICE(effect, 5, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
+    CHOICE(effect, 6, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
+    CHOICE(overhang, 2, 0, 1),      CHOICE(enlarge, 2, 0, 1),  CHOICE(combine, 2, 0, 1),
     CHOICE(axis, 2, 0, 1),          CHOICE(restore, 3, 0, 1),  CHOICE(span, 2, 0, 4),
     CHOICE(motion, 2, 0, 1),        CHOICE(left_handed, 2, 0, 1), CHOICE(oblique, 2, 0, 1),
     CHOICE(multisampled, 2, 0, 1),  CHOICE(array, 2, 0, 1),    CHOICE(onto, 4, 0, 1),
@@ -52,7 +53,9 @@ enum {
     "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return " \
     "vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \
     "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour * max(n.y, p.x); }\n" \
-    "vec3 ssgi_custom_harmonic(int i, vec3 p) { return p * float(i + 1); }"
+    "vec3 ssgi_custom_harmonic(int i, vec3 p) { return p * float(i + 1); }\n" \
+    "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 colour, float e) { return r * colour.x / e; }\nvec4 " \
+    "ssgi_custom_effect(vec3 p, vec3 m, float r, vec3 colour, vec3 P, vec3 n) { return vec4(colour * r, dot(m, n)); }"
 
 #define PART(c) (isalnum((unsigned char)(c)) || (c) == '_')
 
@@ -1252,12 +1255,12 @@ static const struct { const char *start; size_t offset; int most;
              INT(view_layers, 8),   INT(receiver, 7),      INT(environment, 2),    INT(bounce, 2),  INT(bands, 4),
              INT(packed, 1),        INT(transfer, 2),      INT(shaded, 1),         INT(shading, 3), INT(lights, 1),
              INT(albedo, 1),        INT(residual, 1),      INT(two_sided, 1),      INT(shadow, 3),  INT(accumulate, 1),
-             INT(radiance, 3),      INT(objects, 2),       INT(effect, 4),         INT(levels, 7),  INT(tessellate, 1),
+             INT(radiance, 3),      INT(objects, 2),       INT(effect, 5),         INT(levels, 7),  INT(tessellate, 1),
              INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 1),    INT(colour, 2),
              INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1),   INT(restore, 2),
              INT(span, 64),         INT(motion, 1),        INT(left_handed, 1),    INT(oblique, 1), INT(array, 1),
               INT(multisampled, 1),  INT(onto, 3),          INT(cap_table, 1),      INT(dimmed, 1),  INT(harmonics, 1),
-              INT(terms, 3),         INT(spheres, 1)
+              INT(terms, 3),         INT(spheres, 1),       INT(overhang, 1),       INT(enlarge, 1), INT(combine, 1)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -1306,6 +1309,7 @@ static void sentences(void)
         { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 1 } },
         { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .transfer = 1 } },
         { "desc.fetch:", { .pass = SSGI_GL_SURFELS, .sends = SSGI_GL_SENDS_CUSTOM } },
+        { "desc.fetch:", { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_CUSTOM } },
         { "desc.tessellate:", { .pass = SSGI_GL_SURFELS, .tessellate = 1 } },
         { "desc.tessellate:", { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_310ES } },
         { "desc.pass:", { .pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_VULKAN } },

@@ -1282,6 +1282,62 @@ static void twin_parts(void)
     }
 }
 
+/* Levels, their points, radii, and corners of triangles that shrink, as ssgi_surfels has them. */
+static void twin_tessellation(void)
+{
+    static const float m[2][16] = { { 1, 0, 0, 0, 0, 1.5f, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
+                                    { 0.5f, 0, 0, 0, 0, 0.7f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
+    static char text[TEXT];
+    random_state = 53;
+    for (int k = 0; k < 4; ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1,
+                                 .orthographic = k & 1, .overhang = k / 2 };
+        const ssgi_surfel_desc made = { .size = 0.02f, .overhang = k / 2 };
+        const char *why = "";
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        if (!CHECK(ssgi_view_from_projection(&view, m[k & 1], SSGI_CLIP_GL, 640, 480, &why) == SSGI_OK
+                       && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK
+                       && ssgi_gl_surfels_set(&frame, &view, &made, 5, NULL, &why) == SSGI_OK, "%s", why))
+            return;
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_TESS_CONTROL);
+        char *const rest = strstr(text, "layout(vertices");
+        if (!CHECK(rest, "no tessellator")) return;
+        *rest = 0;
+        for (int i = 0; i < MANY; ++i) {                   /* discs, view depth, level */
+            const float v[4] = { powf(10, uniform(-1, 4)), uniform(-2, 9), (float)(1 + i % 64), 0 };
+            memcpy(in[i], v, sizeof v);
+        }
+        if (!probe_text(text, SSGI_GL_410, &frame, 0,
+                        "o = vec4(ssgi_tess_level(a.x), ssgi_surfel_radius(a.y), ssgi_tess_count(int(a.z)), 0.0);"))
+            return;
+        for (int i = 0; i < MANY; ++i) {
+            const double discs = (double)in[i][0], radius = ssgi_surfel_radius(&view, 0.02, (double)in[i][1]),
+                         level = sqrt((4 * discs - 1) / 3) - 1;
+            if (fabs(level - nearbyint(level) - 1e-5) > 1e-4)
+                NEAR(out[i][0], ssgi_tess_level(3.14159265358979 * discs * 0.09, 0.3), 0, "ssgi_tess_level");
+            NEAR(out[i][1], radius, 1e-5 * radius, "ssgi_surfel_radius");
+            NEAR(out[i][2], ssgi_tess_count((int)in[i][2]), 0, "ssgi_tess_count");
+        }
+        for (int i = 0; i < MANY; ++i) {                   /* two corners in the plane of x and y, a radius, which */
+            const float v[4] = { uniform(0.2f, 3), uniform(0.1f, 2), powf(10, uniform(-2, 0.5f)), (float)(i % 3) };
+            memcpy(in[i], v, sizeof v);
+        }
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_TESS_CONTROL);
+        *rest = 0;
+        if (!probe_text(text, SSGI_GL_410, &frame, 0,
+                        "vec3 at[3] = vec3[3](vec3(0.0, 0.0, -1.0), vec3(a.x, 0.0, -1.0), vec3(0.4, a.y, -1.0));"
+                        "o = vec4(ssgi_inset(at, int(a.w), a.z, 0.5 * a.x * a.y), 0.0);"))
+            return;
+        for (int i = 0; i < MANY; ++i) {
+            ssgi__patch p = { .at = { { 0, 0, -1 }, { (double)in[i][0], 0, -1 }, { 0.4, (double)in[i][1], -1 } },
+                              .area = 0.5 * (double)in[i][0] * (double)in[i][1], .radius = (double)in[i][2] };
+            ssgi__surfel_inset(&p, k / 2);
+            for (int c = 0; c < 3; ++c) NEAR(out[i][c], p.at[i % 3][c], 1e-5, "ssgi_inset");
+        }
+    }
+}
+
 /* ---- >>history: what is read of the last frame ------------------------------------------------------------------- */
 
 /* A camera that stands still, or went so far sideways. */
@@ -1454,6 +1510,7 @@ void test_twins(void)
     RUN("several points over a disc stand in the middles of equal rings", points_over_a_disc);
     RUN("a sphere's bounds in the picture as in C, before and across the near depth", twin_spheres);
     RUN("a triangle's parts are as many as in C, about the near plane, too", twin_parts);
+    RUN("levels, counts, radii and shrunk corners of triangles are those of C", twin_tessellation);
     RUN("an offset that no history has written leads no farther than a texel", history_stays_near);
     RUN("offsets are carried along, and end at a texel", history_keeps_offsets);
     RUN("the fewer texels a surface has, the farther its mean may be off", history_spreads);

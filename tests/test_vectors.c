@@ -771,7 +771,7 @@ static void order_does_not_matter(void)
         const char *set;
         double off;
     } row[] = { { "store=float,indirect=none,blur=2", 1e-5 },
-                { "store=float,indirect=none,blur=1,half=1", 1e-5 },
+                { "store=float,indirect=none,blur=1,half=1", 1e-4 }, /* weights far off the plane are small, not 0 */
                 { "store=float,indirect=none,blur=3,filter=gaussian", 1e-5 },
                 { "store=float,indirect=none,blur=1,filter_normals=1", 1e-5 },
                 { "store=packed,indirect=joint,blur=1", 2e-3 },

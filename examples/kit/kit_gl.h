@@ -238,6 +238,7 @@ typedef struct kit_settings {
     double reach, ramp, inside, power;     /* bounding spheres' radii; of the reach; below 0: as measured; exponent */
     /* surfels */
     int    levels, way, near_samples, span, sky, near_depth, keep_small, splits, smooth, material;
+    int    overhang, enlarge, combine;
     double size, epsilon, offscreen_growth, exponent, unit;    /* size: image heights; unit: world's, of a millimetre */
 } kit_settings;
 
@@ -256,6 +257,7 @@ typedef struct kit_method {
     int          pass, effect;             /* SSGI_GL_SSAO ..; of surfels SSGI_GL_EFFECT_OCCLUSION .. */
     int          lit;                      /* 0: writes ambient visibility Y */
     int          between;                  /* 1: of other objects alone: its truth is kit_truth_objects */
+    const char  *custom;                   /* methods of surfels: GLSL for SSGI_GL_EFFECT_CUSTOM in place of theirs */
     kit_settings set;
 } kit_method;
 

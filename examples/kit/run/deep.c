@@ -252,6 +252,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
                             .splits = set->splits,
                             .offscreen_growth = fmaxf((float)set->offscreen_growth, 1e-6f),
                             .keep_small = set->keep_small,
+                            .overhang = set->overhang,
                             .max_distance = run->frame.radius < 1e17f ? run->frame.radius : 0 } };
     const char *why = "";
     if (!m->world->scene)

@@ -164,6 +164,12 @@ ROW(keep_small_row, keep_small, "1: every triangle keeps a surfel; 0: small ones
 ROW(each_row, keep_small, "1: every triangle keeps a surfel; 0: small ones are thinned, visibly",
     NULL, 1, 0, 1, PLAN, 0)
 ROW(splits_row, splits, "largest number of parts of a large triangle's edge", NULL, 8, 1, 32, PLAN, 0)
+ROW(overhang_row, overhang, "triangles shrink about their incentre, or as published their corners move to the centroid",
+    "incentre centroid", 0, 0, 1, GATHER, DESC(overhang))
+ROW(enlarge_row, enlarge, "surfels of level l 1: are 2^l times as wide, as published; 0: count 4^l times",
+    NULL, 0, 0, 1, GATHER, DESC(enlarge))
+ROW(combine_row, combine, "form factors share what is left, 1 - exp(-sum), or as published add up, to 1 at most",
+    "share add", 0, 0, 1, GATHER, DESC(combine))
 ROW(smooth_row, smooth, "0: levels are added unfiltered", NULL, 1, 0, 1, PLAN, 0)
 ROW(likeness_row, filter_normals, "1: the smoothing compares normals too",
     NULL, 0, 0, 1, GATHER, DESC(filter_normals))
@@ -212,8 +218,9 @@ typedef struct plan {
              VECTORS(&packed_row, &lights_row, __VA_ARGS__))
 #define SSBN(...) SETTINGS(&cone_row, VECTORS(&store_row, &shadowed_row, __VA_ARGS__))
 #define SURFELS(every, epsilon, levels, ...) \
-    SETTINGS(&size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, \
-             &near_row, &both_row, &smooth_row, &likeness_row, &normal_row, __VA_ARGS__)
+    SETTINGS(&size_row, epsilon, levels, &way_row, &splits_row, &overhang_row, &offscreen_growth_row, every, \
+             &near_depth_row, &near_row, &both_row, &smooth_row, &likeness_row, &normal_row, __VA_ARGS__)
+#define PUBLISHED &enlarge_row, &combine_row
 #define LIT_SURFELS &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
     { "ssao",
@@ -270,19 +277,19 @@ static const plan plans[] = {
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_OCCLUSION,
       SSGI_GL_BALANCED,
-      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &hard_row, &span_row) },
+      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &hard_row, PUBLISHED, &span_row) },
     { "dss-lit",
       "the same: directional occlusion of --env, --light with shadow maps, one bounce",
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_LIGHT,
       SSGI_GL_BALANCED,
-      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &hidden_sky_row, LIT_SURFELS, &span_row) },
+      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED, &span_row) },
     { "dss-gloss",
       "the same: one specular bounce; irradiance: radiance of the lobe",
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_SPECULAR,
       SSGI_GL_BALANCED,
-      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &sky_row, LIT_SURFELS, &exponent_row) },
+      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
     { "dss-scatter",
       "the same: multiple scattering under surfaces; irradiance: radiance that leaves them",
       SSGI_GL_SPLAT,
@@ -472,6 +479,10 @@ int kit_settings_apply(kit_making *m, float radius)
     ssgi_gl_desc *to[2] = { &m->gather, &m->lights };
     m->gather.pass = of->pass;
     if (of->pass == SSGI_GL_SPLAT) m->gather.effect = of->search; else m->gather.search = of->search;
+    if (m->method->custom) {
+        m->gather.effect = SSGI_GL_EFFECT_CUSTOM;
+        m->gather.fetch = m->method->custom;
+    }
     m->lights = m->gather;
     m->lights.pass = SSGI_GL_LIGHTS;
     for (int i = 0; i < of->count; ++i) {
