@@ -211,8 +211,22 @@ static int pool_of(int t)
     return points;
 }
 
-/* Greedy: of all points always the one with most pairs that are missing; then as many at random, for what three lines
-   may do together. */
+/* Takes a point as a variant. had: the literals of those taken. */
+static void take_point(const point *p, uint64_t had[WORDS])
+{
+    if (!CHECK(variants < MOST, "more variants than this test has room for")) return;
+    variant[variants++] = p->desc;
+    for (int w = 0; w < WORDS; ++w) had[w] |= p->literal[w];
+}
+
+static int adds_line(const point *p, const uint64_t had[WORDS])
+{
+    for (int w = 0; w < WORDS; ++w) if (p->literal[w] & ~had[w]) return 1;
+    return 0;
+}
+
+/* Greedy: of all points that with most pairs that are missing, until the best known brings none; then those with a line
+   that none has yet; then as many at random, for what three lines may do together. */
 static void make_variants(void)
 {
     /* of a line: which points have it, as a sum of random numbers */
@@ -235,7 +249,7 @@ static void make_variants(void)
         }
     for (int t = 0; t < shapes; ++t) {
         const int points = pool_of(t);
-        uint64_t kinds[LITERALS], all = 0;
+        uint64_t kinds[LITERALS], had[WORDS] = { 0 }, all = 0;
         int literals = 0;
         memset(seen, 0, sizeof seen);
         memset(missing, 0, sizeof missing);
@@ -274,9 +288,10 @@ static void make_variants(void)
             if (most < next || (!most && literals) || (!literals && variants > before)) continue;
             pairs_of(&pool[best], literals, 1);
             pool[best].gain = 0;
-            variant[variants++] = pool[best].desc;
+            take_point(&pool[best], had);
             if (!literals) break;
         }
+        for (int i = 0; i < points; ++i) if (adds_line(&pool[i], had)) take_point(&pool[i], had);
         for (int more = variants - before; more > 0 && variants < MOST; --more)
             variant[variants++] = pool[(int)uniform(0, (float)points - 0.01f)].desc;
     }

@@ -9,8 +9,7 @@
     "vec3 ssgi_custom_normal(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).xyz; }\n" \
     "vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) { return colour * max(normal.y, 0.0); }\n" \
     "vec3 ssgi_custom_harmonic(int i, vec3 position) { return vec3(i == 0 ? 3.5 : position.y); }\n" \
-    "uint ssgi_custom_object(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).w > 1.0 ? 1u : 0u; }\n"
-#define CUSTOM_EFFECT \
+    "uint ssgi_custom_object(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).w > 1.0 ? 1u : 0u; }\n" \
     "float ssgi_custom_reach(vec3 position, vec3 normal, float radius, vec3 colour, float epsilon) {\n" \
     "    return radius * sqrt(max(colour.x / epsilon - 1.0, 0.0));\n" \
     "}\n" \
@@ -20,10 +19,8 @@
     "    float form = radius * radius * facing / (d * (d + radius * radius));\n" \
     "    return form * vec4(colour, 1.0);\n" \
     "}\n"
-#define GBUFFER "uniform sampler2D my_gbuffer;\n"
-#define GBUFFER_VULKAN "layout(set = 1, binding = 0) uniform texture2D my_gbuffer;\n"
-static const char custom[] = GBUFFER CUSTOM, custom_vulkan[] = GBUFFER_VULKAN CUSTOM,
-                  effect[] = GBUFFER CUSTOM CUSTOM_EFFECT, effect_vulkan[] = GBUFFER_VULKAN CUSTOM CUSTOM_EFFECT;
+static const char custom[] = "uniform sampler2D my_gbuffer;\n" CUSTOM,
+                  custom_vulkan[] = "layout(set = 1, binding = 0) uniform texture2D my_gbuffer;\n" CUSTOM;
 
 #define CHOICE(name, field, value) { name, offsetof(ssgi_gl_desc, field), value }
 const choice choices[] = { { "", 0, 0 },
@@ -159,9 +156,9 @@ ssgi_gl_desc with_choice(ssgi_gl_desc d, int c)
 {
     if (c) memcpy((char *)&d + choices[c].offset, &choices[c].value, sizeof(int));
     if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM || d.objects == SSGI_GL_OBJECTS_CUSTOM
-        || d.harmonics == SSGI_GL_HARMONICS_CUSTOM || (d.sends == SSGI_GL_SENDS_CUSTOM && (d.pass == SSGI_GL_SURFELS || d.pass == SSGI_GL_SPLAT)))
+        || d.harmonics == SSGI_GL_HARMONICS_CUSTOM
+        || (d.sends == SSGI_GL_SENDS_CUSTOM && (d.pass == SSGI_GL_SURFELS || d.pass == SSGI_GL_SPLAT))
+        || (d.effect == SSGI_GL_EFFECT_CUSTOM && d.pass >= SSGI_GL_SPLAT && d.pass <= SSGI_GL_SUM))
         d.fetch = d.dialect == SSGI_GL_VULKAN ? custom_vulkan : custom;
-    if (d.effect == SSGI_GL_EFFECT_CUSTOM && d.pass >= SSGI_GL_SPLAT && d.pass <= SSGI_GL_SUM)
-        d.fetch = d.dialect == SSGI_GL_VULKAN ? effect_vulkan : effect;
     return d;
 }
