@@ -22,7 +22,7 @@ static const struct bounded {
       { { "", 0.2, 1 }, { "hsao", 0.02, 0.06 }, { "hsao-back", 0, 0.06 } } },
     { "halos of a screen end with the radius",
       "halo",
-      { { "", 0.04, 1 }, { "hsao", 0, 0.035 }, { "hsao-back", 0, 0.02 }, { "hsao-march", 0, 0.025 } } },
+      { { "", 0.04, 1 }, { "hsao", 0, 0.037 }, { "hsao-back", 0, 0.02 }, { "hsao-march", 0, 0.025 } } },
     { "what has left the screen occludes as surfels, as a field",
       "off-screen",
       { { "", 0.15, 1 }, { "dss", 0, 0.09 }, { "aof", 0, 0.055 } } },
