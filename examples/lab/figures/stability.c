@@ -42,7 +42,7 @@ static const named kept[] = {
 };
 static const char *const sweep_methods[] = { "ssao", "hsao-fast", "hsao", "hsao-back", "hsao-best", "hsao-march",
     "ssdo", "s3ho", "ssbn", "dss", "dss-lit", "aof" };
-static const char *const kept_methods[] = { "hsao-fast-history", "hsao-history", "hsao-2x8-history", "ssdo-history",
+static const char *const kept_methods[] = { "hsao-fast-history", "hsao-history", "hsao-2x10-history", "ssdo-history",
     "ssdo-fast-history" };
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
 
