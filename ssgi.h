@@ -4707,19 +4707,17 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    New: pass WIDTH and desc.thickness WIDTH, which ssgi_gl_steps takes for slices by itself (DEFAULT, the new 0). With
    BACK and SLABS slices need that pass, too: what has no back face is as thick as wide, and sheets half as thick,
    instead of frame.thickness.
-   New: desc.terms and desc.spheres, of the march; its horizon reads desc.layers and desc.views.
-   desc.shadow FILL lifts its segments twice: it darkened creases.
-   New: ssgi_tess_count, _points, _level, _radius; ssgi_surfel_radius, _form_factor, _reach, _shell.
-   New: desc.effect CUSTOM; surfel_desc.overhang, desc.overhang, .enlarge, .combine: as published.
+   SSGI_PLAN_CONSTANT -> SSGI_PLAN_WIDTH: plans are for what chains draw by default. Presets of slices: FAST 1x6,
+   BALANCED half 2x10. From half size the tap closest to the plane counts most. desc.shadow FILL lifts its segments
+   twice: it darkened creases. The march's horizon reads desc.layers and desc.views.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
-   New: room >>cap: ssgi_cap_occlusion in doubles, ssgi_cap_table and desc.cap_table, ssgi_cap_light.
-   New: ssgi_trace_visibility.
-   New: ssgi_field_desc.sample and .unfiltered.
-   New: ssgi_normal_offset, ssgi_shadow_patch, ssgi_shadow_bias, ssgi_radius_guess (0.1 had them with other arguments).
-   New: ssgi_directions, ssgi_noise_tile; ssgi_vpl_area.
-   New: desc.uniform.
-   New: desc.harmonics CUSTOM, light that varies from place to place, by ssgi_custom_harmonic in desc.fetch.
-   New: desc.dimmed, senders of s3ho that reflect what the last frame's coefficients let through to them.
+   New, the papers' maths: room >>bias (ssgi_normal_offset, ssgi_shadow_patch, ssgi_shadow_bias, ssgi_radius_guess; 0.1
+   had them with other arguments), room >>tessellate (ssgi_tess_count, _points, _level, _radius), room >>cap
+   (ssgi_cap_occlusion in doubles, ssgi_cap_table, ssgi_cap_light); ssgi_directions, ssgi_noise_tile, ssgi_vpl_area,
+   ssgi_trace_visibility; ssgi_surfel_radius, _form_factor, _reach, _shell; ssgi_field_desc.sample, .unfiltered.
+   New, what they publish, as choices: desc.terms and .spheres of the march, .uniform of points, .dimmed of s3ho,
+   .cap_table, surfels' .overhang (also of surfel_desc), .enlarge, .combine; .effect and .harmonics CUSTOM, functions in
+   desc.fetch.
 
    CHANGES in 0.2, November 2026
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_trial, ssgi_plan_try -> ssgi_calibration, ssgi_plan_calibrate (one more
