@@ -84,10 +84,12 @@ static ssgi_result bake_size(void)          /* 0 bytes: bad arguments */
 
 static int wrong;
 
+/* NaNs and infinities. */
+static const uint32_t bad[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };
+
 /* The call takes what it is given; with any of these floats no number it refuses, names it, and writes nothing. */
 static void refuses(const char *name, ssgi_result (*call)(void), float *v, size_t count)
 {
-    static const uint32_t bad[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };
     static unsigned char was[sizeof out];
     if (call() != SSGI_OK) { printf("%s refuses what is right: %s\n", name, why); ++wrong; }
     memcpy(was, &out, sizeof out);
@@ -115,9 +117,8 @@ static void refuses(const char *name, ssgi_result (*call)(void), float *v, size_
 /* Those that return a float take anything; what comes is a number in 0..SSGI_FAR. */
 static void formulas(void)
 {
-    static const uint32_t bad[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };
     const float good = 0.5f;
-    for (int k = 0; k < 5; ++k)
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; ++k)
         for (int i = 0; i < 6; ++i) {
             float f = 0;
             memcpy(&f, &bad[k], sizeof f);
@@ -139,7 +140,6 @@ static void formulas(void)
 /* Plain formulas of surfels give what their comments say. */
 static void surfel_formulas(void)
 {
-    static const uint32_t bad[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };
     for (size_t k = 0; k < sizeof bad / sizeof *bad; ++k) {
         float f;
         double shell[2] = { 7, 7 }, other[2] = { 7, 7 };

@@ -44,4 +44,14 @@ void test_papers(void);
 void test_stability(void);
 void test_steps(void);
 void test_build(void);
+
+/* desc.fetch with every function that a CUSTOM choice asks for. */
+#define T_FETCH \
+    "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return " \
+    "vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \
+    "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour * max(n.y, p.x); }\n" \
+    "vec3 ssgi_custom_harmonic(int i, vec3 p) { return p * float(i + 1); }\n" \
+    "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 colour, float e) { return r * colour.x / e; }\nvec4 " \
+    "ssgi_custom_effect(vec3 p, vec3 m, float r, vec3 colour, vec3 P, vec3 n) { return vec4(colour * r, dot(m, n)); }"
+
 #endif

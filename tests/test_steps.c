@@ -523,13 +523,7 @@ static void any_desc(ssgi_gl_desc *d)
         memcpy((char *)d + c->offset, &value, sizeof value);
     }
     d->dialect = SSGI_GL_450;
-    d->fetch = "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + p.y + j + 1); }\n"
-               "vec3 ssgi_custom_normal(ivec2 p) { return vec3(0.0, 0.0, 1.0); }\n"
-               "uint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n"
-               "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour; }\n"
-               "vec3 ssgi_custom_harmonic(int i, vec3 p) { return p; }\n"
-               "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 colour, float e) { return r; }\n"
-               "vec4 ssgi_custom_effect(vec3 p, vec3 m, float r, vec3 colour, vec3 P, vec3 n) { return vec4(r); }\n";
+    d->fetch = T_FETCH;
 }
 
 static ssgi_gl_chain any_chain(void)

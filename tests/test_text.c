@@ -49,14 +49,6 @@ enum {
     PROGRAM
 };
 #define EXTENSION "#extension GL_EXT_samplerless_texture_functions : require\n"
-#define FETCH \
-    "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return " \
-    "vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \
-    "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour * max(n.y, p.x); }\n" \
-    "vec3 ssgi_custom_harmonic(int i, vec3 p) { return p * float(i + 1); }\n" \
-    "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 colour, float e) { return r * colour.x / e; }\nvec4 " \
-    "ssgi_custom_effect(vec3 p, vec3 m, float r, vec3 colour, vec3 P, vec3 n) { return vec4(colour * r, dot(m, n)); }"
-
 #define PART(c) (isalnum((unsigned char)(c)) || (c) == '_')
 
 static ssgi_gl_desc shape[4 * SSGI_GL_PASSES];            /* the passes; those that have two ways, twice */
@@ -240,7 +232,7 @@ static void make_variants(void)
                                .dialect = way == 2 ? SSGI_GL_410 : SSGI_GL_330,
                                .samples = 4,
                                .directions = 2,
-                               .fetch = FETCH };
+                               .fetch = T_FETCH };
             for (int k = 0; k < CHOICES; ++k) set(&d, choices[k].offset, choices[k].first);
             d.environment = pass == SSGI_GL_SSDO ? SSGI_GL_ENVIRONMENT_SH : 0;     /* else it is refused: no key */
             ssgi_gl_desc other = d;
@@ -593,8 +585,8 @@ static void same_bytes(void)
     static const char *const names[] = { "de_DE.UTF-8", "de_DE.utf8",  "de_DE",      "fr_FR.UTF-8",
                                          "fr_FR.utf8",  "nl_NL.UTF-8", "it_IT.UTF-8" };
     const char *with = NULL;
-    ssgi_gl_desc a = { .version = "#version 330 core\n", .fetch = FETCH }, b = a;   /* ssao: the kernel's numbers */
-    char version[] = "#version 330 core\n", fetch[] = FETCH;
+    ssgi_gl_desc a = { .version = "#version 330 core\n", .fetch = T_FETCH }, b = a;   /* ssao: the kernel's numbers */
+    char version[] = "#version 330 core\n", fetch[] = T_FETCH;
     b.version = version;
     b.fetch = fetch;
     emit(one, &a, SSGI_GL_FRAGMENT);
@@ -1314,7 +1306,7 @@ static void sentences(void)
         { "desc.fetch:", { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_CUSTOM } },
         { "desc.fetch:", { .pass = SSGI_GL_SHADE, .harmonics = SSGI_GL_HARMONICS_CUSTOM } },
         { "desc.residual:",
-          { .pass = SSGI_GL_SHADE, .residual = 1, .harmonics = SSGI_GL_HARMONICS_CUSTOM, .fetch = FETCH } },
+          { .pass = SSGI_GL_SHADE, .residual = 1, .harmonics = SSGI_GL_HARMONICS_CUSTOM, .fetch = T_FETCH } },
         { "desc.dimmed:", { .pass = SSGI_GL_S3HO, .search = 1, .packed = 1, .transfer = 1, .dimmed = 1, .layers = 2 } },
         { "desc.dimmed:", { .pass = SSGI_GL_S3HO, .search = 1, .packed = 1, .transfer = 2, .dimmed = 1, .views = 1 } },
         { NULL, { .pass = SSGI_GL_S3HO, .search = 1, .dimmed = 1, .layers = 2 } },
@@ -1347,7 +1339,7 @@ static void sentences(void)
             ssgi_gl_desc d = { .search = SSGI_GL_POINTS,
                                .layers = 8,
                                .environment = SSGI_GL_ENVIRONMENT_SH,
-                               .fetch = FETCH },
+                               .fetch = T_FETCH },
                          was;
             if (ints[i].offset == offsetof(ssgi_gl_desc, environment)) d.pass = SSGI_GL_SSDO;
             if (ints[i].offset == offsetof(ssgi_gl_desc, thickness) || ints[i].offset == offsetof(ssgi_gl_desc, array))
@@ -1531,7 +1523,7 @@ static void fuzz(void)
     int accepted = 0, emitted = 0;
     random_state = 7;
     for (int i = 0; i < TRIES; ++i) {
-        ssgi_gl_desc d = { .fetch = i & 2 ? FETCH : NULL, .version = i & 4 ? "" : NULL };
+        ssgi_gl_desc d = { .fetch = i & 2 ? T_FETCH : NULL, .version = i & 4 ? "" : NULL };
         int broken = uniform(0, 1) < 0.5f;
         const char *why = NULL;
         for (int k = 0; k < INTS; ++k) set(&d, ints[k].offset, (int)uniform(0, (float)ints[k].most + 0.999f));

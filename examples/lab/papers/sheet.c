@@ -59,13 +59,22 @@ int sheet_holds(const sheet *t, const claim *c, const row *rows)
 
 /* ---- >>pictures -------------------------------------------------------------------------------------------------- */
 
-static int sheet_picture(FILE *html, const options *o, const sheet *t, const stage *s, const kit_image *picture, int k,
-                  const char *label, const char *note, kit_error *err)
+enum { SLUG = 96 };
+
+/* What picture number k of a sheet is called. */
+static void sheet_slug(char slug[SLUG], const sheet *t, int k)
 {
-    char name[64], slug[96];
+    char name[64];
     snprintf(name, sizeof name, "papers %s %s", t->paper, t->name);
     pictures_slug(slug, name);
-    snprintf(slug + strlen(slug), sizeof slug - strlen(slug), "-%d", k);
+    snprintf(slug + strlen(slug), SLUG - strlen(slug), "-%d", k);
+}
+
+static int sheet_picture(FILE *html, const options *o, const sheet *t, const stage *s, const kit_image *picture, int k,
+                         const char *label, const char *note, kit_error *err)
+{
+    char slug[SLUG];
+    sheet_slug(slug, t, k);
     return pictures_thumb(html, o->out, slug, label, note, s, picture, err);
 }
 
@@ -134,13 +143,10 @@ static int draw_crops(FILE *html, const options *o, const sheet *t, const stage 
 {
     const int gaps = s->stride > 1;
     pictured p[1 + MOST_PAPER_ROWS];
-    char name[64];
-    snprintf(name, sizeof name, "papers %s %s", t->paper, t->name);
     for (int i = 0; i <= count; ++i) {
         p[i].label = i ? t->rows[at[i - 1]].what : "ray-traced";
         p[i].picture = i ? &picture[i - 1] : &s->truth;
-        pictures_slug(p[i].slug, name);
-        snprintf(p[i].slug + strlen(p[i].slug), sizeof p[i].slug - strlen(p[i].slug), "-%d", i ? at[i - 1] + 1 : 100);
+        sheet_slug(p[i].slug, t, i ? at[i - 1] + 1 : 100);
     }
     for (int k = 0; k < MOST_CROPS && s->lit->crop[k][2]; ++k) {
         int crop[4];
