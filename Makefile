@@ -21,14 +21,15 @@ KIT_FLAGS = -std=c11 -D_GNU_SOURCE -Iexamples $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
 KIT_BASE    = util image exr hdr png score
-KIT_SCENE   = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light)
+KIT_SCENE   = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light seeds look parts \
+              rooms streets halls foliage machines scans terrain)
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
 KIT_GL      = $(addprefix gl/,gl gbuffer shadow field)
 KIT_RUN     = $(addprefix run/,settings fetches draw cost passes margin views lights lit occluders deep run frames plan)
 KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \
-            examples/kit/kit_trace.h examples/kit/kit_image.h examples/kit/kit_obj.h
+            examples/kit/kit_seed.h examples/kit/kit_trace.h examples/kit/kit_image.h examples/kit/kit_obj.h
 
 EXAMPLE_H = examples/tools/render/render.h $(wildcard examples/lab/*/*.h) \
             examples/tools/glsl/choices.h examples/tools/glsl/manifest.h

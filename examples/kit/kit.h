@@ -7,7 +7,8 @@
                 image.c    float pictures; exr.c, hdr.c, png.c: read and written; score.c: compared
      scene/     mesh.c     triangles of an OBJ; text.c: its lines, materials.c: its MTL files
                 scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of;
-                           scenes.c: the built-in ones, of buildings.c, thin.c and solids.c
+                           scenes.c: the built-in ones, of buildings.c, thin.c and solids.c; seeds.c: those drawn from
+                           a seed, of what kit_seed.h names
                 light.c    environments and lights
      trace/     camera.c   cameras
                 truth.c    ray-traced truth over ssgi.h's trace room; lit.c: of light, scatter.c: under surfaces
@@ -175,12 +176,23 @@ typedef struct kit_camera {
 } kit_camera;
 enum { KIT_DEPTH_NORMAL, KIT_DEPTH_REVERSED, KIT_DEPTH_INFINITE /* reversed, far plane at infinity */ };
 
+enum { KIT_SUN, KIT_POINT };
+typedef struct kit_light {
+    int   kind;
+    float at[3];                           /* SUN: unit direction to the light; POINT: where it is. World space */
+    float colour[3];                       /* SUN: irradiance facing it; POINT: radiant intensity */
+} kit_light;
+
+enum { KIT_SCENE_LIGHTS = 4 };
 typedef struct kit_scene {
     const char *name;                      /* built-in name or path */
     const char *about;                     /* one line */
     kit_mesh    mesh;
     kit_camera  camera;                    /* a view that shows something; width, height 1280 x 720 */
     float       radius;                    /* a radius that suits it, world units */
+    const char *env;                       /* of scenes by seed: what lights them, a built-in environment; else NULL */
+    int         lights;                    /* and lights beside it */
+    kit_light   light[KIT_SCENE_LIGHTS];
     int         objects, shapes;
     kit_object *object;
     /* meshes in their own coordinates, each perhaps of many objects: positions, normals and bounds only. An object's
@@ -188,7 +200,8 @@ typedef struct kit_scene {
     kit_mesh   *shape;
 } kit_scene;
 
-/* name_or_path: a built-in scene ("room") or an OBJ file. OBJ: the camera looks at the bounds from the front, above and
+/* name_or_path: a built-in scene ("room"), one drawn from a seed ("random:7", "random:streets:7"; of the first, the kind
+   is number SEED modulo KIT_KINDS; the same on every machine) or an OBJ file. OBJ: the camera looks at the bounds from the front, above and
    to the side so that all is in view; radius is a tenth of the bounds' diagonal. floor_: adds a square under an OBJ, at
    its lowest y, five diagonals wide, as object "floor". Every triangle has an object. Of an OBJ each is its own shape,
    at its place (to_world 1), and casts unless it is flat (its bounds' thinnest side below 1e-3 of the widest) or its
@@ -196,8 +209,11 @@ typedef struct kit_scene {
    casts. */
 int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_error *err);
 void        kit_scene_free(kit_scene *scene);
-/* name of the i-th built-in scene, NULL past the last */
+int         kit_scene_seeded(const char *name);    /* whether a name is of a scene that brings its own light */
+/* name of the i-th built-in scene, and of the i-th kind of those by seed, NULL past the last */
 const char *kit_scene_builtin(int i, const char **about);
+const char *kit_scene_kind(int i, const char **about);
+enum { KIT_KINDS = 7 };
 
 /* Appends a closed box, as an object "box", to the scene's mesh and widens its bounds. Sides at least 1e-4 units, all
    finite; albedo linear, [0, 1]. It casts as an OBJ's object would; what holds most objects now casts no more. */
@@ -216,13 +232,6 @@ void        kit_scene_move(kit_scene *scene, double time);
 
 /* ---- >>light ------------------------------------------------------------------------------------------------ */
 
-enum { KIT_SUN, KIT_POINT };
-typedef struct kit_light {
-    int   kind;
-    float at[3];                           /* SUN: unit direction to the light; POINT: where it is. World space */
-    float colour[3];                       /* SUN: irradiance facing it; POINT: radiant intensity */
-} kit_light;
-
 #define KIT_MAX_LIGHTS 16
 typedef struct kit_lighting {
     kit_image env;                         /* radiance as kit_env_read gives it; data NULL = none */
@@ -237,6 +246,8 @@ typedef struct kit_lighting {
    centre; texels are areas, the first row reaches up to the pole. env gets channels R,G,B in this order; values that
    are not finite or below 0 become 0. */
 int  kit_env_read(kit_image *env, const char *name_or_path, kit_error *err);
+/* A scene's own light, of one by seed: its environment and its lights; lighting must be empty. */
+int  kit_light_scene(kit_lighting *lighting, const kit_scene *scene, kit_error *err);
 /* Adds a sun as a disc with soft edges, whose irradiance facing it is the sun's colour, to env (1024 x 512 black texels
    first if it has no data). degrees: half-angle, from one texel's height to 45. The light must be a SUN. */
 int  kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_error *err);

@@ -1,5 +1,5 @@
-/* kit_build.h - what shapes.c, buildings.c, thin.c, solids.c, scenes.c and scene.c share: scenes being
-   built. Private to them. */
+/* kit_build.h - what shapes.c, buildings.c, thin.c, solids.c, scenes.c, scene.c and kit_seed.h's share: scenes
+   being built. Private to them. */
 #ifndef KIT_BUILD_H
 #define KIT_BUILD_H
 
@@ -7,12 +7,16 @@
 
 /* ---- >>shapes: all in local coordinates that at and turn place in the world ---------------------------------- */
 
+/* A place that what is built stands in: scaled, turned by degrees about y, then moved. scale 0: the world. */
+typedef struct kit_frame { double at[3], turn, scale; } kit_frame;
+
 typedef struct kit_build {
     kit_scene scene;
     size_t   capacity;                     /* triangles */
     uint32_t object;                       /* number of the one being built */
     int      failed;                       /* out of memory */
     double   at[3], turn, tilt;            /* turned by tilt degrees about x, then by turn about y, then moved by at */
+    kit_frame frame;                       /* and all that by it */
     float    albedo[3];
     uint32_t random;
 } kit_build;
@@ -29,6 +33,13 @@ double kit_between(kit_build *b, double low, double high);
 void   kit_rotate(const kit_build *b, const double in[3], double out[3]);
 void   kit_pose(const kit_build *b, const float from[16], float to[16]);     /* from, turned and moved by b */
 
+/* What is built between enter and leave, with places of its own, stands in a frame, which may nest; enter gives what
+   leave takes. Both set the place back to the origin. */
+kit_frame kit_enter(kit_build *b, double x, double y, double z, double turn, double size);
+void   kit_leave(kit_build *b, kit_frame before);
+
+/* wound to agree with the vertices' normals; nothing when it has no area */
+void   kit_triangle(kit_build *b, const kit_vertex *v0, const kit_vertex *v1, const kit_vertex *v2);
 /* flat, its front where the corners run counter-clockwise */
 void   kit_quad(kit_build *b, const double corner[4][3]);
 void   kit_box(kit_build *b, double x0, double y0, double z0, double x1, double y1, double z1);
@@ -84,5 +95,8 @@ void   kit_build_blocks(kit_build *b);
 void   kit_build_casters(kit_build *b);
 void   kit_build_crowd(kit_build *b);
 const kit_builtin *kit_builtin_at(int i);  /* NULL past the last */
+
+/* "random:SEED", "random:KIND:SEED": its scene, complete (seeds.c) */
+int    kit_load_seeded(kit_scene *scene, const char *name, kit_error *err);
 
 #endif

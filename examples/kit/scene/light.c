@@ -261,3 +261,10 @@ float *kit_env_interleaved(const kit_image *env)
     for (size_t i = 0; rgb && i < 3 * texels; ++i) rgb[i] = env->data[i % 3 * texels + i / 3];
     return rgb;
 }
+
+int kit_light_scene(kit_lighting *lighting, const kit_scene *scene, kit_error *err)
+{
+    if (scene->env && kit_env_read(&lighting->env, scene->env, err)) return -1;
+    for (int i = 0; i < scene->lights; i++) lighting->light[lighting->lights++] = scene->light[i];
+    return 0;
+}

@@ -65,7 +65,8 @@ static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *
     if (access(path, R_OK)) {              /* opening a pipe would wait for who writes it */
         char names[sizeof err->text] = "";
         list_names(names, sizeof names);
-        return kit_fail(err, "scene '%s': neither a file that can be read nor a built-in scene (%s)", path, names);
+        return kit_fail(err, "scene '%s': neither a file that can be read nor a built-in scene (%s, random:SEED)", path,
+                        names);
     }
     if (kit_mesh_obj(&scene->mesh, &scene->object, &scene->objects, path, err)) return -1;
     for (int k = 0; k < scene->objects; k++) scene->object[k].shape = -1;
@@ -129,6 +130,7 @@ int kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_e
         *scene = s;
         return 0;
     }
+    if (kit_scene_seeded(name_or_path)) return kit_load_seeded(scene, name_or_path, err);
     if (from_file(&s, name_or_path, floor_, err)) return -1;
     *scene = s;
     return 0;

@@ -61,7 +61,35 @@ void kit_rotate(const kit_build *b, const double in[3], double out[3])
     out[2] = -s * in[0] + c * z;
 }
 
-/* Wound to agree with the vertices' normals; nothing when it has no area. */
+/* a point, or a direction, of the frame in the world */
+static void out_of_frame(const kit_frame *f, double v[3], int point)
+{
+    const double c = cos(f->turn * KIT_PI / 180), s = sin(f->turn * KIT_PI / 180), x = v[0], z = v[2];
+    const double by = point ? f->scale : 1;
+    if (!(f->scale > 0)) return;
+    v[0] = by * (c * x + s * z) + (point ? f->at[0] : 0);
+    v[1] = by * v[1] + (point ? f->at[1] : 0);
+    v[2] = by * (c * z - s * x) + (point ? f->at[2] : 0);
+}
+
+kit_frame kit_enter(kit_build *b, double x, double y, double z, double turn, double size)
+{
+    const kit_frame before = b->frame;
+    double at[3] = { x, y, z };
+    out_of_frame(&before, at, 1);
+    memcpy(b->frame.at, at, sizeof at);
+    b->frame.turn = (before.scale > 0 ? before.turn : 0) + turn;
+    b->frame.scale = (before.scale > 0 ? before.scale : 1) * size;
+    kit_place_at(b, 0, 0, 0, 0);
+    return before;
+}
+
+void kit_leave(kit_build *b, kit_frame before)
+{
+    b->frame = before;
+    kit_place_at(b, 0, 0, 0, 0);
+}
+
 void kit_triangle(kit_build *b, const kit_vertex *v0, const kit_vertex *v1, const kit_vertex *v2)
 {
     kit_mesh *m = &b->scene.mesh;
@@ -83,8 +111,11 @@ void kit_triangle(kit_build *b, const kit_vertex *v0, const kit_vertex *v1, cons
         double p[3], n[3];
         kit_rotate(b, v[k]->p, p);
         kit_rotate(b, v[k]->n, n);
+        for (int i = 0; i < 3; i++) p[i] += b->at[i];
+        out_of_frame(&b->frame, p, 1);
+        out_of_frame(&b->frame, n, 0);
         for (int i = 0; i < 3; i++) {
-            position[i] = (float)(b->at[i] + p[i]);
+            position[i] = (float)p[i];
             normal[i] = (float)n[i];
         }
     }

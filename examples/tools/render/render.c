@@ -64,7 +64,7 @@ int render_open_settings(job *j, kit_error *err)
         return kit_fail(err, "%s: method %s is not lit; ssdo is", o->env ? "--env" : "--light", j->method.name);
     if ((j->method.lit || j->method.between) && o->floor)
         return kit_fail(err, "--floor: is of ambient visibility within a radius; this method has none");
-    if (j->method.lit && !o->planned && !o->gbuffer && !o->env && !o->lights)
+    if (j->method.lit && !o->planned && !o->gbuffer && !o->env && !o->lights && !kit_scene_seeded(o->scene))
         return kit_fail(err, "--method %s: needs light: --env sky, --env FILE or --light sun:..", j->method.name);
     j->r.lit = j->method.lit;
     j->radius = o->radius;
@@ -119,7 +119,7 @@ int render_open_scene(job *j, kit_error *err)
     if (j->o.guess && guess_radius(&j->radius, &j->scene, j->o.json, err)) return -1;
     if (!(j->radius > 0)) j->radius = (double)j->scene.radius;
     j->world.scene = &j->scene;
-    return 0;
+    return j->o.env || j->o.lights || !j->method.lit ? 0 : kit_light_scene(&j->lighting, &j->scene, err);
 }
 
 /* The planned method takes the place of --method's; nothing to do is a picture already. */

@@ -1,0 +1,175 @@
+/* seeds.c - scenes drawn from a seed: their names and kinds, and what befalls any of them: units, wrong winding, light.
+   Declared in kit_build.h. */
+#include "kit/kit_seed.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PREFIX "random:"
+
+static const struct kind { const char *name, *about; kit_kind_make *make; int indoors; } kinds[] = {
+    { "rooms",    "a furnished room: shelves, rails, blinds, cloth, cables, lamps", kit_make_room,    1 },
+    { "streets",  "a street: facades, balconies, cars, poles, signs, wires",        kit_make_street,  0 },
+    { "halls",    "a hall: columns, arches, balconies, stairs, vaults",             kit_make_hall,    1 },
+    { "foliage",  "trees, hedges, blades and cards of leaves among solids",         kit_make_foliage, 0 },
+    { "machines", "machines, tanks, pipes, ducts, gratings, ladders",               kit_make_machine, 1 },
+    { "scans",    "scanned and modelled figures on grounds and among clutter",      kit_make_scan,    0 },
+    { "terrain",  "rocky ground, stones, cliffs, what stands on it",                kit_make_terrain, 0 }
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+_Static_assert((int)KINDS == (int)KIT_KINDS, "kit.h says how many kinds there are");
+
+/* ---- >>names --------------------------------------------------------------------------------------------------- */
+
+const char *kit_scene_kind(int i, const char **about)
+{
+    if (i < 0 || i >= KINDS) return NULL;
+    if (about) *about = kinds[i].about;
+    return kinds[i].name;
+}
+
+int kit_scene_seeded(const char *name) { return !strncmp(name, PREFIX, strlen(PREFIX)); }
+
+static int named_kind(const char *word, size_t length)
+{
+    for (int k = 0; k < KINDS; k++)
+        if (strlen(kinds[k].name) == length && !memcmp(kinds[k].name, word, length)) return k;
+    return -1;
+}
+
+/* "random:7", "random:streets:7" */
+static int parse(unsigned *seed, int *kind, const char *name, kit_error *err)
+{
+    const char *word = name + strlen(PREFIX), *colon = strchr(word, ':'), *number = colon ? colon + 1 : word;
+    size_t used = 0;
+    *kind = colon ? named_kind(word, (size_t)(colon - word)) : 0;
+    if (*kind < 0) {
+        char names[256] = "";
+        for (int k = 0; k < KINDS; k++)
+            snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", k ? ", " : "", kinds[k].name);
+        return kit_fail(err, "scene '%s': '%.*s' is no kind (%s)", name, (int)(colon - word), word, names);
+    }
+    for (*seed = 0; number[used] >= '0' && number[used] <= '9' && used < 10; used++)
+        *seed = 10 * *seed + (unsigned)(number[used] - '0');
+    if (!used || used > 9 || number[used])
+        return kit_fail(err, "scene '%s': the seed must be a whole number 0..999999999, not '%s'", name, number);
+    if (!colon) *kind = (int)(*seed % KINDS);
+    return 0;
+}
+
+/* ---- >>what assets bring --------------------------------------------------------------------------------------- */
+
+/* Swaps two corners of triangle t; faces: its normals turn with it. */
+static void invert(kit_mesh *m, size_t t, int faces)
+{
+    float *const of[2] = { m->position + 9 * t, m->normal + 9 * t };
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 3; i++) {
+            const float swap = of[k][3 + i];
+            of[k][3 + i] = of[k][6 + i];
+            of[k][6 + i] = swap;
+        }
+    for (int i = 0; i < 9 && faces; i++) of[1][i] = -of[1][i];
+}
+
+/* Every third scene has objects whose winding is wrong, with their normals or without. */
+static void wrong_winding(kit_build *b)
+{
+    kit_scene *s = &b->scene;
+    char *way = calloc((size_t)s->objects + 1, 1);
+    const double share = kit_odds(b, 0.34) ? kit_between(b, 0.05, 0.35) : 0;
+    if (!way) { b->failed = 1; return; }
+    for (int k = 1; k <= s->objects; k++) way[k] = (char)(kit_odds(b, share) ? 1 + kit_choose(b, 2) : 0);
+    for (size_t t = 0; t < s->mesh.triangles; t++)
+        if (way[s->mesh.object[t]]) invert(&s->mesh, t, way[s->mesh.object[t]] == 2);
+    free(way);
+}
+
+/* Metres, or what else people model in. */
+static void change_units(kit_build *b)
+{
+    static const double units[] = { 1, 1, 1, 1, 1, 100, 100, 39.370079, 0.01, 0.1 };
+    const float by = (float)units[kit_choose(b, (int)(sizeof units / sizeof *units))];
+    kit_scene *s = &b->scene;
+    for (size_t i = 0; i < 9 * s->mesh.triangles; i++) s->mesh.position[i] *= by;
+    for (int i = 0; i < 3; i++) { s->camera.eye[i] *= by; s->camera.target[i] *= by; }
+    s->camera.ortho_height *= by;
+    s->camera.znear *= by;
+    s->radius *= by;
+    for (int k = 0; k < s->lights; k++)
+        for (int i = 0; i < 3 && s->light[k].kind == KIT_POINT; i++) {
+            s->light[k].at[i] *= by;
+            s->light[k].colour[i] *= by * by;
+        }
+}
+
+/* ---- >>light --------------------------------------------------------------------------------------------------- */
+
+static void add_sun(kit_build *b)
+{
+    kit_scene *s = &b->scene;
+    const double turn = kit_between(b, 0, 2 * KIT_PI), high = kit_between(b, 0.25, 1.2), strong = kit_between(b, 1.5, 4);
+    kit_light *l = &s->light[s->lights++];
+    *l = (kit_light){ KIT_SUN, { (float)(cos(high) * cos(turn)), (float)sin(high), (float)(cos(high) * sin(turn)) },
+                      { (float)strong, (float)(strong * (0.8 + 0.15 * high)), (float)(strong * (0.55 + 0.3 * high)) } };
+}
+
+static void light_up(kit_plot *p, int indoors)
+{
+    static const char *const inside[] = { "windows", "windows", "probe", "sky", "white" },
+                            *const outside[] = { "sky", "sky", "sky", "street", "white" };
+    kit_build *b = &p->b;
+    kit_scene *s = &b->scene;
+    s->env = (indoors ? inside : outside)[kit_choose(b, 5)];
+    if (!indoors && !strcmp(s->env, "sky") && kit_odds(b, 0.6)) add_sun(b);
+    for (int k = 0; k < p->lamps && s->lights < KIT_SCENE_LIGHTS; k++) {
+        const double strong = kit_between(b, 0.4, 2.5);
+        if (kit_odds(b, 0.4)) continue;
+        kit_light *l = &s->light[s->lights++];
+        *l = (kit_light){ KIT_POINT, { (float)p->lamp[k][0], (float)p->lamp[k][1], (float)p->lamp[k][2] },
+                          { (float)strong, (float)(0.82 * strong), (float)(0.6 * strong) } };
+    }
+}
+
+/* ---- >>a scene ------------------------------------------------------------------------------------------------- */
+
+int kit_load_seeded(kit_scene *scene, const char *name, kit_error *err)
+{
+    unsigned seed;
+    int kind;
+    kit_plot *p = calloc(1, sizeof *p);
+    if (!p || parse(&seed, &kind, name, err)) {
+        free(p);
+        return p ? -1 : kit_fail(err, "scene '%s': no memory", name);
+    }
+    kit_build *b = &p->b;
+    kit_scene *s = &b->scene;
+    s->camera.up[1] = 1;
+    s->camera.width = 1280;
+    s->camera.height = 720;
+    b->random = seed * 2654435761u + 40503u * (unsigned)kind + 1;
+    for (int i = 0; i < 4; i++) kit_chance(b);
+    kit_colour(b, 0.8, 0.8, 0.8);
+    kinds[kind].make(p);
+    if (!s->objects && !p->missing) kit_begin_object(b, kinds[kind].name, -1);
+    b->frame.scale = 0;
+    if (!p->missing && !b->failed) {
+        kit_mesh_bounds(&s->mesh);
+        b->failed = kit_look(s, p, seed) != 0;
+        light_up(p, kinds[kind].indoors);
+        wrong_winding(b);
+        change_units(b);
+        b->failed = b->failed || kit_complete(s, 0);
+    }
+    const int failed = p->missing ? kit_fail(err, "scene '%s': %s is missing; install the package %s (apt-get install %s)",
+                                             name, p->missing, p->package, p->package)
+                       : b->failed ? kit_fail(err, "scene '%s': no memory", name)
+                                   : 0;
+    s->name = name;
+    s->about = kinds[kind].about;
+    if (failed) kit_scene_free(s);
+    else *scene = *s;
+    free(p);
+    return failed;
+}
