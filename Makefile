@@ -73,7 +73,7 @@ build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 REPORT = lab/report tools/glsl/choices $(addprefix lab/measure/,folder rows picture stage score clock measure halved peers) \
          $(addprefix lab/page/,page table svg scatter pictures terms units) \
          $(addprefix lab/chart/,ao strip lit pairs fields fields_demo fields_stage deep deep_demo deep_moving deep_stage \
-         plan costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
+         plan planned costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -139,6 +139,11 @@ fit: build/report
 	build/report fit
 	$(CC) -std=c11 $(CFLAGS) -Wno-unused-function examples/lab/fit.c -lm -o build/fit
 	build/fit report/plan-fit.csv $(wildcard report/plan-gpu.csv)
+
+# Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:steps=12.
+TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score)
+build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # The text of every pass, dialect and feature choice, as plain files; manifest.json says what belongs together.
 # make glsl WGSL=1 HLSL=1 MSL=1 SPV=1: what other compilers make of the vulkan ones, beside them; each needs a tool, which

@@ -230,13 +230,14 @@ int stage_light(stage *s, kit_error *err)
 static int light_up(stage *s, kit_error *err)
 {
     const lit *l = s->lit;
-    if (l->env && kit_env_read(&s->lighting.env, l->env, err)) return -1;
+    const char *env = l->env ? l->env : s->scene.env;
+    if (env && kit_env_read(&s->lighting.env, env, err)) return -1;
     for (int i = 0; i < MOST_SUNS && l->light[i]; ++i)
         if (kit_light_parse(&s->lighting.light[s->lighting.lights++], l->light[i], err)) return -1;
     s->traced = s->lighting;
     if (!l->local) return 0;
     memset(&s->traced, 0, sizeof s->traced);
-    if (l->env && kit_env_read(&s->traced.env, l->env, err)) return -1;
+    if (env && kit_env_read(&s->traced.env, env, err)) return -1;
     for (int i = 0; i < s->lighting.lights; ++i)
         if (kit_env_add_sun(&s->traced.env, &s->lighting.light[i], SUN, err)) return -1;
     return 0;

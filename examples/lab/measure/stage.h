@@ -24,7 +24,7 @@ enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
 
 /* What lights a view (as build/render's options take it), how it is shown, and its truth. local: suns are blocked as
    the environment is, within the radius, not by all of the scene; in the truth they then are discs of SUN degrees
-   around. */
+   around. env NULL: the scene's own, of scenes by seed. */
 enum { MOST_SUNS = 2, MOST_CROPS = 2, SUN = 3 };
 typedef struct lit {
     const char *env, *light[MOST_SUNS];
