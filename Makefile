@@ -205,7 +205,7 @@ glsl-out glsl-in: build/library
 	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }
 	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
 
-TESTS = main t others $(addprefix test_,math trace files models library text twins pipeline light vectors field casters \
+TESTS = main t others $(addprefix test_,math trace files models seeds library text twins pipeline light vectors field casters \
         steps surfels plan papers stability build)
 TEST_H = tests/t.h tests/own.h tests/others.h tests/frames.h
 build/tests/%.o: tests/%.c $(HEADERS) $(EXAMPLE_H) $(TEST_H) | deps
