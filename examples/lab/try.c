@@ -1,10 +1,10 @@
 /* try.c - settings tried on scenes by seed, for whoever tunes: what each errs by as a share of doing nothing, and how it
    differs from the first, scene by scene.
 
-      build/try [--from 0] [--count 70] [--light] [--radius R] [--out try.csv] [--against other.csv] METHOD[:key=value,..] ..
+      build/try [--from 0] [--count 70] [--light | --bounce] [--radius R] [--out try.csv] [--against other.csv] METHOD[:key=value,..] ..
 
    Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused. --light: of irradiance under
-   the scenes' own environments, no bounce. --against: the same settings as another build measured them, in the order
+   the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same settings as another build measured them, in the order
    given; so a change of the headers is tried in two work trees. Pictures are 320x180, truth at every second pixel both
    ways, kept under build/cache. A process a core. */
 #include <math.h>
@@ -20,7 +20,7 @@ enum { WIDTH = 320, HEIGHT = 180, TRY_RAYS = 256, LIGHT_RAYS = 384, MOST_TRIED =
 
 typedef struct tried { char method[64], settings[256]; } tried;
 typedef struct trial {
-    int         from, count, light, entries, against;
+    int         from, count, light, bounce, entries;
     float       radius;                     /* times the scene's own */
     const char *out, *other;
     tried       entry[MOST_TRIED];
@@ -29,11 +29,12 @@ typedef struct trial {
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
 
+/* Of visibility, of irradiance, or of what one bounce brings. */
 static double error_of(const stage *s, const kit_image *picture, kit_error *err)
 {
     row r = row_blank(0, s->name, "", "", "");
     if (score_picture(&r, s, picture, err)) return (double)NAN;
-    return s->lit ? r.error[1] : r.score.rmse;
+    return s->lit ? r.error[s->lit->bounce ? 2 : 1] : r.score.rmse;
 }
 
 static int measure_seed(const trial *t, int k, kit_error *err)
@@ -41,7 +42,7 @@ static int measure_seed(const trial *t, int k, kit_error *err)
     char name[64];
     stage s;
     kit_image picture;
-    const lit of_light = { .rays = LIGHT_RAYS, .exposure = 1 };
+    const lit of_light = { .rays = LIGHT_RAYS, .exposure = 1, .bounce = t->bounce };
     view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
     snprintf(name, sizeof name, "random:%d", t->from + k);
     if (stage_load(&s, &v, err)) return -1;
@@ -180,7 +181,11 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
     *t = (trial){ .count = 70, .radius = 1, .out = "try.csv" };
     for (int i = 1; i < argc; ++i) {
         const char *const a = argv[i], *const v = i + 1 < argc ? argv[i + 1] : NULL;
-        if (!strcmp(a, "--light")) { t->light = 1; continue; }
+        if (!strcmp(a, "--light") || !strcmp(a, "--bounce")) {
+            t->light = 1;
+            t->bounce = !strcmp(a, "--bounce");
+            continue;
+        }
         if (strncmp(a, "--", 2)) {
             if (add_entry(t, a, err)) return -1;
             continue;
@@ -197,7 +202,7 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
     if (t->from < 0 || t->count < 2 || t->from + t->count > JUDGED)
         return kit_fail(err, "--from, --count: at least two seeds below %d; those from there on are for judging", JUDGED);
     if (!(t->radius > 0)) return kit_fail(err, "--radius: must be above 0, times the scene's own");
-    return t->entries ? 0 : kit_fail(err, "usage: try [--from 0] [--count 70] [--light] [--radius 1] [--out try.csv] "
+    return t->entries ? 0 : kit_fail(err, "usage: try [--from 0] [--count 70] [--light | --bounce] [--radius 1] [--out try.csv] "
                                           "[--against other.csv] METHOD[:key=value,..] ..");
 }
 
