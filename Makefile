@@ -70,9 +70,9 @@ build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-REPORT = lab/report tools/glsl/choices $(addprefix lab/measure/,folder rows picture stage score clock measure halved peers) \
-         $(addprefix lab/page/,page table svg scatter pictures terms units) \
-         $(addprefix lab/chart/,ao strip lit pairs fields fields_demo fields_stage deep deep_demo deep_moving deep_stage \
+REPORT = lab/report tools/glsl/choices $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved peers) \
+         $(addprefix lab/page/,page table svg scatter pictures terms units csv) \
+         $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo deep_moving deep_stage \
          plan costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
@@ -128,7 +128,7 @@ stability: build/stability build/figures
 	build/figures
 
 # examples/docs/FIGURES.md, from the csv of chart, stability and papers; of quick ones report/FIGURES.md.
-FIGURES = $(addprefix lab/figures/,figures csv markdown tables ambient choices stability papers)
+FIGURES = lab/measure/spread lab/page/csv $(addprefix lab/figures/,figures markdown tables ambient choices stability papers)
 build/figures: $(FIGURES:%=build/examples/%.o) build/kit/util.o
 	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
 

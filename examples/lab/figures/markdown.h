@@ -3,7 +3,7 @@
 #define LAB_MARKDOWN_H
 
 #include <stdio.h>
-#include "lab/figures/csv.h"
+#include "lab/page/csv.h"
 
 typedef struct markdown {
     FILE       *file;

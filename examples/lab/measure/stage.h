@@ -11,7 +11,8 @@
 #define MAPLE   "build/models/maple.obj"
 #define HOUSE   "build/models/fzk-house.obj"
 
-/* of the truth of ambient visibility; the floor is traced at every FLOOR_STRIDE-th pixel both ways */
+/* of the truth of ambient visibility; the floor is traced at every FLOOR_STRIDE-th pixel both ways (at every third of
+   those of the truth where that has a stride) */
 enum { RAYS = 256, FLOOR_STRIDE = 4 };
 /* of light the truth is traced at every LIT_STRIDE-th pixel both ways, and probed at some of these. A stride's pixel is
    the middle one of its block: strides on which that is traced, too */
@@ -22,9 +23,11 @@ enum { LIT_STRIDE = 2 };
 extern int stage_thrift;
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
 
-/* What lights a view (as build/render's options take it), how it is shown, and its truth. local: suns are blocked as
+/* What lights a view (as build/render's options take it; OWN_ENV: the environment that its scene brings), how it is shown,
+   and its truth. local: suns are blocked as
    the environment is, within the radius, not by all of the scene; in the truth they then are discs of SUN degrees
    around. */
+#define OWN_ENV "own"
 enum { MOST_SUNS = 2, MOST_CROPS = 2, SUN = 3 };
 typedef struct lit {
     const char *env, *light[MOST_SUNS];
