@@ -71,7 +71,7 @@ build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
 REPORT = lab/report tools/glsl/choices $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved peers) \
-         $(addprefix lab/page/,page table svg scatter pictures terms units csv) \
+         $(addprefix lab/page/,page table svg scatter dots pictures terms units csv) \
          $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo deep_moving deep_stage \
          plan costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)

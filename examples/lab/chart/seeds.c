@@ -13,10 +13,9 @@
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
 
-/* Truth at every second pixel both ways. Of light: rays that leave the truth's noise below a tenth of what methods err
-   by. */
-enum { SEED_WIDTH = 320, SEED_HEIGHT = 180, SEED_RAYS = 256, SEED_LIGHT_RAYS = 256, SEEDS = 100, SEEDS_QUICK = 21,
-    MOST_SEED_ROWS = 2 * MOST_ROWS };
+/* Truth at every second pixel both ways. */
+enum { SEED_WIDTH = 320, SEED_HEIGHT = 180, SEED_RAYS = 256, SEED_LIGHT_RAYS = 256, SEED_NOISY_RAYS = 1024,
+    SEEDS = 100, SEEDS_QUICK = 21, WORKERS = 8 };
 static const lit seed_light = { OWN_ENV, { NULL }, 0, 0, 0, SEED_LIGHT_RAYS, 1, NO_CROPS };
 
 static int first_of(const options *o) { return o->first < 0 ? SEEDS_JUDGED : o->first; }
@@ -72,8 +71,6 @@ static int own_picture(FILE *html, stage *s, const char *out, const char *slug, 
 
 /* ---- >>measure: one scene ---------------------------------------------------------------------------------------- */
 
-static const char *base_of(int first) { return first < SEEDS_JUDGED ? "seeds-fit" : "seeds"; }
-
 /* A seed's stage: quick charts have as large pictures, but fewer rays. 1; 0 = a package that it needs is not there. */
 static int seed_open(stage *s, const view *v, kit_error *err)
 {
@@ -118,7 +115,7 @@ static int visible_rows(FILE *html, const options *o, const view *v, row *rows, 
     if (there <= 0) return there;
     snprintf(slug, sizeof slug, "%s", v->name);
     snprintf(note, sizeof note, "%zu triangles, %d lights, %s", s.scene.mesh.triangles, s.scene.lights, s.scene.env);
-    fprintf(html, "<div><h3>%s</h3>\n<div class=\"grid thumbs\">\n", v->name);
+    fprintf(html, "<div id=\"%s\"><h3>%s</h3>\n<div class=\"grid thumbs\">\n", v->name, v->name);
     if (own_picture(html, &s, o->out, slug, note, err) || stage_compare(&s, err)
         || measure_entries(rows, &s, entries, count, 0, 0, pictures, err)
         || small_pictures(html, &s, o->out, slug, rows, pictures, count, err))
@@ -131,7 +128,14 @@ static int visible_rows(FILE *html, const options *o, const view *v, row *rows, 
     return count + 1;                                /* without no AO's row, whose share is 1 */
 }
 
-/* Light's rows by the scene's environment, then those of the true visibility and of the truth's noise. visible: that. */
+/* The truth's, so that its noise stays below a tenth of what methods err by: much light comes from small bright parts of
+   some environments. */
+static int rays_for(const char *env)
+{
+    return !strcmp(env, "windows") || !strcmp(env, "probe") ? SEED_NOISY_RAYS : SEED_LIGHT_RAYS;
+}
+
+/* Light's rows by the scene's environment, then those of the true visibility (visible) and of the truth's noise. */
 static int light_rows(const options *o, const view *v, row *rows, kit_image *visible, kit_error *err)
 {
     entry entries[MOST_ENTRIES];
@@ -139,7 +143,7 @@ static int light_rows(const options *o, const view *v, row *rows, kit_image *vis
     stage s;
     if (!count) return 0;
     if (seed_open(&s, v, err) <= 0) return -1;
-    s.rays = s.lit->rays;                            /* a quick chart's, too: noise is not to be scored */
+    s.rays = rays_for(s.scene.env);                  /* a quick chart's, too: noise is not to be scored */
     if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, 0, 0, NULL, err)) return -1;
     const double open = rows[count].error[1];        /* measure left no occlusion's row there */
     if (stage_dim(visible, &s, err) || score_named(&rows[count], &s, PAIRS_SCALAR, visible, err)
@@ -156,7 +160,7 @@ static int seed_unit(FILE *html, const options *o, int seed, row *rows, kit_erro
     kit_image truth = { 0 };
     if (!rows) return 1;
     snprintf(path, sizeof path, "random:%d", seed);
-    snprintf(name, sizeof name, "%s-%d", kit_scene_kind(seed % KIT_KINDS, NULL), seed);
+    seeds_name(name, seed);
     snprintf(lit_name, sizeof lit_name, "%s-light", name);
     const view v = { .name = name, .path = path }, in_light = { .name = lit_name, .path = path, .lit = &seed_light };
     const int visible = visible_rows(html, o, &v, rows, &truth, err);
@@ -206,7 +210,7 @@ static int cores(const options *o)
 {
     const char *text = getenv("KIT_THREADS");
     const long there = text && atoi(text) > 0 ? atoi(text) : sysconf(_SC_NPROCESSORS_ONLN);
-    const int most = count_of(o) < 8 ? count_of(o) : 8;
+    const int most = count_of(o) < WORKERS ? count_of(o) : WORKERS;
     return o->context && strcmp(o->context, "osmesa") ? 1 : there > most ? most : (int)there;
 }
 
@@ -241,41 +245,68 @@ int seeds_ahead(const options *o, kit_error *err)
 
 static seeds all;
 
-/* The seeds' rows, each scene's part of its kind's page. */
-static int measure_all(FILE **pages, const options *o, kit_error *err)
+/* A scene's rows, kept for the tables; those before it were of as many. */
+static int take(int k, const row *rows, int count, kit_error *err)
+{
+    row *own = malloc((size_t)count * sizeof *own);
+    if (!own) return kit_fail(err, "out of memory");
+    memcpy(own, rows, (size_t)count * sizeof *own);
+    free((void *)all.row[k]);
+    all.rows = count;
+    all.row[k] = own;
+    return 0;
+}
+
+/* The seeds' rows; each scene's part of its kind's page. */
+static int measure_all(FILE *const *kinds, const options *o, kit_error *err)
 {
     row *rows = calloc(MOST_SEED_ROWS, sizeof *rows);
-    all = (seeds){ .base = base_of(first_of(o)), .first = first_of(o), .count = count_of(o) };
-    if (!rows) return kit_fail(err, "out of memory");
-    for (int k = 0; k < all.count; ++k) {
-        const int seed = all.first + k, count = units_measure(pages[seed % KIT_KINDS], o, "seed", seed, seed_unit, rows,
-                                                              err);
-        if (count < 0) { free(rows); return -1; }
-        if (!count) continue;
-        row *own = malloc((size_t)count * sizeof *own);
-        if (!own) { free(rows); return kit_fail(err, "out of memory"); }
-        memcpy(own, rows, (size_t)count * sizeof *own);
-        all.rows = count;
-        all.row[k] = own;
+    int failed = rows ? 0 : kit_fail(err, "out of memory");
+    for (int k = 0; k < MOST_SEEDS; ++k) free((void *)all.row[k]);
+    all = (seeds){ .base = first_of(o) < SEEDS_JUDGED ? "seeds-fit" : "seeds", .first = first_of(o),
+                   .count = count_of(o) };
+    for (int k = 0; k < all.count && !failed; ++k) {
+        const int seed = all.first + k,
+                  count = units_measure(kinds[seed % KIT_KINDS], o, "seed", seed, seed_unit, rows, err);
+        failed = count < 0 || (count && take(k, rows, count, err));
     }
     free(rows);
-    return 0;
+    return failed ? -1 : 0;
+}
+
+/* What pages link to and build/figures reads. */
+static int write_csv(const options *o, kit_error *err)
+{
+    const char *kind = o->method || o->seeds ? "part" : o->quick ? "quick" : "full";
+    char name[64], note[64], command[96];
+    page csv;
+    if (page_open(&csv, err)) return -1;
+    seeds_csv(csv.file, &all);
+    snprintf(name, sizeof name, "%s.csv", all.base);
+    snprintf(note, sizeof note, "%s.txt", all.base);
+    snprintf(command, sizeof command, "build/report seeds%s --from %d --count %d", o->quick ? " --quick" : "",
+             all.first, all.count);
+    return page_close(&csv, o->out, name, err) || page_note(o->out, note, kind, command, err) ? -1 : 0;
 }
 
 int seeds_chart(FILE *html, const options *o, kit_error *err)
 {
-    page pages[KIT_KINDS], csv;
-    FILE *file[KIT_KINDS];
+    page pages[KIT_KINDS];
+    FILE *kinds[KIT_KINDS];
     char name[64];
     for (int k = 0; k < KIT_KINDS; ++k) {
         if (page_open(&pages[k], err)) return -1;
-        file[k] = pages[k].file;
+        kinds[k] = pages[k].file;
+        seeds_kind_head(kinds[k], first_of(o) < SEEDS_JUDGED, k);
     }
-    if (measure_all(file, o, err) || page_open(&csv, err)) return -1;
-    seeds_csv(csv.file, &all);
-    snprintf(name, sizeof name, "%s.csv", all.base);
-    (void)html;
-    return page_close(&csv, o->out, name, err);
+    if (measure_all(kinds, o, err) || write_csv(o, err)) return -1;
+    for (int k = 0; k < KIT_KINDS; ++k) {
+        snprintf(name, sizeof name, "%s-%s.html", all.base, kit_scene_kind(k, NULL));
+        fputs("</div>\n", kinds[k]);
+        if (page_close(&pages[k], o->out, name, err)) return -1;
+    }
+    seeds_beside(&all, o->out);
+    return seeds_section(html, &all, o->out, err);
 }
 
 void seeds_text(FILE *f) { seeds_table_text(f, &all); }

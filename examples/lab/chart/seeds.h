@@ -1,6 +1,7 @@
 /* seeds.h - scenes drawn from seeds: every row of ambient occlusion's and of light's tables on as many as one likes,
    without times. Seeds below SEEDS_JUDGED may be looked at while settings are tuned; those from there on only report.
-   Writes seeds.csv, seeds.svg and seeds-KIND.html; of seeds to tune on seeds-fit.csv and the like. */
+   Writes seeds.csv, seeds-ao.svg, seeds-light.svg and seeds-KIND.html; of seeds to tune on seeds-fit.csv and the
+   like. */
 #ifndef LAB_SEEDS_H
 #define LAB_SEEDS_H
 

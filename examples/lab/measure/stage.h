@@ -23,8 +23,8 @@ enum { LIT_STRIDE = 2 };
 extern int stage_thrift;
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
 
-/* What lights a view (as build/render's options take it; OWN_ENV: the environment that its scene brings), how it is shown,
-   and its truth. local: suns are blocked as
+/* What lights a view (as build/render's options take it; OWN_ENV: what its scene brings), how it is shown, and its
+   truth. local: suns are blocked as
    the environment is, within the radius, not by all of the scene; in the truth they then are discs of SUN degrees
    around. */
 #define OWN_ENV "own"
