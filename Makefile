@@ -114,6 +114,12 @@ papers: build/report build/figures
 light: build/report
 	build/report light $(if $(QUICK),--quick) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 
+# The chart's part on scenes by seed alone; report/seeds.html. make seeds QUICK=1 is smaller. Seeds from 1000 on only
+# report: FROM=0 has those that settings may be tuned on; report/seeds-fit.html.
+seeds: build/report
+	build/report seeds $(if $(QUICK),--quick) $(METHOD:%=--method %) $(FROM:%=--from %) $(COUNT:%=--count %) \
+	  $(CONTEXT:%=--context %)
+
 # What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library.
 PEERS = three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6 @babylonjs/core@9.34.0 playcanvas@2.23.3
 peers:
@@ -128,7 +134,7 @@ stability: build/stability build/figures
 	build/figures
 
 # examples/docs/FIGURES.md, from the csv of chart, stability and papers; of quick ones report/FIGURES.md.
-FIGURES = lab/measure/spread lab/page/csv $(addprefix lab/figures/,figures markdown tables ambient choices stability papers)
+FIGURES = lab/measure/spread lab/page/csv $(addprefix lab/figures/,figures markdown tables seeds ambient choices stability papers)
 build/figures: $(FIGURES:%=build/examples/%.o) build/kit/util.o
 	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
 
@@ -243,7 +249,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light papers peers stability fit glsl \
+.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability fit glsl \
         golden deps format clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).

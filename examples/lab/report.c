@@ -126,7 +126,7 @@ static int chart_sections(FILE *html, const options *o, int all, int whole, kit_
     if (all && (lit_chart(html, o, err) || pairs_chart(html, o, err) || fields_chart(html, o, err)
         || deep_chart(html, o, err)))
         return -1;
-    if (whole && plan_chart(html, o, err)) return -1;
+    if (whole && (seeds_chart(html, o, err) || plan_chart(html, o, err))) return -1;
     return whole && !o->quick && costs_chart(html, o->out, err) ? -1 : 0;
 }
 
@@ -149,6 +149,7 @@ static void chart_text(const options *o, int all, int whole)
     if (all) pairs_text(stdout, o);
     if (all) fields_chart_text(stdout);
     if (all) deep_chart_text(stdout);
+    if (whole) seeds_text(stdout);
     if (whole) plan_text(stdout);
     printf("\ntime: relative to one unblurred 16-sample ssao, on %s\ncharts: %s/index.html\n", kit_gl_name(), o->out);
 }
@@ -160,7 +161,8 @@ static int chart(const options *o, kit_error *err)
     page html;
     if (check_asked(o, err)) return -1;
     if (o->quick) stage_thrift = QUICK_THRIFT;
-    units_begin(o, ao_units(o) + (all ? lit_units(o) + pairs_units(o) + fields_units(o) + deep_units(o) : 0));
+    units_begin(o, ao_units(o) + (all ? lit_units(o) + pairs_units(o) + fields_units(o) + deep_units(o) : 0)
+                       + (whole ? seeds_units(o) : 0));
     if (page_open(&html, err)) return -1;
     chart_head(html.file, o->quick);
     if (chart_sections(html.file, o, all, whole, err)) return -1;
@@ -174,6 +176,12 @@ static int chart(const options *o, kit_error *err)
     units_end();
     chart_text(o, all, whole);
     return 0;
+}
+
+/* Scenes by seed are not timed, so that several are measured at once. */
+static int chart_ahead(const options *o, kit_error *err)
+{
+    return o->scenes || o->method ? 0 : seeds_ahead(o, err);
 }
 
 /* Light on every pair alone: light.html. */
@@ -261,7 +269,7 @@ enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32 };
 typedef int step(const options *o, kit_error *err);
 static const struct command { const char *name; int takes; step *run, *ahead; } commands[] = {
     { "demo",   MESH,                    demo,   NULL },
-    { "chart",  QUICK | SCENES | METHOD, chart,  NULL },
+    { "chart",  QUICK | SCENES | METHOD, chart,  chart_ahead },
     { "light",  QUICK | SCENES | METHOD, light,  NULL },
     { "seeds",  QUICK | METHOD | SEEDS,  seeds,  seeds_ahead },
     { "papers", QUICK | PAPER,           papers, NULL },

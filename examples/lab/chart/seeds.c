@@ -128,8 +128,8 @@ static int visible_rows(FILE *html, const options *o, const view *v, row *rows, 
     return count + 1;                                /* without no AO's row, whose share is 1 */
 }
 
-/* The truth's, so that its noise stays below a tenth of what methods err by: much light comes from small bright parts of
-   some environments. */
+/* The truth's, so that its noise stays below a tenth of what methods err by: in some environments small bright parts
+   bring much of the light. */
 static int rays_for(const char *env)
 {
     return !strcmp(env, "windows") || !strcmp(env, "probe") ? SEED_NOISY_RAYS : SEED_LIGHT_RAYS;
@@ -277,7 +277,10 @@ static int measure_all(FILE *const *kinds, const options *o, kit_error *err)
 /* What pages link to and build/figures reads. */
 static int write_csv(const options *o, kit_error *err)
 {
-    const char *kind = o->method || o->seeds ? "part" : o->quick ? "quick" : "full";
+    const char *kind = o->method            ? "part"
+                       : o->quick           ? "quick"
+                       : count_of(o) < SEEDS ? "part"
+                                             : "full";
     char name[64], note[64], command[96];
     page csv;
     if (page_open(&csv, err)) return -1;

@@ -17,6 +17,8 @@ void seeds_name(char name[32], int seed)
 
 int seeds_lit(const row *r) { return (r->of & OF_LIT) != 0; }
 
+static const char *kind_of(const seeds *s, int k) { return kit_scene_kind((s->first + k) % KIT_KINDS, NULL); }
+
 /* A scene that was not left out; NULL: there is none. */
 static const row *names_of(const seeds *s)
 {
@@ -27,8 +29,10 @@ static const row *names_of(const seeds *s)
 /* The method comes first where the label does not tell it. */
 static const char *settings_of(char out[160], const row *r)
 {
-    const int told = !strcmp(r->label, r->method) || !strcmp(r->method, "none") || !strcmp(r->method, "floor");
-    snprintf(out, 160, "%s%s%s", told ? "" : r->method, told || !*r->settings ? "" : " ", r->settings);
+    const int none = !strcmp(r->method, "none") || !strcmp(r->method, "floor"),
+              told = none || !strcmp(r->label, r->method);
+    snprintf(out, 160, "%s%s%s", told ? "" : r->method, told || !*r->settings ? "" : " ",
+             told && !none && !*r->settings ? "defaults" : r->settings);
     return out;
 }
 
@@ -158,15 +162,23 @@ void seeds_table_text(FILE *f, const seeds *s)
 
 /* ---- >>csv ------------------------------------------------------------------------------------------------------- */
 
+static void figure_csv(FILE *f, double v)
+{
+    if (isnan(v)) fputc(',', f);
+    else fprintf(f, ",%.6g", v);
+}
+
 void seeds_csv(FILE *f, const seeds *s)
 {
     fputs("seed,kind,what,label,method,settings,share,bias,time\n", f);
     for (int k = 0; k < s->count; ++k)
         for (int i = 0; i < s->rows && s->row[k]; ++i) {
             const row *r = &s->row[k][i];
-            fprintf(f, "%d,%s,%s,\"%s\",%s,\"%s\",%.6g,%.6g,\n", s->first + k,
-                    kit_scene_kind((s->first + k) % KIT_KINDS, NULL), seeds_lit(r) ? "light" : "ao", r->label,
-                    r->method, r->settings, r->share, seeds_lit(r) ? r->bias[1] : r->score.bias);
+            fprintf(f, "%d,%s,%s,\"%s\",%s,\"%s\"", s->first + k, kind_of(s, k), seeds_lit(r) ? "light" : "ao",
+                    r->label, r->method, r->settings);
+            figure_csv(f, r->share);
+            figure_csv(f, seeds_lit(r) ? r->bias[1] : r->score.bias);
+            fputs(",\n", f);
         }
 }
 
@@ -197,9 +209,10 @@ static void table_head(FILE *f, const seeds *s, int lit)
 static void table_row(FILE *f, const seeds *s, int i, int less)
 {
     const row *r = &names_of(s)[i];
-    const spread all = spread_of_row(s, i, -1), off = spread_of_row(s, i, less);
+    spread all = spread_of_row(s, i, -1), off = spread_of_row(s, i, less);
     char text[160], name[32];
     const int known = less >= 0 && less != i;
+    if (all.worst < 0) all.worst = 0;
     fprintf(f, "<tr%s><td>", i && strcmp(r->label, r[-1].label) ? " class=\"first\"" : "");
     page_escaped(f, r->label);
     fprintf(f, "<td><code>%s</code>", settings_of(text, r));
@@ -209,9 +222,8 @@ static void table_row(FILE *f, const seeds *s, int i, int less)
     cell(f, known ? off.half : (double)NAN, 3, 0);
     cell(f, all.median, 3, 0);
     cell(f, all.most, 3, 0);
-    seeds_name(name, s->first + (all.worst < 0 ? 0 : all.worst));
-    fprintf(f, "<td><a href=\"%s-%s.html#%s\">%s</a><td>%d", s->base,
-            kit_scene_kind((s->first + all.worst) % KIT_KINDS, NULL), name, name, all.above);
+    seeds_name(name, s->first + all.worst);
+    fprintf(f, "<td><a href=\"%s-%s.html#%s\">%s</a><td>%d", s->base, kind_of(s, all.worst), name, name, all.above);
     for (int k = 0; k < KIT_KINDS; ++k) cell(f, mean_in(s, i, k), 3, 0);
     cell(f, s->time[i], 2, 0);
     cell(f, s->mean[i], 3, 0);
@@ -251,7 +263,7 @@ static void sheet(FILE *f, const seeds *s)
         if (!s->row[k]) continue;
         fprintf(f, "<a href=\"%s-%s.html#%s\"><img src=\"%s.png\" loading=\"lazy\" width=\"320\" height=\"180\" "
                    "alt=\"%s\" title=\"%s\"></a>\n",
-                s->base, kit_scene_kind((s->first + k) % KIT_KINDS, NULL), name, name, name, name);
+                s->base, kind_of(s, k), name, name, name, name);
         ++shown;
     }
     fputs("</div>\n", f);
@@ -298,7 +310,7 @@ void seeds_kind_head(FILE *html, int tuned, int kind)
     snprintf(title, sizeof title, "ssgi: scenes by seed, %s", name);
     page_head(html, title, about);
     fprintf(html,
-            "<p>Each of them under the light that its seed brings; its true visibility; what hsao makes of that. %s</p>\n"
+            "<p>Each under the light that its seed brings; its true visibility; what hsao makes of that. %s</p>\n"
             "<div class=\"charts\">\n",
             tuned ? "Seeds below 1000 may be looked at while settings are tuned." : "");
 }

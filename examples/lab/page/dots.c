@@ -7,7 +7,7 @@
 
 /* of a row; where the lines begin and the first one lies; between two groups' dots. Beyond MOST a dot lies at the
    side. */
-enum { HIGH = 26, LEFT = 330, FIRST = 112, APART = 2 };
+enum { HIGH = 26, LEFT = 376, FIRST = 112, APART = 2 };
 #define MOST 1.4
 
 static double across(double v) { return LEFT + (SVG_RIGHT - LEFT) * fmin(v, MOST) / MOST; }
@@ -16,13 +16,13 @@ static const char *colour_of(int group) { return group < 6 ? svg_colour(group) :
 
 static void legend(FILE *f, const dots *d)
 {
-    double x = LEFT;
+    double x = SVG_LEFT + 4;
     fprintf(f, "<text x=\"%d\" y=\"56\">%s; upright: the mean, and its 95 %% interval%s%s</text>\n", SVG_LEFT,
             d->across, *d->marked ? "; rings: " : "", d->marked);
     for (int g = 0; g < d->groups; ++g) {
         fprintf(f, "<circle cx=\"%.1f\" cy=\"78\" r=\"4\" fill=\"%s\"/><text x=\"%.1f\" y=\"82.5\">%s</text>\n", x,
                 colour_of(g), x + 8, d->group_name[g]);
-        x += 18 + 7.2 * (double)strlen(d->group_name[g]);
+        x += 26 + 7.8 * (double)strlen(d->group_name[g]);
     }
 }
 
