@@ -70,10 +70,11 @@ build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-REPORT = lab/report tools/glsl/choices $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved peers) \
+REPORT = lab/report tools/glsl/choices \
+         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved peers) \
          $(addprefix lab/page/,page table svg scatter dots pictures terms units csv) \
-         $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo deep_moving deep_stage \
-         plan costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
+         $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo \
+         deep_moving deep_stage plan planned costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -146,6 +147,11 @@ fit: build/report
 	$(CC) -std=c11 $(CFLAGS) -Wno-unused-function examples/lab/fit.c -lm -o build/fit
 	build/fit report/plan-fit.csv $(wildcard report/plan-gpu.csv)
 
+# Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:steps=12.
+TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score)
+build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
+
 # The text of every pass, dialect and feature choice, as plain files; manifest.json says what belongs together.
 # make glsl WGSL=1 HLSL=1 MSL=1 SPV=1: what other compilers make of the vulkan ones, beside them; each needs a tool, which
 # is named where it is missing.
@@ -206,7 +212,7 @@ glsl-out glsl-in: build/library
 	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }
 	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
 
-TESTS = main t others $(addprefix test_,math trace files models library text twins pipeline light vectors field casters \
+TESTS = main t others $(addprefix test_,math trace files models seeds library text twins pipeline light vectors field casters \
         steps surfels plan papers stability build)
 TEST_H = tests/t.h tests/own.h tests/others.h tests/frames.h
 build/tests/%.o: tests/%.c $(HEADERS) $(EXAMPLE_H) $(TEST_H) | deps

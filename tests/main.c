@@ -14,7 +14,7 @@ static const struct { const char *name; void (*run)(void);
                { "pipeline", test_pipeline }, { "light", test_light }, { "vectors", test_vectors },
                { "surfels", test_surfels }, { "casters", test_casters }, { "trace", test_trace },
                { "field", test_field }, { "files", test_files }, { "steps", test_steps }, { "plan", test_plan },
-               { "math", test_math }, { "twins", test_twins }, { "models", test_models },
+               { "math", test_math }, { "twins", test_twins }, { "models", test_models }, { "seeds", test_seeds },
                { "library", test_library }, { "papers", test_papers } };
 enum { GROUPS = (int)(sizeof groups / sizeof groups[0]) };
 

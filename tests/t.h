@@ -29,6 +29,7 @@ extern int t_passed, t_failed;
 void test_trace(void);
 void test_files(void);
 void test_models(void);
+void test_seeds(void);
 void test_math(void);
 void test_library(void);
 void test_text(void);

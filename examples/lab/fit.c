@@ -13,8 +13,15 @@
 #include <stdlib.h>
 
 enum { MOST_ROWS = 8192, MOST_TERMS = SSGI__PLAN_TERMS };
-/* cost: in software, and the model of a GPU's */
-typedef struct measured { char view[64]; ssgi_plan_scene scene; int choice; double error, cost[2]; } measured;
+/* cost: in software, and the model of a GPU's; of choices that were not timed the first is only what was predicted.
+   captured: a survey without slabs */
+typedef struct measured {
+    char            view[64];
+    ssgi_plan_scene scene;
+    ssgi_survey     captured;
+    int             choice, timed;
+    double          error, cost[2];
+} measured;
 typedef struct equation { double term[MOST_TERMS], square; } equation;
 
 static int by_value(const void *a, const void *b)
@@ -82,7 +89,9 @@ static int read_row(measured *m, int *fits, const char *line)
         at += more;
     }
     s->calibration.known = 1;
-    return sscanf(line + at, ",%lf,%lf,%d,%f", &s->surfels, &s->splats, &s->occluders, &s->coverage) == 4 ? 0 : -1;
+    m->timed = *fits == 1;
+    return sscanf(line + at, ",%lf,%lf,%d,%f,%f,%f,%f", &s->surfels, &s->splats, &s->occluders, &s->coverage,
+                  &m->captured.occlusion, &m->captured.detail, &m->captured.solid) == 7 ? 0 : -1;
 }
 
 /* A calibration of some places is noisy: of these views all is known. */
@@ -135,8 +144,9 @@ static void fit_survey(int count)
             int n = 0;
             for (int i = 0; i < count; ++i) {
                 const ssgi_plan_scene *s = &row[i].scene;
+                const ssgi_survey *of_frame = with ? &s->survey : &row[i].captured;
                 const float known[3] = { s->calibration.unoccluded, s->calibration.hsao, s->calibration.slabs },
-                            v[4] = { s->survey.occlusion, s->survey.detail, s->survey.solid, s->survey.slabs };
+                            v[4] = { of_frame->occlusion, of_frame->detail, of_frame->solid, of_frame->slabs };
                 if (s->wanted || (i && !strcmp(row[i - 1].view, row[i].view))) continue;
                 equations[n].square = (double)known[of] * (double)known[of];
                 for (int k = 0; k < 4; ++k) equations[n].term[k] = k < 3 + with ? (double)v[k] * (double)v[k] : 0;
@@ -170,14 +180,16 @@ static void read_gpu(double gpu[SSGI_PLAN_CHOICES], FILE *f)
     for (int c; fscanf(f, "%d,%lf", &c, &ratio) == 2;) if (c >= 0 && c < SSGI_PLAN_CHOICES) gpu[c] = ratio;
 }
 
-/* The equations of a choice's error, and what it cost; how many. */
-static int equations_of(double costs[2][MOST_ROWS], int c, int count)
+/* The equations of a choice's error, how many; and what it cost where it was timed. */
+static int equations_of(double costs[2][MOST_ROWS], int *timed, int c, int count)
 {
     const ssgi__plan_row *r = &ssgi__plan_rows[c];
     int n = 0;
+    *timed = 0;
     for (int i = 0; i < count; ++i) {
         if (row[i].choice != c) continue;
-        for (int k = 0; k < 2; ++k) costs[k][n] = row[i].cost[k];
+        for (int k = 0; k < 2 && row[i].timed; ++k) costs[k][*timed] = row[i].cost[k];
+        *timed += row[i].timed;
         equations[n].square = row[i].error * row[i].error;
         ssgi__plan_terms(equations[n].term, r, &row[i].scene);
         /* a row's error follows the calibration of its own thickness model */
@@ -207,13 +219,14 @@ static void print_choice(int c, int count, const double base[2], double gpu)
     static double costs[2][MOST_ROWS];
     const ssgi__plan_row *r = &ssgi__plan_rows[c];
     double x[MOST_TERMS];
-    const int n = equations_of(costs, c, count);
+    int timed;
+    const int n = equations_of(costs, &timed, c, count);
     const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
     for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
     printf("    SSGI__ROW(%s, %s, %s, %d, %d, %d, %d, %d, %d, ", wanted[r->wanted], method[r->method],
            behind[r->thickness], r->half, r->directions, r->steps, r->bands, r->history, r->resolution);
     printf(r->size > 0 ? "%gf" : "%g", (double)r->size);
-    for (int k = 0; k < 2; ++k) literal(cost_of(costs[k], n, r, k, base[k], gpu));
+    for (int k = 0; k < 2; ++k) literal(cost_of(costs[k], timed, r, k, base[k], gpu));
     for (int k = 0; k < MOST_TERMS; ++k) literal(x[k] < 1e-3 ? 0 : x[k]);
     puts(c + 1 < SSGI_PLAN_CHOICES ? ")," : ")");
     fprintf(stderr, "choice %d: %d rows, spread %.3f\n", c, n, spread);

@@ -204,8 +204,6 @@ void kit_bevelled(kit_build *b, double x0, double y0, double z0, double x1, doub
                     edge[k][u] = at == 0 || at == 3 ? in_o : o;
                     edge[k][v] = at < 2 ? low[v] + bevel : high[v] - bevel;
                 }
-                double swap[3];
-                memcpy(swap, edge[1], sizeof swap); memcpy(edge[1], edge[3], sizeof swap); memcpy(edge[3], swap, sizeof swap);
                 kit_quad(b, (const double (*)[3])edge);
             }
         }

@@ -16,7 +16,7 @@
 /* Truth at every second pixel both ways. */
 enum { SEED_WIDTH = 320, SEED_HEIGHT = 180, SEED_RAYS = 256, SEED_LIGHT_RAYS = 256, SEED_NOISY_RAYS = 1024,
     SEEDS = 100, SEEDS_QUICK = 21, WORKERS = 8 };
-static const lit seed_light = { OWN_ENV, { NULL }, 0, 0, 0, SEED_LIGHT_RAYS, 1, NO_CROPS };
+static const lit seed_light = { NULL, { NULL }, 0, 0, 0, SEED_LIGHT_RAYS, 1, NO_CROPS };
 
 static int first_of(const options *o) { return o->first < 0 ? SEEDS_JUDGED : o->first; }
 static int count_of(const options *o) { return o->seeds ? o->seeds : o->quick ? SEEDS_QUICK : SEEDS; }

@@ -237,7 +237,7 @@ int stage_light(stage *s, kit_error *err)
 static int light_up(stage *s, kit_error *err)
 {
     const lit *l = s->lit;
-    const char *env = l->env && !strcmp(l->env, OWN_ENV) ? s->scene.env : l->env;
+    const char *env = l->env ? l->env : s->scene.env;
     if (env && kit_env_read(&s->lighting.env, env, err)) return -1;
     for (int i = 0; i < MOST_SUNS && l->light[i]; ++i)
         if (kit_light_parse(&s->lighting.light[s->lighting.lights++], l->light[i], err)) return -1;

@@ -23,11 +23,9 @@ enum { LIT_STRIDE = 2 };
 extern int stage_thrift;
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
 
-/* What lights a view (as build/render's options take it; OWN_ENV: what its scene brings), how it is shown, and its
-   truth. local: suns are blocked as
+/* What lights a view (as build/render's options take it), how it is shown, and its truth. local: suns are blocked as
    the environment is, within the radius, not by all of the scene; in the truth they then are discs of SUN degrees
-   around. */
-#define OWN_ENV "own"
+   around. env NULL: the scene's own, of scenes by seed. */
 enum { MOST_SUNS = 2, MOST_CROPS = 2, SUN = 3 };
 typedef struct lit {
     const char *env, *light[MOST_SUNS];

@@ -1,0 +1,287 @@
+/* planned.c - the plan's choices measured: on views of scenes, with their times, and on scenes by seed. Declared in
+   planned.h. */
+#include "lab/chart/planned.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "lab/measure/folder.h"
+
+/* ---- >>tables ---------------------------------------------------------------------------------------------------- */
+
+/* turn: of the eye about its target, radians; radius: of the scene's own; objects: occlusion between them, too */
+typedef struct plan_view { const char *scene; int fits; float turn, nearer, radius; int objects; } plan_view;
+static const plan_view planned_views[] = {
+    { "room", 1, 0, 1, 1.2f, 0 },      { "room", 1, -0.25f, 0.9f, 0.45f, 0 },
+    { "colonnade", 1, 0, 1, 1.2f, 0 }, { "colonnade", 1, -0.25f, 0.9f, 0.45f, 0 },
+    { "cornell", 1, 0, 1, 1.2f, 0 },   { "cornell", 1, -0.25f, 0.9f, 0.45f, 0 },
+    { "columns", 1, 0, 1, 1.2f, 0 },   { "columns", 1, 0.7f, 0.8f, 0.45f, 0 },
+    { "boxes", 1, 0, 1, 1.2f, 0 },     { "boxes", 1, 0.7f, 0.8f, 0.45f, 0 },
+    { "pebbles", 1, 0, 1, 1.2f, 0 },   { "pebbles", 1, 0.7f, 0.8f, 0.45f, 0 },
+    { "casters", 1, 0, 1, 1.2f, 1 },   { "casters", 1, 0.7f, 0.8f, 0.45f, 1 },
+    { "groove", 1, 0, 1, 1.2f, 0 },    { "slats", 1, 0, 1, 1, 0 },
+    { "slats", 1, 0.4f, 0.8f, 0.4f, 0 },       { "iron-bed", 1, 0, 1, 1, 0 },
+    { "iron-bed", 1, 0.5f, 0.8f, 0.5f, 0 },    { "stairs", 1, 0, 1, 1, 0 },
+    { "stairs", 1, -0.2f, 0.9f, 2, 0 },
+    { "bunny", 0, 0, 1, 1.2f, 1 },     { "bunny", 0, 0.7f, 0.8f, 0.45f, 0 },
+    { "grass", 0, 0, 1, 1.2f, 0 },     { "grass", 0, 0.7f, 0.8f, 0.45f, 0 },
+    { "plates", 0, 0, 1, 1.2f, 0 },    { "plates", 0, 0.7f, 0.8f, 0.45f, 0 },
+    { "blocks", 0, 0, 1, 1.2f, 0 },    { "crowd", 0, 0, 1, 1, 1 },
+    { "hole", 0, 0, 1, 1.2f, 0 },      { "attic", 0, 0, 1, 1, 0 },
+    { "attic", 0, -0.2f, 0.9f, 2, 0 }, { "maple", 0, 0, 1, 1, 0 } };
+/* suns: two soft ones, pink and turquoise */
+static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };
+enum {
+    PLANNED_VIEWS = COUNT(planned_views),
+    PLANNED_WIDTH = 640,
+    PLANNED_HEIGHT = 360,
+    JUDGED_WIDTH = 480,
+    JUDGED_HEIGHT = 270,
+    PLANNED_LIT_WIDTH = 320,
+    PLANNED_LIT_HEIGHT = 180,   /* of scenes by seed, too */
+    PLANNED_SLOW = 20,          /* unblurred 16-sample ssaos */
+    PLANNED_STRIDE = 2          /* of the truth, both ways; of light 3 */
+};
+
+/* ---- >>measuring ------------------------------------------------------------------------------------------------- */
+
+/* Two soft suns, pink and turquoise, in place of the stage's light. */
+static int planned_suns(stage *s, kit_error *err)
+{
+    static const kit_light suns[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } },
+                                       { KIT_SUN, { 0.75f, 0.6f, 0.27f }, { 0.5f, 2.3f, 2.2f } } };
+    enum { SOFT = 14 };                    /* degrees */
+    kit_image_free(&s->lighting.env);
+    memset(&s->lighting.env, 0, sizeof s->lighting.env);
+    for (int i = 0; i < 2; ++i) if (kit_env_add_sun(&s->lighting.env, &suns[i], SOFT, err)) return -1;
+    s->traced = s->lighting;
+    return 0;
+}
+
+/* The view, turned and nearer; from well aside it is from lower, too. */
+static void planned_turn(view *v, const plan_view *p, const kit_scene *scene)
+{
+    if (!(v->fovy > 0)) {
+        memcpy(v->eye, scene->camera.eye, sizeof v->eye);
+        memcpy(v->target, scene->camera.target, sizeof v->target);
+        v->fovy = scene->camera.fovy;
+    }
+    v->radius = p->radius * (v->radius > 0 ? v->radius : scene->radius);
+    const float c = cosf(p->turn), s = sinf(p->turn),
+                d[3] = { v->eye[0] - v->target[0], v->eye[1] - v->target[1], v->eye[2] - v->target[2] },
+                e[3] = { c * d[0] + s * d[2], p->turn > 0.5f ? 0.7f * d[1] : d[1], c * d[2] - s * d[0] };
+    for (int k = 0; k < 3; ++k) v->eye[k] = v->target[k] + p->nearer * e[k];
+}
+
+/* 1; 0: its package is not there. */
+static int planned_open(stage *s, const plan_view *p, const lit *light, int suns, kit_error *err)
+{
+    static const int judged[2] = { JUDGED_WIDTH, JUDGED_HEIGHT }, fits[2] = { PLANNED_WIDTH, PLANNED_HEIGHT },
+                     is_lit[2] = { PLANNED_LIT_WIDTH, PLANNED_LIT_HEIGHT };
+    const int *size = light ? is_lit : p->fits ? fits : judged;
+    view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
+    for (int i = 0; i < stage_views_count; ++i)
+        if (!strcmp(stage_views[i].name, p->scene)) { v = stage_views[i]; v.lit = light; }
+    if (stage_packages(v.path) && access(v.path, R_OK)) return 0;
+    if (stage_load(s, &v, err) || (suns && planned_suns(s, err))) return -1;
+    planned_turn(&v, p, &s->scene);
+    return stage_look(s, &v, size[0], size[1], err) ? -1 : 1;
+}
+
+static double model_of(const kit_run *run) { return KIT_FETCH_OPERATIONS * run->fetches + kit_run_operations(run); }
+
+/* The picture of a choice, and its time; of light, what visibility leaves of an open surface's. */
+static int planned_draw(kit_image *out, double *time, double *model, stage *s, const ssgi_plan *p, int wanted,
+                        kit_run *fixed, int timed, kit_error *err)
+{
+    const kit_world world = { &s->scene, &s->lighting };
+    double before, after;
+    kit_method m;
+    kit_run run;
+    *time = *model = 0;
+    if (p->method == SSGI_PLAN_NOTHING) {
+        if (kit_image_new(out, s->frame.width, s->frame.height, "Y", err)) return -1;
+        for (int i = 0; i < out->width * out->height; ++i) out->data[i] = 1;
+        return s->lit ? stage_dim(out, s, err) : 0;
+    }
+    if (kit_plan_method(&m, p, wanted, err) || kit_run_open(&run, &s->gbuffer, &m, s->radius, &world, err)
+        || stage_settled(out, s, &run, 0, 1, err))
+        return -1;
+    *model = model_of(&run);
+    if (!timed) {
+        *time = (double)p->cost;
+        kit_run_close(&run);
+        return 0;
+    }
+    const double slow = kit_run_ms(&run);           /* slow choices are timed as they were first drawn */
+    before = clock_draw(fixed);
+    const double ms = p->cost < PLANNED_SLOW ? clock_draw(&run) : slow;
+    after = clock_draw(fixed);
+    *time = ms / (0.5 * (before + after));
+    kit_run_close(&run);
+    return 0;
+}
+
+static int planned_measure(planned_row *r, stage *s, kit_image *truth, const char *name, int wanted, int timed,
+                           kit_error *err)
+{
+    const kit_world world = { &s->scene, s->lit ? &s->lighting : NULL }, frame = { NULL, world.lighting };
+    kit_image picture;
+    kit_run fixed;
+    ssgi_plan p;
+    memset(r, 0, sizeof *r);
+    snprintf(r->name, sizeof r->name, "%s", name);
+    r->timed = timed;
+    if (wanted != SSGI_PLAN_OBJECTS
+        && kit_plan_numbers(&r->captured, &s->gbuffer, &frame, s->radius, wanted, err))
+        return -1;
+    if (kit_plan_numbers(&r->numbers, &s->gbuffer, &world, s->radius, wanted, err)) return -1;
+    r->numbers.history = r->captured.history = 1;
+    if (stage_run(&fixed, s, clock_reference.method, clock_reference.settings, s->radius, err)) return -1;
+    kit_run_draw(&fixed, 1);
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+        r->error[i] = r->cost[i] = r->model[i] = (double)NAN;
+        if (!ssgi_plan_choice(&p, i, &r->numbers)) continue;
+        const int time = timed || p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD;
+        if (planned_draw(&picture, &r->cost[i], &r->model[i], s, &p, wanted, &fixed, time, err)) return -1;
+        r->model[i] /= model_of(&fixed);
+        r->error[i] = kit_plan_error(&picture, truth, &s->frame, wanted);
+        kit_image_free(&picture);
+    }
+    kit_run_close(&fixed);
+    return 0;
+}
+
+/* Measures choices on the k-th view for what is wanted there. quick: fewer rays. 1; 0: its package is not there. */
+static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error *err)
+{
+    const plan_view *p = &planned_views[k];
+    const int is_lit = wanted == SSGI_PLAN_LIGHT || wanted == SSGI_PLAN_BOUNCE, white = !p->fits && k % 5 == 0;
+    const int turn = (p->fits ? k : k + 1) + (wanted == SSGI_PLAN_BOUNCE);      /* each view has another light */
+    const char *const light = planned_lights[white ? 3 : turn % 3];
+    const int suns = !strcmp(light, "suns");
+    const lit of_light = { .env = suns ? "white" : light, .bounce = wanted == SSGI_PLAN_BOUNCE,
+                           .rays = quick ? 128 : 384, .exposure = 1 };
+    char name[64];
+    stage s;
+    kit_image truth;
+    const int there = planned_open(&s, p, is_lit ? &of_light : NULL, suns, err);
+    if (there <= 0) return there;
+    s.between = wanted == SSGI_PLAN_OBJECTS;
+    if (stage_trace(&truth, &s, is_lit ? of_light.rays : quick ? 64 : 256, PLANNED_STRIDE + is_lit, err)
+        || (is_lit && stage_light(&s, err)))
+        return -1;
+    snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, is_lit ? " " : "", is_lit ? light : "");
+    if (planned_measure(r, &s, &truth, name, wanted, 1, err)) return -1;
+    kit_image_free(&truth);
+    stage_close(&s);
+    return 1;
+}
+
+int planned_views_measure(planned_row *rows, int *count, int fits, int quick, kit_error *err)
+{
+    for (int k = 0, shown = 0; k < PLANNED_VIEWS; ++k) {
+        const plan_view *p = &planned_views[k];
+        if (p->fits != fits || (quick && ++shown % 3 != 1)) continue;
+        for (int wanted = 0, there = 1; wanted < (p->objects ? 4 : 3) && there; ++wanted) {
+            const int is_lit = wanted == SSGI_PLAN_LIGHT || wanted == SSGI_PLAN_BOUNCE;
+            if (is_lit && quick && shown % 2) continue;
+            there = planned_view(&rows[*count], k, wanted, quick, err);
+            if (there < 0) return -1;
+            *count += there;
+        }
+        kit_progress("plan", (k + 1.0) / PLANNED_VIEWS);
+    }
+    kit_progress("plan", 1);
+    return 0;
+}
+
+/* ---- >>seeds ----------------------------------------------------------------------------------------------------- */
+
+enum { SEED_WANTED = 3 };                  /* visibility, light, bounce */
+
+static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
+{
+    const int is_lit = wanted != SSGI_PLAN_VISIBILITY;
+    lit of_light = { .bounce = wanted == SSGI_PLAN_BOUNCE, .rays = 384, .exposure = 1 };
+    char name[32];
+    const view v = { .name = name, .path = name, .lit = is_lit ? &of_light : NULL };
+    kit_image truth;
+    stage s;
+    snprintf(name, sizeof name, "random:%d", seed);
+    if (stage_load(&s, &v, err)
+        || stage_look(&s, &v, PLANNED_LIT_WIDTH, PLANNED_LIT_HEIGHT, err)
+        || stage_trace(&truth, &s, is_lit ? of_light.rays : 256, PLANNED_STRIDE + is_lit, err)
+        || (is_lit && stage_light(&s, err)) || planned_measure(r, &s, &truth, name, wanted, 0, err))
+        return -1;
+    kit_image_free(&truth);
+    stage_close(&s);
+    return 0;
+}
+
+/* What is kept depends on the program and its tables. */
+static uint64_t program(void)
+{
+    char *data;
+    size_t size;
+    if (kit_file_read(&data, &size, "/proc/self/exe", NULL)) return KIT_HASH;
+    const uint64_t h = kit_hash(KIT_HASH, data, size);
+    free(data);
+    return h;
+}
+
+/* A seed's rows, from build/cache where they are kept. */
+static int seed_rows(planned_row rows[SEED_WANTED], int seed, uint64_t key, kit_error *err)
+{
+    char path[128], *data;
+    size_t size;
+    kit_error note;
+    snprintf(path, sizeof path, FOLDER_CACHE "/planned-%d-%016llx", seed, (unsigned long long)key);
+    if (!kit_file_read(&data, &size, path, NULL)) {
+        const int whole = size == SEED_WANTED * sizeof *rows;
+        if (whole) memcpy(rows, data, size);
+        free(data);
+        if (whole) return 0;
+    }
+    for (int wanted = 0; wanted < SEED_WANTED; ++wanted)
+        if (seed_measure(&rows[wanted], seed, wanted, err)) return -1;
+    if (folder_make(FOLDER_CACHE, &note) || kit_file_write(path, rows, SEED_WANTED * sizeof *rows, &note))
+        fprintf(stderr, "report: note: what is measured is not kept: %s\n", note.text);
+    return 0;
+}
+
+int planned_seeds_measure(planned_row *rows, int *count, int first, int seeds, kit_error *err)
+{
+    const uint64_t key = program();
+    for (int k = 0; k < seeds; ++k, *count += SEED_WANTED) {
+        if (seed_rows(&rows[*count], first + k, key, err)) return -1;
+        kit_progress("plan, by seed", (k + 1.0) / seeds);
+    }
+    kit_progress("plan, by seed", 1);
+    return 0;
+}
+
+int planned_seeds_keep(int first, int seeds, int step, kit_error *err)
+{
+    const uint64_t key = program();
+    planned_row rows[SEED_WANTED];
+    for (int k = 0; k < seeds; k += step) if (seed_rows(rows, first + k, key, err)) return -1;
+    return 0;
+}
+
+void planned_smooth(planned_row *rows, int count)
+{
+    double ratio[MOST_PLANNED];
+    ssgi_plan p;
+    for (int c = 0; c < SSGI_PLAN_CHOICES; ++c)
+        for (int pass = 0, n = 0; pass < 2; ++pass) {
+            const double by = pass && n ? kit_median(ratio, n) : 1;
+            for (int i = 0; i < count; ++i) {
+                if (!(rows[i].cost[c] > 0) || !ssgi_plan_choice(&p, c, &rows[i].numbers)
+                    || p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD)
+                    continue;
+                if (pass) rows[i].cost[c] = by * (double)p.cost;
+                else if (rows[i].timed) ratio[n++] = rows[i].cost[c] / (double)p.cost;
+            }
+        }
+}

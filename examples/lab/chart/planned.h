@@ -1,0 +1,33 @@
+/* planned.h - what the plan's choices cost and err by: measured on views of scenes, and on scenes by seed. */
+#ifndef LAB_PLANNED_H
+#define LAB_PLANNED_H
+
+#include "lab/measure/measure.h"
+
+/* What choices cost and err by on one view, under one light. */
+typedef struct planned_row {
+    char name[64];
+    int  timed;                             /* 0: costs of choices are what is predicted, surfels' and fields' are not */
+    ssgi_plan_scene numbers;
+    ssgi_plan_scene captured;               /* of the frame alone: no scene, no calibration, no slabs */
+    /* NAN: not for this; operations and fetches of all passes, a pixel */
+    double error[SSGI_PLAN_CHOICES], cost[SSGI_PLAN_CHOICES], model[SSGI_PLAN_CHOICES];
+} planned_row;
+
+enum { PLANNED_SEEDS = 100, PLANNED_QUICK_SEEDS = 7, PLANNED_JUDGED = 1000 /* the first seed that judges */,
+       MOST_PLANNED = 512 };
+
+/* The views that fit, or those that judge (fits: 1, 0), of scenes that are there; quick: fewer. Appends to rows, of
+   which there are count; -1 = failed. */
+int planned_views_measure(planned_row *rows, int *count, int fits, int quick, kit_error *err);
+/* The same of count scenes by seed, each for visibility, light, bounce: kept under build/cache, so that another process
+   that measures every other one shares the work. */
+int planned_seeds_measure(planned_row *rows, int *count, int first, int seeds, kit_error *err);
+/* Measures every step-th of those alone, from first on, and keeps it. */
+int planned_seeds_keep(int first, int seeds, int step, kit_error *err);
+
+/* Single times are noisy: a choice's cost becomes what is predicted times the median, over the views that were timed, of
+   what it took over that. Surfels and fields, which hang on the scene, stay as measured. */
+void planned_smooth(planned_row *rows, int count);
+
+#endif

@@ -1,0 +1,220 @@
+/* try.c - settings tried on scenes by seed, for whoever tunes: what each errs by as a share of doing nothing, and how it
+   differs from the first, scene by scene.
+
+      build/try [--from 0] [--count 70] [--light] [--radius R] [--out try.csv] [--against other.csv] METHOD[:key=value,..] ..
+
+   Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused. --light: of irradiance under
+   the scenes' own environments, no bounce. --against: the same settings as another build measured them, in the order
+   given; so a change of the headers is tried in two work trees. Pictures are 320x180, truth at every second pixel both
+   ways, kept under build/cache. A process a core. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "lab/measure/folder.h"
+#include "lab/measure/score.h"
+
+enum { WIDTH = 320, HEIGHT = 180, TRY_RAYS = 256, LIGHT_RAYS = 384, MOST_TRIED = 32, MOST_SEEDS = 1000, JUDGED = 1000 };
+
+typedef struct tried { char method[64], settings[256]; } tried;
+typedef struct trial {
+    int         from, count, light, entries, against;
+    float       radius;                     /* times the scene's own */
+    const char *out, *other;
+    tried       entry[MOST_TRIED];
+    double    (*share)[2 * MOST_TRIED];     /* of a seed; shared by the processes; NAN: not measured */
+} trial;
+
+/* ---- >>measuring ------------------------------------------------------------------------------------------------- */
+
+static double error_of(const stage *s, const kit_image *picture, kit_error *err)
+{
+    row r = row_blank(0, s->name, "", "", "");
+    if (score_picture(&r, s, picture, err)) return (double)NAN;
+    return s->lit ? r.error[1] : r.score.rmse;
+}
+
+static int measure_seed(const trial *t, int k, kit_error *err)
+{
+    char name[64];
+    stage s;
+    kit_image picture;
+    const lit of_light = { .rays = LIGHT_RAYS, .exposure = 1 };
+    view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
+    snprintf(name, sizeof name, "random:%d", t->from + k);
+    if (stage_load(&s, &v, err)) return -1;
+    v.radius = t->radius * s.scene.radius;
+    if (stage_look(&s, &v, WIDTH, HEIGHT, err)) return -1;
+    s.stride = LIT_STRIDE;
+    s.rays = t->light ? LIGHT_RAYS : TRY_RAYS;
+    if (stage_compare(&s, err)) return -1;
+    const double nothing = error_of(&s, &s.given[s.givens - 1].picture, err);
+    for (int i = 0; i < t->entries; ++i) {
+        kit_run run;
+        if (stage_run(&run, &s, t->entry[i].method, t->entry[i].settings, s.radius, err)
+            || stage_settled(&picture, &s, &run, 0, 0, err))
+            return -1;
+        t->share[k][i] = error_of(&s, &picture, err) / nothing;
+        kit_image_free(&picture);
+        kit_run_close(&run);
+    }
+    stage_close(&s);
+    return 0;
+}
+
+/* Every so many-th seed, in a process of its own; its exit status. */
+static int work(const trial *t, int first, int step)
+{
+    kit_error err = { "" };
+    int failed = kit_gl_open(NULL, &err);
+    for (int k = first; k < t->count && !failed; k += step) {
+        failed = measure_seed(t, k, &err);
+        if (isatty(2)) fprintf(stderr, "\r%d ", k);
+    }
+    if (failed) fprintf(stderr, "try: %s\n", err.text);
+    return failed ? 2 : 0;
+}
+
+static int measure_all(const trial *t)
+{
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    const int workers = cores > 1 && cores < 64 ? (int)cores : 1;
+    int failed = 0, status;
+    setenv("LP_NUM_THREADS", "1", 1);
+    setenv("KIT_THREADS", "1", 1);
+    for (int i = 0; i < workers; ++i) {
+        fflush(NULL);
+        const pid_t pid = fork();
+        if (pid < 0) return -1;
+        if (!pid) _exit(work(t, i, workers));
+    }
+    while (wait(&status) > 0) failed |= status != 0;
+    return failed ? -1 : 0;
+}
+
+/* ---- >>results --------------------------------------------------------------------------------------------------- */
+
+/* Mean and half of its 95 % interval of column i, less column from (below 0: of nothing). */
+static void mean_of(double out[2], const trial *t, int i, int from)
+{
+    double sum = 0, squares = 0;
+    for (int k = 0; k < t->count; ++k) {
+        const double v = t->share[k][i] - (from < 0 ? 0 : t->share[k][from]);
+        sum += v;
+        squares += v * v;
+    }
+    out[0] = sum / t->count;
+    out[1] = 1.96 * sqrt(fmax(0, squares / t->count - out[0] * out[0]) / fmax(1, t->count - 1));
+}
+
+static void print_row(const trial *t, int i, int from)
+{
+    const tried *e = &t->entry[i % MOST_TRIED];
+    double own[2], off[2], worst = 0;
+    int whose = 0, better = 0;
+    mean_of(own, t, i, -1);
+    mean_of(off, t, i, from);
+    for (int k = 0; k < t->count; ++k) {
+        if (t->share[k][i] > worst) { worst = t->share[k][i]; whose = t->from + k; }
+        better += t->share[k][i] < t->share[k][from];
+    }
+    printf("%-14s %-34s %6.4f +- %.4f  worst %.3f (%d)  %+.4f +- %.4f, better on %d\n", e->method, e->settings, own[0],
+           own[1], worst, whose, off[0], off[1], better);
+    printf("%-14s by kind:", "");
+    for (int kind = 0; kind < KIT_KINDS; ++kind) {
+        double sum = 0, change = 0;
+        int n = 0;
+        for (int k = 0; k < t->count; ++k) {
+            if ((t->from + k) % KIT_KINDS != kind) continue;
+            sum += t->share[k][i];
+            change += t->share[k][i] - t->share[k][from];
+            ++n;
+        }
+        if (n) printf(" %s %.3f %+.3f", kit_scene_kind(kind, NULL), sum / n, change / n);
+    }
+    puts("");
+}
+
+static int write_csv(const trial *t, kit_error *err)
+{
+    FILE *f = fopen(t->out, "w");
+    if (!f) return kit_fail(err, "%s: cannot be written", t->out);
+    for (int k = 0; k < t->count; ++k) {
+        fprintf(f, "%d", t->from + k);
+        for (int i = 0; i < t->entries; ++i) fprintf(f, ",%.6f", t->share[k][i]);
+        fputs("\n", f);
+    }
+    return fclose(f) ? kit_fail(err, "%s: cannot be written", t->out) : 0;
+}
+
+/* Another build's figures go into the columns from MOST_TRIED on. */
+static int read_other(trial *t, kit_error *err)
+{
+    FILE *f = fopen(t->other, "r");
+    int seed, bad = !f;
+    for (int k = 0; k < t->count && !bad; ++k) {
+        bad = fscanf(f, "%d", &seed) != 1 || seed != t->from + k;
+        for (int i = 0; i < t->entries && !bad; ++i) bad = fscanf(f, ",%lf", &t->share[k][MOST_TRIED + i]) != 1;
+    }
+    if (f) fclose(f);
+    return bad ? kit_fail(err, "--against %s: is not what try wrote for these seeds and settings", t->other) : 0;
+}
+
+/* ---- >>main ------------------------------------------------------------------------------------------------------ */
+
+static int add_entry(trial *t, const char *text, kit_error *err)
+{
+    const char *colon = strchr(text, ':');
+    kit_method m;
+    if (t->entries == MOST_TRIED) return kit_fail(err, "%s: at most %d settings", text, MOST_TRIED);
+    tried *e = &t->entry[t->entries++];
+    snprintf(e->method, sizeof e->method, "%.*s", (int)(colon ? colon - text : (long)strlen(text)), text);
+    snprintf(e->settings, sizeof e->settings, "%s", colon ? colon + 1 : "");
+    return kit_method_find(&m, e->method, err) || kit_method_set(&m, e->settings, err) ? -1 : 0;
+}
+
+static int parse(trial *t, int argc, char **argv, kit_error *err)
+{
+    *t = (trial){ .count = 70, .radius = 1, .out = "try.csv" };
+    for (int i = 1; i < argc; ++i) {
+        const char *const a = argv[i], *const v = i + 1 < argc ? argv[i + 1] : NULL;
+        if (!strcmp(a, "--light")) { t->light = 1; continue; }
+        if (strncmp(a, "--", 2)) {
+            if (add_entry(t, a, err)) return -1;
+            continue;
+        }
+        if (!v) return kit_fail(err, "%s: needs a value", a);
+        if (!strcmp(a, "--from")) t->from = atoi(v);
+        else if (!strcmp(a, "--count")) t->count = atoi(v);
+        else if (!strcmp(a, "--radius")) t->radius = (float)atof(v);
+        else if (!strcmp(a, "--out")) t->out = v;
+        else if (!strcmp(a, "--against")) t->other = v;
+        else return kit_fail(err, "%s: there is no such option", a);
+        ++i;
+    }
+    if (t->from < 0 || t->count < 2 || t->from + t->count > JUDGED)
+        return kit_fail(err, "--from, --count: at least two seeds below %d; those from there on are for judging", JUDGED);
+    if (!(t->radius > 0)) return kit_fail(err, "--radius: must be above 0, times the scene's own");
+    return t->entries ? 0 : kit_fail(err, "usage: try [--from 0] [--count 70] [--light] [--radius 1] [--out try.csv] "
+                                          "[--against other.csv] METHOD[:key=value,..] ..");
+}
+
+int main(int argc, char **argv)
+{
+    static trial t;
+    kit_error err = { "" };
+    int failed = parse(&t, argc, argv, &err);
+    if (!failed) {
+        t.share = mmap(NULL, MOST_SEEDS * sizeof *t.share, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        if (t.share == MAP_FAILED || folder_make(FOLDER_CACHE, &err)) failed = kit_fail(&err, "out of memory");
+    }
+    if (!failed) failed = measure_all(&t) || write_csv(&t, &err) || (t.other && read_other(&t, &err));
+    if (failed) {
+        if (*err.text) fprintf(stderr, "try: %s\n", err.text);
+        return 2;
+    }
+    for (int i = 0; i < t.entries; ++i) print_row(&t, i, t.other ? MOST_TRIED + i : 0);
+    return 0;
+}

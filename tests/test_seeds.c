@@ -1,0 +1,170 @@
+/* test_seeds.c - scenes drawn from a seed: the kit's seeds.c, look.c, parts.c. */
+#include "t.h"
+#include "kit/kit_seed.h"
+#include "kit/kit_trace.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LEAST_TRIANGLES = 3000, MOST_TRIANGLES = 300000, SEEDS = 2 * KIT_KINDS };
+
+static uint64_t hash_of(const kit_scene *s)
+{
+    uint64_t h = kit_hash(KIT_HASH, s->mesh.position, 9 * s->mesh.triangles * sizeof(float));
+    h = kit_hash(h, &s->radius, sizeof s->radius);
+    return kit_hash(h, s->camera.eye, sizeof s->camera.eye);
+}
+
+static int all_finite(const kit_mesh *m)
+{
+    for (size_t i = 0; i < 9 * m->triangles; ++i) {
+        if (!isfinite(m->position[i]) || !isfinite(m->normal[i])) return 0;
+        if (i % 3 == 0 && !(fabsf(m->normal[i] * m->normal[i] + m->normal[i + 1] * m->normal[i + 1]
+                                  + m->normal[i + 2] * m->normal[i + 2] - 1) < 1e-3f)) return 0;
+    }
+    return 1;
+}
+
+/* What the picture shows: the share of its pixels that are hit, and the radius over its height at the median depth. */
+static void seen(const kit_scene *s, double *share, double *reach)
+{
+    enum { ACROSS = 48, DOWN = 27 };
+    const size_t size = ssgi_trace_size(s->mesh.triangles);
+    void *memory = malloc(size);
+    float depth[ACROSS * DOWN], origin[3], way[3], ahead[3];
+    kit_camera c = s->camera;
+    ssgi_trace trace;
+    ssgi_hit hit;
+    size_t hits = 0;
+    c.width = ACROSS;
+    c.height = DOWN;
+    for (int i = 0; i < 3; ++i) ahead[i] = c.target[i] - c.eye[i];
+    const float l = sqrtf(ahead[0] * ahead[0] + ahead[1] * ahead[1] + ahead[2] * ahead[2]);
+    ssgi_trace_build(&trace, memory, size, s->mesh.position, 12, NULL, s->mesh.triangles, NULL);
+    for (int i = 0; i < ACROSS * DOWN; ++i) {
+        kit_camera_ray(&c, i % ACROSS, i / ACROSS, origin, way);
+        if (!ssgi_trace_closest(&trace, origin, way, c.znear, 1e12f, &hit)) continue;
+        depth[hits++] = hit.t * (way[0] * ahead[0] + way[1] * ahead[1] + way[2] * ahead[2]) / l;
+    }
+    free(memory);
+    *share = (double)hits / (ACROSS * DOWN);
+    const double at = hits ? (double)kit_middle(depth, hits) : 1;
+    *reach = (double)s->radius
+             / (c.fovy > 0 ? 2 * tan((double)c.fovy * KIT_PI / 360) * at : (double)c.ortho_height);
+}
+
+static void scenes(void)
+{
+    uint64_t known[SEEDS];
+    int objects = 0, lights = 0;
+    for (int seed = 0; seed < SEEDS; ++seed) {
+        char name[64], full[64];
+        kit_scene s, again;
+        kit_error err;
+        double share, reach;
+        snprintf(name, sizeof name, "random:%d", seed);
+        snprintf(full, sizeof full, "random:%s:%d", kit_scene_kind(seed % KIT_KINDS, NULL), seed);
+        if (!CHECK(!kit_scene_load(&s, name, 0, &err) && !kit_scene_load(&again, full, 0, &err), "%s", err.text)) return;
+        known[seed] = hash_of(&s);
+        CHECK(known[seed] == hash_of(&again), "%s is not %s", name, full);
+        for (int i = 0; i < seed; ++i) CHECK(known[i] != known[seed], "seeds %d and %d are one scene", i, seed);
+        CHECK(all_finite(&s.mesh), "%s: not finite, or normals are not unit", full);
+        CHECK(s.mesh.triangles > LEAST_TRIANGLES && s.mesh.triangles < MOST_TRIANGLES, "%s: %zu triangles", full,
+              s.mesh.triangles);
+        CHECK(s.env && s.lights >= 0, "%s has no light", full);
+        seen(&s, &share, &reach);
+        CHECK(share > 0.35 && reach > 0.012 && reach < 0.5, "%s shows something on %.2f of its pixels, its radius is %.3f "
+              "of the height", full, share, reach);
+        objects += s.objects;
+        lights += s.lights;
+        kit_scene_free(&s);
+        kit_scene_free(&again);
+    }
+    CHECK(objects > 10 * SEEDS && lights > 0, "%d objects, %d lights", objects, lights);
+}
+
+static void no_seeds(void)
+{
+    static const char *const bad[][2] = {
+        { "random:", "whole number" },      { "random:-1", "whole number" },     { "random:1x", "whole number" },
+        { "random:9999999999", "0..999999999" }, { "random:caves:1", "rooms, " }, { "random:rooms:", "whole number" }
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        kit_error err = { "" };
+        kit_scene s;
+        memset(&s, 7, sizeof s);
+        const kit_scene before = s;
+        CHECK(kit_scene_load(&s, bad[i][0], 0, &err) == -1 && strstr(err.text, bad[i][1]) && strstr(err.text, bad[i][0]),
+              "%s: \"%s\"", bad[i][0], err.text);
+        CHECK(!memcmp(&before, &s, sizeof s), "%s: the scene was touched", bad[i][0]);
+    }
+}
+
+/* ---- parts: closed ones have each edge once in either direction, and hold a volume ---------------------------------- */
+
+typedef struct edge { float from[3], to[3]; } edge;
+
+static int by_bytes(const void *a, const void *b) { return memcmp(a, b, sizeof(edge)); }
+
+static size_t unpaired(const kit_mesh *m, double *volume)
+{
+    edge *e = malloc(2 * 3 * m->triangles * sizeof *e + 1), *there = e, *back = e + 3 * m->triangles;
+    size_t off = 0;
+    *volume = 0;
+    for (size_t t = 0; t < m->triangles; ++t) {
+        double p[3][3], n[3];
+        for (int k = 0; k < 3; ++k) {
+            const float *from = m->position + 9 * t + 3 * k, *to = m->position + 9 * t + 3 * ((k + 1) % 3);
+            for (int i = 0; i < 3; ++i) {
+                /* to 1e-5, without negative zeros: the same corner is computed by many ways */
+                const float a = rintf(from[i] * 1e5f) + 0.0f, b = rintf(to[i] * 1e5f) + 0.0f;
+                there[3 * t + (size_t)k].from[i] = back[3 * t + (size_t)k].to[i] = a;
+                there[3 * t + (size_t)k].to[i] = back[3 * t + (size_t)k].from[i] = b;
+                p[k][i] = (double)from[i];
+            }
+        }
+        kit_cross(p[1], p[2], n);
+        *volume += kit_dot(p[0], n) / 6;
+    }
+    qsort(there, 3 * m->triangles, sizeof *e, by_bytes);
+    qsort(back, 3 * m->triangles, sizeof *e, by_bytes);
+    for (size_t i = 0; i < 3 * m->triangles; ++i) off += memcmp(&there[i], &back[i], sizeof *e) != 0;
+    free(e);
+    return off;
+}
+
+static void closed_parts(void)
+{
+    static const double half[3] = { 0.5, 0.3, 0.4 }, way[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 1, 1 } },
+                        outline[5][2] = { { 0.5, 0.5 }, { 0.7, 0 }, { 0.5, -0.5 }, { -0.5, -0.5 }, { -0.5, 0.5 } };
+    static const char *const names[] = { "cushion", "bevelled box", "tube", "cable", "prism" };
+    static const double volumes[] = { 0.43, 0.45, 0.0942, 0.039, 1.1 };     /* of shapes near them */
+    for (int k = 0; k < 5; ++k) {
+        kit_build b;
+        double volume;
+        memset(&b, 0, sizeof b);
+        kit_begin_object(&b, names[k], -1);
+        const kit_frame before = kit_enter(&b, 1, 2, 3, 90, 2);
+        const kit_frame inner = kit_enter(&b, 0, 1, 0, -30, 0.5);
+        if (k == 0) kit_cushion(&b, half, 0.2, 12);
+        if (k == 1) kit_bevelled(&b, -0.5, -0.3, -0.4, 0.5, 0.3, 0.4, 0.05);
+        if (k == 2) kit_tube(&b, way, 4, 0.1, 24);
+        if (k == 3) kit_cable(&b, way[0], way[1], 0.2, 0.1, 24);
+        if (k == 4) kit_prism(&b, outline, 5, 1);
+        kit_leave(&b, inner);
+        kit_leave(&b, before);
+        const size_t off = unpaired(&b.scene.mesh, &volume);
+        CHECK(!off, "%s: %zu edges are not shared by two triangles", names[k], off);
+        CHECK(volume > 0.75 * volumes[k] && volume < 1.25 * volumes[k], "%s: volume %g, not %g", names[k], volume, volumes[k]);
+        free(b.scene.object);
+        kit_mesh_free(&b.scene.mesh);
+    }
+}
+
+void test_seeds(void)
+{
+    RUN("scenes by seed: the same by either name, finite, of a size; the camera sees them, the radius fits", scenes);
+    RUN("a seed that is none: the name and what is wrong with it are told, the scene is untouched", no_seeds);
+    RUN("what they are built of is closed, faces outwards and holds its volume, in frames within frames", closed_parts);
+}
