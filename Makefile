@@ -4,6 +4,7 @@
 #   make demo    the main job, into report/       make stability   where methods fail, into report/
 #   make test    all tests; tree: who calls whom  make peers       what others have, for the chart
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
+#   make seeds   the chart's part on scenes by seed
 #   make golden    the hashes of those texts that make test compares
 #   make passes    examples/docs/PASSES.md, the table of them
 #   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
@@ -96,7 +97,7 @@ build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 demo: build/render build/report
 	build/report demo
 
-# Speed against accuracy; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
+# Speed against accuracy, and error on scenes by seed; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
 # Some of its scenes and one of its probes come from packages that nothing else needs; without them, the chart says so.
 PROBE   = /usr/share/blender/datafiles/studiolights/world/interior.exr
 chart: build/report build/figures
@@ -139,7 +140,8 @@ FIGURES = lab/measure/spread lab/page/csv $(addprefix lab/figures/,figures markd
 build/figures: $(FIGURES:%=build/examples/%.o) build/kit/util.o
 	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
 
-# Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table; what make bench
+# Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table (never on seeds from
+# 1000 on, which only report); what make bench
 # measured on a GPU goes into its second column of costs.
 fit: build/report
 	@sh examples/kit/models.sh iron-bed stairs

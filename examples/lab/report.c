@@ -2,7 +2,7 @@
 
       build/report demo  [--out report] [--context egl] [--mesh M.obj]     pictures, tables and demo.html, in a minute
       build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv,
-         chart*.svg and index.html, in a quarter of an hour, or 2 minutes
+         chart*.svg and index.html, in half an hour, or 3 minutes
       build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv, light.html
       build/report seeds [--out report] [--context egl] [--quick] [--method NAME] [--from 1000] [--count 100]     scenes
          by seed: seeds.csv, seeds.html, seeds-KIND.html
@@ -11,9 +11,11 @@
       build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c
       build/report plan  [--out report] [--context egl]     the chart's part on the plan: plan.csv, plan.html
 
-   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. --method: the
-   rows of methods whose names begin so. Truth is kept under build/cache/, and so is what an interrupted chart has
-   measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2.
+   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too, and with
+   neither --scene nor --method scenes by seed and the plan. --method: the rows of methods whose names begin so. --from:
+   the first seed; those below 1000, which settings may be tuned on, end there, and their files are called seeds-fit.
+   Truth is kept under build/cache/, and so is what an interrupted chart has measured: the same command goes on from
+   there. Bad input, or a write that fails: one line on stderr, status 2.
 
    Here are the commands, which put sections of pages together; a section is a file of chart/, a paper one of papers/,
    which sets up some of its stages as chart/ does. Below them lies page/: how pages, tables, charts and pictures are
@@ -209,11 +211,12 @@ static int seeds(const options *o, kit_error *err)
     const char *name = o->first >= 0 && o->first < SEEDS_JUDGED ? "seeds-fit.html" : "seeds.html";
     page html;
     if (o->quick) stage_thrift = QUICK_THRIFT;
-    if (check_asked(o, err)) return -1;
+    if (!seeds_units(o)) return kit_fail(err, "--method %s: no row of the charts is of such a method", o->method);
     units_begin(o, seeds_units(o));
     if (page_open(&html, err)) return -1;
     page_head(html.file, "ssgi: scenes by seed", kit_gl_name());
     if (seeds_chart(html.file, o, err)) return -1;
+    terms_chart(html.file);
     if (page_close(&html, o->out, name, err)) return -1;
     units_end();
     seeds_text(stdout);

@@ -19,7 +19,13 @@ enum { SEED_WIDTH = 320, SEED_HEIGHT = 180, SEED_RAYS = 256, SEED_LIGHT_RAYS = 2
 static const lit seed_light = { NULL, { NULL }, 0, 0, 0, SEED_LIGHT_RAYS, 1, NO_CROPS };
 
 static int first_of(const options *o) { return o->first < 0 ? SEEDS_JUDGED : o->first; }
-static int count_of(const options *o) { return o->seeds ? o->seeds : o->quick ? SEEDS_QUICK : SEEDS; }
+
+/* Those to tune on end where those that report begin. */
+static int count_of(const options *o)
+{
+    const int first = first_of(o), count = o->seeds ? o->seeds : o->quick ? SEEDS_QUICK : SEEDS;
+    return first < SEEDS_JUDGED && first + count > SEEDS_JUDGED ? SEEDS_JUDGED - first : count;
+}
 
 /* ---- >>picture: the scene as its own light shows it -------------------------------------------------------------- */
 
@@ -71,13 +77,15 @@ static int own_picture(FILE *html, stage *s, const char *out, const char *slug, 
 
 /* ---- >>measure: one scene ---------------------------------------------------------------------------------------- */
 
-/* A seed's stage: quick charts have as large pictures, but fewer rays. 1; 0 = a package that it needs is not there. */
-static int seed_open(stage *s, const view *v, kit_error *err)
+/* A seed's stage: quick charts have as large pictures, but fewer rays. 1; 0 = a package that it needs is not there, as
+   html (NULL: nobody) is told. */
+static int seed_open(FILE *html, stage *s, const view *v, kit_error *err)
 {
     kit_error why = { "" };
     if (stage_load(s, v, &why)) {
         if (strstr(why.text, "is missing; install")) {
             fprintf(stderr, "report: note: left out, %s\n", why.text);
+            if (html) fprintf(html, "<p class=\"faint\">Left out, %s.</p>\n", why.text);
             return 0;
         }
         return kit_fail(err, "%s", why.text);
@@ -111,7 +119,7 @@ static int visible_rows(FILE *html, const options *o, const view *v, row *rows, 
     const int count = ao_chosen(entries, o);
     char slug[32], note[128];
     stage s;
-    const int there = seed_open(&s, v, err);
+    const int there = seed_open(html, &s, v, err);
     if (there <= 0) return there;
     snprintf(slug, sizeof slug, "%s", v->name);
     snprintf(note, sizeof note, "%zu triangles, %d lights, %s", s.scene.mesh.triangles, s.scene.lights, s.scene.env);
@@ -142,14 +150,14 @@ static int light_rows(const options *o, const view *v, row *rows, kit_image *vis
     const int count = pairs_chosen(entries, o);
     stage s;
     if (!count) return 0;
-    if (seed_open(&s, v, err) <= 0) return -1;
+    if (seed_open(NULL, &s, v, err) <= 0) return -1;
     s.rays = rays_for(s.scene.env);                  /* a quick chart's, too: noise is not to be scored */
     if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, 0, 0, NULL, err)) return -1;
     const double open = rows[count].error[1];        /* measure left no occlusion's row there */
     if (stage_dim(visible, &s, err) || score_named(&rows[count], &s, PAIRS_SCALAR, visible, err)
         || score_noise(&rows[count + 1], &s, PAIRS_NOISE, err))
         return -1;
-    for (int i = 0; i < count + 2; ++i) rows[i].share = rows[i].error[1] / open;
+    for (int i = 0; i < count + 2; ++i) rows[i].share = open > 0 ? rows[i].error[1] / open : (double)NAN;
     stage_close(&s);
     return count + 2;
 }
@@ -181,7 +189,11 @@ static int seed_unit(FILE *html, const options *o, int seed, row *rows, kit_erro
     return visible + light;
 }
 
-int seeds_units(const options *o) { return count_of(o); }
+int seeds_units(const options *o)
+{
+    entry entries[MOST_ENTRIES];
+    return ao_chosen(entries, o) || pairs_chosen(entries, o) ? count_of(o) : 0;
+}
 
 /* ---- >>ahead: one process a core --------------------------------------------------------------------------------- */
 
@@ -219,7 +231,7 @@ int seeds_ahead(const options *o, kit_error *err)
     const int count = count_of(o), workers = cores(o);
     int queue[2], done[2], measured = 0;
     char tick;
-    if (workers < 2) return 0;
+    if (workers < 2 || !seeds_units(o)) return 0;
     if (pipe(queue) || pipe(done)) return kit_fail(err, "seeds: no pipe to other processes");
     for (int seed = first_of(o); seed < first_of(o) + count; ++seed)        /* fits into what a pipe holds */
         if (write(queue[1], &seed, sizeof seed) != sizeof seed) return kit_fail(err, "seeds: a pipe is full");

@@ -9,7 +9,7 @@
 
 enum { SEEDS_JUDGED = 1000 };
 
-int  seeds_units(const options *o);
+int  seeds_units(const options *o);          /* 0: no row is of a method that is asked for */
 /* Measures units in processes of their own, one a core, before this one has a GL context: seeds_chart then finds them
    measured. */
 int  seeds_ahead(const options *o, kit_error *err);
