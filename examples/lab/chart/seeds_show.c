@@ -247,7 +247,8 @@ static int drawn(FILE *html, const seeds *s, const char *out, int from, int to, 
         shares(value + (i - from) * s->count, s, i, -1);
     }
     const dots d = { to - from, s->count, KIT_KINDS, label, settings, kind, value, s->mean + from, kinds,
-                     "RMSE over that of no occlusion, a dot a scene", "mean of make chart's scenes" };
+                     "RMSE over that of no occlusion, a dot a scene",
+                     from ? "mean of make chart's pairs" : "mean of make chart's scenes" };
     const int failed = dots_chart(html, out, name, title, &d, err);
     free(value);
     return failed;
