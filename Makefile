@@ -4,6 +4,7 @@
 #   make demo    the main job, into report/       make stability   where methods fail, into report/
 #   make test    all tests; tree: who calls whom  make peers       what others have, for the chart
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
+#   make seeds   the chart's part on scenes by seed
 #   make golden    the hashes of those texts that make test compares
 #   make passes    examples/docs/PASSES.md, the table of them
 #   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
@@ -70,10 +71,11 @@ build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-REPORT = lab/report tools/glsl/choices $(addprefix lab/measure/,folder rows picture stage score clock measure halved peers) \
-         $(addprefix lab/page/,page table svg scatter pictures terms units) \
-         $(addprefix lab/chart/,ao strip lit pairs fields fields_demo fields_stage deep deep_demo deep_moving deep_stage \
-         plan planned costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
+REPORT = lab/report tools/glsl/choices \
+         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved peers) \
+         $(addprefix lab/page/,page table svg scatter dots pictures terms units csv) \
+         $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo \
+         deep_moving deep_stage plan planned costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -95,7 +97,7 @@ build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 demo: build/render build/report
 	build/report demo
 
-# Speed against accuracy; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
+# Speed against accuracy, and error on scenes by seed; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
 # Some of its scenes and one of its probes come from packages that nothing else needs; without them, the chart says so.
 PROBE   = /usr/share/blender/datafiles/studiolights/world/interior.exr
 chart: build/report build/figures
@@ -114,6 +116,12 @@ papers: build/report build/figures
 light: build/report
 	build/report light $(if $(QUICK),--quick) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 
+# The chart's part on scenes by seed alone; report/seeds.html. make seeds QUICK=1 is smaller. Seeds from 1000 on only
+# report: FROM=0 has those that settings may be tuned on; report/seeds-fit.html.
+seeds: build/report
+	build/report seeds $(if $(QUICK),--quick) $(METHOD:%=--method %) $(FROM:%=--from %) $(COUNT:%=--count %) \
+	  $(CONTEXT:%=--context %)
+
 # What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library.
 PEERS = three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6 @babylonjs/core@9.34.0 playcanvas@2.23.3
 peers:
@@ -128,11 +136,12 @@ stability: build/stability build/figures
 	build/figures
 
 # examples/docs/FIGURES.md, from the csv of chart, stability and papers; of quick ones report/FIGURES.md.
-FIGURES = $(addprefix lab/figures/,figures csv markdown tables ambient choices stability papers)
+FIGURES = lab/measure/spread lab/page/csv $(addprefix lab/figures/,figures markdown tables seeds ambient choices stability papers)
 build/figures: $(FIGURES:%=build/examples/%.o) build/kit/util.o
 	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
 
-# Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table; what make bench
+# Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table (never on seeds from
+# 1000 on, which only report); what make bench
 # measured on a GPU goes into its second column of costs.
 fit: build/report
 	@sh examples/kit/models.sh iron-bed stairs
@@ -248,7 +257,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light papers peers stability fit glsl \
+.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability fit glsl \
         golden deps format clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).

@@ -563,6 +563,35 @@ static void figures_part(void)
     program(said, sizeof said, "cd '%s' && rm -rf examples report", folder);
 }
 
+/* Scenes by seed beside the chart's and the tuned ones: of three scenes 0.3, 0.5, 1.3 the mean is 0.7, its standard
+   error sqrt(0.56 / 2 / 3) = 0.3055. */
+static void figures_seeds(void)
+{
+#define HEAD "seed,kind,what,label,method,settings,share,bias,time\n"
+#define ROW(seed, kind, share) seed "," kind ",ao,\"hsao, half size\",hsao,\"steps=6\"," share ",0,\n" \
+    seed "," kind ",light,\"ssdo\",ssdo,\"bounce=none\",0.5,0,\n"
+    static const char judged[] = HEAD ROW("1001", "rooms", "0.3") ROW("1002", "streets", "0.5")
+                          ROW("1008", "rooms", "1.3"),
+                      tuned[] = HEAD ROW("1", "rooms", "0.25"),
+                      chart[] = "scene,label,method,settings,share\nroom,\"hsao, half size\",hsao,\"steps=6\",0.6\n";
+    char said[1024] = "", bytes[8192] = { 0 };
+    files_in_folder(1);
+    put("chart.txt", "quick\na note\n", 13);
+    put("seeds.txt", "quick\nof seeds\n", 15);
+    put("seeds.csv", judged, sizeof judged - 1);
+    put("seeds-fit.csv", tuned, sizeof tuned - 1);
+    put("chart.csv", chart, sizeof chart - 1);
+    CHECK(!program(said, sizeof said, "build/figures '%s' 2>&1", folder) && get("FIGURES.md", bytes, sizeof bytes - 1)
+              && strstr(bytes, "\n## Scenes by seed\n") && strstr(bytes, "*of seeds*")
+              && strstr(bytes, "| hsao, half size, `hsao`: `steps=6` | 0.700 &plusmn; 0.599 | 0.500 | 1.300, 1008 | "
+                               "1 | 0.800 | 0.500 | 0.600 | -0.100 | -0.450 |\n")
+              && strstr(bytes, "| ssdo: `bounce=none` | 0.500 &plusmn; 0.000 | 0.500 | 0.500, 1001 | "
+                               "0 | 0.500 | 0.500 | | | +0.000 |\n"),
+          "%s: \"%s\"", said, bytes);
+#undef HEAD
+#undef ROW
+}
+
 /* ---- JSON ---------------------------------------------------------------------------------------------------- */
 
 static void json(void)
@@ -1471,6 +1500,7 @@ void test_files(void)
     RUN("pictures are read and written, or one sentence says why not, whichever allocation fails", starved);
     RUN("damaged pictures neither crash nor trip a sanitizer", fuzzed);
     RUN("a page of figures is written whole or not at all", figures_whole);
+    RUN("figures show scenes by seed, beside the chart's and those that settings are tuned on", figures_seeds);
     RUN("full figures of the papers take their part of the page, and leave the other", figures_part);
     RUN("JSON: any bytes make a string, what is no number is null", json);
     RUN("a Radiance HDR gives the values of its format, a cut one an error", hdr);

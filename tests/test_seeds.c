@@ -1,11 +1,16 @@
-/* test_seeds.c - scenes drawn from a seed: the kit's seeds.c, look.c, parts.c. */
+/* test_seeds.c - scenes drawn from a seed: the kit's seeds.c, look.c, parts.c; and what a chart of many scenes rests
+   on: the laboratory's spread.c, units.c. */
 #include "t.h"
+#include "kit/kit_gl.h"
 #include "kit/kit_seed.h"
 #include "kit/kit_trace.h"
+#include "lab/measure/spread.h"
+#include "lab/page/units.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { LEAST_TRIANGLES = 3000, MOST_TRIANGLES = 300000, SEEDS = 2 * KIT_KINDS };
 
@@ -162,9 +167,83 @@ static void closed_parts(void)
     }
 }
 
+/* ---- many scenes: their mean and its interval; a chart of them that is interrupted --------------------------------- */
+
+/* 0.2, 0.4, 0.6, 1.2 and one that is not known: mean 0.6, squares about it 0.56, so that the mean's standard error is
+   sqrt(0.56 / 3 / 4) = 0.216025. */
+static void spreads(void)
+{
+    static const double value[5] = { 0.4, (double)NAN, 1.2, 0.2, 0.6 };
+    static const int group[5] = { 0, 0, 1, 0, 1 };
+    const spread all = spread_of(value, 5), one = spread_in(value, group, 1, 5), none = spread_in(value, group, 2, 5),
+                 alone = spread_of(value, 2);
+    CHECK(all.count == 4 && all.above == 1 && all.worst == 2 && fabs(all.mean - 0.6) < 1e-12
+              && fabs(all.half - 1.96 * 0.2160247) < 1e-6 && fabs(all.median - 0.5) < 1e-12 && !(all.most < 1.2),
+          "of %d: mean %g +- %g, median %g, worst %g, number %d; %d above 1", all.count, all.mean, all.half, all.median,
+          all.most, all.worst, all.above);
+    CHECK(one.count == 2 && one.worst == 2 && fabs(one.mean - 0.9) < 1e-12, "a group of %d: mean %g, worst number %d",
+          one.count, one.mean, one.worst);
+    CHECK(!none.count && none.worst < 0 && isnan(none.mean) && isnan(none.median) && alone.count == 1
+              && isnan(alone.half),
+          "of none: mean %g, worst number %d; of one alone: +- %g", none.mean, none.worst, alone.half);
+}
+
+static int measured;
+
+static int one_row(FILE *html, const options *o, int k, row *rows, kit_error *err)
+{
+    char name[16];
+    (void)o, (void)err;
+    if (!rows) return 1;
+    ++measured;
+    snprintf(name, sizeof name, "part %d", k);
+    fputs(name, html);
+    rows[0] = row_blank(OF_AO, "a scene", "a label", "ssao", "samples=8");
+    rows[0].share = k;
+    return 1;
+}
+
+/* Units of so many seeds from 1000 on, as a chart measures them: whether all came out as they should. */
+static int seeds_charted(const options *o, int count)
+{
+    char *text = NULL, wanted[256] = "";
+    size_t size;
+    FILE *html = open_memstream(&text, &size);
+    int good = html != NULL;
+    units_begin(o, count);
+    for (int k = 1000; k < 1000 + count && good; ++k) {
+        row r;
+        good = units_measure(html, o, "test-seed", k, one_row, &r, NULL) == 1 && !strcmp(r.label, "a label")
+               && !strcmp(r.settings, "samples=8") && fabs(r.share - k) < 1e-9;
+        snprintf(wanted + strlen(wanted), sizeof wanted - strlen(wanted), "part %d", k);
+    }
+    if (html) fclose(html);
+    good = good && !strcmp(text, wanted);
+    free(text);
+    return good;
+}
+
+static void units_resumed(void)
+{
+    char out[32];
+    kit_error err;
+    if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
+    snprintf(out, sizeof out, "of process %d", (int)getpid());        /* nobody else's units */
+    const options o = { .out = out };
+    measured = 0;
+    CHECK(seeds_charted(&o, 2) && measured == 2, "%d measured of two", measured);
+    CHECK(seeds_charted(&o, 3) && measured == 3, "an interrupted chart's units: %d measured of three", measured);
+    units_end();
+    CHECK(seeds_charted(&o, 1) && measured == 4, "a chart that was whole left its units");
+    units_end();
+    kit_gl_close();
+}
+
 void test_seeds(void)
 {
     RUN("scenes by seed: the same by either name, finite, of a size; the camera sees them, the radius fits", scenes);
     RUN("a seed that is none: the name and what is wrong with it are told, the scene is untouched", no_seeds);
     RUN("what they are built of is closed, faces outwards and holds its volume, in frames within frames", closed_parts);
+    RUN("what many scenes say together: mean, interval, median, worst from known numbers", spreads);
+    RUN("a chart of seeds that was interrupted goes on from what it measured", units_resumed);
 }

@@ -38,6 +38,9 @@ static void ssim_row(void *context, int y)
     enum { STRIP = 256, REACH = 5, SUMS = 6 };
     const double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
     ssim_job *j = context;
+    int known = 0;
+    while (known < j->width && !ssim_counts(j, (size_t)y * (size_t)j->width + (size_t)known)) ++known;
+    if (known == j->width) return;                   /* so every other row of a truth with a stride */
     for (int x0 = 0; x0 < j->width; x0 += STRIP) {
         double column[STRIP + 2 * REACH][SUMS] = {{0}};
         int x1 = x0 + STRIP < j->width ? x0 + STRIP : j->width;

@@ -2,21 +2,26 @@
 
       build/report demo  [--out report] [--context egl] [--mesh M.obj]     pictures, tables and demo.html, in a minute
       build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv,
-         chart*.svg and index.html, in a quarter of an hour, or 2 minutes
+         chart*.svg and index.html, in half an hour, or 3 minutes
       build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv, light.html
+      build/report seeds [--out report] [--context egl] [--quick] [--method NAME] [--from 1000] [--count 100]     scenes
+         by seed: seeds.csv, seeds.html, seeds-KIND.html
       build/report papers [--out report] [--context egl] [--quick] [--paper "HSAO08 Table 1"]     papers.csv,
          papers.html, in some minutes
       build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c
       build/report plan  [--out report] [--context egl]     the chart's part on the plan: plan.csv, plan.html
 
-   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. --method: the
-   rows of methods whose names begin so. Truth is kept under build/cache/, and so is what an interrupted chart has
-   measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2.
+   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too, and with
+   neither --scene nor --method scenes by seed and the plan. --method: the rows of methods whose names begin so. --from:
+   the first seed; those below 1000, which settings may be tuned on, end there, and their files are called seeds-fit.
+   Truth is kept under build/cache/, and so is what an interrupted chart has measured: the same command goes on from
+   there. Bad input, or a write that fails: one line on stderr, status 2.
 
    Here are the commands, which put sections of pages together; a section is a file of chart/, a paper one of papers/,
    which sets up some of its stages as chart/ does. Below them lies page/: how pages, tables, charts and pictures are
    written, and what is kept of a chart that is not whole; below that measure/: scenes and their truth, methods drawn,
-   scored and timed. Nothing calls upward, no section another. */
+   scored and timed. Nothing calls upward; no section calls another, but for seeds.c, which has its rows from ao.c and
+   pairs.c. */
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
@@ -27,6 +32,7 @@
 #include "lab/chart/lit.h"
 #include "lab/chart/pairs.h"
 #include "lab/chart/plan.h"
+#include "lab/chart/seeds.h"
 #include "lab/chart/strip.h"
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
@@ -122,7 +128,7 @@ static int chart_sections(FILE *html, const options *o, int all, int whole, kit_
     if (all && (lit_chart(html, o, err) || pairs_chart(html, o, err) || fields_chart(html, o, err)
         || deep_chart(html, o, err)))
         return -1;
-    if (whole && plan_chart(html, o, err)) return -1;
+    if (whole && (seeds_chart(html, o, err) || plan_chart(html, o, err))) return -1;
     return whole && !o->quick && costs_chart(html, o->out, err) ? -1 : 0;
 }
 
@@ -145,6 +151,7 @@ static void chart_text(const options *o, int all, int whole)
     if (all) pairs_text(stdout, o);
     if (all) fields_chart_text(stdout);
     if (all) deep_chart_text(stdout);
+    if (whole) seeds_text(stdout);
     if (whole) plan_text(stdout);
     printf("\ntime: relative to one unblurred 16-sample ssao, on %s\ncharts: %s/index.html\n", kit_gl_name(), o->out);
 }
@@ -156,7 +163,8 @@ static int chart(const options *o, kit_error *err)
     page html;
     if (check_asked(o, err)) return -1;
     if (o->quick) stage_thrift = QUICK_THRIFT;
-    units_begin(o, ao_units(o) + (all ? lit_units(o) + pairs_units(o) + fields_units(o) + deep_units(o) : 0));
+    units_begin(o, ao_units(o) + (all ? lit_units(o) + pairs_units(o) + fields_units(o) + deep_units(o) : 0)
+                       + (whole ? seeds_units(o) : 0));
     if (page_open(&html, err)) return -1;
     chart_head(html.file, o->quick);
     if (chart_sections(html.file, o, all, whole, err)) return -1;
@@ -170,6 +178,12 @@ static int chart(const options *o, kit_error *err)
     units_end();
     chart_text(o, all, whole);
     return 0;
+}
+
+/* Scenes by seed are not timed, so that several are measured at once. */
+static int chart_ahead(const options *o, kit_error *err)
+{
+    return o->scenes || o->method ? 0 : seeds_ahead(o, err);
 }
 
 /* Light on every pair alone: light.html. */
@@ -188,6 +202,25 @@ static int light(const options *o, kit_error *err)
     units_end();
     pairs_text(stdout, o);
     printf("\ntime: relative to one unblurred 16-sample ssao, on %s\npictures: %s/light.html\n", kit_gl_name(), o->out);
+    return 0;
+}
+
+/* Scenes by seed alone: seeds.html. */
+static int seeds(const options *o, kit_error *err)
+{
+    const char *name = o->first >= 0 && o->first < SEEDS_JUDGED ? "seeds-fit.html" : "seeds.html";
+    page html;
+    if (o->quick) stage_thrift = QUICK_THRIFT;
+    if (!seeds_units(o)) return kit_fail(err, "--method %s: no row of the charts is of such a method", o->method);
+    units_begin(o, seeds_units(o));
+    if (page_open(&html, err)) return -1;
+    page_head(html.file, "ssgi: scenes by seed", kit_gl_name());
+    if (seeds_chart(html.file, o, err)) return -1;
+    terms_chart(html.file);
+    if (page_close(&html, o->out, name, err)) return -1;
+    units_end();
+    seeds_text(stdout);
+    printf("pictures: %s/%s\n", o->out, name);
     return 0;
 }
 
@@ -234,16 +267,17 @@ static int papers(const options *o, kit_error *err)
 
 static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err); }
 
-/* What a command takes beside --out and --context. */
-enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16 };
-static const struct command { const char *name; int takes; int (*run)(const options *o, kit_error *err); }
-commands[] = {
-    { "demo",   MESH,                    demo },
-    { "chart",  QUICK | SCENES | METHOD, chart },
-    { "light",  QUICK | SCENES | METHOD, light },
-    { "papers", QUICK | PAPER,           papers },
-    { "fit",    MESH,                    fit },
-    { "plan",   MESH,                    plan }
+/* What a command takes beside --out and --context. ahead: what it does before there is a GL context; NULL: nothing. */
+enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32 };
+typedef int step(const options *o, kit_error *err);
+static const struct command { const char *name; int takes; step *run, *ahead; } commands[] = {
+    { "demo",   MESH,                    demo,   NULL },
+    { "chart",  QUICK | SCENES | METHOD, chart,  chart_ahead },
+    { "light",  QUICK | SCENES | METHOD, light,  NULL },
+    { "seeds",  QUICK | METHOD | SEEDS,  seeds,  seeds_ahead },
+    { "papers", QUICK | PAPER,           papers, NULL },
+    { "fit",    MESH,                    fit,    NULL },
+    { "plan",   MESH,                    plan,   NULL }
 };
 
 static void usage(void)
@@ -254,6 +288,8 @@ static void usage(void)
           "speed against accuracy\n"
           "       report light [--out FOLDER] [--context ...] [--quick] [--method NAME]     the chart's part on "
           "light, every pair\n"
+          "       report seeds [--out FOLDER] [--context ...] [--quick] [--method NAME] [--from SEED] [--count N]     "
+          "scenes by seed\n"
           "       report papers [--out FOLDER] [--context ...] [--quick] [--paper HSAO08]     the papers' tables and "
           "figures\n"
           "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n"
@@ -268,11 +304,25 @@ static int add_scene(options *o, const char *name, kit_error *err)
     return 0;
 }
 
+/* text: a whole number from least to most; NULL: it is not asked for, and *to stays. */
+static int number(int *to, const char *name, const char *text, int least, int most, kit_error *err)
+{
+    char *end;
+    if (!text) return 0;
+    const long v = strtol(text, &end, 10);
+    if (end == text || *end || v < least || v > most)
+        return kit_fail(err, "%s %s: must be a whole number %d..%d", name, text, least, most);
+    *to = (int)v;
+    return 0;
+}
+
 static int parse(options *o, const struct command *c, int argc, char **argv, kit_error *err)
 {
+    const char *from = NULL, *count = NULL;
     const struct { const char *name; int of; const char **to; } known[] = {
         { "--out", 0, &o->out },             { "--context", 0, &o->context }, { "--mesh", MESH, &o->mesh },
-        { "--method", METHOD, &o->method },  { "--paper", PAPER, &o->paper }, { "--scene", SCENES, NULL }
+        { "--method", METHOD, &o->method },  { "--paper", PAPER, &o->paper }, { "--scene", SCENES, NULL },
+        { "--from", SEEDS, &from },          { "--count", SEEDS, &count }
     };
     memset(o, 0, sizeof *o);
     o->out = "report";
@@ -288,13 +338,17 @@ static int parse(options *o, const struct command *c, int argc, char **argv, kit
         if (known[k].to) *known[k].to = v;
         else if (add_scene(o, v, err)) return -1;
     }
-    return 0;
+    o->first = -1;
+    return number(&o->first, "--from", from, 0, 999999, err) || number(&o->seeds, "--count", count, 1, MOST_SEEDS, err)
+               ? -1
+               : 0;
 }
 
 static int run(const struct command *c, int argc, char **argv, kit_error *err)
 {
     options o;
-    return parse(&o, c, argc, argv, err) || folder_make(o.out, err) || kit_gl_open(o.context, err)
+    return parse(&o, c, argc, argv, err) || folder_make(o.out, err) || (c->ahead && c->ahead(&o, err))
+                   || kit_gl_open(o.context, err)
                    || c->run(&o, err)
                ? -1
                : kit_streams_close(err);
@@ -308,7 +362,7 @@ int main(int argc, char **argv)
     if (argc < 2) { usage(); return 2; }
     while (c < commands + COUNT(commands) && strcmp(c->name, argv[1])) ++c;
     if (c == commands + COUNT(commands))
-        kit_fail(&err, "%s: there is no such command (demo, chart, light, papers, fit, plan)", argv[1]);
+        kit_fail(&err, "%s: there is no such command (demo, chart, light, seeds, papers, fit, plan)", argv[1]);
     else run(c, argc, argv, &err);
     if (*err.text) {
         kit_progress("", 1);

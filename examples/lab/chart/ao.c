@@ -264,10 +264,12 @@ static view view_at(const options *o, int k)
     return v;
 }
 
+int ao_chosen(entry *out, const options *o) { return units_chosen(out, WITH_COUNT(chart_entries), o); }
+
 int ao_entries(const options *o)
 {
     entry e[MOST_ENTRIES];
-    return units_chosen(e, WITH_COUNT(chart_entries), o);
+    return ao_chosen(e, o);
 }
 
 static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
@@ -276,7 +278,7 @@ static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *er
     const view v = view_at(o, k);
     entry entries[MOST_ENTRIES];
     kit_image picture[MOST_ENTRIES];
-    const int count = units_chosen(entries, WITH_COUNT(chart_entries), o);
+    const int count = ao_chosen(entries, o);
     int peers;
     stage s;
     if (!count || (!o->scenes && stage_packages(v.path) && access(v.path, R_OK))) return 0;

@@ -14,8 +14,7 @@
 #define INTERIOR "/usr/share/blender/datafiles/studiolights/world/interior.exr"
 #define INTERIOR_PACKAGE "blender-data"
 
-enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180, NOISE_RAYS = 4, NOISE_STRIDE = 10 };
-_Static_assert(ON_STRIDE(NOISE_STRIDE), "noise is probed where there is no truth");
+enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180 };
 /* alone, and with boxes beside the bunny; as many rays as bring the truth's noise below 1 % of the mean */
 #define LIT(env, rays, exposure) \
     { { env, { NULL }, 0, 0, 0, rays, exposure, NO_CROPS }, { env, { NULL }, 4, 0, 0, rays, exposure, NO_CROPS } }
@@ -55,8 +54,7 @@ static const entry pair_entries[] = {
     { "hsao, slabs, times irradiance", "hsao",    "behind=slabs",                    0 }
 };
 enum { SCENES = COUNT(scenes), PROBES = COUNT(probes), PAIRS = SCENES * PROBES, BESIDE = 3 };
-static const char scalar_label[] = "true visibility times irradiance", open_label[] = "no occlusion",
-                  noise_label[] = "the truth's own noise";
+static const char scalar_label[] = PAIRS_SCALAR, open_label[] = "no occlusion", noise_label[] = PAIRS_NOISE;
 _Static_assert(COUNT(pair_entries) + BESIDE <= MOST_ROWS, "more rows than MOST_ROWS");
 
 typedef struct pair { char name[64]; row row[MOST_ROWS]; int count; } pair;   /* entries, then those of the labels */
@@ -72,33 +70,14 @@ static int there(const options *o, int k)
 
 /* ---- >>measure --------------------------------------------------------------------------------------------------- */
 
-/* A row whose figures come from a picture, without a time. */
-static int picture_row(row *r, const stage *s, const char *label, const kit_image *picture, kit_error *err)
-{
-    *r = row_blank(OF_LIT, s->name, label, "none", "");
-    return score_picture(r, s, picture, err);
-}
-
-/* How far the truth is off by itself: against NOISE_RAYS times its rays at every NOISE_STRIDE-th pixel, which begin
-   with the truth's own. So the difference is smaller than the error, by sqrt(1 - 1 / NOISE_RAYS) for independent
-   rays. */
-static int noise_row(row *r, const stage *s, kit_error *err)
-{
-    kit_image probe;
-    if (stage_trace(&probe, s, NOISE_RAYS * s->rays, NOISE_STRIDE, err) || picture_row(r, s, noise_label, &probe, err))
-        return -1;
-    kit_image_free(&probe);
-    r->error[1] /= sqrt(1 - 1.0 / NOISE_RAYS);
-    r->bias[1] = 0;
-    return 0;
-}
+int pairs_chosen(entry *out, const options *o) { return units_chosen(out, WITH_COUNT(pair_entries), o); }
 
 static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
 {
     view v = scenes[k / PROBES].view;
     entry entries[MOST_ENTRIES];
     kit_image picture[MOST_ENTRIES], visible;
-    const int count = units_chosen(entries, WITH_COUNT(pair_entries), o);
+    const int count = pairs_chosen(entries, o);
     char name[64];
     stage s;
     if (!count || !there(o, k)) return 0;
@@ -114,7 +93,7 @@ static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *
     beside[1] = beside[0];
     beside[1].label = open_label;
     if (stage_visibility(&visible, &s, err) || stage_dim(&visible, &s, err)
-        || picture_row(&beside[0], &s, scalar_label, &visible, err) || noise_row(&beside[2], &s, err))
+        || score_named(&beside[0], &s, scalar_label, &visible, err) || score_noise(&beside[2], &s, noise_label, err))
         return -1;
     snprintf(pairs[k].name, sizeof pairs[k].name, "%s", s.name);
     for (int i = 0; i < count + BESIDE; ++i) {

@@ -63,6 +63,7 @@ static void chart(const markdown *m)
     section_tables(m, "aof", "chart-aof.csv");
     fputs("\n## Deep screen space\n", m->file);
     section_tables(m, "deep", "chart-deep.csv");
+    section_seeds(m);
     section_plan(m);
     section_costs(m);
 }
@@ -135,6 +136,7 @@ int main(int argc, char **argv)
     const char chart_run = run_of("chart.txt", &m.chart_note),
                stability_run = run_of("stability.txt", &m.stability_note),
                papers_run = run_of("papers.txt", &m.papers_note);
+    m.seeds_run = run_of("seeds.txt", &m.seeds_note);
     if (!chart_run && !stability_run && !papers_run) {
         fprintf(stderr, "figures: %s: holds none of chart.txt, stability.txt and papers.txt (make chart, make "
                         "stability, make papers)\n",

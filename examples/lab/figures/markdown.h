@@ -3,12 +3,14 @@
 #define LAB_MARKDOWN_H
 
 #include <stdio.h>
-#include "lab/figures/csv.h"
+#include "lab/page/csv.h"
 
 typedef struct markdown {
     FILE       *file;
     int         full;                      /* the page is examples/docs/FIGURES.md */
-    const char *chart_note, *stability_note, *papers_note;   /* where the figures of each come from */
+    /* where the figures of each come from */
+    const char *chart_note, *stability_note, *papers_note, *seeds_note;
+    char        seeds_run;                 /* f, q, p: whole, quick or in part; 0 = there was none */
 } markdown;
 
 /* A heading, what the table is about (pictures as examples/docs has them), and where its figures come from. */

@@ -8,6 +8,7 @@ void section_ambient(const markdown *m);
 void section_pairs(const markdown *m);
 /* kind: "lit", "aof" or "deep", of the csv of that name */
 void section_tables(const markdown *m, const char *kind, const char *name);
+void section_seeds(const markdown *m);
 void section_plan(const markdown *m);
 void section_costs(const markdown *m);
 void section_stability(const markdown *m);

@@ -34,11 +34,12 @@ int measure_entries(row *rows, stage *s, const entry *entries, int count, int ro
     for (int i = 0; i < count; ++i) {
         kit_image picture;
         if (measure_entry(&rows[i], &run[i], &picture, s, &entries[i], phases, err)) return -1;
+        if (!rounds) kit_run_close(&run[i]);
         if (pictures) pictures[i] = picture; else kit_image_free(&picture);
         kit_progress(what, (i + 1.0) / (count + 1.0));
     }
     kit_progress(what, 1);
-    if (clock_runs(rows, s, run, count, rounds, err)) return -1;
+    if (rounds && clock_runs(rows, s, run, count, rounds, err)) return -1;
     for (int i = 0; i < s->givens; ++i)
         if (measure_given(&rows[count + i], s, &s->given[i], phases, err)) return -1;
     return 0;

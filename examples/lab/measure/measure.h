@@ -7,7 +7,7 @@
 
 /* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm
    up, with a history SETTLED frames (that picture is scored), over so many phases of its noise (0: one, and no split is
-   known), then timed. pictures: NULL, or an empty one an entry. */
+   known), then timed; rounds 0: not timed, and closed at once. pictures: NULL, or an empty one an entry. */
 int measure_entries(row *rows, stage *s, const entry *entries, int count, int rounds, int phases, kit_image *pictures,
                     kit_error *err);
 /* Times alone: no picture, no truth; of a stage that is loaded and looked at. */

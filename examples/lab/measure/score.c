@@ -52,6 +52,30 @@ int score_picture(row *r, const stage *s, const kit_image *picture, kit_error *e
     return failed ? -1 : 0;
 }
 
+int score_named(row *r, const stage *s, const char *label, const kit_image *picture, kit_error *err)
+{
+    *r = row_blank(OF_LIT, s->name, label, "none", "");
+    return score_picture(r, s, picture, err);
+}
+
+/* ---- >>noise of the truth ---------------------------------------------------------------------------------------- */
+
+enum { NOISE_RAYS = 4, NOISE_STRIDE = 10 };
+_Static_assert(ON_STRIDE(NOISE_STRIDE), "noise is probed where there is no truth");
+
+/* Against NOISE_RAYS times its rays at every NOISE_STRIDE-th pixel, which begin with the truth's own. So the difference
+   is smaller than the error, by sqrt(1 - 1 / NOISE_RAYS) for independent rays. */
+int score_noise(row *r, const stage *s, const char *label, kit_error *err)
+{
+    kit_image probe;
+    if (stage_trace(&probe, s, NOISE_RAYS * s->rays, NOISE_STRIDE, err) || score_named(r, s, label, &probe, err))
+        return -1;
+    kit_image_free(&probe);
+    r->error[1] /= sqrt(1 - 1.0 / NOISE_RAYS);
+    r->bias[1] = 0;
+    return 0;
+}
+
 /* ---- >>phases of the noise --------------------------------------------------------------------------------------- */
 
 /* Of each value its sum and that of its squares, over so many pictures. */

@@ -11,7 +11,8 @@
 #define MAPLE   "build/models/maple.obj"
 #define HOUSE   "build/models/fzk-house.obj"
 
-/* of the truth of ambient visibility; the floor is traced at every FLOOR_STRIDE-th pixel both ways */
+/* of the truth of ambient visibility; the floor is traced at every FLOOR_STRIDE-th pixel both ways (at every third of
+   those of the truth where that has a stride) */
 enum { RAYS = 256, FLOOR_STRIDE = 4 };
 /* of light the truth is traced at every LIT_STRIDE-th pixel both ways, and probed at some of these. A stride's pixel is
    the middle one of its block: strides on which that is traced, too */

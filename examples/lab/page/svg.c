@@ -17,18 +17,20 @@ double svg_step(double least, double span)
     return s;
 }
 
-void svg_begin(FILE *f, const char *title)
+void svg_begin(FILE *f, const char *title) { svg_begin_high(f, title, SVG_HIGH); }
+
+void svg_begin_high(FILE *f, const char *title, int high)
 {
     fprintf(f,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" role=\"img\" "
             "font-family=\"system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"13\" "
             "fill=\"#444\">\n<title>",
-            SVG_WIDE, SVG_HIGH, SVG_WIDE, SVG_HIGH);
+            SVG_WIDE, high, SVG_WIDE, high);
     page_escaped(f, title);
     fprintf(f,
             "</title>\n<rect width=\"%d\" height=\"%d\" rx=\"6\" fill=\"#fff\"/>\n<text x=\"%d\" y=\"32\" "
             "font-size=\"17\" font-weight=\"600\" fill=\"#111\">",
-            SVG_WIDE, SVG_HIGH, SVG_LEFT);
+            SVG_WIDE, high, SVG_LEFT);
     page_escaped(f, title);
     fputs("</text>\n", f);
 }

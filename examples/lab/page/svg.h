@@ -13,6 +13,7 @@ double svg_y(const scale *s, double v);
 double svg_step(double least, double span);          /* 1, 2 or 5 times a power of ten: at most six lines in span */
 
 void svg_begin(FILE *f, const char *title);
+void svg_begin_high(FILE *f, const char *title, int high);     /* of another height than SVG_HIGH */
 /* A line across the frame and its number, so; one up the frame, and the number under it. */
 void svg_level(FILE *f, const scale *s, double v, const char *stroke, const char *number);
 void svg_tick(FILE *f, const scale *s, double v, const char *stroke);

@@ -24,7 +24,7 @@ int units_chosen(entry *out, const entry *entries, int count, const options *o)
 
 /* ---- >>units ----------------------------------------------------------------------------------------------------- */
 
-enum { MOST_UNITS = 96 };
+enum { MOST_UNITS = 96 + MOST_SEEDS };
 static struct { uint64_t key; int all, count, measured; double begun; char now[32], path[MOST_UNITS][96]; } units;
 
 static uint64_t hashed_file(uint64_t h, const char *path)

@@ -6,11 +6,12 @@
 #include <stdio.h>
 #include "lab/measure/rows.h"
 
-enum { MOST_SCENES = 16 };
+enum { MOST_SCENES = 16, MOST_SEEDS = 1000 };
 /* What a command is asked for; NULL, 0: not. */
 typedef struct options {
     const char *out, *mesh, *method, *paper, *context, *scene[MOST_SCENES];
     int quick, scenes;
+    int first, seeds;                        /* of scenes by seed: the first, below 0: not said; how many */
 } options;
 /* Whether --method asks for a method; the entries that a chart shows, and how many. */
 int units_asked(const options *o, const char *method);

@@ -1,5 +1,6 @@
 /* csv.c - tables as make chart and make stability write them. Declared in csv.h. */
-#include "lab/figures/csv.h"
+#include "lab/page/csv.h"
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,14 +45,15 @@ csv csv_read(const char *name)
     int cells = 0;
     if (!in || !*in) return c;
     c.cell = malloc(sizeof *c.cell * (strlen(in) + 2));
-    if (!c.cell) { fputs("figures: out of memory\n", stderr); exit(2); }
+    if (!c.cell) { fprintf(stderr, "%s: out of memory\n", program_invocation_short_name); exit(2); }
     c.text = out = in;
     while (*in) {
         c.cell[cells++] = out;
         if (cell(&in, &out) == ',') continue;
         if (!c.columns) c.columns = cells;
         if (cells % c.columns) {
-            fprintf(stderr, "figures: %s: line %d has another number of columns\n", name, cells / c.columns + 1);
+            fprintf(stderr, "%s: %s: line %d has another number of columns\n", program_invocation_short_name, name,
+                    cells / c.columns + 1);
             exit(2);
         }
     }

@@ -1,0 +1,327 @@
+/* seeds.c - what report.c shows of scenes drawn from seeds: each is measured as a unit of its own. Declared in
+   seeds.h. */
+#include "lab/chart/seeds.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "lab/chart/ao.h"
+#include "lab/chart/pairs.h"
+#include "lab/chart/seeds_show.h"
+#include "lab/measure/measure.h"
+#include "lab/page/page.h"
+#include "lab/page/pictures.h"
+
+/* Truth at every second pixel both ways. */
+enum { SEED_WIDTH = 320, SEED_HEIGHT = 180, SEED_RAYS = 256, SEED_LIGHT_RAYS = 256, SEED_NOISY_RAYS = 1024,
+    SEEDS = 100, SEEDS_QUICK = 21, WORKERS = 8 };
+static const lit seed_light = { NULL, { NULL }, 0, 0, 0, SEED_LIGHT_RAYS, 1, NO_CROPS };
+
+static int first_of(const options *o) { return o->first < 0 ? SEEDS_JUDGED : o->first; }
+
+/* Those to tune on end where those that report begin. */
+static int count_of(const options *o)
+{
+    const int first = first_of(o), count = o->seeds ? o->seeds : o->quick ? SEEDS_QUICK : SEEDS;
+    return first < SEEDS_JUDGED && first + count > SEEDS_JUDGED ? SEEDS_JUDGED - first : count;
+}
+
+/* ---- >>picture: the scene as its own light shows it -------------------------------------------------------------- */
+
+/* What is seen where there is no surface: the environment. */
+static void fill_sky(kit_image *picture, const stage *s)
+{
+    const size_t pixels = (size_t)picture->width * (size_t)picture->height;
+    const float *z = kit_image_channel(&s->frame, "Z");
+    for (size_t i = 0; i < pixels; ++i) {
+        float origin[3], direction[3], rgb[3];
+        if (z[i] > 0) continue;
+        kit_camera_ray(&s->gbuffer.camera, (int)(i % (size_t)picture->width), (int)(i / (size_t)picture->width), origin,
+                       direction);
+        kit_env_radiance(&s->lighting.env, direction, rgb);
+        for (size_t c = 0; c < 3; ++c) picture->data[c * pixels + i] = rgb[c];
+    }
+}
+
+/* Radiance (channels R, G, B first) as a picture of [0, 1): three of four pixels lie below a middle grey's double. */
+static int tone_map(kit_image *picture, kit_error *err)
+{
+    const size_t pixels = (size_t)picture->width * (size_t)picture->height;
+    float *bright = malloc(pixels * sizeof *bright);
+    if (!bright) return kit_fail(err, "out of memory");
+    for (size_t i = 0; i < pixels; ++i)
+        bright[i] = fmaxf(picture->data[i], fmaxf(picture->data[pixels + i], picture->data[2 * pixels + i]));
+    kit_middle(bright, pixels);                      /* sorts them */
+    const float by = -0.9f / fmaxf(bright[pixels * 3 / 4], 1e-6f);
+    for (size_t i = 0; i < 3 * pixels; ++i) picture->data[i] = 1 - expf(by * picture->data[i]);
+    free(bright);
+    return 0;
+}
+
+/* out/BASE-SEED.png, by the scene's environment and lights; the stage's light is none again after that. */
+static int own_picture(FILE *html, stage *s, const char *out, const char *slug, const char *note, kit_error *err)
+{
+    kit_image picture;
+    if (kit_light_scene(&s->lighting, &s->scene, err) || stage_drawn(&picture, s, "ssdo-best", "", s->radius, err))
+        return -1;
+    fill_sky(&picture, s);
+    if (tone_map(&picture, err) || pictures_save(&picture, "R,G,B", 1, out, slug, ".png", err)) return -1;
+    page_figure(html, slug, "by its own light", note, picture.width, picture.height, 0);
+    fputs("</figure>\n", html);
+    kit_image_free(&picture);
+    kit_image_free(&s->lighting.env);
+    memset(&s->lighting, 0, sizeof s->lighting);
+    return 0;
+}
+
+/* ---- >>measure: one scene ---------------------------------------------------------------------------------------- */
+
+/* A seed's stage: quick charts have as large pictures, but fewer rays. 1; 0 = a package that it needs is not there, as
+   html (NULL: nobody) is told. */
+static int seed_open(FILE *html, stage *s, const view *v, kit_error *err)
+{
+    kit_error why = { "" };
+    if (stage_load(s, v, &why)) {
+        if (strstr(why.text, "is missing; install")) {
+            fprintf(stderr, "report: note: left out, %s\n", why.text);
+            if (html) fprintf(html, "<p class=\"faint\">Left out, %s.</p>\n", why.text);
+            return 0;
+        }
+        return kit_fail(err, "%s", why.text);
+    }
+    if (stage_look(s, v, SEED_WIDTH * stage_thrift, SEED_HEIGHT * stage_thrift, err)) return -1;
+    s->stride = LIT_STRIDE;
+    return 1;
+}
+
+/* The truth and hsao's picture, beside the scene's. */
+static int small_pictures(FILE *html, const stage *s, const char *out, const char *slug, const row *rows,
+                          const kit_image *pictures, int count, kit_error *err)
+{
+    char name[64], note[64];
+    snprintf(name, sizeof name, "%s-truth", slug);
+    if (pictures_thumb(html, out, name, "true visibility", "", s, &s->truth, err)) return -1;
+    for (int i = 0; i < count; ++i) {
+        if (strcmp(rows[i].method, "hsao") || *rows[i].settings) continue;
+        snprintf(name, sizeof name, "%s-hsao", slug);
+        snprintf(note, sizeof note, "error %.3f", rows[i].share);
+        if (pictures_thumb(html, out, name, "hsao", note, s, &pictures[i], err)) return -1;
+    }
+    return 0;
+}
+
+/* Ambient visibility's rows, then the floor; its truth, for the caller to free. How many; 0 = the scene is left out. */
+static int visible_rows(FILE *html, const options *o, const view *v, row *rows, kit_image *truth, kit_error *err)
+{
+    entry entries[MOST_ENTRIES];
+    kit_image pictures[MOST_ENTRIES];
+    const int count = ao_chosen(entries, o);
+    char slug[32], note[128];
+    stage s;
+    const int there = seed_open(html, &s, v, err);
+    if (there <= 0) return there;
+    snprintf(slug, sizeof slug, "%s", v->name);
+    snprintf(note, sizeof note, "%zu triangles, %d lights, %s", s.scene.mesh.triangles, s.scene.lights, s.scene.env);
+    fprintf(html, "<div id=\"%s\"><h3>%s</h3>\n<div class=\"grid thumbs\">\n", v->name, v->name);
+    if (own_picture(html, &s, o->out, slug, note, err) || stage_compare(&s, err)
+        || measure_entries(rows, &s, entries, count, 0, 0, pictures, err)
+        || small_pictures(html, &s, o->out, slug, rows, pictures, count, err))
+        return -1;
+    fputs("</div>\n", html);
+    for (int i = 0; i < count; ++i) kit_image_free(&pictures[i]);
+    *truth = s.truth;
+    memset(&s.truth, 0, sizeof s.truth);
+    stage_close(&s);
+    return count + 1;                                /* without no AO's row, whose share is 1 */
+}
+
+/* The truth's, so that its noise stays below a tenth of what methods err by: in some environments small bright parts
+   bring much of the light. */
+static int rays_for(const char *env)
+{
+    return !strcmp(env, "windows") || !strcmp(env, "probe") ? SEED_NOISY_RAYS : SEED_LIGHT_RAYS;
+}
+
+/* Light's rows by the scene's environment, then those of the true visibility (visible) and of the truth's noise. */
+static int light_rows(const options *o, const view *v, row *rows, kit_image *visible, kit_error *err)
+{
+    entry entries[MOST_ENTRIES];
+    const int count = pairs_chosen(entries, o);
+    stage s;
+    if (!count) return 0;
+    if (seed_open(NULL, &s, v, err) <= 0) return -1;
+    s.rays = rays_for(s.scene.env);                  /* a quick chart's, too: noise is not to be scored */
+    if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, 0, 0, NULL, err)) return -1;
+    const double open = rows[count].error[1];        /* measure left no occlusion's row there */
+    if (stage_dim(visible, &s, err) || score_named(&rows[count], &s, PAIRS_SCALAR, visible, err)
+        || score_noise(&rows[count + 1], &s, PAIRS_NOISE, err))
+        return -1;
+    for (int i = 0; i < count + 2; ++i) rows[i].share = open > 0 ? rows[i].error[1] / open : (double)NAN;
+    stage_close(&s);
+    return count + 2;
+}
+
+static int seed_unit(FILE *html, const options *o, int seed, row *rows, kit_error *err)
+{
+    char path[32], name[32], lit_name[48];
+    kit_image truth = { 0 };
+    if (!rows) return 1;
+    snprintf(path, sizeof path, "random:%d", seed);
+    seeds_name(name, seed);
+    snprintf(lit_name, sizeof lit_name, "%s-light", name);
+    const view v = { .name = name, .path = path }, in_light = { .name = lit_name, .path = path, .lit = &seed_light };
+    const int visible = visible_rows(html, o, &v, rows, &truth, err);
+    const int light = visible > 0 ? light_rows(o, &in_light, rows + visible, &truth, err) : 0;
+    kit_image_free(&truth);
+    if (visible <= 0 || light < 0) return visible < 0 || light < 0 ? -1 : 0;
+    for (int i = 0; i < visible + light; ++i) rows[i].scene = "";
+    fputs("<details><summary>Figures</summary><div class=\"wide\"><table>\n<tr><th>method<th>settings<th>share"
+          "<th>bias\n", html);
+    for (int i = 0; i < visible + light; ++i) {
+        const row *r = &rows[i];
+        fprintf(html, "<tr%s><td>", i == visible ? " class=\"first\"" : "");
+        page_escaped(html, r->label);
+        fprintf(html, "<td><code>%s</code><td>%.3f<td>%+.3f\n", r->settings, r->share,
+                seeds_lit(r) ? r->bias[1] : r->score.bias);
+    }
+    fputs("</table></div></details></div>\n", html);
+    return visible + light;
+}
+
+int seeds_units(const options *o)
+{
+    entry entries[MOST_ENTRIES];
+    return ao_chosen(entries, o) || pairs_chosen(entries, o) ? count_of(o) : 0;
+}
+
+/* ---- >>ahead: one process a core --------------------------------------------------------------------------------- */
+
+/* Takes seeds from a pipe until there is none, and tells of each that is measured. What fails is measured once more by
+   the process that asked, which says why. */
+static void work(const options *o, int seeds_in, int done_out)
+{
+    row *rows = calloc(MOST_SEED_ROWS, sizeof *rows);
+    page unseen;
+    kit_error err;
+    int seed;
+    setenv("KIT_THREADS", "1", 1);
+    setenv("LP_NUM_THREADS", "0", 1);
+    if (!rows || !freopen("/dev/null", "w", stderr) || kit_gl_open(o->context, &err) || page_open(&unseen, &err))
+        return;
+    if (o->quick) stage_thrift = QUICK_THRIFT;
+    units_begin(o, count_of(o));
+    while (read(seeds_in, &seed, sizeof seed) == sizeof seed) {
+        if (units_measure(unseen.file, o, "seed", seed, seed_unit, rows, &err) < 0) return;
+        if (write(done_out, "", 1) != 1) return;
+    }
+    kit_gl_close();
+}
+
+static int cores(const options *o)
+{
+    const char *text = getenv("KIT_THREADS");
+    const long there = text && atoi(text) > 0 ? atoi(text) : sysconf(_SC_NPROCESSORS_ONLN);
+    const int most = count_of(o) < WORKERS ? count_of(o) : WORKERS;
+    return o->context && strcmp(o->context, "osmesa") ? 1 : there > most ? most : (int)there;
+}
+
+int seeds_ahead(const options *o, kit_error *err)
+{
+    const int count = count_of(o), workers = cores(o);
+    int queue[2], done[2], measured = 0;
+    char tick;
+    if (workers < 2 || !seeds_units(o)) return 0;
+    if (pipe(queue) || pipe(done)) return kit_fail(err, "seeds: no pipe to other processes");
+    for (int seed = first_of(o); seed < first_of(o) + count; ++seed)        /* fits into what a pipe holds */
+        if (write(queue[1], &seed, sizeof seed) != sizeof seed) return kit_fail(err, "seeds: a pipe is full");
+    close(queue[1]);
+    fflush(NULL);
+    for (int w = 0; w < workers; ++w)
+        if (!fork()) {
+            close(done[0]);
+            work(o, queue[0], done[1]);
+            _exit(0);
+        }
+    close(queue[0]);
+    close(done[1]);
+    kit_progress("scenes by seed", 0);
+    while (read(done[0], &tick, 1) == 1) kit_progress("scenes by seed", fmin(0.999, ++measured / (double)count));
+    kit_progress("scenes by seed", 1);
+    close(done[0]);
+    while (wait(NULL) > 0) {}
+    return 0;
+}
+
+/* ---- >>section --------------------------------------------------------------------------------------------------- */
+
+static seeds all;
+
+/* A scene's rows, kept for the tables; those before it were of as many. */
+static int take(int k, const row *rows, int count, kit_error *err)
+{
+    row *own = malloc((size_t)count * sizeof *own);
+    if (!own) return kit_fail(err, "out of memory");
+    memcpy(own, rows, (size_t)count * sizeof *own);
+    free((void *)all.row[k]);
+    all.rows = count;
+    all.row[k] = own;
+    return 0;
+}
+
+/* The seeds' rows; each scene's part of its kind's page. */
+static int measure_all(FILE *const *kinds, const options *o, kit_error *err)
+{
+    row *rows = calloc(MOST_SEED_ROWS, sizeof *rows);
+    int failed = rows ? 0 : kit_fail(err, "out of memory");
+    for (int k = 0; k < MOST_SEEDS; ++k) free((void *)all.row[k]);
+    all = (seeds){ .base = first_of(o) < SEEDS_JUDGED ? "seeds-fit" : "seeds", .first = first_of(o),
+                   .count = count_of(o) };
+    for (int k = 0; k < all.count && !failed; ++k) {
+        const int seed = all.first + k,
+                  count = units_measure(kinds[seed % KIT_KINDS], o, "seed", seed, seed_unit, rows, err);
+        failed = count < 0 || (count && take(k, rows, count, err));
+    }
+    free(rows);
+    return failed ? -1 : 0;
+}
+
+/* What pages link to and build/figures reads. */
+static int write_csv(const options *o, kit_error *err)
+{
+    const char *kind = o->method            ? "part"
+                       : o->quick           ? "quick"
+                       : count_of(o) < SEEDS ? "part"
+                                             : "full";
+    char name[64], note[64], command[96];
+    page csv;
+    if (page_open(&csv, err)) return -1;
+    seeds_csv(csv.file, &all);
+    snprintf(name, sizeof name, "%s.csv", all.base);
+    snprintf(note, sizeof note, "%s.txt", all.base);
+    snprintf(command, sizeof command, "build/report seeds%s --from %d --count %d", o->quick ? " --quick" : "",
+             all.first, all.count);
+    return page_close(&csv, o->out, name, err) || page_note(o->out, note, kind, command, err) ? -1 : 0;
+}
+
+int seeds_chart(FILE *html, const options *o, kit_error *err)
+{
+    page pages[KIT_KINDS];
+    FILE *kinds[KIT_KINDS];
+    char name[64];
+    for (int k = 0; k < KIT_KINDS; ++k) {
+        if (page_open(&pages[k], err)) return -1;
+        kinds[k] = pages[k].file;
+        seeds_kind_head(kinds[k], first_of(o) < SEEDS_JUDGED, k);
+    }
+    if (measure_all(kinds, o, err) || write_csv(o, err)) return -1;
+    for (int k = 0; k < KIT_KINDS; ++k) {
+        snprintf(name, sizeof name, "%s-%s.html", all.base, kit_scene_kind(k, NULL));
+        fputs("</div>\n", kinds[k]);
+        if (page_close(&pages[k], o->out, name, err)) return -1;
+    }
+    seeds_beside(&all, o->out);
+    return seeds_section(html, &all, o->out, err);
+}
+
+void seeds_text(FILE *f) { seeds_table_text(f, &all); }
