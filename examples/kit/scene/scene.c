@@ -136,15 +136,6 @@ int kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_e
     return 0;
 }
 
-void kit_scene_free(kit_scene *scene)
-{
-    kit_mesh_free(&scene->mesh);
-    for (int i = 0; i < scene->shapes; i++) kit_mesh_free(&scene->shape[i]);
-    free(scene->shape);
-    free(scene->object);
-    memset(scene, 0, sizeof *scene);
-}
-
 int kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[3], const float albedo[3],
                       kit_error *err)
 {

@@ -388,3 +388,12 @@ void kit_place_above(kit_scene *s, int k, const float m[16], double level)
     raised[13] += (float)(level - (double)s->object[k].lower[1]);
     kit_set_place(s, k, raised);
 }
+
+void kit_scene_free(kit_scene *scene)
+{
+    kit_mesh_free(&scene->mesh);
+    for (int i = 0; i < scene->shapes; i++) kit_mesh_free(&scene->shape[i]);
+    free(scene->shape);
+    free(scene->object);
+    memset(scene, 0, sizeof *scene);
+}
