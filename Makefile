@@ -72,7 +72,7 @@ build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
 REPORT = lab/report tools/glsl/choices \
-         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved peers) \
+         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved peers ahead) \
          $(addprefix lab/page/,page table svg scatter dots pictures terms units csv) \
          $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo \
          deep_moving deep_stage plan planned costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
@@ -150,7 +150,7 @@ fit: build/report
 	build/fit report/plan-fit.csv $(wildcard report/plan-gpu.csv)
 
 # Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:steps=12.
-TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score)
+TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score ahead)
 build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 

@@ -183,7 +183,7 @@ static int chart(const options *o, kit_error *err)
 /* Scenes by seed are not timed, so that several are measured at once. */
 static int chart_ahead(const options *o, kit_error *err)
 {
-    return o->scenes || o->method ? 0 : seeds_ahead(o, err);
+    return o->scenes || o->method ? 0 : seeds_ahead(o, err) || plan_ahead(o, err) ? -1 : 0;
 }
 
 /* Light on every pair alone: light.html. */
@@ -276,8 +276,8 @@ static const struct command { const char *name; int takes; step *run, *ahead; } 
     { "light",  QUICK | SCENES | METHOD, light,  NULL },
     { "seeds",  QUICK | METHOD | SEEDS,  seeds,  seeds_ahead },
     { "papers", QUICK | PAPER,           papers, NULL },
-    { "fit",    MESH,                    fit,    NULL },
-    { "plan",   MESH,                    plan,   NULL }
+    { "fit",    MESH,                    fit,    plan_fit_ahead },
+    { "plan",   MESH,                    plan,   plan_ahead }
 };
 
 static void usage(void)

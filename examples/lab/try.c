@@ -11,8 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "lab/measure/ahead.h"
 #include "lab/measure/folder.h"
 #include "lab/measure/score.h"
 
@@ -65,34 +64,22 @@ static int measure_seed(const trial *t, int k, kit_error *err)
     return 0;
 }
 
-/* Every so many-th seed, in a process of its own; its exit status. */
-static int work(const trial *t, int first, int step)
+static int measure_one(void *of, int seed, kit_error *err)
 {
-    kit_error err = { "" };
-    int failed = kit_gl_open(NULL, &err);
-    for (int k = first; k < t->count && !failed; k += step) {
-        failed = measure_seed(t, k, &err);
-        if (isatty(2)) fprintf(stderr, "\r%d ", k);
-    }
-    if (failed) fprintf(stderr, "try: %s\n", err.text);
-    return failed ? 2 : 0;
+    trial *t = of;
+    return measure_seed(t, seed - t->from, err);
 }
 
-static int measure_all(const trial *t)
+/* In a process a core; then what these did not, which says why. */
+static int measure_all(trial *t, kit_error *err)
 {
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    const int workers = cores > 1 && cores < 64 ? (int)cores : 1;
-    int failed = 0, status;
-    setenv("LP_NUM_THREADS", "1", 1);
-    setenv("KIT_THREADS", "1", 1);
-    for (int i = 0; i < workers; ++i) {
-        fflush(NULL);
-        const pid_t pid = fork();
-        if (pid < 0) return -1;
-        if (!pid) _exit(work(t, i, workers));
-    }
-    while (wait(&status) > 0) failed |= status != 0;
-    return failed ? -1 : 0;
+    const ahead a = { "seeds", NULL, t->from, t->count, NULL, measure_one, t };
+    for (int k = 0; k < t->count; ++k) for (int i = 0; i < MOST_TRIED; ++i) t->share[k][i] = (double)NAN;
+    if (ahead_run(&a, err) || kit_gl_open(NULL, err)) return -1;
+    for (int k = 0; k < t->count; ++k)
+        if (isnan(t->share[k][t->entries - 1]) && measure_seed(t, k, err)) return -1;
+    kit_gl_close();
+    return 0;
 }
 
 /* ---- >>results --------------------------------------------------------------------------------------------------- */
@@ -215,9 +202,9 @@ int main(int argc, char **argv)
         t.share = mmap(NULL, MOST_SEEDS * sizeof *t.share, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
         if (t.share == MAP_FAILED || folder_make(FOLDER_CACHE, &err)) failed = kit_fail(&err, "out of memory");
     }
-    if (!failed) failed = measure_all(&t) || write_csv(&t, &err) || (t.other && read_other(&t, &err));
+    if (!failed) failed = measure_all(&t, &err) || write_csv(&t, &err) || (t.other && read_other(&t, &err));
     if (failed) {
-        if (*err.text) fprintf(stderr, "try: %s\n", err.text);
+        fprintf(stderr, "try: %s\n", err.text);
         return 2;
     }
     for (int i = 0; i < t.entries; ++i) print_row(&t, i, t.other ? MOST_TRIED + i : 0);

@@ -132,6 +132,15 @@ static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
     }
 }
 
+int plan_fit_ahead(const options *o, kit_error *err) { return planned_seeds_ahead(0, PLANNED_SEEDS, o->context, err); }
+
+static int judging_seeds(const options *o) { return o->quick ? PLANNED_QUICK_SEEDS : PLANNED_SEEDS; }
+
+int plan_ahead(const options *o, kit_error *err)
+{
+    return planned_seeds_ahead(PLANNED_JUDGED, judging_seeds(o), o->context, err);
+}
+
 /* Everything that the fit reads: examples/lab/fit.c. */
 int plan_fit(const char *out, kit_error *err)
 {
@@ -213,12 +222,11 @@ static void judge_all(verdict v[KNOWN], FILE *html, FILE *csv, const planned_row
 int plan_chart(FILE *html, const options *o, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
-    const int seeds = o->quick ? PLANNED_QUICK_SEEDS : PLANNED_SEEDS;
     page csv, by_seed, numbers;
     int views = 0, count;
     if (planned_views_measure(rows, &views, 0, o->quick, err)) return -1;
     count = views;
-    if (planned_seeds_measure(rows, &count, PLANNED_JUDGED, seeds, err) || page_open(&csv, err)
+    if (planned_seeds_measure(rows, &count, PLANNED_JUDGED, judging_seeds(o), err) || page_open(&csv, err)
         || page_open(&by_seed, err) || page_open(&numbers, err))
         return -1;
     memset(verdicts, 0, sizeof verdicts);

@@ -5,6 +5,9 @@
 
 #include "lab/page/units.h"
 
+/* What is measured before there is a context: of the seeds that fit, of those that judge. */
+int  plan_fit_ahead(const options *o, kit_error *err);
+int  plan_ahead(const options *o, kit_error *err);
 int  plan_fit(const char *out, kit_error *err);
 int  plan_chart(FILE *html, const options *o, kit_error *err);
 void plan_text(FILE *f);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "lab/measure/ahead.h"
 #include "lab/measure/folder.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
@@ -261,12 +262,17 @@ int planned_seeds_measure(planned_row *rows, int *count, int first, int seeds, k
     return 0;
 }
 
-int planned_seeds_keep(int first, int seeds, int step, kit_error *err)
+static int keep_one(void *key, int seed, kit_error *err)
 {
-    const uint64_t key = program();
     planned_row rows[SEED_WANTED];
-    for (int k = 0; k < seeds; k += step) if (seed_rows(rows, first + k, key, err)) return -1;
-    return 0;
+    return seed_rows(rows, seed, *(const uint64_t *)key, err);
+}
+
+int planned_seeds_ahead(int first, int seeds, const char *context, kit_error *err)
+{
+    uint64_t key = program();
+    const ahead a = { "plan, by seed", context, first, seeds, NULL, keep_one, &key };
+    return ahead_run(&a, err);
 }
 
 void planned_smooth(planned_row *rows, int count)

@@ -20,11 +20,11 @@ enum { PLANNED_SEEDS = 100, PLANNED_QUICK_SEEDS = 7, PLANNED_JUDGED = 1000 /* th
 /* The views that fit, or those that judge (fits: 1, 0), of scenes that are there; quick: fewer. Appends to rows, of
    which there are count; -1 = failed. */
 int planned_views_measure(planned_row *rows, int *count, int fits, int quick, kit_error *err);
-/* The same of count scenes by seed, each for visibility, light, bounce: kept under build/cache, so that another process
-   that measures every other one shares the work. */
+/* The same of count scenes by seed, each for visibility, light, bounce, kept under
+   build/cache. */
 int planned_seeds_measure(planned_row *rows, int *count, int first, int seeds, kit_error *err);
-/* Measures every step-th of those alone, from first on, and keeps it. */
-int planned_seeds_keep(int first, int seeds, int step, kit_error *err);
+/* Measures and keeps them, a process a core; before there is a context. */
+int planned_seeds_ahead(int first, int seeds, const char *context, kit_error *err);
 
 /* Single times are noisy: a choice's cost becomes what is predicted times the median, over the views that were timed, of
    what it took over that. Surfels and fields, which hang on the scene, stay as measured. */

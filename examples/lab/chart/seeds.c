@@ -4,18 +4,17 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include "lab/chart/ao.h"
 #include "lab/chart/pairs.h"
 #include "lab/chart/seeds_show.h"
+#include "lab/measure/ahead.h"
 #include "lab/measure/measure.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
 
 /* Truth at every second pixel both ways. */
 enum { SEED_WIDTH = 320, SEED_HEIGHT = 180, SEED_RAYS = 256, SEED_LIGHT_RAYS = 256, SEED_NOISY_RAYS = 1024,
-    SEEDS = 100, SEEDS_QUICK = 21, WORKERS = 8 };
+    SEEDS = 100, SEEDS_QUICK = 21 };
 static const lit seed_light = { NULL, { NULL }, 0, 0, 0, SEED_LIGHT_RAYS, 1, NO_CROPS };
 
 static int first_of(const options *o) { return o->first < 0 ? SEEDS_JUDGED : o->first; }
@@ -195,62 +194,32 @@ int seeds_units(const options *o)
     return ao_chosen(entries, o) || pairs_chosen(entries, o) ? count_of(o) : 0;
 }
 
-/* ---- >>ahead: one process a core --------------------------------------------------------------------------------- */
+/* ---- >>ahead ----------------------------------------------------------------------------------------------------- */
 
-/* Takes seeds from a pipe until there is none, and tells of each that is measured. What fails is measured once more by
-   the process that asked, which says why. */
-static void work(const options *o, int seeds_in, int done_out)
+/* What a process measures goes into the units that are kept. */
+typedef struct ahead_of { const options *o; row *rows; page unseen; } ahead_of;
+
+static int begin(void *of, kit_error *err)
 {
-    row *rows = calloc(MOST_SEED_ROWS, sizeof *rows);
-    page unseen;
-    kit_error err;
-    int seed;
-    setenv("KIT_THREADS", "1", 1);
-    setenv("LP_NUM_THREADS", "0", 1);
-    if (!rows || !freopen("/dev/null", "w", stderr) || kit_gl_open(o->context, &err) || page_open(&unseen, &err))
-        return;
-    if (o->quick) stage_thrift = QUICK_THRIFT;
-    units_begin(o, count_of(o));
-    while (read(seeds_in, &seed, sizeof seed) == sizeof seed) {
-        if (units_measure(unseen.file, o, "seed", seed, seed_unit, rows, &err) < 0) return;
-        if (write(done_out, "", 1) != 1) return;
-    }
-    kit_gl_close();
+    ahead_of *a = of;
+    if (a->o->quick) stage_thrift = QUICK_THRIFT;
+    a->rows = calloc(MOST_SEED_ROWS, sizeof *a->rows);
+    if (!a->rows) return kit_fail(err, "out of memory");
+    units_begin(a->o, count_of(a->o));
+    return page_open(&a->unseen, err);
 }
 
-static int cores(const options *o)
+static int one(void *of, int seed, kit_error *err)
 {
-    const char *text = getenv("KIT_THREADS");
-    const long there = text && atoi(text) > 0 ? atoi(text) : sysconf(_SC_NPROCESSORS_ONLN);
-    const int most = count_of(o) < WORKERS ? count_of(o) : WORKERS;
-    return o->context && strcmp(o->context, "osmesa") ? 1 : there > most ? most : (int)there;
+    ahead_of *a = of;
+    return units_measure(a->unseen.file, a->o, "seed", seed, seed_unit, a->rows, err);
 }
 
 int seeds_ahead(const options *o, kit_error *err)
 {
-    const int count = count_of(o), workers = cores(o);
-    int queue[2], done[2], measured = 0;
-    char tick;
-    if (workers < 2 || !seeds_units(o)) return 0;
-    if (pipe(queue) || pipe(done)) return kit_fail(err, "seeds: no pipe to other processes");
-    for (int seed = first_of(o); seed < first_of(o) + count; ++seed)        /* fits into what a pipe holds */
-        if (write(queue[1], &seed, sizeof seed) != sizeof seed) return kit_fail(err, "seeds: a pipe is full");
-    close(queue[1]);
-    fflush(NULL);
-    for (int w = 0; w < workers; ++w)
-        if (!fork()) {
-            close(done[0]);
-            work(o, queue[0], done[1]);
-            _exit(0);
-        }
-    close(queue[0]);
-    close(done[1]);
-    kit_progress("scenes by seed", 0);
-    while (read(done[0], &tick, 1) == 1) kit_progress("scenes by seed", fmin(0.999, ++measured / (double)count));
-    kit_progress("scenes by seed", 1);
-    close(done[0]);
-    while (wait(NULL) > 0) {}
-    return 0;
+    ahead_of of = { .o = o };
+    const ahead a = { "scenes by seed", o->context, first_of(o), count_of(o), begin, one, &of };
+    return ahead_run(&a, err);
 }
 
 /* ---- >>section --------------------------------------------------------------------------------------------------- */
