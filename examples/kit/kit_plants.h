@@ -1,5 +1,6 @@
-/* kit_plants.h - what gardens and woods by seed are planted with: trees.c grows trees, plants.c what is lower, garden.c
-   what people put among them, foliage.c lays it out. Private to these. All of it stands on y = 0 at the origin of the
+/* kit_plants.h - what gardens and woods by seed are planted with: trees.c and palms.c grow trees, bushes.c and plants.c
+   what is lower, fences.c and ornaments.c are what people put among them, foliage.c and yards.c set it out, wilds.c,
+   gardens.c and crops.c say where. Private to these. All of it stands on y = 0 at the origin of the
    frame that is entered. */
 #ifndef KIT_PLANTS_H
 #define KIT_PLANTS_H
@@ -29,8 +30,14 @@ void kit_shade(kit_build *b, const float base[3], double vary);
 /* Points of something that grows from there in a direction, which ends as it has become. */
 void kit_wander(kit_build *b, const double from[3], double way[3], double length, double gnarl, double droop,
                 double at[][3], int count);
-/* a round limb that tapers; its foot is wider by flare and has lobes */
-typedef struct kit_limb { const double (*at)[3]; int count; double r0, r1, flare, lobes; int around; } kit_limb;
+/* a round limb that tapers; its foot is wider by flare and has lobes; rough: how uneven its bark is */
+typedef struct kit_limb {
+    const double (*at)[3];
+    int    count;
+    double r0, r1, flare, lobes;
+    int    around;
+    double rough;
+} kit_limb;
 void kit_grow_limb(kit_build *b, const kit_limb *l);
 
 enum kit_species { KIT_OAK, KIT_POPLAR, KIT_BIRCH, KIT_WILLOW, KIT_APPLE, KIT_ACACIA, KIT_GIANT, KIT_BARE, KIT_SPECIES };
@@ -104,8 +111,8 @@ void kit_put_crate(kit_build *b);
 /* ---- >>yards --------------------------------------------------------------------------------------------------- */
 
 enum { KIT_TAKEN = 400, KIT_MOST_TRIANGLES = 190000 };
-/* What is being laid out; taken: discs that things stand on. */
-typedef struct kit_yard { kit_plot *p; int season, takes; double taken[KIT_TAKEN][3]; } kit_yard;
+/* What is being laid out; taken: discs that things stand on, x, z, radius, and the radius of no grass. */
+typedef struct kit_yard { kit_plot *p; int season, takes; double taken[KIT_TAKEN][4]; } kit_yard;
 /* what p->of says of the ground: it rises and falls by so much, so often a metre; beyond level metres alone; hills far
    off; a hollow */
 enum kit_ground_shape { KIT_BUMPS, KIT_OFTEN, KIT_SEEDED, KIT_LEVEL, KIT_HILLS, KIT_HOLLOW_X, KIT_HOLLOW_Z, KIT_HOLLOW_R,
@@ -135,8 +142,8 @@ void kit_set_far_trees(kit_yard *y, int count, double near, double far);
 /* a strip along z at x, on the ground */
 void kit_lay_path(kit_yard *y, double x, double half, double from, double to);
 
-/* beside them (yards.c): ground of two triangles; slabs; a house's wall along x that faces z; ivy along x from there; and
-   what is set about */
+/* beside them (yards.c): ground of two triangles; slabs; a house's wall along x that faces z; ivy along x from there;
+   and what is set about */
 void kit_lay_flat(kit_yard *y);
 void kit_lay_paving(kit_yard *y, double x0, double z0, double x1, double z1, double size);
 void kit_set_house(kit_yard *y, double x, double z, double turn, double length, double height);

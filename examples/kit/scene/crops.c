@@ -1,4 +1,4 @@
-/* crops.c - layouts of foliage.c: terraces, glasshouses, rows of vegetables and of trees, gardens of stones. Declared in
+/* crops.c - layouts of foliage.c: terraces, glasshouses, rows of vegetables and of trees, stones. Declared in
    kit_plants.h. */
 #include "kit/kit_plants.h"
 #include <math.h>
@@ -17,17 +17,20 @@ void kit_lay_terrace(kit_yard *y)
     kit_lay_flat(y);
     kit_lay_paving(y, -hx, -hz, hx, hz, slab);
     kit_set_house(y, 0, -hz - 0.1, 0, 2 * hx + 2, kit_between(b, 2.7, 5.5));
-    if (kit_odds(b, 0.6)) kit_set_climber(y, kit_between(b, -hx, 0), -hz, 0, kit_between(b, 1.5, 3), kit_between(b, 1.8, 2.6));
+    if (kit_odds(b, 0.6))
+        kit_set_climber(y, kit_between(b, -hx, 0), -hz, 0, kit_between(b, 1.5, 3), kit_between(b, 1.8, 2.6));
     if (kit_odds(b, 0.6)) {
         const kit_frame before = kit_set_out(y, "pergola", 0, 0, 0);
         kit_put_pergola(b, 1.7 * hx, 2.4, 1.6 * hz);
         kit_leave(b, before);
         const kit_foil card = { KIT_POINTED, 0.16, 0.13, 0.6, 0 };
         kit_begin_object(b, "vine", -1);
-        for (int k = 0; k < 1500; k++) {                                   /* leaves on it and hanging from it */
-            const double from[3] = { kit_between(b, -0.9, 0.9) * hx, 2.68 - 0.5 * pow(kit_chance(b), 3), kit_between(b, -0.95, 0.95) * hz };
+        for (int k = 0; k < 1500; k++) { /* leaves on it and hanging from it */
+            const double from[3] = { kit_between(b, -0.9, 0.9) * hx, 2.68 - 0.5 * pow(kit_chance(b), 3),
+                                     kit_between(b, -0.95, 0.95) * hz };
             double out[3], across[3];
-            kit_lean((const double[3]){ 0, -1, 0 }, kit_between(b, 0.2, 1.9), kit_between(b, 0, 2 * KIT_PI), out, across);
+            kit_lean((const double[3]){ 0, -1, 0 }, kit_between(b, 0.2, 1.9), kit_between(b, 0, 2 * KIT_PI), out,
+                     across);
             kit_colour(b, kit_between(b, 0.16, 0.26), kit_between(b, 0.28, 0.36), 0.1);
             if (kit_noise(3, 0.8 * from[0], 0, 0.8 * from[2]) > -0.15) kit_grow_leaf(b, &card, from, out, across);
         }
@@ -35,7 +38,7 @@ void kit_lay_terrace(kit_yard *y)
     }
     kit_set_table(y, kit_between(b, -0.4, 0.4) * hx, kit_between(b, -0.3, 0.4) * hz);
     if (kit_odds(b, 0.6)) kit_set_bench(y, 0.5 * hx, -hz + 0.45, 0);
-    for (int k = 10 + kit_choose(b, 14); k > 0; k--) {                     /* pots stand along the edges */
+    for (int k = 10 + kit_choose(b, 14); k > 0; k--) { /* pots stand along the edges */
         const double s = kit_between(b, -0.95, 0.95), away = kit_between(b, 0.85, 0.95);
         at[0] = k & 1 ? s * hx : (k & 2 ? away : -away) * hx;
         at[1] = k & 1 ? (k % 3 ? away : -0.86) * hz : s * hz;
@@ -49,7 +52,8 @@ void kit_lay_terrace(kit_yard *y)
     const int rail = kit_choose(b, 5);
     if (rail < 4) kit_set_border(y, rail, -hx, hz + 0.3, 0, 2 * hx);
     for (int k = 2 + kit_choose(b, 2); k > 0; k--)
-        if (kit_find_spot(y, hz + 3, 11, 1, at) && at[1] > 0) kit_set_tree(y, at[0], at[1], kit_choose(b, KIT_GIANT), k > 2 ? 1 : 2);
+        if (kit_find_spot(y, hz + 3, 11, 1, at) && at[1] > 0)
+            kit_set_tree(y, at[0], at[1], kit_choose(b, KIT_GIANT), k > 2 ? 1 : 2);
     kit_set_bushes(y, 5, hx + 1, 11, 1.2);
     kit_sow_grass(y, 2500, 0.1, 10, 12);
     kit_set_far_trees(y, 30, 16, 50);
@@ -62,14 +66,17 @@ static void glasshouse(kit_build *b, double hx, double eaves, double ridge, doub
     kit_colour(b, 0.78, 0.78, 0.76);
     for (int k = 0; k <= bays; k++) {
         const double z = -hz + 2 * hz * k / bays;
-        const double rib[5][3] = { { -hx, -0.1, z }, { -hx, eaves, z }, { 0, ridge, z }, { hx, eaves, z }, { hx, -0.1, z } };
+        const double rib[5][3] = {
+            { -hx, -0.1, z }, { -hx, eaves, z }, { 0, ridge, z }, { hx, eaves, z }, { hx, -0.1, z }
+        };
         kit_tube(b, rib, 5, 0.03, 6);
     }
     for (int k = 0; k < 7; k++) {
-        const double f = (k - 3) / 3.0, x = f * hx, h = eaves + (1 - fabs(f)) * (ridge - eaves), bar[2][3] = { { x, h, -hz }, { x, h, hz } };
+        const double f = (k - 3) / 3.0, x = f * hx, h = eaves + (1 - fabs(f)) * (ridge - eaves),
+                     bar[2][3] = { { x, h, -hz }, { x, h, hz } };
         kit_tube(b, bar, 2, 0.018, 6);
     }
-    for (int side = -1; side < 2; side += 2) {                             /* knee walls, panes */
+    for (int side = -1; side < 2; side += 2) { /* knee walls, panes */
         const double x = side * hx, low[4][3] = { { x, -0.1, -hz }, { x, -0.1, hz }, { x, 0.7, hz }, { x, 0.7, -hz } };
         kit_colour(b, 0.5, 0.32, 0.25);
         kit_quad(b, low);
@@ -77,7 +84,9 @@ static void glasshouse(kit_build *b, double hx, double eaves, double ridge, doub
         for (int k = 0; k < bays; k++) {
             const double z0 = -hz + 2 * hz * k / bays + 0.03, z1 = z0 + 2 * hz / bays - 0.06;
             const double roof[4][3] = { { x, eaves, z0 }, { x, eaves, z1 }, { 0, ridge, z1 }, { 0, ridge, z0 } };
-            const double wall[4][3] = { { x, 0.75, z0 }, { x, 0.75, z1 }, { x, eaves - 0.03, z1 }, { x, eaves - 0.03, z0 } };
+            const double wall[4][3] = {
+                { x, 0.75, z0 }, { x, 0.75, z1 }, { x, eaves - 0.03, z1 }, { x, eaves - 0.03, z0 }
+            };
             if (kit_odds(b, 0.4)) kit_quad(b, roof);
             if (kit_odds(b, 0.4)) kit_quad(b, wall);
         }
@@ -87,30 +96,37 @@ static void glasshouse(kit_build *b, double hx, double eaves, double ridge, doub
 void kit_lay_greenhouse(kit_yard *y)
 {
     kit_build *b = &y->p->b;
-    const double hx = kit_between(b, 2.4, 3.4), hz = kit_between(b, 4, 6), eaves = kit_between(b, 1.9, 2.4), ridge = eaves + kit_between(b, 0.8, 1.5);
+    const double hx = kit_between(b, 2.4, 3.4), hz = kit_between(b, 4, 6), eaves = kit_between(b, 1.9, 2.4),
+                 ridge = eaves + kit_between(b, 0.8, 1.5);
     double at[2];
     KIT_TINT(b, lawns, 0.12);
     kit_lay_flat(y);
     kit_lay_paving(y, -hx, -hz, hx, hz, kit_between(b, 0.4, 0.7));
     kit_begin_object(b, "glasshouse", 0);
     glasshouse(b, hx + 0.1, eaves, ridge, hz);
-    for (int k = 0; k < 6; k++) {                                          /* tables along the sides, full of pots */
+    for (int k = 0; k < 6; k++) { /* tables along the sides, full of pots */
         const double x = (k & 1 ? 1 : -1) * (hx - 0.6), z = (k / 2 - 1) * hz * 0.64, len = 0.28 * hz;
-        if (kit_odds(b, 0.15)) { kit_set_bed(y, x, z, 0.5, len); continue; }
+        if (kit_odds(b, 0.15)) {
+            kit_set_bed(y, x, z, 0.5, len);
+            continue;
+        }
         const kit_frame before = kit_set_out(y, "staging", x, z, 0);
         kit_colour(b, 0.45, 0.36, 0.26);
         for (int s = 0; s < 6; s++) kit_box(b, -0.45 + 0.155 * s, 0.74, -len, -0.45 + 0.155 * s + 0.12, 0.77, len);
-        for (int s = 0; s < 4; s++) kit_box(b, (s & 1 ? 0.4 : -0.4) - 0.03, 0.05, (s & 2 ? 0.9 : -0.9) * len - 0.03, (s & 1 ? 0.4 : -0.4) + 0.03, 0.739, (s & 2 ? 0.9 : -0.9) * len + 0.03);
+        for (int s = 0; s < 4; s++)
+            kit_box(b, (s & 1 ? 0.4 : -0.4) - 0.03, 0.05, (s & 2 ? 0.9 : -0.9) * len - 0.03,
+                    (s & 1 ? 0.4 : -0.4) + 0.03, 0.739, (s & 2 ? 0.9 : -0.9) * len + 0.03);
         kit_leave(b, before);
         for (int s = 0; s < 5; s++) {
             const kit_frame up = kit_enter(b, 0, 0.77 + KIT_GAP, 0, 0, 1);
-            if (kit_odds(b, 0.85)) kit_set_pot(y, x + kit_between(b, -0.2, 0.2), z + len * (s - 2) * 0.42, kit_between(b, 0.12, 0.24));
+            if (kit_odds(b, 0.85))
+                kit_set_pot(y, x + kit_between(b, -0.2, 0.2), z + len * (s - 2) * 0.42, kit_between(b, 0.12, 0.24));
             kit_leave(b, up);
         }
         kit_sight_above(y, x, 0.95, z, 0.9);
         kit_sight_above(y, x, 0.3, z, 0.6);
     }
-    for (int k = 0; k < 7; k++) {                                          /* large plants in the middle */
+    for (int k = 0; k < 7; k++) { /* large plants in the middle */
         const double z = (k - 3) * hz * 0.27, x = kit_between(b, -0.3, 0.3);
         const int kind = kit_choose(b, 5);
         const kit_frame before = kit_set_out(y, "plant", x, z, kit_between(b, 0, 360));
@@ -136,8 +152,10 @@ void kit_lay_greenhouse(kit_yard *y)
     kit_set_bushes(y, 6, hz + 1, 11, 1);
     if (kit_find_spot(y, hz + 2, 10, 1, at)) kit_set_tree(y, at[0], at[1], kit_choose(b, KIT_GIANT), 1);
     kit_set_far_trees(y, 40, 12, 45);
-    y->p->stand[0] = -hx + 0.2; y->p->stand[2] = hx - 0.2;
-    y->p->stand[1] = -hz - 1; y->p->stand[3] = hz + 1;
+    y->p->stand[0] = -hx + 0.2;
+    y->p->stand[2] = hx - 0.2;
+    y->p->stand[1] = -hz - 1;
+    y->p->stand[3] = hz + 1;
 }
 
 /* ---- >>rows ---------------------------------------------------------------------------------------------------- */
@@ -146,7 +164,9 @@ void kit_lay_greenhouse(kit_yard *y)
 static void staked(kit_build *b, double height)
 {
     const kit_foil leaf = { KIT_POINTED, 0.11, 0.07, 0.7, 0 };
-    const double canes[3][2][3] = { { { -0.25, -0.05, -0.2 }, { 0.02, height, 0 } }, { { 0.28, -0.05, -0.15 }, { -0.02, height, 0.01 } }, { { 0, -0.05, 0.3 }, { 0, height + 0.03, -0.02 } } };
+    const double canes[3][2][3] = { { { -0.25, -0.05, -0.2 }, { 0.02, height, 0 } },
+                                    { { 0.28, -0.05, -0.15 }, { -0.02, height, 0.01 } },
+                                    { { 0, -0.05, 0.3 }, { 0, height + 0.03, -0.02 } } };
     for (int k = 0; k < 3; k++) {
         kit_colour(b, 0.5, 0.42, 0.25);
         kit_tube(b, canes[k], 2, 0.009, 6);
@@ -154,7 +174,8 @@ static void staked(kit_build *b, double height)
             const double f = (n + kit_chance(b)) / 11.5;
             double at[3], out[3], across[3];
             for (int i = 0; i < 3; i++) at[i] = canes[k][0][i] + f * (canes[k][1][i] - canes[k][0][i]);
-            kit_lean((const double[3]){ 0, 1, 0 }, kit_between(b, 0.6, 1.6), kit_between(b, 0, 2 * KIT_PI), out, across);
+            kit_lean((const double[3]){ 0, 1, 0 }, kit_between(b, 0.6, 1.6), kit_between(b, 0, 2 * KIT_PI), out,
+                     across);
             kit_colour(b, kit_between(b, 0.16, 0.26), kit_between(b, 0.28, 0.38), 0.1);
             kit_grow_cluster(b, &leaf, at, out, 1.1, 6);
         }
@@ -163,7 +184,8 @@ static void staked(kit_build *b, double height)
 
 static void row(kit_yard *y, double x, double z, double half, int sort)
 {
-    static const kit_foil cabbage = { KIT_ROUND, 0.24, 0.22, -0.6, 0.1 }, leek = { KIT_BLADE, 0.4, 0.035, 1.1, 0.3 }, lettuce = { KIT_ROUND, 0.15, 0.13, 0.9, 0 };
+    static const kit_foil cabbage = { KIT_ROUND, 0.24, 0.22, -0.6, 0.1 }, leek = { KIT_BLADE, 0.4, 0.035, 1.1, 0.3 },
+                          lettuce = { KIT_ROUND, 0.15, 0.13, 0.9, 0 };
     kit_build *b = &y->p->b;
     const double apart = sort == 3 ? 0.7 : sort == 1 ? 0.14 : 0.36;
     kit_begin_object(b, "row", -1);
@@ -196,8 +218,12 @@ void kit_lay_vegetables(kit_yard *y)
         kit_put_trough(b, 2 * wide, 0.16, 2 * half);
         kit_leave(b, before);
         kit_take(y, x, z, half);
-        for (int r = -1; r < 2 && sort < 4; r += sort == 3 ? 3 : 1) row(y, x + (sort == 3 ? 0 : 0.6 * wide * r), z, half, sort);
-        if (sort == 4) { kit_begin_object(b, "flowers", -1); kit_sow_flowers(y, x, z, 0.85 * wide, 0.9 * half, 45, 0.45); }
+        for (int r = -1; r < 2 && sort < 4; r += sort == 3 ? 3 : 1)
+            row(y, x + (sort == 3 ? 0 : 0.6 * wide * r), z, half, sort);
+        if (sort == 4) {
+            kit_begin_object(b, "flowers", -1);
+            kit_sow_flowers(y, x, z, 0.85 * wide, 0.9 * half, 45, 0.45);
+        }
         kit_sight_above(y, x, 0.3, z + kit_between(b, -0.5, 0.5) * half, 0.7);
     }
     kit_set_border(y, fence, -edge, -edge, 0, 2 * edge);
@@ -236,11 +262,12 @@ static void vines(kit_yard *y, double x, double half)
         }
         kit_wander(b, foot, way, 0.9, 1.2, 0, at, 6);
         kit_colour(b, 0.25, 0.19, 0.14);
-        kit_grow_limb(b, &(kit_limb){ (const double (*)[3])at, 6, 0.035, 0.02, 0.01, 0, 6 });
+        kit_grow_limb(b, &(kit_limb){ (const double (*)[3])at, 6, 0.035, 0.02, 0.01, 0, 6, 0 });
         for (int k = 0; k < 60; k++) {
             const double from[3] = { kit_between(b, -0.12, 0.2), kit_between(b, 0.7, 1.8), kit_between(b, -0.6, 0.5) };
             double out[3], across[3];
-            kit_lean((const double[3]){ 0, -1, 0 }, kit_between(b, 0.3, 1.5), kit_between(b, 0, 2 * KIT_PI), out, across);
+            kit_lean((const double[3]){ 0, -1, 0 }, kit_between(b, 0.3, 1.5), kit_between(b, 0, 2 * KIT_PI), out,
+                     across);
             kit_colour(b, kit_between(b, 0.18, 0.32), kit_between(b, 0.26, 0.36), 0.1);
             kit_grow_leaf(b, &leaf, from, out, across);
         }
@@ -287,7 +314,7 @@ void kit_lay_orchard(kit_yard *y)
     }
     kit_set_bushes(y, kit_choose(b, 4), 7, 12, 1.2);
     if (y->season == KIT_AUTUMN) kit_sow_litter(y, 2000, 9);
-    kit_sow_grass(y, 7000, kit_between(b, 0.1, 0.35), 8, 14);
+    kit_sow_grass(y, 9000, kit_between(b, 0.1, 0.35), 7, 16);
     kit_set_far_trees(y, 30, 20, 55);
 }
 
@@ -305,20 +332,23 @@ void kit_lay_stones(kit_yard *y)
     kit_begin_object(b, "raked", -1);
     for (double x = -half; x < half; x += apart) {
         const kit_foil ridge = { KIT_CARD, 2 * half, 0.6 * apart, 0, 0.35 };
-        kit_grow_leaf(b, &ridge, (const double[3]){ x, 0.004, -half }, (const double[3]){ 0, 0, 1 }, (const double[3]){ 1, 0, 0 });
+        kit_grow_leaf(b, &ridge, (const double[3]){ x, 0.004, -half }, (const double[3]){ 0, 0, 1 },
+                      (const double[3]){ 1, 0, 0 });
     }
     for (int k = 0; k < groups; k++) {
         if (!kit_find_spot(y, 0.5, half - 1.5, 1.5, at)) continue;
         for (int n = 1 + kit_choose(b, 4); n > 0; n--) {
             const double s = kit_between(b, 0.2, 0.7), h[3] = { s, s * kit_between(b, 0.6, 1.6), s };
-            const kit_frame before = kit_set_out(y, "stone", at[0] + kit_between(b, -0.8, 0.8), at[1] + kit_between(b, -0.8, 0.8), kit_between(b, 0, 360));
+            const kit_frame before = kit_set_out(y, "stone", at[0] + kit_between(b, -0.8, 0.8),
+                                                 at[1] + kit_between(b, -0.8, 0.8), kit_between(b, 0, 360));
             kit_put_stone(b, h, 24);
             kit_leave(b, before);
         }
         kit_begin_object(b, "moss", -1);
         for (int n = 0; n < 260; n++) {
             const kit_foil blade = { KIT_NEEDLE, 0.07, 0.012, 0.8, 0 };
-            const kit_frame before = kit_set_out(y, NULL, at[0] + kit_between(b, -1.1, 1.1) * kit_chance(b), at[1] + kit_between(b, -1.1, 1.1) * kit_chance(b), 0);
+            const kit_frame before = kit_set_out(y, NULL, at[0] + kit_between(b, -1.1, 1.1) * kit_chance(b),
+                                                 at[1] + kit_between(b, -1.1, 1.1) * kit_chance(b), 0);
             kit_colour(b, 0.2, 0.28, 0.08);
             kit_grow_tuft(b, &blade, 8, 0.9);
             kit_leave(b, before);
@@ -328,12 +358,14 @@ void kit_lay_stones(kit_yard *y)
     kit_set_border(y, fence, -half, -half - 0.5, 0, 2 * half);
     kit_set_border(y, fence, half + 0.5, half, 90, 2 * half);
     for (int k = 0; k < 9; k++) {
-        const double s = (k + kit_chance(b)) / 9 * 2 - 1, x = k & 1 ? s * half : half - 0.5, z = k & 1 ? -half + 0.4 : s * half;
+        const double s = (k + kit_chance(b)) / 9 * 2 - 1, x = k & 1 ? s * half : half - 0.5,
+                     z = k & 1 ? -half + 0.4 : s * half;
         if (!kit_is_free(y, x, z, 0.2)) continue;
         const kit_frame before = kit_set_out(y, "shrub", x, z, 0);
         if (k % 3 == 0) kit_grow_bush(b, 1.2, kit_between(b, 0.5, 0.9), KIT_BUSH_CORE);
         else if (k % 3 == 1) kit_grow_topiary(b, kit_between(b, 0.6, 1), 0);
-        else for (int n = 0; n < 4; n++) kit_grow_bamboo(b, kit_between(b, 2.5, 4), 2);
+        else
+            for (int n = 0; n < 4; n++) kit_grow_bamboo(b, kit_between(b, 2.5, 4), 2);
         kit_leave(b, before);
         kit_sight_above(y, x, 0.5, z, 0.7);
     }
@@ -343,7 +375,8 @@ void kit_lay_stones(kit_yard *y)
     kit_sight_above(y, -half + 1, 0.7, -half + 1, 0.8);
     y->season = kit_odds(b, 0.6) ? KIT_AUTUMN : y->season;
     if (kit_find_spot(y, 2, half, 0.8, at)) kit_set_tree(y, at[0], at[1], KIT_APPLE, 2);
-    if (kit_odds(b, 0.5) && kit_find_spot(y, 2, half + 2, 0.8, at)) kit_set_conifer(y, at[0], at[1], kit_between(b, 2, 4), 2);
+    if (kit_odds(b, 0.5) && kit_find_spot(y, 2, half + 2, 0.8, at))
+        kit_set_conifer(y, at[0], at[1], kit_between(b, 2, 4), 2);
     if (y->season == KIT_AUTUMN) kit_sow_litter(y, 500, half);
     if (kit_odds(b, 0.6)) kit_set_house(y, -half - 1.5, 0, 90, 2 * half, 2.8);
     kit_set_far_trees(y, 40, half + 7, 45);

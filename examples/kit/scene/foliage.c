@@ -1,5 +1,5 @@
-/* foliage.c - scenes by seed of plants: their ground, and what is set out and sown on it. The layouts are in wilds.c and
-   gardens.c. Declared in kit_plants.h. */
+/* foliage.c - scenes by seed of plants: their ground, and what is set out and sown on it. The layouts are in
+   wilds.c, gardens.c and crops.c. Declared in kit_plants.h. */
 #include "kit/kit_plants.h"
 #include <math.h>
 #include <string.h>
@@ -19,7 +19,8 @@ static double height(const kit_plot *of, double x, double z)
     double h = s[KIT_BUMPS] * kit_fractal(seed, f * x, 0.5, f * z, 3) * smooth(s[KIT_LEVEL], s[KIT_LEVEL] + 4, r + 4);
     h += s[KIT_HILLS] * smooth(18, 60, r) * (0.7 + 0.5 * kit_noise(seed + 7, 0.06 * x, 0, 0.06 * z));
     if (!(s[KIT_HOLLOW_R] > 0)) return h;
-    const double dx = x - s[KIT_HOLLOW_X], dz = z - s[KIT_HOLLOW_Z], round = 1 + 0.25 * kit_noise(seed + 3, 0.3 * x, 0, 0.3 * z);
+    const double dx = x - s[KIT_HOLLOW_X], dz = z - s[KIT_HOLLOW_Z],
+                 round = 1 + 0.25 * kit_noise(seed + 3, 0.3 * x, 0, 0.3 * z);
     return h - s[KIT_HOLLOW_DEEP] * (1 - smooth(0.55, 1.15, sqrt(dx * dx + dz * dz) / (round * s[KIT_HOLLOW_R])));
 }
 
@@ -30,7 +31,9 @@ static void ground_surface(const void *shape, double u, double v, kit_vertex *ou
 {
     const kit_plot *p = shape;
     const double x = stretched(2 * u - 1), z = stretched(2 * v - 1), e = 0.05;
-    out->p[0] = x; out->p[1] = kit_ground_at(p, x, z); out->p[2] = z;
+    out->p[0] = x;
+    out->p[1] = kit_ground_at(p, x, z);
+    out->p[2] = z;
     out->n[0] = kit_ground_at(p, x - e, z) - kit_ground_at(p, x + e, z);
     out->n[1] = 2 * e;
     out->n[2] = kit_ground_at(p, x, z - e) - kit_ground_at(p, x, z + e);
@@ -71,7 +74,7 @@ void kit_lay_path(kit_yard *y, double x, double half, double from, double to)
 
 void kit_take(kit_yard *y, double x, double z, double radius)
 {
-    const double disc[3] = { x, z, radius };
+    const double disc[4] = { x, z, radius, radius };
     if (y->takes < KIT_TAKEN) memcpy(y->taken[y->takes++], disc, sizeof disc);
 }
 
@@ -84,6 +87,16 @@ int kit_is_free(const kit_yard *y, double x, double z, double radius)
     return 1;
 }
 
+/* whether grass grows there */
+static int is_bare(const kit_yard *y, double x, double z)
+{
+    for (int k = 0; k < y->takes; k++) {
+        const double dx = x - y->taken[k][0], dz = z - y->taken[k][1], r = y->taken[k][3];
+        if (dx * dx + dz * dz < r * r) return 1;
+    }
+    return 0;
+}
+
 int kit_find_spot(kit_yard *y, double near, double far, double radius, double at[2])
 {
     for (int k = 0; k < 30; k++) {
@@ -92,6 +105,7 @@ int kit_find_spot(kit_yard *y, double near, double far, double radius, double at
         at[1] = r * sin(a);
         if (!kit_is_free(y, at[0], at[1], radius)) continue;
         kit_take(y, at[0], at[1], radius);
+        if (y->takes < KIT_TAKEN) y->taken[y->takes - 1][3] = 0;
         return 1;
     }
     return 0;
@@ -150,44 +164,62 @@ void kit_set_far_trees(kit_yard *y, int count, double near, double far)
 
 /* ---- >>sown ---------------------------------------------------------------------------------------------------- */
 
+/* Middles of patches: about what is worth looking at, most of them. */
+static void draw_patches(kit_yard *y, double middle[][3], int count, double reach, double length)
+{
+    kit_build *b = &y->p->b;
+    const int seen = y->p->sights;
+    for (int k = 0; k < count; k++) {
+        const double r = reach * sqrt(kit_chance(b)), a = kit_between(b, 0, 2 * KIT_PI);
+        const kit_sight *s = seen ? &y->p->sight[kit_choose(b, seen)] : NULL;
+        const int by_it = s && k % 3;
+        middle[k][0] = by_it ? s->at[0] + kit_between(b, -1, 1) : r * cos(a);
+        middle[k][1] = by_it ? s->at[2] + kit_between(b, -1, 1) : r * sin(a);
+        middle[k][2] = reach * kit_between(b, 0.12, 0.4);
+        if (k < 3) kit_sight_above(y, middle[k][0], 0.4 * length, middle[k][1], 0.5 + length);
+    }
+}
+
 void kit_sow_grass(kit_yard *y, int blades, double length, double reach, int patches)
 {
+    enum { PATCHES = 40 };
+
     static const float grass[][3] = { { 0.20f, 0.32f, 0.08f }, { 0.30f, 0.38f, 0.12f }, { 0.42f, 0.40f, 0.18f } };
     kit_build *b = &y->p->b;
-    double middle[16][3];
+    const int tall = length > 0.18, count = 2 * patches < PATCHES ? 2 * patches : PATCHES;
+    double middle[PATCHES][3];
     float green[3];
     KIT_TINT(b, grass, 0.15);
     memcpy(green, b->albedo, sizeof green);
-    patches = patches < 16 ? patches : 16;
-    for (int k = 0; k < patches; k++) {
-        const double r = reach * sqrt(kit_chance(b)), a = kit_between(b, 0, 2 * KIT_PI);
-        middle[k][0] = r * cos(a); middle[k][1] = r * sin(a); middle[k][2] = reach * kit_between(b, 0.12, 0.4);
-        if (k < 5) kit_sight_above(y, middle[k][0], 0.4 * length, middle[k][1], 0.4 + length);
-    }
+    draw_patches(y, middle, count, reach, length);
     kit_begin_object(b, "grass", -1);
-    for (int k = 0; k < blades && kit_has_room(y); k += 6) {
-        const double *m = middle[k / 6 % patches], r = m[2] * kit_chance(b), a = kit_between(b, 0, 2 * KIT_PI),
-                     x = m[0] + r * cos(a), z = m[1] + r * sin(a);
-        const kit_foil blade = { length > 0.15 ? KIT_BLADE : KIT_NEEDLE, length * kit_between(b, 0.5, 1.2), 0.006 + 0.02 * length,
+    for (int k = 0; k < (tall ? 1.6 : 4.5) * blades && kit_has_room(y); k += 7) {
+        const double *m = middle[k / 7 % count], r = m[2] * pow(kit_chance(b), 0.7), a = kit_between(b, 0, 2 * KIT_PI),
+                     x = m[0] + r * cos(a), z = m[1] + r * sin(a), long_enough = length * kit_between(b, 0.5, 1.2);
+        const kit_foil blade = { tall ? KIT_BLADE : KIT_NEEDLE, long_enough, 0.006 + 0.025 * long_enough,
                                  kit_between(b, 0.4, 1.6), 0 };
-        if (!kit_is_free(y, x, z, -0.1)) continue;
+        if (is_bare(y, x, z)) continue;
         const kit_frame before = kit_set_out(y, NULL, x, z, kit_between(b, 0, 360));
         kit_shade(b, green, 0.2);
-        kit_grow_tuft(b, &blade, 6, 0.5);
+        kit_grow_tuft(b, &blade, 7, tall ? 0.5 : 0.9);
         kit_leave(b, before);
     }
 }
 
 void kit_sow_flowers(kit_yard *y, double x, double z, double hx, double hz, int count, double tall)
 {
-    static const float petals[][3] = { { 0.75f, 0.12f, 0.10f }, { 0.80f, 0.65f, 0.12f }, { 0.78f, 0.76f, 0.74f }, { 0.55f, 0.22f, 0.60f },
-                                       { 0.80f, 0.45f, 0.55f }, { 0.25f, 0.28f, 0.65f }, { 0.82f, 0.40f, 0.10f } };
+    static const float petals[][3] = { { 0.75f, 0.12f, 0.10f }, { 0.80f, 0.65f, 0.12f }, { 0.78f, 0.76f, 0.74f },
+                                       { 0.55f, 0.22f, 0.60f }, { 0.80f, 0.45f, 0.55f }, { 0.25f, 0.28f, 0.65f },
+                                       { 0.82f, 0.40f, 0.10f } };
     kit_build *b = &y->p->b;
     const int kind = kit_choose(b, KIT_FLOWERS);
     float colour[3];
     KIT_TINT(b, petals, 0.1);
     memcpy(colour, b->albedo, sizeof colour);
-    if (kind == 2) { tall *= 2.2; count /= 3; }
+    if (kind == 2) {
+        tall *= 2.2;
+        count /= 3;
+    }
     for (int k = 0; k < count && kit_has_room(y); k++) {
         const double u = kit_between(b, -1, 1), v = kit_between(b, -1, 1);
         const kit_frame before = kit_set_out(y, NULL, x + u * hx, z + v * hz, kit_between(b, 0, 360));
@@ -200,14 +232,17 @@ void kit_sow_flowers(kit_yard *y, double x, double z, double hx, double hz, int 
 /* Leaves that have fallen: single quads on the ground. */
 void kit_sow_litter(kit_yard *y, int leaves, double reach)
 {
-    static const float browns[][3] = { { 0.40f, 0.24f, 0.10f }, { 0.52f, 0.34f, 0.12f }, { 0.30f, 0.20f, 0.12f }, { 0.50f, 0.20f, 0.08f } };
+    static const float browns[][3] = {
+        { 0.40f, 0.24f, 0.10f }, { 0.52f, 0.34f, 0.12f }, { 0.30f, 0.20f, 0.12f }, { 0.50f, 0.20f, 0.08f }
+    };
     kit_build *b = &y->p->b;
     kit_begin_object(b, "litter", -1);
     for (int k = 0; k < leaves && kit_has_room(y); k++) {
-        const double r = reach * pow(kit_chance(b), 0.7), a = kit_between(b, 0, 2 * KIT_PI), size = kit_between(b, 0.05, 0.12);
+        const double r = reach * pow(kit_chance(b), 0.7), a = kit_between(b, 0, 2 * KIT_PI),
+                     size = kit_between(b, 0.05, 0.12);
         const kit_foil leaf = { KIT_POINTED, size, 0.6 * size, kit_between(b, -0.8, 1), 0 };
-        const double at[3] = { 0, kit_between(b, 0.012, 0.04), 0 }, rise = kit_between(b, -0.1, 0.35), along[3] = { 0, sin(rise), cos(rise) },
-                     across[3] = { 1, 0, 0 };
+        const double at[3] = { 0, kit_between(b, 0.012, 0.04), 0 }, rise = kit_between(b, -0.1, 0.35),
+                     along[3] = { 0, sin(rise), cos(rise) }, across[3] = { 1, 0, 0 };
         const kit_frame before = kit_set_out(y, NULL, r * cos(a), r * sin(a), kit_between(b, 0, 360));
         KIT_TINT(b, browns, 0.25);
         kit_grow_leaf(b, &leaf, at, along, across);
@@ -292,9 +327,10 @@ void kit_set_pot(kit_yard *y, double x, double z, double tall)
 
 void kit_make_foliage(kit_plot *p)
 {
-    static kit_layout *const layouts[] = { kit_lay_woods, kit_lay_garden, kit_lay_jungle, kit_lay_terrace, kit_lay_meadow, kit_lay_park,
-                                           kit_lay_pond, kit_lay_maze, kit_lay_bamboo, kit_lay_greenhouse, kit_lay_dry, kit_lay_parterre,
-                                           kit_lay_ruin, kit_lay_vegetables, kit_lay_orchard, kit_lay_stones, kit_lay_woods };
+    static kit_layout *const layouts[] = { kit_lay_dry,        kit_lay_stones,  kit_lay_pond,       kit_lay_bamboo,
+                                           kit_lay_maze,       kit_lay_terrace, kit_lay_orchard,    kit_lay_park,
+                                           kit_lay_vegetables, kit_lay_meadow,  kit_lay_woods,      kit_lay_parterre,
+                                           kit_lay_garden,     kit_lay_ruin,    kit_lay_greenhouse, kit_lay_jungle };
     static const int seasons[] = { KIT_SUMMER, KIT_SUMMER, KIT_SPRING, KIT_AUTUMN, KIT_BLOSSOM };
     kit_build *b = &p->b;
     kit_yard y = { p, 0, 0, { { 0 } } };
@@ -303,4 +339,6 @@ void kit_make_foliage(kit_plot *p)
     const int layout = kit_choose(b, (int)(sizeof layouts / sizeof *layouts));
     y.season = seasons[kit_choose(b, 5)];
     layouts[layout](&y);
+    for (int k = 0; k < 5; k++)
+        kit_sight_above(&y, kit_between(b, -4, 4), kit_between(b, 0.4, 1.6), kit_between(b, -4, 4), 2.2);
 }

@@ -31,10 +31,13 @@ void kit_lay_garden(kit_yard *y)
         else kit_set_bed(y, along, k & 1 ? edge : -edge + 0.6, kit_between(b, 1, 2.2), 0.45);
     }
     if (kit_odds(b, 0.8) && kit_find_spot(y, 1, half - 1.5, 1.2, at)) kit_set_table(y, at[0], at[1]);
-    if (kit_odds(b, 0.6) && kit_find_spot(y, 1, half - 1, 1, at)) kit_set_bench(y, at[0], at[1], kit_between(b, 0, 360));
+    if (kit_odds(b, 0.6) && kit_find_spot(y, 1, half - 1, 1, at))
+        kit_set_bench(y, at[0], at[1], kit_between(b, 0, 360));
     for (int k = 1 + kit_choose(b, 2); k > 0; k--)
-        if (kit_find_spot(y, 2, half - 1, 0.8, at)) kit_set_tree(y, at[0], at[1], kit_odds(b, 0.5) ? KIT_APPLE : kit_choose(b, KIT_GIANT), detail);
-    if (kit_odds(b, 0.4) && kit_find_spot(y, 1, half - 1, 0.7, at)) kit_set_statue(y, at[0], at[1], kit_between(b, 0.8, 1.6), kit_choose(b, 3));
+        if (kit_find_spot(y, 2, half - 1, 0.8, at))
+            kit_set_tree(y, at[0], at[1], kit_odds(b, 0.5) ? KIT_APPLE : kit_choose(b, KIT_GIANT), detail);
+    if (kit_odds(b, 0.4) && kit_find_spot(y, 1, half - 1, 0.7, at))
+        kit_set_statue(y, at[0], at[1], kit_between(b, 0.8, 1.6), kit_choose(b, 3));
     if (kit_odds(b, 0.5) && kit_find_spot(y, 1, half - 1, 0.8, at)) {
         const kit_frame before = kit_set_out(y, "barrow", at[0], at[1], kit_between(b, 0, 360));
         kit_put_barrow(b);
@@ -44,7 +47,7 @@ void kit_lay_garden(kit_yard *y)
     for (int k = kit_choose(b, 6); k > 0; k--)
         if (kit_find_spot(y, 2, half - 0.7, 0.35, at)) kit_set_pot(y, at[0], at[1], kit_between(b, 0.25, 0.5));
     kit_set_bushes(y, 2 + kit_choose(b, 6), 3, half - 0.7, 1);
-    kit_sow_grass(y, 6000, kit_between(b, 0.05, 0.14), half, 12);
+    kit_sow_grass(y, 7000, kit_between(b, 0.05, 0.14), half, 18);
     kit_set_far_trees(y, 30, half + 8, 50);
 }
 
@@ -70,7 +73,8 @@ void kit_lay_park(kit_yard *y)
         for (double s = -0.5; s <= 0.5; s += 0.2) kit_take(y, x + side * 1.2, z + (0.5 + s) * apart, 0.4);
     }
     for (int k = 0; k < 4; k++) {
-        const double side = k & 1 ? 1 : -1, z = (k / 2 - 0.5) * apart * 1.9 + kit_between(b, -0.4, 0.4), x = side * (half + 0.5) + 0.3 * sin(0.35 * z);
+        const double side = k & 1 ? 1 : -1, z = (k / 2 - 0.5) * apart * 1.9 + kit_between(b, -0.4, 0.4),
+                     x = side * (half + 0.5) + 0.3 * sin(0.35 * z);
         if (kit_odds(b, 0.75)) kit_set_bench(y, x, z, -90 * side);
         const kit_frame before = kit_set_out(y, "lamp", side * (half + 0.3), z + 1.4, 0);
         kit_put_lamp_post(b, kit_between(b, 2.8, 3.4));
@@ -85,10 +89,12 @@ void kit_lay_park(kit_yard *y)
         kit_take(y, x, 0, 2);
         kit_sight_above(y, x, 0.6, 0, 1.6);
     } else if (middle == 1) kit_set_statue(y, x, 0, kit_between(b, 1.8, 3), kit_choose(b, 3));
-    for (int k = 0; k < 3; k++) kit_set_bed(y, (k & 1 ? 1 : -1) * (half + kit_between(b, 3.6, 5)), (k - 1) * 4.5, kit_between(b, 0.7, 1.2), kit_between(b, 0.5, 1.3));
+    for (int k = 0; k < 3; k++)
+        kit_set_bed(y, (k & 1 ? 1 : -1) * (half + kit_between(b, 3.6, 5)), (k - 1) * 4.5, kit_between(b, 0.7, 1.2),
+                    kit_between(b, 0.5, 1.3));
     kit_set_bushes(y, kit_choose(b, 8), 5, 13, 1.3);
     if (y->season == KIT_AUTUMN) kit_sow_litter(y, 2500, 9);
-    kit_sow_grass(y, 5000, kit_between(b, 0.06, 0.16), 9, 14);
+    kit_sow_grass(y, 8000, kit_between(b, 0.06, 0.16), 8, 18);
     kit_set_far_trees(y, 36, 18, 55);
 }
 
@@ -98,8 +104,10 @@ void kit_lay_park(kit_yard *y)
 void kit_lay_maze(kit_yard *y)
 {
     enum { CELLS = 7 };
+
     kit_build *b = &y->p->b;
-    const double cell = kit_between(b, 1.5, 2.0), high = kit_between(b, 1.0, 2.1), thick = kit_between(b, 0.4, 0.65), half = CELLS * cell / 2;
+    const double cell = kit_between(b, 1.5, 2.0), high = kit_between(b, 1.0, 2.1), thick = kit_between(b, 0.4, 0.65),
+                 half = CELLS * cell / 2;
     const int core = kit_odds(b, 0.65);
     const double leaf = 0.045 + 0.045 * high;
     float green[3];
@@ -108,14 +116,16 @@ void kit_lay_maze(kit_yard *y)
     KIT_TINT(b, boxes, 0.12);
     memcpy(green, b->albedo, sizeof green);
     for (int k = 0; k < (CELLS + 1) * (CELLS + 1); k++) {
-        const int i = k % (CELLS + 1), j = k / (CELLS + 1), east = kit_odds(b, 0.5), centre = abs(2 * i - CELLS) < 2 && abs(2 * j - CELLS) < 2;
-        for (int way = 0; way < 2; way++) {                                /* along x, along z */
+        const int i = k % (CELLS + 1), j = k / (CELLS + 1), east = kit_odds(b, 0.5),
+                  centre = abs(2 * i - CELLS) < 2 && abs(2 * j - CELLS) < 2;
+        for (int way = 0; way < 2; way++) { /* along x, along z */
             const int edge = way ? i == 0 || i == CELLS : j == 0 || j == CELLS, last = way ? j == CELLS : i == CELLS;
             if (last || centre || (edge ? kit_odds(b, 0.12) : way != east)) continue;
             const double x = i * cell - half + (way ? 0 : cell / 2), z = j * cell - half + (way ? cell / 2 : 0);
             const kit_frame before = kit_set_out(y, "hedge", x, z, way ? 90 : 0);
             memcpy(b->albedo, green, sizeof green);
-            kit_grow_hedge(b, cell - thick - 0.004 + (way ? 0 : 2 * thick - 0.01), high * (way ? 0.985 : 1), thick, leaf, core);
+            kit_grow_hedge(b, cell - thick - 0.004 + (way ? 0 : 2 * thick - 0.01), high * (way ? 0.985 : 1), thick,
+                           leaf, core);
             kit_leave(b, before);
             if (k % 5 == 0) kit_sight_above(y, x, 0.5 * high, z, 0.8);
         }
@@ -139,7 +149,8 @@ void kit_lay_maze(kit_yard *y)
 void kit_lay_parterre(kit_yard *y)
 {
     kit_build *b = &y->p->b;
-    const double size = kit_between(b, 2.2, 3.2), way = kit_between(b, 0.8, 1.3), low = kit_between(b, 0.3, 0.6), middle = way + size / 2;
+    const double size = kit_between(b, 2.2, 3.2), way = kit_between(b, 0.8, 1.3), low = kit_between(b, 0.3, 0.6),
+                 middle = way + size / 2;
     const int kind = kit_choose(b, 3), cross = kit_odds(b, 0.5), fountain = kit_odds(b, 0.6);
     float green[3];
     KIT_TINT(b, gravels, 0.1);
@@ -150,7 +161,8 @@ void kit_lay_parterre(kit_yard *y)
         const double x = (q & 1 ? 1 : -1) * middle, z = (q & 2 ? 1 : -1) * middle;
         for (int k = 0; k < 4; k++) {
             const double a = 90 * k, out = size / 2 - 0.12;
-            const kit_frame before = kit_set_out(y, "hedge", x + out * sin(a * KIT_PI / 180), z + out * cos(a * KIT_PI / 180), a);
+            const kit_frame before = kit_set_out(y, "hedge", x + out * sin(a * KIT_PI / 180),
+                                                 z + out * cos(a * KIT_PI / 180), a);
             memcpy(b->albedo, green, sizeof green);
             kit_grow_hedge(b, k & 1 ? size - 0.52 : size, k & 1 ? low : low - 0.006, 0.26, 0.05, 1);
             kit_leave(b, before);
@@ -160,7 +172,9 @@ void kit_lay_parterre(kit_yard *y)
         kit_leave(b, before);
         kit_sight_above(y, x, 0.7, z, 1);
         kit_begin_object(b, "flowers", -1);
-        for (int k = 0; k < 2; k++) kit_sow_flowers(y, x + (k ? 0.25 : -0.25) * size, z + (cross ? 0.25 : 0) * size, 0.16 * size, (cross ? 0.16 : 0.36) * size, 34, low + 0.05);
+        for (int k = 0; k < 2; k++)
+            kit_sow_flowers(y, x + (k ? 0.25 : -0.25) * size, z + (cross ? 0.25 : 0) * size, 0.16 * size,
+                            (cross ? 0.16 : 0.36) * size, 34, low + 0.05);
     }
     if (fountain) {
         const kit_frame before = kit_set_out(y, "fountain", 0, 0, 0);
@@ -172,10 +186,14 @@ void kit_lay_parterre(kit_yard *y)
     const int around = 4 + kit_choose(b, 4);
     for (int k = 0; k < 4; k++) {
         const double a = 90 * k * KIT_PI / 180;
-        if (kit_odds(b, 0.8)) kit_set_border(y, around, edge * sin(a) - edge * cos(a), edge * cos(a) + edge * sin(a), 90 * k, 2 * edge);
+        if (kit_odds(b, 0.8))
+            kit_set_border(y, around, edge * sin(a) - edge * cos(a), edge * cos(a) + edge * sin(a), 90 * k, 2 * edge);
         if (kit_odds(b, 0.6)) kit_set_bench(y, 0.85 * edge * sin(a), 0.85 * edge * cos(a), 90 * k + 180);
-        for (int side = -1; side < 2; side += 2) kit_set_pot(y, way * 1.2 * cos(a) * side + way * sin(a), way * cos(a) - side * way * 1.2 * sin(a), 0.45);
-        if (k == 1 || kit_odds(b, 0.4)) kit_set_conifer(y, (edge + 2.5) * (k & 1 ? 1 : -1), (edge + 2.5) * (k & 2 ? 1 : -1), kit_between(b, 4, 8), 2);
+        for (int side = -1; side < 2; side += 2)
+            kit_set_pot(y, way * 1.2 * cos(a) * side + way * sin(a), way * cos(a) - side * way * 1.2 * sin(a), 0.45);
+        if (k == 1 || kit_odds(b, 0.4))
+            kit_set_conifer(y, (edge + 2.5) * (k & 1 ? 1 : -1), (edge + 2.5) * (k & 2 ? 1 : -1), kit_between(b, 4, 8),
+                            2);
     }
     kit_set_far_trees(y, 40, edge + 7, 50);
 }

@@ -1,10 +1,12 @@
-/* wilds.c - layouts of foliage.c where nobody gardens: woods, meadows, ponds, jungle, bamboo, dry land, ruins. Declared in
-   kit_plants.h. */
+/* wilds.c - layouts of foliage.c where nobody gardens: woods, meadows, ponds, jungle, bamboo, dry land, ruins.
+   Declared in kit_plants.h. */
 #include "kit/kit_plants.h"
 #include <math.h>
 #include <string.h>
 
-static const float soils[][3] = { { 0.20f, 0.15f, 0.10f }, { 0.16f, 0.17f, 0.08f }, { 0.24f, 0.19f, 0.12f }, { 0.15f, 0.20f, 0.08f } };
+static const float soils[][3] = {
+    { 0.20f, 0.15f, 0.10f }, { 0.16f, 0.17f, 0.08f }, { 0.24f, 0.19f, 0.12f }, { 0.15f, 0.20f, 0.08f }
+};
 static const float lawns[][3] = { { 0.16f, 0.24f, 0.07f }, { 0.22f, 0.28f, 0.10f }, { 0.30f, 0.28f, 0.14f } };
 static const float sands[][3] = { { 0.58f, 0.47f, 0.32f }, { 0.52f, 0.36f, 0.24f }, { 0.62f, 0.56f, 0.44f } };
 
@@ -47,14 +49,18 @@ static void set_mushrooms(kit_yard *y, int groups)
 
 void kit_lay_woods(kit_yard *y)
 {
-    static const int mixes[6][2] = { { KIT_OAK, KIT_BIRCH }, { -1, -1 }, { KIT_BIRCH, -1 }, { KIT_BARE, KIT_BARE }, { KIT_OAK, -1 }, { KIT_POPLAR, KIT_BIRCH } };
+    static const int mixes[6][2] = { { KIT_OAK, KIT_BIRCH }, { -1, -1 },      { KIT_BIRCH, -1 },
+                                     { KIT_BARE, KIT_BARE }, { KIT_OAK, -1 }, { KIT_POPLAR, KIT_BIRCH } };
     kit_build *b = &y->p->b;
     const int mix = kit_choose(b, 6), trees = 14 + kit_choose(b, 24);
     const double apart = kit_between(b, 0.7, 1.5);
     double at[2];
     KIT_TINT(b, soils, 0.15);
     kit_lay_ground(y, kit_between(b, 0.1, 0.5), kit_between(b, 0.12, 0.3), 0, kit_between(b, 0, 8));
-    if (kit_odds(b, 0.4)) { kit_colour(b, 0.36, 0.29, 0.2); kit_lay_path(y, 0, kit_between(b, 0.5, 0.9), -14, 14); }
+    if (kit_odds(b, 0.4)) {
+        kit_colour(b, 0.36, 0.29, 0.2);
+        kit_lay_path(y, 0, kit_between(b, 0.5, 0.9), -14, 14);
+    }
     for (int k = 0; k < trees; k++) {
         if (!kit_find_spot(y, k < 4 ? 1.5 : 2, k < 4 ? 6 : 20, apart, at)) continue;
         const int kind = mixes[mix][kit_odds(b, 0.3)], detail = detail_at(hypot(at[0], at[1]), 6, 13);
@@ -65,11 +71,11 @@ void kit_lay_woods(kit_yard *y)
     set_logs(y, kit_choose(b, 4), kit_choose(b, 3));
     kit_set_stones(y, kit_choose(b, 12), 1, 9, kit_between(b, 0.2, 0.9));
     set_mushrooms(y, kit_choose(b, 4));
-    if (kit_odds(b, 0.6)) kit_set_ferns(y, 10 + kit_choose(b, 25), 1, 9);
-    if (kit_odds(b, 0.5)) kit_set_bushes(y, 3 + kit_choose(b, 6), 3, 12, 1);
-    if (y->season == KIT_AUTUMN || kit_odds(b, 0.4)) kit_sow_litter(y, 3000, 9);
-    if (kit_odds(b, 0.7)) kit_sow_grass(y, 4000, kit_between(b, 0.15, 0.35), 8, 10);
-    kit_set_far_trees(y, 40, 24, 55);
+    if (kit_odds(b, 0.7)) kit_set_ferns(y, 12 + kit_choose(b, 30), 1, 8);
+    if (kit_odds(b, 0.7)) kit_set_bushes(y, 4 + kit_choose(b, 8), 2, 9, kit_between(b, 0.6, 1.4));
+    if (y->season == KIT_AUTUMN || kit_odds(b, 0.5)) kit_sow_litter(y, 6000, 9);
+    kit_sow_grass(y, 5000, kit_between(b, 0.1, 0.35), 8, 14);
+    kit_set_far_trees(y, 60, 17, 50);
 }
 
 void kit_lay_meadow(kit_yard *y)
@@ -86,7 +92,7 @@ void kit_lay_meadow(kit_yard *y)
     if (kit_odds(b, 0.6)) {
         kit_begin_object(b, "fence", -1);
         const int kind = 1 + kit_choose(b, 2);
-        for (int k = 0; k < 6; k++) {                                      /* it follows the ground */
+        for (int k = 0; k < 6; k++) { /* it follows the ground */
             const double x = -12 + 4 * k;
             const kit_frame before = kit_set_out(y, NULL, x, z, 0);
             kit_put_fence(b, 3.95, kit_between(b, 1.05, 1.15), kind);
@@ -97,9 +103,10 @@ void kit_lay_meadow(kit_yard *y)
     for (int k = 2 + kit_choose(b, 5); k > 0; k--)
         if (kit_find_spot(y, 0, 5, 0.1, at)) {
             kit_begin_object(b, "flowers", -1);
-            kit_sow_flowers(y, at[0], at[1], kit_between(b, 0.7, 1.8), kit_between(b, 0.7, 1.8), 40, kit_between(b, 0.25, 0.6));
+            kit_sow_flowers(y, at[0], at[1], kit_between(b, 0.7, 1.8), kit_between(b, 0.7, 1.8), 40,
+                            kit_between(b, 0.25, 0.6));
         }
-    kit_sow_grass(y, 14000, tall, 7, 14);
+    kit_sow_grass(y, 15000, tall, 6, 20);
     set_mushrooms(y, kit_choose(b, 2));
     kit_set_far_trees(y, 15 + kit_choose(b, 30), 20, 58);
 }
@@ -126,14 +133,17 @@ static void lily_pads(kit_yard *y, double level, int pads)
     const double *of = y->p->of;
     kit_begin_object(b, "lilies", -1);
     for (int k = 0; k < pads; k++) {
-        const double r = of[KIT_HOLLOW_R] * kit_between(b, 0.2, 0.75), a = kit_between(b, 0, 2 * KIT_PI), size = kit_between(b, 0.12, 0.32);
-        const double x = of[KIT_HOLLOW_X] + r * cos(a), z = of[KIT_HOLLOW_Z] + r * sin(a), from[3] = { 0, 0, -size / 2 };
+        const double r = of[KIT_HOLLOW_R] * kit_between(b, 0.2, 0.75), a = kit_between(b, 0, 2 * KIT_PI),
+                     size = kit_between(b, 0.12, 0.32);
+        const double x = of[KIT_HOLLOW_X] + r * cos(a), z = of[KIT_HOLLOW_Z] + r * sin(a),
+                     from[3] = { 0, 0, -size / 2 };
         const kit_foil pad = { KIT_ROUND, size, size, -0.15, 0.03 }, petal = { KIT_POINTED, 0.09, 0.04, -0.6, 0.2 };
         const kit_frame before = kit_enter(b, x, level + kit_between(b, 0.005, 0.015), z, kit_between(b, 0, 360), 1);
         kit_colour(b, kit_between(b, 0.15, 0.28), kit_between(b, 0.26, 0.36), 0.1);
         kit_grow_leaf(b, &pad, from, along, across);
         kit_shade(b, pale, 0.1);
-        if (k % 5 == 0) kit_grow_cluster(b, &petal, (const double[3]){ 0, 0.01, 0 }, (const double[3]){ 0, 1, 0 }, 1, 11);
+        if (k % 5 == 0)
+            kit_grow_cluster(b, &petal, (const double[3]){ 0, 0.01, 0 }, (const double[3]){ 0, 1, 0 }, 1, 11);
         kit_leave(b, before);
     }
 }
@@ -150,7 +160,8 @@ static void jetty(kit_yard *y, double level)
         kit_box(b, -0.6 + kit_between(b, -0.02, 0.02), 0.35, 0.16 * k, 0.6, 0.385, 0.16 * k + 0.145);
     }
     for (int k = 0; k < 8; k++) {
-        const double px = k & 1 ? 0.5 : -0.5, pz = 0.15 + 1.15 * (k / 2), post[2][3] = { { px * 1.3, -1.2, pz }, { px * 1.3, k > 3 ? 0.8 : 0.5, pz } };
+        const double px = k & 1 ? 0.5 : -0.5, pz = 0.15 + 1.15 * (k / 2),
+                     post[2][3] = { { px * 1.3, -1.2, pz }, { px * 1.3, k > 3 ? 0.8 : 0.5, pz } };
         kit_tube(b, post, 2, 0.06, 9);
         kit_box(b, px - 0.03, 0.25, 0, px + 0.03, 0.349, 3.8);
     }
@@ -174,12 +185,14 @@ void kit_lay_pond(kit_yard *y)
     if (kit_odds(b, 0.5)) jetty(y, level);
     const int clumps = 6 + kit_choose(b, 10);
     for (int k = 0; k < clumps; k++) {
-        const double a = kit_between(b, 0, 2 * KIT_PI), r = of[KIT_HOLLOW_R] * kit_between(b, 0.75, 1.1), tall = kit_between(b, 0.8, 1.9),
-                     x = of[KIT_HOLLOW_X] + r * cos(a), z = of[KIT_HOLLOW_Z] + r * sin(a);
+        const double a = kit_between(b, 0, 2 * KIT_PI), r = of[KIT_HOLLOW_R] * kit_between(b, 0.75, 1.1),
+                     tall = kit_between(b, 0.8, 1.9), x = of[KIT_HOLLOW_X] + r * cos(a),
+                     z = of[KIT_HOLLOW_Z] + r * sin(a);
         if (!kit_is_free(y, x, z, 0.4)) continue;
         kit_begin_object(b, "reeds", -1);
         for (int n = 12 + kit_choose(b, 30); n > 0; n--) {
-            const kit_frame before = kit_set_out(y, NULL, x + kit_between(b, -0.7, 0.7), z + kit_between(b, -0.7, 0.7), kit_between(b, 0, 360));
+            const kit_frame before = kit_set_out(y, NULL, x + kit_between(b, -0.7, 0.7), z + kit_between(b, -0.7, 0.7),
+                                                 kit_between(b, 0, 360));
             kit_grow_reed(b, tall * kit_between(b, 0.6, 1.1));
             kit_leave(b, before);
         }
@@ -192,7 +205,7 @@ void kit_lay_pond(kit_yard *y)
             kit_set_tree(y, at[0], at[1], kit_odds(b, 0.5) ? KIT_WILLOW : kit_choose(b, KIT_GIANT), k > 2 ? 1 : 2);
     kit_set_stones(y, 6 + kit_choose(b, 14), 0.9 * of[KIT_HOLLOW_R], of[KIT_HOLLOW_R] + 2, kit_between(b, 0.3, 0.8));
     kit_set_bushes(y, kit_choose(b, 6), 5, 11, 1.1);
-    kit_sow_grass(y, 7000, kit_between(b, 0.12, 0.4), 8, 14);
+    kit_sow_grass(y, 9000, kit_between(b, 0.12, 0.4), 7, 16);
     kit_set_far_trees(y, 35, 18, 55);
 }
 
@@ -213,7 +226,8 @@ static void lianas(kit_yard *y, const double (*tops)[3], int count)
 void kit_lay_jungle(kit_yard *y)
 {
     kit_build *b = &y->p->b;
-    const int giants = 3 + kit_choose(b, 5), palms = kit_choose(b, 10), bananas = 2 + kit_choose(b, 8), low = 10 + kit_choose(b, 20);
+    const int giants = 3 + kit_choose(b, 5), palms = kit_choose(b, 10), bananas = 2 + kit_choose(b, 8),
+              low = 10 + kit_choose(b, 20);
     double at[2], tops[8][3];
     int hung = 0;
     y->season = KIT_SUMMER;
@@ -230,17 +244,22 @@ void kit_lay_jungle(kit_yard *y)
         const int palm = k < palms, banana = !palm && k < palms + bananas;
         if (!kit_find_spot(y, 1.2, palm ? 12 : 8, palm || banana ? 0.8 : 0.4, at) || !kit_has_room(y)) continue;
         const double tall = palm ? kit_between(b, 1, 6) : banana ? kit_between(b, 1.5, 3.5) : kit_between(b, 0.4, 1.2);
-        const kit_frame before = kit_set_out(y, palm ? "palm" : banana ? "banana" : "plant", at[0], at[1], kit_between(b, 0, 360));
+        const kit_frame before = kit_set_out(y,
+                                             palm     ? "palm"
+                                             : banana ? "banana"
+                                                      : "plant",
+                                             at[0], at[1], kit_between(b, 0, 360));
         if (palm) kit_grow_palm(b, tall, hypot(at[0], at[1]) < 8 ? 2 : 1);
         else if (banana) kit_grow_banana(b, tall);
         else kit_grow_rosette(b, tall, kit_choose(b, 4));
         kit_leave(b, before);
-        kit_add_sight(y->p, at[0], kit_ground_at(y->p, at[0], at[1]) + 0.7 * tall, at[1], palm ? 1.4 : 0.5 * tall + 0.3);
+        kit_add_sight(y->p, at[0], kit_ground_at(y->p, at[0], at[1]) + 0.7 * tall, at[1],
+                      palm ? 1.4 : 0.5 * tall + 0.3);
     }
     kit_set_ferns(y, 10 + kit_choose(b, 25), 0.8, 8);
     set_logs(y, kit_choose(b, 3), 0);
     kit_set_stones(y, kit_choose(b, 8), 1, 8, 0.8);
-    kit_sow_litter(y, 1500, 8);
+    kit_sow_litter(y, 4000, 7);
     kit_set_far_trees(y, 60, 14, 40);
 }
 
@@ -307,7 +326,7 @@ void kit_lay_bamboo(kit_yard *y)
     }
     kit_set_stones(y, 4 + kit_choose(b, 10), 1, 8, 0.5);
     kit_set_ferns(y, kit_choose(b, 20), 1, 8);
-    kit_sow_litter(y, 2500, 8);
+    kit_sow_litter(y, 5000, 7);
     kit_sow_grass(y, 2500, 0.2, 7, 9);
     kit_set_far_trees(y, 60, 14, 40);
 }
@@ -321,14 +340,15 @@ void kit_lay_ruin(kit_yard *y)
     double at[2];
     KIT_TINT(b, lawns, 0.15);
     kit_lay_ground(y, kit_between(b, 0.05, 0.3), kit_between(b, 0.15, 0.3), 0, kit_between(b, 0, 10));
-    for (int k = 0; k < walls; k++) {                                      /* about a court */
-        const double turn = 90 * (k % 4) + kit_between(b, -8, 8), out = k < 4 ? kit_between(b, 2.5, 4.5) : 7, a = turn * KIT_PI / 180,
-                     length = kit_between(b, 3, 6), high = kit_between(b, 1, 3.4), x = out * sin(a), z = out * cos(a),
-                     fx = x - 0.5 * length * cos(a), fz = z + 0.5 * length * sin(a);
+    for (int k = 0; k < walls; k++) { /* about a court */
+        const double turn = 90 * (k % 4) + kit_between(b, -8, 8), out = k < 4 ? kit_between(b, 2.5, 4.5) : 7,
+                     a = turn * KIT_PI / 180, length = kit_between(b, 3, 6), high = kit_between(b, 1, 3.4),
+                     x = out * sin(a), z = out * cos(a), fx = x - 0.5 * length * cos(a), fz = z + 0.5 * length * sin(a);
         const kit_frame before = kit_set_out(y, "wall", fx, fz, turn);
         kit_put_wall(b, length, high, 2);
         kit_leave(b, before);
-        for (int n = 0; n < 8; n++) kit_take(y, fx + length * (n + 0.5) / 8 * cos(a), fz - length * (n + 0.5) / 8 * sin(a), 0.35);
+        for (int n = 0; n < 8; n++)
+            kit_take(y, fx + length * (n + 0.5) / 8 * cos(a), fz - length * (n + 0.5) / 8 * sin(a), 0.35);
         kit_add_sight(y->p, x, kit_ground_at(y->p, x, z) + 0.5 * high, z, 0.5 * high + 0.3);
         if (kit_odds(b, 0.3)) continue;
         const kit_frame again = kit_set_out(y, "ivy", fx, fz, turn);
@@ -350,6 +370,6 @@ void kit_lay_ruin(kit_yard *y)
     set_logs(y, kit_choose(b, 3), kit_choose(b, 2));
     kit_set_bushes(y, 2 + kit_choose(b, 5), 2, 10, 1);
     kit_set_ferns(y, kit_choose(b, 20), 1, 8);
-    kit_sow_grass(y, 6000, kit_between(b, 0.15, 0.4), 8, 14);
+    kit_sow_grass(y, 9000, kit_between(b, 0.12, 0.3), 7, 16);
     kit_set_far_trees(y, 30, 20, 55);
 }

@@ -1,10 +1,12 @@
-/* yards.c - what layouts of foliage.c that are gardened share: paving, houses, borders, beds, what stands in them. Declared in
-   kit_plants.h. */
+/* yards.c - what layouts of foliage.c that are gardened share: paving, houses, borders, beds, what stands in
+   them. Declared in kit_plants.h. */
 #include "kit/kit_plants.h"
 #include <math.h>
 #include <string.h>
 
-static const float pavings[][3] = { { 0.46f, 0.44f, 0.41f }, { 0.55f, 0.48f, 0.38f }, { 0.40f, 0.26f, 0.20f }, { 0.60f, 0.58f, 0.55f } };
+static const float pavings[][3] = {
+    { 0.46f, 0.44f, 0.41f }, { 0.55f, 0.48f, 0.38f }, { 0.40f, 0.26f, 0.20f }, { 0.60f, 0.58f, 0.55f }
+};
 static const float boxes[][3] = { { 0.12f, 0.22f, 0.06f }, { 0.17f, 0.27f, 0.09f }, { 0.10f, 0.18f, 0.08f } };
 
 /* ground of two triangles */
@@ -13,7 +15,6 @@ void kit_lay_flat(kit_yard *y)
     kit_begin_object(&y->p->b, "ground", 0);
     kit_level(&y->p->b, -70, -70, 70, 70, 0);
 }
-
 
 /* Slabs with joints between, some of them uneven. */
 void kit_lay_paving(kit_yard *y, double x0, double z0, double x1, double z1, double size)
@@ -34,30 +35,37 @@ void kit_lay_paving(kit_yard *y, double x0, double z0, double x1, double z1, dou
 /* A house's wall along x at z = 0, facing z, with door, windows, a gutter and a downpipe. */
 void kit_set_house(kit_yard *y, double x, double z, double turn, double length, double height)
 {
-    static const float walls[][3] = { { 0.74f, 0.70f, 0.62f }, { 0.55f, 0.34f, 0.26f }, { 0.62f, 0.62f, 0.60f }, { 0.70f, 0.58f, 0.42f } };
+    static const float walls[][3] = {
+        { 0.74f, 0.70f, 0.62f }, { 0.55f, 0.34f, 0.26f }, { 0.62f, 0.62f, 0.60f }, { 0.70f, 0.58f, 0.42f }
+    };
     kit_build *b = &y->p->b;
     const kit_frame before = kit_set_out(y, "house", x, z, turn);
     const int holes = (int)(length / 2.3);
     KIT_TINT(b, walls, 0.1);
     kit_box(b, -length / 2, -0.2, -3, length / 2, height, 0);
     for (int k = 0; k < holes; k++) {
-        const double c = -length / 2 + length * (k + 0.5) / holes, low = k == holes / 2 ? 0.05 : 0.85, top = 2.15, w = k == holes / 2 ? 0.6 : 0.5;
+        const double c = -length / 2 + length * (k + 0.5) / holes, low = k == holes / 2 ? 0.05 : 0.85, top = 2.15,
+                     w = k == holes / 2 ? 0.6 : 0.5;
         kit_colour(b, 0.72, 0.71, 0.68);
-        for (int side = -1; side < 2; side += 2) kit_box(b, c + side * w - 0.05, low, KIT_GAP, c + side * w + 0.05, top, 0.06);
+        for (int side = -1; side < 2; side += 2)
+            kit_box(b, c + side * w - 0.05, low, KIT_GAP, c + side * w + 0.05, top, 0.06);
         kit_box(b, c - w + 0.051, top - 0.1, KIT_GAP, c + w - 0.051, top - KIT_GAP, 0.055);
         kit_box(b, c - w - 0.12, low - 0.06, KIT_GAP, c + w + 0.12, low - KIT_GAP, 0.14);
         kit_box(b, c - 0.02, low, 0.012, c + 0.02, top - 0.101, 0.04);
         kit_colour(b, 0.1, 0.12, 0.14);
         kit_box(b, c - w + 0.051, low, KIT_GAP, c + w - 0.051, top - 0.101, 0.01);
         if (k == holes / 2) continue;
-        kit_colour(b, 0.2, 0.34, 0.3);                                     /* shutters: sheets */
+        kit_colour(b, 0.2, 0.34, 0.3); /* shutters: sheets */
         for (int side = -1; side < 2; side += 2) {
-            const double in = c + side * (w + 0.06), out = c + side * (2 * w), leaf[4][3] = { { in, low, 0.07 }, { out, low, 0.2 }, { out, top, 0.2 }, { in, top, 0.07 } };
+            const double in = c + side * (w + 0.06), out = c + side * (2 * w),
+                         leaf[4][3] = { { in, low, 0.07 }, { out, low, 0.2 }, { out, top, 0.2 }, { in, top, 0.07 } };
             kit_quad(b, leaf);
         }
     }
     const double gutter[2][3] = { { -length / 2, height - 0.08, 0.08 }, { length / 2, height - 0.08, 0.08 } },
-                 pipe[3][3] = { { length / 2 - 0.3, height - 0.1, 0.08 }, { length / 2 - 0.3, height - 0.35, 0.05 }, { length / 2 - 0.3, 0, 0.05 } };
+                 pipe[3][3] = { { length / 2 - 0.3, height - 0.1, 0.08 },
+                                { length / 2 - 0.3, height - 0.35, 0.05 },
+                                { length / 2 - 0.3, 0, 0.05 } };
     kit_colour(b, 0.3, 0.3, 0.32);
     kit_tube(b, gutter, 2, 0.06, 8);
     kit_tube(b, pipe, 3, 0.035, 8);
@@ -144,7 +152,9 @@ void kit_set_bed(kit_yard *y, double x, double z, double hx, double hz)
             continue;
         }
         kit_begin_object(b, "flowers", -1);
-        kit_sow_flowers(y, cx, cz, 0.85 * (hx > hz ? hx / sorts : hx), 0.85 * (hx > hz ? hz : hz / sorts), 26, kit_between(b, 0.3, 0.65));
+        kit_sow_flowers(y, cx, cz, 0.85 * (hx > hz ? hx / sorts : hx), 0.85 * (hx > hz ? hz : hz / sorts), 26,
+                        kit_between(b, 0.3, 0.65));
     }
-    for (double s = -1; s <= 1; s += 0.25) kit_take(y, x + s * (hx > hz ? hx : 0), z + s * (hx > hz ? 0 : hz), fmin(hx, hz));
+    for (double s = -1; s <= 1; s += 0.25)
+        kit_take(y, x + s * (hx > hz ? hx : 0), z + s * (hx > hz ? 0 : hz), fmin(hx, hz));
 }
