@@ -17,7 +17,8 @@ typedef struct kit_foil { int outline; double length, width, bend, fold; } kit_f
 /* from at along a unit vector; across: about which it lies flat */
 void kit_grow_leaf(kit_build *b, const kit_foil *l, const double at[3], const double along[3], const double across[3]);
 /* so many leaves about a direction, spread by so many radians from it */
-void kit_grow_cluster(kit_build *b, const kit_foil *l, const double at[3], const double along[3], double spread, int count);
+void kit_grow_cluster(kit_build *b, const kit_foil *l, const double at[3], const double along[3], double spread,
+                      int count);
 /* cards through each other along a direction, as games have them */
 void kit_grow_cards(kit_build *b, const kit_foil *l, const double at[3], const double along[3], int count);
 /* a unit vector that leans from way by so many radians towards spin, and one across it */
@@ -40,7 +41,9 @@ typedef struct kit_limb {
 } kit_limb;
 void kit_grow_limb(kit_build *b, const kit_limb *l);
 
-enum kit_species { KIT_OAK, KIT_POPLAR, KIT_BIRCH, KIT_WILLOW, KIT_APPLE, KIT_ACACIA, KIT_GIANT, KIT_BARE, KIT_SPECIES };
+enum kit_species {
+    KIT_OAK, KIT_POPLAR, KIT_BIRCH, KIT_WILLOW, KIT_APPLE, KIT_ACACIA, KIT_GIANT, KIT_BARE, KIT_SPECIES
+};
 enum kit_season { KIT_SUMMER, KIT_SPRING, KIT_AUTUMN, KIT_BLOSSOM };
 
 typedef struct kit_tree {
@@ -62,6 +65,12 @@ void kit_grow_palm(kit_build *b, double height, int detail);
 void kit_grow_bamboo(kit_build *b, double height, int leaves);
 /* far: a trunk and a lump or cards */
 void kit_grow_far_tree(kit_build *b, double height, int pointed, int solid);
+
+/* ---- >>lumps: balls of half sides, uneven by so much ------------------------------------------------------------ */
+
+typedef struct kit_lump { double half[3]; unsigned seed; double strong, often; int octaves; } kit_lump;
+double kit_lump_out(const kit_lump *s, const double way[3]);          /* how far out it is, in that direction */
+void   kit_lump_surface(const void *shape, double u, double v, kit_vertex *out);
 
 /* ---- >>lower plants -------------------------------------------------------------------------------------------- */
 
@@ -115,8 +124,9 @@ enum { KIT_TAKEN = 400, KIT_MOST_TRIANGLES = 190000 };
 typedef struct kit_yard { kit_plot *p; int season, takes; double taken[KIT_TAKEN][4]; } kit_yard;
 /* what p->of says of the ground: it rises and falls by so much, so often a metre; beyond level metres alone; hills far
    off; a hollow */
-enum kit_ground_shape { KIT_BUMPS, KIT_OFTEN, KIT_SEEDED, KIT_LEVEL, KIT_HILLS, KIT_HOLLOW_X, KIT_HOLLOW_Z, KIT_HOLLOW_R,
-                        KIT_HOLLOW_DEEP };
+enum kit_ground_shape {
+    KIT_BUMPS, KIT_OFTEN, KIT_SEEDED, KIT_LEVEL, KIT_HILLS, KIT_HOLLOW_X, KIT_HOLLOW_Z, KIT_HOLLOW_R, KIT_HOLLOW_DEEP
+};
 
 /* the ground in the colour that is set: bumps, how often, level within, hills */
 void kit_lay_ground(kit_yard *y, double bumps, double often, double level, double hills);
@@ -135,6 +145,8 @@ void kit_set_pot(kit_yard *y, double x, double z, double height);
 void kit_sow_grass(kit_yard *y, int blades, double length, double reach, int patches);
 void kit_sow_flowers(kit_yard *y, double x, double z, double hx, double hz, int count, double height);
 void kit_sow_litter(kit_yard *y, int leaves, double reach);
+/* low leaves, twigs that lie about, pebbles */
+void kit_sow_cover(kit_yard *y, int plants, int twigs, int pebbles, double reach);
 void kit_set_stones(kit_yard *y, int count, double near, double far, double size);
 void kit_set_bushes(kit_yard *y, int count, double near, double far, double size);
 void kit_set_ferns(kit_yard *y, int count, double near, double far);
@@ -157,7 +169,7 @@ void kit_set_bed(kit_yard *y, double x, double z, double hx, double hz);
 
 typedef void kit_layout(kit_yard *y);
 kit_layout kit_lay_woods, kit_lay_meadow, kit_lay_pond, kit_lay_jungle, kit_lay_bamboo, kit_lay_dry, kit_lay_ruin,
-    kit_lay_garden, kit_lay_park, kit_lay_maze, kit_lay_parterre, kit_lay_terrace, kit_lay_greenhouse, kit_lay_vegetables,
-    kit_lay_orchard, kit_lay_stones;
+    kit_lay_garden, kit_lay_park, kit_lay_maze, kit_lay_parterre, kit_lay_terrace, kit_lay_greenhouse,
+    kit_lay_vegetables, kit_lay_orchard, kit_lay_stones;
 
 #endif

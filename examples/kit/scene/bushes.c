@@ -11,18 +11,35 @@ static void take_colour(const kit_build *b, float out[3]) { memcpy(out, b->albed
 
 /* ---- >>bushes -------------------------------------------------------------------------------------------------- */
 
-/* a point on a lumpy ball in the direction, half[3] and seed in s */
-static void on_lump(const double *s, const double way[3], double out[3])
+double kit_lump_out(const kit_lump *s, const double way[3])
 {
-    const double k = 1 + 0.22 * kit_fractal((unsigned)s[3], 1.6 * way[0], 1.6 * way[1], 1.6 * way[2], 2);
-    for (int i = 0; i < 3; i++) out[i] = s[i] * k * way[i];
+    return 1 + s->strong * kit_fractal(s->seed, s->often * way[0], s->often * way[1], s->often * way[2], s->octaves);
 }
 
-static void lump_surface(const void *shape, double u, double v, kit_vertex *out)
+void kit_lump_surface(const void *shape, double u, double v, kit_vertex *out)
 {
-    const double *s = shape, unit = 1;
+    const kit_lump *s = shape;
+    const double unit = 1, e = 0.02;
+    double n[3], grow[3];
     kit_sphere_surface(&unit, u, v, out);
-    on_lump(s, out->n, out->p);
+    memcpy(n, out->n, sizeof n);
+    const double k = kit_lump_out(s, n);
+    for (int i = 0; i < 3; i++) {
+        double q[3] = { n[0], n[1], n[2] };
+        q[i] += e;
+        grow[i] = (kit_lump_out(s, q) - k) / e;
+        out->p[i] = s->half[i] * k * n[i];
+    }
+    const double along = kit_dot(grow, n);
+    for (int i = 0; i < 3; i++) out->n[i] = (n[i] - (grow[i] - along * n[i]) / k) / s->half[i];
+    kit_unit(out->n);
+}
+
+/* a point on it in the direction */
+static void on_lump(const kit_lump *s, const double way[3], double out[3])
+{
+    const double k = kit_lump_out(s, way);
+    for (int i = 0; i < 3; i++) out[i] = s->half[i] * k * way[i];
 }
 
 static void random_way(kit_build *b, double lowest, double out[3])
@@ -34,15 +51,16 @@ static void random_way(kit_build *b, double lowest, double out[3])
 }
 
 /* Leaves over a lumpy ball about middle. */
-static void leafy_lump(kit_build *b, const double s[4], double middle, const kit_foil *leaf, int count, int core)
+static void leafy_lump(kit_build *b, const kit_lump *s, double middle, const kit_foil *leaf, int count, int core)
 {
     float green[3];
     take_colour(b, green);
     if (core) {
-        const double inner[4] = { 0.93 * s[0], 0.93 * s[1], 0.93 * s[2], s[3] };
+        kit_lump inner = *s;
+        for (int i = 0; i < 3; i++) inner.half[i] *= 0.93;
         kit_colour(b, 0.5 * (double)green[0], 0.5 * (double)green[1], 0.5 * (double)green[2]);
         kit_place_at(b, 0, middle, 0, 0);
-        kit_patch(b, 20, 12, lump_surface, inner);
+        kit_patch(b, 20, 12, kit_lump_surface, &inner);
         kit_place_at(b, 0, 0, 0, 0);
     }
     for (int k = 0; k < count; k++) {
@@ -82,20 +100,21 @@ static void stemmed_bush(kit_build *b, double width, double height, const kit_fo
 
 void kit_grow_bush(kit_build *b, double width, double height, int kind)
 {
-    const double s[4] = { width / 2, height / 2, width / 2 * kit_between(b, 0.8, 1.2), kit_choose(b, 10000) };
+    const double deep = width / 2 * kit_between(b, 0.8, 1.2);
+    const kit_lump s = { { width / 2, height / 2, deep }, (unsigned)kit_choose(b, 10000), 0.22, 1.6, 2 };
     const double leaf = kit_between(b, 0.05, 0.11) * (0.6 + 0.4 * height);
     const kit_foil small = { kit_odds(b, 0.5) ? KIT_DIAMOND : KIT_POINTED, leaf, leaf * kit_between(b, 0.4, 0.75), 0.5,
                              0 };
     float green[3];
     KIT_TINT(b, leaves_green, 0.15);
     take_colour(b, green);
-    if (kind == KIT_BUSH_CORE) leafy_lump(b, s, 0.46 * height, &small, 750, 1);
+    if (kind == KIT_BUSH_CORE) leafy_lump(b, &s, 0.46 * height, &small, 750, 1);
     if (kind == KIT_BUSH_TWIGS) stemmed_bush(b, width, height, &small);
     for (int k = 0; k < 12 && kind == KIT_BUSH_CARDS; k++) {
         const kit_foil card = { KIT_RAGGED, height * kit_between(b, 0.4, 0.6), height * 0.45, 0.4, 0 };
         double way[3], at[3];
         random_way(b, -0.1, way);
-        on_lump(s, way, at);
+        on_lump(&s, way, at);
         for (int i = 0; i < 3; i++) at[i] *= 0.5;
         at[1] += 0.35 * height;
         kit_shade(b, green, 0.25);
@@ -170,8 +189,8 @@ static void clipped_cone(kit_build *b, double r0, double y0, double r1, double y
 
 void kit_grow_topiary(kit_build *b, double height, int kind)
 {
-    const double radius = height * kit_between(b, 0.24, 0.34), s[4] = { radius, radius, radius, 1 },
-                 leaf = 0.035 + 0.02 * height;
+    const double radius = height * kit_between(b, 0.24, 0.34), leaf = 0.035 + 0.02 * height;
+    const kit_lump s = { { radius, radius, radius }, 1, 0.1, 1.6, 2 };
     const kit_foil l = { KIT_DIAMOND, leaf, 0.6 * leaf, 0.3, 0 };
     const double trunk[2][3] = { { 0, -0.05, 0 }, { 0, height - radius, 0 } };
     float green[3];
@@ -185,7 +204,7 @@ void kit_grow_topiary(kit_build *b, double height, int kind)
     for (int k = 0; k < 3 && kind == 2; k++)
         clipped_cone(b, radius * (1 - 0.28 * k), height * (0.12 + 0.3 * k), radius * (0.7 - 0.25 * k),
                      height * (0.34 + 0.3 * k), leaf);
-    if (!kind) leafy_lump(b, s, height - radius, &l, 900, 1);
+    if (!kind) leafy_lump(b, &s, height - radius, &l, 900, 1);
     kit_colour(b, 0.26, 0.2, 0.14);
     kit_grow_limb(b, &(kit_limb){ trunk, 2, 0.02 + 0.015 * height, 0.02 + 0.01 * height, 0, 0, 8, 0 });
 }

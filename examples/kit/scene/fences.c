@@ -15,31 +15,12 @@ static const float stones[][3] = {
 
 /* ---- >>found --------------------------------------------------------------------------------------------------- */
 
-static void stone_surface(const void *shape, double u, double v, kit_vertex *out)
-{
-    const double *s = shape, unit = 1, e = 0.02;
-    double n[3], grow[3];
-    kit_sphere_surface(&unit, u, v, out);
-    memcpy(n, out->n, sizeof n);
-    const unsigned seed = (unsigned)s[3];
-    const double k = 1 + 0.28 * kit_fractal(seed, 1.3 * n[0], 1.3 * n[1], 1.3 * n[2], 4);
-    for (int i = 0; i < 3; i++) {
-        double q[3] = { 1.3 * n[0], 1.3 * n[1], 1.3 * n[2] };
-        q[i] += 1.3 * e;
-        grow[i] = (1 + 0.28 * kit_fractal(seed, q[0], q[1], q[2], 4) - k) / e;
-        out->p[i] = s[i] * k * n[i];
-    }
-    const double along = kit_dot(grow, n);
-    for (int i = 0; i < 3; i++) out->n[i] = (n[i] - (grow[i] - along * n[i]) / k) / s[i];
-    kit_unit(out->n);
-}
-
 void kit_put_stone(kit_build *b, const double half[3], int cells)
 {
-    const double s[4] = { half[0], half[1], half[2], kit_choose(b, 100000) };
+    const kit_lump s = { { half[0], half[1], half[2] }, (unsigned)kit_choose(b, 100000), 0.28, 1.3, 4 };
     KIT_TINT(b, stones, 0.15);
     kit_place_at(b, 0, 0.45 * half[1], 0, 0);
-    kit_patch(b, 2 * cells, cells, stone_surface, s);
+    kit_patch(b, 2 * cells, cells, kit_lump_surface, &s);
     kit_place_at(b, 0, 0, 0, 0);
 }
 

@@ -250,6 +250,44 @@ void kit_sow_litter(kit_yard *y, int leaves, double reach)
     }
 }
 
+static void sow_low_leaves(kit_yard *y, int plants, double reach)
+{
+    static const float greens[][3] = { { 0.18f, 0.34f, 0.10f }, { 0.26f, 0.36f, 0.12f }, { 0.12f, 0.24f, 0.10f } };
+    kit_build *b = &y->p->b;
+    const int outline = kit_odds(b, 0.5) ? KIT_ROUND : KIT_DIAMOND;
+    const double size = kit_between(b, 0.06, 0.18);
+    KIT_TINT(b, greens, 0.15);
+    kit_begin_object(b, "cover", -1);
+    for (int k = 0; k < plants && kit_has_room(y); k++) {
+        const double r = reach * sqrt(kit_chance(b)), a = kit_between(b, 0, 2 * KIT_PI), x = r * cos(a), z = r * sin(a);
+        const kit_foil leaf = { outline, size * kit_between(b, 0.6, 1.3), 0.7 * size, 0.8, 0 };
+        if (kit_noise(5, 0.5 * x, 0, 0.5 * z) < -0.1 || is_bare(y, x, z)) continue;
+        const kit_frame before = kit_set_out(y, NULL, x, z, kit_between(b, 0, 360));
+        kit_grow_tuft(b, &leaf, 5, 1.1);
+        kit_leave(b, before);
+    }
+}
+
+void kit_sow_cover(kit_yard *y, int plants, int twigs, int pebbles, double reach)
+{
+    static const float greys[][3] = { { 0.45f, 0.42f, 0.38f }, { 0.32f, 0.30f, 0.28f }, { 0.55f, 0.50f, 0.44f } };
+    kit_build *b = &y->p->b;
+    sow_low_leaves(y, plants, reach);
+    kit_begin_object(b, "twigs and pebbles", -1);
+    for (int k = 0; k < twigs + pebbles && kit_has_room(y); k++) {
+        const double r = reach * sqrt(kit_chance(b)), a = kit_between(b, 0, 2 * KIT_PI), s = kit_between(b, 0.02, 0.06);
+        const double half[3] = { s, 0.6 * s, 0.8 * s }, from[3] = { 0, 0.015, 0 };
+        const kit_frame before = kit_set_out(y, NULL, r * cos(a), r * sin(a), kit_between(b, 0, 360));
+        double at[5][3], way[3] = { 1, 0.05, 0 };
+        kit_wander(b, from, way, kit_between(b, 0.2, 0.9), 1, 0, at, 5);
+        kit_colour(b, 0.30, 0.24, 0.18);
+        if (k < twigs) kit_tube(b, (const double (*)[3])at, 5, kit_between(b, 0.004, 0.014), 5);
+        else KIT_TINT(b, greys, 0.15);
+        if (k >= twigs) kit_cushion(b, half, 0.9, 5);
+        kit_leave(b, before);
+    }
+}
+
 /* ---- >>set out ------------------------------------------------------------------------------------------------- */
 
 void kit_set_stones(kit_yard *y, int count, double near, double far, double size)

@@ -18,7 +18,7 @@ static void needle_branch(kit_build *b, const double from[3], double way[3], dou
     kit_unit(across);
     kit_shade(b, green, 0.25);
     if (detail < 2) {
-        const kit_foil card = { KIT_RAGGED, length, 0.55 * length, 0.7, detail ? 0.5 : 0 };
+        const kit_foil card = { KIT_RAGGED, length, 0.34 * length, 0.7, detail ? 0.5 : 0 };
         kit_grow_leaf(b, &card, from, way, across);
         return;
     }
@@ -48,7 +48,7 @@ void kit_grow_conifer(kit_build *b, double height, int detail)
     static const float needles[][3] = { { 0.08f, 0.17f, 0.09f }, { 0.12f, 0.22f, 0.10f }, { 0.16f, 0.24f, 0.20f } };
     const double slim = kit_between(b, 0.17, 0.34), clear = kit_between(b, 0.04, 0.3), dip = kit_between(b, -0.5, 0.2);
     const double trunk[4][3] = { { 0, -0.1, 0 }, { 0, 0.3 * height, 0 }, { 0, 0.7 * height, 0 }, { 0, height, 0 } };
-    const int whorls = (int)(detail > 1 ? 13 : 9), round = detail > 1 ? 6 : 5;
+    const int whorls = (int)(detail > 1 ? 13 : 9), round = detail > 1 ? 6 : 7;
     float green[3];
     KIT_TINT(b, needles, 0.15);
     memcpy(green, b->albedo, sizeof green);
@@ -95,7 +95,7 @@ static void grow_frond(kit_build *b, const double from[3], double way[3], double
         kit_unit(flat);
         kit_grow_leaf(b, &leaflet, start, out, flat);
     }
-    kit_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, 0.009 * length, 0.002, 0, 0, detail > 1 ? 4 : 3, 0 });
+    kit_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, 0.009 * length, 0.002, 0, 0, detail + 2, 0 });
 }
 
 void kit_grow_palm(kit_build *b, double height, int detail)
@@ -163,15 +163,6 @@ void kit_grow_bamboo(kit_build *b, double height, int leaves)
 
 /* ---- >>far off ------------------------------------------------------------------------------------------------- */
 
-/* a ball with lumps: half[3], seed */
-static void lump_surface(const void *shape, double u, double v, kit_vertex *out)
-{
-    const double *s = shape, unit = 1;
-    kit_sphere_surface(&unit, u, v, out);
-    const double k = 1 + 0.3 * kit_fractal((unsigned)s[3], 1.7 * out->n[0], 1.7 * out->n[1], 1.7 * out->n[2], 2);
-    for (int i = 0; i < 3; i++) out->p[i] = s[i] * k * out->n[i];
-}
-
 void kit_grow_far_tree(kit_build *b, double height, int pointed, int solid)
 {
     static const double up[3] = { 0, 1, 0 };
@@ -182,10 +173,13 @@ void kit_grow_far_tree(kit_build *b, double height, int pointed, int solid)
     kit_grow_limb(b, &(kit_limb){ trunk, 2, 0.03 * height, 0.01 * height, 0, 0, 5, 0 });
     kit_shade(b, green, 0.2);
     if (solid) {
-        const double lump[4] = { height * (pointed ? 0.17 : 0.3), height * 0.38, height * (pointed ? 0.17 : 0.3),
-                                 kit_choose(b, 1000) };
+        const kit_lump lump = { { height * (pointed ? 0.17 : 0.3), height * 0.38, height * (pointed ? 0.17 : 0.3) },
+                                (unsigned)kit_choose(b, 1000),
+                                0.3,
+                                1.7,
+                                2 };
         kit_place_at(b, 0, 0.6 * height, 0, 0);
-        kit_patch(b, 12, 8, lump_surface, lump);
+        kit_patch(b, 12, 8, kit_lump_surface, &lump);
         kit_place_at(b, 0, 0, 0, 0);
     }
     for (int k = 0; k < 26 && !solid; k++) { /* cards about the trunk */

@@ -120,17 +120,26 @@ typedef struct skin {
     double side[3];
 } skin;
 
+static double limb_radius(const kit_limb *l, double a, double v)
+{
+    const double foot = pow(1 - v, 7) * l->flare * (1 + l->lobes * cos(5 * a)), r = (1 - v) * l->r0 + v * l->r1 + foot;
+    if (!(l->rough > 0)) return r;
+    return r * (1 + l->rough * kit_noise(9, 4 * cos(a), 0.9 * v * (l->count - 1) + 3 * sin(a), 2));
+}
+
 static void limb_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const skin *s = shape;
     const kit_limb *l = s->l;
     const int last = l->count - 1, k = (int)(v * last + 0.5), from = k ? k - 1 : 0, to = k < last ? k + 1 : last;
-    const double a = 2 * KIT_PI * fmod(u, 1), foot = pow(1 - v, 7) * l->flare * (1 + l->lobes * cos(5 * a)),
-                 bark = l->rough > 0 ? 1 + l->rough * kit_noise(9, 4 * cos(a), 0.9 * k + 3 * sin(a), 2) : 1,
-                 r = ((1 - v) * l->r0 + v * l->r1 + foot) * bark;
+    const double a = 2 * KIT_PI * fmod(u, 1), e = 0.02, low = fmax(0, v - e), high = fmin(1, v + e),
+                 r = limb_radius(l, a, v);
     double way[3], side[3], up[3];
     for (int i = 0; i < 3; i++) way[i] = l->at[to][i] - l->at[from][i];
+    const double length = sqrt(kit_dot(way, way)) * last / (to - from);
     kit_unit(way);
+    const double slope = length > 0 ? (limb_radius(l, a, high) - limb_radius(l, a, low)) / ((high - low) * length) : 0,
+                 around = (limb_radius(l, a + e, v) - limb_radius(l, a - e, v)) / (2 * e * fmax(r, 1e-6));
     const double along = kit_dot(s->side, way);
     for (int i = 0; i < 3; i++) side[i] = s->side[i] - along * way[i];
     kit_unit(side);
@@ -138,7 +147,9 @@ static void limb_surface(const void *shape, double u, double v, kit_vertex *out)
     for (int i = 0; i < 3; i++) {
         out->n[i] = cos(a) * side[i] + sin(a) * up[i];
         out->p[i] = l->at[k][i] + r * out->n[i];
+        out->n[i] -= slope * way[i] + around * (cos(a) * up[i] - sin(a) * side[i]);
     }
+    kit_unit(out->n);
 }
 
 void kit_grow_limb(kit_build *b, const kit_limb *l)
@@ -231,14 +242,20 @@ static void leaf_twig(kit_build *b, const kit_tree *t, const double at[][3], int
     }
 }
 
-/* Cards of leaves instead: so long. */
+/* Cards of leaves instead, along a twig that is so long. */
 static void card_twig(kit_build *b, const kit_tree *t, const double at[3], const double way[3], double length,
-                      int cards)
+                      int spots)
 {
-    const kit_foil card = { KIT_RAGGED, length, 0.75 * length, 0.4 + fmax(0, t->droop), 0 };
-    if (!t->leaves) return;
-    kit_shade(b, t->green, 0.22);
-    kit_grow_cards(b, &card, at, way, cards);
+    const double size = spots > 1 ? 0.5 * length : 0.9 * length;
+    const kit_foil card = { KIT_RAGGED, size, 0.7 * size, 0.4 + fmax(0, t->droop), 0 };
+    for (int k = 0; k < spots && t->leaves; k++) {
+        const double f = length * (k + kit_chance(b)) / spots, turn = kit_between(b, 0, 2 * KIT_PI),
+                     from[3] = { at[0] + f * way[0], at[1] + f * way[1], at[2] + f * way[2] };
+        double out[3], across[3];
+        kit_lean(way, kit_between(b, 0.2, 1), turn, out, across);
+        kit_shade(b, t->green, 0.22);
+        kit_grow_cards(b, &card, from, out, 2);
+    }
 }
 
 /* A branch from there, so long and thick, with its twigs. */
@@ -250,7 +267,8 @@ static void grow_branch(kit_build *b, const kit_tree *t, const double from[3], d
     double at[POINTS][3], twig[TWIG][3];
     kit_wander(b, from, way, length, t->gnarl, t->droop, at, POINTS);
     kit_colour(b, (double)t->bark[0], (double)t->bark[1], (double)t->bark[2]);
-    kit_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, radius, 0.25 * radius, 0, 0, detail > 1 ? 6 : 4, 0 });
+    const int around = detail > 1 ? 6 : 4;
+    kit_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, radius, 0.25 * radius, 0, 0, around, 0 });
     for (int k = 0; k < t->twigs; k++) {
         const double f = 0.25 + 0.75 * (k + kit_chance(b)) / t->twigs, part = f * (POINTS - 1);
         const int n = (int)fmin(part, POINTS - 2);
@@ -263,7 +281,7 @@ static void grow_branch(kit_build *b, const kit_tree *t, const double from[3], d
         kit_unit(along);
         kit_lean(along, kit_between(b, 0.4, 1.1), kit_between(b, 0, 2 * KIT_PI), out, across);
         if (detail < 2) {
-            if (k % (detail ? 1 : 2) == 0) card_twig(b, t, start, out, size * (detail ? 1.3 : 2), 2);
+            if (k % (detail ? 1 : 2) == 0) card_twig(b, t, start, out, size * (detail ? 1.2 : 1.6), detail ? 4 : 1);
             continue;
         }
         kit_wander(b, start, out, size * (t->droop > 1 ? 2.2 : 1), t->gnarl, t->droop > 1 ? 4 : t->droop, twig, TWIG);

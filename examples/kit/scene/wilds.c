@@ -74,6 +74,7 @@ void kit_lay_woods(kit_yard *y)
     if (kit_odds(b, 0.7)) kit_set_ferns(y, 12 + kit_choose(b, 30), 1, 8);
     if (kit_odds(b, 0.7)) kit_set_bushes(y, 4 + kit_choose(b, 8), 2, 9, kit_between(b, 0.6, 1.4));
     if (y->season == KIT_AUTUMN || kit_odds(b, 0.5)) kit_sow_litter(y, 6000, 9);
+    kit_sow_cover(y, kit_odds(b, 0.7) ? 1600 : 0, 120, 60, 9);
     kit_sow_grass(y, 5000, kit_between(b, 0.1, 0.35), 8, 14);
     kit_set_far_trees(y, 60, 17, 50);
 }
@@ -259,6 +260,7 @@ void kit_lay_jungle(kit_yard *y)
     kit_set_ferns(y, 10 + kit_choose(b, 25), 0.8, 8);
     set_logs(y, kit_choose(b, 3), 0);
     kit_set_stones(y, kit_choose(b, 8), 1, 8, 0.8);
+    kit_sow_cover(y, 1500, 100, 40, 8);
     kit_sow_litter(y, 4000, 7);
     kit_set_far_trees(y, 60, 14, 40);
 }
@@ -285,6 +287,7 @@ void kit_lay_dry(kit_yard *y)
     for (int k = kit_choose(b, 3); k > 0; k--)
         if (kit_find_spot(y, 3, 10, 1, at)) kit_set_tree(y, at[0], at[1], beach ? KIT_ACACIA : KIT_BARE, 2);
     kit_set_bushes(y, 2 + kit_choose(b, 6), 2, 11, 0.7);
+    kit_sow_cover(y, 0, 40, 220, 9);
     kit_sow_grass(y, 2500, 0.4, 9, 10);
     if (beach) set_logs(y, 1 + kit_choose(b, 2), 0);
     if (beach || kit_odds(b, 0.3)) kit_set_far_trees(y, 20, 20, 50);
@@ -326,6 +329,7 @@ void kit_lay_bamboo(kit_yard *y)
     }
     kit_set_stones(y, 4 + kit_choose(b, 10), 1, 8, 0.5);
     kit_set_ferns(y, kit_choose(b, 20), 1, 8);
+    kit_sow_cover(y, 500, 60, 80, 7);
     kit_sow_litter(y, 5000, 7);
     kit_sow_grass(y, 2500, 0.2, 7, 9);
     kit_set_far_trees(y, 60, 14, 40);
@@ -370,6 +374,7 @@ void kit_lay_ruin(kit_yard *y)
     set_logs(y, kit_choose(b, 3), kit_choose(b, 2));
     kit_set_bushes(y, 2 + kit_choose(b, 5), 2, 10, 1);
     kit_set_ferns(y, kit_choose(b, 20), 1, 8);
+    kit_sow_cover(y, 700, 20, 100, 8);
     kit_sow_grass(y, 9000, kit_between(b, 0.12, 0.3), 7, 16);
     kit_set_far_trees(y, 30, 20, 55);
 }

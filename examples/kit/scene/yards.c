@@ -32,6 +32,28 @@ void kit_lay_paving(kit_yard *y, double x0, double z0, double x1, double z1, dou
     }
 }
 
+/* Over a house from z = -5 to 0: two sheets that stand out, gables, a chimney. */
+static void roof(kit_build *b, double half, double height)
+{
+    static const float tiles[][3] = { { 0.48f, 0.22f, 0.15f }, { 0.24f, 0.24f, 0.26f }, { 0.38f, 0.27f, 0.20f } };
+    const double ridge = height + kit_between(b, 1, 2.4), out = kit_between(b, 0.2, 0.5),
+                 low = height - out * (ridge - height) / 2.5, x = half + out,
+                 chimney = kit_between(b, -0.6, 0.6) * half;
+    const double front[4][3] = { { -x, low, out }, { x, low, out }, { x, ridge, -2.5 }, { -x, ridge, -2.5 } };
+    const double back[4][3] = { { x, low, -5 - out }, { -x, low, -5 - out }, { -x, ridge, -2.5 }, { x, ridge, -2.5 } };
+    for (int side = -1; side < 2; side += 2) {
+        const double g = side * half;
+        const kit_vertex gable[3] = { { { g, height, 0 }, { side, 0, 0 } },
+                                      { { g, height, -5 }, { side, 0, 0 } },
+                                      { { g, ridge - 0.01, -2.5 }, { side, 0, 0 } } };
+        kit_triangle(b, &gable[0], &gable[1], &gable[2]);
+    }
+    KIT_TINT(b, tiles, 0.12);
+    kit_quad(b, front);
+    kit_quad(b, back);
+    kit_bevelled(b, chimney - 0.3, height, -3.6, chimney + 0.3, ridge + 0.7, -3.1, 0.02);
+}
+
 /* A house's wall along x at z = 0, facing z, with door, windows, a gutter and a downpipe. */
 void kit_set_house(kit_yard *y, double x, double z, double turn, double length, double height)
 {
@@ -42,7 +64,8 @@ void kit_set_house(kit_yard *y, double x, double z, double turn, double length, 
     const kit_frame before = kit_set_out(y, "house", x, z, turn);
     const int holes = (int)(length / 2.3);
     KIT_TINT(b, walls, 0.1);
-    kit_box(b, -length / 2, -0.2, -3, length / 2, height, 0);
+    kit_box(b, -length / 2, -0.2, -5, length / 2, height, 0);
+    if (kit_odds(b, 0.75)) roof(b, length / 2, height);
     for (int k = 0; k < holes; k++) {
         const double c = -length / 2 + length * (k + 0.5) / holes, low = k == holes / 2 ? 0.05 : 0.85, top = 2.15,
                      w = k == holes / 2 ? 0.6 : 0.5;
