@@ -119,7 +119,7 @@ void kit_put_crate(kit_build *b);
 
 /* ---- >>yards --------------------------------------------------------------------------------------------------- */
 
-enum { KIT_TAKEN = 400, KIT_MOST_TRIANGLES = 190000 };
+enum { KIT_TAKEN = 400, KIT_MOST_TRIANGLES = 165000 };
 /* What is being laid out; taken: discs that things stand on, x, z, radius, and the radius of no grass. */
 typedef struct kit_yard { kit_plot *p; int season, takes; double taken[KIT_TAKEN][4]; } kit_yard;
 /* what p->of says of the ground: it rises and falls by so much, so often a metre; beyond level metres alone; hills far

@@ -56,14 +56,17 @@ void kit_lay_ground(kit_yard *y, double bumps, double often, double level, doubl
 
 void kit_lay_path(kit_yard *y, double x, double half, double from, double to)
 {
+    enum { ACROSS = 6 };
+
     kit_plot *p = y->p;
     const int pieces = (int)((to - from) / 0.4);
-    for (int k = 0; k < pieces; k++) {
+    for (int k = 0; k < pieces * ACROSS; k++) {
+        const int along = k / ACROSS, side = k % ACROSS;
         double q[4][3];
         for (int i = 0; i < 4; i++) {
-            q[i][2] = from + (to - from) * (k + (i < 2)) / pieces;
-            q[i][0] = x + (i == 1 || i == 2 ? half : -half) + 0.3 * sin(0.35 * q[i][2]);
-            q[i][1] = kit_ground_at(p, q[i][0], q[i][2]) + 0.03;
+            q[i][2] = from + (to - from) * (along + (i < 2)) / pieces;
+            q[i][0] = x + half * (2.0 * (side + (i == 1 || i == 2)) / ACROSS - 1) + 0.3 * sin(0.35 * q[i][2]);
+            q[i][1] = kit_ground_at(p, q[i][0], q[i][2]) + 0.045;
         }
         kit_quad(&p->b, (const double (*)[3])q);
     }

@@ -16,7 +16,7 @@ static const struct outline {
                  [KIT_RAGGED] = { 3, { 0.45, 1, 0.85, 0.3 } },
                  [KIT_DIAMOND] = { 2, { 0, 1, 0 } },
                  [KIT_POINTED] = { 3, { 0, 1, 0.75, 0 } },
-                 [KIT_BLADE] = { 3, { 1, 0.9, 0.6, 0 } },
+                 [KIT_BLADE] = { 2, { 1, 0.75, 0 } },
                  [KIT_BROAD] = { 6, { 0.08, 0.75, 1, 1, 0.85, 0.55, 0 } },
                  [KIT_NEEDLE] = { 1, { 1, 0 } },
                  [KIT_ROUND] = { 4, { 0.3, 0.9, 1, 0.8, 0.2 } } };
@@ -262,7 +262,7 @@ static void card_twig(kit_build *b, const kit_tree *t, const double at[3], const
 static void grow_branch(kit_build *b, const kit_tree *t, const double from[3], double way[3], double length,
                         double radius, int detail)
 {
-    enum { POINTS = 6, TWIG = 4 };
+    enum { POINTS = 6, TWIG = 3 };
 
     double at[POINTS][3], twig[TWIG][3];
     kit_wander(b, from, way, length, t->gnarl, t->droop, at, POINTS);
