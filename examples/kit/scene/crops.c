@@ -1,5 +1,4 @@
-/* crops.c - layouts of foliage.c: terraces, glasshouses, rows of vegetables and of trees, stones. Declared in
-   kit_plants.h. */
+/* crops.c - layouts of foliage.c: terraces, glasshouses, rows of vegetables and of trees. Declared in kit_plants.h. */
 #include "kit/kit_plants.h"
 #include <math.h>
 
@@ -7,6 +6,43 @@ static const float lawns[][3] = { { 0.14f, 0.24f, 0.06f }, { 0.20f, 0.29f, 0.09f
 static const float gravels[][3] = { { 0.52f, 0.48f, 0.41f }, { 0.60f, 0.57f, 0.52f }, { 0.44f, 0.38f, 0.31f } };
 
 /* ---- >>terraces, glasshouses ----------------------------------------------------------------------------------- */
+
+/* A pergola over a terrace of half sides, and a vine on it. */
+static void vine_above(kit_yard *y, double hx, double hz)
+{
+    kit_build *b = &y->p->b;
+    const kit_frame before = kit_set_out(y, "pergola", 0, 0, 0);
+    kit_put_pergola(b, 1.7 * hx, 2.4, 1.6 * hz);
+    kit_leave(b, before);
+    const kit_foil card = { KIT_POINTED, 0.16, 0.13, 0.6, 0 };
+    kit_begin_object(b, "vine", -1);
+    for (int k = 0; k < 1500; k++) { /* leaves on it and hanging from it */
+        const double from[3] = { kit_between(b, -0.9, 0.9) * hx, 2.68 - 0.5 * pow(kit_chance(b), 3),
+                                 kit_between(b, -0.95, 0.95) * hz };
+        double out[3], across[3];
+        kit_lean((const double[3]){ 0, -1, 0 }, kit_between(b, 0.2, 1.9), kit_between(b, 0, 2 * KIT_PI), out, across);
+        kit_colour(b, kit_between(b, 0.16, 0.26), kit_between(b, 0.28, 0.36), 0.1);
+        if (kit_noise(3, 0.8 * from[0], 0, 0.8 * from[2]) > -0.15) kit_grow_leaf(b, &card, from, out, across);
+    }
+    kit_sight_above(y, 0, 2.3, 0, 1.4);
+}
+
+static void pots_along(kit_yard *y, double hx, double hz)
+{
+    kit_build *b = &y->p->b;
+    double at[2];
+    for (int k = 10 + kit_choose(b, 14); k > 0; k--) { /* pots stand along the edges */
+        const double s = kit_between(b, -0.95, 0.95), away = kit_between(b, 0.85, 0.95);
+        at[0] = k & 1 ? s * hx : (k & 2 ? away : -away) * hx;
+        at[1] = k & 1 ? (k % 3 ? away : -0.86) * hz : s * hz;
+        if (!kit_is_free(y, at[0], at[1], 0.3) || !kit_has_room(y)) continue;
+        kit_take(y, at[0], at[1], 0.3);
+        const double tall = kit_between(b, 0.2, 0.6);
+        const kit_frame up = kit_enter(b, 0, 0.051, 0, 0, 1);
+        kit_set_pot(y, at[0], at[1], tall);
+        kit_leave(b, up);
+    }
+}
 
 void kit_lay_terrace(kit_yard *y)
 {
@@ -19,36 +55,12 @@ void kit_lay_terrace(kit_yard *y)
     kit_set_house(y, 0, -hz - 0.1, 0, 2 * hx + 2, kit_between(b, 2.7, 5.5));
     if (kit_odds(b, 0.6))
         kit_set_climber(y, kit_between(b, -hx, 0), -hz, 0, kit_between(b, 1.5, 3), kit_between(b, 1.8, 2.6));
-    if (kit_odds(b, 0.6)) {
-        const kit_frame before = kit_set_out(y, "pergola", 0, 0, 0);
-        kit_put_pergola(b, 1.7 * hx, 2.4, 1.6 * hz);
-        kit_leave(b, before);
-        const kit_foil card = { KIT_POINTED, 0.16, 0.13, 0.6, 0 };
-        kit_begin_object(b, "vine", -1);
-        for (int k = 0; k < 1500; k++) { /* leaves on it and hanging from it */
-            const double from[3] = { kit_between(b, -0.9, 0.9) * hx, 2.68 - 0.5 * pow(kit_chance(b), 3),
-                                     kit_between(b, -0.95, 0.95) * hz };
-            double out[3], across[3];
-            kit_lean((const double[3]){ 0, -1, 0 }, kit_between(b, 0.2, 1.9), kit_between(b, 0, 2 * KIT_PI), out,
-                     across);
-            kit_colour(b, kit_between(b, 0.16, 0.26), kit_between(b, 0.28, 0.36), 0.1);
-            if (kit_noise(3, 0.8 * from[0], 0, 0.8 * from[2]) > -0.15) kit_grow_leaf(b, &card, from, out, across);
-        }
-        kit_sight_above(y, 0, 2.3, 0, 1.4);
-    }
+    if (kit_odds(b, 0.6)) vine_above(y, hx, hz);
+    const kit_frame up = kit_enter(b, 0, 0.051, 0, 0, 1); /* on the slabs */
     kit_set_table(y, kit_between(b, -0.4, 0.4) * hx, kit_between(b, -0.3, 0.4) * hz);
     if (kit_odds(b, 0.6)) kit_set_bench(y, 0.5 * hx, -hz + 0.45, 0);
-    for (int k = 10 + kit_choose(b, 14); k > 0; k--) { /* pots stand along the edges */
-        const double s = kit_between(b, -0.95, 0.95), away = kit_between(b, 0.85, 0.95);
-        at[0] = k & 1 ? s * hx : (k & 2 ? away : -away) * hx;
-        at[1] = k & 1 ? (k % 3 ? away : -0.86) * hz : s * hz;
-        if (!kit_is_free(y, at[0], at[1], 0.3) || !kit_has_room(y)) continue;
-        kit_take(y, at[0], at[1], 0.3);
-        const double tall = kit_between(b, 0.2, 0.6);
-        const kit_frame up = kit_enter(b, 0, 0.051, 0, 0, 1);
-        kit_set_pot(y, at[0], at[1], tall);
-        kit_leave(b, up);
-    }
+    kit_leave(b, up);
+    pots_along(y, hx, hz);
     const int rail = kit_choose(b, 5);
     if (rail < 4) kit_set_border(y, rail, -hx, hz + 0.3, 0, 2 * hx);
     for (int k = 2 + kit_choose(b, 2); k > 0; k--)
@@ -93,6 +105,46 @@ static void glasshouse(kit_build *b, double hx, double eaves, double ridge, doub
     }
 }
 
+/* A table of slats, pots on it. */
+static void staging(kit_yard *y, double x, double z, double len)
+{
+    kit_build *b = &y->p->b;
+    const kit_frame before = kit_set_out(y, "staging", x, z, 0);
+    kit_colour(b, 0.45, 0.36, 0.26);
+    for (int s = 0; s < 6; s++) kit_box(b, -0.45 + 0.155 * s, 0.74, -len, -0.45 + 0.155 * s + 0.12, 0.77, len);
+    for (int s = 0; s < 4; s++)
+        kit_box(b, (s & 1 ? 0.4 : -0.4) - 0.03, 0.05, (s & 2 ? 0.9 : -0.9) * len - 0.03, (s & 1 ? 0.4 : -0.4) + 0.03,
+                0.739, (s & 2 ? 0.9 : -0.9) * len + 0.03);
+    kit_leave(b, before);
+    for (int s = 0; s < 5; s++) {
+        const kit_frame up = kit_enter(b, 0, 0.77 + KIT_GAP, 0, 0, 1);
+        if (kit_odds(b, 0.85))
+            kit_set_pot(y, x + kit_between(b, -0.2, 0.2), z + len * (s - 2) * 0.42, kit_between(b, 0.12, 0.24));
+        kit_leave(b, up);
+    }
+    kit_sight_above(y, x, 0.95, z, 0.9);
+    kit_sight_above(y, x, 0.3, z, 0.6);
+}
+
+/* in the middle of a glasshouse */
+static void large_plants(kit_yard *y, double hz)
+{
+    kit_build *b = &y->p->b;
+    for (int k = 0; k < 7; k++) {
+        const double z = (k - 3) * hz * 0.27, x = kit_between(b, -0.3, 0.3);
+        const int kind = kit_choose(b, 5);
+        const kit_frame before = kit_set_out(y, "plant", x, z, kit_between(b, 0, 360));
+        kit_place_at(b, 0, 0.05, 0, 0);
+        if (kind == 0) kit_grow_palm(b, kit_between(b, 0.6, 1.4), 2);
+        if (kind == 1) kit_grow_banana(b, kit_between(b, 1.4, 2.3));
+        if (kind == 2) kit_grow_cactus(b, kit_between(b, 0.8, 1.9));
+        if (kind == 3) kit_grow_fern(b, kit_between(b, 0.6, 1), 12);
+        if (kind == 4) kit_grow_rosette(b, kit_between(b, 0.6, 1), kit_choose(b, 4));
+        kit_leave(b, before);
+        kit_sight_above(y, x, 0.8, z, 0.8);
+    }
+}
+
 void kit_lay_greenhouse(kit_yard *y)
 {
     kit_build *b = &y->p->b;
@@ -110,35 +162,9 @@ void kit_lay_greenhouse(kit_yard *y)
             kit_set_bed(y, x, z, 0.5, len);
             continue;
         }
-        const kit_frame before = kit_set_out(y, "staging", x, z, 0);
-        kit_colour(b, 0.45, 0.36, 0.26);
-        for (int s = 0; s < 6; s++) kit_box(b, -0.45 + 0.155 * s, 0.74, -len, -0.45 + 0.155 * s + 0.12, 0.77, len);
-        for (int s = 0; s < 4; s++)
-            kit_box(b, (s & 1 ? 0.4 : -0.4) - 0.03, 0.05, (s & 2 ? 0.9 : -0.9) * len - 0.03,
-                    (s & 1 ? 0.4 : -0.4) + 0.03, 0.739, (s & 2 ? 0.9 : -0.9) * len + 0.03);
-        kit_leave(b, before);
-        for (int s = 0; s < 5; s++) {
-            const kit_frame up = kit_enter(b, 0, 0.77 + KIT_GAP, 0, 0, 1);
-            if (kit_odds(b, 0.85))
-                kit_set_pot(y, x + kit_between(b, -0.2, 0.2), z + len * (s - 2) * 0.42, kit_between(b, 0.12, 0.24));
-            kit_leave(b, up);
-        }
-        kit_sight_above(y, x, 0.95, z, 0.9);
-        kit_sight_above(y, x, 0.3, z, 0.6);
+        staging(y, x, z, len);
     }
-    for (int k = 0; k < 7; k++) { /* large plants in the middle */
-        const double z = (k - 3) * hz * 0.27, x = kit_between(b, -0.3, 0.3);
-        const int kind = kit_choose(b, 5);
-        const kit_frame before = kit_set_out(y, "plant", x, z, kit_between(b, 0, 360));
-        kit_place_at(b, 0, 0.05, 0, 0);
-        if (kind == 0) kit_grow_palm(b, kit_between(b, 0.6, 1.4), 2);
-        if (kind == 1) kit_grow_banana(b, kit_between(b, 1.4, 2.3));
-        if (kind == 2) kit_grow_cactus(b, kit_between(b, 0.8, 1.9));
-        if (kind == 3) kit_grow_fern(b, kit_between(b, 0.6, 1), 12);
-        if (kind == 4) kit_grow_rosette(b, kit_between(b, 0.6, 1), kit_choose(b, 4));
-        kit_leave(b, before);
-        kit_sight_above(y, x, 0.8, z, 0.8);
-    }
+    large_plants(y, hz);
     for (int k = 0; k < 4; k++)
         if (kit_odds(b, 0.6)) {
             const double x = (k & 1 ? 1 : -1) * 0.45 * hx, z = (k & 2 ? 0.4 : -0.4) * hz;
@@ -316,68 +342,4 @@ void kit_lay_orchard(kit_yard *y)
     if (y->season == KIT_AUTUMN) kit_sow_litter(y, 2000, 9);
     kit_sow_grass(y, 9000, kit_between(b, 0.1, 0.35), 7, 16);
     kit_set_far_trees(y, 30, 20, 55);
-}
-
-/* ---- >>stones -------------------------------------------------------------------------------------------------- */
-
-/* Raked gravel about stones, clipped shrubs, a maple, a fence of panels. */
-void kit_lay_stones(kit_yard *y)
-{
-    kit_build *b = &y->p->b;
-    const double half = kit_between(b, 4.5, 6.5), apart = kit_between(b, 0.14, 0.24);
-    const int fence = kit_odds(b, 0.5) ? 3 : 4 + kit_choose(b, 2), groups = 2 + kit_choose(b, 3);
-    double at[2];
-    KIT_TINT(b, gravels, 0.08);
-    kit_lay_flat(y);
-    kit_begin_object(b, "raked", -1);
-    for (double x = -half; x < half; x += apart) {
-        const kit_foil ridge = { KIT_CARD, 2 * half, 0.6 * apart, 0, 0.35 };
-        kit_grow_leaf(b, &ridge, (const double[3]){ x, 0.004, -half }, (const double[3]){ 0, 0, 1 },
-                      (const double[3]){ 1, 0, 0 });
-    }
-    for (int k = 0; k < groups; k++) {
-        if (!kit_find_spot(y, 0.5, half - 1.5, 1.5, at)) continue;
-        for (int n = 1 + kit_choose(b, 4); n > 0; n--) {
-            const double s = kit_between(b, 0.2, 0.7), h[3] = { s, s * kit_between(b, 0.6, 1.6), s };
-            const kit_frame before = kit_set_out(y, "stone", at[0] + kit_between(b, -0.8, 0.8),
-                                                 at[1] + kit_between(b, -0.8, 0.8), kit_between(b, 0, 360));
-            kit_put_stone(b, h, 24);
-            kit_leave(b, before);
-        }
-        kit_begin_object(b, "moss", -1);
-        for (int n = 0; n < 260; n++) {
-            const kit_foil blade = { KIT_NEEDLE, 0.07, 0.012, 0.8, 0 };
-            const kit_frame before = kit_set_out(y, NULL, at[0] + kit_between(b, -1.1, 1.1) * kit_chance(b),
-                                                 at[1] + kit_between(b, -1.1, 1.1) * kit_chance(b), 0);
-            kit_colour(b, 0.2, 0.28, 0.08);
-            kit_grow_tuft(b, &blade, 8, 0.9);
-            kit_leave(b, before);
-        }
-        kit_sight_above(y, at[0], 0.3, at[1], 1);
-    }
-    kit_set_border(y, fence, -half, -half - 0.5, 0, 2 * half);
-    kit_set_border(y, fence, half + 0.5, half, 90, 2 * half);
-    for (int k = 0; k < 9; k++) {
-        const double s = (k + kit_chance(b)) / 9 * 2 - 1, x = k & 1 ? s * half : half - 0.5,
-                     z = k & 1 ? -half + 0.4 : s * half;
-        if (!kit_is_free(y, x, z, 0.2)) continue;
-        const kit_frame before = kit_set_out(y, "shrub", x, z, 0);
-        if (k % 3 == 0) kit_grow_bush(b, 1.2, kit_between(b, 0.5, 0.9), KIT_BUSH_CORE);
-        else if (k % 3 == 1) kit_grow_topiary(b, kit_between(b, 0.6, 1), 0);
-        else
-            for (int n = 0; n < 4; n++) kit_grow_bamboo(b, kit_between(b, 2.5, 4), 2);
-        kit_leave(b, before);
-        kit_sight_above(y, x, 0.5, z, 0.7);
-    }
-    const kit_frame before = kit_set_out(y, "lantern", -half + 1, -half + 1, 30);
-    kit_put_lantern(b, kit_between(b, 1, 1.8));
-    kit_leave(b, before);
-    kit_sight_above(y, -half + 1, 0.7, -half + 1, 0.8);
-    y->season = kit_odds(b, 0.6) ? KIT_AUTUMN : y->season;
-    if (kit_find_spot(y, 2, half, 0.8, at)) kit_set_tree(y, at[0], at[1], KIT_APPLE, 2);
-    if (kit_odds(b, 0.5) && kit_find_spot(y, 2, half + 2, 0.8, at))
-        kit_set_conifer(y, at[0], at[1], kit_between(b, 2, 4), 2);
-    if (y->season == KIT_AUTUMN) kit_sow_litter(y, 500, half);
-    if (kit_odds(b, 0.6)) kit_set_house(y, -half - 1.5, 0, 90, 2 * half, 2.8);
-    kit_set_far_trees(y, 40, half + 7, 45);
 }

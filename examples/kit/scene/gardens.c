@@ -1,4 +1,4 @@
-/* gardens.c - layouts of foliage.c: a garden by a house, parks, mazes, parterres. Declared in kit_plants.h. */
+/* gardens.c - layouts of foliage.c: a garden by a house, parks, mazes, parterres, stones. Declared in kit_plants.h. */
 #include "kit/kit_plants.h"
 #include <math.h>
 #include <stdlib.h>
@@ -51,16 +51,10 @@ void kit_lay_garden(kit_yard *y)
     kit_set_far_trees(y, 30, half + 8, 50);
 }
 
-void kit_lay_park(kit_yard *y)
+/* trees to both sides of a path, hedges between them */
+static void avenue(kit_yard *y, double half, double apart, int kind, int hedges)
 {
-    static const int rows[] = { KIT_OAK, KIT_POPLAR, KIT_OAK, KIT_BIRCH, KIT_BARE, KIT_ACACIA };
     kit_build *b = &y->p->b;
-    const double half = kit_between(b, 1.2, 2), apart = kit_between(b, 4.5, 7);
-    const int kind = rows[kit_choose(b, 6)], hedges = kit_odds(b, 0.5), middle = kit_choose(b, 3);
-    KIT_TINT(b, lawns, 0.12);
-    kit_lay_ground(y, kit_between(b, 0, 0.15), 0.15, 0, kit_between(b, 0, 5));
-    KIT_TINT(b, gravels, 0.1);
-    kit_lay_path(y, 0, half, -16, 16);
     for (int k = 0; k < 8; k++) {
         const double side = k & 1 ? 1 : -1, z = (k / 2 - 1.5) * apart, x = side * (half + 1.6) + 0.3 * sin(0.35 * z);
         kit_set_tree(y, x, z, kind, k > 1 && k < 6 ? 2 : 1);
@@ -72,6 +66,19 @@ void kit_lay_park(kit_yard *y)
         kit_leave(b, before);
         for (double s = -0.5; s <= 0.5; s += 0.2) kit_take(y, x + side * 1.2, z + (0.5 + s) * apart, 0.4);
     }
+}
+
+void kit_lay_park(kit_yard *y)
+{
+    static const int rows[] = { KIT_OAK, KIT_POPLAR, KIT_OAK, KIT_BIRCH, KIT_BARE, KIT_ACACIA };
+    kit_build *b = &y->p->b;
+    const double half = kit_between(b, 1.2, 2), apart = kit_between(b, 4.5, 7);
+    const int kind = rows[kit_choose(b, 6)], hedges = kit_odds(b, 0.5), middle = kit_choose(b, 3);
+    KIT_TINT(b, lawns, 0.12);
+    kit_lay_ground(y, kit_between(b, 0, 0.15), 0.15, 0, kit_between(b, 0, 5));
+    KIT_TINT(b, gravels, 0.1);
+    kit_lay_path(y, 0, half, -16, 16);
+    avenue(y, half, apart, kind, hedges);
     for (int k = 0; k < 4; k++) {
         const double side = k & 1 ? 1 : -1, z = (k / 2 - 0.5) * apart * 1.9 + kit_between(b, -0.4, 0.4),
                      x = side * (half + 0.5) + 0.3 * sin(0.35 * z);
@@ -145,6 +152,28 @@ void kit_lay_maze(kit_yard *y)
     y->p->stand[2] = y->p->stand[3] = half + 2;
 }
 
+/* A square bed between low hedges. */
+static void quarter(kit_yard *y, double x, double z, double size, double low, int kind, int cross, const float green[3])
+{
+    kit_build *b = &y->p->b;
+    for (int k = 0; k < 4; k++) {
+        const double a = 90 * k, out = size / 2 - 0.12;
+        const kit_frame before = kit_set_out(y, "hedge", x + out * sin(a * KIT_PI / 180),
+                                             z + out * cos(a * KIT_PI / 180), a);
+        memcpy(b->albedo, green, sizeof b->albedo);
+        kit_grow_hedge(b, k & 1 ? size - 0.52 : size, k & 1 ? low : low - 0.006, 0.26, 0.05, 1);
+        kit_leave(b, before);
+    }
+    const kit_frame before = kit_set_out(y, "topiary", x, z, 0);
+    kit_grow_topiary(b, kit_between(b, 1.1, 1.2) + 0.4 * kind, kind);
+    kit_leave(b, before);
+    kit_sight_above(y, x, 0.7, z, 1);
+    kit_begin_object(b, "flowers", -1);
+    for (int k = 0; k < 2; k++)
+        kit_sow_flowers(y, x + (k ? 0.25 : -0.25) * size, z + (cross ? 0.25 : 0) * size, 0.16 * size,
+                        (cross ? 0.16 : 0.36) * size, 34, low + 0.05);
+}
+
 /* Low hedges about beds, the same in four quarters. */
 void kit_lay_parterre(kit_yard *y)
 {
@@ -158,23 +187,7 @@ void kit_lay_parterre(kit_yard *y)
     KIT_TINT(b, boxes, 0.1);
     memcpy(green, b->albedo, sizeof green);
     for (int q = 0; q < 4; q++) {
-        const double x = (q & 1 ? 1 : -1) * middle, z = (q & 2 ? 1 : -1) * middle;
-        for (int k = 0; k < 4; k++) {
-            const double a = 90 * k, out = size / 2 - 0.12;
-            const kit_frame before = kit_set_out(y, "hedge", x + out * sin(a * KIT_PI / 180),
-                                                 z + out * cos(a * KIT_PI / 180), a);
-            memcpy(b->albedo, green, sizeof green);
-            kit_grow_hedge(b, k & 1 ? size - 0.52 : size, k & 1 ? low : low - 0.006, 0.26, 0.05, 1);
-            kit_leave(b, before);
-        }
-        const kit_frame before = kit_set_out(y, "topiary", x, z, 0);
-        kit_grow_topiary(b, kit_between(b, 1.1, 1.2) + 0.4 * kind, kind);
-        kit_leave(b, before);
-        kit_sight_above(y, x, 0.7, z, 1);
-        kit_begin_object(b, "flowers", -1);
-        for (int k = 0; k < 2; k++)
-            kit_sow_flowers(y, x + (k ? 0.25 : -0.25) * size, z + (cross ? 0.25 : 0) * size, 0.16 * size,
-                            (cross ? 0.16 : 0.36) * size, 34, low + 0.05);
+        quarter(y, (q & 1 ? 1 : -1) * middle, (q & 2 ? 1 : -1) * middle, size, low, kind, cross, green);
     }
     if (fountain) {
         const kit_frame before = kit_set_out(y, "fountain", 0, 0, 0);
@@ -196,4 +209,82 @@ void kit_lay_parterre(kit_yard *y)
                             2);
     }
     kit_set_far_trees(y, 40, edge + 7, 50);
+}
+
+/* ---- >>stones -------------------------------------------------------------------------------------------------- */
+
+/* stones in moss */
+static void stone_group(kit_yard *y, const double at[2])
+{
+    kit_build *b = &y->p->b;
+    for (int n = 1 + kit_choose(b, 4); n > 0; n--) {
+        const double s = kit_between(b, 0.2, 0.7), h[3] = { s, s * kit_between(b, 0.6, 1.6), s };
+        const kit_frame before = kit_set_out(y, "stone", at[0] + kit_between(b, -0.8, 0.8),
+                                             at[1] + kit_between(b, -0.8, 0.8), kit_between(b, 0, 360));
+        kit_put_stone(b, h, 24);
+        kit_leave(b, before);
+    }
+    kit_begin_object(b, "moss", -1);
+    for (int n = 0; n < 260; n++) {
+        const kit_foil blade = { KIT_NEEDLE, 0.07, 0.012, 0.8, 0 };
+        const kit_frame before = kit_set_out(y, NULL, at[0] + kit_between(b, -1.1, 1.1) * kit_chance(b),
+                                             at[1] + kit_between(b, -1.1, 1.1) * kit_chance(b), 0);
+        kit_colour(b, 0.2, 0.28, 0.08);
+        kit_grow_tuft(b, &blade, 8, 0.9);
+        kit_leave(b, before);
+    }
+    kit_sight_above(y, at[0], 0.3, at[1], 1);
+}
+
+/* along two fences */
+static void shrubs(kit_yard *y, double half)
+{
+    kit_build *b = &y->p->b;
+    for (int k = 0; k < 9; k++) {
+        const double s = (k + kit_chance(b)) / 9 * 2 - 1, x = k & 1 ? s * half : half - 0.5,
+                     z = k & 1 ? -half + 0.4 : s * half;
+        if (!kit_is_free(y, x, z, 0.2)) continue;
+        const kit_frame before = kit_set_out(y, "shrub", x, z, 0);
+        if (k % 3 == 0) kit_grow_bush(b, 1.2, kit_between(b, 0.5, 0.9), KIT_BUSH_CORE);
+        else if (k % 3 == 1) kit_grow_topiary(b, kit_between(b, 0.6, 1), 0);
+        else
+            for (int n = 0; n < 4; n++) kit_grow_bamboo(b, kit_between(b, 2.5, 4), 2);
+        kit_leave(b, before);
+        kit_sight_above(y, x, 0.5, z, 0.7);
+    }
+}
+
+/* Raked gravel about stones, clipped shrubs, a maple, a fence of panels. */
+void kit_lay_stones(kit_yard *y)
+{
+    kit_build *b = &y->p->b;
+    const double half = kit_between(b, 4.5, 6.5), apart = kit_between(b, 0.14, 0.24);
+    const int fence = kit_odds(b, 0.5) ? 3 : 4 + kit_choose(b, 2), groups = 2 + kit_choose(b, 3);
+    double at[2];
+    KIT_TINT(b, gravels, 0.08);
+    kit_lay_flat(y);
+    kit_begin_object(b, "raked", -1);
+    for (double x = -half; x < half; x += apart) {
+        const kit_foil ridge = { KIT_CARD, 2 * half, 0.6 * apart, 0, 0.35 };
+        kit_grow_leaf(b, &ridge, (const double[3]){ x, 0.004, -half }, (const double[3]){ 0, 0, 1 },
+                      (const double[3]){ 1, 0, 0 });
+    }
+    for (int k = 0; k < groups; k++) {
+        if (!kit_find_spot(y, 0.5, half - 1.5, 1.5, at)) continue;
+        stone_group(y, at);
+    }
+    kit_set_border(y, fence, -half, -half - 0.5, 0, 2 * half);
+    kit_set_border(y, fence, half + 0.5, half, 90, 2 * half);
+    shrubs(y, half);
+    const kit_frame before = kit_set_out(y, "lantern", -half + 1, -half + 1, 30);
+    kit_put_lantern(b, kit_between(b, 1, 1.8));
+    kit_leave(b, before);
+    kit_sight_above(y, -half + 1, 0.7, -half + 1, 0.8);
+    y->season = kit_odds(b, 0.6) ? KIT_AUTUMN : y->season;
+    if (kit_find_spot(y, 2, half, 0.8, at)) kit_set_tree(y, at[0], at[1], KIT_APPLE, 2);
+    if (kit_odds(b, 0.5) && kit_find_spot(y, 2, half + 2, 0.8, at))
+        kit_set_conifer(y, at[0], at[1], kit_between(b, 2, 4), 2);
+    if (y->season == KIT_AUTUMN) kit_sow_litter(y, 500, half);
+    if (kit_odds(b, 0.6)) kit_set_house(y, -half - 1.5, 0, 90, 2 * half, 2.8);
+    kit_set_far_trees(y, 40, half + 7, 45);
 }

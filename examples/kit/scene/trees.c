@@ -12,14 +12,10 @@ enum { STATIONS = 7 };
 static const struct outline {
     int cells;
     double wide[STATIONS];
-} outlines[] = { [KIT_CARD] = { 1, { 1, 1 } },
-                 [KIT_RAGGED] = { 3, { 0.45, 1, 0.85, 0.3 } },
-                 [KIT_DIAMOND] = { 2, { 0, 1, 0 } },
-                 [KIT_POINTED] = { 3, { 0, 1, 0.75, 0 } },
-                 [KIT_BLADE] = { 2, { 1, 0.75, 0 } },
-                 [KIT_BROAD] = { 6, { 0.08, 0.75, 1, 1, 0.85, 0.55, 0 } },
-                 [KIT_NEEDLE] = { 1, { 1, 0 } },
-                 [KIT_ROUND] = { 4, { 0.3, 0.9, 1, 0.8, 0.2 } } };
+} outlines[] = { [KIT_CARD] = { 1, { 1, 1 } },        [KIT_RAGGED] = { 3, { 0.45, 1, 0.85, 0.3 } },
+                 [KIT_DIAMOND] = { 2, { 0, 1, 0 } },  [KIT_POINTED] = { 3, { 0, 1, 0.75, 0 } },
+                 [KIT_BLADE] = { 2, { 1, 0.75, 0 } }, [KIT_BROAD] = { 6, { 0.08, 0.75, 1, 1, 0.85, 0.55, 0 } },
+                 [KIT_NEEDLE] = { 1, { 1, 0 } },      [KIT_ROUND] = { 4, { 0.3, 0.9, 1, 0.8, 0.2 } } };
 
 typedef struct blade {
     const kit_foil *l;
