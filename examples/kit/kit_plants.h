@@ -1,7 +1,7 @@
 /* kit_plants.h - what gardens and woods by seed are planted with: trees.c and palms.c grow trees, bushes.c and plants.c
-   what is lower, fences.c and ornaments.c are what people put among them, foliage.c and yards.c set it out, wilds.c,
-   gardens.c and crops.c say where. Private to these. All of it stands on y = 0 at the origin of the
-   frame that is entered. */
+   what is lower, fences.c and ornaments.c are what people put among them, sown.c and yards.c set it out, wilds.c,
+   gardens.c and crops.c say where, foliage.c chooses among them. Private to these. All of it stands on y = 0
+   at the origin of the frame that is entered. */
 #ifndef KIT_PLANTS_H
 #define KIT_PLANTS_H
 
