@@ -175,7 +175,7 @@ void kit_set_bed(kit_yard *y, double x, double z, double hx, double hz)
             continue;
         }
         kit_begin_object(b, "flowers", -1);
-        kit_sow_flowers(y, cx, cz, 0.85 * (hx > hz ? hx / sorts : hx), 0.85 * (hx > hz ? hz : hz / sorts), 26,
+        kit_sow_flowers(y, cx, cz, 0.85 * (hx > hz ? hx / sorts : hx), 0.85 * (hx > hz ? hz : hz / sorts), 40,
                         kit_between(b, 0.3, 0.65));
     }
     for (double s = -1; s <= 1; s += 0.25)
