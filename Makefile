@@ -23,7 +23,8 @@ KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
 KIT_BASE    = util image exr hdr png score
 KIT_SCENE   = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light seeds look parts \
-              rooms streets halls foliage machines scans terrain)
+              rooms streets halls foliage trees palms bushes plants fences ornaments sown yards wilds gardens crops \
+              machines scans terrain)
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
 KIT_GL      = $(addprefix gl/,gl gbuffer shadow field)
 KIT_RUN     = $(addprefix run/,settings fetches draw cost passes margin views lights lit occluders deep run frames plan)
