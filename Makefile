@@ -18,20 +18,20 @@
 CFLAGS   ?= -O2 -g
 WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
-KIT_FLAGS = -std=c11 -D_GNU_SOURCE -Iexamples $(WARNINGS) $(EXR) $(CFLAGS)
+KIT_FLAGS = -std=c11 -D_GNU_SOURCE -ffp-contract=off -Iexamples $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
 KIT_BASE    = util image exr hdr png score
-KIT_SCENE   = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light seeds look parts \
-              rooms streets halls foliage trees palms bushes plants fences ornaments sown yards wilds gardens crops \
-              machines scans terrain)
+KIT_SCENE   = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light seeds look parts) \
+              $(sort $(patsubst examples/kit/%.c,%,$(wildcard examples/kit/scene/*/*.c)))
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
 KIT_GL      = $(addprefix gl/,gl gbuffer shadow field)
 KIT_RUN     = $(addprefix run/,settings fetches draw cost passes margin views lights lit occluders deep run frames plan)
 KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \
-            examples/kit/kit_seed.h examples/kit/kit_trace.h examples/kit/kit_image.h examples/kit/kit_obj.h
+            examples/kit/kit_seed.h examples/kit/kit_trace.h examples/kit/kit_image.h examples/kit/kit_obj.h \
+            $(wildcard examples/kit/scene/*/*.h)
 
 EXAMPLE_H = examples/tools/render/render.h $(wildcard examples/lab/*/*.h) \
             examples/tools/glsl/choices.h examples/tools/glsl/manifest.h

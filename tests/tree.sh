@@ -16,7 +16,7 @@ for f in "$@"; do nm -P -g "$f" | awk -v f="$f" '{ print ($2 == "U" ? "asks" : "
              : f ~ /^build\/examples\/lab\// ? 10 : f ~ /^build\/examples\// ? 5 : f ~ /^build\/kit\/run\// ? 4 \
              : f ~ /^build\/kit\/gl\// ? 3 : f ~ /^build\/kit\/trace\// ? 2 : f ~ /^build\/kit\/scene\// ? 1 : 0
     }
-    function room(f) { sub(/[^\/]*$/, "", f); return f }
+    function room(f) { sub(/[^\/]*$/, "", f); sub(/kit\/scene\/.*/, "kit/scene/", f); return f }
     $1 == "asks" { asked[++asks] = $2 " " $3 }
     $1 == "has" { where[$3] = $2 }
     END {

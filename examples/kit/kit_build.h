@@ -19,6 +19,7 @@ typedef struct kit_build {
     kit_frame frame;                       /* and all that by it */
     float    albedo[3];
     uint32_t random;
+    uint32_t *drawn;                       /* of scenes by seed: how often each place has drawn; see kit_seed.h */
 } kit_build;
 
 typedef struct kit_vertex { double p[3], n[3]; } kit_vertex;

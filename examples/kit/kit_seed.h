@@ -10,11 +10,12 @@
 /* Something worth looking at: a ball around it. */
 typedef struct kit_sight { double at[3], reach; } kit_sight;
 
-enum { KIT_SIGHTS = 64, KIT_LAMPS = 8 };
+enum { KIT_SIGHTS = 64, KIT_LAMPS = 8, KIT_DRAWN = 8192 /* places that draw; more of them share */ };
 /* A kind builds its scene in metres, y up, near the origin, with chances drawn from b, one object a thing, and says
    where one may stand and what there is to look at. */
 typedef struct kit_plot {
     kit_build  b;
+    uint32_t   drawn[KIT_DRAWN];           /* b.drawn */
     double     stand[4];                   /* x0, z0, x1, z1: over which eyes may be */
     double     ceiling;                    /* eyes stay below it; 0: open sky */
     /* the ground's height, NULL: 0 everywhere; of: for it */
@@ -42,10 +43,24 @@ int    kit_look(kit_scene *s, kit_plot *p, unsigned seed);
 
 /* ---- >>chances ------------------------------------------------------------------------------------------------- */
 
-int    kit_choose(kit_build *b, int count);                      /* 0 .. count - 1 */
-int    kit_odds(kit_build *b, double probability);             /* 1 with that probability */
+/* C leaves open in which order a call's arguments are worked out, and compilers differ. So a chance does not follow from
+   those before it, but from where in the text it is drawn and how often it has been drawn there. */
+#define KIT_PLACE __func__, __COUNTER__
+double kit_chance_at(kit_build *b, const char *function, unsigned number);      /* [0, 1) */
+#define kit_chance(b) kit_chance_at(b, KIT_PLACE)
+#define kit_between(b, low, high) kit_mixed(low, high, kit_chance(b))
+static inline double kit_mixed(double low, double high, double part) { return low + (high - low) * part; }
+#define kit_choose(b, count) ((int)(kit_chance(b) * (count)))                   /* 0 .. count - 1 */
+#define kit_odds(b, probability) (kit_chance(b) < (probability))                /* 1 with that probability */
+/* What is drawn between alike and resume follows from a seed alone, not 0: the same for the same seed. */
+typedef struct kit_chances { uint32_t random, drawn[KIT_DRAWN]; } kit_chances;
+void   kit_alike(kit_build *b, uint32_t seed, kit_chances *before);
+void   kit_resume(kit_build *b, const kit_chances *before);
+#define kit_draw_seed(b) (1u + (uint32_t)(kit_chance(b) * 4e9))
 /* one of a few colours that go together: albedo as kit_colour sets it, varied a little */
-void   kit_tint(kit_build *b, const float palette[][3], int count, double vary);
+#define kit_tint(b, palette, count, vary) kit_tint_at(b, palette, count, vary, KIT_PLACE)
+void   kit_tint_at(kit_build *b, const float palette[][3], int count, double vary, const char *function,
+                   unsigned number);
 #define KIT_TINT(b, palette, vary) kit_tint(b, palette, (int)(sizeof palette / sizeof *palette), vary)
 /* smooth noise in [-1, 1], features about 1 wide; fractal: octaves of it, each half as wide and half as strong */
 double kit_noise(unsigned seed, double x, double y, double z);

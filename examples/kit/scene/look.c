@@ -22,8 +22,13 @@ enum {
 static const double LEAST_SHARE = 0.02, MOST_SHARE = 0.3, GOLDEN = 0.6180339887498949;
 
 /* What a trial picture shows. seen: share of rays that hit; backs: share of hits from behind; near, middle: the 4th
-   percentile and median of view depth; occlusion: mean, within the radius. */
-typedef struct shown { double seen, backs, nearest, middle, occlusion; float radius; } shown;
+   percentile and median of view depth; occlusion: mean, within the radius; occluded: share of places that have some;
+   objects: how many are seen; largest: the share of hits that are on one. */
+typedef struct shown {
+    double seen, backs, nearest, middle, occlusion, occluded, largest;
+    int    objects;
+    float  radius;
+} shown;
 
 typedef struct viewer { const kit_scene *scene; const ssgi_trace *trace; double share; kit_build *b; } viewer;
 
@@ -91,10 +96,28 @@ static double occluded(const viewer *v, const float at[3], const double n[3], fl
     return sum / AROUND;
 }
 
+static int by_number(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* How many objects are hit, and the share of hits on one; sorts them. */
+static void count_objects(shown *s, uint32_t *object, int hits)
+{
+    qsort(object, (size_t)hits, sizeof *object, by_number);
+    for (int k = 0, same = 0; k < hits; k++) {
+        same = k && object[k] == object[k - 1] ? same + 1 : 1;
+        s->objects += same == 1;
+        s->largest = fmax(s->largest, (double)same / hits);
+    }
+}
+
 static shown look_through(const viewer *v, const kit_camera *c)
 {
     shown s = { 0 };
     float depth[RAYS], place[RAYS][3];
+    uint32_t object[RAYS];
     double normal[RAYS][3];
     int hits = 0, backs = 0, probed = 0;
     for (int k = 0; k < RAYS; k++) {
@@ -104,6 +127,7 @@ static shown look_through(const viewer *v, const kit_camera *c)
         if (!ssgi_trace_closest(v->trace, origin, direction, c->znear, 1e6f, &hit)) continue;
         backs += facing(normal[hits], &v->scene->mesh, hit.triangle, direction);
         for (int i = 0; i < 3; i++) place[hits][i] = origin[i] + hit.t * direction[i];
+        object[hits] = v->scene->mesh.object[hit.triangle];
         depth[hits++] = hit.t;
     }
     s.seen = (double)hits / RAYS;
@@ -116,8 +140,14 @@ static shown look_through(const viewer *v, const kit_camera *c)
     s.middle = (double)sorted[hits / 2];
     const double height = c->fovy > 0 ? 2 * tan((double)c->fovy * KIT_PI / 360) * s.middle : (double)c->ortho_height;
     s.radius = (float)(v->share * height);
-    for (int k = 0; k < hits; k += PROBED, probed++) s.occlusion += occluded(v, place[k], normal[k], s.radius);
+    for (int k = 0; k < hits; k += PROBED, probed++) {
+        const double o = occluded(v, place[k], normal[k], s.radius);
+        s.occlusion += o;
+        s.occluded += o > 0.01;
+    }
     s.occlusion /= probed;
+    s.occluded /= probed;
+    count_objects(&s, object, hits);
     return s;
 }
 
@@ -179,6 +209,9 @@ static double worth(const shown *s, int way, int indoors, double share)
 {
     const double wanted = 0.2 * pow(share, 0.6), nearest = way == INSIDE ? 0.03 : 0.25;
     double w = fmin(1, s->occlusion / wanted);
+    w *= fmin(1, s->occluded / pow(share, 0.5));
+    w *= fmin(1, s->objects / (way == INSIDE ? 4.0 : 6.0));
+    w *= s->largest > 0.75 ? 0.7 : 1;
     w *= fmin(1, s->seen / (indoors ? 0.97 : 0.6));
     w *= s->backs > 0.35 ? 0.3 : 1;
     w *= s->nearest < nearest ? 0.4 : 1;

@@ -8,16 +8,40 @@
 
 /* ---- >>chances ------------------------------------------------------------------------------------------------- */
 
-int kit_choose(kit_build *b, int count) { return (int)(kit_chance(b) * count); }
-
-int kit_odds(kit_build *b, double probability) { return kit_chance(b) < probability; }
-
-void kit_tint(kit_build *b, const float palette[][3], int count, double vary)
+double kit_chance_at(kit_build *b, const char *function, unsigned number)
 {
-    const float *c = palette[kit_choose(b, count)];
-    const double lighter = 1 + kit_between(b, -vary, vary);
+    uint32_t place = number * 2654435761u, x;
+    while (*function) place = (place ^ (uint32_t)(unsigned char)*function++) * 16777619u;
+    place ^= place >> 15;
+    x = b->drawn ? ++b->drawn[place % KIT_DRAWN] : ++b->random;
+    x = b->random ^ place ^ x * 0x9e3779b9u;
+    x = (x ^ x >> 16) * 0x7feb352du;
+    x = (x ^ x >> 15) * 0x846ca68bu;
+    return (double)(x ^ x >> 16) * 0x1p-32;
+}
+
+void kit_alike(kit_build *b, uint32_t seed, kit_chances *before)
+{
+    before->random = b->random;
+    if (b->drawn) memcpy(before->drawn, b->drawn, sizeof before->drawn);
+    if (b->drawn) memset(b->drawn, 0, sizeof before->drawn);
+    b->random = seed;
+}
+
+void kit_resume(kit_build *b, const kit_chances *before)
+{
+    b->random = before->random;
+    if (b->drawn) memcpy(b->drawn, before->drawn, sizeof before->drawn);
+}
+
+void kit_tint_at(kit_build *b, const float palette[][3], int count, double vary, const char *function,
+                 unsigned number)
+{
+    const float *c = palette[(int)(kit_chance_at(b, function, number) * count)];
+    const double lighter = 1 + vary * (2 * kit_chance_at(b, function, number) - 1);
     double rgb[3];
-    for (int i = 0; i < 3; i++) rgb[i] = fmin(0.9, (double)c[i] * lighter * (1 + 0.3 * kit_between(b, -vary, vary)));
+    for (int i = 0; i < 3; i++)
+        rgb[i] = fmin(0.9, (double)c[i] * lighter * (1 + 0.3 * vary * (2 * kit_chance_at(b, function, number) - 1)));
     kit_colour(b, rgb[0], rgb[1], rgb[2]);
 }
 

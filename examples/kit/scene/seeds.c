@@ -149,7 +149,7 @@ int kit_load_seeded(kit_scene *scene, const char *name, kit_error *err)
     s->camera.width = 1280;
     s->camera.height = 720;
     b->random = seed * 2654435761u + 40503u * (unsigned)kind + 1;
-    for (int i = 0; i < 4; i++) kit_chance(b);
+    b->drawn = p->drawn;
     kit_colour(b, 0.8, 0.8, 0.8);
     kinds[kind].make(p);
     if (!s->objects && !p->missing) kit_begin_object(b, kinds[kind].name, -1);
