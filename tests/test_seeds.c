@@ -25,8 +25,11 @@ static int all_finite(const kit_mesh *m)
 {
     for (size_t i = 0; i < 9 * m->triangles; ++i) {
         if (!isfinite(m->position[i]) || !isfinite(m->normal[i])) return 0;
-        if (i % 3 == 0 && !(fabsf(m->normal[i] * m->normal[i] + m->normal[i + 1] * m->normal[i + 1]
-                                  + m->normal[i + 2] * m->normal[i + 2] - 1) < 1e-3f)) return 0;
+        if (i % 3 == 0
+            && !(fabsf(m->normal[i] * m->normal[i] + m->normal[i + 1] * m->normal[i + 1]
+                       + m->normal[i + 2] * m->normal[i + 2] - 1)
+                 < 1e-3f))
+            return 0;
     }
     return 1;
 }
@@ -35,6 +38,7 @@ static int all_finite(const kit_mesh *m)
 static void seen(const kit_scene *s, double *share, double *reach)
 {
     enum { ACROSS = 48, DOWN = 27 };
+
     const size_t size = ssgi_trace_size(s->mesh.triangles);
     void *memory = malloc(size);
     float depth[ACROSS * DOWN], origin[3], way[3], ahead[3];
@@ -55,8 +59,7 @@ static void seen(const kit_scene *s, double *share, double *reach)
     free(memory);
     *share = (double)hits / (ACROSS * DOWN);
     const double at = hits ? (double)kit_middle(depth, hits) : 1;
-    *reach = (double)s->radius
-             / (c.fovy > 0 ? 2 * tan((double)c.fovy * KIT_PI / 360) * at : (double)c.ortho_height);
+    *reach = (double)s->radius / (c.fovy > 0 ? 2 * tan((double)c.fovy * KIT_PI / 360) * at : (double)c.ortho_height);
 }
 
 static void scenes(void)
@@ -70,7 +73,8 @@ static void scenes(void)
         double share, reach;
         snprintf(name, sizeof name, "random:%d", seed);
         snprintf(full, sizeof full, "random:%s:%d", kit_scene_kind(seed % KIT_KINDS, NULL), seed);
-        if (!CHECK(!kit_scene_load(&s, name, 0, &err) && !kit_scene_load(&again, full, 0, &err), "%s", err.text)) return;
+        if (!CHECK(!kit_scene_load(&s, name, 0, &err) && !kit_scene_load(&again, full, 0, &err), "%s", err.text))
+            return;
         known[seed] = hash_of(&s);
         CHECK(known[seed] == hash_of(&again), "%s is not %s", name, full);
         for (int i = 0; i < seed; ++i) CHECK(known[i] != known[seed], "seeds %d and %d are one scene", i, seed);
@@ -79,8 +83,10 @@ static void scenes(void)
               s.mesh.triangles);
         CHECK(s.env && s.lights >= 0, "%s has no light", full);
         seen(&s, &share, &reach);
-        CHECK(share > 0.35 && reach > 0.012 && reach < 0.5, "%s shows something on %.2f of its pixels, its radius is %.3f "
-              "of the height", full, share, reach);
+        CHECK(share > 0.35 && reach > 0.012 && reach < 0.5,
+              "%s shows something on %.2f of its pixels, its radius is %.3f "
+              "of the height",
+              full, share, reach);
         objects += s.objects;
         lights += s.lights;
         kit_scene_free(&s);
@@ -91,16 +97,16 @@ static void scenes(void)
 
 static void no_seeds(void)
 {
-    static const char *const bad[][2] = {
-        { "random:", "whole number" },      { "random:-1", "whole number" },     { "random:1x", "whole number" },
-        { "random:9999999999", "0..999999999" }, { "random:caves:1", "rooms, " }, { "random:rooms:", "whole number" }
-    };
+    static const char *const bad[][2] = { { "random:", "whole number" },   { "random:-1", "whole number" },
+                                          { "random:1x", "whole number" }, { "random:9999999999", "0..999999999" },
+                                          { "random:caves:1", "rooms, " }, { "random:rooms:", "whole number" } };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         kit_error err = { "" };
         kit_scene s;
         memset(&s, 7, sizeof s);
         const kit_scene before = s;
-        CHECK(kit_scene_load(&s, bad[i][0], 0, &err) == -1 && strstr(err.text, bad[i][1]) && strstr(err.text, bad[i][0]),
+        CHECK(kit_scene_load(&s, bad[i][0], 0, &err) == -1 && strstr(err.text, bad[i][1])
+                  && strstr(err.text, bad[i][0]),
               "%s: \"%s\"", bad[i][0], err.text);
         CHECK(!memcmp(&before, &s, sizeof s), "%s: the scene was touched", bad[i][0]);
     }
@@ -108,7 +114,9 @@ static void no_seeds(void)
 
 /* ---- parts: closed ones have each edge once in either direction, and hold a volume ---------------------------------- */
 
-typedef struct edge { float from[3], to[3]; } edge;
+typedef struct edge {
+    float from[3], to[3];
+} edge;
 
 static int by_bytes(const void *a, const void *b) { return memcmp(a, b, sizeof(edge)); }
 
@@ -144,7 +152,7 @@ static void closed_parts(void)
     static const double half[3] = { 0.5, 0.3, 0.4 }, way[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 1, 1 } },
                         outline[5][2] = { { 0.5, 0.5 }, { 0.7, 0 }, { 0.5, -0.5 }, { -0.5, -0.5 }, { -0.5, 0.5 } };
     static const char *const names[] = { "cushion", "bevelled box", "tube", "cable", "prism" };
-    static const double volumes[] = { 0.43, 0.45, 0.0942, 0.039, 1.1 };     /* of shapes near them */
+    static const double volumes[] = { 0.43, 0.45, 0.0942, 0.039, 1.1 }; /* of shapes near them */
     for (int k = 0; k < 5; ++k) {
         kit_build b;
         double volume;
@@ -161,7 +169,8 @@ static void closed_parts(void)
         kit_leave(&b, before);
         const size_t off = unpaired(&b.scene.mesh, &volume);
         CHECK(!off, "%s: %zu edges are not shared by two triangles", names[k], off);
-        CHECK(volume > 0.75 * volumes[k] && volume < 1.25 * volumes[k], "%s: volume %g, not %g", names[k], volume, volumes[k]);
+        CHECK(volume > 0.75 * volumes[k] && volume < 1.25 * volumes[k], "%s: volume %g, not %g", names[k], volume,
+              volumes[k]);
         free(b.scene.object);
         kit_mesh_free(&b.scene.mesh);
     }
@@ -214,7 +223,7 @@ static int seeds_charted(const options *o, int count)
     for (int k = 1000; k < 1000 + count && good; ++k) {
         row r;
         good = units_measure(html, o, "test-seed", k, one_row, &r, NULL) == 1 && !strcmp(r.label, "a label")
-               && !strcmp(r.settings, "samples=8") && fabs(r.share - k) < 1e-9;
+            && !strcmp(r.settings, "samples=8") && fabs(r.share - k) < 1e-9;
         snprintf(wanted + strlen(wanted), sizeof wanted - strlen(wanted), "part %d", k);
     }
     if (html) fclose(html);
@@ -228,7 +237,7 @@ static void units_resumed(void)
     char out[32];
     kit_error err;
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
-    snprintf(out, sizeof out, "of process %d", (int)getpid());        /* nobody else's units */
+    snprintf(out, sizeof out, "of process %d", (int)getpid()); /* nobody else's units */
     const options o = { .out = out };
     measured = 0;
     CHECK(seeds_charted(&o, 2) && measured == 2, "%d measured of two", measured);

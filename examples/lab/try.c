@@ -17,13 +17,16 @@
 
 enum { WIDTH = 320, HEIGHT = 180, TRY_RAYS = 256, LIGHT_RAYS = 384, MOST_TRIED = 32, MOST_SEEDS = 1000, JUDGED = 1000 };
 
-typedef struct tried { char method[64], settings[256]; } tried;
+typedef struct tried {
+    char method[64], settings[256];
+} tried;
+
 typedef struct trial {
-    int         from, count, light, bounce, entries;
-    float       radius;                     /* times the scene's own */
+    int from, count, light, bounce, entries;
+    float radius; /* times the scene's own */
     const char *out, *other;
-    tried       entry[MOST_TRIED];
-    double    (*share)[2 * MOST_TRIED];     /* of a seed; shared by the processes; NAN: not measured */
+    tried entry[MOST_TRIED];
+    double (*share)[2 * MOST_TRIED]; /* of a seed; shared by the processes; NAN: not measured */
 } trial;
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
@@ -74,7 +77,8 @@ static int measure_one(void *of, int seed, kit_error *err)
 static int measure_all(trial *t, kit_error *err)
 {
     const ahead a = { "seeds", NULL, t->from, t->count, NULL, measure_one, t };
-    for (int k = 0; k < t->count; ++k) for (int i = 0; i < MOST_TRIED; ++i) t->share[k][i] = (double)NAN;
+    for (int k = 0; k < t->count; ++k)
+        for (int i = 0; i < MOST_TRIED; ++i) t->share[k][i] = (double)NAN;
     if (ahead_run(&a, err) || kit_gl_open(NULL, err)) return -1;
     for (int k = 0; k < t->count; ++k)
         if (isnan(t->share[k][t->entries - 1]) && measure_seed(t, k, err)) return -1;
@@ -105,7 +109,10 @@ static void print_row(const trial *t, int i, int from)
     mean_of(own, t, i, -1);
     mean_of(off, t, i, from);
     for (int k = 0; k < t->count; ++k) {
-        if (t->share[k][i] > worst) { worst = t->share[k][i]; whose = t->from + k; }
+        if (t->share[k][i] > worst) {
+            worst = t->share[k][i];
+            whose = t->from + k;
+        }
         better += t->share[k][i] < t->share[k][from];
     }
     printf("%-14s %-34s %6.4f +- %.4f  worst %.3f (%d)  %+.4f +- %.4f, better on %d\n", e->method, e->settings, own[0],
@@ -187,10 +194,13 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
         ++i;
     }
     if (t->from < 0 || t->count < 2 || t->from + t->count > JUDGED)
-        return kit_fail(err, "--from, --count: at least two seeds below %d; those from there on are for judging", JUDGED);
+        return kit_fail(err, "--from, --count: at least two seeds below %d; those from there on are for judging",
+                        JUDGED);
     if (!(t->radius > 0)) return kit_fail(err, "--radius: must be above 0, times the scene's own");
-    return t->entries ? 0 : kit_fail(err, "usage: try [--from 0] [--count 70] [--light | --bounce] [--radius 1] [--out try.csv] "
-                                          "[--against other.csv] METHOD[:key=value,..] ..");
+    return t->entries
+             ? 0
+             : kit_fail(err, "usage: try [--from 0] [--count 70] [--light | --bounce] [--radius 1] [--out try.csv] "
+                             "[--against other.csv] METHOD[:key=value,..] ..");
 }
 
 int main(int argc, char **argv)

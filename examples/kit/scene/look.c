@@ -8,16 +8,19 @@
 /* Ways of looking: as who stands there; along the ground; from above; from within clutter, some of it cut by the near
    plane; from far; without perspective. */
 enum { EYE, LOW, ABOVE, INSIDE, FAR_OFF, FLAT };
+
 static const int ways[] = { EYE, LOW, ABOVE, INSIDE, EYE, FAR_OFF, ABOVE, INSIDE, LOW, EYE, FLAT, EYE };
+
 enum {
     WAYS = sizeof ways / sizeof *ways,
-    ACROSS = 32,                           /* rays of a trial picture */
+    ACROSS = 32, /* rays of a trial picture */
     DOWN = 18,
     RAYS = ACROSS * DOWN,
-    PROBED = 8,                            /* each so many-th of them looks at what is around where it hits, */
-    AROUND = 6,                            /* by so many rays */
+    PROBED = 8, /* each so many-th of them looks at what is around where it hits, */
+    AROUND = 6, /* by so many rays */
     TRIALS = 160
 };
+
 /* Radii as shares of the picture's height: spread evenly in their logarithm, by the golden ratio. */
 static const double LEAST_SHARE = 0.02, MOST_SHARE = 0.3, GOLDEN = 0.6180339887498949;
 
@@ -26,11 +29,16 @@ static const double LEAST_SHARE = 0.02, MOST_SHARE = 0.3, GOLDEN = 0.61803398874
    objects: how many are seen; largest: the share of hits that are on one. */
 typedef struct shown {
     double seen, backs, nearest, middle, occlusion, occluded, largest;
-    int    objects;
-    float  radius;
+    int objects;
+    float radius;
 } shown;
 
-typedef struct viewer { const kit_scene *scene; const ssgi_trace *trace; double share; kit_build *b; } viewer;
+typedef struct viewer {
+    const kit_scene *scene;
+    const ssgi_trace *trace;
+    double share;
+    kit_build *b;
+} viewer;
 
 /* the picture's axes */
 static void axes(const kit_camera *c, double right[3], double up[3], double ahead[3])
@@ -199,7 +207,10 @@ static kit_camera try_way(kit_plot *p, int way, kit_camera c)
         for (int i = 0; i < 3; i++) d[i] = (double)c.eye[i] - (double)c.target[i];
         const double distance = sqrt(kit_dot(d, d)), tall = reach * kit_between(b, 1.5, 2.6);
         c.fovy = (float)clamped(360 / KIT_PI * atan(0.5 * tall / distance), 8, 60);
-        if (way == FLAT) { c.fovy = 0; c.ortho_height = (float)tall; }
+        if (way == FLAT) {
+            c.fovy = 0;
+            c.ortho_height = (float)tall;
+        }
     }
     return c;
 }

@@ -1,5 +1,5 @@
-/* parts.c - what scenes drawn from a seed are built of, beside shapes.c: chances, noise, tubes, cushions, leaves, ground,
-   models. Declared in kit_seed.h. */
+/* parts.c - what scenes drawn from a seed are built of, beside shapes.c: chances, noise, tubes, cushions, leaves,
+   ground, models. Declared in kit_seed.h. */
 #include "kit/kit_seed.h"
 #include <math.h>
 #include <stdlib.h>
@@ -34,8 +34,7 @@ void kit_resume(kit_build *b, const kit_chances *before)
     if (b->drawn) memcpy(b->drawn, before->drawn, sizeof before->drawn);
 }
 
-void kit_tint_at(kit_build *b, const float palette[][3], int count, double vary, const char *function,
-                 unsigned number)
+void kit_tint_at(kit_build *b, const float palette[][3], int count, double vary, const char *function, unsigned number)
 {
     const float *c = palette[(int)(kit_chance_at(b, function, number) * count)];
     const double lighter = 1 + vary * (2 * kit_chance_at(b, function, number) - 1);
@@ -77,7 +76,8 @@ double kit_noise(unsigned seed, double x, double y, double z)
 double kit_fractal(unsigned seed, double x, double y, double z, int octaves)
 {
     double sum = 0, size = 1;
-    for (int i = 0; i < octaves; i++, size *= 2) sum += kit_noise(seed + (unsigned)i, size * x, size * y, size * z) / size;
+    for (int i = 0; i < octaves; i++, size *= 2)
+        sum += kit_noise(seed + (unsigned)i, size * x, size * y, size * z) / size;
     return sum;
 }
 
@@ -155,13 +155,14 @@ void kit_tube(kit_build *b, const double at[][3], int count, double radius, int 
 void kit_cable(kit_build *b, const double from[3], const double to[3], double sag, double radius, int around)
 {
     enum { PIECES = 16 };
+
     double at[PIECES + 1][3];
     for (int k = 0; k <= PIECES; k++) {
         const double t = (double)k / PIECES;
         for (int i = 0; i < 3; i++) at[k][i] = (1 - t) * from[i] + t * to[i];
         at[k][1] -= 4 * sag * t * (1 - t);
     }
-    kit_tube(b, (const double (*)[3])at, PIECES + 1, radius, around);
+    kit_tube(b, (const double(*)[3])at, PIECES + 1, radius, around);
 }
 
 /* ---- >>solids -------------------------------------------------------------------------------------------------- */
@@ -171,14 +172,17 @@ static void cushion_surface(const void *shape, double u, double v, kit_vertex *o
 {
     const double *s = shape, power = fmax(0.12, s[3]), a = 2 * KIT_PI * fmod(u, 1), t = KIT_PI * (fmin(v, 1) - 0.5);
     const double ring = v <= 0 || v >= 1 ? 0 : pow(cos(t), power);
-    const double c = cos(a), z = sin(a), unit[3] = { copysign(ring * pow(fabs(c), power), c),
-                                                    copysign(pow(fabs(sin(t)), power), t),
-                                                    copysign(ring * pow(fabs(z), power), z) };
+    const double c = cos(a), z = sin(a),
+                 unit[3] = { copysign(ring * pow(fabs(c), power), c), copysign(pow(fabs(sin(t)), power), t),
+                             copysign(ring * pow(fabs(z), power), z) };
     for (int i = 0; i < 3; i++) {
         out->p[i] = s[i] * unit[i];
         out->n[i] = copysign(pow(fabs(unit[i]), 2 / power - 1), unit[i]) / s[i];
     }
-    if (!kit_unit(out->n)) { out->n[0] = out->n[2] = 0; out->n[1] = t > 0 ? 1 : -1; }
+    if (!kit_unit(out->n)) {
+        out->n[0] = out->n[2] = 0;
+        out->n[1] = t > 0 ? 1 : -1;
+    }
 }
 
 void kit_cushion(kit_build *b, const double half[3], double round, int cells)
@@ -191,14 +195,19 @@ void kit_prism(kit_build *b, const double outline[][2], int count, double height
 {
     for (int k = 0; k < count; k++) {
         const double *p = outline[k], *q = outline[(k + 1) % count];
-        const double side[4][3] = { { p[0], 0, p[1] }, { q[0], 0, q[1] }, { q[0], height, q[1] }, { p[0], height, p[1] } };
+        const double side[4][3] = {
+            { p[0], 0, p[1] }, { q[0], 0, q[1] }, { q[0], height, q[1] }, { p[0], height, p[1] }
+        };
         kit_quad(b, side);
         if (k < 1 || k + 1 >= count) continue;
         kit_vertex top[3] = { { { outline[0][0], height, outline[0][1] }, { 0, 1, 0 } },
                               { { p[0], height, p[1] }, { 0, 1, 0 } },
                               { { q[0], height, q[1] }, { 0, 1, 0 } } };
         kit_triangle(b, &top[0], &top[1], &top[2]);
-        for (int i = 0; i < 3; i++) { top[i].p[1] = 0; top[i].n[1] = -1; }
+        for (int i = 0; i < 3; i++) {
+            top[i].p[1] = 0;
+            top[i].n[1] = -1;
+        }
         kit_triangle(b, &top[0], &top[1], &top[2]);
     }
 }
@@ -211,14 +220,14 @@ void kit_bevelled(kit_build *b, double x0, double y0, double z0, double x1, doub
         for (int side = 0; side < 2; side++) {
             static const int cu[4] = { 0, 1, 1, 0 }, cv[4] = { 0, 0, 1, 1 };
             double face[4][3], edge[4][3];
-            for (int k = 0; k < 4; k++) {                          /* the face, smaller by the bevel */
+            for (int k = 0; k < 4; k++) { /* the face, smaller by the bevel */
                 const int at = side ? k : 3 - k;
                 face[k][axis] = side ? high[axis] : low[axis];
                 face[k][u] = cu[at] ? high[u] - bevel : low[u] + bevel;
                 face[k][v] = cv[at] ? high[v] - bevel : low[v] + bevel;
             }
-            kit_quad(b, (const double (*)[3])face);
-            for (int other = 0; other < 2; other++) {              /* the edges to the faces of the next axis */
+            kit_quad(b, (const double(*)[3])face);
+            for (int other = 0; other < 2; other++) { /* the edges to the faces of the next axis */
                 const double a = side ? high[axis] : low[axis], in_a = side ? a - bevel : a + bevel,
                              o = other ? high[u] : low[u], in_o = other ? o - bevel : o + bevel;
                 const int flip = side == other;
@@ -228,11 +237,11 @@ void kit_bevelled(kit_build *b, double x0, double y0, double z0, double x1, doub
                     edge[k][u] = at == 0 || at == 3 ? in_o : o;
                     edge[k][v] = at < 2 ? low[v] + bevel : high[v] - bevel;
                 }
-                kit_quad(b, (const double (*)[3])edge);
+                kit_quad(b, (const double(*)[3])edge);
             }
         }
     }
-    for (int k = 0; k < 8; k++) {                                  /* the corners */
+    for (int k = 0; k < 8; k++) { /* the corners */
         kit_vertex v[3];
         const double s[3] = { k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1 };
         for (int n = 0; n < 3; n++)
@@ -246,7 +255,10 @@ void kit_bevelled(kit_build *b, double x0, double y0, double z0, double x1, doub
 
 /* ---- >>sheets -------------------------------------------------------------------------------------------------- */
 
-typedef struct leaf { double width, length, bend; int pointed; } leaf;
+typedef struct leaf {
+    double width, length, bend;
+    int pointed;
+} leaf;
 
 static void leaf_surface(const void *shape, double u, double v, kit_vertex *out)
 {
@@ -255,7 +267,9 @@ static void leaf_surface(const void *shape, double u, double v, kit_vertex *out)
     out->p[0] = l->width * (u - 0.5) * wide;
     out->p[1] = l->length * (cos(a) - 1) / bend;
     out->p[2] = l->length * sin(a) / bend;
-    out->n[0] = 0; out->n[1] = cos(a); out->n[2] = sin(a);
+    out->n[0] = 0;
+    out->n[1] = cos(a);
+    out->n[2] = sin(a);
 }
 
 void kit_leaf(kit_build *b, double width, double length, double bend, int cells, int pointed)
@@ -264,14 +278,21 @@ void kit_leaf(kit_build *b, double width, double length, double bend, int cells,
     kit_patch(b, 1, cells, leaf_surface, &l);
 }
 
-typedef struct field { const double *rectangle; kit_height *height; const void *of; double step; } field;
+typedef struct field {
+    const double *rectangle;
+    kit_height *height;
+    const void *of;
+    double step;
+} field;
 
 static void field_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const field *f = shape;
     const double x = f->rectangle[0] + u * (f->rectangle[2] - f->rectangle[0]),
                  z = f->rectangle[1] + v * (f->rectangle[3] - f->rectangle[1]), e = f->step;
-    out->p[0] = x; out->p[1] = f->height(f->of, x, z); out->p[2] = z;
+    out->p[0] = x;
+    out->p[1] = f->height(f->of, x, z);
+    out->p[2] = z;
     out->n[0] = f->height(f->of, x - e, z) - f->height(f->of, x + e, z);
     out->n[1] = 2 * e;
     out->n[2] = f->height(f->of, x, z - e) - f->height(f->of, x, z + e);
@@ -299,7 +320,8 @@ int kit_model(kit_plot *p, const char *path, const char *package, double height)
         kit_vertex v[3];
         for (int k = 0; k < 3; k++)
             for (int i = 0; i < 3; i++) {
-                const double from = i == 1 ? (double)mesh.lower[1] : 0.5 * ((double)mesh.lower[i] + (double)mesh.upper[i]);
+                const double from = i == 1 ? (double)mesh.lower[1]
+                                           : 0.5 * ((double)mesh.lower[i] + (double)mesh.upper[i]);
                 v[k].p[i] = scale * ((double)mesh.position[9 * t + 3 * (size_t)k + (size_t)i] - from);
                 v[k].n[i] = (double)mesh.normal[9 * t + 3 * (size_t)k + (size_t)i];
             }

@@ -8,16 +8,20 @@
 
 #define PREFIX "random:"
 
-static const struct kind { const char *name, *about; kit_kind_make *make; int indoors; } kinds[] = {
-    { "rooms",    "a furnished room: shelves, rails, blinds, cloth, cables, lamps", kit_make_room,    1 },
-    { "streets",  "a street: facades, balconies, cars, poles, signs, wires",        kit_make_street,  0 },
-    { "halls",    "a hall: columns, arches, balconies, stairs, vaults",             kit_make_hall,    1 },
-    { "foliage",  "trees, hedges, blades and cards of leaves among solids",         kit_make_foliage, 0 },
-    { "machines", "machines, tanks, pipes, ducts, gratings, ladders",               kit_make_machine, 1 },
-    { "scans",    "scanned and modelled figures on grounds and among clutter",      kit_make_scan,    0 },
-    { "terrain",  "rocky ground, stones, cliffs, what stands on it",                kit_make_terrain, 0 }
-};
+static const struct kind {
+    const char *name, *about;
+    kit_kind_make *make;
+    int indoors;
+} kinds[] = { { "rooms", "a furnished room: shelves, rails, blinds, cloth, cables, lamps", kit_make_room, 1 },
+              { "streets", "a street: facades, balconies, cars, poles, signs, wires", kit_make_street, 0 },
+              { "halls", "a hall: columns, arches, balconies, stairs, vaults", kit_make_hall, 1 },
+              { "foliage", "trees, hedges, blades and cards of leaves among solids", kit_make_foliage, 0 },
+              { "machines", "machines, tanks, pipes, ducts, gratings, ladders", kit_make_machine, 1 },
+              { "scans", "scanned and modelled figures on grounds and among clutter", kit_make_scan, 0 },
+              { "terrain", "rocky ground, stones, cliffs, what stands on it", kit_make_terrain, 0 } };
+
 enum { KINDS = sizeof kinds / sizeof *kinds };
+
 _Static_assert((int)KINDS == (int)KIT_KINDS, "kit.h says how many kinds there are");
 
 /* ---- >>names --------------------------------------------------------------------------------------------------- */
@@ -79,7 +83,10 @@ static void wrong_winding(kit_build *b)
     kit_scene *s = &b->scene;
     char *way = calloc((size_t)s->objects + 1, 1);
     const double share = kit_odds(b, 0.34) ? kit_between(b, 0.05, 0.35) : 0;
-    if (!way) { b->failed = 1; return; }
+    if (!way) {
+        b->failed = 1;
+        return;
+    }
     for (int k = 1; k <= s->objects; k++) way[k] = (char)(kit_odds(b, share) ? 1 + kit_choose(b, 2) : 0);
     for (size_t t = 0; t < s->mesh.triangles; t++)
         if (way[s->mesh.object[t]]) invert(&s->mesh, t, way[s->mesh.object[t]] == 2);
@@ -93,7 +100,10 @@ static void change_units(kit_build *b)
     const float by = (float)units[kit_choose(b, (int)(sizeof units / sizeof *units))];
     kit_scene *s = &b->scene;
     for (size_t i = 0; i < 9 * s->mesh.triangles; i++) s->mesh.position[i] *= by;
-    for (int i = 0; i < 3; i++) { s->camera.eye[i] *= by; s->camera.target[i] *= by; }
+    for (int i = 0; i < 3; i++) {
+        s->camera.eye[i] *= by;
+        s->camera.target[i] *= by;
+    }
     s->camera.ortho_height *= by;
     s->camera.znear *= by;
     s->radius *= by;
@@ -109,16 +119,19 @@ static void change_units(kit_build *b)
 static void add_sun(kit_build *b)
 {
     kit_scene *s = &b->scene;
-    const double turn = kit_between(b, 0, 2 * KIT_PI), high = kit_between(b, 0.25, 1.2), strong = kit_between(b, 1.5, 4);
+    const double turn = kit_between(b, 0, 2 * KIT_PI), high = kit_between(b, 0.25, 1.2),
+                 strong = kit_between(b, 1.5, 4);
     kit_light *l = &s->light[s->lights++];
-    *l = (kit_light){ KIT_SUN, { (float)(cos(high) * cos(turn)), (float)sin(high), (float)(cos(high) * sin(turn)) },
+    *l = (kit_light){ KIT_SUN,
+                      { (float)(cos(high) * cos(turn)), (float)sin(high), (float)(cos(high) * sin(turn)) },
                       { (float)strong, (float)(strong * (0.8 + 0.15 * high)), (float)(strong * (0.55 + 0.3 * high)) } };
 }
 
 static void light_up(kit_plot *p, int indoors)
 {
-    static const char *const inside[] = { "windows", "windows", "probe", "sky", "white" },
-                            *const outside[] = { "sky", "sky", "sky", "street", "white" };
+    static const char *const inside[] = { "windows", "windows", "probe", "sky", "white" }, *const outside[] = {
+        "sky", "sky", "sky", "street", "white"
+    };
     kit_build *b = &p->b;
     kit_scene *s = &b->scene;
     s->env = (indoors ? inside : outside)[kit_choose(b, 5)];
@@ -127,7 +140,8 @@ static void light_up(kit_plot *p, int indoors)
         const double strong = kit_between(b, 0.4, 2.5);
         if (kit_odds(b, 0.4)) continue;
         kit_light *l = &s->light[s->lights++];
-        *l = (kit_light){ KIT_POINT, { (float)p->lamp[k][0], (float)p->lamp[k][1], (float)p->lamp[k][2] },
+        *l = (kit_light){ KIT_POINT,
+                          { (float)p->lamp[k][0], (float)p->lamp[k][1], (float)p->lamp[k][2] },
                           { (float)strong, (float)(0.82 * strong), (float)(0.6 * strong) } };
     }
 }
@@ -162,10 +176,11 @@ int kit_load_seeded(kit_scene *scene, const char *name, kit_error *err)
         change_units(b);
         b->failed = b->failed || kit_complete(s, 0);
     }
-    const int failed = p->missing ? kit_fail(err, "scene '%s': %s is missing; install the package %s (apt-get install %s)",
-                                             name, p->missing, p->package, p->package)
-                       : b->failed ? kit_fail(err, "scene '%s': no memory", name)
-                                   : 0;
+    const int failed = p->missing
+                         ? kit_fail(err, "scene '%s': %s is missing; install the package %s (apt-get install %s)", name,
+                                    p->missing, p->package, p->package)
+                     : b->failed ? kit_fail(err, "scene '%s': no memory", name)
+                                 : 0;
     s->name = name;
     s->about = kinds[kind].about;
     if (failed) kit_scene_free(s);

@@ -11,27 +11,49 @@
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
 /* turn: of the eye about its target, radians; radius: of the scene's own; objects: occlusion between them, too */
-typedef struct plan_view { const char *scene; int fits; float turn, nearer, radius; int objects; } plan_view;
-static const plan_view planned_views[] = {
-    { "room", 1, 0, 1, 1.2f, 0 },      { "room", 1, -0.25f, 0.9f, 0.45f, 0 },
-    { "colonnade", 1, 0, 1, 1.2f, 0 }, { "colonnade", 1, -0.25f, 0.9f, 0.45f, 0 },
-    { "cornell", 1, 0, 1, 1.2f, 0 },   { "cornell", 1, -0.25f, 0.9f, 0.45f, 0 },
-    { "columns", 1, 0, 1, 1.2f, 0 },   { "columns", 1, 0.7f, 0.8f, 0.45f, 0 },
-    { "boxes", 1, 0, 1, 1.2f, 0 },     { "boxes", 1, 0.7f, 0.8f, 0.45f, 0 },
-    { "pebbles", 1, 0, 1, 1.2f, 0 },   { "pebbles", 1, 0.7f, 0.8f, 0.45f, 0 },
-    { "casters", 1, 0, 1, 1.2f, 1 },   { "casters", 1, 0.7f, 0.8f, 0.45f, 1 },
-    { "groove", 1, 0, 1, 1.2f, 0 },    { "slats", 1, 0, 1, 1, 0 },
-    { "slats", 1, 0.4f, 0.8f, 0.4f, 0 },       { "iron-bed", 1, 0, 1, 1, 0 },
-    { "iron-bed", 1, 0.5f, 0.8f, 0.5f, 0 },    { "stairs", 1, 0, 1, 1, 0 },
-    { "stairs", 1, -0.2f, 0.9f, 2, 0 },
-    { "bunny", 0, 0, 1, 1.2f, 1 },     { "bunny", 0, 0.7f, 0.8f, 0.45f, 0 },
-    { "grass", 0, 0, 1, 1.2f, 0 },     { "grass", 0, 0.7f, 0.8f, 0.45f, 0 },
-    { "plates", 0, 0, 1, 1.2f, 0 },    { "plates", 0, 0.7f, 0.8f, 0.45f, 0 },
-    { "blocks", 0, 0, 1, 1.2f, 0 },    { "crowd", 0, 0, 1, 1, 1 },
-    { "hole", 0, 0, 1, 1.2f, 0 },      { "attic", 0, 0, 1, 1, 0 },
-    { "attic", 0, -0.2f, 0.9f, 2, 0 }, { "maple", 0, 0, 1, 1, 0 } };
+typedef struct plan_view {
+    const char *scene;
+    int fits;
+    float turn, nearer, radius;
+    int objects;
+} plan_view;
+
+static const plan_view planned_views[] = { { "room", 1, 0, 1, 1.2f, 0 },
+                                           { "room", 1, -0.25f, 0.9f, 0.45f, 0 },
+                                           { "colonnade", 1, 0, 1, 1.2f, 0 },
+                                           { "colonnade", 1, -0.25f, 0.9f, 0.45f, 0 },
+                                           { "cornell", 1, 0, 1, 1.2f, 0 },
+                                           { "cornell", 1, -0.25f, 0.9f, 0.45f, 0 },
+                                           { "columns", 1, 0, 1, 1.2f, 0 },
+                                           { "columns", 1, 0.7f, 0.8f, 0.45f, 0 },
+                                           { "boxes", 1, 0, 1, 1.2f, 0 },
+                                           { "boxes", 1, 0.7f, 0.8f, 0.45f, 0 },
+                                           { "pebbles", 1, 0, 1, 1.2f, 0 },
+                                           { "pebbles", 1, 0.7f, 0.8f, 0.45f, 0 },
+                                           { "casters", 1, 0, 1, 1.2f, 1 },
+                                           { "casters", 1, 0.7f, 0.8f, 0.45f, 1 },
+                                           { "groove", 1, 0, 1, 1.2f, 0 },
+                                           { "slats", 1, 0, 1, 1, 0 },
+                                           { "slats", 1, 0.4f, 0.8f, 0.4f, 0 },
+                                           { "iron-bed", 1, 0, 1, 1, 0 },
+                                           { "iron-bed", 1, 0.5f, 0.8f, 0.5f, 0 },
+                                           { "stairs", 1, 0, 1, 1, 0 },
+                                           { "stairs", 1, -0.2f, 0.9f, 2, 0 },
+                                           { "bunny", 0, 0, 1, 1.2f, 1 },
+                                           { "bunny", 0, 0.7f, 0.8f, 0.45f, 0 },
+                                           { "grass", 0, 0, 1, 1.2f, 0 },
+                                           { "grass", 0, 0.7f, 0.8f, 0.45f, 0 },
+                                           { "plates", 0, 0, 1, 1.2f, 0 },
+                                           { "plates", 0, 0.7f, 0.8f, 0.45f, 0 },
+                                           { "blocks", 0, 0, 1, 1.2f, 0 },
+                                           { "crowd", 0, 0, 1, 1, 1 },
+                                           { "hole", 0, 0, 1, 1.2f, 0 },
+                                           { "attic", 0, 0, 1, 1, 0 },
+                                           { "attic", 0, -0.2f, 0.9f, 2, 0 },
+                                           { "maple", 0, 0, 1, 1, 0 } };
 /* suns: two soft ones, pink and turquoise */
 static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };
+
 enum {
     PLANNED_VIEWS = COUNT(planned_views),
     PLANNED_WIDTH = 640,
@@ -39,9 +61,9 @@ enum {
     JUDGED_WIDTH = 480,
     JUDGED_HEIGHT = 270,
     PLANNED_LIT_WIDTH = 320,
-    PLANNED_LIT_HEIGHT = 180,   /* of scenes by seed, too */
-    PLANNED_SLOW = 20,          /* unblurred 16-sample ssaos */
-    PLANNED_STRIDE = 2          /* of the truth, both ways; of light 3 */
+    PLANNED_LIT_HEIGHT = 180, /* of scenes by seed, too */
+    PLANNED_SLOW = 20,        /* unblurred 16-sample ssaos */
+    PLANNED_STRIDE = 2        /* of the truth, both ways; of light 3 */
 };
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
@@ -51,10 +73,13 @@ static int planned_suns(stage *s, kit_error *err)
 {
     static const kit_light suns[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } },
                                        { KIT_SUN, { 0.75f, 0.6f, 0.27f }, { 0.5f, 2.3f, 2.2f } } };
-    enum { SOFT = 14 };                    /* degrees */
+
+    enum { SOFT = 14 }; /* degrees */
+
     kit_image_free(&s->lighting.env);
     memset(&s->lighting.env, 0, sizeof s->lighting.env);
-    for (int i = 0; i < 2; ++i) if (kit_env_add_sun(&s->lighting.env, &suns[i], SOFT, err)) return -1;
+    for (int i = 0; i < 2; ++i)
+        if (kit_env_add_sun(&s->lighting.env, &suns[i], SOFT, err)) return -1;
     s->traced = s->lighting;
     return 0;
 }
@@ -82,7 +107,10 @@ static int planned_open(stage *s, const plan_view *p, const lit *light, int suns
     const int *size = light ? is_lit : p->fits ? fits : judged;
     view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
     for (int i = 0; i < stage_views_count; ++i)
-        if (!strcmp(stage_views[i].name, p->scene)) { v = stage_views[i]; v.lit = light; }
+        if (!strcmp(stage_views[i].name, p->scene)) {
+            v = stage_views[i];
+            v.lit = light;
+        }
     if (stage_packages(v.path) && access(v.path, R_OK)) return 0;
     if (stage_load(s, &v, err) || (suns && planned_suns(s, err))) return -1;
     planned_turn(&v, p, &s->scene);
@@ -114,7 +142,7 @@ static int planned_draw(kit_image *out, double *time, double *model, stage *s, c
         kit_run_close(&run);
         return 0;
     }
-    const double slow = kit_run_ms(&run);           /* slow choices are timed as they were first drawn */
+    const double slow = kit_run_ms(&run); /* slow choices are timed as they were first drawn */
     before = clock_draw(fixed);
     const double ms = p->cost < PLANNED_SLOW ? clock_draw(&run) : slow;
     after = clock_draw(fixed);
@@ -133,8 +161,7 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
     memset(r, 0, sizeof *r);
     snprintf(r->name, sizeof r->name, "%s", name);
     r->timed = timed;
-    if (wanted != SSGI_PLAN_OBJECTS
-        && kit_plan_numbers(&r->captured, &s->gbuffer, &frame, s->radius, wanted, err))
+    if (wanted != SSGI_PLAN_OBJECTS && kit_plan_numbers(&r->captured, &s->gbuffer, &frame, s->radius, wanted, err))
         return -1;
     if (kit_plan_numbers(&r->numbers, &s->gbuffer, &world, s->radius, wanted, err)) return -1;
     r->numbers.history = r->captured.history = 1;
@@ -158,18 +185,23 @@ static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error 
 {
     const plan_view *p = &planned_views[k];
     const int is_lit = wanted == SSGI_PLAN_LIGHT || wanted == SSGI_PLAN_BOUNCE, white = !p->fits && k % 5 == 0;
-    const int turn = (p->fits ? k : k + 1) + (wanted == SSGI_PLAN_BOUNCE);      /* each view has another light */
+    const int turn = (p->fits ? k : k + 1) + (wanted == SSGI_PLAN_BOUNCE); /* each view has another light */
     const char *const light = planned_lights[white ? 3 : turn % 3];
     const int suns = !strcmp(light, "suns");
-    const lit of_light = { .env = suns ? "white" : light, .bounce = wanted == SSGI_PLAN_BOUNCE,
-                           .rays = quick ? 128 : 384, .exposure = 1 };
+    const lit of_light = {
+        .env = suns ? "white" : light, .bounce = wanted == SSGI_PLAN_BOUNCE, .rays = quick ? 128 : 384, .exposure = 1
+    };
     char name[64];
     stage s;
     kit_image truth;
     const int there = planned_open(&s, p, is_lit ? &of_light : NULL, suns, err);
     if (there <= 0) return there;
     s.between = wanted == SSGI_PLAN_OBJECTS;
-    if (stage_trace(&truth, &s, is_lit ? of_light.rays : quick ? 64 : 256, PLANNED_STRIDE + is_lit, err)
+    if (stage_trace(&truth, &s,
+                    is_lit  ? of_light.rays
+                    : quick ? 64
+                            : 256,
+                    PLANNED_STRIDE + is_lit, err)
         || (is_lit && stage_light(&s, err)))
         return -1;
     snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, is_lit ? " " : "", is_lit ? light : "");
@@ -199,7 +231,7 @@ int planned_views_measure(planned_row *rows, int *count, int fits, int quick, ki
 
 /* ---- >>seeds ----------------------------------------------------------------------------------------------------- */
 
-enum { SEED_WANTED = 3 };                  /* visibility, light, bounce */
+enum { SEED_WANTED = 3 }; /* visibility, light, bounce */
 
 static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
 {
@@ -210,8 +242,7 @@ static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
     kit_image truth;
     stage s;
     snprintf(name, sizeof name, "random:%d", seed);
-    if (stage_load(&s, &v, err)
-        || stage_look(&s, &v, PLANNED_LIT_WIDTH, PLANNED_LIT_HEIGHT, err)
+    if (stage_load(&s, &v, err) || stage_look(&s, &v, PLANNED_LIT_WIDTH, PLANNED_LIT_HEIGHT, err)
         || stage_trace(&truth, &s, is_lit ? of_light.rays : 256, PLANNED_STRIDE + is_lit, err)
         || (is_lit && stage_light(&s, err)) || planned_measure(r, &s, &truth, name, wanted, 0, err))
         return -1;

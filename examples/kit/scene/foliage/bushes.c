@@ -90,7 +90,7 @@ static void stemmed_bush(kit_build *b, double width, double height, const kit_fo
         garden_lean(upright, kit_between(b, 0.1, 0.8) * fmin(1, width / height), 2.39996 * k, way, across);
         garden_wander(b, from, way, height * kit_between(b, 0.7, 1.15), 0.7, kit_between(b, 0, 0.6), at, POINTS);
         kit_colour(b, 0.28, 0.20, 0.13);
-        garden_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, 0.012, 0.003, 0, 0, 4, 0 });
+        garden_grow_limb(b, &(kit_limb){ (const double(*)[3])at, POINTS, 0.012, 0.003, 0, 0, 4, 0 });
         for (int n = 1; n < POINTS; n++) {
             garden_shade(b, green, 0.22);
             garden_grow_cluster(b, leaf, at[n], way, 1.2, 6);

@@ -20,7 +20,8 @@ static void vine_above(kit_yard *y, double hx, double hz)
         const double from[3] = { kit_between(b, -0.9, 0.9) * hx, 2.68 - 0.5 * pow(kit_chance(b), 3),
                                  kit_between(b, -0.95, 0.95) * hz };
         double out[3], across[3];
-        garden_lean((const double[3]){ 0, -1, 0 }, kit_between(b, 0.2, 1.9), kit_between(b, 0, 2 * KIT_PI), out, across);
+        garden_lean((const double[3]){ 0, -1, 0 }, kit_between(b, 0.2, 1.9), kit_between(b, 0, 2 * KIT_PI), out,
+                    across);
         kit_colour(b, kit_between(b, 0.16, 0.26), kit_between(b, 0.28, 0.36), 0.1);
         if (kit_noise(3, 0.8 * from[0], 0, 0.8 * from[2]) > -0.15) garden_grow_leaf(b, &card, from, out, across);
     }
@@ -201,7 +202,7 @@ static void staked(kit_build *b, double height)
             double at[3], out[3], across[3];
             for (int i = 0; i < 3; i++) at[i] = canes[k][0][i] + f * (canes[k][1][i] - canes[k][0][i]);
             garden_lean((const double[3]){ 0, 1, 0 }, kit_between(b, 0.6, 1.6), kit_between(b, 0, 2 * KIT_PI), out,
-                     across);
+                        across);
             kit_colour(b, kit_between(b, 0.16, 0.26), kit_between(b, 0.28, 0.38), 0.1);
             garden_grow_cluster(b, &leaf, at, out, 1.1, 6);
         }
@@ -288,12 +289,12 @@ static void vines(kit_yard *y, double x, double half)
         }
         garden_wander(b, foot, way, 0.9, 1.2, 0, at, 6);
         kit_colour(b, 0.25, 0.19, 0.14);
-        garden_grow_limb(b, &(kit_limb){ (const double (*)[3])at, 6, 0.035, 0.02, 0.01, 0, 6, 0 });
+        garden_grow_limb(b, &(kit_limb){ (const double(*)[3])at, 6, 0.035, 0.02, 0.01, 0, 6, 0 });
         for (int k = 0; k < 60; k++) {
             const double from[3] = { kit_between(b, -0.12, 0.2), kit_between(b, 0.7, 1.8), kit_between(b, -0.6, 0.5) };
             double out[3], across[3];
             garden_lean((const double[3]){ 0, -1, 0 }, kit_between(b, 0.3, 1.5), kit_between(b, 0, 2 * KIT_PI), out,
-                     across);
+                        across);
             kit_colour(b, kit_between(b, 0.18, 0.32), kit_between(b, 0.26, 0.36), 0.1);
             garden_grow_leaf(b, &leaf, from, out, across);
         }

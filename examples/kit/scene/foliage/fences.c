@@ -33,7 +33,7 @@ void garden_put_log(kit_build *b, double length, double radius)
     garden_wander(b, from, way, length, 0.12, 0, at, POINTS);
     for (int k = 0; k < POINTS; k++) at[k][1] = 0.85 * radius;
     kit_colour(b, 0.28, 0.22, 0.16);
-    kit_tube(b, (const double (*)[3])at, POINTS, radius, 14);
+    kit_tube(b, (const double(*)[3])at, POINTS, radius, 14);
     for (int k = 0; k < 3; k++) { /* stumps of branches */
         const double a = kit_between(b, 0.2, 2.9), out[3] = { 0.3, sin(a), cos(a) };
         const double *mid = at[1 + k], stub = radius * kit_between(b, 1.3, 2.5);

@@ -5,9 +5,9 @@
 void kit_make_foliage(kit_plot *p)
 {
     static garden_layout *const layouts[] = { kit_lay_dry,        kit_lay_stones,  kit_lay_pond,       kit_lay_bamboo,
-                                           kit_lay_maze,       kit_lay_terrace, kit_lay_orchard,    kit_lay_park,
-                                           kit_lay_vegetables, kit_lay_meadow,  kit_lay_woods,      kit_lay_parterre,
-                                           kit_lay_garden,     kit_lay_ruin,    kit_lay_greenhouse, kit_lay_jungle };
+                                              kit_lay_maze,       kit_lay_terrace, kit_lay_orchard,    kit_lay_park,
+                                              kit_lay_vegetables, kit_lay_meadow,  kit_lay_woods,      kit_lay_parterre,
+                                              kit_lay_garden,     kit_lay_ruin,    kit_lay_greenhouse, kit_lay_jungle };
     static const int seasons[] = { KIT_SUMMER, KIT_SUMMER, KIT_SPRING, KIT_AUTUMN, KIT_BLOSSOM };
     kit_build *b = &p->b;
     kit_yard y = { p, 0, 0, { { 0 } } };

@@ -12,13 +12,17 @@
 enum kit_leaf_outline { KIT_CARD, KIT_RAGGED, KIT_DIAMOND, KIT_POINTED, KIT_BLADE, KIT_BROAD, KIT_NEEDLE, KIT_ROUND };
 
 /* fold: how far the edges rise from the midrib, as a share of the width; bend: radians down over the length */
-typedef struct kit_foil { int outline; double length, width, bend, fold; } kit_foil;
+typedef struct kit_foil {
+    int outline;
+    double length, width, bend, fold;
+} kit_foil;
 
 /* from at along a unit vector; across: about which it lies flat */
-void garden_grow_leaf(kit_build *b, const kit_foil *l, const double at[3], const double along[3], const double across[3]);
+void garden_grow_leaf(kit_build *b, const kit_foil *l, const double at[3], const double along[3],
+                      const double across[3]);
 /* so many leaves about a direction, spread by so many radians from it */
 void garden_grow_cluster(kit_build *b, const kit_foil *l, const double at[3], const double along[3], double spread,
-                      int count);
+                         int count);
 /* cards through each other along a direction, as games have them */
 void garden_grow_cards(kit_build *b, const kit_foil *l, const double at[3], const double along[3], int count);
 /* a unit vector that leans from way by so many radians towards spin, and one across it */
@@ -30,31 +34,42 @@ void garden_shade(kit_build *b, const float base[3], double vary);
 
 /* Points of something that grows from there in a direction, which ends as it has become. */
 void garden_wander(kit_build *b, const double from[3], double way[3], double length, double gnarl, double droop,
-                double at[][3], int count);
+                   double at[][3], int count);
+
 /* a round limb that tapers; its foot is wider by flare and has lobes; rough: how uneven its bark is */
 typedef struct kit_limb {
     const double (*at)[3];
-    int    count;
+    int count;
     double r0, r1, flare, lobes;
-    int    around;
+    int around;
     double rough;
 } kit_limb;
+
 void garden_grow_limb(kit_build *b, const kit_limb *l);
 
 enum kit_species {
-    KIT_OAK, KIT_POPLAR, KIT_BIRCH, KIT_WILLOW, KIT_APPLE, KIT_ACACIA, KIT_GIANT, KIT_BARE, KIT_SPECIES
+    KIT_OAK,
+    KIT_POPLAR,
+    KIT_BIRCH,
+    KIT_WILLOW,
+    KIT_APPLE,
+    KIT_ACACIA,
+    KIT_GIANT,
+    KIT_BARE,
+    KIT_SPECIES
 };
+
 enum kit_season { KIT_SUMMER, KIT_SPRING, KIT_AUTUMN, KIT_BLOSSOM };
 
 typedef struct kit_tree {
-    double height, girth;                  /* metres; of the trunk's radius */
-    double clear;                          /* share of the height below the branches */
-    double reach, angle;                   /* of the longest branch, of the height; from the trunk, radians */
-    double droop, gnarl, taper;            /* branches bend down by; are crooked by; are shorter at the top by */
+    double height, girth;       /* metres; of the trunk's radius */
+    double clear;               /* share of the height below the branches */
+    double reach, angle;        /* of the longest branch, of the height; from the trunk, radians */
+    double droop, gnarl, taper; /* branches bend down by; are crooked by; are shorter at the top by */
     double lobes;
-    int    branches, twigs, leaves;        /* of the trunk, of a branch, of a twig */
+    int branches, twigs, leaves; /* of the trunk, of a branch, of a twig */
     kit_foil foil;
-    float  bark[3], green[3];
+    float bark[3], green[3];
 } kit_tree;
 
 kit_tree garden_draw_tree(kit_build *b, int species, int season);
@@ -68,13 +83,20 @@ void garden_grow_far_tree(kit_build *b, double height, int pointed, int solid);
 
 /* ---- >>lumps: balls of half sides, uneven by so much ------------------------------------------------------------ */
 
-typedef struct kit_lump { double half[3]; unsigned seed; double strong, often; int octaves; } kit_lump;
-double garden_lump_out(const kit_lump *s, const double way[3]);          /* how far out it is, in that direction */
-void   garden_lump_surface(const void *shape, double u, double v, kit_vertex *out);
+typedef struct kit_lump {
+    double half[3];
+    unsigned seed;
+    double strong, often;
+    int octaves;
+} kit_lump;
+
+double garden_lump_out(const kit_lump *s, const double way[3]); /* how far out it is, in that direction */
+void garden_lump_surface(const void *shape, double u, double v, kit_vertex *out);
 
 /* ---- >>lower plants -------------------------------------------------------------------------------------------- */
 
 enum kit_bush { KIT_BUSH_CORE, KIT_BUSH_TWIGS, KIT_BUSH_CARDS, KIT_BUSHES };
+
 void garden_grow_bush(kit_build *b, double width, double height, int kind);
 /* clipped: over x and z from the middle, leaves on a core or without it */
 void garden_grow_hedge(kit_build *b, double x, double height, double z, double leaf, int core);
@@ -85,7 +107,9 @@ void garden_grow_tuft(kit_build *b, const kit_foil *l, int count, double spread)
 void garden_grow_rosette(kit_build *b, double length, int kind);
 void garden_grow_fern(kit_build *b, double length, int fronds);
 void garden_grow_banana(kit_build *b, double height);
+
 enum { KIT_FLOWERS = 5 };
+
 void garden_grow_flower(kit_build *b, double height, int kind, const float colour[3]);
 void garden_grow_reed(kit_build *b, double height);
 void garden_grow_mushroom(kit_build *b, double height);
@@ -99,8 +123,10 @@ void garden_put_stone(kit_build *b, const double half[3], int cells);
 void garden_put_log(kit_build *b, double length, double radius);
 void garden_put_stump(kit_build *b, double radius);
 void garden_put_bench(kit_build *b, int kind);
+
 /* along x from 0 */
 enum { KIT_FENCES = 4 };
+
 void garden_put_fence(kit_build *b, double length, double height, int kind);
 void garden_put_wall(kit_build *b, double length, double height, int kind);
 /* gives the height of its soil; opening: its radius */
@@ -120,24 +146,38 @@ void garden_put_crate(kit_build *b);
 /* ---- >>yards --------------------------------------------------------------------------------------------------- */
 
 enum { KIT_TAKEN = 400, KIT_MOST_TRIANGLES = 165000 };
+
 /* What is being laid out; taken: discs that things stand on, x, z, radius, and the radius of no grass. */
-typedef struct kit_yard { kit_plot *p; int season, takes; double taken[KIT_TAKEN][4]; } kit_yard;
+typedef struct kit_yard {
+    kit_plot *p;
+    int season, takes;
+    double taken[KIT_TAKEN][4];
+} kit_yard;
+
 /* what p->of says of the ground: it rises and falls by so much, so often a metre; beyond level metres alone; hills far
    off; a hollow */
 enum kit_ground_shape {
-    KIT_BUMPS, KIT_OFTEN, KIT_SEEDED, KIT_LEVEL, KIT_HILLS, KIT_HOLLOW_X, KIT_HOLLOW_Z, KIT_HOLLOW_R, KIT_HOLLOW_DEEP
+    KIT_BUMPS,
+    KIT_OFTEN,
+    KIT_SEEDED,
+    KIT_LEVEL,
+    KIT_HILLS,
+    KIT_HOLLOW_X,
+    KIT_HOLLOW_Z,
+    KIT_HOLLOW_R,
+    KIT_HOLLOW_DEEP
 };
 
 /* the ground in the colour that is set: bumps, how often, level within, hills */
 void garden_lay_ground(kit_yard *y, double bumps, double often, double level, double hills);
 void garden_take(kit_yard *y, double x, double z, double radius);
-int  garden_is_free(const kit_yard *y, double x, double z, double radius);
+int garden_is_free(const kit_yard *y, double x, double z, double radius);
 /* a free disc between two distances from the middle, which is taken; 0: none */
-int  garden_find_spot(kit_yard *y, double near, double far, double radius, double at[2]);
+int garden_find_spot(kit_yard *y, double near, double far, double radius, double at[2]);
 /* A new object on the ground there, if it has a name; what kit_leave takes. */
 kit_frame garden_set_out(kit_yard *y, const char *name, double x, double z, double turn);
 void garden_sight_above(kit_yard *y, double x, double up, double z, double reach);
-int  garden_has_room(const kit_yard *y);      /* for more triangles */
+int garden_has_room(const kit_yard *y); /* for more triangles */
 void garden_set_tree(kit_yard *y, double x, double z, int species, int detail);
 void garden_set_conifer(kit_yard *y, double x, double z, double height, int detail);
 void garden_set_pot(kit_yard *y, double x, double z, double height);

@@ -98,7 +98,7 @@ void kit_lay_park(kit_yard *y)
     } else if (middle == 1) garden_set_statue(y, x, 0, kit_between(b, 1.8, 3), kit_choose(b, 3));
     for (int k = 0; k < 3; k++)
         garden_set_bed(y, (k & 1 ? 1 : -1) * (half + kit_between(b, 3.6, 5)), (k - 1) * 4.5, kit_between(b, 0.7, 1.2),
-                    kit_between(b, 0.5, 1.3));
+                       kit_between(b, 0.5, 1.3));
     garden_set_bushes(y, kit_choose(b, 8), 5, 13, 1.3);
     if (y->season == KIT_AUTUMN) garden_sow_litter(y, 2500, 9);
     garden_sow_grass(y, 8000, kit_between(b, 0.06, 0.16), 8, 18);
@@ -132,7 +132,7 @@ void kit_lay_maze(kit_yard *y)
             const kit_frame before = garden_set_out(y, "hedge", x, z, way ? 90 : 0);
             memcpy(b->albedo, green, sizeof green);
             garden_grow_hedge(b, cell - thick - 0.004 + (way ? 0 : 2 * thick - 0.01), high * (way ? 0.985 : 1), thick,
-                           leaf, core);
+                              leaf, core);
             kit_leave(b, before);
             if (k % 5 == 0) garden_sight_above(y, x, 0.5 * high, z, 0.8);
         }
@@ -159,7 +159,7 @@ static void quarter(kit_yard *y, double x, double z, double size, double low, in
     for (int k = 0; k < 4; k++) {
         const double a = 90 * k, out = size / 2 - 0.12;
         const kit_frame before = garden_set_out(y, "hedge", x + out * sin(a * KIT_PI / 180),
-                                             z + out * cos(a * KIT_PI / 180), a);
+                                                z + out * cos(a * KIT_PI / 180), a);
         memcpy(b->albedo, green, sizeof b->albedo);
         garden_grow_hedge(b, k & 1 ? size - 0.52 : size, k & 1 ? low : low - 0.006, 0.26, 0.05, 1);
         kit_leave(b, before);
@@ -171,7 +171,7 @@ static void quarter(kit_yard *y, double x, double z, double size, double low, in
     kit_begin_object(b, "flowers", -1);
     for (int k = 0; k < 2; k++)
         garden_sow_flowers(y, x + (k ? 0.25 : -0.25) * size, z + (cross ? 0.25 : 0) * size, 0.16 * size,
-                        (cross ? 0.16 : 0.36) * size, 34, low + 0.05);
+                           (cross ? 0.16 : 0.36) * size, 34, low + 0.05);
 }
 
 /* Low hedges about beds, the same in four quarters. */
@@ -200,13 +200,14 @@ void kit_lay_parterre(kit_yard *y)
     for (int k = 0; k < 4; k++) {
         const double a = 90 * k * KIT_PI / 180;
         if (kit_odds(b, 0.8))
-            garden_set_border(y, around, edge * sin(a) - edge * cos(a), edge * cos(a) + edge * sin(a), 90 * k, 2 * edge);
+            garden_set_border(y, around, edge * sin(a) - edge * cos(a), edge * cos(a) + edge * sin(a), 90 * k,
+                              2 * edge);
         if (kit_odds(b, 0.6)) garden_set_bench(y, 0.85 * edge * sin(a), 0.85 * edge * cos(a), 90 * k + 180);
         for (int side = -1; side < 2; side += 2)
             garden_set_pot(y, way * 1.2 * cos(a) * side + way * sin(a), way * cos(a) - side * way * 1.2 * sin(a), 0.45);
         if (k == 1 || kit_odds(b, 0.4))
-            garden_set_conifer(y, (edge + 2.5) * (k & 1 ? 1 : -1), (edge + 2.5) * (k & 2 ? 1 : -1), kit_between(b, 4, 8),
-                            2);
+            garden_set_conifer(y, (edge + 2.5) * (k & 1 ? 1 : -1), (edge + 2.5) * (k & 2 ? 1 : -1),
+                               kit_between(b, 4, 8), 2);
     }
     garden_set_far_trees(y, 40, edge + 7, 50);
 }
@@ -220,7 +221,7 @@ static void stone_group(kit_yard *y, const double at[2])
     for (int n = 1 + kit_choose(b, 4); n > 0; n--) {
         const double s = kit_between(b, 0.2, 0.7), h[3] = { s, s * kit_between(b, 0.6, 1.6), s };
         const kit_frame before = garden_set_out(y, "stone", at[0] + kit_between(b, -0.8, 0.8),
-                                             at[1] + kit_between(b, -0.8, 0.8), kit_between(b, 0, 360));
+                                                at[1] + kit_between(b, -0.8, 0.8), kit_between(b, 0, 360));
         garden_put_stone(b, h, 24);
         kit_leave(b, before);
     }
@@ -228,7 +229,7 @@ static void stone_group(kit_yard *y, const double at[2])
     for (int n = 0; n < 260; n++) {
         const kit_foil blade = { KIT_NEEDLE, 0.07, 0.012, 0.8, 0 };
         const kit_frame before = garden_set_out(y, NULL, at[0] + kit_between(b, -1.1, 1.1) * kit_chance(b),
-                                             at[1] + kit_between(b, -1.1, 1.1) * kit_chance(b), 0);
+                                                at[1] + kit_between(b, -1.1, 1.1) * kit_chance(b), 0);
         kit_colour(b, 0.2, 0.28, 0.08);
         garden_grow_tuft(b, &blade, 8, 0.9);
         kit_leave(b, before);
@@ -267,7 +268,7 @@ void kit_lay_stones(kit_yard *y)
     for (double x = -half; x < half; x += apart) {
         const kit_foil ridge = { KIT_CARD, 2 * half, 0.6 * apart, 0, 0.35 };
         garden_grow_leaf(b, &ridge, (const double[3]){ x, 0.004, -half }, (const double[3]){ 0, 0, 1 },
-                      (const double[3]){ 1, 0, 0 });
+                         (const double[3]){ 1, 0, 0 });
     }
     for (int k = 0; k < groups; k++) {
         if (!garden_find_spot(y, 0.5, half - 1.5, 1.5, at)) continue;

@@ -40,7 +40,7 @@ static void needle_branch(kit_build *b, const double from[3], double way[3], dou
         }
     }
     kit_colour(b, 0.2, 0.14, 0.1);
-    garden_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, 0.012 * length + 0.006, 0.002, 0, 0, 3, 0 });
+    garden_grow_limb(b, &(kit_limb){ (const double(*)[3])at, POINTS, 0.012 * length + 0.006, 0.002, 0, 0, 3, 0 });
 }
 
 void garden_grow_conifer(kit_build *b, double height, int detail)
@@ -95,7 +95,7 @@ static void grow_frond(kit_build *b, const double from[3], double way[3], double
         kit_unit(flat);
         garden_grow_leaf(b, &leaflet, start, out, flat);
     }
-    garden_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, 0.009 * length, 0.002, 0, 0, detail + 2, 0 });
+    garden_grow_limb(b, &(kit_limb){ (const double(*)[3])at, POINTS, 0.009 * length, 0.002, 0, 0, detail + 2, 0 });
 }
 
 void garden_grow_palm(kit_build *b, double height, int detail)
@@ -109,7 +109,7 @@ void garden_grow_palm(kit_build *b, double height, int detail)
     double at[POINTS][3], way[3] = { lean * cos(to), 1, lean * sin(to) };
     garden_wander(b, foot, way, height, 0.25, -lean, at, POINTS);
     kit_colour(b, 0.36, 0.30, 0.24);
-    garden_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, 0.13, 0.09, 0.09, 0, detail ? 10 : 6, 0 });
+    garden_grow_limb(b, &(kit_limb){ (const double(*)[3])at, POINTS, 0.13, 0.09, 0.09, 0, detail ? 10 : 6, 0 });
     for (int k = 0; k + 1 < POINTS && detail > 1; k++) { /* where old fronds have been */
         const double collar[2][3] = { { at[k][0], at[k][1], at[k][2] },
                                       { at[k][0] + 0.3 * (at[k + 1][0] - at[k][0]),
@@ -146,7 +146,7 @@ void garden_grow_bamboo(kit_build *b, double height, int leaves)
             joint[1][i] = at[k][i] + 0.06 * (at[k + 1][i] - at[k][i]);
             joint[2][i] = at[k + 1][i];
         }
-        garden_grow_limb(b, &(kit_limb){ (const double (*)[3])joint, 3, thick, thick * 0.93, 0.25 * thick, 0, 8, 0 });
+        garden_grow_limb(b, &(kit_limb){ (const double(*)[3])joint, 3, thick, thick * 0.93, 0.25 * thick, 0, 8, 0 });
         for (int n = 0; n < leaves && k > 4; n++) {
             const double f = kit_chance(b),
                          spot[3] = { at[k][0] + f * (at[k + 1][0] - at[k][0]), at[k][1] + f * (at[k + 1][1] - at[k][1]),
@@ -154,7 +154,7 @@ void garden_grow_bamboo(kit_build *b, double height, int leaves)
             double twig[3][3];
             garden_lean(way, kit_between(b, 0.5, 1.2), kit_between(b, 0, 2 * KIT_PI), out, across);
             garden_wander(b, spot, out, kit_between(b, 0.2, 0.7), 0.3, 0.5, twig, 3);
-            garden_grow_limb(b, &(kit_limb){ (const double (*)[3])twig, 3, 0.006, 0.002, 0, 0, 3, 0 });
+            garden_grow_limb(b, &(kit_limb){ (const double(*)[3])twig, 3, 0.006, 0.002, 0, 0, 3, 0 });
             garden_grow_cluster(b, &leaf, twig[2], out, 1.1, 5);
             garden_grow_cluster(b, &leaf, twig[1], out, 1.2, 2);
         }

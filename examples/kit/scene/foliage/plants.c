@@ -69,7 +69,7 @@ void garden_grow_fern(kit_build *b, double length, int fronds)
             kit_unit(out);
             garden_grow_leaf(b, &leaflet, start, out, flat);
         }
-        garden_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, 0.008 * length, 0.002, 0, 0, 3, 0 });
+        garden_grow_limb(b, &(kit_limb){ (const double(*)[3])at, POINTS, 0.008 * length, 0.002, 0, 0, 3, 0 });
     }
 }
 
@@ -138,7 +138,7 @@ void garden_grow_flower(kit_build *b, double height, int kind, const float colou
     garden_wander(b, foot, way, height, 0.4, 0, at, POINTS);
     garden_shade(b, green, 0.2);
     garden_grow_limb(
-        b, &(kit_limb){ (const double (*)[3])at, POINTS, 0.004 + 0.006 * height, 0.003 + 0.003 * height, 0, 0, 4, 0 });
+        b, &(kit_limb){ (const double(*)[3])at, POINTS, 0.004 + 0.006 * height, 0.003 + 0.003 * height, 0, 0, 4, 0 });
     garden_grow_cluster(b, &leaf, at[kind == 2 ? 2 : 0], upright, 0.9, kind == 2 ? 5 : 3);
     if (kind == 2) garden_grow_cluster(b, &leaf, at[1], upright, 1.3, 4);
     if (kind == 2) {
@@ -158,7 +158,7 @@ void garden_grow_reed(kit_build *b, double height)
     kit_unit(way);
     garden_wander(b, foot, way, height + 0.3, 0.2, 0.1, at, POINTS);
     kit_colour(b, 0.38, 0.38, 0.16);
-    garden_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, 0.006, 0.003, 0, 0, 4, 0 });
+    garden_grow_limb(b, &(kit_limb){ (const double(*)[3])at, POINTS, 0.006, 0.003, 0, 0, 4, 0 });
     kit_colour(b, 0.26, 0.34, 0.12);
     garden_grow_tuft(b, &blade, 5, 0.35);
     if (!kit_odds(b, 0.6)) return;
@@ -243,7 +243,7 @@ void garden_grow_ivy(kit_build *b, double x0, double x1, double height, double c
             at[n][1] = n * height * 0.8 / (POINTS - 1);
             at[n][2] = 0.012;
         }
-        kit_tube(b, (const double (*)[3])at, POINTS, 0.009, 4);
+        kit_tube(b, (const double(*)[3])at, POINTS, 0.009, 4);
     }
     for (int k = 0; k < (int)fmin(7000, area * 420 * cover); k++) {
         const double x = kit_between(b, x0, x1), f = kit_chance(b), y = height * f, size = kit_between(b, 0.05, 0.11);

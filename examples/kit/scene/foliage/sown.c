@@ -67,7 +67,7 @@ void garden_lay_path(kit_yard *y, double x, double half, double from, double to)
             q[i][0] = x + half * (2.0 * (side + (i == 1 || i == 2)) / ACROSS - 1) + 0.3 * sin(0.35 * q[i][2]);
             q[i][1] = kit_ground_at(p, q[i][0], q[i][2]) + 0.045;
         }
-        kit_quad(&p->b, (const double (*)[3])q);
+        kit_quad(&p->b, (const double(*)[3])q);
     }
     for (double z = from; z < to; z += half) garden_take(y, x + 0.3 * sin(0.35 * z), z, half);
 }
@@ -283,7 +283,7 @@ void garden_sow_cover(kit_yard *y, int plants, int twigs, int pebbles, double re
         double at[5][3], way[3] = { 1, 0.05, 0 };
         garden_wander(b, from, way, kit_between(b, 0.2, 0.9), 1, 0, at, 5);
         kit_colour(b, 0.30, 0.24, 0.18);
-        if (k < twigs) kit_tube(b, (const double (*)[3])at, 5, kit_between(b, 0.004, 0.014), 5);
+        if (k < twigs) kit_tube(b, (const double(*)[3])at, 5, kit_between(b, 0.004, 0.014), 5);
         else KIT_TINT(b, greys, 0.15);
         if (k >= twigs) kit_cushion(b, half, 0.9, 5);
         kit_leave(b, before);

@@ -38,7 +38,8 @@ static void blade_surface(const void *shape, double u, double v, kit_vertex *out
     kit_unit(out->n);
 }
 
-void garden_grow_leaf(kit_build *b, const kit_foil *l, const double at[3], const double along[3], const double across[3])
+void garden_grow_leaf(kit_build *b, const kit_foil *l, const double at[3], const double along[3],
+                      const double across[3])
 {
     blade s = { l, at, along, across, { 0 } };
     kit_cross(along, across, s.up);
@@ -75,7 +76,7 @@ static kit_foil varied(kit_build *b, const kit_foil *l)
 }
 
 void garden_grow_cluster(kit_build *b, const kit_foil *l, const double at[3], const double along[3], double spread,
-                      int count)
+                         int count)
 {
     const double first = kit_between(b, 0, 2 * KIT_PI);
     for (int k = 0; k < count; k++) {
@@ -100,7 +101,7 @@ void garden_grow_cards(kit_build *b, const kit_foil *l, const double at[3], cons
 /* ---- >>limbs --------------------------------------------------------------------------------------------------- */
 
 void garden_wander(kit_build *b, const double from[3], double way[3], double length, double gnarl, double droop,
-                double at[][3], int count)
+                   double at[][3], int count)
 {
     memcpy(at[0], from, sizeof at[0]);
     for (int k = 1; k < count; k++) {
@@ -264,7 +265,7 @@ static void grow_branch(kit_build *b, const kit_tree *t, const double from[3], d
     garden_wander(b, from, way, length, t->gnarl, t->droop, at, POINTS);
     kit_colour(b, (double)t->bark[0], (double)t->bark[1], (double)t->bark[2]);
     const int around = detail > 1 ? 6 : 4;
-    garden_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, radius, 0.25 * radius, 0, 0, around, 0 });
+    garden_grow_limb(b, &(kit_limb){ (const double(*)[3])at, POINTS, radius, 0.25 * radius, 0, 0, around, 0 });
     for (int k = 0; k < t->twigs; k++) {
         const double f = 0.25 + 0.75 * (k + kit_chance(b)) / t->twigs, part = f * (POINTS - 1);
         const int n = (int)fmin(part, POINTS - 2);
@@ -280,10 +281,11 @@ static void grow_branch(kit_build *b, const kit_tree *t, const double from[3], d
             if (k % (detail ? 1 : 2) == 0) card_twig(b, t, start, out, size * (detail ? 1.2 : 1.6), detail ? 4 : 1);
             continue;
         }
-        garden_wander(b, start, out, size * (t->droop > 1 ? 2.2 : 1), t->gnarl, t->droop > 1 ? 4 : t->droop, twig, TWIG);
+        garden_wander(b, start, out, size * (t->droop > 1 ? 2.2 : 1), t->gnarl, t->droop > 1 ? 4 : t->droop, twig,
+                      TWIG);
         kit_colour(b, (double)t->bark[0], (double)t->bark[1], (double)t->bark[2]);
-        garden_grow_limb(b, &(kit_limb){ (const double (*)[3])twig, TWIG, 0.3 * radius, 0.05 * radius, 0, 0, 3, 0 });
-        leaf_twig(b, t, (const double (*)[3])twig, TWIG, t->leaves);
+        garden_grow_limb(b, &(kit_limb){ (const double(*)[3])twig, TWIG, 0.3 * radius, 0.05 * radius, 0, 0, 3, 0 });
+        leaf_twig(b, t, (const double(*)[3])twig, TWIG, t->leaves);
     }
 }
 
@@ -296,7 +298,8 @@ void garden_grow_tree(kit_build *b, const kit_tree *t, int detail)
     const double spin = kit_between(b, 0, 2 * KIT_PI), trunk = t->height * 0.85;
     garden_wander(b, foot, way, trunk, 0.45 * t->gnarl, -0.6, at, POINTS);
     kit_colour(b, (double)t->bark[0], (double)t->bark[1], (double)t->bark[2]);
-    garden_grow_limb(b, &(kit_limb){ (const double (*)[3])at, POINTS, t->girth, 0.15 * t->girth, 0.8 * t->girth, t->lobes,
+    garden_grow_limb(b,
+                     &(kit_limb){ (const double(*)[3])at, POINTS, t->girth, 0.15 * t->girth, 0.8 * t->girth, t->lobes,
                                   detail > 1 ? 26
                                   : detail   ? 9
                                              : 5,

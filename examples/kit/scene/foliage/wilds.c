@@ -105,7 +105,7 @@ void kit_lay_meadow(kit_yard *y)
         if (garden_find_spot(y, 0, 5, 0.1, at)) {
             kit_begin_object(b, "flowers", -1);
             garden_sow_flowers(y, at[0], at[1], kit_between(b, 0.7, 1.8), kit_between(b, 0.7, 1.8), 40,
-                            kit_between(b, 0.25, 0.6));
+                               kit_between(b, 0.25, 0.6));
         }
     garden_sow_grass(y, 15000, tall, 6, 20);
     set_mushrooms(y, kit_choose(b, 2));
@@ -192,8 +192,8 @@ void kit_lay_pond(kit_yard *y)
         if (!garden_is_free(y, x, z, 0.4)) continue;
         kit_begin_object(b, "reeds", -1);
         for (int n = 12 + kit_choose(b, 30); n > 0; n--) {
-            const kit_frame before = garden_set_out(y, NULL, x + kit_between(b, -0.7, 0.7), z + kit_between(b, -0.7, 0.7),
-                                                 kit_between(b, 0, 360));
+            const kit_frame before = garden_set_out(y, NULL, x + kit_between(b, -0.7, 0.7),
+                                                    z + kit_between(b, -0.7, 0.7), kit_between(b, 0, 360));
             garden_grow_reed(b, tall * kit_between(b, 0.6, 1.1));
             kit_leave(b, before);
         }
@@ -240,16 +240,16 @@ void kit_lay_jungle(kit_yard *y)
         const double top[3] = { at[0], kit_ground_at(y->p, at[0], at[1]) + kit_between(b, 4, 8), at[1] };
         if (hung < 8) memcpy(tops[hung++], top, sizeof top);
     }
-    lianas(y, (const double (*)[3])tops, hung);
+    lianas(y, (const double(*)[3])tops, hung);
     for (int k = 0; k < palms + bananas + low; k++) {
         const int palm = k < palms, banana = !palm && k < palms + bananas;
         if (!garden_find_spot(y, 1.2, palm ? 12 : 8, palm || banana ? 0.8 : 0.4, at) || !garden_has_room(y)) continue;
         const double tall = palm ? kit_between(b, 1, 6) : banana ? kit_between(b, 1.5, 3.5) : kit_between(b, 0.4, 1.2);
         const kit_frame before = garden_set_out(y,
-                                             palm     ? "palm"
-                                             : banana ? "banana"
-                                                      : "plant",
-                                             at[0], at[1], kit_between(b, 0, 360));
+                                                palm     ? "palm"
+                                                : banana ? "banana"
+                                                         : "plant",
+                                                at[0], at[1], kit_between(b, 0, 360));
         if (palm) garden_grow_palm(b, tall, hypot(at[0], at[1]) < 8 ? 2 : 1);
         else if (banana) garden_grow_banana(b, tall);
         else garden_grow_rosette(b, tall, kit_choose(b, 4));
@@ -370,7 +370,8 @@ void kit_lay_ruin(kit_yard *y)
     }
     garden_set_stones(y, 14 + kit_choose(b, 14), 1, 8, 0.5);
     for (int k = 1 + kit_choose(b, 4); k > 0; k--)
-        if (garden_find_spot(y, 2, 10, 0.9, at)) garden_set_tree(y, at[0], at[1], kit_choose(b, KIT_SPECIES), k > 2 ? 1 : 2);
+        if (garden_find_spot(y, 2, 10, 0.9, at))
+            garden_set_tree(y, at[0], at[1], kit_choose(b, KIT_SPECIES), k > 2 ? 1 : 2);
     set_logs(y, kit_choose(b, 3), kit_choose(b, 2));
     garden_set_bushes(y, 2 + kit_choose(b, 5), 2, 10, 1);
     garden_set_ferns(y, kit_choose(b, 20), 1, 8);

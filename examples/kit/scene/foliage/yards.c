@@ -176,7 +176,7 @@ void garden_set_bed(kit_yard *y, double x, double z, double hx, double hz)
         }
         kit_begin_object(b, "flowers", -1);
         garden_sow_flowers(y, cx, cz, 0.85 * (hx > hz ? hx / sorts : hx), 0.85 * (hx > hz ? hz : hz / sorts), 40,
-                        kit_between(b, 0.3, 0.65));
+                           kit_between(b, 0.3, 0.65));
     }
     for (double s = -1; s <= 1; s += 0.25)
         garden_take(y, x + s * (hx > hz ? hx : 0), z + s * (hx > hz ? 0 : hz), fmin(hx, hz));

@@ -45,10 +45,13 @@ void hall_parking(hall *h)
         kit_begin_object(b, "car", -1);
         const kit_frame f = kit_enter(b, cx, 0, cz + kit_between(b, -0.15, 0.15),
                                       (kit_odds(b, 0.5) ? 90 : 270) + kit_between(b, -3, 3), 1);
-        if (cx < x - 1) { hall_car(h); hall_sight(h, 0, 0.6, 0, 1.6); }
+        if (cx < x - 1) {
+            hall_car(h);
+            hall_sight(h, 0, 0.6, 0, 1.6);
+        }
         kit_leave(b, f);
     }
-    for (int k = 0; k < 4; k++) {                                        /* pipes and trays below the beams */
+    for (int k = 0; k < 4; k++) { /* pipes and trays below the beams */
         const double pz = 4 + 2.9 * k, from[3] = { 0, high - 0.62 - 0.1 * (k & 1), pz }, to[3] = { x, from[1], pz },
                      run[2][3] = { { 0, from[1], pz }, { x, from[1], pz } };
         kit_begin_object(b, "pipe", -1);
@@ -131,7 +134,10 @@ void hall_temple(hall *h)
                 kit_place_at(b, 0, 0.3 * r, 0, 0);
                 kit_cylinder(b, r, left * tall, 24);
             } else hall_column(h, h->column == HALL_IRON ? HALL_FLUTED : h->column, r, tall);
-            if ((i + j) % 3 == 0) { hall_sight(h, 0, 0.6, 0, 1.5); hall_sight(h, 0, left * tall, 0, 1.8); }
+            if ((i + j) % 3 == 0) {
+                hall_sight(h, 0, 0.6, 0, 1.5);
+                hall_sight(h, 0, left * tall, 0, 1.8);
+            }
             kit_leave(b, f);
         }
     hall_overview(h, at, tall);
@@ -139,7 +145,7 @@ void hall_temple(hall *h)
     hall_paint(h, HALL_TRIM);
     if (!ruined) entablature(h, at, base + tall, 1.1 * r);
     if (!ruined) hall_roof(h, kit_odds(b, 0.5) ? HALL_COFFERS : HALL_BEAMS, at, base + tall + 0.45, nx);
-    for (int k = 0; k < 26 && ruined; k++) {                             /* drums and blocks that fell */
+    for (int k = 0; k < 26 && ruined; k++) { /* drums and blocks that fell */
         kit_begin_object(b, "drum", -1);
         hall_paint(h, HALL_STONE);
         const double s = r * kit_between(b, 0.5, 1), px = kit_between(b, -5, x + 5),

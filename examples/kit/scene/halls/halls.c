@@ -116,7 +116,10 @@ static void arcade(hall *h, int bays, double bay, double r, double tall, double 
         const kit_frame f = kit_enter(b, bay * i, 0, 0, 0, 1);
         hall_paint(h, HALL_STONE);
         hall_column(h, kind, r, tall);
-        if (i % 3 == 1) { hall_sight(h, 0, 0.5, 0, 1.2); hall_sight(h, 0, tall, 0, 1.5); }
+        if (i % 3 == 1) {
+            hall_sight(h, 0, 0.5, 0, 1.2);
+            hall_sight(h, 0, tall, 0, 1.5);
+        }
         kit_leave(b, f);
     }
     kit_begin_object(b, "arches", 0);
@@ -170,7 +173,10 @@ static void hang(hall *h, const double r[4], double y, int bays)
 
 /* ---- >>nave ------------------------------------------------------------------------------------------------------ */
 
-typedef struct nave { int bays, gallery, aisle_kind; double bay, half, wide, r, tall, low, high; } nave;
+typedef struct nave {
+    int bays, gallery, aisle_kind;
+    double bay, half, wide, r, tall, low, high;
+} nave;
 
 static void nave_side(hall *h, const nave *n, int side)
 {
@@ -210,8 +216,12 @@ static void nave_side(hall *h, const nave *n, int side)
 static void apse_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, a = KIT_PI * u, turn = v < 0.5 ? 0 : KIT_PI * (v - 0.5), y = v < 0.5 ? 2 * v * s[1] : s[1];
-    out->n[0] = -cos(a) * cos(turn); out->n[1] = -sin(turn); out->n[2] = sin(a) * cos(turn);
-    out->p[0] = s[0] * cos(a) * cos(turn); out->p[1] = y + s[0] * sin(turn); out->p[2] = -s[0] * sin(a) * cos(turn);
+    out->n[0] = -cos(a) * cos(turn);
+    out->n[1] = -sin(turn);
+    out->n[2] = sin(a) * cos(turn);
+    out->p[0] = s[0] * cos(a) * cos(turn);
+    out->p[1] = y + s[0] * sin(turn);
+    out->p[2] = -s[0] * sin(a) * cos(turn);
 }
 
 static void altar(hall *h)
@@ -298,7 +308,7 @@ static void make_nave(hall *h)
     h->top = n.high;
     hall_furnish(h, furnishing == HALL_STORE ? HALL_BARE : furnishing, inner);
     hang(h, nave_at, n.high, n.bays);
-    for (int i = 0; i < n.bays && n.gallery && n.half < 4.5; i++) {      /* cloths from side to side */
+    for (int i = 0; i < n.bays && n.gallery && n.half < 4.5; i++) { /* cloths from side to side */
         if (!kit_odds(b, 0.4)) continue;
         kit_begin_object(b, "cloth", -1);
         const kit_frame f = kit_enter(b, n.bay * (i + 0.5), n.low + 1, n.half, 90, 1);

@@ -10,9 +10,12 @@ static void banner_surface(const void *shape, double u, double v, kit_vertex *ou
 {
     const double *s = shape, folds = 2 * KIT_PI * s[2], a = folds * u + 0.8 * sin(2 * KIT_PI * u + s[3]);
     const double slope = folds + 1.6 * KIT_PI * cos(2 * KIT_PI * u + s[3]), deep = s[4] * (0.35 + 0.65 * v);
-    out->p[0] = 2 * s[0] * (u - 0.5); out->p[1] = -s[1] * v + 0.02 * s[1] * v * sin(7 * u + s[3]);
+    out->p[0] = 2 * s[0] * (u - 0.5);
+    out->p[1] = -s[1] * v + 0.02 * s[1] * v * sin(7 * u + s[3]);
     out->p[2] = deep * sin(a) + 0.03 * s[1] * v * v * sin(s[3]);
-    out->n[0] = -deep * slope * cos(a); out->n[1] = 0; out->n[2] = 2 * s[0];
+    out->n[0] = -deep * slope * cos(a);
+    out->n[1] = 0;
+    out->n[2] = 2 * s[0];
     kit_unit(out->n);
 }
 
@@ -38,7 +41,9 @@ static void drape_surface(const void *shape, double u, double v, kit_vertex *out
     out->p[1] = -s[2] * hang * (1 - 0.5 * across * across) + fold * s[1] * 0.4 * sin(a);
     out->p[2] = s[1] * across * (1 - 0.3 * ends * ends);
     const double dx = -4 * s[2] * (1 - 2 * u) / s[0], dz = fold * 0.4 * 4 * KIT_PI * cos(a);
-    out->n[0] = -dx; out->n[1] = 1; out->n[2] = -dz;
+    out->n[0] = -dx;
+    out->n[1] = 1;
+    out->n[2] = -dz;
     kit_unit(out->n);
 }
 
@@ -58,7 +63,7 @@ void hall_chain(hall *h, double length, double size)
     const double pitch = 0.72 * size;
     const int n = (int)(length / pitch);
     hall_paint(h, HALL_METAL);
-    if (n > 60) {                                                        /* a rod where links were too many */
+    if (n > 60) { /* a rod where links were too many */
         const double rod[2][3] = { { 0, 0, 0 }, { 0, length, 0 } };
         kit_tube(b, rod, 2, 0.12 * size, 6);
         return;
@@ -86,11 +91,13 @@ void hall_chandelier(hall *h, double r, double chain)
             const double reach = r * (1 - 0.4 * tier), up = 0.5 * r * tier;
             for (int i = 0; i < 9; i++) {
                 const double t = i / 8.0;
-                at[i][0] = reach * t; at[i][1] = up + 0.3 * r * (1.6 * t * t - t + 0.3); at[i][2] = 0;
+                at[i][0] = reach * t;
+                at[i][1] = up + 0.3 * r * (1.6 * t * t - t + 0.3);
+                at[i][2] = 0;
             }
             kit_place_at(b, 0, 0, 0, 360.0 * (k + 0.5 * tier) / arms);
             hall_paint(h, HALL_METAL);
-            kit_tube(b, (const double (*)[3])at, 9, 0.02 * r, 6);
+            kit_tube(b, (const double(*)[3])at, 9, 0.02 * r, 6);
             const double a = b->turn * KIT_PI / 180, x = reach * cos(a), z = -reach * sin(a), y = at[8][1];
             const kit_moulding cup[] = { { 0.02 * r, y, 0.1 * r, y + 0.06 * r, 0.01 * r },
                                          { 0.1 * r, y + 0.06 * r, 0, y + 0.06 * r, 0 } };
@@ -116,11 +123,12 @@ void hall_pendant(hall *h, double r, double chain)
     kit_build *b = h->b;
     const int kind = kit_choose(b, 3);
     const kit_moulding shade[] = { { r, 0, 0.25 * r, 0.7 * r, 0.12 * r }, { 0.25 * r, 0.7 * r, 0.1 * r, 0.9 * r, 0 } };
-    const kit_moulding lantern[] = { { 0, 0, 0.5 * r, 0.2 * r, 0 }, { 0.5 * r, 0.2 * r, 0.6 * r, 1.4 * r, 0 },
+    const kit_moulding lantern[] = { { 0, 0, 0.5 * r, 0.2 * r, 0 },
+                                     { 0.5 * r, 0.2 * r, 0.6 * r, 1.4 * r, 0 },
                                      { 0.75 * r, 1.4 * r, 0, 2 * r, -0.1 * r } };
     const double globe = 0.6 * r, rod[2][3] = { { 0, (kind ? 1.2 : 0.85) * r, 0 }, { 0, chain + r, 0 } };
     hall_paint(h, kind == 2 ? HALL_GLASS : HALL_METAL);
-    if (kind == 0) kit_turned(b, shade, 2, 20);                         /* open below */
+    if (kind == 0) kit_turned(b, shade, 2, 20); /* open below */
     if (kind == 1) kit_turned(b, lantern, 3, 6);
     kit_place_at(b, 0, kind == 2 ? 0.7 * r : 0.35 * r, 0, 0);
     if (kind == 2) kit_patch(b, 18, 10, kit_sphere_surface, &globe);
@@ -172,10 +180,12 @@ void hall_vase(hall *h, double s)
         double at[9][3];
         for (int i = 0; i < 9; i++) {
             const double a = KIT_PI * i / 8;
-            at[i][0] = 0.9 * neck + 0.15 * s * sin(a); at[i][1] = 0.79 * s - 0.12 * s * cos(a); at[i][2] = 0;
+            at[i][0] = 0.9 * neck + 0.15 * s * sin(a);
+            at[i][1] = 0.79 * s - 0.12 * s * cos(a);
+            at[i][2] = 0;
         }
         kit_place_at(b, 0, 0, 0, 180 * side);
-        kit_tube(b, (const double (*)[3])at, 9, 0.02 * s, 7);
+        kit_tube(b, (const double(*)[3])at, 9, 0.02 * s, 7);
     }
     kit_place_at(b, 0, 0, 0, 0);
 }
@@ -186,8 +196,12 @@ static void robe_surface(const void *shape, double u, double v, kit_vertex *out)
     const double *s = shape, a = 2 * KIT_PI * fmod(u, 1), fade = 1 - 0.75 * v, deep = 0.13 * fade;
     const double w = s[3] * a + s[4] + 1.5 * v, r = (s[0] + (s[1] - s[0]) * v * (1.3 - 0.3 * v)) * (1 + deep * sin(w));
     const double dr = (s[0] + (s[1] - s[0]) * v) * deep * s[3] * cos(w);
-    out->p[0] = r * cos(a) + s[5] * v * v; out->p[1] = s[2] * v; out->p[2] = 0.8 * r * sin(a);
-    out->n[0] = 0.8 * (r * cos(a) + dr * sin(a)); out->n[1] = 0.2 * (s[0] - s[1]); out->n[2] = r * sin(a) - dr * cos(a);
+    out->p[0] = r * cos(a) + s[5] * v * v;
+    out->p[1] = s[2] * v;
+    out->p[2] = 0.8 * r * sin(a);
+    out->n[0] = 0.8 * (r * cos(a) + dr * sin(a));
+    out->n[1] = 0.2 * (s[0] - s[1]);
+    out->n[2] = r * sin(a) - dr * cos(a);
     kit_unit(out->n);
 }
 
@@ -216,10 +230,11 @@ static void arm(hall *h, double s, int side)
                  wrist[3] = { x * kit_between(b, 0.3, 1.4), 0.6 * s + 0.5 * lift, 0.07 * s + reach };
     double at[2][3];
     static const double ball = 1;
-    memcpy(at[0], shoulder, sizeof shoulder); memcpy(at[1], elbow, sizeof elbow);
-    kit_tube(b, (const double (*)[3])at, 2, 0.033 * s, 10);
+    memcpy(at[0], shoulder, sizeof shoulder);
+    memcpy(at[1], elbow, sizeof elbow);
+    kit_tube(b, (const double(*)[3])at, 2, 0.033 * s, 10);
     memcpy(at[0], wrist, sizeof wrist);
-    kit_tube(b, (const double (*)[3])at, 2, 0.026 * s, 10);
+    kit_tube(b, (const double(*)[3])at, 2, 0.026 * s, 10);
     const double joint[3][4] = { { shoulder[0], shoulder[1], shoulder[2], 0.042 * s },
                                  { elbow[0], elbow[1], elbow[2], 0.033 * s },
                                  { wrist[0], wrist[1], wrist[2], 0.036 * s } };
@@ -297,7 +312,11 @@ void hall_plant(hall *h, double s)
 
 /* ---- >>on walls -------------------------------------------------------------------------------------------------- */
 
-typedef struct relief { double width, height, deep; unsigned seed; int kind; } relief;
+typedef struct relief {
+    double width, height, deep;
+    unsigned seed;
+    int kind;
+} relief;
 
 /* how far a relief stands out: figures as soft blobs, ornament as waves, a rosette */
 static double carved(const relief *r, double u, double v)
@@ -317,7 +336,9 @@ static void relief_surface(const void *shape, double u, double v, kit_vertex *ou
 {
     const relief *r = shape;
     const double e = 4e-3;
-    out->p[0] = (u - 0.5) * r->width; out->p[1] = v * r->height; out->p[2] = carved(r, u, v) + 0.02;
+    out->p[0] = (u - 0.5) * r->width;
+    out->p[1] = v * r->height;
+    out->p[2] = carved(r, u, v) + 0.02;
     out->n[0] = -(carved(r, u + e, v) - carved(r, u - e, v)) / (2 * e * r->width);
     out->n[1] = -(carved(r, u, v + e) - carved(r, u, v - e)) / (2 * e * r->height);
     out->n[2] = 1;
@@ -351,10 +372,11 @@ void hall_picture(hall *h, double width, double height)
         low[i] = kit_between(b, 0.05, 0.4);
         high[i] = kit_between(b, 0.2, 0.75);
     }
-    for (int k = 0; k < 5; k++) {                                       /* land, sky and what stands there */
+    for (int k = 0; k < 5; k++) { /* land, sky and what stands there */
         const double y0 = height * k / 5, y1 = height * (k + 1) / 5, t = k < 2 ? 0.3 * k : 0.5 + 0.12 * k;
-        const double q[4][3] = { { -0.5 * width, y0, 0.03 }, { 0.5 * width, y0, 0.03 },
-                                 { 0.5 * width, y1, 0.03 }, { -0.5 * width, y1, 0.03 } };
+        const double q[4][3] = {
+            { -0.5 * width, y0, 0.03 }, { 0.5 * width, y0, 0.03 }, { 0.5 * width, y1, 0.03 }, { -0.5 * width, y1, 0.03 }
+        };
         kit_colour(b, low[0] + t * (high[0] - low[0]), low[1] + t * (high[1] - low[1]),
                    low[2] + t * (high[2] - low[2]));
         kit_quad(b, q);

@@ -5,7 +5,10 @@
 
 /* ---- >>theatre: rows climb along z, the stage at z < 0 ---------------------------------------------------------- */
 
-typedef struct rows { double width, pitch, step, first; int count; } rows;
+typedef struct rows {
+    double width, pitch, step, first;
+    int count;
+} rows;
 
 static double rows_height(const kit_plot *p, double x, double z)
 {
@@ -225,7 +228,9 @@ static void dome_surface(const void *shape, double u, double v, kit_vertex *out)
     const double field = pow(
         fmax(0, sin(s[1] * 0.5 * a) * sin(s[1] * 0.5 * a) * sin(KIT_PI * s[2] * v) * sin(KIT_PI * s[2] * v)), 0.35);
     const double r = s[0] + s[3] * field;
-    out->n[0] = -cos(t) * cos(a); out->n[1] = -sin(t); out->n[2] = -cos(t) * sin(a);
+    out->n[0] = -cos(t) * cos(a);
+    out->n[1] = -sin(t);
+    out->n[2] = -cos(t) * sin(a);
     for (int i = 0; i < 3; i++) out->p[i] = -r * out->n[i];
 }
 

@@ -20,7 +20,7 @@ void hall_bench(hall *h, double length, int back)
     if (!back) return;
     for (int k = 0; k < 3; k++) kit_box(b, -w + 0.08, 0.52 + 0.16 * k, -0.24, w - 0.08, 0.64 + 0.16 * k, -0.21);
     kit_bevelled(b, -w + 0.05, 0.98, -0.29, w - 0.05, 1.03, -0.16, 0.012);
-    kit_box(b, -w + 0.08, 0.7, -0.42, w - 0.08, 0.72, -0.24);             /* a shelf for books behind */
+    kit_box(b, -w + 0.08, 0.7, -0.42, w - 0.08, 0.72, -0.24); /* a shelf for books behind */
 }
 
 void hall_chair(hall *h)
@@ -69,7 +69,10 @@ void hall_bookcase(hall *h, double width, double height)
         for (double x = -w + 0.035, wide; k < shelves && x < w - 0.1; x += wide + 0.002) {
             const double tall = kit_between(b, 0.55, 0.85) * pitch, tone = kit_between(b, 0.12, 0.5);
             wide = kit_between(b, 0.03, 0.1);
-            if (kit_odds(b, 0.07)) { wide = kit_between(b, 0.1, 0.3); continue; }
+            if (kit_odds(b, 0.07)) {
+                wide = kit_between(b, 0.1, 0.3);
+                continue;
+            }
             kit_colour(b, tone, tone * kit_between(b, 0.4, 0.9), tone * kit_between(b, 0.3, 0.9));
             if (x + wide < w - 0.04)
                 kit_box(b, x, y + 0.031, 0.1 + 0.08 * kit_chance(b), x + wide, y + 0.03 + tall, 0.33);
@@ -96,7 +99,7 @@ void hall_stall(hall *h)
                                    { { -wide, tall, 0.7 }, { wide, tall, 0.7 } } };
     for (int k = 0; k < 2; k++) kit_tube(b, rods[k], 2, 0.02, 6);
     kit_box(b, -wide, 0.7, -0.6, wide, 0.74, 0.66);
-    for (int k = 0; k < 8; k++) {                                        /* the awning: stripes of one sheet, sagging */
+    for (int k = 0; k < 8; k++) { /* the awning: stripes of one sheet, sagging */
         const double x0 = wide * (k / 4.0 - 1) * 1.08, x1 = wide * ((k + 1) / 4.0 - 1) * 1.08;
         hall_paint(h, k & 1 ? HALL_CLOTH : HALL_TRIM);
         for (int j = 0; j < 4; j++) {
@@ -209,7 +212,9 @@ void hall_car(hall *h)
     static const double side[][3] = { { -2.1, 0.45, 0.8 },   { -2.05, 0.85, 0.82 }, { -1.7, 0.95, 0.84 },
                                       { -1.15, 1.38, 0.66 }, { 0.35, 1.42, 0.66 },  { 1.05, 0.98, 0.82 },
                                       { 1.95, 0.8, 0.8 },    { 2.15, 0.5, 0.76 } };
+
     enum { N = sizeof side / sizeof *side };
+
     KIT_TINT(b, paints, 0.1);
     const float paint[3] = { b->albedo[0], b->albedo[1], b->albedo[2] };
     for (int k = 0; k + 1 < N; k++) {

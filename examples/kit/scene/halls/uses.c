@@ -22,7 +22,7 @@ static void in_opening(hall *h, const hall_panel *p, int kind)
         const kit_frame f = kit_enter(b, 0, p->sill + KIT_GAP, 0, 0, 1);
         hall_paint(h, HALL_WALL);
         const double r = p->half, t = p->height - p->sill - 0.05;
-        for (int k = 0; k < 10; k++) {                                  /* a hollow half round */
+        for (int k = 0; k < 10; k++) { /* a hollow half round */
             const double a = KIT_PI * k / 10, e = KIT_PI * (k + 1) / 10;
             const double q[4][3] = { { -r * cos(a), 0, -0.19 - 0.55 * r * sin(a) },
                                      { -r * cos(e), 0, -0.19 - 0.55 * r * sin(e) },
@@ -120,7 +120,10 @@ static void stand(hall *h, int kind, double x, double z, double turn)
     kit_begin_object(b, names[kind], -1);
     const kit_frame f = kit_enter(b, x, 0, z, turn, 1);
     if (kind == HALL_MUSEUM) hall_plinth(h, kit_between(b, 0.4, 1), kit_between(b, 0.4, 1.2));
-    if (kind == HALL_MARKET) { hall_stall(h); hall_sight(h, 0, 1, 0.2, 1.6); }
+    if (kind == HALL_MARKET) {
+        hall_stall(h);
+        hall_sight(h, 0, 1, 0.2, 1.6);
+    }
     if (kind == HALL_STATION || kind == HALL_BARE) {
         const int what = kit_choose(b, 4);
         if (what == 0) hall_bench(h, 2.2, 1);
@@ -189,8 +192,14 @@ void hall_furnish(hall *h, int kind, const double r[4])
 {
     kit_build *b = h->b;
     static const double pitch_x[] = { 1, 3.5, 4.2, 4.5, 4, 1, 3.6, 5 }, pitch_z[] = { 1, 3.2, 4, 4.5, 3.4, 1, 3, 4.5 };
-    if (kind == HALL_PEWS) { pews(h, r); return; }
-    if (kind == HALL_STORE) { racks(h, r); return; }
+    if (kind == HALL_PEWS) {
+        pews(h, r);
+        return;
+    }
+    if (kind == HALL_STORE) {
+        racks(h, r);
+        return;
+    }
     const int nx = (int)fmin(7, fmax(1, (r[2] - r[0] - 1) / pitch_x[kind])),
               nz = (int)fmin(5, fmax(1, (r[3] - r[1] - 1) / pitch_z[kind]));
     const double dx = (r[2] - r[0]) / nx, dz = (r[3] - r[1]) / nz,

@@ -14,15 +14,22 @@ static void on_vault(double half, double rise, int pointed, double angle, double
     normal[1] = -half * (sin(high) - sin(low));
 }
 
-typedef struct vault { double length, half, rise; int pointed; } vault;
+typedef struct vault {
+    double length, half, rise;
+    int pointed;
+} vault;
 
 static void barrel_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const vault *s = shape;
     double at[2], n[2];
     on_vault(s->half, s->rise, s->pointed, KIT_PI * (v - 0.5), at, n);
-    out->p[0] = s->length * u; out->p[1] = at[1]; out->p[2] = at[0];
-    out->n[0] = 0; out->n[1] = n[1]; out->n[2] = n[0];
+    out->p[0] = s->length * u;
+    out->p[1] = at[1];
+    out->p[2] = at[0];
+    out->n[0] = 0;
+    out->n[1] = n[1];
+    out->n[2] = n[0];
     kit_unit(out->n);
 }
 
@@ -35,6 +42,7 @@ void hall_barrel(kit_build *b, double length, double half, double rise, int poin
 void hall_rib(kit_build *b, double half, double rise, int pointed, double wide, double deep)
 {
     enum { PIECES = 20 };
+
     for (int k = 0; k < PIECES; k++) {
         double p[2][2], n[2][2], in[2][2];
         for (int e = 0; e < 2; e++) {
@@ -44,19 +52,26 @@ void hall_rib(kit_build *b, double half, double rise, int pointed, double wide, 
         }
         for (int side = -1; side < 2; side += 2) {
             const double x = 0.5 * side * wide;
-            const double flank[4][3] = { { x, p[0][1], p[0][0] }, { x, in[0][1], in[0][0] },
-                                         { x, in[1][1], in[1][0] }, { x, p[1][1], p[1][0] } };
-            const double other[4][3] = { { x, p[1][1], p[1][0] }, { x, in[1][1], in[1][0] },
-                                         { x, in[0][1], in[0][0] }, { x, p[0][1], p[0][0] } };
+            const double flank[4][3] = {
+                { x, p[0][1], p[0][0] }, { x, in[0][1], in[0][0] }, { x, in[1][1], in[1][0] }, { x, p[1][1], p[1][0] }
+            };
+            const double other[4][3] = {
+                { x, p[1][1], p[1][0] }, { x, in[1][1], in[1][0] }, { x, in[0][1], in[0][0] }, { x, p[0][1], p[0][0] }
+            };
             kit_quad(b, side > 0 ? flank : other);
         }
-        const double under[4][3] = { { -0.5 * wide, in[0][1], in[0][0] }, { 0.5 * wide, in[0][1], in[0][0] },
-                                     { 0.5 * wide, in[1][1], in[1][0] }, { -0.5 * wide, in[1][1], in[1][0] } };
+        const double under[4][3] = { { -0.5 * wide, in[0][1], in[0][0] },
+                                     { 0.5 * wide, in[0][1], in[0][0] },
+                                     { 0.5 * wide, in[1][1], in[1][0] },
+                                     { -0.5 * wide, in[1][1], in[1][0] } };
         kit_quad(b, under);
     }
 }
 
-typedef struct web { double half[2], rise; int pointed, turned, other; } web;
+typedef struct web {
+    double half[2], rise;
+    int pointed, turned, other;
+} web;
 
 static void web_surface(const void *shape, double u, double v, kit_vertex *out)
 {
@@ -65,8 +80,12 @@ static void web_surface(const void *shape, double u, double v, kit_vertex *out)
     double at[2], n[2];
     on_vault(w->half[0], w->rise, w->pointed, (2 * u - 1) * far, at, n);
     const double across = w->half[1] * sin(far) * (w->other ? -1 : 1);
-    out->p[w->turned ? 2 : 0] = at[0]; out->p[1] = at[1]; out->p[w->turned ? 0 : 2] = across;
-    out->n[w->turned ? 2 : 0] = n[0]; out->n[1] = n[1]; out->n[w->turned ? 0 : 2] = 0;
+    out->p[w->turned ? 2 : 0] = at[0];
+    out->p[1] = at[1];
+    out->p[w->turned ? 0 : 2] = across;
+    out->n[w->turned ? 2 : 0] = n[0];
+    out->n[1] = n[1];
+    out->n[w->turned ? 0 : 2] = 0;
     if (!kit_unit(out->n)) out->n[1] = -1;
 }
 
@@ -84,10 +103,11 @@ void hall_groin(hall *h, double half_x, double half_z, double rise)
         double at[21][3];
         for (int k = 0; k <= 20; k++) {
             const double q = sin(KIT_PI * (k / 20.0 - 0.5));
-            at[k][0] = half_x * q; at[k][2] = side * half_z * q;
+            at[k][0] = half_x * q;
+            at[k][2] = side * half_z * q;
             at[k][1] = rise * hall_arch(h->pointed, q) - 0.03;
         }
-        kit_tube(b, (const double (*)[3])at, 21, 0.09, 6);
+        kit_tube(b, (const double(*)[3])at, 21, 0.09, 6);
     }
     static const double boss = 0.2;
     kit_place_at(b, 0, rise - 0.08, 0, 0);
@@ -181,22 +201,26 @@ static void trusses(hall *h, const double r[4], double y, int bays)
             { c[0][0], c[0][1], z }, { r[2], c[0][1], z }, { r[2], c[1][1], mid }, { r[0], c[1][1], mid }
         };
         hall_paint(h, HALL_VAULT);
-        if (side > 0) for (int k = 0; k < 4; k++) q[k][0] = r[0] + r[2] - q[k][0];
-        kit_quad(b, (const double (*)[3])q);
+        if (side > 0)
+            for (int k = 0; k < 4; k++) q[k][0] = r[0] + r[2] - q[k][0];
+        kit_quad(b, (const double(*)[3])q);
         hall_paint(h, steel ? HALL_METAL : HALL_WOOD);
-        for (int k = 1; k < 7; k++) {                                   /* purlins */
+        for (int k = 1; k < 7; k++) { /* purlins */
             const double t = k / 7.0, from[3] = { r[0], y + over + t * rise - 0.07, z + t * (mid - z) };
             const double to[3] = { r[2], from[1], from[2] };
             hall_bar(b, from, to, 0.1, 0.14);
         }
-        for (int i = 0; i < bays && glazed; i++) {                      /* roof lights */
+        for (int i = 0; i < bays && glazed; i++) { /* roof lights */
             const double dx = (r[2] - r[0]) / bays, x0 = r[0] + dx * (i + 0.15), x1 = x0 + 0.7 * dx;
             const double lift = y + over + 0.5 * rise - 0.02, e = 0.2 * half;
-            double pane[4][3] = { { x0, lift - 0.2 * rise, g + side * e }, { x1, lift - 0.2 * rise, g + side * e },
-                                  { x1, lift + 0.2 * rise, g - side * e }, { x0, lift + 0.2 * rise, g - side * e } };
+            double pane[4][3] = { { x0, lift - 0.2 * rise, g + side * e },
+                                  { x1, lift - 0.2 * rise, g + side * e },
+                                  { x1, lift + 0.2 * rise, g - side * e },
+                                  { x0, lift + 0.2 * rise, g - side * e } };
             hall_paint(h, HALL_GLASS);
-            if (side > 0) for (int k = 0; k < 4; k++) pane[k][0] = x0 + x1 - pane[k][0];
-            kit_quad(b, (const double (*)[3])pane);
+            if (side > 0)
+                for (int k = 0; k < 4; k++) pane[k][0] = x0 + x1 - pane[k][0];
+            kit_quad(b, (const double(*)[3])pane);
         }
     }
     hall_paint(h, steel ? HALL_METAL : HALL_WOOD);
@@ -214,13 +238,17 @@ static void skylight(hall *h, const double r[4], double y, int bays)
     const double in = fmin(1.6, 0.25 * (r[3] - r[1])), lift = 0.9;
     const double inner[4] = { r[0] + in, r[1] + in, r[2] - in, r[3] - in };
     const double c[4][3] = { { r[0], y, r[1] }, { r[2], y, r[1] }, { r[2], y, r[3] }, { r[0], y, r[3] } };
-    const double i[4][3] = { { inner[0], y, inner[1] }, { inner[2], y, inner[1] },
-                             { inner[2], y, inner[3] }, { inner[0], y, inner[3] } };
+    const double i[4][3] = {
+        { inner[0], y, inner[1] }, { inner[2], y, inner[1] }, { inner[2], y, inner[3] }, { inner[0], y, inner[3] }
+    };
     for (int k = 0; k < 4; k++) {
         const int n = (k + 1) % 4;
-        const double border[4][3] = { { c[k][0], y, c[k][2] }, { c[n][0], y, c[n][2] }, { i[n][0], y, i[n][2] },
-                                      { i[k][0], y, i[k][2] } };
-        const double upright[4][3] = { { i[k][0], y, i[k][2] }, { i[n][0], y, i[n][2] }, { i[n][0], y + lift, i[n][2] },
+        const double border[4][3] = {
+            { c[k][0], y, c[k][2] }, { c[n][0], y, c[n][2] }, { i[n][0], y, i[n][2] }, { i[k][0], y, i[k][2] }
+        };
+        const double upright[4][3] = { { i[k][0], y, i[k][2] },
+                                       { i[n][0], y, i[n][2] },
+                                       { i[n][0], y + lift, i[n][2] },
                                        { i[k][0], y + lift, i[k][2] } };
         hall_paint(h, HALL_VAULT);
         kit_quad(b, border);
@@ -255,7 +283,7 @@ static void vaulted(hall *h, int kind, const double r[4], double y, int bays)
         kit_leave(b, g);
     }
     hall_paint(h, HALL_TRIM);
-    for (int side = 0; side < 2 && kind == HALL_BARREL; side++) {       /* lengthwise ribs and a cornice */
+    for (int side = 0; side < 2 && kind == HALL_BARREL; side++) { /* lengthwise ribs and a cornice */
         const double z = side ? r[3] - 0.25 : r[1];
         kit_bevelled(b, r[0], y - 0.25, z, r[2], y, z + 0.25, 0.06);
     }
@@ -302,7 +330,10 @@ void hall_floor(hall *h, const double r[4])
     kit_build *b = h->b;
     const double tile = h->floor == 2 ? 0.9 : 1.6;
     hall_paint(h, HALL_FLOOR);
-    if (h->floor == 0) { kit_level(b, r[0], r[1], r[2], r[3], 0); return; }
+    if (h->floor == 0) {
+        kit_level(b, r[0], r[1], r[2], r[3], 0);
+        return;
+    }
     const int nx = (int)ceil((r[2] - r[0]) / tile), nz = (int)ceil((r[3] - r[1]) / tile);
     const double dx = (r[2] - r[0]) / nx, dz = (r[3] - r[1]) / nz;
     for (int j = 0; j < nz; j++)
@@ -331,9 +362,9 @@ static void baluster(hall *h, int kind, double height)
 {
     kit_build *b = h->b;
     const double s = height / 0.75;
-    const kit_moulding turned[] = { { 0.075, 0, 0.075, 0.05 * s, 0 },         { 0.05, 0.05 * s, 0.085, 0.2 * s, 0 },
-                                    { 0.085, 0.2 * s, 0.07, 0.32 * s, 0 },    { 0.07, 0.32 * s, 0.038, 0.52 * s, 0 },
-                                    { 0.038, 0.52 * s, 0.06, 0.62 * s, 0 },   { 0.06, 0.62 * s, 0.075, 0.68 * s, 0 },
+    const kit_moulding turned[] = { { 0.075, 0, 0.075, 0.05 * s, 0 },       { 0.05, 0.05 * s, 0.085, 0.2 * s, 0 },
+                                    { 0.085, 0.2 * s, 0.07, 0.32 * s, 0 },  { 0.07, 0.32 * s, 0.038, 0.52 * s, 0 },
+                                    { 0.038, 0.52 * s, 0.06, 0.62 * s, 0 }, { 0.06, 0.62 * s, 0.075, 0.68 * s, 0 },
                                     { 0.075, 0.68 * s, 0.075, 0.75 * s, 0 } };
     if (kind == HALL_STONE_RAIL) kit_turned(b, turned, 7, 8);
     else if (kind == HALL_WOOD_RAIL) kit_box(b, -0.03, 0, -0.03, 0.03, height, 0.03);
@@ -371,9 +402,10 @@ void hall_rail(hall *h, int kind, double length, double climb)
     }
     kit_place_at(b, 0, 0, 0, 0);
     if (kind == HALL_CROSS_RAIL) crossed(b, length, climb, 0.9);
-    if (kind == HALL_GLASS_RAIL) {                                      /* without thickness */
-        const double pane[4][3] = { { 0.03, 0.12, 0 }, { length - 0.03, 0.12 + climb, 0 },
-                                    { length - 0.03, 0.95 + climb, 0 }, { 0.03, 0.95, 0 } };
+    if (kind == HALL_GLASS_RAIL) { /* without thickness */
+        const double pane[4][3] = {
+            { 0.03, 0.12, 0 }, { length - 0.03, 0.12 + climb, 0 }, { length - 0.03, 0.95 + climb, 0 }, { 0.03, 0.95, 0 }
+        };
         hall_paint(h, HALL_GLASS);
         kit_quad(b, pane);
     }

@@ -76,7 +76,7 @@ void hall_bar(kit_build *b, const double from[3], const double to[3], double wid
     for (int f = 0; f < 6; f++) {
         double q[4][3];
         for (int k = 0; k < 4; k++) memcpy(q[k], c[faces[f][3 - k]], sizeof q[k]);
-        kit_quad(b, (const double (*)[3])q);
+        kit_quad(b, (const double(*)[3])q);
     }
 }
 
@@ -89,8 +89,12 @@ static void shaft_surface(const void *shape, double u, double v, kit_vertex *out
     const double wave = s[4] > 0 ? cos(w) : -fabs(sin(0.5 * w)) * 2, r = s[0] * thin * (1 + s[2] * wave);
     const double slope = s[4] > 0 ? -s[3] * sin(w) : -s[3] * cos(0.5 * w) * (sin(0.5 * w) < 0 ? -1 : 1);
     const double dr = s[0] * thin * s[2] * slope, up = -s[0] * thin * s[2] * s[4] * (s[4] > 0 ? sin(w) : 0) / s[1];
-    out->p[0] = r * cos(a); out->p[1] = s[1] * v; out->p[2] = r * sin(a);
-    out->n[0] = r * cos(a) + dr * sin(a); out->n[1] = -r * up; out->n[2] = r * sin(a) - dr * cos(a);
+    out->p[0] = r * cos(a);
+    out->p[1] = s[1] * v;
+    out->p[2] = r * sin(a);
+    out->n[0] = r * cos(a) + dr * sin(a);
+    out->n[1] = -r * up;
+    out->n[2] = r * sin(a) - dr * cos(a);
     kit_unit(out->n);
 }
 
@@ -148,7 +152,8 @@ static void iron(hall *h, double r, double height)
 {
     kit_build *b = h->b;
     const double collar[2] = { 0.62 * r, 0.16 * r };
-    const kit_moulding part[] = { { 1.1 * r, 0, 1.1 * r, 0.5 * r, 0 }, { 1.1 * r, 0.5 * r, 0.6 * r, 1.3 * r, -0.1 * r },
+    const kit_moulding part[] = { { 1.1 * r, 0, 1.1 * r, 0.5 * r, 0 },
+                                  { 1.1 * r, 0.5 * r, 0.6 * r, 1.3 * r, -0.1 * r },
                                   { 0.6 * r, 1.3 * r, 0.5 * r, height - 0.1, 0 } };
     kit_turned(b, part, 3, 12);
     for (int k = 0; k < 3; k++) {
@@ -159,10 +164,12 @@ static void iron(hall *h, double r, double height)
         double at[7][3];
         for (int i = 0; i < 7; i++) {
             const double a = 0.5 * KIT_PI * i / 6;
-            at[i][0] = 0.4 * r + 3.2 * r * (1 - cos(a)); at[i][1] = height - 4 * r + 3.9 * r * sin(a); at[i][2] = 0;
+            at[i][0] = 0.4 * r + 3.2 * r * (1 - cos(a));
+            at[i][1] = height - 4 * r + 3.9 * r * sin(a);
+            at[i][2] = 0;
         }
         kit_place_at(b, 0, 0, 0, 90 * k);
-        kit_tube(b, (const double (*)[3])at, 7, 0.14 * r, 6);
+        kit_tube(b, (const double(*)[3])at, 7, 0.14 * r, 6);
     }
     kit_place_at(b, 0, 0, 0, 0);
     kit_box(b, -r, height - 0.1, -r, r, height, r);
@@ -173,7 +180,7 @@ static void pier(hall *h, double r, double height)
     kit_build *b = h->b;
     kit_bevelled(b, -1.35 * r, 0, -1.35 * r, 1.35 * r, 0.7 * r, 1.35 * r, 0.08 * r);
     kit_bevelled(b, -r, 0.6 * r, -r, r, height - 0.4 * r, r, 0.1 * r);
-    for (int k = 0; k < 4 && h->ribs; k++) {                            /* raised fields */
+    for (int k = 0; k < 4 && h->ribs; k++) { /* raised fields */
         kit_place_at(b, 0, 0, 0, 90 * k);
         kit_bevelled(b, -0.6 * r, 1.1 * r, 0.9 * r, 0.6 * r, height - 1.2 * r, 1.06 * r, 0.04 * r);
     }
@@ -234,7 +241,7 @@ static void face(kit_build *b, double x0, double y0, double x1, double y1, doubl
     const double c[4][3] = { { x0, y0, z }, { x1, y1, z }, { x2, y2, z }, { x3, y3, z } };
     double turned[4][3];
     for (int k = 0; k < 4; k++) memcpy(turned[k], c[back ? 3 - k : k], sizeof turned[k]);
-    kit_quad(b, (const double (*)[3])turned);
+    kit_quad(b, (const double(*)[3])turned);
 }
 
 /* the k-th of the cells' corners along the arch, wider by so much */
@@ -255,8 +262,12 @@ static void reveal_surface(const void *shape, double u, double v, kit_vertex *ou
     fine.cells = 16 * p->cells;
     on_arch(&fine, 16 * k - (k > 0), 0, before);
     on_arch(&fine, 16 * k + (k < p->cells), 0, after);
-    out->p[0] = at[0]; out->p[1] = at[1]; out->p[2] = p->thick * (v - 0.5);
-    out->n[0] = after[1] - before[1]; out->n[1] = before[0] - after[0]; out->n[2] = 0;
+    out->p[0] = at[0];
+    out->p[1] = at[1];
+    out->p[2] = p->thick * (v - 0.5);
+    out->n[0] = after[1] - before[1];
+    out->n[1] = before[0] - after[0];
+    out->n[2] = 0;
     kit_unit(out->n);
 }
 
@@ -281,7 +292,10 @@ void hall_wall(hall *h, const hall_panel *p)
     const double w = 0.5 * p->width, o = p->half, t = p->height;
     for (int back = 0; back <= p->back; back++) {
         const double z = (back ? -0.5 : 0.5) * p->thick;
-        if (!(o > 0)) { face(b, -w, 0, w, 0, w, t, -w, t, z, back); continue; }
+        if (!(o > 0)) {
+            face(b, -w, 0, w, 0, w, t, -w, t, z, back);
+            continue;
+        }
         face(b, -w, 0, -o, 0, -o, t, -w, t, z, back);
         face(b, o, 0, w, 0, w, t, o, t, z, back);
         if (p->sill > 0) face(b, -o, 0, o, 0, o, p->sill, -o, p->sill, z, back);
@@ -293,7 +307,7 @@ void hall_wall(hall *h, const hall_panel *p)
         }
     }
     if (o > 0) reveal(b, p);
-    for (int side = -1; side < 2 && p->back && o > 0; side += 2) {      /* what rests on capitals, seen from below */
+    for (int side = -1; side < 2 && p->back && o > 0; side += 2) { /* what rests on capitals, seen from below */
         const double x0 = side < 0 ? -w : o, x1 = side < 0 ? -o : w, z = 0.5 * p->thick;
         const double under[4][3] = { { x0, 0, -z }, { x1, 0, -z }, { x1, 0, z }, { x0, 0, z } };
         kit_quad(b, under);
@@ -311,10 +325,13 @@ void hall_archivolt(hall *h, const hall_panel *p, double wide, double proud)
             on_arch(p, k + e, wide, out[e]);
         }
         face(b, in[0][0], in[0][1], in[1][0], in[1][1], out[1][0], out[1][1], out[0][0], out[0][1], f, 0);
-        const double over[4][3] = { { out[0][0], out[0][1], f }, { out[1][0], out[1][1], f },
-                                    { out[1][0], out[1][1], z }, { out[0][0], out[0][1], z } };
-        const double under[4][3] = { { in[0][0], in[0][1], z }, { in[1][0], in[1][1], z },
-                                     { in[1][0], in[1][1], f }, { in[0][0], in[0][1], f } };
+        const double over[4][3] = { { out[0][0], out[0][1], f },
+                                    { out[1][0], out[1][1], f },
+                                    { out[1][0], out[1][1], z },
+                                    { out[0][0], out[0][1], z } };
+        const double under[4][3] = {
+            { in[0][0], in[0][1], z }, { in[1][0], in[1][1], z }, { in[1][0], in[1][1], f }, { in[0][0], in[0][1], f }
+        };
         kit_quad(b, over);
         kit_quad(b, under);
     }

@@ -76,7 +76,7 @@ static void coil(kit_build *b, double r)
     for (int k = 0; k < 16; k++) {
         const double a = 2 * KIT_PI * (k + 0.5) / 18;
         plant_hoop(b, KIT_AT(at[0] + r * cos(a), at[1], at[2] + r * sin(a)), -a * 180 / KIT_PI, 90, 0.4 * r, 0.05 * r,
-                 12);
+                   12);
     }
 }
 

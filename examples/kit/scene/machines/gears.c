@@ -151,7 +151,7 @@ void plant_train(kit_build *b)
     bolted_plate(b, -1.2, 0.35, 1.2, 0.8, 0.5, 0.03);
     for (int k = 0; k < 4; k++)
         plant_rod(b, KIT_AT(k & 1 ? 1.1 : -1.1, 0.05, k & 2 ? 0.7 : 0.45),
-                KIT_AT(k & 1 ? 1.1 : -1.1, 0.501, k & 2 ? 0.7 : 0.45), 0.03, 12);
+                  KIT_AT(k & 1 ? 1.1 : -1.1, 0.501, k & 2 ? 0.7 : 0.45), 0.03, 12);
 }
 
 void plant_gearbox(kit_build *b)
@@ -248,14 +248,14 @@ void plant_star_engine(kit_build *b)
             plant_rod(b, KIT_AT(s * dx, y + s * dy, 0), KIT_AT(e * dx, y + e * dy, 0), r * (1 - 0.01 * f), 20);
         }
         plant_rod(b, KIT_AT(0.35 * dx, y + 0.35 * dy, 0), KIT_AT((0.4 + long_way) * dx, y + (0.4 + long_way) * dy, 0),
-                0.75 * r, 18);
+                  0.75 * r, 18);
         plant_stuff(b, KIT_DARK);
         const double top = 0.42 + long_way, pushrod = 0.09;
         plant_beam(b, KIT_AT((top - 0.1) * dx, y + (top - 0.1) * dy, 0),
-                 KIT_AT((top + 0.03) * dx, y + (top + 0.03) * dy, 0), 0.2, 0.24);
+                   KIT_AT((top + 0.03) * dx, y + (top + 0.03) * dy, 0), 0.2, 0.24);
         for (int side = -1; side < 2; side += 2)
             plant_rod(b, KIT_AT(0.3 * dx - side * pushrod * dy, y + 0.3 * dy + side * pushrod * dx, 0.16),
-                    KIT_AT(top * dx - side * pushrod * dy, y + top * dy + side * pushrod * dx, 0.12), 0.015, 8);
+                      KIT_AT(top * dx - side * pushrod * dy, y + top * dy + side * pushrod * dx, 0.12), 0.015, 8);
         plant_stuff(b, KIT_BRASS);
         const double pipe[4][3] = { { top * dx, y + top * dy, -0.1 },
                                     { top * dx, y + top * dy, -0.34 },

@@ -107,7 +107,7 @@ static void overhead_duct(kit_plot *p, const kit_hall *r, double z, double y)
     for (double x = 1.2 - w; x < w - 0.6; x += 2.8) {
         plant_duct(b, KIT_AT(x, y, z), KIT_AT(x, y, z + side * fmin(1.6, reach)), 0.6 * wide, 0.7 * high);
         plant_duct(b, KIT_AT(x + 1.1, y - 0.45 * tall, z), KIT_AT(x + 1.1, y - 0.5 * tall - 0.25, z), 0.36,
-                 high > 0 ? 0.36 : 0);
+                   high > 0 ? 0.36 : 0);
         plant_rod(b, KIT_AT(x + 0.5, y, z + 0.5 * wide + 0.04), KIT_AT(x + 0.5, r->h, z + 0.5 * wide + 0.04), 0.008, 6);
         plant_rod(b, KIT_AT(x + 0.5, y, z - 0.5 * wide - 0.04), KIT_AT(x + 0.5, r->h, z - 0.5 * wide - 0.04), 0.008, 6);
     }
@@ -142,10 +142,12 @@ static void catwalk(kit_plot *p, double x0, double x1, double z, double y, int w
 
 /* ---- >>layouts: rooms -------------------------------------------------------------------------------------------- */
 
-static const ware plant[] = {
-    { "pump", plant_pump, 1 },           { "air handler", plant_air_handler, 1.1 }, { "tank", plant_standing_tank, 1.3 },
-    { "tank", plant_resting_tank, 1.2 }, { "engine", plant_engine, 1.3 },           { "motor pump", plant_pump, 0.9 }
-};
+static const ware plant[] = { { "pump", plant_pump, 1 },
+                              { "air handler", plant_air_handler, 1.1 },
+                              { "tank", plant_standing_tank, 1.3 },
+                              { "tank", plant_resting_tank, 1.2 },
+                              { "engine", plant_engine, 1.3 },
+                              { "motor pump", plant_pump, 0.9 } };
 
 static void plant_room(kit_plot *p)
 {
@@ -346,8 +348,8 @@ static void boiler_hall(kit_plot *p)
     plant_build_hall(p, &r);
     for (int k = 0; k < boilers; k++) {
         const double x = 3.3 * (k - 0.5 * (boilers - 1));
-        put(p, engines ? "engine" : "boiler", engines ? plant_engine : plant_boiler, KIT_AT(x, 0, -0.8), engines ? 90 : 0,
-            1.6, as);
+        put(p, engines ? "engine" : "boiler", engines ? plant_engine : plant_boiler, KIT_AT(x, 0, -0.8),
+            engines ? 90 : 0, 1.6, as);
         kit_add_sight(p, x, 1.4, 1, 0.6);
         put_ware(p, &plant[kit_choose(b, 4)], x, 0.34 * r.d, 180, 0);
     }

@@ -172,9 +172,9 @@ void plant_valve(kit_build *b, const double at[3], double turn, int upright, dou
     const kit_frame before = kit_enter(b, at[0], at[1], at[2], turn, 1);
     kit_patch(b, 20, 12, kit_sphere_surface, &ball);
     plant_flange(b, upright ? KIT_AT(0, long_way, 0) : KIT_AT(long_way, 0, 0),
-               upright ? KIT_AT(0, 9, 0) : KIT_AT(9, 0, 0), r);
+                 upright ? KIT_AT(0, 9, 0) : KIT_AT(9, 0, 0), r);
     plant_flange(b, upright ? KIT_AT(0, -long_way, 0) : KIT_AT(-long_way, 0, 0),
-               upright ? KIT_AT(0, -9, 0) : KIT_AT(-9, 0, 0), r);
+                 upright ? KIT_AT(0, -9, 0) : KIT_AT(-9, 0, 0), r);
     kit_place_tilted(b, 0, 0, 0, 0, tilt);
     const kit_moulding bonnet[] = { { r, 0, 0.7 * r, 2 * r, 0 },
                                     { 0.7 * r, 2 * r, 1.1 * r, 2 * r, 0 },
@@ -241,7 +241,8 @@ void plant_railing(kit_build *b, const double from[3], const double to[3], doubl
     }
     for (int k = 1; k < 4; k++) {
         const double up = k == 3 ? height : 0.37 * k * height;
-        plant_rod(b, KIT_AT(from[0], from[1] + up, from[2]), KIT_AT(to[0], to[1] + up, to[2]), k == 3 ? 0.024 : 0.014, 8);
+        plant_rod(b, KIT_AT(from[0], from[1] + up, from[2]), KIT_AT(to[0], to[1] + up, to[2]), k == 3 ? 0.024 : 0.014,
+                  8);
     }
     if (fabs(way[1]) > 0.05) return;
     const double board[4][3] = { { from[0], from[1], from[2] },
@@ -257,7 +258,8 @@ void plant_ladder(kit_build *b, double height, int cage)
     const kit_spot before = plant_spot_now(b);
     for (int side = -1; side < 2; side += 2)
         plant_beam(b, KIT_AT(0.24 * side, 0.0, 0.16), KIT_AT(0.24 * side, height + 0.9, 0.16), 0.015, 0.06);
-    for (double y = 0.28; y < height; y += 0.28) plant_rod(b, KIT_AT(-0.235, y, 0.16), KIT_AT(0.235, y, 0.16), 0.012, 8);
+    for (double y = 0.28; y < height; y += 0.28)
+        plant_rod(b, KIT_AT(-0.235, y, 0.16), KIT_AT(0.235, y, 0.16), 0.012, 8);
     for (double y = 0.8; y < height; y += 1.6)
         for (int side = -1; side < 2; side += 2)
             plant_beam(b, KIT_AT(0.24 * side, y, 0), KIT_AT(0.24 * side, y, 0.14), 0.012, 0.04);

@@ -177,7 +177,7 @@ void plant_lathe(kit_build *b)
     for (int k = 0; k < 3; k++) {
         const double a = 2 * KIT_PI * k / 3 + 0.4;
         plant_beam(b, KIT_AT(0.64 - half, 1.12 + 0.04 * cos(a), 0.04 * sin(a)),
-                 KIT_AT(0.64 - half, 1.12 + 0.12 * cos(a), 0.12 * sin(a)), 0.05, 0.05);
+                   KIT_AT(0.64 - half, 1.12 + 0.12 * cos(a), 0.12 * sin(a)), 0.05, 0.05);
     }
     plant_stuff(b, KIT_BRASS);
     plant_rod(b, KIT_AT(0.62 - half, 1.12, 0), KIT_AT(half - 0.35, 1.12, 0), kit_between(b, 0.02, 0.05), 20);
@@ -269,7 +269,8 @@ static void bench_tool(kit_build *b, double x, double z, int way)
         };
         for (int k = 0; k < 4; k++) kit_quad(b, side[k]);
         plant_rod(b, KIT_AT(-0.22, 0.24, 0), KIT_AT(0.22, 0.24, 0), 0.012, 8);
-        for (int k = -1; k < 2; k += 2) plant_beam(b, KIT_AT(0.215 * k, 0.1, 0), KIT_AT(0.215 * k, 0.25, 0), 0.008, 0.04);
+        for (int k = -1; k < 2; k += 2)
+            plant_beam(b, KIT_AT(0.215 * k, 0.1, 0), KIT_AT(0.215 * k, 0.25, 0), 0.008, 0.04);
         break;
     }
     case 6: /* can */
@@ -299,8 +300,8 @@ void plant_bench(kit_build *b)
         kit_box(b, half - 0.62, 0.25, -0.3, half - 0.12, top - 0.051, 0.3);
         for (int k = 0; k < 3; k++) {
             kit_box(b, half - 0.6, 0.27 + 0.185 * k, 0.3, half - 0.14, 0.44 + 0.185 * k, 0.318);
-            plant_rod(b, KIT_AT(half - 0.5, 0.38 + 0.185 * k, 0.335), KIT_AT(half - 0.24, 0.38 + 0.185 * k, 0.335), 0.008,
-                    8);
+            plant_rod(b, KIT_AT(half - 0.5, 0.38 + 0.185 * k, 0.335), KIT_AT(half - 0.24, 0.38 + 0.185 * k, 0.335),
+                      0.008, 8);
         }
     }
     const kit_frame before = kit_enter(b, 0, top + 0.001, 0, 0, 1);

@@ -189,10 +189,10 @@ static void gripper(kit_build *b, const double at[3])
     plant_stuff(b, KIT_DARK);
     plant_rod(b, KIT_AT(at[0], at[1], at[2]), KIT_AT(at[0], at[1] - 0.12, at[2]), 0.07, 16);
     for (int s = -1; s < 2; s += 2) {
-        plant_beam(b, KIT_AT(at[0] + 0.06 * s, at[1] - 0.12, at[2]), KIT_AT(at[0] + 0.14 * s, at[1] - 0.22, at[2]), 0.03,
-                 0.05);
+        plant_beam(b, KIT_AT(at[0] + 0.06 * s, at[1] - 0.12, at[2]), KIT_AT(at[0] + 0.14 * s, at[1] - 0.22, at[2]),
+                   0.03, 0.05);
         plant_beam(b, KIT_AT(at[0] + 0.14 * s, at[1] - 0.2, at[2]), KIT_AT(at[0] + 0.1 * s, at[1] - 0.36, at[2]), 0.025,
-                 0.05);
+                   0.05);
     }
 }
 
@@ -263,7 +263,7 @@ void plant_conveyor(kit_build *b, double length)
         if (wares == 1)
             for (int k = 0; k < 4; k++)
                 plant_rod(b, KIT_AT(x + 0.05 * (k & 1), y + 0.0205, 0.05 * (k >> 1)),
-                        KIT_AT(x + 0.05 * (k & 1), y + 0.2, 0.05 * (k >> 1)), 0.024, 12);
+                          KIT_AT(x + 0.05 * (k & 1), y + 0.2, 0.05 * (k >> 1)), 0.024, 12);
         if (wares == 2) plant_gear(b, 0.7 * s + 0.04, 18, 0.07, 0.1);
     }
 }

@@ -59,7 +59,7 @@ void plant_fan(kit_build *b, double radius, int blades)
     for (int k = 0; k < 4; k++) {
         const double x = radius * cos(KIT_PI * k / 4), y = radius * sin(KIT_PI * k / 4);
         plant_rod(b, KIT_AT(-1.05 * x, -1.05 * y, 0.28 * radius), KIT_AT(1.05 * x, 1.05 * y, 0.28 * radius),
-                0.012 * radius, 6);
+                  0.012 * radius, 6);
     }
     kit_leave(b, before);
 }
@@ -148,8 +148,9 @@ void plant_tank(kit_build *b, double radius, double height, double legs)
         kit_box(b, -0.15 * radius, 0.001, -0.15 * radius, 0.15 * radius, 0.02, 0.15 * radius);
     }
     plant_rod(b, KIT_AT(0, legs + hatch * height, 0.9 * radius), KIT_AT(0, legs + hatch * height, 1.12 * radius),
-            0.28 * radius, 24);
-    plant_flange(b, KIT_AT(0, legs + hatch * height, 1.12 * radius), KIT_AT(0, legs + hatch * height, 9), 0.24 * radius);
+              0.28 * radius, 24);
+    plant_flange(b, KIT_AT(0, legs + hatch * height, 1.12 * radius), KIT_AT(0, legs + hatch * height, 9),
+                 0.24 * radius);
     plant_rod(b, KIT_AT(0, legs + height - 0.05, 0), KIT_AT(0, legs + height + 0.15, 0), nozzle, 16);
     plant_flange(b, KIT_AT(0, legs + height + 0.15, 0), KIT_AT(0, 99, 0), nozzle);
     plant_gauge(b, KIT_AT(0.5 * radius, legs + 0.75 * height, 1.02 * radius), 25, 0.08);

@@ -71,7 +71,7 @@ static void bowl(kit_room *r)
     for (int i = kit_odds(b, 0.7) ? 6 : 0; i > 0; i--) {
         KIT_TINT(b, fruit, 0.2);
         room_ball(b, i == 6 ? 0 : 0.5 * rim * cos(1.26 * i), i == 6 ? 0.62 * rim : 0.4 * rim,
-                 i == 6 ? 0 : 0.5 * rim * sin(1.26 * i), 0.31 * rim, 12);
+                  i == 6 ? 0 : 0.5 * rim * sin(1.26 * i), 0.31 * rim, 12);
     }
 }
 
@@ -173,7 +173,7 @@ static void pen_cup(kit_room *r)
         const double a = 0.9 * i;
         room_cover(b);
         room_rod(b, 0.012 * cos(a + 3), 0.008, 0.012 * sin(a + 3), 0.034 * cos(a), kit_between(b, 0.14, 0.19),
-                0.034 * sin(a), 0.0038);
+                 0.034 * sin(a), 0.0038);
     }
 }
 

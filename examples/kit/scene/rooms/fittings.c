@@ -32,7 +32,7 @@ static void sash(kit_room *r, const kit_opening *o, double z)
     }
     room_paint(b, r->metal, 0.1);
     room_rod(b, o->x0 + 0.03, 0.5 * (o->y0 + o->y1), z + 0.07, o->x0 + 0.03, 0.5 * (o->y0 + o->y1) + 0.1, z + 0.07,
-            0.008);
+             0.008);
 }
 
 /* Slats on cords before an opening, drawn down so far. */

@@ -71,7 +71,7 @@ void kit_sofa(kit_room *r, const double s[3])
         const double half[3] = { kit_between(b, 0.17, 0.23), kit_between(b, 0.15, 0.21), 0.07 };
         room_paint(b, kit_odds(b, 0.5) ? r->accent : r->trim, 0.3);
         room_pillow(b, kit_between(b, -0.42, 0.42) * (s[0] - 2 * arm), 0.43 + half[1], 0.45, kit_between(b, -25, 25),
-                   -kit_between(b, 12, 35), half);
+                    -kit_between(b, 12, 35), half);
     }
     if (!kit_odds(b, 0.35)) return;
     kit_begin_object(b, "throw", -1);
@@ -186,7 +186,7 @@ void kit_bed(kit_room *r, const double s[3])
         const double pillow[3] = { fmin(0.34, 0.42 * s[0]), 0.085, 0.22 };
         room_paint(b, i > 0 ? r->trim : r->accent, 0.15);
         room_pillow(b, s[0] > 1.2 ? 0.48 * i * x : 0, 0.57, 0.38, kit_between(b, -8, 8), kit_between(b, -24, -4),
-                   pillow);
+                    pillow);
     }
     kit_begin_object(b, "blanket", -1);
     room_paint(b, r->cloth, 0.2);
@@ -266,12 +266,12 @@ void kit_fireplace(kit_room *r, const double s[3])
     for (int i = 0; i < 6; i++) {
         kit_colour(b, 0.25, 0.17, 0.1);
         room_rod(b, -0.22 + 0.03 * i, 0.1 + 0.06 * (i / 3), 0.1 + 0.08 * (i % 3), 0.2, 0.11 + 0.05 * (i / 2),
-                0.3 - 0.07 * (i % 3), 0.035);
+                 0.3 - 0.07 * (i % 3), 0.035);
     }
     kit_colour(b, 0.1, 0.1, 0.1);
     for (int i = 0; i < 14; i++)
         room_rod(b, -in + 0.05 + i * (2 * in - 0.1) / 13, 0.05, s[2] + 0.1, -in + 0.05 + i * (2 * in - 0.1) / 13, 0.4,
-                s[2] + 0.1, 0.004);
+                 s[2] + 0.1, 0.004);
     room_rod(b, -in + 0.04, 0.4, s[2] + 0.1, in - 0.04, 0.4, s[2] + 0.1, 0.008);
     room_clutter(r, -x, 0.02, x, s[2] + 0.05, s[1], 0.5, 2);
 }
@@ -402,7 +402,7 @@ static void wheel(kit_build *b, double x, double z, double radius)
     for (int i = 0; i < 28; i++) {
         const double a = 2 * KIT_PI * i / 28, e = i & 1 ? 0.03 : -0.03, t = a + (i & 2 ? 0.25 : -0.25);
         room_rod(b, x + 0.02 * cos(t), radius + 0.02 * sin(t), z + e, x + (radius - 0.04) * cos(a),
-                radius + (radius - 0.04) * sin(a), z, 0.0011);
+                 radius + (radius - 0.04) * sin(a), z, 0.0011);
     }
 }
 
@@ -483,7 +483,8 @@ void kit_clock(kit_room *r, const double s[3])
     kit_colour(b, 0.06, 0.06, 0.06);
     room_rod(b, 0, w, 0.02, 0.3 * w, 1.4 * w, 0.02, 0.004);
     room_rod(b, 0, w, 0.024, -0.6 * w, 1.2 * w, 0.024, 0.003);
-    for (int i = 0; i < 12; i++) room_ball(b, 0.8 * w * cos(0.5236 * i), w + 0.8 * w * sin(0.5236 * i), 0.016, 0.006, 6);
+    for (int i = 0; i < 12; i++)
+        room_ball(b, 0.8 * w * cos(0.5236 * i), w + 0.8 * w * sin(0.5236 * i), 0.016, 0.006, 6);
 }
 
 /* A board with hooks and what hangs there. */
@@ -500,7 +501,7 @@ void kit_coats(kit_room *r, const double s[3])
         room_cover(b);
         kit_place_at(b, x, s[1] - 0.07, 0.1, kit_between(b, -30, 30));
         room_hang_cloth(b, kit_between(b, 0.15, 0.34), kit_between(b, 0.4, 0.85) * s[1],
-                       kit_between(b, 0.3, 0.6) * s[1]);
+                        kit_between(b, 0.3, 0.6) * s[1]);
         kit_place_at(b, 0, 0, 0, 0);
     }
 }

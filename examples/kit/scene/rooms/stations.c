@@ -153,7 +153,7 @@ static void hob(kit_room *r, double x, double y, double z)
         room_ring(b, e, y + 0.016, f, 0, 0, 0.06, 0.009);
         for (int k = 0; k < 4; k++)
             room_rod(b, e + 0.025 * cos(1.57 * k), y + 0.03, f + 0.025 * sin(1.57 * k), e + 0.1 * cos(1.57 * k),
-                    y + 0.03, f + 0.1 * sin(1.57 * k), 0.004);
+                     y + 0.03, f + 0.1 * sin(1.57 * k), 0.004);
     }
     const double half = 0.1;
     if (kit_odds(b, 0.7)) room_clutter(r, x - half, z - 0.22, x + half, z + 0.2, y + 0.034, 0.26, 0.3);

@@ -9,6 +9,7 @@ ribs: every other ball is thinner. */
 static void add_spiral(kit_clay *c, double turns, double growth, double rise, double ribs)
 {
     enum { A_TURN = 26 };
+
     const int count = (int)(A_TURN * turns);
     double top = 0;
     for (int k = 0; k < count; k++) {
@@ -25,7 +26,11 @@ void kit_snail(kit_build *b, kit_clay *c)
     add_spiral(c, kit_between(b, 3, 4.5), kit_between(b, 1.6, 2.1), kit_between(b, 1.6, 3.2), kit_between(b, 0, 0.12));
     const kit_blob *mouth = &c->blob[c->blobs - 1];
     scan_egg(c, mouth->a[0] + 0.06, mouth->a[1], mouth->a[2] + 0.14, 0.13, 0.13, 0.2, 0.03)->carved = 1;
-    if (kit_odds(b, 0.5)) { c->rough = 0.012; c->grain = 0.07; c->octaves = 2; }
+    if (kit_odds(b, 0.5)) {
+        c->rough = 0.012;
+        c->grain = 0.07;
+        c->octaves = 2;
+    }
 }
 
 /* leans upright on its edge */
@@ -85,7 +90,7 @@ void kit_root(kit_build *b, kit_clay *c)
 {
     const int roots = 4 + kit_choose(b, 4);
     scan_limb(c, 0, 0.1, 0, 0.17, kit_between(b, -0.1, 0.1), kit_between(b, 0.35, 0.8), 0, kit_between(b, 0.09, 0.13),
-             0.1);
+              0.1);
     if (kit_odds(b, 0.6)) scan_limb(c, 0, 0.3, 0, 0.09, 0.3, 0.6, 0.1, 0.05, 0.06);
     for (int k = 0; k < roots; k++) {
         const double a = 2 * KIT_PI * (k + kit_chance(b)) / roots, at[3] = { 0.08 * cos(a), 0.16, 0.08 * sin(a) },
@@ -101,7 +106,9 @@ void kit_root(kit_build *b, kit_clay *c)
 static double sponge(const double of[KIT_RELIEF], const double p[3], double d)
 {
     const double s = of[0], wall = fabs(sin(s * p[0]) * cos(s * p[1]) + sin(s * p[1]) * cos(s * p[2])
-                                        + sin(s * p[2]) * cos(s * p[0]) + of[1]) / (1.6 * s) - of[2];
+                                        + sin(s * p[2]) * cos(s * p[0]) + of[1])
+                                     / (1.6 * s)
+                                 - of[2];
     return fmax(d, wall);
 }
 
@@ -146,7 +153,7 @@ void kit_vase(kit_build *b, kit_clay *c)
     c->of[7] = kit_odds(b, 0.4) ? kit_between(b, -12, 12) : 0;
     const double most = fmax(c->of[1], c->of[3]) + 0.05;
     scan_block(c, 0, 0.5, 0, most, 0.5, most, 0, 0);
-    if (kit_odds(b, 0.25)) scan_cut_plane(c, 0.5, 1, 0.3, kit_between(b, 0.5, 0.8), 0.1);                 /* broken */
+    if (kit_odds(b, 0.25)) scan_cut_plane(c, 0.5, 1, 0.3, kit_between(b, 0.5, 0.8), 0.1); /* broken */
 }
 
 void kit_bowl(kit_build *b, kit_clay *c)
@@ -164,6 +171,7 @@ void kit_bowl(kit_build *b, kit_clay *c)
 void kit_knot(kit_build *b, kit_clay *c)
 {
     enum { PIECES = 96 };
+
     static const int kinds[5][2] = { { 2, 3 }, { 3, 2 }, { 2, 5 }, { 3, 4 }, { 5, 2 } };
     const int *of = kinds[kit_choose(b, 5)];
     const double thick = kit_between(b, 0.035, 0.07), deep = kit_between(b, 0.12, 0.17);
@@ -181,8 +189,7 @@ void kit_rock(kit_build *b, kit_clay *c)
 {
     for (int k = 0; k < 4; k++)
         scan_egg(c, kit_between(b, -0.25, 0.25), kit_between(b, 0.1, 0.35), kit_between(b, -0.2, 0.2),
-                kit_between(b, 0.15, 0.3),
-                kit_between(b, 0.15, 0.3), kit_between(b, 0.15, 0.3), 0.1);
+                 kit_between(b, 0.15, 0.3), kit_between(b, 0.15, 0.3), kit_between(b, 0.15, 0.3), 0.1);
     for (int k = 0; k < 4; k++) {
         const double a = kit_between(b, 0, 2 * KIT_PI);
         scan_block(c, 0.75 * cos(a), kit_between(b, 0.2, 0.7), 0.75 * sin(a), 0.35, 0.35, 0.35, 0.01, 0.01)->carved = 1;
@@ -205,7 +212,8 @@ void kit_drum(kit_build *b, kit_clay *c)
     scan_block(c, 0, 0.5, 0, 0.3, 0.5, 0.3, 0.01, 0);
     for (int k = 0; k < 2; k++)
         scan_egg(c, kit_between(b, -0.3, 0.3), 1.02, kit_between(b, -0.3, 0.3), 0.3, kit_between(b, 0.1, 0.5), 0.3,
-                0.02)->carved = 1;
+                 0.02)
+            ->carved = 1;
     c->relief = flutes;
     c->of[0] = 16;
     c->of[1] = 0.27;

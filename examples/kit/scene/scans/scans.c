@@ -3,18 +3,20 @@
 #include <math.h>
 #include <string.h>
 
-static const float walls[][3] = { { 0.75f, 0.73f, 0.68f }, { 0.5f, 0.2f, 0.16f }, { 0.28f, 0.36f, 0.32f },
+static const float walls[][3] = { { 0.75f, 0.73f, 0.68f },
+                                  { 0.5f, 0.2f, 0.16f },
+                                  { 0.28f, 0.36f, 0.32f },
                                   { 0.82f, 0.81f, 0.78f },
                                   { 0.35f, 0.4f, 0.5f } },
-                   floors[][3] = { { 0.45f, 0.33f, 0.22f }, { 0.5f, 0.5f, 0.48f }, { 0.3f, 0.29f, 0.28f },
-                                   { 0.62f, 0.58f, 0.5f } };
+                   floors[][3] = {
+                       { 0.45f, 0.33f, 0.22f }, { 0.5f, 0.5f, 0.48f }, { 0.3f, 0.29f, 0.28f }, { 0.62f, 0.58f, 0.5f }
+                   };
 
 static const int persons[] = { STATUE, STATUE, SEATED, TORSO, BUST },
-    small_ones[] = { BUST, SKULL, BEAST, DRAGON, HAND, SNAIL,
-                 AMMONITE, CORAL, VASE, VASE, BOWL, KNOT, BIRD, SPONGE, STATUE, SEATED, TORSO, MASK, ROOT },
-                 all_kinds[] = { STATUE, SEATED, TORSO, BUST, SKULL, MASK, BEAST, DRAGON, HAND, SNAIL, AMMONITE, CORAL,
-                                 ROOT,
-                                 VASE, KNOT, BIRD, SPONGE };
+                 small_ones[] = { BUST, SKULL, BEAST, DRAGON, HAND,   SNAIL,  AMMONITE, CORAL, VASE, VASE,
+                                  BOWL, KNOT,  BIRD,  SPONGE, STATUE, SEATED, TORSO,    MASK,  ROOT },
+                 all_kinds[] = { STATUE, SEATED,   TORSO, BUST, SKULL, MASK, BEAST, DRAGON, HAND,
+                                 SNAIL,  AMMONITE, CORAL, ROOT, VASE,  KNOT, BIRD,  SPONGE };
 
 /* ---- >>grounds ------------------------------------------------------------------------------------------------- */
 
@@ -34,8 +36,8 @@ static void beams(kit_plot *p, double x, double z, double high)
     kit_colour(b, 0.12, 0.12, 0.12);
     kit_box(b, -x, high - deep - 0.09, rail - 0.015, x, high - deep - 0.06, rail + 0.015);
     for (int k = 0; k < spots; k++) {
-        const double at = x * (2 * (k + 0.5) / spots - 1), drop[2][3] = { { at, high - deep - 0.1, rail },
-                                                                          { at, high - deep - 0.25, rail } };
+        const double at = x * (2 * (k + 0.5) / spots - 1),
+                     drop[2][3] = { { at, high - deep - 0.1, rail }, { at, high - deep - 0.25, rail } };
         kit_tube(b, drop, 2, 0.008, 6);
         kit_place_tilted(b, at, high - deep - 0.25, rail, kit_between(b, 0, 360), kit_between(b, 100, 150));
         kit_cylinder(b, 0.05, 0.16, 20);
@@ -52,7 +54,7 @@ static void lay_floor(kit_build *b, double x, double z)
     kit_sheet(b, all, KIT_CUTS(kit_both), KIT_CUTS(kit_both));
     for (int k = 0; k < boards; k++) {
         const double x0 = x * (2.0 * k / boards - 1), x1 = x * (2.0 * (k + 1) / boards - 1),
-            cut = kit_between(b, -0.8, 0.8) * z;
+                     cut = kit_between(b, -0.8, 0.8) * z;
         kit_box(b, x0 + 0.003, -0.1, -z, x1 - 0.003, -kit_between(b, 0, 0.003), cut);
         kit_box(b, x0 + 0.003, -0.1, cut + 0.004, x1 - 0.003, -kit_between(b, 0, 0.003), z);
     }
@@ -80,7 +82,10 @@ static void courtyard(kit_plot *p, double x, double z, double high)
         scan_picture(b, wide, kit_between(b, 0.7, 1.4), kit_between(b, 1.4, 1.8));
         kit_leave(b, before);
     }
-    p->stand[0] = 0.3 - x; p->stand[1] = 0.3 - z; p->stand[2] = x - 0.3; p->stand[3] = z - 0.3;
+    p->stand[0] = 0.3 - x;
+    p->stand[1] = 0.3 - z;
+    p->stand[2] = x - 0.3;
+    p->stand[3] = z - 0.3;
 }
 
 /* ---- >>layouts ------------------------------------------------------------------------------------------------- */
@@ -101,7 +106,10 @@ static void clutter(kit_plot *p, kit_style *s, double wide, double deep, double 
         if (what == 6) scan_bottle(b, kit_between(b, 0.18, 0.34));
         if (what == 7) scan_brushes(b);
         if (what == 8) scan_papers(b, 1 + kit_choose(b, 4));
-        if (what == 9) { scan_tint(b, KIT_OF_WOOD, 0.2); scan_crate(b, kit_between(b, 0.15, 0.28), kit_between(b, 0.08, 0.2)); }
+        if (what == 9) {
+            scan_tint(b, KIT_OF_WOOD, 0.2);
+            scan_crate(b, kit_between(b, 0.15, 0.28), kit_between(b, 0.08, 0.2));
+        }
         if (what > 4 && what < 10) scan_sight(p, 0, 0.08, 0, 0.17);
         kit_leave(b, before);
     }
@@ -125,7 +133,7 @@ static void studio(kit_plot *p, kit_style *s)
     kit_colour(b, 0.75, 0.75, 0.73);
     kit_place_at(b, 0, high - 0.03, 0, 0);
     kit_cylinder(b, disc, 0.03, 64);
-    for (int k = 0; k < 36; k++) {                                                     /* marks */
+    for (int k = 0; k < 36; k++) { /* marks */
         kit_colour(b, k & 1 ? 0.05 : 0.85, k % 3 ? 0.05 : 0.4, 0.05);
         kit_place_at(b, 0, high, 0, 10 * k);
         kit_box(b, -0.02, 0, 0.86 * disc, 0.02, 0.002, 0.96 * disc);
@@ -137,7 +145,7 @@ static void studio(kit_plot *p, kit_style *s)
     for (int k = 0, count = kit_choose(b, 5); k < count; k++) {
         const double a = 0.8 + 0.5 * k;
         scan_place_upright(p, s, NEXT(b, s, small_ones), 2.1 * cos(a), 0.002, 2.1 * sin(a), kit_between(b, 0, 360),
-                          kit_between(b, 0.2, 0.6));
+                           kit_between(b, 0.2, 0.6));
     }
     for (int k = 0, count = 2 + kit_choose(b, 3); k < count; k++) {
         const double a = -0.4 + 2.2 * k + kit_between(b, 0, 0.5), far = kit_between(b, 1.9, 2.4);
@@ -183,14 +191,16 @@ static void gallery(kit_plot *p, kit_style *s)
         scan_tint(b, KIT_OF_STONE, 0.15);
         scan_plinth(b, fmax(0.35, tall * fmin(0.9, scan_slim(which))) + 0.1, high);
         scan_place_upright(p, s, which, 0, high + 0.001, 0, 0, tall);
-        if (kit_odds(b, 0.2)) { kit_begin_object(b, "barrier", -1); scan_barrier(b, 0.85, 0.75); }
+        if (kit_odds(b, 0.2)) {
+            kit_begin_object(b, "barrier", -1);
+            scan_barrier(b, 0.85, 0.75);
+        }
         kit_leave(b, before);
         made++;
     }
     for (int k = 0; k < 3; k++) {
         const kit_frame before = kit_enter(b, kit_between(b, -0.6, 0.6) * x, 0.001,
-                                           kit_between(b, -0.8, 0.8) * step * 0.25 + (k - 1) * step * 0.5,
-                                           0, 1);
+                                           kit_between(b, -0.8, 0.8) * step * 0.25 + (k - 1) * step * 0.5, 0, 1);
         kit_begin_object(b, "bench", -1);
         scan_tint(b, KIT_OF_WOOD, 0.2);
         scan_bench(b, kit_between(b, 1, 1.8));
@@ -210,7 +220,9 @@ static void table(kit_plot *p, kit_style *s)
     kit_build *b = &p->b;
     const double wide = kit_between(b, 1.4, 2.8), deep = kit_between(b, 0.8, 1.5), high = kit_between(b, 0.7, 0.95);
     courtyard(p, kit_between(b, 2.2, 4), kit_between(b, 2, 3), kit_between(b, 2.6, 3.6));
-    p->of[0] = 0.5 * wide; p->of[1] = 0.5 * deep; p->of[2] = high;
+    p->of[0] = 0.5 * wide;
+    p->of[1] = 0.5 * deep;
+    p->of[2] = high;
     p->of[3] = kit_odds(b, 0.7) ? 1 : 0;
     p->ground = on_table;
     kit_begin_object(b, "table", 1);
@@ -253,23 +265,25 @@ static void cabinet(kit_plot *p, kit_style *s, int across, int rows, double side
             kit_box(b, -x + i * side + 0.0125, 0.28 + k * side, 0.001, -x + (i + 1) * side - 0.0125, 0.3 + k * side,
                     deep - 0.002);
     for (int k = 0; k < rows * across; k++) {
-        const double px = -x + (k % across + 0.5) * side, y = 0.3 + (double)(k / across) * side,
-            h = 0.5 * side - 0.014, f = 0.02;
+        const double px = -x + (k % across + 0.5) * side, y = 0.3 + (double)(k / across) * side, h = 0.5 * side - 0.014,
+                     f = 0.02;
         kit_colour(b, 0.5, 0.4, 0.2);
         kit_place_at(b, px, y, deep - 0.001, 0);
-        kit_box(b, -h, 0, 0, h, f, 0.012); kit_box(b, -h, side - 0.02 - f, 0, h, side - 0.021, 0.012);
-        kit_box(b, -h, f, 0, f - h, side - 0.02 - f, 0.012); kit_box(b, h - f, f, 0, h, side - 0.02 - f, 0.012);
+        kit_box(b, -h, 0, 0, h, f, 0.012);
+        kit_box(b, -h, side - 0.02 - f, 0, h, side - 0.021, 0.012);
+        kit_box(b, -h, f, 0, f - h, side - 0.02 - f, 0.012);
+        kit_box(b, h - f, f, 0, h, side - 0.02 - f, 0.012);
         kit_colour(b, 0.85, 0.84, 0.8);
         kit_place_tilted(b, px, y + 0.001, deep - 0.03, 0, -60);
-        kit_leaf(b, 0.06, 0.04, 0.05, 1, 0);                                            /* a label */
+        kit_leaf(b, 0.06, 0.04, 0.05, 1, 0); /* a label */
     }
     kit_place_at(b, 0, 0, 0, 0);
     for (int k = 0; k < rows * across; k++) {
         const double px = -x + (k % across + 0.5) * side, y = 0.3 + (double)(k / across) * side + 0.001;
         const int which = NEXT(b, s, small_ones);
         const double most = side * fmin(0.8, 0.62 / scan_slim(which));
-        if (kit_odds(b, 0.88)) scan_place_upright(p, s, which, px, y, 0.5 * deep, kit_between(b, -40, 40),
-                                                 most * kit_between(b, 0.7, 1));
+        if (kit_odds(b, 0.88))
+            scan_place_upright(p, s, which, px, y, 0.5 * deep, kit_between(b, -40, 40), most * kit_between(b, 0.7, 1));
     }
 }
 
@@ -315,11 +329,15 @@ static void store(kit_plot *p, kit_style *s)
         const int what = kit_choose(b, 9);
         const kit_frame before = kit_enter(b, px + kit_between(b, -0.08, 0.08), 0.001, pz, kit_between(b, -12, 12), 1);
         scan_sight(p, 0, 0.6, 0, 0.7);
-        if (what < 6) { kit_begin_object(b, "pallet", -1); scan_tint(b, KIT_OF_WOOD, 0.2); scan_pallet(b); }
+        if (what < 6) {
+            kit_begin_object(b, "pallet", -1);
+            scan_tint(b, KIT_OF_WOOD, 0.2);
+            scan_pallet(b);
+        }
         if (what < 4 && made < 12) {
             const int which = NEXT(b, s, all_kinds);
             scan_place_upright(p, s, which, 0, 0.126, 0, kit_between(b, 0, 360),
-                              fmin(kit_between(b, 0.8, 1.9), 0.95 / scan_slim(which)));
+                               fmin(kit_between(b, 0.8, 1.9), 0.95 / scan_slim(which)));
             made++;
         }
         if (what == 4 || what == 5) {
@@ -328,8 +346,11 @@ static void store(kit_plot *p, kit_style *s)
             KIT_TINT(b, walls, 0.2);
             scan_drape(b, kit_between(b, 0.2, 0.4), high, high + kit_between(b, -0.2, 0.4));
         }
-        if (what == 6) { kit_begin_object(b, "crate", -1); scan_tint(b, KIT_OF_WOOD, 0.2);
-                         scan_crate(b, kit_between(b, 0.5, 0.9), kit_between(b, 0.4, 1)); }
+        if (what == 6) {
+            kit_begin_object(b, "crate", -1);
+            scan_tint(b, KIT_OF_WOOD, 0.2);
+            scan_crate(b, kit_between(b, 0.5, 0.9), kit_between(b, 0.4, 1));
+        }
         if (what == 7) scan_place_upright(p, s, ROCK, 0, 0.001, 0, 0, 0.8);
         kit_leave(b, before);
     }
@@ -337,9 +358,8 @@ static void store(kit_plot *p, kit_style *s)
 
 void kit_make_scan(kit_plot *p)
 {
-    static void (*const layouts[])(kit_plot *, kit_style *) = { studio, gallery, table, museum, store, scan_ruins,
-                                                                scan_sands,
-                                                            scan_garden };
+    static void (*const layouts[])(kit_plot *, kit_style *) = { studio, gallery,    table,      museum,
+                                                                store,  scan_ruins, scan_sands, scan_garden };
     kit_build *b = &p->b;
     kit_style s;
     s.cells = (int)(40 * pow(2, kit_chance(b)));

@@ -14,7 +14,7 @@ static kit_blob *add(kit_clay *c, kit_blob blob)
 }
 
 kit_blob *scan_limb(kit_clay *c, double x0, double y0, double z0, double r0, double x1, double y1, double z1, double r1,
-                   double blend)
+                    double blend)
 {
     return add(c, (kit_blob){ { x0, y0, z0 }, { x1, y1, z1 }, r0, r1, blend, KIT_LIMB, 0 });
 }
@@ -25,7 +25,7 @@ kit_blob *scan_egg(kit_clay *c, double x, double y, double z, double rx, double 
 }
 
 kit_blob *scan_block(kit_clay *c, double x, double y, double z, double hx, double hy, double hz, double round,
-                    double blend)
+                     double blend)
 {
     return add(c, (kit_blob){ { x, y, z }, { hx, hy, hz }, round, 0, blend, KIT_BLOCK, 0 });
 }
@@ -54,7 +54,10 @@ void scan_cut_ball(kit_clay *c, double x, double y, double z, double radius, dou
 static double to_limb(const kit_blob *b, const double p[3])
 {
     double along[3], from[3], off[3];
-    for (int i = 0; i < 3; i++) { along[i] = b->b[i] - b->a[i]; from[i] = p[i] - b->a[i]; }
+    for (int i = 0; i < 3; i++) {
+        along[i] = b->b[i] - b->a[i];
+        from[i] = p[i] - b->a[i];
+    }
     const double t = fmax(0, fmin(1, kit_dot(from, along) / fmax(1e-12, kit_dot(along, along))));
     for (int i = 0; i < 3; i++) off[i] = from[i] - t * along[i];
     return sqrt(kit_dot(off, off)) - (b->ra + t * (b->rb - b->ra));
@@ -112,17 +115,17 @@ static double to_clay(const kit_clay *c, const short *near, int count, const dou
 
 /* ---- >>grid ---------------------------------------------------------------------------------------------------- */
 
-enum { BRICK = 4 };                        /* samples along a side of what is sampled or left out together */
+enum { BRICK = 4 }; /* samples along a side of what is sampled or left out together */
 
 /* value: at n[0] x n[1] x n[2] corners, x fastest; net: number of the cell's vertex, at its lower corner, or -1 */
 typedef struct grid {
     const kit_clay *clay;
-    int         n[3];
-    double      low[3], cell;
-    float      *value;
-    int        *net;
+    int n[3];
+    double low[3], cell;
+    float *value;
+    int *net;
     kit_vertex *vertex;
-    int         vertices, room;
+    int vertices, room;
 } grid;
 
 static size_t index_of(const grid *g, int x, int y, int z)
@@ -132,7 +135,10 @@ static size_t index_of(const grid *g, int x, int y, int z)
 
 static void bounds_of(const kit_clay *c, double low[3], double high[3])
 {
-    for (int i = 0; i < 3; i++) { low[i] = 1e9; high[i] = -1e9; }
+    for (int i = 0; i < 3; i++) {
+        low[i] = 1e9;
+        high[i] = -1e9;
+    }
     for (int k = 0; k < c->blobs; k++) {
         const kit_blob *b = &c->blob[k];
         for (int i = 0; i < 3 && !b->carved; i++) {
@@ -202,8 +208,8 @@ static void sample(grid *g, const int from[3], int side, const short *of, int co
     else if (side <= BRICK) fill(g, from, side, near, count, middle);
     else
         for (int k = 0; k < 8; k++) {
-            const int half = side / 2, at[3] = { from[0] + (k & 1) * half, from[1] + (k >> 1 & 1) * half,
-                                                 from[2] + (k >> 2) * half };
+            const int half = side / 2,
+                      at[3] = { from[0] + (k & 1) * half, from[1] + (k >> 1 & 1) * half, from[2] + (k >> 2) * half };
             sample(g, at, half, near, count);
         }
 }
@@ -245,7 +251,7 @@ static void gradient(const float corner[8], const double at[3], double out[3])
         out[i] = 0;
         for (int k = 0; k < 8; k++)
             out[i] += (k >> i & 1 ? 1 : -1) * (double)corner[k] * (k >> u & 1 ? at[u] : 1 - at[u])
-                      * (k >> v & 1 ? at[v] : 1 - at[v]);
+                    * (k >> v & 1 ? at[v] : 1 - at[v]);
     }
     if (!kit_unit(out)) out[1] = 1;
 }
@@ -289,8 +295,8 @@ static int is_missing(const kit_clay *c, const double p[3])
         const kit_missing *m = &c->missing[k];
         const double off[3] = { p[0] - m->n[0], p[1] - m->n[1], p[2] - m->n[2] };
         const double d = m->ball ? m->d - sqrt(kit_dot(off, off)) : kit_dot(p, m->n) - m->d;
-        if (d > (m->jag > 0 ? m->jag * kit_fractal((unsigned)c->seed + 77u, 9 * p[0], 9 * p[1], 9 * p[2], 3)
-                 : 0)) return 1;
+        if (d > (m->jag > 0 ? m->jag * kit_fractal((unsigned)c->seed + 77u, 9 * p[0], 9 * p[1], 9 * p[2], 3) : 0))
+            return 1;
     }
     return 0;
 }
@@ -314,8 +320,8 @@ static void emit(kit_build *b, const grid *g, const kit_vertex *v0, const kit_ve
             for (int i = 0; i < 3; i++) v[k].n[i] = kit_dot(face, sum) < 0 ? -face[i] : face[i];
     memcpy(albedo, b->albedo, sizeof albedo);
     if (c->stain > 0) {
-        const double by = 1 + c->stain * kit_fractal((unsigned)c->seed + 5u, 5 * middle[0], 5 * middle[1],
-                                                     5 * middle[2], 2);
+        const double by =
+            1 + c->stain * kit_fractal((unsigned)c->seed + 5u, 5 * middle[0], 5 * middle[1], 5 * middle[2], 2);
         for (int i = 0; i < 3; i++) b->albedo[i] = (float)fmax(0.02, fmin(0.92, by * (double)albedo[i]));
     }
     kit_triangle(b, &v[0], &v[1], &v[2]);

@@ -50,28 +50,31 @@ static double terraced(double q, double steps, double riser)
 
 /* ---- >>heights: x and z in the land's unit of length, results in its unit of height ------------------------------ */
 
-typedef struct land { unsigned seed; double rough, a, b; } land;
+typedef struct land {
+    unsigned seed;
+    double rough, a, b;
+} land;
 
 static double hills(const land *l, double x, double z)
 {
     const double calm = 0.25 + 0.75 * smooth(0.2, 1.6, sqrt(x * x + z * z));
     return calm * (0.55 * rolling(l->seed, 0.8 * x, 0.8 * z, 3) + l->rough * ridged(l->seed + 9, x, z, 5))
-           + 0.06 * l->rough * rolling(l->seed + 20, 7 * x, 7 * z, 3);
+         + 0.06 * l->rough * rolling(l->seed + 20, 7 * x, 7 * z, 3);
 }
 
 static double riverbed(const land *l, double x, double z)
 {
     const double d = fabs(x - 0.5 * kit_noise(l->seed, 0.7 * z, 0.5, 0) - 0.2 * kit_noise(l->seed + 1, 2 * z, 0.5, 0))
-                     + 0.1 * rolling(l->seed + 2, 2 * x, 2 * z, 3);
+                   + 0.1 * rolling(l->seed + 2, 2 * x, 2 * z, 3);
     return 0.35 * smooth(0.3, 0.3 + 0.4 * l->a, d) + smooth(0.9, 4, d) * (0.8 + rolling(l->seed + 4, x, z, 4))
-           + 0.06 * rolling(l->seed + 7, 5 * x, 3 * z, 4) + 0.1 * l->rough * ridged(l->seed + 3, 2 * x, 2 * z, 4);
+         + 0.06 * rolling(l->seed + 7, 5 * x, 3 * z, 4) + 0.1 * l->rough * ridged(l->seed + 3, 2 * x, 2 * z, 4);
 }
 
 static double canyon(const land *l, double x, double z)
 {
     const double bend = 0.9 * kit_noise(l->seed, 0.5 * z, 0.5, 0) + 0.3 * kit_noise(l->seed + 1, 1.6 * z, 0.5, 0);
     const double d = fabs(x - bend) + 0.3 * rolling(l->seed + 2, 1.3 * x, 1.3 * z, 5)
-                     - 0.35 * ridged(l->seed + 5, 0.9 * x, 0.9 * z, 3);
+                   - 0.35 * ridged(l->seed + 5, 0.9 * x, 0.9 * z, 3);
     const double q = smooth(0.2, 1.5, d) * (1 + 0.15 * rolling(l->seed + 8, 0.7 * x, 0.7 * z, 2));
     return 0.9 * terraced(q, l->a, l->b) + 0.1 * q + 0.02 * l->rough * rolling(l->seed + 6, 9 * x, 9 * z, 3);
 }
@@ -109,10 +112,10 @@ static double dunes(const land *l, double x, double z)
 static double mesas(const land *l, double x, double z)
 {
     const double m = kit_noise(l->seed, 0.8 * x, 0.5, 0.8 * z) + 0.35 * rolling(l->seed + 1, 2 * x, 2 * z, 4)
-                     - 0.5 * smooth(0.9, 0.2, sqrt(x * x + z * z));
+                   - 0.5 * smooth(0.9, 0.2, sqrt(x * x + z * z));
     const double apron = 0.3 * smooth(-0.35, 0.25, m), wall = terraced(smooth(0.1, 0.3, m), l->a, l->b);
     return apron + 0.9 * wall + 0.04 * l->rough * rolling(l->seed + 6, 4 * x, 4 * z, 4)
-           + 0.02 * l->rough * ridged(l->seed + 11, 5 * x, 5 * z, 3);
+         + 0.02 * l->rough * ridged(l->seed + 11, 5 * x, 5 * z, 3);
 }
 
 static double lava(const land *l, double x, double z)
@@ -121,7 +124,7 @@ static double lava(const land *l, double x, double z)
                  ropes = fabs(sin(14 * flow + 3 * kit_noise(l->seed + 2, 2 * x, 0.5, 2 * z)));
     const double crack = fabs(rolling(l->seed + 3, 1.5 * x, 1.5 * z, 3));
     return 0.5 * ridged(l->seed + 5, x, z, 6) + 0.35 * l->rough * ridged(l->seed + 8, 4 * x, 4 * z, 4) + 0.03 * ropes
-           - 0.5 * l->a * smooth(0.06, 0, crack) + 0.5 * rolling(l->seed + 12, 0.3 * x, 0.3 * z, 2);
+         - 0.5 * l->a * smooth(0.06, 0, crack) + 0.5 * rolling(l->seed + 12, 0.3 * x, 0.3 * z, 2);
 }
 
 static double glacier(const land *l, double x, double z)
@@ -142,7 +145,7 @@ static double quarry(const land *l, double x, double z)
     const double pit = terraced(fmax(0, fmin(1, 0.8 * d)), l->a, 0.12);
     const double ramp = smooth(0.16, 0.1, fabs(z - 0.3)) * smooth(0, 0.3, x);
     return (1 - ramp) * pit + ramp * fmax(0, fmin(1, 0.8 * d)) + 0.012 * l->rough * ridged(l->seed + 3, 5 * x, 5 * z, 4)
-           + smooth(1.4, 5, d) * (0.4 + 0.8 * rolling(l->seed + 6, 0.6 * x, 0.6 * z, 4));
+         + smooth(1.4, 5, d) * (0.4 + 0.8 * rolling(l->seed + 6, 0.6 * x, 0.6 * z, 4));
 }
 
 static double alps(const land *l, double x, double z)
@@ -159,15 +162,15 @@ static double plain(const land *l, double x, double z)
 {
     const double away = sqrt(x * x + z * z);
     return 0.4 * rolling(l->seed, x, z, 3) + 0.12 * l->rough * rolling(l->seed + 4, 6 * x, 6 * z, 4)
-           + l->a * smooth(2, 30, away) * rolling(l->seed + 6, 0.06 * x, 0.06 * z, 4);
+         + l->a * smooth(2, 30, away) * rolling(l->seed + 6, 0.06 * x, 0.06 * z, 4);
 }
 
 double land_height(const kit_plot *p, double x, double z)
 {
     static double (*const of_land[])(const land *, double, double) = {
-        [KIT_HILLS] = hills, [KIT_RIVERBED] = riverbed, [KIT_CANYON] = canyon, [KIT_SCARP] = scarp, [KIT_SHORE] = shore,
-        [KIT_DUNES] = dunes, [KIT_MESAS] = mesas, [KIT_LAVA] = lava, [KIT_GLACIER] = glacier, [KIT_QUARRY] = quarry,
-        [KIT_ALPS] = alps, [KIT_PLAIN] = plain
+        [KIT_HILLS] = hills,     [KIT_RIVERBED] = riverbed, [KIT_CANYON] = canyon, [KIT_SCARP] = scarp,
+        [KIT_SHORE] = shore,     [KIT_DUNES] = dunes,       [KIT_MESAS] = mesas,   [KIT_LAVA] = lava,
+        [KIT_GLACIER] = glacier, [KIT_QUARRY] = quarry,     [KIT_ALPS] = alps,     [KIT_PLAIN] = plain
     };
     const double *of = p->of, c = cos(of[KIT_OF_TURN]) / of[KIT_OF_LENGTH],
                  s = sin(of[KIT_OF_TURN]) / of[KIT_OF_LENGTH];
@@ -194,7 +197,12 @@ double land_slope(const kit_plot *p, double x, double z, double step)
 
 /* ---- >>mesh ------------------------------------------------------------------------------------------------------ */
 
-typedef struct grid { const kit_plot *p; const kit_lay *lay; kit_vertex *v; int side; } grid;
+typedef struct grid {
+    const kit_plot *p;
+    const kit_lay *lay;
+    kit_vertex *v;
+    int side;
+} grid;
 
 static kit_vertex *corner(const grid *g, int i, int j)
 {
@@ -281,7 +289,10 @@ static void add_triangle(kit_plot *p, const kit_soil *soil, const kit_vertex *a,
     double e1[3], e2[3], n[3];
     set_colour(&p->b, soil, v, (unsigned)p->of[KIT_OF_SEED] + 50, 0.2 * p->of[KIT_OF_LENGTH]);
     if (facets) {
-        for (int i = 0; i < 3; i++) { e1[i] = b->p[i] - a->p[i]; e2[i] = c->p[i] - a->p[i]; }
+        for (int i = 0; i < 3; i++) {
+            e1[i] = b->p[i] - a->p[i];
+            e2[i] = c->p[i] - a->p[i];
+        }
         kit_cross(e1, e2, n);
         kit_unit(n);
         for (int k = 0; k < 3; k++) memcpy(flat[k].n, n, sizeof n);
@@ -292,7 +303,10 @@ static void add_triangle(kit_plot *p, const kit_soil *soil, const kit_vertex *a,
 void land_build(kit_plot *p, const kit_soil *soil, const kit_lay *lay)
 {
     grid g = { p, lay, NULL, lay->cells + 1 };
-    if ((g.v = malloc((size_t)g.side * (size_t)g.side * sizeof *g.v)) == NULL) { p->b.failed = 1; return; }
+    if ((g.v = malloc((size_t)g.side * (size_t)g.side * sizeof *g.v)) == NULL) {
+        p->b.failed = 1;
+        return;
+    }
     find_heights(&g, &p->b);
     if (lay->ledges > 0) push_ledges(&g);
     for (int j = 0; j < lay->cells; j++)

@@ -89,7 +89,7 @@ void kit_ruins(kit_site *s)
     s->soil = *soils[kit_choose(b, 5)];
     if (kit_odds(b, 0.5)) memcpy(s->soil.steep, kit_limestone.steep, sizeof kit_limestone.steep);
     land_set_land(s, s->soil.level[0] > 0.7f ? KIT_DUNES : KIT_HILLS, kit_between(b, 25, 50), kit_between(b, 1.5, 6), 0,
-                 0);
+                  0);
     land_lay_ground(s, 250, 0.25, 20, 0);
     for (int k = way ? land_some(s, 1, 3) : 0; k > 0; k--)
         colonnade(s, land_any_spot(s, 0, 8), kit_choose(b, 2) * 90 + kit_between(b, -5, 5), land_some(s, 3, 6));
@@ -157,7 +157,9 @@ void kit_standing_stones(kit_site *s)
 /* ---- >>cave ------------------------------------------------------------------------------------------------------ */
 
 /* half axes, and which part of u and v is there */
-typedef struct shell { double half[3], part[4]; } shell;
+typedef struct shell {
+    double half[3], part[4];
+} shell;
 
 static void shell_surface(const void *shape, double u, double v, kit_vertex *out)
 {
@@ -208,7 +210,7 @@ static void dripstones(kit_site *s, const double half[3], int count, double u)
         if (way != 1) {
             kit_place_tilted(b, at.x, top + 0.12 * half[1], at.z, 0, 180);
             land_spire(b, thick * (way > 2 ? 3 : 1.4),
-                      0.25 * half[1] + (way > 2 ? 0.75 : 0.2 + 0.1 * length) * (top - ground), 0.2, 12);
+                       0.25 * half[1] + (way > 2 ? 0.75 : 0.2 + 0.1 * length) * (top - ground), 0.2, 12);
         }
         if (way) {
             kit_place_at(b, at.x, ground, at.z, 0);

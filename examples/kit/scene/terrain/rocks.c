@@ -56,7 +56,10 @@ void land_rough_surface(const void *shape, double u, double v, kit_vertex *out)
 
 /* ---- >>boulders -------------------------------------------------------------------------------------------------- */
 
-typedef struct boulder { double half[3], rough, layers; unsigned seed; } boulder;
+typedef struct boulder {
+    double half[3], rough, layers;
+    unsigned seed;
+} boulder;
 
 static void boulder_point(const boulder *s, const double way[3], double out[3])
 {
@@ -114,7 +117,8 @@ static void boulder_side(kit_build *b, const boulder *s, const double sign[3], i
             for (int k = 0; k < 2; k++) {
                 const kit_vertex *v[3] = { &old[i + k], &now[i], k ? &now[i + 1] : &old[i + 1] };
                 if (k && i == cells - j) continue;
-                const double p[3][3] = { { v[0]->p[0], v[0]->p[1], v[0]->p[2] }, { v[1]->p[0], v[1]->p[1], v[1]->p[2] },
+                const double p[3][3] = { { v[0]->p[0], v[0]->p[1], v[0]->p[2] },
+                                         { v[1]->p[0], v[1]->p[1], v[1]->p[2] },
                                          { v[2]->p[0], v[2]->p[1], v[2]->p[2] } };
                 if (facets) add_flat(b, p, middle);
                 else kit_triangle(b, v[0], v[1], v[2]);
@@ -134,7 +138,10 @@ void land_rock(kit_build *b, const double half[3], double rough, double layers, 
 /* ---- >>cut stones: what lies behind every one of some planes ----------------------------------------------------- */
 
 enum { PLANES = 24, CORNERS = 32 };
-typedef struct plane { double n[3], off; } plane;
+
+typedef struct plane {
+    double n[3], off;
+} plane;
 
 /* what of a polygon lies behind a plane; how many corners that has */
 static int clipped(double poly[CORNERS][3], int count, const plane *by)
@@ -183,7 +190,7 @@ static void cut_by(kit_build *b, const plane *planes, int count, const double ha
                 p[1][i] = half[i] * poly[c][i];
                 p[2][i] = half[i] * poly[c + 1][i];
             }
-            add_flat(b, (const double (*)[3])p, middle);
+            add_flat(b, (const double(*)[3])p, middle);
         }
     }
 }
@@ -220,7 +227,7 @@ void land_menhir(kit_build *b, double width, double thick, double height)
     plane planes[12];
     const double half[3] = { 0.5 * width, height, 0.5 * thick };
     int count = 0;
-    planes[count++] = (plane){ { 0, -1, 0 }, 0.3 };                        /* what is in the ground */
+    planes[count++] = (plane){ { 0, -1, 0 }, 0.3 }; /* what is in the ground */
     for (int k = 0; k < 9; k++) {
         const double a = 2 * KIT_PI * (k + kit_between(b, -0.3, 0.3)) / 9;
         plane *s = &planes[count++];
@@ -255,7 +262,9 @@ static void arch_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, a = KIT_PI * (1.2 * u - 0.1), t = 2 * KIT_PI * fmod(v + 1, 1),
                  thick = s[1] * (0.7 + 0.6 * fabs(cos(a)));
-    out->n[0] = cos(t) * cos(a); out->n[1] = cos(t) * sin(a); out->n[2] = sin(t);
+    out->n[0] = cos(t) * cos(a);
+    out->n[1] = cos(t) * sin(a);
+    out->n[2] = sin(t);
     out->p[0] = (s[0] + thick * cos(t)) * cos(a);
     out->p[1] = s[2] * (s[0] + thick * cos(t)) * sin(a);
     out->p[2] = thick * sin(t) * 0.8;
@@ -273,8 +282,12 @@ static void spire_surface(const void *shape, double u, double v, kit_vertex *out
 {
     const double *s = shape, a = 2 * KIT_PI * u, h = fmax(0, fmin(1, v)),
                  r = s[0] * (1 - h) * (0.35 + 0.65 * (1 - h)) + 0.45 * s[0] * sqrt(h * (1 - h));
-    out->p[0] = r * cos(a); out->p[1] = s[1] * (1.05 * h - 0.05); out->p[2] = r * sin(a);
-    out->n[0] = cos(a); out->n[1] = 0.2 + 3 * h * h * h * h; out->n[2] = sin(a);
+    out->p[0] = r * cos(a);
+    out->p[1] = s[1] * (1.05 * h - 0.05);
+    out->p[2] = r * sin(a);
+    out->n[0] = cos(a);
+    out->n[1] = 0.2 + 3 * h * h * h * h;
+    out->n[2] = sin(a);
     kit_unit(out->n);
 }
 
@@ -305,7 +318,7 @@ void land_basalt_columns(kit_build *b, double radius, int rows, double height)
                 outline[k][1] = -size * sin(a);
             }
             kit_place_at(b, x, -0.3 * height, z, 0);
-            kit_prism(b, (const double (*)[2])outline, 6, 0.3 * height + fmax(0.1 * step, tall));
+            kit_prism(b, (const double(*)[2])outline, 6, 0.3 * height + fmax(0.1 * step, tall));
         }
 }
 
@@ -335,8 +348,12 @@ static void drum_surface(const void *shape, double u, double v, kit_vertex *out)
     const double *s = shape, a = 2 * KIT_PI * u, flute = fabs(sin(10 * a)),
                  r = s[0] * (1 - 0.12 * v) * (0.94 + 0.06 * sqrt(flute));
     const double top = s[1] * (1 - s[2] * (0.5 + 0.5 * cos(a - s[3]) + 0.15 * sin(7 * a)));
-    out->p[0] = r * cos(a); out->p[1] = v * top; out->p[2] = r * sin(a);
-    out->n[0] = cos(a); out->n[1] = 0; out->n[2] = sin(a);
+    out->p[0] = r * cos(a);
+    out->p[1] = v * top;
+    out->p[2] = r * sin(a);
+    out->n[0] = cos(a);
+    out->n[1] = 0;
+    out->n[2] = sin(a);
 }
 
 static void drum_top(const void *shape, double u, double v, kit_vertex *out)
@@ -344,9 +361,11 @@ static void drum_top(const void *shape, double u, double v, kit_vertex *out)
     kit_vertex rim;
     drum_surface(shape, u, 1, &rim);
     const double *s = shape;
-    out->p[0] = v * rim.p[0]; out->p[2] = v * rim.p[2];
+    out->p[0] = v * rim.p[0];
+    out->p[2] = v * rim.p[2];
     out->p[1] = v * rim.p[1] + (1 - v) * s[1] * (1 - 0.5 * s[2]);
-    out->n[0] = out->n[2] = 0; out->n[1] = 1;
+    out->n[0] = out->n[2] = 0;
+    out->n[1] = 1;
 }
 
 void land_drum_column(kit_build *b, double radius, double height, int broken)

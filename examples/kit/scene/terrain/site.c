@@ -72,8 +72,11 @@ kit_spot land_level_spot(kit_site *s, double near, double far)
     for (int k = 0; k < 10; k++) {
         const kit_spot at = land_any_spot(s, near, far);
         const double slope = land_slope(s->p, at.x, at.z, 0.5 * s->unit)
-                             + (land_height(s->p, at.x, at.z) < s->p->of[KIT_OF_LEVEL] ? 9 : 0);
-        if (slope < least) { least = slope; best = at; }
+                           + (land_height(s->p, at.x, at.z) < s->p->of[KIT_OF_LEVEL] ? 9 : 0);
+        if (slope < least) {
+            least = slope;
+            best = at;
+        }
     }
     return best;
 }
@@ -108,7 +111,7 @@ void land_see(kit_site *s, kit_spot at, double up, double reach)
 
 /* ---- >>stones ---------------------------------------------------------------------------------------------------- */
 
-void land_stone_colour(kit_site *s) { kit_tint(s->b, (const float (*)[3])&s->soil.steep, 1, 0.16); }
+void land_stone_colour(kit_site *s) { kit_tint(s->b, (const float(*)[3]) & s->soil.steep, 1, 0.16); }
 
 /* one, about the origin, of the site's kind; fine: cells */
 void land_stone(kit_site *s, double size, int fine)
@@ -179,7 +182,10 @@ void land_see_land(kit_site *s, int count, double near, double far, double reach
         for (int i = 0; i < 8; i++) {
             const kit_spot at = land_any_spot(s, near, far);
             const double slope = land_slope(s->p, at.x, at.z, 0.3 * reach);
-            if (slope > most) { most = slope; best = at; }
+            if (slope > most) {
+                most = slope;
+                best = at;
+            }
         }
         land_see(s, best, 0, reach);
     }
@@ -193,7 +199,7 @@ void land_strew_about_sights(kit_site *s, double probability)
         const double most = fmin(0.3 * at->reach, 2 * s->unit) * kit_between(s->b, 0.4, 1);
         if (!kit_odds(s->b, probability) || at->reach > 14 * s->unit) continue;
         land_strew(s, "stones", (kit_spot){ at->at[0], at->at[2] }, 1.6 * fmin(at->reach, 8 * s->unit),
-                  land_some(s, 12, 35), 0.1 * most, most);
+                   land_some(s, 12, 35), 0.1 * most, most);
     }
 }
 

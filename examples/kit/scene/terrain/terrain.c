@@ -42,7 +42,7 @@ static void riverbed(kit_site *s)
     land_put_firs(s, land_some(s, 0, 5), 7, 18, 70, 9);
     if (kit_odds(b, 0.4))
         land_jetty(s, (kit_spot){ -6, kit_between(b, -3, 3) }, kit_between(b, -30, 30), 12,
-                  land_height(s->p, 0, 0) + 1);
+                   land_height(s->p, 0, 0) + 1);
     if (kit_odds(b, 0.3)) land_put(s, KIT_BOAT, 2, 8, 4);
 }
 
@@ -84,7 +84,7 @@ static void beach(kit_site *s)
     if (kit_odds(b, 0.4)) land_put(s, KIT_WRECK, 3, 9, kit_between(b, 6, 12));
     if (kit_odds(b, 0.5))
         land_jetty(s, land_any_spot(s, 1, 5), -s->p->of[KIT_OF_TURN] * 180 / KIT_PI - 90 + kit_between(b, -20, 20), 14,
-                  0.5);
+                   0.5);
     if (kit_odds(b, 0.5)) land_fence_somewhere(s, 12);
     land_put_tufts(s, land_some(s, 0, 6), 10, 12, 0.6);
     if (kit_odds(b, 0.3)) land_put_hut(s, 4, 12);
@@ -136,7 +136,7 @@ static void lava_field(kit_site *s)
     s->soil = kit_basalt;
     s->stones = kit_odds(b, 0.5) ? KIT_ANGULAR : KIT_ROUND;
     land_set_land(s, KIT_LAVA, length, length * kit_between(b, 0.25, 0.4),
-                 kit_odds(b, 0.7) ? kit_between(b, 0.4, 1.2) : 0, 0);
+                  kit_odds(b, 0.7) ? kit_between(b, 0.4, 1.2) : 0, 0);
     land_lay_ground(s, 250, 0.14, 16, 0);
     for (int k = land_some(s, 0, 4); k > 0; k--) {
         const kit_spot at = land_level_spot(s, 1, 12);
@@ -161,7 +161,7 @@ static void crevasses(kit_site *s)
     const double length = kit_between(b, 14, 30);
     s->soil = kit_ice;
     land_set_land(s, KIT_GLACIER, length, length * kit_between(b, 0.4, 0.8), kit_between(b, 2, 5),
-                 kit_between(b, 0.3, 0.8));
+                  kit_between(b, 0.3, 0.8));
     s->p->of[KIT_OF_TURN] = 0;
     land_lay_ground(s, 300, 0.2, 18, 0.02 * length);
     s->stones = KIT_BLOCKS;
@@ -226,7 +226,8 @@ static void quarry(kit_site *s)
     static const kit_soil *const soils[] = { &kit_limestone, &kit_chalk, &kit_buff_rock, &kit_gravel };
     s->soil = *soils[kit_choose(b, 4)];
     s->stones = KIT_BLOCKS;
-    land_set_land(s, KIT_QUARRY, length, length * kit_between(b, 0.4, 0.9), land_some(s, 3, 6), kit_between(b, 0.7, 1.3));
+    land_set_land(s, KIT_QUARRY, length, length * kit_between(b, 0.4, 0.9), land_some(s, 3, 6),
+                  kit_between(b, 0.7, 1.3));
     land_lay_ground(s, 250, 0.2, length, 0.01 * length);
     for (int k = land_some(s, 3, 9); k > 0; k--) block_stack(s, land_level_spot(s, 1, 0.8 * length));
     if (kit_odds(b, 0.7)) derrick(s, land_level_spot(s, 0.5, 5));
@@ -243,11 +244,30 @@ static void quarry(kit_site *s)
 
 void kit_make_terrain(kit_plot *p)
 {
-    static land_landscape *const landscapes[] = {
-        hills, riverbed, scree, beach, dunes, desert, lava_field, crevasses, quarry,
-        kit_canyon, kit_mountains, kit_great_mesas, kit_sea_stacks, kit_great_dunes, kit_highlands, kit_hoodoos, kit_tors,
-        kit_ruins, kit_ruins, kit_standing_stones, kit_cave, kit_cave, kit_pebble_ground, kit_pebble_ground
-    };
+    static land_landscape *const landscapes[] = { hills,
+                                                  riverbed,
+                                                  scree,
+                                                  beach,
+                                                  dunes,
+                                                  desert,
+                                                  lava_field,
+                                                  crevasses,
+                                                  quarry,
+                                                  kit_canyon,
+                                                  kit_mountains,
+                                                  kit_great_mesas,
+                                                  kit_sea_stacks,
+                                                  kit_great_dunes,
+                                                  kit_highlands,
+                                                  kit_hoodoos,
+                                                  kit_tors,
+                                                  kit_ruins,
+                                                  kit_ruins,
+                                                  kit_standing_stones,
+                                                  kit_cave,
+                                                  kit_cave,
+                                                  kit_pebble_ground,
+                                                  kit_pebble_ground };
     kit_site s = { p, &p->b, kit_grassy, 1, 0 };
     s.stones = kit_choose(s.b, KIT_STONE_KINDS);
     landscapes[kit_choose(s.b, (int)(sizeof landscapes / sizeof *landscapes))](&s);

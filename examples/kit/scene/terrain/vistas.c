@@ -8,6 +8,7 @@ static const kit_soil *one_of(kit_site *s, const kit_soil *const soils[], int co
 {
     return soils[kit_choose(s->b, count)];
 }
+
 #define ONE_OF(s, soils) *one_of(s, soils, (int)(sizeof soils / sizeof *soils))
 
 void kit_canyon(kit_site *s)
@@ -19,7 +20,7 @@ void kit_canyon(kit_site *s)
     s->soil = ONE_OF(s, soils);
     s->stones = kit_choose(b, 3);
     land_set_land(s, KIT_CANYON, length, length * kit_between(b, 0.6, 1.1), land_some(s, 4, 9),
-                 kit_between(b, 0.25, 0.6));
+                  kit_between(b, 0.25, 0.6));
     if (kit_odds(b, 0.3)) s->p->of[KIT_OF_LEVEL] = 0.01 * length;
     land_lay_ground(s, 250 + 10 * length, 0.22 * u, 0.8 * length, 0.045 * length);
     if (s->p->of[KIT_OF_LEVEL] > -1) land_lay_water(s, 250 + 10 * length, 0.01 * length);
@@ -80,7 +81,7 @@ void kit_sea_stacks(kit_site *s)
     s->soil = ONE_OF(s, soils);
     s->stones = kit_choose(b, 3);
     land_set_land(s, KIT_SHORE, length, length * kit_between(b, 0.5, 0.9), kit_between(b, 0.9, 1.1),
-                 kit_odds(b, 0.5) ? 1 : -1);
+                  kit_odds(b, 0.5) ? 1 : -1);
     s->p->of[KIT_OF_LEVEL] = -0.01 * length;
     land_lay_ground(s, 300 + 12 * length, 0.25 * u, length, 0.04 * length);
     land_lay_water(s, 300 + 12 * length, -0.02 * length);

@@ -6,7 +6,10 @@
 
 /* ---- >>wood ------------------------------------------------------------------------------------------------------ */
 
-typedef struct limb { const double *from, *over, *to; double r0, r1; } limb;
+typedef struct limb {
+    const double *from, *over, *to;
+    double r0, r1;
+} limb;
 
 static void limb_surface(const void *shape, double u, double v, kit_vertex *out)
 {
@@ -20,7 +23,8 @@ static void limb_surface(const void *shape, double u, double v, kit_vertex *out)
     }
     /* the axis that lies most across the limb */
     int k = 0;
-    for (int i = 1; i < 3; i++) if (fabs(whole[i]) < fabs(whole[k])) k = i;
+    for (int i = 1; i < 3; i++)
+        if (fabs(whole[i]) < fabs(whole[k])) k = i;
     axis[k] = 1;
     if (!kit_unit(way)) way[1] = 1;
     kit_cross(way, axis, side);
@@ -33,7 +37,7 @@ static void limb_surface(const void *shape, double u, double v, kit_vertex *out)
 }
 
 void land_bent_limb(kit_build *b, const double from[3], const double over[3], const double to[3], double r0, double r1,
-              int around, int along)
+                    int around, int along)
 {
     const limb l = { from, over, to, r0, r1 };
     kit_patch(b, around, along, limb_surface, &l);
@@ -48,7 +52,7 @@ static void branch(kit_build *b, const double from[3], const double way[3], doub
         to[i] = from[i] + length * (way[i] + kit_between(b, -0.16, 0.16));
     }
     land_bent_limb(b, from, over, to, radius, depth ? 0.55 * radius : 0.1 * radius, 4 + (depth > 0) + 2 * (depth > 1),
-                  depth ? 5 : 3);
+                   depth ? 5 : 3);
     for (int k = 0, count = depth ? 2 + kit_choose(b, 3) : 0; k < count; k++) {
         const double t = k ? kit_between(b, 0.4, 0.98) : 1;
         double at[3], turned[3];
@@ -68,7 +72,7 @@ void land_bare_tree(kit_build *b, double height, int depth)
     double way[3] = { kit_between(b, -0.3, 0.3), 1, kit_between(b, -0.3, 0.3) };
     kit_unit(way);
     branch(b, from, way, 0.45 * height, 0.035 * height, depth);
-    for (int k = 0; k < 5; k++) {                                  /* roots */
+    for (int k = 0; k < 5; k++) { /* roots */
         const double a = 2 * KIT_PI * (k + kit_chance(b)) / 5, r = kit_between(b, 0.08, 0.15) * height;
         const double top[3] = { 0, 0.05 * height, 0 }, over[3] = { 0.5 * r * cos(a), 0.01 * height, 0.5 * r * sin(a) },
                      to[3] = { r * cos(a), -0.03 * height, r * sin(a) };
@@ -129,7 +133,9 @@ static void skirt(const void *shape, double u, double v, kit_vertex *out)
     out->p[0] = r * cos(a);
     out->p[1] = s[1] * (1 - v) - 0.15 * s[1] * v * v * sin(6 * a + s[2]);
     out->p[2] = r * sin(a);
-    out->n[0] = cos(a); out->n[1] = 0.6; out->n[2] = sin(a);
+    out->n[0] = cos(a);
+    out->n[1] = 0.6;
+    out->n[2] = sin(a);
     kit_unit(out->n);
 }
 
@@ -151,7 +157,10 @@ void land_fir_tree(kit_build *b, double height, int tiers)
     kit_leave(b, before);
 }
 
-typedef struct ribbed { limb along; int ribs; } ribbed;
+typedef struct ribbed {
+    limb along;
+    int ribs;
+} ribbed;
 
 static void ribbed_surface(const void *shape, double u, double v, kit_vertex *out)
 {
@@ -188,7 +197,7 @@ void land_cactus(kit_build *b, double height)
 
 void land_prickly_pear(kit_build *b, double height)
 {
-    double foot[24][4] = { { 0 } };                                /* place, turn of the pads */
+    double foot[24][4] = { { 0 } }; /* place, turn of the pads */
     const int pads = 5 + kit_choose(b, 12);
     const double tall = 0.42 * height;
     foot[0][3] = kit_between(b, 0, 180);
@@ -202,7 +211,9 @@ void land_prickly_pear(kit_build *b, double height)
         double off[3], x = k ? kit_between(b, -0.22, 0.22) * tall : 0;
         if (k) {
             const double c = cos(foot[on][3] * KIT_PI / 180), s = sin(foot[on][3] * KIT_PI / 180);
-            foot[k][0] = foot[on][0] + c * x; foot[k][1] = foot[on][1] + 0.8 * tall; foot[k][2] = foot[on][2] - s * x;
+            foot[k][0] = foot[on][0] + c * x;
+            foot[k][1] = foot[on][1] + 0.8 * tall;
+            foot[k][2] = foot[on][2] - s * x;
         }
         foot[k][3] = turn;
         kit_place_tilted(b, 0, 0, 0, turn, lean);
@@ -217,8 +228,12 @@ static void whorl(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, a = 7 * KIT_PI * u, k = s[0] * exp(-2.6 * u), t = 2 * KIT_PI * fmod(v + 1, 1),
                  r = 0.55 * k + 0.45 * k * cos(t);
-    out->n[0] = cos(t) * cos(a); out->n[1] = sin(t); out->n[2] = cos(t) * sin(a);
-    out->p[0] = r * cos(a); out->p[1] = 0.45 * k * sin(t) + 1.9 * (s[0] - k); out->p[2] = r * sin(a);
+    out->n[0] = cos(t) * cos(a);
+    out->n[1] = sin(t);
+    out->n[2] = cos(t) * sin(a);
+    out->p[0] = r * cos(a);
+    out->p[1] = 0.45 * k * sin(t) + 1.9 * (s[0] - k);
+    out->p[2] = r * sin(a);
 }
 
 static void fan(const void *shape, double u, double v, kit_vertex *out)
@@ -227,7 +242,9 @@ static void fan(const void *shape, double u, double v, kit_vertex *out)
     out->p[0] = r * cos(a);
     out->p[1] = s[0] * (0.45 * (1 - pow(2 * v - 1, 2)) * sin(KIT_PI * u) + 0.02 * cos(60 * u) * v);
     out->p[2] = r * sin(a);
-    out->n[0] = 0; out->n[1] = 1; out->n[2] = 0;
+    out->n[0] = 0;
+    out->n[1] = 1;
+    out->n[2] = 0;
 }
 
 void land_shell(kit_build *b, double size)
@@ -295,12 +312,14 @@ void land_hut(kit_build *b, double width, double depth, double height)
     hut_walls(b, width, depth, height, kit_odds(b, 0.3));
     kit_place_at(b, 0, 0, 0, 0);
     for (int k = -1; k <= 1; k += 2) {
-        const double gable[3][3] = { { k * 0.5 * width, eave, -0.5 * depth }, { k * 0.5 * width, eave, 0.5 * depth },
+        const double gable[3][3] = { { k * 0.5 * width, eave, -0.5 * depth },
+                                     { k * 0.5 * width, eave, 0.5 * depth },
                                      { k * 0.5 * width, eave + rise, 0 } };
         kit_vertex v[3];
         for (int i = 0; i < 3; i++) {
             memcpy(v[i].p, gable[i], sizeof v[i].p);
-            v[i].n[0] = k; v[i].n[1] = v[i].n[2] = 0;
+            v[i].n[0] = k;
+            v[i].n[1] = v[i].n[2] = 0;
         }
         kit_triangle(b, &v[0], &v[1], &v[2]);
     }
@@ -311,12 +330,12 @@ void land_hut(kit_build *b, double width, double depth, double height)
                                     { x * k, eave + rise, 0 },
                                     { -x * k, eave + rise, 0 } };
         kit_quad(b, roof);
-        for (double t = -x + 0.2; t < x; t += 0.45) {              /* battens */
+        for (double t = -x + 0.2; t < x; t += 0.45) { /* battens */
             const double from[3] = { t, eave - drop + 0.03, k * z }, to[3] = { t, eave + rise + 0.03, 0 };
             kit_cable(b, from, to, 0, 0.025, 4);
         }
     }
-    if (kit_odds(b, 0.6)) {                                        /* a chimney */
+    if (kit_odds(b, 0.6)) { /* a chimney */
         kit_colour(b, 0.34, 0.26, 0.22);
         kit_bevelled(b, 0.3 * width, -0.5, -0.32 - 0.5 * depth, 0.3 * width + 0.6, height + rise + 0.5,
                      0.2 - 0.5 * depth, 0.03);
@@ -324,7 +343,7 @@ void land_hut(kit_build *b, double width, double depth, double height)
                 height + rise + 0.6, 0.26 - 0.5 * depth);
     }
     kit_colour(b, 0.42, 0.31, 0.2);
-    for (int k = 0; k < 24; k++) {                                 /* logs against a gable */
+    for (int k = 0; k < 24; k++) { /* logs against a gable */
         const double y = 0.09 + 0.17 * (k / 6), off = -0.4 + 0.19 * (k % 6) + 0.09 * (k / 6 % 2);
         const double log[2][3] = { { 0.5 * width + 0.3, y, off }, { 0.5 * width + kit_between(b, 0.75, 0.9), y, off } };
         kit_tube(b, log, 2, kit_between(b, 0.07, 0.09), 7);
@@ -339,7 +358,9 @@ static void hull(const void *shape, double u, double v, kit_vertex *out)
     out->p[0] = 0.5 * s[0] * (t + 0.05 * t * sin(a) * -1);
     out->p[1] = 0.16 * s[0] * (1 + 0.5 * t * t - sin(a) * (0.9 * pow(full, 0.3)));
     out->p[2] = 0.17 * s[0] * full * cos(a);
-    out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = cos(a);
+    out->n[0] = 0;
+    out->n[1] = -sin(a);
+    out->n[2] = cos(a);
 }
 
 void land_boat(kit_build *b, double length)
@@ -357,7 +378,7 @@ void land_boat(kit_build *b, double length)
             hull(&length, 0.02 + 0.06 * k, side > 0 ? 0 : 1, &v);
             memcpy(rail[k], v.p, sizeof rail[k]);
         }
-        kit_tube(b, (const double (*)[3])rail, 17, 0.008 * length, 6);
+        kit_tube(b, (const double(*)[3])rail, 17, 0.008 * length, 6);
     }
 }
 
@@ -401,7 +422,8 @@ void land_tent(kit_build *b, double width, double length, double height)
     }
     for (int i = 0; i < 3; i++) {
         memcpy(v[i].p, back[i], sizeof v[i].p);
-        v[i].n[0] = -1; v[i].n[1] = v[i].n[2] = 0;
+        v[i].n[0] = -1;
+        v[i].n[1] = v[i].n[2] = 0;
     }
     kit_triangle(b, &v[0], &v[1], &v[2]);
 }
