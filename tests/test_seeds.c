@@ -112,7 +112,7 @@ static void no_seeds(void)
     }
 }
 
-/* ---- parts: closed ones have each edge once in either direction, and hold a volume ---------------------------------- */
+/* ---- parts: closed ones have each edge once in either direction, and hold a volume ----------------------------- */
 
 typedef struct edge {
     float from[3], to[3];
@@ -176,7 +176,7 @@ static void closed_parts(void)
     }
 }
 
-/* ---- many scenes: their mean and its interval; a chart of them that is interrupted --------------------------------- */
+/* ---- many scenes: their mean and its interval; a chart of them that is interrupted ------------------------------ */
 
 /* 0.2, 0.4, 0.6, 1.2 and one that is not known: mean 0.6, squares about it 0.56, so that the mean's standard error is
    sqrt(0.56 / 3 / 4) = 0.216025. */

@@ -200,13 +200,13 @@ typedef struct kit_scene {
     kit_mesh   *shape;
 } kit_scene;
 
-/* name_or_path: a built-in scene ("room"), one drawn from a seed ("random:7", "random:streets:7"; of the first, the kind
-   is number SEED modulo KIT_KINDS; the same on every machine) or an OBJ file. OBJ: the camera looks at the bounds from the front, above and
-   to the side so that all is in view; radius is a tenth of the bounds' diagonal. floor_: adds a square under an OBJ, at
-   its lowest y, five diagonals wide, as object "floor". Every triangle has an object. Of an OBJ each is its own shape,
-   at its place (to_world 1), and casts unless it is flat (its bounds' thinnest side below 1e-3 of the widest) or its
-   bounds hold those of most other objects entirely, as rooms and grounds do. Built-in scenes say themselves what
-   casts. */
+/* name_or_path: a built-in scene ("room"), one drawn from a seed ("random:7", "random:streets:7"; of the first, the
+   kind is number SEED modulo KIT_KINDS; the same on every machine) or an OBJ file. OBJ: the camera looks at the bounds
+   from the front, above and to the side so that all is in view; radius is a tenth of the bounds' diagonal. floor_: adds
+   a square under an OBJ, at its lowest y, five diagonals wide, as object "floor". Every triangle has an object. Of an
+   OBJ each is its own shape, at its place (to_world 1), and casts unless it is flat (its bounds' thinnest side below
+   1e-3 of the widest) or its bounds hold those of most other objects entirely, as rooms and grounds do. Built-in scenes
+   say themselves what casts. */
 int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_error *err);
 void        kit_scene_free(kit_scene *scene);
 int         kit_scene_seeded(const char *name);    /* whether a name is of a scene that brings its own light */

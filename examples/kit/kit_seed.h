@@ -43,8 +43,9 @@ int    kit_look(kit_scene *s, kit_plot *p, unsigned seed);
 
 /* ---- >>chances ------------------------------------------------------------------------------------------------- */
 
-/* C leaves open in which order a call's arguments are worked out, and compilers differ. So a chance does not follow from
-   those before it, but from where in the text it is drawn and how often it has been drawn there. */
+/* C leaves open in which order a call's arguments are worked out, and compilers differ. So a chance does not follow
+   from those before it, but from where in the text it is drawn and how often it has been drawn there. (A function that
+   draws must not be called twice among one call's arguments.) */
 #define KIT_PLACE __func__, __COUNTER__
 double kit_chance_at(kit_build *b, const char *function, unsigned number);      /* [0, 1) */
 #define kit_chance(b) kit_chance_at(b, KIT_PLACE)
@@ -66,7 +67,7 @@ void   kit_tint_at(kit_build *b, const float palette[][3], int count, double var
 double kit_noise(unsigned seed, double x, double y, double z);
 double kit_fractal(unsigned seed, double x, double y, double z, int octaves);
 
-/* ---- >>parts: beside those of kit_build.h, in local coordinates as they are ----------------------------------------- */
+/* ---- >>parts: beside those of kit_build.h, in local coordinates as they are ------------------------------------ */
 
 /* closed, round, through so many points, corners as they are (at most 256 points) */
 void   kit_tube(kit_build *b, const double at[][3], int count, double radius, int around);

@@ -1,12 +1,13 @@
-/* try.c - settings tried on scenes by seed, for whoever tunes: what each errs by as a share of doing nothing, and how it
-   differs from the first, scene by scene.
+/* try.c - settings tried on scenes by seed, for whoever tunes: what each errs by as a share of doing nothing, and how
+   it differs from the first, scene by scene.
 
-      build/try [--from 0] [--count 70] [--light | --bounce] [--radius R] [--out try.csv] [--against other.csv] METHOD[:key=value,..] ..
+      build/try [--from 0] [--count 70] [--light | --bounce] [--radius R] [--out try.csv] [--against other.csv]
+                METHOD[:key=value,..] ..
 
-   Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused. --light: of irradiance under
-   the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same settings as another build measured them, in the order
-   given; so a change of the headers is tried in two work trees. Pictures are 320x180, truth at every second pixel both
-   ways, kept under build/cache. A process a core. */
+   Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused. --light: of irradiance
+   under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same settings as
+   another build measured them, in the order given; so a change of the headers is tried in two work trees. Pictures are
+   320x180, truth at every second pixel both ways, kept under build/cache. A process a core. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -42,7 +42,7 @@ typedef struct judged {
     int       taken, best, within, good;
 } judged;
 
-/* What is known: a calibration; a survey alone; of that no more than a captured frame tells: neither slabs nor surfels. */
+/* What is known: a calibration; a survey alone; of that what a captured frame tells: neither slabs nor surfels. */
 enum { CALIBRATED, SURVEYED, CAPTURED, KNOWN };
 
 /* 0: there is no such plan. */

@@ -7,7 +7,7 @@
 /* What choices cost and err by on one view, under one light. */
 typedef struct planned_row {
     char name[64];
-    int  timed;                             /* 0: costs of choices are what is predicted, surfels' and fields' are not */
+    int  timed;                             /* 0: costs are what is predicted, but surfels' and fields' */
     ssgi_plan_scene numbers;
     ssgi_plan_scene captured;               /* of the frame alone: no scene, no calibration, no slabs */
     /* NAN: not for this; operations and fetches of all passes, a pixel */
@@ -26,8 +26,8 @@ int planned_seeds_measure(planned_row *rows, int *count, int first, int seeds, k
 /* Measures and keeps them, a process a core; before there is a context. */
 int planned_seeds_ahead(int first, int seeds, const char *context, kit_error *err);
 
-/* Single times are noisy: a choice's cost becomes what is predicted times the median, over the views that were timed, of
-   what it took over that. Surfels and fields, which hang on the scene, stay as measured. */
+/* Single times are noisy: a choice's cost becomes what is predicted times the median, over the views that were timed,
+   of what it took over that. Surfels and fields, which hang on the scene, stay as measured. */
 void planned_smooth(planned_row *rows, int count);
 
 #endif

@@ -1,4 +1,4 @@
-/* ahead.h - many scenes measured ahead, where time is not taken: one process a core, each with a GL context of its own. */
+/* ahead.h - many scenes measured ahead, where time is not taken: one process a core, each with its own GL context. */
 #ifndef LAB_AHEAD_H
 #define LAB_AHEAD_H
 
@@ -8,7 +8,7 @@ typedef struct ahead {
     const char *what, *context;                /* for kit_progress; as --context names it */
     int first, count;                          /* of what is measured */
     int  (*begin)(void *of, kit_error *err);   /* in each process, once there is a context; NULL: nothing */
-    int  (*one)(void *of, int k, kit_error *err);      /* measures the k-th and leaves it where the asking process looks */
+    int  (*one)(void *of, int k, kit_error *err);      /* measures the k-th, leaves it where the asking one looks */
     void *of;
 } ahead;
 

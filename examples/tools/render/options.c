@@ -6,7 +6,7 @@
 #include <string.h>
 
 const char render_usage[] =
-    "usage: render SCENE.obj | NAME | --gbuffer FRAME.exr   [options]\n"
+    "usage: render SCENE.obj | NAME | random:SEED | --gbuffer FRAME.exr   [options]\n"
     "  render SCENE.obj --method hsao --radius 0.5 --out ao.png\n"
     "  render room --truth 256 --out truth.exr\n"
     "  render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20\n"
@@ -21,6 +21,7 @@ const char render_usage[] =
     "  --fovy DEGREES | --ortho-height UNITS\n"
     "  --ground              a square under the mesh\n"
     "  --env F.exr | F.hdr | sky | probe | windows | street | white     radiance, latitude-longitude; lit methods\n"
+    "                        (without it and --light scenes by seed have their own)\n"
     "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
     "16\n"
     "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]; perhaps with motion.X motion.Y,\n"
@@ -269,7 +270,8 @@ static int check_source(const options *o, kit_error *err)
     if (o->planned && (o->sets || o->floor || o->truth))
         return kit_fail(err,
                         "--plan: chooses the method and its settings: --set, --truth and --floor cannot go with it");
-    if (render_plans_light(o) && !o->env) return kit_fail(err, "--plan: light and bounce need --env");
+    if (render_plans_light(o) && !o->env && !(o->scene && kit_scene_seeded(o->scene)))
+        return kit_fail(err, "--plan: light and bounce need --env");
     if (o->planned - 1 == SSGI_PLAN_OBJECTS && o->gbuffer)
         return kit_fail(err, "--plan objects: needs a scene; a frame has no objects to bake");
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
@@ -377,5 +379,7 @@ int render_list(const char *name, kit_error *err)
     if (name) return 0;
     puts("settings of one: --list NAME\n\nbuilt-in scenes");
     for (int i = 0; (scene = kit_scene_builtin(i, &about)) != NULL; ++i) printf("%-12s %s\n", scene, about);
+    puts("\nscenes by seed, with their own light: random:SEED, random:KIND:SEED; kinds");
+    for (int i = 0; (scene = kit_scene_kind(i, &about)) != NULL; ++i) printf("%-12s %s\n", scene, about);
     return 0;
 }

@@ -119,7 +119,8 @@ int render_open_scene(job *j, kit_error *err)
     if (j->o.guess && guess_radius(&j->radius, &j->scene, j->o.json, err)) return -1;
     if (!(j->radius > 0)) j->radius = (double)j->scene.radius;
     j->world.scene = &j->scene;
-    return j->o.env || j->o.lights || !j->method.lit ? 0 : kit_light_scene(&j->lighting, &j->scene, err);
+    const int lit = j->method.lit || render_plans_light(&j->o);
+    return j->o.env || j->o.lights || !lit ? 0 : kit_light_scene(&j->lighting, &j->scene, err);
 }
 
 /* The planned method takes the place of --method's; nothing to do is a picture already. */
