@@ -28,7 +28,7 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
     { "ssao",            "ssao",       "samples=32",                          1 },
     { "ssao, no blur",   "ssao",       "samples=16,blur=0",                   1 },
     { "hsao, half size", "hsao-fast",  "",                                    1 },
-    { "hsao, half size", "hsao-fast",  "steps=6",                             1 },
+    { "hsao, half size", "hsao-fast",  "steps=4",                             1 },
     { "hsao, half size", "hsao",       "",                                    1 },
     { "hsao, half size", "hsao",       "directions=3",                        0 },
     { "hsao, half size", "hsao",       "directions=2,steps=6",                1 },
