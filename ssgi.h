@@ -802,7 +802,8 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 /* ==== >>plan =================================================================================================== */
 
 /* Chooses the cheapest method and settings whose predicted error meets yours, or the least error within your budget.
-   Fitted on ray-traced truth, tested on other scenes: README. A survey improves predictions, a calibration most.
+   Fitted on ray-traced truth of 121 views, tested on other scenes: README. A survey improves predictions, a calibration
+   most.
 
       ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
       s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;   s.thickness = SSGI_PLAN_SLABS;
@@ -4417,48 +4418,48 @@ typedef struct ssgi__plan_row {
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
     SSGI__ROW(VISIBILITY, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.21f, 1.43f, .012f, 1.23f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 8, 0, 0, 0, 0, 1.3f, 1.58f, .008f, 1.14f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.21f, 1.43f, .022f, 1.13f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 8, 0, 0, 0, 0, 1.3f, 1.58f, .012f, 1.11f, 0, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 1.78f, 2.46f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 12, 0, 1, 0, 0, 1.77f, 2.1f, 0, .94f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 0, 1, 10, 0, 0, 0, 0, 2.69f, 3.94f, .004f, .91f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 0, 2, 10, 0, 0, 0, 0, 4.45f, 6.89f, .003f, .85f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 1, 8, 0, 0, 0, 0, 1.33f, 1.63f, .01f, .81f, .38f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 2, 10, 0, 0, 0, 0, 1.83f, 2.51f, .001f, .72f, .33f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 8, 0, 0, 0, 0, 1.77f, 2.1f, .008f, 0, 1.17f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 12, 0, 1, 0, 0, 1.77f, 2.1f, 0, .96f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 0, 1, 10, 0, 0, 0, 0, 2.69f, 3.94f, .009f, .84f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 0, 2, 10, 0, 0, 0, 0, 4.45f, 6.89f, .006f, .78f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 1, 8, 0, 0, 0, 0, 1.33f, 1.63f, .021f, .5f, .64f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 2, 10, 0, 0, 0, 0, 1.83f, 2.51f, .007f, .45f, .58f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 8, 0, 0, 0, 0, 1.77f, 2.1f, .011f, 0, 1.13f, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 2, 10, 0, 0, 0, 0, 2.84f, 3.69f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 2.43f, 2.86f, 0, 0, .94f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 1, 10, 0, 0, 0, 0, 4.76f, 6.36f, .001f, 0, .9f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 2, 10, 0, 0, 0, 0, 7.52f, 11.7f, 0, 0, .82f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 3, 12, 0, 0, 0, 0, 12.1f, 20.1f, 0, 0, .76f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, SURFELS, WIDTH, 0, 0, 0, 0, 0, 0, 0.03f, 6.8f, 3.1f, 0, 0, .47f, .037f, .34f, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, SURFELS, WIDTH, 0, 0, 0, 0, 0, 0, 0.015f, 6.8f, 3.1f, 0, 0, .4f, .23f, .58f, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 2.43f, 2.86f, 0, 0, .96f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 1, 10, 0, 0, 0, 0, 4.76f, 6.36f, .003f, 0, .83f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 2, 10, 0, 0, 0, 0, 7.52f, 11.7f, 0, 0, .78f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 3, 12, 0, 0, 0, 0, 12.1f, 20.1f, 0, 0, .75f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, SURFELS, WIDTH, 0, 0, 0, 0, 0, 0, 0.03f, 6.8f, 3.1f, 0, 0, .7f, .07f, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, SURFELS, WIDTH, 0, 0, 0, 0, 0, 0, 0.015f, 6.8f, 3.1f, .003f, 0, .64f, .13f, 0, 0, 0, 0, 0),
     SSGI__ROW(LIGHT, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.23f, 1.43f, .015f, 1.02f, 0, 0, 0, .002f, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.23f, 1.43f, .051f, .99f, 0, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(LIGHT, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 1.78f, 2.46f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(LIGHT, HSAO, SLABS, 1, 2, 10, 0, 0, 0, 0, 2.77f, 3.69f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 2.46f, 2.86f, 0, 0, .97f, 0, 0, .001f, 0, 0, .36f),
-    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 1, 6, 4, 0, 0, 0, 1.83f, 1.88f, .2f, .053f, 0, 0, 0, .037f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 2, 10, 2, 0, 0, 0, 2.23f, 2.88f, .048f, .49f, 0, 0, 0, .021f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 2, 10, 4, 0, 0, 0, 2.57f, 3.04f, .069f, .31f, 0, 0, 0, .01f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, SLABS, 1, 2, 10, 4, 0, 0, 0, 3.52f, 4.36f, .13f, 0, .08f, 0, 0, .014f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, SLABS, 0, 2, 10, 4, 0, 0, 0, 8.94f, 13.6f, .11f, 0, .048f, 0, 0, .016f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.56f, 1.68f, .17f, .18f, 0, 0, 0, .036f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 2.28f, 2.83f, .09f, .22f, 0, 0, 0, .02f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 12, 0, 0, 0, 0, 2.58f, 2.96f, .1f, 0, .23f, 0, 0, .027f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 2, 10, 0, 0, 0, 0, 3.28f, 4.15f, .13f, 0, .057f, 0, 0, .022f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 8.15f, 13.1f, .096f, 0, .047f, 0, 0, .023f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 6, 0, 1, 0, 0, 2.69f, 2.36f, .17f, 0, .023f, 0, 0, .038f, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 2.46f, 2.86f, 0, 0, .97f, 0, 0, .002f, 0, 0, .11f),
+    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 1, 6, 4, 0, 0, 0, 1.83f, 1.88f, .087f, .77f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 2, 10, 2, 0, 0, 0, 2.23f, 2.88f, .02f, .84f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 2, 10, 4, 0, 0, 0, 2.57f, 3.04f, .029f, .72f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, SLABS, 1, 2, 10, 4, 0, 0, 0, 3.52f, 4.36f, .036f, 0, .66f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, SLABS, 0, 2, 10, 4, 0, 0, 0, 8.94f, 13.6f, .039f, 0, .49f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.56f, 1.68f, .078f, .79f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 2.28f, 2.83f, .028f, .72f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 12, 0, 0, 0, 0, 2.58f, 2.96f, .038f, 0, .78f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 2, 10, 0, 0, 0, 0, 3.28f, 4.15f, .03f, 0, .67f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 8.15f, 13.1f, .031f, 0, .51f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 6, 0, 1, 0, 0, 2.69f, 2.36f, .045f, 0, .74f, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(BOUNCE, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.21f, 1.43f, .049f, .95f, 0, 0, 0, .001f, 0, 0, .35f),
+    SSGI__ROW(BOUNCE, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.21f, 1.43f, .058f, .95f, 0, 0, 0, 0, 0, 0, 1.12f),
     SSGI__ROW(BOUNCE, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 1.82f, 2.46f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, WIDTH, 1, 1, 6, 4, 0, 0, 0, 2.69f, 2.35f, .48f, 0, 0, 0, 0, .023f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, WIDTH, 1, 2, 10, 4, 0, 0, 0, 3.69f, 4.32f, .38f, 0, 0, 0, 0, .014f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, SLABS, 1, 2, 10, 4, 0, 0, 0, 4.39f, 5.66f, .33f, 0, 0, 0, 0, .013f, 0, 0, .16f),
-    SSGI__ROW(BOUNCE, SSDO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 3.24f, 2.85f, .42f, 0, 0, 0, 0, .013f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, SSDO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 4.27f, 4.41f, .3f, 0, 0, 0, 0, .009f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, SSDO, SLABS, 1, 2, 10, 0, 0, 0, 0, 5.07f, 5.74f, .25f, 0, 0, 0, 0, .012f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 11.3f, 16.4f, .21f, 0, 0, 0, 0, .011f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, WIDTH, 1, 1, 6, 4, 0, 0, 0, 2.69f, 2.35f, .37f, .12f, 0, 0, 0, .054f, 0, 0, 1.3f),
+    SSGI__ROW(BOUNCE, S3HO, WIDTH, 1, 2, 10, 4, 0, 0, 0, 3.69f, 4.32f, .28f, .13f, 0, 0, 0, .033f, 0, 0, .84f),
+    SSGI__ROW(BOUNCE, S3HO, SLABS, 1, 2, 10, 4, 0, 0, 0, 4.39f, 5.66f, .28f, 0, .085f, 0, 0, .031f, 0, 0, 1.17f),
+    SSGI__ROW(BOUNCE, SSDO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 3.24f, 2.85f, .37f, .071f, 0, 0, 0, .027f, 0, 0, 1.32f),
+    SSGI__ROW(BOUNCE, SSDO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 4.27f, 4.41f, .31f, .033f, 0, 0, 0, .019f, 0, 0, 1.26f),
+    SSGI__ROW(BOUNCE, SSDO, SLABS, 1, 2, 10, 0, 0, 0, 0, 5.07f, 5.74f, .29f, 0, 0, 0, 0, .017f, 0, 0, 1.66f),
+    SSGI__ROW(BOUNCE, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 11.3f, 16.4f, .23f, 0, .019f, 0, 0, .017f, 0, 0, 1.1f),
     SSGI__ROW(OBJECTS, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(OBJECTS, FIELD, WIDTH, 0, 0, 0, 0, 0, 4, 0, .06f, .05f, .016f, 0, 0, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(OBJECTS, FIELD, WIDTH, 0, 0, 0, 0, 0, 8, 0, .06f, .05f, .012f, 0, 0, 0, 0, 0, 0, 0, .45f)
@@ -4480,8 +4481,8 @@ static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };
 /* Squared errors from a survey's squares (make fit). A row each: without occlusion, of hsao, of slabs. Columns: weights
    of occlusion, detail, solid, slabs. First of surveys without slabs, then with them. */
 static const float ssgi__plan_survey[2][3][4] = {
-    { { 1.2f, 5.22f, 0.473f, 0 }, { 0.0395f, 3.32f, 0.413f, 0 }, { 0.0204f, 2.89f, 0.177f, 0 } },
-    { { 1.17f, 5.44f, 0, 0.751f }, { 0.0288f, 3.28f, 0, 0.612f }, { 0.015f, 2.87f, 0, 0.262f } }
+    { { 1.17f, 3.98f, 0, 0 }, { 0.0426f, 3.67f, 0.436f, 0 }, { 0.019f, 3.65f, 0.245f, 0 } },
+    { { 1.29f, 3.59f, 0, 0 }, { 0.0299f, 3.59f, 0, 0.824f }, { 0.0146f, 3.63f, 0.0396f, 0.302f } }
 };
 
 /* What splats and fields cost beside a choice's own; in software, on a GPU. */

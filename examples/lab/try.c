@@ -7,7 +7,7 @@
    Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused. --light: of irradiance
    under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same settings as
    another build measured them, in the order given; so a change of the headers is tried in two work trees. Pictures are
-   320x180, truth at every second pixel both ways, kept under build/cache. A process a core. */
+   320x180, truth at every third pixel both ways, kept under build/cache. A process a core. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,7 +51,7 @@ static int measure_seed(const trial *t, int k, kit_error *err)
     if (stage_load(&s, &v, err)) return -1;
     v.radius = t->radius * s.scene.radius;
     if (stage_look(&s, &v, WIDTH, HEIGHT, err)) return -1;
-    s.stride = LIT_STRIDE;
+    s.stride = SEED_STRIDE;
     s.rays = t->light ? LIGHT_RAYS : TRY_RAYS;
     if (stage_compare(&s, err)) return -1;
     const double nothing = error_of(&s, &s.given[s.givens - 1].picture, err);

@@ -12,7 +12,7 @@
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
 
-/* Truth at every second pixel both ways. */
+/* Truth at every third pixel both ways. */
 enum { SEED_WIDTH = 320, SEED_HEIGHT = 180, SEED_RAYS = 256, SEED_LIGHT_RAYS = 256, SEED_NOISY_RAYS = 1024,
     SEEDS = 100, SEEDS_QUICK = 21 };
 static const lit seed_light = { NULL, { NULL }, 0, 0, 0, SEED_LIGHT_RAYS, 1, NO_CROPS };
@@ -90,7 +90,7 @@ static int seed_open(FILE *html, stage *s, const view *v, kit_error *err)
         return kit_fail(err, "%s", why.text);
     }
     if (stage_look(s, v, SEED_WIDTH * stage_thrift, SEED_HEIGHT * stage_thrift, err)) return -1;
-    s->stride = LIT_STRIDE;
+    s->stride = SEED_STRIDE;
     return 1;
 }
 

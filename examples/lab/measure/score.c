@@ -60,15 +60,15 @@ int score_named(row *r, const stage *s, const char *label, const kit_image *pict
 
 /* ---- >>noise of the truth ---------------------------------------------------------------------------------------- */
 
-enum { NOISE_RAYS = 4, NOISE_STRIDE = 10 };
-_Static_assert(ON_STRIDE(NOISE_STRIDE), "noise is probed where there is no truth");
+enum { NOISE_RAYS = 4 };
 
-/* Against NOISE_RAYS times its rays at every NOISE_STRIDE-th pixel, which begin with the truth's own. So the difference
-   is smaller than the error, by sqrt(1 - 1 / NOISE_RAYS) for independent rays. */
+/* Against NOISE_RAYS times its rays at every ninth or tenth pixel, one of the truth's, which begin with the truth's own.
+   So the difference is smaller than the error, by sqrt(1 - 1 / NOISE_RAYS) for independent rays. */
 int score_noise(row *r, const stage *s, const char *label, kit_error *err)
 {
     kit_image probe;
-    if (stage_trace(&probe, s, NOISE_RAYS * s->rays, NOISE_STRIDE, err) || score_named(r, s, label, &probe, err))
+    const int stride = (s->stride == SEED_STRIDE ? 3 : 5) * s->stride;      /* odd times it: the middles agree */
+    if (stage_trace(&probe, s, NOISE_RAYS * s->rays, stride, err) || score_named(r, s, label, &probe, err))
         return -1;
     kit_image_free(&probe);
     r->error[1] /= sqrt(1 - 1.0 / NOISE_RAYS);
