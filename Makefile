@@ -22,13 +22,14 @@ KIT_FLAGS = -std=c11 -D_GNU_SOURCE -ffp-contract=off -Iexamples $(WARNINGS) $(EX
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
 KIT_BASE    = util image exr hdr png score
-KIT_SCENE   = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light seeds look parts) \
-              $(sort $(patsubst examples/kit/%.c,%,$(wildcard examples/kit/scene/*/*.c)))
+KIT_SCENE   = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light seeds look parts)
+# Kinds of scenes by seed, a folder each. They are many, so that builds under sanitizers take them as they are.
+KIT_KINDS   = $(sort $(patsubst examples/kit/%.c,build/kit/%.o,$(wildcard examples/kit/scene/*/*.c)))
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
 KIT_GL      = $(addprefix gl/,gl gbuffer shadow field)
 KIT_RUN     = $(addprefix run/,settings fetches draw cost passes margin views lights lit occluders deep run frames plan)
 KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
-KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
+KIT_O     = $(KIT:%=build/kit/%.o) $(KIT_KINDS) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \
             examples/kit/kit_seed.h examples/kit/kit_trace.h examples/kit/kit_image.h examples/kit/kit_obj.h \
             $(wildcard examples/kit/scene/*/*.h)
@@ -55,7 +56,8 @@ build/render: $(RENDER:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # The same under sanitizers, for make test: drawn with once a method.
-SANITIZED = $(KIT:%=build/sanitized/%.o) build/sanitized/library.o $(RENDER:%=build/sanitized/examples/%.o)
+SANITIZED = $(KIT:%=build/sanitized/%.o) $(KIT_KINDS) build/sanitized/library.o \
+            $(RENDER:%=build/sanitized/examples/%.o)
 SANITIZE  = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 build/sanitized/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
@@ -269,13 +271,13 @@ glfw:
 	@pkg-config --exists glfw3 || sh examples/kit/install.sh libglfw3-dev || \
 	  { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
 VIEWER      = $(addprefix examples/viewer/,viewer.c gl.c gltf.c gbuffer.c truth.c panel.c pictures.c window.c arguments.c)
-build/viewer: $(VIEWER) $(VIEWER_O:%=build/kit/%) examples/viewer/viewer.h | glfw
+build/viewer: $(VIEWER) $(VIEWER_O:%=build/kit/%) $(KIT_KINDS) examples/viewer/viewer.h | glfw
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
 
 # The same under sanitizers: of memory and undefined behaviour, of threads.
-build/viewer-sanitized: $(VIEWER) $(VIEWER_O:%=build/sanitized/%) examples/viewer/viewer.h | glfw
+build/viewer-sanitized: $(VIEWER) $(VIEWER_O:%=build/sanitized/%) $(KIT_KINDS) examples/viewer/viewer.h | glfw
 	@echo '  cc $@'; $(CC) $(SANITIZE) $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
-build/viewer-threads: $(VIEWER) $(VIEWER_O:%=build/threads/%) examples/viewer/viewer.h | glfw
+build/viewer-threads: $(VIEWER) $(VIEWER_O:%=build/threads/%) $(KIT_KINDS) examples/viewer/viewer.h | glfw
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
 build/threads/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
