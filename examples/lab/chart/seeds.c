@@ -52,7 +52,7 @@ static int tone_map(kit_image *picture, kit_error *err)
     for (size_t i = 0; i < pixels; ++i)
         bright[i] = fmaxf(picture->data[i], fmaxf(picture->data[pixels + i], picture->data[2 * pixels + i]));
     kit_middle(bright, pixels);                      /* sorts them */
-    const float by = -0.9f / fmaxf(bright[pixels * 3 / 4], 1e-6f);
+    const float by = -0.6f / fmaxf(bright[pixels * 3 / 4], 1e-6f);
     for (size_t i = 0; i < 3 * pixels; ++i) picture->data[i] = 1 - expf(by * picture->data[i]);
     free(bright);
     return 0;
