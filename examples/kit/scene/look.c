@@ -53,7 +53,8 @@ static void axes(const kit_camera *c, double right[3], double up[3], double ahea
 
 static void ray_of(const kit_camera *c, double x, double y, float origin[3], float direction[3])
 {
-    const double aspect = (double)c->width / c->height, flat = !(c->fovy > 0);
+    const int flat = !(c->fovy > 0);
+    const double aspect = (double)c->width / c->height;
     const double half = flat ? 0.5 * (double)c->ortho_height : tan((double)c->fovy * KIT_PI / 360);
     double right[3], up[3], ahead[3];
     axes(c, right, up, ahead);

@@ -42,7 +42,7 @@ static void along_kerbs(kit_plot *p, const kit_town *t, double road, double half
             if (kit_odds(b, fabs(z) < 15 ? dense : 0.5 * dense))
                 kit_town_put(p, KIT_CAR, side * (road - 1.05), 0, z, (side < 0 ? 180 : 0) + kit_between(b, -3, 3));
         for (double z = -reach + 4; z < reach; z += 15)
-            kit_town_put(p, tall ? KIT_TALL_LAMP : KIT_LAMP, side * (road + 0.4), t->pave + 0.01, z, face + 180);
+            kit_town_put(p, tall > 0 ? KIT_TALL_LAMP : KIT_LAMP, side * (road + 0.4), t->pave + 0.01, z, face + 180);
         for (double z = -reach + 9; z < reach; z += 10)
             if (kit_odds(b, trees))
                 kit_town_put(p, KIT_TREE, side * (road + 0.8), t->pave + 0.01, z, kit_between(b, 0, 360));
