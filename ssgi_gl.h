@@ -413,7 +413,7 @@ typedef struct ssgi_gl_desc {
     int bounce;      /* ssdo   SSGI_GL_BOUNCE_NONE ..; environment and bounce are not both NONE. With both, two targets
                         are written from one visibility. compose   1: adds t_ssgi_bounce */
     int two_sided;   /* ssdo, s3ho   1: senders shine from both sides; 0: from the side that is seen, while in slices
-                        the other side sends a quarter of that. splat   1: surfels occlude from both sides, for
+                        the other side sends 0.35 of that. splat   1: surfels occlude from both sides, for
                         sheets */
     int radiance;    /* senders   SSGI_GL_RADIANCE_LIGHT .. */
     int receiver;    /* ssdo, lights, senders   [limit: 0..7, below layers]  the depth layer that is lit: so that hidden
@@ -2373,7 +2373,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_JOINED = 4.0; // thickness CONSTANT: slope up to which taps are joined\n" },
 
 { "SSGI_UNSEEN", __LINE__ + 1,
-    "const float SSGI_UNSEEN = 0.25; // what the unseen side of a sender sends, of what is seen: measured\n" },
+    "const float SSGI_UNSEEN = 0.35; // what the unseen side of a sender sends, of what is seen: measured\n" },
 
 { "SSGI_SECOND", __LINE__ + 1,
     "const float SSGI_SECOND = 0.5; // what a second slab sends, of the first: measured\n" },

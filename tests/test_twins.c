@@ -1132,13 +1132,13 @@ static void gaussian_weights(void)
     glDeleteTextures(1, &t.texture);
 }
 
-/* A sender that shows its unseen side sends a quarter of what is seen of it, edge-on nothing; a second slab behind it
+/* A sender that shows its unseen side sends 0.35 of what is seen of it, edge-on nothing; a second slab behind it
    half; what shines from both sides all. */
 static void unseen_sides(void)
 {
     static const struct { float d[3], share[3]; } row[] = {    /* the normal is +z: before it, behind it, beside it */
-        { { 0.3f, 0, -1 }, { 1, 1, 1 } },       { { 0, 0.2f, 1 }, { 0.25f, 0.25f, 1 } },
-        { { 1, 0, -0.04f }, { 1, 1, 1 } },      { { 1, 0, 0.04f }, { 0.25f, 0.25f, 1 } },
+        { { 0.3f, 0, -1 }, { 1, 1, 1 } },       { { 0, 0.2f, 1 }, { 0.35f, 0.35f, 1 } },
+        { { 1, 0, -0.04f }, { 1, 1, 1 } },      { { 1, 0, 0.04f }, { 0.35f, 0.35f, 1 } },
         { { 0, 1, -0.02f }, { 0, 0, 1 } },      { { 0, -1, 0.02f }, { 0, 0, 1 } } };
     enum { ROWS = (int)(sizeof row / sizeof row[0]) };
     static uint32_t sender[MANY][2];
@@ -1506,7 +1506,7 @@ void test_twins(void)
     RUN("an extra camera knows what is open two pixels before its surfaces", view_slack);
     RUN("smooth averages 2^l pixels, whose ends share a weight", smooth_weights);
     RUN("the Gaussian filter has its radius' deviation", gaussian_weights);
-    RUN("of a sender's unseen side counts a quarter, edge-on nothing, of a second slab half", unseen_sides);
+    RUN("of a sender's unseen side counts 0.35, edge-on nothing, of a second slab half", unseen_sides);
     RUN("several points over a disc stand in the middles of equal rings", points_over_a_disc);
     RUN("a sphere's bounds in the picture as in C, before and across the near depth", twin_spheres);
     RUN("a triangle's parts are as many as in C, about the near plane, too", twin_parts);
