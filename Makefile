@@ -35,7 +35,7 @@ HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/k
             $(wildcard examples/kit/scene/*/*.h)
 
 EXAMPLE_H = examples/tools/render/render.h $(wildcard examples/lab/*/*.h) \
-            examples/tools/glsl/choices.h examples/tools/glsl/manifest.h
+            $(wildcard examples/tools/glsl/*.h)
 
 all: build/render build/report build/stability build/glsl-text build/minimal
 
@@ -88,7 +88,7 @@ STABILITY = $(SWEEP) lab/measure/folder lab/page/page lab/page/svg lab/stability
 build/stability: $(STABILITY:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
-GLSL_O = $(addprefix build/examples/tools/glsl/,choices.o manifest.o)
+GLSL_O = $(addprefix build/examples/tools/glsl/,choices.o chains.o manifest.o)
 build/glsl-text: examples/tools/glsl/glsl.c $(GLSL_O) $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(GLSL_O) $(KIT_O) $(KIT_LIBS) -o $@
 

@@ -129,11 +129,25 @@ enum {
 };
 
 /* desc.dialect: the language of the text.
-   VULKAN: for SPIR-V, and from that HLSL, MSL, WGSL. All in set 0: blocks ssgi_frame and ssgi_views at bindings 0, 1,
-   the texture of unit u at 2 + u, fetched without a sampler; 18 on, and other sets, are yours. Viewport heights are
-   positive. ssgi_view_from_projection gets SSGI_CLIP_ZERO and Vulkan's own matrix, y down: row 0 is at NDC y = -1.
-   Where the scene has that at 1 (drawn with a negative height; D3D, Metal, WebGPU), negate the matrix's second row; in
-   the last three field's and splat's vertex stages negate gl_Position.y: those of make glsl WGSL=1 do. */
+   VULKAN: for SPIR-V, and from that HLSL, MSL, WGSL.
+     bindings    all in set 0: uniform blocks ssgi_frame and ssgi_views at bindings 0 and 1; the texture of unit u at
+                 2 + u (ssgi_gl_input.binding), a sampled image, fetched without a sampler, as GENERAL or
+                 SHADER_READ_ONLY_OPTIMAL. Its view is of an array where ssgi_gl_input.array says so, be it of one
+                 slice: senders are. 18 on, and other sets, are yours. Depth is viewed by its depth aspect alone
+     formats     ssgi_gl_format has Vulkan's and WebGPU's names
+     counts      constants that ssgi_gl_reflect gives an offset other than 0 are specialisation constants of that id
+                 (WGSL: overrides): other directions, steps and samples need no other text
+     rows        viewport heights are positive. ssgi_view_from_projection gets SSGI_CLIP_ZERO and Vulkan's own matrix, y
+                 down: row 0 is at NDC y = -1. Where the scene has that at 1 (drawn with a negative height; D3D, Metal,
+                 WebGPU), negate the matrix's second row; in the last three field's and splat's vertex stages negate
+                 gl_Position.y: those of make glsl WGSL=1 do. Noise follows rows: a picture whose rows run the other
+                 way differs from GL's by its noise
+     blending    ssgi_gl_step.blend has GL's numbers. FUNC_ADD and FUNC_REVERSE_SUBTRACT are VK_BLEND_OP_ADD and
+                 VK_BLEND_OP_REVERSE_SUBTRACT; ZERO, ONE, DST_COLOR are VK_BLEND_FACTOR_ZERO, _ONE, _DST_COLOR. 32-bit
+                 floats blend in WebGPU with the feature float32-blendable alone
+     views       frame.target is where the image begins in what passes write, frame.origin in what they read, as a
+                 viewport of an atlas has it. ssgi_gl_output.slices: how many layers that target has; slice: the one
+                 that is drawn into, by a 2D view of it */
 enum {
     SSGI_GL_330 = 0,
     SSGI_GL_410,
@@ -558,7 +572,8 @@ typedef struct ssgi_gl_io {
     int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass (and binding; VULKAN: less 2).
                            OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its value.
                            PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
-    size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. Else 0 */
+    size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. CONSTANT in VULKAN:
+                           its constant_id where it may be specialised. Else 0 */
     const char *format; /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
 } ssgi_gl_io;
 
@@ -628,17 +643,23 @@ enum {
     SSGI_GL_YOURS /* how many */
 };
 
-/* The numbers that glTexImage2D takes. */
 typedef struct ssgi_gl_format {
-    const char *name;
-    unsigned internal, format, type;
-    int bytes;
+    const char *name;                /* "R16F" */
+    unsigned internal, format, type; /* the numbers that glTexImage2D takes */
+    int bytes;                       /* of a texel */
+    unsigned vulkan;                 /* VkFormat's number */
+    const char *vulkan_name;         /* "VK_FORMAT_R16_SFLOAT" */
+    const char *webgpu;              /* "r16float" */
 } ssgi_gl_format;
 
 typedef struct ssgi_gl_input {
     const char *name, *type;      /* as in the text: "t_ssgi_depth", "sampler2D" */
     int unit;                     /* of the sampler: ssgi_gl_io.slot */
     unsigned target;              /* GL_TEXTURE_2D .. */
+    int binding;                  /* VULKAN, WebGPU: of a sampled image in set 0 */
+    int array;                    /* 1: its view is of an array: VK_IMAGE_VIEW_TYPE_2D_ARRAY, "2d-array" */
+    int multisampled;             /* 1: it has samples: sampler2DMS, WebGPU's multisampled: true */
+    int integer;                  /* 1: of unsigned integers, WebGPU's sampleType "uint"; 0: "unfilterable-float" */
     int meaning;                  /* a texture of yours: SSGI_GL_YOUR_DEPTH ..; -1: one that the steps write */
     int texture;                  /* of the latter its number; -1: yours */
     int last;                     /* 1: as the last frame left it */
@@ -4499,6 +4520,16 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
     return word;
 }
 
+/* The id by which a count may be specialised; 0: the text depends on it otherwise, as on the samples of a table. */
+static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
+{
+    static const char *const counts[] = { "SSGI_DIRECTIONS", "SSGI_STEPS", "SSGI_SAMPLES" };
+    const size_t most = d->kernel || d->pass == SSGI_GL_LIGHTS ? 3 : 2;
+    for (size_t i = 0; i < most && d->dialect == SSGI_GL_VULKAN; ++i)
+        if (!strcmp(counts[i], name)) return i + 1;
+    return 0;
+}
+
 /* Rows of a stage, or with SSGI_GL_STAGES of all, each once; a uniform block has the same members in each stage that
    reads any. Returns how many there are. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
@@ -4513,7 +4544,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         if (!used) continue;
         if (io.kind == SSGI_GL_CONSTANT) {
             io.slot = ssgi_gl__get(&p->d, io.offset);
-            io.offset = 0;
+            io.offset = ssgi_gl__constant_id(&p->d, io.name);
         } else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = slots[io.kind]++;
         else if (io.kind == SSGI_GL_TEXTURE && ssgi_gl__rows[i].bytes && p->d.array)
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
@@ -4678,7 +4709,10 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     for (int i = 0; i < n; ++i) samples |= !strcmp(io[i].type, "sampler2DMS");
     if (*dialect->head == 'p' && samples) ssgi_gl__print(t, "precision highp sampler2DMS;\n");
     for (int i = 0; i < n; ++i)
-        if (io[i].kind == SSGI_GL_CONSTANT) ssgi_gl__print(t, "const int %s = %d;\n", io[i].name, io[i].slot);
+        if (io[i].kind == SSGI_GL_CONSTANT) {
+            if (io[i].offset) ssgi_gl__print(t, "layout(constant_id = %d) ", (int)io[i].offset);
+            ssgi_gl__print(t, "const int %s = %d;\n", io[i].name, io[i].slot);
+        }
     for (int block = 0; block < 2; ++block) ssgi_gl__print_block(t, io, n, block, dialect->set);
     for (int i = 0; i < n; ++i) {
         const int kind = io[i].kind;
@@ -5151,24 +5185,25 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 #define SSGI_GL__RGBA32UI 0x8d70u /* of three and four channels between these */
 #define SSGI_GL__RGB8I 0x8d8fu
 
-/* Formats of targets: by their channels, then by the kind of number. Columns: name, internal format, format, type,
-   bytes of a texel. */
+/* Formats of targets: by their channels, then by the kind of number. Columns as in ssgi_gl_format. GL's numbers are RED
+   0x1903, RED_INTEGER 0x8d94, RG 0x8227, RG_INTEGER 0x8228, RGBA 0x1908, RGBA_INTEGER 0x8d99; HALF_FLOAT 0x140b, FLOAT
+   0x1406, UNSIGNED_INT 0x1405, UNSIGNED_BYTE 0x1401. */
 enum { SSGI_GL__R, SSGI_GL__RG, SSGI_GL__RGBA, SSGI_GL__CHANNELS };
 
 enum { SSGI_GL__HALF, SSGI_GL__FLOAT, SSGI_GL__UINT, SSGI_GL__KINDS };
 
 static const ssgi_gl_format ssgi_gl__formats[SSGI_GL__CHANNELS][SSGI_GL__KINDS] = {
-    { { "R16F", 0x822d, 0x1903, 0x140b, 2 },       /* RED, HALF_FLOAT */
-      { "R32F", 0x822e, 0x1903, 0x1406, 4 },       /* RED, FLOAT */
-      { "R32UI", 0x8236, 0x8d94, 0x1405, 4 } },    /* RED_INTEGER, UNSIGNED_INT */
-    { { "RG16F", 0x822f, 0x8227, 0x140b, 4 },      /* RG, HALF_FLOAT */
-      { "RG32F", 0x8230, 0x8227, 0x1406, 8 },      /* RG, FLOAT */
-      { "RG32UI", 0x823c, 0x8228, 0x1405, 8 } },   /* RG_INTEGER, UNSIGNED_INT */
-    { { "RGBA16F", 0x881a, 0x1908, 0x140b, 8 },    /* RGBA, HALF_FLOAT */
-      { "RGBA32F", 0x8814, 0x1908, 0x1406, 16 },   /* RGBA, FLOAT */
-      { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16 } } /* RGBA_INTEGER, UNSIGNED_INT */
+    { { "R16F", 0x822d, 0x1903, 0x140b, 2, 76, "VK_FORMAT_R16_SFLOAT", "r16float" },
+      { "R32F", 0x822e, 0x1903, 0x1406, 4, 100, "VK_FORMAT_R32_SFLOAT", "r32float" },
+      { "R32UI", 0x8236, 0x8d94, 0x1405, 4, 98, "VK_FORMAT_R32_UINT", "r32uint" } },
+    { { "RG16F", 0x822f, 0x8227, 0x140b, 4, 83, "VK_FORMAT_R16G16_SFLOAT", "rg16float" },
+      { "RG32F", 0x8230, 0x8227, 0x1406, 8, 103, "VK_FORMAT_R32G32_SFLOAT", "rg32float" },
+      { "RG32UI", 0x823c, 0x8228, 0x1405, 8, 101, "VK_FORMAT_R32G32_UINT", "rg32uint" } },
+    { { "RGBA16F", 0x881a, 0x1908, 0x140b, 8, 97, "VK_FORMAT_R16G16B16A16_SFLOAT", "rgba16float" },
+      { "RGBA32F", 0x8814, 0x1908, 0x1406, 16, 109, "VK_FORMAT_R32G32B32A32_SFLOAT", "rgba32float" },
+      { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16, 107, "VK_FORMAT_R32G32B32A32_UINT", "rgba32uint" } }
 };
-static const ssgi_gl_format ssgi_gl__r8 = { "R8", 0x8229, 0x1903, 0x1401, 1 }; /* RED, UNSIGNED_BYTE */
+static const ssgi_gl_format ssgi_gl__r8 = { "R8", 0x8229, 0x1903, 0x1401, 1, 9, "VK_FORMAT_R8_UNORM", "r8unorm" };
 
 /* By ssgi_gl_input.meaning: the texture's name less t_ssgi_. */
 static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
@@ -5268,9 +5303,13 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
     in->name = row->name;
     in->type = row->type;
     in->unit = row->slot;
-    in->target = end == 'y' ? SSGI_GL__TEXTURE_2D_ARRAY       /* sampler2DArray */
-               : end == 'S' ? SSGI_GL__TEXTURE_2D_MULTISAMPLE /* sampler2DMS */
-                            : SSGI_GL__TEXTURE_2D;
+    in->array = end == 'y';        /* sampler2DArray */
+    in->multisampled = end == 'S'; /* sampler2DMS */
+    in->integer = *row->type == 'u';
+    in->binding = row->slot + ssgi_gl__dialects[SSGI_GL_VULKAN].textures;
+    in->target = in->array          ? SSGI_GL__TEXTURE_2D_ARRAY
+               : in->multisampled ? SSGI_GL__TEXTURE_2D_MULTISAMPLE
+                                  : SSGI_GL__TEXTURE_2D;
     if (m < SSGI_GL_YOURS) {
         in->texture = -1;
         in->meaning = m;
@@ -5665,7 +5704,7 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
     if (!f) return "nothing is bound";
     if (in && is->target != in->target) return "is of another target than its sampler (2D, array, multisample)";
     if (format && f != format->internal) return "is not of the format that the step names";
-    if (in && integer != (*in->type == 'u')) return "must be of integers where its sampler is, and nowhere else";
+    if (in && integer != in->integer) return "must be of integers where its sampler is, and nowhere else";
     if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
     if (is->width < width || is->height < height) return "is smaller than what is drawn";
     if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";

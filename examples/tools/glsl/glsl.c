@@ -14,6 +14,14 @@
    ssgi_gl_desc and the members of the blocks are (its "about" explains it): for build steps in any language.
 
       build/glsl-text FOLDER 300es   one dialect alone
+
+   FOLDER/hsao-fast.1-width.vulkan.frag: the first step of a chain that has a name (chains.c), unless a file above has
+   the same text; manifest.json has the chains with their steps in order.
+
+      build/glsl-text --chains       names them
+      build/glsl-text --chain hsao,balanced,depth=LINEAR --wgsl FOLDER   those alone, as one writes them (chains.h), or
+                                 all; in as many of --330 .. --vulkan and of what translate.sh makes: --spv --wgsl
+                                 --hlsl --msl
       build/glsl-text --types        the fields of ssgi_gl_desc as TypeScript
 
       build/glsl-text --passes ssgi_gl.h   examples/docs/PASSES.md: what each pass reads and writes, from reflection;
@@ -24,19 +32,23 @@
                                      diff shows which variants a change touches */
 #include "kit/kit_gl.h"
 #include <errno.h>
+#include <spawn.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include "tools/glsl/chains.h"
 #include "tools/glsl/choices.h"
 #include "tools/glsl/manifest.h"
 
 enum { MOST = 1 << 14 };
 
 static uint64_t seen[MOST];
-static char file_name[MOST][80];
+static char file_name[MOST][128];
 static int files;
 
 static int write_file(const char *path, char *text, size_t n)
@@ -48,35 +60,115 @@ static int write_file(const char *path, char *text, size_t n)
     return bad ? -1 : 0;
 }
 
-/* The texts of a desc that none before was: of every stage, of functions alone. */
+/* The text of a stage, or with SSGI_GL_STAGES of functions alone, for the caller to free; NULL: there is none. */
+static char *text_of(const ssgi_gl_desc *d, int kind, size_t *n)
+{
+    const int alone = kind == SSGI_GL_STAGES;
+    *n = !alone                     ? ssgi_gl_emit(NULL, 0, d, kind)
+         : d->pass == SSGI_GL_FIELD ? ssgi_gl_field(NULL, 0, d)
+                                    : 0;
+    char *text = *n ? malloc(*n + 1) : NULL;
+    if (text && alone) ssgi_gl_field(text, *n + 1, d);
+    if (text && !alone) ssgi_gl_emit(text, *n + 1, d, kind);
+    return text;
+}
+
+/* The file that holds the text of a stage: one that was written before, or the one of that name, its dialect and
+   ending behind it. *name NULL: there is no such text. */
+static int write_text(const char *folder, const ssgi_gl_desc *d, int kind, const char *stem, const char *more,
+                      const char **name)
+{
+    const int named = kind < SSGI_GL_STAGES || d->dialect == SSGI_GL_VULKAN;
+    uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(named ? d->dialect : 0)) * 8 + (uint64_t)kind;
+    size_t n;
+    char path[1024], *text = text_of(d, kind, &n);
+    int i = 0;
+    *name = NULL;
+    if (!n || files >= MOST) { free(text); return 0; }
+    if (text) key = kit_hash(key, text, strlen(text));
+    while (i < files && seen[i] != key) ++i;
+    *name = file_name[i];
+    if (text && i < files) { free(text); return 0; }
+    seen[files++] = key;
+    snprintf(file_name[i], sizeof file_name[i], "%s%s%s%s.%s", stem, named ? "." : "",
+             named ? ssgi_gl_dialect_name(d->dialect) : "", more, endings[kind]);
+    snprintf(path, sizeof path, "%s/%s", folder, file_name[i]);
+    return write_file(path, text, n);
+}
+
+/* The texts of a desc: of every stage, of functions alone. */
 static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
 {
     const char *together[SSGI_GL_STAGES + 1] = { NULL };
-    for (int kind = 0; kind <= SSGI_GL_STAGES; ++kind) {
-        const int alone = kind == SSGI_GL_STAGES, named = !alone || d->dialect == SSGI_GL_VULKAN;
-        const size_t n = !alone                     ? ssgi_gl_emit(NULL, 0, d, kind)
-                         : d->pass == SSGI_GL_FIELD ? ssgi_gl_field(NULL, 0, d)
-                                                    : 0;
-        uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(named ? d->dialect : 0)) * 8 + (uint64_t)kind;
-        char path[1024], *text = n && files < MOST ? malloc(n + 1) : NULL;
-        int i = 0;
-        if (!n || files >= MOST) continue;
-        if (text && alone) ssgi_gl_field(text, n + 1, d);
-        if (text && !alone) ssgi_gl_emit(text, n + 1, d, kind);
-        if (text) key = kit_hash(key, text, strlen(text));
-        while (i < files && seen[i] != key) ++i;
-        together[kind] = file_name[i];
-        if (text && i < files) { free(text); continue; }
-        seen[files++] = key;
-        snprintf(file_name[i], sizeof file_name[i], "%s%s%s%s%s%s%s.%s", ssgi_gl_pass_name(d->pass), named ? "." : "",
-                 named ? ssgi_gl_dialect_name(d->dialect) : "", *first ? "." : "", first, *second ? "." : "", second,
-                 endings[kind]);
-        snprintf(path, sizeof path, "%s/%s", folder, file_name[i]);
-        if (write_file(path, text, n)) return -1;
-    }
+    char more[64];
+    snprintf(more, sizeof more, "%s%s%s%s", *first ? "." : "", first, *second ? "." : "", second);
+    for (int kind = 0; kind <= SSGI_GL_STAGES; ++kind)
+        if (write_text(folder, d, kind, ssgi_gl_pass_name(d->pass), more, &together[kind])) return -1;
     if (together[SSGI_GL_FRAGMENT]) manifest_variant(d, together);
     if (together[SSGI_GL_STAGES]) manifest_functions(together[SSGI_GL_STAGES]);
     return 0;
+}
+
+/* ---- >>chains ---------------------------------------------------------------------------------------------------- */
+
+/* A chain's texts in a dialect. 0: written, or that dialect has not what the chain asks for (*err says what). */
+static int write_chain(const char *folder, const char *name, const char *about, const ssgi_gl_chain *chain, int dialect,
+                       kit_error *err)
+{
+    static ssgi_gl_step steps[MOST_STEPS];
+    const char *together[MOST_STEPS][SSGI_GL_STAGES] = { { NULL } };
+    char stem[112];
+    const int count = chain_steps(steps, chain, dialect, err);
+    for (int i = 0; i < count; ++i) {
+        snprintf(stem, sizeof stem, "%.90s.%d-%s", name, i + 1, ssgi_gl_pass_name(steps[i].desc.pass));
+        for (char *c = stem; *c; ++c) if (*c == ',' || *c == '=') *c = '-';
+        for (int kind = 0; kind < SSGI_GL_STAGES; ++kind)
+            if (write_text(folder, &steps[i].desc, kind, stem, "", &together[i][kind])) return -1;
+    }
+    if (count) manifest_chain(name, about, chain, steps, count, (const char *const (*)[SSGI_GL_STAGES])together);
+    return 0;
+}
+
+/* Those that have a name, in the dialects that have what they ask for. */
+static int write_named_chains(const char *folder, int dialect, kit_error *err)
+{
+    for (int i = 0; i < chain_names_count; ++i) {
+        ssgi_gl_chain chain;
+        kit_error lacks = { "" };
+        if (chain_parse(&chain, chain_names[i].name, err)
+            || write_chain(folder, chain_names[i].name, chain_names[i].about, &chain, dialect, &lacks)) return -1;
+    }
+    return 0;
+}
+
+static int make_folder(const char *path, kit_error *err)
+{
+    return mkdir(path, 0777) && errno != EEXIST ? kit_fail(err, "%s: %s", path, strerror(errno)) : 0;
+}
+
+static int write_manifest(const char *folder, kit_error *err)
+{
+    char path[1024];
+    snprintf(path, sizeof path, "%s/manifest.json", folder);
+    if (manifest_write(path, err)) return -1;
+    printf("%s: %d texts\n", folder, files);
+    return 0;
+}
+
+/* The languages that translate.sh makes of a folder's texts of dialect vulkan. */
+static int translate(const char *folder, const char *const *targets, int count, kit_error *err)
+{
+    static const char script[] = "examples/tools/glsl/translate.sh";
+    extern char **environ;
+    char *arguments[8] = { "sh", (char *)(uintptr_t)script, (char *)(uintptr_t)folder };
+    pid_t child;
+    int status = 0;
+    for (int i = 0; i < count; ++i) arguments[3 + i] = (char *)(uintptr_t)targets[i];
+    if (access(script, R_OK)) return kit_fail(err, "--%s: needs %s: run it where the Makefile is", targets[0], script);
+    fflush(stdout);
+    if (posix_spawnp(&child, "sh", NULL, NULL, arguments, environ) || waitpid(child, &status, 0) < 0)
+        return kit_fail(err, "--%s: sh cannot be run", targets[0]);
+    return status ? kit_fail(err, "--%s: translate.sh failed", targets[0]) : 0;
 }
 
 /* ---- >>passes: as Markdown --------------------------------------------------------------------------------------- */
@@ -291,54 +383,110 @@ static int dialect_named(const char *name)          /* -1: there is none */
     return i < SSGI_GL_DIALECTS ? i : -1;
 }
 
-int main(int argc, char **argv)
+/* --chain CHAIN .. --LANGUAGE .. FOLDER */
+static int do_chains(int argc, char **argv, kit_error *err)
 {
-    kit_error err = { "" };
-    kit_streams_open();
-    if (argc == 3 && !strcmp(argv[1], "--passes")) {
-        print_passes();
-        if (!print_fields(argv[2], &err)) kit_streams_close(&err);
-        return fail(&err);
+    static const char *const translated[] = { "spv", "wgsl", "hlsl", "msl" };
+    const char *target[4], *folder = NULL;
+    int dialects[SSGI_GL_DIALECTS] = { 0 }, targets = 0, languages = 0;
+    for (int i = 1; i < argc; ++i) {
+        const char *a = argv[i];
+        int k = 0;
+        if (!strcmp(a, "--chain")) { ++i; continue; }
+        if (strncmp(a, "--", 2)) {
+            if (folder) return kit_fail(err, "%s: only one folder can be given (%s is one already)", a, folder);
+            folder = a;
+            continue;
+        }
+        while (k < 4 && strcmp(a + 2, translated[k])) ++k;
+        if (k < 4 && targets < 4) target[targets++] = translated[k];
+        const int dialect = k < 4 ? SSGI_GL_VULKAN : dialect_named(a + 2);
+        if (dialect < 0) return kit_fail(err, "%s: must be --330 .. --vulkan, --spv, --wgsl, --hlsl or --msl", a);
+        dialects[dialect] = languages = 1;
     }
-    if (argc == 2 && !strcmp(argv[1], "--types")) {
-        manifest_types();
-        kit_streams_close(&err);
-        return fail(&err);
+    if (!folder) return kit_fail(err, "--chain: the folder is missing");
+    if (!languages) return kit_fail(err, "--chain: in which language: --330 .. --vulkan, --spv, --wgsl, --hlsl, --msl");
+    if (make_folder(folder, err)) return -1;
+    for (int i = 1; i < argc; ++i) {
+        const char *text = i + 1 < argc ? argv[i + 1] : "";
+        ssgi_gl_chain chain;
+        if (strcmp(argv[i], "--chain")) continue;
+        const int all = !strcmp(text, "all");
+        if (!all && chain_parse(&chain, text, err)) return -1;
+        for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect) {
+            kit_error lacks = { "" };
+            if (!dialects[dialect]) continue;
+            if (all ? write_named_chains(folder, dialect, err)
+                    : write_chain(folder, text, "", &chain, dialect, &lacks)) return -1;
+            if (*lacks.text) return kit_fail(err, "--chain %s: %s", text, lacks.text);
+        }
     }
-    if (argc < 2 || argc > 3 || (!strncmp(argv[1], "--", 2) && (argc > 2 || strcmp(argv[1], "--golden")))
-        || (argc == 3 && dialect_named(argv[2]) < 0)) {
-        fputs("usage: glsl-text FOLDER [DIALECT] | --passes ssgi_gl.h | --golden | --types\n", stderr);
-        return 2;
-    }
-    if (!strcmp(argv[1], "--golden")) {
-        print_golden();
-        kit_streams_close(&err);
-        return fail(&err);
-    }
-    if (mkdir(argv[1], 0777) && errno != EEXIST) {
-        kit_fail(&err, "%s: %s", argv[1], strerror(errno));
-        return fail(&err);
-    }
+    return write_manifest(folder, err) || (targets && translate(folder, target, targets, err)) ? -1 : 0;
+}
+
+static void list_chains(void)
+{
+    for (int i = 0; i < chain_names_count; ++i)
+        printf("%-18s %s\n%-18s %s\n", chain_names[i].name, chain_names[i].about, "", chain_names[i].means);
+}
+
+/* Every pass, dialect (or one alone, >= 0) and choice; every chain that has a name. */
+static int write_all(const char *folder, int alone, kit_error *err)
+{
+    if (make_folder(folder, err)) return -1;
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
             for (int a = 0; a < choices_count; ++a)
                 for (int b = 0; b <= (dialect == SSGI_GL_450 ? a : 0); ++b) {
                     const ssgi_gl_desc d = variant_of(pass, dialect, a, b);
-                    if (argc == 3 && dialect_named(argv[2]) != dialect) continue;
-                    if (write_texts(argv[1], &d, choices[a].name, choices[b].name)) return 2;
+                    if (alone >= 0 && alone != dialect) continue;
+                    if (write_texts(folder, &d, choices[a].name, choices[b].name)) return -1;
                 }
+    for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
+        if ((alone < 0 || alone == dialect) && write_named_chains(folder, dialect, err)) return -1;
     for (int bands = 1; bands <= 4; ++bands) {
         const size_t n = ssgi_gl_sh(NULL, 0, bands);
         char *text = malloc(n + 1), path[1024];
         if (text) ssgi_gl_sh(text, n + 1, bands);
-        snprintf(path, sizeof path, "%s/sh%d.glsl", argv[1], bands);
-        if (write_file(path, text, n)) return 2;
+        snprintf(path, sizeof path, "%s/sh%d.glsl", folder, bands);
+        if (write_file(path, text, n)) return -1;
         manifest_functions(strrchr(path, '/') + 1);
     }
-    char manifest[1024];
-    snprintf(manifest, sizeof manifest, "%s/manifest.json", argv[1]);
-    if (manifest_write(manifest, &err)) return fail(&err);
-    printf("%s: %d texts\n", argv[1], files);
-    kit_streams_close(&err);
+    return write_manifest(folder, err);
+}
+
+static int has_chain(int argc, char **argv)
+{
+    for (int i = 1; i < argc; ++i) if (!strcmp(argv[i], "--chain")) return 1;
+    return 0;
+}
+
+/* What is asked for; 0: done, 1: nothing that there is, -1: failed. */
+static int run(int argc, char **argv, kit_error *err)
+{
+    if (has_chain(argc, argv)) return do_chains(argc, argv, err);
+    if (argc == 3 && !strcmp(argv[1], "--passes")) {
+        print_passes();
+        return print_fields(argv[2], err);
+    }
+    if (argc == 2 && !strcmp(argv[1], "--types")) { manifest_types(); return 0; }
+    if (argc == 2 && !strcmp(argv[1], "--golden")) { print_golden(); return 0; }
+    if (argc == 2 && !strcmp(argv[1], "--chains")) { list_chains(); return 0; }
+    if (argc < 2 || argc > 3 || *argv[1] == '-' || (argc == 3 && dialect_named(argv[2]) < 0)) return 1;
+    return write_all(argv[1], argc == 3 ? dialect_named(argv[2]) : -1, err);
+}
+
+int main(int argc, char **argv)
+{
+    kit_error err = { "" };
+    kit_streams_open();
+    const int status = run(argc, argv, &err);
+    if (status > 0) {
+        fputs("usage: glsl-text FOLDER [DIALECT] | --chain CHAIN .. --LANGUAGE .. FOLDER | --chains |\n"
+              "       --passes ssgi_gl.h | --golden | --types\n", stderr);
+        return 2;
+    }
+    if (!status) kit_streams_close(&err);
+    if (status < 0 && !*err.text) return 2;             /* write_file has said why */
     return fail(&err);
 }

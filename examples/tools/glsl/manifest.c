@@ -1,6 +1,7 @@
 /* manifest.c - the manifest beside the texts of make glsl, from what the library says of itself. Declared in
    manifest.h. */
 #include "tools/glsl/manifest.h"
+#include "tools/glsl/chains.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +11,7 @@ const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese"
 /* Lines of the manifest, each once: an entry's number stands for it. */
 enum { MOST = 1 << 14, BUCKETS = 1 << 15 };
 typedef struct table { char *line[MOST]; int count, bucket[BUCKETS]; } table;
-static table rows, lists, variants, functions;
+static table rows, lists, variants, functions, formats, chains;
 static const char *fetch[2] = { "", "" };       /* what CUSTOM variants have; those for Vulkan */
 
 /* The number of a line, which is added unless it is there; key: the part of it that tells it from others. Without a
@@ -107,11 +108,143 @@ void manifest_variant(const ssgi_gl_desc *d, const char *const files[SSGI_GL_STA
     fputs("{ \"desc\": ", f);
     put_desc(f, d);
     if (d->fetch) fetch[d->dialect == SSGI_GL_VULKAN] = d->fetch;
-    fprintf(f, ",%s %s, \"rows\": %d }", d->fetch ? " \"fetch\": true," : "", names, number_of(&lists, list, list));
+    fprintf(f, ",%s \"key\": \"%.*s\", %s, \"rows\": %d }", d->fetch ? " \"fetch\": true," : "",
+            (int)(strrchr(files[SSGI_GL_FRAGMENT], '.') - files[SSGI_GL_FRAGMENT]), files[SSGI_GL_FRAGMENT], names,
+            number_of(&lists, list, list));
     fclose(f);
     number_of(&variants, names, line);
     free(list);
     free(names);
+    free(line);
+}
+
+/* ---- chains ------------------------------------------------------------------------------------------------------ */
+
+static const char *const sizes[] = { "FULL", "HALF", "LEVELS" };
+
+static int format_number(const ssgi_gl_format *format)
+{
+    char line[256];
+    snprintf(line, sizeof line,
+             "{ \"name\": \"%s\", \"bytes\": %d, \"gl\": { \"internal\": %u, \"format\": %u, \"type\": %u }, "
+             "\"vulkan\": \"%s\", \"vulkan_number\": %u, \"webgpu\": \"%s\" }",
+             format->name, format->bytes, format->internal, format->format, format->type, format->vulkan_name,
+             format->vulkan, format->webgpu);
+    return number_of(&formats, line, line);
+}
+
+/* What a step draws into, each texture once, by its number. */
+static void put_textures(FILE *f, const ssgi_gl_step *steps, int count)
+{
+    static const char *const results[] = { "NONE", "LIGHT", "BOUNCE" };
+    const char *between = "";
+    fputs("\"textures\": [", f);
+    for (int texture = 0, found = 1; found; ++texture) {
+        found = 0;
+        for (int i = 0; i < count && !found; ++i)
+            for (int k = 0; k < steps[i].outputs && !found; ++k) {
+                const ssgi_gl_output *o = &steps[i].output[k];
+                if (o->texture != texture) continue;
+                found = 1;
+                fprintf(f, "%s\n  { \"format\": %d, \"size\": \"%s\", \"slices\": %d, \"kept\": %d, "
+                           "\"result\": \"%s\" }", between, format_number(o->format), sizes[steps[i].size], o->slices,
+                        o->kept, results[o->result]);
+                between = ",";
+            }
+    }
+    fputs("]", f);
+}
+
+static void put_input(FILE *f, const ssgi_gl_input *in)
+{
+    static const char *const yours[SSGI_GL_YOURS] = {
+        "DEPTH", "LAYERS", "BACK", "VIEWS", "NORMAL", "ALBEDO", "LAYER_NORMALS", "LAYER_ALBEDOS", "DIRECT", "NOISE",
+        "KERNEL", "ENVIRONMENT", "IRRADIANCE", "LIGHTS", "SHADOW", "OCCLUDERS", "FIELDS", "OBJECTS", "MOTION",
+        "AMBIENT", "CAP" };
+    fprintf(f, "{ \"name\": \"%s\", \"unit\": %d, \"binding\": %d, \"dimension\": \"%s\", \"sample\": \"%s\", ",
+            in->name, in->unit, in->binding, in->array ? "2d-array" : "2d",
+            in->integer ? "uint" : "unfilterable-float");
+    if (in->multisampled) fputs("\"multisampled\": true, ", f);
+    if (in->meaning < 0) fprintf(f, "\"texture\": %d, \"last\": %d }", in->texture, in->last);
+    else fprintf(f, "\"yours\": \"%s\" }", yours[in->meaning]);
+}
+
+/* Blending in each language's words or numbers; null: off. */
+static void put_blend(FILE *f, const unsigned blend[3])
+{
+    static const struct { unsigned gl; int vulkan; const char *webgpu; } words[] = {
+        { 0x8006, 0, "add" },  { 0x800b, 2, "reverse-subtract" },               /* FUNC_ADD, FUNC_REVERSE_SUBTRACT */
+        { 0x0000, 0, "zero" }, { 0x0001, 1, "one" }, { 0x0306, 4, "dst" } };    /* ZERO, ONE, DST_COLOR */
+    int of[3] = { 0 };
+    if (!blend[0]) { fputs("null", f); return; }
+    for (int i = 0; i < 3; ++i) while (words[of[i]].gl != blend[i]) ++of[i];
+    fprintf(f, "{ \"gl\": [%u, %u, %u], \"vulkan\": [%d, %d, %d], \"webgpu\": [\"%s\", \"%s\", \"%s\"] }", blend[0],
+            blend[1], blend[2], words[of[0]].vulkan, words[of[1]].vulkan, words[of[2]].vulkan, words[of[0]].webgpu,
+            words[of[1]].webgpu, words[of[2]].webgpu);
+}
+
+static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSGI_GL_STAGES])
+{
+    static const char *const primitives[] = { [0] = "POINTS", [4] = "TRIANGLES", [14] = "PATCHES" };
+    ssgi_gl_io io[SSGI_GL_MAX_IO];
+    const char *between = "";
+    fprintf(f, "{ \"pass\": \"%s\", \"files\": { ", ssgi_gl_pass_name(s->desc.pass));
+    for (int k = 0; k < SSGI_GL_STAGES; ++k) {
+        if (!files[k]) continue;
+        fprintf(f, "%s\"%s\": \"%s\"", between, endings[k], files[k]);
+        between = ", ";
+    }
+    fprintf(f, " }, \"size\": \"%s\", \"frame\": %d, \"primitive\": \"%s\", \"vertices\": %d, \"instances\": %d,\n"
+               "    \"blend\": ", sizes[s->size], s->frame, primitives[s->primitive], s->vertices, s->instances);
+    put_blend(f, s->blend);
+    fputs(", \"clear\": ", f);
+    if (s->clear) fprintf(f, "%g", (double)s->clear_to); else fputs("null", f);
+    fputs(", \"rows\": [", f);
+    const int rows_count = ssgi_gl_reflect(&s->desc, io, SSGI_GL_MAX_IO);
+    for (int i = 0; i < rows_count; ++i) fprintf(f, "%s%d", i ? ", " : "", row_number(&io[i]));
+    fputs("],\n    \"inputs\": [", f);
+    for (int i = 0; i < s->inputs; ++i) {
+        fputs(i ? ",\n      " : "\n      ", f);
+        put_input(f, &s->input[i]);
+    }
+    fputs("],\n    \"outputs\": [", f);
+    for (int i = 0; i < s->outputs; ++i)
+        fprintf(f, "%s{ \"name\": \"%s\", \"location\": %d, \"texture\": %d, \"slice\": %d }", i ? ", " : "",
+                s->output[i].name, i, s->output[i].texture, s->output[i].slice);
+    fputs("] }", f);
+}
+
+void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *chain, const ssgi_gl_step *steps,
+                    int count, const char *const (*files)[SSGI_GL_STAGES])
+{
+    char *line = NULL, key[160];
+    const char *member;
+    size_t size;
+    int value;
+    FILE *f = open_memstream(&line, &size);
+    if (!f) abort();
+    snprintf(key, sizeof key, "{ \"name\": \"%s\", \"dialect\": \"%s\",", name,
+             ssgi_gl_dialect_name(steps[0].desc.dialect));
+    fprintf(f, "%s \"about\": ", key);
+    put_string(f, about);
+    fputs(",\n\"chain\": { \"desc\": ", f);
+    put_desc(f, &chain->desc);
+    if (chain->lights.pass == SSGI_GL_LIGHTS) {
+        fputs(", \"lights\": ", f);
+        put_desc(f, &chain->lights);
+    }
+    for (int i = 0; (member = chain_member(chain, i, &value)) != NULL; ++i)
+        if (value) fprintf(f, ", \"%s\": %d", member, value);
+    fputs(" },\n", f);
+    put_textures(f, steps, count);
+    fputs(",\n\"steps\": [", f);
+    for (int i = 0; i < count; ++i) {
+        fputs(i ? ",\n  " : "\n  ", f);
+        put_step(f, &steps[i], files[i]);
+    }
+    fputs("] }", f);
+    fclose(f);
+    number_of(&chains, key, line);
     free(line);
 }
 
@@ -141,6 +274,40 @@ static size_t bytes_of(const char *type)
     abort();
 }
 
+/* What ssgi_gl_frame_init sets a member to: numbers, times the radius where they follow it; "view" where they follow
+   the camera. */
+static void put_default(FILE *f, const ssgi_gl_io *m)
+{
+    ssgi_gl_frame frame[3];                     /* of a camera; of twice the radius; of another camera */
+    for (int i = 0; i < 3; ++i) {
+        const float wide = i < 2 ? 1.0f : 1.5f, zfar = 100, znear = i < 2 ? 0.25f : 0.5f;
+        const float projection[16] = { wide, 0, 0, 0, 0, wide, 0, 0, 0, 0, (zfar + znear) / (znear - zfar), -1, 0, 0,
+                                       2 * zfar * znear / (znear - zfar), 0 };
+        ssgi_view view;
+        memset(&frame[i], 0, sizeof frame[i]);
+        ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 64 << (i / 2), 64 << (i / 2), NULL);
+        ssgi_gl_frame_init(&frame[i], &view, i == 1 ? 2.0f : 1.0f, NULL);
+    }
+    const char *at[3];
+    for (int i = 0; i < 3; ++i) at[i] = (const char *)&frame[i] + m->offset;
+    const size_t bytes = bytes_of(m->type);
+    const int scaled = memcmp(at[0], at[1], bytes) != 0;
+    if (memcmp(at[0], at[2], bytes)) {
+        fputs(", \"default\": \"view\"", f);
+        return;
+    }
+    fprintf(f, ", \"default\": %s", bytes > 4 ? "[" : "");
+    for (size_t i = 0; i < bytes; i += 4) {
+        const int whole = strstr(m->type, "int") || *m->type == 'i';
+        int32_t n;
+        float x;
+        memcpy(&n, at[0] + i, 4);
+        memcpy(&x, at[0] + i, 4);
+        fprintf(f, "%s%.9g", i ? ", " : "", whole ? (double)n : (double)x);
+    }
+    fprintf(f, "%s%s", bytes > 4 ? "]" : "", scaled ? ", \"times\": \"radius\"" : "");
+}
+
 static void put_block(FILE *f, const char *name, int block, const char *prefix, size_t size)
 {
     const ssgi_gl_io *m;
@@ -151,6 +318,7 @@ static void put_block(FILE *f, const char *name, int block, const char *prefix, 
         fprintf(f, "%s\n{ \"name\": \"%s\", \"glsl\": \"%s\", \"type\": \"%s\", \"offset\": %zu, \"bytes\": %zu, "
                    "\"units\": ", between, m->name + strlen(prefix), m->name, m->type, m->offset, bytes_of(m->type));
         put_string(f, m->format);
+        if (!block) put_default(f, m);
         fputs(" }", f);
         between = ",";
     }
@@ -163,6 +331,18 @@ static const char *const about[] = {
     "their words (fields has them in order from 0); fetch: true: with this manifest's fetch (vulkan: "
     "fetch_vulkan) as desc.fetch; files by "
     "stage; rows: a number in row_lists.",
+    "variants' key: what tells a variant from others: its fragment stage's file less the ending.",
+    "chains: what methods draw, by the names of build/render, once a dialect. chain: the ssgi_gl_chain, what is not 0. "
+    "textures: what its steps write, by their numbers: format: a number in formats; size: FULL, HALF (rounded up), "
+    "LEVELS (ssgi_splat_size: width, height of a level times levels); slices: 0: 2D, else an array of so many layers; "
+    "kept: 1: two of it, which change places each frame; clear them to 0 when they are made. steps, in order: files; "
+    "rows: numbers in rows; frame: ssgi_gl_step.frame; vertices, instances: 0: as many as you have; blend: null: off, "
+    "else equation, source, destination; clear: null, or what the targets are cleared to first. inputs: yours: the "
+    "meaning, SSGI_GL_YOUR_ without the prefix, else the number of a texture, as the last frame left it where last is "
+    "1; binding and dimension are Vulkan's and WebGPU's, unit GL's. outputs: texture -1: your picture; slice: the "
+    "layer drawn into.",
+    "translated texts lie beside those of dialect vulkan: .spv, .wgsl, .hlsl, .msl behind a file's name. Constants with "
+    "an offset other than 0 in rows are specialisation constants of that id, in WGSL overrides.",
     "row_lists: numbers in rows. rows: ssgi_gl_io, what a program reads and writes, in the order of its text.",
     "frame, views: ssgi_gl_frame, ssgi_gl_views, the blocks of the same layout (std140); a mat3 has 3 columns of "
     "4 floats. desc: ssgi_gl_desc, in C; the offsets of ints are the same on every machine, most is the greatest "
@@ -233,6 +413,8 @@ int manifest_write(const char *path, kit_error *err)
     put_table(f, "row_lists", &lists);
     put_table(f, "variants", &variants);
     put_table(f, "functions", &functions);
+    put_table(f, "formats", &formats);
+    put_table(f, "chains", &chains);
     fprintf(f, ",\n\"fetch\": ");
     put_string(f, fetch[0]);
     fprintf(f, ",\n\"fetch_vulkan\": ");

@@ -9,6 +9,9 @@ extern const char *const endings[SSGI_GL_STAGES + 1];          /* of files, by s
 /* A variant's files by stage, NULL where it has none; nothing when one before has the very same. */
 void manifest_variant(const ssgi_gl_desc *d, const char *const files[SSGI_GL_STAGES]);
 void manifest_functions(const char *file);                     /* a file of functions alone */
+/* A chain's steps, and the files of each by stage; nothing when one of that name and dialect is there. */
+void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *chain, const ssgi_gl_step *steps,
+                    int count, const char *const (*files)[SSGI_GL_STAGES]);
 int  manifest_write(const char *path, kit_error *err);
 void manifest_types(void);
 
