@@ -5307,7 +5307,7 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
     in->multisampled = end == 'S'; /* sampler2DMS */
     in->integer = *row->type == 'u';
     in->binding = row->slot + ssgi_gl__dialects[SSGI_GL_VULKAN].textures;
-    in->target = in->array          ? SSGI_GL__TEXTURE_2D_ARRAY
+    in->target = in->array        ? SSGI_GL__TEXTURE_2D_ARRAY
                : in->multisampled ? SSGI_GL__TEXTURE_2D_MULTISAMPLE
                                   : SSGI_GL__TEXTURE_2D;
     if (m < SSGI_GL_YOURS) {

@@ -359,7 +359,7 @@ static void library_as_files(void)
                  "'%s/build/library' in edited.h glsl && cmp ssgi_gl.h edited.h",
                  getenv("PWD"), getenv("PWD")), "%s", text);
     CHECK(!shell(text, sizeof text,
-                 "sed -i 's/SSGI_UNSEEN = 0.25/SSGI_UNSEEN = 0.5/' glsl/*.glsl && "
+                 "sed -i 's/SSGI_UNSEEN = [0-9.]*/SSGI_UNSEEN = 0.5/' glsl/*.glsl && "
                  "'%s/build/library' in edited.h glsl && diff ssgi_gl.h edited.h | "
                  "grep -c '^> .*SSGI_UNSEEN = 0.5' && gcc -fsyntax-only -xc edited.h%s",
                  getenv("PWD"), ""), "an edit of a file does not reach the header: %s", text);
@@ -423,6 +423,7 @@ static void manifest(void)
         "import json, os\n"
         "m = json.load(open('texts/manifest.json'))\n"
         "files = {f for v in m['variants'] for f in v['files'].values()} | set(m['functions']) | {'manifest.json'}\n"
+        "files |= {f for c in m['chains'] for s in c['steps'] for f in s['files'].values()}\n"
         "assert files == set(os.listdir('texts')), files ^ set(os.listdir('texts'))\n"
         "for v in m['variants']:\n"
         "    rows = [m['rows'][i] for i in m['row_lists'][v['rows']]]\n"
@@ -439,6 +440,25 @@ static void manifest(void)
         "        assert x['offset'] == end, x\n"
         "        end += x['bytes']\n"
         "    assert (end + 15) // 16 * 16 == b['size'], end\n"
+        "for c in m['chains']:\n"
+        "    written = set()\n"
+        "    for s in c['steps']:\n"
+        "        rows = [m['rows'][i] for i in s['rows']]\n"
+        "        texts = ''.join(open('texts/' + f).read() for f in s['files'].values())\n"
+        "        assert all(r['name'] in texts for r in rows), (c, s)\n"
+        "        for kind, side in ('TEXTURE', s['inputs']), ('OUTPUT', s['outputs']):\n"
+        "            assert [r['name'] for r in rows if r['kind'] == kind] == [x['name'] for x in side], (c, s)\n"
+        "        for i in s['inputs']:\n"
+        "            assert 'yours' in i or i['last'] or i['texture'] in written, (c, s)\n"
+        "        written |= {o['texture'] for o in s['outputs']}\n"
+        "    assert written == set(range(len(c['textures']))), c\n"
+        "    assert any(t['result'] != 'NONE' for t in c['textures']), c\n"
+        "    assert all(t['format'] < len(m['formats']) for t in c['textures']), c\n"
+        "names = [c['name'] for c in m['chains']]\n"
+        "assert len(set(names)) == len(names) and {'hsao-fast', 'hsao', 'hsao-best', 'ssdo-bounce'} < set(names)\n"
+        "default = {x['name']: x for x in m['frame']['members']}\n"
+        "assert default['offset']['default'] == 1.5 and default['rotation']['default'] == [1,0,0,0, 0,1,0,0, 0,0,1,0]\n"
+        "assert default['size']['default'] == 'view' and default['fade']['times'] == 'radius'\n"
         "assert m['defaults']['hsao']['steps'] == 6 and m['defaults']['lights']['samples'] == 8\n"
         "print(len(m['variants']), 'variants')\n";
     char text[4000], path[256], *json;
@@ -449,6 +469,32 @@ static void manifest(void)
     free(json);
     write_text("manifest.py", check);
     if (has("python3")) CHECK(!shell(text, sizeof text, "python3 manifest.py%s%s", "", ""), "%s", text);
+}
+
+/* A chain as one writes it, and what is wrong with one. */
+static void own_chain(void)
+{
+    static const struct { const char *chain, *says; } wrong[] = {
+        { "hsao,balanced,depth=NEAR --330 own", "desc.depth: must be" },
+        { "hsao,depht=LINEAR --330 own", "depht: is neither a field of ssgi_gl_desc nor a member of ssgi_gl_chain" },
+        { "hsao,best,depth --330 own", "depth: must be FIELD=VALUE" },
+        { "hsao,pass=SSDO --330 own", "pass: is neither" },
+        { "blur --330 own", "--chain blur: chain.desc.pass: must be" }, { "blurr --330 own", "must begin with" },
+        { "hsao,history=2 --330 own", "history: must be 0..1" },
+        { "hsao,multisampled=1 --300es own", "desc.multisampled: " },
+        { "splat,surfels=1 --vulkan own", "desc.pass: surfels" },
+        { "hsao own", "in which language" }, { "hsao --330", "the folder is missing" },
+        { "hsao --glsl own", "--glsl: must be" } };
+    char text[4000], line[512];
+    CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --chain hsao,balanced,depth=LINEAR,lights=0 --300es --450 "
+                 "own && test $(ls own | wc -l) = 13 && grep -q 'SSGI_STEPS = 10' own/*2-hsao.450.frag && "
+                 "! grep -q ssgi_decode own/*.frag%s", getenv("PWD"), ""), "%s", text);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+        snprintf(line, sizeof line, "'%s/build/glsl-text' --chain %s", getenv("PWD"), wrong[i].chain);
+        const int status = shell(text, sizeof text, "%s%s", line, "");
+        const char *end = strchr(text, '\n');
+        CHECK(status == 2 && end && !end[1] && strstr(text, wrong[i].says), "%s: status %d, %s", line, status, text);
+    }
 }
 
 /* The headers without a C library, in node: every text and row of the manifest, blocks as C makes them, errors. */
@@ -472,6 +518,8 @@ static void wasm(void)
         "import { equal, deepEqual, throws } from 'node:assert/strict';\n"
         "const { load } = await import(process.argv[2] + '/ssgi.mjs');\n"
         "const ssgi = await load();\n"
+        "const formatOf = f => ({ name: f.name, ...f.gl, bytes: f.bytes, vulkan: f.vulkan_number,\n"
+        "                         vulkan_name: f.vulkan, webgpu: f.webgpu });\n"
         "for (const folder of ['texts', 'others']) {\n"
         "    const m = JSON.parse(read(folder + '/manifest.json', 'utf8'));\n"
         "    for (const v of m.variants) {\n"
@@ -479,6 +527,21 @@ static void wasm(void)
         "        for (const [stage, file] of Object.entries(v.files))\n"
         "            equal(ssgi.text(desc, stage), read(folder + '/' + file, 'utf8'), file);\n"
         "        deepEqual(ssgi.rows(desc), m.row_lists[v.rows].map(i => m.rows[i]));\n"
+        "    }\n"
+        "    for (const c of m.chains) {\n"
+        "        const steps = ssgi.steps({ ...c.chain, width: 1, height: 1 });\n"
+        "        equal(steps.length, c.steps.length, c.name);\n"
+        "        for (const [i, step] of steps.entries()) {\n"
+        "            const said = c.steps[i];\n"
+        "            for (const [stage, file] of Object.entries(said.files))\n"
+        "                equal(ssgi.text(step.desc, stage), read(folder + '/' + file, 'utf8'), file);\n"
+        "            deepEqual(step.inputs.map(k => [k.name, k.unit, k.binding, k.meaning ?? k.texture, k.last]),\n"
+        "                      said.inputs.map(k => [k.name, k.unit, k.binding, k.yours ?? k.texture, k.last ?? 0]));\n"
+        "            deepEqual(step.outputs.map(k => [k.texture, k.slice, k.format]), said.outputs.map(k =>\n"
+        "                [k.texture, k.slice, formatOf(m.formats[c.textures[k.texture].format])]));\n"
+        "            deepEqual([step.size, step.frame, step.vertices, step.instances, step.blend[0] !== 0],\n"
+        "                      [said.size, said.frame, said.vertices, said.instances, said.blend !== null]);\n"
+        "        }\n"
         "    }\n"
         "    deepEqual(ssgi.members.length, m.frame.members.length + m.views.members.length);\n"
         "    deepEqual(ssgi.resolve({ pass: 'HSAO' }), m.defaults.hsao);\n"
@@ -859,6 +922,7 @@ void test_build(void)
     RUN("the library of GLSL as files comes back to the byte; edits arrive, what is broken is refused",
         library_as_files);
     RUN("the manifest names every file, what belongs together, and rows that the texts have", manifest);
+    RUN("a chain as one writes it is made in the languages named, or refused by its field", own_chain);
     RUN("the headers as WebAssembly, without a C library, give the same texts, rows and blocks", wasm);
     RUN("what make install and make npm leave serves pkg-config, CMake and node", packages);
     RUN("cffi and bindgen take the headers", bindings);

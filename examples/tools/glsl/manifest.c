@@ -228,10 +228,12 @@ void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *ch
     fprintf(f, "%s \"about\": ", key);
     put_string(f, about);
     fputs(",\n\"chain\": { \"desc\": ", f);
-    put_desc(f, &chain->desc);
-    if (chain->lights.pass == SSGI_GL_LIGHTS) {
+    ssgi_gl_chain in = *chain;                              /* in that dialect */
+    in.desc.dialect = in.lights.dialect = steps[0].desc.dialect;
+    put_desc(f, &in.desc);
+    if (in.lights.pass == SSGI_GL_LIGHTS) {
         fputs(", \"lights\": ", f);
-        put_desc(f, &chain->lights);
+        put_desc(f, &in.lights);
     }
     for (int i = 0; (member = chain_member(chain, i, &value)) != NULL; ++i)
         if (value) fprintf(f, ", \"%s\": %d", member, value);
@@ -341,8 +343,8 @@ static const char *const about[] = {
     "meaning, SSGI_GL_YOUR_ without the prefix, else the number of a texture, as the last frame left it where last is "
     "1; binding and dimension are Vulkan's and WebGPU's, unit GL's. outputs: texture -1: your picture; slice: the "
     "layer drawn into.",
-    "translated texts lie beside those of dialect vulkan: .spv, .wgsl, .hlsl, .msl behind a file's name. Constants with "
-    "an offset other than 0 in rows are specialisation constants of that id, in WGSL overrides.",
+    "translated texts lie beside those of dialect vulkan: .spv, .wgsl, .hlsl, .msl behind a file's name. Constants "
+    "with an offset other than 0 in rows are specialisation constants of that id, in WGSL overrides.",
     "row_lists: numbers in rows. rows: ssgi_gl_io, what a program reads and writes, in the order of its text.",
     "frame, views: ssgi_gl_frame, ssgi_gl_views, the blocks of the same layout (std140); a mat3 has 3 columns of "
     "4 floats. desc: ssgi_gl_desc, in C; the offsets of ints are the same on every machine, most is the greatest "

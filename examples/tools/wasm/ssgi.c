@@ -56,10 +56,11 @@ const place *ssgi_wasm_place_at(int i)
         STEP(desc), STEP(size), STEP(width), STEP(height), STEP(inputs), STEP(outputs), STEP(input), STEP(output),
         STEP(frame), STEP(primitive), STEP(vertices), STEP(instances), STEP(blend), STEP(clear), STEP(clear_to),
         INPUT(name), INPUT(type), INPUT(unit), INPUT(target), INPUT(meaning), INPUT(texture), INPUT(last),
-        INPUT(format), INPUT(width), INPUT(height),
+        INPUT(format), INPUT(width), INPUT(height), INPUT(binding), INPUT(array), INPUT(multisampled), INPUT(integer),
         OUTPUT(name), OUTPUT(texture), OUTPUT(format), OUTPUT(slices), OUTPUT(slice), OUTPUT(kept), OUTPUT(result),
         AT(ssgi_gl_format, name), AT(ssgi_gl_format, internal), AT(ssgi_gl_format, format), AT(ssgi_gl_format, type),
-        AT(ssgi_gl_format, bytes)
+        AT(ssgi_gl_format, bytes), AT(ssgi_gl_format, vulkan), AT(ssgi_gl_format, vulkan_name),
+        AT(ssgi_gl_format, webgpu)
     };
     return i >= 0 && i < (int)(sizeof places / sizeof *places) ? &places[i] : NULL;
 }

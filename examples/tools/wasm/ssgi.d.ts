@@ -30,11 +30,17 @@ export interface Chain {
 }
 
 /** ssgi_gl_format: the numbers that texImage2D takes */
-export interface Format { name: string; internal: number; format: number; type: number; bytes: number; }
+export interface Format {
+  name: string; internal: number; format: number; type: number; bytes: number;
+  /** VkFormat's number and name; WebGPU's name */
+  vulkan: number; vulkan_name: string; webgpu: string;
+}
 
 /** ssgi_gl_input */
 export interface Input {
   name: string; type: string; unit: number; target: number;
+  /** WebGPU: in group 0; 1: a view "2d-array"; 1: multisampled; 1: sampleType "uint", 0: "unfilterable-float" */
+  binding: number; array: number; multisampled: number; integer: number;
   /** what texture of yours it is, the words of SSGI_GL_YOUR_*; null: one of the steps, by its number */
   meaning: string | null; texture: number; last: number; format: Format | 0; width: number; height: number;
 }

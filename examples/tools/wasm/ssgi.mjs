@@ -372,7 +372,9 @@ export class Ssgi {
     #format(at) {
         const { ssgi_gl_format: f } = this.#of;
         return at && { name: this.#string(this.#int(at + f.name)),
-                       ...this.#ints(at, f, ['internal', 'format', 'type', 'bytes']) };
+                       ...this.#ints(at, f, ['internal', 'format', 'type', 'bytes', 'vulkan']),
+                       vulkan_name: this.#string(this.#int(at + f.vulkan_name)),
+                       webgpu: this.#string(this.#int(at + f.webgpu)) };
     }
     #step(at, step, like) {
         const { ssgi_gl_input: i, ssgi_gl_output: o } = this.#of;
@@ -382,7 +384,8 @@ export class Ssgi {
         return {
             ...s, desc: this.#object(at + step.desc, like), size: sizes[this.#int(at + step.size)],
             inputs: of(s.inputs, at + step.input, this.#at.ssgi_gl_input, k => ({
-                ...this.#ints(k, i, ['unit', 'target', 'texture', 'last', 'width', 'height']),
+                ...this.#ints(k, i, ['unit', 'target', 'binding', 'array', 'multisampled', 'integer', 'texture', 'last',
+                                     'width', 'height']),
                 name: this.#string(this.#int(k + i.name)), type: this.#string(this.#int(k + i.type)),
                 meaning: meanings[this.#int(k + i.meaning)] ?? null, format: this.#format(this.#int(k + i.format)) })),
             outputs: of(s.outputs, at + step.output, this.#at.ssgi_gl_output, k => ({
