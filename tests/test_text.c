@@ -661,7 +661,10 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
             io.offset = offset;
             offset += size;
             if (!strncmp(name, "u_ssgi_gap", 10)) continue;
-        } else if (sscanf(line, "const int %63s = %d;", name, &io.slot) == 2) {
+        } else if (sscanf(line, "const int %63s = %d;", name, &io.slot) == 2
+                   || (vulkan
+                       && sscanf(line, "layout(constant_id = %zu) const int %63s = %d;", &io.offset, name, &io.slot)
+                              == 3)) {
             io.kind = SSGI_GL_CONSTANT;
             strcpy(type, "int");
         } else if (sscanf(line, "layout(location = %d) %9s %31s %63[^;]; // %299[^\n]", &io.slot, begin, type, name,
