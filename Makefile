@@ -234,7 +234,8 @@ build/starve: tests/starve.c tests/others.c $(KIT_BASE:%=build/kit/%.o) tests/ot
 
 # Damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
 build/fuzz-files: FLAGS = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined
-build/fuzz-files: tests/fuzz_files.c tests/others.c $(KIT_BASE:%=build/sanitized/%.o) tests/others.h
+build/fuzz-files: tests/fuzz_files.c tests/others.c $(KIT_BASE:%=build/sanitized/%.o) build/sanitized/trace/camera.o \
+                  tests/others.h
 	@echo '  cc $@'; $(CC) $(FLAGS) $(filter-out %.h,$^) $(KIT_LIBS) -o $@
 
 # No room of examples/ calls one above it.

@@ -20,6 +20,7 @@ enum { SAMPLES = 64, ROOM = 1 << 16, SECONDS = 30 };
 
 static struct { unsigned char *data; size_t size; int hdr; } sample[SAMPLES];
 static int samples;
+static long cameras;
 static char path[2][512];                       /* .exr, .hdr */
 static uint64_t state;
 
@@ -53,13 +54,16 @@ static float texel(int i, int width)
     return i % width < width / 2 ? (float)(i / width) / 8 : (float)random_below(1u << 24) / 65536;
 }
 
-static void by_the_kit(int width, int height, const char *names)
+/* orthographic: 0, 1; below 0: without a camera */
+static void by_the_kit(int width, int height, const char *names, int orthographic)
 {
+    const kit_header header = { .has = orthographic < 0 ? 0 : KIT_HEADER_ALL, .orthographic = orthographic, .height = 2,
+                                .world_to_camera = { 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, -3, -2, -1, 1 }, .radius = 3 };
     kit_image image;
     kit_error err = { "" };
     if (kit_image_new(&image, width, height, names, &err)) stop("sample", err.text);
     for (int i = 0; i < width * height * image.channels; ++i) image.data[i] = texel(i, width);
-    if (kit_exr_write(&image, path[0], &err)) stop("sample", err.text);
+    if (kit_exr_write_frame(&image, &header, path[0], &err)) stop("sample", err.text);
     kit_image_free(&image);
     keep(0);
 }
@@ -102,10 +106,12 @@ static void radiance(int width, int height, int coded)
 
 static void make_samples(void)
 {
-    by_the_kit(1, 1, "Y");
-    by_the_kit(8, 37, "Y");
-    by_the_kit(33, 20, "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B");
-    by_the_kit(17, 33, "Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B");
+    by_the_kit(1, 1, "Y", -1);
+    by_the_kit(8, 37, "Y", -1);
+    by_the_kit(33, 20, "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B", -1);
+    by_the_kit(17, 33, "Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B", 0);
+    by_the_kit(5, 3, "Z", 0);
+    by_the_kit(5, 3, "Z", 1);
     for (int c = IMF_NO_COMPRESSION; c <= IMF_DWAB_COMPRESSION; ++c) {
         by_others(29, 35, c, 0);
         by_others(29, 35, c, 16);
@@ -120,7 +126,7 @@ static void make_samples(void)
 /* A place in a file: half of them in its first bytes, where the header is. */
 static size_t place(size_t size)
 {
-    const size_t head = size < 400 ? size : 400;
+    const size_t head = size < 600 ? size : 600;
     return random_below(2) ? random_below((uint32_t)head) : random_below((uint32_t)size);
 }
 
@@ -162,6 +168,27 @@ static void too_long(int number)
     _exit(1);
 }
 
+/* A camera is one that can be drawn with, or a sentence. */
+static void read_header(const char *now)
+{
+    kit_header header = { .has = -7 };
+    kit_camera camera = { .eye = { 1, 0, 0 }, .up = { 0, 1, 0 }, .fovy = 50, .width = 4, .height = 3, .znear = 1,
+                          .zfar = 2 };
+    float matrix[2][16];
+    kit_error err = { "" };
+    if (kit_exr_header(&header, KIT_HEADER_ALL, now, &err)) {
+        if (header.has != -7) stop(now, "the header was touched");
+        if (strncmp(err.text, now, strlen(now)) || strlen(err.text) < strlen(now) + 5) stop(now, err.text);
+        return;
+    }
+    cameras += header.has != 0;
+    kit_camera_from_header(&camera, &header);
+    kit_camera_matrices(&camera, matrix[0], matrix[1]);
+    for (int i = 0; i < 32; ++i) if (!isfinite(matrix[i / 16][i % 16])) stop(now, "a camera that is none");
+    if (!(camera.fovy > 0 ? camera.fovy < 180 : camera.ortho_height > 0)) stop(now, "a window that is none");
+    if (header.has & KIT_HEADER_RADIUS && !(header.radius > 0)) stop(now, "a radius that is none");
+}
+
 /* 1 when it was read. */
 static int read_one(int hdr)
 {
@@ -170,6 +197,7 @@ static int read_one(int hdr)
     const char *now = path[hdr];
     alarm(SECONDS);
     const int failed = hdr ? kit_hdr_read(&image, now, &err) : kit_exr_read(&image, now, &err);
+    if (!hdr) read_header(now);
     alarm(0);
     if (failed) {
         if (image.width != -7 || image.data) stop(now, "the picture was touched");
@@ -201,7 +229,8 @@ static void fuzz(double seconds, long most)
         read += read_one(hdr);
     }
     for (int i = 0; i < samples; ++i) free(sample[i].data);
-    printf("%ld damaged pictures of %d: %ld read, %ld refused\n", tried, samples, read, tried - read);
+    printf("%ld damaged pictures of %d: %ld read, %ld refused; %ld cameras\n", tried, samples, read, tried - read,
+           cameras);
 }
 
 /* ---- noise --------------------------------------------------------------------------------------------------- */

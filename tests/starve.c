@@ -44,6 +44,17 @@ static int write_exr(kit_image *none, const char *path, kit_error *err)
     return kit_exr_write(&picture, path, err);
 }
 
+/* What the header says, as if it were pixels. */
+static int read_header(kit_image *image, const char *path, kit_error *err)
+{
+    kit_header header;
+    if (kit_exr_header(&header, KIT_HEADER_ALL, path, err)) return -1;
+    *image = (kit_image){ .width = (int)(sizeof header / sizeof(float)), .height = 1, .channels = 1 };
+    image->data = __libc_malloc(sizeof header);
+    memcpy(image->data, &header, sizeof header);
+    return 0;
+}
+
 static int write_png(kit_image *none, const char *path, kit_error *err)
 {
     (void)none;
@@ -64,7 +75,8 @@ static const struct work {
     int       (*run)(kit_image *image, const char *path, kit_error *err);
     int         writes;
 } works[] = { { "out.exr", write_exr, 1 },      { "out.png", write_png, 1 },       { "in.exr", kit_exr_read, 0 },
-              { "pxr24.exr", kit_exr_read, 0 }, { "dwaa.exr", kit_exr_read, 0 }, { "in.hdr", kit_hdr_read, 0 } };
+              { "pxr24.exr", kit_exr_read, 0 }, { "dwaa.exr", kit_exr_read, 0 }, { "in.hdr", kit_hdr_read, 0 },
+              { "frame.exr", read_header, 0 } };
 enum { WORKS = sizeof works / sizeof *works };
 
 /* Of a file, or of the picture that was read: what it should be again. */
@@ -134,6 +146,8 @@ static int in_child(const struct work *work, long failing, uint64_t right, const
 int main(int argc, char **argv)
 {
     static const char hdr[] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x40\x20\x81\x80\x40\x20\x81";
+    static const kit_header header = { .has = KIT_HEADER_ALL, .height = 2, .radius = 3, .orthographic = 1,
+                                       .world_to_camera = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 } };
     const long step = argc > 2 ? atol(argv[2]) : 1;
     kit_error err = { "" };
     sigset_t ended;
@@ -144,7 +158,8 @@ int main(int argc, char **argv)
     sigprocmask(SIG_BLOCK, &ended, NULL);
     int bad = kit_image_new(&picture, WIDE, HIGH, "R,G,B", &err);
     for (int i = 0; i < 3 * WIDE * HIGH && !bad; ++i) picture.data[i] = (float)(i % 97) / 97;
-    bad = bad || kit_exr_write(&picture, "in.exr", &err) || write_others("dwaa.exr", IMF_DWAA_COMPRESSION)
+    bad = bad || kit_exr_write(&picture, "in.exr", &err) || kit_exr_write_frame(&picture, &header, "frame.exr", &err)
+       || write_others("dwaa.exr", IMF_DWAA_COMPRESSION)
        || write_others("pxr24.exr", IMF_PXR24_COMPRESSION)
        || kit_file_write("in.hdr", hdr, sizeof hdr - 1, &err);
     for (int w = 0; w < WORKS && !bad; ++w) {

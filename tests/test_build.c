@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <zlib.h>
 #include "kit/kit_gl.h"
 
 #define WARNINGS "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror"
@@ -777,8 +778,17 @@ static void command_line(void)
                   { "--sequence other.txt $F", "other.txt: line 2: small.exr: must be like the first frame in size" },
                   { "--sequence lit.txt $F", "lit.txt: line 2: lit.exr: must be like the first frame in direct.R" },
                   { "--sequence along.txt $F", "along.txt: line 2: --up" },
-                  { "--sequence good.txt --fovy 57 --out q%d.exr", "--sequence good.txt: needs --radius" },
-                  { "--sequence good.txt --fovy 57 --radius guess --out q%d.exr", "needs --radius" },
+                  { "--sequence bare.txt --fovy 57 --out q%d.exr", "line 1: --gbuffer lit.exr: needs --radius" },
+                  { "--sequence bare.txt $F", "bare.txt: line 2: --gbuffer lit.exr: needs a camera" },
+                  { "--sequence good.txt --fovy 57 --radius guess --out q%d.exr", "--radius guess: needs a scene" },
+                  { "--gbuffer lit.exr --ortho-height 2 --out a.exr", "lit.exr: needs --radius" },
+                  { "--gbuffer lit.exr --radius 2 --out a.exr", "lit.exr: needs --fovy or --ortho-height" },
+                  { "--gbuffer bent.exr --out a.exr", "bent.exr: worldToCamera: must turn" },
+                  { "--gbuffer bent.exr --camera 0,0,0,1,0,0 --out a.exr", "bent.exr: screenWindowWidth nan" },
+                  { "--gbuffer bent.exr --camera 0,0,0,1,0,0 --fovy 57 --out a.exr", "bent.exr: ssgi.radius 0" },
+                  { "--gbuffer half.exr --fovy 57 --radius 0.5 --out a.exr", "half.exr: frame: channel N.Z" },
+                  { "--gbuffer deep.exr --fovy 57 --radius 0.5 --out a.exr", "deep.exr: frame: channel N.X" },
+                  { "--sequence mixed.txt $F", "mixed.txt: line 2: bent.exr: must be like the first frame in N.X" },
                   { "room --radius gues --out a.exr", "--radius gues" },
                   { "room --size 4294967304x8 --out a.exr", "--size 4294967304x8" },
                   { "room --size +8x8 --out a.exr", "--size +8x8" },
@@ -806,7 +816,10 @@ static void command_line(void)
         { "cut.txt", "f.exr 1,1,3,0,0.5,0\rcut.exr 1,1,3,0,0.5,0\r" },
         { "other.txt", "f.exr 1,1,3,0,0.5,0\nsmall.exr 1,1,3,0,0.5,0\n" },
         { "lit.txt", "f.exr 1,1,3,0,0.5,0\nlit.exr 1,1,3,0,0.5,0\n" },
-        { "along.txt", "f.exr 1,1,3,0,0.5,0\nf.exr 1,1,3,1,2,3,0,1,0\n" } };
+        { "along.txt", "f.exr 1,1,3,0,0.5,0\nf.exr 1,1,3,1,2,3,0,1,0\n" },
+        { "bare.txt", "lit.exr 1,1,3,0,0.5,0\nlit.exr\n" },
+        { "mixed.txt", "f.exr\nbent.exr 1,1,3,0,0.5,0\n" },
+        { "own.txt", "f.exr\nf.exr 1,1,4,0,0.5,0\nf.exr \n" } };
     char text[4000], zero[] = "f.exr 1,1,3,0,0.5,0\n\nf.exr 1,1,3,0,0.5,0 \nf.exr 1,1,3,0,0.5,0\n";
     kit_image y;
     char path[256];
@@ -828,6 +841,17 @@ static void command_line(void)
     if (!kit_image_new(&lit, 16, 9, "Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B,direct.R,direct.G,direct.B", NULL)) {
         kit_exr_write(&lit, path, NULL);
         kit_image_free(&lit);
+    }
+    static const kit_header bent = { .has = KIT_HEADER_ALL, .height = NAN, .world_to_camera = { 2 } };
+    static const struct { const char *name, *channels; const kit_header *header; } odd[] = {
+        { "bent.exr", "Z", &bent }, { "half.exr", "Z,N.X,N.Y", NULL },
+        { "deep.exr", "Z,layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z", NULL } };
+    for (size_t i = 0; i < sizeof odd / sizeof *odd; ++i) {
+        kit_image frame;
+        snprintf(path, sizeof path, "%s/%s", folder, odd[i].name);
+        if (kit_image_new(&frame, 16, 9, odd[i].channels, NULL)) continue;
+        kit_exr_write_frame(&frame, odd[i].header, path, NULL);
+        kit_image_free(&frame);
     }
     CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 8x8 --save-gbuffer small.exr%s", getenv("PWD"), ""),
           "a smaller frame: %s", text);
@@ -860,6 +884,235 @@ static void command_line(void)
     CHECK(!shell(text, sizeof text, "'%s/build/render' --sequence good.txt --fovy 57 --radius 0.5 --set history=1 "
                  "--out s%%d.exr && test -s s0.exr && test -s s1.exr && ! test -e s2.exr%s", getenv("PWD"), ""),
           "a sequence: %s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/render' --sequence own.txt --set history=1 --out o%%d.exr && "
+                 "test -s o2.exr%s", getenv("PWD"), ""),
+          "a sequence of frames that have their cameras: %s", text);
+}
+
+/* What render says that its picture errs by against another; below 0: it says something else. */
+static double errs_by(const char *arguments, const char *reference)
+{
+    char text[8000];
+    const int status = shell(text, sizeof text, "$R %s --json --score %s", arguments, reference);
+    const char *rmse = strstr(text, "\"rmse\": ");
+    return CHECK(!status && rmse, "render %s: %s", arguments, text) ? strtod(rmse + 8, NULL) : -1;
+}
+
+/* A scene's picture, and that of its saved frame by nothing but that: the same up to the rounding of depths, which a
+   few pixels on edges see. Light tells whether the camera looks the same way in the world. */
+static void frames_carry_cameras(void)
+{
+    static const char *const scenes[] = {
+        "room --size 96x54 --camera 3,2,4,1,1,1 --up 0.3,1,0.1 --fovy 70",
+        "room --size 54x96 --camera 3,2,4,1,1,1 --up 0.3,1,0.1 --ortho-height 3.6 --radius 0.3" };
+    static const char *const sky = "--method ssdo --env sky --set bounce=none";
+    double worst = 0;
+    char line[400], text[4000], render[300];
+    snprintf(render, sizeof render, "%s/build/render", getenv("PWD"));
+    setenv("R", render, 1);
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; ++i) {
+        CHECK(!shell(text, sizeof text, "$R %s --save-gbuffer f.exr --out ao.exr%s", scenes[i], "")
+                  && !shell(text, sizeof text, "$R %s %s --out lit.exr", scenes[i], sky),
+              "%s", text);
+        snprintf(line, sizeof line, "--gbuffer f.exr %s", sky);
+        const double off[2] = { errs_by("--gbuffer f.exr", "ao.exr"), errs_by(line, "lit.exr") };
+        for (int k = 0; k < 2; ++k) {
+            CHECK(off[k] >= 0 && off[k] < 0.001, "%s, from its frame%s: RMSE %g", scenes[i], k ? ", lit" : "", off[k]);
+            worst = fmax(worst, off[k]);
+        }
+        static const char *const others[] = { "--fovy 30", "--ortho-height 2", "--radius 1" };
+        for (size_t k = i; k < sizeof others / sizeof *others; ++k) {
+            snprintf(line, sizeof line, "--gbuffer f.exr %s", others[k]);
+            CHECK(errs_by(line, "ao.exr") > 0.01, "%s: %s changes nothing", scenes[i], others[k]);
+        }
+        static const char *const places[] = { "--up 1,0,0", "--camera 0,0,0,0,0,-1" };
+        for (size_t k = i; k < sizeof places / sizeof *places; ++k) {
+            snprintf(line, sizeof line, "--gbuffer f.exr %s %s", sky, places[k]);
+            CHECK(errs_by(line, "lit.exr") > 0.01, "%s: %s changes nothing", scenes[i], places[k]);
+        }
+    }
+    t_note("RMSE %.5f at most from the saved frame", worst);
+}
+
+/* A PNG of 16 bits, grey, its rows filtered in every way by turns; wide is below 500. */
+static void write_png(const char *name, const float *value, int wide, int high)
+{
+    static unsigned char raw[1001 * 500], packed[1001 * 500 + 1000], file[1001 * 500 + 2000];
+    const unsigned char head[13] = { 0, 0, (unsigned char)(wide >> 8), (unsigned char)wide, 0, 0,
+                                     (unsigned char)(high >> 8), (unsigned char)high, 16 };
+    static unsigned char row[2][1002];
+    const int bytes = 2 * wide;
+    char path[256];
+    uLongf size = sizeof packed;
+    memset(row, 0, sizeof row);
+    for (int y = 0; y < high; ++y) {
+        const unsigned char *above = row[(y + 1) & 1];
+        unsigned char *now = row[y & 1], *out = raw + y * (bytes + 1);     /* two bytes of 0 before both */
+        *out++ = (unsigned char)(y % 5);
+        for (int x = 0; x < wide; ++x) {
+            const int v = (int)lroundf(65535 * value[y * wide + x]);
+            now[2 + 2 * x] = (unsigned char)(v >> 8);
+            now[3 + 2 * x] = (unsigned char)v;
+        }
+        for (int i = 2; i < bytes + 2; ++i) {
+            const int a = now[i - 2], b = above[i], c = above[i - 2], p = a + b - c;
+            const int paeth = abs(p - a) <= abs(p - b) && abs(p - a) <= abs(p - c) ? a
+                              : abs(p - b) <= abs(p - c)                           ? b
+                                                                                   : c;
+            const int by[5] = { 0, a, b, (a + b) / 2, paeth };
+            *out++ = (unsigned char)(now[i] - by[y % 5]);
+        }
+    }
+    compress2(packed, &size, raw, (uLong)(high * (bytes + 1)), 6);
+    const struct { const char *kind; const unsigned char *data; size_t size; } chunk[] = {
+        { "IHDR", head, sizeof head }, { "IDAT", packed, 100 }, { "IDAT", packed + 100, size - 100 },
+        { "IEND", head, 0 } };
+    size_t n = 8;
+    memcpy(file, "\x89PNG\r\n\x1a\n", 8);
+    for (size_t k = 0; k < 4; ++k, n += 4) {               /* and 0 for the sum, which nobody looks at */
+        for (int i = 0; i < 4; ++i) file[n++] = (unsigned char)(chunk[k].size >> (24 - 8 * i));
+        memcpy(file + n, chunk[k].kind, 4);
+        memcpy(file + n + 4, chunk[k].data, chunk[k].size);
+        n += 4 + chunk[k].size;
+        memset(file + n, 0, 4);
+    }
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    kit_file_write(path, file, n, NULL);
+}
+
+/* One way in which engines have depth: which layout, OpenGL's clip space or from 0 to 1, y down as in Vulkan, a view
+   space that looks down +z. */
+typedef struct way { int layout, gl, down, left, orthographic; float shift; const char *options; } way;
+
+/* What a depth buffer holds of a frame by that projection. */
+static void buffer_of(float *out, const kit_image *frame, const way *w, const float p[16])
+{
+    const float *z = kit_image_channel(frame, "Z");
+    for (int i = 0; i < frame->width * frame->height; ++i) {
+        const double along = (double)(w->left ? z[i] : -z[i]);
+        const double clip = ((double)p[10] * along + (double)p[14]) / ((double)p[11] * along + (double)p[15]);
+        out[i] = !(z[i] > 0) ? (float)(w->layout == KIT_DEPTH_NORMAL) : (float)(w->gl ? 0.5 + 0.5 * clip : clip);
+    }
+}
+
+/* The farthest that a depth is from the frame's, as a share of it; 1 where only one of them shows something. */
+static double depths_off(const kit_image *a, const kit_image *b)
+{
+    const float *z[2] = { kit_image_channel(a, "Z"), kit_image_channel(b, "Z") };
+    double most = 0;
+    for (int i = 0; i < a->width * a->height; ++i)
+        if (z[0][i] > 0 || z[1][i] > 0) most = fmax(most, fabs((double)(z[1][i] / z[0][i]) - 1));
+    return most;
+}
+
+/* The frame that the script makes has the depths that went into the buffer, and the camera. pictures: 1: of an EXR, 2:
+   of a PNG as well */
+static void capture(const kit_image *frame, kit_camera camera, const way *w, int pictures)
+{
+    char text[4000], path[256], words[800] = "";
+    float p[16], view[16], q[16];
+    kit_image buffer, made;
+    kit_header header;
+    kit_error err = { "" };
+    camera.depth = w->layout;
+    for (int i = 0; i < 2; ++i) camera.shift[i] = w->shift * (float)(1 + i);
+    if (w->orthographic) { camera.fovy = 0; camera.ortho_height = 4; }
+    kit_camera_matrices(&camera, view, p);
+    if (w->layout == KIT_DEPTH_NORMAL && !w->gl) {                         /* from [-w, w] to [0, w] */
+        p[10] = 0.5f * (p[10] + p[11]);
+        p[14] = 0.5f * (p[14] + p[15]);
+    }
+    for (int i = 8; i < 12 && w->left; ++i) p[i] = 0 - p[i];
+    for (int i = 1; i < 16 && w->down; i += 4) p[i] = 0 - p[i];
+    for (int i = 0; i < 16; ++i)
+        snprintf(words + strlen(words), sizeof words - strlen(words), "%s%.9g", i ? "," : "", (double)p[i]);
+    if (!CHECK(!kit_image_new(&buffer, frame->width, frame->height, "A,R", &err), "%s", err.text)) return;
+    buffer_of(kit_image_channel(&buffer, "R"), frame, w, p);
+    write_png("depth.png", kit_image_channel(&buffer, "R"), frame->width, frame->height);
+    snprintf(path, sizeof path, "%s/depth.exr", folder);
+    CHECK(!kit_exr_write(&buffer, path, &err), "%s", err.text);
+    kit_image_free(&buffer);
+    snprintf(path, sizeof path, "%s/made.exr", folder);
+    for (int png = 0; png < pictures; ++png) {
+        const char *options = w->options;
+        char projection[900];
+        if (!options) snprintf(projection, sizeof projection, "--projection=%s%s", words, w->gl ? " --gl" : "");
+        snprintf(words + 700, 100, "depth.%s made.exr", png ? "png" : "exr");
+        if (!options) options = projection;
+        if (!CHECK(!shell(text, sizeof text, "python3 $C %s %s", words + 700, options), "%s", text)
+            || !CHECK(!kit_exr_read(&made, path, &err) && !kit_exr_header(&header, KIT_HEADER_ALL, path, &err), "%s",
+                      err.text)) return;
+        const double off = depths_off(frame, &made);
+        CHECK(off < (png ? 2e-3 : 2e-5), "%s, %s: depth off by %g", options, png ? "PNG" : "EXR", off);
+        kit_camera c = { .znear = camera.znear, .zfar = camera.zfar, .width = frame->width, .height = frame->height };
+        kit_camera_from_header(&c, &header);
+        kit_camera_matrices(&camera, view, p);
+        kit_camera_matrices(&c, view, q);
+        for (int i = 0; i < 16; ++i)
+            CHECK(i == 10 || i == 14 || fabsf(p[i] - q[i]) < 1e-5f, "%s: projection[%d] %g, not %g", words, i,
+                  (double)q[i], (double)p[i]);
+        kit_image_free(&made);
+    }
+}
+
+/* Every layout of depth becomes the same frame; what the script makes is rendered as the scene is. */
+static void captures(void)
+{
+    static const char by_numbers[] = "--fovy=50 --near=0.1 --far=100 --radius=0.5",
+                      endless[] = "--fovy=50 --near=0.1 --reversed --radius=0.5";
+    static const way ways[] = {
+        { KIT_DEPTH_NORMAL, 1, 0, 0, 0, 0, NULL },   { KIT_DEPTH_NORMAL, 0, 0, 0, 0, 3, NULL },
+        { KIT_DEPTH_NORMAL, 0, 1, 0, 0, 3, NULL },   { KIT_DEPTH_REVERSED, 0, 0, 1, 0, 0, NULL },
+        { KIT_DEPTH_INFINITE, 0, 1, 1, 0, 5, NULL }, { KIT_DEPTH_NORMAL, 1, 0, 0, 1, 2, NULL },
+        { KIT_DEPTH_REVERSED, 0, 0, 1, 1, 0, NULL }, { KIT_DEPTH_NORMAL, 0, 0, 0, 0, 0, by_numbers },
+        { KIT_DEPTH_INFINITE, 0, 0, 0, 0, 0, endless } };
+    static const struct { const char *arguments, *word; } bad[] = {
+        { "none.png a.exr --fovy=50 --near=1", "none.png" },
+        { "cut.png a.exr --fovy=50 --near=1", "cut.png: is cut off" },
+        { "cut.exr a.exr --fovy=50 --near=1", "cut.exr" },
+        { "noise.txt a.exr --fovy=50 --near=1", "noise.txt: is neither PNG nor EXR" },
+        { "depth.exr a.exr --fovy=50 --near=1 --channel=Q", "has no channel Q" },
+        { "depth.exr a.exr", "needs --projection, or --fovy" },
+        { "depth.exr a.exr --fovy=50 --near=2 --far=1", "needs --projection, or --fovy" },
+        { "depth.exr a.exr --projection=1,2,3", "--projection" },
+        { "depth.exr a.exr --projection=1,0,0,0,0,1,0,0,0,0,-1,-2,0,0,-1,0", "--projection" },
+        { "depth.exr a.exr --projection=1,0,0,0,0,1,0,0,0,0,-1,1,0,0,nan,0", "shows nothing" },
+        { "depth.exr nowhere/a.exr --fovy=50 --near=0.1", "nowhere/a.exr" } };
+    char text[4000], path[300];
+    kit_image frame;
+    kit_header header;
+    kit_error err = { "" };
+    if (!has("python3")) return;
+    snprintf(path, sizeof path, "%s/examples/tools/capture/capture.py", getenv("PWD"));
+    setenv("C", path, 1);
+    snprintf(path, sizeof path, "%s/f.exr", folder);
+    if (!CHECK(!shell(text, sizeof text, "$R room --size 96x54 --set normal=depth --save-gbuffer f.exr %s %s",
+                      "--out", "ao.exr"), "%s", text)
+        || !CHECK(!kit_exr_read(&frame, path, &err) && !kit_exr_header(&header, KIT_HEADER_ALL, path, &err), "%s",
+                  err.text)) return;
+    /* at the origin, looking down -z, as a capture has it */
+    kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 }, .znear = 0.1f, .zfar = 100, .width = 96,
+                          .height = 54 };
+    header.has = KIT_HEADER_WINDOW;
+    kit_camera_from_header(&camera, &header);
+    kit_image_channel(&frame, "Z")[200] = 0;                               /* nothing is there */
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; ++i) capture(&frame, camera, &ways[i], 1 + (i % 4 == 0));
+    kit_image_free(&frame);
+    const double off[2] = { errs_by("--gbuffer made.exr", "ao.exr"),
+                            shell(text, sizeof text, "python3 $C depth.exr made.exr %s%s", endless, "")
+                                ? -1 : errs_by("--gbuffer made.exr", "ao.exr") };
+    CHECK(off[0] >= 0 && off[0] < 0.03 && off[1] >= 0 && off[1] < 0.005, "RMSE of a PNG %g, of an EXR %g", off[0],
+          off[1]);
+    t_note("a captured room: RMSE %.4f of 16 bits, %.4f of floats", off[0], off[1]);
+    write_text("noise.txt", "noise");
+    shell(text, sizeof text, "head -c 900 depth.png >cut.png; head -c 900 depth.exr >cut.exr; ls > %s%s", "before", "");
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        const int status = shell(text, sizeof text, "python3 $C %s%s", bad[i].arguments, "");
+        const char *line = strchr(text, '\n');
+        CHECK(status == 2 && line && !line[1] && strstr(text, bad[i].word), "capture.py %s: status %d, %s",
+              bad[i].arguments, status, text);
+    }
+    CHECK(!shell(text, sizeof text, "ls | diff before - && rm before%s%s", "", ""), "left behind: %s", text);
 }
 
 /* JSON is JSON whatever a file's name and a reference hold; words that are a default are shown. */
@@ -928,6 +1181,8 @@ void test_build(void)
     RUN("cffi and bindgen take the headers", bindings);
     RUN("no function takes NaN or infinity for a number, by whatever rules of arithmetic", not_numbers);
     RUN("24,000 random inputs and chains neither crash nor trip a sanitizer", fuzz);
+    RUN("a saved frame is rendered by nothing but itself: the scene's picture; options override", frames_carry_cameras);
+    RUN("a captured depth buffer becomes a frame with its camera, however the engine lays it out", captures);
     RUN("render answers bad input with one line, status 2 and no file", command_line);
     RUN("what render prints is JSON, and names defaults", what_is_printed);
     RUN("what cannot be written is said, with status 2; links are written through, lines may end in CR", streams);

@@ -334,6 +334,162 @@ static void exr_claims(void)
     free(pixels);
 }
 
+/* In a file, so many bytes after the first place of a text become others; 0: the text is not in it. */
+static int patch(const char *name, const char *text, size_t after, const void *bytes, size_t count)
+{
+    static char file[65536];
+    const size_t size = get(name, file, sizeof file), length = strlen(text);
+    for (size_t i = 0; i + length + after + count < size; ++i)
+        if (!memcmp(file + i, text, length)) {
+            memcpy(file + i + length + after, bytes, count);
+            put(name, file, size);
+            return 1;
+        }
+    return 0;
+}
+
+static int frame_written(const char *name, const kit_header *header)
+{
+    kit_image image;
+    kit_error err = {{0}};
+    sample_image(&image, 8, 6, "Z");
+    const int ok = CHECK(!kit_exr_write_frame(&image, header, in_folder(name), &err), "%s", err.text);
+    kit_image_free(&image);
+    return ok;
+}
+
+/* The same pixels see the same points: pixel (x, y) of one camera, (x + dx, y + dy) of the other, in pixels. */
+static double astray(const kit_camera *a, const kit_camera *b, int dx, int dy)
+{
+    double most = 0;
+    for (int k = 0; k < 9; ++k) {
+        float p[3], q[3], side[3];
+        const int x = k % 3 * 4, y = k / 3 * 3;
+        kit_camera_point(a, x, y, 2, p);
+        kit_camera_point(a, x + 1, y, 2, side);
+        kit_camera_point(b, x + dx, y + dy, 2, q);
+        const double pixel = hypot(hypot((double)(side[0] - p[0]), (double)(side[1] - p[1])), (double)(side[2] - p[2]));
+        for (int i = 0; i < 3; ++i) most = fmax(most, fabs((double)(p[i] - q[i])) / pixel);
+    }
+    return most;
+}
+
+/* By the standard's own words, on a camera that is worked out by hand; then back, for cameras all around; and of a data
+   window that is a part of the display window. */
+static void exr_camera(void)
+{
+    static const int32_t shown[4] = { -8, -2, 23, 9 };             /* 32 x 12 pixels, of which 8 x 6 are there */
+    static const float by_hand[16] = { 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, -3, -2, -1, 1 };
+    static const kit_camera east = { .eye = { 1, 2, 3 }, .target = { 5, 2, 3 }, .up = { 0, 1, 0 }, .fovy = 90,
+                                     .width = 8, .height = 6 };
+    kit_header header = { .has = KIT_HEADER_RADIUS, .radius = 0.25f }, back;
+    kit_error err = {{0}};
+    double worst = 0;
+    kit_camera_to_header(&header, &east);
+    for (int i = 0; i < 16; ++i)
+        CHECK(fabsf(header.world_to_camera[i] - by_hand[i]) < 1e-6f, "number %d: %g, not %g", i,
+              (double)header.world_to_camera[i], (double)by_hand[i]);
+    if (!frame_written("east.exr", &header)) return;
+    float width = 0;
+    char bytes[4000];
+    const size_t size = get("east.exr", bytes, sizeof bytes);
+    for (size_t i = 0; i + 60 < size; ++i)
+        if (!memcmp(bytes + i, "screenWindowWidth\0float", 24)) memcpy(&width, bytes + i + 28, 4);
+    CHECK(fabsf(width - 8 / 3.0f) < 1e-6f, "90 degrees, 8 x 6: a screen window %g wide", (double)width);
+    for (int k = 0; k < 200; ++k) {
+        const double far = pow(10, k % 7 - 2), a = k * 0.7, b = sin(k * 1.3) * 1.5;
+        kit_camera c = { .target = { 1, 2, 3 }, .up = { 0.1f, 1, 0.2f }, .width = 8, .height = 6 }, was;
+        c.eye[0] = (float)(1 + far * cos(a) * cos(b));
+        c.eye[1] = (float)(2 + far * sin(b));
+        c.eye[2] = (float)(3 + far * sin(a) * cos(b));
+        if (k % 2) c.ortho_height = (float)far; else c.fovy = (float)(1 + k * 0.8);
+        for (int i = 0; i < 2 && k % 3; ++i) c.shift[i] = (float)(k % 5 - 2 - i);
+        was = c;
+        memset(&header, 0, sizeof header);
+        kit_camera_to_header(&header, &c);
+        if (!frame_written("c.exr", &header)
+            || !CHECK(!kit_exr_header(&back, KIT_HEADER_ALL, in_folder("c.exr"), &err), "%s", err.text)) return;
+        CHECK(back.has == (KIT_HEADER_PLACE | KIT_HEADER_WINDOW), "has %d", back.has);
+        c = (kit_camera){ .width = 8, .height = 6 };
+        kit_camera_from_header(&c, &back);
+        const double off = astray(&was, &c, 0, 0);
+        CHECK(off < 0.02, "camera %d: %.4f pixels astray", k, off);
+        worst = fmax(worst, off);
+        if (!patch("c.exr", "displayWindow", 11, shown, sizeof shown)
+            || !CHECK(!kit_exr_header(&back, KIT_HEADER_ALL, in_folder("c.exr"), &err), "%s", err.text)) return;
+        kit_camera part = { .width = 8, .height = 6 };
+        kit_camera_from_header(&part, &back);
+        /* the whole picture, by what was written for the part: as wide, or as high */
+        was = c;
+        was.width = 32;
+        was.height = 12;
+        const double half = tan((double)c.fovy * acos(-1) / 360);
+        if (k % 2 == 0) was.fovy = (float)(360 / acos(-1) * atan(half * 8 / 6 * 12 / 32));
+        const double scale = k % 2 ? 12 / 6.0 : 32 / 8.0;
+        for (int i = 0; i < 2; ++i) was.shift[i] = (float)((double)c.shift[i] * scale);
+        const double cut = astray(&part, &was, 8, 2);
+        CHECK(cut < 0.02, "camera %d, a part of the picture: %.4f pixels astray", k, cut);
+    }
+    t_note("cameras read back: %.1e pixels astray at most", worst);
+}
+
+/* What is malformed is named, what is not asked for is not looked at. */
+static void exr_camera_bad(void)
+{
+    static const int32_t none[4] = { 5, 5, 4, 4 };
+    static const float nan_ = NAN, two = 2, zero = 0, below = -1, endless = INFINITY, huge = 1e9f;
+    static const float wide[2] = { 0, 1e9f };
+    static const struct { const char *at; size_t after; const void *bytes; size_t count; const char *word; int part; }
+        bad[] = {
+        { "worldToCamera", 10, &nan_, 4, "worldToCamera", KIT_HEADER_PLACE },
+        { "worldToCamera", 10, &two, 4, "worldToCamera", KIT_HEADER_PLACE },
+        { "worldToCamera", 10, &zero, 4, "worldToCamera", KIT_HEADER_PLACE },
+        { "worldToCamera", 10 + 4 * 3, &two, 4, "worldToCamera", KIT_HEADER_PLACE },
+        { "worldToCamera", 10 + 4 * 12, &endless, 4, "worldToCamera", KIT_HEADER_PLACE },
+        { "worldToCamera", 10 + 4 * 15, &zero, 4, "worldToCamera", KIT_HEADER_PLACE },
+        { "worldToCamera", 1, "what", 4, "worldToCamera", KIT_HEADER_PLACE },
+        { "screenWindowWidth", 11, &nan_, 4, "screenWindowWidth", KIT_HEADER_WINDOW },
+        { "screenWindowWidth", 11, &zero, 4, "screenWindowWidth", KIT_HEADER_WINDOW },
+        { "screenWindowWidth", 11, &below, 4, "", KIT_HEADER_WINDOW },    /* OpenEXR refuses the file */
+        { "screenWindowWidth", 11, &huge, 4, "screenWindowWidth", KIT_HEADER_WINDOW },
+        { "screenWindowCenter", 9, &nan_, 4, "screenWindowCenter", KIT_HEADER_WINDOW },
+        { "screenWindowCenter", 9, wide, 8, "screenWindowCenter", KIT_HEADER_WINDOW },
+        { "pixelAspectRatio", 11, &two, 4, "pixelAspectRatio", KIT_HEADER_WINDOW },
+        { "displayWindow", 11, none, 16, "", KIT_HEADER_WINDOW },
+        { "ssgi.radius", 11, &nan_, 4, "ssgi.radius", KIT_HEADER_RADIUS },
+        { "ssgi.radius", 11, &zero, 4, "ssgi.radius", KIT_HEADER_RADIUS },
+        { "ssgi.radius", 1, "ratio", 5, "ssgi.radius", KIT_HEADER_RADIUS },
+        { "ssgi.orthoHeight", 11, &nan_, 4, "ssgi.orthoHeight", KIT_HEADER_WINDOW },
+        { "ssgi.orthoHeight", 11, &below, 4, "ssgi.orthoHeight", KIT_HEADER_WINDOW } };
+    kit_camera camera = { .eye = { 0, 1, 2 }, .up = { 0, 1, 0 }, .width = 8, .height = 6 };
+    kit_header back = { .has = -7 };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        kit_header header = { .has = KIT_HEADER_RADIUS, .radius = 1 };
+        kit_error err = {{0}};
+        camera.fovy = strstr(bad[i].at, "ortho") ? 0 : 50;
+        camera.ortho_height = 3;
+        kit_camera_to_header(&header, &camera);
+        if (!frame_written("bad.exr", &header)
+            || !CHECK(patch("bad.exr", bad[i].at, bad[i].after, bad[i].bytes, bad[i].count), "%s is not in it",
+                      bad[i].at))
+            return;
+        check_error(kit_exr_header(&back, KIT_HEADER_ALL, in_folder("bad.exr"), &err), &err, "bad.exr", bad[i].at);
+        CHECK(strstr(err.text, bad[i].word) && back.has == -7, "case %zu: \"%s\"", i, err.text);
+        if (*bad[i].word)
+            CHECK(!kit_exr_header(&back, KIT_HEADER_ALL & ~bad[i].part, in_folder("bad.exr"), &err),
+                  "case %zu, not asked for: \"%s\"", i, err.text);
+        back.has = -7;
+    }
+    const kit_header mirrored = { .has = KIT_HEADER_PLACE,
+                                  .world_to_camera = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
+    kit_error err = {{0}};
+    if (!frame_written("bad.exr", &mirrored)) return;
+    check_error(kit_exr_header(&back, KIT_HEADER_ALL, in_folder("bad.exr"), &err), &err, "bad.exr", "a mirror");
+    if (!frame_written("bare.exr", NULL)) return;
+    CHECK(!kit_exr_header(&back, KIT_HEADER_ALL, in_folder("bare.exr"), &err) && !back.has, "a frame without: %d, %s",
+          back.has, err.text);
+}
+
 /* Nothing beyond its start is read of a file that is something else, however large it says it is. */
 static void huge_files(void)
 {
@@ -1491,6 +1647,8 @@ void test_files(void)
     RUN("an EXR cut off anywhere is one clear error", exr_truncated);
     RUN("absent, empty, deep, huge and garbage pictures are clear errors", exr_bad);
     RUN("whatever packs an EXR, it is read, and refused where it claims more than it can hold", exr_claims);
+    RUN("a frame's camera is written as OpenEXR's standard has it, and read back; so is that of a part", exr_camera);
+    RUN("a malformed camera is an error that names the attribute, unless nobody asks", exr_camera_bad);
     RUN("of a terabyte that is no picture the start alone is read", huge_files);
     RUN("what cannot be written leaves nothing behind and the old file alone", unwritable);
     RUN("a file keeps its mode, a link stays one, the longest name can be written", modes_and_names);

@@ -178,14 +178,14 @@ for (const [scene, hash, words] of [
         check(least < 0.8, 'nothing is occluded');
         check(rmse <= 0.006, `RMSE ${rmse}`);
     });
-/* Both read one G-buffer, which the page drew. */
+/* Both read one G-buffer, which the page drew and which brings its camera and radius. */
 await run('the same of one G-buffer, that of the page: room', async () => {
     await go('scene=room&b=off&size=480x270');
-    const [bytes, fovy, radius] = await page.evaluate(() => {
-        const [file, fovy, radius] = page.frame();
+    const bytes = await page.evaluate(() => {
+        const file = page.frame();
         let text = '';
         for (let i = 0; i < file.length; i += 32768) text += String.fromCharCode(...file.subarray(i, i + 32768));
-        return [btoa(text), fovy, radius];
+        return btoa(text);
     });
     writeFileSync(`${out}/frame.exr`, Buffer.from(bytes, 'base64'));
     const found = [];
@@ -193,15 +193,19 @@ await run('the same of one G-buffer, that of the page: room', async () => {
                                  ['a=hsao&p=BEST', ['hsao-best']],
                                  ['a=ssao', ['ssao']], ['a=march', ['hsao-march']],
                                  ['a=hsao&normals=FROM_DEPTH', ['hsao', '--set', 'normal=depth']]]) {
-        render('--gbuffer', `${out}/frame.exr`, '--fovy', String(fovy), '--radius', String(radius),
-               '--method', ...words,
-               '--out', `${out}/ao.png`);
+        render('--gbuffer', `${out}/frame.exr`, '--method', ...words, '--out', `${out}/ao.png`);
         await go(`scene=room&b=off&size=480x270&${hash}`);
         const { rmse } = await against(`${out}/ao.png`);
         found.push(`${words.join(' ')} ${rmse.toFixed(4)}`);
         check(rmse <= 0.006, found.join(', '));
     }
-    note(`RMSE ${found.join(', ')}`);
+    /* in light, which tells where the camera was: the scene's own picture, but for silhouettes */
+    const lit = ['--method', 'ssdo', '--env', 'sky', '--set', 'bounce=none'];
+    render('room', '--size', '480x270', ...lit, '--out', `${out}/lit.exr`);
+    const told = render('--gbuffer', `${out}/frame.exr`, ...lit, '--score', `${out}/lit.exr`);
+    const off = +/irradiance: RMSE ([\d.]+)/.exec(told)[1];
+    note(`RMSE ${found.join(', ')}; of light ${off}`);
+    check(off < 0.02, `light from the frame's own camera: RMSE ${off}`);
 });
 
 await run('the truth traced in the page is build/render\'s: the same error of hsao', async () => {

@@ -1,6 +1,7 @@
 /* exr.c - EXR in and out, through OpenEXR's C core. Declared in kit.h. */
 #include "kit/kit_image.h"
 #include <errno.h>
+#include <math.h>
 #include <OpenEXR/ImfCRgbaFile.h>
 #include <OpenEXR/openexr.h>
 #include <stdlib.h>
@@ -241,24 +242,183 @@ static int exr_read_part(kit_image *out, const char *path, exr_const_context_t c
     return failed;
 }
 
-int kit_exr_read(kit_image *image, const char *path, kit_error *err)
+/* A file whose header has been read. */
+typedef struct exr_reader {
+    FILE         *file;
+    exr_source    source;
+    exr_context_t context;
+} exr_reader;
+
+static void exr_close(exr_reader *r)
 {
-    exr_source source = { 0 };
-    exr_context_t context = NULL;
-    FILE *file = kit_file_open(&source.size, path, err);
-    if (!file) return -1;
-    source.file = fileno(file);
-    exr_context_initializer_t start = exr_initializer(&source);
+    if (r->context) exr_finish(&r->context);
+    if (r->file) fclose(r->file);
+}
+
+/* exr_close() whatever becomes of it. */
+static int exr_open(exr_reader *r, const char *path, kit_error *err)
+{
+    memset(r, 0, sizeof *r);
+    r->file = kit_file_open(&r->source.size, path, err);
+    if (!r->file) return -1;
+    r->source.file = fileno(r->file);
+    exr_context_initializer_t start = exr_initializer(&r->source);
     start.read_fn = exr_source_read;
     start.size_fn = exr_source_size;
     start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;   /* a damaged file is an error, not a guess */
-    exr_result_t result = exr_start_read(&context, path, &start);
-    int failed = result == EXR_ERR_SUCCESS ? exr_read_part(image, path, context, source.size, err)
-                                           : exr_fail_result(err, path, result);
-    if (context) exr_finish(&context);
-    fclose(file);
-    return failed;
+    const exr_result_t result = exr_start_read(&r->context, path, &start);
+    return result == EXR_ERR_SUCCESS ? 0 : exr_fail_result(err, path, result);
 }
+
+int kit_exr_read(kit_image *image, const char *path, kit_error *err)
+{
+    exr_reader r;
+    const int failed = exr_open(&r, path, err) || exr_read_part(image, path, r.context, r.source.size, err);
+    exr_close(&r);
+    return failed ? -1 : 0;
+}
+
+/* ---- the camera of a frame ------------------------------------------------------------------------------------ */
+
+static const char MATRIX[] = "worldToCamera", WIDTH[] = "screenWindowWidth", CENTRE[] = "screenWindowCenter",
+                  ORTHO_HEIGHT[] = "ssgi.orthoHeight", RADIUS[] = "ssgi.radius";
+
+/* 1: it is there, 0: it is not, -1: it is of another type. */
+static int exr_find(const exr_attribute_t **found, const exr_reader *r, const char *name, exr_attribute_type_t type,
+                    const char *path, kit_error *err)
+{
+    if (exr_get_attribute_by_name(r->context, 0, name, found) != EXR_ERR_SUCCESS) return 0;
+    return (*found)->type == type ? 1 : kit_fail(err, "%s: %s: is of type %s", path, name, (*found)->type_name);
+}
+
+/* A number in [least, most], or one that is missing: as exr_find. */
+static int exr_number(float *out, const exr_reader *r, const char *name, double least, double most, const char *path,
+                      kit_error *err)
+{
+    const exr_attribute_t *found;
+    const int is = exr_find(&found, r, name, EXR_ATTR_FLOAT, path, err);
+    if (is < 1) return is;
+    if (!((double)found->f >= least && (double)found->f <= most))
+        return kit_fail(err, "%s: %s %g: must be in %g..%g", path, name, (double)found->f, least, most);
+    *out = found->f;
+    return 1;
+}
+
+/* Rows of the rotation are columns of the matrix, which is for row vectors. */
+static int exr_rigid(const float m[16])
+{
+    double row[3][3], across[3];
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) row[i][k] = (double)m[4 * k + i];
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+            if (!(fabs(kit_dot(row[i], row[k]) - (i == k)) < 1e-3)) return 0;
+    for (int i = 0; i < 4; ++i)
+        if (!(fabs((double)m[4 * i + 3] - (i == 3)) < 1e-6)) return 0;
+    kit_cross(row[0], row[1], across);
+    return kit_dot(across, row[2]) < 0;            /* from a right-handed world to a left-handed camera */
+}
+
+/* 1: worldToCamera is there. */
+static int exr_place(kit_header *h, const exr_reader *r, const char *path, kit_error *err)
+{
+    const exr_attribute_t *found;
+    const int is = exr_find(&found, r, MATRIX, EXR_ATTR_M44F, path, err);
+    if (is < 1) return is;
+    memcpy(h->world_to_camera, found->m44f->m, sizeof h->world_to_camera);
+    for (int i = 12; i < 15; ++i)
+        if (!(fabs((double)h->world_to_camera[i]) <= KIT_MOST))
+            return kit_fail(err, "%s: %s: its place must be in -%g..%g", path, MATRIX, KIT_MOST, KIT_MOST);
+    if (!exr_rigid(h->world_to_camera))
+        return kit_fail(err, "%s: %s: must turn and move a right-handed world, without scale, to a camera with x to "
+                             "the right, y up, looking down +z", path, MATRIX);
+    return 1;
+}
+
+/* The screen window is the display window's; the header's is that of the pixels that there are. */
+static int exr_window(kit_header *h, const exr_reader *r, const char *path, kit_error *err)
+{
+    const exr_attribute_t *found;
+    exr_attr_box2i_t data, shown;
+    float aspect = 1, size = 0;
+    if (exr_get_data_window(r->context, 0, &data) != EXR_ERR_SUCCESS
+        || exr_get_display_window(r->context, 0, &shown) != EXR_ERR_SUCCESS)
+        return kit_fail(err, "%s: has no data window and display window", path);
+    const double wide = (double)shown.max.x - shown.min.x + 1, high = (double)shown.max.y - shown.min.y + 1;
+    const double rows = (double)data.max.y - data.min.y + 1;
+    if (!(wide >= 1 && high >= 1 && rows >= 1)) return kit_fail(err, "%s: displayWindow: is empty", path);
+    const int flat = exr_number(&size, r, ORTHO_HEIGHT, 1e-12, KIT_MOST, path, err);
+    if (flat < 0 || exr_number(&aspect, r, "pixelAspectRatio", 0.995, 1.005, path, err) < 0
+        || (!flat && exr_number(&size, r, WIDTH, 1e-12, KIT_MOST, path, err) < 0)) return -1;
+    const double pixel = (double)size / (flat ? high : wide), height = pixel * rows;
+    const double angle = 360 / KIT_PI * atan(height / 2);
+    if (!flat && !(angle > 0.09 && angle < 179.1))
+        return kit_fail(err, "%s: %s %g: makes a vertical angle of %g degrees, which must be in 0.1..179", path, WIDTH,
+                        (double)size, angle);
+    const int centred = exr_find(&found, r, CENTRE, EXR_ATTR_V2F, path, err);
+    if (centred < 0) return -1;
+    const double off[2] = { ((double)data.min.x + data.max.x - shown.min.x - shown.max.x) / 2,
+                            ((double)shown.min.y + shown.max.y - data.min.y - data.max.y) / 2 };
+    h->orthographic = flat;
+    h->height = (float)height;
+    for (int i = 0; i < 2; ++i) {
+        const double centre = (!centred ? 0 : i ? (double)found->v2f->y : (double)found->v2f->x) + off[i] * pixel;
+        if (!(fabs(centre) <= 1000 * height))
+            return kit_fail(err, "%s: %s: the picture must not be so far from the camera's axis", path, CENTRE);
+        h->centre[i] = (float)centre;
+    }
+    return 0;
+}
+
+int kit_exr_header(kit_header *header, int wanted, const char *path, kit_error *err)
+{
+    exr_reader r;
+    kit_header h = { 0 };
+    const exr_attribute_t *none;
+    int failed = exr_open(&r, path, err);
+    if (!failed && exr_trouble.starved) failed = exr_fail(err, path, "");
+    if (!failed && wanted & KIT_HEADER_PLACE) {
+        const int is = exr_place(&h, &r, path, err);
+        failed = is < 0;
+        h.has |= is > 0 ? KIT_HEADER_PLACE : 0;
+    }
+    /* every EXR has a screen window: it is meant where there is a matrix, or a height */
+    if (!failed && wanted & KIT_HEADER_WINDOW
+        && (exr_get_attribute_by_name(r.context, 0, MATRIX, &none) == EXR_ERR_SUCCESS
+            || exr_get_attribute_by_name(r.context, 0, ORTHO_HEIGHT, &none) == EXR_ERR_SUCCESS)) {
+        failed = exr_window(&h, &r, path, err);
+        h.has |= KIT_HEADER_WINDOW;
+    }
+    if (!failed && wanted & KIT_HEADER_RADIUS) {
+        const int is = exr_number(&h.radius, &r, RADIUS, 1e-12, KIT_MOST, path, err);
+        failed = is < 0;
+        h.has |= is > 0 ? KIT_HEADER_RADIUS : 0;
+    }
+    exr_close(&r);
+    if (failed) return -1;
+    *header = h;
+    return 0;
+}
+
+static exr_result_t exr_write_header_of(exr_context_t context, const kit_image *image, const kit_header *h)
+{
+    exr_attr_m44f_t matrix;
+    const exr_attr_v2f_t centre = { { { h->centre[0], h->centre[1] } } };
+    exr_result_t result = EXR_ERR_SUCCESS;
+    memcpy(matrix.m, h->world_to_camera, sizeof matrix.m);
+    if (h->has & KIT_HEADER_PLACE) result = exr_attr_set_m44f(context, 0, MATRIX, &matrix);
+    if (h->has & KIT_HEADER_WINDOW && result == EXR_ERR_SUCCESS) {
+        result = exr_set_screen_window_width(context, 0, h->height * (float)image->width / (float)image->height);
+        if (result == EXR_ERR_SUCCESS) result = exr_set_screen_window_center(context, 0, &centre);
+        if (result == EXR_ERR_SUCCESS && h->orthographic)
+            result = exr_attr_set_float(context, 0, ORTHO_HEIGHT, h->height);
+    }
+    if (h->has & KIT_HEADER_RADIUS && result == EXR_ERR_SUCCESS)
+        result = exr_attr_set_float(context, 0, RADIUS, h->radius);
+    return result;
+}
+
+/* ---- writing -------------------------------------------------------------------------------------------------- */
 
 typedef struct exr_packer { exr_result_t (*compress)(exr_encode_pipeline_t *encode); } exr_packer;
 
@@ -309,7 +469,7 @@ static exr_result_t exr_write_pixels(exr_context_t context, const kit_image *ima
     return result;
 }
 
-int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
+int kit_exr_write_frame(const kit_image *image, const kit_header *header, const char *path, kit_error *err)
 {
     kit_memory_file file = { 0 };
     exr_context_t context = NULL;
@@ -323,6 +483,7 @@ int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
         result = exr_initialize_required_attr_simple(context, 0, image->width, image->height, EXR_COMPRESSION_ZIP);
     for (int c = 0; c < image->channels && result == EXR_ERR_SUCCESS; ++c)
         result = exr_add_channel(context, 0, image->name[c], EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
+    if (result == EXR_ERR_SUCCESS && header) result = exr_write_header_of(context, image, header);
     if (result == EXR_ERR_SUCCESS) result = exr_write_header(context);
     if (result == EXR_ERR_SUCCESS) result = exr_write_pixels(context, image);
     int failed = result == EXR_ERR_SUCCESS ? 0 : exr_fail_result(err, path, result);
@@ -330,4 +491,9 @@ int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
     if (!failed) failed = kit_file_write(path, file.data, file.size, err);
     free(file.data);
     return failed;
+}
+
+int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
+{
+    return kit_exr_write_frame(image, NULL, path, err);
 }

@@ -108,6 +108,29 @@ float *kit_image_channel(const kit_image *image, const char *name);      /* NULL
    temporary name beside the target and renamed: never half-written. */
 int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
 int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
+
+/* What an EXR's header says of where a frame was taken, for its pixels as they are: where the data window is not the
+   display window, the view is off-centre.
+     worldToCamera       m44f, as OpenEXR's standard has it: the camera is left-handed (x to the right, y up, looking
+                         down +z) and the matrix for row vectors, so that its numbers lie as those of this kit do. It
+                         turns and moves a right-handed world, without scale
+     screenWindowWidth, screenWindowCenter   likewise: the picture on the plane at distance 1, +y up; not looked at
+                         without worldToCamera, because every EXR has them
+     ssgi.orthoHeight    float: the picture is orthographic, so many world units from bottom to top of its display
+                         window; the screen window is in world units then
+     ssgi.radius         float: a radius that suits it, world units
+   wanted: others are not looked at. Of those header->has what there is; one that is malformed is an error. */
+enum { KIT_HEADER_PLACE = 1, KIT_HEADER_WINDOW = 2, KIT_HEADER_RADIUS = 4, KIT_HEADER_ALL = 7 };
+typedef struct kit_header {
+    int   has;
+    float world_to_camera[16];
+    int   orthographic;
+    float height, centre[2];               /* of the picture: at distance 1, or orthographic in world units */
+    float radius;
+} kit_header;
+int    kit_exr_header(kit_header *header, int wanted, const char *path, kit_error *err);
+/* kit_exr_write with what the header has; NULL: nothing */
+int    kit_exr_write_frame(const kit_image *image, const kit_header *header, const char *path, kit_error *err);
 /* Radiance .hdr, rows flat or in runs (not the old way, a pixel repeated): channels R, G, B; the same of its header. */
 int    kit_hdr_read(kit_image *image, const char *path, kit_error *err);
 
@@ -277,6 +300,10 @@ void kit_camera_orbit(kit_camera *camera, const kit_camera *from, double degrees
 /* world to view, view to clip as the depth layout wants it (REVERSED and INFINITE: clip z in [0, w]; NORMAL: [-w,
    w]) */
 void kit_camera_matrices(const kit_camera *camera, float view[16], float projection[16]);
+/* A frame's place and window of a camera (not its radius), and back: of what the header has, the camera's width and
+   height being the frame's. */
+void kit_camera_to_header(kit_header *header, const kit_camera *camera);
+void kit_camera_from_header(kit_camera *camera, const kit_header *header);
 /* the ray through the centre of the pixel in column x, row y counted from the TOP; direction is unit; origin is on the
    eye (perspective) or on the plane of the eye (orthographic) */
 void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3]);

@@ -117,7 +117,8 @@ typedef struct kit_gbuffer {
     int        viewport[4];                /* x, y, width, height of the picture in them; origin at the lower left */
     GLuint     depth;                      /* DEPTH_COMPONENT32F window depth, or R32F view depth (0 = background) */
     int        depth_is_linear;            /* 1 = the latter */
-    GLuint     normal;                     /* RGBA32F, view space, toward the viewer; 0 = background */
+    /* RGBA32F, view space, toward the viewer; 0 = background. 0 = there is none: then of depth alone */
+    GLuint     normal;
     GLuint     albedo;                     /* RGBA16F; 0 = there is none */
     /* R32UI, number of the object that the first layer shows (kit_mesh), 0 = none; 0 = there is none (frames bring
        none) */
@@ -160,10 +161,10 @@ int  kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, 
 int  kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, kit_error *err);
 
 /* From a frame: channels Z (view depth; <= 0, NaN or infinite = background), N.X N.Y N.Z (view space; made unit; a zero
-   normal is taken as +z, -z in even layers) and perhaps albedo.R/G/B; the same as layer1.Z, layer1.N.X .. of the second
-   layer, layer2.Z .. of the third, and so on to KIT_MAX_LAYERS; and perhaps direct.R/G/B (what is not finite or below 0
-   becomes 0); back.Z, or back.Z, front2.Z and back2.Z (view depth, 0 = nowhere). The camera's size becomes the frame's;
-   its planes, where 0, bracket Z. */
+   normal is taken as +z, -z in even layers; a frame of one layer may lack them) and perhaps albedo.R/G/B; the same as
+   layer1.Z, layer1.N.X .. of the second layer, layer2.Z .. of the third, and so on to KIT_MAX_LAYERS; and perhaps
+   direct.R/G/B (what is not finite or below 0 becomes 0); back.Z, or back.Z, front2.Z and back2.Z (view depth, 0 =
+   nowhere). The camera's size becomes the frame's; its planes, where 0, bracket Z. */
 int  kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err);
 
 /* The inverse, of the viewport: those channels of all layers, direct.R/G/B and slabs where there are any; background is

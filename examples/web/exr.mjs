@@ -1,7 +1,8 @@
 /* exr.mjs - a float picture as an OpenEXR file, uncompressed: what build/render --gbuffer reads. */
 
-/* channels: { name: Float32Array of width * height }, bottom row first, as WebGL reads back. */
-export function exr(width, height, channels) {
+/* channels: { name: Float32Array of width * height }, bottom row first, as WebGL reads back. attributes: { name: a
+   number, or a matrix's 16 }: of the header, beside those that an EXR must have. */
+export function exr(width, height, channels, { screenWindowWidth = 1, ...attributes } = {}) {
     const names = Object.keys(channels).sort(), bytes = [], text = new TextEncoder();
     const word = (...values) => values.forEach(v => bytes.push(v & 255, v >> 8 & 255, v >> 16 & 255, v >> 24 & 255));
     const float = v => bytes.push(...new Uint8Array(new Float32Array([v]).buffer));
@@ -25,7 +26,12 @@ export function exr(width, height, channels) {
     float(0);
     float(0);
     attribute('screenWindowWidth', 'float', 4);
-    float(1);
+    float(screenWindowWidth);
+    for (const [name, value] of Object.entries(attributes)) {
+        const values = [value].flat();
+        attribute(name, values.length === 16 ? 'm44f' : 'float', 4 * values.length);
+        values.forEach(float);
+    }
     bytes.push(0);
     const head = bytes.length + 8 * height, row = 4 * width * names.length;
     const file = new Uint8Array(head + (row + 8) * height), view = new DataView(file.buffer);

@@ -532,11 +532,13 @@ function score() {
     writeStatus();
 }
 
-/* What the passes read, for build/render --gbuffer frame.exr --fovy .. --radius ... */
+/* What the passes read, for build/render --gbuffer frame.exr, with the camera: OpenEXR's looks down +z. */
 function frameFile() {
-    const p = stage.camera.projectionMatrix.elements, { width, height } = size;
+    const { projectionMatrix, matrixWorldInverse } = stage.camera, p = projectionMatrix.elements;
+    const { width, height } = size, worldToCamera = matrixWorldInverse.elements.map((v, i) => i % 4 === 2 ? 0 - v : v);
     /* 1 / view depth is linear in window depth, whatever the planes */
-    return exr(width, height, show.frame(width, height, buffers, [(p[10] - 1) / p[14], 2 / p[14]]));
+    const channels = show.frame(width, height, buffers, [(p[10] - 1) / p[14], 2 / p[14]]);
+    return exr(width, height, channels, { screenWindowWidth: 2 / p[0], worldToCamera, 'ssgi.radius': radius() });
 }
 
 /* ---- what is written */
@@ -611,7 +613,7 @@ const page = globalThis.page = { set, first: null, lacks: null, result: i => ({ 
                                  error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0,
                                  ms: i => sides[i]?.ms ?? null,
                                  settled: () => still >= 32,
-                                 frame: () => [frameFile(), stage.camera.fov, radius()],
+                                 frame: frameFile,
                                  limits, picture };
 page.drawn = new Promise(resolve => { page.ready = resolve; });
 /* Settings as the address has them; resolves when they are drawn. */

@@ -407,28 +407,31 @@ static int channels_find(const float **channel, const kit_image *frame, int laye
     return !missing[0] ? 1
            : !found    ? 0
                        : kit_fail(err,
-                                  "frame: channel %s is missing; a layer has all of Z, N.X, N.Y and N.Z, and all of "
-                                     "albedo.R/G/B or none, as all of direct.R/G/B",
+                                  "frame: channel %s is missing; a layer has all of Z, N.X, N.Y and N.Z (the only "
+                                     "one perhaps Z alone), and all of albedo.R/G/B or none, as all of direct.R/G/B",
                                   missing);
 }
 
 /* What of a frame's channels there is. */
 typedef struct frame_channels {
     const float *layer[KIT_MAX_LAYERS][CHANNELS], *slab[3], *motion[2];
-    int          layers, colours, lit;
+    int          layers, normals, colours, lit;
     size_t       slabs;                    /* 0, 1: the nearest back face, 3: two slabs */
 } frame_channels;
 
 static int channels_of(frame_channels *f, const kit_image *frame, kit_error *err)
 {
     memset(f, 0, sizeof *f);
-    while (f->layers < KIT_MAX_LAYERS) {
+    f->layer[0][Z] = kit_image_channel(frame, channel_names[Z]);
+    if (!f->layer[0][Z]) return kit_fail(err, "frame: channel Z is missing");
+    f->normals = channels_find(f->layer[0], frame, 0, N, ALBEDO, err);
+    if (f->normals < 0) return -1;
+    for (f->layers = 1; f->layers < KIT_MAX_LAYERS; f->layers++) {
         const int found = channels_find(f->layer[f->layers], frame, f->layers, Z, ALBEDO, err);
         if (found < 0) return -1;
         if (!found) break;
-        f->layers++;
+        if (!f->normals) return kit_fail(err, "frame: channel N.X is missing, which a frame of several layers needs");
     }
-    if (!f->layers) return kit_fail(err, "frame: channel Z is missing; Z, N.X, N.Y and N.Z are needed");
     f->colours = channels_find(f->layer[0], frame, 0, ALBEDO, DIRECT, err);
     f->lit = channels_find(f->layer[0], frame, 0, DIRECT, CHANNELS, err);
     if (f->colours < 0 || f->lit < 0) return -1;
@@ -461,7 +464,7 @@ static void take_texel(const kit_gbuffer *g, const frame_channels *f, size_t at,
     double n[3];
     if (!(c_of[Z][from] > 0 && c_of[Z][from] <= FLT_MAX)) return;
     depth[at] = c_of[Z][from];
-    for (int c = 0; c < 3; c++) n[c] = (double)c_of[N + c][from];
+    for (int c = 0; c < 3; c++) n[c] = f->normals ? (double)c_of[N + c][from] : 0;
     const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     normal[4 * at + 2] = layer % 2 ? -1.0f : 1.0f;
     for (size_t c = 0; c < 3 && length > 0 && length <= DBL_MAX; c++) normal[4 * at + c] = (float)(n[c] / length);
@@ -480,7 +483,7 @@ static void take_layers(kit_gbuffer *g, const frame_channels *f, float *room)
     float *depth = room, *normal = depth + all, *albedo = normal + 4 * all, *direct = albedo + 4 * all;
     for (size_t at = 0; at < all; at++) take_texel(g, f, at, depth, normal, albedo, direct);
     g->depth  = kit_texture(g->width, g->height, GL_R32F, depth);
-    g->normal = kit_texture(g->width, g->height, GL_RGBA32F, normal);
+    if (f->normals) g->normal = kit_texture(g->width, g->height, GL_RGBA32F, normal);
     if (f->colours) g->albedo = kit_texture(g->width, g->height, GL_RGBA16F, albedo);
     if (f->lit)     g->direct = kit_texture(g->width, g->height, GL_RGBA32F, direct);
     if (g->layers == 1) return;
@@ -578,7 +581,8 @@ static size_t texel_of(const kit_gbuffer *g, size_t i)
 /* A layer into its channels. room: 13 floats a texel. */
 static int read_layer(kit_image *image, const kit_gbuffer *g, int layer, float *room)
 {
-    const size_t texels = (size_t)g->width * (size_t)g->height, channels = g->albedo ? DIRECT : ALBEDO,
+    const size_t texels = (size_t)g->width * (size_t)g->height, colours = g->normal ? ALBEDO : N,
+                 channels = colours + (g->albedo ? DIRECT - ALBEDO : 0),
                  pixels = (size_t)g->viewport[2] * (size_t)g->viewport[3];
     float *depth = room, *normal = depth + texels, *albedo = normal + 4 * texels, *direct = albedo + 4 * texels;
     float *out = image->data + (size_t)layer * channels * pixels,
@@ -586,7 +590,7 @@ static int read_layer(kit_image *image, const kit_gbuffer *g, int layer, float *
     const int lit = g->direct && !layer;
     if ((lit && kit_texture_read(g->direct, g->width, g->height, 4, direct))
         || layer_read(g->depth, g->layer_depth, layer, g, 1, depth)
-        || layer_read(g->normal, g->layer_normal, layer, g, 4, normal)
+        || (g->normal && layer_read(g->normal, g->layer_normal, layer, g, 4, normal))
         || (g->albedo && layer_read(g->albedo, g->layer_albedo, layer, g, 4, albedo)))
         return -1;
     for (size_t i = 0; i < pixels; i++) {
@@ -595,8 +599,8 @@ static int read_layer(kit_image *image, const kit_gbuffer *g, int layer, float *
         if (!(z > 0)) continue;
         out[i] = (float)z;
         for (size_t c = 0; c < 3; c++) {
-            out[(N + c) * pixels + i] = normal[4 * from + c];
-            if (g->albedo) out[(ALBEDO + c) * pixels + i] = albedo[4 * from + c];
+            if (g->normal) out[(N + c) * pixels + i] = normal[4 * from + c];
+            if (g->albedo) out[(colours + c) * pixels + i] = albedo[4 * from + c];
             if (lit) out_direct[c * pixels + i] = direct[4 * from + c];
         }
     }
@@ -625,8 +629,10 @@ int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
     char names[KIT_MAX_CHANNELS * 32] = "";
     kit_image image;
     int failed = 0;
-    for (int layer = 0; layer < g->layers; layer++)
-        names_add(names, sizeof names, layer, Z, g->albedo ? DIRECT : ALBEDO);
+    for (int layer = 0; layer < g->layers; layer++) {
+        names_add(names, sizeof names, layer, Z, g->normal ? ALBEDO : N);
+        if (g->albedo) names_add(names, sizeof names, layer, ALBEDO, DIRECT);
+    }
     if (g->direct) names_add(names, sizeof names, 0, DIRECT, CHANNELS);
     for (size_t i = 0; i < slabs; i++) {
         const size_t length = strlen(names);

@@ -26,7 +26,8 @@ typedef struct row { kit_setting setting; size_t member; int where; size_t offse
                               offsetof(kit_settings, key), where, offset };
 
 ROW(noise_row, noise, "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, PLAN, 0)
-ROW(normal_row, normal, "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, PLAN, 0)
+ROW(normal_row, normal, "normals from the G-buffer, or from depth alone, as where a frame has none",
+    "gbuffer depth", 0, 0, 1, PLAN, 0)
 #define THICKNESS(name, value) \
     ROW(name, thickness, "thickness of visible surfaces, constant or the most of a width, in radii", \
         NULL, value, 0, 100, SCALED, FRAMED(thickness))
@@ -508,6 +509,6 @@ int kit_settings_apply(kit_making *m, float radius)
         m->gather.packed = set->store == KIT_STORE_PACKED;
         if (set->lights == KIT_LIGHTS_HARMONICS) m->lights.shadow = SSGI_GL_SHADOW_NONE;
     }
-    if (set->normal) m->gather.normal = m->lights.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+    if (set->normal || !m->run->gbuffer->normal) m->gather.normal = m->lights.normal = SSGI_GL_NORMAL_FROM_DEPTH;
     return 0;
 }

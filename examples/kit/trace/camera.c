@@ -123,6 +123,43 @@ void kit_camera_matrices(const kit_camera *camera, float view[16], float project
     for (int i = 0; i < 16; ++i) projection[i] = (float)p[i];
 }
 
+void kit_camera_to_header(kit_header *header, const kit_camera *camera)
+{
+    float view[16], projection[16];
+    double half[2];
+    kit_camera_matrices(camera, view, projection);
+    kit_camera_half(camera, half);
+    for (int i = 0; i < 16; ++i) header->world_to_camera[i] = i % 4 == 2 ? 0 - view[i] : view[i];
+    header->orthographic = !(camera->fovy > 0);
+    header->height = (float)(2 * half[1]);
+    for (int i = 0; i < 2; ++i)
+        header->centre[i] = (float)(0 - 2 * half[1] * (double)camera->shift[i] / camera->height);
+    header->has |= KIT_HEADER_PLACE | KIT_HEADER_WINDOW;
+}
+
+void kit_camera_from_header(kit_camera *camera, const kit_header *header)
+{
+    const float *m = header->world_to_camera;
+    if (header->has & KIT_HEADER_PLACE) {
+        double eye[3], far = 1;
+        for (int i = 0; i < 3; ++i) {
+            eye[i] = 0;
+            for (int k = 0; k < 3; ++k) eye[i] -= (double)m[4 * i + k] * (double)m[12 + k];
+            far = fmax(far, fabs(eye[i]));         /* a target so near as 1 would lie anywhere, by rounding */
+        }
+        for (int i = 0; i < 3; ++i) {
+            camera->eye[i] = (float)eye[i];
+            camera->target[i] = (float)(eye[i] + far * (double)m[4 * i + 2]);
+            camera->up[i] = m[4 * i + 1];
+        }
+    }
+    if (!(header->has & KIT_HEADER_WINDOW)) return;
+    camera->fovy = header->orthographic ? 0 : (float)(360 / KIT_PI * atan((double)header->height / 2));
+    camera->ortho_height = header->orthographic ? header->height : 0;
+    for (int i = 0; i < 2; ++i)
+        camera->shift[i] = (float)(0 - (double)header->centre[i] * camera->height / (double)header->height);
+}
+
 void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3])
 {
     double axes[3][3], o[3], d[3];

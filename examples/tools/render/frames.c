@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A line of a sequence: a frame, and where it was taken. */
-typedef struct line { const char *frame; float camera[6], up[3]; int has_up, number; } line;
+/* A line of a sequence: a frame, and where it was taken, unless the frame tells. */
+typedef struct line { const char *frame; float camera[6], up[3]; int has_camera, has_up, number; } line;
 
 typedef struct sequence { char *text; line *line; int lines; } sequence;
 
@@ -25,9 +25,11 @@ static int parse_line(line *l, char *text)
     char *camera = text + strcspn(text, " \t");
     if (*camera) *camera++ = 0;
     camera += strspn(camera, " \t");
+    l->frame = text;
+    if (!*camera) return 1;
     for (const char *c = camera; *c; ++c) commas += *c == ',';
     if (render_numbers("camera", camera, v, commas == 8 ? 9 : 6, NULL)) return -1;
-    l->frame = text;
+    l->has_camera = 1;
     memcpy(l->camera, v, sizeof l->camera);
     memcpy(l->up, v + 6, sizeof l->up);
     l->has_up = commas == 8;
@@ -53,7 +55,7 @@ static int sequence_read(sequence *s, const char *path, kit_error *err)
         at[length] = 0;
         const int found = parse_line(l, at);
         if (found < 0)
-            return kit_fail(err, "--sequence %s: line %d: must be FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]", path,
+            return kit_fail(err, "--sequence %s: line %d: must be FRAME.exr [ex,ey,ez,tx,ty,tz[,ux,uy,uz]]", path,
                             number);
         s->lines += found;
     }
@@ -61,17 +63,17 @@ static int sequence_read(sequence *s, const char *path, kit_error *err)
 }
 
 /* The G-buffer of a line. */
-static int open_line(kit_gbuffer *g, const job *j, const line *l, kit_error *err)
+static int open_line(kit_gbuffer *g, job *j, const line *l, kit_error *err)
 {
     const options *o = &j->o;
     options of = *o;
     kit_error why;
     of.gbuffer = l->frame;
-    of.has_camera = 1;
+    of.has_camera = l->has_camera;
     memcpy(of.camera, l->camera, sizeof of.camera);
     if (l->has_up) memcpy(of.up, l->up, sizeof of.up);
     of.has_up |= l->has_up;
-    if (!render_open_frame(g, &of, j->method.lit, &why)) return 0;
+    if (!render_open_frame(g, j, &of, &why)) return 0;
     return kit_fail(err, "--sequence %s: line %d: %s", o->sequence, l->number, why.text);
 }
 
@@ -81,6 +83,7 @@ static const char *unlike(const kit_gbuffer *g, const kit_gbuffer *first)
 {
     return g->width != first->width || g->height != first->height ? "size"
            : g->layers != first->layers                           ? "depth layers"
+           : !g->normal != !first->normal                         ? "N.X .."
            : !g->albedo != !first->albedo                         ? "albedo.R .."
            : !g->direct != !first->direct                         ? "direct.R .."
            : !g->back != !first->back                             ? "back.Z"

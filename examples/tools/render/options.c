@@ -11,12 +11,16 @@ const char render_usage[] =
     "  render room --truth 256 --out truth.exr\n"
     "  render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20\n"
     "  render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png\n"
-    "  render --gbuffer frame.exr --fovy 60 --radius 1 --out ao.png\n"
+    "  render room --save-gbuffer frame.exr\n"
+    "  render --gbuffer frame.exr --out ao.png\n"
     "  render --list | --list hsao\n"
     "what to draw\n"
-    "  --gbuffer F.exr       a captured frame: Z (view depth > 0), N.X N.Y N.Z (view space); perhaps albedo.R ..,\n"
-    "                        direct.R .., farther depth layers layer1.Z ..; back.Z, front2.Z, back2.Z (behind=);\n"
-    "                        --camera tells where it was taken\n"
+    "  --gbuffer F.exr       a captured frame: Z (view depth > 0), perhaps N.X N.Y N.Z (view space; without them\n"
+    "                        normals are of the depth, normal=depth), albedo.R .., direct.R .., farther depth layers\n"
+    "                        layer1.Z ..; back.Z, front2.Z, back2.Z (behind=). Its header's camera and radius are the\n"
+    "                        defaults of --camera with --up, of --fovy or --ortho-height, and of --radius: files of\n"
+    "                        --save-gbuffer have them, and those that examples/tools/capture/capture.py makes of a\n"
+    "                        depth buffer and its projection\n"
     "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --near N  --far F  --size WxH\n"
     "  --fovy DEGREES | --ortho-height UNITS\n"
     "  --ground              a square under the mesh\n"
@@ -24,17 +28,18 @@ const char render_usage[] =
     "                        (without it and --light scenes by seed have their own)\n"
     "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
     "16\n"
-    "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]; perhaps with motion.X motion.Y,\n"
-    "                        pixels from where a point was in the frame before, +y down; --out has a %04d. All are\n"
-    "                        read, and must have one size and the same channels, before the first picture is written\n"
+    "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz], or FRAME.exr alone where it has\n"
+    "                        its camera; perhaps with motion.X motion.Y, pixels from where a point was in the frame\n"
+    "                        before, +y down; --out has a %04d. All are read, and must have one size and the same\n"
+    "                        channels, before the first picture is written; the first one's radius is that of all\n"
     "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target; each is written as\n"
     "                        it is drawn, and those before it stay where one cannot be\n"
     "  --slide X,Y,Z         --frames: the first object that casts moves so far a frame, world units\n"
     "how\n"
     "  --method NAME         [hsao]; --list names all, --list NAME the settings of one with their defaults\n"
     "  --set key=value,..    settings of the method\n"
-    "  --radius R | guess    farthest occluder, scene units   [the scene's own]; guess: how far apart the tops of\n"
-    "                        its mesh are\n"
+    "  --radius R | guess    farthest occluder, scene units   [the scene's or the frame's own]; guess: how far apart\n"
+    "                        the tops of the scene's mesh are\n"
     "  --plan WHAT:ERROR[:BUDGET]   visibility, light, bounce or objects (occlusion between them): the cheapest\n"
     "                        method that is predicted to err by ERROR; BUDGET in 16-sample ssaos. Only light and\n"
     "                        bounce look at --env and --light\n"
@@ -46,7 +51,7 @@ const char render_usage[] =
     "  --score REF.exr       RMSE, bias, p95 and SSIM against a reference; then edges (within 3 pixels of a jump in\n"
     "                        depth), border (nearer to it than the radius is long) and interior apart\n"
     "  --time N              median GL time of each pass over N frames\n"
-    "  --save-gbuffer F.exr  the G-buffer, as --gbuffer takes it\n"
+    "  --save-gbuffer F.exr  the G-buffer, as --gbuffer takes it, with camera and radius\n"
     "  --json                machine-readable\n";
 
 /* ---- >>values ---------------------------------------------------------------------------------------------------- */
@@ -264,7 +269,6 @@ static int check_frames(const options *o, kit_error *err)
 /* What is asked of a scene, and of a frame in its place. */
 static int check_source(const options *o, kit_error *err)
 {
-    const char *from = o->sequence ? "--sequence" : "--gbuffer";
     if (!o->scene && !o->gbuffer) return kit_fail(err, "a scene or --gbuffer must be given");
     if (o->scene && o->gbuffer) return kit_fail(err, "--gbuffer %s: cannot go with a scene (%s)", o->gbuffer, o->scene);
     if (o->planned && (o->sets || o->floor || o->truth))
@@ -277,9 +281,7 @@ static int check_source(const options *o, kit_error *err)
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
     if (o->gbuffer && o->truth)
         return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
-    if (o->gbuffer && !(o->fovy > 0) && !(o->ortho_height > 0))
-        return kit_fail(err, "%s %s: needs --fovy or --ortho-height", from, o->gbuffer);
-    if (o->gbuffer && !(o->radius > 0)) return kit_fail(err, "%s %s: needs --radius", from, o->gbuffer);
+    if (o->gbuffer && o->guess) return kit_fail(err, "--radius guess: needs a scene; a frame has no mesh");
     if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
     if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
     if (o->znear > 0 && o->zfar > 0 && !(o->znear < o->zfar))

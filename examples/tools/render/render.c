@@ -4,7 +4,9 @@
       build/render SCENE.obj --method hsao --radius 0.5 --out ao.exr
       build/render room --truth 256 --out truth.exr
       build/render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20
-      build/render --gbuffer frame.exr --fovy 60 --radius 1 --out ao.png
+      build/render room --save-gbuffer frame.exr
+      build/render --gbuffer frame.exr --out ao.png
+      build/render --gbuffer others.exr --fovy 60 --radius 1 --out ao.png
       build/render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png
       build/render SCENE.obj --method ssdo --env probe.hdr --set layers=2 --out lit.exr
       build/render SCENE.obj --plan visibility:0.03 --out ao.exr
@@ -71,20 +73,46 @@ int render_open_settings(job *j, kit_error *err)
     return kit_gl_open(o->context, err);
 }
 
-int render_open_frame(kit_gbuffer *g, const options *o, int lit, kit_error *err)
+/* Of a camera that nobody gave, what the frame's header says; the radius likewise. */
+static int ask_header(kit_camera *camera, double *radius, const options *o, kit_error *err)
+{
+    const int window = !(o->fovy > 0) && !(o->ortho_height > 0), given = *radius > 0;
+    const int wanted = (o->has_camera ? 0 : KIT_HEADER_PLACE) | (window ? KIT_HEADER_WINDOW : 0)
+                     | (given ? 0 : KIT_HEADER_RADIUS);
+    kit_header header = { 0 };
+    if (wanted && kit_exr_header(&header, wanted, o->gbuffer, err)) return -1;
+    if (window && !(header.has & KIT_HEADER_WINDOW))
+        return kit_fail(err, "--gbuffer %s: needs --fovy or --ortho-height: it carries no camera (worldToCamera)",
+                        o->gbuffer);
+    if (!given && !(header.has & KIT_HEADER_RADIUS))
+        return kit_fail(err, "--gbuffer %s: needs --radius: it carries none (ssgi.radius)", o->gbuffer);
+    if (o->sequence && !o->has_camera && !(header.has & KIT_HEADER_PLACE))
+        return kit_fail(err, "--gbuffer %s: needs a camera behind its name: it carries none (worldToCamera)",
+                        o->gbuffer);
+    kit_camera_from_header(camera, &header);
+    if (!given) *radius = (double)header.radius;
+    return 0;
+}
+
+int render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err)
 {
     kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 } };
     kit_image frame;
     kit_error why;
     int failed;
-    camera_of(&camera, o);
-    if (camera_check(&camera, err) || kit_exr_read(&frame, o->gbuffer, err)) return -1;
+    if (kit_exr_read(&frame, o->gbuffer, err)) return -1;
     camera.width = frame.width;
     camera.height = frame.height;
+    failed = ask_header(&camera, &j->radius, o, &why);
+    if (!failed) camera_of(&camera, o);
+    if (failed || camera_check(&camera, &why)) {
+        kit_image_free(&frame);
+        return kit_fail(err, "%s", why.text);
+    }
     failed = kit_gbuffer_from_frame(g, &frame, &camera, &why);
     kit_image_free(&frame);
     if (failed) return kit_fail(err, "--gbuffer %s: %s", o->gbuffer, why.text);
-    if (!lit || g->direct || o->planned || o->env || o->lights) return 0;
+    if (!j->method.lit || g->direct || o->planned || o->env || o->lights) return 0;
     kit_gbuffer_free(g);
     return kit_fail(err, "--gbuffer %s: --method %s needs light: direct.R .., --env sky, --env FILE or --light sun:..",
                     o->gbuffer, o->method);
@@ -211,13 +239,21 @@ int render_write(const kit_image *picture, int lit, const char *path, kit_error 
                                               : kit_png_write(picture, lit ? "R,G,B" : "Y", lit, path, err);
 }
 
+/* The G-buffer, with what it takes to draw on it again. */
+static int save_frame(const job *j, kit_error *err)
+{
+    kit_header header = { .has = KIT_HEADER_RADIUS, .radius = (float)j->radius };
+    kit_camera_to_header(&header, &j->gbuffer.camera);
+    return kit_exr_write_frame(&j->r.frame, &header, j->o.save, err);
+}
+
 static int do_job(job *j, kit_error *err)
 {
     const options *o = &j->o;
     result *r = &j->r;
     if (o->sequence || o->frames) return render_play(j, err);
     if (render_open_settings(j, err)
-        || (o->gbuffer ? render_open_frame(&j->gbuffer, o, j->method.lit, err) : render_open_scene(j, err))
+        || (o->gbuffer ? render_open_frame(&j->gbuffer, j, o, err) : render_open_scene(j, err))
         || kit_gbuffer_read(&r->frame, &j->gbuffer, err)) return -1;
     if (o->planned && plan_it(j, err)) return -1;
     if (o->truth || o->floor) {
@@ -226,7 +262,7 @@ static int do_job(job *j, kit_error *err)
     const int dims = r->lit && r->picture.channels == 1;       /* a plan may light by ambient visibility */
     if (dims && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
     if (o->score && render_score(r, o->score, &j->gbuffer.camera, j->radius, err)) return -1;
-    if (o->save && kit_exr_write(&r->frame, o->save, err)) return -1;
+    if (o->save && save_frame(j, err)) return -1;
     if (o->out && render_write(&r->picture, r->lit, o->out, err)) return -1;
     render_report(o, &j->method, r, j->radius);
     return 0;

@@ -76,7 +76,8 @@ typedef struct job {
 } job;
 
 int  render_open_settings(job *j, kit_error *err);
-int  render_open_frame(kit_gbuffer *g, const options *o, int lit, kit_error *err);
+/* What options do not say its header does; a radius that nobody gave is the job's from then on. */
+int  render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err);
 int  render_open_scene(job *j, kit_error *err);
 /* As its ending says, EXR or PNG. */
 int  render_write(const kit_image *picture, int lit, const char *path, kit_error *err);

@@ -2,6 +2,7 @@
 #include "render.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const char *const group_names[GROUPS] = { "radiance", "irradiance", "bounce" };
 
@@ -76,7 +77,10 @@ static void json_settings(const kit_method *m, const kit_run *run)
 {
     kit_setting s;
     printf(", \"settings\": {");
-    for (int i = 0; kit_method_setting(&s, m, i); ++i) json_value(i ? ", " : "", s.key, s.value, -9);
+    for (int i = 0; kit_method_setting(&s, m, i); ++i) {
+        const int lacking = !strcmp(s.key, "normal") && !run->gbuffer->normal;
+        json_value(i ? ", " : "", s.key, lacking ? 1 : s.value, -9);
+    }
     printf("}");
     json_value(", ", "margin_pixels", run->margin, 0);
     json_value(", ", "fetches", run->fetches, -6);
