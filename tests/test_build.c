@@ -931,7 +931,7 @@ static void frames_carry_cameras(void)
             CHECK(errs_by(line, "lit.exr") > 0.01, "%s: %s changes nothing", scenes[i], places[k]);
         }
     }
-    t_note("RMSE %.5f at most from the saved frame", worst);
+    t_note("RMSE %.1e at most from the saved frame", worst);
 }
 
 /* A PNG of 16 bits, grey, its rows filtered in every way by turns; wide is below 500. */

@@ -39,8 +39,7 @@ def write_frame(path, wide, high, depths, m, gl, radius):
                        ('screenWindowCenter', 'v2f', '2f', *centre), ('screenWindowWidth', 'float', 'f', width),
                        ('worldToCamera', 'm44f', '16f', 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1), *more)
 
-ask = argparse.ArgumentParser(description=__doc__, usage=argparse.SUPPRESS,
-                              formatter_class=argparse.RawDescriptionHelpFormatter)
+ask = argparse.ArgumentParser(None, argparse.SUPPRESS, __doc__, formatter_class=argparse.RawTextHelpFormatter)
 ask.add_argument('--projection', type=lambda text: [float(number) for number in text.replace(',', ' ').split()])
 for name in ('fovy', 'near', 'far', 'radius'):
     ask.add_argument('--' + name, type=float, default=math.inf if name == 'far' else 0)
@@ -57,4 +56,5 @@ try:
         ask.error('--projection: must be 16 numbers, the 12th -1 or 1, or 0 with 1 for the 16th')
     write_frame(a.frame, wide, high, depths, m, a.gl and a.projection, a.radius)
 except OSError as why: ask.error(str(why))
-except (ArithmeticError, LookupError, ValueError, struct.error, zlib.error) as why: ask.error(f'{a.depth}: {why}')
+except ValueError as why: ask.error(f'{a.depth}: {why}')
+except (ArithmeticError, LookupError, struct.error, zlib.error): ask.error(f'{a.depth}: is damaged, or the camera is')

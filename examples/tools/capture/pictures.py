@@ -37,13 +37,13 @@ def exr(data, wanted):
         name, kind = data[at:at + 512].split(b'\0')[:2]
         start = at + len(name) + len(kind) + 6
         at = start + unpack_from('<I', data, start - 4)[0]
-        head[name.decode()] = data[start:at]
+        head[name.decode('latin1')] = data[start:at]
     rows = {0: 1, 2: 1, 3: 16}.get(head['compression'][0])
     if data[5] & 26 or not rows: raise ValueError('must be one part of rows, uncompressed or ZIP')
     left, top, right, bottom = unpack('<4i', head['dataWindow'])
     wide, high, values = right - left + 1, bottom - top + 1, []
     channels = re.findall(rb'(?s)([^\0]+)\0(.).{15}', head['channels'])
-    names = [name.decode() for name, _ in channels]
+    names = [name.decode('latin1') for name, _ in channels]
     row = '<' + ''.join(f'{wide}{"Ief"[kind[0]]}' for _, kind in channels)
     which = wanted or next((name for name in 'ZDR' if name in names), names[0])
     if which not in names: raise ValueError(f'has no channel {which}')
