@@ -1,6 +1,5 @@
-/* minimal.c - a whole program: OSMesa is the engine's context, a few boxes its scene; ssgi's part stands between the
-   lines of "====". It makes programs and textures at each draw: an engine does that once; examples/viewer/viewer.c has
-   it for a window, frame by frame. Writes ao.pgm.      cc examples/minimal.c -lOSMesa -lm && ./a.out */
+/* minimal.c - a whole program, which writes ao.pgm: OSMesa is the engine's context, a few boxes its scene, ssgi's part
+   between the lines of "====". Engines compile once: examples/hosts.   cc examples/minimal.c -lOSMesa -lm && ./a.out */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
 #include <GL/glext.h>
@@ -32,6 +31,7 @@ static GLuint target(GLenum attachment, GLenum internal, GLenum format, GLenum t
     glGenTextures(1, &t), glBindTexture(GL_TEXTURE_2D, t);
     glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal, w, h, 0, format, type, NULL);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);     /* else textures of integers read 0 */
     glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, t, 0);
     return t;
 }

@@ -1,7 +1,8 @@
-/* engine.cpp - ambient occlusion in an engine that knows nothing of ssgi: OpenSceneGraph (libopenscenegraph-dev) draws
-   a mesh as ever; its own depth buffer is all that is read, and the last step of hsao multiplies onto its picture.
-   Between the two lines of "====" stands what ssgi asks of an engine; (1) to (3) are traps of this one.
-      build/engine MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT      writes OUT-before.png, OUT-after.png, OUT-ao.png */
+/* openscenegraph.cpp - ambient occlusion in an engine that knows nothing of ssgi: OpenSceneGraph draws a mesh as ever;
+   its own depth buffer is all that is read, and the last step of hsao multiplies onto its picture. Between the lines of
+   "====" stands what ssgi asks of an engine; (1) to (3) are traps of this one. Debian: libopenscenegraph-dev.
+      c++ -std=c++17 examples/hosts/openscenegraph.cpp -losgViewer -losgDB -losg -lGL -o openscenegraph && \
+      ./openscenegraph MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT         writes OUT-before.png, OUT-after.png, OUT-ao.png */
 #define GL_GLEXT_PROTOTYPES
 #include <osg/GL>
 #include <GL/glext.h>
@@ -60,7 +61,8 @@ struct Occlusion {
             glBindTexture(GL_TEXTURE_2D, texture[to.texture]);
             glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), step[i].width, step[i].height, 0,
                          to.format->format, to.format->type, nullptr);
-            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+            for (GLenum filter : { GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER })
+                glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);     /* else textures of integers read 0 */
             glGenFramebuffers(1, &framebuffer[i]);
             glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[to.texture], 0);
@@ -132,11 +134,11 @@ int main(int argc, char **argv)
 {
     double p[6];
     if (argc != 5 || std::sscanf(argv[2], "%lf,%lf,%lf,%lf,%lf,%lf", p, p + 1, p + 2, p + 3, p + 4, p + 5) != 6)
-        return std::puts("usage: engine MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT"), 2;
+        return std::puts("usage: openscenegraph MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT"), 2;
     osgViewer::Viewer viewer;
     osg::ref_ptr<After> after = new After;
     viewer.setSceneData(osgDB::readNodeFile(argv[1], new osgDB::Options("noRotation")));  /* (2) turns y up to z up */
-    if (!viewer.getSceneData()) return std::printf("engine: %s: cannot be read\n", argv[1]), 2;
+    if (!viewer.getSceneData()) return std::printf("openscenegraph: %s: cannot be read\n", argv[1]), 2;
     viewer.setUpViewInWindow(0, 0, W, H);
     viewer.getLight()->setAmbient(osg::Vec4(0.5f, 0.5f, 0.5f, 1));
     osg::Camera *camera = viewer.getCamera();
