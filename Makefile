@@ -9,7 +9,8 @@
 #   make passes    examples/docs/PASSES.md, the table of them
 #   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
 #   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
-#   make viewer, engine, bench   a window; OpenSceneGraph as the host; milliseconds on a GPU. make viewer-test
+#   make viewer, bench   a window; milliseconds on a GPU. make viewer-test
+#   make hosts-test   the pages of examples/hosts, built and run
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
 #   make wasm      the headers as WebAssembly       make npm         a package with it and the texts of WebGL 2
 #   make format    the layout of every header, example and test, by clang-format 14
@@ -284,25 +285,26 @@ build/threads/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread -c $< -o $@
 
-# OpenSceneGraph with ambient occlusion by the same steps.
-engine: build/engine
-build/engine: examples/hosts/openscenegraph.cpp ssgi.h ssgi_gl.h
-	@pkg-config --exists openscenegraph-osgViewer || \
-	  { echo 'engine: OpenSceneGraph is missing (apt-get install libopenscenegraph-dev)' >&2; exit 2; }
-	@mkdir -p $(@D)
-	@echo '  c++ $@'; $(CXX) -std=c++17 -Wall -Wextra $(CFLAGS) $< \
-	  $(shell pkg-config --cflags --libs openscenegraph-osgViewer openscenegraph-osgDB) -lGL -o $@
-
-# Both under Xvfb, beside build/render's pictures; what is not installed is named as skipped. FUZZ=300: so many damaged
-# files and arguments for the viewer.
+# It under Xvfb, beside build/render's pictures; what is not installed is named as skipped. FUZZ=300: so many damaged
+# files and arguments.
 build/rmse: tests/rmse.c | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) $(CFLAGS) $< -lm -o $@
 viewer-test: build/render build/rmse
 	@command -v Xvfb >/dev/null && pkg-config --exists glfw3 || sh examples/kit/install.sh xvfb libglfw3-dev || true
 	@if pkg-config --exists glfw3; then $(MAKE) -s viewer build/viewer-sanitized build/viewer-threads; fi
-	@if pkg-config --exists openscenegraph-osgViewer; then $(MAKE) --no-print-directory engine; fi
 	@FUZZ=$(FUZZ) sh tests/viewer.sh
+
+# The pages of examples/hosts, built without a warning and run: their occlusion beside build/render's. What is not
+# installed is named as skipped. ONLY="glfw sdl": those hosts.
+HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl python3-cffi libegl1 libopenscenegraph-dev
+NPM_HOSTS = npm install --prefix build/hosts --no-save --ignore-scripts --no-audit --no-fund --silent babylonjs@9.34.0
+hosts-test: build/render build/rmse web-deps
+	@for p in $(HOST_PACKAGES); do sh examples/kit/install.sh $$p || true; done
+	@mkdir -p build/hosts
+	@test -d build/hosts/node_modules/babylonjs || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
+	@! command -v wasm-ld >/dev/null || $(MAKE) -s npm
+	@sh tests/hosts.sh $(ONLY)
 
 # Milliseconds of every method on whatever GPU EGL finds, as Markdown: report/bench.md. METHOD=hsao: names that begin so.
 bench: build/bench
@@ -311,7 +313,7 @@ bench: build/bench
 build/bench: examples/lab/bench.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
-.PHONY: viewer glfw engine viewer-test bench
+.PHONY: viewer glfw viewer-test hosts-test bench
 
 # The page: examples/web on three.js from npm, to be served from build/web; its tests draw it in a browser without a
 # window. What they install lies under build/web-deps; make web-test skips by name what cannot be had.

@@ -1,11 +1,13 @@
-/* rmse.c - root of the mean square by which two PNGs differ, over all channels, of values 0..1; for viewer.sh.
+/* rmse.c - root of the mean square by which two pictures differ, over all channels, of values 0..1; for window.sh. PNG,
+   PPM, PGM. With GAMMA A's values are taken to that power first: 2.2 for what is encoded for screens.
 
-      build/rmse A.png B.png */
+      build/rmse A B [GAMMA] */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
+#define STBI_ONLY_PNM
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -20,7 +22,8 @@ int main(int argc, char **argv)
     int w[2], h[2], n;
     double sum = 0;
     unsigned char *p[2];
-    if (argc != 3) { fputs("usage: rmse A.png B.png\n", stderr); return 2; }
+    const double gamma = argc == 4 ? strtod(argv[3], NULL) : 1;
+    if ((argc != 3 && argc != 4) || !(gamma > 0)) { fputs("usage: rmse A B [GAMMA]\n", stderr); return 2; }
     for (int i = 0; i < 2; ++i) {
         p[i] = stbi_load(argv[1 + i], &w[i], &h[i], &n, 3);
         if (!p[i]) { fprintf(stderr, "rmse: %s: %s\n", argv[1 + i], stbi_failure_reason()); return 2; }
@@ -29,7 +32,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "rmse: %dx%d against %dx%d\n", w[0], h[0], w[1], h[1]);
         return 2;
     }
-    for (int i = 0; i < 3 * w[0] * h[0]; ++i) sum += pow((p[0][i] - p[1][i]) / 255.0, 2);
+    for (int i = 0; i < 3 * w[0] * h[0]; ++i) sum += pow(pow(p[0][i] / 255.0, gamma) - p[1][i] / 255.0, 2);
     printf("%.5f\n", sqrt(sum / (3.0 * w[0] * h[0])));
     free(p[0]);
     free(p[1]);

@@ -1,38 +1,12 @@
 #!/bin/sh
-# viewer.sh - the viewer's window, and an engine's, under Xvfb, beside build/render's picture of the same:
+# viewer.sh - the viewer's window under Xvfb, beside build/render's picture of the same:
 #
 #   make viewer-test
 #
-# Both are other embeddings than the kit's own, so that a picture that agrees says: the steps are all that is needed.
 # What cannot be run here is named as skipped. FUZZ: how many damaged files and arguments the viewer gets.
-export LIBGL_ALWAYS_SOFTWARE=1
 work=build/viewer-test
-rm -rf $work
-mkdir -p $work report
-passed=0 failed=0 x=
-
-check() {    # WHAT, whether it is so
-    if [ "$2" = 1 ]; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAILED: $1"; fi
-}
-near() {    # WHAT A.png B.png MOST: their RMSE
-    rmse=$(build/rmse "$2" "$3") || rmse=none
-    echo "  $1: RMSE $rmse"
-    check "$1: RMSE $rmse, at most $4" "$(awk -v a="$rmse" -v b="$4" 'BEGIN { print (a != "none" && a + 0 <= b + 0) }')"
-}
-skip() { echo "skipped: $1"; }
-finish() {
-    [ -n "$x" ] && kill "$x" 2>/dev/null
-    echo "$passed passed, $failed failed"
-    exit $((failed > 0))
-}
-
-if ! command -v Xvfb >/dev/null; then skip 'viewer and engine, Xvfb is missing (apt-get install xvfb)'; finish; fi
-Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3>$work/display 2>/dev/null &
-x=$!
-for i in $(seq 100); do [ -s $work/display ] && break; sleep 0.2; done
-DISPLAY=:$(cat $work/display)
-export DISPLAY
-if [ "$DISPLAY" = : ]; then skip 'viewer and engine, Xvfb does not start'; finish; fi
+. tests/window.sh
+open_window
 
 # A yard of boxes: as an OBJ with normals and colours, as a glTF of one box and many nodes, below one that is turned by
 # a quaternion and one that is turned back by a matrix.
@@ -112,12 +86,4 @@ else
     . tests/viewer_bad.sh
 fi
 
-if [ ! -x build/engine ]; then skip 'engine, OpenSceneGraph is missing (apt-get install libopenscenegraph-dev)'
-else
-    build/engine $work/yard.obj $place 1 report/engine
-    build/render $work/yard.obj --camera $place --fovy 45 --near 0.1 --far 100 --size 960x540 --set normal=depth \
-        --radius 1 --out $work/b.png
-    near 'engine, hsao from its depth alone' report/engine-ao.png $work/b.png 0.006
-    check 'engine, its picture changes' "$(cmp -s report/engine-before.png report/engine-after.png || echo 1)"
-fi
 finish

@@ -3,11 +3,12 @@
       build/viewer room                          build/viewer SCENE.obj --method hsao --right truth
       build/viewer SCENE.gltf --preset best      keys: h; options: --help
 
-   And the example of an embedding in real time: between the two lines of "====" a method is a list of draws from
-   ssgi_gl_steps, whichever it is, and one loop allocates, binds and draws them. Below it: what an embedder chooses of a
-   method, what changes per frame, and the frame itself. What an engine has already is beside: gl.c wraps GL, gbuffer.c
-   draws the G-buffer, gltf.c and the kit load scenes; window.c, arguments.c and panel.c are the window around the
-   picture, truth.c and pictures.c look at the result. */
+   To put ssgi into a program of your own, copy a page of examples/hosts, not this: here every method and setting can be
+   changed while it runs. Between the two lines of "====" a method is a list of draws from ssgi_gl_steps, whichever it
+   is, and one loop allocates, binds and draws them. Below it: what is chosen of a method, what changes per frame, and
+   the frame itself. What an engine has already is beside: gl.c wraps GL, gbuffer.c draws the G-buffer, gltf.c and the
+   kit load scenes; window.c, arguments.c and panel.c are the window around the picture, truth.c and pictures.c look at
+   the result. */
 #include "viewer.h"
 #include <GLFW/glfw3.h>
 #include <math.h>
@@ -155,7 +156,7 @@ static int environment_open(viewer *v, half *h, const ssgi_gl_desc *d)
     return r == SSGI_OK ? 0 : kit_fail(&v->err, "--env: %s", why);
 }
 
-/* What the half's method is, as a chain: the desc that an embedder chooses, and what is drawn around it. */
+/* What the half's method is, as a chain: the desc, and what is drawn around it. */
 static int half_open(viewer *v, half *h)
 {
     const int m = h->method;

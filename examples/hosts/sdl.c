@@ -1,0 +1,100 @@
+/* sdl.c - ambient occlusion in a window: SDL 2, GLES 3.0. boxes.h is the engine: it draws a picture, the part of it
+   that is ambient light, and depth. Between the lines of "====" ssgi dims that part; normals it takes from depth.
+      cc examples/hosts/sdl.c -lSDL2 -lGLESv2 -lm -o sdl && ./sdl            (Debian: libsdl2-dev libgles-dev)
+   ./sdl FILE.ppm [SUN SKY]: one picture, with lights so bright, after the window has changed its size. */
+#include <GLES3/gl3.h>
+#include <SDL2/SDL.h>
+#include "boxes.h"
+#define SSGI_IMPLEMENTATION
+#define SSGI_GL_IMPLEMENTATION
+#include "../../ssgi_gl.h"
+
+/* ==== ssgi ======================================================================================================== */
+static ssgi_gl_step step[8];
+static int steps;
+static GLuint program[8], framebuffer[8], texture[8], block, yours[SSGI_GL_YOURS];
+
+/* When the size changes: asks for the steps and makes what they draw into. Programs are the same for every size. */
+static const char *resize(int width, int height)
+{
+    static char text[2][32768];
+    const ssgi_gl_desc desc = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_300ES, .onto = SSGI_GL_ONTO_AMBIENT };
+    ssgi_gl_chain chain = { .desc = desc, .blur = 1, .width = width, .height = height };
+    const char *why = "";
+    chain.desc.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+    if (ssgi_gl_preset(&chain.desc, SSGI_GL_BALANCED, &why)) return why;
+    if (!(steps = ssgi_gl_steps(step, 8, &chain, &why))) return why;
+    if (!block) glGenBuffers(1, &block), glGenTextures(8, texture), glGenFramebuffers(8, framebuffer);
+    for (int i = 0; i < steps; ++i) {
+        const ssgi_gl_output *to = step[i].output; /* of hsao one each; its texture -1: the picture */
+        const GLuint into = to->texture < 0 ? boxes_texture[BOXES_PICTURE] : texture[to->texture];
+        glBindTexture(GL_TEXTURE_2D, into);
+        if (to->texture >= 0)
+            glTexImage2D(GL_TEXTURE_2D, 0, (GLint)to->format->internal, step[i].width, step[i].height, 0,
+                         to->format->format, to->format->type, NULL);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* integers read 0 without this, too */
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, into, 0);
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return "no 16-bit float targets";
+        if (program[i]) continue;
+        for (int k = 0; k < 2; ++k) ssgi_gl_emit(text[k], sizeof text[k], &step[i].desc, k);
+        glUseProgram(program[i] = boxes_program("", text[SSGI_GL_VERTEX], text[SSGI_GL_FRAGMENT]));
+        glUniformBlockBinding(program[i], glGetUniformBlockIndex(program[i], "ssgi_frame"), 0);
+        for (int k = 0; k < step[i].inputs; ++k)
+            glUniform1i(glGetUniformLocation(program[i], step[i].input[k].name), step[i].input[k].unit);
+    }
+    return NULL;
+}
+
+/* Every frame, with the projection that depth was drawn with. The radius: how far away what occludes may be. */
+static const char *occlude(const float projection[16], float radius, int width, int height)
+{
+    ssgi_view view;
+    ssgi_gl_frame frame;
+    const char *why = "";
+    if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, width, height, &why)) return why;
+    if (ssgi_gl_frame_init(&frame, &view, radius, &why)) return why;
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, block);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_DYNAMIC_DRAW);
+    glDisable(GL_DEPTH_TEST);
+    for (const ssgi_gl_step *s = step; s < step + steps; ++s) {
+        for (const ssgi_gl_input *in = s->input; in < s->input + s->inputs; ++in) {
+            glActiveTexture(GL_TEXTURE0 + (GLenum)in->unit);
+            glBindTexture(in->target, in->texture < 0 ? yours[in->meaning] : texture[in->texture]);
+        }
+        if (s->blend[0]) glEnable(GL_BLEND), glBlendEquation(s->blend[0]), glBlendFunc(s->blend[1], s->blend[2]);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[s - step]), glViewport(0, 0, s->width, s->height);
+        glUseProgram(program[s - step]), glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances);
+        glDisable(GL_BLEND);
+    }
+    return NULL;
+}
+
+/* ================================================================================================================== */
+int main(int argc, char **argv)
+{
+    const char *file = argc > 1 ? argv[1] : NULL, *why = "";
+    const float sun = argc > 3 ? strtof(argv[2], NULL) : 0.6f, sky = argc > 3 ? strtof(argv[3], NULL) : 0.4f;
+    int width = 0, height = 0, w, h;
+    SDL_Event event = { 0 };
+    SDL_Window *window = NULL;
+    if (!SDL_Init(SDL_INIT_VIDEO)) {
+        SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
+        SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3), SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
+        window = SDL_CreateWindow("ssgi", 0, 0, 800, 450, SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE);
+    }
+    if (!window || !SDL_GL_CreateContext(window)) return fprintf(stderr, "sdl: %s\n", SDL_GetError()), 1;
+    boxes_open("#version 300 es\n");
+    yours[SSGI_GL_YOUR_DEPTH] = boxes_texture[BOXES_DEPTH], yours[SSGI_GL_YOUR_AMBIENT] = boxes_texture[BOXES_AMBIENT];
+    for (why = NULL; event.type != SDL_QUIT; SDL_GL_SwapWindow(window)) {
+        while (SDL_PollEvent(&event) && event.type != SDL_QUIT) {}
+        SDL_GL_GetDrawableSize(window, &w, &h);
+        if (w != width || h != height) boxes_resize(width = w, height = h), why = resize(w, h);
+        boxes_draw(file ? 0.0f : 0.0003f * (float)SDL_GetTicks(), sun, sky, w, h);
+        if (why || (why = occlude(boxes_projection, 1, w, h))) return fprintf(stderr, "sdl: %s\n", why), 1;
+        boxes_show(w, h);
+        if (file && w == 960) return boxes_save(file, w, h);
+        if (file) SDL_SetWindowSize(window, 960, 540);
+    }
+}

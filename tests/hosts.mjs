@@ -1,0 +1,29 @@
+/* hosts.mjs - what Chromium without a window shows of pages of examples/hosts, once its size has changed; prints what
+   the consoles say that is wrong. For hosts.sh, from the repository's root.
+      node tests/hosts.mjs FOLDER PAGE PICTURE.png .. */
+import { launch, serve } from './web-kit.mjs';
+
+const [folder, ...pairs] = process.argv.slice(2), root = await serve(folder);
+const browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
+                             '--hide-scrollbars', '--force-color-profile=srgb');
+const said = [];
+for (let i = 0; i + 1 < pairs.length; i += 2) {
+    const page = await browser.newPage(), [address, path] = pairs.slice(i, i + 2);
+    page.on('console', m => { if (['error', 'warn', 'warning'].includes(m.type())) said.push(m.text()); });
+    page.on('pageerror', e => said.push(e.message));
+    page.on('requestfailed', r => said.push(`${r.url()}: ${r.failure()?.errorText}`));
+    const drawn = async () => {
+        const scene = 'globalThis.BABYLON?.EngineStore.LastCreatedScene';
+        const frames = await page.evaluate(`${scene}?.getFrameId() ?? 0`);
+        await page.waitForFunction(`${scene}?.isReady() && ${scene}.getFrameId() > ${frames + 5}`, { timeout: 60000 });
+    };
+    await page.setViewport({ width: 800, height: 450 });
+    await page.goto(`${root}/${address}`);
+    await drawn();
+    await page.setViewport({ width: 960, height: 540 });
+    await drawn();
+    await page.screenshot({ path });
+}
+await browser.close();
+if (said.length) console.log(said.join('\n'));
+process.exit(said.length ? 1 : 0);

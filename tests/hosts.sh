@@ -1,0 +1,123 @@
+#!/bin/sh
+# hosts.sh - the pages of examples/hosts, built as their first comments say and run, under Xvfb or without a window:
+#
+#   make hosts-test                  ONLY="glfw sdl": those
+#
+# All draw the same boxes from the same place. Where only ambient light falls on white boxes the picture is the ambient
+# visibility, which must be build/render's; what one sun alone lights must not be dimmed. Windows have changed their
+# size before a picture is taken. What cannot be run here is named as skipped.
+work=build/hosts/test
+only=" $* "
+. tests/window.sh
+
+wanted() { [ "$only" = '  ' ] || [ "${only#* $1 }" != "$only" ]; }
+
+# build HOST PAGE FLAGS..: with every compiler that is there; the first one's program is the one that is run. 1: the
+# libraries are missing.
+build() {
+    host=$1 line=$(sed -n "s/^ *c[c+]* \(.*\) -o $1 && .*/\1/p" "$2") compilers=
+    case $2 in *.c) names='gcc clang' ;; *) names='g++ clang++' ;; esac
+    shift 2
+    for c in $names; do command -v $c >/dev/null && compilers="$compilers $c"; done
+    for c in $compilers; do
+        said=$($c -Wall -Wextra "$@" -Werror $line -o $work/$host-$c 2>&1)
+        check "$host: $c: $said" "$([ -x $work/$host-$c ] && echo 1)"
+        [ -x $work/$host ] || cp $work/$host-$c $work/$host 2>/dev/null
+    done
+    [ -x $work/$host ]
+}
+strict='-Wpedantic -Wconversion -Wshadow -Wdouble-promotion -std=c11'
+
+# sides HOST PICTURE.ppm: how many colours a sun makes of boxes that have six sides, and the background
+sides() {
+    colours=$(tail -c +16 "$2" | od -An -v -w3 -tx1 | sort -u | wc -l)
+    check "$1: $colours colours of sides in the sun alone: ambient light is dimmed, and no other" \
+        "$([ "$colours" -gt 2 ] && [ "$colours" -lt 8 ] && echo 1)"
+}
+
+awk '
+function box(x, y, z, a, b, c,   i, k, f) {
+    for (i = 0; i < 8; i++) printf("v %g %g %g\n", i % 2 ? a : x, int(i / 2) % 2 ? b : y, int(i / 4) ? c : z)
+    split("1 5 7 3,2 4 8 6,1 2 6 5,3 7 8 4,1 3 4 2,5 6 8 7", f, ",")
+    for (i = 1; i <= 6; i++) {
+        split(f[i], k, " ")
+        printf("f %d//%d %d//%d %d//%d %d//%d\n", n + k[1], i, n + k[2], i, n + k[3], i, n + k[4], i)
+    }
+    n += 8
+}
+BEGIN {
+    print "vn -1 0 0\nvn 1 0 0\nvn 0 -1 0\nvn 0 1 0\nvn 0 0 -1\nvn 0 0 1"
+    box(-4.5, -0.2, -4.5, 4.5, 0, 4.5)
+    for (i = 1; i < 25; i++) {
+        x = 1.5 * (i % 5 - 2); z = 1.5 * (int(i / 5) - 2)
+        a = 0.35 + 0.05 * (i * 3 % 8); b = 0.4 + 0.4 * (i * 7 % 5); c = 0.35 + 0.05 * (i * 5 % 7)
+        box(x - a, 0, z - c, x + a, b, z + c)
+    }
+}' >$work/boxes.obj
+place=0,6,8,0,0,0
+for normal in gbuffer depth; do
+    build/render $work/boxes.obj --camera $place --fovy 45 --near 0.1 --far 100 --size 960x540 --radius 1 \
+        --set normal=$normal --out $work/$normal.png
+done
+most=0.006
+
+if wanted python; then
+    python=
+    for p in python3 /usr/bin/python3; do $p -c 'import moderngl, cffi' 2>/dev/null && python=$p && break; done
+    if [ -z "$python" ]; then skip 'python, its packages are missing (apt-get install python3-moderngl python3-cffi)'
+    else
+        $python examples/hosts/python.py $work/python.pgm
+        near 'python' $work/python.pgm $work/depth.png $most
+    fi
+fi
+
+if wanted babylon; then
+    if ! [ -d build/hosts/node_modules/babylonjs ]; then skip 'babylon, npm could not install babylonjs'
+    elif ! [ -e build/npm/ssgi.wasm ]; then skip 'babylon, clang or wasm-ld is missing (apt-get install clang lld)'
+    elif ! [ -d build/web-deps/node_modules/puppeteer-core ]; then skip 'babylon, npm could not install puppeteer-core'
+    elif ! command -v chromium >/dev/null || ! command -v node >/dev/null; then
+        skip 'babylon, no browser or no node (apt-get install chromium nodejs)'
+    else
+        cp examples/hosts/babylon.html build/hosts
+        ln -sfn ../../npm build/hosts/node_modules/ssgi
+        said=$(node tests/hosts.mjs build/hosts 'babylon.html' $work/babylon.png 'babylon.html#white' $work/white.png)
+        check "babylon: the console says: $said" "$([ -z "$said" ] && echo 1)"
+        near 'babylon' $work/white.png $work/depth.png $most 2.2
+    fi
+fi
+
+open_window
+
+if wanted glfw; then
+    if ! pkg-config --exists glfw3; then skip 'glfw, GLFW is missing (apt-get install libglfw3-dev)'
+    elif build glfw examples/hosts/glfw.c $strict; then
+        $work/glfw $work/glfw.ppm
+        $work/glfw $work/glfw-sky.ppm 0 1
+        $work/glfw $work/glfw-sun.ppm 1 0
+        near 'glfw' $work/glfw-sky.ppm $work/gbuffer.png $most 2.2
+        sides glfw $work/glfw-sun.ppm
+    fi
+fi
+
+if wanted sdl; then
+    if ! pkg-config --exists sdl2 glesv2; then skip 'sdl, its libraries are missing (libsdl2-dev libgles-dev)'
+    elif build sdl examples/hosts/sdl.c $strict; then
+        $work/sdl $work/sdl.ppm
+        $work/sdl $work/sdl-sky.ppm 0 1
+        $work/sdl $work/sdl-sun.ppm 1 0
+        near 'sdl' $work/sdl-sky.ppm $work/depth.png $most 2.2
+        sides sdl $work/sdl-sun.ppm
+    fi
+fi
+
+if wanted openscenegraph; then
+    if ! pkg-config --exists openscenegraph-osgViewer; then
+        skip 'openscenegraph, OpenSceneGraph is missing (apt-get install libopenscenegraph-dev)'
+    elif build openscenegraph examples/hosts/openscenegraph.cpp; then
+        $work/openscenegraph $work/boxes.obj $place 1 $work/openscenegraph 2>$work/openscenegraph.txt
+        near 'openscenegraph' $work/openscenegraph-ao.png $work/depth.png $most
+        check 'openscenegraph: its picture changes' \
+            "$(cmp -s $work/openscenegraph-before.png $work/openscenegraph-after.png || echo 1)"
+    fi
+fi
+finish
