@@ -27,12 +27,17 @@
                    contexts); blending, but where told below; culling, rasteriser discard, logic op, clip distances.
                    Colour mask on, polygons filled
       textures     a name has the same unit in every variant of a pass. They are read by texelFetch at level 0: wrap
-                   modes do not matter, but a texture must be complete. One without mip levels reads 0 under GL's
-                   default minifying filter, and the result is black. GL_NEAREST is right for all; depth and 32-bit
-                   floats need it in GLES and WebGL. No sampler object on their units: it would override their filters
+                   modes do not matter, but a texture must be complete: set both of its filters to GL_NEAREST. Under
+                   GL's default minifying filter a texture without mip levels reads 0, under its default magnifying
+                   filter a texture of integers does (what pass width writes), and visibility is 0 or 1 everywhere.
+                   Depth and 32-bit floats need GL_NEAREST in GLES and WebGL. GL_TEXTURE_COMPARE_MODE is GL_NONE. No
+                   sampler object on their units: it would override their filters
+      targets      what a step reads must not be attached to what it draws into: with desc.onto, depth and normals not
+                   to the picture. In GLES and WebGL floating-point targets need EXT_color_buffer_float or, of 16
+                   bits, EXT_color_buffer_half_float
       uniforms     the block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding)
                    the slots of ssgi_gl_reflect's rows are in the text; in the others set them once by name
-                   (glUniform1i, glUniformBlockBinding)
+                   (glUniform1i, glUniformBlockBinding). An engine that caches its state must forget it afterwards
       projection   the one that depth was drawn with: some engines (OpenSceneGraph) move near and far behind its getter.
                    For left-handed ones see ssgi_view_from_projection (ssgi.h)
       No GL is called here.
@@ -714,8 +719,8 @@ typedef struct ssgi_gl_step {
 } ssgi_gl_step;
 
 /* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0;
-   0 for a bad chain, and why. Clear the steps' textures to 0 when you make them, and again when the size changes. With
-   desc.onto the last step draws onto your picture. */
+   0 for a bad chain, and why. Clear the steps' textures to 0 when you make them, and again when the size changes: texts
+   stay, since none depends on the size. With desc.onto the last step draws onto your picture. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
 /* What GL has at a unit, or as a target. */
@@ -725,6 +730,7 @@ typedef struct ssgi_gl_bound {
     int width, height;
     unsigned filter;  /* GL_TEXTURE_MIN_FILTER; of targets not looked at */
     unsigned compare; /* GL_TEXTURE_COMPARE_MODE; of targets not looked at */
+    unsigned magnify; /* GL_TEXTURE_MAG_FILTER; 0, and of targets: not looked at */
 } ssgi_gl_bound;
 
 /* For debug builds: what would be drawn wrong, in a sentence that names step, texture and unit. Like snprintf; 0 when
@@ -5711,7 +5717,8 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
     if (!in || in->target == SSGI_GL__TEXTURE_2D_MULTISAMPLE) return NULL; /* samples are not filtered */
     if (is->filter >= SSGI_GL__NEAREST_MIPMAP_NEAREST)
         return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
-    if (is->filter == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its filter";
+    if (is->filter == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its minifying filter";
+    if (is->magnify == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its magnifying filter";
     return is->compare ? "must have GL_NONE as its compare mode" : NULL;
 }
 

@@ -72,7 +72,7 @@ static GLuint read_by(const host *h, const ssgi_gl_input *in)
 /* What GL has bound there: a texture and its target. */
 static ssgi_gl_bound bound(GLuint texture, GLenum target)
 {
-    ssgi_gl_bound b = { target, 0, 0, 0, GL_NEAREST, 0 };
+    ssgi_gl_bound b = { target, 0, 0, 0, GL_NEAREST, 0, GL_NEAREST };
     GLint value[3] = { 0 };
     if (!texture || !glGetTexLevelParameteriv) return b;
     glBindTexture(target, texture);
@@ -265,11 +265,12 @@ static void wrong_things(void)
         if (!strcmp(blur->input[k].name, "t_ssgi_ao")) ao = blur->input[k].unit;
         if (!strcmp(blur->input[k].name, "t_ssgi_depth")) depth = blur->input[k].unit;
     }
-    for (int wrong = 0; wrong < 8; ++wrong) {
+    for (int wrong = 0; wrong < 9; ++wrong) {
         static const char *const says[] = { "", "blur: t_ssgi_depth, unit 0: is not", "t_ssgi_ao, unit 9: nothing",
                                             "t_ssgi_ao, unit 9: is of full size", "unit 0: is smaller", "mip levels",
-                                            "integers", "o_ssgi_ao: is not of the format" };
-        ssgi_gl_bound u[16], target = { GL_TEXTURE_2D, GL_R32F, W, H, GL_NEAREST, 0 }, was;
+                                            "integers", "o_ssgi_ao: is not of the format",
+                                            "unit 0: must have GL_NEAREST as its magnifying" };
+        ssgi_gl_bound u[16], target = { GL_TEXTURE_2D, GL_R32F, W, H, GL_NEAREST, 0, GL_NEAREST }, was;
         for (int k = 0; k < blur->inputs; ++k)
             u[blur->input[k].unit] = bound(read_by(&h, &blur->input[k]), blur->input[k].target);
         was = u[depth];
@@ -280,6 +281,7 @@ static void wrong_things(void)
         if (wrong == 5) u[depth].filter = GL_NEAREST_MIPMAP_LINEAR;
         if (wrong == 6) u[1].format = GL_RGBA32UI;
         if (wrong == 7) target.format = GL_RGBA8;
+        if (wrong == 8) u[depth].magnify = GL_LINEAR;
         const size_t n = ssgi_gl_step_check(why, sizeof why, blur, u, &target);
         /* units exchanged: depth is smaller or of a format that it must not be, and so is the other */
         CHECK(wrong == 1 ? n && strstr(why, "blur: t_ssgi_")
