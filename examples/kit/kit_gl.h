@@ -68,7 +68,8 @@ KIT_GL_DESKTOP(KIT_GL_DECLARE)
 /* Makes a headless context current and loads the functions; a context that is open is closed first. An empty vertex
    array is bound.
      "osmesa"  desktop GL core, on the CPU; the default when NULL
-     "egl"     desktop GL core, on a GPU where there is one
+     "egl"     desktop GL core, on a GPU where there is one, with or without a display: the first EGL device that a GPU
+               draws for, else surfaceless, else a software device
      "egl-es"  GLES 3.2, 3.1 or 3.0, likewise */
 int         kit_gl_open(const char *context, kit_error *err);
 void        kit_gl_close(void);
@@ -109,6 +110,7 @@ void        kit_soup_close(kit_soup *soup);
    nesting. */
 void        kit_timer_begin(void);
 double      kit_timer_end(void);
+const char *kit_timer_name(void);                 /* which: "timer queries", "the clock" */
 
 /* ---- >>gbuffer ---------------------------------------------------------------------------------------------- */
 
@@ -296,8 +298,12 @@ typedef struct kit_pass {
     int                box[4];             /* x, y, width, height: what is drawn of its targets; 0 = all */
     ssgi_gl_io        *io;                 /* what it reads and writes: so many rows */
     int                rows;
-    double             ms;                 /* of the last kit_run_draw that was timed */
+    double             ms;                 /* of the last kit_run_draw that timed passes */
 } kit_pass;
+
+/* What a pass takes of one frame. bytes: as kit_run's; fetches, operations: the most that a pixel takes (kit_fetches,
+   kit_operations) times what is drawn; of surfels that are made, bytes alone. */
+typedef struct kit_cost { double bytes, fetches, operations; } kit_cost;
 
 /* ---- >>run -------------------------------------------------------------------------------------------------- */
 
@@ -333,6 +339,7 @@ typedef struct kit_run {
        outputs once, as stored, of farther layers those that it asks for; of splats surfels once and each texel that
        they cover, read and written. NAN: the context cannot tell */
     double        bytes;
+    double        ms;                      /* of the last kit_run_draw that timed the frame */
 } kit_run;
 
 /* Peels the G-buffer as far as the method asks, when the world has a scene. Setting margin: the radius times it, as
@@ -343,7 +350,11 @@ typedef struct kit_run {
 int kit_run_open(kit_run *run, kit_gbuffer *gbuffer, const kit_method *method, float radius, const kit_world *world,
                  kit_error *err);
 void kit_run_update(kit_run *run);         /* uploads run->frame */
+/* KIT_PASSES: each pass apart, by a timer of its own that waits for all before it. KIT_FRAME: all in one, as a frame of
+   an engine's; passes that only tell parts apart are not drawn then. */
+enum { KIT_UNTIMED, KIT_PASSES, KIT_FRAME };
 void kit_run_draw(kit_run *run, int timed);
+kit_cost kit_pass_cost(const kit_run *run, const kit_pass *pass);
 /* The texture of the run that inputs of that name read; 0: none is read. instead, unless 0, replaces it for all. */
 GLuint kit_run_input(kit_run *run, const char *name, GLuint instead);
 double kit_run_operations(const kit_run *run);     /* as run->fetches: kit_operations of all passes */

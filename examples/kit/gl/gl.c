@@ -110,8 +110,25 @@ static struct {
     const char *(*device_string)(void *device, int32_t name);
 } egl;
 
-/* 1 when a context on this display is current */
-static int egl_try(void *display, int es)
+static int is_rasteriser(const char *renderer)
+{
+    static const char *const names[] = { "llvmpipe", "softpipe", "swrast", "Software", "SwiftShader",
+                                          "Basic Render" };
+    int found = 0;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) found |= renderer && strstr(renderer, names[i]) != NULL;
+    return found;
+}
+
+/* Of the context that is current. A display adapter without a 3D engine is a hardware device that Mesa's rasteriser
+   draws for. */
+static int egl_is_software(void)
+{
+    const PFNGLGETSTRINGPROC get = (PFNGLGETSTRINGPROC)egl.proc("glGetString");
+    return get && is_rasteriser((const char *)get(GL_RENDERER));
+}
+
+/* 1 when a context on this display is current; software 0: not one that the CPU draws for. */
+static int egl_try(void *display, int es, int software)
 {
     static const int32_t versions[2][3] = { { 45, 43, 0 }, { 32, 31, 30 } };
     if (!display || !egl.initialize(display, NULL, NULL)) return 0;
@@ -120,11 +137,14 @@ static int egl_try(void *display, int es)
             int32_t attributes[] = { EGL_MAJOR, versions[es][i] / 10, EGL_MINOR, versions[es][i] % 10,
                                      es ? EGL_NONE : EGL_PROFILE_MASK, EGL_CORE_PROFILE, EGL_NONE };
             void *context = egl.create(display, NULL, NULL, attributes);
-            if (context && egl.current(display, NULL, NULL, context)) {
+            const int current = context && egl.current(display, NULL, NULL, context);
+            if (current && (software || !egl_is_software())) {
                 gl.open = 2; gl.display = display; gl.context = context;
                 return 1;
             }
+            if (current) egl.current(display, NULL, NULL, NULL);
             if (context) egl.destroy(display, context);
+            if (current) break;
         }
     egl.terminate(display);
     return 0;
@@ -153,7 +173,7 @@ static int egl_open(int es, kit_error *err)
         egl.device_string    = (const char *(*)(void *, int32_t))egl.proc("eglQueryDeviceStringEXT");
     }
     if (!egl.query_string || !egl.initialize || !egl.terminate || !egl.bind_api || !egl.create || !egl.destroy
-        || !egl.current || !egl.platform_display)
+        || !egl.current || !egl.proc || !egl.platform_display)
         return kit_fail(err,
                         "context %s: this libEGL has no eglGetPlatformDisplayEXT; EGL 1.5 is needed, or try osmesa",
                         self);
@@ -162,15 +182,19 @@ static int egl_open(int es, kit_error *err)
 
     if (strstr(client, "EGL_EXT_platform_device") && egl.query_devices && egl.device_string)
         if (!egl.query_devices(EGL_MAX_DEVICES, devices, &count)) count = 0;
-    /* hardware first; the surfaceless platform before a software device */
+    /* whatever a GPU draws for first; of what a CPU draws for the surfaceless platform before devices */
+    const int surfaceless = strstr(client, "EGL_MESA_platform_surfaceless") != NULL;
     for (int software = 0; software < 2; software++) {
+        if (software && surfaceless && egl_try(egl.platform_display(EGL_PLATFORM_SURFACELESS, NULL, NULL), es, 1))
+            return 0;
         for (int32_t i = 0; i < count; i++) {
             const char *extensions = egl.device_string(devices[i], EGL_EXTENSIONS);
-            if (software == (extensions && strstr(extensions, "EGL_MESA_device_software")) &&
-                egl_try(egl.platform_display(EGL_PLATFORM_DEVICE, devices[i], NULL), es)) return 0;
+            const int marked = extensions && strstr(extensions, "EGL_MESA_device_software");
+            if (marked <= software && egl_try(egl.platform_display(EGL_PLATFORM_DEVICE, devices[i], NULL), es, software))
+                return 0;
         }
-        if (!software && strstr(client, "EGL_MESA_platform_surfaceless") &&
-            egl_try(egl.platform_display(EGL_PLATFORM_SURFACELESS, NULL, NULL), es)) return 0;
+        if (!software && surfaceless && egl_try(egl.platform_display(EGL_PLATFORM_SURFACELESS, NULL, NULL), es, 0))
+            return 0;
     }
     return kit_fail(err,
                     "context %s: none of %d EGL devices, nor Mesa's surfaceless platform, gives %s; install the GPU's "
@@ -194,7 +218,6 @@ static int has_extension(const char *name)
 static int load(kit_error *err)
 {
     function (*proc)(const char *) = gl.open == 1 ? osmesa.proc : egl.proc;
-    static const char *const rasterisers[] = { "llvmpipe", "softpipe", "swrast", "Software", "SwiftShader" };
     const char *version, *renderer, *missing = NULL;
     GLint major = 0, minor = 0;
     int es31;
@@ -220,8 +243,7 @@ static int load(kit_error *err)
     if (gl.es && has_extension("GL_EXT_disjoint_timer_query"))
         glGetQueryObjectui64v = (PFNGLGETQUERYOBJECTUI64VPROC)proc("glGetQueryObjectui64vEXT");
     if (!gl.es && major * 10 + minor < 45 && !has_extension("GL_ARB_clip_control")) glClipControl = NULL;
-    for (size_t i = 0; i < sizeof rasterisers / sizeof *rasterisers; i++)
-        gl.software |= strstr(renderer, rasterisers[i]) != NULL;
+    gl.software = is_rasteriser(renderer);
     snprintf(gl.name, sizeof gl.name, "%s, %s", renderer, version);
     return 0;
 }
@@ -577,6 +599,8 @@ void kit_soup_close(kit_soup *soup)
 
 /* A software renderer answers timer queries before its threads have drawn anything. */
 static int timer_by_query(void) { return !gl.software && glGetQueryObjectui64v; }
+
+const char *kit_timer_name(void) { return timer_by_query() ? "timer queries" : "the clock"; }
 
 void kit_timer_begin(void)
 {

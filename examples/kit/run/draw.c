@@ -128,14 +128,16 @@ void kit_run_draw(kit_run *run, int timed)
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, run->block[KIT_FRAME_VIEWS]);
+    if (timed == KIT_FRAME) kit_timer_begin();
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
         const ssgi_gl_step *step = p->step;
+        if (timed == KIT_FRAME && p->aside) continue;
         bind_inputs(run, p);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[step->frame]);
         bind_targets(run, p);
         glUseProgram(p->program);
-        if (timed && !p->aside) kit_timer_begin();
+        if (timed == KIT_PASSES && !p->aside) kit_timer_begin();
         if (step->clear)
             for (GLint k = 0; k < step->outputs; ++k)
                 glClearBufferfv(GL_COLOR, k, (const GLfloat[4]) { step->clear_to, step->clear_to, step->clear_to,
@@ -150,9 +152,10 @@ void kit_run_draw(kit_run *run, int timed)
             glDrawArraysInstanced(step->primitive, 0, step->vertices,
                                   step->instances ? step->instances : p->instances);
         glDisable(GL_BLEND);
-        if (timed && !p->aside) p->ms = kit_timer_end();
+        if (timed == KIT_PASSES && !p->aside) p->ms = kit_timer_end();
         if (p->box[2]) glDisable(GL_SCISSOR_TEST);
     }
+    if (timed == KIT_FRAME) run->ms = kit_timer_end();
     glActiveTexture(GL_TEXTURE0);
 }
 
