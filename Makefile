@@ -145,13 +145,26 @@ build/figures: $(FIGURES:%=build/examples/%.o) build/kit/util.o
 	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
 
 # Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table (never on seeds from
-# 1000 on, which only report); what make bench
-# measured on a GPU goes into its second column of costs.
-fit: build/report
+# 1000 on, which only report); what make bench measured on a GPU goes into its second column of costs.
+fit: build/report build/fit
 	@sh examples/kit/models.sh iron-bed stairs
 	build/report fit
-	$(CC) -std=c11 $(CFLAGS) -Wno-unused-function examples/lab/fit.c -lm -o build/fit
 	build/fit report/plan-fit.csv $(wildcard report/plan-gpu.csv)
+# The same table with that column alone changed.
+fit-gpu: build/fit
+	build/fit /dev/null report/plan-gpu.csv
+build/fit: examples/lab/fit.c ssgi.h
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) -std=c11 $(CFLAGS) -Wno-unused-function $< -lm -o $@
+
+# Milliseconds of every method on whatever GPU EGL finds, what bounds them, and the plan's costs: report/bench.md, .csv
+# and .svg, plan-gpu.csv. METHOD=hsao: names that begin so, without the plan. SIZE=1920x1080,3840x2160 SECONDS=100
+BENCH = $(addprefix lab/bench/,bench peaks rows plan show) $(addprefix lab/page/,page svg) lab/measure/folder
+bench: build/bench
+	build/bench $(CONTEXT:%=--context %) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(SIZE:%=--size %) \
+	  $(PLAN:%=--plan %) $(SECONDS:%=--seconds %)
+build/bench: $(BENCH:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:steps=12.
 TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score ahead)
@@ -240,13 +253,13 @@ build/fuzz-files: tests/fuzz_files.c tests/others.c $(KIT_BASE:%=build/sanitized
 	@echo '  cc $@'; $(CC) $(FLAGS) $(filter-out %.h,$^) $(KIT_LIBS) -o $@
 
 # No room of examples/ calls one above it.
-tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(GLSL_O)
+tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(GLSL_O) $(BENCH:%=build/examples/%.o)
 	@sh tests/tree.sh $(sort $^)
 
 # make test ONLY="math text" runs those groups, make test PASS=blur those that draw that pass.
 GROUPS_OF = $(shell sed -n 's/^| `$(1)` | \([a-z ]*\) |$$/\1/p' examples/docs/CONTRIBUTING.md)
 test: tree build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/library \
-      build/test
+      build/bench build/fit build/test
 	$(if $(PASS),$(if $(call GROUPS_OF,$(PASS)),,$(error PASS=$(PASS): examples/docs/CONTRIBUTING.md has no such pass)))
 	build/test $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
 
@@ -262,8 +275,8 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability fit glsl \
-        golden deps format clean
+.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability \
+        fit fit-gpu glsl golden deps format clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
 VIEWER_O    = $(addsuffix .o,$(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) library)
@@ -305,13 +318,6 @@ hosts-test: build/render build/rmse web-deps
 	@test -d build/hosts/node_modules/babylonjs || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
 	@! command -v wasm-ld >/dev/null || $(MAKE) -s npm
 	@sh tests/hosts.sh $(ONLY)
-
-# Milliseconds of every method on whatever GPU EGL finds, as Markdown: report/bench.md. METHOD=hsao: names that begin so.
-bench: build/bench
-	@mkdir -p report
-	build/bench $(CONTEXT:%=--context %) $(SCENE:%=--scene %) $(METHOD:%=--method %)
-build/bench: examples/lab/bench.c $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 .PHONY: viewer glfw viewer-test hosts-test bench
 

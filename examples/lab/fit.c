@@ -3,7 +3,8 @@
 
       build/fit report/plan-fit.csv [report/plan-gpu.csv]
 
-   The second is what make bench measured on a GPU; without it that column is a model of fetches and operations.
+   The second is what make bench measured on a GPU; without it that column is a model of fetches and operations. Of an
+   empty plan-fit.csv (/dev/null: make fit-gpu) all but that column stays as ssgi.h has it.
    A choice's squared error is a sum of terms, each times a number that is 0 or more: least squares of relative errors,
    by coordinates. */
 #define SSGI_STATIC
@@ -173,11 +174,23 @@ static int read_rows(FILE *f, const char *path)
     return count;
 }
 
-/* What a GPU took for each choice; 0: not measured. */
-static void read_gpu(double gpu[SSGI_PLAN_CHOICES], FILE *f)
+/* What a GPU took for each choice; 0: not measured. # begins a line that is none. -1: another one is none. */
+static int read_gpu(double gpu[SSGI_PLAN_CHOICES], FILE *f, const char *path)
 {
-    double ratio;
-    for (int c; fscanf(f, "%d,%lf", &c, &ratio) == 2;) if (c >= 0 && c < SSGI_PLAN_CHOICES) gpu[c] = ratio;
+    char line[1024];
+    for (int k = 1; fgets(line, sizeof line, f); ++k) {
+        double ratio;
+        int c, end = -1;
+        if (*line == '#') continue;
+        if (sscanf(line, "%d,%lf %n", &c, &ratio, &end) == 2 && end >= 0 && !line[end] && c >= 0
+            && c < SSGI_PLAN_CHOICES && ratio > 0 && ratio < 1e6) {
+            gpu[c] = ratio;
+            continue;
+        }
+        fprintf(stderr, "fit: %s: line %d is not a choice and its cost\n", path, k);
+        return -1;
+    }
+    return 0;
 }
 
 /* The equations of a choice's error, how many; and what it cost where it was timed. */
@@ -205,7 +218,8 @@ static double cost_of(double *costs, int n, const ssgi__plan_row *r, int column,
 {
     qsort(costs, (size_t)n, sizeof *costs, by_value);
     return column && gpu > 0                    ? gpu
-           : r->method == SSGI_PLAN_SURFELS     ? floor(10 * base + 0.5) / 10
+           : r->method == SSGI_PLAN_SURFELS && base > 0
+                                                ? floor(10 * base + 0.5) / 10
            : r->method == SSGI_PLAN_FIELD || !n ? (double)r->cost[column]
                                                 : costs[n / 2];
 }
@@ -242,9 +256,8 @@ int main(int argc, char **argv)
                 argv[f ? argc - 1 : argc > 1]);
         return 2;
     }
-    if (measured_gpu) read_gpu(gpu, measured_gpu);
+    const int bad = measured_gpu && read_gpu(gpu, measured_gpu, argv[2]), count = bad ? -1 : read_rows(f, argv[1]);
     if (measured_gpu) fclose(measured_gpu);
-    const int count = read_rows(f, argv[1]);
     fclose(f);
     if (count < 0) return 2;
     know(row, count);

@@ -1,0 +1,205 @@
+/* bench.c - what every method takes on this machine's GPU, beside what bounds it, and the plan's costs there.
+
+      build/bench [--context egl | egl-es | osmesa] [--scene NAME] [--method NAME] [--size 1920x1080,..]
+                  [--out report] [--plan yes | no | NUMBER] [--seconds N]
+
+   Every row of build/render --list at its defaults and some settings that engines ask about; rows in turn, round after
+   round, so that all share what the clock and the neighbours do. On a GPU less than five minutes; without one few rows,
+   small, less than ten, and the tables say so. The plan's choices are measured on a GPU where all methods are; or one,
+   by its number. */
+#include "lab/bench/bench.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "lab/measure/folder.h"
+
+/* Seconds for all; the share of the plan's choices. */
+enum { LIMIT_GPU = 270, LIMIT_SOFTWARE = 480 };
+
+#define PLAN_SHARE 0.3
+
+/* What the command is asked for; NULL: not said. */
+typedef struct options {
+    const char *context, *scene, *method, *size, *out, *plan, *seconds;
+} options;
+
+static int parse(options *a, int argc, char **argv, kit_error *err)
+{
+    *a = (options){ NULL, "room", NULL, NULL, "report", NULL, NULL };
+
+    const struct {
+        const char *name, **value;
+    } table[] = { { "--context", &a->context }, { "--scene", &a->scene }, { "--method", &a->method },
+                  { "--size", &a->size },       { "--out", &a->out },     { "--plan", &a->plan },
+                  { "--seconds", &a->seconds } };
+
+    for (int i = 1; i < argc; i += 2) {
+        size_t k = 0;
+        while (k < sizeof table / sizeof *table && strcmp(argv[i], table[k].name)) ++k;
+        if (k == sizeof table / sizeof *table)
+            return kit_fail(err,
+                            "%s: there is no such option (--context, --scene, --method, --size, --out, --plan, "
+                            "--seconds)",
+                            argv[i]);
+        if (i + 1 == argc) return kit_fail(err, "%s: needs a value", argv[i]);
+        *table[k].value = argv[i + 1];
+    }
+    return 0;
+}
+
+/* -1: it is no whole number of least .. most. */
+static int whole(int *out, const char *text, int least, int most)
+{
+    char *end;
+    const long v = strtol(text, &end, 10);
+    *out = (int)v;
+    return end == text || *end || v < least || v > most ? -1 : 0;
+}
+
+/* What is said of the plan and the time; else what suits the context. */
+static int limits_of(bench *b, const options *a, kit_error *err)
+{
+    int only = -1;
+    b->planned = a->plan ? strcmp(a->plan, "no") != 0 : !a->method && !kit_gl_is_software();
+    b->seconds = kit_gl_is_software() ? LIMIT_SOFTWARE : LIMIT_GPU;
+    if (b->planned && a->plan && strcmp(a->plan, "yes") && whole(&only, a->plan, 0, SSGI_PLAN_CHOICES - 1))
+        return kit_fail(err, "--plan %s: must be yes, no or 0..%d", a->plan, SSGI_PLAN_CHOICES - 1);
+    if (a->seconds && whole(&b->seconds, a->seconds, 1, 86400))
+        return kit_fail(err, "--seconds %s: must be 1..86400", a->seconds);
+    return b->planned ? plan_choose(&b->plan, only, err) : 0;
+}
+
+static int sizes_of(bench *b, const char *text, kit_error *err)
+{
+    enum { MOST = 16384 };
+
+    const char *const all = text;
+    for (b->sizes = 0; b->sizes < BENCH_SIZES;) {
+        int *size = b->size[b->sizes++], n = 0;
+        if (sscanf(text, "%dx%d%n", &size[0], &size[1], &n) != 2 || (text[n] && text[n] != ',') || size[0] < 8
+            || size[1] < 8 || size[0] > MOST || size[1] > MOST)
+            break;
+        if (!text[n]) return 0;
+        text += n + 1;
+    }
+    return kit_fail(err, "--size %s: must be up to %d of 8x8 .. %dx%d, by commas", all, BENCH_SIZES, MOST, MOST);
+}
+
+/* The options as make takes them. */
+static void command_of(bench *b, const options *a)
+{
+    const struct {
+        const char *name, *value;
+    } said[] = {
+        { "CONTEXT", a->context }, { "METHOD", a->method }, { "SCENE", strcmp(a->scene, "room") ? a->scene : NULL },
+        { "SIZE", a->size },       { "PLAN", a->plan },     { "SECONDS", a->seconds }
+    };
+
+    size_t n = (size_t)snprintf(b->command, sizeof b->command, "make bench");
+    for (size_t i = 0; i < sizeof said / sizeof *said; ++i)
+        if (said[i].value && n < sizeof b->command)
+            n += (size_t)snprintf(b->command + n, sizeof b->command - n, " %s=%s", said[i].name, said[i].value);
+}
+
+/* A GPU where EGL finds one; without EGL, unless it was asked for, the CPU. */
+static int context_open(const char *context, kit_error *err)
+{
+    if (context || !kit_gl_open("egl", err)) return context ? kit_gl_open(context, err) : 0;
+    fprintf(stderr, "bench: %s\nbench: no GPU is found that way; the CPU draws, by OSMesa\n", err->text);
+    return kit_gl_open("osmesa", err);
+}
+
+static int bench_open(bench *b, const options *a, kit_error *err)
+{
+    static const kit_light sun = { KIT_SUN, { 0.4f, 0.8f, 0.45f }, { 3, 2.8f, 2.4f } };
+    if (context_open(a->context, err)) return -1;
+    const char *size = a->size ? a->size : kit_gl_is_software() ? "640x360" : "1920x1080,2560x1440,3840x2160";
+    if (sizes_of(b, size, err) || limits_of(b, a, err) || kit_scene_load(&b->scene, a->scene, 0, err)
+        || kit_env_read(&b->sky.env, "sky", err))
+        return -1;
+    b->both = b->sky;
+    b->both.lights = 1;
+    b->both.light[0] = sun;
+    b->count = rows_new(b->row, a->method, err);
+    command_of(b, a);
+    return b->count < 0 || folder_make(a->out, err) ? -1 : 0;
+}
+
+/* The share of the pixels that show a surface. */
+static int covered_of(double *share, const kit_gbuffer *g, kit_error *err)
+{
+    const size_t pixels = (size_t)g->width * (size_t)g->height;
+    float *normal = malloc(3 * pixels * sizeof *normal);
+    size_t seen = 0;
+    if (!normal) return kit_fail(err, "out of memory");
+    const int failed = kit_texture_read(g->normal, g->width, g->height, 3, normal);
+    for (size_t i = 0; i < pixels && !failed; ++i)
+        seen += fabsf(normal[3 * i]) + fabsf(normal[3 * i + 1]) + fabsf(normal[3 * i + 2]) > 0;
+    free(normal);
+    *share = (double)seen / (double)pixels;
+    return failed ? kit_fail(err, "%s: normals cannot be read back", kit_gl_name()) : 0;
+}
+
+/* At one size. end: of all rows; of the plan's choices, 0: not here; of all that there is to do. */
+static int bench_size(bench *b, int s, const double end[3], kit_error *err)
+{
+    kit_camera camera = b->scene.camera;
+    kit_gbuffer g;
+    camera.width = b->size[s][0];
+    camera.height = b->size[s][1];
+    if (kit_gbuffer_from_scene(&g, &b->scene, &camera, NULL, err)) return -1;
+    place p = {
+        &g, &b->scene, &b->sky, &b->both, end[0], end[2], (1 - PLAN_SHARE * b->planned) / (b->sizes * BENCH_ROUNDS)
+    };
+    int failed = s ? 0 : covered_of(&b->covered, &g, err), k = 0;
+    for (double longest = 0; k < BENCH_ROUNDS && !failed && (!k || kit_seconds() + longest < end[0]); ++k) {
+        const double began = kit_seconds();
+        p.end = began + (end[0] - began) / (BENCH_ROUNDS - k);
+        rows_round(b->row, b->count, s, &p);
+        failed = peaks_measure(&b->best, err);
+        longest = kit_seconds() - began;
+    }
+    rows_progress(p.share * (BENCH_ROUNDS - k));
+    p.end = end[1];
+    p.share = PLAN_SHARE / BENCH_PLAN_ROUNDS;
+    if (!failed && end[1] > 0) failed = plan_measure(&b->plan, &p, err);
+    kit_gbuffer_free(&g);
+    return failed;
+}
+
+static int bench_all(bench *b, kit_error *err)
+{
+    const double began = kit_seconds(), limit = b->seconds, plan = b->planned ? PLAN_SHARE * limit : 0;
+    int failed = 0;
+    rows_progress(0);
+    for (int s = 0; s < b->sizes && !failed; ++s) {
+        /* the plan's choices follow the first size, and what they leave is the others' */
+        const double now = kit_seconds(), rows = now + (began + limit - now - (s ? 0 : plan)) / (b->sizes - s);
+        /* the first size is drawn whatever it takes */
+        const double end[3] = { rows, b->planned && !s ? rows + plan : 0, s ? began + limit : HUGE_VAL };
+        failed = bench_size(b, s, end, err);
+    }
+    kit_progress("bench", 1);
+    return failed;
+}
+
+int main(int argc, char **argv)
+{
+    static bench b;
+    kit_error err = { "" };
+    options a;
+    kit_streams_open();
+    int failed = parse(&a, argc, argv, &err) || bench_open(&b, &a, &err) || bench_all(&b, &err)
+              || show_all(&b, a.out, &err);
+    if (!failed) show_text(stdout, &b);
+    kit_fields_free();
+    kit_image_free(&b.sky.env);
+    kit_scene_free(&b.scene);
+    if (!failed) failed = kit_streams_close(&err);
+    if (failed) {
+        fprintf(stderr, "bench: %s\n", err.text);
+        return 2;
+    }
+    kit_gl_close();
+    return 0;
+}

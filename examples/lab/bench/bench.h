@@ -1,0 +1,121 @@
+/* bench.h - what make bench measures: rows at sizes, what bounds them, the plan's choices.
+
+     peaks.c    what the machine does at best
+     rows.c     methods, timed
+     plan.c     the plan's second column of costs
+     show.c     tables, a chart
+     bench.c    the command */
+#ifndef LAB_BENCH_H
+#define LAB_BENCH_H
+
+#include "kit/kit_gl.h"
+
+enum {
+    BENCH_SIZES = 3,
+    BENCH_ROWS = 64,
+    BENCH_PARTS = 24,
+    BENCH_ROUNDS = 5,
+    BENCH_FRAMES = 48,
+    BENCH_PLAN_ROUNDS = 3,
+    BENCH_SAMPLES = BENCH_ROUNDS * BENCH_FRAMES
+};
+
+/* ---- >>peaks ----------------------------------------------------------------------------------------------------- */
+
+/* The most of each a second, of the draws until now. */
+typedef struct peaks {
+    double bytes, fetches, operations;
+} peaks;
+
+enum { BOUND_TRAFFIC, BOUND_FETCHES, BOUND_OPERATIONS, BOUNDS };
+
+extern const char *const bound_name[BOUNDS];
+
+/* Full-screen passes that copy a texture, that fetch alone and that compute alone; what is better than p's becomes
+   p's. */
+int peaks_measure(peaks *p, kit_error *err);
+/* Milliseconds that each part of a cost takes at these rates; the largest of them. covered: the share of the pixels
+   that fetch and compute as they are said to. NAN: not known. */
+int peaks_bounds(double ms[BOUNDS], const peaks *p, const kit_cost *cost, double covered);
+
+/* ---- >>rows ------------------------------------------------------------------------------------------------------ */
+
+/* The passes of a name: what they take together, a round each. */
+typedef struct part {
+    const char *name;
+    double ms[BENCH_ROUNDS];
+    kit_cost cost;
+} part;
+
+/* ms: of frames; slabs: the scene's back faces, 0: none are drawn. */
+typedef struct timing {
+    double ms[BENCH_SAMPLES], slabs;
+    int frames, rounds, parts;
+    part part[BENCH_PARTS];
+    kit_cost cost;
+} timing;
+
+typedef struct bench_row {
+    kit_method method;
+    const char *set; /* beyond the defaults */
+    timing at[BENCH_SIZES];
+    char why[160]; /* it cannot be drawn here */
+} bench_row;
+
+/* What is drawn on, when that should have ended and when all must have (kit_seconds), and what share of the whole bench
+   a round is. */
+typedef struct place {
+    kit_gbuffer *gbuffer;
+    const kit_scene *scene;
+    const kit_lighting *sky, *both; /* both: and a sun, which what scatters, and what shines, wants */
+    double end, last, share;
+} place;
+
+/* Every row of build/render --list, and settings that engines ask about, whose names begin so (NULL: all; of a machine
+   without a GPU a few). How many; -1: none. */
+int rows_new(bench_row rows[BENCH_ROWS], const char *asked, kit_error *err);
+/* One round of a method: opened, warmed up, up to BENCH_FRAMES frames (a CPU: a quarter) for about so many seconds;
+   apart: its passes, too, each alone. */
+int rows_time(timing *t, const kit_method *method, const place *p, double seconds, int apart, kit_error *err);
+/* A round of all rows in turn at a size; those that no time is left for are left out. A row that cannot be drawn says
+   why, and is left out from then on. */
+void rows_round(bench_row *rows, int count, int size, const place *p);
+/* Lower quartile, median, upper quartile; sorts v. */
+void rows_quartiles(double quartile[3], double *v, int count);
+/* Shows how far the bench is: so much more of it is done; the first time 0. */
+void rows_progress(double more);
+
+/* ---- >>plan ------------------------------------------------------------------------------------------------------ */
+
+/* What each choice of the plan takes over what an unblurred ssao of 16 samples takes, which is
+   drawn before each. 0: not measured. */
+typedef struct plan_costs {
+    double ratio[SSGI_PLAN_CHOICES];
+    char text[SSGI_PLAN_CHOICES][96];
+} plan_costs;
+
+/* What is to be measured: every choice that needs no surfels and no fields; only: that one, -1: all. */
+int plan_choose(plan_costs *costs, int only, kit_error *err);
+int plan_measure(plan_costs *costs, const place *p, kit_error *err);
+
+/* ---- >>show ------------------------------------------------------------------------------------------------------ */
+
+typedef struct bench {
+    bench_row row[BENCH_ROWS];
+    int count, sizes, size[BENCH_SIZES][2];
+    peaks best;
+    double covered; /* share of the pixels that show a surface */
+    plan_costs plan;
+    int planned, seconds; /* seconds: for all */
+    kit_scene scene;
+    kit_lighting sky, both;
+    char command[256];
+} bench;
+
+/* The file that plans are written to: make fit takes a GPU's alone. */
+const char *show_plan_name(void);
+/* bench.md, bench.csv, bench.svg and the plan's costs, into a folder. */
+int show_all(bench *b, const char *folder, kit_error *err);
+void show_text(FILE *f, bench *b); /* bench.md */
+
+#endif
