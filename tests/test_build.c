@@ -1161,6 +1161,123 @@ static void formatted(void)
           "longer than 120 columns: %s", text);
 }
 
+/* ---- >>bench ----------------------------------------------------------------------------------------------------- */
+
+/* A line of bench.csv. v: how often it was measured, ms, quartiles, bytes, fetches, operations, and the milliseconds
+   that these three bound it by. */
+typedef struct timed { char method[32], pass[32]; int width, height; double v[10]; } timed;
+
+static int timed_read(timed *t, const char *line)
+{
+    double *v = t->v;
+    return sscanf(line, "%31[^,],\"\",%d,%d,%31[^,],%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", t->method, &t->width,
+                  &t->height, t->pass, v, v + 1, v + 2, v + 3, v + 4, v + 5, v + 6, v + 7, v + 8, v + 9) == 14;
+}
+
+/* In 64 x 36 pixels, which the room fills. copied: bytes a second. */
+static void bench_rows(char *csv, double copied)
+{
+    static const char *const passes[] = { "frame", "width", "hsao", "blur" };
+    timed t[4];
+    int n = 0;
+    char *line = strtok(csv, "\n");
+    for (line = line ? strtok(NULL, "\n") : NULL; line; line = strtok(NULL, "\n"), ++n)
+        if (n < 4) CHECK(timed_read(&t[n], line), "bench.csv: %s", line);
+    if (!CHECK(n == 4, "bench.csv: %d rows", n)) return;
+    for (int i = 0; i < 4; ++i) {
+        const double *v = t[i].v;
+        CHECK(!strcmp(t[i].method, "hsao-fast") && !strcmp(t[i].pass, passes[i]) && t[i].width == 64
+              && t[i].height == 36, "row %d: %s, %s, %dx%d", i, t[i].method, t[i].pass, t[i].width, t[i].height);
+        CHECK(v[0] >= 1 && v[2] > 0 && v[2] <= v[1] && v[1] <= v[3], "%s: %g times, %g ms, quartiles %g, %g",
+              passes[i], v[0], v[1], v[2], v[3]);
+        for (int k = 4; k < 10; ++k) CHECK(v[k] > 0, "%s: figure %d: %g", passes[i], k, v[k]);
+        CHECK(v[7] <= v[1], "%s: takes %g ms, though its traffic alone takes %g", passes[i], v[1], v[7]);
+        CHECK(fabs(v[4] / (v[7] * 1e-3) / copied - 1) < 0.02, "%s: %g bytes in %g ms at %g a second", passes[i], v[4],
+              v[7], copied);
+    }
+    for (int k = 4; k < 10; ++k)
+        CHECK(fabs((t[1].v[k] + t[2].v[k] + t[3].v[k]) / t[0].v[k] - 1) < 1e-4, "figure %d: %g + %g + %g, of all %g", k,
+              t[1].v[k], t[2].v[k], t[3].v[k], t[0].v[k]);
+    /* at half size a slice of 6 steps each way, its own depth and normal; of bytes 16 of a normal a pixel, at half size
+       16 of widths read and 8 written */
+    CHECK(fabs(t[2].v[5] - 14 * 32 * 18) < 1, "hsao fetches %g texels", t[2].v[5]);
+    CHECK(fabs(t[2].v[4] - (16 * 64 * 36 + 24 * 32 * 18)) < 1, "hsao moves %g bytes", t[2].v[4]);
+}
+
+/* Of the table that fit prints the lines that another has otherwise: that of choice 3, in its second cost. */
+static void bench_fits(const char *plan)
+{
+    char text[16000], was[300], is[300];
+    double cost, before[2], after[2];
+    int choice;
+    const char *row = strchr(plan, '\n');
+    if (!CHECK(*plan == '#' && row && sscanf(row, "%d,%lf", &choice, &cost) == 2 && choice == 3 && cost > 0,
+               "plan-software.csv: %s", plan))
+        return;
+    CHECK(!shell(text, sizeof text,
+                 "'%s/build/fit' /dev/null 2>/dev/null >was.txt && "
+                 "'%s/build/fit' /dev/null b/plan-software.csv 2>/dev/null >is.txt; diff was.txt is.txt | "
+                 "grep -c '^[<>]'; grep -c SSGI__ROW is.txt; sed -n 4p was.txt; "
+                 "sed -n 4p is.txt; sed -n '/SSGI__ROW(VIS/,/^};/p' ssgi.h | grep SSGI__ROW | diff - was.txt",
+                 getenv("PWD"), getenv("PWD")),
+          "fit of no rows does not print ssgi.h's table: %s", text);
+    if (!CHECK(!strncmp(text, "2\n", 2) && sscanf(text, "2\n%d\n%299[^\n]\n%299[^\n]", &choice, was, is) == 3
+               && choice == SSGI_PLAN_CHOICES, "fit: %s", text))
+        return;
+    const char *const costs = "    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, %lff, %lff";
+    CHECK(sscanf(was, costs, &before[0], &before[1]) == 2 && sscanf(is, costs, &after[0], &after[1]) == 2
+          && after[0] == before[0] && fabs(after[1] / cost - 1) < 0.05, "measured %g: %s became %s", cost, was, is);
+}
+
+static void bench(void)
+{
+    static const struct { const char *arguments, *word;
+    } bad[] = { { "--size 4x4", "--size 4x4" },
+                { "--size 64x36,", "--size 64x36," },
+                { "--size 64x36x", "--size 64x36x" },
+                { "--plan 999", "--plan 999" },
+                { "--plan 0", "--plan 0" },
+                { "--seconds 0", "--seconds 0" },
+                { "--seconds 1s", "--seconds 1s" },
+                { "--method none", "--method none" },
+                { "--context none", "none" },
+                { "--scene nowhere", "nowhere" },
+                { "--none 1", "--none" },
+                { "--method", "--method: needs a value" },
+                { "--out /dev/null/b", "/dev/null" } };
+    char text[8000], path[256], *file;
+    double copied = 0;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        const int status =
+            shell(text, sizeof text, "'%s/build/bench' --context osmesa --size 64x36 --method hsao-fast %s",
+                  getenv("PWD"), bad[i].arguments);
+        const char *end = strchr(text, '\n');
+        CHECK(status == 2 && end && !end[1] && strstr(text, bad[i].word), "%s: status %d, %s", bad[i].arguments, status,
+              text);
+    }
+    CHECK(shell(text, sizeof text, "test -e report%s%s", "", ""), "left behind: report");
+    for (int i = 0; i < 2; ++i) {
+        write_text("bad.csv", i ? "3,1.5\n3,1.5 x\n" : "3\n");
+        const int status = shell(text, sizeof text, "'%s/build/fit' /dev/null bad.csv%s", getenv("PWD"), "");
+        CHECK(status == 2 && strstr(text, i ? "bad.csv: line 2" : "bad.csv: line 1"), "fit: status %d, %s", status,
+              text);
+    }
+    if (!CHECK(!shell(text, sizeof text, "'%s/build/bench' --context osmesa --size 64x36 --method hsao-fast --plan 3 "
+                      "--seconds 1 --out b >out.txt && cmp out.txt b/bench.md && cat b/bench.md && "
+                      "test -s b/bench.svg%s",
+                      getenv("PWD"), ""), "%s", text))
+        return;
+    const char *rate = strstr(text, "passes copied ");
+    CHECK(strstr(text, "| `hsao-fast` | ") && strstr(text, "No GPU was found") && strstr(text, "llvmpipe") && rate
+          && sscanf(rate, "passes copied %lf GB/s", &copied) == 1, "%s", text);
+    snprintf(path, sizeof path, "%s/b/bench.csv", folder);
+    if (CHECK((file = read_text(path)) != NULL, "no bench.csv")) { bench_rows(file, copied * 1e9); free(file); }
+    snprintf(path, sizeof path, "%s/b/plan-software.csv", folder);
+    if (CHECK((file = read_text(path)) != NULL, "no plan-software.csv")) { bench_fits(file); free(file); }
+    snprintf(path, sizeof path, "%s/b/plan-gpu.csv", folder);
+    CHECK(access(path, F_OK), "a CPU's costs as a GPU's");
+}
+
 void test_build(void)
 {
     char text[1000];
@@ -1185,6 +1302,7 @@ void test_build(void)
     RUN("a captured depth buffer becomes a frame with its camera, however the engine lays it out", captures);
     RUN("render answers bad input with one line, status 2 and no file", command_line);
     RUN("what render prints is JSON, and names defaults", what_is_printed);
+    RUN("bench has every row, with bounds that add up and no traffic faster than a copy; fit takes its costs", bench);
     RUN("what cannot be written is said, with status 2; links are written through, lines may end in CR", streams);
     RUN("every method draws under sanitizers", sanitized);
     shell(text, sizeof text, "cd / && rm -rf '%s'%s", folder, "");
