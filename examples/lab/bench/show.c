@@ -254,7 +254,7 @@ static void chart_row(FILE *f, const bench *b, bench_row *r, const axis *a, doub
     for (int k = 0; k < BOUNDS; ++k) {
         if (!(bound[k] > 0)) continue;
         fputs("<path ", f);
-        svg_marker(f, k, svg_colour(k), across(a, bound[k]), y);
+        svg_marker(f, k, svg_colour(k), across(a, bound[k]), y + 6 * (k - 1));
         fputs("/>\n", f);
     }
 }
