@@ -23,7 +23,7 @@ KIT_FLAGS = -std=c11 -D_GNU_SOURCE -ffp-contract=off -Iexamples $(WARNINGS) $(EX
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
 KIT_BASE    = util image exr hdr png score
-KIT_SCENE   = $(addprefix scene/,text materials mesh shapes buildings thin solids scenes scene light seeds look parts)
+KIT_SCENE   = $(addprefix scene/,text materials soup mesh shapes buildings thin solids scenes scene light seeds look parts)
 # Kinds of scenes by seed, a folder each. They are many, so that builds under sanitizers take them as they are.
 KIT_KINDS   = $(sort $(patsubst examples/kit/%.c,build/kit/%.o,$(wildcard examples/kit/scene/*/*.c)))
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)

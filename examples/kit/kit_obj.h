@@ -1,4 +1,5 @@
-/* kit_obj.h - what text.c, materials.c and mesh.c share: reading OBJ and MTL. Private to them. */
+/* kit_obj.h - what the readers of models share: lines of OBJ and MTL, materials, triangles and their objects. Private
+   to them. */
 #ifndef KIT_OBJ_H
 #define KIT_OBJ_H
 
@@ -85,5 +86,28 @@ int      kit_mtllibs_read(kit_materials *m, const kit_array *mtllibs, const kit_
 int      kit_materials_close(kit_materials *m, const kit_text *t);
 const float *kit_material_find(const kit_materials *m, kit_key name);
 void     kit_materials_free(kit_materials *m);
+
+/* ---- >>soup */
+
+/* Triangles as they are found. A name that is added is that of all triangles until the next; way 0 and way 1 are those
+   of o and g lines, or what another format has in their place. */
+typedef struct kit_soup {
+    kit_array position, normal, albedo;    /* 9, 9, 3 floats a triangle */
+    /* float[3], and 3 uint32_t a triangle, which name them; none: places alone say what hangs together */
+    kit_array vertices, vertex;
+    kit_array named[2];                    /* kit_key, whose bytes stay until kit_soup_objects */
+    kit_array line[2];                     /* uint32_t a triangle: which of them */
+    kit_array number;                      /* uint32_t a triangle: its object's */
+    kit_array objects;                     /* kit_object */
+} kit_soup;
+int  kit_soup_name(kit_soup *s, int way, kit_key name, const kit_text *t);
+/* A normal that is NULL or 0 becomes the face's. 1; or 0: it has no area, and is left out; or -1. */
+int  kit_soup_triangle(kit_soup *s, const float *const position[3], const float *const normal[3], const float albedo[3],
+                       const kit_text *t);
+/* Who they are, as kit_mesh_obj says; of one triangle at least. */
+int  kit_soup_objects(kit_soup *s, const kit_text *t);
+/* What was found, with its bounds; object and objects NULL: not wanted. */
+void kit_soup_take(kit_soup *s, kit_mesh *mesh, kit_object **object, int *objects);
+void kit_soup_free(kit_soup *s);
 
 #endif

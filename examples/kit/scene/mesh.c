@@ -14,67 +14,30 @@
 #define CONCAVE_MOST 1000
 #define EAR_TESTS 100                      /* a corner of a polygon; then what is known of the others is believed */
 
-void kit_mesh_free(kit_mesh *mesh)
-{
-    free(mesh->position);
-    free(mesh->normal);
-    free(mesh->albedo);
-    free(mesh->object);
-    memset(mesh, 0, sizeof *mesh);
-}
-
 /* ---- faces --------------------------------------------------------------------------------------------------- */
 
 enum { UNKNOWN, EAR, NO_EAR };
 typedef struct corner { const float *position, *normal; double flat[2]; int next, ear; } corner;
 
 typedef struct obj {
-    kit_array vertices, normals;               /* float[3] */
+    kit_soup soup;
+    kit_array normals;                         /* float[3] */
     kit_array mtllibs;                         /* mtllib */
     kit_materials materials;
     kit_array corners;                         /* of the present face */
-    kit_array position, normal, albedo;        /* 9, 9, 3 floats a triangle */
-    kit_array vertex;                          /* 3 uint32_t a triangle */
-    /* key: names on o lines, on g lines; the first is that of what comes before any */
-    kit_array named[2];
-    kit_array line[2];                         /* uint32_t a triangle: which of them */
-    kit_array number;                          /* uint32_t a triangle: its object's */
-    kit_array objects;                         /* kit_object */
 } obj;
 
 static int add_triangle(obj *o, const kit_text *t, const corner *a, const corner *b, const corner *c,
                         const float albedo[3])
 {
-    const corner *const p[3] = { a, b, c };
-    double e[3][3], n[3], longest = 0;
-    for (int k = 0; k < 3; ++k) {
-        double squared = 0;
-        for (int i = 0; i < 3; ++i) e[k][i] = (double)p[(k + 1) % 3]->position[i] - (double)p[k]->position[i];
-        for (int i = 0; i < 3; ++i) squared += e[k][i] * e[k][i];
-        longest = fmax(longest, squared);
-    }
-    for (int i = 0; i < 3; ++i) n[i] = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
-    double area = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    if (!(area > 1e-9 * longest)) return 0;  /* thinner than floats can tell from a line */
-    float *position = kit_array_add(&o->position, 9, sizeof(float), t),
-          *normal = kit_array_add(&o->normal, 9, sizeof(float), t);
-    float *colour = kit_array_add(&o->albedo, 3, sizeof(float), t);
-    uint32_t *vertex = kit_array_add(&o->vertex, 3, sizeof *vertex, t);
-    if (!position || !normal || !colour || !vertex) return -1;
-    for (int way = 0; way < 2; ++way) {
-        uint32_t *line = kit_array_add(&o->line[way], 1, sizeof *line, t);
-        if (!line) return -1;
-        *line = (uint32_t)(o->named[way].count - 1);
-    }
-    memcpy(colour, albedo, 3 * sizeof(float));
-    for (int k = 0; k < 3; ++k) {
-        double own[3], length = 0;
-        for (int i = 0; i < 3; ++i) own[i] = p[k]->normal ? (double)p[k]->normal[i] : 0;
-        length = sqrt(own[0] * own[0] + own[1] * own[1] + own[2] * own[2]);
-        memcpy(position + 3 * k, p[k]->position, 3 * sizeof(float));
-        vertex[k] = (uint32_t)((p[k]->position - (const float *)o->vertices.data) / 3);
-        for (int i = 0; i < 3; ++i) normal[3 * k + i] = (float)(length > 0 ? own[i] / length : n[i] / area);
-    }
+    const float *const position[3] = { a->position, b->position, c->position };
+    const float *const normal[3] = { a->normal, b->normal, c->normal };
+    const int added = kit_soup_triangle(&o->soup, position, normal, albedo, t);
+    if (added < 1) return added;
+    uint32_t *vertex = kit_array_add(&o->soup.vertex, 3, sizeof *vertex, t);
+    if (!vertex) return -1;
+    for (int k = 0; k < 3; ++k)
+        vertex[k] = (uint32_t)((position[k] - (const float *)o->soup.vertices.data) / 3);
     return 0;
 }
 
@@ -189,8 +152,8 @@ static int face(obj *o, kit_text *t, size_t seen_vertices, size_t seen_normals, 
     while (kit_at_value(t)) {
         size_t vertex, normal, unused;
         corner *c = kit_array_add(&o->corners, 1, sizeof *c, t);
-        if (!c || element_index(t, seen_vertices, o->vertices.count / 3, "vertex", &vertex)) return -1;
-        *c = (corner){ .position = (const float *)o->vertices.data + 3 * vertex };
+        if (!c || element_index(t, seen_vertices, o->soup.vertices.count / 3, "vertex", &vertex)) return -1;
+        *c = (corner){ .position = (const float *)o->soup.vertices.data + 3 * vertex };
         if (t->at == t->end || *t->at != '/') continue;
         ++t->at;
         /* never used: any index will do */
@@ -207,137 +170,6 @@ static int face(obj *o, kit_text *t, size_t seen_vertices, size_t seen_normals, 
     return add_polygon(o, t, albedo);
 }
 
-/* ---- objects ------------------------------------------------------------------------------------------------- */
-
-/* first[i]: the first of the keys whose bytes are those of key i */
-static int first_of_equals(uint32_t *first, const kit_key *keys, size_t count)
-{
-    kit_table t;
-    if (kit_table_open(&t, keys, count)) return -1;
-    for (size_t i = 0; i < count; ++i) first[i] = kit_table_add(&t, (uint32_t)i);
-    free(t.slot);
-    return 0;
-}
-
-static uint32_t root(uint32_t *parent, uint32_t t)
-{
-    while (parent[t] != t) {
-        parent[t] = parent[parent[t]];
-        t = parent[t];
-    }
-    return t;
-}
-
-/* Makes kinds below limit into numbers from 1 on, in the order in which they come; how many, -1 without memory */
-static int64_t number_kinds(uint32_t *kind, size_t count, size_t limit)
-{
-    uint32_t *number = calloc(limit, sizeof *number), numbers = 0;
-    for (size_t i = 0; number && i < count; ++i) {
-        if (!number[kind[i]]) number[kind[i]] = ++numbers;
-        kind[i] = number[kind[i]];
-    }
-    free(number);
-    return number ? (int64_t)numbers : -1;
-}
-
-/* The same of the names that triangles have by o lines (way 0) or g lines (way 1), */
-static int64_t number_names(uint32_t *number, const obj *o, int way)
-{
-    const size_t triangles = o->number.count, names = o->named[way].count;
-    const uint32_t *line = o->line[way].data;
-    uint32_t *first = malloc(names * sizeof *first);
-    const int failed = !first || first_of_equals(first, o->named[way].data, names);
-    for (size_t t = 0; !failed && t < triangles; ++t) number[t] = first[line[t]];
-    free(first);
-    return failed ? -1 : number_kinds(number, triangles, names);
-}
-
-/* and of the parts that hang together: vertices at one place are one. */
-static int64_t number_parts(uint32_t *number, const obj *o)
-{
-    const size_t triangles = o->number.count, vertices = o->vertices.count / 3;
-    const uint32_t *vertex = o->vertex.data;
-    kit_key *place = calloc(vertices, sizeof *place);
-    uint32_t *parent = malloc(vertices * sizeof *parent);
-    for (size_t i = 0; place && i < vertices; ++i) place[i] = (kit_key){ (const char *)o->vertices.data + 12 * i, 12 };
-    const int failed = !place || !parent || first_of_equals(parent, place, vertices);
-    for (size_t i = 0; !failed && i < 3 * triangles; ++i) {
-        const uint32_t a = root(parent, vertex[i / 3 * 3]), b = root(parent, vertex[i]);
-        parent[a > b ? a : b] = a > b ? b : a;
-    }
-    for (size_t t = 0; !failed && t < triangles; ++t) number[t] = root(parent, vertex[3 * t]);
-    free(place);
-    free(parent);
-    return failed ? -1 : number_kinds(number, triangles, vertices);
-}
-
-typedef struct share { size_t triangles; uint32_t number; } share;
-
-static int by_size(const void *a, const void *b)
-{
-    const share *p = a, *q = b;
-    return p->triangles != q->triangles ? (p->triangles < q->triangles ? 1 : -1) : p->number < q->number ? -1 : 1;
-}
-
-/* Keeps the KIT_MAX_OBJECTS - 1 numbers with most triangles, in their order; all others become KIT_MAX_OBJECTS. */
-static int keep_largest(uint32_t *number, size_t triangles, size_t numbers)
-{
-    share *shares = calloc(numbers, sizeof *shares);
-    uint32_t *kept = calloc(numbers, sizeof *kept), next = 0;
-    const int failed = !shares || !kept;
-    if (!failed) {
-        for (size_t i = 0; i < numbers; ++i) shares[i].number = (uint32_t)i;
-        for (size_t t = 0; t < triangles; ++t) shares[number[t] - 1].triangles++;
-        qsort(shares, numbers, sizeof *shares, by_size);
-        for (size_t i = 0; i < KIT_MAX_OBJECTS - 1; ++i) kept[shares[i].number] = 1;
-        for (size_t i = 0; i < numbers; ++i) kept[i] = kept[i] ? ++next : KIT_MAX_OBJECTS;
-        for (size_t t = 0; t < triangles; ++t) number[t] = kept[number[t] - 1];
-    }
-    free(shares);
-    free(kept);
-    return failed ? -1 : 0;
-}
-
-/* What comes now has this name. */
-static int name_add(obj *o, int way, kit_key name, const kit_text *t)
-{
-    kit_key *k = kit_array_add(&o->named[way], 1, sizeof *k, t);
-    if (k) *k = name;
-    return k ? 0 : -1;
-}
-
-static int objects_find(obj *o, const kit_text *t)
-{
-    const size_t triangles = o->position.count / 9;
-    uint32_t *number = kit_array_add(&o->number, triangles, sizeof *number, t);
-    int way = 0;
-    if (!number) return -1;
-    int64_t count = number_names(number, o, way);
-    if (count == 1) count = number_names(number, o, ++way);
-    if (count == 1) count = number_parts(number, o), ++way;
-    const int many = count > KIT_MAX_OBJECTS;
-    if (count < 0 || (many && keep_largest(number, triangles, (size_t)count)))
-        return kit_fail(t->err, "%s: no memory for its objects", t->path);
-    if (many) count = KIT_MAX_OBJECTS;
-    kit_object *object = kit_array_add(&o->objects, (size_t)count, sizeof *object, t);
-    if (!object) return -1;
-    memset(object, 0, (size_t)count * sizeof *object);
-    for (int64_t k = 0; k < count; ++k) object[k].first = SIZE_MAX;
-    for (size_t i = 0; i < triangles; ++i) {
-        kit_object *of = &object[number[i] - 1];
-        if (of->first != SIZE_MAX) continue;
-        of->first = i;
-        of->casts = many && number[i] == KIT_MAX_OBJECTS ? 0 : -1;
-        if (!of->casts) snprintf(of->name, sizeof of->name, "rest");
-        else if (way == 2) snprintf(of->name, sizeof of->name, "part %u", (unsigned)number[i]);
-        else {
-            const kit_key *name = (const kit_key *)o->named[way].data + ((const uint32_t *)o->line[way].data)[i];
-            snprintf(of->name, sizeof of->name, "%.*s", (int)(name->length < 64 ? name->length : 63), name->bytes);
-        }
-    }
-    return 0;
-}
-
 /* First what faces refer to (it may come after them), then the faces. */
 static int obj_read(obj *o, const char *path, const char *data, size_t size, kit_error *err)
 {
@@ -345,7 +177,7 @@ static int obj_read(obj *o, const char *path, const char *data, size_t size, kit
     for (kit_text t = kit_text_start(path, data, size, err); kit_next_line(&t);) {
         int normal = 0;
         if (kit_keyword(&t, "v") || (normal = kit_keyword(&t, "vn"))) {
-            if (!(v = kit_array_add(normal ? &o->normals : &o->vertices, 3, sizeof *v, &t))) return -1;
+            if (!(v = kit_array_add(normal ? &o->normals : &o->soup.vertices, 3, sizeof *v, &t))) return -1;
             for (int i = 0; i < 3; ++i) {
                 if (kit_number(&t, &v[i], normal ? "vn needs 3 numbers" : "v needs 3 numbers")) return -1;
                 if (!normal && fabsf(v[i]) > KIT_FARTHEST)
@@ -362,7 +194,7 @@ static int obj_read(obj *o, const char *path, const char *data, size_t size, kit
     int way;
     kit_text t = kit_text_start(path, data, size, err);
     if (kit_mtllibs_read(&o->materials, &o->mtllibs, &t) || kit_materials_close(&o->materials, &t)) return -1;
-    for (way = 0; way < 2; ++way) if (name_add(o, way, (kit_key){ "default", 7 }, &t)) return -1;
+    for (way = 0; way < 2; ++way) if (kit_soup_name(&o->soup, way, (kit_key){ "default", 7 }, &t)) return -1;
     while (kit_next_line(&t)) {
         if (kit_keyword(&t, "f")) { if (face(o, &t, seen_vertices, seen_normals, albedo)) return -1; }
         else if (kit_keyword(&t, "v")) ++seen_vertices;
@@ -370,10 +202,11 @@ static int obj_read(obj *o, const char *path, const char *data, size_t size, kit
         else if (kit_keyword(&t, "usemtl")) {
             albedo = kit_material_find(&o->materials, kit_rest(&t));
         } else if ((way = kit_keyword(&t, "g")) || kit_keyword(&t, "o")) {
-            if (name_add(o, way, kit_without_comment(kit_rest(&t)), &t)) return -1;
+            if (kit_soup_name(&o->soup, way, kit_without_comment(kit_rest(&t)), &t)) return -1;
         }
     }
-    return o->position.count ? objects_find(o, &t) : kit_fail(err, "%s: no triangles in this OBJ file", path);
+    return o->soup.position.count ? kit_soup_objects(&o->soup, &t)
+                                  : kit_fail(err, "%s: no triangles in this OBJ file", path);
 }
 
 int kit_mesh_obj(kit_mesh *mesh, kit_object **object, int *objects, const char *path, kit_error *err)
@@ -392,29 +225,8 @@ int kit_mesh_obj(kit_mesh *mesh, kit_object **object, int *objects, const char *
     free(data);
     for (size_t i = 0; i < o.mtllibs.count; ++i) free(((kit_mtllib *)o.mtllibs.data)[i].path);
     kit_materials_free(&o.materials);
-    free(o.vertices.data); free(o.normals.data); free(o.vertex.data); free(o.corners.data); free(o.mtllibs.data);
-    for (int way = 0; way < 2; ++way) { free(o.named[way].data); free(o.line[way].data); }
-    kit_mesh read = { .triangles = o.position.count / 9,
-                      .position = o.position.data,
-                      .normal = o.normal.data,
-                      .albedo = o.albedo.data,
-                      .object = o.number.data };
-    if (failed || !object) free(o.objects.data);
-    if (failed) {
-        kit_mesh_free(&read);
-        return -1;
-    }
-    for (int i = 0; i < 3; ++i) {
-        read.lower[i] = read.upper[i] = read.position[i];
-        for (size_t k = 0; k < 3 * read.triangles; ++k) {
-            read.lower[i] = fminf(read.lower[i], read.position[3 * k + (size_t)i]);
-            read.upper[i] = fmaxf(read.upper[i], read.position[3 * k + (size_t)i]);
-        }
-    }
-    *mesh = read;
-    if (object) {
-        *object = o.objects.data;
-        *objects = (int)o.objects.count;
-    }
-    return 0;
+    free(o.normals.data); free(o.corners.data); free(o.mtllibs.data);
+    if (!failed) kit_soup_take(&o.soup, mesh, object, objects);
+    kit_soup_free(&o.soup);
+    return failed;
 }
