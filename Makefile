@@ -20,10 +20,12 @@ CFLAGS   ?= -O2 -g
 WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE -ffp-contract=off -Iexamples $(WARNINGS) $(EXR) $(CFLAGS)
-KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
+KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl \
+            -Wl,--as-needed $(shell pkg-config --libs assimp 2>/dev/null)
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
 KIT_BASE    = util image exr hdr png score
-KIT_SCENE   = $(addprefix scene/,text materials soup mesh shapes buildings thin solids scenes scene light seeds look parts)
+KIT_SCENE   = $(addprefix scene/,text materials soup mesh texture cards assimp models shapes buildings thin solids \
+              scenes scene light seeds look parts)
 # Kinds of scenes by seed, a folder each. They are many, so that builds under sanitizers take them as they are.
 KIT_KINDS   = $(sort $(patsubst examples/kit/%.c,build/kit/%.o,$(wildcard examples/kit/scene/*/*.c)))
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
@@ -33,7 +35,7 @@ KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
 KIT_O     = $(KIT:%=build/kit/%.o) $(KIT_KINDS) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \
             examples/kit/kit_seed.h examples/kit/kit_trace.h examples/kit/kit_image.h examples/kit/kit_obj.h \
-            $(wildcard examples/kit/scene/*/*.h)
+            examples/kit/kit_models.h $(wildcard examples/kit/scene/*/*.h)
 
 EXAMPLE_H = examples/tools/render/render.h $(wildcard examples/lab/*/*.h) \
             $(wildcard examples/tools/glsl/*.h)
@@ -47,6 +49,16 @@ deps:
 build/kit/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
+
+# Models are read through Assimp where it is: installed once where that can be done, else glTF and others are refused in
+# one line. When it has come or gone, this one file is compiled again.
+build/%/scene/assimp.o: KIT_FLAGS += $(shell pkg-config --exists assimp 2>/dev/null && echo -DKIT_ASSIMP)
+build/kit/scene/assimp.o build/sanitized/scene/assimp.o build/threads/scene/assimp.o: build/assimp
+build/assimp: deps
+	@mkdir -p $(@D)
+	@test -s $@ || pkg-config --exists assimp || sh examples/kit/install.sh libassimp-dev || true
+	@version=$$(pkg-config --modversion assimp 2>/dev/null || echo none); \
+	  test "$$version" = "$$(cat $@ 2>/dev/null)" || echo "$$version" >$@
 
 build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
@@ -278,14 +290,14 @@ clean:
 .PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability \
         fit fit-gpu glsl golden deps format clean
 
-# A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
+# A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(addsuffix .o,$(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) library)
 VIEWER_LIBS = $(KIT_LIBS) $$(pkg-config --libs glfw3) -lGL
 viewer: build/viewer
 glfw:
 	@pkg-config --exists glfw3 || sh examples/kit/install.sh libglfw3-dev || \
 	  { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
-VIEWER      = $(addprefix examples/viewer/,viewer.c gl.c gltf.c gbuffer.c truth.c panel.c pictures.c window.c arguments.c)
+VIEWER      = $(addprefix examples/viewer/,viewer.c gl.c gbuffer.c truth.c panel.c pictures.c window.c arguments.c)
 build/viewer: $(VIEWER) $(VIEWER_O:%=build/kit/%) $(KIT_KINDS) examples/viewer/viewer.h | glfw
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
 

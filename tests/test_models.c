@@ -1,9 +1,11 @@
 /* test_models.c - what a model's file may cost to read, and what is said where there is none: the kit's mesh.c and
    scene.c. What files mean stands in test_files.c. */
 #include "t.h"
-#include "kit/kit.h"
+#include "kit/kit_models.h"
 
 #include <math.h>
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -33,6 +35,7 @@ static uint32_t chance(uint32_t *state, uint32_t below)
 static void plain(FILE *obj, FILE *mtl)         /* a grid: what its bytes cost is what bytes may cost */
 {
     enum { SIDE = 120 };
+
     (void)mtl;
     for (int i = 0; i < SIDE * SIDE; ++i) fprintf(obj, "v %d.5 %.6f %d.25\n", i % SIDE, sin(i), i / SIDE);
     for (int i = 0; i < SIDE * (SIDE - 1) - 1; ++i)
@@ -51,6 +54,7 @@ static void one_file_often(FILE *obj, FILE *mtl)
 static void many_materials(FILE *obj, FILE *mtl)
 {
     enum { MANY = 40000 };
+
     for (int i = 0; i < MANY; ++i) fprintf(mtl, "newmtl m%d\nKd 1 0 0\n", i);
     fputs(CORNERS "mtllib a.mtl\n", obj);
     for (int i = 0; i < MANY; ++i) fprintf(obj, "usemtl m%d # %d\nf 1 2 3\n", i, i);
@@ -59,6 +63,7 @@ static void many_materials(FILE *obj, FILE *mtl)
 static void crossed_polygons(FILE *obj, FILE *mtl)
 {
     enum { MOST = 1000, FACES = 20 };
+
     uint32_t state = 1;
     (void)mtl;
     for (int i = 0; i < MOST; ++i) fprintf(obj, "v .%u .%u 0\n", chance(&state, 1000000), chance(&state, 1000000));
@@ -73,6 +78,7 @@ static void crossed_polygons(FILE *obj, FILE *mtl)
 static void names_of_one_hash(FILE *obj, FILE *mtl)
 {
     enum { WAYS = 32, BLOCKS = 3, MASK = (1 << 17) - 1 };
+
     char block[BLOCKS][WAYS][5];
     uint32_t state = 2166136261u;
     (void)mtl;
@@ -133,6 +139,7 @@ static void costs(void)
         { "polygons of 1,000 corners that cross themselves", crossed_polygons, 200 },
         { "32,768 names of one hash", names_of_one_hash, 20 },
     };
+
     const cost usual = cost_of("a plain file", plain);
     for (size_t i = 0; i < sizeof hostile / sizeof *hostile && usual.bytes > 0; ++i) {
         const cost c = cost_of(hostile[i].about, hostile[i].write);
@@ -163,6 +170,7 @@ static void materials_by_order(void)
         { "mtllib two.mtl\nmtllib one.mtl\nmtllib link.mtl\n", 0.5f },
         { "mtllib two.mtl\nmtllib one.mtl\nmtllib absent.mtl\n", 0.25f },
     };
+
     char text[500], one[1024];
     put("one.mtl", "newmtl x\nKd .75\nnewmtl x\nKd .25\n");
     put("two.mtl", "newmtl x # y\nKd .75\nnewmtl x\nKd .5\n");
@@ -184,6 +192,7 @@ static void materials_by_order(void)
 static void wound_polygon(void)
 {
     enum { CORNERS_EACH = 500, ALL = 2 * CORNERS_EACH };
+
     static double p[ALL][2];
     FILE *file = fopen(in_folder("wound.obj"), "wb");
     double area = 0, covered = 0;
@@ -217,6 +226,303 @@ static void wound_polygon(void)
     kit_mesh_free(&mesh);
 }
 
+/* ---- through Assimp ------------------------------------------------------------------------------------------ */
+
+/* A .glb: JSON of which %s is the buffer's length, and the buffer. */
+typedef struct glb {
+    unsigned char bytes[4096];
+    size_t size;
+} glb;
+
+static void add_bytes(glb *b, const void *bytes, size_t size)
+{
+    memcpy(b->bytes + b->size, bytes, size);
+    b->size = (b->size + size + 3) / 4 * 4;
+}
+
+static void word(FILE *file, size_t value)
+{
+    for (int i = 0; i < 4; ++i) fputc((int)(value >> 8 * i & 255), file);
+}
+
+static void put_glb(const char *name, const char *json, const glb *b)
+{
+    const size_t length = (strlen(json) + 3) / 4 * 4;
+    FILE *file = fopen(in_folder(name), "wb");
+    if (!CHECK(file != NULL, "%s cannot be made", name)) return;
+    fputs("glTF", file);
+    word(file, 2);
+    word(file, 28 + length + b->size);
+    word(file, length);
+    fprintf(file, "JSON%-*s", (int)length, json);
+    word(file, b->size);
+    fwrite("BIN", 1, 4, file);
+    fwrite(b->bytes, 1, b->size, file);
+    fclose(file);
+}
+
+static double area_of(const kit_scene *s)
+{
+    double all = 0;
+    for (size_t t = 0; t < s->mesh.triangles; ++t) {
+        const float *p = s->mesh.position + 9 * t;
+        double e[2][3], n[3];
+        for (int i = 0; i < 6; ++i) e[i / 3][i % 3] = (double)p[3 + i] - (double)p[i % 3];
+        kit_cross(e[0], e[1], n);
+        all += 0.5 * sqrt(kit_dot(n, n));
+    }
+    return all;
+}
+
+/* One slanted triangle in two nodes: scaled by 2, 3, 4 its normal is (0, -0.8, 0.6); mirrored in x it is wound anew. */
+static void nodes_of_glb(void)
+{
+    static const float corner[3][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 1 } };
+    static const float placed[2][3][3] = { { { 11, 2, 3 }, { 13, 2, 3 }, { 11, 5, 7 } },
+                                           { { 10, 1, 1 }, { 9, 0, 0 }, { 10, 0, 0 } } };
+    static const double normal[2][3] = { { 0, -0.8, 0.6 }, { 0, -0.70710678, 0.70710678 } };
+    static const char json[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":["
+        "{\"name\":\"both\",\"translation\":[10,0,0],\"children\":[1,2]},"
+        "{\"name\":\"large\",\"mesh\":0,\"translation\":[1,2,3],\"scale\":[2,3,4]},"
+        "{\"name\":\"mirrored\",\"mesh\":1,\"scale\":[-1,1,1]}],"
+        "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0.25,1,1]}}],\"meshes\":["
+        "{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1},\"material\":0}]},"
+        "{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":["
+        "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
+        "{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":["
+        "{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":36}],"
+        "\"buffers\":[{\"byteLength\":72}]}";
+    static const float albedo[2][3] = { { 0.5f, 0.25f, 1 }, { 0.8f, 0.8f, 0.8f } };
+    static const char *const names[2] = { "large", "mirrored" };
+    glb b = { .size = 0 };
+    kit_error err = { { 0 } };
+    kit_scene s;
+    add_bytes(&b, corner, sizeof corner);
+    for (int k = 0; k < 3; ++k) add_bytes(&b, (const float[3]){ 0, -0.70710678f, 0.70710678f }, 12);
+    put_glb("nodes.glb", json, &b);
+    if (!CHECK(!kit_scene_load(&s, in_folder("nodes.glb"), 0, &err), "%s", err.text)) return;
+    CHECK(s.objects == 2 && s.mesh.triangles == 2 && !*s.note, "%d objects, %zu triangles, \"%s\"", s.objects,
+          s.mesh.triangles, s.note);
+    for (int t = 0; t < 2 && t < s.objects; ++t) {
+        const float *p = s.mesh.position + 9 * t, *n = s.mesh.normal + 9 * t;
+        CHECK(!strcmp(s.object[t].name, names[t]), "object %d is %s", t, s.object[t].name);
+        for (int i = 0; i < 9; ++i) {
+            CHECK(fabs((double)p[i] - (double)placed[t][i / 3][i % 3]) < 1e-6, "%s: %d is %g", names[t], i,
+                  (double)p[i]);
+            CHECK(fabs((double)n[i] - normal[t][i % 3]) < 1e-6, "%s: normal %d is %g", names[t], i, (double)n[i]);
+        }
+        CHECK(!memcmp(s.mesh.albedo + 3 * t, albedo[t], sizeof albedo[t]), "%s: red is %g", names[t],
+              (double)s.mesh.albedo[3 * t]);
+    }
+    kit_scene_free(&s);
+}
+
+static void keep_png(void *to, void *data, int size) { add_bytes(to, data, (size_t)size); }
+
+/* A square card of side 4 with a texture, whose texture coordinates end at turns; of side texels, of which those are
+   there that are. */
+static void put_card(const char *mode, double turns, int wrap, int side, int (*there)(int x, int y))
+{
+    static unsigned char texel[4 * 256 * 256];
+    const float end = (float)turns;
+    const float corner[4][3] = { { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 } };
+    const float uv[4][2] = { { 0, end }, { end, end }, { end, 0 }, { 0, 0 } };
+    const unsigned char index[6] = { 0, 1, 2, 0, 2, 3 };
+    char json[2000];
+    glb b = { .size = 0 };
+    for (int i = 0; i < side * side; ++i) {
+        const int is = there(i % side, i / side);
+        const unsigned char rgba[4] = { is ? 188 : 10, is ? 255 : 10, 0, is ? 255 : 3 };
+        memcpy(texel + 4 * i, rgba, 4);
+    }
+    add_bytes(&b, corner, sizeof corner);
+    add_bytes(&b, uv, sizeof uv);
+    add_bytes(&b, index, sizeof index);
+    const size_t before = b.size;
+    stbi_write_png_to_func(keep_png, &b, side, side, 4, texel, 4 * side);
+    snprintf(json, sizeof json,
+             "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"materials\":["
+             "{%s\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,1,1,1],\"baseColorTexture\":{\"index\":0}}}],"
+             "\"textures\":[{\"source\":0,\"sampler\":0}],\"samplers\":[{\"wrapS\":%d,\"wrapT\":%d}],"
+             "\"images\":[{\"bufferView\":3,\"mimeType\":\"image/png\"}],\"meshes\":[{\"primitives\":[{\"material\":0,"
+             "\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1},\"indices\":2}]}],\"accessors\":["
+             "{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"},"
+             "{\"bufferView\":1,\"componentType\":5126,\"count\":4,\"type\":\"VEC2\"},"
+             "{\"bufferView\":2,\"componentType\":5121,\"count\":6,\"type\":\"SCALAR\"}],\"bufferViews\":["
+             "{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":32},"
+             "{\"buffer\":0,\"byteOffset\":80,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}],"
+             "\"buffers\":[{\"byteLength\":%zu}]}",
+             mode, wrap, wrap, before, b.size - before, b.size);
+    put_glb("card.glb", json, &b);
+}
+
+static int leaf(int x, int y) { return (0x137f >> (4 * y + x) & 1) != 0; } /* 10 of 16, like no mirror of it */
+
+static int weave(int x, int y) { return (x + y) % 2; }
+
+/* How often the triangles, which face along z, cover a point. */
+static int covers(const kit_mesh *m, double x, double y)
+{
+    int times = 0;
+    for (size_t t = 0; t < m->triangles; ++t) {
+        const float *p = m->position + 9 * t;
+        int in = 0;
+        for (int k = 0; k < 3; ++k) {
+            const float *a = p + 3 * k, *b = p + 3 * ((k + 1) % 3);
+            in += ((double)b[0] - (double)a[0]) * (y - (double)a[1])
+                > ((double)b[1] - (double)a[1]) * (x - (double)a[0]);
+        }
+        times += in == 3;
+    }
+    return times;
+}
+
+/* What is left of a card is what its texels say, wherever its texture is repeated, mirrored or goes on at its edge. */
+static void cards(void)
+{
+    enum { REPEAT = 10497, MIRROR = 33648, CLAMP = 33071 };
+
+    static const struct {
+        const char *about, *mode;
+        double turns;
+        int wrap, cut;
+    } all[] = {
+        { "OPAQUE", "", 1, REPEAT, 0 },
+        { "MASK", "\"alphaMode\":\"MASK\",", 1, REPEAT, 1 },
+        { "MASK of a cutoff below all", "\"alphaMode\":\"MASK\",\"alphaCutoff\":0.01,", 1, REPEAT, 0 },
+        { "BLEND", "\"alphaMode\":\"BLEND\",", 1, REPEAT, 1 },
+        { "MASK, repeated", "\"alphaMode\":\"MASK\",", -2.5, REPEAT, 1 },
+        { "MASK, mirrored", "\"alphaMode\":\"MASK\",", 2.5, MIRROR, 1 },
+        { "MASK, going on", "\"alphaMode\":\"MASK\",", 2, CLAMP, 1 },
+    };
+
+    kit_error err = { { 0 } };
+    kit_scene s;
+    for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
+        int wrong = 0;
+        put_card(all[i].mode, all[i].turns, all[i].wrap, 4, leaf);
+        if (!CHECK(!kit_scene_load(&s, in_folder("card.glb"), 0, &err), "%s: %s", all[i].about, err.text)) return;
+        for (int k = 0; k < 40 * 40; ++k) {
+            const double at[2] = { (k % 40 + 0.513) / 10, (int)(k / 40) / 10.0 + 0.0471 };
+            int place[2], is = 1;
+            for (int c = 0; c < 2; ++c) {
+                const double u = (c ? 4 - at[c] : at[c]) / 4 * all[i].turns;
+                const int t = (int)floor(4 * u), of = ((t % 4) + 4) % 4, odd = (int)floor(u) & 1;
+                place[c] = all[i].wrap == REPEAT ? of : all[i].wrap == MIRROR ? (odd ? 3 - of : of) : t > 3 ? 3 : t;
+            }
+            if (all[i].cut) is = leaf(place[0], place[1]);
+            wrong += covers(&s.mesh, at[0], at[1]) != is;
+        }
+        CHECK(wrong == 0, "%s: %d of 1600 points are there and should not be, or the reverse", all[i].about, wrong);
+        const double want = all[i].turns * all[i].turns > 1 ? area_of(&s) : all[i].cut ? 10 : 16;
+        CHECK(fabs(area_of(&s) - want) < 1e-5, "%s: covers %g, not %g", all[i].about, area_of(&s), want);
+        const double share = all[i].cut ? 1 : 10.0 / 16, red = 0.5 * (0.502886 * share + 0.003035 * (1 - share));
+        CHECK(fabs((double)s.mesh.albedo[0] - red) < 1e-5 && s.mesh.albedo[2] < 0.002f, "%s: red is %g, not %g",
+              all[i].about, (double)s.mesh.albedo[0], red);
+        kit_scene_free(&s);
+    }
+}
+
+/* 65,536 texels, every other one there: too many to cut along. */
+static void fine_card(void)
+{
+    kit_error err = { { 0 } };
+    kit_scene s;
+    put_card("\"alphaMode\":\"MASK\",", 1, 10497, 256, weave);
+    if (!CHECK(!kit_scene_load(&s, in_folder("card.glb"), 0, &err), "%s", err.text)) return;
+    CHECK(s.mesh.triangles < 2 * 4096 * 2, "%zu triangles", s.mesh.triangles);
+    CHECK(fabs(area_of(&s) - 8) < 0.01, "covers %g, not 8", area_of(&s));
+    kit_scene_free(&s);
+}
+
+static void ply(void)
+{
+    kit_error err = { { 0 } };
+    kit_scene s;
+    put("quad.ply", "ply\nformat ascii 1.0\nelement vertex 7\nproperty float x\nproperty float y\nproperty float z\n"
+                    "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 2\n"
+                    "property list uchar int vertex_indices\nend_header\n0 0 0 188 0 0\n2 0 0 188 0 0\n2 3 0 188 0 0\n"
+                    "0 3 0 188 0 0\n5 0 0 0 255 0\n6 0 0 0 255 0\n5 1 0 0 255 0\n4 0 1 2 3\n3 4 5 6\n");
+    if (!CHECK(!kit_scene_load(&s, in_folder("quad.ply"), 0, &err), "%s", err.text)) return;
+    CHECK(s.mesh.triangles == 3 && s.objects == 2, "%zu triangles, %d objects", s.mesh.triangles, s.objects);
+    CHECK(fabs(area_of(&s) - 6.5) < 1e-6, "covers %g, not 6.5", area_of(&s));
+    CHECK(fabs((double)s.mesh.albedo[0] - 0.502886) < 1e-4 && s.mesh.albedo[7] == 1, "red is %g, green is %g",
+          (double)s.mesh.albedo[0], (double)s.mesh.albedo[7]);
+    kit_scene_free(&s);
+}
+
+#define GLTF(more) \
+    "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]," more
+#define MESH_OF(uri, bytes) \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,\"count\":3," \
+    "\"componentType\":5126,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}]," \
+    "\"buffers\":[{\"byteLength\":" bytes ",\"uri\":\"" uri "\"}]}"
+#define CORNERS_64 "data:application/octet-stream;base64,AACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAA"
+
+/* One line that names the file, its format and what is wrong. */
+static void refused(void)
+{
+    static const struct {
+        const char *name, *text, *says[2];
+    } bad[] = {
+        { "bad.gltf", GLTF(MESH_OF("absent.bin", "36")), { "is glTF that cannot be read", "absent.bin" } },
+        { "bad.gltf",
+          GLTF("\"extensionsRequired\":[\"KHR_materials_unlit\",\"EXT_meshopt_compression\"]," MESH_OF(
+              CORNERS_64 "AIA/", "36")),
+          { "needs the extension EXT_meshopt_compression", "" } },
+        { "bad.gltf", GLTF(MESH_OF(CORNERS_64 "AMB/", "36")), { "a vertex is not within 1e+15 of 0", "" } },
+        { "bad.gltf", GLTF("\"meshes\":[]}"), { "bad.gltf: ", "" } },
+        { "bad.gltf", "{", { "is glTF that cannot be read", "" } },
+        { "bad.glb", "", { "is empty", "" } },
+        { "bad.ply",
+          "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+          "end_header\n0 0 0\n",
+          { "bad.ply: ", "" } },
+        { "bad.usdz", "PK\3\4", { "is USDZ, which is not read", "glTF, PLY, FBX" } },
+        { "notes.txt", "bread\nmilk\n", { "is of no format that is known; read as an OBJ: no triangles", "" } },
+    };
+
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        kit_error err = { { 0 } };
+        kit_scene s;
+        put(bad[i].name, bad[i].text);
+        if (!CHECK(kit_scene_load(&s, in_folder(bad[i].name), 0, &err) == -1, "%s, number %zu is read", bad[i].name, i))
+            continue;
+        CHECK(strstr(err.text, bad[i].says[0]) && strstr(err.text, bad[i].says[1]) && strstr(err.text, bad[i].name)
+                  && !strchr(err.text, '\n'),
+              "number %zu: \"%s\"", i, err.text);
+    }
+}
+
+/* A texture that is not there is said, and all else is read. */
+static void textures_missing(void)
+{
+    kit_error err = { { 0 } };
+    kit_scene s;
+    put("note.gltf",
+        GLTF("\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,0.5,1,1],"
+             "\"baseColorTexture\":{\"index\":0}}}],\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"no.png\"}],"
+             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}],\"accessors\":["
+             "{\"bufferView\":0,\"count\":3,\"componentType\":5126,\"type\":\"VEC3\"}],\"bufferViews\":["
+             "{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"" CORNERS_64 "AIA/\"}]}"));
+    if (!CHECK(!kit_scene_load(&s, in_folder("note.gltf"), 0, &err), "%s", err.text)) return;
+    CHECK(strstr(s.note, "no.png") && s.mesh.albedo[1] == 0.5f, "\"%s\", green is %g", s.note,
+          (double)s.mesh.albedo[1]);
+    kit_scene_free(&s);
+}
+
+static void without_assimp(void)
+{
+    kit_error err = { { 0 } };
+    kit_scene s;
+    put("nodes.glb", "glTF");
+    CHECK(
+        kit_scene_load(&s, in_folder("nodes.glb"), 0, &err) == -1
+            && strstr(err.text, "nodes.glb: is glTF binary; this build reads OBJ alone: apt-get install libassimp-dev"),
+        "\"%s\"", err.text);
+}
+
 /* ---- what is none -------------------------------------------------------------------------------------------- */
 
 static void no_scene(void)
@@ -237,8 +543,9 @@ static void no_scene(void)
 
 void test_models(void)
 {
-    static const char *const made[] = { "a.obj", "a.mtl", "one.mtl", "two.mtl", "link.mtl", "order.obj", "wound.obj",
-                                        "pipe" };
+    static const char *const made[] = { "a.obj",     "a.mtl",   "one.mtl",   "two.mtl",   "link.mtl", "order.obj",
+                                        "wound.obj", "pipe",    "nodes.glb", "card.glb",  "quad.ply", "bad.gltf",
+                                        "bad.glb",   "bad.ply", "bad.usdz",  "notes.txt", "note.gltf" };
     const char *tmp = getenv("TMPDIR");
     snprintf(folder, sizeof folder, "%s/kit-test-XXXXXX", tmp && *tmp ? tmp : "/tmp");
     if (!mkdtemp(folder)) {
@@ -248,6 +555,18 @@ void test_models(void)
     RUN("what an OBJ costs to read is in proportion to its size, whatever is in it", costs);
     RUN("a file of materials that is named often counts where it is named last", materials_by_order);
     RUN("a polygon of 1,000 corners that is wound up is covered once", wound_polygon);
+    if (kit_assimp_version()) {
+        RUN("nodes of a .glb stand, are scaled and mirrored as it says; their names, colours and normals",
+            nodes_of_glb);
+        RUN("a card is cut exactly along its texels, where its texture is repeated, mirrored or goes on, too", cards);
+        RUN("a card of very many holes keeps its area, not its holes", fine_card);
+        RUN("a PLY's polygons, parts and colours", ply);
+        RUN("what cannot be read is refused in one line that says why", refused);
+        RUN("a texture that is not there is said, all else is read", textures_missing);
+    } else {
+        RUN("without Assimp a .glb is refused in one line that says what would help", without_assimp);
+        printf("skipped: models but OBJ: Assimp is missing (apt-get install libassimp-dev)\n");
+    }
     RUN("a scene that is none: all built-in ones are named; a pipe is not waited for", no_scene);
     for (size_t i = 0; i < sizeof made / sizeof *made; ++i) remove(in_folder(made[i]));
     rmdir(folder);

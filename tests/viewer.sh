@@ -74,8 +74,14 @@ else
     near 'viewer, hsao over six frames' $work/a.png $work/h5.png 0.006
     build/render $work/yard.obj --camera $place --fovy 45 --size $size --radius 0.6 --out $work/b.png
     for ending in obj gltf; do
+        if build/viewer $work/yard.$ending --env none 2>&1 | grep -q 'reads OBJ alone'; then
+            skip "viewer, .$ending, Assimp is missing (apt-get install libassimp-dev)"
+            continue
+        fi
         build/viewer $work/yard.$ending --camera $place --size $size --radius 0.6 --shot $work/a.png
         near "viewer, hsao of an .$ending" $work/a.png $work/b.png 0.006
+        build/viewer $work/yard.$ending --ground --camera $place --size $size --radius 0.6 --shot $work/g.png
+        check "viewer, --ground under an .$ending" "$(cmp -s $work/a.png $work/g.png || echo 1)"
     done
     is=$(build/viewer room --right truth --size 240x136 --shot $work/a.png | sed -n 's/^RMSE //p')
     build/render room --size 240x136 --truth 16 --out $work/truth.exr

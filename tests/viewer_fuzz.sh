@@ -21,7 +21,7 @@ pick() {    # one of its arguments, into $picked
     picked=$1
 }
 
-# A triangle below two nodes, its buffer in the file and beside it; a pentagon that is concave and a triangle.
+# A triangle below two nodes, its buffer in the file and beside it; a pentagon that is concave and a triangle, twice.
 cp tests/triangle.gltf $work/a.gltf
 one='\000\000\200?' zero='\000\000\000\000'
 printf "$one$zero$zero$zero$one$zero$zero$zero$one\\000\\001\\002" >$work/b.bin
@@ -42,6 +42,25 @@ g second
 f -5/1/1 -4 -3
 END
 printf 'newmtl red\nKd 1 0.5 .25\nnewmtl red # 2\nKd 1e0\n' >$work/a.mtl
+cat >$work/a.ply <<'END'
+ply
+format ascii 1.0
+element vertex 5
+property float x
+property float y
+property float z
+property uchar red
+element face 2
+property list uchar int vertex_indices
+end_header
+0 0 0 9
+4 0 0 255
+4 4 0 0
+2 1 0 7
+0 4 0 128
+5 0 1 2 3 4
+3 4 1 0
+END
 long=$(printf '%5000s' '' | tr ' ' x)
 mkfifo $work/pipe.gltf $work/pipe.obj
 : >$work/empty.gltf
@@ -117,15 +136,16 @@ while [ $run -lt "$runs" ]; do
     fault=$((seed * 100003 + run))
     leaks=1 draws=$((run % 8 == 0))
     if [ $draws = 1 ]; then pick whole whole whole a.gltf a.obj
-    else pick a.gltf b.gltf a.gltf b.gltf a.gltf b.gltf a.obj a.mtl other; fi
+    else pick a.gltf b.gltf a.gltf b.gltf a.ply a.ply a.obj a.mtl other; fi
     case $picked in
+    a.ply) damage $work/a.ply $fault >$work/c.ply; scene=$work/c.ply ;;
     *.gltf) damage $work/$picked $fault >$work/c.gltf; scene=$work/c.gltf ;;
     a.obj) damage $work/a.obj $fault >$work/c.obj; scene=$work/c.obj ;;
     a.mtl)
         damage $work/a.mtl $fault >$work/d.mtl
         sed s/a.mtl/d.mtl/ $work/a.obj >$work/c.obj
         scene=$work/c.obj ;;
-    whole) pick $work/a.gltf $work/b.gltf $work/a.obj plane; scene=$picked ;;
+    whole) pick $work/a.gltf $work/b.gltf $work/a.obj $work/a.ply plane; scene=$picked ;;
     other)
         pick '' nowhere $work/folder $work/pipe.gltf $work/pipe.obj /dev/zero $work/empty.gltf $work/noise.obj \
              $work/noise.gltf "$long" "$long.gltf" .gltf x.gltf '%s%n' -x

@@ -5,7 +5,8 @@
 
      kit/       util.c     errors, progress, threads, whole files, JSON, vectors
                 image.c    float pictures; exr.c, hdr.c, png.c: read and written; score.c: compared
-     scene/     mesh.c     triangles of an OBJ; text.c: its lines, materials.c: its MTL files
+     scene/     mesh.c     triangles of an OBJ; text.c: its lines, materials.c: its MTL files; soup.c: objects of any
+                models.c   models of all other formats, which assimp.c reads; texture.c, cards.c: what cuts them
                 scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of;
                            scenes.c: the built-in ones, of buildings.c, thin.c and solids.c; seeds.c: those drawn from
                            a seed, of what kit_seed.h names
@@ -210,6 +211,7 @@ enum { KIT_SCENE_LIGHTS = 4 };
 typedef struct kit_scene {
     const char *name;                      /* built-in name or path */
     const char *about;                     /* one line */
+    char        note[256];                 /* one line: what a model names and is not there, "" = nothing */
     kit_mesh    mesh;
     kit_camera  camera;                    /* a view that shows something; width, height 1280 x 720 */
     float       radius;                    /* a radius that suits it, world units */
@@ -224,10 +226,16 @@ typedef struct kit_scene {
 } kit_scene;
 
 /* name_or_path: a built-in scene ("room"), one drawn from a seed ("random:7", "random:streets:7"; of the first, the
-   kind is number SEED modulo KIT_KINDS; the same on every machine) or an OBJ file. OBJ: the camera looks at the bounds
-   from the front, above and to the side so that all is in view; radius is a tenth of the bounds' diagonal. floor_: adds
-   a square under an OBJ, at its lowest y, five diagonals wide, as object "floor". Every triangle has an object. Of an
-   OBJ each is its own shape, at its place (to_world 1), and casts unless it is flat (its bounds' thinnest side below
+   kind is number SEED modulo KIT_KINDS; the same on every machine) or a model's file: OBJ, and where Assimp was there
+   when this was built, glTF, GLB, PLY, FBX and what else it reads. Of these: triangles where the nodes put them, in the
+   pose that the file has; nodes are objects as an OBJ's o lines, meshes as its g lines; albedo is the base colour times
+   the mean of its texture and of the corners' colours; a card whose texture has holes (glTF: alphaMode MASK, or BLEND
+   where alpha is nearly all 0 or 1; others: the latter, or a map of opacity) is cut along its texels, or squares of
+   them, of which a triangle has 4096 at most, fewer where more than 512 triangles are cut. FBX, Collada, IFC and 3DS
+   are turned upright, others stand as they are; units stay as they are. A model: the camera looks at the bounds from
+   the front, above and to the side so that all is in view; radius is a tenth of the bounds' diagonal. floor_: adds a
+   square under it, at its lowest y, five diagonals wide, as object "floor". Every triangle has an object. Of a model
+   each is its own shape, at its place (to_world 1), and casts unless it is flat (its bounds' thinnest side below
    1e-3 of the widest) or its bounds hold those of most other objects entirely, as rooms and grounds do. Built-in scenes
    say themselves what casts. */
 int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_error *err);

@@ -1,4 +1,4 @@
-/* png.c - PNG out, through stb, and in for the tests. Declared in kit.h. */
+/* png.c - PNG out, through stb; its reader is texture.c's, too. Declared in kit.h. */
 #include "kit/kit_image.h"
 #include <math.h>
 #include <stdlib.h>
@@ -29,7 +29,10 @@ static unsigned char *png_deflate(unsigned char *data, int size, int *packed, in
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif
 #define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG                      /* for the tests, which read back what was written */
+#define STBI_ONLY_PNG                      /* for textures, and for the tests, which read back what was written */
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_TGA
+#define STBI_ONLY_BMP
 #define STBI_NO_STDIO
 #include <stb/stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION

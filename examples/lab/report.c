@@ -1,6 +1,6 @@
 /* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
 
-      build/report demo  [--out report] [--context egl] [--mesh M.obj]     pictures, tables and demo.html, in a minute
+      build/report demo  [--out report] [--context egl] [--mesh MODEL]     pictures, tables and demo.html, in a minute
       build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv,
          chart*.svg and index.html, in half an hour, or 3 minutes
       build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv, light.html
@@ -282,7 +282,7 @@ static const struct command { const char *name; int takes; step *run, *ahead; } 
 
 static void usage(void)
 {
-    fputs("usage: report demo  [--out FOLDER] [--context osmesa | egl | egl-es] [--mesh M.obj]     pictures beside "
+    fputs("usage: report demo  [--out FOLDER] [--context osmesa | egl | egl-es] [--mesh MODEL]     pictures beside "
           "the truth\n"
           "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME]     "
           "speed against accuracy\n"

@@ -47,7 +47,8 @@ static int size_of(const char *text, int size[2])
 }
 
 const char usage[] =
-    "usage: viewer SCENE.obj | SCENE.gltf | NAME   [options]; h in the window lists its keys\n"
+    "usage: viewer MODEL | NAME   [options]; h in the window lists its keys\n"
+    "  MODEL: a file of OBJ, glTF, GLB, PLY, FBX or what else Assimp reads\n"
     "  --method ssao | hsao | hsao-march | ssdo | ssdo-points | s3ho   [hsao]\n"
     "  --right METHOD | truth     beside it\n"
     "  --preset fast | balanced | best   --behind auto | constant | solid | width | back | slabs\n"
@@ -130,5 +131,5 @@ int arguments(viewer *v, asked *to, int argc, char **argv)
         else return kit_fail(&v->err, "%s: only one scene can be shown (%s is one already)", a, to->scene);
     }
     if (to->help || to->scene) return 0;
-    return kit_fail(&v->err, "a scene must be given: SCENE.obj, SCENE.gltf or a built-in name (--help says more)");
+    return kit_fail(&v->err, "a scene must be given: a model's file or a built-in name (--help says more)");
 }

@@ -1,13 +1,13 @@
 /* viewer.c - a window onto a scene: methods live, beside another or beside the truth, with their error and GPU times.
 
-      build/viewer room                          build/viewer SCENE.obj --method hsao --right truth
-      build/viewer SCENE.gltf --preset best      keys: h; options: --help
+      build/viewer room                          build/viewer model.obj --method hsao --right truth
+      build/viewer model.glb --preset best       keys: h; options: --help
 
    To put ssgi into a program of your own, copy a page of examples/hosts, not this: here every method and setting can be
    changed while it runs. Between the two lines of "====" a method is a list of draws from ssgi_gl_steps, whichever it
    is, and one loop allocates, binds and draws them. Below it: what is chosen of a method, what changes per frame, and
-   the frame itself. What an engine has already is beside: gl.c wraps GL, gbuffer.c draws the G-buffer, gltf.c and the
-   kit load scenes; window.c, arguments.c and panel.c are the window around the picture, truth.c and pictures.c look at
+   the frame itself. What an engine has already is beside: gl.c wraps GL, gbuffer.c draws the G-buffer, the kit
+   loads scenes; window.c, arguments.c and panel.c are the window around the picture, truth.c and pictures.c look at
    the result. */
 #include "viewer.h"
 #include <GLFW/glfw3.h>
@@ -400,10 +400,8 @@ static int camera_of(viewer *v, const asked *to)
 
 static int open_scene(viewer *v, const asked *to)
 {
-    const size_t n = strlen(to->scene);
-    if (n > 5 && !strcmp(to->scene + n - 5, ".gltf") ? gltf_load(&v->scene, to->scene, &v->err)
-                                                     : kit_scene_load(&v->scene, to->scene, to->ground, &v->err))
-        return -1;
+    if (kit_scene_load(&v->scene, to->scene, to->ground, &v->err)) return -1;
+    if (*v->scene.note) fprintf(stderr, "viewer: note: %s: %s\n", to->scene, v->scene.note);
     if (camera_of(v, to)) return -1;
     v->radius = to->radius[0] > 0 ? to->radius[0] : v->scene.radius;
     if (kit_env_read(&v->lighting.env, v->env, &v->err)) return -1;

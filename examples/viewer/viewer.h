@@ -27,10 +27,6 @@ typedef struct timer { GLuint query[RING]; unsigned turn; double began, ms; } ti
 void   timer_begin(timer *t);
 void   timer_end(timer *t);
 
-/* ---- >>gltf.c */
-
-int    gltf_load(kit_scene *s, const char *path, kit_error *err);
-
 /* ---- >>gbuffer.c */
 
 typedef struct gbuffer {

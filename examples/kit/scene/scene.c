@@ -1,6 +1,7 @@
-/* scene.c - scenes by name, or from an OBJ file with a camera that frames it; placing and moving objects. Declared in
-   kit.h. */
+/* scene.c - scenes by name, or from a model's file with a camera that frames it; placing and moving objects. Declared
+   in kit.h. */
 #include "kit/kit_build.h"
+#include "kit/kit_models.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -68,12 +69,12 @@ static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *
         return kit_fail(err, "scene '%s': neither a file that can be read nor a built-in scene (%s, random:SEED)", path,
                         names);
     }
-    if (kit_mesh_obj(&scene->mesh, &scene->object, &scene->objects, path, err)) return -1;
+    if (kit_model_read(&scene->mesh, &scene->object, &scene->objects, scene->note, path, err)) return -1;
     for (int k = 0; k < scene->objects; k++) scene->object[k].shape = -1;
     for (int i = 0; i < 3; i++) diagonal += pow((double)scene->mesh.upper[i] - (double)scene->mesh.lower[i], 2);
     diagonal = sqrt(diagonal);
     scene->name = path;
-    scene->about = "OBJ file";
+    scene->about = "model from a file";
     scene->radius = (float)(0.1 * diagonal);
     scene->camera.fovy = 45;
     frame_bounds(&scene->camera, &scene->mesh);

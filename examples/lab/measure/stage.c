@@ -260,6 +260,7 @@ int stage_load(stage *s, const view *v, kit_error *err)
     if (!strcmp(v->path, BUNNY) && stat(BUNNY, &status))
         return kit_fail(err, "%s: is missing; install the package %s (apt-get install %s)", BUNNY, PACKAGE, PACKAGE);
     if (kit_scene_load(&s->scene, v->path, v->ground, err)) return -1;
+    if (*s->scene.note) fprintf(stderr, "report: note: %s: %s\n", v->path, s->scene.note);
     s->lit = v->lit;
     s->rays = s->lit ? s->lit->rays : RAYS;
     if (s->lit) {

@@ -6,8 +6,8 @@
 #include <string.h>
 
 const char render_usage[] =
-    "usage: render SCENE.obj | NAME | random:SEED | --gbuffer FRAME.exr   [options]\n"
-    "  render SCENE.obj --method hsao --radius 0.5 --out ao.png\n"
+    "usage: render MODEL | NAME | random:SEED | --gbuffer FRAME.exr   [options]\n"
+    "  render model.glb --out ao.png\n"
     "  render room --truth 256 --out truth.exr\n"
     "  render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20\n"
     "  render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png\n"
@@ -15,6 +15,7 @@ const char render_usage[] =
     "  render --gbuffer frame.exr --out ao.png\n"
     "  render --list | --list hsao\n"
     "what to draw\n"
+    "  MODEL                 OBJ, glTF, GLB, PLY, FBX or what else Assimp reads (without libassimp-dev: OBJ alone)\n"
     "  --gbuffer F.exr       a captured frame: Z (view depth > 0), perhaps N.X N.Y N.Z (view space; without them\n"
     "                        normals are of the depth, normal=depth), albedo.R .., direct.R .., farther depth layers\n"
     "                        layer1.Z ..; back.Z, front2.Z, back2.Z (behind=). Its header's camera and radius are the\n"

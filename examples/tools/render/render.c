@@ -1,15 +1,15 @@
 /* render.c - renders one picture of a scene, or of a captured frame, with one method; the truth of it; scores and
    times.
 
-      build/render SCENE.obj --method hsao --radius 0.5 --out ao.exr
+      build/render model.glb --method hsao --radius 0.5 --out ao.exr
       build/render room --truth 256 --out truth.exr
       build/render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20
       build/render room --save-gbuffer frame.exr
       build/render --gbuffer frame.exr --out ao.png
       build/render --gbuffer others.exr --fovy 60 --radius 1 --out ao.png
       build/render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png
-      build/render SCENE.obj --method ssdo --env probe.hdr --set layers=2 --out lit.exr
-      build/render SCENE.obj --plan visibility:0.03 --out ao.exr
+      build/render scene.obj --method ssdo --env probe.hdr --set layers=2 --out lit.exr
+      build/render scene.obj --plan visibility:0.03 --out ao.exr
       build/render room --set history=1 --frames 16 --orbit 0.2 --out frames/%04d.exr
       build/render --help | --list | --list hsao
 
@@ -141,6 +141,7 @@ int render_open_scene(job *j, kit_error *err)
 {
     kit_camera camera;
     if (kit_scene_load(&j->scene, j->o.scene, j->o.ground, err)) return -1;
+    if (*j->scene.note) fprintf(stderr, "render: note: %s: %s\n", j->o.scene, j->scene.note);
     camera = j->scene.camera;
     camera_of(&camera, &j->o);
     if (camera_check(&camera, err) || kit_gbuffer_from_scene(&j->gbuffer, &j->scene, &camera, NULL, err)) return -1;
