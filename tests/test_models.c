@@ -320,9 +320,10 @@ static void nodes_of_glb(void)
 
 static void keep_png(void *to, void *data, int size) { add_bytes(to, data, (size_t)size); }
 
-/* A square card of side 4 with a texture, whose texture coordinates end at turns; of side texels, of which those are
-   there that are. */
-static void put_card(const char *mode, double turns, int wrap, int side, int (*there)(int x, int y))
+/* A square card of side 4 with a texture, perhaps transformed, whose coordinates end at turns; of side texels, of which
+   those are there that are. */
+static void put_card(const char *mode, const char *transform, double turns, int wrap, int side,
+                     int (*there)(int x, int y))
 {
     static unsigned char texel[4 * 256 * 256];
     const float end = (float)turns;
@@ -342,8 +343,9 @@ static void put_card(const char *mode, double turns, int wrap, int side, int (*t
     const size_t before = b.size;
     stbi_write_png_to_func(keep_png, &b, side, side, 4, texel, 4 * side);
     snprintf(json, sizeof json,
-             "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"materials\":["
-             "{%s\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,1,1,1],\"baseColorTexture\":{\"index\":0}}}],"
+             "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_texture_transform\"],"
+             "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"materials\":[{%s\"pbrMetallicRoughness\":{"
+             "\"baseColorFactor\":[0.5,1,1,1],\"baseColorTexture\":{\"index\":0%s}}}],"
              "\"textures\":[{\"source\":0,\"sampler\":0}],\"samplers\":[{\"wrapS\":%d,\"wrapT\":%d}],"
              "\"images\":[{\"bufferView\":3,\"mimeType\":\"image/png\"}],\"meshes\":[{\"primitives\":[{\"material\":0,"
              "\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1},\"indices\":2}]}],\"accessors\":["
@@ -353,7 +355,7 @@ static void put_card(const char *mode, double turns, int wrap, int side, int (*t
              "{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":32},"
              "{\"buffer\":0,\"byteOffset\":80,\"byteLength\":6},{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}],"
              "\"buffers\":[{\"byteLength\":%zu}]}",
-             mode, wrap, wrap, before, b.size - before, b.size);
+             mode, transform, wrap, wrap, before, b.size - before, b.size);
     put_glb("card.glb", json, &b);
 }
 
@@ -386,28 +388,34 @@ static void cards(void)
     static const struct {
         const char *about, *mode;
         double turns;
-        int wrap, cut;
+        int wrap, cut, turned;
     } all[] = {
-        { "OPAQUE", "", 1, REPEAT, 0 },
-        { "MASK", "\"alphaMode\":\"MASK\",", 1, REPEAT, 1 },
-        { "MASK of a cutoff below all", "\"alphaMode\":\"MASK\",\"alphaCutoff\":0.01,", 1, REPEAT, 0 },
-        { "BLEND", "\"alphaMode\":\"BLEND\",", 1, REPEAT, 1 },
-        { "MASK, repeated", "\"alphaMode\":\"MASK\",", -2.5, REPEAT, 1 },
-        { "MASK, mirrored", "\"alphaMode\":\"MASK\",", 2.5, MIRROR, 1 },
-        { "MASK, going on", "\"alphaMode\":\"MASK\",", 2, CLAMP, 1 },
+        { "OPAQUE", "", 1, REPEAT, 0, 0 },
+        { "MASK", "\"alphaMode\":\"MASK\",", 1, REPEAT, 1, 0 },
+        { "MASK of a cutoff below all", "\"alphaMode\":\"MASK\",\"alphaCutoff\":0.01,", 1, REPEAT, 0, 0 },
+        { "BLEND", "\"alphaMode\":\"BLEND\",", 1, REPEAT, 1, 0 },
+        { "MASK, repeated", "\"alphaMode\":\"MASK\",", -2.5, REPEAT, 1, 0 },
+        { "MASK, mirrored", "\"alphaMode\":\"MASK\",", 2.5, MIRROR, 1, 0 },
+        { "MASK, going on", "\"alphaMode\":\"MASK\",", 2, CLAMP, 1, 0 },
+        { "MASK, turned by a quarter", "\"alphaMode\":\"MASK\",", 2.5, REPEAT, 1, 1 },
     };
 
     kit_error err = { { 0 } };
     kit_scene s;
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
         int wrong = 0;
-        put_card(all[i].mode, all[i].turns, all[i].wrap, 4, leaf);
+        put_card(all[i].mode,
+                 all[i].turned ? ",\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.25,0.5],"
+                                 "\"rotation\":1.5707963,\"scale\":[2,1]}}"
+                               : "",
+                 all[i].turns, all[i].wrap, 4, leaf);
         if (!CHECK(!kit_scene_load(&s, in_folder("card.glb"), 0, &err), "%s: %s", all[i].about, err.text)) return;
         for (int k = 0; k < 40 * 40; ++k) {
             const double at[2] = { (k % 40 + 0.513) / 10, (int)(k / 40) / 10.0 + 0.0471 };
             int place[2], is = 1;
             for (int c = 0; c < 2; ++c) {
-                const double u = (c ? 4 - at[c] : at[c]) / 4 * all[i].turns;
+                const double right = at[0] / 4 * all[i].turns, down = (4 - at[1]) / 4 * all[i].turns;
+                const double u = !all[i].turned ? (c ? down : right) : c ? 0.5 - 2 * right : 0.25 + down;
                 const int t = (int)floor(4 * u), of = ((t % 4) + 4) % 4, odd = (int)floor(u) & 1;
                 place[c] = all[i].wrap == REPEAT ? of : all[i].wrap == MIRROR ? (odd ? 3 - of : of) : t > 3 ? 3 : t;
             }
@@ -429,7 +437,7 @@ static void fine_card(void)
 {
     kit_error err = { { 0 } };
     kit_scene s;
-    put_card("\"alphaMode\":\"MASK\",", 1, 10497, 256, weave);
+    put_card("\"alphaMode\":\"MASK\",", "", 1, 10497, 256, weave);
     if (!CHECK(!kit_scene_load(&s, in_folder("card.glb"), 0, &err), "%s", err.text)) return;
     CHECK(s.mesh.triangles < 2 * 4096 * 2, "%zu triangles", s.mesh.triangles);
     CHECK(fabs(area_of(&s) - 8) < 0.01, "covers %g, not 8", area_of(&s));

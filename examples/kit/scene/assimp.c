@@ -65,6 +65,7 @@ typedef struct look {
     float albedo[3];
     int grey, of, wrap[2];
     unsigned uv;
+    double to_texture[2][3]; /* from a mesh's coordinates, rows */
 } look;
 
 /* rows; the last is 0 0 0 1 */
@@ -200,8 +201,25 @@ static known *known_of(const reader *r, int i) { return (known *)r->textures.dat
 
 /* ---- >>materials ------------------------------------------------------------------------------------------------- */
 
-static int texture_of(const struct aiMaterial *m, enum aiTextureType type, struct aiString *path, look *l)
+/* KHR_texture_transform, v down, from what Assimp makes of it, whose own use of that is another. */
+static void gltf_transform(look *l, const struct aiMaterial *m, enum aiTextureType type)
 {
+    struct aiUVTransform t = { { 0, 0 }, { 1, 1 }, 0 };
+    aiGetMaterialUVTransform(m, AI_MATKEY_UVTRANSFORM(type, 0), &t);
+    const double c = cos(-(double)t.mRotation), s = sin(-(double)t.mRotation);
+    const double x = (double)t.mScaling.x, y = (double)t.mScaling.y;
+    const double right = (double)t.mTranslation.x - 0.5 * x * (1 - c + s);
+    const double down = 1 - y - (double)t.mTranslation.y + 0.5 * y * (s + c - 1);
+    /* u' = c x u + s y (1 - v) + right, 1 - v' = -s x u + c y (1 - v) + down */
+    const double rows[2][3] = { { c * x, -s * y, s * y + right }, { s * x, c * y, 1 - c * y - down } };
+    memcpy(l->to_texture, rows, sizeof rows);
+}
+
+static int texture_of(const reader *r, const struct aiMaterial *m, enum aiTextureType type, struct aiString *path,
+                      look *l)
+{
+    static const double same[2][3] = { { 1, 0, 0 }, { 0, 1, 0 } };
+
     enum aiTextureMapMode mode[2] = { aiTextureMapMode_Wrap, aiTextureMapMode_Wrap };
 
     unsigned uv = 0;
@@ -210,6 +228,8 @@ static int texture_of(const struct aiMaterial *m, enum aiTextureType type, struc
         || !*path->data)
         return 0;
     l->uv = uv;
+    memcpy(l->to_texture, same, sizeof same);
+    if (r->gltf) gltf_transform(l, m, type);
     for (int i = 0; i < 2; ++i)
         l->wrap[i] = mode[i] == aiTextureMapMode_Wrap   ? KIT_REPEAT
                    : mode[i] == aiTextureMapMode_Mirror ? KIT_MIRROR
@@ -242,8 +262,8 @@ static int look_at(reader *r, look *l, const struct aiMaterial *m)
                       || aiGetMaterialColor(m, AI_MATKEY_COLOR_DIFFUSE, &colour) == aiReturn_SUCCESS;
     aiGetMaterialString(m, AI_MATKEY_NAME, &name);
     *l = (look){ .of = -1 };
-    const int textured = texture_of(m, aiTextureType_BASE_COLOR, &path, l)
-                      || texture_of(m, aiTextureType_DIFFUSE, &path, l);
+    const int textured = texture_of(r, m, aiTextureType_BASE_COLOR, &path, l)
+                      || texture_of(r, m, aiTextureType_DIFFUSE, &path, l);
     /* what stands in for a material where a file has none */
     l->grey = !textured
            && (!coloured || !strcmp(name.data, AI_DEFAULT_MATERIAL_NAME)
@@ -256,7 +276,7 @@ static int look_at(reader *r, look *l, const struct aiMaterial *m)
     if (textured && of < 0) return -1;
     for (int k = 0; k < 3 && textured; ++k) l->albedo[k] *= known_of(r, of)->mean[k];
     if (textured && known_of(r, of)->mask.sum) l->of = of;
-    if (l->of >= 0 || !texture_of(m, aiTextureType_OPACITY, &path, l)) return 0;
+    if (l->of >= 0 || !texture_of(r, m, aiTextureType_OPACITY, &path, l)) return 0;
     const int opacity = texture_known(r, &path, 1, HALF, MASK);
     if (opacity >= 0 && known_of(r, opacity)->mask.sum) l->of = opacity;
     return opacity < 0 ? -1 : 0;
@@ -413,15 +433,14 @@ static int add_face(reader *r, const struct aiMesh *m, const struct aiFace *f, i
         for (int i = 0; i < 3; ++i)
             if (!(fabsf(c.position[k][i]) <= KIT_FARTHEST))
                 return kit_fail(r->text.err, "%s: a vertex is not within %g of 0", r->text.path, (double)KIT_FARTHEST);
-        if (uv) {
-            at[k][0] = (double)uv[v].x;
-            at[k][1] = (double)uv[v].y;
+        for (int i = 0; i < 2 && uv; ++i) {
+            const double *row = l->to_texture[i];
+            at[k][i] = row[0] * (double)uv[v].x + row[1] * (double)uv[v].y + row[2];
         }
     }
     albedo_of(c.albedo, r, l, m, f);
-    if (l->of >= 0 && uv) {
+    if (l->of >= 0 && uv)
         return kit_card_cut(&known_of(r, l->of)->mask, l->wrap, (const double(*)[2])at, r->cells, add_piece, &c);
-    }
     if (++r->triangles > MOST_TRIANGLES) return too_many(r);
     return kit_soup_triangle(r->soup, c.position, c.normal, c.albedo, &r->text) < 0 ? -1 : 0;
 }
@@ -580,7 +599,8 @@ int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, c
     struct aiPropertyStore *set = aiCreatePropertyStore();
     if (set) aiSetImportPropertyInteger(set, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     guard_open(&g, size);
-    r.scene = aiImportFileExWithProperties(path, aiProcess_Triangulate | aiProcess_TransformUVCoords, NULL, set);
+    r.scene = aiImportFileExWithProperties(path, aiProcess_Triangulate | (r.gltf ? 0u : aiProcess_TransformUVCoords),
+                                           NULL, set);
     guard_close(&g);
     if (set) aiReleasePropertyStore(set);
     if (!r.scene) return assimp_fail(path, format, err);
