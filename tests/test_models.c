@@ -274,18 +274,22 @@ static double area_of(const kit_scene *s)
     return all;
 }
 
-/* One slanted triangle in two nodes: scaled by 2, 3, 4 its normal is (0, -0.8, 0.6); mirrored in x it is wound anew. */
+/* One slanted triangle in three nodes: scaled by 2, 3, 4 its normal is (0, -0.8, 0.6); mirrored in x it is wound anew,
+   without and with normals of its own. */
 static void nodes_of_glb(void)
 {
     static const float corner[3][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 1 } };
-    static const float placed[2][3][3] = { { { 11, 2, 3 }, { 13, 2, 3 }, { 11, 5, 7 } },
+    static const float placed[3][3][3] = { { { 11, 2, 3 }, { 13, 2, 3 }, { 11, 5, 7 } },
+                                           { { 10, 1, 1 }, { 9, 0, 0 }, { 10, 0, 0 } },
                                            { { 10, 1, 1 }, { 9, 0, 0 }, { 10, 0, 0 } } };
-    static const double normal[2][3] = { { 0, -0.8, 0.6 }, { 0, -0.70710678, 0.70710678 } };
+    static const double normal[3][3] = { { 0, -0.8, 0.6 }, { 0, -0.70710678, 0.70710678 },
+                                        { 0, -0.70710678, 0.70710678 } };
     static const char json[] =
         "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":["
-        "{\"name\":\"both\",\"translation\":[10,0,0],\"children\":[1,2]},"
+        "{\"name\":\"both\",\"translation\":[10,0,0],\"children\":[1,2,3]},"
         "{\"name\":\"large\",\"mesh\":0,\"translation\":[1,2,3],\"scale\":[2,3,4]},"
-        "{\"name\":\"mirrored\",\"mesh\":1,\"scale\":[-1,1,1]}],"
+        "{\"name\":\"mirrored\",\"mesh\":1,\"scale\":[-1,1,1]},"
+        "{\"name\":\"third\",\"mesh\":0,\"scale\":[-1,1,1]}],"
         "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0.25,1,1]}}],\"meshes\":["
         "{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1},\"material\":0}]},"
         "{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":["
@@ -293,8 +297,8 @@ static void nodes_of_glb(void)
         "{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":["
         "{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":36}],"
         "\"buffers\":[{\"byteLength\":72}]}";
-    static const float albedo[2][3] = { { 0.5f, 0.25f, 1 }, { 0.8f, 0.8f, 0.8f } };
-    static const char *const names[2] = { "large", "mirrored" };
+    static const float albedo[3][3] = { { 0.5f, 0.25f, 1 }, { 0.8f, 0.8f, 0.8f }, { 0.5f, 0.25f, 1 } };
+    static const char *const names[3] = { "large", "mirrored", "third" };
     glb b = { .size = 0 };
     kit_error err = { { 0 } };
     kit_scene s;
@@ -302,9 +306,9 @@ static void nodes_of_glb(void)
     for (int k = 0; k < 3; ++k) add_bytes(&b, (const float[3]){ 0, -0.70710678f, 0.70710678f }, 12);
     put_glb("nodes.glb", json, &b);
     if (!CHECK(!kit_scene_load(&s, in_folder("nodes.glb"), 0, &err), "%s", err.text)) return;
-    CHECK(s.objects == 2 && s.mesh.triangles == 2 && !*s.note, "%d objects, %zu triangles, \"%s\"", s.objects,
+    CHECK(s.objects == 3 && s.mesh.triangles == 3 && !*s.note, "%d objects, %zu triangles, \"%s\"", s.objects,
           s.mesh.triangles, s.note);
-    for (int t = 0; t < 2 && t < s.objects; ++t) {
+    for (int t = 0; t < 3 && t < s.objects; ++t) {
         const float *p = s.mesh.position + 9 * t, *n = s.mesh.normal + 9 * t;
         CHECK(!strcmp(s.object[t].name, names[t]), "object %d is %s", t, s.object[t].name);
         for (int i = 0; i < 9; ++i) {
@@ -480,6 +484,10 @@ static void refused(void)
               CORNERS_64 "AIA/", "36")),
           { "needs the extension EXT_meshopt_compression", "" } },
         { "bad.gltf", GLTF(MESH_OF(CORNERS_64 "AMB/", "36")), { "a vertex is not within 1e+15 of 0", "" } },
+        { "bad.gltf",
+          GLTF("\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"count\":3,"
+               "\"componentType\":5126,\"type\":\"VEC3\",\"sparse\":{}}]}"),
+          { "bad.gltf: is glTF that", "" } },
         { "bad.gltf", GLTF("\"meshes\":[]}"), { "bad.gltf: ", "" } },
         { "bad.gltf", "{", { "is glTF that cannot be read", "" } },
         { "bad.glb", "", { "is empty", "" } },
@@ -501,6 +509,28 @@ static void refused(void)
                   && !strchr(err.text, '\n'),
               "number %zu: \"%s\"", i, err.text);
     }
+}
+
+/* Z is up, and what looks along y is the front. */
+static void upright(void)
+{
+    static const char text[] =
+        "; FBX 7.4.0 project file\nFBXHeaderExtension: {\nFBXHeaderVersion: 1003\nFBXVersion: 7400\n}\n"
+        "GlobalSettings: {\nVersion: 1000\nProperties70: {\nP: \"UpAxis\", \"int\", \"Integer\", \"\",2\n"
+        "P: \"UpAxisSign\", \"int\", \"Integer\", \"\",1\nP: \"FrontAxis\", \"int\", \"Integer\", \"\",1\n"
+        "P: \"FrontAxisSign\", \"int\", \"Integer\", \"\",-1\n"
+        "P: \"CoordAxis\", \"int\", \"Integer\", \"\",0\nP: \"CoordAxisSign\", \"int\", \"Integer\", \"\",1\n"
+        "}\n}\nObjects: {\nGeometry: 1, \"Geometry::g\", \"Mesh\" {\nVertices: *9 {\na: 0,0,0,1,0,0,0,3,2\n"
+        "}\nPolygonVertexIndex: *3 {\na: 0,1,-3\n}\n}\nModel: 2, \"Model::m\", \"Mesh\" {\nVersion: 232\n}\n"
+        "}\nConnections: {\nC: \"OO\",1,2\nC: \"OO\",2,0\n}\n";
+    static const float at[9] = { 0, 0, 0, 1, 0, 0, 0, 2, -3 };
+    kit_error err = { { 0 } };
+    kit_scene s;
+    put("up.fbx", text);
+    if (!CHECK(!kit_scene_load(&s, in_folder("up.fbx"), 0, &err), "%s", err.text)) return;
+    for (int i = 0; i < 9 && s.mesh.triangles == 1; ++i)
+        CHECK(s.mesh.position[i] == at[i], "coordinate %d is %g, not %g", i, (double)s.mesh.position[i], (double)at[i]);
+    kit_scene_free(&s);
 }
 
 /* A texture that is not there is said, and all else is read. */
@@ -553,7 +583,7 @@ void test_models(void)
 {
     static const char *const made[] = { "a.obj",     "a.mtl",   "one.mtl",   "two.mtl",   "link.mtl", "order.obj",
                                         "wound.obj", "pipe",    "nodes.glb", "card.glb",  "quad.ply", "bad.gltf",
-                                        "bad.glb",   "bad.ply", "bad.usdz",  "notes.txt", "note.gltf" };
+                                        "bad.glb",   "bad.ply", "bad.usdz",  "notes.txt", "note.gltf", "up.fbx" };
     const char *tmp = getenv("TMPDIR");
     snprintf(folder, sizeof folder, "%s/kit-test-XXXXXX", tmp && *tmp ? tmp : "/tmp");
     if (!mkdtemp(folder)) {
@@ -569,6 +599,7 @@ void test_models(void)
         RUN("a card is cut exactly along its texels, where its texture is repeated, mirrored or goes on, too", cards);
         RUN("a card of very many holes keeps its area, not its holes", fine_card);
         RUN("a PLY's polygons, parts and colours", ply);
+        RUN("an FBX whose z axis is up stands upright", upright);
         RUN("what cannot be read is refused in one line that says why", refused);
         RUN("a texture that is not there is said, all else is read", textures_missing);
     } else {
