@@ -379,6 +379,10 @@ web-test: web-deps
 	echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html && \
 	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs $(ONLY)
 
+# A method's chain with all that it reads and its picture, for tests that draw it through another API.
+build/capture: tests/capture.c $(GLSL_O) $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(GLSL_O) $(KIT_O) $(KIT_LIBS) -o $@
+
 # Headless Chromium compiles the WGSL of every text on WebGPU's software adapter and makes pipelines of them.
 WEBGPU = build/webgpu-test
 webgpu-test: web-deps build/glsl-text
