@@ -11,6 +11,7 @@
 #   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
 #   make viewer, bench   a window; milliseconds on a GPU. make viewer-test
 #   make hosts-test   the pages of examples/hosts, built and run
+#   make vulkan, vulkan-test     examples/hosts/vulkan.cpp, and its pictures beside GL's on lavapipe
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
 #   make wasm      the headers as WebAssembly       make npm         a package with it and the texts of WebGL 2
 #   make format    the layout of every header, example and test, by clang-format 14
@@ -379,10 +380,6 @@ web-test: web-deps
 	echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html && \
 	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs $(ONLY)
 
-# A method's chain with all that it reads and its picture, for tests that draw it through another API.
-build/capture: tests/capture.c $(GLSL_O) $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(GLSL_O) $(KIT_O) $(KIT_LIBS) -o $@
-
 # Headless Chromium compiles the WGSL of every text on WebGPU's software adapter and makes pipelines of them.
 WEBGPU = build/webgpu-test
 webgpu-test: web-deps build/glsl-text
@@ -394,3 +391,26 @@ webgpu-test: web-deps build/glsl-text
 	node tests/webgpu.mjs $(ONLY)
 
 .PHONY: web web-deps web-test webgpu-test
+
+# A method's chain with all that it reads and its picture, for tests that draw it through another API.
+build/capture: tests/capture.c $(GLSL_O) $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(GLSL_O) $(KIT_O) $(KIT_LIBS) -o $@
+
+# Vulkan as the host, and its drawing loop on captures, under sanitizers.
+VULKAN_O     = $(KIT_BASE:%=build/kit/%.o) build/kit/library.o
+VULKAN_FLAGS = -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Iexamples
+VULKAN       = examples/hosts/vulkan.cpp examples/hosts/vulkan_engine.hpp
+vulkan: build/vulkan
+build/vulkan: $(VULKAN) $(VULKAN_O)
+	@echo '  c++ $@'; $(CXX) $(VULKAN_FLAGS) -O1 -g $< $(VULKAN_O) -lvulkan $(KIT_LIBS) -o $@
+build/vulkan-replay: tests/vulkan.cpp $(VULKAN) $(VULKAN_O)
+	@echo '  c++ $@'; $(CXX) $(VULKAN_FLAGS) -g -fsanitize=address,undefined -fno-sanitize-recover=undefined $< \
+	  $(VULKAN_O) -lvulkan $(KIT_LIBS) -o $@
+
+# Chains drawn by lavapipe, with the validation layer, beside the kit's pictures.
+VULKAN_NEEDS = mesa-vulkan-drivers vulkan-validationlayers libvulkan-dev nlohmann-json3-dev g++ glslang-tools
+vulkan-test: deps
+	@sh examples/kit/install.sh $(VULKAN_NEEDS) || true
+	@MAKE='$(MAKE)' CXX='$(CXX)' sh tests/vulkan.sh
+
+.PHONY: vulkan vulkan-test

@@ -1,0 +1,98 @@
+#!/bin/sh
+# vulkan.sh - chains drawn by Vulkan on the processor (lavapipe), beside the kit's pictures by GL, without a message of
+# the validation layer:
+#
+#   make vulkan-test
+#
+# build/vulkan-replay draws what build/capture wrote, in the formats that the kit has; build/vulkan a saved frame.
+lacks=
+layer=/usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json
+for i in /usr/share/vulkan/icd.d/lvp_icd*.json; do lavapipe=$i; done
+for h in vulkan/vulkan_raii.hpp nlohmann/json.hpp; do
+    echo "#include <$h>" | ${CXX:-c++} -std=c++20 -x c++ -E - >/dev/null 2>&1 || lacks="$lacks $h"
+done
+[ -e "$lavapipe" ] || lacks="$lacks lavapipe"
+[ -e $layer ] || lacks="$lacks VK_LAYER_KHRONOS_validation"
+command -v glslangValidator >/dev/null || lacks="$lacks glslangValidator"
+if [ -n "$lacks" ]; then
+    echo "skipped: everything: no$lacks"
+    echo '0 passed, 0 failed'
+    exit 0
+fi
+${MAKE:-make} -s --no-print-directory build/capture build/glsl-text build/render build/vulkan build/vulkan-replay || exit 1
+
+work=build/vulkan-test
+rm -rf $work
+mkdir -p $work
+passed=0 failed=0
+export VK_DRIVER_FILES=$lavapipe VK_ICD_FILENAMES=$lavapipe
+export VK_LAYER_ENABLES=VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT
+export ASAN_OPTIONS=detect_leaks=0                          # lavapipe keeps some bytes
+
+check() {    # WHAT, whether it is so
+    if [ "$2" = 1 ]; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAILED: $1"; fi
+}
+is() { awk "BEGIN { print ($*) ? 1 : 0 }"; }
+number() { case $1 in [0-9]*.[0-9]*) echo "$1" ;; *) echo 9 ;; esac; }          # nan, or nothing: far off
+capture() {    # NAME SCENE METHOD ..
+    build/capture $work/"$@" && sh examples/tools/glsl/translate.sh "$work/$1" spv >$work/log && return
+    cat $work/log
+    return 1
+}
+replay() {    # CAPTURE [TEXTS ..]: $rmse, $quiet
+    rmse=$(build/vulkan-replay "$@" 2>$work/messages) && quiet=1 || quiet=0
+    head -c 2000 $work/messages
+    rmse=$(number "$rmse")
+}
+near() {    # NAME MOST SCENE METHOD ..
+    name=$1 most=$2
+    shift 2
+    capture "$name" "$@" || { check "$name: no capture" 0; return; }
+    replay "$work/$name"
+    echo "  $name: $*: RMSE $rmse"
+    check "$name: RMSE $rmse, at most $most; no message: $quiet" "$(is "$rmse <= $most && $quiet")"
+}
+
+near hsao 0.0005 room hsao
+near hsao-full 0.0005 room hsao set half=0
+near history 0.0005 casters hsao set history=1 frames 6
+near ssdo 0.0005 room ssdo
+near ssdo-lights 0.0005 cornell ssdo light point:0,5,-2.8,20,20,20
+near s3ho 0.0005 room s3ho
+near aof 0.0005 casters aof set occluders=all,resolution=4,rays=16
+near dss 0.0005 casters dss
+
+# The texts of 6 steps with the constant of 10 (constant_id 2) draw what those of 10 draw; without it they do not.
+capture steps-6 room hsao set steps=6 && capture steps-10 room hsao set steps=10
+replay $work/steps-10 $work/steps-6 2=10
+special=$rmse
+replay $work/steps-10 $work/steps-6
+echo "  steps by a constant: RMSE $special, without it $rmse"
+check "steps by a constant: RMSE $special, at most 0.0005; without it $rmse, more" \
+    "$(is "$special <= 0.0005 && $rmse > 0.001")"
+
+# The host on a saved frame.
+build/glsl-text --chain hsao,balanced,depth=LINEAR,precise=1 --spv $work/host >$work/log &&
+    build/render room --size 320x180 --save-gbuffer $work/frame.exr >$work/log &&
+    build/vulkan $work/host $work/frame.exr 45 0.5 $work/host.exr validate &&
+    rmse=$(build/render --gbuffer $work/frame.exr --fovy 45 --radius 0.5 --score $work/host.exr |
+        sed -n 's/.*: RMSE \([0-9.]*\) .*/\1/p') || rmse=none
+rmse=$(number "$rmse")
+echo "  build/vulkan on a saved frame: RMSE $rmse"
+check "build/vulkan on a saved frame: RMSE $rmse, at most 0.0005" "$(is "$rmse <= 0.0005")"
+refused() {    # FOLDER FRAME WORD [RADIUS]
+    said=$(build/vulkan $work/$1 $work/$2 45 ${4:-0.5} $work/no.exr 2>&1)
+    status=$?
+    lines=$(echo "$said" | wc -l)
+    case $said in *$3*) named=1 ;; *) named=0 ;; esac
+    check "$1 $2: status $status, $said" "$([ $status$named$lines = 211 ] && [ ! -e $work/no.exr ] && echo 1)"
+}
+refused host none.exr none.exr
+refused host frame.exr radius -1
+refused nowhere frame.exr nowhere/manifest.json
+refused hsao frame.exr depth=LINEAR
+build/glsl-text --chain ssdo,balanced,depth=LINEAR --spv $work/lit >$work/log
+refused lit frame.exr ENVIRONMENT
+
+echo "$passed passed, $failed failed"
+exit $((failed > 0))
