@@ -26,7 +26,6 @@ rm -rf $work
 mkdir -p $work
 passed=0 failed=0
 export VK_DRIVER_FILES=$lavapipe VK_ICD_FILENAMES=$lavapipe
-export VK_LAYER_ENABLES=VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT
 export ASAN_OPTIONS=detect_leaks=0                          # lavapipe keeps some bytes
 
 check() {    # WHAT, whether it is so
