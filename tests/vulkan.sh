@@ -5,6 +5,9 @@
 #   make vulkan-test
 #
 # build/vulkan-replay draws what build/capture wrote, in the formats that the kit has; build/vulkan a saved frame.
+work=build/vulkan-test
+. tests/window.sh
+
 lacks=
 layer=/usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json
 for i in /usr/share/vulkan/icd.d/lvp_icd*.json; do lavapipe=$i; done
@@ -15,22 +18,15 @@ done
 [ -e $layer ] || lacks="$lacks VK_LAYER_KHRONOS_validation"
 command -v glslangValidator >/dev/null || lacks="$lacks glslangValidator"
 if [ -n "$lacks" ]; then
-    echo "skipped: everything: no$lacks"
-    echo '0 passed, 0 failed'
-    exit 0
+    skip "everything: no$lacks"
+    finish
 fi
-${MAKE:-make} -s --no-print-directory build/capture build/glsl-text build/render build/vulkan build/vulkan-replay || exit 1
+${MAKE:-make} -s --no-print-directory build/capture build/glsl-text build/render build/vulkan build/vulkan-replay ||
+    exit 1
 
-work=build/vulkan-test
-rm -rf $work
-mkdir -p $work
-passed=0 failed=0
 export VK_DRIVER_FILES=$lavapipe VK_ICD_FILENAMES=$lavapipe
 export ASAN_OPTIONS=detect_leaks=0                          # lavapipe keeps some bytes
 
-check() {    # WHAT, whether it is so
-    if [ "$2" = 1 ]; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAILED: $1"; fi
-}
 is() { awk "BEGIN { print ($*) ? 1 : 0 }"; }
 number() { case $1 in [0-9]*.[0-9]*) echo "$1" ;; *) echo 9 ;; esac; }          # nan, or nothing: far off
 capture() {    # NAME SCENE METHOD ..
@@ -43,7 +39,7 @@ replay() {    # CAPTURE [TEXTS ..]: $rmse, $quiet
     head -c 2000 $work/messages
     rmse=$(number "$rmse")
 }
-near() {    # NAME MOST SCENE METHOD ..
+drawn() {    # NAME MOST SCENE METHOD ..
     name=$1 most=$2
     shift 2
     capture "$name" "$@" || { check "$name: no capture" 0; return; }
@@ -52,14 +48,14 @@ near() {    # NAME MOST SCENE METHOD ..
     check "$name: RMSE $rmse, at most $most; no message: $quiet" "$(is "$rmse <= $most && $quiet")"
 }
 
-near hsao 0.0005 room hsao
-near hsao-full 0.0005 room hsao set half=0
-near history 0.0005 casters hsao set history=1 frames 6
-near ssdo 0.0005 room ssdo
-near ssdo-lights 0.0005 cornell ssdo light point:0,5,-2.8,20,20,20
-near s3ho 0.0005 room s3ho
-near aof 0.0005 casters aof set occluders=all,resolution=4,rays=16
-near dss 0.0005 casters dss
+drawn hsao 0.0005 room hsao
+drawn hsao-full 0.0005 room hsao set half=0
+drawn history 0.0005 casters hsao set history=1 frames 6
+drawn ssdo 0.0005 room ssdo
+drawn ssdo-lights 0.0005 cornell ssdo light point:0,5,-2.8,20,20,20
+drawn s3ho 0.0005 room s3ho
+drawn aof 0.0005 casters aof set occluders=all,resolution=4,rays=16
+drawn dss 0.0005 casters dss
 
 # The texts of 6 steps with the constant of 10 (constant_id 2) draw what those of 10 draw; without it they do not.
 capture steps-6 room hsao set steps=6 && capture steps-10 room hsao set steps=10
@@ -93,5 +89,4 @@ refused hsao frame.exr depth=LINEAR
 build/glsl-text --chain ssdo,balanced,depth=LINEAR --spv $work/lit >$work/log
 refused lit frame.exr ENVIRONMENT
 
-echo "$passed passed, $failed failed"
-exit $((failed > 0))
+finish

@@ -1,5 +1,5 @@
-# window.sh - what viewer.sh and hosts.sh share: counted checks, pictures compared, Xvfb. Before they read this they set
-# work, a folder that is made anew.
+# window.sh - what viewer.sh, hosts.sh and vulkan.sh share: counted checks, pictures compared, Xvfb. Before they read
+# this they set work, a folder that is made anew.
 export LIBGL_ALWAYS_SOFTWARE=1
 rm -rf $work
 mkdir -p $work report
