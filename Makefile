@@ -13,7 +13,7 @@
 #   make hosts-test   the pages of examples/hosts, built and run
 #   make vulkan, vulkan-test     examples/hosts/vulkan.cpp, and its pictures beside GL's on lavapipe
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
-#   make wasm      the headers as WebAssembly       make npm         a package with it and the texts of WebGL 2
+#   make wasm      the headers as WebAssembly       make npm         a package with it, for WebGL 2 and WebGPU
 #   make format    the layout of every header, example and test, by clang-format 14
 #   make clean
 
@@ -226,11 +226,19 @@ build/wasm/ssgi.wasm: examples/tools/wasm/ssgi.c examples/tools/wasm/ssgi.mjs $(
 	@echo '  clang $@'; clang $(WASM_FLAGS) $< -o $@
 	@cp examples/tools/wasm/ssgi.mjs $(@D)
 
-# An npm package: ssgi.mjs with its types and ssgi.wasm, the texts of WebGL 2 with their manifest.
-npm: build/wasm/ssgi.wasm build/glsl-text
-	@rm -rf build/npm && mkdir -p build/npm
-	@build/glsl-text build/npm/glsl 300es >/dev/null
+# Every chain that has a name in WGSL.
+build/wgsl/manifest.json: build/glsl-text examples/tools/glsl/translate.sh examples/tools/glsl/wgsl.mjs
+	@command -v glslangValidator >/dev/null || sh examples/kit/install.sh glslang-tools || \
+	  { echo 'npm: glslangValidator is missing (apt-get install glslang-tools)' >&2; exit 2; }
+	@rm -rf build/wgsl && build/glsl-text --chain all --wgsl build/wgsl || { rm -rf build/wgsl; exit 2; }
+
+# An npm package: ssgi.mjs with its types and ssgi.wasm; the chains in WebGL 2's GLSL and in WGSL, with manifests.
+npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
+	@rm -rf build/npm && mkdir -p build/npm/wgsl
+	@build/glsl-text --chain all --300es build/npm/glsl >/dev/null
+	@cp build/wgsl/*.wgsl build/wgsl/manifest.json build/npm/wgsl
 	@cp build/wasm/ssgi.wasm examples/tools/wasm/ssgi.mjs LICENSE build/npm
+	@cp examples/tools/packages/npm.md build/npm/README.md
 	@{ build/glsl-text --types && cat examples/tools/wasm/ssgi.d.ts; } >build/npm/ssgi.d.ts
 	@sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/package.json >build/npm/package.json
 	@echo 'build/npm: ssgi $(VERSION)'
@@ -380,9 +388,10 @@ web-test: web-deps
 	echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html && \
 	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs $(ONLY)
 
-# Headless Chromium compiles the WGSL of every text on WebGPU's software adapter and makes pipelines of them.
+# Headless Chromium compiles the WGSL of every text on WebGPU's software adapter, makes pipelines of them, draws chains
+# beside what GL drew of them, and the page of examples/hosts.
 WEBGPU = build/webgpu-test
-webgpu-test: web-deps build/glsl-text
+webgpu-test: web-deps build/glsl-text build/capture
 	@lacks=; for p in node npm glslangValidator; do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; \
 	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
 	rm -rf $(WEBGPU) && mkdir -p $(WEBGPU) && echo '<!doctype html><link rel="icon" href="data:,">' >$(WEBGPU)/empty.html && \

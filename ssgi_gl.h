@@ -3092,7 +3092,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    b = vec4(floor(b.xy / block), ceil(b.zw / block));\n"
     "    if (b.x >= b.z || b.y >= b.w) return vec4(0.0);\n"
     "    // hashed: round-robin would correlate with the tessellation order\n"
-    "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0);\n"
+    "    int mask = (1 << uint(l)) - 1, seed = int(turned.w * 16777216.0);\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
     "    vec2 corner = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
     "#if enlarge\n"
@@ -3599,8 +3599,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (ssgi_occluder_moved(ivec2(floor(s * reach * way + 0.5)), h, P, n, along, image)) moved = 1.0;\n"
     "        way = vec2(-way.y, way.x);\n"
     "    }\n"
+    "#if dialect == 450 || dialect == VULKAN\n"
+    "    moved = max(moved, abs(dFdxFine(moved))); // coarse ones may be of one row for both\n"
+    "    return max(moved, abs(dFdyFine(moved))) > 0.0;\n"
+    "#else\n"
     "    moved = max(moved, abs(dFdx(moved)));\n"
     "    return max(moved, abs(dFdy(moved))) > 0.0;\n"
+    "#endif\n"
     "}\n" },
 
 /* A twentieth of the radius from the tangent plane, and a pixel, is as far as blur reaches (ssgi_blur_weight). */

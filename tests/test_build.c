@@ -589,10 +589,23 @@ static void packages(void)
         "import { load } from 'ssgi';\n"
         "import { readFileSync as read } from 'node:fs';\n"
         "import { createRequire } from 'node:module';\n"
-        "const m = createRequire(import.meta.url)('ssgi/manifest.json'), ssgi = await load();\n"
-        "const file = new URL(import.meta.resolve('ssgi/glsl/hsao.300es.frag'));\n"
-        "if (ssgi.version !== m.ssgi || ssgi.text(m.variants.find(v => v.files.frag === 'hsao.300es.frag').desc) !== "
-        "read(file, 'utf8')) throw new Error('the package disagrees with itself');\n";
+        "const require = createRequire(import.meta.url), ssgi = await load();\n"
+        "const gl = require('ssgi/manifest.json'), gpu = require('ssgi/wgsl/manifest.json');\n"
+        "const text = name => read(new URL(import.meta.resolve(`ssgi/${name}`)), 'utf8');\n"
+        "const check = (ok, what) => { if (!ok) throw new Error(`the package disagrees with itself: ${what}`); };\n"
+        "check(ssgi.version === gl.ssgi && gl.chains.length > 30 && gpu.chains.length > 30, 'chains');\n"
+        "for (const { name, chain, steps } of gl.chains) {\n"
+        "    const desc = { ...chain.desc, dialect: '300ES' }, lights = { ...chain.lights, dialect: '300ES' };\n"
+        "    const drawn = ssgi.steps({ ...chain, desc, ...chain.lights && { lights }, width: 64, height: 64 });\n"
+        "    check(drawn.length === steps.length, name);\n"
+        "    for (const [i, { files }] of steps.entries())\n"
+        "        for (const stage in files)\n"
+        "            check(ssgi.text(drawn[i].desc, stage) === text(`glsl/${files[stage]}`), files[stage]);\n"
+        "}\n"
+        "for (const { steps } of gpu.chains)\n"
+        "    for (const { files } of steps)\n"
+        "        for (const [stage, word] of [['vert', '@vertex'], ['frag', '@fragment']])\n"
+        "            check(text(`wgsl/${files[stage]}.wgsl`).includes(word), files[stage]);\n";
     char text[4000];
     CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' install DESTDIR='%s/to' PREFIX=/usr", getenv("PWD"),
                  folder), "%s", text);
@@ -612,7 +625,10 @@ static void packages(void)
     }
     CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' uninstall DESTDIR='%s/to' PREFIX=/usr && test -z "
                  "\"$(find to -type f)\"", getenv("PWD"), folder), "left behind: %s", text);
-    if (has("clang") & has("wasm-ld") & has("node")) {
+    snprintf(text, sizeof text, "%s/build/tint/twgsl.wasm", getenv("PWD"));
+    const int translates = !access(text, R_OK) && has("glslangValidator");
+    if (!translates) t_note("package not tried, without tint: make npm brings it");
+    if (has("clang") & has("wasm-ld") & has("node") & translates) {
         write_text("npm.mjs", script);
         CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' npm && mkdir node_modules && ln -s '%s/build/npm' "
                      "node_modules/ssgi && node npm.mjs", getenv("PWD"), getenv("PWD")), "%s", text);

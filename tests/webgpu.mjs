@@ -1,25 +1,37 @@
-/* webgpu.mjs - make webgpu-test: what a browser says of the WGSL that make glsl WGSL=1 makes. The tint that translates
-   lets pass what browsers refuse: words that WGSL reserves.
+/* webgpu.mjs - make webgpu-test: WGSL in a browser. Every text that make glsl WGSL=1 makes becomes a module and, with
+   its other stage, a pipeline (the tint that translates lets pass what browsers refuse: words that WGSL reserves);
+   chains draw what tests/capture.c took from GL; examples/hosts/webgpu.html draws out of what npm pack makes.
    node tests/webgpu.mjs [WORD OF A TEST], from the repository's root; the texts lie in build/webgpu-test. */
-import { readdirSync, readFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
 import { check, end, launch, note, run, serve, skip } from './web-kit.mjs';
 
-const folder = 'build/webgpu-test/glsl', ending = '.wgsl';
+const top = 'build/webgpu-test', folder = `${top}/glsl`, ending = '.wgsl';
 const names = readdirSync(folder).filter(name => name.endsWith(ending));
-const { rows, row_lists, variants } = JSON.parse(readFileSync(`${folder}/manifest.json`, 'utf8'));
+const manifest = JSON.parse(readFileSync(`${folder}/manifest.json`, 'utf8'));
+const { rows, row_lists, variants, chains } = manifest;
 const programs = variants.filter(({ files: { vert, frag, tesc } }) => vert && frag && !tesc)
     .map(({ files, rows: list }) => ({ vert: files.vert + ending, frag: files.frag + ending,
                                        rows: row_lists[list].map(i => rows[i]) }));
+const steps = chains.flatMap(chain => chain.steps.map(({ files, ...step }, i) =>
+    ({ ...step, chain, name: `${chain.name}, step ${i + 1}`, vert: files.vert + ending, frag: files.frag + ending })));
 await run('every program has its two texts', () => {
-    const lacking = programs.flatMap(({ vert, frag }) => [vert, frag]).filter(name => !names.includes(name));
-    check(programs.length > 200 && !lacking.length, `${programs.length} programs lack ${lacking.join(' ')}`);
+    const needed = [...programs, ...steps].flatMap(({ vert, frag }) => [vert, frag]);
+    const lacking = needed.filter(name => !names.includes(name));
+    check(programs.length > 200 && steps.length > 100 && !lacking.length,
+          `${programs.length} programs, ${steps.length} steps lack ${lacking.join(' ')}`);
 });
 
-const browser = await launch('--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader');
+const browser = await launch('--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan',
+                             '--use-vulkan=swiftshader', '--use-angle=swiftshader', '--enable-unsafe-swiftshader');
 const page = await browser.newPage();
-await page.goto(`${await serve('build/webgpu-test')}/empty.html`);
+const address = await serve(top);
+copyFileSync('tests/webgpu-replay.mjs', `${top}/replay.mjs`);
+await page.goto(`${address}/empty.html`);
 const adapter = await page.evaluate(async () => {
-    const adapter = await navigator.gpu?.requestAdapter(), device = await adapter?.requestDevice();
+    const adapter = await navigator.gpu?.requestAdapter();
+    const features = ['float32-blendable'].filter(feature => adapter?.features.has(feature));
+    const device = await adapter?.requestDevice({ requiredFeatures: features });
     if (!device) return navigator.gpu ? 'no adapter for WebGPU, not even SwiftShader' : 'no WebGPU in this browser';
     globalThis.device = device;
     return { vendor: adapter.info.vendor, architecture: adapter.info.architecture };
@@ -38,7 +50,7 @@ const said = new Map(await page.evaluate(async names => {
     }));
 }, names));
 
-const passOf = name => name.split('.')[0];
+const passOf = name => /^[^.]+\.\d+-(\w+)/.exec(name)?.[1] ?? name.split('.')[0];
 for (const pass of new Set(names.map(passOf)))
     await run(`every text of ${pass} is a module`, () => {
         const texts = names.filter(name => passOf(name) === pass);
@@ -67,6 +79,101 @@ await run('both stages of every program make a pipeline', async () => {
     }, sound);
     note(`${sound.length} programs, ${programs.length - sound.length} left out with a module that is refused`);
     check(!wrong.length, wrong.join('\n'));
+});
+
+await run('every step of every chain makes a pipeline of its formats, blending and constants', async () => {
+    const wrong = await page.evaluate(async (manifest, steps) => {
+        const { pipelineOf } = await import('./replay.mjs');
+        return (await Promise.all(steps.map(step => device.createRenderPipelineAsync({
+            layout: 'auto', ...pipelineOf(manifest, step.chain, step, { vert: modules.get(step.vert),
+                                                                         frag: modules.get(step.frag) })
+        }).then(() => null, e => `${step.name}: ${e.message}`)))).filter(Boolean);
+    }, manifest, steps);
+    note(`${steps.length} steps of ${chains.length} chains`);
+    check(!wrong.length, wrong.join('\n'));
+});
+
+/* ---- draws, beside GL's */
+
+/* What tests/capture.c takes: a folder; its arguments. */
+const captures = {
+    hsao: ['room', 'hsao', 'set', 'half=0'],
+    half: ['room', 'hsao'],
+    few: ['room', 'hsao', 'set', 'half=0,steps=6'],
+    ssdo: ['room', 'ssdo', 'set', 'half=0'],
+    s3ho: ['room', 's3ho', 'set', 'half=0'],
+    history: ['room', 'hsao', 'set', 'half=0,history=1', 'frames', '5'],
+    aof: ['casters', 'aof', 'set', 'occluders=all,resolution=4,rays=16'],
+    dss: ['casters', 'dss']
+};
+const most = 0.0005;
+
+function capture(name) {
+    const to = `${top}/captured/${name}`;
+    if (existsSync(`${to}/capture.json`)) return;
+    mkdirSync(`${top}/captured`, { recursive: true });
+    execFileSync('build/capture', [to, ...captures[name]]);
+    execFileSync('sh', ['examples/tools/glsl/translate.sh', to, 'wgsl']);
+}
+
+const draws = [['hsao'], ['hsao, at half size', 'half'], ['ssdo with its bounce', 'ssdo'], ['s3ho'],
+               ['history, the camera turning', 'history'], ['aof'], ['dss', 'dss'],
+               ['hsao of 6 steps, by texts of 10 and a constant', 'few', 'hsao']];
+for (const [what, name = what, texts = name] of draws)
+    await run(`${what}: the picture is GL's`, async () => {
+        [name, texts].forEach(capture);
+        const differs = await page.evaluate(async (name, texts) => {
+            device.pushErrorScope('validation');
+            const { replay } = await import('./replay.mjs');
+            const found = await replay(device, `captured/${name}`, `captured/${texts}`);
+            const error = await device.popErrorScope();
+            if (error) throw new Error(error.message);
+            return found;
+        }, name, texts);
+        note(`RMSE ${differs.map(rmse => rmse.toExponential(1)).join(' ')}`);
+        check(differs.length && differs.every(rmse => rmse < most), `RMSE ${differs.join(' ')}`);
+    });
+
+/* ---- the page */
+
+await run('examples/hosts/webgpu.html draws hsao out of npm pack', async () => {
+    const to = `${top}/page`;
+    execFileSync('make', ['-s', 'npm'], { stdio: ['ignore', 'ignore', 'inherit'],
+                                          env: { ...process.env, MAKEFLAGS: '' } });
+    mkdirSync(to, { recursive: true });
+    const npm = (...words) =>
+        execFileSync('npm', [...words, '--silent', '--no-audit', '--no-fund'], { cwd: to }).toString();
+    const packed = npm('pack', '../../npm').trim();
+    npm('install', '--no-save', `./${packed}`);
+    copyFileSync('examples/hosts/webgpu.html', `${to}/index.html`);
+    const said = [], host = await browser.newPage();
+    host.on('console', line => said.push(line.text()));
+    host.on('pageerror', error => said.push(error.message));
+    await host.evaluateOnNewDocument(() => {        /* the canvas holds its picture until the page's script ends */
+        const { submit } = GPUQueue.prototype;
+        GPUQueue.prototype.submit = function (buffers) {
+            submit.call(this, buffers);
+            globalThis.picture ??= document.querySelector('canvas').toDataURL();
+        };
+    });
+    await host.goto(`${address}/page/`);
+    await host.waitForFunction(() => globalThis.picture, { timeout: 30000 }).catch(() => said.push('nothing is drawn'));
+    const grey = await host.evaluate(async () => {
+        const image = new Image(), canvas = document.createElement('canvas'), context = canvas.getContext('2d');
+        image.src = globalThis.picture ?? '';
+        await image.decode();
+        [canvas.width, canvas.height] = [image.width, image.height];
+        context.drawImage(image, 0, 0);
+        return Array.from(context.getImageData(0, 0, image.width, image.height).data.filter((_, i) => i % 4 === 0));
+    }).catch(() => []);
+    const mean = grey.reduce((sum, value) => sum + value, 0) / grey.length / 255;
+    const at = (x, y) => grey[960 * y + x] / 255;
+    note(`${packed}: mean ${mean.toFixed(3)}`);
+    check(!said.length && grey.length === 960 * 540, `${grey.length} pixels; ${said.join('; ')}`);
+    check(mean > 0.9 && mean < 0.99, `mean ${mean}`);
+    check(at(480, 67) > 0.97 && at(40, 500) > 0.97, `not open: wall ${at(480, 67)}, floor ${at(40, 500)}`);
+    check(at(600, 473) < 0.7 && at(445, 448) < 0.7, `below spheres ${at(600, 473)}, ${at(445, 448)}`);
+    await host.close();
 });
 
 const reserved = names.flatMap(name => said.get(name).map(line => /'(\w+)' is a reserved keyword/.exec(line)?.[1]))

@@ -2,7 +2,7 @@
 # translate.sh FOLDER TARGET.. - other languages from the texts of dialect vulkan that make glsl wrote into FOLDER.
 #
 #   spv     FOLDER/hsao.vulkan.frag.spv ..: SPIR-V for Vulkan, of every stage, by glslangValidator
-#   wgsl    FOLDER/hsao.vulkan.frag.wgsl ..: by tint, out of an npm package
+#   wgsl    FOLDER/hsao.vulkan.frag.wgsl ..: by tint, out of an npm package; compact: without names of most variables
 #   hlsl    by spirv-cross: shader model 5.0, register t4 is binding 4
 #   msl     by spirv-cross: Metal 2.1, texture(4) is binding 4
 #
@@ -18,9 +18,24 @@ has() {                                     # TOOL HOW
 }
 
 # glslangValidator into a folder, a file a text: one call could take no more than one program.
-compile() {                                 # TO
-    xargs -P 2 -I{} sh -c 'glslangValidator -V "$1" -o "$2/$(basename "$1").spv" >"$2/log.$$" || cat "$2/log.$$" >&2
-                           rm -f "$2/log.$$"' sh {} "$1"
+compile() {                                 # TO FLAGS
+    xargs -P 2 -I{} sh -c 'glslangValidator -V $3 "$1" -o "$2/$(basename "$1").spv" >"$2/log.$$" || cat "$2/log.$$" >&2
+                           rm -f "$2/log.$$"' sh {} "$1" "$2"
+}
+
+# The vertex and fragment stages with y up, compiled into a folder, once.
+turn() {                                    # TO FLAGS
+    [ ! -e "$1" ] || return 0
+    mkdir "$1"
+    for f in "$folder"/*.vulkan.*vert "$folder"/*.vulkan.*frag; do
+        case $f in
+            *.frag) cp "$f" "$work" ;;
+            *) grep -q gl_Position "$f" && sed 's/^\( *\)gl_Position = .*;$/&\n\1gl_Position.y = -gl_Position.y;/' \
+                   "$f" >"$work/$(basename "$f")" ;;            # else tessellation follows, which these have not
+        esac
+    done
+    ls "$work"/*.vert "$work"/*.frag | compile "$1" "$2"
+    of=$(ls "$work"/*.vert "$work"/*.frag | wc -l)
 }
 
 count() {                                   # NAME ENDING OF
@@ -34,18 +49,6 @@ status=0
 has glslangValidator 'apt-get install glslang-tools'
 for target in "$@"; do
     rm -f "$folder"/*.vulkan.*."$target"
-    if [ "$target" != spv ] && [ ! -e "$work/up" ]; then
-        mkdir "$work/up"
-        for f in "$folder"/*.vulkan.*vert "$folder"/*.vulkan.*frag; do
-            case $f in
-                *.frag) cp "$f" "$work" ;;
-                *) grep -q gl_Position "$f" && sed 's/^\( *\)gl_Position = .*;$/&\n\1gl_Position.y = -gl_Position.y;/' \
-                       "$f" >"$work/$(basename "$f")" ;;        # else tessellation follows, which these have not
-            esac
-        done
-        ls "$work"/*.vert "$work"/*.frag | compile "$work/up"
-        of=$(ls "$work"/*.vert "$work"/*.frag | wc -l)
-    fi
     case $target in
         spv)
             ls "$folder"/*.vulkan.*vert "$folder"/*.vulkan.*frag "$folder"/*.vulkan.*tes[ce] "$folder"/*.vulkan.*geom \
@@ -62,12 +65,14 @@ for target in "$@"; do
                         mv twgsl.js twgsl.cjs && rm babylonjs-core-9.31.0.tgz) ||
                     { echo 'translate: npm cannot bring @babylonjs/core@9.31.0, which has tint' >&2; exit 2; }
             fi
-            (cd "$work/up" && ls *.spv) | (tint=$(realpath "$tint") script=$(realpath "$(dirname "$0")/wgsl.mjs")
-                cd "$work/up" && xargs node "$script" "$tint")
-            mv "$work"/up/*.wgsl "$folder"
+            turn "$work/small" -Os
+            (cd "$work/small" && ls *.spv) | (tint=$(realpath "$tint") script=$(realpath "$(dirname "$0")/wgsl.mjs")
+                cd "$work/small" && xargs node "$script" "$tint")
+            mv "$work"/small/*.wgsl "$folder"
             count WGSL wgsl "$of" ;;
         hlsl|msl)
             has spirv-cross 'apt-get install spirv-cross'
+            turn "$work/up"
             how='--msl --msl-version 20100 --msl-decoration-binding'
             [ "$target" = msl ] || how='--hlsl --shader-model 50'
             for f in "$work"/up/*.spv; do

@@ -6,6 +6,10 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 
+/* Less what the rest says as well: layout, offsets of members that follow from their types, types of values. */
+const compact = text => text.replace(/^ *\/\* @offset\(\d+\) \*\/\n/gm, '').replace(/^\s+/gm, '')
+    .replace(/^let (\w+) : .*? = /gm, 'let $1 = ');
+
 const [tint, ...files] = process.argv.slice(2), said = [];
 console.log = console.warn = console.error = line => said.push(line);        /* where tint complains */
 const twgsl = await createRequire(import.meta.url)(resolve(`${tint}.cjs`))(resolve(`${tint}.wasm`));
@@ -15,5 +19,5 @@ for (const file of files) {
     if (said.length || !/@(vertex|fragment)\s+fn main/.test(text)) {         /* text: of the last that was none worse */
         process.stderr.write(`${file}: tint: ${said.join(' ').replace(/\s+/g, ' ') || 'no text'}\n`);
         process.exitCode = 1;
-    } else writeFileSync(file.replace(/\.spv$/, '.wgsl'), text);
+    } else writeFileSync(file.replace(/\.spv$/, '.wgsl'), compact(text));
 }
