@@ -2,7 +2,7 @@
    its other stage, a pipeline (the tint that translates lets pass what browsers refuse: words that WGSL reserves);
    chains draw what tests/capture.c took from GL; examples/hosts/webgpu.html draws out of what npm pack makes.
    node tests/webgpu.mjs [WORD OF A TEST], from the repository's root; the texts lie in build/webgpu-test. */
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
 import { check, end, launch, note, run, serve, skip } from './web-kit.mjs';
 
@@ -136,7 +136,9 @@ for (const [what, name = what, texts = name] of draws)
 
 /* ---- the page */
 
-await run('examples/hosts/webgpu.html draws hsao out of npm pack', async () => {
+const has = program => spawnSync('sh', ['-c', `command -v ${program}`]).status === 0;
+if (!has('clang') || !has('wasm-ld')) console.log('skipped: examples/hosts/webgpu.html: no clang or wasm-ld');
+else await run('examples/hosts/webgpu.html draws hsao out of npm pack', async () => {
     const to = `${top}/page`;
     execFileSync('make', ['-s', 'npm'], { stdio: ['ignore', 'ignore', 'inherit'],
                                           env: { ...process.env, MAKEFLAGS: '' } });
