@@ -3473,6 +3473,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_FORGOTTEN", __LINE__ + 1,
     "const float SSGI_FORGOTTEN = 0.85;\n" },
 
+/* Interpolation blurs once a frame: of 16 frames 4 are kept where a place lies midway between two texels. */
+{ "SSGI_BLURRED", __LINE__ + 1,
+    "const float SSGI_BLURRED = 12.0;\n" },
+
 { "ssgi_finite", __LINE__ + 1,
     "// no NaN, nothing beyond 1e9; by the bits, since compilers turn !(a < b) into a >= b\n"
     "bool ssgi_finite(vec4 v) {\n"
@@ -3517,22 +3521,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_last", __LINE__ + 1,
-    "struct ssgi_last { // the last frame's texel that shows this surface\n"
-    "    vec3 off; // from its place, in texels; z: 0: there is none\n"
+    "struct ssgi_last { // what the last frame knows of this surface\n"
+    "    float known; // weight of the texels that do; below 0.25: 0\n"
+    "    float blurred; // by interpolation, 0 .. 0.5\n"
     "    vec4 light, means;\n"
     "};\n" },
 
 /* A texel shows P's plane if it is within the slack of it: half a footprint and a thousandth of the depth, which the
-   rounding of 16-bit depths takes. nearest: squared, in texels, how far off it may have been. */
+   rounding of 16-bit depths takes. A hundredth of a texel decides nothing: the nearest texel alone does. */
 { "ssgi_last_of", __LINE__ + 1,
-    "// Reprojects P: the closer of two texels of the last frame that shows P's plane and holds finite values, and\n"
-    "// its offset in texels. Interpolation would blur over frames: that texel is kept whole and its offset is\n"
-    "// carried along, in sixteenths of a texel, as x * 32 + y.\n"
+    "// Reprojects P: between those of the last frame's four texels around it that show P's plane\n"
     "ssgi_last ssgi_last_of(ivec2 p, vec3 P, vec3 n, ssgi_image image) {\n"
-    "    ssgi_last best = ssgi_last(vec3(0.0), vec4(0.0), vec4(0.0));\n"
+    "    ssgi_last none = ssgi_last(0.0, 0.0, vec4(0.0), vec4(0.0)), sum = none;\n"
     "    vec3 was = ssgi_reproject(P);\n"
-    "    vec2 at = was.xy, carried = vec2(0.0);\n"
-    "    float wide = float(image.wide), footprint = ssgi_footprint(-P.z), nearest = 8.0;\n"
+    "    vec2 at = was.xy;\n"
+    "    float wide = float(image.wide), footprint = ssgi_footprint(-P.z);\n"
     "    vec4 plane = vec4(n, 0.0) * u_ssgi_last_from; // as the last frame's pixels and depth have it\n"
     "    plane.w -= dot(n, P);\n"
     "    float slack = 0.5 * wide * footprint - 0.001 * P.z;\n"
@@ -3543,42 +3546,69 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    at = (at - 0.5) / wide;\n"
     "    bool shown = all(lessThan(abs(2.0 * at - vec2(image.size)), vec2(image.size + 2)));\n"
-    "    if (!shown || !ssgi_finite(vec4(at, was.z, 0.0)) || was.z <= 0.0 || u_ssgi_history <= 1.0) return best;\n"
-    "    for (int k = 0; k < 2; ++k) { // the second: where the first one's offset says\n"
-    "        ivec2 q = clamp(ivec2(floor(at - carried + 0.5)), ivec2(0), image.size - 1);\n"
+    "    if (!shown || !ssgi_finite(vec4(at, was.z, 0.0)) || was.z <= 0.0 || u_ssgi_history <= 1.0) return none;\n"
+    "    vec2 low = floor(at), part = at - low;\n"
+    "    part = clamp(1.02 * part - 0.01, 0.0, 1.0);\n"
+    "    for (int k = 0; k < 4; ++k) {\n"
+    "        ivec2 corner = ivec2(k & 1, k >> 1), q = clamp(ivec2(low) + corner, ivec2(0), image.size - 1);\n"
     "        vec4 t = ssgi_texel(t_ssgi_history, image.first + q), m = texelFetch(t_ssgi_means, image.first + q, 0);\n"
     "        vec4 Q = vec4((vec2(q) * wide + 0.5) * t.w, t.w, 1.0); // #if !orthographic\n"
     "        vec4 Q = vec4(vec2(q) * wide + 0.5, t.w, 1.0); // #if orthographic\n"
-    "        float column = floor(m.w * 0.03125);\n"
-    "        carried = clamp(vec2(column, m.w - 32.0 * column) * 0.0625 - 1.0, -1.0, 1.0);\n"
-    "        vec2 off = vec2(q) - at + carried;\n"
-    "        bool near = abs(dot(plane, Q)) < slack && dot(off, off) < nearest && m.z >= 1.0;\n"
-    "        if (!near || !ssgi_finite(m) || !ssgi_finite(t)) continue;\n"
-    "        nearest = dot(off, off), best = ssgi_last(vec3(off, 1.0), t, m);\n"
+    "        vec2 share = mix(1.0 - part, part, vec2(corner));\n"
+    "        float w = share.x * share.y;\n"
+    "        bool near = abs(dot(plane, Q)) < slack && m.z >= 1.0;\n"
+    "        if (near && w > 0.0) sum.known += w, sum.light += w * t, sum.means += w * m;\n"
     "    }\n"
-    "    return best;\n"
+    "    if (sum.known < 0.25 || !ssgi_finite(sum.light) || !ssgi_finite(sum.means)) return none;\n"
+    "    return ssgi_last(sum.known, dot(part, 1.0 - part), sum.light / sum.known, sum.means / sum.known);\n"
     "}\n" },
 
-/* What is seen at a tap now is looked up in the last frame. Both depths are those of one surface if they differ by less
-   than the slack: half a texel's footprint, ten texels' times how far the last frame's texel lies beside the place, and
-   0.2 % of the depth. If they differ, the nearer surface counts if it occludes P: if its cosine times 1 - distance over
-   radius is above a twentieth. */
+/* Two texels, since one alone may lie behind an edge. What is a 20th of a texel off one counts as there, so that
+   what moved by a pixel before a camera that stands still is seen. */
+{ "ssgi_nearest", __LINE__ + 1,
+    "// of two texels that a place, in texels, lies between, the one of less depth: where, and its depth\n"
+    "vec3 ssgi_nearest(sampler2D t, vec2 at, ssgi_image image) {\n"
+    "    ivec2 a = clamp(ivec2(floor(at + 0.05)), ivec2(0), image.size - 1);\n"
+    "    ivec2 b = clamp(ivec2(floor(at + 0.95)), ivec2(0), image.size - 1);\n"
+    "    float y = ssgi_texel(t, image.first + a).w, z = ssgi_texel(t, image.first + b).w;\n"
+    "    return y < z ? vec3(vec2(a), y) : vec3(vec2(b), z);\n"
+    "}\n" },
+
+{ "ssgi_within", __LINE__ + 1,
+    "bool ssgi_within(vec2 at, ssgi_image image) { // a place of the picture, in texels\n"
+    "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(image.size) - 0.5));\n"
+    "}\n" },
+
+{ "ssgi_occludes", __LINE__ + 1,
+    "bool ssgi_occludes(vec3 Q, vec3 P, vec3 n) { // its cosine times 1 - distance over radius is above a 20th\n"
+    "    Q = (Q - P) / u_ssgi_radius;\n"
+    "    float l = length(Q);\n"
+    "    return dot(n, Q) * (1.0 - l) > 0.05 * l;\n"
+    "}\n" },
+
+/* What is seen at a tap now came if it stood in front of what the last frame saw there. What that saw went if it would
+   stand in front of what is seen where it would be now. A nearer surface that hides or bares it as the camera moves is
+   neither. In front: by half a texel's footprint and 0.2 % of the depth. */
 { "ssgi_occluder_moved", __LINE__ + 1,
     "// Whether depth at a tap, `by` texels off, shows that an occluder of P came or went. along: how far P moved\n"
     "// on its own\n"
     "bool ssgi_occluder_moved(ivec2 by, ivec2 h, vec3 P, vec3 n, vec2 along, ssgi_image image) {\n"
+    "    float wide = float(image.wide), texels = 0.5 * wide + length(along);\n"
     "    ivec2 q = clamp(h + by, ivec2(0), image.size - 1);\n"
     "    vec3 Q = ssgi_position(vec2(q * image.wide) + 0.5, ssgi_now(image.first + q).w), was = ssgi_reproject(Q);\n"
-    "    vec2 at = (was.xy + along - 0.5) / float(image.wide);\n"
-    "    ivec2 r = clamp(ivec2(floor(at + 0.5)), ivec2(0), image.size - 1);\n"
-    "    float e = ssgi_texel(t_ssgi_history, image.first + r).w, nearer = min(e, was.z);\n"
-    "    Q *= min(e / was.z, 1.0); // #if !orthographic\n"
-    "    Q.z += max(was.z - e, 0.0); // #if orthographic\n"
-    "    Q = (Q - P) / u_ssgi_radius;\n"
-    "    // where the last frame's texel is beside the place, slopes differ as well\n"
-    "    float l = length(Q), texels = float(image.wide) * (0.5 + 10.0 * distance(at, vec2(r))) + length(along);\n"
-    "    float slack = texels * ssgi_footprint(nearer) + 0.002 * nearer;\n"
-    "    return abs(e - was.z) > slack && dot(n, Q) * (1.0 - l) > 0.05 * l;\n"
+    "    vec2 at = (was.xy + along - 0.5) / wide;\n"
+    "    vec3 E = ssgi_nearest(t_ssgi_history, at, image);\n"
+    "    float slack = texels * ssgi_footprint(was.z) + 0.002 * was.z;\n"
+    "    if (!ssgi_within(at, image) || abs(E.z - was.z) < slack) return false;\n"
+    "    if (E.z > was.z) return ssgi_occludes(Q, P, n);\n"
+    "    E.xy = E.xy * wide + 0.5 - along;\n"
+    "    E.xy *= E.z; // #if !orthographic\n"
+    "    E = (u_ssgi_last_from * vec4(E, 1.0)).xyz;\n"
+    "    at = (ssgi_project(E) - 0.5) / wide;\n"
+    "    slack = texels * ssgi_footprint(-E.z) - 0.002 * E.z;\n"
+    "    float z = ssgi_nearest(t_ssgi_light, at, image).z; // #if colour == COLOUR\n"
+    "    float z = ssgi_nearest(t_ssgi_ao, at, image).z; // #if colour == GREY\n"
+    "    return ssgi_within(at, image) && ssgi_occludes(E, P, n) && -E.z < z - slack;\n"
     "}\n" },
 
 /* The direction is interleaved gradient noise, as in ssgi_noise; the distance is a second one, independent of it. */
@@ -3636,10 +3666,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    bool moved = ssgi_occluders_moved(h, P, n, image);\n"
     "    o_ssgi_light = now; // #if colour == COLOUR\n"
     "    o_ssgi_ao = now.xw; // #if colour == GREY\n"
-    "    o_ssgi_means = vec4(v, v, 1.0, 528.0); // 528 = 16 * 33: no offset is carried\n"
+    "    o_ssgi_means = vec4(v, v, 1.0, 0.0);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    ssgi_last last = ssgi_last_of(p, P, n, image);\n"
-    "    if (last.off.z > 0.0 && !moved) frames = min(last.means.z + 1.0, u_ssgi_history);\n"
+    "    float most = max(u_ssgi_history / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
+    "    if (last.known > 0.0 && !moved) frames = min(last.means.z + 1.0, most);\n"
     "    vec2 around = ssgi_neighbourhood(h, P, n, image);\n"
     "    float jump = SSGI_JUMP.x * around.y + SSGI_JUMP.y * abs(around.x);\n"
     "    float drift = SSGI_DRIFT.x * around.y + SSGI_DRIFT.y * abs(around.x) + 1e-9;\n"
@@ -3656,8 +3687,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light.xyz = max(average.xyz * (frames > 1.0 ? 1.0 + by / mean : 1.0), 0.0);\n"
     "#endif\n"
     "    o_ssgi_ao.x = clamp(average.x + by, 0.0, 1.0); // #if colour == GREY\n"
-    "    vec2 off = clamp(floor(last.off.xy * (16.0 - 16.0 / frames) + 16.5), 0.0, 31.0);\n"
-    "    o_ssgi_means = vec4(quick, mean + by, frames, dot(off, vec2(32.0, 1.0)));\n"
+    "    o_ssgi_means = vec4(quick, mean + by, frames, 0.0);\n"
     "}\n" },
 
 { "main_triangle", __LINE__ + 1,

@@ -1352,66 +1352,74 @@ static int follows_itself(ssgi_view *view, ssgi_gl_frame *frame, float radius, f
         && CHECK(ssgi_gl_frame_history(frame, view, now, last, &why) == SSGI_OK, "%s", why);
 }
 
-/* An offset that no history has written leads no farther than a texel: of a plane that shows a ramp, two texels at most
-   from where it was. */
-static void history_stays_near(void)
+/* What the last frame knows lies between four texels: of a ramp its value at the place, and how much that is blurred. A
+   hundredth of a texel counts as none. */
+static void history_lies_between(void)
 {
     static float map[MANY][4];
+    static const float moved[] = { 0, 0.005f, 0.25f, 0.5f, 0.8f };
     const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1 };
-    ssgi_gl_frame frame;
-    ssgi_view view;
-    int found = 0;
-    if (!follows_itself(&view, &frame, 1, 0)) return;
-    for (int odd = 0; odd < 40; ++odd) {
-        const float offset = odd < 32 ? (float)(16 * odd) * 33 : powf(10, (float)(odd - 30));
-        for (int i = 0; i < MANY; ++i) {                   /* value, depth, frames, offset */
-            const float texel[4] = { (float)(i % SIDE + i / SIDE), 10, 5, offset };
-            memcpy(map[i], texel, sizeof texel);
-        }
+    for (int i = 0; i < MANY; ++i) {                       /* value, depth, frames */
+        const float texel[4] = { (float)(i % SIDE + 2 * (i / SIDE)), 10, 5, 0 };
+        memcpy(map[i], texel, sizeof texel);
+    }
+    for (size_t k = 0; k < sizeof moved / sizeof *moved; ++k) {
+        const double by = fmax(1.02 * (double)moved[k] - 0.01, 0);
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        if (!follows_itself(&view, &frame, 1, moved[k] / 16)) return;
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
         const int went = probe(&d, &frame, texture,
                                "vec3 P = ssgi_position(vec2(texel) + 0.5, 10.0);"
                                "ssgi_last l = ssgi_last_of(texel, P, vec3(0.0, 0.0, 1.0), ssgi_image_of());"
-                               "o = vec4(l.light.x, l.off);");
+                               "o = vec4(l.light.x, l.means.z, l.known, l.blurred);");
         glDeleteTextures(1, &texture);
         if (!went) return;
         for (int i = 0; i < MANY; ++i) {
-            if (!(out[i][3] > 0)) continue;
-            ++found;
-            CHECK(fabsf(out[i][0] - (float)(i % SIDE + i / SIDE)) <= 4, "offset %g: %g from where it was",
-                  (double)offset, (double)out[i][0] - i % SIDE - i / SIDE);
+            if (i % SIDE == SIDE - 1 || i / SIDE == SIDE - 1) continue;
+            NEAR(out[i][0], (double)map[i][0] + 3 * by, 2e-3, "the ramp");
+            NEAR(out[i][1], 5, 1e-4, "frames");
+            NEAR(out[i][2], 1, 1e-4, "known");
+            NEAR(out[i][3], 2 * by * (1 - by), 1e-3, "blurred");
         }
     }
-    CHECK(found > 10 * MANY, "%d texels were found", found);
 }
 
-/* What is carried along is written as far as it goes: beyond the last sixteenth it stays that, in both words. */
-static void history_keeps_offsets(void)
+/* Frames are counted on where the last one shows the same plane: of four texels one alone counts whole. Where a nearer
+   square has come or gone, some of the pixels about it begin anew, and none where nothing did. */
+static void history_tells_what_moved(void)
 {
-    static float now[MANY][2], then[MANY][2], means[MANY][4], got[MANY][4];
-    static const struct { float carried, moved, want; } row[] = {
-        { 1023, -0.45f, 1023 }, { 0, 0.45f, 0 }, { 528, 0, 528 }, { 528 + 33 * 6, 0, 528 + 33 * 5 } };
+    static float depth[2][MANY][2], means[MANY][4], got[MANY][4];
     const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1 };
     const int centre = SIDE / 2 * SIDE + SIDE / 2;
-    for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
+    for (int k = 0; k < 4; ++k) {                          /* one texel of the plane; nothing, came, went */
         ssgi_gl_frame frame;
         ssgi_view view;
-        if (!follows_itself(&view, &frame, 0.01f, row[k].moved / 16)) return;
-        for (int i = 0; i < MANY; ++i) {                   /* of the last frame one texel is of the plane */
-            const float texel[4] = { 0.5f, 0.5f, 5, row[k].carried };
-            now[i][0] = then[i][0] = 0.5f;
-            now[i][1] = 10;
-            then[i][1] = i == centre ? 10 : 50;
+        int anew = 0, counted = 0;
+        if (!follows_itself(&view, &frame, k ? 1 : 0.01f, k ? 0 : 0.25f / 16)) return;
+        for (int i = 0; i < MANY; ++i) {
+            const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2, square = abs(x) < 6 && abs(y) < 6;
+            const float texel[4] = { 0.5f, 0.5f, 5, 0 };
+            depth[0][i][0] = depth[1][i][0] = 0.5f;
+            depth[0][i][1] = k == 2 && square ? 9.6f : 10;
+            depth[1][i][1] = !k ? i == centre ? 10 : 50 : k == 3 && square ? 9.6f : 10;
             memcpy(means[i], texel, sizeof texel);
         }
-        const given t[4] = { { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, now[0]) },
-                             { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RG32F, then[0]) },
+        const given t[4] = { { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, depth[0][0]) },
+                             { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RG32F, depth[1][0]) },
                              { "t_ssgi_means", kit_texture(SIDE, SIDE, GL_RGBA32F, means[0]) },
                              { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, NULL) } };
         if (!pass_drawn(got[0], 1, 4, SIDE, SIDE, &d, &frame, t, 4)) return;
-        CHECK(got[centre][2] == 6 && got[centre][3] == row[k].want, "%g, moved by %g: %g after %g frames, not %g",
-              (double)row[k].carried, (double)row[k].moved, (double)got[centre][3], (double)got[centre][2],
-              (double)row[k].want);
+        for (int i = 0; i < MANY; ++i) {
+            const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2;
+            if (abs(x) < 6 && abs(y) < 6) continue;
+            if (got[i][2] > 1) ++counted; else ++anew;
+        }
+        if (!k) {
+            CHECK(got[centre][2] > 1 && got[centre + 3 * SIDE + 3][2] == 1, "frames of one texel %g, of none %g",
+                  (double)got[centre][2], (double)got[centre + 3 * SIDE + 3][2]);
+        } else CHECK(k == 1 ? !anew : anew > MANY / 20 && counted > MANY / 20, "%s: %d anew, %d counted on",
+                     k == 1 ? "nothing" : k == 2 ? "came" : "went", anew, counted);
         for (int i = 0; i < 4; ++i) glDeleteTextures(1, &t[i].texture);
     }
 }
@@ -1511,8 +1519,8 @@ void test_twins(void)
     RUN("a sphere's bounds in the picture as in C, before and across the near depth", twin_spheres);
     RUN("a triangle's parts are as many as in C, about the near plane, too", twin_parts);
     RUN("levels, counts, radii and shrunk corners of triangles are those of C", twin_tessellation);
-    RUN("an offset that no history has written leads no farther than a texel", history_stays_near);
-    RUN("offsets are carried along, and end at a texel", history_keeps_offsets);
+    RUN("what the last frame knows lies between four texels of its plane", history_lies_between);
+    RUN("frames are counted on, but where an occluder came or went", history_tells_what_moved);
     RUN("the fewer texels a surface has, the farther its mean may be off", history_spreads);
     kit_gl_close();
 }

@@ -4,13 +4,18 @@
       build/stability [--out report] [--quick] [--cause NAME]... [--method NAME]...     stability.html, stability.csv, a
          chart and pictures a cause, a table at the end
 
+      build/stability --moves [--scene NAME]... [--method METHOD[:SETTINGS]]... [--width 320] [--rays 64]     how steady
+         methods are while a camera moves past what stands still: a table
+
    Truth is traced anew each time. Bad input, or a write that fails: one line on stderr, status 2. sweeps.c holds what
    is swept, sweep.c how it is measured, over shot.c's frames; maths.c sweeps the library's maths alone; show.c is what
    all that becomes. */
+#include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
+#include "lab/stability/moves.h"
 #include "lab/stability/show.h"
 #include "lab/stability/sweep.h"
 
@@ -29,10 +34,13 @@ static int write_all(const sweep_options *o, const result *results, const int *s
     for (int k = 0; k < sweeps_causes; ++k)
         if (shown[k] && show_cause(html.file, csv.file, &results[k], o->out, err)) return -1;
     return page_close(&html, o->out, "stability.html", err) || page_close(&csv, o->out, "stability.csv", err)
-                   || page_note(o->out, "stability.txt", o->causes || o->methods ? "part" : o->quick ? "quick" : "full",
-                                o->quick ? "make stability QUICK=1" : "make stability", err)
-               ? -1
-               : 0;
+                || page_note(o->out, "stability.txt",
+                             o->causes || o->methods ? "part"
+                             : o->quick              ? "quick"
+                                                     : "full",
+                             o->quick ? "make stability QUICK=1" : "make stability", err)
+             ? -1
+             : 0;
 }
 
 static int stability(const sweep_options *o, kit_error *err)
@@ -62,13 +70,19 @@ static int parse(sweep_options *o, int argc, char **argv, kit_error *err)
     for (int i = 1; i < argc; ++i) {
         const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
         int k = 0;
-        if (!strcmp(a, "--quick")) { o->quick = 1; continue; }
+        if (!strcmp(a, "--quick")) {
+            o->quick = 1;
+            continue;
+        }
         if (strcmp(a, "--out") && strcmp(a, "--cause") && strcmp(a, "--method"))
             return kit_fail(err, "%s: there is no such argument (--out FOLDER, --quick, --cause NAME, --method NAME)",
                             a);
         if (!v || !*v) return kit_fail(err, "%s: needs a value", a);
         ++i;
-        if (!strcmp(a, "--out")) { o->out = v; continue; }
+        if (!strcmp(a, "--out")) {
+            o->out = v;
+            continue;
+        }
         if (!strcmp(a, "--cause")) {
             while (k < sweeps_causes && strcmp(sweeps_cause[k].name, v)) ++k;
             if (k == sweeps_causes)
@@ -85,12 +99,42 @@ static int parse(sweep_options *o, int argc, char **argv, kit_error *err)
     return 0;
 }
 
+static int parse_moves(moves_options *o, int argc, char **argv, kit_error *err)
+{
+    int scenes = 0, methods = 0;
+    *o = (moves_options){ .width = 320, .rays = 64 };
+    for (int i = 2; i < argc; i += 2) {
+        const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
+        const int scene = !strcmp(a, "--scene"), wide = !strcmp(a, "--width");
+        if (!scene && !wide && strcmp(a, "--method") && strcmp(a, "--rays"))
+            return kit_fail(err,
+                            "--moves %s: there is no such argument (--scene NAME, --method METHOD[:SETTINGS], "
+                            "--width PIXELS, --rays N)",
+                            a);
+        if (!v || !*v) return kit_fail(err, "%s: needs a value", a);
+        if (wide || !strcmp(a, "--rays")) {
+            char *end;
+            const long n = strtol(v, &end, 10);
+            if (*end || n < 16 || n > 4096) return kit_fail(err, "%s %s: must be 16..4096", a, v);
+            *(wide ? &o->width : &o->rays) = (int)n;
+        } else {
+            if ((scene ? scenes : methods) == MOST_MOVES) return kit_fail(err, "%s: at most %d", a, MOST_MOVES);
+            *(scene ? &o->scene[scenes++] : &o->method[methods++]) = v;
+        }
+    }
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
+    const int moving = argc > 1 && !strcmp(argv[1], "--moves");
+    moves_options m;
     sweep_options o;
     kit_error err = { "" };
     kit_streams_open();
-    if (!parse(&o, argc, argv, &err) && !kit_gl_open(NULL, &err) && !stability(&o, &err)) kit_streams_close(&err);
+    if (!(moving ? parse_moves(&m, argc, argv, &err) : parse(&o, argc, argv, &err)) && !kit_gl_open(NULL, &err)
+        && !(moving ? moves(&m, &err) : stability(&o, &err)))
+        kit_streams_close(&err);
     if (*err.text) {
         kit_progress("", 1);
         fprintf(stderr, "stability: %s\n", err.text);
