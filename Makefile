@@ -98,7 +98,7 @@ build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 
 # What sweeps and measures, which make test does as well; and what shows it.
 SWEEP     = lab/measure/picture $(addprefix lab/stability/,sweeps curve shot sweep maths)
-STABILITY = $(SWEEP) lab/stability/moves lab/measure/folder lab/page/page lab/page/svg lab/stability/show lab/stability/stability
+STABILITY = $(SWEEP) lab/measure/folder lab/page/page lab/page/svg $(addprefix lab/stability/,moves show stability)
 build/stability: $(STABILITY:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 

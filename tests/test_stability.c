@@ -9,11 +9,7 @@
    at least that much is there to get wrong. */
 static const struct bounded {
     const char *sentence, *cause;
-
-    struct {
-        const char *label;
-        double least, most;
-    } bound[5];
+    struct { const char *label; double least, most; } bound[5];
 } bounds[] = {
     { "a bare plane stays open at any tilt",
       "tilt",
@@ -45,6 +41,7 @@ static const struct bounded {
       "kept-appear",
       { { "hsao-fast-history", 0.5, 1.1 }, { "hsao-2x10-history", 0.5, 1.1 } } },
     { "over frames: a box that leaves leaves no trail", "kept-trail-jump", { { "hsao-fast-history", 1e-4, 0.01 } } },
+    { "over frames: few pixels hold what was", "kept-held-jump", { { "hsao-history", 1e-5, 0.0025 } } },
     { "over frames: a moving camera flickers little",
       "kept-flicker",
       { { "", 1e-4, 0.01 }, { "hsao-history", 0, 0.0075 }, { "hsao-2x10-history", 0, 0.005 } } },
@@ -65,7 +62,7 @@ static void holds_still(void)
     for (int i = 0; i < 5 && now->bound[i].label; ++i)
         for (int m = 0; m < sweeps_methods; ++m)
             if (!strcmp(sweeps_method[m].label, now->bound[i].label)) o.methods += o.method[m] = 1;
-    cause fewer = sweeps_cause[c]; /* an error hardly sees the truth's noise: far below the bounds */
+    cause fewer = sweeps_cause[c];             /* an error hardly sees the truth's noise: far below the bounds */
     if (fewer.kind != DEVIATION) fewer.rays /= 2;
     if (!CHECK(!sweep(&r, &fewer, &o, now->cause, &err), "%s", err.text)) return;
     for (int i = 0; i < 5 && now->bound[i].label; ++i) {

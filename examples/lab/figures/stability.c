@@ -38,6 +38,8 @@ static const named kept[] = {
     { "kept-light", "a sun turns, 0 to 8 degrees" },
     { "kept-trail-appear", "visibility left of what was: a box appears" },
     { "kept-trail-jump", "the same: a box is elsewhere at once" },
+    { "kept-held-appear", "share of pixels that hold more than 0.05 of it, 320x180: a box appears" },
+    { "kept-held-jump", "the same: a box is elsewhere at once" },
     { "kept-flicker", "deviation over the truth's, 0.1 to 1 pixel a frame" }
 };
 static const char *const sweep_methods[] = { "ssao", "hsao-fast", "hsao", "hsao-back", "hsao-best", "hsao-march",
@@ -110,13 +112,14 @@ static void frames_table(const markdown *m, const csv *c)
     int begun = 0;
     for (int i = 0; i < c->rows; ++i) {
         const char *cause = csv_text(c, i, "cause");
-        const int absolute = !strncmp(cause, "kept-trail", 10) || !strcmp(cause, "kept-flicker");
+        const int absolute = !strncmp(cause, "kept-trail", 10) || !strncmp(cause, "kept-held", 9)
+            || !strcmp(cause, "kept-flicker");
         if (kind_of(c, i) != OVER_FRAMES) continue;
         if (!begun++) {
             markdown_heading(m, "Over frames",
                              "`history = 1`; the worst of each sweep: error over that of the frame alone, in any of "
                              "16\nframes (after a change: 1 to 8 frames later); 160x90. Below 1 history pays. "
-                             "Visibility and deviation are absolute.",
+                             "Visibility, shares and deviation are\nabsolute.",
                              m->stability_note);
             heads(m, kept_methods, COUNT(kept_methods), "");
         }

@@ -24,7 +24,9 @@ static const struct { const char *number, *up, *shown; } kinds[] = {
     [NEWLY] = { "largest error of what is newly seen over that of the frame alone",
                 "error of what is newly seen over that of the frame alone", DIFFERENCE },
     [TRAIL] = { "most of what was that is left", "what was before and is still seen, of ambient visibility",
-                DIFFERENCE }
+                DIFFERENCE },
+    [HELD] = { "most pixels, a share of all, that hold more than 0.05 of what was",
+               "pixels that hold more than 0.05 of what was, a share of all", DIFFERENCE }
 };
 
 static const char *settings_of(const curve *c) { return c->method < 0 ? "" : sweeps_method[c->method].settings; }

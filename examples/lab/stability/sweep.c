@@ -36,18 +36,21 @@ static void only_new(shot *s, const shot *last)
 }
 
 /* How much of what was before is still seen: where the truth has changed, the picture's mean difference from the frame
-   alone, counted toward what was. */
-static double remains(const shot *s, const shot *before, int m)
+   alone, counted toward what was. share: of how many pixels of the picture that is more than HELD_MOST. */
+static const float HELD_MOST = 0.05f;
+static double remains(const shot *s, const shot *before, int m, int share)
 {
     double sum = 0;
-    int count = 0;
+    int count = 0, held = 0;
     for (int i = 0; i < s->frame.width * s->frame.height; ++i) {
         const float now = shot_values(&s->truth[0])[i], was = shot_values(&before->truth[0])[i];
         if (!(s->mask[i] > 0) || !(fabsf(now - was) > 0.05f)) continue;
         const float d = shot_values(&s->picture[m])[i] - shot_values(&s->single[m])[i];
         sum += (double)(was > now ? d : -d);
+        held += (was > now ? d : -d) > HELD_MOST;
         ++count;
     }
+    if (share) return (double)held / (s->frame.width * s->frame.height);
     return count ? sum / count : 0;
 }
 
@@ -192,7 +195,8 @@ static double figure_of(float *map, const shot *shots, int frames, int kind, int
     case ERROR:
     case PRECISION: return apart(m < 0 ? NULL : &s->picture[m], truth_of(shots, frames, kind, m, between), s->mask);
     case NEWLY:     return newly_over_alone(shots, frames, m);
-    case TRAIL:     return remains(s, &shots[CHANGED - 1], m);
+    case TRAIL:     return remains(s, &shots[CHANGED - 1], m, 0);
+    case HELD:      return remains(s, &shots[CHANGED - 1], m, 1);
     case FOLLOWS:   return most_over_alone(shots, 1, frames, m);
     case AFTER:     return most_over_alone(shots, frames - 1, frames, m);
     default:        return flicker_of(map, shots, frames, kind, m, between);
@@ -245,14 +249,14 @@ static int frames_of(const cause *c, double value)
 {
     if (c->kind == ERROR) return 1;
     if (c->kind == PRECISION) return 2;
-    if (c->kind == AFTER || c->kind == TRAIL) return CHANGED + (int)value;
+    if (c->kind == AFTER || c->kind == TRAIL || c->kind == HELD) return CHANGED + (int)value;
     return c->kind == FOLLOWS || c->kind == NEWLY || (c->kind == DEVIATION && c->of == KEPT) ? FRAMES : 4;
 }
 
 /* A curve a method that is swept, and what is beside them; which truths they want. */
 static void curves_of(result *r, const sweep_options *o, int truths[2])
 {
-    static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL, NULL, NULL };
+    static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL, NULL, NULL, NULL };
     const cause *c = r->cause;
     if (beside[c->kind]) curve_new(r, beside[c->kind], BESIDE);
     for (int m = 0; m < sweeps_methods; ++m) {

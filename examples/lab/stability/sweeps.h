@@ -49,8 +49,9 @@ typedef struct look {
 /* How frames become a figure: RMSE to the truth; to the same picture with exact depth; deviation over frames after
    reprojection, less the truth's; second difference over frames; that of light over its mean, less an open
    surface's; with history, RMSE over that of the frame alone, the most of a sequence, so many frames after CHANGED,
-   and, all frames together, where the frame before showed something else; after CHANGED, what is left of what was. */
-enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL };
+   and, all frames together, where the frame before showed something else; after CHANGED, what is left of what was, and
+   the share of pixels where that is more than 0.05. */
+enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL, HELD };
 enum { FRAMES = 16, CHANGED = 8 };
 typedef struct result result;
 typedef struct cause {
