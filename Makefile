@@ -346,12 +346,14 @@ hosts-test: build/render build/rmse web-deps
 # window. What they install lies under build/web-deps; make web-test skips by name what cannot be had.
 WEB      = $(wildcard examples/web/*.html examples/web/*.css examples/web/*.mjs)
 THREE    = build/three.module.js build/three.core.js LICENSE $(addprefix examples/jsm/,controls/OrbitControls.js \
-           loaders/GLTFLoader.js loaders/OBJLoader.js utils/BufferGeometryUtils.js utils/SkeletonUtils.js)
+           $(patsubst %,loaders/%Loader.js,GLTF OBJ MTL DRACO HDR EXR) utils/BufferGeometryUtils.js \
+           utils/SkeletonUtils.js libs/meshopt_decoder.module.js libs/fflate.module.js \
+           libs/draco/gltf/draco_wasm_wrapper.js libs/draco/gltf/draco_decoder.wasm)
 NPM_WEB  = npm install --prefix build/web-deps --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 \
            puppeteer-core@24.43.1
 web: build/web/index.html
 build/web/index.html: $(WEB) build/wasm/ssgi.wasm build/web/three/three.module.js build/web/scenes/scenes.json
-	@cp $(WEB) build/wasm/ssgi.mjs build/wasm/ssgi.wasm LICENSE build/web
+	@cp $(WEB) build/wasm/ssgi.mjs build/wasm/ssgi.wasm LICENSE examples/docs/pictures/page.png build/web
 	@touch $@
 	@echo 'build/web: cd build/web && python3 -m http.server, then http://localhost:8000'
 
@@ -362,15 +364,20 @@ build/web-deps/node_modules/three/package.json:
 	$(NPM_WEB)
 
 build/web/three/three.module.js: build/web-deps/node_modules/three/package.json
-	@mkdir -p $(@D)/controls $(@D)/loaders $(@D)/utils
+	@mkdir -p $(@D)/controls $(@D)/loaders $(@D)/utils $(@D)/libs/draco/gltf
 	@for f in $(THREE); do to=$${f#build/}; cp $(<D)/$$f $(@D)/$${to#examples/jsm/} || exit 1; done
+	@sed -i "s|from 'three'|from '../three.module.js'|" $(@D)/controls/*.js $(@D)/loaders/*.js $(@D)/utils/*.js
 	@touch $@
 
 build/web-scenes: examples/web/scenes.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
-build/web/scenes/scenes.json: build/web-scenes
+# A picture of each scene, where it can be drawn, for the page to choose by.
+THUMB = --method ssdo --env sky --light sun:0.58,0.57,0.58,0.5,0.5,0.4 --size 160x100
+build/web/scenes/scenes.json: build/web-scenes build/render
 	@mkdir -p $(@D)
+	@build/web-scenes --list | while read name from; do \
+	  build/render "$$from" $(THUMB) --out $(@D)/$$name.png >/dev/null 2>&1 || rm -f $(@D)/$$name.png; done
 	@build/web-scenes $(@D)
 
 # Headless Chromium draws what make web made; last line "N passed, N failed". ONLY=address: tests with that word.

@@ -1,5 +1,5 @@
 /* web-hostile.mjs - what the page and the loader are given that is wrong: addresses, models, arguments. For web.mjs. */
-import { behinds, methods, normals, presets, settings, views } from '../examples/web/settings.mjs';
+import { behinds, halves, methods, normals, presets, settings, views } from '../examples/web/settings.mjs';
 import { skies } from '../examples/web/sky.mjs';
 
 /* ---- addresses */
@@ -38,17 +38,21 @@ export function hashes(n, seed) {
 }
 
 /* What is wrong with settings, by other means than they were read; or null. */
-export function unsound(set, { scenes, side, pixels }) {
-    const words = { scene: scenes, sky: Object.keys(skies), view: views, a: Object.keys(methods),
+export function unsound(set, { scenes, sky = false, side, pixels }) {
+    const words = { scene: scenes, sky: [...Object.keys(skies), ...(sky ? ['file'] : [])], view: views,
+                    a: Object.keys(methods),
                     b: [...Object.keys(methods), 'truth', 'off'], p: Object.keys(presets), q: Object.keys(presets),
-                    behind: Object.keys(behinds), normals: Object.keys(normals) };
-    const ranges = { radius: [-2, 2], thickness: [-1, 2], split: [0, 1] };
-    const flags = ['sun', 'history', 'bounce', 'truth'], cam = set.cam.split(',').map(Number);
+                    behind: Object.keys(behinds), normals: Object.keys(normals), half: Object.keys(halves) };
+    const ranges = { radius: [-2, 2], thickness: [-1, 2], split: [0, 1], azimuth: [-180, 180], height: [0, 90],
+                     strength: [0, 4], exposure: [-3, 3], effect: [0, 3], slices: [0, 32], steps: [0, 32],
+                     filter: [-1, 4] };
+    const flags = ['sun', 'history', 'bounce', 'truth', 'moves', 'circle'], cam = set.cam.split(',').map(Number);
     const [width, height] = set.size.split('x').map(Number);
     if (Object.keys(set).sort().join() !== Object.keys(settings).sort().join()) return `has ${Object.keys(set)}`;
     for (const [name, list] of Object.entries(words)) if (!list.includes(set[name])) return `${name}=${set[name]}`;
     for (const [name, [least, most]] of Object.entries(ranges))
         if (!(typeof set[name] === 'number' && set[name] >= least && set[name] <= most)) return `${name}=${set[name]}`;
+    for (const name of ['slices', 'steps', 'filter']) if (!Number.isInteger(set[name])) return `${name}=${set[name]}`;
     for (const name of flags) if (typeof set[name] !== 'boolean') return `${name}=${set[name]}`;
     if (set.cam && !(cam.length === 6 && cam.every(v => Math.abs(v) <= 1e9))) return `cam=${set.cam}`;
     const fits = width >= 16 && height >= 16 && width <= side && height <= side && width * height <= pixels;
@@ -79,6 +83,56 @@ export function indexed(...indices) {
 export const wedge = scale => [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
     .map(at => `v ${at.map(v => v * scale).join(' ')}\n`).join('') + 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n';
 
+/* Of one brightness; rows without run lengths. */
+export function hdr(width, height, value) {
+    const head = new TextEncoder().encode(`#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${height} +X ${width}\n`);
+    const bytes = new Uint8Array(head.length + 4 * width * height);
+    bytes.set(head);
+    for (let i = head.length; i < bytes.length; i += 4) bytes.set([value, value, value, value && 129], i);
+    return bytes;
+}
+
+/* The corners of the wedge and its faces, as the npm packages draco3d 1.5.7 and meshoptimizer 0.22.0 packed them. */
+const packed = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
+const dracoMesh = packed('RFJBQ08CAgEBAAAABAQAAwAAAS8BARAB/wAAAQAJAwAAAgEBAQADAwEQATADAFCCJJEEAAAAAP8DAAAAAAAAAAAAAAAA'
+    + 'AAAAAIA/Cg==');
+const meshoptCorners = packed('oAAAATwAAAD//wE8AAAAfn0AAAEPAAAA//8BDwAAAH59AAABAwAAAP8BAwAAAH4AAAAAAAAAAAAAAAAA'
+    + 'AAAAAAAAAAAAAAAAAAAAAAAAAA==');
+const meshoptFaces = packed('4f4OAhHwBAB2h1ZneKmGZYlomAFpAAA=');
+
+function glb(json, ...parts) {
+    const pad = (bytes, with_) => [...bytes, ...Array(-bytes.length & 3).fill(with_)];
+    const text = pad(new TextEncoder().encode(json), 32), bin = parts.flatMap(part => pad(part, 0));
+    const words = (...all) => [...new Uint8Array(Uint32Array.from(all).buffer)];
+    return Uint8Array.from([...words(0x46546c67, 2, 28 + text.length + bin.length, text.length, 0x4e4f534a), ...text,
+                            ...words(bin.length, 0x4e4942), ...bin]);
+}
+const wedgeAccessors = of => [
+    { ...of(0), componentType: 5126, count: 4, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 1] },
+    { ...of(1), componentType: 5123, count: 12, type: 'SCALAR' }];
+const extension = name => ({ extensionsUsed: [name], extensionsRequired: [name] });
+export const draco = glb(gltf({
+    ...extension('KHR_draco_mesh_compression'),
+    buffers: [{ byteLength: dracoMesh.length }], bufferViews: [{ buffer: 0, byteLength: dracoMesh.length }],
+    accessors: wedgeAccessors(() => ({})),
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1, extensions: {
+        KHR_draco_mesh_compression: { bufferView: 0, attributes: { POSITION: 0 } } } }] }]
+}), dracoMesh);
+const after = meshoptCorners.length + (-meshoptCorners.length & 3);
+const opt = (byteOffset, byteLength, byteStride, count, mode) =>
+    ({ EXT_meshopt_compression: { buffer: 0, byteOffset, byteLength, byteStride, count, mode } });
+export const meshopt = glb(gltf({
+    ...extension('EXT_meshopt_compression'),
+    buffers: [{ byteLength: after + meshoptFaces.length },
+              { byteLength: 72, extensions: { EXT_meshopt_compression: { fallback: true } } }],
+    bufferViews: [{ buffer: 1, byteLength: 48, byteStride: 12,
+                    extensions: opt(0, meshoptCorners.length, 12, 4, 'ATTRIBUTES') },
+                  { buffer: 1, byteOffset: 48, byteLength: 24,
+                    extensions: opt(after, meshoptFaces.length, 2, 12, 'TRIANGLES') }],
+    accessors: wedgeAccessors(bufferView => ({ bufferView })),
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }]
+}), meshoptCorners, meshoptFaces);
+
 export const models = [
     ['empty.obj', '', 'empty.obj: holds no triangles; must hold one at least'],
     ['point.obj', 'v 0 0 0\np 1\n', 'point.obj: holds no triangles; must hold one at least'],
@@ -97,17 +151,25 @@ export const models = [
     ['wide.obj', wedge(1e30), 'wide.obj: spans 1.7e+30 units; must span 0.000001 to 100000000'],
     ['narrow.obj', wedge(1e-20), 'narrow.obj: spans 1.7e-20 units; must span 0.000001 to 100000000'],
     ['index.gltf', indexed(0, 1, 7), 'index.gltf: index 3 is 7; must be below 3, the number of vertices'],
-    ['cut.glb', 'glTF', /^cut\.glb: cannot be read: .+; must be glTF 2\.0, all of it in one file, without Draco/],
+    ['cut.glb', 'glTF', /^cut\.glb: cannot be read: .+; must be glTF 2\.0, dropped with the files that it names$/],
     ['cut.gltf', '{', /^cut\.gltf: cannot be read: .+; must be glTF 2\.0/],
     ['list.gltf', '[]', /^list\.gltf: cannot be read: .+; must be glTF 2\.0/],
     ['old.gltf', '{"asset":{"version":"1.0"}}', /^old\.gltf: cannot be read: .+; must be glTF 2\.0/],
     ['parts.gltf', gltf({ buffers: [{ uri: 'parts.bin', byteLength: 36 }] }),
-     /^parts\.gltf: cannot be read: parts\.bin is another file; must be glTF 2\.0/],
+     /^parts\.gltf: cannot be read: parts\.bin is another file that is not beside it; drop all together; must/],
     ['far.gltf', gltf({ images: [{ uri: 'https://example.com/a.png' }] }),
-     /^far\.gltf: cannot be read: https:\/\/example\.com\/a\.png is another file; must be glTF 2\.0/],
-    ['text.txt', 'hello', 'text.txt: must be .obj, .glb or .gltf'],
-    ['constructor', '', 'constructor: must be .obj, .glb or .gltf'],
-    ['x.__proto__', '', 'x.__proto__: must be .obj, .glb or .gltf']
+     /^far\.gltf: cannot be read: https:\/\/example\.com\/a\.png is another file that is not beside it; drop/],
+    ['text.txt', 'hello', 'text.txt: must be .obj, .glb, .gltf, .hdr or .exr'],
+    ['constructor', '', 'constructor: must be .obj, .glb, .gltf, .hdr or .exr'],
+    ['x.__proto__', '', 'x.__proto__: must be .obj, .glb, .gltf, .hdr or .exr'],
+    ['cut.hdr', '#?RADIANCE\n', /^cut\.hdr: cannot be read: .+; must be a Radiance HDR$/],
+    ['text.hdr', 'hello', /^text\.hdr: cannot be read: .+; must be a Radiance HDR$/],
+    ['text.exr', 'hello', /^text\.exr: cannot be read: .+; must be an OpenEXR$/],
+    ['square.hdr', hdr(8, 8, 128), 'square.hdr: is 8 x 8; must be a latitude-longitude picture, twice as wide as high'],
+    ['black.hdr', hdr(16, 8, 0), 'black.hdr: is black; must send light'],
+    ['bad.glb', draco.slice(0, -40), /^bad\.glb: cannot be read: .+; must be glTF 2\.0/],
+    ['basis.gltf', gltf({ extensionsRequired: ['KHR_texture_basisu'] }),
+     /^basis\.gltf: cannot be read: its pictures are KTX2, which nothing here reads; must/]
 ];
 
 /* ---- arguments of ssgi.mjs: a call, what it says */

@@ -2,17 +2,18 @@
    node tests/web.mjs [WORD OF A TEST], from the repository's root after make web. */
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, statSync, readdirSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { read, write } from '../examples/web/settings.mjs';
 import { check, end, launch, note, rest, run, serve } from './web-kit.mjs';
-import { calls, hashes, indexed, models, unsound, wedge, works } from './web-hostile.mjs';
+import { calls, draco, hashes, hdr, indexed, meshopt, models, unsound, wedge, works } from './web-hostile.mjs';
 
 const browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
                              '--hide-scrollbars');
 const root = await serve('build');
 
 const said = [];                                    /* what consoles said that is wrong */
-async function open(hash, { width = 1280, height = 800, scale = 1, before = null } = {}) {
+async function open(hash, { width = 1280, height = 800, scale = 1, before = null, motion = null } = {}) {
     const page = await browser.newPage();
     page.on('console', m => {
         if (['error', 'warn', 'warning'].includes(m.type())) said.push(`${hash}: ${m.type()}: ${m.text()}`);
@@ -20,6 +21,7 @@ async function open(hash, { width = 1280, height = 800, scale = 1, before = null
     page.on('pageerror', e => said.push(`${hash}: ${e.message}`));
     page.on('requestfailed', r => said.push(`${hash}: ${r.url()}: ${r.failure()?.errorText}`));
     await page.setViewport({ width, height, deviceScaleFactor: scale, isMobile: width < 600, hasTouch: width < 600 });
+    if (motion) await page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: motion }]);
     if (before) await page.evaluateOnNewDocument(before);
     await page.goto(`${root}/web/#${hash}`, { waitUntil: 'domcontentloaded' });
     await page.waitForFunction('globalThis.page && (page.first || page.lacks)', { timeout: 60000 });
@@ -74,6 +76,9 @@ await run('any address is read: sound settings, a sentence for what cannot be ha
         ['radius=', 'radius=: must be a number from -2 to 2'],
         ['p=constructor', 'p=constructor: must be one of FAST, BALANCED, BEST'],
         ['sky=toString', 'sky=toString: must be one of sky, windows, white'],
+        ['sky=file', 'sky=file: must be opened again: a sky of your own is in no address'],
+        ['steps=1.5', 'steps=1.5: must be a whole number from 1 to 32, or 0 for the preset\'s'],
+        ['filter=5', 'filter=5: must be a whole number from 0 to 4, or -1 for the preset\'s'],
         ['scene=file', 'scene=file: must be opened again: a model of your own is in no address'],
         ['cam=1,2,3,1,2,3', 'cam=1,2,3,1,2,3: must be six numbers, an eye and a target elsewhere, -1e9 to 1e9'],
         ['radius=3', 'radius=3: must be a number from -2 to 2'],
@@ -89,7 +94,7 @@ await run('any address is read: sound settings, a sentence for what cannot be ha
 
 /* ---- the page */
 
-const page = await open('size=960x540');
+const page = await open('size=960x540&history=0');
 await run('the page draws', async () => {
     const first = await page.evaluate('page.first');
     note(`first picture after ${(first / 1000).toFixed(2)} s at 960x540`);
@@ -169,10 +174,13 @@ const out = 'build/web-test';
 for (const [scene, hash, words] of [
     ['casters', 'a=hsao', ['hsao']], ['casters', 'a=hsao&p=BEST', ['hsao-best']], ['casters', 'a=ssao', ['ssao']],
     ['casters', 'a=march', ['hsao-march']], ['casters', 'a=hsao&behind=BACK', ['hsao', '--set', 'behind=back']],
+    ['casters', 'a=hsao&behind=SLABS', ['hsao', '--set', 'behind=slabs']],
+    ['casters', 'a=hsao&slices=3&steps=7&half=0&filter=2',
+     ['hsao', '--set', 'directions=3,steps=7,half=0,blur=2']],
     ['plates', 'a=hsao&p=FAST', ['hsao-fast']]])
     await run(`ambient visibility is build/render's: ${scene}, ${words.join(' ')}`, async () => {
         render(scene, '--method', ...words, '--size', '480x270', '--out', `${out}/ao.png`);
-        await go(`scene=${scene}&b=off&size=480x270&${hash}`);
+        await go(`scene=${scene}&b=off&size=480x270&history=0&${hash}`);
         const { rmse, near, least } = await against(`${out}/ao.png`);
         note(`RMSE ${rmse.toFixed(4)}, ${(100 * near).toFixed(1)} % of pixels within 1/255`);
         check(least < 0.8, 'nothing is occluded');
@@ -180,7 +188,7 @@ for (const [scene, hash, words] of [
     });
 /* Both read one G-buffer, which the page drew and which brings its camera and radius. */
 await run('the same of one G-buffer, that of the page: room', async () => {
-    await go('scene=room&b=off&size=480x270');
+    await go('scene=room&b=off&size=480x270&history=0&radius=0');
     const bytes = await page.evaluate(() => {
         const file = page.frame();
         let text = '';
@@ -194,7 +202,7 @@ await run('the same of one G-buffer, that of the page: room', async () => {
                                  ['a=ssao', ['ssao']], ['a=march', ['hsao-march']],
                                  ['a=hsao&normals=FROM_DEPTH', ['hsao', '--set', 'normal=depth']]]) {
         render('--gbuffer', `${out}/frame.exr`, '--method', ...words, '--out', `${out}/ao.png`);
-        await go(`scene=room&b=off&size=480x270&${hash}`);
+        await go(`scene=room&b=off&size=480x270&history=0&radius=0&${hash}`);
         const { rmse } = await against(`${out}/ao.png`);
         found.push(`${words.join(' ')} ${rmse.toFixed(4)}`);
         check(rmse <= 0.006, found.join(', '));
@@ -212,7 +220,7 @@ await run('the truth traced in the page is build/render\'s: the same error of hs
     render('room', '--truth', '64', '--size', '480x270', '--out', `${out}/truth.exr`);
     const told = render('room', '--method', 'hsao', '--size', '480x270', '--score', `${out}/truth.exr`);
     const wanted = +/RMSE ([\d.]+)/.exec(told)[1];
-    await go('b=truth&size=480x270');
+    await go('b=truth&size=480x270&history=0');
     await page.waitForFunction('page.rays() >= 8', { timeout: 60000 });
     const [is, rays] = await page.evaluate('[page.error(0), page.rays()]');
     note(`RMSE ${is.toFixed(4)} by ${rays} rays a pixel, ${wanted.toFixed(4)} by build/render's 64`);
@@ -222,7 +230,7 @@ await run('and of light: the same error of ssdo under the sky', async () => {
     const words = ['casters', '--method', 'ssdo', '--env', 'sky', '--set', 'bounce=none', '--size', '240x136'];
     render(...words, '--truth', '64', '--out', `${out}/truth.exr`);
     const wanted = +/irradiance: RMSE ([\d.]+)/.exec(render(...words, '--score', `${out}/truth.exr`))[1];
-    await go('scene=casters&a=ssdo&b=truth&size=240x136');
+    await go('scene=casters&a=ssdo&b=truth&size=240x136&history=0');
     await page.waitForFunction('page.rays() >= 16', { timeout: 60000 });
     const is = await page.evaluate('page.error(0)');
     note(`RMSE ${is.toFixed(4)}, ${wanted.toFixed(4)} by build/render, noise of its 64 rays and all`);
@@ -260,7 +268,7 @@ await run('the address carries the settings', async () => {
 });
 
 await run('history settles, and lowers the error', async () => {
-    await go('size=320x180&a=hsao&p=FAST&b=truth');
+    await go('size=320x180&a=hsao&p=FAST&b=truth&history=0');
     await page.waitForFunction('page.rays() >= 8', { timeout: 60000 });
     const alone = await page.evaluate('page.error(0)');
     await go('size=320x180&a=hsao&p=FAST&b=truth&history=1');
@@ -272,7 +280,7 @@ await run('history settles, and lowers the error', async () => {
 
 await run('a model of one\'s own is drawn', async () => {
     writeFileSync(`${out}/wedge.obj`, wedge(1));
-    await go('size=320x180&b=off');
+    await go('size=320x180&b=off&history=0');
     await (await page.$('#file')).uploadFile(`${out}/wedge.obj`);
     await page.waitForFunction(`document.querySelector('[name=scene]').value === 'file'`, { timeout: 20000 });
     await rest(500);
@@ -280,8 +288,9 @@ await run('a model of one\'s own is drawn', async () => {
     check(least < 0.9, `nothing is occluded: ${least}`);
 });
 
-/* What is seen: on the canvas, and beside it. */
-const seen = page => page.evaluate(() => {
+/* What is seen: on the canvas at rest, and beside it. */
+const seen = page => page.evaluate(async () => {
+    for (let i = 0; i < 400 && !page.smooth() && page.resting(); ++i) await new Promise(requestAnimationFrame);
     const { elements } = document.getElementById('panel'), notice = document.getElementById('notice');
     const picture = page.picture();
     let opaque = true, sum = 0;
@@ -294,18 +303,24 @@ const seen = page => page.evaluate(() => {
 });
 const same = (a, b) => Object.keys(a).every(key => a[key] === b[key]);
 /* Drops a file onto the page; resolves when it is shown, or what is wrong with it. unread: why it cannot be read. */
-const drop = (page, name, text, unread = null) => page.evaluate(async (name, text, unread) => {
-    const file = new File([text], name), dataTransfer = new DataTransfer(), shown = page.result(0).pixels;
-    const { arrayBuffer } = File.prototype, notice = document.getElementById('notice');
-    if (unread) File.prototype.arrayBuffer = () => Promise.reject(new DOMException(unread, 'NotReadableError'));
-    dataTransfer.items.add(file);
+const drop = (page, name, content, unread = null) => dropAll(page, { [name]: content }, unread);
+const dropAll = (page, contents, unread = null) => page.evaluate(async (files, unread) => {
+    const dataTransfer = new DataTransfer(), loading = document.getElementById('loading');
+    const { stream } = File.prototype, bytes = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
+    const broken = () => new ReadableStream({ pull(c) { c.error(new DOMException(unread, 'NotReadableError')); } });
+    if (unread) File.prototype.stream = broken;
+    for (const [name, text] of files) dataTransfer.items.add(new File([bytes(text)], name));
     dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
-    while (notice.hidden && page.result(0).pixels === shown) await new Promise(requestAnimationFrame);
-    if (unread) File.prototype.arrayBuffer = arrayBuffer;
-}, name, text, unread);
+    const begun = !loading.hidden;
+    while (!loading.hidden) await new Promise(requestAnimationFrame);
+    if (unread) File.prototype.stream = stream;
+    for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame);
+    return begun;
+}, Object.entries(contents).map(([name, content]) => [name, Buffer.from(content).toString('base64')]), unread);
 
 await run('a model that cannot be shown is named with what is wrong; scene and title stay', async () => {
-    for (const begin of [() => go('size=160x90&b=off&scene=cornell'), () => drop(page, 'wedge.obj', wedge(1))]) {
+    for (const begin of [() => go('size=160x90&b=off&scene=cornell&history=0'),
+                         () => drop(page, 'wedge.obj', wedge(1))]) {
         await begin();
         const before = await seen(page);
         check(before.there && !before.notice, `before: ${JSON.stringify(before)}`);
@@ -318,8 +333,8 @@ await run('a model that cannot be shown is named with what is wrong; scene and t
             check(same(after, before), `${name}: ${JSON.stringify([before, after])}`);
         }
     }
-    await go('scene=cornell&size=160x90&b=off');
-    await go('scene=file&size=160x90&b=off');
+    await go('scene=cornell&size=160x90&b=off&history=0');
+    await go('scene=file&size=160x90&b=off&history=0');
     const { title, notice } = await seen(page);
     check(title === 'wedge.obj' && !notice, `the model is not found again: ${title}: ${notice}`);
 });
@@ -340,14 +355,83 @@ await run('a model is drawn alike in any unit, and without the lines beside it',
     note(`mean visibility ${means.map(v => v.toFixed(4)).join(', ')}`);
     check(means[0] < 0.999 && means.every(v => Math.abs(v - means[0]) < 0.001), means.join());
 });
+await run('files that belong together are read together: OBJ, MTL and picture; glTF and BIN; packed GLB', async () => {
+    const begun = said.length, red = 'newmtl red\nKd 1 0 0\n', dot = await page.evaluate(async () => {
+        const canvas = new OffscreenCanvas(4, 4), context = canvas.getContext('2d');
+        context.fillStyle = '#00f';
+        context.fillRect(0, 0, 4, 4);
+        const bytes = new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
+        return btoa(String.fromCharCode(...bytes));
+    });
+    const faces = wedge(1).replace(/f /, 'vt 0 0\nusemtl red\nf '), picture = Buffer.from(dot, 'base64');
+    const bin = JSON.parse(indexed(0, 1, 2)), bytes = Buffer.from(bin.buffers[0].uri.split(',')[1], 'base64');
+    bin.buffers[0].uri = 'some%20parts.bin';
+    const colour = () => page.evaluate(() => {            /* of the middle: the model, not the floor */
+        const all = page.picture(), [width, height] = [160, 90], sum = [0, 0, 0];
+        for (let y = height * 0.45 | 0; y < height * 0.55; ++y)
+            for (let x = width * 0.46 | 0; x < width * 0.52; ++x)
+                for (let c = 0; c < 3; ++c) sum[c] += all[4 * (y * width + x) + c];
+        return sum;
+    });
+    for (const [files, is] of [
+        [{ 'a.obj': `mtllib a.mtl\n${faces}`, 'a.mtl': red }, ([r, g, b]) => r > 1.5 * g && r > 1.5 * b],
+        [{ 'b.mtl': 'newmtl red\nmap_Kd some blue.png\n'.replace('some ', ''), 'blue.png': picture,
+           'b.obj': `mtllib b.mtl\n${faces.replace(/f (\d) (\d) (\d)/g, 'f $1/1 $2/1 $3/1')}` },
+         ([r, g, b]) => b > 1.5 * r && b > 1.5 * g],
+        [{ 'c.gltf': JSON.stringify(bin), 'some parts.bin': bytes }, null],
+        [{ 'd.glb': draco }, null], [{ 'e.glb': meshopt }, null]]) {
+        const name = Object.keys(files).find(name => /obj$|gl/.test(name));
+        await go('size=160x90&b=off&scene=cornell&history=0&a=none');
+        check(await dropAll(page, files), `${name}: nothing says that it is read`);
+        const { title, notice } = await seen(page), found = await colour();
+        check(title === name && !notice, `${title}: ${notice}`);
+        check(!is || is(found), `${name}: ${found}`);
+    }
+    await drop(page, 'grey.obj', `mtllib gone.mtl\n${faces}`);
+    const { title, notice } = await seen(page);
+    check(title === 'grey.obj'
+          && notice === 'grey.obj: gone.mtl is not beside it: drop both together for its materials', notice);
+    check(said.length === begun, said.slice(begun).join('\n'));
+});
+await run('a sky of one\'s own lights the scene, and its truth', async () => {
+    const begun = said.length, blue = Buffer.from(hdr(64, 32, 128)), head = blue.length - 4 * 64 * 32;
+    for (let i = head; i < blue.length; i += 4) blue[i] = blue[i + 1] = 20;
+    await go('size=160x90&b=off&scene=cornell&history=0&a=ssdo&view=ambient&sky=white');
+    await dropAll(page, { 'blue.hdr': blue });
+    const mean = () => page.evaluate(() => {
+        const { pixels } = page.result(0), sum = [0, 0, 0];
+        pixels.forEach((v, i) => { if (i % 4 < 3) sum[i % 4] += v; });
+        return sum;
+    });
+    const [r, g, b] = await mean();
+    check(!(await seen(page)).notice && b > 4 * r && b > 4 * g, `${[r, g, b]}`);
+    await go('size=160x90&b=truth&scene=cornell&history=0&a=ssdo&sky=file');
+    await page.waitForFunction('page.rays() >= 16', { timeout: 60000 });
+    const error = await page.evaluate('page.error(0)');
+    note(`RMSE of ssdo ${error.toFixed(4)}`);
+    check(error > 0.005 && error < 0.2, `${error}`);
+    check(said.length === begun, said.slice(begun).join('\n'));
+    const { loader } = await page.evaluate(async () => {
+        const { exr } = await import('./exr.mjs'), one = new Float32Array(64 * 32).fill(1);
+        const file = exr(64, 32, { R: one, G: one.map(() => 0.1), B: one.map(() => 0.1) });
+        let text = '';
+        for (let i = 0; i < file.length; i += 32768) text += String.fromCharCode(...file.subarray(i, i + 32768));
+        return { loader: btoa(text) };
+    });
+    await go('size=160x90&b=off&scene=cornell&history=0&a=ssdo&view=ambient&sky=white');
+    await dropAll(page, { 'red.exr': Buffer.from(loader, 'base64') });
+    const found = await mean();
+    check(!(await seen(page)).notice && found[0] > 4 * found[1], `${found}: ${(await seen(page)).notice}`);
+});
+
 await run('a scene that does not come leaves the one that is shown', async () => {
-    await go('size=160x90&b=off&scene=cornell');
+    await go('size=160x90&b=off&scene=cornell&history=0');
     const before = await seen(page);
     await page.setRequestInterception(true);
     const cut = request => (request.url().endsWith('slats.bin')
         ? request.respond({ status: 200, body: Buffer.alloc(100) }) : request.continue());
     page.on('request', cut);
-    await page.evaluate(hash => page.go(hash), 'size=160x90&b=off&scene=slats');
+    await page.evaluate(hash => page.go(hash), 'size=160x90&b=off&scene=slats&history=0');
     page.off('request', cut);
     await page.setRequestInterception(false);
     const { notice, ...after } = await seen(page);
@@ -392,6 +476,227 @@ await run('no address stops a page that is loaded with it', async () => {
         check(!!notice === !!wanted, `${hash} says ${notice || 'nothing'}`);
     }
     note(`${all.length} loads`);
+});
+
+/* ---- each control does what it says, at both sizes */
+
+for (const [width, height] of [[1280, 800], [390, 844]])
+    await run(`every control is operated at ${width} x ${height}`, async () => {
+        const begun = said.length, page = await open('size=160x90&history=0&scene=casters&b=off', { width, height });
+        const state = () => page.evaluate(async () => {
+            for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+            const { chain, steps } = page.chain(0), was = globalThis.shown ?? [], is = globalThis.shown = page.picture();
+            let sum = was.length === is.length ? 0 : Infinity;
+            for (let i = 0; i < is.length; ++i) sum += Math.abs(is[i] - (was[i] ?? 0));
+            return { other: sum / is.length, chain, steps, set: { ...page.set } };
+        });
+        const put = (name, value) => page.evaluate(async (name, value) => {
+            const all = [...document.getElementById('panel').elements].filter(e => e.name === name);
+            const control = all.length > 1 ? all.find(e => e.value === value) : all[0];
+            if (!control || control.disabled) throw new Error(`${name}: there is no such control`);
+            if (control.type === 'checkbox' || control.type === 'radio') control.checked = value !== false;
+            else control.value = value;
+            control.dispatchEvent(new Event('input', { bubbles: true }));
+            for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame);
+        }, name, value);
+        const named = await page.evaluate(() => [...document.getElementById('panel').elements].map(e => e.name)
+            .filter(name => Object.hasOwn(page.set, name)));
+        const missing = Object.keys(await page.evaluate('page.set'))
+            .filter(name => !named.includes(name) && !['split', 'cam'].includes(name));
+        check(!missing.length, `no control for ${missing}`);
+        for (const [name, value, seen] of [
+            ['exposure', 1.5, 'picture'], ['effect', 3, 'picture'], ['azimuth', -90, 'picture'],
+            ['height', 80, 'picture'], ['strength', 3, 'picture'], ['sun', false, 'picture'],
+            ['sky', 'windows', 'picture'], ['view', 'ambient', 'picture'], ['radius', 1.5, 'picture'],
+            ['slices', 4, ({ chain }) => chain.desc.directions === 4],
+            ['steps', 3, ({ chain }) => chain.desc.steps === 3],
+            ['half', '0', ({ chain }) => !chain.desc.half],
+            ['filter', 3, ({ chain }) => chain.desc.filter_radius === 3],
+            ['filter', 0, ({ chain, steps }) => !chain.blur && !steps.includes('BLUR')],
+            ['half', '1', ({ chain, steps }) => chain.desc.half && steps.includes('BLUR')],
+            ['behind', 'SLABS', ({ chain }) => chain.desc.thickness === 'SLABS'],
+            ['thickness', 1.7, ({ set }) => set.thickness === 1.7],
+            ['normals', 'FROM_DEPTH', ({ chain }) => chain.desc.normal === 'FROM_DEPTH'],
+            ['p', 'BEST', ({ chain }) => chain.desc.steps === 3],
+            ['history', true, ({ steps }) => steps.includes('HISTORY')],
+            ['a', 'ssdo', ({ chain }) => chain.desc.pass === 'SSDO'],
+            ['bounce', true, ({ chain }) => chain.desc.bounce === 'SOLID_ANGLE'],
+            ['b', 'ssao', ({ set }) => set.b === 'ssao'], ['q', 'FAST', ({ set }) => set.q === 'FAST'],
+            ['scene', 'cornell', ({ set }) => set.scene === 'cornell'],
+            ['size', '480x270', ({ chain }) => chain.width === 480],
+            ['truth', true, ({ set }) => set.truth]]) {
+            await state();
+            await put(name, value);
+            const after = await state();
+            check(seen === 'picture' ? !(after.other < 0.2) : seen(after),
+                  `${name}=${value} does nothing: ${JSON.stringify(after.chain)}`);
+        }
+        await page.evaluate(() => document.getElementById('own').click());
+        const { set } = await state();
+        check(!set.slices && !set.steps && set.filter === -1 && set.half === 'preset', 'the preset stays away');
+        const wide = await page.evaluate(() => [document.documentElement.scrollWidth,
+            ...[...document.querySelectorAll('#panel :is(select, input, button, p)')].filter(e => e.offsetParent)
+                .filter(e => e.getBoundingClientRect().right > innerWidth + 1)
+                .map(e => e.name || e.id || e.textContent)]);
+        check(wide[0] <= width && wide.length === 1, `out of the page: ${wide}`);
+        const small = await page.evaluate(() => [...document.querySelectorAll('#bar button')]
+            .filter(e => e.offsetParent).map(e => e.getBoundingClientRect())
+            .filter(r => r.width < 32 || r.height < 32 || r.right > innerWidth || r.bottom > innerHeight).length);
+        check(small === 0, `${small} buttons over the picture are small or outside`);
+        check(said.length === begun, said.slice(begun).join('\n'));
+        await page.close();
+    });
+
+await run('buttons over the picture and keys', async () => {
+    const begun = said.length, page = await open('size=160x90&history=0&scene=cornell');
+    const text = await page.evaluate(async () => {
+        const saved = [], { click } = HTMLAnchorElement.prototype;
+        HTMLAnchorElement.prototype.click = function () { saved.push([this.download, this.href]); };
+        document.getElementById('png').click();
+        while (!saved.length) await new Promise(requestAnimationFrame);
+        HTMLAnchorElement.prototype.click = click;
+        const image = await createImageBitmap(await (await fetch(saved[0][1])).blob());
+        return `${saved[0][0]} ${image.width}x${image.height}`;
+    });
+    check(text === 'ssgi.png 160x90', text);
+    const is = what => page.evaluate(what);
+    await page.keyboard.press('2');
+    check(await is('page.set.view') === 'ambient', '2');
+    await page.keyboard.press('p');
+    check(await is('!document.getElementById("panel").offsetParent'), 'p');
+    await page.keyboard.press('p');
+    await page.keyboard.type('?');
+    check(await is('document.getElementById("keys").open'), '?');
+    check(await is('document.querySelectorAll("#keys kbd").length') === 11, 'keys that are not listed');
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('m');
+    check(await is('page.set.moves'), 'm');
+    await page.keyboard.press('c');
+    check(await is('page.set.circle'), 'c');
+    await rest(500);
+    await page.mouse.move(300, 300);
+    await page.mouse.down();
+    await page.mouse.up();
+    check(await is('!page.set.circle'), 'a touch does not stop it');
+    await page.click('#whole');
+    await rest(500);
+    check(await is('document.fullscreenElement?.id') === 'picture', 'full screen');
+    await page.keyboard.press('f');
+    await rest(300);
+    check(await is('document.fullscreenElement') === null, 'f');
+    await page.evaluate(() => document.querySelector('#thumbs button[value=room]').click());
+    await page.waitForFunction(`page.set.scene === 'room' && document.getElementById('loading').hidden`);
+    check(said.length === begun, said.slice(begun).join('\n'));
+    await page.close();
+});
+
+await run('the camera circles until it is touched, where it is fast and motion is welcome', async () => {
+    const fast = `{ const { prototype } = WebGL2RenderingContext, all = prototype.getParameter;
+        prototype.getParameter = function (name) { return name === 0x9246 ? 'Some GPU' : all.call(this, name); }; }`;
+    const turns = async (hash, before, motion = 'no-preference') => {
+        const page = await open(hash, { width: 320, height: 300, before, motion });
+        const is = await page.evaluate('page.set.circle');
+        await page.close();
+        return is;
+    };
+    check(await turns('size=64x36', fast), 'it does not');
+    check(!await turns('size=64x36', fast, 'reduce'), 'though motion is unwelcome');
+    check(!await turns('size=64x36', null), 'though it is drawn in software');
+    check(!await turns('size=64x36&cam=1,2,3,0,0,0', fast), 'though the address has a view');
+});
+
+await run('what moves is followed: vectors say where its points were', async () => {
+    const page = await open('size=320x180&scene=casters&moves=1&b=off');
+    await page.waitForFunction(`document.getElementById('rate').textContent.includes('frames/s')`, { timeout: 30000 });
+    const motion = await page.evaluate('page.chain(0).chain.desc.motion');
+    check(motion === 1, 'history does not ask for vectors');
+    const by = await page.evaluate(async () => {
+        for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame);
+        const { stage, show, buffers, size: { width, height }, gl } = page.inside(), { camera, mover } = stage;
+        const vectors = new Float32Array(4 * width * height), framebuffer = gl.createFramebuffer();
+        const texture = show.motion(width, height, buffers, stage.reprojection());
+        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+        gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, vectors);
+        const p = camera.projectionMatrix.elements;
+        const { Z } = show.frame(width, height, buffers, [(p[10] - 1) / p[14], 2 / p[14]]);
+        const { position } = mover.mesh.geometry.attributes, moved = [], its = new Set();
+        const at = (matrix, i) => {                       /* pixels and view depth of a vertex */
+            const v = mover.mesh.position.clone().fromBufferAttribute(position, i).applyMatrix4(matrix)
+                .applyMatrix4(camera.matrixWorldInverse);
+            const depth = -v.z;
+            v.applyMatrix4(camera.projectionMatrix);
+            return [(v.x * 0.5 + 0.5) * width, (v.y * 0.5 + 0.5) * height, depth];
+        };
+        for (let i = 0; i < position.count; ++i) {
+            const [x, y, depth] = at(mover.now, i), [wasX, wasY] = at(mover.before, i);
+            const k = Math.floor(y) * width + Math.floor(x);
+            if (!(x > 0 && x < width && y > 0 && y < height) || Math.abs(Z[k] / depth - 1) > 0.004) continue;
+            its.add(k);
+            moved.push([vectors[4 * k], x - wasX], [vectors[4 * k + 1], y - wasY]);
+        }
+        let still = Infinity;                             /* the farthest corner of the picture shows none of it */
+        for (const k of [0, width - 1, width * (height - 1), width * height - 1])
+            if (Z[k] > 0) still = Math.min(still, Math.hypot(vectors[4 * k], vectors[4 * k + 1]));
+        return { moved, still };
+    });
+    const off = by.moved.map(([is, wanted]) => Math.abs(is - wanted)).sort((a, b) => a - b);
+    const most = Math.max(...by.moved.map(([, wanted]) => Math.abs(wanted)));
+    note(`${by.moved.length / 2} vertices of it, which moved by ${most.toFixed(1)} px at most: off by ${
+        off[off.length >> 1].toFixed(3)} px, nine of ten by less than ${off[off.length * 0.9 | 0].toFixed(3)}`);
+    check(by.moved.length > 200 && most > 0.5, `${by.moved.length} numbers, ${most} px`);
+    check(by.still < 0.02 && off[off.length >> 1] < 0.03 && off[off.length * 0.9 | 0] < 0.2,
+          `what rests moves by ${by.still} px`);
+    await page.close();
+});
+
+/* ---- the C lines */
+
+await run('the C lines compile, and make the chain that is drawn', async () => {
+    const page = await open('size=160x90&history=0'), made = [];
+    for (const hash of ['a=hsao', 'a=hsao&history=1&slices=3&steps=7&half=0&filter=2&behind=SLABS', 'a=ssao&p=BEST',
+                        'a=ssdo&bounce=1&history=1', 'a=march&filter=0&half=0', 'a=s3ho&history=1', 'a=s3ho&p=FAST',
+                        'a=points&behind=BACK&normals=FROM_DEPTH']) {
+        await page.evaluate(h => page.go(h), `size=160x90&history=0&b=off&${hash}`);
+        const { code, chain, list, given } = await page.evaluate(() => ({ code: page.code(0), ...page.chain(0) }));
+        const history = !!chain.history, bands = /coefficients\[(\d+)\]/.exec(code)?.[1];
+        const main = `${code}
+#include <stdio.h>
+int main(void)
+{
+    static ssgi_gl_step steps[STEPS];
+    static const float unit[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    static const float projection[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2002f, 0 };
+    ${bands ? `static const float coefficients[${bands}];` : ''}
+    const char *why = "";
+    ssgi_view view;
+    ssgi_gl_frame frame;
+    const int n = make_steps(steps, ${chain.width}, ${chain.height}, &why);
+    for (int i = 0; i < n; ++i)
+        printf("%s:%dx%d:%llu ", ssgi_gl_pass_name(steps[i].desc.pass), steps[i].width, steps[i].height,
+               (unsigned long long)ssgi_gl_key(&steps[i].desc));
+    if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 160, 90, &why) != SSGI_OK
+        || make_frame(&frame, &view, unit${history ? ', NULL, unit, 0' : ''}${bands ? ', coefficients' : ''}, &why)
+           != SSGI_OK) printf("%s", why);
+    printf("%g %g\\n", (double)frame.radius, (double)frame.thickness);
+    return 0;
+}
+#define SSGI_IMPLEMENTATION
+#define SSGI_GL_IMPLEMENTATION
+#include "ssgi.h"
+#include "ssgi_gl.h"
+`;
+        writeFileSync(`${out}/lines.c`, main);
+        execFileSync('gcc', ['-std=c99', '-Wall', '-Wextra', '-Wpedantic', '-Wconversion', '-Wshadow', '-Werror', '-I.',
+                             `${out}/lines.c`, '-lm', '-o', `${out}/lines`], { stdio: ['ignore', 'ignore', 'pipe'] });
+        const told = execFileSync(`${out}/lines`, { encoding: 'utf8' }).trim().split(' ');
+        const [radius, thickness] = told.splice(-2).map(Number), near = (a, b) => Math.abs(a - b) < 1e-4 * b;
+        check(told.join(' ') === list.join(' '), `${hash}: ${told.join(' ')}\n${list.join(' ')}`);
+        check(near(radius, given[0]) && near(thickness, given[1]), `${hash}: ${radius}, ${thickness}: ${given}`);
+        made.push(told.length);
+    }
+    await page.close();
+    note(`${made.length} chains of ${made.join(', ')} steps, each with the keys of the page's texts`);
 });
 
 /* ---- how it looks, and where there is little */
@@ -456,6 +761,19 @@ await run('what a device lacks is said', async () => {
     check(said.includes('CPU') && ms.every(one => one > 0), `${said}: ${ms}`);
 });
 
+await run('opened as a file it says in a line what to do, and nothing on the console', async () => {
+    const begun = said.length, page = await browser.newPage();
+    page.on('console', m => said.push(`file: ${m.text()}`));
+    page.on('pageerror', e => said.push(`file: ${e.message}`));
+    await page.goto(pathToFileURL(resolve('build/web/index.html')).href);
+    await rest(500);
+    const told = await page.evaluate(() => [document.getElementById('notice').textContent,
+                                            document.getElementById('loading').hidden]);
+    await page.close();
+    check(told[0].includes('python3 -m http.server') && told[1], `${told}`);
+    check(said.length === begun, said.slice(begun).join('\n'));
+});
+
 await run('a tracer that fails is said', async () => {
     const page = await open('size=64x36&b=truth', { before: `globalThis.Worker = class extends Worker {
         postMessage(data) { super.postMessage(data.scene ? { scene: { position: [1], normal: [1] } } : data); } };` });
@@ -466,12 +784,13 @@ await run('a tracer that fails is said', async () => {
 });
 
 await run('the console is silent, the folder small', async () => {
-    const bytes = readdirSync('build/web', { recursive: true }).filter(name => !name.startsWith('scenes'))
+    const bytes = readdirSync('build/web', { recursive: true })
+        .filter(name => !/^scenes|^three.(loaders|libs)/.test(name))
         .reduce((sum, name) => {
             const file = statSync(join('build/web', name));
             return sum + (file.isFile() && file.size);
         }, 0);
-    note(`build/web without its scenes: ${(bytes / 1e6).toFixed(2)} MB`);
+    note(`build/web without its scenes and what reads files: ${(bytes / 1e6).toFixed(2)} MB`);
     check(bytes <= 3e6, `${bytes} bytes`);
     check(!said.length, said.join('\n'));
 });

@@ -1,7 +1,9 @@
-/* model.mjs - reads a scene of make web, or an OBJ or glTF of the visitor's, and looks it over before it is shown. What
-   cannot be shown is thrown as one sentence that names the file. Readers are fetched when they are wanted. */
+/* model.mjs - reads a scene of make web, or files of the visitor's: OBJ or glTF with what lies beside it, a sky as HDR
+   or EXR; and looks them over before they are shown. What cannot be shown is thrown as one sentence that names the
+   file. Readers are fetched when they are wanted. */
 import * as THREE from 'three';
 import { fetchFile } from './fetch.mjs';
+import { skyOf } from './sky.mjs';
 import { lambert } from './stage.mjs';
 
 function fail(sentence) { throw new Error(sentence); }
@@ -22,34 +24,161 @@ export async function readScene(path) {
     return new THREE.Mesh(geometry, lambert({ color: 0xffffff, vertexColors: true }));
 }
 
-/* ---- a file of the visitor's */
+/* ---- files of the visitor's */
 
-const load = which => import(`three/addons/loaders/${which}.js`);
+const load = which => import(`three/addons/${which}.js`);
+const baseOf = path => path.replace(/^.*[/\\]/, '').toLowerCase();
+const kindOf = ({ name }) => /[^.]*$/.exec(name.toLowerCase())[0];
 
-/* Without its lines and points: the loader takes faces of the same object for more of them. */
-async function parseObj(bytes) {
-    const { OBJLoader } = await load('OBJLoader');
-    return new OBJLoader().parse(new TextDecoder().decode(bytes).replace(/^[ \t]*[lp][ \t].*$/gm, ''));
+/* A file's bytes; progress is told the share that is read. */
+async function bytesOf(file, progress) {
+    const bytes = new Uint8Array(file.size), reader = file.stream().getReader();
+    for (let at = 0; ;) {
+        const { done, value } = await reader.read();
+        if (done) break;
+        bytes.set(value, at);
+        progress((at += value.length) / file.size);
+    }
+    return bytes;
 }
+
+/* What lies beside a file, under the names that it has there. */
+class Beside {
+    #files = new Map(); #addresses = [];
+    failed = [];
+
+    constructor(files) { for (const file of files) this.#files.set(baseOf(file.name), file); }
+
+    find(path) {
+        let name = path;
+        try { name = decodeURIComponent(path); } catch { /* as it stands */ }
+        return this.#files.get(baseOf(name)) ?? this.#files.get(baseOf(path));
+    }
+
+    /* Loaders ask it for addresses. */
+    manager() {
+        const manager = new THREE.LoadingManager(), names = new Map();
+        manager.setURLModifier(url => {
+            if (/^(data|blob):/i.test(url)) return url;
+            const file = this.find(url), address = file ? URL.createObjectURL(file) : 'data:,';
+            if (file) this.#addresses.push(address);
+            names.set(address, file?.name);
+            return address;
+        });
+        manager.onError = url => { if (url !== 'data:,') this.failed.push(names.get(url) ?? 'a picture within'); };
+        return manager;
+    }
+    close() { this.#addresses.forEach(address => URL.revokeObjectURL(address)); }
+}
+
+/* ---- OBJ */
+
+function inWorker(bytes) {
+    return new Promise((resolve, reject) => {
+        const worker = new Worker(new URL('reader.mjs', import.meta.url), { type: 'module' });
+        const end = how => value => { worker.terminate(); how(value); };
+        worker.onmessage = ({ data }) => (data.error ? end(reject)(new Error(data.error)) : end(resolve)(data.meshes));
+        worker.onerror = e => end(reject)(new Error(e.message ?? 'its reader failed'));
+        worker.postMessage({ bytes }, [bytes.buffer]);
+    });
+}
+
+/* Of each name in the libraries that are there; notes say which are not. */
+async function materialsOf(text, beside, notes) {
+    const names = [...text.matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t\r]*$/gm)].map(([, name]) => name), all = new Map();
+    if (!names.length) return all;
+    const { MTLLoader } = await load('loaders/MTLLoader');
+    for (const name of names) {
+        const file = beside.find(name), manager = beside.manager();
+        if (!file) { notes.push(`${name} is not beside it: drop both together for its materials`); continue; }
+        const library = await file.text();
+        const pictures = library.matchAll(/^[ \t]*(?:map_Kd|map_Bump|bump|norm)[ \t]+(?:.*[ \t])?(\S+)[ \t\r]*$/gmi);
+        for (const picture of new Set([...pictures].map(([, name]) => name)))
+            if (!beside.find(picture)) notes.push(`${picture} is not beside it: drop all together`);
+        const come = new Promise(done => { manager.onLoad = done; });
+        manager.itemStart('library');                   /* so that the last of its pictures ends it */
+        const made = new MTLLoader(manager).parse(library, '');
+        made.preload();
+        manager.itemEnd('library');
+        await come;
+        for (const [id, material] of Object.entries(made.materials)) {
+            if (material.map && !material.map.image?.width) material.map = null;
+            all.set(id, material);
+        }
+    }
+    return all;
+}
+
+async function parseObj(bytes, beside, notes) {
+    /* its materials are named by lines of their own, which the head of a large file has */
+    const text = new TextDecoder().decode(bytes.subarray(0, 1 << 20));
+    const materials = await materialsOf(text, beside, notes), model = new THREE.Group();
+    const own = ({ name, vertexColors }) => Object.assign(
+        (materials.get(name) ?? new THREE.MeshLambertMaterial({ color: 0xcccccc })).clone(), { vertexColors });
+    for (const { attributes, groups, materials: named, many } of await inWorker(bytes)) {
+        const geometry = new THREE.BufferGeometry();
+        for (const { name, array, itemSize } of attributes)
+            geometry.setAttribute(name, new THREE.BufferAttribute(array, itemSize));
+        geometry.groups = groups;
+        model.add(new THREE.Mesh(geometry, many ? named.map(own) : own(named[0])));
+    }
+    return model;
+}
+
+/* ---- glTF */
 
 /* The JSON of a .gltf, or of a .glb, whose first chunk it is. */
 function gltfText(bytes) {
-    const view = new DataView(bytes), binary = bytes.byteLength >= 20 && view.getUint32(0, true) === 0x46546c67;
-    return new TextDecoder().decode(binary ? new Uint8Array(bytes, 20, view.getUint32(12, true)) : bytes);
+    const view = new DataView(bytes.buffer), binary = bytes.length >= 20 && view.getUint32(0, true) === 0x46546c67;
+    return new TextDecoder().decode(binary ? bytes.subarray(20, 20 + view.getUint32(12, true)) : bytes);
 }
 
-/* Other files are not looked for: a name in this one would fetch what lies there on the server. */
-async function parseGltf(bytes) {
-    const { buffers = [], images = [] } = JSON.parse(gltfText(bytes));
-    const elsewhere = [...buffers, ...images].find(({ uri }) => uri !== undefined && !/^data:/i.test(uri));
-    if (elsewhere) fail(`${elsewhere.uri} is another file`);
-    const { GLTFLoader } = await load('GLTFLoader');
-    return (await new GLTFLoader().parseAsync(bytes, '')).scene;
+/* Files that were not dropped are not looked for: a name in this one would fetch what lies there on the server. */
+async function parseGltf(bytes, beside) {
+    const { buffers = [], images = [], extensionsRequired = [], extensionsUsed = [] } = JSON.parse(gltfText(bytes));
+    const away = [...buffers, ...images].map(({ uri }) => uri)
+        .find(uri => uri !== undefined && !/^data:/i.test(uri) && (/^\w+:/.test(uri) || !beside.find(uri)));
+    if (away) fail(`${away} is another file that is not beside it; drop all together`);
+    if (extensionsRequired.includes('KHR_texture_basisu')) fail('its pictures are KTX2, which nothing here reads');
+    const { GLTFLoader } = await load('loaders/GLTFLoader'), loader = new GLTFLoader(beside.manager());
+    let draco = null;
+    if (extensionsUsed.includes('KHR_draco_mesh_compression')) {
+        const { DRACOLoader } = await load('loaders/DRACOLoader');
+        draco = new DRACOLoader().setDecoderPath(new URL('three/libs/draco/gltf/', import.meta.url).href);
+        loader.setDRACOLoader(draco);
+    }
+    if (extensionsUsed.some(name => /_meshopt_compression$/.test(name)))
+        loader.setMeshoptDecoder((await load('libs/meshopt_decoder.module')).MeshoptDecoder);
+    try { return (await loader.parseAsync(bytes.buffer, '')).scene; } finally { draco?.dispose(); }
 }
 
-const gltf = { parse: parseGltf, must: 'must be glTF 2.0, all of it in one file, without Draco, Meshopt or KTX2' };
+/* ---- skies */
+
+async function readSky(file, kind, progress) {
+    const name = kind === 'hdr' ? 'HDRLoader' : 'EXRLoader', Loader = (await load(`loaders/${name}`))[name];
+    const bytes = await bytesOf(file, progress);
+    let is;
+    try { is = new Loader().setDataType(THREE.FloatType).parse(bytes.buffer); }
+    catch (e) { fail(`cannot be read: ${plain(e)}; must be ${kind === 'hdr' ? 'a Radiance HDR' : 'an OpenEXR'}`); }
+    const { width, height, data } = is ?? {};
+    if (!data || data.length !== 4 * width * height) fail('must have R, G and B');
+    if (Math.abs(width / height - 2) > 0.1)
+        fail(`is ${width} x ${height}; must be a latitude-longitude picture, twice as wide as high`);
+    if (!is.flipY)                                      /* bottom row first */
+        for (let y = 0, row = 4 * width; y < height >> 1; ++y) {
+            const above = data.slice(y * row, (y + 1) * row), below = (height - 1 - y) * row;
+            data.copyWithin(y * row, below, below + row);
+            data.set(above, below);
+        }
+    return skyOf(data, { width, height }, 256, 128);
+}
+
+const plain = e => String(e?.message ?? e).replace(/^THREE\.\w+: /, '').replace(/[.\s]+$/, '');
+
+const gltf = { parse: parseGltf, must: 'must be glTF 2.0, dropped with the files that it names' };
 const formats = { __proto__: null, gltf, glb: gltf,
                   obj: { parse: parseObj, must: 'must be an OBJ of vertices (v) and faces (f)' } };
+const skyKinds = ['hdr', 'exr'];
 
 /* What keeps a geometry from being drawn: a sentence, or null. */
 function unsound({ attributes: { position, normal }, index }) {
@@ -102,14 +231,36 @@ function stagedOnFloor(model, title) {
     return { model: new THREE.Group().add(model, floor), info };
 }
 
-/* { model, info } for Stage.show. */
-export async function readFile(file) {
-    const format = formats[/[^.]*$/.exec(file.name.toLowerCase())[0]];
+async function readModel(file, beside, progress, notes) {
+    const format = formats[kindOf(file)];
+    const bytes = await bytesOf(file, progress).catch(e => fail(`cannot be read: ${e.message}; must be a file`));
+    const model = await format.parse(bytes, beside, notes)
+        .catch(e => fail(`cannot be read: ${plain(e)}; ${format.must}`));
+    const [broken] = beside.failed;
+    if (broken) fail(`${broken} cannot be read; must be a picture that the browser shows`);
+    prepare(model);
+    return stagedOnFloor(model, file.name);
+}
+
+/* { staged: { model, info } for Stage.show, sky, notes }: of what was dropped or chosen, with what lies beside it. */
+export async function readFiles(files, progress) {
+    const model = files.find(file => formats[kindOf(file)]), sky = files.find(file => skyKinds.includes(kindOf(file)));
+    const beside = new Beside(files), notes = [], read = { staged: null, sky: null, notes };
+    const console = THREE.getConsoleFunction();         /* what matters of it is said on the page, in one sentence */
+    THREE.setConsoleFunction(() => {});
+    const about = async (file, body) => {
+        try { return await body(); } catch (e) { throw new Error(`${file.name}: ${plain(e)}`, { cause: e }); }
+    };
     try {
-        if (!format) fail('must be .obj, .glb or .gltf');
-        const bytes = await file.arrayBuffer().catch(e => fail(`cannot be read: ${e.message}; must be a file`));
-        const model = await format.parse(bytes).catch(e => fail(`cannot be read: ${e.message}; ${format.must}`));
-        prepare(model);
-        return stagedOnFloor(model, file.name);
-    } catch (e) { throw new Error(`${file.name}: ${e.message}`, { cause: e }); }
+        if (!model && !sky) await about(files[0], () => fail('must be .obj, .glb, .gltf, .hdr or .exr'));
+        if (model) {
+            read.staged = await about(model, () => readModel(model, beside, progress, notes));
+            notes.forEach((note, i) => { notes[i] = `${model.name}: ${note}`; });
+        }
+        if (sky) read.sky = await about(sky, () => readSky(sky, kindOf(sky), progress));
+        return read;
+    } finally {
+        beside.close();
+        THREE.setConsoleFunction(console);
+    }
 }

@@ -1,21 +1,30 @@
 /* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in steps.mjs. */
 import { load } from './ssgi.mjs';
-import { behinds, defaults, methods, normals, presets, read, settings, sizes, views, write } from './settings.mjs';
+import { behinds, defaults, halves, methods, normals, presets, read, settings, sizes, views, write }
+    from './settings.mjs';
 import { skies, equirect } from './sky.mjs';
 import { Drawer } from './steps.mjs';
 import { Show } from './show.mjs';
+import { cLines } from './code.mjs';
 import { exr } from './exr.mjs';
 import { fetchFile } from './fetch.mjs';
+import { bar } from './bar.mjs';
 
 const $ = id => document.getElementById(id), panel = $('panel'), canvas = $('canvas');
 const set = { ...defaults };
 const most = 4096;                                  /* rays a pixel, after which the truth is left alone */
 
+const settled = 32;                                 /* frames at rest, after which history changes no more */
+const kept = 31;                                    /* times of a pass that a median is of */
+
 let ssgi, stage, drawer, show, truth, scenes = [], gl, software = false;
 let sides = [null, null];                           /* { run, key, frame number, .. } left and right */
 let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0, frames = 0;
-let dirty = { scene: true, gather: true }, traced = null, clockless = false, environments = new Map(), errors = {};
-let readScene, readFile;                            /* of model.mjs, which comes when WebGL 2 is known to be here */
+let calm = null;                                    /* the view that is not moved for the sake of edges */
+let samples = 0;                                    /* pictures, each moved by less than a pixel, that the mean has */
+let dirty = { scene: true, gather: true, picture: true }, traced = null, clockless = false, environments = new Map();
+let errors = {}, ownSky = null;
+let readScene, readFiles;                           /* of model.mjs, which comes when WebGL 2 is known to be here */
 
 /* ---- settings: in the address, in the panel */
 
@@ -27,7 +36,7 @@ function fromAddress() {
 }
 function limits() {
     const side = Math.min(4096, gl.getParameter(gl.MAX_TEXTURE_SIZE), ...gl.getParameter(gl.MAX_VIEWPORT_DIMS));
-    return { scenes: scenes.map(s => s.name), side, pixels: software ? 1920 * 1080 : 3840 * 2160 };
+    return { scenes: scenes.map(s => s.name), sky: !!ownSky, side, pixels: software ? 1920 * 1080 : 3840 * 2160 };
 }
 let addressed = 0;
 function writeAddress() {
@@ -37,9 +46,11 @@ function writeAddress() {
 const radius = () => stage.info.radius * 2 ** set.radius;
 const thickness = method => set.thickness < 0 ? methods[method]?.thickness ?? 0.6 : set.thickness;
 const wantsTruth = () => set.truth || set.b === 'truth' || set.view === 'difference';
+const moving = () => set.moves || set.circle;
 const digits = v => v >= 100 ? v.toFixed(0) : v >= 10 ? v.toFixed(1) : v.toFixed(2);
 
 function toPanel() {
+    const chain = methods[set.a]?.desc ? chainOf(set.a, set.p, true) : null, is = chain && ssgi.resolve(chain.desc);
     for (const control of panel.elements) {
         if (!Object.hasOwn(set, control.name)) continue;
         const value = set[control.name];
@@ -47,26 +58,42 @@ function toPanel() {
         else if (control.type === 'radio') control.checked = control.value === value;
         else if (control.name === 'thickness') control.value = thickness(set.a);
         else if (control.name === 'size') showSize(control, value);
+        else if (control.name === 'slices') control.value = is?.[countOf(is)] ?? 0;
+        else if (control.name === 'steps') control.value = is?.steps ?? 0;
+        else if (control.name === 'filter') control.value = chain?.blur ? filterOf(chain.desc) : 0;
         else control.value = value;
     }
     const output = name => panel.elements[name].parentElement.querySelector('output');
-    if (stage.info) output('radius').textContent = +radius().toPrecision(2);
-    output('thickness').textContent = `${thickness(set.a).toFixed(2)} R`;
+    const write = (name, text) => { output(name).textContent = text; };
+    if (stage.info) write('radius', +radius().toPrecision(2));
+    write('thickness', `${thickness(set.a).toFixed(2)} R`);
+    for (const name of ['slices', 'steps', 'filter']) write(name, panel.elements[name].value);
+    write('azimuth', `${set.azimuth}°`);
+    write('height', `${set.height}°`);
+    write('strength', `${set.strength.toFixed(2)} ×`);
+    write('exposure', `${set.exposure > 0 ? '+' : ''}${set.exposure.toFixed(1)}`);
+    write('effect', set.effect.toFixed(2));
     const method = name => !!methods[name]?.desc;
     const on = (of, yes) => panel.querySelectorAll(of).forEach(e => { e.hidden = !yes; });
     on('.of-a', method(set.a));
     on('.of-b', method(set.b));
+    on('.of-steps', !!is?.steps);
+    on('.of-sun', set.sun);
     on('.of-thickness', set.behind !== 'SOLID');
     on('.of-bounce', [set.a, set.b].some(m => methods[m]?.desc?.pass === 'SSDO'));
+    if (is) $('slices-field').textContent = `desc.${countOf(is)}`;
     panel.elements.truth.checked = wantsTruth();
     panel.elements.truth.disabled = wantsTruth() && !set.truth;
+    $('own').hidden = !method(set.a) || !(set.slices || set.steps || set.filter >= 0 || set.half !== 'preset');
+    for (const thumb of $('thumbs').children) thumb.setAttribute('aria-pressed', thumb.value === set.scene);
     const title = (name, preset) => name === 'truth' ? 'truth, ray-traced'
         : methods[name] ? methods[name].title + (method(name) ? ` · ${presets[preset]}` : '') : '';
-    $('left-tag').textContent = title(set.a, set.p);
+    $('left-tag').textContent = title(set.a, set.p) + ($('own').hidden ? '' : ' *');
     $('right-tag').textContent = set.b === 'off' ? '' : title(set.b, set.q);
     $('split').hidden = set.b === 'off';
     $('split').style.left = `${100 * set.split}%`;
     $('split').setAttribute('aria-valuenow', Math.round(100 * set.split));
+    page.bar?.show();
 }
 
 /* Sizes that only an address names are added. */
@@ -83,14 +110,23 @@ function listen() {
     panel.addEventListener('input', ({ target }) => {
         const { name, type } = target;
         if (!Object.hasOwn(set, name)) return;
-        set[name] = type === 'checkbox' ? target.checked : type === 'range' ? +target.value : target.value;
-        notice();
-        if (name === 'scene') { set.cam = ''; openScene(); }
-        changed(name);
+        choose(name, type === 'checkbox' ? target.checked : type === 'range' ? +target.value : target.value);
     });
+    $('thumbs').onclick = ({ target }) => {
+        const { value } = target.closest('button') ?? {};
+        if (value && value !== set.scene) choose('scene', value);
+    };
+    $('own').onclick = () => {
+        Object.assign(set, { slices: 0, steps: 0, filter: -1, half: 'preset' });
+        changed('half');
+    };
+    $('canvas').addEventListener('pointerdown', () => stand());
+    $('canvas').addEventListener('wheel', () => stand(), { passive: true });
+    $('canvas').addEventListener('keydown', e => { if (e.key.startsWith('Arrow')) stand(); });
     panel.addEventListener('submit', e => e.preventDefault());
     addEventListener('hashchange', goToAddress);
     stage.controls.addEventListener('change', () => {
+        if (set.circle) return;
         set.cam = lookedFrom();
         dirty.scene = dirty.gather = true;
         writeAddress();
@@ -117,28 +153,31 @@ function listen() {
     });
     $('home').onclick = lookHome;
     $('open').onclick = () => $('file').click();
-    $('file').onchange = ({ target }) => { if (target.files[0]) openFile(target.files[0]); target.value = ''; };
+    $('file').onchange = ({ target }) => {
+        if (target.files.length) openFiles([...target.files]);
+        target.value = '';
+    };
     const drop = $('drop');
     addEventListener('dragover', e => { e.preventDefault(); drop.hidden = false; });
     addEventListener('dragleave', e => { if (!e.relatedTarget) drop.hidden = true; });
     addEventListener('drop', e => {
         e.preventDefault();
         drop.hidden = true;
-        if (e.dataTransfer.files[0]) openFile(e.dataTransfer.files[0]);
+        if (e.dataTransfer.files.length) openFiles([...e.dataTransfer.files]);
     });
     $('link').onclick = async () => {
         clearTimeout(addressed);
         history.replaceState(null, '', '#' + write(set));
         await copied($('link'), location.href);
+        const own = [[set.scene, 'model'], [set.sky, 'sky']].filter(([is]) => is === 'file').map(([, what]) => what);
+        if (own.length)
+            notice(`The ${own.join(' and the ')} that you opened will not be there: a link holds no files.`);
     };
     $('read').onclick = readText;
-    $('save').onclick = () => {
-        const link = document.createElement('a');
-        link.href = URL.createObjectURL(new Blob([frameFile()], { type: 'image/x-exr' }));
-        link.download = 'frame.exr';
-        link.click();
-        setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-    };
+    $('copy-glsl').onclick = () => copied($('copy-glsl'),
+                                          glslTexts().map(({ name, text }) => `// ${name}\n${text}`).join('\n'));
+    $('copy-c').onclick = () => copied($('copy-c'), page.code(0) ?? page.code(1) ?? '');
+    $('save').onclick = () => saved('frame.exr', new Blob([frameFile()], { type: 'image/x-exr' }));
     $('text-which').onchange = showText;
     $('text-close').onclick = () => $('text').close();
     $('text').onclick = e => { if (e.target === $('text')) $('text').close(); };
@@ -147,6 +186,22 @@ function listen() {
         e.preventDefault();
         notice('The device lost its WebGL context. Reload the page.');
     });
+}
+
+function saved(name, blob) {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(blob);
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+/* What is on its way, and how much of it is there, 0 to 1; NaN: nobody knows; null: nothing is. */
+function loading(text, share = NaN) {
+    $('loading').hidden = text === null;
+    $('loading-text').textContent = text ?? '';
+    if (Number.isFinite(share)) $('loading-bar').value = share;
+    else $('loading-bar').removeAttribute('value');
 }
 
 async function copied(button, text) {
@@ -163,10 +218,28 @@ function notice(...sentences) {
     $('notice').textContent = [...shown, ...(more ? [`and ${more} more`] : [])].join('\n');
 }
 
+function choose(name, value) {
+    set[name] = value;
+    notice();
+    if (name === 'scene') { set.cam = ''; openScene(); }
+    if (name === 'circle' && !value) set.cam = lookedFrom();
+    changed(name);
+}
+
+/* What is touched stands still. */
+function stand() {
+    if (set.circle) choose('circle', false);
+}
+
+const suns = ['sun', 'azimuth', 'height', 'strength'];      /* light a bounce, too */
+const forEyes = ['exposure', 'effect', 'truth'];            /* change nothing of what is gathered */
 function changed(name) {
-    if (name !== 'split' && name !== 'view' && name !== 'truth' && name !== 'sun') dirty.gather = true;
-    if (name === 'sun') dirty.gather ||= set.bounce;
-    still = 0;
+    if (suns.includes(name)) {
+        dirty.scene = true;
+        dirty.gather ||= set.bounce;
+    } else if (!forEyes.includes(name) && name !== 'split') dirty.gather = true;
+    if (name !== 'split') dirty.picture = true;
+    if (stage.info) stage.shine(set.azimuth, set.height, sunStrength());
     toPanel();
     writeStatus();
     writeAddress();
@@ -210,32 +283,59 @@ async function openScene() {
     request();
 }
 
-async function openFile(file) {
-    const mine = ++opening;
+async function openFiles(files) {
+    const mine = ++opening, name = files.length > 1 ? `${files.length} files` : files[0].name;
     notice();
+    loading(`Reading ${name}`);
     try {
-        const { model, info } = await readFile(file);
+        const { staged, sky, notes } = await readFiles(files,
+            share => loading(share < 1 ? `Reading ${name}` : `Opening ${name}`, share < 1 ? share : NaN));
         if (mine !== opening) return;
-        if (!scenes.some(s => s.name === 'file')) panel.elements.scene.add(new Option(info.title, 'file'));
-        scenes = [...scenes.filter(s => s.name !== 'file'), Object.assign(info, { model })];
-        [...panel.elements.scene.options].find(o => o.value === 'file').text = info.title;
-        set.scene = 'file';
-        showModel(model, info);
-        lookHome();
-        dirty.scene = true;
-        changed('scene');
+        if (sky) takeSky(sky);
+        if (staged) takeModel(staged);
+        changed(staged ? 'scene' : 'sky');
+        notice(...notes);
     } catch (e) {
         if (mine !== opening) return;
         notice(e.message);
         if (stage.info?.name !== set.scene) openScene();    /* which was still on its way */
+    } finally {
+        if (mine === opening) loading(null);
     }
+}
+
+function takeModel({ model, info }) {
+    const select = panel.elements.scene;
+    if (!scenes.some(s => s.name === 'file')) select.add(new Option(info.title, 'file'));
+    scenes = [...scenes.filter(s => s.name !== 'file'), Object.assign(info, { model })];
+    [...select.options].find(o => o.value === 'file').text = info.title;
+    set.scene = 'file';
+    showModel(model, info);
+    lookHome();
+    dirty.scene = true;
+}
+
+function takeSky(sky) {
+    const select = panel.elements.sky;
+    if (!ownSky) select.add(new Option('Opened', 'file'));
+    ownSky = sky;
+    for (const key of [...environments.keys()].filter(key => /^file( |$)/.test(key))) {
+        const made = environments.get(key);
+        if (made instanceof WebGLTexture) gl.deleteTexture(made);
+        environments.delete(key);
+    }
+    set.sky = 'file';
 }
 
 function showModel(model, info) {
     stage.show(model, info);
+    stage.shine(set.azimuth, set.height, sunStrength());
     traced = truthGiven = null;
     truth?.stop();
 }
+
+/* Where the sun is much stronger than the sky, little is seen of what the sky's light leaves dark. */
+const sunStrength = () => 0.7 * set.strength;
 
 function lookHome() {
     stage.look(stage.info.eye, stage.info.target);
@@ -250,7 +350,7 @@ function lookedFrom() {
 /* ---- what the passes are given */
 
 const skyImage = name => {
-    if (!environments.has(name)) environments.set(name, equirect(name, 256, 128));
+    if (!environments.has(name)) environments.set(name, name === 'file' ? ownSky.rgb : equirect(name, 256, 128));
     return environments.get(name);
 };
 function cached(key, make) {
@@ -291,33 +391,60 @@ function lightOf(desc) {
 
 const farthestHalf = 65504;                         /* depths that 16 bits hold */
 
-/* The chain of a side, as settings have it. */
-function chainOf(name, preset) {
+/* The field that says in how many directions a gather looks. */
+const countOf = desc => (desc.pass === 'SSAO' || desc.search === 'POINTS' ? 'samples' : 'directions');
+const filterOf = desc => desc.filter_radius || (desc.filter === 'GAUSSIAN' ? 2 : 1);
+
+/* The chain of a side, as settings have it; own: with the numbers that replace the preset's. */
+function chainOf(name, preset, own) {
     const { desc } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
     const d = ssgi.preset({ ...desc, dialect: '300ES', normal: set.normals, thickness: set.behind }, preset);
     if (methods[name].desc.restore) d.restore = methods[name].desc.restore;
-    return { desc: { ...d, ...(bounce && { bounce: 'SOLID_ANGLE' }) }, width: size.width, height: size.height, blur: 1,
-             history: +set.history, direct: +(bounce && set.sun), precise: +(stage.info?.far > farthestHalf) };
+    if (bounce) d.bounce = 'SOLID_ANGLE';
+    if (set.moves && set.history) d.motion = 1;
+    if (own && set.slices) d[countOf(d)] = set.slices;
+    if (own && set.steps && ssgi.resolve(d).steps) d.steps = set.steps;
+    if (own && set.half !== 'preset') d.half = +set.half;
+    if (own && set.filter > 0) d.filter_radius = set.filter;
+    /* half size becomes whole, and light is restored, where it is filtered */
+    const blur = +!(own && set.filter === 0 && !d.half && !d.restore);
+    return { desc: d, width: size.width, height: size.height, blur, history: +set.history,
+             direct: +(bounce && set.sun), precise: +(stage.info?.far > farthestHalf) };
+}
+
+/* The C that makes a side's chain; null: it has none. */
+function codeOf(i) {
+    const side = sides[i];
+    if (!side) return null;
+    const { chain } = side.run, { desc } = chain, method = methods[side.name].title;
+    const bands = desc.environment === 'SH' ? desc.bands || (desc.pass === 'SSDO' ? 3 : 4) : 0;
+    return cLines(ssgi, chain, { radius: radius(), thickness: thickness(side.name) * radius(), bands,
+                                 title: `${method} of "${stage.info.title}", as the page shows it` });
 }
 
 /* Until its programs are linked what was shown stays: true. */
 const coming = [null, null];
 function side(i, name, preset) {
-    const chain = methods[name]?.desc ? chainOf(name, preset) : null, key = JSON.stringify(chain);
+    const chain = methods[name]?.desc ? chainOf(name, preset, i === 0) : null, key = JSON.stringify(chain);
     if (coming[i] && coming[i].key !== key) { coming[i].run.free(); coming[i] = null; }
     if (!chain) {
-        sides[i]?.run.free();
+        forget(sides[i]);
         sides[i] = null;
         return false;
     }
     if (sides[i]?.key === key) return false;
-    coming[i] ??= { run: drawer.run(chain), key, name, frames: 0, ms: null };
+    coming[i] ??= { run: drawer.run(chain), key, name, frames: 0, ms: null, times: [], rested: null };
     if (!coming[i].run.linked) return true;
-    sides[i]?.run.free();
+    forget(sides[i]);
     [sides[i], coming[i]] = [coming[i], null];
     dirty.gather = true;
     writePasses();
     return false;
+}
+
+function forget(side) {
+    side?.run.free();
+    if (side?.rested) gl.deleteTexture(side.rested);
 }
 
 function view() {
@@ -393,78 +520,159 @@ function draw() {
         request();
         return false;
     }
-    const now = view(), gather = dirty.gather;
-    if (dirty.scene || (set.behind === 'BACK' && !buffers.BACK)) {
-        buffers = stage.draw(set.behind === 'BACK');
-        dirty.scene = false;
-        still = 0;
-    }
-    const again = set.history && still < 32;
-    if (gather) { still = 0; truth?.stop(); traced = null; errors = {}; }
-    if (gather || again)
-        for (const side of sides) {
-            if (!side) continue;
-            side.given = { ...buffers, ...lightOf(side.run.chain.desc) };
-            side.frame = frameOf(side, now);
-            side.run.draw(side.given, side.frame);
-            if (set.history) side.run.turn();
-            ++side.frames;
-            side.pixels = null;
-        }
-    dirty.gather = false;
-    last = now;
-    present(now);
+    animate();
+    const gather = dirty.gather, again = set.history && still < settled && !moving();
+    if (gather || again || dirty.scene || dirty.picture || buffers.backs < backs()) drawCalm(gather, again);
+    else if (samples < wantedSamples()) drawSample();
+    else placeAgain();
+    if (set.b !== 'off') placeSplit();
     ++frames;
-    ++still;
-    if (set.history && still < 32) request();
-    if (gather) { clearTimeout(rested); rested = setTimeout(rest, software ? 350 : 200); }
-    else if (wantsTruth() && !traced && !rested) rest();
-    else if (again) score();
+    takeTimes();
+    if (moving() || (set.history && still < settled) || samples < wantedSamples()) request();
+    if (gather && !moving()) {
+        clearTimeout(rested);
+        rested = setTimeout(rest, software ? 350 : 200);
+    }
+    if (gather) clearTimeout(tracing);
+    if (wantsTruth() && !traced && !moving() && (gather || !tracing)) tracing = setTimeout(beginTruth, 120);
     return true;
 }
+
+/* Layers of back faces that are read. */
+const backs = () => (set.behind === 'SLABS' ? 3 : +(set.behind === 'BACK'));
+
+/* Pictures whose mean is shown at rest. The truth is of one place in each pixel. */
+const wantedSamples = () => (moving() || set.view === 'difference' || set.b === 'truth' ? 0 : software ? 8 : 32);
+
+function drawCalm(gather, again) {
+    if (samples || dirty.scene || buffers.backs < backs()) {
+        stage.jitter(0, 0);
+        buffers = stage.draw(backs());
+    }
+    if (gather) { still = 0; truth?.stop(); traced = null; errors = {}; tracing = 0; }
+    const now = view();
+    if (gather || again) {
+        for (const side of sides) if (side?.rested) { gl.deleteTexture(side.rested); side.rested = null; }
+        drawSides(now);
+        ++still;
+    }
+    samples = 0;
+    dirty = { scene: false, gather: false, picture: false };
+    calm = now;
+    present(now);
+    if (again && !gather) score();
+}
+
+/* Once more from a little beside: what differs are edges, and which pixels of half size are gathered. */
+function drawSample() {
+    if (!samples) sides.forEach(keepRested);
+    stage.jitter(radicalInverse(samples + 1, 2) - 0.5, radicalInverse(samples + 1, 3) - 0.5);
+    buffers = stage.draw(backs());
+    const now = view();
+    drawSides(now);
+    ++samples;
+    present(now);
+}
+
+function radicalInverse(i, base) {
+    let sum = 0;
+    for (let share = 1 / base; i; i = Math.floor(i / base), share /= base) sum += share * (i % base);
+    return sum;
+}
+
+/* The result as it is where pixels are: what errors are of. */
+function keepRested(side) {
+    if (!side || side.rested) return;
+    const { width, height } = size;
+    reader ??= gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, reader);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, side.run.light, 0);
+    side.rested = drawer.texture(width, height, side.run.format);
+    gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+}
+
+function drawSides(now) {
+    const from = stage.reprojection(), moved = sides.some(s => s?.run.chain.desc.motion);
+    const given = moved ? { ...buffers, MOTION: show.motion(size.width, size.height, buffers, from) } : buffers;
+    for (const side of sides) {
+        if (!side) continue;
+        side.given = { ...given, ...lightOf(side.run.chain.desc) };
+        side.frame = frameOf(side, now);
+        side.run.draw(side.given, side.frame, drawer.timer ? 1 : 0);
+        if (set.history) side.run.turn();
+        ++side.frames;
+        if (!side.rested) side.pixels = null;
+    }
+    last = now;
+}
+
+/* ---- what moves */
+
+let then = 0, seconds = 0, times = [];
+function animate() {
+    const time = performance.now(), passed = Math.min(0.1, (time - then) / 1000);
+    then = time;
+    times = moving() ? [...times.filter(t => time - t < 1000), time] : [];
+    if (!set.moves && stage.mover) { stage.move(null); dirty.scene = dirty.gather = true; }
+    if (!moving()) return;
+    if (set.moves) stage.move(seconds += passed);
+    if (set.circle) stage.circle(0.15 * passed);
+    dirty.scene = dirty.gather = true;
+}
+
+const splitAt = () => (set.b === 'off' ? 1e6 : set.split * size.width);
 
 function present(now) {
     const light = sides.some(s => s && methods[s.name].light), kind = (s, name) => name === 'truth' ? 4 : !s ? 0
         : !methods[s.name].light ? 1 : s.run.bounce ? 3 : 2;
-    const [a, b] = sides, kinds = [kind(a, set.a), set.b === 'off' ? kind(a, set.a) : kind(b, set.b)];
-    const right = set.b === 'off' ? a : b;
+    const shown = (s, name) => ({ t_light: (set.view === 'difference' && s?.rested) || s?.run.light,
+                                  t_bounce: s?.run.bounce, kind: kind(s, name) });
     show.draw(size.width, size.height, {
         t_depth: buffers.DEPTH, t_normal: buffers.NORMAL, t_albedo: buffers.ALBEDO, t_direct: buffers.DIRECT,
-        t_truth: truthTexture(), t_left: a?.run.light, t_right: right?.run.light, t_left_bounce: a?.run.bounce,
-        t_right_bounce: right?.run.bounce
-    }, { sky: coefficients(3), world: now.world, ray: now.ray, kinds, light: +light, sun: +set.sun,
-         range: light ? 0.5 : 0.4, view: views.indexOf(set.view),
-         split: set.b === 'off' ? 1e6 : set.split * size.width });
-    if (set.b !== 'off') placeSplit();
+        t_truth: truthTexture()
+    }, [shown(sides[0], set.a), set.b === 'off' ? null : shown(sides[1], set.b)],
+    { sky: coefficients(3), world: now.world, ray: now.ray, light: +light, sun: +set.sun, range: light ? 0.5 : 0.4,
+      view: views.indexOf(set.view), split: splitAt(), exposure: 0.45 * 2 ** set.exposure,
+      effect: set.effect }, samples);
 }
 
-/* Some time after the last change: passes are timed, the truth begins. */
-let rested = 0;
+/* Times of the passes come frames later: the median of the last is what is written. */
+function takeTimes() {
+    let waits = false;
+    for (const side of sides) {
+        if (side?.run.poll()) keepTimes(side, side.run.ms);
+        waits ||= !!side?.run.waiting;
+    }
+    if (moving()) writeStatus();
+    if (waits && !pending) setTimeout(takeTimes, 30);
+}
+let wrote = 0;
+function keepTimes(side, ms) {
+    side.times = [...side.times, ms].slice(-kept);
+    side.ms = ms.map((_, k) => side.times.map(all => all[k]).sort((x, y) => x - y)[side.times.length >> 1]);
+    if (performance.now() - wrote < 250 && side.times.length > 1) return;
+    wrote = performance.now();
+    writePasses();
+}
+
+/* Some time after the last change: where there is no timer passes are timed. */
+let rested = 0, tracing = 0;
 function rest() {
     rested = 0;
+    clockless = !drawer.timer;
+    if (!clockless) return;
     if (pending) { rested = setTimeout(rest, 100); return; }
     for (const side of sides) if (side) clock(side);
     writePasses();
-    if (!wantsTruth() || traced) return;
-    beginTruth();
 }
 
 function clock(side) {
     const { run } = side;
-    clockless = !drawer.timer;
     if (set.history) run.turn();                    /* what was last written is written again */
-    if (!clockless) {
-        run.draw(side.given, side.frame, 1);
-        const poll = tries => {
-            if (sides.includes(side) && run.poll()) { side.ms = run.ms; writePasses(); }
-            else if (run.waiting && tries) setTimeout(() => poll(tries - 1), 30);
-        };
-        setTimeout(() => poll(200), 20);
-    } else {
-        const all = [];
-        for (let i = 0; i < 3; ++i) { run.draw(side.given, side.frame, 2); all.push([...run.ms]); }
-        side.ms = all[0].map((_, k) => all.map(ms => ms[k]).sort((x, y) => x - y)[1]);
-    }
+    const all = [];
+    for (let i = 0; i < 3; ++i) { run.draw(side.given, side.frame, 2); all.push([...run.ms]); }
+    side.ms = all[0].map((_, k) => all.map(ms => ms[k]).sort((x, y) => x - y)[1]);
     if (set.history) run.turn();
 }
 
@@ -473,26 +681,27 @@ function clock(side) {
 let truthMade = null, truthGiven = null;
 async function beginTruth() {
     const { Truth } = await import('./truth.mjs');
-    if (!wantsTruth() || traced) return;
+    if (!wantsTruth() || traced || moving() || !calm) return;
     truth ??= new Truth(error => {
         if (error) { notice(error.message); return; }
         truthMade = null;
         score();
+        if (set.b === 'truth' || set.view === 'difference') dirty.picture = true;
         request();
     });
     if (truthGiven !== stage.info) {
         truthGiven = stage.info;
         truth.scene(stage.triangles());
     }
-    const now = view();
-    traced = now;
-    truth.start({ width: size.width, height: size.height, radius: radius(), sky: set.sky, most,
-                  camera: { eye: now.eye, world: now.world, ray: now.ray } });
+    traced = calm;
+    truth.start({ width: size.width, height: size.height, radius: radius(), most,
+                  sky: set.sky === 'file' ? ownSky : set.sky,
+                  camera: { eye: calm.eye, world: calm.world, ray: calm.ray } });
     writeStatus();
 }
 let truthHeld = null;
 function truthTexture() {
-    if (!traced || !truth?.rays) return null;
+    if (!traced || !truth?.rows) return null;
     if (truthMade) return truthMade;
     const { width, height } = truth;
     if (truthHeld?.width !== width || truthHeld.height !== height) {
@@ -513,7 +722,7 @@ function pixelsOf(side) {
     const bytes = side.run.format.type === gl.UNSIGNED_BYTE, all = new (bytes ? Uint8Array : Float32Array)(4 * n);
     reader ??= gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, reader);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, side.run.light, 0);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, side.rested ?? side.run.light, 0);
     gl.pixelStorei(gl.PACK_ALIGNMENT, 4);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     gl.readPixels(0, 0, width, height, gl.RGBA, bytes ? gl.UNSIGNED_BYTE : gl.FLOAT, all);
@@ -534,6 +743,10 @@ function score() {
 
 /* What the passes read, for build/render --gbuffer frame.exr, with the camera: OpenEXR's looks down +z. */
 function frameFile() {
+    stage.jitter(0, 0);
+    buffers = stage.draw(backs());
+    dirty.picture = true;
+    request();
     const { projectionMatrix, matrixWorldInverse } = stage.camera, p = projectionMatrix.elements;
     const { width, height } = size, worldToCamera = matrixWorldInverse.elements.map((v, i) => i % 4 === 2 ? 0 - v : v);
     /* 1 / view depth is linear in window depth, whatever the planes */
@@ -545,15 +758,22 @@ function frameFile() {
 
 const sum = ms => ms.reduce((all, one) => all + one, 0);
 function writeStatus() {
-    const times = sides.filter(s => s?.ms).map(s => `${digits(sum(s.ms))} ms`);
-    $('cost').textContent = times.join(' | ');
+    const ms = sides.filter(s => s?.ms).map(s => `${digits(sum(s.ms))} ms`);
     const clock = software ? 'in software' : clockless ? 'by the CPU’s clock' : 'on the GPU';
-    $('clock').textContent = times.length ? clock : '';
     const found = [0, 1].filter(i => errors[i] != null).map(i => errors[i].toFixed(4));
+    const paused = wantsTruth() && moving();
+    $('cost').textContent = ms.join(' | ');
+    $('clock').textContent = ms.length ? clock : '';
+    $('rate').textContent = times.length > 1 ? `${times.length} frames/s` : '';
     $('error').textContent = found.length ? `RMSE ${found.join(' | ')}` : '';
     $('legend').hidden = set.view !== 'difference';
-    $('status').hidden = !times.length && !traced && $('legend').hidden;
-    $('rays').textContent = traced ? truth.rays ? `${truth.rays} rays a pixel` : 'tracing …' : '';
+    $('rays').textContent = paused ? 'no rays while something moves' : !traced ? ''
+        : truth.rays ? `${truth.rays} rays a pixel` : 'tracing';
+    $('ring').hidden = !traced || truth.rays >= most;
+    /* the first two rays are a third of the way: what is seen changes less and less */
+    const share = !traced ? 0 : truth.rays ? (1 + 2 * Math.log2(truth.rays) / Math.log2(most)) / 3 : truth.rows / 3;
+    $('ring').style.setProperty('--share', share.toFixed(3));
+    $('status').hidden = !ms.length && !traced && !paused && $('legend').hidden && times.length < 2;
 }
 function writePasses() {
     const rows = [];
@@ -570,11 +790,19 @@ function writePasses() {
     $('timer-note').textContent = !rows.length ? '' : clockless
         ? 'No EXT_disjoint_timer_query_webgl2 here: the CPU’s clock around each pass and a wait for it '
             + '(gl.finish and a pixel read back), median of 3.'
-        : 'Timed by EXT_disjoint_timer_query_webgl2.';
+        : `Timed by EXT_disjoint_timer_query_webgl2, median of the last ${kept} frames.`;
     writeStatus();
 }
 
 function texts() {
+    const all = [];
+    sides.forEach((side, i) => {
+        if (side) all.push({ name: `${sides[0] && sides[1] ? `${i ? 'right' : 'left'}: ` : ''}in C`, text: codeOf(i) });
+    });
+    const glsl = glslTexts();
+    return [...all, ...glsl];
+}
+function glslTexts() {
     const all = [];
     sides.forEach((side, i) => side?.run.steps.forEach(step => {
         for (const stage of ['frag', 'vert']) {
@@ -585,8 +813,17 @@ function texts() {
     }));
     return all;
 }
+function chainShown(i) {
+    const { name, run: { chain, steps } } = sides[i];
+    return { chain, steps: steps.map(step => step.desc.pass), given: [radius(), thickness(name) * radius()],
+             list: steps.map(step => `${step.desc.pass.toLowerCase()}:${step.width}x${step.height}:${
+                 ssgi.key(step.desc)}`) };
+}
+
 function readText() {
-    options($('text-which'), texts().map(({ name }, i) => [i, name]));
+    const all = texts();
+    options($('text-which'), all.map(({ name }, i) => [i, name]));
+    $('text-which').value = Math.max(0, all.findIndex(({ name }) => !name.endsWith('in C')));
     $('text').showModal();
     showText();
 }
@@ -594,7 +831,8 @@ function showText() {
     const { text = 'No pass is drawn.' } = texts()[+$('text-which').value] ?? {}, pre = $('text').querySelector('pre');
     pre.textContent = text;
     pre.scrollTop = 0;
-    $('text-size').textContent = `${text.split('\n').length - 1} lines, GLSL 300 es, as it is compiled`;
+    $('text-size').textContent = `${text.split('\n').length - 1} lines, ${
+        text.startsWith('#version') ? 'GLSL 300 es, as it is compiled' : 'C, behind ssgi_gl.h'}`;
 }
 
 /* ---- begin */
@@ -605,6 +843,7 @@ function first() {
     told = true;
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));   /* it is there, not just asked for */
     page.first = performance.now();
+    loading(null);
     page.ready();
 }
 
@@ -612,7 +851,11 @@ function first() {
 const page = globalThis.page = { set, first: null, lacks: null, result: i => ({ ...size, pixels: pixelsOf(sides[i]) }),
                                  error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0,
                                  ms: i => sides[i]?.ms ?? null,
-                                 settled: () => still >= 32,
+                                 settled: () => still >= settled,
+                                 resting: () => wantedSamples() > 0,
+                                 smooth: () => samples > 0 && samples >= wantedSamples(),
+                                 code: codeOf, chain: chainShown,
+                                 inside: () => ({ stage, show, buffers, size, gl }),
                                  frame: frameFile,
                                  limits, picture };
 page.drawn = new Promise(resolve => { page.ready = resolve; });
@@ -630,9 +873,16 @@ page.go = async hash => {
 /* What is on the canvas, four bytes a pixel: drawn once more, as browsers do not keep it. */
 function picture() {
     const all = new Uint8Array(4 * size.width * size.height);
-    present(last);
+    placeAgain();
     gl.readPixels(0, 0, size.width, size.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
     return all;
+}
+function placeAgain() {
+    show.place(size.width, size.height, splitAt(), samples > 0 || set.view === 'difference', samples);
+}
+function savePicture() {
+    placeAgain();
+    canvas.toBlob(blob => { if (blob) saved('ssgi.png', blob); });
 }
 
 function lacks() {
@@ -649,13 +899,24 @@ function lacks() {
     return missing;
 }
 
+/* Pictures of the scenes, as make web drew them. */
+function showThumbs() {
+    $('thumbs').replaceChildren(...scenes.filter(s => s.picture).map(({ name, title, picture }) => {
+        const button = document.createElement('button'), image = new Image(96, 60);
+        Object.assign(button, { type: 'button', value: name, title });
+        Object.assign(image, { src: `scenes/${picture}`, alt: title, loading: 'lazy' });
+        button.append(image);
+        return button;
+    }));
+}
+
 async function start() {
     page.lacks = lacks();
-    if (page.lacks) { notice(page.lacks); return; }
+    if (page.lacks) { loading(null); notice(page.lacks); return; }
     const [{ Stage }, model, wasm, list] = await Promise.all([
         import('./stage.mjs'), import('./model.mjs'), load(),
         fetchFile('scenes/scenes.json').then(answer => answer.json())]);
-    ({ readScene, readFile } = model);
+    ({ readScene, readFiles } = model);
     ssgi = wasm;
     scenes = list;
     stage = new Stage(canvas);
@@ -669,6 +930,8 @@ async function start() {
     options(panel.elements.b, [['off', 'the same'], ...named, ['truth', 'truth, ray-traced']]);
     for (const name of ['p', 'q']) options(panel.elements[name], Object.entries(presets));
     options(panel.elements.behind, Object.entries(behinds));
+    options(panel.elements.half, Object.entries(halves));
+    showThumbs();
     options(panel.elements.normals, Object.entries(normals));
     options(panel.elements.size, [['auto', 'as shown'], ...sizes.map(size => [size, size])]);
     for (const control of panel.elements) {
@@ -676,7 +939,11 @@ async function start() {
         control.min = settings[control.name].least;
         control.max = settings[control.name].most;
     }
+    const given = new URLSearchParams(location.hash.slice(1)), calmly = matchMedia('(prefers-reduced-motion: reduce)');
     notice(...fromAddress());
+    if (!software && !calmly.matches && !['circle', 'cam', 'b', 'view', 'truth'].some(name => given.has(name)))
+        set.circle = true;
+    page.bar = bar(set, { choose, home: () => $('home').click(), save: savePicture, fit: request });
     listen();
     panel.inert = false;
     fit();
@@ -685,4 +952,4 @@ async function start() {
     await openScene();
 }
 
-start().catch(e => { notice(e.message); console.error(e); });
+start().catch(e => { loading(null); notice(e.message); console.error(e); });

@@ -18,7 +18,8 @@ export const methods = {
 export const presets = { __proto__: null, FAST: 'fast', BALANCED: 'balanced', BEST: 'best' };
 export const views = ['lit', 'ambient', 'difference'];
 export const behinds = { __proto__: null, DEFAULT: 'as thick as wide', CONSTANT: 'constant', SOLID: 'unlimited',
-                         BACK: 'to the back face' };
+                         BACK: 'to the back face', SLABS: 'two slabs, peeled' };
+export const halves = { __proto__: null, preset: 'as the preset', '1': 'half size', '0': 'full size' };
 export const normals = { __proto__: null, SIGNED: 'of the G-buffer', FROM_DEPTH: 'from depth' };
 export const sizes = ['480x270', '640x360', '960x540', '1280x720', '1920x1080'];
 
@@ -37,14 +38,18 @@ const flag = initial => ({
 });
 
 /* other: one value outside of them that means something else, by these words */
-const number = (initial, least, most, other = null, words = '') => ({
+const number = (initial, least, most, other = null, words = '', of = 'a number') => ({
     initial, least, most,
     read(text) {
-        const value = text.trim() ? Number(text) : NaN;
-        return (value >= least && value <= most) || value === other ? value : undefined;
+        const value = text.trim() ? Number(text) : NaN, good = of === 'a number' || Number.isInteger(value);
+        return good && ((value >= least && value <= most) || value === other) ? value : undefined;
     },
-    must: () => `must be a number from ${least} to ${most}${words}`
+    must: () => `must be ${of} from ${least} to ${most}${words}`
 });
+
+/* other: what stands for the preset's */
+const count = (least, most, other) =>
+    number(other, least, most, other, `, or ${other} for the preset's`, 'a whole number');
 
 /* The scenes are known when the page has fetched their list. */
 const scene = {
@@ -65,6 +70,13 @@ const size = {
         `must be auto or WIDTHxHEIGHT, 16 to ${side} pixels each, at most ${pixels} in all`
 };
 
+const sky = {
+    initial: 'sky',
+    read: (text, { sky }) => (Object.hasOwn(skies, text) || (text === 'file' && sky) ? text : undefined),
+    must: text => (text === 'file' ? 'must be opened again: a sky of your own is in no address'
+        : `must be one of ${Object.keys(skies).join(', ')}`)
+};
+
 /* Eye and target. Beyond a billion float arithmetic has nothing left for a scene. */
 const camera = {
     initial: '',
@@ -79,19 +91,30 @@ const camera = {
 export const settings = {
     __proto__: null,
     scene,
-    sky: word('sky', Object.keys(skies)),
+    sky,
     sun: flag(true),
+    azimuth: number(45, -180, 180),
+    height: number(35, 0, 90),
+    strength: number(1, 0, 4),
+    exposure: number(0, -3, 3),
+    effect: number(1, 0, 3),
     view: word('lit', views),
     a: word('hsao', Object.keys(methods)),
     p: word('BALANCED', Object.keys(presets)),
     b: word('none', [...Object.keys(methods), 'truth', 'off']),
     q: word('BALANCED', Object.keys(presets)),
     radius: number(0, -2, 2),
+    slices: count(1, 32, 0),
+    steps: count(1, 32, 0),
+    filter: count(0, 4, -1),
+    half: word('preset', Object.keys(halves)),
     behind: word('DEFAULT', Object.keys(behinds)),
     thickness: number(-1, 0, 2, -1, ', or -1 for the method\'s own'),
     normals: word('SIGNED', Object.keys(normals)),
-    history: flag(false),
+    history: flag(true),
     bounce: flag(false),
+    moves: flag(false),
+    circle: flag(false),
     size,
     truth: flag(false),
     split: number(0.5, 0, 1),

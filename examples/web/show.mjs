@@ -1,4 +1,5 @@
-/* show.mjs - the last draws, onto the canvas: light times albedo, the views that compare, edges smoothed. */
+/* show.mjs - the last draws, onto the canvas: light times albedo, the views that compare, edges smoothed. Left and
+   right are pictures of their own, so that what divides them moves over finished ones. */
 
 const vertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
@@ -6,15 +7,17 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 /* Of each side: 0 ambient light as it is, 1 ambient visibility, 2 light, 3 light and a bounce, 4 the truth. */
 const fragment = `#version 300 es
 precision highp float;
-uniform sampler2D t_depth, t_normal, t_albedo, t_direct, t_truth, t_left, t_right, t_left_bounce, t_right_bounce;
+uniform sampler2D t_depth, t_normal, t_albedo, t_direct, t_truth, t_light, t_bounce;
 uniform vec3 u_sky[9];       // radiance as spherical harmonics
 uniform mat3 u_world;        // view space to the world
 uniform vec4 u_ray;          // a pixel's way in view space: xy * [0,1] + [2,3], -1
-uniform ivec2 u_kind;
+uniform int u_kind;
 uniform int u_view;          // 0 lit, 1 ambient light alone, 2 difference
 uniform int u_light;         // 1: the truth of light, else of visibility
 uniform int u_traced;        // 1: there is a truth
-uniform float u_split, u_sun, u_range;
+uniform float u_sun, u_range;
+uniform float u_exposure;    // a factor
+uniform float u_effect;      // exponent of what occlusion leaves: 1 as it is; for the eye alone
 out vec4 o_colour;
 
 vec3 harmonics(vec3 n, vec3 band) {
@@ -29,17 +32,15 @@ vec3 coded(vec3 c) {
     return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
 vec3 shown(vec3 c) { // the curve of film [Narkowicz 2016], then sRGB
-    c = max(c, 0.0) * 0.62;
+    c = max(c, 0.0) * u_exposure;
     return coded(clamp(c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14), 0.0, 1.0));
 }
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    bool right = gl_FragCoord.x > u_split;
-    int kind = right ? u_kind.y : u_kind.x;
     o_colour = vec4(0.0, 0.0, 0.0, 1.0);
     vec3 way = u_world * vec3(gl_FragCoord.xy * u_ray.xy + u_ray.zw, -1.0);
     if (texelFetch(t_depth, p, 0).x >= 1.0) {
-        o_colour.rgb = u_view == 0 ? shown(harmonics(normalize(way), vec3(1.0)) * 0.5) : vec3(0.105, 0.11, 0.118);
+        o_colour.rgb = u_view == 0 ? shown(harmonics(normalize(way), vec3(1.0)) * 0.6) : vec3(0.105, 0.11, 0.118);
         return;
     }
     vec3 n = normalize(u_world * texelFetch(t_normal, p, 0).xyz);
@@ -48,16 +49,20 @@ void main() {
     bool traced = seen.a >= 0.0;
     vec3 truth = u_light == 1 ? seen.rgb : open * seen.a;
     float visible = 1.0;
-    vec4 of = right ? texelFetch(t_right, p, 0) : texelFetch(t_left, p, 0);
-    if (kind == 1) light = open * (visible = of.r);
-    if (kind == 2 || kind == 3) light = of.rgb;
-    if (kind == 3) light += right ? texelFetch(t_right_bounce, p, 0).rgb : texelFetch(t_left_bounce, p, 0).rgb;
-    if (kind == 4) { light = traced ? truth : vec3(0.0); visible = traced ? seen.a : 0.0; }
+    vec4 of = texelFetch(t_light, p, 0);
+    if (u_kind == 1) light = open * (visible = of.r);
+    if (u_kind == 2 || u_kind == 3) light = of.rgb;
+    if (u_kind == 3) light += texelFetch(t_bounce, p, 0).rgb;
+    if (u_kind == 4 && traced) { light = truth; visible = seen.a; }
+    if (u_view < 2) {
+        light = open * pow(max(light, 0.0) / max(open, 1e-4), vec3(u_effect));
+        visible = pow(visible, u_effect);
+    }
     if (u_view == 0) {
         vec3 sun = texelFetch(t_direct, p, 0).rgb * u_sun;
-        o_colour.rgb = shown(texelFetch(t_albedo, p, 0).rgb * light * 0.55 + sun);
+        o_colour.rgb = shown(texelFetch(t_albedo, p, 0).rgb * light + sun);
     } else if (u_view == 1) {
-        o_colour.rgb = u_light == 1 ? shown(light * 0.7) : vec3(visible);
+        o_colour.rgb = u_light == 1 ? shown(light) : vec3(visible);
     } else {
         float off = u_light == 1 ? dot(light - truth, vec3(0.3333333)) : visible - seen.a;
         off = traced ? clamp(off / u_range, -1.0, 1.0) : 0.0;
@@ -69,10 +74,14 @@ void main() {
 /* Blends along edges of luminance [after Lottes 2009, FXAA]. */
 const smooth = `#version 300 es
 precision highp float;
-uniform sampler2D t_picture;
+uniform sampler2D t_left, t_right;
 uniform vec2 u_texel;
+uniform float u_split;       // right of so many pixels is right
+uniform int u_plain;         // 1: edges are smooth
 out vec4 o_colour;
-vec3 at(vec2 p) { return textureLod(t_picture, p, 0.0).rgb; }
+vec3 at(vec2 p) {
+    return gl_FragCoord.x > u_split ? textureLod(t_right, p, 0.0).rgb : textureLod(t_left, p, 0.0).rgb;
+}
 float luma(vec3 c) { return dot(c, vec3(0.299, 0.587, 0.114)); }
 void main() {
     vec2 p = gl_FragCoord.xy * u_texel;
@@ -82,7 +91,7 @@ void main() {
     float m = luma(here), least = min(m, min(min(l.x, l.y), min(l.z, l.w)));
     float most = max(m, max(max(l.x, l.y), max(l.z, l.w)));
     o_colour = vec4(here, 1.0);
-    if (most - least < max(0.04, 0.1 * most)) return;
+    if (u_plain == 1 || most - least < max(0.04, 0.1 * most)) return;
     vec2 way = vec2(l.z + l.w - l.x - l.y, l.x + l.z - l.y - l.w);
     float weak = max((l.x + l.y + l.z + l.w) * 0.03, 0.008);
     way = clamp(way / (min(abs(way.x), abs(way.y)) + weak), -8.0, 8.0) * u_texel;
@@ -104,11 +113,25 @@ void main() {
     o_frame = d < 1.0 ? vec4(texelFetch(t_normal, p, 0).xyz, 1.0 / (u_decode.x + u_decode.y * d)) : vec4(0.0);
 }`;
 
-const textures = ['t_depth', 't_normal', 't_albedo', 't_direct', 't_truth', 't_left', 't_right', 't_left_bounce',
-                  't_right_bounce'];
+/* Pixels from where a point was in the last frame to where it is. */
+const motion = `#version 300 es
+precision highp float;
+uniform sampler2D t_depth, t_albedo;
+uniform mat4 u_back, u_last, u_moved;
+uniform vec2 u_size;
+out vec2 o_motion;
+void main() {
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    vec3 at = vec3(gl_FragCoord.xy / u_size, texelFetch(t_depth, p, 0).x) * 2.0 - 1.0;
+    vec4 world = u_back * vec4(at, 1.0);
+    vec4 was = (texelFetch(t_albedo, p, 0).a < 0.5 ? u_moved : u_last) * vec4(world.xyz / world.w, 1.0);
+    o_motion = gl_FragCoord.xy - (was.xy / was.w * 0.5 + 0.5) * u_size;
+}`;
+
+const textures = ['t_depth', 't_normal', 't_albedo', 't_direct', 't_truth', 't_light', 't_bounce'];
 
 export class Show {
-    #gl; #drawer; #picture; #smooth; #held; #nothing; #between = null;
+    #gl; #drawer; #picture; #smooth; #held; #motion; #nothing; #sides = []; #means = []; #moved = null;
 
     constructor(gl, drawer) {
         this.#gl = gl;
@@ -144,15 +167,23 @@ export class Show {
         }
         return of.place;
     }
-    #triangle(framebuffer, width, height) {
+    /* mean: 0: replaces what is there; n: makes it the mean of n such pictures */
+    #triangle(framebuffer, width, height, mean = 0) {
         const gl = this.#gl;
         gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
         gl.viewport(0, 0, width, height);
         for (const state of [gl.DEPTH_TEST, gl.BLEND, gl.SCISSOR_TEST, gl.CULL_FACE, gl.STENCIL_TEST])
             gl.disable(state);
         gl.colorMask(true, true, true, true);
+        if (mean > 1) {
+            gl.enable(gl.BLEND);
+            gl.blendEquation(gl.FUNC_ADD);
+            gl.blendColor(0, 0, 0, 1 / mean);
+            gl.blendFunc(gl.CONSTANT_ALPHA, gl.ONE_MINUS_CONSTANT_ALPHA);
+        }
         gl.bindVertexArray(this.#drawer.array);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
+        gl.disable(gl.BLEND);
         gl.activeTexture(gl.TEXTURE0);
     }
     #bind(list) {
@@ -174,34 +205,73 @@ export class Show {
         this.#gl.deleteFramebuffer(framebuffer);
     }
 
-    draw(width, height, bound, { sky, world, ray, kinds, view, light, split, sun, range }) {
+    /* Targets of that size, left and right. */
+    #fit(list, width, height, internal) {
+        if (list[0]?.width === width && list[0].height === height) return list;
         const gl = this.#gl;
-        if (this.#between?.width !== width || this.#between.height !== height) {
-            if (this.#between) this.#free(this.#between);
-            this.#between = this.#target(width, height, gl.RGBA8);
+        for (let i = 0; i < 2; ++i) {
+            if (list[i]) this.#free(list[i]);
+            list[i] = this.#target(width, height, internal);
+            gl.bindTexture(gl.TEXTURE_2D, list[i].texture);
             for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
                 gl.texParameteri(gl.TEXTURE_2D, name, gl.LINEAR);
             for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T])
                 gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
         }
-        let at = this.#use(this.#picture);
-        this.#bind(textures.map(name => bound[name]));
+        return list;
+    }
+
+    /* sides: [left, right or null], each { light, bounce, kind }. sample: 0: the picture of this frame; n: the n-th of
+       those whose mean is shown. */
+    draw(width, height, bound, sides, { sky, world, ray, view, light, split, sun, range, exposure, effect }, sample) {
+        const gl = this.#gl, at = this.#use(this.#picture);
+        const targets = sample ? this.#fit(this.#means, width, height, gl.RGBA16F)
+            : this.#fit(this.#sides, width, height, gl.RGBA8);
         gl.uniform3fv(at.u_sky, sky);
         gl.uniformMatrix3fv(at.u_world, false, world);
         gl.uniform4fv(at.u_ray, ray);
-        gl.uniform2iv(at.u_kind, kinds);
         gl.uniform1i(at.u_view, view);
         gl.uniform1i(at.u_light, light);
         gl.uniform1i(at.u_traced, +!!bound.t_truth);
-        gl.uniform1f(at.u_split, split);
         gl.uniform1f(at.u_sun, sun);
         gl.uniform1f(at.u_range, range);
-        this.#triangle(view === 2 ? null : this.#between.framebuffer, width, height);
-        if (view === 2) return;                         /* a difference is shown as it is */
-        at = this.#use(this.#smooth);
-        this.#bind([this.#between.texture]);
+        gl.uniform1f(at.u_exposure, exposure);
+        gl.uniform1f(at.u_effect, effect);
+        sides.forEach((side, i) => {
+            if (!side) return;
+            this.#bind(textures.map(name => bound[name] ?? side[name]));
+            gl.uniform1i(at.u_kind, side.kind);
+            this.#triangle(targets[i].framebuffer, width, height, sample);
+        });
+        this.place(width, height, split, view === 2 || sample > 0, sample);
+    }
+
+    /* What was drawn, divided elsewhere. plain: its edges are as they shall be. */
+    place(width, height, split, plain, sample) {
+        const gl = this.#gl, at = this.#use(this.#smooth), [left, right] = sample ? this.#means : this.#sides;
+        this.#bind(Object.keys(at).filter(name => name.startsWith('t_'))
+            .map(name => (name === 't_left' ? left : right).texture));
         gl.uniform2f(at.u_texel, 1 / width, 1 / height);
+        gl.uniform1f(at.u_split, split);
+        gl.uniform1i(at.u_plain, +plain);
         this.#triangle(null, width, height);
+    }
+
+    /* A texture for history, of Stage.reprojection. */
+    motion(width, height, { DEPTH, ALBEDO }, { back, last, moved }) {
+        const gl = this.#gl, at = this.#use(this.#motion ??= this.#program(motion));
+        if (this.#moved?.width !== width || this.#moved.height !== height) {
+            if (this.#moved) this.#free(this.#moved);
+            this.#moved = this.#target(width, height, gl.RG16F);
+        }
+        this.#bind(Object.keys(at).filter(name => name.startsWith('t_'))
+            .map(name => (name === 't_depth' ? DEPTH : ALBEDO)));
+        gl.uniformMatrix4fv(at.u_back, false, back);
+        gl.uniformMatrix4fv(at.u_last, false, last);
+        gl.uniformMatrix4fv(at.u_moved, false, moved);
+        gl.uniform2f(at.u_size, width, height);
+        this.#triangle(this.#moved.framebuffer, width, height);
+        return this.#moved.texture;
     }
 
     /* The G-buffer as numbers: N.X N.Y N.Z Z, bottom row first. */

@@ -43,6 +43,44 @@ export const skies = {
     white: { title: 'White', radiance(d, out) { out[0] = out[1] = out[2] = 1; } }
 };
 
+/* The radiance of a picture { rgb, width, height } in each direction: of the texel that it falls into. */
+export function radianceOf({ rgb, width, height }) {
+    return ([x, y, z], out) => {
+        const column = Math.floor((0.5 - Math.atan2(x, z) / (2 * Math.PI)) * width);
+        const row = Math.floor(Math.acos(Math.min(1, Math.max(-1, y))) / Math.PI * height);
+        const at = 3 * (Math.min(height - 1, row) * width + Math.min(width - 1, Math.max(0, column)));
+        for (let c = 0; c < 3; ++c) out[c] = rgb[at + c];
+    };
+}
+
+/* A picture of rgba, top row first, made so small that a mean of its texels lights what sees them; its mean is 1, as
+   photographs are of any exposure. */
+export function skyOf(rgba, from, width, height) {
+    const rgb = new Float32Array(3 * width * height);
+    const range = (i, n, of) => [Math.floor(i * of / n), Math.max(Math.floor((i + 1) * of / n),
+                                                                  Math.floor(i * of / n) + 1)];
+    for (let i = 0; i < width * height; ++i) {
+        const [left, right] = range(i % width, width, from.width);
+        const [top, bottom] = range(Math.floor(i / width), height, from.height);
+        for (let y = top; y < bottom; ++y)
+            for (let x = left; x < right; ++x)
+                for (let c = 0; c < 3; ++c) {
+                    const v = rgba[4 * (y * from.width + x) + c];
+                    if (!(v >= 0 && v < Infinity))
+                        throw new Error(`texel ${x}, ${y} is ${v}; must be finite, 0 at least`);
+                    rgb[3 * i + c] += v / ((right - left) * (bottom - top));
+                }
+    }
+    let sum = 0, weights = 0;
+    for (let i = 0; i < width * height; ++i) {
+        const weight = Math.sin((Math.floor(i / width) + 0.5) / height * Math.PI);
+        for (let c = 0; c < 3; ++c) sum += weight * rgb[3 * i + c];
+        weights += 3 * weight;
+    }
+    if (!(sum > 0)) throw new Error('is black; must send light');
+    return { rgb: rgb.map(v => v * weights / sum), width, height };
+}
+
 /* The same as a picture, latitude-longitude: +y up, its centre toward +z, +x left of that. */
 export function equirect(name, width, height) {
     const rgb = new Float32Array(3 * width * height), d = [0, 0, 0], out = [0, 0, 0];

@@ -1,5 +1,6 @@
 /* stage.mjs - the host: three.js keeps scene, camera and sun, and draws once what ssgi reads: depth, normals in view
-   space, albedo, and beside them what the sun lights. Its materials stay its own, two outputs added. */
+   space, albedo, and beside them what the sun lights. Its materials stay its own, two outputs added. The albedo's
+   fourth component is 1, but 0 on what moves. */
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
@@ -12,20 +13,57 @@ function seen(material) {
                 void main() {`)
             .replace('#include <opaque_fragment>', `#include <opaque_fragment>
                 g_normal = vec4(normal, 0.0);
-                g_albedo = vec4(diffuseColor.rgb, 1.0);`);
+                g_albedo = vec4(diffuseColor.rgb, ${material.userData.moves ? '0.0' : '1.0'});`);
     };
+    material.customProgramCacheKey = () => `seen ${material.userData.moves}`;
     return material;
 }
 
 export const lambert = from => seen(new THREE.MeshLambertMaterial({
     color: from.color ?? 0xcccccc, map: from.map ?? null, normalMap: from.normalMap ?? null,
     alphaTest: from.alphaTest || (from.transparent ? 0.5 : 0), vertexColors: from.vertexColors ?? false,
-    side: THREE.DoubleSide, shadowSide: THREE.DoubleSide
+    side: THREE.DoubleSide, shadowSide: THREE.DoubleSide, userData: { moves: !!from.userData?.moves }
 }));
 
+/* Window depth alone, of what lies behind a layer. */
+const peeling = side => new THREE.ShaderMaterial({
+    side, glslVersion: THREE.GLSL3, uniforms: { t_before: { value: null } },
+    vertexShader: 'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
+    fragmentShader: `uniform highp sampler2D t_before;
+        out highp vec4 o_nothing;
+        void main() {
+            highp float before = texelFetch(t_before, ivec2(gl_FragCoord.xy), 0).x;
+            if (before >= 1.0 || gl_FragCoord.z <= before + 1e-7) discard;
+            o_nothing = vec4(0.0);
+        }`
+});
+
+/* A triangle over the picture that writes three depths side by side. */
+function packing() {
+    const triangle = new THREE.BufferGeometry();
+    triangle.setAttribute('position', new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
+    const mesh = new THREE.Mesh(triangle, packer());
+    mesh.frustumCulled = false;
+    return mesh;
+}
+const packer = () => new THREE.ShaderMaterial({
+    depthTest: false, depthWrite: false, glslVersion: THREE.GLSL3,
+    uniforms: { t_0: { value: null }, t_1: { value: null }, t_2: { value: null } },
+    vertexShader: 'void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
+    fragmentShader: `uniform highp sampler2D t_0, t_1, t_2;
+        out highp vec4 o_slabs;
+        void main() {
+            ivec2 p = ivec2(gl_FragCoord.xy);
+            o_slabs = vec4(texelFetch(t_0, p, 0).x, texelFetch(t_1, p, 0).x, texelFetch(t_2, p, 0).x, 0.0);
+        }`
+});
+
 export class Stage {
-    #target = null; #back = null; #model = null; #sunAt = new THREE.Vector3(0.5792280, 0.5735764, 0.5792280);
+    #target = null; #back = []; #slabs = null; #model = null; #reach = 1; #size = { width: 1, height: 1 };
     #behind = new THREE.MeshBasicMaterial({ side: THREE.BackSide, colorWrite: false });
+    #peels = [peeling(THREE.FrontSide), peeling(THREE.BackSide)]; #pack = null;
+    #seenFrom = null;
+    mover = null;
 
     constructor(canvas) {
         this.renderer = new THREE.WebGLRenderer({ canvas, antialias: false, stencil: false,
@@ -49,17 +87,22 @@ export class Stage {
     get gl() { return this.renderer.getContext(); }
 
     resize(width, height) {
+        this.#size = { width, height };
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
         this.#widen();
-        const nearest = { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
-        const depth = () => new THREE.DepthTexture(width, height, THREE.FloatType);
         this.#target?.dispose();
-        this.#back?.dispose();
-        this.#target = new THREE.WebGLRenderTarget(width, height, { count: 3, type: THREE.HalfFloatType, ...nearest,
-                                                                    depthTexture: depth() });
+        this.#back.forEach(target => target.dispose());
+        this.#back = [];
+        this.#slabs?.dispose();
+        this.#slabs = null;
+        this.#target = this.#made({ count: 3, type: THREE.HalfFloatType, depthTexture: this.#depth() });
         this.#target.textures[2].type = THREE.UnsignedByteType;
-        this.#back = new THREE.WebGLRenderTarget(width, height, { ...nearest, depthTexture: depth() });
+    }
+    #depth() { return new THREE.DepthTexture(this.#size.width, this.#size.height, THREE.FloatType); }
+    #made(more) {
+        return new THREE.WebGLRenderTarget(this.#size.width, this.#size.height,
+                                           { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, ...more });
     }
 
     /* What is seen from now on: info tells where from, and the radius. */
@@ -79,14 +122,79 @@ export class Stage {
         this.look(info.eye, info.target);
         /* the sun's map covers what the first view looks at */
         const reach = new THREE.Vector3(...info.eye).distanceTo(this.controls.target), { shadow } = this.sun;
+        this.#reach = reach;
         this.sun.target.position.copy(this.controls.target);
-        this.sun.position.copy(this.#sunAt).multiplyScalar(3 * reach).add(this.controls.target);
         Object.assign(shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.2 * reach,
                                        far: 6 * reach });
         shadow.camera.updateProjectionMatrix();
         shadow.normalBias = 3 * reach / shadow.mapSize.x;
         shadow.bias = -0.0008;
         this.renderer.shadowMap.needsUpdate = true;
+    }
+
+    /* Degrees from +z toward +x, and above the horizon; 1 is the strength that goes with the clear sky. */
+    shine(azimuth, height, strength) {
+        const lon = azimuth * Math.PI / 180, lat = height * Math.PI / 180, level = Math.cos(lat);
+        this.sun.position.set(Math.sin(lon) * level, Math.sin(lat), Math.cos(lon) * level)
+            .multiplyScalar(3 * this.#reach).add(this.sun.target.position);
+        this.sun.intensity = 3.2 * strength;
+        this.renderer.shadowMap.needsUpdate = true;
+    }
+
+    /* Something that circles about the view's target, in seconds; null: nothing does. Its matrix, now and before, in
+       mover.now and mover.before. */
+    move(seconds) {
+        if (seconds === null) {
+            this.mover?.mesh.removeFromParent();
+            if (this.mover) this.renderer.shadowMap.needsUpdate = true;
+            this.mover = null;
+            return;
+        }
+        if (!this.mover) {
+            const from = { color: 0xe8b04a, userData: { moves: true } };
+            const mesh = new THREE.Mesh(new THREE.TorusKnotGeometry(1, 0.38, 160, 24), lambert(from));
+            mesh.castShadow = mesh.receiveShadow = true;
+            this.mover = { mesh, now: new THREE.Matrix4(), before: null };
+        }
+        const { mesh } = this.mover, at = new THREE.Vector3(...this.info.target), turn = 0.7 * seconds;
+        const wide = 0.55 * this.info.radius, far = 2.2 * this.info.radius;
+        mesh.scale.setScalar(wide * 0.55);
+        mesh.position.copy(at).add(new THREE.Vector3(Math.sin(turn) * far, 0.3 * wide * Math.sin(2.3 * turn),
+                                                     Math.cos(turn) * far));
+        mesh.rotation.set(0.6 * turn, turn, 0);
+        if (mesh.parent !== this.scene) this.scene.add(mesh);
+        mesh.updateMatrixWorld(true);
+        this.mover.before = this.mover.started ? this.mover.now.clone() : mesh.matrixWorld.clone();
+        this.mover.now.copy(mesh.matrixWorld);
+        this.mover.started = true;
+        this.renderer.shadowMap.needsUpdate = true;
+    }
+
+    /* For where each pixel was in the last frame that asked: the way back from here, and there, of what rests and of
+       what moves. */
+    reprojection() {
+        const { camera, mover } = this, now = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
+        const last = this.#seenFrom ?? now, moved = last.clone();
+        if (mover) moved.multiply(mover.before).multiply(mover.now.clone().invert());
+        this.#seenFrom = now;
+        return { back: now.clone().invert().elements, last: last.elements, moved: moved.elements };
+    }
+
+    /* So many pixels to the side the picture is drawn, for edges that are averaged. */
+    jitter(x, y) {
+        const { camera } = this, { elements } = camera.projectionMatrix;
+        camera.updateProjectionMatrix();
+        elements[8] -= 2 * x / this.#size.width;
+        elements[9] -= 2 * y / this.#size.height;
+        camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
+    }
+
+    /* Turns the view about its target, radians. */
+    circle(by) {
+        const { camera, controls } = this;
+        camera.position.sub(controls.target).applyAxisAngle(new THREE.Vector3(0, 1, 0), by).add(controls.target);
+        controls.update();
+        camera.updateMatrixWorld();
     }
 
     /* Narrow pictures see as far to the sides as those a little wider than high. */
@@ -104,26 +212,41 @@ export class Stage {
         this.camera.updateMatrixWorld();
     }
 
-    /* The G-buffer, as three's textures are in WebGL. back: 1: depth of the nearest back face, too. */
-    draw(back) {
+    /* The G-buffer, as three's textures are in WebGL. backs: 1: depth of the nearest back face, too; 3: of the next
+       slab's faces beside it. */
+    draw(backs) {
         const { renderer, scene, camera } = this, raw = texture => renderer.properties.get(texture).__webglTexture;
         renderer.resetState();
         renderer.setRenderTarget(this.#target);
         renderer.clear();
         renderer.render(scene, camera);
-        if (back) {
-            const shadows = this.sun.castShadow;
-            scene.overrideMaterial = this.#behind;
-            renderer.setRenderTarget(this.#back);
-            renderer.clear();
-            renderer.render(scene, camera);
-            scene.overrideMaterial = null;
-            this.sun.castShadow = shadows;
-        }
+        for (let i = 0; i < backs; ++i) this.#peel(i);
+        if (backs > 1) this.#packSlabs();
         renderer.setRenderTarget(null);
         const [direct, normal, albedo] = this.#target.textures.map(raw);
-        return { DIRECT: direct, NORMAL: normal, ALBEDO: albedo, DEPTH: raw(this.#target.depthTexture),
-                 BACK: back ? raw(this.#back.depthTexture) : null };
+        return { DIRECT: direct, NORMAL: normal, ALBEDO: albedo, DEPTH: raw(this.#target.depthTexture), backs,
+                 BACK: backs > 1 ? raw(this.#slabs.texture) : backs ? raw(this.#back[0].depthTexture) : null };
+    }
+
+    /* 0: the nearest back face; 1: the next front face behind that; 2: the next back face behind that. */
+    #peel(i) {
+        const { renderer, scene, camera } = this, material = i ? this.#peels[i - 1] : this.#behind;
+        const target = this.#back[i] ??= this.#made({ depthTexture: this.#depth() });
+        if (i) material.uniforms.t_before.value = this.#back[i - 1].depthTexture;
+        scene.overrideMaterial = material;
+        renderer.setRenderTarget(target);
+        renderer.clear();
+        renderer.render(scene, camera);
+        scene.overrideMaterial = null;
+    }
+
+    #packSlabs() {
+        const { renderer, camera } = this;
+        this.#slabs ??= this.#made({ type: THREE.FloatType, depthBuffer: false });
+        this.#pack ??= packing();
+        this.#back.forEach((target, i) => { this.#pack.material.uniforms[`t_${i}`].value = target.depthTexture; });
+        renderer.setRenderTarget(this.#slabs);
+        renderer.render(this.#pack, camera);
     }
 
     /* The triangles in the world, for the tracer. */

@@ -3,7 +3,7 @@
    Each pixel's rays are of two halves, A and B, whose errors know nothing of each other: (m - A)(m - B), averaged, is
    the mean square error of m without that of the rays, be they ever so few. */
 import { load } from './ssgi.mjs';
-import { skies } from './sky.mjs';
+import { radianceOf, skies } from './sky.mjs';
 
 let trace = null, normal = null, job = null;
 
@@ -42,29 +42,43 @@ function place(eye, way, origin, n) {
 }
 
 function begin() {
-    const { width, height, camera, first, every } = job, rows = Math.ceil((height - first) / every);
-    const origin = [0, 0, 0], n = [0, 0, 0], way = [0, 0, 0];
+    const { width, height, first, every } = job, rows = Math.ceil((height - first) / every);
     job.rows = rows;
     job.origin = new Float64Array(3 * width * rows);
     job.n = new Float32Array(3 * width * rows).fill(NaN);
     job.sums = [new Float32Array(4 * width * rows), new Float32Array(4 * width * rows)];
-    for (let r = 0; r < rows; ++r)
-        for (let x = 0; x < width; ++x) {
-            const sx = camera.ray[0] * (x + 0.5) + camera.ray[2];
-            const sy = camera.ray[1] * (first + r * every + 0.5) + camera.ray[3];
-            for (let i = 0; i < 3; ++i) way[i] = camera.world[i] * sx + camera.world[3 + i] * sy - camera.world[6 + i];
-            if (!place(camera.eye, way, origin, n)) continue;
-            job.origin.set(origin, 3 * (r * width + x));
-            job.n.set(n, 3 * (r * width + x));
-        }
+    job.radiance = typeof job.sky === 'string' ? skies[job.sky].radiance : radianceOf(job.sky);
+    job.order = spread(rows);
+    job.done = 0;                                   /* rows of that order that have been begun */
     job.round = 0;
 }
 
-/* One ray more of each pixel, into one half. */
-function round(k) {
-    const { width, height, first, every, rows, radius, origin, n } = job, { radiance } = skies[job.sky];
+/* Rows in an order that soon has some everywhere: every 16th, then those between. */
+function spread(rows) {
+    const order = [];
+    for (let step = 16; step; step >>= 1)
+        for (let r = 0; r < rows; r += step) if (step === 16 || r / step & 1) order.push(r);
+    return order;
+}
+
+/* Where a row's rays start. */
+function look(r) {
+    const { width, camera, first, every } = job, origin = [0, 0, 0], n = [0, 0, 0], way = [0, 0, 0];
+    for (let x = 0; x < width; ++x) {
+        const sx = camera.ray[0] * (x + 0.5) + camera.ray[2];
+        const sy = camera.ray[1] * (first + r * every + 0.5) + camera.ray[3];
+        for (let i = 0; i < 3; ++i) way[i] = camera.world[i] * sx + camera.world[3 + i] * sy - camera.world[6 + i];
+        if (!place(camera.eye, way, origin, n)) continue;
+        job.origin.set(origin, 3 * (r * width + x));
+        job.n.set(n, 3 * (r * width + x));
+    }
+}
+
+/* One ray more of each pixel of some rows, into one half. */
+function round(k, firstRow, rows) {
+    const { width, first, every, radius, origin, n, radiance } = job;
     const half = k & 1, sums = job.sums[half], index = k >> 1, from = [0, 0, 0], d = [0, 0, 0], light = [0, 0, 0];
-    for (let i = 0; i < width * rows; ++i) {
+    for (let i = width * firstRow; i < width * (firstRow + rows); ++i) {
         const nx = n[3 * i], ny = n[3 * i + 1], nz = n[3 * i + 2];
         if (nx !== nx) continue;
         const pixel = (first + Math.floor(i / width) * every) * width + i % width;
@@ -94,15 +108,25 @@ function work() {
     working = mine !== null;
     if (!mine) return;
     if (!mine.sums) begin();
-    round(mine.round++);
-    const now = performance.now(), even = mine.round % 2 === 0;
-    if (even && (now - told > 400 || mine.round >= mine.most)) {
+    const begun = mine.done < mine.rows;
+    if (begun) {                                    /* its first two rays row by row, so that something is soon there */
+        const until = performance.now() + 60;
+        do {
+            const r = mine.order[mine.done++];
+            look(r);
+            round(0, r, 1);
+            round(1, r, 1);
+        } while (mine.done < mine.rows && performance.now() < until);
+        mine.round = 2;
+    } else round(mine.round++, 0, mine.rows);
+    const now = performance.now(), even = mine.round % 2 === 0, all = mine.done === mine.rows;
+    if (even && (now - told > (all ? 400 : 200) || mine.round >= mine.most || (begun && all))) {
         told = now;
         const sums = mine.sums.map(s => s.slice());
-        postMessage({ id: mine.id, first: mine.first, every: mine.every, rays: mine.round, sums },
-                    sums.map(s => s.buffer));
+        postMessage({ id: mine.id, first: mine.first, every: mine.every, rays: mine.round, sums,
+                      done: all ? null : mine.order.slice(0, mine.done) }, sums.map(s => s.buffer));
     }
-    if (mine.round >= mine.most) job = null;
+    if (mine.round >= mine.most && all) job = null;
     setTimeout(work);                               /* after what was heard meanwhile: another job, or none */
 }
 
@@ -119,6 +143,7 @@ onmessage = ({ data }) => {
     if (data.scene) take(data.scene).catch(e => postMessage({ error: e.message }));
     else if (data.job) {
         job = trace && { ...data.job, corner: self.corner };
+        told = 0;
         if (!working && job) work();
     } else job = null;
 };

@@ -1,8 +1,9 @@
 /* truth.mjs - the traced truth of the picture as it grows: gives workers their rows, gathers their sums, scores. */
 
 export class Truth {
-    #workers = []; #id = 0; #job = null; #ready = 0; #base;
-    rays = 0;
+    #workers = []; #id = 0; #job = null;
+    rays = 0;                                       /* of each pixel at least */
+    rows = 0;                                       /* share of those that have some */
 
     constructor(changed) {
         this.changed = changed;
@@ -18,7 +19,6 @@ export class Truth {
                 worker.onerror = e => this.changed(new Error(`the tracer failed: ${e.message}`));
                 this.#workers.push(worker);
             }
-        this.#ready = 0;
         this.#workers.forEach(w => w.postMessage({ scene: { position, normal } }));
     }
 
@@ -39,7 +39,7 @@ export class Truth {
 
     stop() {
         this.#job = null;
-        this.rays = 0;
+        this.rays = this.rows = 0;
         this.#workers.forEach(w => w.postMessage({}));
     }
     get busy() { return this.#job !== null; }
@@ -49,12 +49,15 @@ export class Truth {
         if (data.ready) return this.#send([worker]);
         if (!this.#job || data.id !== this.#job.id) return;
         const { width, height } = this;
-        for (let y = data.first, r = 0; y < height; y += data.every, ++r) {
+        const rows = data.done ?? Array.from({ length: data.sums[0].length / (4 * width) }, (_, r) => r);
+        for (const r of rows) {
+            const y = data.first + r * data.every;
             this.count[y] = data.rays;
             for (let h = 0; h < 2; ++h)
                 this.sums[h].set(data.sums[h].subarray(4 * width * r, 4 * width * (r + 1)), 4 * width * y);
         }
         this.rays = this.count.reduce((least, n) => Math.min(least, n), 65535);
+        this.rows = this.count.reduce((sum, n) => sum + (n > 0), 0) / height;
         this.changed(null);
     }
 
