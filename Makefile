@@ -347,7 +347,7 @@ hosts-test: build/render build/rmse web-deps
 WEB      = $(wildcard examples/web/*.html examples/web/*.css examples/web/*.mjs)
 THREE    = build/three.module.js build/three.core.js LICENSE $(addprefix examples/jsm/,controls/OrbitControls.js \
            $(patsubst %,loaders/%Loader.js,GLTF OBJ MTL DRACO HDR EXR) utils/BufferGeometryUtils.js \
-           utils/SkeletonUtils.js libs/meshopt_decoder.module.js libs/fflate.module.js \
+           utils/SkeletonUtils.js libs/meshopt_decoder.module.js libs/fflate.module.js libs/draco/README.md \
            libs/draco/gltf/draco_wasm_wrapper.js libs/draco/gltf/draco_decoder.wasm)
 NPM_WEB  = npm install --prefix build/web-deps --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 \
            puppeteer-core@24.43.1

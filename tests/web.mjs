@@ -180,7 +180,7 @@ for (const [scene, hash, words] of [
     ['plates', 'a=hsao&p=FAST', ['hsao-fast']]])
     await run(`ambient visibility is build/render's: ${scene}, ${words.join(' ')}`, async () => {
         render(scene, '--method', ...words, '--size', '480x270', '--out', `${out}/ao.png`);
-        await go(`scene=${scene}&b=off&size=480x270&history=0&${hash}`);
+        await go(`scene=${scene}&b=off&size=480x270&history=0&radius=0&${hash}`);
         const { rmse, near, least } = await against(`${out}/ao.png`);
         note(`RMSE ${rmse.toFixed(4)}, ${(100 * near).toFixed(1)} % of pixels within 1/255`);
         check(least < 0.8, 'nothing is occluded');
@@ -220,7 +220,7 @@ await run('the truth traced in the page is build/render\'s: the same error of hs
     render('room', '--truth', '64', '--size', '480x270', '--out', `${out}/truth.exr`);
     const told = render('room', '--method', 'hsao', '--size', '480x270', '--score', `${out}/truth.exr`);
     const wanted = +/RMSE ([\d.]+)/.exec(told)[1];
-    await go('b=truth&size=480x270&history=0');
+    await go('b=truth&size=480x270&history=0&radius=0');
     await page.waitForFunction('page.rays() >= 8', { timeout: 60000 });
     const [is, rays] = await page.evaluate('[page.error(0), page.rays()]');
     note(`RMSE ${is.toFixed(4)} by ${rays} rays a pixel, ${wanted.toFixed(4)} by build/render's 64`);
@@ -230,7 +230,7 @@ await run('and of light: the same error of ssdo under the sky', async () => {
     const words = ['casters', '--method', 'ssdo', '--env', 'sky', '--set', 'bounce=none', '--size', '240x136'];
     render(...words, '--truth', '64', '--out', `${out}/truth.exr`);
     const wanted = +/irradiance: RMSE ([\d.]+)/.exec(render(...words, '--score', `${out}/truth.exr`))[1];
-    await go('scene=casters&a=ssdo&b=truth&size=240x136&history=0');
+    await go('scene=casters&a=ssdo&b=truth&size=240x136&history=0&radius=0');
     await page.waitForFunction('page.rays() >= 16', { timeout: 60000 });
     const is = await page.evaluate('page.error(0)');
     note(`RMSE ${is.toFixed(4)}, ${wanted.toFixed(4)} by build/render, noise of its 64 rays and all`);
@@ -288,9 +288,9 @@ await run('a model of one\'s own is drawn', async () => {
     check(least < 0.9, `nothing is occluded: ${least}`);
 });
 
-/* What is seen: on the canvas at rest, and beside it. */
-const seen = page => page.evaluate(async () => {
-    for (let i = 0; i < 400 && !page.smooth() && page.resting(); ++i) await new Promise(requestAnimationFrame);
+/* What is seen: on the canvas, of calm pages at rest, and beside it. */
+const seen = (page, calm = true) => page.evaluate(async calm => {
+    for (let i = 0; i < 400 && calm && !page.smooth() && page.resting(); ++i) await new Promise(requestAnimationFrame);
     const { elements } = document.getElementById('panel'), notice = document.getElementById('notice');
     const picture = page.picture();
     let opaque = true, sum = 0;
@@ -300,7 +300,7 @@ const seen = page => page.evaluate(async () => {
     }
     return { there: opaque && picture.length > 0, sum, scene: elements.scene.value,
              title: elements.scene.selectedOptions[0].text, notice: notice.hidden ? '' : notice.textContent };
-});
+}, calm);
 const same = (a, b) => Object.keys(a).every(key => a[key] === b[key]);
 /* Drops a file onto the page; resolves when it is shown, or what is wrong with it. unread: why it cannot be read. */
 const drop = (page, name, content, unread = null) => dropAll(page, { [name]: content }, unread);
@@ -452,7 +452,7 @@ await run('no address stops a page that is open', async () => {
             const error = await going.then(() => null, e => e.message);
             return { before, taken, error, limits: page.limits() };
         }, hash);
-        const { there, notice } = await seen(page), wanted = expected(got.taken.slice(1), got);
+        const { there, notice } = await seen(page, false), wanted = expected(got.taken.slice(1), got);
         check(got.error === null && there, `${hash}: ${got.error ?? 'no picture'}`);
         check(notice === wanted, `${hash} says ${notice}\nand should say ${wanted}`);
         check(said.length === begun, `${hash}: ${said.slice(begun).join()}`);
@@ -467,7 +467,7 @@ await run('no address stops a page that is loaded with it', async () => {
                  'cam=NaN,0,0,0,0,0', 'cam=1e300,0,0,0,0,0', 'scene=file', 'scene=%E0%A4%A', '😀=%F0%9F%98%80', '%',
                  ...hashes(9, 3)];
     for (const hash of all) {
-        const page = await open(`size=64x36&${hash}`), { there, notice } = await seen(page);
+        const page = await open(`size=64x36&${hash}`), { there, notice } = await seen(page, false);
         const limits = await page.evaluate('page.limits()');
         await page.close();
         check(there, `${hash}: no picture`);
@@ -485,8 +485,9 @@ for (const [width, height] of [[1280, 800], [390, 844]])
         const begun = said.length, page = await open('size=160x90&history=0&scene=casters&b=off', { width, height });
         const state = () => page.evaluate(async () => {
             for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
-            const { chain, steps } = page.chain(0), was = globalThis.shown ?? [], is = globalThis.shown = page.picture();
-            let sum = was.length === is.length ? 0 : Infinity;
+            const { chain, steps } = page.chain(0), was = globalThis.shown ?? [], is = page.picture();
+            globalThis.shown = is;
+            let sum = 0;
             for (let i = 0; i < is.length; ++i) sum += Math.abs(is[i] - (was[i] ?? 0));
             return { other: sum / is.length, chain, steps, set: { ...page.set } };
         });
@@ -507,7 +508,7 @@ for (const [width, height] of [[1280, 800], [390, 844]])
         for (const [name, value, seen] of [
             ['exposure', 1.5, 'picture'], ['effect', 3, 'picture'], ['azimuth', -90, 'picture'],
             ['height', 80, 'picture'], ['strength', 3, 'picture'], ['sun', false, 'picture'],
-            ['sky', 'windows', 'picture'], ['view', 'ambient', 'picture'], ['radius', 1.5, 'picture'],
+            ['sky', 'windows', 'picture'], ['view', 'ambient', 'picture'], ['radius', 0, 'picture'],
             ['slices', 4, ({ chain }) => chain.desc.directions === 4],
             ['steps', 3, ({ chain }) => chain.desc.steps === 3],
             ['half', '0', ({ chain }) => !chain.desc.half],
@@ -528,7 +529,7 @@ for (const [width, height] of [[1280, 800], [390, 844]])
             await state();
             await put(name, value);
             const after = await state();
-            check(seen === 'picture' ? !(after.other < 0.2) : seen(after),
+            check(seen === 'picture' ? after.other > 0.2 : seen(after),
                   `${name}=${value} does nothing: ${JSON.stringify(after.chain)}`);
         }
         await page.evaluate(() => document.getElementById('own').click());
@@ -644,7 +645,7 @@ await run('what moves is followed: vectors say where its points were', async () 
     const most = Math.max(...by.moved.map(([, wanted]) => Math.abs(wanted)));
     note(`${by.moved.length / 2} vertices of it, which moved by ${most.toFixed(1)} px at most: off by ${
         off[off.length >> 1].toFixed(3)} px, nine of ten by less than ${off[off.length * 0.9 | 0].toFixed(3)}`);
-    check(by.moved.length > 200 && most > 0.5, `${by.moved.length} numbers, ${most} px`);
+    check(by.moved.length > 200 && most > 0.05, `${by.moved.length} numbers, ${most} px`);
     check(by.still < 0.02 && off[off.length >> 1] < 0.03 && off[off.length * 0.9 | 0] < 0.2,
           `what rests moves by ${by.still} px`);
     await page.close();
@@ -705,13 +706,13 @@ mkdirSync('report', { recursive: true });
 const shots = [];
 async function shoot(name, hash, options, settle = 1500) {
     const page = await open(hash, options);
-    if (typeof settle === 'number') await rest(settle); else await page.waitForFunction(settle, { timeout: 60000 });
+    if (typeof settle === 'number') await rest(settle); else await page.waitForFunction(settle, { timeout: 180000 });
     await page.screenshot({ path: `report/web-${name}.png` });
     shots.push(`report/web-${name}.png`);
     return page;
 }
 await run('on a desktop (1280 x 800)', async () => {
-    await (await shoot('desktop', '')).close();
+    await (await shoot('desktop', '', {}, 'page.smooth()')).close();
     const page = await shoot('difference', 'b=ssao&view=difference', {}, 'page.rays() >= 4');
     await page.click('#read');
     await rest(300);

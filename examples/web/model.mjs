@@ -114,7 +114,7 @@ async function parseObj(bytes, beside, notes) {
     const text = new TextDecoder().decode(bytes.subarray(0, 1 << 20));
     const materials = await materialsOf(text, beside, notes), model = new THREE.Group();
     const own = ({ name, vertexColors }) => Object.assign(
-        (materials.get(name) ?? new THREE.MeshLambertMaterial({ color: 0xcccccc })).clone(), { vertexColors });
+        (materials.get(name) ?? new THREE.MeshLambertMaterial({ color: 0xc8c2ba })).clone(), { vertexColors });
     for (const { attributes, groups, materials: named, many } of await inWorker(bytes)) {
         const geometry = new THREE.BufferGeometry();
         for (const { name, array, itemSize } of attributes)
@@ -223,7 +223,7 @@ function stagedOnFloor(model, title) {
     if (!(wide >= narrowest && wide <= widest))
         fail(`spans ${wide.toPrecision(2)} units; must span ${narrowest} to ${widest}`);
     const floor = new THREE.Mesh(new THREE.PlaneGeometry(5 * wide, 5 * wide).rotateX(-Math.PI / 2),
-                                 lambert({ color: 0xe0e0e0 }));
+                                 lambert({ color: 0xb4b4b4 }));
     floor.position.set(middle.x, box.min.y, middle.z);
     const eye = new THREE.Vector3(0.4, 0.32, 0.9).normalize().multiplyScalar(1.25 * wide).add(middle);
     const info = { name: 'file', title, radius: wide / 10, fovy: 45, near: wide / 100, far: 10 * wide,

@@ -261,11 +261,14 @@ async function openScene() {
     const named = name => scenes.find(s => s.name === name), mine = ++opening;
     const info = named(set.scene) ?? named(defaults.scene) ?? scenes[0], { cam } = set;     /* show() looks elsewhere */
     try {
+        if (stage.info !== info) loading(`Loading ${info.title}`);
         const model = stage.info === info ? null : info.model ?? await readScene(`scenes/${info.name}.bin`);
         if (mine !== opening) return;                   /* another was chosen meanwhile */
+        if (told) loading(null);
         if (model) showModel(model, info);
     } catch (e) {
         if (mine !== opening) return;
+        loading(null);
         notice(e.message);
         set.scene = stage.info?.name ?? info.name;
         if (stage.info) set.cam = lookedFrom();

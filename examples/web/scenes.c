@@ -10,14 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct corner {
-    float at[3];
-    int16_t normal[4];
-    uint16_t albedo[4];
-} corner;
+typedef struct corner { float at[3]; int16_t normal[4]; uint16_t albedo[4]; } corner;
 
 static int16_t snorm(float v) { return (int16_t)lrintf(32767 * fminf(fmaxf(v, -1), 1)); }
-
 static uint16_t unorm(float v) { return (uint16_t)lrintf(65535 * fminf(fmaxf(v, 0), 1)); }
 
 static corner corner_of(const kit_mesh *mesh, size_t triangle, size_t k)
@@ -81,6 +76,12 @@ static int smooth(kit_mesh *mesh)
     return failed;
 }
 
+/* A scan is nearly white, as is its ground: in grey it shows what light and occlusion do to it. */
+static void grey(kit_mesh *mesh)
+{
+    for (size_t i = 0; i < 3 * mesh->triangles; ++i) mesh->albedo[i] *= 0.6f;
+}
+
 /* Equal corners become one vertex. */
 static int write_mesh(const kit_mesh *mesh, const char *path, uint32_t head[2])
 {
@@ -97,10 +98,7 @@ static int write_mesh(const kit_mesh *mesh, const char *path, uint32_t head[2])
         const corner c = corner_of(mesh, t, flip);
         size_t at = (size_t)kit_hash(KIT_HASH, &c, sizeof c) & (slots - 1);
         while (slot[at] && memcmp(&vertex[slot[at] - 1], &c, sizeof c)) at = (at + 1) & (slots - 1);
-        if (!slot[at]) {
-            vertex[vertices] = c;
-            slot[at] = ++vertices;
-        }
+        if (!slot[at]) { vertex[vertices] = c; slot[at] = ++vertices; }
         index[i] = slot[at] - 1;
     }
     head[0] = vertices;
@@ -126,35 +124,23 @@ static int is_there(const char *path)
 
 int main(int count, char **word)
 {
-    static const struct {
-        const char *name, *title, *from;
-        int scan;
-    } wanted[] = { { "bunny", "Bunny", "/usr/share/glmark2/models/bunny.obj", 1 },
-                   { "room", "Room", "room", 0 },
-                   { "colonnade", "Colonnade", "colonnade", 0 },
-                   { "cornell", "Cornell box", "cornell", 0 },
-                   { "casters", "Shapes", "casters", 0 },
-                   { "slats", "Veranda", "slats", 0 },
-                   { "grass", "Grass", "grass", 0 },
-                   { "plates", "Plates", "plates", 0 } };
-
+    static const struct { const char *name, *title, *from; int scan; } wanted[] = {
+        { "bunny", "Bunny", "/usr/share/glmark2/models/bunny.obj", 1 },
+        { "room", "Room", "room", 0 }, { "colonnade", "Colonnade", "colonnade", 0 },
+        { "cornell", "Cornell box", "cornell", 0 }, { "casters", "Shapes", "casters", 0 },
+        { "slats", "Veranda", "slats", 0 }, { "grass", "Grass", "grass", 0 }, { "plates", "Plates", "plates", 0 }
+    };
     char path[1024];
     kit_error err;
     int written = 0;
     FILE *list;
-    if (count != 2) {
-        fprintf(stderr, "usage: scenes FOLDER | --list\n");
-        return 2;
-    }
+    if (count != 2) { fprintf(stderr, "usage: scenes FOLDER | --list\n"); return 2; }
     for (size_t i = 0; i < sizeof wanted / sizeof *wanted && !strcmp(word[1], "--list"); ++i)
         printf("%s %s\n", wanted[i].name, wanted[i].from);
     if (!strcmp(word[1], "--list")) return 0;
     snprintf(path, sizeof path, "%s/scenes.json", word[1]);
     list = fopen(path, "w");
-    if (!list) {
-        fprintf(stderr, "scenes: %s: cannot be written\n", path);
-        return 2;
-    }
+    if (!list) { fprintf(stderr, "scenes: %s: cannot be written\n", path); return 2; }
     fprintf(list, "[");
     for (size_t i = 0; i < sizeof wanted / sizeof *wanted; ++i) {
         kit_scene scene;
@@ -167,12 +153,12 @@ int main(int count, char **word)
         c = scene.camera;
         kit_camera_planes(&c, &scene.mesh);
         snprintf(path, sizeof path, "%s/%s.bin", word[1], wanted[i].name);
+        if (wanted[i].scan) grey(&scene.mesh);
         if ((wanted[i].scan && smooth(&scene.mesh)) || write_mesh(&scene.mesh, path, head)) {
             fprintf(stderr, "scenes: %s: cannot be written\n", path);
             return 2;
         }
-        fprintf(list,
-                "%s\n{ \"name\": \"%s\", \"title\": \"%s\", \"triangles\": %u, \"radius\": %.9g, \"fovy\": %.9g, "
+        fprintf(list, "%s\n{ \"name\": \"%s\", \"title\": \"%s\", \"triangles\": %u, \"radius\": %.9g, \"fovy\": %.9g, "
                 "\"near\": %.9g, \"far\": %.9g, \"eye\": [%.9g, %.9g, %.9g], \"target\": [%.9g, %.9g, %.9g]",
                 written++ ? "," : "", wanted[i].name, wanted[i].title, head[1] / 3, (double)scene.radius,
                 (double)c.fovy, (double)c.znear, (double)c.zfar, (double)c.eye[0], (double)c.eye[1], (double)c.eye[2],

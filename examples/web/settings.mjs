@@ -103,7 +103,7 @@ export const settings = {
     p: word('BALANCED', Object.keys(presets)),
     b: word('none', [...Object.keys(methods), 'truth', 'off']),
     q: word('BALANCED', Object.keys(presets)),
-    radius: number(0, -2, 2),
+    radius: number(1, -2, 2),
     slices: count(1, 32, 0),
     steps: count(1, 32, 0),
     filter: count(0, 4, -1),
