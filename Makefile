@@ -367,6 +367,7 @@ build/web/three/three.module.js: build/web-deps/node_modules/three/package.json
 	@mkdir -p $(@D)/controls $(@D)/loaders $(@D)/utils $(@D)/libs/draco/gltf
 	@for f in $(THREE); do to=$${f#build/}; cp $(<D)/$$f $(@D)/$${to#examples/jsm/} || exit 1; done
 	@sed -i "s|from 'three'|from '../three.module.js'|" $(@D)/controls/*.js $(@D)/loaders/*.js $(@D)/utils/*.js
+	@sed -i 's|^\(\s*\)console.error( error );$$|\1// said on the page|' $(@D)/loaders/DRACOLoader.js
 	@touch $@
 
 build/web-scenes: examples/web/scenes.c $(KIT_O)
