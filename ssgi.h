@@ -4719,6 +4719,11 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    New, what they publish, as choices: desc.terms and .spheres of the march, .uniform of points, .dimmed of s3ho,
    .cap_table, surfels' .overhang (also of surfel_desc), .enlarge, .combine; .effect and .harmonics CUSTOM, functions in
    desc.fetch.
+   New, for Vulkan and WebGPU: formats' names in ssgi_gl_format, bindings and kinds of views in ssgi_gl_input; in
+   SSGI_GL_VULKAN directions, steps and samples are specialisation constants. ssgi_gl_bound.magnify: _step_check names
+   textures of integers that GL's default filter makes incomplete.
+   History reads the last frame between four texels and is not set off by a camera that moves; means.w is 0. The unseen
+   side of a sender sends 0.35, not 0.25. The plan's table is fitted on scenes by seed.
 
    CHANGES in 0.2, November 2026
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_trial, ssgi_plan_try -> ssgi_calibration, ssgi_plan_calibrate (one more
