@@ -86,27 +86,27 @@ if wanted babylon; then
     fi
 fi
 
+# in_both_lights HOST NORMALS: a host of boxes.h under both lights; under the sky alone, beside build/render's with
+# those normals; in the sun alone.
+in_both_lights() {
+    $work/$1 $work/$1.ppm
+    $work/$1 $work/$1-sky.ppm 0 1
+    $work/$1 $work/$1-sun.ppm 1 0
+    near "$1" $work/$1-sky.ppm $work/$2.png $most 2.2
+    sides $1 $work/$1-sun.ppm
+}
+
 open_window
 
 if wanted glfw; then
     if ! pkg-config --exists glfw3; then skip 'glfw, GLFW is missing (apt-get install libglfw3-dev)'
-    elif build glfw examples/hosts/glfw.c $strict; then
-        $work/glfw $work/glfw.ppm
-        $work/glfw $work/glfw-sky.ppm 0 1
-        $work/glfw $work/glfw-sun.ppm 1 0
-        near 'glfw' $work/glfw-sky.ppm $work/gbuffer.png $most 2.2
-        sides glfw $work/glfw-sun.ppm
+    elif build glfw examples/hosts/glfw.c $strict; then in_both_lights glfw gbuffer
     fi
 fi
 
 if wanted sdl; then
     if ! pkg-config --exists sdl2 glesv2; then skip 'sdl, its libraries are missing (libsdl2-dev libgles-dev)'
-    elif build sdl examples/hosts/sdl.c $strict; then
-        $work/sdl $work/sdl.ppm
-        $work/sdl $work/sdl-sky.ppm 0 1
-        $work/sdl $work/sdl-sun.ppm 1 0
-        near 'sdl' $work/sdl-sky.ppm $work/depth.png $most 2.2
-        sides sdl $work/sdl-sun.ppm
+    elif build sdl examples/hosts/sdl.c $strict; then in_both_lights sdl depth
     fi
 fi
 

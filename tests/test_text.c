@@ -1165,9 +1165,10 @@ static char reserved_words[1 << 14];
 static int reserved_words_read(void)
 {
     static const char ours[] =
-        " break const continue discard else false for if layout return struct true bool float int uint void vec2 vec3 vec4 "
-        "ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 bvec2 bvec3 bvec4 mat2 mat3 mat4 mat3x4 in out inout uniform flat precision "
-        "highp sampler2D sampler2DArray sampler2DMS sampler2DMSArray usampler2D usampler2DArray texture2DArray texture2DMS "
+        " break const continue discard else false for if layout return struct true bool float int uint void vec2 vec3 "
+        "vec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 bvec2 bvec3 bvec4 mat2 mat3 mat4 mat3x4 in out inout uniform flat "
+        "precision highp sampler2D sampler2DArray sampler2DMS sampler2DMSArray usampler2D usampler2DArray "
+        "texture2DArray texture2DMS "
         "texture2DMSArray utexture2D utexture2DArray ";
     char path[4096], line[256], word[64];
     size_t used = 1;
@@ -1231,7 +1232,8 @@ static void lint(void)
     static char text[TEXT];
     static set_of lines;
     if (!CHECK(reserved_words_read() && reserved("from", 4) && reserved("lineadj", 7) && reserved("kernel", 6)
-                   && reserved("float3x4", 8) && reserved("hvec3", 5) && !reserved("ssgi", 4), "tests/reserved.txt cannot be read"))
+                   && reserved("float3x4", 8) && reserved("hvec3", 5) && !reserved("ssgi", 4),
+               "tests/reserved.txt cannot be read"))
         return;
     for (int i = 0; i < texts; ++i) {
         const char *c = source_of(text, &spoken[i].desc, spoken[i].stage);

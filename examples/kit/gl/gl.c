@@ -190,7 +190,8 @@ static int egl_open(int es, kit_error *err)
         for (int32_t i = 0; i < count; i++) {
             const char *extensions = egl.device_string(devices[i], EGL_EXTENSIONS);
             const int marked = extensions && strstr(extensions, "EGL_MESA_device_software");
-            if (marked <= software && egl_try(egl.platform_display(EGL_PLATFORM_DEVICE, devices[i], NULL), es, software))
+            if (marked <= software
+                && egl_try(egl.platform_display(EGL_PLATFORM_DEVICE, devices[i], NULL), es, software))
                 return 0;
         }
         if (!software && surfaceless && egl_try(egl.platform_display(EGL_PLATFORM_SURFACELESS, NULL, NULL), es, 0))

@@ -278,29 +278,18 @@ static size_t bytes_of(const char *type)
 
 /* What ssgi_gl_frame_init sets a member to: numbers, times the radius where they follow it; "view" where they follow
    the camera. */
-static void put_default(FILE *f, const ssgi_gl_io *m)
+static void put_default(FILE *f, const ssgi_gl_frame frame[3], const ssgi_gl_io *m)
 {
-    ssgi_gl_frame frame[3];                     /* of a camera; of twice the radius; of another camera */
-    for (int i = 0; i < 3; ++i) {
-        const float wide = i < 2 ? 1.0f : 1.5f, zfar = 100, znear = i < 2 ? 0.25f : 0.5f;
-        const float projection[16] = { wide, 0, 0, 0, 0, wide, 0, 0, 0, 0, (zfar + znear) / (znear - zfar), -1, 0, 0,
-                                       2 * zfar * znear / (znear - zfar), 0 };
-        ssgi_view view;
-        memset(&frame[i], 0, sizeof frame[i]);
-        ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 64 << (i / 2), 64 << (i / 2), NULL);
-        ssgi_gl_frame_init(&frame[i], &view, i == 1 ? 2.0f : 1.0f, NULL);
-    }
     const char *at[3];
     for (int i = 0; i < 3; ++i) at[i] = (const char *)&frame[i] + m->offset;
     const size_t bytes = bytes_of(m->type);
-    const int scaled = memcmp(at[0], at[1], bytes) != 0;
+    const int scaled = memcmp(at[0], at[1], bytes) != 0, whole = *m->type == 'i';
     if (memcmp(at[0], at[2], bytes)) {
         fputs(", \"default\": \"view\"", f);
         return;
     }
     fprintf(f, ", \"default\": %s", bytes > 4 ? "[" : "");
     for (size_t i = 0; i < bytes; i += 4) {
-        const int whole = strstr(m->type, "int") || *m->type == 'i';
         int32_t n;
         float x;
         memcpy(&n, at[0] + i, 4);
@@ -310,17 +299,33 @@ static void put_default(FILE *f, const ssgi_gl_io *m)
     fprintf(f, "%s%s", bytes > 4 ? "]" : "", scaled ? ", \"times\": \"radius\"" : "");
 }
 
+/* Frames of a camera, of it with twice the radius, of another camera. */
+static void frames_to_compare(ssgi_gl_frame frame[3])
+{
+    for (int i = 0; i < 3; ++i) {
+        const float wide = i < 2 ? 1.0f : 1.5f, zfar = 100, znear = i < 2 ? 0.25f : 0.5f;
+        const float projection[16] = { wide, 0, 0, 0, 0, wide, 0, 0, 0, 0, (zfar + znear) / (znear - zfar), -1, 0, 0,
+                                       2 * zfar * znear / (znear - zfar), 0 };
+        ssgi_view view;
+        memset(&frame[i], 0, sizeof frame[i]);
+        ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 64 << (i / 2), 64 << (i / 2), NULL);
+        ssgi_gl_frame_init(&frame[i], &view, i == 1 ? 2.0f : 1.0f, NULL);
+    }
+}
+
 static void put_block(FILE *f, const char *name, int block, const char *prefix, size_t size)
 {
     const ssgi_gl_io *m;
     const char *between = "";
+    ssgi_gl_frame compared[3];
+    frames_to_compare(compared);
     fprintf(f, ",\n\"%s\": { \"size\": %zu, \"members\": [", name, size);
     for (int i = 0; (m = ssgi_gl_member_at(i)) != NULL; ++i) {
         if (m->slot != block) continue;
         fprintf(f, "%s\n{ \"name\": \"%s\", \"glsl\": \"%s\", \"type\": \"%s\", \"offset\": %zu, \"bytes\": %zu, "
                    "\"units\": ", between, m->name + strlen(prefix), m->name, m->type, m->offset, bytes_of(m->type));
         put_string(f, m->format);
-        if (!block) put_default(f, m);
+        if (!block) put_default(f, compared, m);
         fputs(" }", f);
         between = ",";
     }
