@@ -53,7 +53,8 @@
                 surfels  surfels from triangles, or lights those that are there; into a buffer [DSS14]
                 shuffle, splat           interleaves pixels into every level's sub-buffers; adds up surfels' effects
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
-                blur, history            edge-preserving filter of what the others wrote; before it, mean over frames
+                blur, history            edge-preserving filter of what the others wrote; the same, and a mean over
+                                         frames
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
                 width    writes view depth and thickness of what is seen, for gathers and lights: desc.thickness
 
@@ -412,7 +413,9 @@ typedef struct ssgi_gl_desc {
     int kernel;      /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
     int uniform;     /* points of gathers   1: directions spread evenly, as published, each weighted by 2 cos (those in
                         a texture, too); 0: by the cosine, of equal weight, which err less */
-    int half;        /* gathers, shade, history   1: for one pixel of every 2x2, rounded up; blur   1: to full size */
+    int half; /* gathers, shade   [limit: 0..2]  1: for one pixel of every 2x2, rounded up; 2: for each of the four
+                        in turn, by frame.phase, which ssgi_gl_steps sets before history. blur, history: the same, from
+                        which they go to full size */
 
     /* ---- gathers, lights: what occludes */
     int thickness;   /* SSGI_GL_THICKNESS_DEFAULT .. */
@@ -440,8 +443,8 @@ typedef struct ssgi_gl_desc {
     int shadow;      /* lights, surfels, splat   SSGI_GL_SHADOW_SEGMENT .. */
     int accumulate;  /* lights   1: adds to t_ssgi_light, what an earlier pass of this frame wrote */
     int restore;     /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; with another o_ssgi_light
-                        is not light until blur has drawn with this desc and colour = 1. A bounce alone is not
-                        restored */
+                        is not light until blur or history has drawn with this desc and colour = 1. A bounce alone is
+                        not restored */
 
     /* ---- coefficients: s3ho, shade, blur of them */
     int bands;    /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2 coefficients; bent
@@ -483,10 +486,10 @@ typedef struct ssgi_gl_desc {
 
     /* ---- filters: blur, history, compose */
     int colour;         /* SSGI_GL_GREY ..; of coefficients blur alone: history goes behind shade */
-    int filter;         /* blur   SSGI_GL_BILATERAL .. */
-    int filter_radius;  /* blur   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half: 1 is
-                           3x3 */
-    int filter_normals; /* blur, smooth   1: neighbours' normals are compared, too: 1 more fetch each */
+    int filter;         /* blur, history   SSGI_GL_BILATERAL .. */
+    int filter_radius;  /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when
+                           half: 1 is 3x3 */
+    int filter_normals; /* blur, history, smooth   1: neighbours' normals are compared, too: 1 more fetch each */
     int motion;         /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
     int onto;           /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE .. */
 
@@ -605,7 +608,7 @@ typedef struct ssgi_gl_chain {
 
     /* ---- how it is filtered */
     int blur;       /* 1: what is gathered is filtered within surfaces */
-    int history;    /* 1: before that it is averaged over frames */
+    int history;    /* 1: and averaged over frames, at full size: pass history in place of blur. Needs blur = 1 */
     int vectors;    /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is filtered */
     int unsmoothed; /* splat   1: levels are added unfiltered */
 
@@ -814,7 +817,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
                                            const float main_world_to_view[16], const float last_world_to_view[16],
                                            const char **why);
 
-/* frame.phase of frame number k, in [0,1): spreads the noise of any few frames in a row evenly. */
+/* frame.phase of frame number k, in [0,1): spreads the noise of any few frames in a row evenly. The last 2 of its 24
+   bits are k's, which tell the pixel that is gathered (desc.half 2). */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
 /* Sets what surfels are made with, but desc->overhang, which the text has: ssgi_gl_desc.overhang. Draw the mesh with
@@ -956,6 +960,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_inside", __LINE__ + 1,
     "bool ssgi_inside(ivec2 p) {\n"
     "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // uint(-1) is large\n"
+    "}\n" },
+
+{ "ssgi_gathered_texel", __LINE__ + 1,
+    "ivec2 ssgi_gathered_texel() { // this one, of the image that gathers write\n"
+    "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 2; // #if half\n"
+    "    return ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
+    "}\n" },
+
+/* Its turn is told by the last bits of the phase: ssgi_gl_phase. */
+{ "ssgi_gathered", __LINE__ + 1,
+    "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of that image stands for\n"
+    "#if half == 2\n"
+    "    int turn = int(16777216.0 * u_ssgi_phase);\n"
+    "    return min(2 * texel + (ivec2(turn, turn + (turn >> 1)) & 1), u_ssgi_size - 1); // of every 2x2 in turn\n"
+    "#else\n"
+    "    return 2 * texel; // of every 2x2 // #if half\n"
+    "    return texel; // #if !half\n"
+    "#endif\n"
     "}\n" },
 
 { "ssgi_decode", __LINE__ + 1,
@@ -2102,8 +2124,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_shade", __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2); // #if half\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
+    "    ivec2 p = ssgi_gathered(ssgi_gathered_texel());\n"
     "    float z = ssgi_depth(p);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
@@ -2117,8 +2138,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_bent", __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2); // #if half\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
+    "    ivec2 p = ssgi_gathered(ssgi_gathered_texel());\n"
     "    float z = ssgi_depth(p);\n"
     "    o_ssgi_bent = z < SSGI_FAR ? ssgi_bent(ssgi_load(ivec2(gl_FragCoord.xy)).c[0]) : vec4(0.0);\n"
     "}\n" },
@@ -2677,8 +2697,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_occlusion", __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel; // of every 2x2 // #if half\n"
-    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target, p = texel; // #if !half\n"
+    "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
     "    float z = ssgi_depth(p);\n"
     "    o_ssgi_ao = vec2(1.0, SSGI_FAR);\n"
     "    if (z >= SSGI_FAR) return;\n"
@@ -2688,8 +2707,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_ssdo", __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel; // of every 2x2 // #if half\n"
-    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target, p = texel; // #if !half\n"
+    "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
     "    float z = ssgi_receiver_depth(p);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z); // #if environment\n"
     "    o_ssgi_bounce = vec4(0.0, 0.0, 0.0, z); // #if bounce\n"
@@ -2705,8 +2723,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_s3ho", __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel; // of every 2x2 // #if half\n"
-    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target, p = texel; // #if !half\n"
+    "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
     "    float z = ssgi_depth(p);\n"
     "    ssgi_coefficients v = ssgi_coefficients_none();\n"
     "    if (z < SSGI_FAR) {\n"
@@ -2718,8 +2735,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_s3ho_shaded", __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel; // of every 2x2 // #if half\n"
-    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target, p = texel; // #if !half\n"
+    "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
     "    float z = ssgi_depth(p);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
@@ -3324,7 +3340,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_blurred ssgi_blurred_at(ivec2 p, float z) {\n"
     "    ssgi_blurred c;\n"
     "    c.P = ssgi_position(vec2(p) + 0.5, z), c.z = z, c.footprint = ssgi_footprint(z);\n"
-    "    c.n = ssgi_normal(p, c.P); // #if filter == BILATERAL || restore\n"
+    "    c.n = ssgi_normal(p, c.P); // #if filter == BILATERAL || restore || pass == HISTORY\n"
     "    c.plane = ssgi_plane(c.P, c.n); // #if filter == BILATERAL\n"
     "    return c;\n"
     "}\n" },
@@ -3335,7 +3351,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_neighbour_at", __LINE__ + 1,
     "ssgi_neighbour ssgi_neighbour_at(ivec2 p, int x, int y) {\n"
     "    ivec2 h = p / 2 + ivec2(x, y); // #if half\n"
-    "    return ssgi_neighbour(h + u_ssgi_target / 2, h * 2, h * 2 - p); // #if half\n"
+    "    ivec2 q = ssgi_gathered(h); // #if half\n"
+    "    return ssgi_neighbour(h + u_ssgi_target / 2, q, q - p); // #if half\n"
     "    return ssgi_neighbour(p + ivec2(x, y) + u_ssgi_target, p + ivec2(x, y), ivec2(x, y)); // #if !half\n"
     "}\n" },
 
@@ -3357,7 +3374,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if half\n"
     "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(vec2(t.o));\n"
     "    // never 0: if no tap lies on the plane, the closest to it wins\n"
-    "    float w = tent.x * tent.y / (0.1 + off * off);\n"
+    "    float w = tent.x * tent.y / (0.1 + off * off); // #if pass != HISTORY\n"
+    "    float w = tent.x * tent.y; // #if pass == HISTORY\n"
+    "    w *= w / (0.02 + off * off); // narrower: frames average, too // #if pass == HISTORY\n"
     "#else\n"
     "    float w = max(1.0 - off, 0.0);\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == SSGI_FILTER_RADIUS) w *= 0.5;\n"
@@ -3375,45 +3394,88 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec4(vec3(ao), 1.0); // #if onto == MULTIPLY\n"
     "}\n" },
 
-{ "main_blur_grey", __LINE__ + 1,
-    "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+{ "ssgi_texel", __LINE__ + 1,
+    "// light or visibility, view depth\n"
+    "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
+    "    return texelFetch(t, q, 0); // #if colour == COLOUR\n"
+    "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n"
+    "}\n" },
+
+{ "ssgi_now", __LINE__ + 1,
+    "vec4 ssgi_now(ivec2 q) { // this frame's\n"
+    "    return ssgi_texel(t_ssgi_light, q); // #if colour == COLOUR\n"
+    "    return ssgi_texel(t_ssgi_ao, q); // #if colour == GREY\n"
+    "}\n" },
+
+{ "ssgi_grey", __LINE__ + 1,
+    "float ssgi_grey(vec4 t) {\n"
+    "    return dot(t.xyz, vec3(0.2126, 0.7152, 0.0722)); // #if colour == COLOUR\n"
+    "    return t.x; // #if colour == GREY\n"
+    "}\n" },
+
+{ "ssgi_filtered", __LINE__ + 1,
+    "struct ssgi_filtered { // sums over a pixel and its neighbours\n"
+    "    vec4 light; // light or visibility, times weight; weights\n"
+    "    vec2 spread; // their squares, times weight; squared weights // #if pass == HISTORY\n"
+    "};\n" },
+
+{ "ssgi_filtered_none", __LINE__ + 1,
+    "ssgi_filtered ssgi_filtered_none() {\n"
+    "    return ssgi_filtered(vec4(0.0), vec2(0.0)); // #if pass == HISTORY\n"
+    "    return ssgi_filtered(vec4(0.0)); // #if pass != HISTORY\n"
+    "}\n" },
+
+{ "ssgi_filtered_add", __LINE__ + 1,
+    "void ssgi_filtered_add(inout ssgi_filtered f, vec4 t, float w) {\n"
+    "    f.light += vec4(t.xyz, 1.0) * w;\n"
+    "    float v = ssgi_grey(t); // #if pass == HISTORY\n"
+    "    f.spread += vec2(v * v, w) * w; // #if pass == HISTORY\n"
+    "}\n" },
+
+{ "ssgi_filter", __LINE__ + 1,
+    "// what is at p; in f sums over that and what is around it\n"
+    "ssgi_blurred ssgi_filter(ivec2 p, out ssgi_filtered f) {\n"
+    "    f = ssgi_filtered_none();\n"
     "    float z = ssgi_depth(p); // #if half\n"
-    "    vec2 centre = texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).xy, sum = vec2(centre.x, 1.0); // #if !half\n"
-    "    float z = centre.y; // #if !half\n"
-    "    vec2 sum = vec2(0.0); // #if half\n"
+    "    vec4 centre = ssgi_now(p + u_ssgi_target); // #if !half\n"
+    "    float z = centre.w; // #if !half\n"
+    "    ssgi_filtered_add(f, centre, 1.0); // #if !half\n"
     "    ssgi_blurred c = ssgi_blurred_at(p, z);\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
     "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
     "            if (x == 0 && y == 0) continue; // #if !half\n"
     "            ssgi_neighbour t = ssgi_neighbour_at(p, x, y);\n"
-    "            vec2 s = texelFetch(t_ssgi_ao, t.at, 0).xy;\n"
-    "            if (ssgi_inside(t.q) && s.y < SSGI_FAR) sum += vec2(s.x, 1.0) * ssgi_blur_weight(c, t, s.y);\n"
+    "            vec4 s = ssgi_now(t.at);\n"
+    "            if (!ssgi_inside(t.q) || s.w >= SSGI_FAR) continue;\n"
+    "            ssgi_filtered_add(f, s, ssgi_blur_weight(c, t, s.w));\n"
     "        }\n"
-    "    float ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
+    "    return c;\n"
+    "}\n" },
+
+{ "main_blur_grey", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    ssgi_filtered f;\n"
+    "    ssgi_blurred c = ssgi_filter(p, f);\n"
+    "    float ao = c.z < SSGI_FAR && f.light.w > 0.0 ? f.light.x / f.light.w : 1.0;\n"
     "    o_ssgi_picture = ssgi_onto(p, ao); // #if onto\n"
     "    o_ssgi_ao = ao; // #if !onto\n"
+    "}\n" },
+
+{ "ssgi_restored", __LINE__ + 1,
+    "vec3 ssgi_restored(vec3 light, ssgi_blurred c) { // with unoccluded light at every pixel\n"
+    "    return light; // #if !restore\n"
+    "    return light * ssgi_open_light(c.P, c.n); // #if restore == RATIO\n"
+    "    return max(light + ssgi_open_light(c.P, c.n), 0.0); // #if restore == DIFFERENCE\n"
     "}\n" },
 
 { "main_blur_light", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_depth(p); // #if half\n"
-    "    vec4 centre = texelFetch(t_ssgi_light, p + u_ssgi_target, 0), sum = vec4(centre.xyz, 1.0); // #if !half\n"
-    "    float z = centre.w; // #if !half\n"
-    "    vec4 sum = vec4(0.0); // #if half\n"
-    "    ssgi_blurred c = ssgi_blurred_at(p, z);\n"
-    "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
-    "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
-    "            if (x == 0 && y == 0) continue; // #if !half\n"
-    "            ssgi_neighbour t = ssgi_neighbour_at(p, x, y);\n"
-    "            vec4 s = texelFetch(t_ssgi_light, t.at, 0);\n"
-    "            if (ssgi_inside(t.q) && s.w < SSGI_FAR) sum += vec4(s.xyz, 1.0) * ssgi_blur_weight(c, t, s.w);\n"
-    "        }\n"
-    "    o_ssgi_light = vec4(z < SSGI_FAR && sum.w > 0.0 ? sum.xyz / sum.w : vec3(0.0), z);\n"
-    "    if (z >= SSGI_FAR) return; // #if restore\n"
-    "    o_ssgi_light.xyz *= ssgi_open_light(c.P, c.n); // #if restore == RATIO\n"
-    "    o_ssgi_light.xyz = max(o_ssgi_light.xyz + ssgi_open_light(c.P, c.n), 0.0); // #if restore == DIFFERENCE\n"
+    "    ssgi_filtered f;\n"
+    "    ssgi_blurred c = ssgi_filter(p, f);\n"
+    "    o_ssgi_light = vec4(f.light.w > 0.0 ? f.light.xyz / f.light.w : vec3(0.0), c.z);\n"
+    "    o_ssgi_light.xyz = c.z < SSGI_FAR ? ssgi_restored(o_ssgi_light.xyz, c) : vec3(0.0);\n"
     "}\n" },
 
 { "main_blur_coefficients", __LINE__ + 1,
@@ -3455,17 +3517,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz, 0.0);\n"
     "}\n" },
 
-/* ---- history: the mean over frames of what the last ones saw of this surface. Where light changes the average
-   follows: two running means of the 3x3 mean are kept, one over two frames (quick) and one over all. */
+/* ---- history: what blur does, averaged over what the last frames saw of this surface. Where light changes the average
+   follows: a mean over two frames (quick) is kept beside that over all. */
 
-/* How far quick may be from this frame's 3x3 mean, by the deviation of its pixels and by the mean: 0.7 deviations are
-   three to five times the noise of such a mean, so that what is beyond is a change. Of the mean 2 %, where nothing
+/* How far quick may be from this frame's filtered value, by the deviation of what is filtered and by that value: 0.7
+   deviations are three to five times its noise, so that what is beyond is a change. Of the value 2 %, where nothing
    deviates. */
 { "SSGI_JUMP", __LINE__ + 1,
     "const vec2 SSGI_JUMP = vec2(0.7, 0.02);\n" },
 
-/* How far the mean over all frames may be from quick: as far as the noise of a 3x3 mean goes, which is a quarter to a
-   seventh of the deviation; or 0.5 % of the mean, about a step of 8 bits. */
+/* How far the mean over all frames may be from quick: as far as the noise of a filtered value goes, which is a quarter
+   to a seventh of the deviation; or 0.5 % of the mean, about a step of 8 bits. */
 { "SSGI_DRIFT", __LINE__ + 1,
     "const vec2 SSGI_DRIFT = vec2(0.2, 0.005);\n" },
 
@@ -3473,33 +3535,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_FORGOTTEN", __LINE__ + 1,
     "const float SSGI_FORGOTTEN = 0.85;\n" },
 
-/* Interpolation blurs once a frame: of 16 frames 4 are kept where a place lies midway between two texels. */
+/* Interpolation blurs once a frame: of 16 frames 8 are kept where a place lies midway between two pixels, 5.3 amid
+   four. */
 { "SSGI_BLURRED", __LINE__ + 1,
-    "const float SSGI_BLURRED = 12.0;\n" },
+    "const float SSGI_BLURRED = 4.0;\n" },
 
 { "ssgi_finite", __LINE__ + 1,
     "// no NaN, nothing beyond 1e9; by the bits, since compilers turn !(a < b) into a >= b\n"
     "bool ssgi_finite(vec4 v) {\n"
     "    return all(lessThan(floatBitsToUint(v) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n"
-    "}\n" },
-
-{ "ssgi_texel", __LINE__ + 1,
-    "// light or visibility, view depth\n"
-    "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
-    "    return texelFetch(t, q, 0); // #if colour == COLOUR\n"
-    "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n"
-    "}\n" },
-
-{ "ssgi_now", __LINE__ + 1,
-    "vec4 ssgi_now(ivec2 q) { // this frame's\n"
-    "    return ssgi_texel(t_ssgi_light, q); // #if colour == COLOUR\n"
-    "    return ssgi_texel(t_ssgi_ao, q); // #if colour == GREY\n"
-    "}\n" },
-
-{ "ssgi_grey", __LINE__ + 1,
-    "float ssgi_grey(vec4 t) {\n"
-    "    return dot(t.xyz, vec3(0.2126, 0.7152, 0.0722)); // #if colour == COLOUR\n"
-    "    return t.x; // #if colour == GREY\n"
     "}\n" },
 
 { "ssgi_reproject", __LINE__ + 1,
@@ -3510,73 +3554,89 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec3(P.xy / max(P.z, 1e-30), P.z); // #if !orthographic\n"
     "}\n" },
 
-{ "ssgi_image", __LINE__ + 1,
-    "struct ssgi_image { int wide; ivec2 first, size; }; // the averaged image: pixels a texel; its place, size\n" },
+{ "ssgi_kept", __LINE__ + 1,
+    "struct ssgi_kept { // of a pixel over frames\n"
+    "    vec4 light; // light or visibility, view depth\n"
+    "    vec2 means; // over two frames, grey; how many frames\n"
+    "};\n" },
 
-{ "ssgi_image_of", __LINE__ + 1,
-    "ssgi_image ssgi_image_of() {\n"
-    "    int wide = 1; // #if !half\n"
-    "    int wide = 2; // #if half\n"
-    "    return ssgi_image(wide, u_ssgi_target / wide, (u_ssgi_size + wide - 1) / wide);\n"
+{ "ssgi_kept_at", __LINE__ + 1,
+    "ssgi_kept ssgi_kept_at(ivec2 q) { // by the last frame\n"
+    "    vec4 t = texelFetch(t_ssgi_history, q + u_ssgi_target, 0);\n"
+    "    return ssgi_kept(t, texelFetch(t_ssgi_means, q + u_ssgi_target, 0).xy); // #if colour == COLOUR\n"
+    "    return ssgi_kept(t.xxxy, t.zw); // #if colour == GREY\n"
     "}\n" },
 
 { "ssgi_last", __LINE__ + 1,
     "struct ssgi_last { // what the last frame knows of this surface\n"
     "    float known; // weight of the texels that do; below 0.25: 0\n"
     "    float blurred; // by interpolation, 0 .. 0.5\n"
-    "    vec4 light, means;\n"
+    "    ssgi_kept kept;\n"
     "};\n" },
 
 /* A texel shows P's plane if it is within the slack of it: half a footprint and a thousandth of the depth, which the
    rounding of 16-bit depths takes. A hundredth of a texel decides nothing: the nearest texel alone does. */
 { "ssgi_last_of", __LINE__ + 1,
     "// Reprojects P: between those of the last frame's four texels around it that show P's plane\n"
-    "ssgi_last ssgi_last_of(ivec2 p, vec3 P, vec3 n, ssgi_image image) {\n"
-    "    ssgi_last none = ssgi_last(0.0, 0.0, vec4(0.0), vec4(0.0)), sum = none;\n"
+    "ssgi_last ssgi_last_of(ivec2 p, vec3 P, vec3 n) {\n"
+    "    ssgi_last none = ssgi_last(0.0, 0.0, ssgi_kept(vec4(0.0), vec2(0.0))), sum = none;\n"
     "    vec3 was = ssgi_reproject(P);\n"
     "    vec2 at = was.xy;\n"
-    "    float wide = float(image.wide), footprint = ssgi_footprint(-P.z);\n"
+    "    float footprint = ssgi_footprint(-P.z);\n"
     "    vec4 plane = vec4(n, 0.0) * u_ssgi_last_from; // as the last frame's pixels and depth have it\n"
     "    plane.w -= dot(n, P);\n"
-    "    float slack = 0.5 * wide * footprint - 0.001 * P.z;\n"
+    "    float slack = 0.5 * footprint - 0.001 * P.z;\n"
     "#if motion\n"
     "    vec2 by = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy;\n"
     "    slack += max(distance(at, by) - 0.5, 0.0) * footprint; // its depth may have changed as much\n"
     "    at = by;\n"
     "#endif\n"
-    "    at = (at - 0.5) / wide;\n"
-    "    bool shown = all(lessThan(abs(2.0 * at - vec2(image.size)), vec2(image.size + 2)));\n"
+    "    at -= 0.5;\n"
+    "    bool shown = all(lessThan(abs(2.0 * at - vec2(u_ssgi_size)), vec2(u_ssgi_size + 2)));\n"
     "    if (!shown || !ssgi_finite(vec4(at, was.z, 0.0)) || was.z <= 0.0 || u_ssgi_history <= 1.0) return none;\n"
     "    vec2 low = floor(at), part = at - low;\n"
     "    part = clamp(1.02 * part - 0.01, 0.0, 1.0);\n"
     "    for (int k = 0; k < 4; ++k) {\n"
-    "        ivec2 corner = ivec2(k & 1, k >> 1), q = clamp(ivec2(low) + corner, ivec2(0), image.size - 1);\n"
-    "        vec4 t = ssgi_texel(t_ssgi_history, image.first + q), m = texelFetch(t_ssgi_means, image.first + q, 0);\n"
-    "        vec4 Q = vec4((vec2(q) * wide + 0.5) * t.w, t.w, 1.0); // #if !orthographic\n"
-    "        vec4 Q = vec4(vec2(q) * wide + 0.5, t.w, 1.0); // #if orthographic\n"
+    "        ivec2 corner = ivec2(k & 1, k >> 1), q = clamp(ivec2(low) + corner, ivec2(0), u_ssgi_size - 1);\n"
+    "        ssgi_kept t = ssgi_kept_at(q);\n"
+    "        vec4 Q = vec4((vec2(q) + 0.5) * t.light.w, t.light.w, 1.0); // #if !orthographic\n"
+    "        vec4 Q = vec4(vec2(q) + 0.5, t.light.w, 1.0); // #if orthographic\n"
     "        vec2 share = mix(1.0 - part, part, vec2(corner));\n"
     "        float w = share.x * share.y;\n"
-    "        bool near = abs(dot(plane, Q)) < slack && m.z >= 1.0;\n"
-    "        if (near && w > 0.0) sum.known += w, sum.light += w * t, sum.means += w * m;\n"
+    "        if (!(abs(dot(plane, Q)) < slack && t.means.y >= 1.0 && w > 0.0)) continue;\n"
+    "        sum.known += w, sum.kept.light += w * t.light, sum.kept.means += w * t.means;\n"
     "    }\n"
-    "    if (sum.known < 0.25 || !ssgi_finite(sum.light) || !ssgi_finite(sum.means)) return none;\n"
-    "    return ssgi_last(sum.known, dot(part, 1.0 - part), sum.light / sum.known, sum.means / sum.known);\n"
+    "    if (sum.known < 0.25 || !ssgi_finite(sum.kept.light) || !ssgi_finite(sum.kept.means.xyxy)) return none;\n"
+    "    sum.kept.light /= sum.known, sum.kept.means /= sum.known;\n"
+    "    sum.blurred = dot(part, 1.0 - part);\n"
+    "    return sum;\n"
     "}\n" },
 
-/* Two texels, since one alone may lie behind an edge. What is a 20th of a texel off one counts as there, so that
-   what moved by a pixel before a camera that stands still is seen. */
+{ "ssgi_depth_now", __LINE__ + 1,
+    "float ssgi_depth_now(ivec2 q) {\n"
+    "    return ssgi_depth(q); // #if half\n"
+    "    return ssgi_now(q + u_ssgi_target).w; // #if !half\n"
+    "}\n" },
+
+{ "ssgi_depth_last", __LINE__ + 1,
+    "float ssgi_depth_last(ivec2 q) {\n"
+    "    return ssgi_texel(t_ssgi_history, q + u_ssgi_target).w;\n"
+    "}\n" },
+
+/* Two pixels, since one alone may lie behind an edge. What is a 20th of a pixel off one counts as there, so that what
+   moved by a pixel before a camera that stands still is seen. */
 { "ssgi_nearest", __LINE__ + 1,
-    "// of two texels that a place, in texels, lies between, the one of less depth: where, and its depth\n"
-    "vec3 ssgi_nearest(sampler2D t, vec2 at, ssgi_image image) {\n"
-    "    ivec2 a = clamp(ivec2(floor(at + 0.05)), ivec2(0), image.size - 1);\n"
-    "    ivec2 b = clamp(ivec2(floor(at + 0.95)), ivec2(0), image.size - 1);\n"
-    "    float y = ssgi_texel(t, image.first + a).w, z = ssgi_texel(t, image.first + b).w;\n"
+    "// of two pixels that a place lies between, in the last frame or this, the one of less depth: where, its depth\n"
+    "vec3 ssgi_nearest(vec2 at, bool last) {\n"
+    "    ivec2 a = clamp(ivec2(floor(at + 0.05)), ivec2(0), u_ssgi_size - 1);\n"
+    "    ivec2 b = clamp(ivec2(floor(at + 0.95)), ivec2(0), u_ssgi_size - 1);\n"
+    "    float y = last ? ssgi_depth_last(a) : ssgi_depth_now(a), z = last ? ssgi_depth_last(b) : ssgi_depth_now(b);\n"
     "    return y < z ? vec3(vec2(a), y) : vec3(vec2(b), z);\n"
     "}\n" },
 
 { "ssgi_within", __LINE__ + 1,
-    "bool ssgi_within(vec2 at, ssgi_image image) { // a place of the picture, in texels\n"
-    "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(image.size) - 0.5));\n"
+    "bool ssgi_within(vec2 at) { // a place of the picture, a pixel's centre at whole numbers\n"
+    "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(u_ssgi_size) - 0.5));\n"
     "}\n" },
 
 { "ssgi_occludes", __LINE__ + 1,
@@ -3588,47 +3648,45 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* What is seen at a tap now came if it stood in front of what the last frame saw there. What that saw went if it would
    stand in front of what is seen where it would be now. A nearer surface that hides or bares it as the camera moves is
-   neither. In front: by half a texel's footprint and 0.2 % of the depth. */
+   neither. In front: by half a pixel's footprint and 0.2 % of the depth. */
 { "ssgi_occluder_moved", __LINE__ + 1,
-    "// Whether depth at a tap, `by` texels off, shows that an occluder of P came or went. along: how far P moved\n"
-    "// on its own\n"
-    "bool ssgi_occluder_moved(ivec2 by, ivec2 h, vec3 P, vec3 n, vec2 along, ssgi_image image) {\n"
-    "    float wide = float(image.wide), texels = 0.5 * wide + length(along);\n"
-    "    ivec2 q = clamp(h + by, ivec2(0), image.size - 1);\n"
-    "    vec3 Q = ssgi_position(vec2(q * image.wide) + 0.5, ssgi_now(image.first + q).w), was = ssgi_reproject(Q);\n"
-    "    vec2 at = (was.xy + along - 0.5) / wide;\n"
-    "    vec3 E = ssgi_nearest(t_ssgi_history, at, image);\n"
-    "    float slack = texels * ssgi_footprint(was.z) + 0.002 * was.z;\n"
-    "    if (!ssgi_within(at, image) || abs(E.z - was.z) < slack) return false;\n"
-    "    if (E.z > was.z) return ssgi_occludes(Q, P, n);\n"
-    "    E.xy = E.xy * wide + 0.5 - along;\n"
+    "// Whether depth at a pixel shows that an occluder of P came or went. along: how far P moved on its own\n"
+    "bool ssgi_occluder_moved(ivec2 q, vec3 P, vec3 n, vec2 along) {\n"
+    "    float pixels = 0.5 + length(along);\n"
+    "    q = clamp(q, ivec2(0), u_ssgi_size - 1);\n"
+    "    vec3 Q = ssgi_position(vec2(q) + 0.5, ssgi_depth_now(q)), was = ssgi_reproject(Q);\n"
+    "    vec2 at = was.xy + along - 0.5;\n"
+    "    vec3 E = ssgi_nearest(at, true);\n"
+    "    float slack = pixels * ssgi_footprint(was.z) + 0.002 * was.z;\n"
+    "    bool came = E.z > was.z;\n"
+    "    if (!ssgi_within(at) || abs(E.z - was.z) < slack) return false;\n"
+    "    E.xy += 0.5 - along;\n"
     "    E.xy *= E.z; // #if !orthographic\n"
-    "    E = (u_ssgi_last_from * vec4(E, 1.0)).xyz;\n"
-    "    at = (ssgi_project(E) - 0.5) / wide;\n"
-    "    slack = texels * ssgi_footprint(-E.z) - 0.002 * E.z;\n"
-    "    float z = ssgi_nearest(t_ssgi_light, at, image).z; // #if colour == COLOUR\n"
-    "    float z = ssgi_nearest(t_ssgi_ao, at, image).z; // #if colour == GREY\n"
-    "    return ssgi_within(at, image) && ssgi_occludes(E, P, n) && -E.z < z - slack;\n"
+    "    E = came ? Q : (u_ssgi_last_from * vec4(E, 1.0)).xyz;\n"
+    "    if (!ssgi_occludes(E, P, n)) return false;\n"
+    "    if (came) return true;\n"
+    "    at = ssgi_project(E) - 0.5;\n"
+    "    slack = pixels * ssgi_footprint(-E.z) - 0.002 * E.z;\n"
+    "    return ssgi_within(at) && -E.z < ssgi_nearest(at, false).z - slack;\n"
     "}\n" },
 
-/* The direction is interleaved gradient noise, as in ssgi_noise; the distance is a second one, independent of it. */
+/* Each pixel of a quad has its side of a square. Along the side the place is interleaved gradient noise, as in
+   ssgi_noise; how large the square is a second one, independent of it: more than half are within a third of the
+   radius. */
 { "ssgi_occluders_moved", __LINE__ + 1,
-    "// whether one of two taps shows it, here or, by derivatives, in another pixel of the 2x2 quad\n"
-    "bool ssgi_occluders_moved(ivec2 h, vec3 P, vec3 n, ssgi_image image) {\n"
-    "    vec2 xi = fract(fract(dot(vec2(h), vec2(0.0671, 0.00584))) * vec2(52.983, 386.77) + u_ssgi_phase);\n"
-    "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / float(image.wide); // #if orthographic\n"
-    "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / (-P.z * float(image.wide)); // #if !orthographic\n"
-    "    vec2 way = vec2(cos(2.0 * SSGI_PI * xi.x), sin(2.0 * SSGI_PI * xi.x)), along = vec2(0.0);\n"
+    "// whether a tap shows it, here or, by derivatives, in another pixel of the 2x2 quad\n"
+    "bool ssgi_occluders_moved(ivec2 p, vec3 P, vec3 n) {\n"
+    "    vec2 xi = fract(fract(dot(vec2(p), vec2(0.0671, 0.00584))) * vec2(52.983, 386.77) + u_ssgi_phase);\n"
+    "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius; // #if orthographic\n"
+    "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / -P.z; // #if !orthographic\n"
+    "    vec2 way = vec2(2.0 * xi.x - 1.0, (p.y & 1) == 0 ? -1.0 : 1.0), along = vec2(0.0);\n"
+    "    if ((p.x & 1) == 0) way = vec2(-way.y, way.x);\n"
+    "    way *= 0.05 + 0.95 * xi.y * xi.y;\n"
     "#if motion\n"
-    "    ivec2 p = h * image.wide; // what moved along with P stays where it is\n"
+    "    // what moved along with P stays where it is\n"
     "    along = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy - ssgi_reproject(P).xy;\n"
     "#endif\n"
-    "    float moved = 0.0;\n"
-    "    for (int k = 0; k < 2; ++k) { // one within a third of the radius, one beyond\n"
-    "        float s = k == 0 ? 0.05 + 0.3 * xi.y : 0.35 + 0.65 * xi.y;\n"
-    "        if (ssgi_occluder_moved(ivec2(floor(s * reach * way + 0.5)), h, P, n, along, image)) moved = 1.0;\n"
-    "        way = vec2(-way.y, way.x);\n"
-    "    }\n"
+    "    float moved = ssgi_occluder_moved(p + ivec2(floor(reach * way + 0.5)), P, n, along) ? 1.0 : 0.0;\n"
     "#if dialect == 450 || dialect == VULKAN\n"
     "    moved = max(moved, abs(dFdxFine(moved))); // coarse ones may be of one row for both\n"
     "    return max(moved, abs(dFdyFine(moved))) > 0.0;\n"
@@ -3638,56 +3696,60 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* A twentieth of the radius from the tangent plane, and a pixel, is as far as blur reaches (ssgi_blur_weight). */
-{ "ssgi_neighbourhood", __LINE__ + 1,
-    "// of 3x3 pixels within the surface: mean, as blur will see it; deviation, larger where they are few\n"
-    "vec2 ssgi_neighbourhood(ivec2 h, vec3 P, vec3 n, ssgi_image image) {\n"
-    "    vec3 plane = ssgi_plane(P, n), sum = vec3(0.0);\n"
-    "    float near = 1.0 / (0.05 * u_ssgi_radius + float(image.wide) * ssgi_footprint(-P.z));\n"
-    "    for (int k = 0; k < 9; ++k) {\n"
-    "        ivec2 q = clamp(h + ivec2(k % 3, k / 3) - 1, ivec2(0), image.size - 1);\n"
-    "        vec4 t = ssgi_now(image.first + q);\n"
-    "        float s = ssgi_grey(t), w = 1.0 - ssgi_off_plane(plane, vec2((q - h) * image.wide), P, t.w) * near;\n"
-    "        if (t.w < SSGI_FAR && w > 0.0) sum += w * vec3(s, s * s, 1.0);\n"
-    "    }\n"
-    "    float few = 9.0 / sum.z; // a tenth of the mean more where they are few\n"
-    "    sum /= sum.z;\n"
-    "    float variance = max(sum.y - sum.x * sum.x, 0.0) + 0.01 * sum.x * sum.x * (few - 1.0);\n"
-    "    return vec2(sum.x, sqrt(variance * few));\n"
+/* As of nine of equal weight. A tenth of the mean more where they are few. */
+{ "ssgi_deviation", __LINE__ + 1,
+    "float ssgi_deviation(ssgi_filtered f, float mean) {\n"
+    "    float few = 9.0 * f.spread.y / (f.light.w * f.light.w);\n"
+    "    float variance = max(f.spread.x / f.light.w - mean * mean, 0.0);\n"
+    "    return sqrt((variance + 0.01 * mean * mean * max(few - 1.0, 0.0)) * few);\n"
+    "}\n" },
+
+{ "ssgi_averaged", __LINE__ + 1,
+    "// this frame's mean with the last ones', which follows it where that differs by more than noise does\n"
+    "ssgi_kept ssgi_averaged(vec4 now, float deviation, ssgi_last last) {\n"
+    "    float v = ssgi_grey(now), frames = 1.0;\n"
+    "    float jump = SSGI_JUMP.x * deviation + SSGI_JUMP.y * abs(v);\n"
+    "    float drift = SSGI_DRIFT.x * deviation + SSGI_DRIFT.y * abs(v) + 1e-9;\n"
+    "    float most = max(u_ssgi_history / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
+    "    if (last.known > 0.0) frames = min(last.kept.means.y + 1.0, most);\n"
+    "    float quick = mix(last.kept.means.x, v, 1.0 / min(frames, 2.0));\n"
+    "    quick = clamp(quick, v - jump, v + jump);\n"
+    "    vec4 average = vec4(mix(last.kept.light.xyz, now.xyz, 1.0 / frames), now.w);\n"
+    "    float mean = ssgi_grey(average), by = clamp(mean, quick - drift, quick + drift) - mean;\n"
+    "    frames = max(frames * (1.0 - SSGI_FORGOTTEN * min(abs(by) / drift, 1.0)), 1.0);\n"
+    "#if colour == COLOUR && restore != DIFFERENCE\n"
+    "    bool scales = mean > 0.0 && by < 2.0 * mean;\n"
+    "    if (!scales) return ssgi_kept(now, vec2(v, 1.0));\n"
+    "    average.xyz = max(average.xyz * (1.0 + by / mean), 0.0);\n"
+    "#else\n"
+    "    average.xyz += by;\n"
+    "    average.xyz = clamp(average.xyz, 0.0, 1.0); // #if colour == GREY\n"
+    "#endif\n"
+    "    return ssgi_kept(average, vec2(quick, frames));\n"
     "}\n" },
 
 { "main_history", __LINE__ + 1,
     "void main() {\n"
-    "    ssgi_image image = ssgi_image_of();\n"
-    "    ivec2 h = ivec2(gl_FragCoord.xy) - image.first, p = h * image.wide;\n"
-    "    vec4 now = ssgi_now(image.first + h);\n"
-    "    float z = now.w, v = ssgi_grey(now), frames = 1.0;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "    bool moved = ssgi_occluders_moved(h, P, n, image);\n"
-    "    o_ssgi_light = now; // #if colour == COLOUR\n"
-    "    o_ssgi_ao = now.xw; // #if colour == GREY\n"
-    "    o_ssgi_means = vec4(v, v, 1.0, 0.0);\n"
-    "    if (z >= SSGI_FAR) return;\n"
-    "    ssgi_last last = ssgi_last_of(p, P, n, image);\n"
-    "    float most = max(u_ssgi_history / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
-    "    if (last.known > 0.0 && !moved) frames = min(last.means.z + 1.0, most);\n"
-    "    vec2 around = ssgi_neighbourhood(h, P, n, image);\n"
-    "    float jump = SSGI_JUMP.x * around.y + SSGI_JUMP.y * abs(around.x);\n"
-    "    float drift = SSGI_DRIFT.x * around.y + SSGI_DRIFT.y * abs(around.x) + 1e-9;\n"
-    "    float quick = mix(last.means.x, around.x, 1.0 / min(frames, 2.0));\n"
-    "    quick = clamp(quick, around.x - jump, around.x + jump);\n"
-    "    float mean = mix(last.means.y, around.x, 1.0 / frames);\n"
-    "    float by = clamp(mean, quick - drift, quick + drift) - mean;\n"
-    "    frames = max(frames * (1.0 - SSGI_FORGOTTEN * min(abs(by) / drift, 1.0)), 1.0);\n"
-    "    if (!(mean > 0.0 && by < 2.0 * mean)) frames = 1.0; // #if colour == COLOUR && restore != DIFFERENCE\n"
-    "    vec4 average = mix(last.light, now, 1.0 / frames);\n"
-    "#if colour == COLOUR && restore == DIFFERENCE\n"
-    "    o_ssgi_light.xyz = average.xyz + by;\n"
-    "#elif colour == COLOUR\n"
-    "    o_ssgi_light.xyz = max(average.xyz * (frames > 1.0 ? 1.0 + by / mean : 1.0), 0.0);\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    ssgi_filtered f;\n"
+    "    ssgi_blurred c = ssgi_filter(p, f);\n"
+    "    bool moved = ssgi_occluders_moved(p, c.P, c.n);\n"
+    "    vec4 now = vec4(f.light.xyz / f.light.w, c.z);\n"
+    "    float open = 1.0; // #if colour == GREY\n"
+    "    float open = 0.0; // #if colour == COLOUR\n"
+    "    ssgi_kept kept = ssgi_kept(vec4(vec3(open), c.z), vec2(open, 1.0));\n"
+    "    if (c.z < SSGI_FAR && f.light.w > 0.0 && ssgi_finite(now)) {\n"
+    "        ssgi_last last = ssgi_last_of(p, c.P, c.n);\n"
+    "        if (moved) last.known = 0.0;\n"
+    "        kept = ssgi_averaged(now, ssgi_deviation(f, ssgi_grey(now)), last);\n"
+    "    }\n"
+    "    o_ssgi_ao = vec4(kept.light.xw, kept.means); // #if colour == GREY\n"
+    "#if colour == COLOUR\n"
+    "    o_ssgi_history = kept.light; // #if restore\n"
+    "    o_ssgi_light = kept.light;\n"
+    "    if (c.z < SSGI_FAR) o_ssgi_light.xyz = ssgi_restored(kept.light.xyz, c); // #if restore\n"
+    "    o_ssgi_means = kept.means;\n"
     "#endif\n"
-    "    o_ssgi_ao.x = clamp(average.x + by, 0.0, 1.0); // #if colour == GREY\n"
-    "    o_ssgi_means = vec4(quick, mean + by, frames, 0.0);\n"
     "}\n" },
 
 { "main_triangle", __LINE__ + 1,
@@ -3838,18 +3900,22 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                          "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
     SSGI_GL__ROW_TEXTURE("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao, hsao or history wrote"),
     SSGI_GL__ROW_TEXTURE("history", 2, NULL, "sampler2D",
-                         "what this wrote for the last frame, NEAREST: o_ssgi_ao, _light"),
+                         "what this wrote for the last frame, NEAREST: o_ssgi_ao; o_ssgi_light, or with desc.restore "
+                         "o_ssgi_history"),
     SSGI_GL__ROW_TEXTURE("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
     SSGI_GL__ROW_YOURS("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
     SSGI_GL__ROW_OUTPUT("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
     SSGI_GL__ROW_OUTPUT("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
-    SSGI_GL__ROW_OUTPUT("ao", "pass != FIELD && pass != BLUR", "vec2",
+    SSGI_GL__ROW_OUTPUT("ao", "pass == HISTORY", "vec4",
+                        SSGI_GL__HDR ": ambient visibility, view depth, its mean over two frames, how many frames"),
+    SSGI_GL__ROW_OUTPUT("ao", "pass != FIELD && pass != BLUR && pass != HISTORY", "vec2",
                         "RG32F or RG16F: ambient visibility, view depth; R8 or R16F if nothing filters"),
     SSGI_GL__ROW_OUTPUT("picture", NULL, "vec4", "your picture"),
+    SSGI_GL__ROW_OUTPUT("history", NULL, "vec4", SSGI_GL__HDR ": what is averaged, before it is restored; view depth"),
+    SSGI_GL__ROW_OUTPUT("means", NULL, "vec2", "RG32F or RG16F: light's mean over two frames, grey; how many frames"),
     SSGI_GL__ROW_OUTPUT("light", NULL, "vec4",
                         SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
-    SSGI_GL__ROW_OUTPUT("means", NULL, "vec4", SSGI_GL__HDR ": means of 3x3 over a few frames, over all, how many; 0"),
     SSGI_GL__ROW_OUTPUT("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
     SSGI_GL__ROW_OUTPUT("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
     SSGI_GL__ROW_OUTPUT("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
@@ -4018,7 +4084,7 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__FIELD_ENUM(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
     SSGI_GL__FIELD_SWITCH(kernel),
     SSGI_GL__FIELD_SWITCH(uniform),
-    SSGI_GL__FIELD_SWITCH(half),
+    SSGI_GL__FIELD_COUNT(half, 2),
 
     SSGI_GL__FIELD_ENUM(thickness, THICKNESS, SLABS, "DEFAULT CONSTANT SOLID WIDTH BACK SLABS"),
     SSGI_GL__FIELD_COUNT(layers, 8),
@@ -4124,7 +4190,8 @@ static const char *const ssgi_gl__rules[][2] = {
       "desc.thickness: widths and back faces are those of one layer and camera; layers and views want "
       "SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
     { "world_normals && normal == FROM_DEPTH", "desc.world_normals: normals from depth are in view space" },
-    { "half && pass == BLUR && filter == GAUSSIAN", "desc.filter: only SSGI_GL_BILATERAL brings half size to full" },
+    { "half && (pass == BLUR || pass == HISTORY) && filter == GAUSSIAN",
+      "desc.filter: only SSGI_GL_BILATERAL brings half size to full" },
     { "pass == HISTORY && colour == COEFFICIENTS",
       "desc.colour: history has SSGI_GL_GREY and _COLOUR; coefficients are shaded first" },
     { "pass == SSDO && !environment && !bounce", "desc.environment: ssdo needs an environment, a bounce or both" },
@@ -4315,7 +4382,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     if (!(shade || (restores && !d.shaded)) || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
     if (!s3ho || !d.transfer) d.dimmed = 0;
     if (d.shading || d.environment == SSGI_GL_ENVIRONMENT_MAP
-        || !(shade || (s3ho && d.shaded) || (ssdo && d.environment) || (blur && d.restore)))
+        || !(shade || (s3ho && d.shaded) || (ssdo && d.environment) || (averages && d.restore)))
         d.harmonics = SSGI_GL_HARMONICS_FRAME;
     if (d.shading && !d.lights && d.bands > 2) d.bands = 2; /* a mean direction needs two bands */
     if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
@@ -5123,7 +5190,11 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
 
 SSGI_DEF float ssgi_gl_phase(uint32_t k)
 {
-    return (float)((k * 2654435769u) >> 8) / 16777216.0f; /* the fraction of k times the golden ratio */
+    /* Every four frames in a row have each quarter of the phases; from four to four they move by a quarter of the
+       golden ratio's fraction, and a quarter, so that each of the four spreads as that does. */
+    static const uint32_t quarter[4] = { 0, 2, 1, 3 };
+    const uint32_t phase = (k >> 2) * 1737350767u + (quarter[k & 3] << 30);
+    return (float)((phase >> 8 & ~3u) | (k & 3)) / 16777216.0f;
 }
 
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
@@ -5304,7 +5375,7 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
 /* Where a step draws: the image's size in its targets. d: resolved. */
 static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
 {
-    const int half = d->half && d->pass != SSGI_GL_BLUR;
+    const int half = d->half > 0 && d->pass != SSGI_GL_BLUR && d->pass != SSGI_GL_HISTORY;
     int level[2] = { 0, 0 };
     s->size = half ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
     s->width = (chain->width + half) >> half;
@@ -5364,8 +5435,10 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
     }
     in->meaning = -1;
     in->last = d->pass == SSGI_GL_HISTORY && (!strcmp(name, "history") || !strcmp(name, "means"));
-    /* of history its own outputs, which are numbered next; -1: what a later step writes */
-    in->texture = in->last ? b->textures + !strcmp(name, "means") : *ssgi_gl__texture(b, name);
+    /* of history its own outputs, which are numbered next: restored light is behind both, other light behind means.
+       -1: what a later step writes */
+    in->texture = !in->last ? *ssgi_gl__texture(b, name)
+                            : b->textures + (d->colour && !strcmp(name, d->restore ? "means" : "history"));
 }
 
 static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_gl_desc *d, const ssgi_gl_io *row)
@@ -5373,7 +5446,7 @@ static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_
     ssgi_gl_output *out = &s->output[s->outputs++];
     out->name = row->name;
     out->format = d->onto ? NULL : ssgi_gl__format(b->chain, d, row);
-    out->kept = d->pass == SSGI_GL_HISTORY;
+    out->kept = d->pass == SSGI_GL_HISTORY && !(d->restore && !strcmp(row->name, "o_ssgi_light"));
     if (d->pass == SSGI_GL_SENDERS) return; /* a slice of what all of them write: ssgi_gl__send */
     out->texture = d->onto ? -1 : b->textures++;
     b->picture |= d->onto != SSGI_GL_ONTO_NONE;
@@ -5437,7 +5510,7 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
     d.filter_normals |= !strcmp(name, "bounce"); /* it differs across creases, and nothing restores it */
     *held = *ssgi_gl__texture(b, name);
     if (b->chain->history) ssgi_gl__add(b, &d, SSGI_GL_HISTORY, 0);
-    if (b->chain->blur) ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
+    else if (b->chain->blur) ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
     return b->picture ? -1 : *held;
 }
 
@@ -5637,6 +5710,7 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
         return "chain.desc.pass: must be SSGI_GL_SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT";
     if (chain->width < 1 || chain->width > 16384 || chain->height < 1 || chain->height > 16384)
         return "chain.width, height: must be 1..16384";
+    if (chain->history && !chain->blur) return "chain.history: filters what it averages: needs blur = 1";
     if (chain->history && chain->vectors && pass == SSGI_GL_S3HO)
         return "chain.history: averages light, not coefficients: needs vectors = 0";
     if (pass == SSGI_GL_S3HO && chain->desc.transfer && chain->desc.dimmed
@@ -5700,6 +5774,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
     if (own.desc.pass != SSGI_GL_S3HO) /* fields of s3ho and shade that blur looks at, too */
         own.desc.transfer = own.desc.shaded = own.desc.shading = own.desc.lights = 0;
     ssgi_gl__thickness(&own.desc);
+    if (own.history && own.desc.half) own.desc.half = 2;                      /* so that frames bring all four pixels */
     if (own.desc.pass == SSGI_GL_SSDO && !own.desc.bands) own.desc.bands = 3; /* blur's default is 4 */
     for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {      /* checks all, then writes */
         memset(&b, 0, sizeof b);

@@ -1593,7 +1593,7 @@ static int seen_as(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const k
 static void history_is_quiet(void)
 {
     static const struct { const char *method, *set; double share; } kept[] = {
-        { "hsao-fast", "history=1", 0.25 }, { "hsao", "half=0,history=1", 0.3 }, { "ssdo-fast", "history=1", 0.3 },
+        { "hsao-fast", "history=1", 0.3 }, { "hsao", "half=0,history=1", 0.3 }, { "ssdo-fast", "history=1", 0.5 },
         { "s3ho-fast", "history=1", 0.4 } };
     kit_lighting lighting = { .lights = 0 };
     kit_scene scene;
@@ -1781,7 +1781,7 @@ static void hostile_history(void)
             kit_image out;
             TRY(kit_run_follow(&run, &run, f, &err));
             random_state = f;
-            for (int k = 0; k < 2 && f < 101; ++k) {
+            for (int k = 0; k < 1 + lit && f < 101; ++k) { /* visibility has no means of its own */
                 GLuint *const at = read_as(p, names[k]);
                 for (int i = 0; i < 4 * p->width * p->height; ++i)
                     texels[i] = f < ODD ? odd[f] : below(4) ? odd[below(ODD)] : (float)below(1000) * 0.01f;
@@ -1833,9 +1833,9 @@ static void poisoned_history(void)
         { "ssdo-fast", "bounce=none,history=1,restore=difference" },
         { "s3ho-fast", "indirect=joint,history=1,restore=difference" } };
     static const struct { const char *name; int lane; float value; } poison[] = {
-        { "t_ssgi_history", 0, NAN }, { "t_ssgi_history", 0, INFINITY }, { "t_ssgi_means", 0, NAN },
-        { "t_ssgi_means", 1, NAN }, { "t_ssgi_means", 2, NAN }, { "t_ssgi_means", 3, NAN },
-        { "t_ssgi_means", 1, -INFINITY }, { "t_ssgi_motion", 0, NAN }, { "t_ssgi_motion", 1, INFINITY },
+        { "t_ssgi_history", 0, NAN }, { "t_ssgi_history", 0, INFINITY }, { "t_ssgi_history", 2, NAN },
+        { "t_ssgi_history", 3, NAN }, { "t_ssgi_means", 0, NAN }, { "t_ssgi_means", 1, NAN },
+        { "t_ssgi_means", 0, -INFINITY }, { "t_ssgi_motion", 0, NAN }, { "t_ssgi_motion", 1, INFINITY },
         { NULL, 0, NAN }, { NULL, 0, -INFINITY } };        /* NULL: this frame's */
     enum { BEFORE = 3, AFTER = 6 };
     kit_lighting lighting = { .lights = 0 };
@@ -1862,7 +1862,7 @@ static void poisoned_history(void)
             kit_run_update(&run);
             kit_run_draw(&run, 0);
             for (unsigned f = 1; f <= BEFORE + AFTER; ++f) {
-                GLuint copy = 0, was = 0, *at = of && f == BEFORE ? read_as(p, of) : NULL;
+                GLuint copy = 0, was = 0, *at = of && f == BEFORE ? read_as(p, of) : NULL; /* grey has no means */
                 kit_image out;
                 TRY(kit_run_follow(&run, &run, f, &err));
                 if (at) {                                  /* 0: of the G-buffer */

@@ -1352,15 +1352,21 @@ static int follows_itself(ssgi_view *view, ssgi_gl_frame *frame, float radius, f
         && CHECK(ssgi_gl_frame_history(frame, view, now, last, &why) == SSGI_OK, "%s", why);
 }
 
+#define FACING "vec3 ssgi_custom_normal(ivec2 texel) { return vec3(0.0, 0.0, 1.0); }\n"
+
 /* What the last frame knows lies between four texels: of a ramp its value at the place, and how much that is blurred. A
    hundredth of a texel counts as none. */
 static void history_lies_between(void)
 {
     static float map[MANY][4];
     static const float moved[] = { 0, 0.005f, 0.25f, 0.5f, 0.8f };
-    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1 };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY,
+                             .dialect = SSGI_GL_450,
+                             .orthographic = 1,
+                             .normal = SSGI_GL_NORMAL_CUSTOM,
+                             .fetch = FACING };
     for (int i = 0; i < MANY; ++i) {                       /* value, depth, frames */
-        const float texel[4] = { (float)(i % SIDE + 2 * (i / SIDE)), 10, 5, 0 };
+        const float texel[4] = { (float)(i % SIDE + 2 * (i / SIDE)), 10, 0.5f, 5 };
         memcpy(map[i], texel, sizeof texel);
     }
     for (size_t k = 0; k < sizeof moved / sizeof *moved; ++k) {
@@ -1371,8 +1377,8 @@ static void history_lies_between(void)
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
         const int went = probe(&d, &frame, texture,
                                "vec3 P = ssgi_position(vec2(texel) + 0.5, 10.0);"
-                               "ssgi_last l = ssgi_last_of(texel, P, vec3(0.0, 0.0, 1.0), ssgi_image_of());"
-                               "o = vec4(l.light.x, l.means.z, l.known, l.blurred);");
+                               "ssgi_last l = ssgi_last_of(texel, P, vec3(0.0, 0.0, 1.0));"
+                               "o = vec4(l.kept.light.x, l.kept.means.y, l.known, l.blurred);");
         glDeleteTextures(1, &texture);
         if (!went) return;
         for (int i = 0; i < MANY; ++i) {
@@ -1389,8 +1395,12 @@ static void history_lies_between(void)
    square has come or gone, some of the pixels about it begin anew, and none where nothing did. */
 static void history_tells_what_moved(void)
 {
-    static float depth[2][MANY][2], means[MANY][4], got[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1 };
+    static float now[MANY][2], last[MANY][4], got[MANY][4];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY,
+                             .dialect = SSGI_GL_450,
+                             .orthographic = 1,
+                             .normal = SSGI_GL_NORMAL_CUSTOM,
+                             .fetch = FACING };
     const int centre = SIDE / 2 * SIDE + SIDE / 2;
     for (int k = 0; k < 4; ++k) {                          /* one texel of the plane; nothing, came, went */
         ssgi_gl_frame frame;
@@ -1399,28 +1409,26 @@ static void history_tells_what_moved(void)
         if (!follows_itself(&view, &frame, k ? 1 : 0.01f, k ? 0 : 0.25f / 16)) return;
         for (int i = 0; i < MANY; ++i) {
             const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2, square = abs(x) < 6 && abs(y) < 6;
-            const float texel[4] = { 0.5f, 0.5f, 5, 0 };
-            depth[0][i][0] = depth[1][i][0] = 0.5f;
-            depth[0][i][1] = k == 2 && square ? 9.6f : 10;
-            depth[1][i][1] = !k ? i == centre ? 10 : 50 : k == 3 && square ? 9.6f : 10;
-            memcpy(means[i], texel, sizeof texel);
+            const float z = !k ? i == centre ? 10 : 50 : k == 3 && square ? 9.6f : 10;
+            const float texel[4] = { 0.5f, z, 0.5f, 5 };
+            now[i][0] = 0.5f;
+            now[i][1] = k == 2 && square ? 9.6f : 10;
+            memcpy(last[i], texel, sizeof texel);
         }
-        const given t[4] = { { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, depth[0][0]) },
-                             { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RG32F, depth[1][0]) },
-                             { "t_ssgi_means", kit_texture(SIDE, SIDE, GL_RGBA32F, means[0]) },
-                             { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, NULL) } };
-        if (!pass_drawn(got[0], 1, 4, SIDE, SIDE, &d, &frame, t, 4)) return;
+        const given t[2] = { { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, now[0]) },
+                             { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) } };
+        if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 2)) return;
         for (int i = 0; i < MANY; ++i) {
             const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2;
             if (abs(x) < 6 && abs(y) < 6) continue;
-            if (got[i][2] > 1) ++counted; else ++anew;
+            if (got[i][3] > 1) ++counted; else ++anew;
         }
         if (!k) {
-            CHECK(got[centre][2] > 1 && got[centre + 3 * SIDE + 3][2] == 1, "frames of one texel %g, of none %g",
-                  (double)got[centre][2], (double)got[centre + 3 * SIDE + 3][2]);
-        } else CHECK(k == 1 ? !anew : anew > MANY / 20 && counted > MANY / 20, "%s: %d anew, %d counted on",
+            CHECK(got[centre][3] > 1 && got[centre + 3 * SIDE + 3][3] == 1, "frames of one texel %g, of none %g",
+                  (double)got[centre][3], (double)got[centre + 3 * SIDE + 3][3]);
+        } else CHECK(k == 1 ? !anew : anew > MANY / 30 && counted > MANY / 20, "%s: %d anew, %d counted on",
                      k == 1 ? "nothing" : k == 2 ? "came" : "went", anew, counted);
-        for (int i = 0; i < 4; ++i) glDeleteTextures(1, &t[i].texture);
+        for (int i = 0; i < 2; ++i) glDeleteTextures(1, &t[i].texture);
     }
 }
 
@@ -1429,7 +1437,11 @@ static void history_tells_what_moved(void)
 static void history_spreads(void)
 {
     static float map[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1 };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY,
+                             .dialect = SSGI_GL_450,
+                             .orthographic = 1,
+                             .normal = SSGI_GL_NORMAL_CUSTOM,
+                             .fetch = FACING };
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
@@ -1442,14 +1454,43 @@ static void history_spreads(void)
     }
     GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
     const int went = probe(&d, &frame, texture,
-                           "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_now(texel).w);"
-                           "o = vec4(ssgi_neighbourhood(texel, P, vec3(0.0, 0.0, 1.0), ssgi_image_of()), 0.0, 0.0);");
+                           "ssgi_filtered f;"
+                           "ssgi_filter(texel, f);"
+                           "float mean = f.light.x / f.light.w;"
+                           "o = vec4(mean, ssgi_deviation(f, mean), 0.0, 0.0);");
     glDeleteTextures(1, &texture);
     for (int i = 0; went && i < MANY; ++i) {
         const double few = 9.0 / (1 + (i % SIDE / 4 + SIDE / 4 * (i / SIDE / 4)) % 9);
         if (i % SIDE % 4 != 1 || i / SIDE % 4 != 1) continue;
         NEAR(out[i][0], 0.6, 1e-6, "the mean");
         NEAR(out[i][1], 0.06 * sqrt(few * (few - 1)), 1e-3, "the deviation");
+    }
+}
+
+/* Of half size each of the four pixels is drawn in turn, as often as the others, whatever its directions. */
+static void pixels_take_turns(void)
+{
+    const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .half = 2, .dialect = SSGI_GL_450, .orthographic = 1 };
+    int drawn[4][4] = { { 0 } };
+    for (uint32_t k = 0; k < 64; ++k) {
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        if (!facing(&view, &frame, 1)) return;
+        frame.phase = ssgi_gl_phase(k);
+        GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL);
+        const int went = probe(&d, &frame, texture, "o = vec4(ssgi_gathered(ivec2(4, 6)), ssgi_gathered(ivec2(1000)));");
+        glDeleteTextures(1, &texture);
+        if (!went) return;
+        const int turn = (int)out[0][0] - 8 + 2 * ((int)out[0][1] - 12);
+        if (!CHECK(turn >= 0 && turn < 4 && (int)out[0][2] == view.width - 1, "frame %u: %g %g", k, (double)out[0][0],
+                   (double)out[0][1]))
+            return;
+        ++drawn[turn][(int)(frame.phase * 4)];
+    }
+    for (int i = 0; i < 4; ++i) {
+        const int *of = drawn[i];
+        CHECK(of[0] + of[1] + of[2] + of[3] == 16 && of[0] > 2 && of[1] > 2 && of[2] > 2 && of[3] > 2,
+              "pixel %d: %d %d %d %d of 64 frames by quarters of the phase", i, of[0], of[1], of[2], of[3]);
     }
 }
 
@@ -1522,5 +1563,6 @@ void test_twins(void)
     RUN("what the last frame knows lies between four texels of its plane", history_lies_between);
     RUN("frames are counted on, but where an occluder came or went", history_tells_what_moved);
     RUN("the fewer texels a surface has, the farther its mean may be off", history_spreads);
+    RUN("of half size each pixel of four is drawn in turn", pixels_take_turns);
     kit_gl_close();
 }

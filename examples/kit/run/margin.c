@@ -69,7 +69,8 @@ static void rims_of(const kit_run *run, int rim[KIT_MAX_PASSES])
         changed = 0;
         for (int j = 0; j < run->passes; ++j) {
             const kit_pass *p = &run->pass[j];
-            const int reach = rim[j] + (p->desc.pass == SSGI_GL_BLUR ? 2 * p->desc.filter_radius + 2 : 0);
+            const int filters = p->desc.pass == SSGI_GL_BLUR || p->desc.pass == SSGI_GL_HISTORY;
+            const int reach = rim[j] + (filters ? 2 * p->desc.filter_radius + 2 : 0);
             const int wanted = reach < ALL ? reach : ALL;
             for (int i = 0; i < run->passes && rim[j] >= 0; ++i) {
                 int read = 0;

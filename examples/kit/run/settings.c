@@ -60,7 +60,7 @@ ROW(view_layers_row, view_layers, "depth layers of each extra camera",
     NULL, 1, 1, KIT_MAX_LAYERS, GATHER | LIGHTS, DESC(view_layers))
 ROW(view_size_row, view_size, "pixels of an extra camera's side", NULL, 256, 16, 4096, PLAN, 0)
 
-ROW(history_row, history, "1: averaged over frames before the filter; the first frame is as without it",
+ROW(history_row, history, "1: averaged over frames, at full size; the first frame is as without it",
     NULL, 0, 0, 1, PLAN, 0)
 ROW(margin_row, margin, "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, PLAN, 0)
 ROW(samples_row, samples, "directions per pixel", NULL, 16, 1, 64, GATHER, DESC(samples))
@@ -460,6 +460,8 @@ ssgi_field_desc kit_method_field(const kit_method *method)
 static int check_combination(const kit_making *m)
 {
     const kit_settings *set = m->set;
+    if (m->kept && !set->blur)
+        return kit_fail(m->err, "--set history=1: filters what it averages; it needs blur=1 or more");
     if (m->kept && m->gather.pass == SSGI_GL_S3HO && set->filtered != KIT_FILTERED_LIGHT)
         return kit_fail(m->err, "--set history=1: averages light, not coefficients; it needs filtered=light");
     if (set->indirect == KIT_INDIRECT_JOINT && set->store != KIT_STORE_PACKED)
