@@ -31,7 +31,7 @@ KIT_SCENE   = $(addprefix scene/,text materials soup mesh texture cards assimp m
 KIT_KINDS   = $(sort $(patsubst examples/kit/%.c,build/kit/%.o,$(wildcard examples/kit/scene/*/*.c)))
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
 KIT_GL      = $(addprefix gl/,gl gbuffer shadow field)
-KIT_RUN     = $(addprefix run/,settings fetches draw cost passes margin views lights lit occluders deep run frames plan)
+KIT_RUN     = $(addprefix run/,settings fetches truth draw cost passes margin views lights lit occluders deep run frames plan)
 KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
 KIT_O     = $(KIT:%=build/kit/%.o) $(KIT_KINDS) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \

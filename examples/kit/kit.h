@@ -256,10 +256,15 @@ int kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[
    such object, -1 and all stays. */
 int         kit_scene_place(kit_scene *scene, int object, const float to_world[16], kit_error *err);
 
+/* Moves the first object that casts on by so much, so many times; -1: by is not 0, and there is none. */
+int         kit_scene_slide(kit_scene *scene, const float by[3], int times, kit_error *err);
+
 /* Puts the objects of "casters" and "crowd" where they are at a time: they orbit, hop and tumble around the places
    where they were loaded, smoothly, with period 1 (0 = as loaded), never below the ground. Whatever else the scene
    holds, and other scenes, stay as they are. */
 void        kit_scene_move(kit_scene *scene, double time);
+
+#define KIT_BEHIND 0.2f                    /* what pictures show on colours where nothing is seen */
 
 /* ---- >>light ------------------------------------------------------------------------------------------------ */
 
@@ -277,6 +282,8 @@ typedef struct kit_lighting {
    centre; texels are areas, the first row reaches up to the pole. env gets channels R,G,B in this order; values that
    are not finite or below 0 become 0. */
 int  kit_env_read(kit_image *env, const char *name_or_path, kit_error *err);
+/* Turns it about +y, anticlockwise as seen from above, and scales its radiance. */
+int  kit_env_adjust(kit_image *env, double degrees, double strength, kit_error *err);
 /* A scene's own light, of one by seed: its environment and its lights; lighting must be empty. */
 int  kit_light_scene(kit_lighting *lighting, const kit_scene *scene, kit_error *err);
 /* Adds a sun as a disc with soft edges, whose irradiance facing it is the sun's colour, to env (1024 x 512 black texels

@@ -72,6 +72,9 @@ KIT_GL_DESKTOP(KIT_GL_DECLARE)
                draws for, else surfaceless, else a software device
      "egl-es"  GLES 3.2, 3.1 or 3.0, likewise */
 int         kit_gl_open(const char *context, kit_error *err);
+/* The same of a context that is current already, as a window's is; proc: the address of a GL function. GL 3.3 is
+   enough, without tessellation. Closing leaves that context to who made it, who closes the kit first. */
+int         kit_gl_adopt(void (*(*proc)(const char *name))(void), kit_error *err);
 void        kit_gl_close(void);
 const char *kit_gl_name(void);                    /* "renderer, version"; "" when nothing is open */
 int         kit_gl_is_es(void);
@@ -270,7 +273,14 @@ int  kit_method_find(kit_method *method, const char *name, kit_error *err);
 /* "key=value"; several separated by commas. On failure nothing has changed. */
 int  kit_method_set(kit_method *method, const char *text, kit_error *err);
 int  kit_method_setting(kit_setting *setting, const kit_method *method, int i);    /* its i-th; 0 past the last */
+/* The settings that are not the method's defaults, as kit_method_set takes them; "" = none. */
+void kit_method_text(char *text, size_t size, const kit_method *method);
 ssgi_field_desc kit_method_field(const kit_method *method);    /* what aof's settings ask of a bake */
+int  kit_method_attenuation(const kit_method *method);         /* KIT_ATTENUATION_LINEAR .. of its occluders */
+/* The ray-traced truth of what a method computes, as kit_truth_ao and its like have it; of dss-scatter rays are
+   thousands of samples. */
+int  kit_method_truth(kit_image *out, const kit_method *method, const kit_scene *scene, const kit_camera *camera,
+                      const kit_lighting *lighting, float radius, int rays, int stride, kit_error *err);
 
 /* What a method may need beyond the G-buffer: the scene, to peel, for extra cameras and shadow maps (NULL with a
    frame); light, for lit methods (NULL = none). */
@@ -374,18 +384,22 @@ int  kit_run_picture(kit_image *out, kit_gbuffer *gbuffer, const kit_world *worl
 int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err);
 int  kit_run_keeps(const kit_run *run);    /* 1: a pass of it averages over frames */
 
-/* A method on one G-buffer after another, all of one size. All zero before the first; closed whatever became of it. */
+/* A method on one G-buffer after another. All zero before the first; closed whatever became of it. */
 typedef struct kit_frames {
     kit_run  run[2];
     kit_run *now;                          /* the frame's, for the caller to draw and read; NULL: there is none */
     unsigned number;                       /* of the next frame, which its noise goes by; the first may be any */
+    unsigned since;                        /* frames that follow each other up to now, this one among them */
 } kit_frames;
 
-/* Opens the next frame. Where the method keeps history, it follows the last one, with the margin that this had. The
-   last one is closed then, and its G-buffer must live until then. alone: the frame's picture by the same noise, but
-   without history; NULL: not asked. On failure all is closed. */
+/* Opens the next frame. Where the method keeps history, it follows the last one, with the margin that this had, unless
+   that had another size or other passes: history begins anew then, as it does after kit_frames_close, which who shows
+   another scene calls. The last one is closed, and its G-buffer must live until then. alone: the frame's picture by the
+   same noise, but without history; NULL: not asked. On failure all is closed. */
 int  kit_frames_next(kit_frames *frames, kit_gbuffer *gbuffer, const kit_method *method, float radius,
                      const kit_world *world, kit_image *alone, kit_error *err);
+/* The next frame is of the same G-buffer, once now is drawn: nothing is opened. */
+int  kit_frames_again(kit_frames *frames, kit_error *err);
 void kit_frames_close(kit_frames *frames); /* fine to call again */
 /* Draws frame k of a picture that stays as it is, numbered from first on: where history is kept, the run follows itself
    from k = 1 on; 0 begins anew. */

@@ -14,8 +14,9 @@ typedef void (*function)(void);
 typedef struct kept { uint64_t key; GLuint program; } kept;
 
 static struct {
-    int         open;                      /* 0 none, 1 OSMesa, 2 EGL */
+    int         open;                      /* 0 none, 1 OSMesa, 2 EGL, 3 a window's */
     void       *context, *display;
+    function  (*proc)(const char *);
     int         es, software;
     char        name[256];
     GLuint      vertex_array, query;
@@ -218,7 +219,7 @@ static int has_extension(const char *name)
 /* By version rather than by what the loader returns: libglvnd hands out an entry for any name that begins with gl. */
 static int load(kit_error *err)
 {
-    function (*proc)(const char *) = gl.open == 1 ? osmesa.proc : egl.proc;
+    function (*const proc)(const char *) = gl.proc;
     const char *version, *renderer, *missing = NULL;
     GLint major = 0, minor = 0;
     int es31;
@@ -244,6 +245,7 @@ static int load(kit_error *err)
     if (gl.es && has_extension("GL_EXT_disjoint_timer_query"))
         glGetQueryObjectui64v = (PFNGLGETQUERYOBJECTUI64VPROC)proc("glGetQueryObjectui64vEXT");
     if (!gl.es && major * 10 + minor < 45 && !has_extension("GL_ARB_clip_control")) glClipControl = NULL;
+    if (!gl.es && major < 4) glPatchParameteri = NULL;
     gl.software = is_rasteriser(renderer);
     snprintf(gl.name, sizeof gl.name, "%s, %s", renderer, version);
     return 0;
@@ -255,15 +257,10 @@ static void finish_drawing(void)
     if (gl.vertex_array) glFinish();
 }
 
-int kit_gl_open(const char *context, kit_error *err)
+/* Functions, and the state that the kit expects; result: of opening the context. */
+static int make_ready(int result, kit_error *err)
 {
     static int at_exit;
-    int result;
-    kit_gl_close();
-    if (!context || !strcmp(context, "osmesa")) result = osmesa_open(err);
-    else if (!strcmp(context, "egl"))           result = egl_open(0, err);
-    else if (!strcmp(context, "egl-es"))        result = egl_open(1, err);
-    else return kit_fail(err, "context '%s': no such kind; there are osmesa, egl and egl-es", context);
     if (!result) result = load(err);
     if (result) { kit_gl_close(); return -1; }
     glGenVertexArrays(1, &gl.vertex_array);
@@ -272,6 +269,26 @@ int kit_gl_open(const char *context, kit_error *err)
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (!at_exit) at_exit = !atexit(finish_drawing);       /* before Mesa's own, which it registered just now */
     return 0;
+}
+
+int kit_gl_adopt(void (*(*proc)(const char *name))(void), kit_error *err)
+{
+    kit_gl_close();
+    gl.open = 3;
+    gl.proc = proc;
+    return make_ready(0, err);
+}
+
+int kit_gl_open(const char *context, kit_error *err)
+{
+    int result;
+    kit_gl_close();
+    if (!context || !strcmp(context, "osmesa")) result = osmesa_open(err);
+    else if (!strcmp(context, "egl"))           result = egl_open(0, err);
+    else if (!strcmp(context, "egl-es"))        result = egl_open(1, err);
+    else return kit_fail(err, "context '%s': no such kind; there are osmesa, egl and egl-es", context);
+    gl.proc = gl.open == 1 ? osmesa.proc : egl.proc;
+    return make_ready(result, err);
 }
 
 void kit_gl_close(void)

@@ -79,6 +79,24 @@ static int draw_alone(kit_image *out, kit_run *run, unsigned frame, kit_error *e
     return kit_run_read(out, run, err);
 }
 
+/* The frame's picture is as large as the last one's was without its margin. */
+static int same_size(const kit_gbuffer *g, const kit_run *last)
+{
+    const int *was = last->gbuffer->viewport, margin = 2 * last->margin;
+    return g->viewport[2] == was[2] - margin && g->viewport[3] == was[3] - margin;
+}
+
+/* The run can go on with what the last one kept. */
+static int same_passes(const kit_run *run, const kit_run *last)
+{
+    int same = run->passes == last->passes;
+    for (int i = 0; i < run->passes && same; ++i) {
+        const kit_pass *a = &run->pass[i], *b = &last->pass[i];
+        same = a->width == b->width && a->height == b->height && ssgi_gl_key(&a->desc) == ssgi_gl_key(&b->desc);
+    }
+    return same;
+}
+
 static int follow_or_begin(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
 {
     if (last) return kit_run_follow(run, last, frame, err);
@@ -91,11 +109,12 @@ int kit_frames_next(kit_frames *f, kit_gbuffer *g, const kit_method *method, flo
                     kit_image *alone, kit_error *err)
 {
     kit_run *last = f->now, *run = &f->run[last == &f->run[0]];
-    const int keeps = method->set.history;
+    const int keeps = method->set.history, alike = last && keeps && same_size(g, last);
     kit_image picture = { 0 };
-    int failed = kit_run_open_wide(run, g, method, radius, world, last && keeps ? last->margin : -1, err)
-              || (alone && draw_alone(&picture, run, keeps ? f->number : 0, err))
-              || (keeps && follow_or_begin(run, last, f->number, err));
+    int failed = kit_run_open_wide(run, g, method, radius, world, alike ? last->margin : -1, err)
+              || (alone && draw_alone(&picture, run, keeps ? f->number : 0, err));
+    const int follows = !failed && alike && same_passes(run, last);
+    failed = failed || (keeps && follow_or_begin(run, follows ? last : NULL, f->number, err));
     if (failed) {
         kit_image_free(&picture);
         kit_frames_close(f);
@@ -104,6 +123,18 @@ int kit_frames_next(kit_frames *f, kit_gbuffer *g, const kit_method *method, flo
     if (last) kit_run_close(last);
     if (alone) *alone = picture;
     f->now = run;
+    f->since = follows ? f->since + 1 : 1;
+    ++f->number;
+    return 0;
+}
+
+int kit_frames_again(kit_frames *f, kit_error *err)
+{
+    if (kit_run_keeps(f->now) && kit_run_follow(f->now, f->now, f->number, err)) {
+        kit_frames_close(f);
+        return -1;
+    }
+    ++f->since;
     ++f->number;
     return 0;
 }
@@ -112,7 +143,7 @@ void kit_frames_close(kit_frames *f)
 {
     for (int k = 0; k < 2; ++k) kit_run_close(&f->run[k]);
     f->now = NULL;
-    f->number = 0;
+    f->number = f->since = 0;
 }
 
 int kit_frames_still(kit_run *run, unsigned first, unsigned k, int timed, kit_error *err)

@@ -443,6 +443,26 @@ int kit_method_set(kit_method *method, const char *text, kit_error *err)
     return 0;
 }
 
+void kit_method_text(char *text, size_t size, const kit_method *method)
+{
+    const plan *of = &plans[method->number];
+    kit_method plain;
+    size_t used = 0;
+    kit_method_at(&plain, method->number);
+    *text = 0;
+    for (int i = 0; i < of->count && used < size; ++i) {
+        const kit_setting *s = &of->rows[i]->setting;
+        const double value = value_of(&method->set, of->rows[i]);
+        const char *word = s->choices;
+        if (value == value_of(&plain.set, of->rows[i])) continue;
+        for (int k = 0; word && k < (int)value; ++k) word += strcspn(word, " ") + 1;
+        used += (size_t)snprintf(text + used, size - used, "%s%s=", used ? "," : "", s->key);
+        if (used >= size) break;
+        used += (size_t)(word ? snprintf(text + used, size - used, "%.*s", (int)strcspn(word, " "), word)
+                              : snprintf(text + used, size - used, "%.17g", value));
+    }
+}
+
 ssgi_field_desc kit_method_field(const kit_method *method)
 {
     ssgi_field_desc d;

@@ -211,6 +211,23 @@ int kit_env_read(kit_image *env, const char *path, kit_error *err)
     return failed ? -1 : 0;
 }
 
+int kit_env_adjust(kit_image *env, double degrees, double strength, kit_error *err)
+{
+    const double shift = fmod(degrees / 360, 1) * env->width, down = floor(shift);
+    const float share = (float)(shift - down), scale = (float)strength;
+    const size_t width = (size_t)env->width, whole = (size_t)((int)down + 2 * env->width);
+    float *row = malloc((width + 1) * sizeof *row);
+    if (!row) return kit_fail(err, "environment: out of memory");
+    for (size_t y = 0; y < (size_t)env->channels * (size_t)env->height; ++y) {
+        float *to = env->data + y * width;
+        memcpy(row, to, width * sizeof *row);
+        for (size_t x = 0; x < width; ++x)
+            to[x] = scale * ((1 - share) * row[(x + whole) % width] + share * row[(x + whole + 1) % width]);
+    }
+    free(row);
+    return 0;
+}
+
 int kit_light_parse(kit_light *light, const char *text, kit_error *err)
 {
     static const char *const kinds[] = { [KIT_SUN] = "sun:", [KIT_POINT] = "point:" };

@@ -183,6 +183,19 @@ int kit_scene_place(kit_scene *scene, int object_, const float to_world[16], kit
     return 0;
 }
 
+int kit_scene_slide(kit_scene *scene, const float by[3], int times, kit_error *err)
+{
+    float to[16];
+    int k = 0;
+    if (!(by[0] != 0 || by[1] != 0 || by[2] != 0)) return 0;
+    while (k < scene->objects && !scene->object[k].casts) ++k;
+    if (k == scene->objects) return kit_fail(err, "--slide: scene %s has no object that casts", scene->name);
+    if (!times) return 0;
+    memcpy(to, scene->object[k].to_world, sizeof to);
+    for (int i = 0; i < 3; ++i) to[12 + i] += (float)times * by[i];
+    return kit_scene_place(scene, k, to, err);
+}
+
 void kit_scene_move(kit_scene *scene, double time)
 {
     for (int k = 0; k < scene->objects; k++) {

@@ -114,27 +114,13 @@ static int sequence_check(job *j, const sequence *s, kit_error *err)
     return failed;
 }
 
-/* The first object that casts, moved on by a frame; the first frame has it as it was. */
-static int slide(kit_scene *scene, const float by[3], int frame, kit_error *err)
-{
-    float to[16];
-    int k = 0;
-    if (!(by[0] != 0 || by[1] != 0 || by[2] != 0)) return 0;
-    while (k < scene->objects && !scene->object[k].casts) ++k;
-    if (k == scene->objects) return kit_fail(err, "--slide: scene %s has no object that casts", scene->name);
-    if (!frame) return 0;
-    memcpy(to, scene->object[k].to_world, sizeof to);
-    for (int i = 0; i < 3; ++i) to[12 + i] += by[i];
-    return kit_scene_place(scene, k, to, err);
-}
-
 /* The G-buffer of frame k. */
 static int open_next(kit_gbuffer *g, job *j, const sequence *s, const kit_camera *from, int k, kit_error *err)
 {
     kit_camera camera = *from;
     if (j->o.sequence) return open_line(g, j, &s->line[k], err);
     kit_camera_orbit(&camera, from, j->o.orbit * k);
-    return slide(&j->scene, j->o.slide, k, err) || kit_gbuffer_from_scene(g, &j->scene, &camera, NULL, err);
+    return kit_scene_slide(&j->scene, j->o.slide, k > 0, err) || kit_gbuffer_from_scene(g, &j->scene, &camera, NULL, err);
 }
 
 /* Frame k, drawn and written. */
@@ -146,7 +132,7 @@ static int play_frame(job *j, kit_gbuffer *g, int k, kit_error *err)
     if (kit_frames_next(&j->frames, g, &j->method, (float)j->radius, &j->world, NULL, err)) return -1;
     kit_run_draw(j->frames.now, 0);
     if (kit_run_read(&picture, j->frames.now, err)) return -1;
-    const int failed = render_write(&picture, j->r.lit, path, err);
+    const int failed = render_write(j, g, &picture, j->r.lit, path, err);
     kit_image_free(&picture);
     return failed;
 }

@@ -27,6 +27,7 @@ const char render_usage[] =
     "  --ground              a square under the mesh\n"
     "  --env F.exr | F.hdr | sky | probe | windows | street | white     radiance, latitude-longitude; lit methods\n"
     "                        (without it and --light scenes by seed have their own)\n"
+    "  --env-turn DEGREES  --env-strength F   turns it anticlockwise, from above; times F\n"
     "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
     "16\n"
     "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz], or FRAME.exr alone where it has\n"
@@ -35,7 +36,8 @@ const char render_usage[] =
     "                        channels, before the first picture is written; the first one's radius is that of all\n"
     "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target; each is written as\n"
     "                        it is drawn, and those before it stay where one cannot be\n"
-    "  --slide X,Y,Z         --frames: the first object that casts moves so far a frame, world units\n"
+    "  --slide X,Y,Z         the first object that casts stands so far from its place; --frames: moves so far a frame\n"
+    "  --still N             the last of N frames of a view that stays, for methods that keep history\n"
     "how\n"
     "  --method NAME         [hsao]; --list names all, --list NAME the settings of one with their defaults\n"
     "  --set key=value,..    settings of the method\n"
@@ -49,6 +51,8 @@ const char render_usage[] =
     "  --context osmesa | egl | egl-es   [osmesa]\n"
     "what comes out\n"
     "  --out F.exr | F.png   Y = ambient visibility; lit: R G B, irradiance.R .., bounce.R .. (PNG: R G B, sRGB)\n"
+    "  --colours             with a method of visibility, of --out: that times the colours of what is seen, R G B\n"
+    "  --backdrop            of --out: R G B of --env where nothing is seen\n"
     "  --score REF.exr       RMSE, bias, p95 and SSIM against a reference; then edges (within 3 pixels of a jump in\n"
     "                        depth), border (nearer to it than the radius is long) and interior apart\n"
     "  --time N              median GL time of each pass over N frames\n"
@@ -209,6 +213,7 @@ static const option table[] = {
     { "--gbuffer", TEXT, TO(gbuffer), 0, 0, NULL },
     { "--sequence", TEXT, TO(sequence), 0, 0, NULL },
     { "--frames", WHOLE, TO(frames), 1, 9999, NULL },
+    { "--still", WHOLE, TO(still), 1, 9999, NULL },
     { "--orbit", NUMBER, TO(orbit), -360, 360, NULL },
     { "--slide", TAKEN, 0, 0, 0, take_slide },
     { "--method", TEXT, TO(method), 0, 0, NULL },
@@ -218,6 +223,8 @@ static const option table[] = {
     { "--context", TEXT, TO(context), 0, 0, NULL },
     { "--set", TAKEN, 0, 0, 0, take_set },
     { "--env", TEXT, TO(env), 0, 0, NULL },
+    { "--env-turn", NUMBER, TO(turn), -360, 360, NULL },
+    { "--env-strength", NUMBER, TO(strength), 0, 1e6, NULL },
     { "--light", TAKEN, 0, 0, 0, take_light },
     { "--camera", TAKEN, 0, 0, 0, take_camera },
     { "--up", TAKEN, 0, 0, 0, take_up },
@@ -255,8 +262,14 @@ static int check_frames(const options *o, kit_error *err)
 {
     const int many = o->sequence || o->frames;
     if (o->frames && !o->scene) return kit_fail(err, "--frames: is of a scene; frames that are files are a --sequence");
-    if ((o->slide[0] != 0 || o->slide[1] != 0 || o->slide[2] != 0) && !o->frames)
-        return kit_fail(err, "--slide: moves an object from frame to frame: needs --frames");
+    if ((o->slide[0] != 0 || o->slide[1] != 0 || o->slide[2] != 0) && !o->scene)
+        return kit_fail(err, "--slide: needs a scene; a frame has no objects");
+    if (o->still && (many || o->truth || o->floor || o->time))
+        return kit_fail(err, "--still: cannot go with %s", o->frames   ? "--frames"
+                                                           : many     ? "--sequence"
+                                                           : o->truth ? "--truth"
+                                                           : o->floor ? "--floor"
+                                                                      : "--time");
     for (int i = 0; i < 3; ++i)
         if (fabs((double)o->slide[i]) * o->frames > 1e14)
             return kit_fail(err, "--slide: in %d frames the object would be beyond 1e14", o->frames);
@@ -277,6 +290,8 @@ static int check_source(const options *o, kit_error *err)
                         "--plan: chooses the method and its settings: --set, --truth and --floor cannot go with it");
     if (render_plans_light(o) && !o->env && !(o->scene && kit_scene_seeded(o->scene)))
         return kit_fail(err, "--plan: light and bounce need --env");
+    if (!o->env && (o->turn != 0 || o->strength != 1 || o->backdrop))
+        return kit_fail(err, "--%s: needs --env", o->backdrop ? "backdrop" : o->turn != 0 ? "env-turn" : "env-strength");
     if (o->planned - 1 == SSGI_PLAN_OBJECTS && o->gbuffer)
         return kit_fail(err, "--plan objects: needs a scene; a frame has no objects to bake");
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
@@ -310,9 +325,11 @@ static int check_results(const options *o, kit_error *err)
 /* 1: an option that stands alone, or --list with the name that may follow. */
 static int take_alone(options *o, const char *name, const char *next, int *i)
 {
-    if (!strcmp(name, "--help")) o->help = 1;
+    if (!strcmp(name, "--help") || !strcmp(name, "-h")) o->help = 1;
     else if (!strcmp(name, "--json")) o->json = 1;
     else if (!strcmp(name, "--ground")) o->ground = 1;
+    else if (!strcmp(name, "--colours")) o->colours = 1;
+    else if (!strcmp(name, "--backdrop")) o->backdrop = 1;
     else if (!strcmp(name, "--list")) {
         o->list = 1;
         if (next && *next != '-') { o->listed = next; ++*i; }
@@ -324,9 +341,10 @@ int render_parse(options *o, int argc, char **argv, kit_error *err)
 {
     memset(o, 0, sizeof *o);
     o->method = "hsao";
+    o->strength = 1;
     for (int i = 1; i < argc; ++i) {
         const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
-        if (strncmp(a, "--", 2)) {
+        if (strncmp(a, "--", 2) && strcmp(a, "-h")) {
             if (o->scene) return kit_fail(err, "%s: only one scene can be given (%s is one already)", a, o->scene);
             o->scene = a;
             continue;

@@ -61,11 +61,13 @@ int render_open_settings(job *j, kit_error *err)
     for (int i = 0; i < o->sets; ++i) if (kit_method_set(&j->method, o->set[i], err)) return -1;
     for (; l->lights < o->lights; ++l->lights)
         if (kit_light_parse(&l->light[l->lights], o->light[l->lights], err)) return -1;
-    if (o->env && kit_env_read(&l->env, o->env, err)) return -1;
+    if (o->env && (kit_env_read(&l->env, o->env, err) || kit_env_adjust(&l->env, o->turn, o->strength, err))) return -1;
     if (!j->method.lit && !o->planned && (o->env || o->lights))
         return kit_fail(err, "%s: method %s is not lit; ssdo is", o->env ? "--env" : "--light", j->method.name);
     if ((j->method.lit || j->method.between) && o->floor)
         return kit_fail(err, "--floor: is of ambient visibility within a radius; this method has none");
+    if (o->colours && (j->method.lit || o->planned))
+        return kit_fail(err, "--colours: is of a method of ambient visibility%s", o->planned ? ", not of --plan" : "");
     if (j->method.lit && !o->planned && !o->gbuffer && !o->env && !o->lights && !kit_scene_seeded(o->scene))
         return kit_fail(err, "--method %s: needs light: --env sky, --env FILE or --light sun:..", j->method.name);
     j->r.lit = j->method.lit;
@@ -144,6 +146,7 @@ int render_open_scene(job *j, kit_error *err)
     if (*j->scene.note) fprintf(stderr, "render: note: %s: %s\n", j->o.scene, j->scene.note);
     camera = j->scene.camera;
     camera_of(&camera, &j->o);
+    if (!j->o.frames && kit_scene_slide(&j->scene, j->o.slide, 1, err)) return -1;
     if (camera_check(&camera, err) || kit_gbuffer_from_scene(&j->gbuffer, &j->scene, &camera, NULL, err)) return -1;
     if (j->o.guess && guess_radius(&j->radius, &j->scene, j->o.json, err)) return -1;
     if (!(j->radius > 0)) j->radius = (double)j->scene.radius;
@@ -173,44 +176,14 @@ static int plan_it(job *j, kit_error *err)
     return 0;
 }
 
-/* Deep screen space, whose blockers and senders count whole within the radius. */
-static int trace_deep(job *j, kit_error *err)
+static int trace(job *j, kit_error *err)
 {
     const kit_method *m = &j->method;
     const kit_camera *camera = &j->gbuffer.camera;
     const float radius = (float)j->radius;
-    ssgi_dipole dipole;
-    if (m->effect == SSGI_GL_EFFECT_SCATTER) {
-        const kit_material *of = kit_material_of(m->set.material);
-        if (ssgi_dipole_set(&dipole, of->sigma_s, of->sigma_a, of->eta, NULL) != SSGI_OK)
-            return kit_fail(err, "--set material=%s: has no dipole", of->name);
-        return kit_truth_scatter(&j->r.picture, &j->scene, camera, &j->lighting, &dipole,
-                                 (float)m->set.unit, 1000 * (size_t)j->o.truth, 1, err);
-    }
-    if (m->effect == SSGI_GL_EFFECT_SPECULAR)
-        return kit_truth_gloss(&j->r.picture, &j->scene, camera, &j->lighting, radius, KIT_ATTENUATION_NONE,
-                               m->set.exponent, j->o.truth, 1, err);
-    return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, radius, KIT_ATTENUATION_NONE, 1, j->o.truth,
-                         1, err);
-}
-
-static int trace(job *j, kit_error *err)
-{
-    static const int falloffs[] = { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_SQUARE };
-    const kit_method *m = &j->method;
-    const kit_camera *camera = &j->gbuffer.camera;
-    const int rays = j->o.truth, hard = m->set.hard;
-    const int attenuation = hard ? KIT_ATTENUATION_NONE : falloffs[m->set.falloff];
-    if (rays && m->effect != SSGI_GL_EFFECT_OCCLUSION) return trace_deep(j, err);
-    if (rays && j->r.lit) {
-        const int vpls = m->set.vpls > 0, bounce = m->set.bounce || m->set.indirect || vpls;
-        const int all = m->set.suns || vpls;    /* these see as far as shadow maps do */
-        return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, all ? INFINITY : (float)j->radius,
-                             all ? KIT_ATTENUATION_NONE : attenuation, bounce, rays, 1, err);
-    }
-    if (rays && m->between) return kit_truth_objects(&j->r.picture, &j->scene, camera, rays, 1, err);
-    if (rays) return kit_truth_ao(&j->r.picture, &j->scene, camera, (float)j->radius, attenuation, rays, 1, err);
-    return kit_floor_ao(&j->r.picture, &j->r.frame, camera, (float)j->radius, attenuation, j->o.floor, 1, err);
+    if (j->o.truth)
+        return kit_method_truth(&j->r.picture, m, &j->scene, camera, &j->lighting, radius, j->o.truth, 1, err);
+    return kit_floor_ao(&j->r.picture, &j->r.frame, camera, radius, kit_method_attenuation(m), j->o.floor, 1, err);
 }
 
 static int draw(job *j, kit_error *err)
@@ -218,8 +191,9 @@ static int draw(job *j, kit_error *err)
     const int frames = j->o.time;
     kit_run *run = &j->run;
     if (kit_run_open(run, &j->gbuffer, &j->method, (float)j->radius, &j->world, err)) return -1;
-    kit_run_draw(run, 0);
     j->r.run = run;
+    for (int k = 0; k < (j->o.still ? j->o.still : 1); ++k)
+        if (j->o.still ? kit_frames_still(run, 0, (unsigned)k, 0, err) : (kit_run_draw(run, 0), 0)) return -1;
     if (frames) {
         j->r.frames = frames;
         j->r.ms = calloc((size_t)run->passes * (size_t)(frames + 1), sizeof *j->r.ms);
@@ -234,10 +208,51 @@ static int draw(job *j, kit_error *err)
     return kit_run_read(&j->r.picture, run, err);
 }
 
-int render_write(const kit_image *picture, int lit, const char *path, kit_error *err)
+/* Visibility becomes R G B: the colours of what is seen, times it; KIT_BEHIND where nothing is. */
+static int colour(kit_image *picture, const kit_gbuffer *g, kit_error *err)
 {
+    static const char *const names[3] = { "albedo.R", "albedo.G", "albedo.B" };
+    const size_t pixels = (size_t)picture->width * (size_t)picture->height;
+    kit_image frame, out;
+    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    if (kit_image_new(&out, picture->width, picture->height, "R,G,B", err)) { kit_image_free(&frame); return -1; }
+    const float *z = kit_image_channel(&frame, "Z"), *visible = kit_image_channel(picture, "Y");
+    for (size_t c = 0; c < 3; ++c) {
+        const float *albedo = kit_image_channel(&frame, names[c]);
+        for (size_t i = 0; i < pixels; ++i)
+            out.data[c * pixels + i] = z[i] > 0 ? visible[i] * (albedo ? albedo[i] : 0.8f) : KIT_BEHIND;
+    }
+    kit_image_free(&frame);
+    kit_image_free(picture);
+    *picture = out;
+    return 0;
+}
+
+/* The environment where nothing is seen. */
+static int add_backdrop(kit_image *picture, const kit_gbuffer *g, const kit_image *env, kit_error *err)
+{
+    const size_t pixels = (size_t)picture->width * (size_t)picture->height;
+    kit_image frame;
+    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    const float *z = kit_image_channel(&frame, "Z");
+    for (int i = 0; i < picture->width * picture->height; ++i) {
+        float origin[3], direction[3], rgb[3];
+        if (z[i] > 0) continue;
+        kit_camera_ray(&g->camera, i % picture->width, i / picture->width, origin, direction);
+        kit_env_radiance(env, direction, rgb);
+        for (size_t c = 0; c < 3; ++c) picture->data[c * pixels + (size_t)i] = rgb[c];
+    }
+    kit_image_free(&frame);
+    return 0;
+}
+
+int render_write(const job *j, const kit_gbuffer *g, kit_image *picture, int lit, const char *path, kit_error *err)
+{
+    const int colours = j->o.colours, rgb = lit || colours;
+    if (colours && colour(picture, g, err)) return -1;
+    if (j->o.backdrop && lit && add_backdrop(picture, g, &j->lighting.env, err)) return -1;
     return strcmp(strrchr(path, '.'), ".png") ? kit_exr_write(picture, path, err)
-                                              : kit_png_write(picture, lit ? "R,G,B" : "Y", lit, path, err);
+                                              : kit_png_write(picture, rgb ? "R,G,B" : "Y", rgb, path, err);
 }
 
 /* The G-buffer, with what it takes to draw on it again. */
@@ -264,7 +279,7 @@ static int do_job(job *j, kit_error *err)
     if (dims && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
     if (o->score && render_score(r, o->score, &j->gbuffer.camera, j->radius, err)) return -1;
     if (o->save && save_frame(j, err)) return -1;
-    if (o->out && render_write(&r->picture, r->lit, o->out, err)) return -1;
+    if (o->out && render_write(j, &j->gbuffer, &r->picture, r->lit, o->out, err)) return -1;
     render_report(o, &j->method, r, j->radius);
     return 0;
 }

@@ -11,7 +11,8 @@ enum { RENDER_SETS = 32 };
 typedef struct options {
     /* what to draw: a scene, a frame, or a list of frames */
     const char *scene, *gbuffer, *sequence, *env, *light[KIT_MAX_LIGHTS];
-    int         lights, ground, frames, width, height;
+    int         lights, ground, frames, still, width, height;
+    double      turn, strength;            /* of env */
     double      orbit;                     /* degrees a frame */
     float       slide[3];                  /* a frame */
     int         has_camera, has_up;
@@ -26,7 +27,7 @@ typedef struct options {
     double      plan[2];                   /* error, budget */
     /* what comes out */
     const char *out, *score, *save, *listed;
-    int         time, json, list, help;
+    int         time, json, list, help, colours, backdrop;
 } options;
 
 extern const char render_usage[];
@@ -79,8 +80,8 @@ int  render_open_settings(job *j, kit_error *err);
 /* What options do not say its header does; a radius that nobody gave is the job's from then on. */
 int  render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err);
 int  render_open_scene(job *j, kit_error *err);
-/* As its ending says, EXR or PNG. */
-int  render_write(const kit_image *picture, int lit, const char *path, kit_error *err);
+/* As its ending says, EXR or PNG; with the colours or the backdrop that are asked for. */
+int  render_write(const job *j, const kit_gbuffer *g, kit_image *picture, int lit, const char *path, kit_error *err);
 
 /* ---- >>frames */
 
