@@ -598,6 +598,83 @@ static void frames_stay(void)
     kit_scene_free(&scene);
 }
 
+/* A frame of another size, or of other passes, follows none: it is as if it were the first of its number. One more of
+   the same G-buffer is what opening that again makes. */
+static void frames_restart(void)
+{
+    enum { FRAMES = 7 };
+    static const struct { const char *method; int width; unsigned since; } frame[FRAMES] = {
+        { "hsao-history", 160, 1 }, { "hsao-history", 160, 2 }, { "hsao-history", 96, 1 }, { "hsao-history", 96, 2 },
+        { "hsao-best", 96, 1 },     { "hsao-best", 96, 2 },     { "hsao-history", 96, 1 } };
+    static kit_frames frames, again;
+    kit_scene scene;
+    kit_gbuffer g[FRAMES];
+    kit_method m;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
+    const kit_world world = { &scene, NULL };
+    for (int k = 0; k < FRAMES; ++k) {
+        static kit_frames first;
+        kit_camera camera = scene.camera;
+        kit_image out[2];
+        camera.width = frame[k].width;
+        camera.height = 90;
+        if (!TRY(kit_gbuffer_from_scene(&g[k], &scene, &camera, NULL, &err))
+            || !TRY(kit_method_find(&m, frame[k].method, &err)) || !TRY(kit_method_set(&m, "history=1", &err))
+            || !TRY(kit_frames_next(&frames, &g[k], &m, scene.radius, &world, NULL, &err)))
+            return;
+        CHECK(frames.since == frame[k].since, "frame %d: the %u. of those that follow each other", k, frames.since);
+        first.number = (unsigned)k;
+        if (!frame_drawn(&out[0], frames.now)
+            || !TRY(kit_frames_next(&first, &g[k], &m, scene.radius, &world, NULL, &err))
+            || !frame_drawn(&out[1], first.now))
+            return;
+        CHECK(same_pictures(&out[0], &out[1]) == (frame[k].since == 1), "frame %d %s history", k,
+              frame[k].since == 1 ? "has a" : "has no");
+        kit_image_free(&out[1]);
+        kit_frames_close(&first);
+        if (k < 2) {
+            if (!TRY(k ? kit_frames_again(&again, &err)
+                       : kit_frames_next(&again, &g[0], &m, scene.radius, &world, NULL, &err))
+                || !frame_drawn(&out[1], again.now))
+                return;
+            CHECK(same_pictures(&out[0], &out[1]) && again.since == frames.since && again.number == frames.number,
+                  "frame %d of a G-buffer that stays is not that of one opened again", k);
+            kit_image_free(&out[1]);
+        }
+        kit_image_free(&out[0]);
+    }
+    kit_frames_close(&frames);
+    kit_frames_close(&again);
+    for (int k = 0; k < FRAMES; ++k) kit_gbuffer_free(&g[k]);
+    kit_scene_free(&scene);
+}
+
+/* Triangles that are kept are drawn as others are, also what light sees of them, until they are forgotten. */
+static void mesh_kept(void)
+{
+    static const float by[3] = { 0.8f, 0, 0 };
+    kit_scene scene;
+    kit_lighting sun = { .lights = 1, .light = { { KIT_SUN, { 0.6f, 0.6f, 0.529f }, { 1, 1, 1 } } } };
+    kit_image out[4];
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
+    const kit_world world = { &scene, &sun };
+    for (int k = 0; k < 4; ++k) {          /* as they are; kept; moved, but not forgotten; forgotten */
+        kit_gbuffer g;
+        if (k == 1 && !TRY(kit_mesh_keep(&scene.mesh, &err))) return;
+        if (k == 2 && !TRY(kit_scene_slide(&scene, by, 1, &err))) return;
+        if (k == 3) kit_mesh_forget();
+        if (!frame_seen(&g, &scene, 0)
+            || !TRY(kit_run_picture(&out[k], &g, &world, "ssdo", "bounce=none", scene.radius, &err)))
+            return;
+        kit_gbuffer_free(&g);
+    }
+    CHECK(same_pictures(&out[0], &out[1]), "kept triangles are drawn otherwise");
+    CHECK(same_pictures(&out[1], &out[2]), "triangles that are kept were uploaded again");
+    CHECK(!same_pictures(&out[2], &out[3]), "forgotten triangles are where they were");
+    for (int k = 0; k < 4; ++k) kit_image_free(&out[k]);
+    kit_scene_free(&scene);
+}
+
 void test_casters(void)
 {
     RUN("what was never opened can be closed, with no context", closing_nothing);
@@ -612,6 +689,8 @@ void test_casters(void)
     RUN("an occluder that cannot be set is refused", refusals);
     RUN("frames follow the one before, a failed one ends them", frames_follow);
     RUN("frames of a picture that stays follow themselves", frames_stay);
+    RUN("frames of another size or other passes begin anew", frames_restart);
+    RUN("triangles that are kept are drawn as others are", mesh_kept);
     kit_fields_free();
     kit_gl_close();
 }

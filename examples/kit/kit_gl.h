@@ -102,11 +102,15 @@ GLuint      kit_program_text(const char *head, const char *vertex, const char *f
 /* Programs that live as long as the context, by a hash of their texts: compiled once. kept: 0 = there is none. */
 GLuint      kit_program_kept(uint64_t key);
 int         kit_program_keep(uint64_t key, GLuint program, kit_error *err);
+GLuint      kit_program_kept_text(const char *head, const char *vertex, const char *fragment, kit_error *err);
 
 /* Opaque drawing of count vertices: vec3 attributes 0, 1 .. interleaved, uploaded once; both sides, all written, depth
-   test LESS. Closing goes back to the vertex array before, framebuffer 0 and program 0, depth and scissor test off. */
+   test LESS. Resting goes back to the vertex array before, framebuffer 0 and program 0, depth and scissor test off,
+   until it is used again; closing does the same. */
 typedef struct kit_soup { GLuint vertex_array, buffer; GLint vertex_array_was; } kit_soup;
 void        kit_soup_open(kit_soup *soup, const float *vertices, size_t count, int attributes);
+void        kit_soup_rest(kit_soup *soup);
+void        kit_soup_use(kit_soup *soup);
 void        kit_soup_close(kit_soup *soup);
 
 /* Milliseconds of GL time between the two: a timer query on hardware, the clock around glFinish on software. No
@@ -149,6 +153,13 @@ typedef struct kit_gbuffer {
 int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4],
                            kit_error *err);
 
+/* For who draws many frames of one scene: its triangles are uploaded once, for G-buffers and shadow maps, until they
+   are forgotten, which is due before they change, are freed, or the context closes. One mesh at a time. */
+int  kit_mesh_keep(const kit_mesh *mesh, kit_error *err);
+void kit_mesh_forget(void);
+/* That mesh ready to be drawn, its position as attribute 0, until kit_soup_rest; NULL: it is not kept. */
+kit_soup *kit_mesh_kept(const kit_mesh *mesh);
+
 /* The same view of a scene, so many pixels wider on each side; planes and depth layout as they are. */
 int  kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *gbuffer, const kit_scene *scene, int pixels,
     kit_error *err);
@@ -175,6 +186,7 @@ int  kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const 
 /* The inverse, of the viewport: those channels of all layers, direct.R/G/B and slabs where there are any; background is
    0 in all. */
 int  kit_gbuffer_read(kit_image *frame, const kit_gbuffer *gbuffer, kit_error *err);
+int  kit_gbuffer_read_depth(kit_image *frame, const kit_gbuffer *gbuffer, kit_error *err);     /* Z alone */
 void kit_gbuffer_free(kit_gbuffer *gbuffer);
 
 /* ---- >>shadow ----------------------------------------------------------------------------------------------- */

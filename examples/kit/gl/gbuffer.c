@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A face's side is decided on the CPU (facing): gl_FrontFacing would need every mesh to be wound one way. u_side: 1
-   turns normals toward the viewer, -1 away.
+/* A face's side is where u_eye is of its plane (facing), or of one through u_target: gl_FrontFacing would need every
+   mesh to be wound one way. u_side: 1 turns normals toward the viewer, -1 away.
 
    PEEL keeps what lies behind u_previous, the view depths of the layer before, by more than 4e-6 of them. They are what
    this same program interpolated, so a surface finds its own depth again bit by bit; the tolerance is for surfaces that
@@ -22,7 +22,8 @@ static const char vertex_source[] =
     "layout(location = 4) in vec3 a_object;\n"
     "uniform mat4 u_view;\n"
     "uniform mat4 u_projection;\n"
-    "uniform float u_side;\n"
+    "uniform float u_side, u_orthographic;\n"
+    "uniform vec3 u_eye, u_target;\n"
     "invariant gl_Position;\n"
     "out float v_depth;\n"
     "out vec3 v_normal;\n"
@@ -31,7 +32,8 @@ static const char vertex_source[] =
     "flat out float v_object;\n"
     "void main() {\n"
     "    v_normal = mat3(u_view) * a_normal;\n"
-    "    v_facing = mat3(u_view) * a_facing * u_side;\n"
+    "    float toward = dot(a_facing, u_eye - (u_orthographic > 0.0 ? u_target : a_position));\n"
+    "    v_facing = mat3(u_view) * (toward < 0.0 ? -a_facing : a_facing) * u_side;\n"
     "    v_albedo = a_albedo;\n"
     "    v_object = a_object.x;\n"
     "    vec4 position = u_view * vec4(a_position, 1.0);\n"
@@ -75,14 +77,14 @@ static const char fragment_source[] =
 /* position, normal, facing, albedo, the object's number and two to fill up */
 enum { VERTEX_FLOATS = 15 };
 
-/* The soup as vertices. facing is the face's normal turned to the side that the camera is on. */
-static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
+/* The soup as vertices. facing is the face's normal. */
+static float *vertices_new(const kit_mesh *mesh)
 {
     float *vertices = malloc(mesh->triangles * 3 * VERTEX_FLOATS * sizeof *vertices + 1);
     for (size_t t = 0; vertices && t < mesh->triangles; t++) {
         const float *p = mesh->position + 9 * t;
         float facing[3];
-        double a[3], b[3], face[3], toward = 0, length;
+        double a[3], b[3], face[3], length;
         for (int i = 0; i < 3; i++) {
             a[i] = (double)p[3 + i] - (double)p[i];
             b[i] = (double)p[6 + i] - (double)p[i];
@@ -90,9 +92,7 @@ static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
         for (int i = 0; i < 3; i++)
             face[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
         length = sqrt(face[0] * face[0] + face[1] * face[1] + face[2] * face[2]);
-        for (int i = 0; i < 3; i++)
-            toward += face[i] * ((double)camera->eye[i] - (double)(camera->fovy > 0 ? p[i] : camera->target[i]));
-        for (int i = 0; i < 3; i++) facing[i] = length > 0 ? (float)((toward < 0 ? -face[i] : face[i]) / length) : 0.0f;
+        for (int i = 0; i < 3; i++) facing[i] = length > 0 ? (float)(face[i] / length) : 0.0f;
         for (size_t k = 0; k < 3; k++) {
             float *v = vertices + (3 * t + k) * VERTEX_FLOATS;
             memcpy(v, p + 3 * k, 3 * sizeof *v);
@@ -106,20 +106,55 @@ static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
     return vertices;
 }
 
+/* What kit_mesh_keep keeps. */
+static struct { const kit_mesh *mesh; kit_soup soup; } kept;
+
+static int soup_open(kit_soup *soup, const kit_mesh *mesh, kit_error *err)
+{
+    float *vertices = vertices_new(mesh);
+    if (!vertices) return kit_fail(err, "no memory for %zu triangles", mesh->triangles);
+    kit_soup_open(soup, vertices, mesh->triangles * 3, VERTEX_FLOATS / 3);
+    free(vertices);
+    return 0;
+}
+
+int kit_mesh_keep(const kit_mesh *mesh, kit_error *err)
+{
+    kit_mesh_forget();
+    if (soup_open(&kept.soup, mesh, err)) return -1;
+    kit_soup_rest(&kept.soup);
+    kept.mesh = mesh;
+    return 0;
+}
+
+void kit_mesh_forget(void)
+{
+    if (kept.mesh) kit_soup_close(&kept.soup);
+    kept.mesh = NULL;
+}
+
+kit_soup *kit_mesh_kept(const kit_mesh *mesh)
+{
+    if (kept.mesh != mesh) return NULL;
+    kit_soup_use(&kept.soup);
+    return &kept.soup;
+}
+
 /* Makes ready to draw the soup as g's camera sees it; a framebuffer without targets. */
-static GLuint begin(kit_soup *soup, const kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program)
+static GLuint begin(const kit_gbuffer *g, GLuint program)
 {
     const int reversed = g->camera.depth != KIT_DEPTH_NORMAL;
     float view[16], projection[16];
     GLuint framebuffer;
     kit_camera_matrices(&g->camera, view, projection);
-    while (glGetError() != GL_NO_ERROR) {}
-    kit_soup_open(soup, vertices, mesh->triangles * 3, VERTEX_FLOATS / 3);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glUseProgram(program);
     glUniformMatrix4fv(glGetUniformLocation(program, "u_view"), 1, GL_FALSE, view);
     glUniformMatrix4fv(glGetUniformLocation(program, "u_projection"), 1, GL_FALSE, g->projection);
+    glUniform3fv(glGetUniformLocation(program, "u_eye"), 1, g->camera.eye);
+    glUniform3fv(glGetUniformLocation(program, "u_target"), 1, g->camera.target);
+    glUniform1f(glGetUniformLocation(program, "u_orthographic"), g->camera.fovy > 0 ? 0.0f : 1.0f);
     glViewport(g->viewport[0], g->viewport[1], g->viewport[2], g->viewport[3]);
     glDepthFunc(reversed ? GL_GREATER : GL_LESS);
     if (reversed) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -128,16 +163,14 @@ static GLuint begin(kit_soup *soup, const kit_gbuffer *g, const kit_mesh *mesh, 
 
 /* Draws the nearest back face; the next front face behind that, and its back face, as window depths. Each pass writes
    view depth, too, which the next one peels by. */
-static int draw_slabs(kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program,
-                      const GLuint depth[3])
+static int draw_slabs(kit_gbuffer *g, const kit_mesh *mesh, GLuint program, const GLuint depth[3])
 {
     static const GLfloat zero[4] = { 0, 0, 0, 0 }, farthest[4] = { SSGI_FAR, 0, 0, 0 };
     const int reversed = g->camera.depth != KIT_DEPTH_NORMAL, passes = depth[2] ? 3 : 1;
     const GLfloat clear = reversed ? 0.0f : 1.0f;
     GLuint framebuffer, view_depth[2];
     int complete = 1;
-    kit_soup soup;
-    framebuffer = begin(&soup, g, mesh, vertices, program);
+    framebuffer = begin(g, program);
     for (int i = 0; i < 2; i++) view_depth[i] = kit_texture(g->width, g->height, GL_R32F, NULL);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, view_depth[1], 0);
     glClearBufferfv(GL_COLOR, 0, zero);
@@ -159,7 +192,7 @@ static int draw_slabs(kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
     glCullFace(GL_BACK);
     if (reversed) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     glBindTexture(GL_TEXTURE_2D, 0);
-    kit_soup_close(&soup);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteTextures(2, view_depth);
     glDeleteFramebuffers(1, &framebuffer);
     return complete && glGetError() == GL_NO_ERROR;
@@ -168,7 +201,7 @@ static int draw_slabs(kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
 /* Draws g's first layer, or with a program that peels all others; 0 if the context cannot. Peeling draws the first one
    too, for its view depth, into the slices that the second will have; view depths go from layer to layer through a pair
    of textures, so that none reads the array that it writes. */
-static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program, int peels)
+static int draw(const kit_gbuffer *g, const kit_mesh *mesh, GLuint program, int peels)
 {
     static const GLenum targets[3] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
     static const GLuint none[4] = { 0, 0, 0, 0 };
@@ -177,8 +210,7 @@ static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
     const GLfloat clear = reversed ? 0.0f : 1.0f;
     GLuint framebuffer, view_depth[2] = { 0, 0 };
     int complete = 1;
-    kit_soup soup;
-    framebuffer = begin(&soup, g, mesh, vertices, program);
+    framebuffer = begin(g, program);
     glDrawBuffers(3, targets);
     if (peels) {
         for (int i = 0; i < 2; i++) view_depth[i] = kit_texture(g->width, g->height, GL_R32F, NULL);
@@ -211,7 +243,7 @@ static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
     }
     if (reversed) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     if (peels) glBindTexture(GL_TEXTURE_2D, 0);
-    kit_soup_close(&soup);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteTextures(2, view_depth);
     glDeleteFramebuffers(1, &framebuffer);
     return complete && glGetError() == GL_NO_ERROR;
@@ -219,25 +251,23 @@ static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
 
 static int rasterise(kit_gbuffer *g, const kit_scene *scene, int peels, const GLuint *slab, kit_error *err)
 {
-    float *vertices;
+    const kit_mesh *mesh = &scene->mesh;
+    kit_soup soup;
     GLuint program;
     int drawn;
     if (scene->mesh.triangles > 0x7fffffff / 3)
         return kit_fail(err, "G-buffer of %s: %zu triangles are more than one draw call takes", scene->name,
                         scene->mesh.triangles);
-    vertices = vertices_new(&scene->mesh, &g->camera);
-    if (!vertices)
-        return kit_fail(err, "G-buffer of %s: no memory for %zu triangles", scene->name, scene->mesh.triangles);
-    program = kit_program_text(slab    ? "#define SLAB\n"
-                               : peels ? "#define PEEL\n"
-                                       : "",
-                               vertex_source, fragment_source, err);
-    drawn = program
-            && (slab ? draw_slabs(g, &scene->mesh, vertices, program, slab)
-                     : draw(g, &scene->mesh, vertices, program, peels));
-    free(vertices);
+    program = kit_program_kept_text(slab    ? "#define SLAB\n"
+                                    : peels ? "#define PEEL\n"
+                                            : "",
+                                    vertex_source, fragment_source, err);
     if (!program) return -1;
-    glDeleteProgram(program);
+    while (glGetError() != GL_NO_ERROR) {}
+    kit_soup *stays = kit_mesh_kept(mesh);
+    if (!stays && soup_open(&soup, mesh, err)) return -1;
+    drawn = slab ? draw_slabs(g, mesh, program, slab) : draw(g, mesh, program, peels);
+    if (stays) kit_soup_rest(stays); else kit_soup_close(&soup);
     if (!drawn)
         return kit_fail(err,
                         "G-buffer of %s: %s cannot draw %d layers of %d x %d RGBA32F and RGBA16F texels with %zu "
@@ -650,6 +680,26 @@ int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
     if (failed) {
         kit_image_free(&image);
         return kit_fail(err, "G-buffer: %s cannot read its textures back", kit_gl_name());
+    }
+    *frame = image;
+    return 0;
+}
+
+int kit_gbuffer_read_depth(kit_image *frame, const kit_gbuffer *g, kit_error *err)
+{
+    float *depth = malloc((size_t)g->width * (size_t)g->height * sizeof *depth);
+    kit_image image;
+    if (!depth) return kit_fail(err, "G-buffer: no memory to read %d x %d texels", g->width, g->height);
+    if (kit_image_new(&image, g->viewport[2], g->viewport[3], "Z", err)) { free(depth); return -1; }
+    const int failed = kit_texture_read(g->depth, g->width, g->height, 1, depth);
+    for (size_t i = 0; i < (size_t)image.width * (size_t)image.height && !failed; i++) {
+        const double z = view_depth(g, (double)depth[texel_of(g, i)]);
+        if (z > 0) image.data[i] = (float)z;
+    }
+    free(depth);
+    if (failed) {
+        kit_image_free(&image);
+        return kit_fail(err, "G-buffer: %s cannot read its depth back", kit_gl_name());
     }
     *frame = image;
     return 0;

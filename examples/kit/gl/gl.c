@@ -575,14 +575,25 @@ int kit_program_keep(uint64_t key, GLuint program, kit_error *err)
     return 0;
 }
 
+GLuint kit_program_kept_text(const char *head, const char *vertex, const char *fragment, kit_error *err)
+{
+    const uint64_t key = kit_hash(kit_hash(kit_hash(KIT_HASH, head, strlen(head)), vertex, strlen(vertex)), fragment,
+                                  strlen(fragment));
+    GLuint program = kit_program_kept(key);
+    if (program) return program;
+    program = kit_program_text(head, vertex, fragment, err);
+    if (!program || !kit_program_keep(key, program, err)) return program;
+    glDeleteProgram(program);
+    return 0;
+}
+
 /* ---- >>soup ------------------------------------------------------------------------------------------------- */
 
 void kit_soup_open(kit_soup *soup, const float *vertices, size_t count, int attributes)
 {
     const size_t stride = 3 * sizeof *vertices * (size_t)attributes;
-    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &soup->vertex_array_was);
     glGenVertexArrays(1, &soup->vertex_array);
-    glBindVertexArray(soup->vertex_array);
+    kit_soup_use(soup);
     glGenBuffers(1, &soup->buffer);
     glBindBuffer(GL_ARRAY_BUFFER, soup->buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * stride), vertices, GL_STATIC_DRAW);
@@ -591,6 +602,12 @@ void kit_soup_open(kit_soup *soup, const float *vertices, size_t count, int attr
                               (const void *)(3 * (size_t)i * sizeof *vertices));
         glEnableVertexAttribArray((GLuint)i);
     }
+}
+
+void kit_soup_use(kit_soup *soup)
+{
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &soup->vertex_array_was);
+    glBindVertexArray(soup->vertex_array);
     glDisable(GL_SCISSOR_TEST); glDisable(GL_BLEND); glDisable(GL_CULL_FACE); glDisable(GL_STENCIL_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
@@ -599,7 +616,7 @@ void kit_soup_open(kit_soup *soup, const float *vertices, size_t count, int attr
     glDepthFunc(GL_LESS);
 }
 
-void kit_soup_close(kit_soup *soup)
+void kit_soup_rest(kit_soup *soup)
 {
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
@@ -608,6 +625,13 @@ void kit_soup_close(kit_soup *soup)
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glBindVertexArray((GLuint)soup->vertex_array_was);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void kit_soup_close(kit_soup *soup)
+{
+    GLint bound;
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
+    if ((GLuint)bound == soup->vertex_array) kit_soup_rest(soup);
     glDeleteBuffers(1, &soup->buffer);
     glDeleteVertexArrays(1, &soup->vertex_array);
     memset(soup, 0, sizeof *soup);

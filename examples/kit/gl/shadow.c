@@ -57,11 +57,12 @@ GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit
     int drawn;
     kit_soup soup;
     if (check_atlas(width, height, scene, camera, count, err)) return 0;
-    program = kit_program_text("", vertex_source, fragment_source, err);
+    program = kit_program_kept_text("", vertex_source, fragment_source, err);
     if (!program) return 0;
     while (glGetError() != GL_NO_ERROR) {}
     atlas = kit_texture(width, height, GL_DEPTH_COMPONENT32F, NULL);
-    kit_soup_open(&soup, mesh->position, 3 * mesh->triangles, 1);
+    kit_soup *stays = kit_mesh_kept(mesh);
+    if (!stays) kit_soup_open(&soup, mesh->position, 3 * mesh->triangles, 1);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, atlas, 0);
@@ -73,9 +74,8 @@ GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit
         glUseProgram(program);
         for (int i = 0; i < count; i++) draw(mesh, &camera[i], glGetUniformLocation(program, "u_clip"));
     }
-    kit_soup_close(&soup);
+    if (stays) kit_soup_rest(stays); else kit_soup_close(&soup);
     glDeleteFramebuffers(1, &framebuffer);
-    glDeleteProgram(program);
     if (!drawn || glGetError() != GL_NO_ERROR) {
         glDeleteTextures(1, &atlas);
         kit_fail(err, "shadow atlas of %s: %s cannot draw %d x %d texels of depth with %zu triangles",

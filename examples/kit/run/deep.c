@@ -70,7 +70,7 @@ static int nearest_of(float *front, const kit_gbuffer *g, kit_error *err)
 {
     kit_image frame;
     float least = INFINITY;
-    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    if (kit_gbuffer_read_depth(&frame, g, err)) return -1;
     const float *z = kit_image_channel(&frame, "Z");
     for (int i = 0; i < frame.width * frame.height; ++i) if (z[i] > 0 && z[i] < least) least = z[i];
     if (least < INFINITY) *front = fmaxf(0.999f * least, *front);

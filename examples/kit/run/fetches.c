@@ -401,5 +401,21 @@ static int counted(const ssgi_gl_desc *desc, int operations)
     return (int)cost;
 }
 
-int kit_fetches(const ssgi_gl_desc *desc) { return counted(desc, 0); }
-int kit_operations(const ssgi_gl_desc *desc) { return counted(desc, 1); }
+/* The last ones are kept: each frame asks for those of the frame before. */
+static int kept_count(const ssgi_gl_desc *desc, int operations)
+{
+    enum { KEPT = 256 };
+    static struct { uint64_t key; int count; } kept[KEPT];
+    static int next;
+    uint64_t key = kit_hash(kit_hash(KIT_HASH, desc, sizeof *desc), &operations, sizeof operations);
+    if (desc->fetch) key = kit_hash(key, desc->fetch, strlen(desc->fetch));
+    for (int i = 0; i < KEPT; ++i) if (kept[i].key == key) return kept[i].count;
+    const int count = counted(desc, operations);
+    kept[next].key = key;
+    kept[next].count = count;
+    next = (next + 1) % KEPT;
+    return count;
+}
+
+int kit_fetches(const ssgi_gl_desc *desc) { return kept_count(desc, 0); }
+int kit_operations(const ssgi_gl_desc *desc) { return kept_count(desc, 1); }

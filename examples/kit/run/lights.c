@@ -272,6 +272,21 @@ float *kit_rgba(float *four, const float *map, int size)
     return four;
 }
 
+/* The hash of an environment's texels, which is computed again only where they are not those of the last one: to
+   compare is faster by far. */
+static uint64_t key_of(const float *rgb, size_t size)
+{
+    static void *last;
+    static size_t last_size;
+    static uint64_t key;
+    if (last && last_size == size && !memcmp(last, rgb, size)) return key;
+    free(last);
+    last = malloc(size);
+    last_size = size;
+    if (last) memcpy(last, rgb, size);
+    return key = kit_hash(KIT_HASH, rgb, size);
+}
+
 /* The last few are kept, for runs on one environment ask for the same. */
 ssgi_result kit_environment_of(float *out, int size, const float *rgb, const kit_image *env, float solid_angle,
                                float cosine, const char **why)
@@ -282,8 +297,8 @@ ssgi_result kit_environment_of(float *out, int size, const float *rgb, const kit
     const size_t texels = (size_t)(size * size);
     const struct { int width, height, size; float solid_angle, cosine; } of = { env->width, env->height, size,
                                                                                 solid_angle, cosine };
-    const uint64_t key = kit_hash(kit_hash(KIT_HASH, &of, sizeof of), rgb,
-                                  3 * (size_t)env->width * (size_t)env->height * sizeof *rgb);
+    const uint64_t texel_key = key_of(rgb, 3 * (size_t)env->width * (size_t)env->height * sizeof *rgb);
+    const uint64_t key = kit_hash(kit_hash(KIT_HASH, &of, sizeof of), &texel_key, sizeof texel_key);
     for (int i = 0; i < KEPT && size <= MOST_SIZE; ++i)
         if (kept[i].key == key) {
             memcpy(out, kept[i].map, 3 * texels * sizeof *out);

@@ -13,7 +13,7 @@ static int margin_of(int *pixels, const kit_gbuffer *g, double radius, double ma
     float *depth, *z;
     size_t count = 0;
     double wide = 0;
-    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    if (kit_gbuffer_read_depth(&frame, g, err)) return -1;
     z = kit_image_channel(&frame, "Z");
     depth = malloc((size_t)width * (size_t)height * sizeof *depth);
     for (int all = 0; all < 2 && depth && !count; ++all)

@@ -11,8 +11,8 @@ static int trace_deep(kit_image *out, const kit_method *m, const kit_scene *scen
         const kit_material *of = kit_material_of(m->set.material);
         if (ssgi_dipole_set(&dipole, of->sigma_s, of->sigma_a, of->eta, NULL) != SSGI_OK)
             return kit_fail(err, "--set material=%s: has no dipole", of->name);
-        return kit_truth_scatter(out, scene, camera, lighting, &dipole, (float)m->set.unit, 1000 * (size_t)rays,
-                                 stride, err);
+        return kit_truth_scatter(out, scene, camera, lighting, &dipole, (float)m->set.unit, 1000 * (size_t)rays, stride,
+                                 err);
     }
     if (m->effect == SSGI_GL_EFFECT_SPECULAR)
         return kit_truth_gloss(out, scene, camera, lighting, radius, KIT_ATTENUATION_NONE, m->set.exponent, rays,
@@ -28,7 +28,7 @@ int kit_method_truth(kit_image *out, const kit_method *m, const kit_scene *scene
         return trace_deep(out, m, scene, camera, lighting, radius, rays, stride, err);
     if (m->lit) {
         const int vpls = m->set.vpls > 0, bounce = m->set.bounce || m->set.indirect || vpls;
-        const int all = m->set.suns || vpls;    /* these see as far as shadow maps do */
+        const int all = m->set.suns || vpls; /* these see as far as shadow maps do */
         return kit_truth_lit(out, scene, camera, lighting, all ? INFINITY : radius,
                              all ? KIT_ATTENUATION_NONE : attenuation, bounce, rays, stride, err);
     }

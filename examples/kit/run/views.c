@@ -37,7 +37,7 @@ int kit_seen(const kit_gbuffer *g, kit_sight *seen, kit_error *err)
     kit_image frame;
     double sum[4] = { 0, 0, 0, 0 }, squares = 0, median = 1;
     memset(seen, 0, sizeof *seen);
-    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    if (kit_gbuffer_read_depth(&frame, g, err)) return -1;
     const size_t room = (size_t)frame.width * (size_t)frame.height + 1;
     float *depths = malloc(room * sizeof *depths);
     seen->point = malloc(room * sizeof *seen->point);

@@ -120,7 +120,8 @@ static int open_next(kit_gbuffer *g, job *j, const sequence *s, const kit_camera
     kit_camera camera = *from;
     if (j->o.sequence) return open_line(g, j, &s->line[k], err);
     kit_camera_orbit(&camera, from, j->o.orbit * k);
-    return kit_scene_slide(&j->scene, j->o.slide, k > 0, err) || kit_gbuffer_from_scene(g, &j->scene, &camera, NULL, err);
+    return kit_scene_slide(&j->scene, j->o.slide, k > 0, err)
+        || kit_gbuffer_from_scene(g, &j->scene, &camera, NULL, err);
 }
 
 /* Frame k, drawn and written. */

@@ -291,7 +291,9 @@ static int check_source(const options *o, kit_error *err)
     if (render_plans_light(o) && !o->env && !(o->scene && kit_scene_seeded(o->scene)))
         return kit_fail(err, "--plan: light and bounce need --env");
     if (!o->env && (o->turn != 0 || o->strength != 1 || o->backdrop))
-        return kit_fail(err, "--%s: needs --env", o->backdrop ? "backdrop" : o->turn != 0 ? "env-turn" : "env-strength");
+        return kit_fail(err, "--%s: needs --env", o->backdrop    ? "backdrop"
+                                                  : o->turn != 0 ? "env-turn"
+                                                                 : "env-strength");
     if (o->planned - 1 == SSGI_PLAN_OBJECTS && o->gbuffer)
         return kit_fail(err, "--plan objects: needs a scene; a frame has no objects to bake");
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
