@@ -31,7 +31,8 @@ KIT_SCENE   = $(addprefix scene/,text materials soup mesh texture cards assimp m
 KIT_KINDS   = $(sort $(patsubst examples/kit/%.c,build/kit/%.o,$(wildcard examples/kit/scene/*/*.c)))
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
 KIT_GL      = $(addprefix gl/,gl gbuffer shadow field)
-KIT_RUN     = $(addprefix run/,settings fetches truth draw cost passes margin views lights lit occluders deep run frames plan)
+KIT_RUN     = $(addprefix run/,settings fetches truth draw cost passes margin views lights lit occluders deep run \
+              frames plan)
 KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
 KIT_O     = $(KIT:%=build/kit/%.o) $(KIT_KINDS) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h \
@@ -300,13 +301,13 @@ clean:
         fit fit-gpu glsl golden deps format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
-VIEWER_O    = $(addsuffix .o,$(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) library)
-VIEWER_LIBS = $(KIT_LIBS) $$(pkg-config --libs glfw3) -lGL
+VIEWER_O    = $(addsuffix .o,$(KIT) library)
+VIEWER_LIBS = $(KIT_LIBS) $$(pkg-config --libs glfw3)
 viewer: build/viewer
 glfw:
 	@pkg-config --exists glfw3 || sh examples/kit/install.sh libglfw3-dev || \
 	  { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
-VIEWER      = $(addprefix examples/viewer/,viewer.c gl.c gbuffer.c truth.c panel.c pictures.c window.c arguments.c)
+VIEWER      = $(wildcard examples/viewer/*.c)
 build/viewer: $(VIEWER) $(VIEWER_O:%=build/kit/%) $(KIT_KINDS) examples/viewer/viewer.h | glfw
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(filter-out %.h,$^) $(VIEWER_LIBS) -o $@
 
@@ -324,8 +325,13 @@ build/threads/%.o: examples/kit/%.c $(HEADERS) | deps
 build/rmse: tests/rmse.c | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) $(CFLAGS) $< -lm -o $@
+build/press: tests/press.c
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) -std=c11 -D_GNU_SOURCE $(WARNINGS) $(CFLAGS) $< -lX11 -o $@
 viewer-test: build/render build/rmse
-	@command -v Xvfb >/dev/null && pkg-config --exists glfw3 || sh examples/kit/install.sh xvfb libglfw3-dev || true
+	@command -v Xvfb >/dev/null && pkg-config --exists glfw3 x11 || \
+	  sh examples/kit/install.sh xvfb libglfw3-dev libx11-dev || true
+	@if pkg-config --exists x11; then $(MAKE) -s build/press; else rm -f build/press; fi
 	@if pkg-config --exists glfw3; then $(MAKE) -s viewer build/viewer-sanitized build/viewer-threads; fi
 	@FUZZ=$(FUZZ) sh tests/viewer.sh
 

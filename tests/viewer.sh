@@ -58,37 +58,43 @@ size=480x270
 
 if [ ! -x build/viewer ]; then skip 'viewer, GLFW is missing (apt-get install libglfw3-dev)'
 else
+    { printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n'; printf '\200\220\240\201%.0s' $(seq 32); } \
+        >$work/dim.hdr
+    plain='--colours 0 --set history=0'
     for m in ssao hsao hsao-march 'hsao back' 'hsao slabs' 'hsao solid'; do
         name=${m% *} behind=${m#"$name"} behind=${behind# }
-        build/viewer room --method "$name" --behind ${behind:-auto} --size $size --shot $work/a.png
+        build/viewer room --method "$name" --set behind=${behind:-auto} $plain --size $size --shot $work/a.png
         build/render room --method "$name" --set behind=${behind:-auto} --size $size --out $work/b.png
         near "viewer, $m" $work/a.png $work/b.png 0.006
     done
     for m in ssdo s3ho; do
-        build/viewer room --method $m --size $size --shot $work/a.png
+        build/viewer room --method $m --env sky --set history=0 --size $size --shot $work/a.png
         build/render room --method $m --env sky --size $size --out $work/b.png
         near "viewer, $m" $work/a.png $work/b.png 0.006
     done
-    build/viewer room --history --frames 6 --size $size --shot $work/a.png
-    build/render room --set history=1 --frames 6 --size $size --out $work/h%d.png
-    near 'viewer, hsao over six frames' $work/a.png $work/h5.png 0.006
+    build/viewer room --method hsao --colours 0 --orbit 0.5 --frames 6 --size $size --shot $work/a.png
+    build/render room --set history=1 --orbit 0.5 --frames 6 --size $size --out $work/h%d.png
+    near 'viewer, hsao over six frames about the target' $work/a.png $work/h5.png 0.006
     build/render $work/yard.obj --camera $place --fovy 45 --size $size --radius 0.6 --out $work/b.png
     for ending in obj gltf; do
         if build/viewer $work/yard.$ending --env none 2>&1 | grep -q 'reads OBJ alone'; then
             skip "viewer, .$ending, Assimp is missing (apt-get install libassimp-dev)"
             continue
         fi
-        build/viewer $work/yard.$ending --camera $place --size $size --radius 0.6 --shot $work/a.png
+        set -- $work/yard.$ending --method hsao $plain --camera $place --size $size --radius 0.6
+        build/viewer "$@" --shot $work/a.png
         near "viewer, hsao of an .$ending" $work/a.png $work/b.png 0.006
-        build/viewer $work/yard.$ending --ground --camera $place --size $size --radius 0.6 --shot $work/g.png
+        build/viewer "$@" --ground --shot $work/g.png
         check "viewer, --ground under an .$ending" "$(cmp -s $work/a.png $work/g.png || echo 1)"
     done
-    is=$(build/viewer room --right truth --size 240x136 --shot $work/a.png | sed -n 's/^RMSE //p')
+    is=$(build/viewer room --method hsao $plain --right truth --size 240x136 --shot $work/a.png | sed -n 's/^RMSE //p')
     build/render room --size 240x136 --truth 16 --out $work/truth.exr
     be=$(build/render room --size 240x136 --score $work/truth.exr | sed -n 's/.*: RMSE \([0-9.]*\).*/\1/p')
     echo "  viewer, error to its own truth: $is; build/render: $be"
     close=$(awk -v a="$is" -v b="$be" 'BEGIN { print (a * b > 0 && (a - b) ^ 2 < 9e-6) }')
     check 'viewer, error to the truth' "$close"
+    if [ -x build/press ]; then . tests/viewer_keys.sh
+    else skip 'viewer, keys and drops: X11 is missing (apt-get install libx11-dev)'; fi
     . tests/viewer_bad.sh
 fi
 

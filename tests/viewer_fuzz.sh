@@ -103,13 +103,17 @@ damage() {    # FILE SEED: a copy; every second one with another value for one o
 }
 
 option_value() {    # of an option, good or bad, into $picked; 1 if it has none
-    case $1 in --history | --ground | --keys) return 1 ;; esac
+    case $1 in --command | --ground | --keys) return 1 ;; esac
     pick own own own own own own own any
     case $picked$1 in
-    own--method | own--right) pick ssao hsao hsao-march ssdo ssdo-points s3ho truth ;;
-    own--preset) pick fast balanced best ;;
-    own--behind) pick auto constant solid width back slabs ;;
-    own--normal) pick gbuffer depth ;;
+    own--method | own--right) pick ssao hsao hsao-march ssdo ssdo-points s3ho ssbn dss dss-lit aof truth ;;
+    own--set) pick behind=slabs behind=back,half=0 normal=depth history=0 history=1,history=0 margin=1 layers=2 \
+                   steps=0 steps=1e9 bogus=1 = , half history= ;;
+    own--light) pick sun:1,1,1,1,1,1 sun:0,0,0,1,1,1 point:0,2,0,1,1,1 point:1,2 sun:nan,0,1,1,1,1 lamp ;;
+    own--env-turn | own--env-strength | own--fovy | own--ortho-height | own--orbit) pick 0 1 45 -20 1e9 nan 1e-30 x ;;
+    own--scale) pick auto 1 0.5 0.1 0 2 x ;;
+    own--colours) pick 0 1 2 ;;
+    own--slide) pick 0,0,0 1,0,0 1e12,0,0 1e13,0,0 1,2 nan,0,0 ;;
     own--env) pick sky white street none "$work/folder" "$work/a.obj" "$work/noise.obj" ;;
     own--frames) pick 1 2 3 4 0 -1 1.5 1e3 99999999999999999999 ;;
     own--panel) pick 0 1 2 -1 ;;
@@ -156,8 +160,9 @@ while [ $run -lt "$runs" ]; do
     set -- "$scene"
     while [ "$options" -gt 0 ]; do
         options=$((options - 1))
-        pick --method --right --preset --behind --normal --radius --radius --camera --camera --up --size --frames \
-             --panel --env --history --ground --keys other
+        pick --method --right --set --set --light --env-turn --env-strength --fovy --ortho-height --orbit --scale \
+             --colours --slide --radius --radius --camera --camera --up --size --frames --panel --env --command \
+             --ground --keys other
         [ "$picked" != other ] || pick --bogus '' - -- --method=hsao
         set -- "$@" "$picked"
         if option_value "$picked"; then set -- "$@" "$picked"; fi

@@ -1,37 +1,34 @@
-/* arguments.c - the command line. */
+/* arguments.c - the command line, whose names and values are build/render's where that has them. */
 #include "viewer.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static int floats(const char *text, float *out, int count)       /* none farther from 0 than scenes are */
+static int floats(const char *text, float *out, int count)
 {
     char *end = NULL;
     for (int i = 0; i < count; ++i, text = end + 1) {
         out[i] = strtof(text, &end);
-        if (end == text || *end != (i + 1 < count ? ',' : 0) || !(fabs((double)out[i]) <= VIEWER_FARTHEST))
-            return -1;
+        if (end == text || *end != (i + 1 < count ? ',' : 0) || !(fabs((double)out[i]) <= KIT_MOST)) return -1;
     }
     return 0;
 }
 
-static int word(const char *text, const char *const *words, int count)
+static int between(const char *text, double least, double most, double *out)
 {
-    for (int i = 0; i < count; ++i) if (!strcmp(text, words[i])) return i;
-    return -1;
-}
-
-static int method_named(const char *name)
-{
-    for (int i = 0; i < METHODS; ++i) if (!strcmp(name, methods[i].name)) return i;
-    return strcmp(name, "truth") ? -1 : TRUTH;
+    char *end;
+    const double value = strtod(text, &end);
+    if (end == text || *end || !(value >= least && value <= most)) return -1;
+    *out = value;
+    return 0;
 }
 
 static int whole_between(const char *text, int least, int most, int *out)
 {
-    char *end;
-    const long value = strtol(text, &end, 10);
-    if (end == text || *end || value < least || value > most) return -1;
+    double value;
+    if (between(text, least, most, &value) || value != floor(value) || strspn(text, "0123456789") != strlen(text))
+        return -1;
     *out = (int)value;
     return 0;
 }
@@ -43,93 +40,173 @@ static int size_of(const char *text, int size[2])
     if (!x || x - text >= (int)sizeof width) return -1;
     memcpy(width, text, (size_t)(x - text));
     return whole_between(width, 16, 16384, &size[0]) || whole_between(x + 1, 16, 16384, &size[1])
-           || size[0] * size[1] > 33554432;
+        || size[0] * size[1] > 33554432;
 }
 
-const char usage[] =
-    "usage: viewer MODEL | NAME   [options]; h in the window lists its keys\n"
-    "  MODEL: a file of OBJ, glTF, GLB, PLY, FBX or what else Assimp reads\n"
-    "  --method ssao | hsao | hsao-march | ssdo | ssdo-points | s3ho   [hsao]\n"
-    "  --right METHOD | truth     beside it\n"
-    "  --preset fast | balanced | best   --behind auto | constant | solid | width | back | slabs\n"
-    "  --normal gbuffer | depth\n"
-    "  --radius R  --history  --env sky | FILE  --ground  --size WxH  --camera ex,ey,ez,tx,ty,tz  --up x,y,z\n"
-    "  --shot F.png   a picture of the window, then the end   --frames N   so many frames before it   --keys\n";
+void usage(void)
+{
+    fputs("usage: viewer [MODEL | NAME | random:SEED]   [options]\n"
+          "  MODEL                  a file of OBJ, glTF, GLB, PLY, FBX or what else Assimp reads\n"
+          "  NAME                   a built-in scene  [room]; build/render --list names them\n"
+          "  --method NAME          any of build/render --list  [ssdo]\n"
+          "  --set key=value,..     settings of whichever method has them; history is 1 where there is one\n"
+          "  --right METHOD | truth     beside it\n"
+          "  --radius R             farthest occluder, scene units  [the scene's own]\n"
+          "  --env F.exr | F.hdr | sky | probe | windows | street | white   --env-turn DEGREES   --env-strength F\n"
+          "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   up to 16\n"
+          "                         [without both, the light of a scene by seed; else sky, and a sun]\n"
+          "  --ground               a square under the mesh\n"
+          "  --camera ex,ey,ez,tx,ty,tz   --up x,y,z   --fovy DEGREES | --ortho-height UNITS\n"
+          "  --orbit DEGREES        the camera turns so far a frame\n"
+          "  --slide X,Y,Z          the first object that casts stands so far from its place\n"
+          "  --size WxH             of the window  [1280x720]\n"
+          "  --scale auto | F       share of the window's sides that is drawn, 0.1..1; auto: so much that keys are\n"
+          "                         answered within a quarter of a second  [auto; with --shot 1]\n"
+          "  --colours 0 | 1        1: visibility is shown on the scene's colours  [1]\n"
+          "  --panel 0 | 1          times of the passes  [1; with --shot 0]\n"
+          "  --keys                 starts with the list of keys\n"
+          "  --shot F.png           a picture of the window, then the end   --frames N   so many frames before it\n"
+          "  --command              at the end, prints the line that has build/render draw the left half's picture\n"
+          "  --help, -h             this\n"
+          "keys\n"
+          "  drag       orbit; right drag: pan; wheel: zoom\n"
+          "  drop       a model, or .hdr .exr as the sky\n",
+          stdout);
+    for (const key *k = keys; k->code; ++k) printf("  %-10s %s\n", k->label, k->about);
+}
 
 static int must(viewer *v, int good, const char *name, const char *value, const char *what)
 {
     return good ? 0 : kit_fail(&v->err, "%s '%s': must %s", name, value, what);
 }
 
-/* An option with its value, "" where there is none. */
-static int option(viewer *v, asked *to, const char *name, const char *value)
+static int take_size(viewer *v, const char *name, const char *value)
 {
-    static const char *const normals[] = { "gbuffer", "depth" };
-    half *left = &v->half[0], *right = &v->half[1];
-    if (!strcmp(name, "--method")) {
-        left->method = method_named(value);
-        return must(v, left->method >= 0 && left->method != TRUTH, name, value,
-                    "be ssao, hsao, hsao-march, ssdo, ssdo-points or s3ho");
-    }
-    if (!strcmp(name, "--right")) {
-        v->split_on = v->error = 1;
-        right->method = method_named(value);
-        return must(v, right->method >= 0, name, value, "be a method or truth");
-    }
-    if (!strcmp(name, "--preset")) {
-        left->preset = right->preset = word(value, presets, 3);
-        return must(v, left->preset >= 0, name, value, "be fast, balanced or best");
-    }
-    if (!strcmp(name, "--behind")) {
-        v->behind = word(value, behinds, BEHINDS);
-        return must(v, v->behind >= 0, name, value, "be auto, constant, solid, width, back or slabs");
-    }
-    if (!strcmp(name, "--normal")) {
-        v->from_depth = word(value, normals, 2);
-        return must(v, v->from_depth >= 0, name, value, "be gbuffer or depth");
-    }
-    if (!strcmp(name, "--radius"))
-        return must(v, !floats(value, to->radius, 1) && *to->radius > 0, name, value,
-                    "be a number above 0, at most 1e15");
+    return must(v, !size_of(value, v->size), name, value, "be WxH, each 16..16384, of 33554432 pixels at most");
+}
+
+static int take_place(viewer *v, asked *to, const char *name, const char *value)
+{
     if (!strcmp(name, "--camera")) {
         to->camera = 1;
         return must(v, !floats(value, to->place, 6), name, value,
-                    "be six numbers with commas between, each within 1e15 of 0");
+                    "be six numbers with commas between, each within 1e12 of 0");
     }
-    if (!strcmp(name, "--up")) {
-        to->up = 1;
-        return must(v, !floats(value, to->upward, 3), name, value,
-                    "be three numbers with commas between, each within 1e15 of 0");
-    }
-    if (!strcmp(name, "--size"))
-        return must(v, !size_of(value, to->size), name, value, "be WxH, each 16..16384, of 33554432 pixels at most");
-    if (!strcmp(name, "--frames"))
-        return must(v, !whole_between(value, 1, 1000000, &v->frames), name, value, "be a whole number in 1..1000000");
-    if (!strcmp(name, "--panel"))
-        return must(v, !whole_between(value, 0, 1, &v->panel), name, value, "be 0 or 1");
-    if (!strcmp(name, "--env")) {
-        v->env = value;
-        return must(v, *value, name, value, "name an environment or its file");
-    }
-    if (!strcmp(name, "--shot")) {
-        v->shot = value;
-        return must(v, *value, name, value, "name a file");
-    }
+    to->up |= !strcmp(name, "--up");
+    return must(v, !floats(value, strcmp(name, "--up") ? to->slide : to->upward, 3), name, value,
+                "be three numbers with commas between, each within 1e12 of 0");
+}
+
+static int take_scale(viewer *v, const char *name, const char *value)
+{
+    v->pace.fixed = 0;
+    if (!strcmp(value, "auto")) return 0;
+    return must(v, !between(value, 0.1, 1, &v->pace.fixed), name, value, "be auto or a number in 0.1..1");
+}
+
+/* Numbers, each between two others. */
+static int take_number(viewer *v, asked *to, const char *name, const char *value)
+{
+    const struct {
+        const char *name;
+        double least, most, *to;
+    } numbers[] = { { "--env-turn", -360, 360, &v->light.turn },
+                    { "--env-strength", 0, 1e6, &v->light.strength },
+                    { "--orbit", -360, 360, &v->orbit },
+                    { "--fovy", 0.1, 179, &to->fovy },
+                    { "--ortho-height", 1e-12, KIT_MOST, &to->ortho_height } };
+
+    const struct {
+        const char *name;
+        int least, most, *to;
+    } wholes[] = { { "--frames", 1, 1000000, &v->frames },
+                   { "--panel", 0, 1, &v->panel },
+                   { "--colours", 0, 1, &v->colours } };
+
+    char what[80];
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i)
+        if (!strcmp(name, numbers[i].name)) {
+            snprintf(what, sizeof what, "be a number in %g..%g", numbers[i].least, numbers[i].most);
+            return must(v, !between(value, numbers[i].least, numbers[i].most, numbers[i].to), name, value, what);
+        }
+    for (size_t i = 0; i < sizeof wholes / sizeof *wholes; ++i)
+        if (!strcmp(name, wholes[i].name)) {
+            snprintf(what, sizeof what, "be a whole number in %d..%d", wholes[i].least, wholes[i].most);
+            return must(v, !whole_between(value, wholes[i].least, wholes[i].most, wholes[i].to), name, value, what);
+        }
     return kit_fail(&v->err, "%s: there is no such option (--help names all)", name);
+}
+
+/* An option with its value, "" where there is none. */
+static int option(viewer *v, asked *to, const char *name, const char *value)
+{
+    const struct {
+        const char *name, **to, *what;
+    } texts[] = { { "--method", &to->method, "name a method" },
+                  { "--right", &to->right, "name a method, or truth" },
+                  { "--env", &to->env, "name an environment or file" },
+                  { "--shot", &v->shot, "name a file" } };
+
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; ++i)
+        if (!strcmp(name, texts[i].name)) {
+            *texts[i].to = value;
+            return must(v, *value, name, value, texts[i].what);
+        }
+    if (!strcmp(name, "--set")) {
+        if (to->sets == VIEWER_WISHES) return kit_fail(&v->err, "--set: at most %d of them", VIEWER_WISHES);
+        to->set[to->sets++] = value;
+        return 0;
+    }
+    if (!strcmp(name, "--light")) {
+        if (to->lights == KIT_MAX_LIGHTS) return kit_fail(&v->err, "--light: at most %d of them", KIT_MAX_LIGHTS);
+        to->light[to->lights++] = value;
+        return 0;
+    }
+    if (!strcmp(name, "--radius")) {
+        double radius = 0;
+        if (must(v, !between(value, 1e-12, KIT_MOST, &radius), name, value, "be a number in 1e-12..1e12")) return -1;
+        v->asked_radius = (float)radius;
+        return 0;
+    }
+    if (!strcmp(name, "--camera") || !strcmp(name, "--up") || !strcmp(name, "--slide"))
+        return take_place(v, to, name, value);
+    if (!strcmp(name, "--size")) return take_size(v, name, value);
+    if (!strcmp(name, "--scale")) return take_scale(v, name, value);
+    return take_number(v, to, name, value);
+}
+
+/* An option that stands alone. */
+static int alone(viewer *v, asked *to, const char *name)
+{
+    if (!strcmp(name, "--help") || !strcmp(name, "-h")) to->help = 1;
+    else if (!strcmp(name, "--ground")) v->ground = 1;
+    else if (!strcmp(name, "--keys")) v->help = 1;
+    else if (!strcmp(name, "--command")) v->command = 1;
+    else return 0;
+    return 1;
 }
 
 int arguments(viewer *v, asked *to, int argc, char **argv)
 {
+    v->pace.fixed = -1;
+    v->panel = -1;
+    v->light.strength = -1;
     for (int i = 1; i < argc; ++i) {
         const char *a = argv[i];
-        if (!strcmp(a, "--help") || !strcmp(a, "-h")) to->help = 1;
-        else if (!strcmp(a, "--history")) v->history = 1;
-        else if (!strcmp(a, "--ground")) to->ground = 1;
-        else if (!strcmp(a, "--keys")) v->help = 1;
-        else if (*a == '-') { if (option(v, to, a, i + 1 < argc ? argv[i + 1] : "")) return -1; ++i; }
-        else if (!to->scene) to->scene = a;
+        if (alone(v, to, a)) continue;
+        if (*a == '-') {
+            if (option(v, to, a, i + 1 < argc ? argv[i + 1] : "")) return -1;
+            ++i;
+        } else if (!to->scene) to->scene = a;
         else return kit_fail(&v->err, "%s: only one scene can be shown (%s is one already)", a, to->scene);
     }
-    if (to->help || to->scene) return 0;
-    return kit_fail(&v->err, "a scene must be given: a model's file or a built-in name (--help says more)");
+    if (v->panel < 0) v->panel = !v->shot;
+    if (v->pace.fixed < 0) v->pace.fixed = v->shot ? 1 : 0;
+    if (to->help) return 0;
+    if (to->fovy > 0 && to->ortho_height > 0) return kit_fail(&v->err, "--ortho-height: cannot go with --fovy");
+    if (!to->env && (v->light.turn != 0 || v->light.strength >= 0))
+        return kit_fail(&v->err, "%s: needs --env", v->light.turn != 0 ? "--env-turn" : "--env-strength");
+    if (v->light.strength < 0) v->light.strength = 1;
+    if (!to->scene) to->scene = "room";
+    return *to->scene ? 0 : kit_fail(&v->err, "the scene's name is empty");
 }

@@ -1,4 +1,4 @@
-/* panel.c - text over the picture: what is drawn, its passes with their GPU times, the keys. */
+/* panel.c - text over the picture: what is drawn, its passes with their times, what was just done, the keys. */
 #include "viewer.h"
 #include <math.h>
 #include <stdarg.h>
@@ -15,58 +15,40 @@
 #endif
 
 static const char text_vs[] =
-    "#version 330 core\n"
     "layout(location = 0) in vec3 a_at; uniform vec4 place; // scale, and pixels to the screen\n"
     "void main() { gl_Position = vec4(a_at.xy * place.x * place.yz * 2.0 + vec2(-1.0, 1.0), 0.0, 1.0); }\n";
-static const char text_fs[] = "#version 330 core\nuniform vec4 colour; out vec4 o;\nvoid main() { o = colour; }\n";
+static const char text_fs[] = "uniform vec4 colour; out vec4 o;\nvoid main() { o = colour; }\n";
 
-/* The quads that text is drawn by, and the program. */
+enum { QUADS = 1 << 13, LINE = 12 };
+
 int panel_open(viewer *v)
 {
-    enum { QUADS = 8192 };
-    GLuint *index = malloc(QUADS * 6 * sizeof *index), buffers[2];
-    if (!index) return kit_fail(&v->err, "out of memory");
-    for (GLuint i = 0; i < QUADS * 6; ++i) index[i] = i / 6 * 4 + (const GLuint[]){ 0, 1, 2, 0, 2, 3 }[i % 6];
-    v->text = gl_program(text_vs, text_fs, &v->err);
-    glGenVertexArrays(1, &v->quads);
-    glBindVertexArray(v->quads);
-    glGenBuffers(2, buffers);
-    glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, QUADS * 6 * (GLsizeiptr)sizeof *index, index, GL_STATIC_DRAW);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 16, NULL);
-    glEnableVertexAttribArray(0);
-    free(index);
+    v->text = kit_program_text("", text_vs, text_fs, &v->err);
+    glGenBuffers(1, &v->glyphs);
     return v->text ? 0 : -1;
 }
 
 void panel_say(viewer *v, const char *text)
 {
-    snprintf(v->note, sizeof v->note, "%.240s", text);
+    snprintf(v->note, sizeof v->note, "%.1190s", text);
     v->noted = kit_seconds();
+    v->redraw = 1;
 }
 
-static const char keys[] =
-    "drag\torbit\t\tright drag\tpan\n"
-    "wheel\tzoom\t\tr\tcamera back\n"
-    "m  M\tmethod: left, right half\n"
-    "p  P\tpreset: left, right half\n"
-    "s\tsplit: off, a method, the truth\n"
-    "arrows\tmove the split\n"
-    "b\tbehind surfaces: width for slices, constant, solid, width, back faces, slabs\n"
-    "[  ]\tradius\t\tt\thistory\n"
-    "n\tnormals: given, from depth\n"
-    "e\terror to the truth\n"
-    "c\tvisibility on the scene's colours\n"
-    "o\tPNG of the window\n"
-    "x\tEXR of the left half\n"
-    "g\tpanel\t\th\tthese keys\n"
-    "q\tquit";
+int panel_says(const viewer *v) { return v->noted > 0 && kit_seconds() < v->noted + 5; }
 
-/* Text in quads of 64 bytes: how many. A tab goes on at the next stop; size: of the box around all. */
-static int lay_out(float size[2], char *quads, size_t room, float x, float y, const char *text)
+/* ---- >>text ------------------------------------------------------------------------------------------------------ */
+
+typedef struct corner {
+    float at[3];
+    unsigned char colour[4];
+} corner; /* stb_easy_font's */
+
+/* Text as quads of four corners: how many. A tab goes on at the next stop; size: of the box around all. */
+static int lay_out(float size[2], corner *quads, int room, float x, float y, const char *text)
 {
-    enum { STOP = 64, LINE = 12 };
+    enum { STOP = 64 };
+
     float column = 0;
     int count = 0;
     size[0] = 0;
@@ -77,49 +59,100 @@ static int lay_out(float size[2], char *quads, size_t room, float x, float y, co
         memcpy(piece, text, n);
         piece[n] = 0;
         text += n;
-        if (n) count += stb_easy_font_print(x + column, y + size[1] - LINE + 2, piece, NULL, quads + 64 * (size_t)count,
-                                            (int)(room - 64 * (size_t)count));
+        if (n)
+            count += stb_easy_font_print(x + column, y + size[1] - LINE + 2, piece, NULL, quads + 4 * count,
+                                         (int)sizeof(corner) * 4 * (room - count));
         column += (float)stb_easy_font_width(piece);
         size[0] = fmaxf(size[0], column);
-        if (*text == '\t') { column = STOP * (floorf(column / STOP) + 1); ++text; }
-        else if (*text == '\n') { column = 0; size[1] += LINE; ++text; }
+        if (*text == '\t') {
+            column = STOP * (floorf(column / STOP) + 1);
+            ++text;
+        } else if (*text == '\n') {
+            column = 0;
+            size[1] += LINE;
+            ++text;
+        }
     }
     return count;
 }
 
-/* At a corner, or beside it so that it ends in the window: x, y may be as large as they please. */
-static void print(viewer *v, float x, float y, float scale, const char *text)
+/* Quads as triangles, in one colour. */
+static void draw_quads(viewer *v, const corner *quads, int count, const float colour[4])
 {
-    static char quads[1 << 19];
-    static const float ink[4] = { 1, 1, 1, 1 }, ground[4] = { 0, 0, 0, 0.66f };
-    const float most[2] = { (float)v->camera.width / scale - 8, (float)v->camera.height / scale - 8 }, pad = 4;
-    float size[2];
-    lay_out(size, quads, sizeof quads, 0, 0, text);
-    x = fmaxf(8, floorf(fminf(x, most[0] - size[0])));
-    y = fmaxf(8, floorf(fminf(y, most[1] - size[1])));
-    const float right = x + size[0] + pad, end = y + size[1] + pad;
-    const float box[4][4] = { { x - pad, y - pad }, { right, y - pad }, { right, end }, { x - pad, end } };
-    const int count = lay_out(size, quads + sizeof box, sizeof quads - sizeof box, x, y, text);
-    memcpy(quads, box, sizeof box);
-    glBindVertexArray(v->quads);
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)sizeof box * (count + 1), quads, GL_STREAM_DRAW);
+    static float triangles[18 * QUADS];
+    kit_soup soup;
+    for (int i = 0; i < 6 * count; ++i)
+        memcpy(triangles + 3 * i, quads[i / 6 * 4 + (const int[]){ 0, 1, 2, 0, 2, 3 }[i % 6]].at, 3 * sizeof(float));
+    kit_soup_open(&soup, triangles, 6 * (size_t)count, 1);
+    glDisable(GL_DEPTH_TEST);
     glUseProgram(v->text);
-    glUniform4f(glGetUniformLocation(v->text, "place"), scale, 1 / (float)v->camera.width,
-                -1 / (float)v->camera.height, 0);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glUniform4fv(glGetUniformLocation(v->text, "colour"), 1, ground);
-    glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, NULL);
-    glUniform4fv(glGetUniformLocation(v->text, "colour"), 1, ink);
-    glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_INT, (const void *)(6 * sizeof(GLuint)));
+    glUniform4fv(glGetUniformLocation(v->text, "colour"), 1, colour);
+    glDrawArrays(GL_TRIANGLES, 0, 6 * count);
     glDisable(GL_BLEND);
+    kit_soup_close(&soup);
 }
+
+static float scale_of(const viewer *v) { return v->size[1] >= 500 ? 2 : 1; }
+
+/* At a corner, or beside it so that it ends in the window: x, y may be as large as they please. Where it ends. */
+static float print(viewer *v, float x, float y, const char *text)
+{
+    static corner quads[4 * QUADS];
+    static const float ink[4] = { 1, 1, 1, 1 }, ground[4] = { 0, 0, 0, 0.66f };
+    const float scale = scale_of(v), pad = 4;
+    const float most[2] = { (float)v->size[0] / scale - 8, (float)v->size[1] / scale - 8 };
+    const float place[4] = { scale, 1 / (float)v->size[0], -1 / (float)v->size[1], 0 };
+    float size[2];
+    lay_out(size, quads, QUADS, 0, 0, text);
+    x = fmaxf(8, floorf(fminf(x, most[0] - size[0])));
+    y = fmaxf(8, floorf(fminf(y, most[1] - size[1])));
+    const float right = x + size[0] + pad, end = y + size[1] + pad;
+    const corner box[4] = { { { x - pad, y - pad, 0 }, { 0 } },
+                            { { right, y - pad, 0 }, { 0 } },
+                            { { right, end, 0 }, { 0 } },
+                            { { x - pad, end, 0 }, { 0 } } };
+    const int count = lay_out(size, quads, QUADS, x, y, text);
+    glUseProgram(v->text);
+    glUniform4fv(glGetUniformLocation(v->text, "place"), 1, place);
+    draw_quads(v, box, 1, ground);
+    draw_quads(v, quads, count, ink);
+    return y - 2 * pad;
+}
+
+/* Lines no longer than the window, broken at blanks where there are any. */
+static void wrap(char *out, size_t size, const char *text, float width)
+{
+    char line[256];
+    size_t used = 0, n = 0, blank = 0;
+    for (; *text && used + 2 < size; ++text) {
+        line[n++] = *text;
+        line[n] = 0;
+        if (*text == ' ') blank = used + 1;
+        out[used++] = *text;
+        if (n + 1 < sizeof line && (float)stb_easy_font_width(line) < width) continue;
+        if (blank) {
+            out[blank - 1] = '\n';
+            n = used - blank;
+            memcpy(line, out + blank, n);
+            blank = 0;
+        } else {
+            out[used++] = '\n';
+            n = 0;
+        }
+    }
+    out[used] = 0;
+}
+
+/* ---- >>what it says ---------------------------------------------------------------------------------------------- */
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
-static void add(char *text, size_t size, const char *format, ...)
+static void
+add(char *text, size_t size, const char *format, ...)
 {
     const size_t at = strlen(text);
     va_list list;
@@ -128,50 +161,91 @@ static void add(char *text, size_t size, const char *format, ...)
     va_end(list);
 }
 
-static void describe(char *text, size_t size, const viewer *v, const half *h)
+/* Passes with their times; those of one kind that follow each other as one line. */
+static void describe_passes(char *text, size_t size, const kit_run *run)
 {
+    const int digits = kit_gl_is_software() ? 0 : 3;
     double all = 0;
-    if (h->method == TRUTH) {
+    for (int i = 0, next; i < run->passes; i = next) {
+        const kit_pass *p = &run->pass[i];
+        double ms = 0;
+        for (next = i; next < run->passes && run->pass[next].desc.pass == p->desc.pass; ++next)
+            ms += run->pass[next].ms;
+        all += ms;
+        add(text, size, "\n%s", ssgi_gl_pass_name(p->desc.pass));
+        if (next - i > 1) add(text, size, " x %d", next - i);
+        add(text, size, "\t%dx%d\t%.*f ms", p->width, p->height, digits, ms);
+    }
+    add(text, size, "\nall\t\t%.*f ms", digits, all);
+}
+
+static void describe(char *text, size_t size, const viewer *v, const side *s)
+{
+    if (s->truth) {
         add(text, size, "ray-traced truth\n%d rays a pixel: %.0f %%", v->shown.tracing, (double)v->shown.share * 100);
         return;
     }
-    add(text, size, "%s, %s", methods[h->method].name, presets[h->preset]);
-    if (v->error && !isnan(h->error)) add(text, size, "   RMSE %.4f%s", h->error, v->truth.lit ? " of the mean" : "");
-    for (int i = 0; i < h->chain.steps; ++i) {
-        const ssgi_gl_step *s = &h->chain.step[i];
-        all += h->chain.time[i].ms;
-        add(text, size, "\n%s\t%dx%d\t%.*f ms", ssgi_gl_pass_name(s->desc.pass), s->width, s->height,
-            gl_software ? 0 : 3, h->chain.time[i].ms);
+    add(text, size, "%s", s->method.name);
+    if (v->error && !isnan(s->error)) add(text, size, "   RMSE %.4f%s", s->error, s->method.lit ? " of the mean" : "");
+    if (*s->failed.text) add(text, size, "\nnot drawn");
+    else if (s->frames.now) describe_passes(text, size, s->frames.now);
+}
+
+/* The scene, the size, the settings that are not the method's own. */
+static void describe_frame(char *text, size_t size, const viewer *v)
+{
+    const double about = v->scene.mesh.triangles < 100000 ? 1 : 1e-3;
+    const char *slash = strrchr(v->path, '/');
+    char set[300];
+    kit_method_text(set, sizeof set, &v->side[0].method);
+    add(text, size, "%.60s, %.0f%s triangles, a frame %.0f ms%s", slash && slash[1] ? slash + 1 : v->path,
+        (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "", v->pace.ms,
+        kit_gl_is_software() ? ", drawn by the CPU" : "");
+    add(text, size, "\n%dx%d%s\nradius %.3g%s%s\nh: keys", v->drawn[0], v->drawn[1],
+        pace_share(&v->pace) < 1 ? v->pace.fixed > 0 ? ", fixed (f)" : " so that keys are answered in time (f: fixed)"
+                                 : "",
+        (double)v->radius, *set ? ", " : "", set);
+}
+
+static void describe_keys(char *text, size_t size)
+{
+    int count = 0;
+    while (keys[count].code) ++count;
+    add(text, size, "drag\torbit\t\t\t\tright drag\tpan\nwheel\tzoom\t\t\t\tdrop\ta model, or .hdr .exr as the sky");
+    for (int i = 0; i < (count + 1) / 2; ++i) {
+        const key *a = &keys[i], *b = &keys[i + (count + 1) / 2];
+        const int stops = stb_easy_font_width((char *)(size_t)a->about) / 64;
+        add(text, size, "\n%s\t%s", a->label, a->about);
+        for (int k = stops; k < 4 && b->code; ++k) add(text, size, "\t");
+        if (b->code) add(text, size, "%s\t%s", b->label, b->about);
     }
-    add(text, size, "\nall\t\t%.*f ms", gl_software ? 0 : 3, all);
 }
 
 void panel_draw(viewer *v)
 {
-    const float scale = v->camera.height >= 500 ? 2 : 1, width = (float)v->camera.width / scale;
-    const double about = v->scene.mesh.triangles < 100000 ? 1 : 1e-3;
-    const char *slash = strrchr(v->scene.name, '/');
-    char text[4096] = "";
+    const float width = (float)v->size[0] / scale_of(v);
+    char text[4096] = "", note[sizeof v->note + 100];
+    float floor_ = 1e6f;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, v->camera.width, v->camera.height);
-    if (v->panel) {
-        describe(text, sizeof text, v, &v->half[0]);
-        print(v, 0, 0, scale, text);
+    glViewport(0, 0, v->size[0], v->size[1]);
+    if (v->help) {
+        describe_keys(text, sizeof text);
+        print(v, 0.5f * width - 240, 8, text);
+    } else if (v->panel) {
+        describe(text, sizeof text, v, &v->side[0]);
+        print(v, 0, 0, text);
         *text = 0;
         if (v->split_on) {
-            describe(text, sizeof text, v, &v->half[1]);
-            print(v, v->split * width + 8, 0, scale, text);
+            describe(text, sizeof text, v, &v->side[1]);
+            print(v, v->split * width + 8, 0, text);
             *text = 0;
         }
-        add(text, sizeof text, "%s, %.0f%s triangles, %dx%d, G-buffer %.2f ms%s",
-            slash ? slash + 1 : v->scene.name, (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "",
-            v->camera.width, v->camera.height, v->gbuffer.time.ms, gl_software ? ", drawn by the CPU" : "");
-        add(text, sizeof text, "\nradius %.3g, behind: %s", (double)v->radius, behinds[v->behind]);
-        if (v->behind >= SSGI_GL_THICKNESS_BACK) add(text, sizeof text, " (%.2f ms)", v->gbuffer.slab_time.ms);
-        add(text, sizeof text, "%s%s", v->history ? ", history" : "", v->from_depth ? ", normals from depth" : "");
-        if (v->noted > 0 && kit_seconds() < v->noted + 4) add(text, sizeof text, "   %s", v->note);
-        else add(text, sizeof text, "   h: keys");
-        if (!v->help) print(v, 0, 1e6f, scale, text);
+        describe_frame(text, sizeof text, v);
+        floor_ = print(v, 0, floor_, text);
     }
-    if (v->help) print(v, 0.5f * width - 230, 0.35f * (float)v->camera.height / scale, scale, keys);
+    if (!panel_says(v)) return;
+    wrap(note, sizeof note, v->note, width - 24);
+    int lines = 1;
+    for (const char *c = note; *c; ++c) lines += *c == '\n';
+    print(v, 0, floor_ - (float)(LINE * lines), note);
 }

@@ -1,24 +1,27 @@
-/* pictures.c - what was drawn, read back: its error to the truth, PNG of the window, EXR of a half. */
+/* pictures.c - what was drawn, read back: its error to the truth, PNG of the window, EXR of the left half. */
 #include "viewer.h"
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-static float *half_read(const viewer *v, const half *h)      /* four floats a pixel, bottom row first */
+/* The truth is of what this method computes. */
+static int of_that_kind(const kit_method *a, const kit_method *b)
 {
-    float *p = malloc((size_t)v->gbuffer.width * (size_t)v->gbuffer.height * 4 * sizeof *p);
-    glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer);
-    if (p) glReadPixels(0, 0, v->gbuffer.width, v->gbuffer.height, GL_RGBA, GL_FLOAT, p);
-    return p;
+    return a->lit == b->lit && a->between == b->between && a->effect == b->effect
+        && kit_method_attenuation(a) == kit_method_attenuation(b);
 }
 
-void half_score(viewer *v, half *h)
+void side_score(viewer *v, side *s)
 {
-    const int w = v->gbuffer.width, height = v->gbuffer.height;
+    const int w = v->drawn[0], height = v->drawn[1];
     double sum = 0, mean = 0, count = 0;
-    float *p;
-    h->error = (double)NAN;
-    if (h->method == TRUTH || methods[h->method].lit != v->truth.lit || !(p = half_read(v, h))) return;
+    float *p = NULL;
+    s->error = (double)NAN;
+    if (s->truth || !of_that_kind(&s->method, &v->truth.method)) return;
+    if (!(p = malloc((size_t)w * (size_t)height * 4 * sizeof *p)) || kit_texture_read(s->picture, w, height, 4, p)) {
+        free(p);
+        return;
+    }
     pthread_mutex_lock(&v->truth.lock);
     for (int i = 0; i < w * height; ++i) {
         const int from = (height - 1 - i / w) * w + i % w;
@@ -32,15 +35,18 @@ void half_score(viewer *v, half *h)
     }
     pthread_mutex_unlock(&v->truth.lock);
     free(p);
-    if (count > 0) h->error = sqrt(sum / count) / (v->truth.lit ? fmax(mean / count, 1e-9) : 1);
+    if (count > 0) s->error = sqrt(sum / count) / (s->method.lit ? fmax(mean / count, 1e-9) : 1);
 }
 
 int window_save(viewer *v, const char *path)
 {
-    const int w = v->camera.width, h = v->camera.height;
+    const int w = v->size[0], h = v->size[1];
     unsigned char *bytes = malloc((size_t)w * (size_t)h * 3);
     kit_image image;
-    if (!bytes || kit_image_new(&image, w, h, "R,G,B", &v->err)) { free(bytes); return -1; }
+    if (!bytes || kit_image_new(&image, w, h, "R,G,B", &v->err)) {
+        free(bytes);
+        return -1;
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, w, h, GL_RGB, GL_UNSIGNED_BYTE, bytes);
@@ -55,15 +61,9 @@ int window_save(viewer *v, const char *path)
 
 static int result_save(viewer *v, const char *path)
 {
-    const half *h = &v->half[0];
-    const int w = v->gbuffer.width, height = v->gbuffer.height;
     kit_image image;
-    float *p = half_read(v, h);
-    if (!p || kit_image_new(&image, w, height, methods[h->method].lit ? "R,G,B" : "Y", &v->err)) { free(p); return -1; }
-    for (int i = 0; i < w * height; ++i)
-        for (int c = 0; c < image.channels; ++c)
-            image.data[c * w * height + i] = p[4 * ((height - 1 - i / w) * w + i % w) + c];
-    free(p);
+    if (!v->side[0].frames.now) return kit_fail(&v->err, "%s: the left half shows nothing", path);
+    if (kit_run_read(&image, v->side[0].frames.now, &v->err)) return -1;
     const int failed = kit_exr_write(&image, path, &v->err);
     kit_image_free(&image);
     return failed;
@@ -71,7 +71,9 @@ static int result_save(viewer *v, const char *path)
 
 void picture_save(viewer *v, int exr)
 {
-    char path[64];
-    do snprintf(path, sizeof path, "ssgi-%04d.%s", ++v->shots, exr ? "exr" : "png"); while (!access(path, F_OK));
-    if (exr ? result_save(v, path) : window_save(v, path)) panel_say(v, v->err.text); else panel_say(v, path);
+    char path[64], text[100];
+    do snprintf(path, sizeof path, "ssgi-%04d.%s", ++v->shots, exr ? "exr" : "png");
+    while (!access(path, F_OK));
+    snprintf(text, sizeof text, "saved: %s", path);
+    panel_say(v, (exr ? result_save(v, path) : window_save(v, path)) ? v->err.text : text);
 }

@@ -20,9 +20,10 @@ static kit_camera truth_camera(const kit_camera *c, int i, int j)
 }
 
 /* Into the picture; in the first round also into what is not known around it, so that it is seen at once. */
-static void truth_add(truth *t, const kit_image *traced, int lit, int rays, int k, int i, int j)
+static void truth_add(truth *t, const kit_image *traced, int rays, int k, int i, int j)
 {
-    const int above = 8 * j, w = t->camera.width, h = t->camera.height, block = k == 0 ? 8 : k < 4 ? 4 : k < 16 ? 2 : 1;
+    const int lit = t->method.lit, above = 8 * j;
+    const int w = t->camera.width, h = t->camera.height, block = k == 0 ? 8 : k < 4 ? 4 : k < 16 ? 2 : 1;
     const size_t pixels = (size_t)traced->width * (size_t)traced->height;
     for (int y = 4 + above; y < traced->height; y += 8)
         for (int x = 4; x < traced->width; x += 8) {
@@ -54,8 +55,8 @@ static void *truth_thread(void *context)
         if (t->quit) break;
         const unsigned now = t->wanted;
         const kit_camera camera = t->camera;
+        const kit_method method = t->method;
         const float radius = t->radius;
-        const int lit = t->lit;
         for (int k = 0; k < 64 * 4 && t->wanted == now && !t->quit && !t->failed; ++k) {
             const int rays = rounds[k / 64], b = k % 64;
             const int i = (b & 1) * 4 + (b >> 2 & 1) * 2 + (b >> 4 & 1);
@@ -64,14 +65,14 @@ static void *truth_thread(void *context)
             kit_image traced;
             kit_error err;
             pthread_mutex_unlock(&t->lock);
-            const int failed =
-                lit ? kit_truth_lit(&traced, t->scene, &part, t->lighting, radius, KIT_ATTENUATION_LINEAR, 1, rays, 8,
-                                    &err)
-                    : kit_truth_ao(&traced, t->scene, &part, radius, KIT_ATTENUATION_LINEAR, rays, 8, &err);
+            const int failed = kit_method_truth(&traced, &method, t->scene, &part, t->lighting, radius, rays, 8, &err);
             pthread_mutex_lock(&t->lock);
-            if (!failed && t->wanted == now) truth_add(t, &traced, lit, rays, b, i, j);
+            if (!failed && t->wanted == now) truth_add(t, &traced, rays, b, i, j);
             if (!failed) kit_image_free(&traced);
-            else if (t->wanted == now) { t->failed = 1; t->err = err; }
+            else if (t->wanted == now) {
+                t->failed = 1;
+                t->err = err;
+            }
         }
         done = now;
     }
@@ -80,10 +81,16 @@ static void *truth_thread(void *context)
 }
 
 /* What is wanted is written here alone: it may be read here without the lock. */
-int truth_want(truth *t, const kit_camera *camera, float radius, int lit, kit_error *err)
+static int same(const truth *t, const kit_camera *camera, const kit_method *method, float radius)
+{
+    return !memcmp(&t->camera, camera, sizeof *camera) && t->radius == radius && t->method.number == method->number
+        && !memcmp(&t->method.set, &method->set, sizeof method->set);
+}
+
+int truth_want(truth *t, const kit_camera *camera, const kit_method *method, float radius, kit_error *err)
 {
     const size_t pixels = (size_t)camera->width * (size_t)camera->height;
-    if (t->started && !memcmp(&t->camera, camera, sizeof *camera) && t->radius == radius && t->lit == lit) return 0;
+    if (t->started && same(t, camera, method, radius)) return 0;
     float *rgb = calloc(3 * pixels, sizeof *rgb);
     int *rays = calloc(pixels, sizeof *rays);
     if (!rgb || !rays) {
@@ -98,8 +105,8 @@ int truth_want(truth *t, const kit_camera *camera, float radius, int lit, kit_er
     t->rays = rays;
     t->camera = *camera;
     t->radius = radius;
-    t->lit = lit;
-    t->failed = 0;
+    t->method = *method;
+    t->failed = t->quit = 0;
     t->now = (progress){ .version = t->now.version + 1 };
     ++t->wanted;
     pthread_cond_signal(&t->wake);
@@ -108,14 +115,14 @@ int truth_want(truth *t, const kit_camera *camera, float radius, int lit, kit_er
     return t->started ? 0 : kit_fail(err, "no thread for the truth");
 }
 
-void truth_close(truth *t)
+void truth_stop(truth *t)
 {
+    if (!t->started) return;
     pthread_mutex_lock(&t->lock);
     t->quit = 1;
     ++t->wanted;
     pthread_cond_signal(&t->wake);
     pthread_mutex_unlock(&t->lock);
-    if (t->started) pthread_join(t->thread, NULL);
-    free(t->rgb);
-    free(t->rays);
+    pthread_join(t->thread, NULL);
+    t->started = 0;
 }

@@ -2,48 +2,13 @@
 #ifndef VIEWER_H
 #define VIEWER_H
 
-#define GL_GLEXT_PROTOTYPES
-#define GLFW_INCLUDE_NONE
-#include <GL/glcorearb.h>
-#include "kit/kit.h"
+#include "kit/kit_gl.h"
 #include <pthread.h>
 
 struct GLFWwindow;
 
-static const double VIEWER_FARTHEST = 1e15;    /* as of an OBJ: squares of distances are floats, too */
-
-/* ---- >>gl.c */
-
-extern int gl_software;                     /* the renderer is a CPU: timer queries would answer before it has drawn */
-GLuint gl_program(const char *vertex, const char *fragment, kit_error *err);
-/* slices 0: a 2D texture, else an array. One level and nearest texels: complete without mips. */
-GLuint gl_texture(int width, int height, int slices, GLenum internal, GLenum format, GLenum type, const void *data);
-GLuint gl_framebuffer(const GLuint *colour, int colours, GLuint depth);
-void   gl_bind(GLuint unit, GLenum target, GLuint texture);
-
-/* GPU time of what is drawn between begin and end; its answers come some frames later, and none waits for them. */
-enum { RING = 4 };
-typedef struct timer { GLuint query[RING]; unsigned turn; double began, ms; } timer;
-void   timer_begin(timer *t);
-void   timer_end(timer *t);
-
-/* ---- >>gbuffer.c */
-
-typedef struct gbuffer {
-    int    width, height;
-    GLuint array, vertices, draw, peel;     /* programs */
-    GLsizei count;
-    GLuint depth, normal, albedo, framebuffer;
-    GLuint back, back_framebuffer;          /* depth of the nearest back faces */
-    GLuint slabs, seen[2], slab_depth, slab_framebuffer[2];
-    timer  time, slab_time;
-} gbuffer;
-
-int    gbuffer_open(gbuffer *g, const kit_mesh *mesh, kit_error *err);
-void   gbuffer_size(gbuffer *g, int width, int height);
-/* behind: SSGI_GL_THICKNESS_BACK wants one more draw, depth alone; _SLABS three, each of which peels by the one
-   before. */
-void   gbuffer_draw(gbuffer *g, const float view[16], const float projection[16], int behind);
+enum { VIEWER_PATH = 4096, VIEWER_WISHES = 64,
+       VIEWER_STILL = 32 };                 /* frames of a view that stays, after which it is drawn no more */
 
 /* ---- >>truth.c */
 
@@ -60,8 +25,9 @@ typedef struct truth {
     const kit_scene   *scene;
     const kit_lighting *lighting;
     kit_camera         camera;              /* what is wanted; everything below as well */
+    kit_method         method;
     float              radius;
-    int                lit, started, quit, failed;
+    int                started, quit, failed;
     unsigned           wanted;              /* counts requests: another number cancels what is being traced */
     progress           now;
     float             *rgb;
@@ -70,83 +36,146 @@ typedef struct truth {
 } truth;
 
 /* Starts over when anything that it depends on is another than before. */
-int    truth_want(truth *t, const kit_camera *camera, float radius, int lit, kit_error *err);
-void   truth_close(truth *t);
+int    truth_want(truth *t, const kit_camera *camera, const kit_method *method, float radius, kit_error *err);
+/* Before the scene or its light change: the thread is no more, until truth is wanted again. */
+void   truth_stop(truth *t);
 
-/* ---- >>viewer.c: methods, halves of the window, what is chosen */
+/* ---- >>viewer.c */
 
-enum { STEPS = 32, TEXTURES = 48 };
-typedef struct chain {
-    ssgi_gl_step step[STEPS];
-    int    steps, light, bounce;            /* numbers of the results' textures, -1: there is none */
-    GLuint program[STEPS], framebuffer[STEPS][2], texture[TEXTURES][2], block;
-    timer  time[STEPS];
-    unsigned drawn;                         /* frames; what is kept over them is written in turn */
-} chain;
+/* A half of the window: a method on its frames, or the truth. */
+typedef struct side {
+    kit_method method;
+    int        truth;
+    kit_frames frames;
+    GLuint     picture, framebuffer;        /* visibility or radiance as drawn; alpha 0 where nothing is seen */
+    double     error;                       /* to the truth; NAN: not known */
+    kit_error  failed;                      /* why it is not drawn; "": it is */
+} side;
 
-typedef struct method { const char *name; int pass, search, lit; float thickness; } method;
-enum { METHODS = 6, TRUTH = METHODS, OPEN = 32, MAP = 64 };
-extern const method methods[METHODS];
-enum { BEHINDS = SSGI_GL_THICKNESS_SLABS + 1 };   /* words of desc.thickness */
-extern const char *const presets[3], *const behinds[BEHINDS];
+typedef struct light {
+    char         env[VIEWER_PATH];          /* name or path, "": none */
+    kit_image    read;                      /* as it was read */
+    double       turn, strength;
+    int          asked;                     /* by the user: a scene's own light does not take its place */
+    kit_lighting now;
+    GLuint       texture;                   /* the environment's, for what lies behind the scene; 0: none */
+} light;
 
-typedef struct half {
-    int       method, preset, known;        /* known: last is of the frame before */
-    chain     chain;
-    ssgi_view last;
-    float     last_to_view[16], harmonics[48];
-    GLuint    environment, irradiance, picture, framebuffer;  /* picture: linear; alpha 0 where nothing is seen */
-    double    error;
-} half;
+typedef struct pace {
+    double fixed;                           /* share of the window's sides that is drawn; 0: as there is time for */
+    int    level;                           /* of the shares, where it is not fixed */
+    int    opened;                          /* frames since settings changed that were drawn from the G-buffer on */
+    double ms;                              /* that the last of these took */
+} pace;
 
 typedef struct viewer {
     struct GLFWwindow *window;
+    char         path[VIEWER_PATH];         /* the scene's */
+    int          ground;
     kit_scene    scene;
-    kit_lighting lighting;
-    float       *equirect;                  /* the environment's texels, interleaved */
+    light        light;
     kit_camera   camera, home;
-    float        radius, split;
-    int          behind, from_depth, history, split_on, error, colours, help, panel, dirty, shots;
-    gbuffer      gbuffer;
-    half         half[2];
+    float        radius, asked_radius;
+    char         wish[VIEWER_WISHES][64];   /* settings that methods get where they have them: key=value */
+    int          wishes;
+    /* of the window */
+    float        split;
+    int          split_on, error, colours, help, panel, shots, size[2];
+    double       mouse[2];
+    pace         pace;
+    side         side[2];
+    int          kept;                      /* the scene's triangles are on the GPU */
+    kit_gbuffer  gbuffer[2], *seen;         /* of this frame and the last; seen: this one's, NULL: none yet */
+    int          drawn[2];                  /* size */
+    int          moved, restart, redraw;    /* since the last frame: the view; anything of the methods; the text */
+    unsigned     frame, still;              /* all frames; those since the view moved */
+    double       ms;
+    /* what moves by itself */
+    int          circles, slides;
+    double       orbit, last, phase;        /* degrees a frame; seconds; of the object that slides */
+    float        slid[3];                   /* it stands so far from its place */
     truth        truth;
     progress     shown;                     /* of the truth, when its picture was made */
-    unsigned     frame;
-    double       mouse[2], scored;
-    GLuint       resolve, display, text, quads, truth_picture;
-    char         note[256];
-    double       noted;
-    const char  *shot, *env;
-    int          frames;
+    GLuint       truth_picture;
+    double       scored;
+    GLuint       resolve, display, text, glyphs;
+    char         note[1200], title[300];
+    double       noted, titled;
+    const char  *shot;
+    int          frames, command, asks;     /* command: at the end; asks: after the next frame */
     kit_error    err;
 } viewer;
+
+/* ---- >>settings.c: methods and what they are asked for */
+
+/* The method whose number that is, with what is wished for; strict: a wish that it does not take is an error. */
+int    method_choose(viewer *v, side *s, int number, int strict);
+int    wish(viewer *v, const char *text);           /* key=value; -1: there is no room */
+int    setting_of(kit_setting *out, const kit_method *m, const char *key);     /* 0: the method has none of that key */
+
+/* ---- >>load.c: scenes and light. What fails leaves all as it was */
+
+int    scene_open(viewer *v, const char *path);
+int    env_open(viewer *v, const char *name);       /* "": none */
+int    env_adjusted(viewer *v);                     /* once turn or strength are others */
+void   light_changed(viewer *v);                    /* before lamps are others */
+kit_light *sun_of(viewer *v);                       /* the first one; there is one then */
+void   dropped(viewer *v, const char *path);
+void   load_close(viewer *v);
+
+/* ---- >>draw.c: a frame */
+
+int    draw_open(viewer *v);
+int    draw_frame(viewer *v);               /* of the methods, where anything is to be drawn */
+void   draw_window(viewer *v);              /* both halves into the window */
+int    draw_settled(const viewer *v);       /* another frame would not differ */
+void   draw_forget(viewer *v);              /* before the scene's triangles change */
+void   draw_close(viewer *v);
+
+/* ---- >>pace.c: the size that there is time for */
+
+void   pace_begin(pace *p, const int window[2], int software);
+void   pace_size(const pace *p, const int window[2], int size[2]);
+int    pace_took(pace *p, double ms);       /* of such a frame; 1: the size is another now */
+double pace_share(const pace *p);
 
 /* ---- >>panel.c */
 
 int    panel_open(viewer *v);
 void   panel_say(viewer *v, const char *text);      /* for some seconds */
+int    panel_says(const viewer *v);
 void   panel_draw(viewer *v);
 
 /* ---- >>pictures.c */
 
 /* RMSE where something is seen and the truth is known: of visibility, or of radiance over its mean. */
-void   half_score(viewer *v, half *h);
+void   side_score(viewer *v, side *s);
 int    window_save(viewer *v, const char *path);
 void   picture_save(viewer *v, int exr);            /* under a name that is free */
 
-/* ---- >>window.c */
+/* ---- >>command.c */
 
-int    window_open(viewer *v, const int size[2]);
+/* The line that has build/render draw the left half's picture: on standard output. */
+void   command_print(viewer *v);
+
+/* ---- >>input.c, window.c */
+
+typedef struct key { int code; const char *label, *about; void (*press)(viewer *v, int shift); } key;
+extern const key keys[];                    /* ends with code 0 */
+void   input_open(viewer *v);
+void   input_move(viewer *v, double seconds);       /* what moves by itself */
+int    window_open(viewer *v);
+void   window_title(viewer *v);
 
 /* ---- >>arguments.c */
 
-/* What was asked for and is not the viewer's own. */
 typedef struct asked {
-    const char *scene;
-    int         ground, help, camera, up, size[2];
-    float       place[6], upward[3], radius[1];
+    const char *scene, *method, *right, *env, *set[VIEWER_WISHES], *light[KIT_MAX_LIGHTS];
+    int         sets, lights, help, camera, up;
+    float       place[6], upward[3], slide[3];
+    double      fovy, ortho_height;
 } asked;
-extern const char usage[];
 int    arguments(viewer *v, asked *to, int argc, char **argv);
+void   usage(void);
 
 #endif
