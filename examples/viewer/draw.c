@@ -185,21 +185,31 @@ static int draw_sides(viewer *v, int opens)
     return 0;
 }
 
-int draw_settled(const viewer *v)
+/* Once something was chosen, the first frame compiles; the next two tell what a frame takes. */
+static int opens_again(const viewer *v)
 {
-    int more = v->moved || v->restart || !v->seen || (v->pace.opened < 3 && !v->shot);
+    return v->moved || v->restart || !v->seen || (v->pace.opened < (v->pace.still ? 1 : 3) && !v->shot);
+}
+
+/* Another frame of the same size would not differ. */
+static int drawn_enough(const viewer *v)
+{
+    int more = opens_again(v);
     for (int i = 0; i < 2; ++i)
         if (drawn(v, i) && v->side[i].method.set.history && !*v->side[i].failed.text) more |= v->still < VIEWER_STILL;
     return !more;
 }
 
-/* Once something was chosen, the first frame compiles; the next two tell what a frame takes. */
+int draw_settled(const viewer *v) { return drawn_enough(v) && v->pace.still; }
+
 int draw_frame(viewer *v)
 {
+    if (v->moved || v->restart) pace_moves(&v->pace);
+    else if (drawn_enough(v)) pace_still(&v->pace);
     const int sized = fit(v);
     if (v->restart || sized) v->pace.opened = 0;
     if (v->moved || v->restart || sized) v->still = 0;
-    const int opens = v->moved || v->restart || sized || !v->seen || (v->pace.opened < 3 && !v->shot);
+    const int opens = sized || opens_again(v);
     const double began = kit_seconds();
     if (draw_sides(v, opens)) return -1;
     glFinish();
@@ -209,8 +219,7 @@ int draw_frame(viewer *v)
     v->moved = v->restart = 0;
     ++v->still;
     ++v->frame;
-    if (!opens || ++v->pace.opened < 2 || !pace_took(&v->pace, v->ms)) return 0;
-    v->pace.opened = 0;
+    if (!opens || (++v->pace.opened < 2 && !v->pace.rest) || !pace_took(&v->pace, v->ms)) return 0;
     if (!v->panel) panel_say(v, "the size goes by what there is time for (f: fixed)");
     return 0;
 }

@@ -1,5 +1,6 @@
 /* pace.c - the size that there is time for: so small that a key is answered within a quarter of a second. A key waits
-   for the frame that is being drawn, then for its own. */
+   for the frame that is being drawn, then for its own. A view that stays may take as long as both do but for one that
+   moves again. */
 #include "viewer.h"
 #include <math.h>
 
@@ -7,9 +8,9 @@ static const double shares[] = { 1, 0.75, 0.5, 0.375, 0.25, 0.1875, 0.125 };
 
 enum { SHARES = (int)(sizeof shares / sizeof *shares) };
 
-static const double most_ms = 100, wanted_ms = 70;
+static const double most_ms = 100, wanted_ms = 70, still_ms = 110, most_still_ms = 140;
 
-double pace_share(const pace *p) { return p->fixed > 0 ? p->fixed : shares[p->level]; }
+double pace_share(const pace *p) { return p->fixed > 0 ? p->fixed : shares[p->level - p->rest]; }
 
 void pace_size(const pace *p, const int window[2], int size[2])
 {
@@ -25,18 +26,37 @@ void pace_begin(pace *p, const int window[2], int software)
         ++p->level;
 }
 
-/* What a size takes is guessed from its pixels; of the time that does not depend on them too much is expected, so that
-   a larger size is not tried in vain. */
+/* The least level from that one on, or above it, that takes no longer. What a size takes is guessed from its pixels; of
+   the time that does not depend on them too much is expected, so that a larger size is not tried in vain. */
+static int level_of(double ms, int from, double most)
+{
+    int level = from;
+    while (level + 1 < SHARES && ms * pow(shares[level] / shares[from], 2) > most) ++level;
+    while (level > 0 && ms * pow(shares[level - 1] / shares[from], 2) <= most) --level;
+    return level;
+}
+
 int pace_took(pace *p, double ms)
 {
-    const int was = p->level;
-    int level = was;
-    p->ms = ms;
-    if (p->fixed > 0) return 0;
-    if (ms > most_ms)
-        while (level + 1 < SHARES && ms * pow(shares[level] / shares[was], 2) > wanted_ms) ++level;
-    else
-        while (level > 0 && ms * pow(shares[level - 1] / shares[was], 2) <= wanted_ms) --level;
-    p->level = level;
-    return level != was;
+    const int was = p->level - p->rest;
+    if (p->rest) {
+        const int level = level_of(ms, was, still_ms);
+        if (ms > most_still_ms) {
+            --p->rest;
+            p->tried = 1;
+        } else if (level < was && !p->tried) p->rest = p->level - level;
+    } else {
+        p->ms = ms;
+        if (!(p->fixed > 0) && (ms > most_ms || level_of(ms, p->level, wanted_ms) < p->level))
+            p->level = level_of(ms, p->level, wanted_ms);
+    }
+    return p->level - p->rest != was;
 }
+
+void pace_still(pace *p)
+{
+    if (!(p->fixed > 0) && !p->still) p->rest = (int)fmax(0, p->level - level_of(p->ms, p->level, still_ms));
+    p->still = 1;
+}
+
+void pace_moves(pace *p) { p->rest = p->still = p->tried = 0; }
