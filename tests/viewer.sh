@@ -65,16 +65,16 @@ else
         name=${m% *} behind=${m#"$name"} behind=${behind# }
         build/viewer room --method "$name" --set behind=${behind:-auto} $plain --size $size --shot $work/a.png
         build/render room --method "$name" --set behind=${behind:-auto} --size $size --out $work/b.png
-        near "viewer, $m" $work/a.png $work/b.png 0.006
+        near "viewer, $m" $work/a.png $work/b.png 0.001
     done
     for m in ssdo s3ho; do
         build/viewer room --method $m --env sky --set history=0 --size $size --shot $work/a.png
         build/render room --method $m --env sky --size $size --out $work/b.png
-        near "viewer, $m" $work/a.png $work/b.png 0.006
+        near "viewer, $m" $work/a.png $work/b.png 0.001
     done
     build/viewer room --method hsao --colours 0 --orbit 0.5 --frames 6 --size $size --shot $work/a.png
     build/render room --set history=1 --orbit 0.5 --frames 6 --size $size --out $work/h%d.png
-    near 'viewer, hsao over six frames about the target' $work/a.png $work/h5.png 0.006
+    near 'viewer, hsao over six frames about the target' $work/a.png $work/h5.png 0.001
     build/render $work/yard.obj --camera $place --fovy 45 --size $size --radius 0.6 --out $work/b.png
     for ending in obj gltf; do
         if build/viewer $work/yard.$ending --env none 2>&1 | grep -q 'reads OBJ alone'; then
@@ -83,9 +83,14 @@ else
         fi
         set -- $work/yard.$ending --method hsao $plain --camera $place --size $size --radius 0.6
         build/viewer "$@" --shot $work/a.png
-        near "viewer, hsao of an .$ending" $work/a.png $work/b.png 0.006
+        near "viewer, hsao of an .$ending" $work/a.png $work/b.png 0.001
         build/viewer "$@" --ground --shot $work/g.png
         check "viewer, --ground under an .$ending" "$(cmp -s $work/a.png $work/g.png || echo 1)"
+    done
+    for option in '--panel 1' --keys; do
+        build/viewer room --size $size --method hsao --shot $work/a.png $option
+        build/viewer room --size $size --method hsao --shot $work/g.png
+        check "viewer, $option" "$(cmp -s $work/a.png $work/g.png || echo 1)"
     done
     is=$(build/viewer room --method hsao $plain --right truth --size 240x136 --shot $work/a.png | sed -n 's/^RMSE //p')
     build/render room --size 240x136 --truth 16 --out $work/truth.exr

@@ -200,7 +200,7 @@ static int drawn_enough(const viewer *v)
     return !more;
 }
 
-int draw_settled(const viewer *v) { return drawn_enough(v) && v->pace.still; }
+int draw_settled(const viewer *v) { return drawn_enough(v) && v->pace.still && !pace_tries(&v->pace); }
 
 int draw_frame(viewer *v)
 {

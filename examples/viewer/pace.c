@@ -26,8 +26,7 @@ void pace_begin(pace *p, const int window[2], int software)
         ++p->level;
 }
 
-/* The least level from that one on, or above it, that takes no longer. What a size takes is guessed from its pixels; of
-   the time that does not depend on them too much is expected, so that a larger size is not tried in vain. */
+/* The least level from that one on, or above it, that takes no longer, by its pixels. */
 static int level_of(double ms, int from, double most)
 {
     int level = from;
@@ -36,27 +35,41 @@ static int level_of(double ms, int from, double most)
     return level;
 }
 
+/* A level is tried, too, that takes too long by its pixels alone: some of the time does not depend on them. What took
+   too long is not tried again at once. */
+static int level_after(pace *p, double ms, int from, double most, double wanted)
+{
+    const int level = level_of(ms, from, wanted), may_try = kit_seconds() > p->failed + 3;
+    if (ms > most) {
+        p->failed = kit_seconds();
+        return level;
+    }
+    if (level < from) return level;
+    return from > 0 && ms <= wanted_ms && may_try ? from - 1 : from;
+}
+
 int pace_took(pace *p, double ms)
 {
     const int was = p->level - p->rest;
-    if (p->rest) {
-        const int level = level_of(ms, was, still_ms);
-        if (ms > most_still_ms) {
-            --p->rest;
-            p->tried = 1;
-        } else if (level < was && !p->tried) p->rest = p->level - level;
-    } else {
+    if (p->rest) p->rest = (int)fmax(0, p->level - level_after(p, ms, was, most_still_ms, still_ms));
+    else {
         p->ms = ms;
-        if (!(p->fixed > 0) && (ms > most_ms || level_of(ms, p->level, wanted_ms) < p->level))
-            p->level = level_of(ms, p->level, wanted_ms);
+        if (!(p->fixed > 0)) p->level = level_after(p, ms, p->level, most_ms, wanted_ms);
     }
     return p->level - p->rest != was;
 }
 
-void pace_still(pace *p)
+int pace_tries(const pace *p)
 {
-    if (!(p->fixed > 0) && !p->still) p->rest = (int)fmax(0, p->level - level_of(p->ms, p->level, still_ms));
-    p->still = 1;
+    return p->still == 1 && !(p->fixed > 0) && p->level > p->rest && p->failed > 0 && kit_seconds() > p->failed + 3;
 }
 
-void pace_moves(pace *p) { p->rest = p->still = p->tried = 0; }
+void pace_still(pace *p)
+{
+    const int tries = pace_tries(p);
+    if (!(p->fixed > 0) && !p->still) p->rest = (int)fmax(0, p->level - level_of(p->ms, p->level, still_ms));
+    if (tries) ++p->rest;
+    p->still = tries ? 2 : p->still ? p->still : 1;
+}
+
+void pace_moves(pace *p) { p->rest = p->still = 0; }
