@@ -12,8 +12,13 @@ static const double most_ms = 100, wanted_ms = 70, still_ms = 110, most_still_ms
 
 double pace_share(const pace *p) { return p->fixed > 0 ? p->fixed : shares[p->level - p->rest]; }
 
-void pace_size(const pace *p, const int window[2], int size[2])
+/* No picture is lower than 90 pixels for the time's sake: less would show nothing. */
+void pace_size(pace *p, const int window[2], int size[2])
 {
+    p->lowest = 0;
+    while (p->lowest + 1 < SHARES && shares[p->lowest + 1] * window[1] >= 90) ++p->lowest;
+    if (p->level > p->lowest) p->level = p->lowest;
+    if (p->rest > p->level) p->rest = p->level;
     for (int k = 0; k < 2; ++k) size[k] = (int)fmax(8, floor(pace_share(p) * window[k] + 0.5));
 }
 
@@ -27,10 +32,10 @@ void pace_begin(pace *p, const int window[2], int software)
 }
 
 /* The least level from that one on, or above it, that takes no longer, by its pixels. */
-static int level_of(double ms, int from, double most)
+static int level_of(double ms, int from, int lowest, double most)
 {
     int level = from;
-    while (level + 1 < SHARES && ms * pow(shares[level] / shares[from], 2) > most) ++level;
+    while (level < lowest && ms * pow(shares[level] / shares[from], 2) > most) ++level;
     while (level > 0 && ms * pow(shares[level - 1] / shares[from], 2) <= most) --level;
     return level;
 }
@@ -39,7 +44,7 @@ static int level_of(double ms, int from, double most)
    too long is not tried again at once. */
 static int level_after(pace *p, double ms, int from, double most, double wanted)
 {
-    const int level = level_of(ms, from, wanted), may_try = kit_seconds() > p->failed + 3;
+    const int level = level_of(ms, from, p->lowest, wanted), may_try = kit_seconds() > p->failed + 3;
     if (ms > most) {
         p->failed = kit_seconds();
         return level;
@@ -67,7 +72,7 @@ int pace_tries(const pace *p)
 void pace_still(pace *p)
 {
     const int tries = pace_tries(p);
-    if (!(p->fixed > 0) && !p->still) p->rest = (int)fmax(0, p->level - level_of(p->ms, p->level, still_ms));
+    if (!(p->fixed > 0) && !p->still) p->rest = (int)fmax(0, p->level - level_of(p->ms, p->level, p->lowest, still_ms));
     if (tries) ++p->rest;
     p->still = tries ? 2 : p->still ? p->still : 1;
 }

@@ -63,7 +63,7 @@ typedef struct light {
 
 typedef struct pace {
     double fixed;                           /* share of the window's sides that is drawn; 0: as there is time for */
-    int    level;                           /* of the shares, where it is not fixed */
+    int    level, lowest;                   /* of the shares, where it is not fixed; the lowest of this window */
     int    still, rest;                     /* the view stays: so many levels larger */
     double failed;                          /* when a size took too long */
     int    opened;                          /* frames since settings changed that were drawn from the G-buffer on */
@@ -137,7 +137,7 @@ void   draw_close(viewer *v);
 /* ---- >>pace.c: the size that there is time for */
 
 void   pace_begin(pace *p, const int window[2], int software);
-void   pace_size(const pace *p, const int window[2], int size[2]);
+void   pace_size(pace *p, const int window[2], int size[2]);
 int    pace_took(pace *p, double ms);       /* of such a frame; 1: the size is another now */
 void   pace_still(pace *p);                 /* nothing but another size would make the picture another */
 int    pace_tries(const pace *p);           /* it would do so again: a size that took too long, once more */
