@@ -199,7 +199,7 @@ static void describe_frame(char *text, size_t size, const viewer *v)
     char set[300];
     kit_method_text(set, sizeof set, &v->side[0].method);
     add(text, size, "%.60s, %.0f%s triangles, a frame %.0f ms%s", slash && slash[1] ? slash + 1 : v->path,
-        (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "", v->pace.ms,
+        (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "", v->pace.ms > 0 ? v->pace.ms : v->ms,
         kit_gl_is_software() ? ", drawn by the CPU" : "");
     add(text, size, "\n%dx%d%s\nradius %.3g%s%s\nh: keys", v->drawn[0], v->drawn[1],
         pace_share(&v->pace) < 1 ? v->pace.fixed > 0 ? ", fixed (f)" : " so that keys are answered in time (f: fixed)"
