@@ -163,10 +163,11 @@ void   picture_save(viewer *v, int exr);            /* under a name that is free
 /* The line that has build/render draw the left half's picture: on standard output. */
 void   command_print(viewer *v);
 
-/* ---- >>input.c, window.c */
+/* ---- >>keys.c, input.c, window.c */
 
 typedef struct key { int code; const char *label, *about; void (*press)(viewer *v, int shift); } key;
 extern const key keys[];                    /* ends with code 0 */
+void   slide_to(viewer *v, const float to[3]);      /* the first object that casts, from its place */
 void   input_open(viewer *v);
 void   input_move(viewer *v, double seconds);       /* what moves by itself */
 int    window_open(viewer *v);
