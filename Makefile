@@ -356,7 +356,7 @@ THREE    = build/three.module.js build/three.core.js LICENSE $(addprefix example
            utils/SkeletonUtils.js libs/meshopt_decoder.module.js libs/fflate.module.js libs/draco/README.md \
            libs/draco/gltf/draco_wasm_wrapper.js libs/draco/gltf/draco_decoder.wasm)
 NPM_WEB  = npm install --prefix build/web-deps --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 \
-           puppeteer-core@24.43.1
+           puppeteer-core@24.43.1 esbuild@0.25.12
 web: build/web/index.html
 build/web/index.html: $(WEB) build/wasm/ssgi.wasm build/web/three/three.module.js build/web/scenes/scenes.json
 	@cp $(WEB) build/wasm/ssgi.mjs build/wasm/ssgi.wasm LICENSE examples/docs/pictures/page.png build/web
@@ -369,11 +369,16 @@ build/web-deps/node_modules/three/package.json:
 	@mkdir -p build/web-deps
 	$(NPM_WEB)
 
+# Of three.js without blanks two thirds are gone; where esbuild is not to be had, as it is.
+MINIFY   = build/web-deps/node_modules/.bin/esbuild
 build/web/three/three.module.js: build/web-deps/node_modules/three/package.json
 	@mkdir -p $(@D)/controls $(@D)/loaders $(@D)/utils $(@D)/libs/draco/gltf
 	@for f in $(THREE); do to=$${f#build/}; cp $(<D)/$$f $(@D)/$${to#examples/jsm/} || exit 1; done
 	@sed -i "s|from 'three'|from '../three.module.js'|" $(@D)/controls/*.js $(@D)/loaders/*.js $(@D)/utils/*.js
 	@sed -i 's|^\(\s*\)console.error( error );$$|\1// said on the page|' $(@D)/loaders/DRACOLoader.js
+	@! $(MINIFY) --version >/dev/null 2>&1 || \
+	  $(MINIFY) --minify --legal-comments=inline --log-level=error --allow-overwrite --outdir=$(@D) --outbase=$(@D) \
+	  $(@D)/*.js $(@D)/controls/*.js $(@D)/loaders/*.js $(@D)/utils/*.js
 	@touch $@
 
 build/web-scenes: examples/web/scenes.c $(KIT_O)
@@ -392,7 +397,7 @@ web-deps:
 	@lacks=; for p in chromium clang:clang wasm-ld:lld npm fonts-dejavu-core; do \
 	  command -v $${p%:*} >/dev/null || test -d /usr/share/fonts/truetype/dejavu -a $$p = fonts-dejavu-core || lacks="$$lacks $${p#*:}"; \
 	done; test -z "$$lacks" || sh examples/kit/install.sh $$lacks || true
-	@test -d build/web-deps/node_modules/puppeteer-core || { mkdir -p build/web-deps && $(NPM_WEB); } || true
+	@test -d build/web-deps/node_modules/esbuild || { mkdir -p build/web-deps && $(NPM_WEB); } || true
 
 web-test: web-deps
 	@lacks=; for p in node clang wasm-ld; do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; \
