@@ -220,7 +220,8 @@ uninstall:
 WASM_FLAGS = --target=wasm32 -std=c99 $(WARNINGS) -Os -fno-builtin -fno-math-errno -fdata-sections \
              -nostdlib -nostdlibinc -isystem examples/tools/wasm/libc -Wl,--no-entry,--strip-all,--stack-first,--export=__heap_base
 wasm: build/wasm/ssgi.wasm
-build/wasm/ssgi.wasm: examples/tools/wasm/ssgi.c examples/tools/wasm/ssgi.mjs $(wildcard examples/tools/wasm/libc/*.h) ssgi.h ssgi_gl.h
+WASM_LIBC  = $(wildcard examples/tools/wasm/libc/*)
+build/wasm/ssgi.wasm: examples/tools/wasm/ssgi.c examples/tools/wasm/ssgi.mjs $(WASM_LIBC) ssgi.h ssgi_gl.h
 	@command -v clang >/dev/null && command -v wasm-ld >/dev/null || sh examples/kit/install.sh clang lld || \
 	  { echo 'wasm: clang or wasm-ld is missing (apt-get install clang lld)' >&2; exit 2; }
 	@mkdir -p $(@D)
@@ -358,7 +359,10 @@ THREE    = build/three.module.js build/three.core.js LICENSE $(addprefix example
 NPM_WEB  = npm install --prefix build/web-deps --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 \
            puppeteer-core@24.43.1 esbuild@0.25.12
 web: build/web/index.html
-build/web/index.html: $(WEB) build/wasm/ssgi.wasm build/web/three/three.module.js build/web/scenes/scenes.json
+build/web/bake.wasm: examples/web/bake.c $(WASM_LIBC) ssgi.h
+	@mkdir -p $(@D)
+	@echo '  clang $@'; clang $(WASM_FLAGS) -O3 $< -o $@
+build/web/index.html: $(WEB) build/wasm/ssgi.wasm build/web/bake.wasm build/web/three/three.module.js build/web/scenes/scenes.json
 	@cp $(WEB) build/wasm/ssgi.mjs build/wasm/ssgi.wasm LICENSE examples/docs/pictures/page.png build/web
 	@touch $@
 	@echo 'build/web: cd build/web && python3 -m http.server, then http://localhost:8000'

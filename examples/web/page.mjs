@@ -9,6 +9,7 @@ import { cLines } from './code.mjs';
 import { exr } from './exr.mjs';
 import { fetchFile } from './fetch.mjs';
 import { bar } from './bar.mjs';
+import { Makers, setOf } from './makers.mjs';
 
 const $ = id => document.getElementById(id), panel = $('panel'), canvas = $('canvas');
 const set = { ...defaults };
@@ -17,7 +18,7 @@ const most = 4096;                                  /* rays a pixel, after which
 const settled = 32;                                 /* frames at rest, after which history changes no more */
 const kept = 31;                                    /* times of a pass that a median is of */
 
-let ssgi, stage, drawer, show, truth, scenes = [], gl, software = false;
+let ssgi, stage, drawer, show, truth, makers, scenes = [], gl, software = false;
 let sides = [null, null];                           /* { run, key, frame number, .. } left and right */
 let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0, frames = 0;
 let calm = null;                                    /* the view that is not moved for the sake of edges */
@@ -47,10 +48,13 @@ const radius = () => stage.info.radius * 2 ** set.radius;
 const thickness = method => set.thickness < 0 ? methods[method]?.thickness ?? 0.6 : set.thickness;
 const wantsTruth = () => set.truth || set.b === 'truth' || set.view === 'difference';
 const moving = () => set.moves || set.circle;
+const uses = name => set.a === name || set.b === name;
+const averages = () => sides.some(side => side?.run.chain.history);
 const digits = v => v >= 100 ? v.toFixed(0) : v >= 10 ? v.toFixed(1) : v.toFixed(2);
 
 function toPanel() {
     const chain = methods[set.a]?.desc ? chainOf(set.a, set.p, true) : null, is = chain && ssgi.resolve(chain.desc);
+    const made = chain && setOf(set.a, set.p, set, true), { module } = methods[set.a] ?? {};
     for (const control of panel.elements) {
         if (!Object.hasOwn(set, control.name)) continue;
         const value = set[control.name];
@@ -61,13 +65,18 @@ function toPanel() {
         else if (control.name === 'slices') control.value = is?.[countOf(is)] ?? 0;
         else if (control.name === 'steps') control.value = is?.steps ?? 0;
         else if (control.name === 'filter') control.value = chain?.blur ? filterOf(chain.desc) : 0;
+        else if (control.name === 'surfel') control.value = 100 * (made?.size ?? 0);
+        else if (control.name === 'levels') control.value = made?.levels ?? 0;
+        else if (control.name === 'field') control.value = made?.resolution ?? 0;
         else control.value = value;
     }
     const output = name => panel.elements[name].parentElement.querySelector('output');
     const write = (name, text) => { output(name).textContent = text; };
     if (stage.info) write('radius', +radius().toPrecision(2));
     write('thickness', `${thickness(set.a).toFixed(2)} R`);
-    for (const name of ['slices', 'steps', 'filter']) write(name, panel.elements[name].value);
+    for (const name of ['slices', 'steps', 'filter', 'levels', 'field']) write(name, panel.elements[name].value);
+    write('surfel', `${panel.elements.surfel.value} %`);
+    write('reach', `${set.reach.toFixed(2)} ×`);
     write('azimuth', `${set.azimuth}°`);
     write('height', `${set.height}°`);
     write('strength', `${set.strength.toFixed(2)} ×`);
@@ -77,14 +86,19 @@ function toPanel() {
     const on = (of, yes) => panel.querySelectorAll(of).forEach(e => { e.hidden = !yes; });
     on('.of-a', method(set.a));
     on('.of-b', method(set.b));
-    on('.of-steps', !!is?.steps);
+    on('.of-gather', method(set.a) && !module);
+    on('.of-steps', !!is?.steps && !module);
+    on('.of-surfels', module === 'surfels');
+    on('.of-field', module === 'fields');
     on('.of-sun', set.sun);
     on('.of-thickness', set.behind !== 'SOLID');
     on('.of-bounce', [set.a, set.b].some(m => methods[m]?.desc?.pass === 'SSDO'));
     if (is) $('slices-field').textContent = `desc.${countOf(is)}`;
     panel.elements.truth.checked = wantsTruth();
     panel.elements.truth.disabled = wantsTruth() && !set.truth;
-    $('own').hidden = !method(set.a) || !(set.slices || set.steps || set.filter >= 0 || set.half !== 'preset');
+    $('own').hidden = !method(set.a) || !(module ? made.size !== methods[set.a].presets[set.p].size
+        || made.levels !== methods[set.a].presets[set.p].levels || (module === 'fields' && set.field)
+        : set.slices || set.steps || set.filter >= 0 || set.half !== 'preset');
     for (const thumb of $('thumbs').children) thumb.setAttribute('aria-pressed', thumb.value === set.scene);
     const title = (name, preset) => name === 'truth' ? 'truth, ray-traced'
         : methods[name] ? methods[name].title + (method(name) ? ` · ${presets[preset]}` : '') : '';
@@ -117,7 +131,7 @@ function listen() {
         if (value && value !== set.scene) choose('scene', value);
     };
     $('own').onclick = () => {
-        Object.assign(set, { slices: 0, steps: 0, filter: -1, half: 'preset' });
+        Object.assign(set, { slices: 0, steps: 0, filter: -1, half: 'preset', surfel: 0, levels: 0, field: 0 });
         changed('half');
     };
     $('canvas').addEventListener('pointerdown', () => stand());
@@ -364,16 +378,10 @@ function upload(rgb, n, slices) {
     const rgba = new Float32Array(4 * n * n), target = slices ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
     for (let i = 0; i < n * n; ++i) rgba.set(rgb.subarray(3 * i, 3 * i + 3), 4 * i);
     const texture = drawer.texture(n, n, { internal: gl.RGBA32F }, slices);
-    plainUploads();
+    drawer.plainUploads();
     if (slices) gl.texSubImage3D(target, 0, 0, 0, 0, n, n, 1, gl.RGBA, gl.FLOAT, rgba);
     else gl.texSubImage2D(target, 0, 0, 0, n, n, gl.RGBA, gl.FLOAT, rgba);
     return texture;
-}
-function plainUploads() {                           /* three leaves its own settings behind */
-    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-    gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
 }
 const coefficients = bands => cached(`${set.sky} harmonics ${bands}`,
     () => ssgi.projectEquirect(bands, skyImage(set.sky), 256, 128));
@@ -400,7 +408,8 @@ const filterOf = desc => desc.filter_radius || (desc.filter === 'GAUSSIAN' ? 2 :
 
 /* The chain of a side, as settings have it; own: with the numbers that replace the preset's. */
 function chainOf(name, preset, own) {
-    const { desc } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
+    const { desc, module } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
+    if (module) return madeChain(name, preset, own);
     const d = ssgi.preset({ ...desc, dialect: '300ES', normal: set.normals, thickness: set.behind }, preset);
     if (methods[name].desc.restore) d.restore = methods[name].desc.restore;
     if (bounce) d.bounce = 'SOLID_ANGLE';
@@ -413,6 +422,13 @@ function chainOf(name, preset, own) {
     const blur = +!(own && set.filter === 0 && !d.half && !d.restore);
     return { desc: d, width: size.width, height: size.height, blur, history: +set.history,
              direct: +(bounce && set.sun), precise: +(stage.info?.far > farthestHalf) };
+}
+
+/* Of what is made of triangles: it has no noise that frames or neighbours average. */
+function madeChain(name, preset, own) {
+    const { levels } = setOf(name, preset, set, own);
+    return { desc: { ...methods[name].desc, dialect: '300ES', normal: set.normals, ...(levels && { levels }) },
+             width: size.width, height: size.height, precise: +(stage.info?.far > farthestHalf) };
 }
 
 /* The C that makes a side's chain; null: it has none. */
@@ -453,7 +469,7 @@ function forget(side) {
 function view() {
     const { projectionMatrix: p, matrixWorld: m, matrixWorldInverse: v } = stage.camera, { width, height } = size;
     const e = m.elements, q = p.elements;
-    return { made: ssgi.view(q, width, height), toView: Float32Array.from(v.elements), width, height,
+    return { made: ssgi.view(q, width, height), projection: [...q], toView: Float32Array.from(v.elements), width, height,
              world: Float32Array.from([e[0], e[1], e[2], e[4], e[5], e[6], e[8], e[9], e[10]]),
              eye: [e[12], e[13], e[14]],
              ray: [2 / (width * q[0]), 2 / (height * q[5]), (q[8] - 1) / q[0], (q[9] - 1) / q[5]] };
@@ -465,7 +481,12 @@ function frameOf(side, now) {
     for (let column = 0; column < 3; ++column)
         for (let row = 0; row < 3; ++row) frame.rotation[4 * column + row] = v[4 * column + row];
     if (desc.environment === 'SH') ssgi.harmonics(frame, coefficients(desc.bands), desc.bands, v);
-    if (set.history) {
+    if (desc.pass === 'SPLAT') {
+        const { size, epsilon } = side.about;
+        ssgi.surfels(frame, now.made, { size, max_distance: radius() }, desc.levels);
+        frame.epsilon[0] = epsilon;
+    }
+    if (side.run.chain.history) {
         if (side.frames && last && last.width === now.width) ssgi.history(frame, last.made, v, last.toView);
         frame.phase[0] = ssgi.phase(side.frames);
     }
@@ -519,19 +540,20 @@ function frame() {
 
 function draw() {
     fit();
-    if (side(0, set.a, set.p) | side(1, set.b, set.q)) {
+    placeMover();
+    if (side(0, set.a, set.p) | side(1, set.b, set.q) | !made()) {
         request();
         return false;
     }
     animate();
-    const gather = dirty.gather, again = set.history && still < settled && !moving();
+    const gather = dirty.gather, again = averages() && still < settled && !moving();
     if (gather || again || dirty.scene || dirty.picture || buffers.backs < backs()) drawCalm(gather, again);
     else if (samples < wantedSamples()) drawSample();
     else placeAgain();
     if (set.b !== 'off') placeSplit();
     ++frames;
     takeTimes();
-    if (moving() || (set.history && still < settled) || samples < wantedSamples()) request();
+    if (moving() || (averages() && still < settled) || samples < wantedSamples()) request();
     if (gather && !moving()) {
         clearTimeout(rested);
         rested = setTimeout(rest, software ? 350 : 200);
@@ -541,11 +563,25 @@ function draw() {
     return true;
 }
 
+/* Whether what the sides draw of triangles is there; asks for it where something has changed. */
+function made() {
+    const of = [[set.a, set.p], [set.b, set.q]].filter(([name]) => methods[name]?.module);
+    if (!of.length || !(dirty.gather || makers.busy)) return true;
+    stage.jitter(0, 0);
+    const now = view();
+    return [[set.a, set.p], [set.b, set.q]].map(([name, preset], i) => makers.ready(i, name, aboutOf(i, name, preset, now)))
+        .every(Boolean);
+}
+function aboutOf(i, name, preset, now) {
+    return { stage, now, radius: radius(), ...(methods[name]?.module && setOf(name, preset, set, i === 0)) };
+}
+
 /* Layers of back faces that are read. */
 const backs = () => (set.behind === 'SLABS' ? 3 : +(set.behind === 'BACK'));
 
 /* Pictures whose mean is shown at rest. The truth is of one place in each pixel. */
-const wantedSamples = () => (moving() || set.view === 'difference' || set.b === 'truth' ? 0 : software ? 8 : 32);
+const wantedSamples = () => (moving() || set.view === 'difference' || set.b === 'truth' || (software && uses('dss')) ? 0
+    : software ? 8 : 32);
 
 function drawCalm(gather, again) {
     if (samples || dirty.scene || buffers.backs < backs()) {
@@ -597,13 +633,17 @@ function keepRested(side) {
 
 function drawSides(now) {
     const from = stage.reprojection(), moved = sides.some(s => s?.run.chain.desc.motion);
-    const given = moved ? { ...buffers, MOTION: show.motion(size.width, size.height, buffers, from) } : buffers;
-    for (const side of sides) {
+    const given = { ...buffers };
+    if (moved) given.MOTION = show.motion(size.width, size.height, buffers, from);
+    if (sides.some(s => s?.run.chain.desc.objects)) given.OBJECTS = show.objects(size.width, size.height, buffers);
+    for (const [i, side] of sides.entries()) {
         if (!side) continue;
-        side.given = { ...given, ...lightOf(side.run.chain.desc) };
+        side.about = aboutOf(i, side.name, i ? set.q : set.p, now);
+        side.given = { ...given, ...lightOf(side.run.chain.desc),
+                       ...makers.of(i, side.name)?.given(side.about, side.run.steps) };
         side.frame = frameOf(side, now);
         side.run.draw(side.given, side.frame, drawer.timer ? 1 : 0);
-        if (set.history) side.run.turn();
+        if (side.run.chain.history) side.run.turn();
         ++side.frames;
         if (!side.rested) side.pixels = null;
     }
@@ -617,10 +657,19 @@ function animate() {
     const time = performance.now(), passed = Math.min(0.1, (time - then) / 1000);
     then = time;
     times = moving() ? [...times.filter(t => time - t < 1000), time] : [];
-    if (!set.moves && stage.mover) { stage.move(null); dirty.scene = dirty.gather = true; }
     if (!moving()) return;
     if (set.moves) stage.move(seconds += passed);
     if (set.circle) stage.circle(0.15 * passed);
+    dirty.scene = dirty.gather = true;
+}
+
+/* The object is there if it moves, or if its field is drawn; it stands where it was. */
+let placed = null;
+function placeMover() {
+    const wanted = set.moves || (uses('aof') && stage.info.name !== 'file');
+    if (wanted === !!stage.mover && (!wanted || placed === stage.info)) return;
+    stage.move(wanted ? seconds : null);
+    placed = stage.info;
     dirty.scene = dirty.gather = true;
 }
 
@@ -672,11 +721,21 @@ function rest() {
 
 function clock(side) {
     const { run } = side;
-    if (set.history) run.turn();                    /* what was last written is written again */
+    if (run.chain.history) run.turn();                    /* what was last written is written again */
     const all = [];
     for (let i = 0; i < 3; ++i) { run.draw(side.given, side.frame, 2); all.push([...run.ms]); }
     side.ms = all[0].map((_, k) => all.map(ms => ms[k]).sort((x, y) => x - y)[1]);
-    if (set.history) run.turn();
+    if (run.chain.history) run.turn();
+}
+
+/* Of a side what is made of triangles has changed, or cannot be made. */
+function remade(i, error) {
+    if (error) {
+        choose(i ? 'b' : 'a', 'none');
+        notice(error.message);
+    }
+    dirty.gather = true;
+    request();
 }
 
 /* ---- truth */
@@ -692,9 +751,10 @@ async function beginTruth() {
         if (set.b === 'truth' || set.view === 'difference') dirty.picture = true;
         request();
     });
-    if (truthGiven !== stage.info) {
-        truthGiven = stage.info;
-        truth.scene(stage.triangles());
+    const shown = `${stage.info.key} ${stage.mover?.now.elements}`;
+    if (truthGiven !== shown) {
+        truthGiven = shown;
+        truth.scene(stage.everything());
     }
     traced = calm;
     truth.start({ width: size.width, height: size.height, radius: radius(), most,
@@ -711,7 +771,7 @@ function truthTexture() {
         if (truthHeld) gl.deleteTexture(truthHeld.texture);
         truthHeld = { texture: drawer.texture(width, height, { internal: gl.RGBA32F }), width, height };
     }
-    plainUploads();
+    drawer.plainUploads();
     gl.bindTexture(gl.TEXTURE_2D, truthHeld.texture);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.FLOAT, truth.texels());
     return truthMade = truthHeld.texture;
@@ -854,7 +914,8 @@ function first() {
 const page = globalThis.page = { set, first: null, lacks: null, result: i => ({ ...size, pixels: pixelsOf(sides[i]) }),
                                  error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0,
                                  ms: i => sides[i]?.ms ?? null,
-                                 settled: () => still >= settled,
+                                 settled: () => !averages() || still >= settled,
+                                 making: () => makers.busy, makers: () => makers,
                                  resting: () => wantedSamples() > 0,
                                  smooth: () => samples > 0 && samples >= wantedSamples(),
                                  code: codeOf, chain: chainShown,
@@ -869,7 +930,7 @@ page.go = async hash => {
     changed();
     const was = frames;
     failure = null;
-    while (frames === was && !failure) await new Promise(requestAnimationFrame);
+    while ((frames === was || makers.busy || dirty.gather) && !failure && !moving()) await new Promise(requestAnimationFrame);
     if (failure) throw failure;
 };
 
@@ -926,6 +987,7 @@ async function start() {
     gl = stage.gl;
     drawer = new Drawer(gl, ssgi);
     show = new Show(gl, drawer);
+    makers = new Makers({ gl, drawer, ssgi, loading }, remade);
     const named = Object.entries(methods).map(([name, { title }]) => [name, title]);
     options(panel.elements.scene, scenes.map(s => [s.name, s.title]));
     options(panel.elements.sky, Object.entries(skies).map(([name, { title }]) => [name, title]));

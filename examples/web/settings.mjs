@@ -13,7 +13,16 @@ export const methods = {
     points: { title: 'SSDO, points', desc: { pass: 'SSDO', search: 'POINTS', environment: 'MAP' }, thickness: 1,
               light: true },
     s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1,
-                                   restore: 'RATIO' }, thickness: 0.4, light: true }
+                                   restore: 'RATIO' }, thickness: 0.4, light: true },
+    dss: { title: 'Deep screen space', desc: { pass: 'SPLAT', near_samples: 4, span: 4 }, thickness: 0.6,
+           module: 'surfels', presets: {         /* what sizes buy: FIGURES.md */
+               FAST: { size: 0.03, levels: 5, epsilon: 0.1 },
+               BALANCED: { size: 0.015, levels: 5, epsilon: 0.1 },
+               BEST: { size: 0.03, levels: 4, epsilon: 0.02 }
+           } },
+    aof: { title: 'Fields of objects', desc: { pass: 'FIELD', objects: 'TEXTURE' }, module: 'fields', presets: {
+        FAST: { resolution: 8, rays: 64 }, BALANCED: { resolution: 16, rays: 128 },
+        BEST: { resolution: 32, rays: 128 } } }
 };
 export const presets = { __proto__: null, FAST: 'fast', BALANCED: 'balanced', BEST: 'best' };
 export const views = ['lit', 'ambient', 'difference'];
@@ -107,6 +116,10 @@ export const settings = {
     slices: count(1, 32, 0),
     steps: count(1, 32, 0),
     filter: count(0, 4, -1),
+    surfel: number(0, 0.5, 6, 0, ', or 0 for the preset\'s'),
+    levels: count(1, 7, 0),
+    field: count(4, 64, 0),
+    reach: number(1, 0.1, 1),
     half: word('preset', Object.keys(halves)),
     behind: word('DEFAULT', Object.keys(behinds)),
     thickness: number(-1, 0, 2, -1, ', or -1 for the method\'s own'),

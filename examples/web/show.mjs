@@ -128,10 +128,21 @@ void main() {
     o_motion = gl_FragCoord.xy - (was.xy / was.w * 0.5 + 0.5) * u_size;
 }`;
 
+/* The number of the object that is seen, 0: the scene. */
+const objects = `#version 300 es
+precision highp float;
+uniform sampler2D t_albedo;
+out highp uint o_object;
+void main() {
+    float mark = texelFetch(t_albedo, ivec2(gl_FragCoord.xy), 0).a;
+    o_object = mark < 0.25 ? 1u : mark < 0.9 ? 2u : 0u;
+}`;
+
 const textures = ['t_depth', 't_normal', 't_albedo', 't_direct', 't_truth', 't_light', 't_bounce'];
 
 export class Show {
-    #gl; #drawer; #picture; #smooth; #held; #motion; #nothing; #sides = []; #means = []; #moved = null;
+    #gl; #drawer; #picture; #smooth; #held; #motion; #objects; #nothing; #sides = []; #means = [];
+    #moved = null; #numbers = null;
 
     constructor(gl, drawer) {
         this.#gl = gl;
@@ -272,6 +283,19 @@ export class Show {
         gl.uniform2f(at.u_size, width, height);
         this.#triangle(this.#moved.framebuffer, width, height);
         return this.#moved.texture;
+    }
+
+    /* A texture of objects' numbers, for fields. */
+    objects(width, height, { ALBEDO }) {
+        const gl = this.#gl;
+        this.#use(this.#objects ??= this.#program(objects));
+        if (this.#numbers?.width !== width || this.#numbers.height !== height) {
+            if (this.#numbers) this.#free(this.#numbers);
+            this.#numbers = this.#target(width, height, gl.R8UI);
+        }
+        this.#bind([ALBEDO]);
+        this.#triangle(this.#numbers.framebuffer, width, height);
+        return this.#numbers.texture;
     }
 
     /* The G-buffer as numbers: N.X N.Y N.Z Z, bottom row first. */

@@ -1,8 +1,11 @@
 /* stage.mjs - the host: three.js keeps scene, camera and sun, and draws once what ssgi reads: depth, normals in view
    space, albedo, and beside them what the sun lights. Its materials stay its own, two outputs added. The albedo's
-   fourth component is 1, but 0 on what moves. */
+   fourth component tells objects apart. */
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+/* Albedo's fourth component on object 0, the scene; 1, which moves; 2, a model of the visitor's. */
+const marks = ['1.0', '0.0', '0.75'];
 
 /* Outputs 1 and 2 of a material of three's, which turns its normal to the side that is seen. */
 function seen(material) {
@@ -13,16 +16,16 @@ function seen(material) {
                 void main() {`)
             .replace('#include <opaque_fragment>', `#include <opaque_fragment>
                 g_normal = vec4(normal, 0.0);
-                g_albedo = vec4(diffuseColor.rgb, ${material.userData.moves ? '0.0' : '1.0'});`);
+                g_albedo = vec4(diffuseColor.rgb, ${marks[material.userData.object]});`);
     };
-    material.customProgramCacheKey = () => `seen ${material.userData.moves}`;
+    material.customProgramCacheKey = () => `seen ${material.userData.object}`;
     return material;
 }
 
-export const lambert = from => seen(new THREE.MeshLambertMaterial({
+export const lambert = (from, object = 0) => seen(new THREE.MeshLambertMaterial({
     color: from.color ?? 0xcccccc, map: from.map ?? null, normalMap: from.normalMap ?? null,
     alphaTest: from.alphaTest || (from.transparent ? 0.5 : 0), vertexColors: from.vertexColors ?? false,
-    side: THREE.DoubleSide, shadowSide: THREE.DoubleSide, userData: { moves: !!from.userData?.moves }
+    side: THREE.DoubleSide, shadowSide: THREE.DoubleSide, userData: { object }
 }));
 
 /* Window depth alone, of what lies behind a layer. */
@@ -117,6 +120,7 @@ export class Stage {
         model.traverse(part => { part.castShadow = part.receiveShadow = true; });
         this.scene.add(this.#model = model);
         this.info = info;
+        info.key ??= ++shown;
         Object.assign(this.camera, { near: info.near, far: info.far });
         this.#widen();
         this.look(info.eye, info.target);
@@ -151,8 +155,7 @@ export class Stage {
             return;
         }
         if (!this.mover) {
-            const from = { color: 0xe8b04a, userData: { moves: true } };
-            const mesh = new THREE.Mesh(new THREE.TorusKnotGeometry(1, 0.38, 160, 24), lambert(from));
+            const mesh = new THREE.Mesh(new THREE.TorusKnotGeometry(1, 0.38, 160, 24), lambert({ color: 0xe8b04a }, 1));
             mesh.castShadow = mesh.receiveShadow = true;
             this.mover = { mesh, now: new THREE.Matrix4(), before: null };
         }
@@ -249,29 +252,61 @@ export class Stage {
         renderer.render(this.#pack, camera);
     }
 
-    /* The triangles in the world, for the tracer. */
-    triangles() {
-        const position = [], normal = [], p = new THREE.Vector3(), turn = new THREE.Matrix3();
-        this.#model.updateMatrixWorld(true);
-        this.#model.traverse(part => {
-            if (!part.isMesh) return;
-            const { attributes, index } = part.geometry, count = index ? index.count : attributes.position.count;
-            const at = new Float32Array(3 * count), way = new Float32Array(3 * count);
-            turn.getNormalMatrix(part.matrixWorld);
-            for (let i = 0; i < count; ++i) {
-                const k = index ? index.getX(i) : i;
-                p.fromBufferAttribute(attributes.position, k).applyMatrix4(part.matrixWorld).toArray(at, 3 * i);
-                p.fromBufferAttribute(attributes.normal, k).applyMatrix3(turn).normalize().toArray(way, 3 * i);
-            }
-            position.push(at);
-            normal.push(way);
-        });
-        const join = parts => {
-            const all = new Float32Array(parts.reduce((n, part) => n + part.length, 0));
-            let at = 0;
-            for (const part of parts) { all.set(part, at); at += part.length; }
-            return all;
-        };
-        return { position: join(position), normal: join(normal) };
+    /* The scene's triangles in the world, or those of one object of it. */
+    triangles(object = null) {
+        return trianglesOf(this.#model, ({ userData }) => object === null || userData.object === object);
     }
+    /* Those of what moves in its own space, or where it is now. */
+    moverTriangles(placed = false) {
+        const { mesh, now } = this.mover;
+        return trianglesOf(mesh, () => true, placed ? now : new THREE.Matrix4());
+    }
+
+    /* All that is seen, where it is now. */
+    everything() {
+        const scene = this.triangles(), moves = this.mover && this.moverTriangles(true);
+        return moves ? { position: joined([scene.position, moves.position]), normal: joined([scene.normal, moves.normal]) }
+            : scene;
+    }
+
+    /* What stands in the scene on its own: title, number in the G-buffer, its triangles and the way to the world. */
+    objects() {
+        const all = [], { info, mover } = this;
+        if (mover)
+            all.push({ key: 'mover', title: 'what moves', number: 1, toWorld: () => mover.now,
+                       triangles: () => this.moverTriangles().position });
+        if (info.name === 'file')
+            all.push({ key: `model ${info.key}`, title: info.title, number: 2,
+                       toWorld: () => new THREE.Matrix4(), triangles: () => this.triangles(2).position });
+        return all;
+    }
+}
+
+let shown = 0;                                      /* scenes so far */
+
+/* Nine floats a triangle; matrix: null: as parts lie in the world. */
+function trianglesOf(root, wanted, matrix = null) {
+    const position = [], normal = [], p = new THREE.Vector3(), turn = new THREE.Matrix3();
+    root.updateMatrixWorld(true);
+    root.traverse(part => {
+        if (!part.isMesh || ![part.material].flat().some(wanted)) return;
+        const { attributes, index } = part.geometry, count = index ? index.count : attributes.position.count;
+        const at = new Float32Array(3 * count), way = new Float32Array(3 * count), to = matrix ?? part.matrixWorld;
+        turn.getNormalMatrix(to);
+        for (let i = 0; i < count; ++i) {
+            const k = index ? index.getX(i) : i;
+            p.fromBufferAttribute(attributes.position, k).applyMatrix4(to).toArray(at, 3 * i);
+            p.fromBufferAttribute(attributes.normal, k).applyMatrix3(turn).normalize().toArray(way, 3 * i);
+        }
+        position.push(at);
+        normal.push(way);
+    });
+    return { position: joined(position), normal: joined(normal) };
+}
+
+function joined(parts) {
+    const all = new Float32Array(parts.reduce((n, part) => n + part.length, 0));
+    let at = 0;
+    for (const part of parts) { all.set(part, at); at += part.length; }
+    return all;
 }

@@ -8,6 +8,7 @@ export class Drawer {
         this.#gl = gl;
         this.#ssgi = ssgi;
         this.array = gl.createVertexArray();
+        gl.getExtension('EXT_float_blend');         /* where depths need 32 bits */
         this.timer = gl.getExtension('EXT_disjoint_timer_query_webgl2');
         /* asks without stopping whether a program is linked */
         this.parallel = gl.getExtension('KHR_parallel_shader_compile');
@@ -39,8 +40,10 @@ export class Drawer {
                 gl.getProgramInfoLog(program)}`);
         shaders.forEach(s => gl.deleteShader(s));
         gl.useProgram(program);
-        for (const row of this.#ssgi.rows(desc))
-            if (row.kind === 'TEXTURE') gl.uniform1i(gl.getUniformLocation(program, row.name), row.slot);
+        const rows = this.#ssgi.rows(desc);
+        for (const { kind, name, slot } of rows)
+            if (kind === 'TEXTURE') gl.uniform1i(gl.getUniformLocation(program, name), slot);
+        made.attributes = rows.some(({ kind }) => kind === 'ATTRIBUTE');
         const block = gl.getUniformBlockIndex(program, 'ssgi_frame');
         if (block !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, block, 0);
         made.finished = true;
@@ -58,6 +61,15 @@ export class Drawer {
         else gl.texStorage2D(target, 1, internal, width, height);
         for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(target, name, gl.NEAREST);
         return texture;
+    }
+
+    /* For uploads as they are: three leaves its own settings behind. */
+    plainUploads() {
+        const gl = this.#gl;
+        gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+        gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+        gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+        gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
     }
 
     run(chain) { return new Run(this.#gl, this.#ssgi, this, chain); }
@@ -111,12 +123,12 @@ class Run {
 
     get linked() { return this.#draws.every(({ made }) => this.#drawer.linked(made)); }
 
-    /* yours: textures by meaning. frame: of ssgi.frame(). clock: 1 times each step, 2 by waiting for it where there is
+    /* yours: textures by meaning; array, instances: the vertex array of a step that has attributes, and how many a step
+       draws that names no number. frame: of ssgi.frame(). clock: 1 times each step, 2 by waiting for it where there is
        no timer. */
     draw(yours, frame, clock = 0) {
         const gl = this.#gl, timer = clock === 1 ? this.#drawer.timer : null, queries = [];
         if (this.#pending.length) clock = 0;
-        gl.bindVertexArray(this.#drawer.array);
         for (const state of [gl.DEPTH_TEST, gl.BLEND, gl.SCISSOR_TEST, gl.CULL_FACE, gl.STENCIL_TEST])
             gl.disable(state);
         gl.colorMask(true, true, true, true);
@@ -143,7 +155,8 @@ class Run {
                 gl.blendEquation(step.blend[0]);
                 gl.blendFunc(step.blend[1], step.blend[2]);
             }
-            gl.drawArraysInstanced(step.primitive, 0, step.vertices, step.instances);
+            gl.bindVertexArray(made.attributes ? yours.array : this.#drawer.array);
+            gl.drawArraysInstanced(step.primitive, 0, step.vertices, step.instances || yours.instances);
             gl.disable(gl.BLEND);
             if (clock && timer) gl.endQuery(timer.TIME_ELAPSED_EXT);
             if (clock === 2) { this.#wait(step); this.ms[number] = performance.now() - begun; }

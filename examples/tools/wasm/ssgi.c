@@ -1,7 +1,7 @@
 /* ssgi.c - the headers as WebAssembly, without a C library: make wasm builds build/wasm/ssgi.wasm, ssgi.mjs loads it.
 
-   What a page needs is exported by name; the linker drops the rest. For more (surfels, fields, lights, plans) add lines
-   of EXPORT. Memory is the page's: from __heap_base on nothing here touches what it does not get a pointer to. */
+   What a page needs each frame is exported by name; the linker drops the rest. For more (lights, plans) add lines of
+   EXPORT; examples/web/bake.c makes surfels and fields. Memory is the page's: from __heap_base on nothing here touches what it does not get a pointer to. */
 #include "../../../ssgi_gl.h"
 
 #define EXPORT(function) extern __typeof__(function) function __attribute__((export_name(#function)))
@@ -21,6 +21,10 @@ EXPORT(ssgi_gl_frame_history);
 EXPORT(ssgi_gl_phase);
 EXPORT(ssgi_gl_harmonics_set);
 EXPORT(ssgi_gl_steps);
+EXPORT(ssgi_gl_surfels_set);
+EXPORT(ssgi_gl_occluder_set);
+EXPORT(ssgi_field_size);
+EXPORT(ssgi_field_load);
 EXPORT(ssgi_environment_map);
 EXPORT(ssgi_environment_cone);
 EXPORT(ssgi_sh_project_equirect);
@@ -41,11 +45,14 @@ const place *ssgi_wasm_place_at(int i)
 #define STEP(member) AT(ssgi_gl_step, member)
 #define INPUT(member) AT(ssgi_gl_input, member)
 #define OUTPUT(member) AT(ssgi_gl_output, member)
+#define SURFELS(member) AT(ssgi_surfel_desc, member)
+#define FIELD(member) AT(ssgi_field, member)
     static const place places[] = {
         { "major", SSGI_VERSION_MAJOR }, { "minor", SSGI_VERSION_MINOR },
         { "meanings", SSGI_GL_YOURS },
         SIZE(ssgi_view), SIZE(ssgi_gl_desc), SIZE(ssgi_gl_frame), SIZE(ssgi_gl_io), SIZE(ssgi_gl_chain),
         SIZE(ssgi_gl_step), SIZE(ssgi_gl_input), SIZE(ssgi_gl_output), SIZE(ssgi_trace), SIZE(ssgi_hit),
+        SIZE(ssgi_surfel_desc), SIZE(ssgi_field), SIZE(ssgi_gl_occluder),
         AT(ssgi_gl_desc, version), AT(ssgi_gl_desc, fetch),
         AT(ssgi_gl_choice, name), AT(ssgi_gl_choice, values), AT(ssgi_gl_choice, sentence), AT(ssgi_gl_choice, offset),
         AT(ssgi_gl_choice, most),
@@ -60,7 +67,9 @@ const place *ssgi_wasm_place_at(int i)
         OUTPUT(name), OUTPUT(texture), OUTPUT(format), OUTPUT(slices), OUTPUT(slice), OUTPUT(kept), OUTPUT(result),
         AT(ssgi_gl_format, name), AT(ssgi_gl_format, internal), AT(ssgi_gl_format, format), AT(ssgi_gl_format, type),
         AT(ssgi_gl_format, bytes), AT(ssgi_gl_format, vulkan), AT(ssgi_gl_format, vulkan_name),
-        AT(ssgi_gl_format, webgpu)
+        AT(ssgi_gl_format, webgpu),
+        SURFELS(size), SURFELS(splits), SURFELS(offscreen_growth), SURFELS(keep_small), SURFELS(max_distance),
+        SURFELS(overhang), FIELD(resolution), FIELD(radius), FIELD(reach), FIELD(inside), FIELD(p95)
     };
     return i >= 0 && i < (int)(sizeof places / sizeof *places) ? &places[i] : NULL;
 }
@@ -70,67 +79,4 @@ const place *ssgi_wasm_place_at(int i)
 #include "../../../ssgi.h"
 #include "../../../ssgi_gl.h"
 
-/* ---- libc/string.h; the Makefile's -fno-builtin keeps these loops from becoming calls to themselves */
-
-void *memcpy(void *to, const void *from, size_t n)
-{
-    for (size_t i = 0; i < n; ++i) ((char *)to)[i] = ((const char *)from)[i];
-    return to;
-}
-
-void *memset(void *to, int byte, size_t n)
-{
-    for (size_t i = 0; i < n; ++i) ((char *)to)[i] = (char)byte;
-    return to;
-}
-
-int memcmp(const void *a, const void *b, size_t n)
-{
-    const unsigned char *s = a, *t = b;
-    for (; n; --n, ++s, ++t) if (*s != *t) return *s - *t;
-    return 0;
-}
-
-void *memchr(const void *s, int byte, size_t n)
-{
-    for (const unsigned char *at = s; n; --n, ++at) if (*at == (unsigned char)byte) return (void *)(uintptr_t)at;
-    return NULL;
-}
-
-size_t strlen(const char *s)
-{
-    const char *end = s;
-    while (*end) ++end;
-    return (size_t)(end - s);
-}
-
-int strncmp(const char *a, const char *b, size_t n)
-{
-    for (; n; --n, ++a, ++b) if (*a != *b || !*a) return (unsigned char)*a - (unsigned char)*b;
-    return 0;
-}
-
-int strcmp(const char *a, const char *b)
-{
-    return strncmp(a, b, SIZE_MAX);
-}
-
-char *strchr(const char *s, int c)
-{
-    while (*s && *s != (char)c) ++s;
-    return *s == (char)c ? (char *)(uintptr_t)s : NULL;
-}
-
-char *strstr(const char *s, const char *part)
-{
-    const size_t n = strlen(part);
-    while (*s && strncmp(s, part, n)) ++s;
-    return *s || !n ? (char *)(uintptr_t)s : NULL;
-}
-
-size_t strcspn(const char *s, const char *stop)
-{
-    size_t n = 0;
-    while (s[n] && !strchr(stop, s[n])) ++n;
-    return n;
-}
+#include "libc/string.c"

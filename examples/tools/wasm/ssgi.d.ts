@@ -66,6 +66,22 @@ export interface Trace {
   closest(origin: ArrayLike<number>, direction: ArrayLike<number>, tmin: number, tmax: number): Hit | null;
 }
 
+/** ssgi_surfel_desc */
+export interface SurfelDesc {
+  size?: number; splits?: number; offscreen_growth?: number; keep_small?: number; max_distance?: number;
+  overhang?: number;
+}
+
+/** ssgi_field, as ssgi_field_save wrote it */
+export interface Field {
+  resolution: number; radius: number; reach: number; inside: number; p95: number;
+  /** of a slice of t_ssgi_fields: RG32UI, resolution + 2 wide, 6 (resolution + 2) high */
+  texels: Uint32Array;
+  /** its row of t_ssgi_occluders: 10 texels of RGBA32F */
+  occluder(meshToView: ArrayLike<number>, slice?: number, object?: number,
+           limits?: { ramp?: number; reach?: number; inside?: number; power?: number }): Float32Array;
+}
+
 export class Ssgi {
   constructor(exports: WebAssembly.Exports);
   readonly version: string;
@@ -84,6 +100,7 @@ export class Ssgi {
   history(frame: Frame, view: Uint8Array, worldToView: ArrayLike<number>, lastWorldToView: ArrayLike<number>): Frame;
   harmonics(frame: Frame, coefficients: ArrayLike<number>, bands: number,
             worldToView?: ArrayLike<number> | null): Frame;
+  surfels(frame: Frame, view: Uint8Array, desc?: SurfelDesc, levels?: number): Frame;
   phase(k: number): number;
   steps(chain: Chain): Step[];
   environmentMap(size: number, rgb: ArrayLike<number>, width: number, height: number,
@@ -91,6 +108,7 @@ export class Ssgi {
   environmentCone(size: number, rgb: ArrayLike<number>, width: number, height: number, cosine?: number): Float32Array;
   residual(size: number, map: Float32Array, coefficients: ArrayLike<number>, bands: number): Float32Array;
   projectEquirect(bands: number, rgb: ArrayLike<number>, width: number, height: number): Float32Array;
+  field(bytes: Uint8Array): Field;
   trace(position: ArrayLike<number>, index?: ArrayLike<number> | null): Trace;
 }
 

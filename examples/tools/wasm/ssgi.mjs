@@ -215,6 +215,19 @@ export class Ssgi {
             this.#try(why => this.#c.ssgi_gl_harmonics_set(f, from, bands, turn, why));
         });
     }
+    /* What surfels are made with; desc: members of ssgi_surfel_desc, 0 where left out. levels: as the chain's desc. */
+    surfels(frame, view, desc = {}, levels = 5) {
+        return this.#onFrame(frame, f => {
+            const { ssgi_surfel_desc: places } = this.#of, d = this.#room(this.#at.ssgi_surfel_desc);
+            for (const [name, value] of Object.entries(object('desc', desc))) {
+                if (!Object.hasOwn(places, name)) fail(`desc.${name}: there is no such member`);
+                if (/^(splits|keep_small|overhang)$/.test(name)) this.#setInt(d + places[name], whole(name, value));
+                else this.#setFloats(d + places[name], [number(name, value)]);
+            }
+            const v = this.#view(view), l = whole('levels', levels);
+            this.#try(why => this.#c.ssgi_gl_surfels_set(f, v, d, l, 0, why));
+        });
+    }
     phase(k) { return this.#c.ssgi_gl_phase(whole('k', k)); }
 
     /* ---- an environment: rgb, latitude-longitude, +y up, its centre toward +z (ssgi.h, >>environment and >>sh) */
@@ -246,6 +259,39 @@ export class Ssgi {
             const from = this.#image(rgb, width, height);
             this.#try(why => this.#c.ssgi_sh_project_equirect(out, bands, from, width, height, why));
         });
+    }
+
+    /* ---- a baked field, of the bytes of ssgi_field_save. texels: of a slice of t_ssgi_fields, RG32UI. occluder: its row
+       of t_ssgi_occluders where it stands; limits: those that are not ssgi_field_limits_of's. What a field takes is kept
+       for as long as this Ssgi is. */
+    field(bytes) {
+        if (!(bytes instanceof Uint8Array)) fail('field: must be bytes of ssgi_field_save');
+        const { ssgi_field: places } = this.#of;
+        const [field, texels, size] = this.#kept(() => {
+            const f = this.#room(this.#at.ssgi_field);
+            const load = (to, room) => this.#scope(() => {
+                const file = this.#copy(bytes);
+                this.#try(why => this.#c.ssgi_field_load(f, to, room, file, bytes.length, why));
+            });
+            const full = n => { const at = this.#room(n, 'field'); load(at, n); return [f, at, n]; };
+            load(0, 0);
+            return full(this.#c.ssgi_field_size(this.#int(f + places.resolution)));
+        });
+        const float = name => new DataView(this.#c.memory.buffer).getFloat32(field + places[name], true);
+        const made = { resolution: this.#int(field + places.resolution), radius: float('radius'), reach: float('reach'),
+                       inside: float('inside'), p95: float('p95'),
+                       texels: new Uint32Array(this.#bytes(texels, size).slice().buffer) };
+        return {
+            ...made,
+            occluder: (meshToView, slice = 0, object = 0, limits = {}) => this.#scope(() => {
+                const { reach = made.reach, ramp = 0.75 * reach, inside = made.inside, power = 1 } = limits;
+                const at = this.#room(this.#at.ssgi_gl_occluder), s = whole('slice', slice), o = whole('object', object);
+                const l = this.#floats('limits', [ramp, reach, inside, power]);
+                const m = this.#floats('meshToView', meshToView, 16);
+                this.#try(why => this.#c.ssgi_gl_occluder_set(at, field, l, m, s, o, why));
+                return new Float32Array(this.#bytes(at, this.#at.ssgi_gl_occluder).slice().buffer);
+            })
+        };
     }
 
     /* ---- rays against triangles: position xyz a vertex; index three a triangle, null: vertices in order. What it
