@@ -186,6 +186,18 @@ for (const [scene, hash, words] of [
         check(least < 0.8, 'nothing is occluded');
         check(rmse <= 0.006, `RMSE ${rmse}`);
     });
+await run('deep screen space is build/render\'s: its surfels are made in a worker', async () => {
+    const found = [];
+    for (const [scene, hash, words] of [['casters', '', []], ['plates', '&p=FAST', ['--set', 'size=0.03']],
+                                        ['cornell', '&surfel=4&levels=4', ['--set', 'size=0.04,levels=4']]]) {
+        render(scene, '--method', 'dss', ...words, '--size', '320x180', '--out', `${out}/ao.png`);
+        await go(`scene=${scene}&b=off&size=320x180&history=0&radius=0&a=dss${hash}`);
+        const { rmse, least } = await against(`${out}/ao.png`);
+        found.push(`${scene} ${rmse.toFixed(4)}`);
+        check(least < 0.8 && rmse <= 0.005, found.join(', '));
+    }
+    note(`RMSE ${found.join(', ')}`);
+});
 /* Both read one G-buffer, which the page drew and which brings its camera and radius. */
 await run('the same of one G-buffer, that of the page: room', async () => {
     await go('scene=room&b=off&size=480x270&history=0&radius=0');
@@ -286,6 +298,107 @@ await run('a model of one\'s own is drawn', async () => {
     await rest(500);
     const least = await page.evaluate(() => page.result(0).pixels.reduce((a, b) => Math.min(a, b), 1));
     check(least < 0.9, `nothing is occluded: ${least}`);
+});
+
+/* A ring with points on it that is no solid of revolution, on a floor as the page has it. */
+const ring = (out = []) => {
+    const around = 20, along = 10, at = (i, k) => 1 + (i % around) * along + k % along;
+    for (let i = 0; i < around; ++i)
+        for (let k = 0; k < along; ++k) {
+            const a = 2 * Math.PI * i / around, b = 2 * Math.PI * k / along, r = 0.4 + 0.1 * Math.cos(3 * a);
+            const far = 1.2 + r * Math.cos(b);
+            out.push(`v ${far * Math.cos(a)} ${0.8 * far * Math.sin(a) + 1.5} ${r * Math.sin(b) + 0.3 * Math.cos(a)}`);
+        }
+    out.push('o ring');
+    for (let i = 0; i < around; ++i)
+        for (let k = 0; k < along; ++k)
+            out.push(`f ${at(i, k)} ${at(i + 1, k)} ${at(i + 1, k + 1)} ${at(i, k + 1)}`);
+    return out.join('\n');
+};
+await run('the field of a model of one\'s own is build/render\'s, on its ground', async () => {
+    writeFileSync(`${out}/ring.obj`, ring());
+    await go('size=320x180&b=off&history=0&a=aof&p=FAST&radius=0');
+    await (await page.$('#file')).uploadFile(`${out}/ring.obj`);
+    await page.waitForFunction(`page.inside().stage.info.title === 'ring.obj' && !page.making()`, { timeout: 60000 });
+    await go('scene=file&size=320x180&b=off&history=0&a=aof&p=FAST&radius=0');
+    const floor = await page.evaluate(() => {
+        const { stage } = page.inside(), { position } = stage.triangles(0), { info, camera } = stage;
+        return { position: [...position], eye: info.eye, target: info.target, fov: camera.fov, near: info.near,
+                 far: info.far };
+    });
+    const corners = floor.position.length / 3, at = Array.from({ length: corners }, (_, i) => i);
+    writeFileSync(`${out}/ground.obj`, [ring(), 'o ground',
+        ...at.map(i => `v ${floor.position.slice(3 * i, 3 * i + 3).join(' ')}`),
+        ...at.filter(i => i % 3 === 0).map(i => `f ${[201, 202, 203].map(k => k + i).join(' ')}`), ''].join('\n'));
+    render(`${out}/ground.obj`, '--method', 'aof', '--set', 'resolution=8,rays=64', '--size', '320x180',
+           '--camera', [...floor.eye, ...floor.target].join(), '--fovy', `${floor.fov}`, '--near', `${floor.near}`,
+           '--far', `${floor.far}`, '--out', `${out}/ao.png`);
+    const { rmse, least } = await against(`${out}/ao.png`);
+    note(`RMSE ${rmse.toFixed(4)}, darkest ${least.toFixed(2)}`);
+    check(least < 0.7 && rmse <= 0.005, `RMSE ${rmse}, darkest ${least}`);
+});
+
+await run('a field moves with its object, and is baked once', async () => {
+    await go('scene=casters&size=320x180&b=off&history=0&a=aof&p=FAST');
+    const { shown, moved, bakes } = await page.evaluate(async () => {
+        const { postMessage } = Worker.prototype, shown = page.makers().of(0, 'aof').shown;
+        let bakes = 0;
+        Worker.prototype.postMessage = function (data, ...more) {
+            bakes += !!data.field;
+            return postMessage.call(this, data, ...more);
+        };
+        const darkest = () => {
+            const { width, pixels } = page.result(0), sum = [0, 0, 0];
+            pixels.forEach((v, i) => {
+                sum[0] += (1 - v) * (i % width);
+                sum[1] += (1 - v) * Math.floor(i / width);
+                sum[2] += 1 - v;
+            });
+            return [sum[0] / sum[2], sum[1] / sum[2]];
+        };
+        const object = () => {
+            const { stage: { mover, camera }, size: { width, height } } = page.inside();
+            const at = mover.mesh.position.clone().project(camera);
+            return [(at.x * 0.5 + 0.5) * width, (at.y * 0.5 + 0.5) * height];
+        };
+        const all = [];
+        const box = document.querySelector('[name=moves]');
+        for (let k = 0; k < 4; ++k) {
+            all.push([darkest(), object()]);
+            box.checked = true;
+            box.dispatchEvent(new Event('input', { bubbles: true }));
+            const from = page.inside().stage.mover.mesh.position.clone();
+            while (page.inside().stage.mover.mesh.position.distanceTo(from) < 2.5 * page.inside().stage.info.radius)
+                await new Promise(requestAnimationFrame);
+            box.checked = false;
+            box.dispatchEvent(new Event('input', { bubbles: true }));
+            for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame);
+        }
+        Worker.prototype.postMessage = postMessage;
+        return { shown, bakes, moved: all };
+    });
+    const off = moved.map(([is, at]) => Math.hypot(is[0] - at[0], is[1] - at[1]));
+    const ways = moved.slice(1).map(([, at], i) => Math.hypot(at[0] - moved[i][1][0], at[1] - moved[i][1][1]));
+    note(`what is dark is ${off.map(v => v.toFixed(0)).join(', ')} px from the object, which moved by ${
+        ways.map(v => v.toFixed(0)).join(', ')} px; 95 % of its errors are below ${shown[0].p95.toFixed(3)}`);
+    check(Math.max(...off) < 0.5 * Math.min(...ways) && Math.min(...ways) > 20, `${off}; ${ways}`);
+    check(bakes === 0, `${bakes} bakes`);
+});
+
+await run('what cannot be made of a model is said, and the side goes on without it', async () => {
+    const begun = said.length, page = await open('size=160x90&b=off&scene=cornell', { before: `
+        const { postMessage } = Worker.prototype;
+        Worker.prototype.postMessage = function (data, ...more) {
+            return postMessage.call(this, data.surfels ? { surfels: { ...data.surfels, size: 9 } } : data, ...more);
+        };` });
+    await page.evaluate(() => { const left = document.querySelector('[name=a]'); left.value = 'dss';
+                                left.dispatchEvent(new Event('input', { bubbles: true })); });
+    await page.waitForSelector('#notice:not([hidden])', { timeout: 20000 });
+    const { notice, a } = await page.evaluate(() => ({ notice: document.getElementById('notice').textContent,
+                                                       a: page.set.a }));
+    await page.close();
+    check(/^surfels: .*size/.test(notice) && a === 'none', `${notice}: ${a}`);
+    check(said.length === begun, said.slice(begun).join('\n'));
 });
 
 /* What is seen: on the canvas, of calm pages at rest, and beside it. */
@@ -498,7 +611,7 @@ for (const [width, height] of [[1280, 800], [390, 844]])
             if (control.type === 'checkbox' || control.type === 'radio') control.checked = value !== false;
             else control.value = value;
             control.dispatchEvent(new Event('input', { bubbles: true }));
-            for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame);
+            for (let i = 0; i < 3 || page.making(); ++i) await new Promise(requestAnimationFrame);
         }, name, value);
         const named = await page.evaluate(() => [...document.getElementById('panel').elements].map(e => e.name)
             .filter(name => Object.hasOwn(page.set, name)));
@@ -520,6 +633,11 @@ for (const [width, height] of [[1280, 800], [390, 844]])
             ['normals', 'FROM_DEPTH', ({ chain }) => chain.desc.normal === 'FROM_DEPTH'],
             ['p', 'BEST', ({ chain }) => chain.desc.steps === 3],
             ['history', true, ({ steps }) => steps.includes('HISTORY')],
+            ['a', 'dss', ({ chain, steps }) => chain.desc.pass === 'SPLAT' && steps.includes('SHUFFLE')],
+            ['levels', 3, ({ chain }) => chain.desc.levels === 3],
+            ['surfel', 6, 'picture'],
+            ['a', 'aof', ({ chain }) => chain.desc.pass === 'FIELD'],
+            ['reach', 0.2, 'picture'], ['field', 8, ({ set }) => set.field === 8],
             ['a', 'ssdo', ({ chain }) => chain.desc.pass === 'SSDO'],
             ['bounce', true, ({ chain }) => chain.desc.bounce === 'SOLID_ANGLE'],
             ['b', 'ssao', ({ set }) => set.b === 'ssao'], ['q', 'FAST', ({ set }) => set.q === 'FAST'],
@@ -534,7 +652,8 @@ for (const [width, height] of [[1280, 800], [390, 844]])
         }
         await page.evaluate(() => document.getElementById('own').click());
         const { set } = await state();
-        check(!set.slices && !set.steps && set.filter === -1 && set.half === 'preset', 'the preset stays away');
+        check(!set.slices && !set.steps && set.filter === -1 && set.half === 'preset' && !set.levels && !set.surfel
+              && !set.field, 'the preset stays away');
         const wide = await page.evaluate(() => [document.documentElement.scrollWidth,
             ...[...document.querySelectorAll('#panel :is(select, input, button, p)')].filter(e => e.offsetParent)
                 .filter(e => e.getBoundingClientRect().right > innerWidth + 1)
@@ -653,11 +772,31 @@ await run('what moves is followed: vectors say where its points were', async () 
 
 /* ---- the C lines */
 
+/* What is made of a triangle by these lines; what is wrong goes into what is printed. */
+const surfelsMain = `static const float corners[9] = { -1, -1, -5, 1, -1, -5, 0, 1, -5 };
+    ssgi_surfel_source source = { .position = corners, .triangles = 1, .to_view = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0,
+                                                                                   0, 0, 0, 1 } };
+    ssgi_view seen;
+    size_t count = 0;
+    const char *wrong = "";
+    ssgi_view_from_projection(&seen, projection, SSGI_CLIP_GL, 160, 90, NULL);
+    ssgi_surfel *made = make_surfels(&count, &seen, &source, &wrong);
+    if (!made || count < 20) printf("%s", wrong);
+    free(made);`;
+const fieldMain = `static const float corners[36] = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1,
+                                      0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0 };
+    static uint32_t texels[4096];
+    ssgi_field field;
+    ssgi_gl_occluder row;
+    const char *wrong = "";
+    if (make_field(&field, texels, corners, 4, &wrong) != SSGI_OK
+        || make_row(&row, &field, unit, 0, 1, &wrong) != SSGI_OK
+        || !(row.reach < 0.51f * field.reach)) printf("%s", wrong);`;
 await run('the C lines compile, and make the chain that is drawn', async () => {
     const page = await open('size=160x90&history=0'), made = [];
     for (const hash of ['a=hsao', 'a=hsao&history=1&slices=3&steps=7&half=0&filter=2&behind=SLABS', 'a=ssao&p=BEST',
                         'a=ssdo&bounce=1&history=1', 'a=march&filter=0&half=0', 'a=s3ho&history=1', 'a=s3ho&p=FAST',
-                        'a=points&behind=BACK&normals=FROM_DEPTH']) {
+                        'a=points&behind=BACK&normals=FROM_DEPTH', 'a=dss&levels=3', 'a=aof&p=FAST&reach=0.5']) {
         await page.evaluate(h => page.go(h), `size=160x90&history=0&b=off&${hash}`);
         const { code, chain, list, given } = await page.evaluate(() => ({ code: page.code(0), ...page.chain(0) }));
         const history = !!chain.history, bands = /coefficients\[(\d+)\]/.exec(code)?.[1];
@@ -672,6 +811,7 @@ int main(void)
     const char *why = "";
     ssgi_view view;
     ssgi_gl_frame frame;
+    ${code.includes('make_surfels') ? surfelsMain : code.includes('make_field') ? fieldMain : ''}
     const int n = make_steps(steps, ${chain.width}, ${chain.height}, &why);
     for (int i = 0; i < n; ++i)
         printf("%s:%dx%d:%llu ", ssgi_gl_pass_name(steps[i].desc.pass), steps[i].width, steps[i].height,

@@ -1,5 +1,5 @@
-/* bake.c - what the page makes of triangles in a worker, as WebAssembly without a C library: surfels of a view, the field
-   of an object. baker.mjs loads it, and gives each function memory from __heap_base on.
+/* bake.c - what the page makes of triangles in a worker, as WebAssembly without a C library: surfels of a view, the
+   field of an object. baker.mjs loads it, and gives each function memory from __heap_base on.
 
    Triangles are nine floats each: positions, normals. What fails returns -1, and bake_why() says why. */
 #define SSGI_IMPLEMENTATION
@@ -17,12 +17,14 @@ static struct {
 } now;
 
 const char *bake_why(void) EXPORT("bake_why");
+
 const char *bake_why(void) { return now.why; }
 
 /* ---- surfels */
 
 /* What the next are made for: the picture's projection, surfels of this size, occluders this far away at most. */
 int bake_look(const float *projection, int width, int height, float size, float reach) EXPORT("bake_look");
+
 int bake_look(const float *projection, int width, int height, float size, float reach)
 {
     now.surfels = (ssgi_surfel_desc){ .size = size, .max_distance = reach };
@@ -39,6 +41,7 @@ static void look_at(const float *to_view, const float *position, const float *no
 /* Triangles near enough, huge ones divided: 27 floats each. Returns how many there are; writes at most `capacity`. */
 int bake_divide(float *out, int capacity, const float *to_view, const float *position, const float *normal,
                 int triangles) EXPORT("bake_divide");
+
 int bake_divide(float *out, int capacity, const float *to_view, const float *position, const float *normal,
                 int triangles)
 {
@@ -51,6 +54,7 @@ int bake_divide(float *out, int capacity, const float *to_view, const float *pos
 
 /* Those that ask for splits last: the order of build/render, which patches want, so that both have the same surfels. */
 void bake_sort(float *sorted, const float *to_view, const float *divided, int triangles) EXPORT("bake_sort");
+
 void bake_sort(float *sorted, const float *to_view, const float *divided, int triangles)
 {
     const ssgi_splat splat = { 0 };
@@ -66,11 +70,13 @@ void bake_sort(float *sorted, const float *to_view, const float *divided, int tr
 /* Surfels of such triangles. Returns how many there are; writes at most `capacity`. */
 int bake_surfels(ssgi_surfel *out, int capacity, const float *to_view, const float *divided, int triangles)
     EXPORT("bake_surfels");
+
 int bake_surfels(ssgi_surfel *out, int capacity, const float *to_view, const float *divided, int triangles)
 {
     size_t count = 0;
     look_at(to_view, divided, divided + 3, 36, triangles);
-    if (ssgi_surfels(out, (size_t)capacity, &count, &now.surfels, &now.view, &now.source, &now.why) != SSGI_OK) return -1;
+    if (ssgi_surfels(out, (size_t)capacity, &count, &now.surfels, &now.view, &now.source, &now.why) != SSGI_OK)
+        return -1;
     return (int)count;
 }
 
@@ -93,17 +99,21 @@ static ssgi_field_desc field_of(int resolution, int rays)
 
 /* Bytes of its work memory, and of its texels; 0: bad numbers. */
 int bake_field_work(int resolution, int rays, int triangles) EXPORT("bake_field_work");
+
 int bake_field_work(int resolution, int rays, int triangles)
 {
     const ssgi_field_desc d = field_of(resolution, rays);
     return (int)ssgi_field_bake_size(&d, (size_t)triangles);
 }
+
 int bake_field_texels(int resolution) EXPORT("bake_field_texels");
+
 int bake_field_texels(int resolution) { return (int)ssgi_field_size(resolution); }
 
 /* Bakes, then writes the field as ssgi_field_save does over the work memory; returns how many bytes. */
 int bake_field(void *work, int work_size, uint32_t *texels, int resolution, int rays, const float *position,
                int triangles) EXPORT("bake_field");
+
 int bake_field(void *work, int work_size, uint32_t *texels, int resolution, int rays, const float *position,
                int triangles)
 {

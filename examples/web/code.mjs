@@ -32,7 +32,7 @@ function stepsLines(ssgi, { desc, width, height, ...members }) {
     ];
 }
 
-function frameLines({ history }, { radius, thickness, bands }) {
+function frameLines({ history, desc }, { radius, thickness, bands, surfels }) {
     const parameters = [
         'ssgi_gl_frame *frame, const ssgi_view *view, const float world_to_view[16],',
         ...(history ? ['const ssgi_view *last_view, const float last_world_to_view[16], uint32_t number,'] : []),
@@ -48,6 +48,9 @@ function frameLines({ history }, { radius, thickness, bands }) {
         `    frame->thickness = ${float(thickness)};`,
         '    for (int i = 0; i < 12; ++i)',
         '        if (i % 4 < 3) frame->rotation[i] = world_to_view[i];',
+        ...(surfels ? [`    frame->epsilon = ${float(surfels.epsilon)};`,
+                       `    if (ssgi_gl_surfels_set(frame, view, &surfels_made, ${desc.levels}, NULL, why) != SSGI_OK)`,
+                       '        return SSGI_BAD_ARGUMENT;'] : []),
         ...(bands ? [`    if (ssgi_gl_harmonics_set(frame, coefficients, ${bands}, world_to_view, why) != SSGI_OK)`,
                      '        return SSGI_BAD_ARGUMENT;'] : []),
         ...(history ? ['    frame->phase = ssgi_gl_phase(number);', '    if (!last_view) return SSGI_OK;',
@@ -57,9 +60,74 @@ function frameLines({ history }, { radius, thickness, bands }) {
     ];
 }
 
+function surfelLines({ size }, radius) {
+    return [
+        `static const ssgi_surfel_desc surfels_made = { .size = ${float(size)}, .max_distance = ${float(radius)} };`,
+        '',
+        '/* Whenever the camera moves: surfels of your triangles, three vec4 attributes of as many instances. free() it;',
+        '   NULL: why says what is wrong. */',
+        'static ssgi_surfel *make_surfels(size_t *count, const ssgi_view *view, const ssgi_surfel_source *source,',
+        '                                 const char **why)',
+        '{',
+        '    ssgi_surfel_source divided = *source;',
+        '    ssgi_surfel *out = NULL;',
+        '    float *triangles;',
+        '    *why = "out of memory";',
+        '    if (ssgi_surfels_divide(NULL, 0, &divided.triangles, &surfels_made, view, source, why) != SSGI_OK)',
+        '        return NULL;',
+        '    triangles = (float *)malloc((27 * divided.triangles + 1) * sizeof *triangles);',
+        '    if (!triangles) return NULL;',
+        '    ssgi_surfels_divide(triangles, divided.triangles, count, &surfels_made, view, source, why);',
+        '    divided.position = triangles, divided.normal = triangles + 3, divided.colour = triangles + 6;',
+        '    divided.position_stride = divided.normal_stride = divided.colour_stride = 9 * sizeof *triangles;',
+        '    divided.index = NULL;',
+        '    if (ssgi_surfels(NULL, 0, count, &surfels_made, view, &divided, why) == SSGI_OK)',
+        '        out = (ssgi_surfel *)malloc((*count + 1) * sizeof *out);',
+        '    if (out) ssgi_surfels(out, *count, count, &surfels_made, view, &divided, why);',
+        '    free(triangles);',
+        '    return out;',
+        '}',
+        ''
+    ];
+}
+
+function fieldLines({ resolution, rays, reach }) {
+    return [
+        '/* Once an object, positions of three corners a triangle in its own space; texels:',
+        `   ssgi_field_size(${resolution}) bytes, to be uploaded as a slice of t_ssgi_fields. */`,
+        'static ssgi_result make_field(ssgi_field *field, uint32_t *texels, const float *position, size_t triangles,',
+        '                              const char **why)',
+        '{',
+        `    const ssgi_field_desc desc = { .resolution = ${resolution}, .rays = ${rays} };`,
+        '    const size_t size = ssgi_field_bake_size(&desc, triangles);',
+        '    void *work = malloc(size + 1);',
+        '    ssgi_result result = SSGI_TOO_SMALL;',
+        '    *why = "out of memory";',
+        '    if (work) result = ssgi_field_bake(field, texels, work, size, &desc, position, 12, NULL, triangles, why);',
+        '    free(work);',
+        '    return result;',
+        '}',
+        '',
+        '/* Each frame, of each object: its row of t_ssgi_occluders. slice: of t_ssgi_fields; object: its number in',
+        '   t_ssgi_objects. */',
+        'static ssgi_result make_row(ssgi_gl_occluder *row, const ssgi_field *field, const float mesh_to_view[16],',
+        '                            int slice, int object, const char **why)',
+        '{',
+        '    ssgi_field_limits limits = ssgi_field_limits_of(field);',
+        `    limits.reach = ${float(reach)} * field->reach;`,
+        '    limits.ramp = 0.75f * limits.reach;',
+        '    return ssgi_gl_occluder_set(row, field, &limits, mesh_to_view, slice, object, why);',
+        '}',
+        ''
+    ];
+}
+
 /* Functions that compile as they stand. chain: as Ssgi.steps takes it. given: { radius, thickness: in units of the
-   view, bands: of the harmonics that the frame has, or 0, title: what it is }. */
+   view, bands: of the harmonics that the frame has, or 0, title: what it is, surfels, fields: how they are made }. */
 export function cLines(ssgi, chain, given) {
-    return [`/* ${given.title} */`, '#include "ssgi_gl.h"', '', `enum { STEPS = ${ssgi.steps(chain).length} };`, '',
-            ...stepsLines(ssgi, chain), '', ...frameLines(chain, given), ''].join('\n');
+    const { surfels, fields, radius } = given;
+    return [`/* ${given.title} */`, '#include "ssgi_gl.h"', ...(surfels || fields ? ['#include <stdlib.h>'] : []), '',
+            `enum { STEPS = ${ssgi.steps(chain).length} };`, '', ...(surfels ? surfelLines(surfels, radius) : []),
+            ...(fields ? fieldLines(fields) : []), ...stepsLines(ssgi, chain), '', ...frameLines(chain, given),
+            ''].join('\n');
 }

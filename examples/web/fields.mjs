@@ -1,5 +1,6 @@
-/* fields.mjs - ambient occlusion fields of what stands in the scene: of the object that moves, or of the visitor's model
-   on its ground. Baked in a worker, a coarse one first, so that something is soon seen; drawn where the object is now. */
+/* fields.mjs - ambient occlusion fields of what stands in the scene: of the object that moves, or of the visitor's
+   model on its ground. Baked in a worker, a coarse one first, so that something is soon seen; drawn where the object is
+   now. */
 import { Matrix4 } from 'three';
 
 const coarse = { resolution: 8, rays: 64 };
@@ -32,7 +33,8 @@ export class Fields {
     /* Fields of what stands there, baked so finely. */
     want({ stage, resolution, rays }) {
         const objects = this.#objects(stage), best = object => this.#best(object, { resolution, rays });
-        if (objects.every(best)) this.#show(objects.map(object => ({ object, field: best(object) })));
+        if (objects.every(object => best(object)))
+            this.#show(objects.map(object => ({ object, field: best(object) })));
         const wanted = objects.map(object => ({ object, how: best(object) ? { resolution, rays } : coarse }))
             .find(({ object, how }) => !Fields.#baked.has(this.#key(object, how)));
         const key = wanted && this.#key(wanted.object, wanted.how);
@@ -40,7 +42,9 @@ export class Fields {
         if (key && !this.#baking) this.#bake(wanted.object, wanted.how, key);
     }
     #key({ key }, { resolution, rays }) { return `${key} ${resolution} ${rays}`; }
-    #best(object, how) { return Fields.#baked.get(this.#key(object, how)) ?? Fields.#baked.get(this.#key(object, coarse)); }
+    #best(object, how) {
+        return Fields.#baked.get(this.#key(object, how)) ?? Fields.#baked.get(this.#key(object, coarse));
+    }
 
     #stop() {
         this.#worker?.terminate();
@@ -68,7 +72,11 @@ export class Fields {
         const { key, object } = this.#baking;
         this.#baking = null;
         this.#loading(null);
-        if (error) { Fields.#failed.add(object.key); this.#changed(new Error(`${object.title}: no field: ${error}`)); return; }
+        if (error) {
+            Fields.#failed.add(object.key);
+            this.#changed(new Error(`${object.title}: no field: ${error}`));
+            return;
+        }
         Fields.#baked.set(key, this.#ssgi.field(field));
         this.#changed(null);
     }
@@ -91,8 +99,10 @@ export class Fields {
     /* For Run.draw: fields, and a row for each where its object stands in this view. reach: share of the baked one */
     given({ now, reach }) {
         const gl = this.#gl, rows = new Float32Array(40 * most), view = new Matrix4().fromArray(now.toView);
-        this.#shown.forEach(({ object, field }, i) => rows.set(field.occluder(
-            view.clone().multiply(object.toWorld()).toArray(), i, object.number, { reach: reach * field.reach }), 40 * i));
+        this.#shown.forEach(({ object, field }, i) => {
+            const toView = view.clone().multiply(object.toWorld()).toArray();
+            rows.set(field.occluder(toView, i, object.number, { reach: reach * field.reach }), 40 * i);
+        });
         this.#rows ??= this.#drawer.texture(10, most, { internal: gl.RGBA32F });
         this.#drawer.plainUploads();
         gl.bindTexture(gl.TEXTURE_2D, this.#rows);

@@ -206,7 +206,8 @@ function prepare(model) {
         if (!geometry.attributes.normal) geometry.computeVertexNormals();
         geometry.computeBoundingBox();                  /* a glTF's are what it says they are */
         geometry.computeBoundingSphere();
-        part.material = Array.isArray(part.material) ? part.material.map(m => lambert(m, 2)) : lambert(part.material, 2);
+        part.material = Array.isArray(part.material) ? part.material.map(m => lambert(m, 2))
+            : lambert(part.material, 2);
         triangles += Math.floor((geometry.index ?? geometry.attributes.position).count / 3);
     }
     if (!triangles) fail('holds no triangles; must hold one at least');

@@ -437,7 +437,8 @@ function codeOf(i) {
     if (!side) return null;
     const { chain } = side.run, { desc } = chain, method = methods[side.name].title;
     const bands = desc.environment === 'SH' ? desc.bands || (desc.pass === 'SSDO' ? 3 : 4) : 0;
-    return cLines(ssgi, chain, { radius: radius(), thickness: thickness(side.name) * radius(), bands,
+    const made = { [methods[side.name].module]: setOf(side.name, i ? set.q : set.p, set, !i) };
+    return cLines(ssgi, chain, { radius: radius(), thickness: thickness(side.name) * radius(), bands, ...made,
                                  title: `${method} of "${stage.info.title}", as the page shows it` });
 }
 
@@ -469,7 +470,8 @@ function forget(side) {
 function view() {
     const { projectionMatrix: p, matrixWorld: m, matrixWorldInverse: v } = stage.camera, { width, height } = size;
     const e = m.elements, q = p.elements;
-    return { made: ssgi.view(q, width, height), projection: [...q], toView: Float32Array.from(v.elements), width, height,
+    return { made: ssgi.view(q, width, height), projection: [...q], width, height,
+             toView: Float32Array.from(v.elements),
              world: Float32Array.from([e[0], e[1], e[2], e[4], e[5], e[6], e[8], e[9], e[10]]),
              eye: [e[12], e[13], e[14]],
              ray: [2 / (width * q[0]), 2 / (height * q[5]), (q[8] - 1) / q[0], (q[9] - 1) / q[5]] };
@@ -569,8 +571,8 @@ function made() {
     if (!of.length || !(dirty.gather || makers.busy)) return true;
     stage.jitter(0, 0);
     const now = view();
-    return [[set.a, set.p], [set.b, set.q]].map(([name, preset], i) => makers.ready(i, name, aboutOf(i, name, preset, now)))
-        .every(Boolean);
+    return [[set.a, set.p], [set.b, set.q]]
+        .map(([name, preset], i) => makers.ready(i, name, aboutOf(i, name, preset, now))).every(Boolean);
 }
 function aboutOf(i, name, preset, now) {
     return { stage, now, radius: radius(), ...(methods[name]?.module && setOf(name, preset, set, i === 0)) };
@@ -580,8 +582,10 @@ function aboutOf(i, name, preset, now) {
 const backs = () => (set.behind === 'SLABS' ? 3 : +(set.behind === 'BACK'));
 
 /* Pictures whose mean is shown at rest. The truth is of one place in each pixel. */
-const wantedSamples = () => (moving() || set.view === 'difference' || set.b === 'truth' || (software && uses('dss')) ? 0
-    : software ? 8 : 32);
+function wantedSamples() {
+    if (moving() || set.view === 'difference' || set.b === 'truth') return 0;
+    return !software ? 32 : uses('dss') ? 0 : 8;
+}
 
 function drawCalm(gather, again) {
     if (samples || dirty.scene || buffers.backs < backs()) {
@@ -930,7 +934,8 @@ page.go = async hash => {
     changed();
     const was = frames;
     failure = null;
-    while ((frames === was || makers.busy || dirty.gather) && !failure && !moving()) await new Promise(requestAnimationFrame);
+    const waits = () => frames === was || (!moving() && (makers.busy || dirty.gather));
+    while (waits() && !failure) await new Promise(requestAnimationFrame);
     if (failure) throw failure;
 };
 

@@ -265,8 +265,8 @@ export class Stage {
     /* All that is seen, where it is now. */
     everything() {
         const scene = this.triangles(), moves = this.mover && this.moverTriangles(true);
-        return moves ? { position: joined([scene.position, moves.position]), normal: joined([scene.normal, moves.normal]) }
-            : scene;
+        if (!moves) return scene;
+        return { position: joined([scene.position, moves.position]), normal: joined([scene.normal, moves.normal]) };
     }
 
     /* What stands in the scene on its own: title, number in the G-buffer, its triangles and the way to the world. */

@@ -31,7 +31,8 @@ export class Surfels {
     /* Those of a view, as the settings have them, are made unless they are or will be. */
     want({ stage, now, size, radius }) {
         const { width, height, projection } = now, views = this.#views(stage, now).map(v => v && v.toArray());
-        const look = { projection, width, height, size, reach: radius, views }, key = JSON.stringify([look, stage.info.key]);
+        const look = { projection, width, height, size, reach: radius, views };
+        const key = JSON.stringify([look, stage.info.key]);
         this.#send(stage);
         if (key === this.#asked) return;
         this.#asked = key;

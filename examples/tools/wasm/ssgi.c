@@ -1,7 +1,8 @@
 /* ssgi.c - the headers as WebAssembly, without a C library: make wasm builds build/wasm/ssgi.wasm, ssgi.mjs loads it.
 
    What a page needs each frame is exported by name; the linker drops the rest. For more (lights, plans) add lines of
-   EXPORT; examples/web/bake.c makes surfels and fields. Memory is the page's: from __heap_base on nothing here touches what it does not get a pointer to. */
+   EXPORT; examples/web/bake.c makes surfels and fields. Memory is the page's: from __heap_base on nothing here touches
+   what it does not get a pointer to. */
 #include "../../../ssgi_gl.h"
 
 #define EXPORT(function) extern __typeof__(function) function __attribute__((export_name(#function)))

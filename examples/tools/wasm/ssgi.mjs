@@ -261,9 +261,9 @@ export class Ssgi {
         });
     }
 
-    /* ---- a baked field, of the bytes of ssgi_field_save. texels: of a slice of t_ssgi_fields, RG32UI. occluder: its row
-       of t_ssgi_occluders where it stands; limits: those that are not ssgi_field_limits_of's. What a field takes is kept
-       for as long as this Ssgi is. */
+    /* ---- a baked field, of the bytes of ssgi_field_save. texels: of a slice of t_ssgi_fields, RG32UI. occluder: its
+       row of t_ssgi_occluders where it stands; limits: those that are not ssgi_field_limits_of's. What a field takes is
+       kept for as long as this Ssgi is. */
     field(bytes) {
         if (!(bytes instanceof Uint8Array)) fail('field: must be bytes of ssgi_field_save');
         const { ssgi_field: places } = this.#of;
@@ -278,14 +278,15 @@ export class Ssgi {
             return full(this.#c.ssgi_field_size(this.#int(f + places.resolution)));
         });
         const float = name => new DataView(this.#c.memory.buffer).getFloat32(field + places[name], true);
-        const made = { resolution: this.#int(field + places.resolution), radius: float('radius'), reach: float('reach'),
-                       inside: float('inside'), p95: float('p95'),
+        const made = { resolution: this.#int(field + places.resolution), radius: float('radius'),
+                       reach: float('reach'), inside: float('inside'), p95: float('p95'),
                        texels: new Uint32Array(this.#bytes(texels, size).slice().buffer) };
         return {
             ...made,
             occluder: (meshToView, slice = 0, object = 0, limits = {}) => this.#scope(() => {
                 const { reach = made.reach, ramp = 0.75 * reach, inside = made.inside, power = 1 } = limits;
-                const at = this.#room(this.#at.ssgi_gl_occluder), s = whole('slice', slice), o = whole('object', object);
+                const s = whole('slice', slice), o = whole('object', object);
+                const at = this.#room(this.#at.ssgi_gl_occluder);
                 const l = this.#floats('limits', [ramp, reach, inside, power]);
                 const m = this.#floats('meshToView', meshToView, 16);
                 this.#try(why => this.#c.ssgi_gl_occluder_set(at, field, l, m, s, o, why));
