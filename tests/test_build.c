@@ -512,6 +512,7 @@ static void wasm(void)
         "    ssgi_gl_frame_history(&f, &v, id, last, NULL);\n"
         "    ssgi_gl_harmonics_set(&f, sh, 1, NULL, NULL);\n"
         "    f.phase = ssgi_gl_phase(5);\n"
+        "    ssgi_gl_surfels_set(&f, &v, &(ssgi_surfel_desc){ .size = 0.03f, .keep_small = 1 }, 3, NULL, NULL);\n"
         "    return fwrite(&f, 1, sizeof f, stdout) != sizeof f;\n"
         "}\n";
     static const char *const script =
@@ -552,6 +553,7 @@ static void wasm(void)
         "const view = ssgi.view([1.3,0,0,0, 0,2.4,0,0, 0,0,-1.002,-1, 0,0,-0.2002,0], 64, 48);\n"
         "const frame = ssgi.harmonics(ssgi.history(ssgi.frame(view, 0.5), view, id, last), [1, 2, 3], 1);\n"
         "frame.phase[0] = ssgi.phase(5);\n"
+        "ssgi.surfels(frame, view, { size: 0.03, keep_small: true }, 3);\n"
         "deepEqual(Buffer.from(frame.buffer), read('frame.bin'));\n"
         "equal(frame.radius[0], 0.5);\n"
         "const d = ssgi.preset({ pass: 'HSAO', version: '' }, 'FAST');\n"
