@@ -9,7 +9,7 @@ const inherited = ['constructor', '__proto__', 'toString', 'valueOf', 'hasOwnPro
 const bad = [...inherited,
              'NaN', 'Infinity', '-Infinity', '1e999', '-1e999', '1e308', '9007199254740993', '-0', '0x10', '2', '-7',
              '+1', '', ' ', '%', '%E0%A4%A', '%00', '%0A', '%F0%9F%98%80', '😀', '\ud800', 'x'.repeat(300),
-             'null', 'undefined', 'true', '<b>', '../..', 'file', 'cornell', 'ssdo', 'off', 'BEST', '0', '1',
+             'null', 'undefined', 'true', '<b>', '../..', 'file', 'cornell', 'ssdo', 'dss', 'aof', 'off', 'BEST', '0', '1',
              'auto', '16x16', '9999x9999', '0x0', '1x1', '-5x5', '8x9000', '99999999999x1', '1e3x10',
              '0,0,0,0,0,0', 'NaN,0,0,0,0,0', '1e300,0,0,1,1,1', '1,2,3', '0,5,0,0,0,0', '1e9,5,0,1e9,0,0',
              '1,2,3,4,5,6,7'];
@@ -45,14 +45,15 @@ export function unsound(set, { scenes, sky = false, side, pixels }) {
                     behind: Object.keys(behinds), normals: Object.keys(normals), half: Object.keys(halves) };
     const ranges = { radius: [-2, 2], thickness: [-1, 2], split: [0, 1], azimuth: [-180, 180], height: [0, 90],
                      strength: [0, 4], exposure: [-3, 3], effect: [0, 3], slices: [0, 32], steps: [0, 32],
-                     filter: [-1, 4] };
+                     filter: [-1, 4], surfel: [0, 6], levels: [0, 7], field: [0, 64], reach: [0.1, 1] };
     const flags = ['sun', 'history', 'bounce', 'truth', 'moves', 'circle'], cam = set.cam.split(',').map(Number);
     const [width, height] = set.size.split('x').map(Number);
     if (Object.keys(set).sort().join() !== Object.keys(settings).sort().join()) return `has ${Object.keys(set)}`;
     for (const [name, list] of Object.entries(words)) if (!list.includes(set[name])) return `${name}=${set[name]}`;
     for (const [name, [least, most]] of Object.entries(ranges))
         if (!(typeof set[name] === 'number' && set[name] >= least && set[name] <= most)) return `${name}=${set[name]}`;
-    for (const name of ['slices', 'steps', 'filter']) if (!Number.isInteger(set[name])) return `${name}=${set[name]}`;
+    for (const name of ['slices', 'steps', 'filter', 'levels', 'field'])
+        if (!Number.isInteger(set[name])) return `${name}=${set[name]}`;
     for (const name of flags) if (typeof set[name] !== 'boolean') return `${name}=${set[name]}`;
     if (set.cam && !(cam.length === 6 && cam.every(v => Math.abs(v) <= 1e9))) return `cam=${set.cam}`;
     const fits = width >= 16 && height >= 16 && width <= side && height <= side && width * height <= pixels;
