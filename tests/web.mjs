@@ -344,7 +344,11 @@ await run('the field of a model of one\'s own is build/render\'s, on its ground'
     writeFileSync(`${out}/ring.obj`, ring());
     await go('size=320x180&b=off&history=0&a=aof&p=FAST&radius=0');
     await (await page.$('#file')).uploadFile(`${out}/ring.obj`);
+    const [loading, bar] = ['#loading-text', '#loading-bar'].map(name => `document.querySelector('${name}')`);
+    await page.waitForFunction(`${loading}.textContent === 'Baking the field of ring.obj, 8×8' && ${bar}.value > 0`,
+                               { timeout: 60000, polling: 20 });
     await page.waitForFunction(`page.inside().stage.info.title === 'ring.obj' && !page.making()`, { timeout: 60000 });
+    check(await page.evaluate(`document.getElementById('loading').hidden`), 'the bar stays');
     await go('scene=file&size=320x180&b=off&history=0&a=aof&p=FAST&radius=0');
     const floor = await page.evaluate(() => {
         const { stage } = page.inside(), { position } = stage.triangles(0), { info, camera } = stage;
@@ -661,8 +665,8 @@ for (const [width, height] of [[1280, 800], [390, 844]])
             ['a', 'dss', ({ chain, steps }) => chain.desc.pass === 'SPLAT' && steps.includes('SHUFFLE')],
             ['levels', 3, ({ chain }) => chain.desc.levels === 3],
             ['surfel', 6, 'picture'],
-            ['a', 'aof', ({ chain }) => chain.desc.pass === 'FIELD'],
-            ['reach', 0.2, 'picture'], ['field', 8, ({ set }) => set.field === 8],
+            ['field', 8, ({ set }) => set.field === 8],
+            ['a', 'aof', ({ chain }) => chain.desc.pass === 'FIELD'], ['reach', 0.2, 'picture'],
             ['a', 'ssdo', ({ chain }) => chain.desc.pass === 'SSDO'],
             ['bounce', true, ({ chain }) => chain.desc.bounce === 'SOLID_ANGLE'],
             ['b', 'ssao', ({ set }) => set.b === 'ssao'], ['q', 'FAST', ({ set }) => set.q === 'FAST'],

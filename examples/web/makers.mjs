@@ -49,3 +49,10 @@ export function setOf(name, preset, set, own) {
     if (module === 'fields') is.reach = set.reach;
     return is;
 }
+
+/* Their chain, as settings have it. */
+export function madeChain(name, preset, set, own, { dialect, width, height, precise }) {
+    const { levels } = setOf(name, preset, set, own);
+    return { desc: { ...methods[name].desc, dialect, normal: set.normals, ...(levels && { levels }) }, width, height,
+             precise };
+}

@@ -9,7 +9,7 @@ import { cLines } from './code.mjs';
 import { exr } from './exr.mjs';
 import { fetchFile } from './fetch.mjs';
 import { bar } from './bar.mjs';
-import { Makers, setOf } from './makers.mjs';
+import { Makers, madeChain, setOf } from './makers.mjs';
 
 const $ = id => document.getElementById(id), panel = $('panel'), canvas = $('canvas');
 const set = { ...defaults };
@@ -53,7 +53,7 @@ const averages = () => sides.some(side => side?.run.chain.history);
 const digits = v => v >= 100 ? v.toFixed(0) : v >= 10 ? v.toFixed(1) : v.toFixed(2);
 
 function toPanel() {
-    const chain = methods[set.a]?.desc ? chainOf(set.a, set.p, true) : null, is = chain && ssgi.resolve(chain.desc);
+    const chain = methods[set.a]?.desc ? chainFor(set.a, set.p, true) : null, is = chain && ssgi.resolve(chain.desc);
     const made = chain && setOf(set.a, set.p, set, true), { module } = methods[set.a] ?? {};
     for (const control of panel.elements) {
         if (!Object.hasOwn(set, control.name)) continue;
@@ -408,8 +408,7 @@ const filterOf = desc => desc.filter_radius || (desc.filter === 'GAUSSIAN' ? 2 :
 
 /* The chain of a side, as settings have it; own: with the numbers that replace the preset's. */
 function chainOf(name, preset, own) {
-    const { desc, module } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
-    if (module) return madeChain(name, preset, own);
+    const { desc } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
     const d = ssgi.preset({ ...desc, dialect: '300ES', normal: set.normals, thickness: set.behind }, preset);
     if (methods[name].desc.restore) d.restore = methods[name].desc.restore;
     if (bounce) d.bounce = 'SOLID_ANGLE';
@@ -424,11 +423,10 @@ function chainOf(name, preset, own) {
              direct: +(bounce && set.sun), precise: +(stage.info?.far > farthestHalf) };
 }
 
-/* Of what is made of triangles: it has no noise that frames or neighbours average. */
-function madeChain(name, preset, own) {
-    const { levels } = setOf(name, preset, set, own);
-    return { desc: { ...methods[name].desc, dialect: '300ES', normal: set.normals, ...(levels && { levels }) },
-             width: size.width, height: size.height, precise: +(stage.info?.far > farthestHalf) };
+/* What is made of triangles has no noise that frames or neighbours average. */
+function chainFor(name, preset, own) {
+    if (!methods[name].module) return chainOf(name, preset, own);
+    return madeChain(name, preset, set, own, { ...size, dialect: '300ES', precise: +(stage.info?.far > farthestHalf) });
 }
 
 /* The C that makes a side's chain; null: it has none. */
@@ -445,7 +443,7 @@ function codeOf(i) {
 /* Until its programs are linked what was shown stays: true. */
 const coming = [null, null];
 function side(i, name, preset) {
-    const chain = methods[name]?.desc ? chainOf(name, preset, i === 0) : null, key = JSON.stringify(chain);
+    const chain = methods[name]?.desc ? chainFor(name, preset, i === 0) : null, key = JSON.stringify(chain);
     if (coming[i] && coming[i].key !== key) { coming[i].run.free(); coming[i] = null; }
     if (!chain) {
         forget(sides[i]);
