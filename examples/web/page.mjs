@@ -18,13 +18,13 @@ const most = 4096;                                  /* rays a pixel, after which
 const settled = 32;                                 /* frames at rest, after which history changes no more */
 const kept = 31;                                    /* times of a pass that a median is of */
 
-let ssgi, stage, drawer, show, truth, makers, scenes = [], gl, software = false;
+let ssgi, stage, drawer, show, truth, scenes = [], gl, software = false;
 let sides = [null, null];                           /* { run, key, frame number, .. } left and right */
 let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0, frames = 0;
 let calm = null;                                    /* the view that is not moved for the sake of edges */
 let samples = 0;                                    /* pictures, each moved by less than a pixel, that the mean has */
 let dirty = { scene: true, gather: true, picture: true }, traced = null, clockless = false, environments = new Map();
-let errors = {}, ownSky = null;
+let errors = {}, ownSky = null, makers;
 let readScene, readFiles;                           /* of model.mjs, which comes when WebGL 2 is known to be here */
 
 /* ---- settings: in the address, in the panel */
@@ -990,7 +990,6 @@ async function start() {
     gl = stage.gl;
     drawer = new Drawer(gl, ssgi);
     show = new Show(gl, drawer);
-    makers = new Makers({ gl, drawer, ssgi, loading }, remade);
     const named = Object.entries(methods).map(([name, { title }]) => [name, title]);
     options(panel.elements.scene, scenes.map(s => [s.name, s.title]));
     options(panel.elements.sky, Object.entries(skies).map(([name, { title }]) => [name, title]));
@@ -1000,6 +999,7 @@ async function start() {
     options(panel.elements.behind, Object.entries(behinds));
     options(panel.elements.half, Object.entries(halves));
     showThumbs();
+    makers = new Makers({ gl, drawer, ssgi, loading }, remade);
     options(panel.elements.normals, Object.entries(normals));
     options(panel.elements.size, [['auto', 'as shown'], ...sizes.map(size => [size, size])]);
     for (const control of panel.elements) {
