@@ -210,8 +210,10 @@ function saved(name, blob) {
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-/* What is on its way, and how much of it is there, 0 to 1; NaN: nobody knows; null: nothing is. */
-function loading(text, share = NaN) {
+/* What is on its way, and how much of it is there, 0 to 1; NaN: nobody knows; null: nothing is. aside: it leaves in
+   sight what is shown meanwhile. */
+function loading(text, share = NaN, aside = false) {
+    $('loading').classList.toggle('aside', aside);
     $('loading').hidden = text === null;
     $('loading-text').textContent = text ?? '';
     if (Number.isFinite(share)) $('loading-bar').value = share;
