@@ -9,8 +9,8 @@ const inherited = ['constructor', '__proto__', 'toString', 'valueOf', 'hasOwnPro
 const bad = [...inherited,
              'NaN', 'Infinity', '-Infinity', '1e999', '-1e999', '1e308', '9007199254740993', '-0', '0x10', '2', '-7',
              '+1', '', ' ', '%', '%E0%A4%A', '%00', '%0A', '%F0%9F%98%80', '😀', '\ud800', 'x'.repeat(300),
-             'null', 'undefined', 'true', '<b>', '../..', 'file', 'cornell', 'ssdo', 'dss', 'aof', 'off', 'BEST', '0', '1',
-             'auto', '16x16', '9999x9999', '0x0', '1x1', '-5x5', '8x9000', '99999999999x1', '1e3x10',
+             'null', 'undefined', 'true', '<b>', '../..', 'file', 'cornell', 'ssdo', 'dss', 'aof', 'off', 'BEST', '0',
+             '1', 'auto', '16x16', '9999x9999', '0x0', '1x1', '-5x5', '8x9000', '99999999999x1', '1e3x10',
              '0,0,0,0,0,0', 'NaN,0,0,0,0,0', '1e300,0,0,1,1,1', '1,2,3', '0,5,0,0,0,0', '1e9,5,0,1e9,0,0',
              '1,2,3,4,5,6,7'];
 const names = [...Object.keys(settings), ...inherited, 'nobody', '', '😀', '%', 'A', 'scene[]'];

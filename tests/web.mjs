@@ -218,7 +218,7 @@ await run('while the camera moves the last surfels stay where they are in the wo
         const made = page.result(0).pixels;
         return { turned: off(last, made), left: off(before, made) };
     });
-    note(`the picture of the last ones differs by ${turned.toFixed(4)} from that of new ones, that of the last view by ${
+    note(`the picture of the last ones is ${turned.toFixed(4)} from that of new ones, that of the last view ${
         left.toFixed(4)}`);
     check(turned < 0.02 && left > 2 * turned, `${turned} ${left}`);
 });

@@ -64,8 +64,8 @@ function surfelLines({ size }, radius) {
     return [
         `static const ssgi_surfel_desc surfels_made = { .size = ${float(size)}, .max_distance = ${float(radius)} };`,
         '',
-        '/* Whenever the camera moves: surfels of your triangles, three vec4 attributes of as many instances. free() it;',
-        '   NULL: why says what is wrong. */',
+        '/* Whenever the camera moves: surfels of your triangles, three vec4 attributes of as many instances.',
+        '   free() it. NULL: why says what is wrong. */',
         'static ssgi_surfel *make_surfels(size_t *count, const ssgi_view *view, const ssgi_surfel_source *source,',
         '                                 const char **why)',
         '{',

@@ -63,7 +63,8 @@ export class Fields {
         this.#told(0);
     }
     #told(share) {
-        this.#loading(`Baking the field of ${this.#baking.title}, ${this.#baking.fineness}`, share, this.#shown.length > 0);
+        const { title, fineness } = this.#baking;
+        this.#loading(`Baking the field of ${title}, ${fineness}`, share, this.#shown.length > 0);
     }
 
     #hear({ id, field, progress, error }) {
