@@ -406,6 +406,17 @@ await run('a field moves with its object, and is baked once', async () => {
         Worker.prototype.postMessage = postMessage;
         return { shown, bakes, moved: all };
     });
+    const left = await page.evaluate(async () => {
+        const put = async (name, value) => {
+            const control = document.querySelector(`[name=${name}]`);
+            control.value = value;
+            control.dispatchEvent(new Event('input', { bubbles: true }));
+            for (let i = 0; i < 4; ++i) await new Promise(requestAnimationFrame);
+            return page.making();
+        };
+        return [await put('field', 32), await put('a', 'hsao'), document.getElementById('loading').hidden].join();
+    });
+    check(left === 'true,false,true', `a bake that nobody waits for: ${left}`);
     const off = moved.map(([is, at]) => Math.hypot(is[0] - at[0], is[1] - at[1]));
     const ways = moved.slice(1).map(([, at], i) => Math.hypot(at[0] - moved[i][1][0], at[1] - moved[i][1][1]));
     note(`what is dark is ${off.map(v => v.toFixed(0)).join(', ')} px from the object, which moved by ${

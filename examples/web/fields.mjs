@@ -46,6 +46,9 @@ export class Fields {
         return Fields.#baked.get(this.#key(object, how)) ?? Fields.#baked.get(this.#key(object, coarse));
     }
 
+    leave() {
+        if (this.#baking) this.#stop();
+    }
     #stop() {
         this.#worker?.terminate();
         this.#worker = this.#baking = null;

@@ -37,6 +37,11 @@ export class Makers {
         maker?.want(about);
         return !!maker?.ready(about);
     }
+    /* What the side no longer draws is not waited for. */
+    leave(side, name) {
+        for (const [module, one] of Object.entries(this.#made[side]))
+            if (module !== methods[name]?.module) one.leave?.();
+    }
     get busy() { return this.#made.some(all => Object.values(all).some(one => one === 'coming' || one.busy)); }
 }
 

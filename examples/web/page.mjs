@@ -568,6 +568,7 @@ function draw() {
 /* Whether what the sides draw of triangles is there; asks for it where something has changed. */
 function made() {
     const of = [[set.a, set.p], [set.b, set.q]].filter(([name]) => methods[name]?.module);
+    [set.a, set.b].forEach((name, i) => makers.leave(i, name));
     if (!of.length || !(dirty.gather || makers.busy)) return true;
     stage.jitter(0, 0);
     const now = view();
@@ -734,8 +735,9 @@ function clock(side) {
 
 /* Of a side what is made of triangles has changed, or cannot be made. */
 function remade(i, error) {
-    if (error) {
-        choose(i ? 'b' : 'a', 'none');
+    const name = i ? 'b' : 'a';
+    if (error && methods[set[name]]?.module) {
+        choose(name, 'none');
         notice(error.message);
     }
     dirty.gather = true;
