@@ -15,7 +15,7 @@ export const methods = {
     s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1,
                                    restore: 'RATIO' }, thickness: 0.4, light: true },
     dss: { title: 'Deep screen space', desc: { pass: 'SPLAT', near_samples: 4, span: 4 }, thickness: 0.6,
-           module: 'surfels', presets: {         /* each errs less than the one before: FIGURES.md */
+           module: 'surfels', presets: {         /* rows of FIGURES.md, each costs more */
                FAST: { size: 0.06, levels: 5, epsilon: 0.1 },
                BALANCED: { size: 0.03, levels: 5, epsilon: 0.1 },
                BEST: { size: 0.03, levels: 4, epsilon: 0.02 }
