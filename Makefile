@@ -359,7 +359,8 @@ THREE    = build/three.module.js build/three.core.js LICENSE $(addprefix example
 NPM_WEB  = npm install --prefix build/web-deps --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 \
            puppeteer-core@24.43.1 esbuild@0.25.12
 web: build/web/index.html
-build/web/index.html: $(WEB) build/wasm/ssgi.wasm build/web/three/three.module.js build/web/scenes/scenes.json
+build/web/index.html: $(WEB) build/wasm/ssgi.wasm build/web/three/three.module.js build/web/scenes/scenes.json \
+                      build/web/wgsl/list.json
 	@cp $(WEB) build/wasm/ssgi.mjs build/wasm/ssgi.wasm LICENSE examples/docs/pictures/page.png build/web
 	@touch $@
 	@echo 'build/web: cd build/web && python3 -m http.server, then http://localhost:8000'
@@ -398,6 +399,12 @@ build/web/scenes/scenes.json: build/web-scenes build/render
 	@build/web-scenes --list | while read name from; do \
 	  build/render "$$from" $(THUMB) --out $(@D)/$$name.png >/dev/null 2>&1 || rm -f $(@D)/$$name.png; done
 	@build/web-scenes $(@D)
+
+# Every text that its settings can ask for, in WGSL; without a translator the page has WebGL 2 alone.
+TO_WGSL = examples/web/make/wgsl.mjs $(addprefix examples/web/,chain.mjs settings.mjs webgpu-steps.mjs) \
+          $(addprefix examples/tools/glsl/,translate.sh wgsl.mjs)
+build/web/wgsl/list.json: build/wasm/ssgi.wasm $(TO_WGSL)
+	@echo '  wgsl $(@D)'; node $(firstword $(TO_WGSL)) build/wasm/ssgi.wasm build/wasm/ssgi.mjs build/web-wgsl $(@D)
 
 # Headless Chromium draws what make web made; last line "N passed, N failed". ONLY=address: tests with that word.
 web-deps:

@@ -2,6 +2,7 @@
 import { load } from './ssgi.mjs';
 import { behinds, defaults, halves, methods, normals, presets, read, settings, sizes, views, write }
     from './settings.mjs';
+import { chainAs, countOf } from './chain.mjs';
 import { skies, equirect } from './sky.mjs';
 import { Drawer } from './steps.mjs';
 import { Show } from './show.mjs';
@@ -19,6 +20,7 @@ const settled = 32;                                 /* frames at rest, after whi
 const kept = 31;                                    /* times of a pass that a median is of */
 
 let ssgi, stage, drawer, show, truth, scenes = [], gl, software = false;
+let own, gpu = null;                                /* drawer and show of WebGL 2; what webgpu.mjs opened, if it draws */
 let sides = [null, null];                           /* { run, key, frame number, .. } left and right */
 let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0, frames = 0;
 let calm = null;                                    /* the view that is not moved for the sake of edges */
@@ -187,6 +189,9 @@ function listen() {
         if (own.length)
             notice(`The ${own.join(' and the ')} that you opened will not be there: a link holds no files.`);
     };
+    $('webgpu-box').disabled = !navigator.gpu;
+    if (!navigator.gpu) $('webgpu-box').parentElement.title = 'This browser has no WebGPU';
+    $('webgpu-box').onchange = ({ target }) => chooseGpu(target.checked);
     $('read').onclick = readText;
     $('copy-glsl').onclick = () => copied($('copy-glsl'),
                                           glslTexts().map(({ name, text }) => `// ${name}\n${text}`).join('\n'));
@@ -340,7 +345,7 @@ function takeSky(sky) {
     ownSky = sky;
     for (const key of [...environments.keys()].filter(key => /^file( |$)/.test(key))) {
         const made = environments.get(key);
-        if (made instanceof WebGLTexture) gl.deleteTexture(made);
+        if (!(made instanceof Float32Array)) drawer.free(made);
         environments.delete(key);
     }
     set.sky = 'file';
@@ -377,13 +382,9 @@ function cached(key, make) {
     return environments.get(key);
 }
 function upload(rgb, n, slices) {
-    const rgba = new Float32Array(4 * n * n), target = slices ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
+    const rgba = new Float32Array(4 * n * n);
     for (let i = 0; i < n * n; ++i) rgba.set(rgb.subarray(3 * i, 3 * i + 3), 4 * i);
-    const texture = drawer.texture(n, n, { internal: gl.RGBA32F }, slices);
-    drawer.plainUploads();
-    if (slices) gl.texSubImage3D(target, 0, 0, 0, 0, n, n, 1, gl.RGBA, gl.FLOAT, rgba);
-    else gl.texSubImage2D(target, 0, 0, 0, n, n, gl.RGBA, gl.FLOAT, rgba);
-    return texture;
+    return drawer.floats(rgba, n, n, slices);
 }
 const coefficients = bands => cached(`${set.sky} harmonics ${bands}`,
     () => ssgi.projectEquirect(bands, skyImage(set.sky), 256, 128));
@@ -404,25 +405,12 @@ function lightOf(desc) {
 
 const farthestHalf = 65504;                         /* depths that 16 bits hold */
 
-/* The field that says in how many directions a gather looks. */
-const countOf = desc => (desc.pass === 'SSAO' || desc.search === 'POINTS' ? 'samples' : 'directions');
 const filterOf = desc => desc.filter_radius || (desc.filter === 'GAUSSIAN' ? 2 : 1);
 
 /* The chain of a side, as settings have it; own: with the numbers that replace the preset's. */
 function chainOf(name, preset, own) {
-    const { desc } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
-    const d = ssgi.preset({ ...desc, dialect: '300ES', normal: set.normals, thickness: set.behind }, preset);
-    if (methods[name].desc.restore) d.restore = methods[name].desc.restore;
-    if (bounce) d.bounce = 'SOLID_ANGLE';
-    if (set.moves && set.history) d.motion = 1;
-    if (own && set.slices) d[countOf(d)] = set.slices;
-    if (own && set.steps && ssgi.resolve(d).steps) d.steps = set.steps;
-    if (own && set.half !== 'preset') d.half = +set.half;
-    if (own && set.filter > 0) d.filter_radius = set.filter;
-    /* half size becomes whole, and light is restored, where it is filtered */
-    const blur = +!(own && set.filter === 0 && !d.half && !d.restore);
-    return { desc: d, width: size.width, height: size.height, blur, history: +set.history,
-             direct: +(bounce && set.sun), precise: +(stage.info?.far > farthestHalf) };
+    return chainAs(ssgi, set, name, preset, own, { dialect: drawer.dialect, ...size,
+                                                   precise: +(stage.info?.far > farthestHalf) });
 }
 
 /* What is made of triangles has no noise that frames or neighbours average. */
@@ -464,7 +452,7 @@ function side(i, name, preset) {
 
 function forget(side) {
     side?.run.free();
-    if (side?.rested) gl.deleteTexture(side.rested);
+    if (side?.rested) drawer.free(side.rested);
 }
 
 function view() {
@@ -510,7 +498,7 @@ function fit() {
     if (width === size.width && height === size.height) return;
     size = { width, height };
     stage.resize(width, height);
-    canvas.style.objectFit = set.size === 'auto' ? 'fill' : 'contain';
+    for (const on of [canvas, gpu?.canvas ?? canvas]) on.style.objectFit = set.size === 'auto' ? 'fill' : 'contain';
     last = null;
     dirty.scene = dirty.gather = true;
 }
@@ -581,6 +569,7 @@ function aboutOf(i, name, preset, now) {
 
 /* Layers of back faces that are read. */
 const backs = () => (set.behind === 'SLABS' ? 3 : +(set.behind === 'BACK'));
+const gbuffer = () => (gpu ? gpu.draw(stage, backs(), size) : stage.draw(backs()));
 
 /* Pictures whose mean is shown at rest. The truth is of one place in each pixel. */
 function wantedSamples() {
@@ -591,12 +580,12 @@ function wantedSamples() {
 function drawCalm(gather, again) {
     if (samples || dirty.scene || buffers.backs < backs()) {
         stage.jitter(0, 0);
-        buffers = stage.draw(backs());
+        buffers = gbuffer();
     }
     if (gather) { still = 0; truth?.stop(); traced = null; errors = {}; tracing = 0; }
     const now = view();
     if (gather || again) {
-        for (const side of sides) if (side?.rested) { gl.deleteTexture(side.rested); side.rested = null; }
+        for (const side of sides) if (side?.rested) { drawer.free(side.rested); side.rested = null; }
         drawSides(now);
         ++still;
     }
@@ -611,7 +600,7 @@ function drawCalm(gather, again) {
 function drawSample() {
     if (!samples) sides.forEach(keepRested);
     stage.jitter(radicalInverse(samples + 1, 2) - 0.5, radicalInverse(samples + 1, 3) - 0.5);
-    buffers = stage.draw(backs());
+    buffers = gbuffer();
     const now = view();
     drawSides(now);
     ++samples;
@@ -627,13 +616,7 @@ function radicalInverse(i, base) {
 /* The result as it is where pixels are: what errors are of. */
 function keepRested(side) {
     if (!side || side.rested) return;
-    const { width, height } = size;
-    reader ??= gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, reader);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, side.run.light, 0);
-    side.rested = drawer.texture(width, height, side.run.format);
-    gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    side.rested = drawer.copy(side.run.light, side.run.format, size.width, size.height);
 }
 
 function drawSides(now) {
@@ -718,7 +701,7 @@ let rested = 0, tracing = 0;
 function rest() {
     rested = 0;
     clockless = !drawer.timer;
-    if (!clockless) return;
+    if (!clockless || gpu) return;
     if (pending) { rested = setTimeout(rest, 100); return; }
     for (const side of sides) if (side) clock(side);
     writePasses();
@@ -774,53 +757,95 @@ function truthTexture() {
     if (truthMade) return truthMade;
     const { width, height } = truth;
     if (truthHeld?.width !== width || truthHeld.height !== height) {
-        if (truthHeld) gl.deleteTexture(truthHeld.texture);
-        truthHeld = { texture: drawer.texture(width, height, { internal: gl.RGBA32F }), width, height };
+        if (truthHeld) drawer.free(truthHeld.texture);
+        truthHeld = { width, height };
     }
-    drawer.plainUploads();
-    gl.bindTexture(gl.TEXTURE_2D, truthHeld.texture);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.FLOAT, truth.texels());
-    return truthMade = truthHeld.texture;
+    return truthMade = truthHeld.texture = drawer.floats(truth.texels(), width, height, 0, truthHeld.texture);
 }
 
 /* A side's result: ambient visibility, one number a pixel; or light, four; bottom row first. */
-let reader = null;
 function pixelsOf(side) {
     if (side.pixels) return side.pixels;
-    const { width, height } = size, { light } = methods[side.name], n = width * height;
-    const bytes = side.run.format.type === gl.UNSIGNED_BYTE, all = new (bytes ? Uint8Array : Float32Array)(4 * n);
-    reader ??= gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, reader);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, side.rested ?? side.run.light, 0);
-    gl.pixelStorei(gl.PACK_ALIGNMENT, 4);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    gl.readPixels(0, 0, width, height, gl.RGBA, bytes ? gl.UNSIGNED_BYTE : gl.FLOAT, all);
-    side.pixels = light ? all : new Float32Array(n);
-    for (let i = 0; i < n && !light; ++i) side.pixels[i] = all[4 * i] / (bytes ? 255 : 1);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    return side.pixels;
+    const { width, height } = size, { light } = methods[side.name];
+    const take = all => side.pixels = light ? all : Float32Array.from({ length: width * height }, (_, i) => all[4 * i]);
+    const got = drawer.read(side.rested ?? side.run.light, side.run.format, width, height);
+    return got.then?.(take) ?? take(got);           /* WebGPU's comes later */
 }
 
 function score() {
     errors = {};
-    if (traced && truth.rays)
-        sides.forEach((s, i) => {
-            if (s && truth.width === size.width) errors[i] = truth.rmse(pixelsOf(s), methods[s.name].light ? 3 : 1);
-        });
+    sides.forEach(async (s, i) => {
+        if (!s || !traced || !truth.rays || truth.width !== size.width) return;
+        const of = traced, pixels = pixelsOf(s), is = gpu ? await pixels : pixels;
+        if (sides[i] !== s || traced !== of) return;
+        errors[i] = truth.rmse(is, methods[s.name].light ? 3 : 1);
+        if (gpu) writeStatus();
+    });
     writeStatus();
 }
 
 /* What the passes read, for build/render --gbuffer frame.exr, with the camera: OpenEXR's looks down +z. */
 function frameFile() {
     stage.jitter(0, 0);
-    buffers = stage.draw(backs());
+    const drawn = stage.draw(backs());
+    if (!gpu) buffers = drawn;
+    else stage.renderer.shadowMap.needsUpdate = true;
     dirty.picture = true;
     request();
     const { projectionMatrix, matrixWorldInverse } = stage.camera, p = projectionMatrix.elements;
     const { width, height } = size, worldToCamera = matrixWorldInverse.elements.map((v, i) => i % 4 === 2 ? 0 - v : v);
     /* 1 / view depth is linear in window depth, whatever the planes */
-    const channels = show.frame(width, height, buffers, [(p[10] - 1) / p[14], 2 / p[14]]);
+    const channels = own.show.frame(width, height, drawn, [(p[10] - 1) / p[14], 2 / p[14]]);
     return exr(width, height, channels, { screenWindowWidth: 2 / p[0], worldToCamera, 'ssgi.radius': radius() });
+}
+
+/* ---- WebGPU beside WebGL 2, by the same steps */
+
+let choosing = 0;
+async function chooseGpu(wanted) {
+    const mine = ++choosing;
+    let made = null;
+    if (wanted) {
+        if (told) loading('Opening WebGPU');
+        made = await import('./webgpu.mjs').then(({ open }) => open(ssgi, canvas, lost => {
+            drawBy(null);
+            notice(lost);
+        })).catch(e => notice(e.message));
+        if (told) loading(null);
+        if (mine !== choosing) { made?.close(); return; }
+    } else notice();
+    drawBy(made ?? null);
+}
+
+/* What was made by one of them goes with it. made: null: WebGL 2 draws. */
+function drawBy(made) {
+    for (const run of [...sides, ...coming]) forget(run);
+    sides.fill(null);
+    coming.fill(null);
+    for (const [key, is] of environments)
+        if (!(is instanceof Float32Array)) { drawer.free(is); environments.delete(key); }
+    if (truthHeld) drawer.free(truthHeld.texture);
+    truthHeld = truthMade = null;
+    if (gpu !== made) gpu?.close();
+    gpu = made;
+    ({ drawer, show } = gpu ?? own);
+    samples = 0;
+    last = null;
+    dirty = { scene: true, gather: true, picture: true };
+    stage.renderer.shadowMap.needsUpdate = true;
+    if (gpu) gpu.canvas.style.objectFit = canvas.style.objectFit;
+    $('device').textContent = gpu?.name ?? own.name;
+    $('webgpu-box').checked = !!gpu;
+    $('read').textContent = `Read the ${drawer.language}`;
+    $('copy-glsl').textContent = `Copy the ${drawer.language}`;
+    for (const select of [panel.elements.a, panel.elements.b])
+        for (const option of select.options) {          /* what only WebGL 2 has is grey, and says why */
+            const lacks = methods[option.value]?.desc && gpu?.drawer.lacks(chainOf(option.value, set.p, false));
+            option.disabled = !!lacks;
+            option.title = lacks ? `${methods[option.value].title} ${lacks}: draw it with WebGL 2` : '';
+        }
+    history.replaceState(null, '', `${location.pathname}${gpu ? '?webgpu' : ''}${location.hash}`);
+    request();
 }
 
 /* ---- what is written */
@@ -856,7 +881,7 @@ function writePasses() {
     }));
     $('passes').tBodies[0].replaceChildren(...rows);
     $('passes').hidden = !rows.length;
-    $('timer-note').textContent = !rows.length ? '' : clockless
+    $('timer-note').textContent = !rows.length ? '' : gpu ? drawer.clock : clockless
         ? 'No EXT_disjoint_timer_query_webgl2 here: the CPU’s clock around each pass and a wait for it '
             + '(gl.finish and a pixel read back), median of 3.'
         : `Timed by EXT_disjoint_timer_query_webgl2, median of the last ${kept} frames.`;
@@ -875,7 +900,8 @@ function glslTexts() {
     const all = [];
     sides.forEach((side, i) => side?.run.steps.forEach(step => {
         for (const stage of ['frag', 'vert']) {
-            const text = ssgi.text(step.desc, stage), name = `${step.desc.pass.toLowerCase()}.${stage}`;
+            const text = drawer.text(step.desc, stage);
+            const name = `${step.desc.pass.toLowerCase()}.${stage}${gpu ? '.wgsl' : ''}`;
             if (text && !all.some(t => t.text === text))
                 all.push({ name: sides[0] && sides[1] ? `${i ? 'right' : 'left'}: ${name}` : name, text });
         }
@@ -901,7 +927,8 @@ function showText() {
     pre.textContent = text;
     pre.scrollTop = 0;
     $('text-size').textContent = `${text.split('\n').length - 1} lines, ${
-        text.startsWith('#version') ? 'GLSL 300 es, as it is compiled' : 'C, behind ssgi_gl.h'}`;
+        text.startsWith('#version') ? 'GLSL 300 es, as it is compiled'
+            : text.startsWith('/*') ? 'C, behind ssgi_gl.h' : 'WGSL, as it is compiled'}`;
 }
 
 /* ---- begin */
@@ -910,14 +937,14 @@ let told = false;
 function first() {
     if (told) return;
     told = true;
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));   /* it is there, not just asked for */
+    if (!gpu) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));  /* it is there, not just asked for */
     page.first = performance.now();
     loading(null);
     page.ready();
 }
 
 /* For scripts: make web-test waits for it, and reads results. */
-const page = globalThis.page = { set, first: null, lacks: null, result: i => ({ ...size, pixels: pixelsOf(sides[i]) }),
+const page = globalThis.page = { set, first: null, lacks: null, result,
                                  error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0,
                                  ms: i => sides[i]?.ms ?? null,
                                  settled: () => !averages() || still >= settled,
@@ -925,9 +952,9 @@ const page = globalThis.page = { set, first: null, lacks: null, result: i => ({ 
                                  resting: () => wantedSamples() > 0,
                                  smooth: () => samples > 0 && samples >= wantedSamples(),
                                  code: codeOf, chain: chainShown,
-                                 inside: () => ({ stage, show, buffers, size, gl }),
+                                 inside: () => ({ stage, show, buffers, size, gl, gpu }),
                                  frame: frameFile,
-                                 limits, picture };
+                                 limits, picture, webgpu: chooseGpu };
 page.drawn = new Promise(resolve => { page.ready = resolve; });
 /* Settings as the address has them; resolves when they are drawn. */
 page.go = async hash => {
@@ -943,17 +970,25 @@ page.go = async hash => {
 
 /* What is on the canvas, four bytes a pixel: drawn once more, as browsers do not keep it. */
 function picture() {
+    if (gpu) return gpu.pixels(...placing());
     const all = new Uint8Array(4 * size.width * size.height);
     placeAgain();
     gl.readPixels(0, 0, size.width, size.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
     return all;
 }
 function placeAgain() {
-    show.place(size.width, size.height, splitAt(), samples > 0 || set.view === 'difference', samples);
+    show.place(...placing());
+}
+function placing() {
+    return [size.width, size.height, splitAt(), samples > 0 || set.view === 'difference', samples];
+}
+function result(i) {
+    const of = { ...size }, pixels = pixelsOf(sides[i]);
+    return pixels.then?.(all => ({ ...of, pixels: all })) ?? { ...of, pixels };
 }
 function savePicture() {
     placeAgain();
-    canvas.toBlob(blob => { if (blob) saved('ssgi.png', blob); });
+    (gpu?.canvas ?? canvas).toBlob(blob => { if (blob) saved('ssgi.png', blob); });
 }
 
 function lacks() {
@@ -994,6 +1029,7 @@ async function start() {
     gl = stage.gl;
     drawer = new Drawer(gl, ssgi);
     show = new Show(gl, drawer);
+    own = { drawer, show, name: $('device').textContent };
     const named = Object.entries(methods).map(([name, { title }]) => [name, title]);
     options(panel.elements.scene, scenes.map(s => [s.name, s.title]));
     options(panel.elements.sky, Object.entries(skies).map(([name, { title }]) => [name, title]));
@@ -1019,6 +1055,7 @@ async function start() {
     listen();
     panel.inert = false;
     fit();
+    if (new URLSearchParams(location.search).has('webgpu')) await chooseGpu(true);
     side(0, set.a, set.p);                          /* linked while the scene comes */
     side(1, set.b, set.q);
     await openScene();

@@ -2,7 +2,9 @@
    method by name; what is drawn, in which order, from what and into what is read from the steps. */
 
 export class Drawer {
-    #gl; #ssgi; #programs = new Map();
+    #gl; #ssgi; #programs = new Map(); #reader = null;
+    dialect = '300ES';
+    language = 'GLSL';
 
     constructor(gl, ssgi) {
         this.#gl = gl;
@@ -71,6 +73,42 @@ export class Drawer {
         gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
         gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
     }
+
+    /* Four floats a texel, the first row first; into: a texture of that size, or a new one is made. */
+    floats(rgba, width, height, slices = 0, into = this.texture(width, height, { internal: this.#gl.RGBA32F }, slices)) {
+        const gl = this.#gl, target = slices ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
+        this.plainUploads();
+        gl.bindTexture(target, into);
+        if (slices) gl.texSubImage3D(target, 0, 0, 0, 0, width, height, 1, gl.RGBA, gl.FLOAT, rgba);
+        else gl.texSubImage2D(target, 0, 0, 0, width, height, gl.RGBA, gl.FLOAT, rgba);
+        return into;
+    }
+    #from(texture) {
+        const gl = this.#gl;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.#reader ??= gl.createFramebuffer());
+        gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    }
+    copy(texture, format, width, height) {
+        const gl = this.#gl;
+        this.#from(texture);
+        const made = this.texture(width, height, format);
+        gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        return made;
+    }
+    /* Four numbers a texel; of bytes 0 to 1. */
+    read(texture, format, width, height) {
+        const gl = this.#gl, bytes = format.type === gl.UNSIGNED_BYTE;
+        const all = new (bytes ? Uint8Array : Float32Array)(4 * width * height);
+        this.#from(texture);
+        gl.pixelStorei(gl.PACK_ALIGNMENT, 4);
+        gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+        gl.readPixels(0, 0, width, height, gl.RGBA, bytes ? gl.UNSIGNED_BYTE : gl.FLOAT, all);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        return bytes ? Float32Array.from(all, v => v / 255) : all;
+    }
+    free(texture) { this.#gl.deleteTexture(texture); }
+    text(desc, stage) { return this.#ssgi.text(desc, stage); }
 
     run(chain) { return new Run(this.#gl, this.#ssgi, this, chain); }
 }

@@ -1,0 +1,22 @@
+/* chain.mjs - the ssgi_gl_chain that settings mean. Pure, as settings.mjs is: make web asks it which texts the page can
+   come to need in WGSL. */
+import { methods } from './settings.mjs';
+
+/* The field that says in how many directions a gather looks. */
+export const countOf = desc => (desc.pass === 'SSAO' || desc.search === 'POINTS' ? 'samples' : 'directions');
+
+/* own: with the numbers that replace the preset's. */
+export function chainAs(ssgi, set, name, preset, own, { dialect, width, height, precise }) {
+    const { desc } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
+    const d = ssgi.preset({ ...desc, dialect, normal: set.normals, thickness: set.behind }, preset);
+    if (methods[name].desc.restore) d.restore = methods[name].desc.restore;
+    if (bounce) d.bounce = 'SOLID_ANGLE';
+    if (set.moves && set.history) d.motion = 1;
+    if (own && set.slices) d[countOf(d)] = set.slices;
+    if (own && set.steps && ssgi.resolve(d).steps) d.steps = set.steps;
+    if (own && set.half !== 'preset') d.half = +set.half;
+    if (own && set.filter > 0) d.filter_radius = set.filter;
+    /* half size becomes whole, and light is restored, where it is filtered */
+    const blur = +!(own && set.filter === 0 && !d.half && !d.restore);
+    return { desc: d, width, height, blur, history: +set.history, direct: +(bounce && set.sun), precise };
+}

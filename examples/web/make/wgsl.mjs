@@ -1,0 +1,62 @@
+/* wgsl.mjs - make web: every text that the page's settings can ask for, translated to WGSL.
+
+      node wgsl.mjs SSGI.wasm SSGI.mjs FOLDER TO      FOLDER: for the work; TO: a folder, gets KEY.wgsl, by keyOf the GLSL
+                                                      that it comes from, and list.json of these keys: none of them
+                                                      where there is no translator */
+import { spawnSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { chainAs } from '../chain.mjs';
+import { behinds, defaults, halves, methods, normals, presets } from '../settings.mjs';
+import { bare, keyOf } from '../webgpu-steps.mjs';
+
+const [wasm, loader, folder, to] = process.argv.slice(2);
+const { load } = await import(pathToFileURL(resolve(loader)).href), ssgi = await load(readFileSync(wasm));
+const translate = join(dirname(fileURLToPath(import.meta.url)), '../../tools/glsl/translate.sh');
+
+/* What changes texts, each with all of its values. */
+const every = {
+    name: Object.keys(methods).filter(name => methods[name].desc), preset: Object.keys(presets),
+    behind: Object.keys(behinds), normals: Object.keys(normals), half: Object.keys(halves), filter: [-1, 0, 1, 2, 3, 4],
+    history: [false, true], moves: [false, true], bounce: [false, true], sun: [false, true], precise: [0, 1]
+};
+function* products([[name, values], ...rest]) {
+    if (!name) { yield {}; return; }
+    for (const value of values) for (const others of products(rest.length ? rest : [[]])) yield { [name]: value, ...others };
+}
+
+const texts = new Map(), seen = new Set();
+for (const { name, preset, precise, ...choice } of products(Object.entries(every))) {
+    const chain = chainAs(ssgi, { ...defaults, ...choice }, name, preset, true,
+                          { dialect: 'VULKAN', width: 64, height: 64, precise }), whole = JSON.stringify(chain);
+    if (seen.has(whole)) continue;
+    seen.add(whole);
+    for (const { desc } of ssgi.steps(chain)) {
+        const key = `${desc.pass} ${ssgi.key(desc)}`;
+        if (seen.has(key)) continue;
+        seen.add(key);
+        for (const stage of ['vert', 'frag']) {
+            const text = ssgi.text(desc, stage), at = keyOf(text), had = texts.get(at);
+            if (had && bare(had.text) !== bare(text)) throw new Error(`two texts of key ${at}`);
+            texts.set(at, { text, stage });
+        }
+    }
+}
+
+for (const path of [folder, to]) {
+    rmSync(path, { recursive: true, force: true });
+    mkdirSync(path, { recursive: true });
+}
+const nameOf = ([key, { stage }]) => join(folder, `${key}.vulkan.${stage}`);
+for (const one of texts) writeFileSync(nameOf(one), one[1].text);
+const { status } = spawnSync('sh', [translate, folder, 'wgsl'], { stdio: ['ignore', 'ignore', 'inherit'] });
+if (status === 2) {
+    writeFileSync(join(to, 'list.json'), '[]');
+    console.error('web: the page is made without WebGPU');
+} else if (status) process.exit(status);
+else {
+    for (const one of texts) copyFileSync(`${nameOf(one)}.wgsl`, join(to, `${one[0]}.wgsl`));
+    writeFileSync(join(to, 'list.json'), JSON.stringify([...texts.keys()]));
+    console.log(`${to}: ${texts.size} texts`);
+}

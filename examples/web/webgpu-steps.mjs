@@ -1,0 +1,264 @@
+/* webgpu-steps.mjs - draws steps of ssgi with WebGPU, as steps.mjs does with WebGL 2: by what the steps say alone. Texts
+   in WGSL are translated when the page is made; tests draw captured frames with the same Passes.
+
+   A plan: textures: [{ format, size: [width, height], slices, kept }]; steps: [{ rows, blend: [operation, source,
+   destination] or null, clear: null or a number, vertices, instances, inputs: [{ binding, sample, dimension, yours,
+   texture, last }], outputs: [{ texture, slice, format }] }], formats in WebGPU's words. */
+import { fetchFile } from './fetch.mjs';
+import { texelsOf } from './webgpu-texels.mjs';
+
+const usage = { texture: 1 | 2 | 4 | 16, uniform: 64 | 8, vertex: 32 | 8 };     /* bits of GPUTextureUsage and so on */
+const both = 3;                                     /* visible in VERTEX and FRAGMENT */
+const of = (rows, kind) => rows.filter(row => row.kind === kind);
+
+/* What a pipeline needs besides its layout. stride: of the buffer of attributes, if there are some. */
+export function pipelineOf({ rows, blend, outputs }, modules, stride) {
+    const [operation, srcFactor, dstFactor] = blend ?? [], by = { operation, srcFactor, dstFactor };
+    const attributes = of(rows, 'ATTRIBUTE').map(({ slot }) => ({
+        shaderLocation: slot, offset: 16 * slot, format: 'float32x4' }));
+    const counts = of(rows, 'CONSTANT').filter(row => row.offset);
+    return {
+        vertex: { module: modules.vert, buffers: attributes.length
+            ? [{ arrayStride: stride ?? 16 * attributes.length, stepMode: 'instance', attributes }] : [] },
+        fragment: { module: modules.frag, constants: Object.fromEntries(counts.map(row => [row.offset, row.slot])),
+                    targets: outputs.map(({ format }) => ({ format, ...blend && { blend: { color: by, alpha: by } } })) }
+    };
+}
+
+function layoutOf(device, { rows, inputs }) {
+    const blocks = new Set(of(rows, 'PARAM').map(row => row.slot));
+    return device.createBindGroupLayout({ entries: [
+        ...[...blocks].map(binding => ({ binding, visibility: both, buffer: {} })),
+        ...inputs.map(({ binding, sample, dimension }) => ({
+            binding, visibility: both, texture: { sampleType: sample, viewDimension: dimension } }))] });
+}
+
+/* A chain with its pipelines and textures. */
+export class Passes {
+    #device; #draws = [];
+    textures;                                       /* by number; of a kept one two: [0] is drawn into */
+
+    /* modulesOf: a step's { vert, frag }, or a promise of them */
+    constructor(device, { steps, textures }, modulesOf, stride) {
+        this.#device = device;
+        this.textures = textures.map(({ format, size, slices, kept }) => Array.from({ length: kept ? 2 : 1 },
+            () => device.createTexture({ format, size: [...size, slices || 1], usage: usage.texture })));
+        this.ready = Promise.all(steps.map(async step => {
+            const layout = layoutOf(device, step), modules = await modulesOf(step);
+            const pipeline = await device.createRenderPipelineAsync({
+                layout: device.createPipelineLayout({ bindGroupLayouts: [layout] }),
+                ...pipelineOf(step, modules, stride) });
+            return { step, layout, pipeline };
+        })).then(draws => { this.#draws = draws; });
+    }
+
+    /* block(number of the step): its uniform buffer; yours(number, input): a texture of yours, null: one of the
+       chain's; instances(number) and surfels where a step draws those; stamps(number): where its times are written. */
+    draw(encoder, { block, yours, instances, surfels, stamps }) {
+        this.#draws.forEach(({ step, layout, pipeline }, number) => {
+            const entries = [{ binding: 0, resource: { buffer: block(number) } }];
+            for (const input of step.inputs) {
+                const { binding, dimension, texture, last } = input;
+                const read = yours(number, input) ?? this.textures[texture].at(last ? -1 : 0);
+                entries.push({ binding, resource: read.createView({ dimension }) });
+            }
+            const pass = encoder.beginRenderPass({ timestampWrites: stamps?.(number),
+                colorAttachments: step.outputs.map(({ texture, slice }) => ({
+                    view: this.textures[texture][0].createView({ dimension: '2d', baseArrayLayer: slice,
+                                                                 arrayLayerCount: 1 }),
+                    loadOp: step.clear === null ? 'load' : 'clear', storeOp: 'store',
+                    clearValue: Array(4).fill(step.clear ?? 0) })) });
+            pass.setPipeline(pipeline);
+            pass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
+            if (surfels) pass.setVertexBuffer(0, surfels);
+            pass.draw(step.vertices, instances?.(number) ?? step.instances);
+            pass.end();
+        });
+    }
+
+    /* After a frame whose history is kept. */
+    turn() { this.textures.forEach(pair => pair.reverse()); }
+    free() { this.textures.flat().forEach(texture => texture.destroy()); }
+}
+
+/* ---- of the page: the interface of steps.mjs */
+
+/* Counts are constants that a pipeline is given: texts that differ in nothing else are one. */
+export const bare = glsl => glsl.replace(/^(layout\(constant_id = \d+\) const int \w+ =) .*;$/gm, '$1;');
+export function keyOf(glsl) {                       /* [FNV-1a] */
+    let hash = 0x811c9dc5;
+    for (const c of bare(glsl)) hash = Math.imul(hash ^ c.charCodeAt(0), 0x01000193);
+    return (hash >>> 0).toString(36);
+}
+
+/* Steps of Ssgi.steps as a plan. */
+function planOf(ssgi, steps) {
+    const textures = [];
+    for (const { outputs, width, height } of steps)
+        for (const { texture, format: { webgpu }, slices, kept } of outputs)
+            textures[texture] = { format: webgpu, size: [width, height], slices, kept };
+    return { textures, steps: steps.map(step => ({
+        desc: step.desc, rows: ssgi.rows(step.desc), blend: null, clear: step.clear ? step.clear_to : null,
+        vertices: step.vertices, instances: step.instances,
+        inputs: step.inputs.map(({ binding, array, integer, meaning, texture, last }) => ({
+            binding, sample: integer ? 'uint' : 'unfilterable-float', dimension: array ? '2d-array' : '2d',
+            yours: meaning, texture, last })),
+        outputs: step.outputs.map(({ texture, slice, format: { webgpu } }) => ({ texture, slice, format: webgpu }))
+    })) };
+}
+
+const given = ['DEPTH', 'NORMAL', 'ALBEDO', 'DIRECT', 'BACK', 'MOTION', 'ENVIRONMENT', 'IRRADIANCE'];
+
+export class Drawer {
+    #device; #ssgi; #keys; #texts = new Map(); #modules = new Map();
+    dialect = 'VULKAN';
+    language = 'WGSL';
+
+    /* keys: of the texts that there are in WGSL */
+    constructor(device, ssgi, keys) {
+        this.#device = device;
+        this.#ssgi = ssgi;
+        this.#keys = new Set(keys);
+        this.timer = device.features.has('timestamp-query');
+        this.clock = this.timer ? 'Timed by timestamp-query, which browsers round to some 0.1 ms'
+            : 'No timestamp-query here: passes are not timed.';
+    }
+
+    #key(desc, stage) { return keyOf(this.#ssgi.text(desc, stage)); }
+
+    /* Of a pass that is drawn. */
+    text(desc, stage = 'frag') { return this.#texts.get(this.#key(desc, stage)) ?? ''; }
+
+    /* Why a chain cannot be drawn; null: it can. */
+    lacks(chain) {
+        for (const { desc, inputs, blend } of this.#ssgi.steps(chain)) {
+            const strange = inputs.find(({ meaning }) => meaning && !given.includes(meaning));
+            if (strange || blend[0]) return 'reads what the page’s WebGPU does not make';
+            if (!['vert', 'frag'].every(stage => this.#keys.has(this.#key(desc, stage)))) return 'has no text in WGSL here';
+        }
+        return null;
+    }
+
+    async module(desc, stage) {
+        const key = this.#key(desc, stage);
+        if (!this.#modules.has(key))
+            this.#modules.set(key, fetchFile(`wgsl/${key}.wgsl`).then(answer => answer.text()).then(code => {
+                this.#texts.set(key, code);
+                return this.#device.createShaderModule({ code });
+            }));
+        return this.#modules.get(key);
+    }
+
+    texture(width, height, format, slices = 0) {
+        return this.#device.createTexture({ format, size: [width, height, slices || 1], usage: usage.texture });
+    }
+    /* Four floats a texel, the first row first; into: a texture of that size, or a new one is made. */
+    floats(rgba, width, height, slices = 0, into = this.texture(width, height, 'rgba32float', slices)) {
+        this.#device.queue.writeTexture({ texture: into }, rgba, { bytesPerRow: 16 * width }, [width, height]);
+        return into;
+    }
+    copy(texture, format, width, height) {
+        const made = this.texture(width, height, format.webgpu), encoder = this.#device.createCommandEncoder();
+        encoder.copyTextureToTexture({ texture }, { texture: made }, [width, height]);
+        this.#device.queue.submit([encoder.finish()]);
+        return made;
+    }
+    read(texture) { return texelsOf(this.#device, texture); }
+    free(texture) { texture.destroy(); }
+
+    run(chain) { return new Run(this.#device, this.#ssgi, this, chain); }
+}
+
+/* A chain with its targets, of one size. */
+class Run {
+    #device; #passes; #block; #clock = null; #fresh = null; #wrong = null; #linked = false; #freed = false;
+    light = null;
+    format = null;
+    bounce = null;
+    ms = [];
+
+    constructor(device, ssgi, drawer, chain) {
+        this.#device = device;
+        this.chain = chain;
+        this.steps = ssgi.steps(chain);
+        const wrong = drawer.lacks(chain);
+        if (wrong) throw new Error(`${chain.desc.pass} ${wrong}`);
+        this.#passes = new Passes(device, planOf(ssgi, this.steps), async ({ desc }) => {
+            const [vert, frag] = await Promise.all(['vert', 'frag'].map(stage => drawer.module(desc, stage)));
+            return { vert, frag };
+        });
+        this.#passes.ready.then(() => { this.#linked = true; }, error => { this.#wrong = error; });
+        this.#results();
+    }
+
+    #results() {
+        for (const { outputs } of this.steps)
+            for (const { result, texture, format } of outputs) {
+                if (result === 'LIGHT') { this.light = this.#passes.textures[texture][0]; this.format = format; }
+                if (result === 'BOUNCE') this.bounce = this.#passes.textures[texture][0];
+            }
+    }
+
+    get linked() {
+        if (this.#wrong) throw this.#wrong;
+        return this.#linked;
+    }
+
+    draw(yours, frame, clock = 0) {
+        const device = this.#device, encoder = device.createCommandEncoder();
+        this.#block ??= device.createBuffer({ size: frame.buffer.byteLength, usage: usage.uniform });
+        device.queue.writeBuffer(this.#block, 0, frame.buffer);
+        const timed = clock === 1 && device.features.has('timestamp-query') && !this.waiting;
+        if (timed) this.#clock ??= this.#queries();
+        const { set, resolved, mapped } = (timed && this.#clock) || {};
+        this.#passes.draw(encoder, {
+            block: () => this.#block,
+            yours: (number, { yours: meaning }) => meaning && yours[meaning],
+            stamps: timed ? number => ({ querySet: set, beginningOfPassWriteIndex: 2 * number,
+                                         endOfPassWriteIndex: 2 * number + 1 }) : null
+        });
+        if (timed) {
+            encoder.resolveQuerySet(set, 0, set.count, resolved, 0);
+            encoder.copyBufferToBuffer(resolved, 0, mapped, 0, 8 * set.count);
+        }
+        device.queue.submit([encoder.finish()]);
+        if (timed) this.#read(mapped);
+    }
+    #queries() {
+        const device = this.#device, count = 2 * this.steps.length;
+        return { set: device.createQuerySet({ type: 'timestamp', count }),
+                 resolved: device.createBuffer({ size: 8 * count, usage: 0x200 | 4 }),  /* QUERY_RESOLVE, COPY_SRC */
+                 mapped: device.createBuffer({ size: 8 * count, usage: 1 | 8 }) };      /* MAP_READ, COPY_DST */
+    }
+    async #read(mapped) {
+        this.waiting = true;
+        try {
+            await mapped.mapAsync(1);
+            const times = new BigInt64Array(mapped.getMappedRange());
+            this.#fresh = this.steps.map((_, i) => Math.max(0, Number(times[2 * i + 1] - times[2 * i]) / 1e6));
+            mapped.unmap();
+        } catch { /* freed or lost meanwhile */ }
+        this.waiting = false;
+    }
+    waiting = false;
+
+    /* true: ms is new. */
+    poll() {
+        if (!this.#fresh) return false;
+        [this.ms, this.#fresh] = [this.#fresh, null];
+        return true;
+    }
+
+    turn() {
+        this.#passes.turn();
+        this.#results();
+    }
+
+    free() {
+        if (this.#freed) return;
+        this.#freed = true;
+        this.#passes.free();
+        this.#block?.destroy();
+        if (this.#clock) for (const part of Object.values(this.#clock)) part.destroy();
+    }
+}
