@@ -27,6 +27,7 @@ const browser = await launch('--enable-unsafe-webgpu', '--use-webgpu-adapter=swi
 const page = await browser.newPage();
 const address = await serve(top);
 copyFileSync('tests/webgpu-replay.mjs', `${top}/replay.mjs`);
+for (const name of ['webgpu-steps', 'webgpu-texels', 'fetch']) copyFileSync(`examples/web/${name}.mjs`, `${top}/${name}.mjs`);
 await page.goto(`${address}/empty.html`);
 const adapter = await page.evaluate(async () => {
     const adapter = await navigator.gpu?.requestAdapter();
@@ -82,13 +83,15 @@ await run('both stages of every program make a pipeline', async () => {
 });
 
 await run('every step of every chain makes a pipeline of its formats, blending and constants', async () => {
-    const wrong = await page.evaluate(async (manifest, steps) => {
-        const { pipelineOf } = await import('./replay.mjs');
-        return (await Promise.all(steps.map(step => device.createRenderPipelineAsync({
-            layout: 'auto', ...pipelineOf(manifest, step.chain, step, { vert: modules.get(step.vert),
-                                                                         frag: modules.get(step.frag) })
-        }).then(() => null, e => `${step.name}: ${e.message}`)))).filter(Boolean);
-    }, manifest, steps);
+    const wrong = await page.evaluate(async manifest => {
+        const [{ planOf }, { pipelineOf }] = await Promise.all([import('./replay.mjs'), import('./webgpu-steps.mjs')]);
+        return (await Promise.all(manifest.chains.flatMap(chain => planOf(manifest, chain).steps.map((step, i) => {
+            const { vert, frag } = step.files, modules = { vert: `${vert}.wgsl`, frag: `${frag}.wgsl` };
+            return device.createRenderPipelineAsync({ layout: 'auto', ...pipelineOf(step, {
+                vert: globalThis.modules.get(modules.vert), frag: globalThis.modules.get(modules.frag) })
+            }).then(() => null, e => `${chain.name}, step ${i + 1}: ${e.message}`);
+        })))).filter(Boolean);
+    }, manifest);
     note(`${steps.length} steps of ${chains.length} chains`);
     check(!wrong.length, wrong.join('\n'));
 });
