@@ -966,14 +966,15 @@ await run('a tracer that fails is said', async () => {
 
 await run('the console is silent, the folder small', async () => {
     const bytes = readdirSync('build/web', { recursive: true })
-        .filter(name => !/^scenes|^three.(loaders|libs)/.test(name))
+        .filter(name => !/^scenes|^three.(loaders|libs)|^webgpu|^wgsl/.test(name))
         .reduce((sum, name) => {
             const file = statSync(join('build/web', name));
             return sum + (file.isFile() && file.size);
         }, 0);
-    note(`build/web without its scenes and what reads files: ${(bytes / 1e6).toFixed(2)} MB`);
+    note(`build/web without its scenes, what reads files and WebGPU: ${(bytes / 1e6).toFixed(2)} MB`);
     check(bytes <= 3e6, `${bytes} bytes`);
     check(!said.length, said.join('\n'));
 });
 console.log(`        ${shots.join(' ')}`);
+await import('./webgpu-page.mjs');
 await end();

@@ -86,7 +86,8 @@ export async function replay(device, folder, texts = folder) {
         }
         for (const { texture, is } of frame.results) {
             const { data, bytes: each, width, height } = capture.textures[is];
-            const got = await texelsOf(device, passes.textures[texture][0]), wanted = new Float32Array(await bytes(data));
+            const got = await texelsOf(device, passes.textures[texture][0]);
+            const wanted = new Float32Array(await bytes(data));
             const all = each / 4, channels = all < 3 ? 1 : 3;       /* light; or visibility, with depth behind it */
             let sum = 0;
             for (let i = 0; i < width * height; ++i)

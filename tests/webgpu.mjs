@@ -27,7 +27,8 @@ const browser = await launch('--enable-unsafe-webgpu', '--use-webgpu-adapter=swi
 const page = await browser.newPage();
 const address = await serve(top);
 copyFileSync('tests/webgpu-replay.mjs', `${top}/replay.mjs`);
-for (const name of ['webgpu-steps', 'webgpu-texels', 'fetch']) copyFileSync(`examples/web/${name}.mjs`, `${top}/${name}.mjs`);
+for (const name of ['webgpu-steps', 'webgpu-texels', 'fetch'])
+    copyFileSync(`examples/web/${name}.mjs`, `${top}/${name}.mjs`);
 await page.goto(`${address}/empty.html`);
 const adapter = await page.evaluate(async () => {
     const adapter = await navigator.gpu?.requestAdapter();

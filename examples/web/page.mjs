@@ -20,7 +20,7 @@ const settled = 32;                                 /* frames at rest, after whi
 const kept = 31;                                    /* times of a pass that a median is of */
 
 let ssgi, stage, drawer, show, truth, scenes = [], gl, software = false;
-let own, gpu = null;                                /* drawer and show of WebGL 2; what webgpu.mjs opened, if it draws */
+let own, gpu = null;                                /* of WebGL 2: drawer, show; what webgpu.mjs opened, if it draws */
 let sides = [null, null];                           /* { run, key, frame number, .. } left and right */
 let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0, frames = 0;
 let calm = null;                                    /* the view that is not moved for the sake of edges */
@@ -937,7 +937,8 @@ let told = false;
 function first() {
     if (told) return;
     told = true;
-    if (!gpu) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));  /* it is there, not just asked for */
+    /* it is there, not just asked for */
+    if (!gpu) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     page.first = performance.now();
     loading(null);
     page.ready();

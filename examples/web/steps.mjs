@@ -74,9 +74,10 @@ export class Drawer {
         gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
     }
 
-    /* Four floats a texel, the first row first; into: a texture of that size, or a new one is made. */
-    floats(rgba, width, height, slices = 0, into = this.texture(width, height, { internal: this.#gl.RGBA32F }, slices)) {
+    /* Four floats a texel, the first row first; given: a texture of that size, or a new one is made. */
+    floats(rgba, width, height, slices = 0, given = null) {
         const gl = this.#gl, target = slices ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
+        const into = given ?? this.texture(width, height, { internal: gl.RGBA32F }, slices);
         this.plainUploads();
         gl.bindTexture(target, into);
         if (slices) gl.texSubImage3D(target, 0, 0, 0, 0, width, height, 1, gl.RGBA, gl.FLOAT, rgba);

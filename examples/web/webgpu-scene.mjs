@@ -179,7 +179,8 @@ export class Scene {
                 ['cw', 'ccw'].map(face => make(fragment ? ['bare', 'part', 'none', 'before'] : ['bare', 'part'],
                                                'place', fragment, [], cull, face)))
         ]);
-        this.#pipelines = { surface: made[0], sun: made[1], peels: [made.slice(2, 4), made.slice(4, 6), made.slice(6)] };
+        const [surface, sun, ...peels] = made;
+        this.#pipelines = { surface, sun, peels: [0, 2, 4].map(i => peels.slice(i, i + 2)) };
     }
 
     /* ---- what three has, in buffers and textures */
@@ -220,7 +221,8 @@ export class Scene {
         const width = Math.min(image.width, most), height = Math.min(image.height, most);
         const levels = from.generateMipmaps === false ? 1 : 1 + Math.floor(Math.log2(Math.max(width, height)));
         const format = !linear && from.colorSpace === THREE.SRGBColorSpace ? 'rgba8unorm-srgb' : 'rgba8unorm';
-        const texture = device.createTexture({ size: [width, height], format, mipLevelCount: levels, usage: 2 | 4 | 16 });
+        const texture = device.createTexture({ size: [width, height], format, mipLevelCount: levels,
+                                               usage: 2 | 4 | 16 });
         if (image.data) device.queue.writeTexture({ texture }, new Uint8Array(image.data.buffer ?? image.data),
                                                   { bytesPerRow: 4 * width }, [width, height]);
         else device.queue.copyExternalImageToTexture(

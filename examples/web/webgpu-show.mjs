@@ -139,8 +139,8 @@ export class Show {
         this.#linear = device.createSampler({ minFilter: 'linear', magFilter: 'linear' });
     }
 
-    /* A triangle into a texture, that reads others. name: of its block. mean: 0: replaces what is there; n: makes it the
-       mean of n such pictures. */
+    /* A triangle into a texture, that reads others. name: of its block. mean: 0: replaces what is there; n: makes it
+       the mean of n such pictures. */
     #draw(code, into, name, numbers, textures, filters, mean = 0) {
         const device = this.#device, { format } = into, key = `${name.split(' ')[0]} ${format} ${mean > 1}`;
         const kind = filters ? 'float' : 'unfilterable-float';

@@ -1,5 +1,5 @@
-/* webgpu-steps.mjs - draws steps of ssgi with WebGPU, as steps.mjs does with WebGL 2: by what the steps say alone. Texts
-   in WGSL are translated when the page is made; tests draw captured frames with the same Passes.
+/* webgpu-steps.mjs - draws steps of ssgi with WebGPU, as steps.mjs does with WebGL 2: by what the steps say alone.
+   Texts in WGSL are translated when the page is made; tests draw captured frames with the same Passes.
 
    A plan: textures: [{ format, size: [width, height], slices, kept }]; steps: [{ rows, blend: [operation, source,
    destination] or null, clear: null or a number, vertices, instances, inputs: [{ binding, sample, dimension, yours,
@@ -14,6 +14,7 @@ const of = (rows, kind) => rows.filter(row => row.kind === kind);
 /* What a pipeline needs besides its layout. stride: of the buffer of attributes, if there are some. */
 export function pipelineOf({ rows, blend, outputs }, modules, stride) {
     const [operation, srcFactor, dstFactor] = blend ?? [], by = { operation, srcFactor, dstFactor };
+    const blending = blend && { blend: { color: by, alpha: by } };
     const attributes = of(rows, 'ATTRIBUTE').map(({ slot }) => ({
         shaderLocation: slot, offset: 16 * slot, format: 'float32x4' }));
     const counts = of(rows, 'CONSTANT').filter(row => row.offset);
@@ -21,7 +22,7 @@ export function pipelineOf({ rows, blend, outputs }, modules, stride) {
         vertex: { module: modules.vert, buffers: attributes.length
             ? [{ arrayStride: stride ?? 16 * attributes.length, stepMode: 'instance', attributes }] : [] },
         fragment: { module: modules.frag, constants: Object.fromEntries(counts.map(row => [row.offset, row.slot])),
-                    targets: outputs.map(({ format }) => ({ format, ...blend && { blend: { color: by, alpha: by } } })) }
+                    targets: outputs.map(({ format }) => ({ format, ...blending })) }
     };
 }
 
@@ -134,7 +135,8 @@ export class Drawer {
         for (const { desc, inputs, blend } of this.#ssgi.steps(chain)) {
             const strange = inputs.find(({ meaning }) => meaning && !given.includes(meaning));
             if (strange || blend[0]) return 'reads what the page’s WebGPU does not make';
-            if (!['vert', 'frag'].every(stage => this.#keys.has(this.#key(desc, stage)))) return 'has no text in WGSL here';
+            if (!['vert', 'frag'].every(stage => this.#keys.has(this.#key(desc, stage))))
+                return 'has no text in WGSL here';
         }
         return null;
     }

@@ -1,8 +1,8 @@
 /* wgsl.mjs - make web: every text that the page's settings can ask for, translated to WGSL.
 
-      node wgsl.mjs SSGI.wasm SSGI.mjs FOLDER TO      FOLDER: for the work; TO: a folder, gets KEY.wgsl, by keyOf the GLSL
-                                                      that it comes from, and list.json of these keys: none of them
-                                                      where there is no translator */
+      node wgsl.mjs SSGI.wasm SSGI.mjs FOLDER TO      FOLDER: for the work; TO: a folder, gets KEY.wgsl, by keyOf the
+                                                      GLSL that it comes from, and list.json of these keys: none of
+                                                      them where there is no translator */
 import { spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
@@ -23,7 +23,8 @@ const every = {
 };
 function* products([[name, values], ...rest]) {
     if (!name) { yield {}; return; }
-    for (const value of values) for (const others of products(rest.length ? rest : [[]])) yield { [name]: value, ...others };
+    for (const value of values)
+        for (const others of products(rest.length ? rest : [[]])) yield { [name]: value, ...others };
 }
 
 const texts = new Map(), seen = new Set();

@@ -1,0 +1,179 @@
+/* webgpu-page.mjs - of make web-test: the page with ?webgpu beside the page without, in one browser that has both. */
+import { readFileSync } from 'node:fs';
+import { check, launch, note, rest, run, serve } from './web-kit.mjs';
+
+const browser = await launch('--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan',
+                             '--use-vulkan=swiftshader', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+                             '--ignore-gpu-blocklist', '--hide-scrollbars');
+const root = await serve('build');
+
+const said = [];                                    /* but for what ANGLE says of the test's own reading of pixels */
+async function open(query, hash, before = null) {
+    const page = await browser.newPage();
+    page.on('console', m => {
+        if (['error', 'warn', 'warning'].includes(m.type()) && !m.text().includes('GPU stall due to ReadPixels'))
+            said.push(`${hash}: ${m.text()}`);
+    });
+    page.on('pageerror', e => said.push(`${hash}: ${e.message}`));
+    await page.setViewport({ width: 900, height: 600 });
+    if (before) await page.evaluateOnNewDocument(before);
+    await page.goto(`${root}/web/${query}#${hash}`, { waitUntil: 'domcontentloaded' });
+    await page.waitForFunction('globalThis.page && page.first', { timeout: 60000 });
+    return page;
+}
+const state = page => page.evaluate(() => ({
+    notice: document.getElementById('notice').hidden ? '' : document.getElementById('notice').textContent,
+    draws: !!page.inside().gpu, search: location.search, box: document.getElementById('webgpu-box').checked }));
+
+/* Of what is set in an address: how the sides' results and the pictures of both differ. Light as
+   a share of its mean; its alpha is the filter's own, and of pixels without a surface nothing is asked. */
+const compare = (page, hash) => page.evaluate(async hash => {
+    const draw = async gpu => {
+        if (!!page.inside().gpu !== gpu) await page.webgpu(gpu);
+        if (!!page.inside().gpu !== gpu) throw new Error(document.getElementById('notice').textContent);
+        if (hash !== null) await page.go(hash);
+        do await new Promise(requestAnimationFrame); while (!page.smooth() || (page.set.history && !page.settled()));
+        const sides = [0, 1].map(i => (['none', 'off'].includes(page.set[i ? 'b' : 'a']) ? null : page.result(i)));
+        return [...(await Promise.all(sides)).map(side => side?.pixels ?? null), await page.picture()];
+    };
+    const is = await draw(true), wanted = await draw(false);
+    return is.map((of, i) => {
+        if (!of) return null;
+        let sum = 0, n = 0, level = 0;
+        const light = of.length === 4 * page.inside().size.width * page.inside().size.height;
+        of.forEach((value, k) => {
+            if (light && k % 4 === 3) return;
+            if (!Number.isFinite(wanted[i][k]) && !Number.isFinite(value)) return;
+            sum += (value - wanted[i][k]) ** 2;
+            level += wanted[i][k];
+            ++n;
+        });
+        return Math.sqrt(sum / n) / (i === 2 ? 255 : light ? level / n : 1);
+    });
+}, hash);
+
+const first = await open('?webgpu', 'size=320x180&history=0&b=off');
+if ((await state(first)).notice) console.log(`skipped: the page in WebGPU: ${(await state(first)).notice}`);
+else {
+    const most = 0.005, small = 'size=320x180&history=0';
+    for (const [what, hashes] of Object.entries({
+        'hsao in each preset': [`${small}&p=FAST&b=hsao&q=BEST`, small],
+        'ssao, and the march': [`${small}&a=ssao&b=march`],
+        'ssdo in each preset': [`${small}&a=ssdo&p=FAST&b=ssdo&q=BEST`, `${small}&a=ssdo`],
+        'ssdo by points, and with a bounce': [`${small}&a=points&b=ssdo&bounce=1&view=ambient`],
+        's3ho in each preset': [`${small}&a=s3ho&p=FAST&b=s3ho&q=BEST`, `${small}&a=s3ho`],
+        'history': ['size=320x180&a=hsao&b=s3ho'],
+        'two slabs, back faces': [`${small}&behind=SLABS&b=ssdo`, `${small}&behind=BACK&scene=casters`],
+        'normals from depth, numbers of one\'s own': [`${small}&normals=FROM_DEPTH&slices=3&steps=4&half=1&filter=3`]
+    }))
+        await run(`WebGPU draws what WebGL 2 does: ${what}`, async () => {
+            for (const hash of hashes) {
+                const differs = await compare(first, hash), [left, right, picture] = differs;
+                note(`${hash}: RMSE ${differs.map(v => v?.toExponential(1) ?? '-').join(' ')}`);
+                check(left < most && (right ?? 0) < most && picture < most, `${hash}: ${differs}`);
+                const { notice } = await state(first);
+                check(!notice, notice);
+            }
+        });
+
+    await run('WebGPU draws a model that is dropped, with its picture', async () => {
+        await first.evaluate('page.webgpu(true)');
+        await first.evaluate(async () => {
+            const canvas = new OffscreenCanvas(8, 8), context = canvas.getContext('2d');
+            context.fillStyle = '#36f';
+            context.fillRect(0, 0, 8, 8);
+            context.fillStyle = '#fa2';
+            context.fillRect(0, 0, 5, 3);
+            const blob = await canvas.convertToBlob(), dataTransfer = new DataTransfer();
+            const box = 'mtllib a.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\n'
+                + 'v 1 1 1\nv 0 1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n'
+                + 'f 5/1 6/2 7/3 8/4\nf 6/1 2/2 3/3 7/4\nf 8/1 7/2 3/3 4/4\n'
+                + 'f 2/1 1/2 4/3 3/4\nf 1/1 5/2 8/3 4/4\n';
+            for (const [name, content] of [['a.obj', box], ['a.mtl', 'newmtl m\nKd 1 1 1\nmap_Kd p.png\n'],
+                                           ['p.png', blob]]) dataTransfer.items.add(new File([content], name));
+            dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+            while (page.set.scene !== 'file') await new Promise(requestAnimationFrame);
+        });
+        const differs = await compare(first, null);
+        note(`RMSE ${differs.map(v => v?.toExponential(1) ?? '-').join(' ')}`);
+        check(differs[0] < most && differs[2] < most, `${differs}`);
+        const blue = await first.evaluate(() => {
+            const all = page.picture();
+            let found = 0;
+            for (let i = 0; i < all.length; i += 4) found += all[i + 2] > 1.5 * all[i] && all[i + 2] > 60;
+            return found / all.length * 4;
+        });
+        check(blue > 0.02, `blue are ${blue} of the pixels`);
+    });
+
+    await run('WebGPU: what moves is followed, the truth is traced, a change of size is drawn', async () => {
+        await first.evaluate('page.webgpu(true)');
+        await first.evaluate(`page.go('size=160x90&moves=1&scene=cornell')`);
+        await rest(700);
+        await first.evaluate(`page.go('${small.replace('320x180', '96x54')}&b=truth&scene=cornell')`);
+        await first.waitForFunction('page.rays() >= 4 && page.error(0) !== null', { timeout: 60000 });
+        const error = await first.evaluate('page.error(0)');
+        check(error > 0 && error < 0.2, `error ${error}`);
+        await first.evaluate(`page.go('history=0&scene=cornell')`);
+        for (const width of [700, 500]) {
+            await first.setViewport({ width, height: 600 });
+            await first.waitForFunction(`(() => { const { gpu, size } = page.inside();
+                const box = document.getElementById('picture').getBoundingClientRect();
+                return gpu.canvas.width === size.width && Math.abs(size.width / size.height - box.width / box.height)
+                    < 0.02; })()`, { timeout: 20000 });
+        }
+        const differs = await compare(first, null), { notice } = await state(first);
+        check(differs[0] < most && differs[2] < most && !notice, `${differs} ${notice}`);
+        await first.setViewport({ width: 900, height: 600 });
+    });
+
+    await run('WebGPU: a device that is lost leaves the page to WebGL 2', async () => {
+        await first.evaluate(`page.go('${small}')`);
+        await first.evaluate('page.webgpu(true)');
+        const is = await state(first);
+        check(is.search === '?webgpu' && is.box, JSON.stringify(is));
+        await first.evaluate('page.inside().gpu.device.destroy()');
+        await first.waitForFunction('!page.inside().gpu && page.smooth()', { timeout: 20000 });
+        const { notice, search, box } = await state(first);
+        check(notice === 'The device lost its WebGPU: WebGL 2 draws' && !search && !box, `${notice} ${search} ${box}`);
+        check(await first.evaluate('page.picture().some((v, i) => i % 4 < 3 && v > 100)'), 'nothing is drawn');
+    });
+
+    await run('WebGPU: its files come when it is asked for, and are small', async () => {
+        const page = await open('', small), names = () => page.evaluate(
+            () => performance.getEntriesByType('resource').map(r => r.name.split('/web/')[1]).filter(Boolean));
+        const files = all => all.filter(name => /^webgpu|^wgsl/.test(name));
+        check(!files(await names()).length, `without ?webgpu: ${files(await names())}`);
+        await page.evaluate('page.webgpu(true)');
+        await page.waitForFunction('page.smooth()');
+        const come = files(await names());
+        const bytes = come.reduce((sum, name) => sum + readFileSync(`build/web/${name}`).length, 0);
+        note(`${come.length} files, ${(bytes / 1000).toFixed(0)} KB: ${come.join(' ')}`);
+        check(come.some(name => name.endsWith('.wgsl')) && bytes < 150e3, `${bytes} bytes`);
+        await page.close();
+    });
+}
+
+await run('a browser without WebGPU is told so in a sentence, and goes on in WebGL 2', async () => {
+    const page = await open('?webgpu', 'size=160x90&history=0', 
+                            `Object.defineProperty(navigator, 'gpu', { value: null })`);
+    const { notice, draws, search } = await state(page);
+    check(notice === 'This browser has no WebGPU: WebGL 2 draws' && !draws && !search, `${notice} ${search}`);
+    const [grey, why] = await page.$eval('#webgpu-box', box => [box.disabled, box.parentElement.title]);
+    check(grey && why === 'This browser has no WebGPU', `${grey} ${why}`);
+    await page.close();
+});
+
+await run('what has no text in WGSL is grey, and says why', async () => {
+    const page = await open('', 'size=160x90&history=0&a=none', `{ const all = globalThis.fetch;
+        globalThis.fetch = async (url, ...more) => (String(url).endsWith('list.json') && String(url).includes('wgsl')
+            ? new Response('["0"]') : all(url, ...more)); }`);
+    await page.evaluate('page.webgpu(true)');
+    if ((await state(page)).draws) {
+        const [grey, why] = await page.$eval('[name=a] [value=hsao]', option => [option.disabled, option.title]);
+        check(grey && why === 'HSAO has no text in WGSL here: draw it with WebGL 2', `${grey} ${why}`);
+    } else note('skipped: no WebGPU');
+    await page.close();
+});
+
+await run('WebGPU and WebGL 2: the console is silent', () => { check(!said.length, said.join('\n')); });
