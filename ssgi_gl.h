@@ -3670,23 +3670,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_within(at) && -E.z < ssgi_nearest(at, false).z - slack;\n"
     "}\n" },
 
-/* Each pixel of a quad has its side of a square. Along the side the place is interleaved gradient noise, as in
-   ssgi_noise; how large the square is a second one, independent of it: more than half are within a third of the
-   radius. */
+/* Each pixel of a quad has a side of a square for each tap. Along the side the place is interleaved gradient noise, as
+   in ssgi_noise; how large the square is a second one, independent of it. */
 { "ssgi_occluders_moved", __LINE__ + 1,
-    "// whether a tap shows it, here or, by derivatives, in another pixel of the 2x2 quad\n"
+    "// whether one of two taps, within a third of the radius and beyond, shows it, here or, by derivatives, in\n"
+    "// another pixel of the 2x2 quad\n"
     "bool ssgi_occluders_moved(ivec2 p, vec3 P, vec3 n) {\n"
     "    vec2 xi = fract(fract(dot(vec2(p), vec2(0.0671, 0.00584))) * vec2(52.983, 386.77) + u_ssgi_phase);\n"
     "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius; // #if orthographic\n"
     "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / -P.z; // #if !orthographic\n"
     "    vec2 way = vec2(2.0 * xi.x - 1.0, (p.y & 1) == 0 ? -1.0 : 1.0), along = vec2(0.0);\n"
     "    if ((p.x & 1) == 0) way = vec2(-way.y, way.x);\n"
-    "    way *= 0.05 + 0.95 * xi.y * xi.y;\n"
     "#if motion\n"
     "    // what moved along with P stays where it is\n"
     "    along = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy - ssgi_reproject(P).xy;\n"
     "#endif\n"
-    "    float moved = ssgi_occluder_moved(p + ivec2(floor(reach * way + 0.5)), P, n, along) ? 1.0 : 0.0;\n"
+    "    vec2 far = reach * (0.35 + 0.65 * xi.y) * way, near = reach * (0.05 + 0.3 * xi.y) * vec2(-way.y, way.x);\n"
+    "    bool one = ssgi_occluder_moved(p + ivec2(floor(near + 0.5)), P, n, along);\n"
+    "    bool other = ssgi_occluder_moved(p + ivec2(floor(far + 0.5)), P, n, along);\n"
+    "    float moved = one || other ? 1.0 : 0.0;\n"
     "#if dialect == 450 || dialect == VULKAN\n"
     "    moved = max(moved, abs(dFdxFine(moved))); // coarse ones may be of one row for both\n"
     "    return max(moved, abs(dFdyFine(moved))) > 0.0;\n"
@@ -3696,10 +3698,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* As of nine of equal weight. A tenth of the mean more where they are few. */
+/* Larger where few neighbours are of the surface, and a tenth of the mean more. All of them count as 9 of equal weight;
+   those of half size, whose weights fall off, as 7. */
 { "ssgi_deviation", __LINE__ + 1,
     "float ssgi_deviation(ssgi_filtered f, float mean) {\n"
-    "    float few = 9.0 * f.spread.y / (f.light.w * f.light.w);\n"
+    "    float few = 9.0 * f.spread.y / (f.light.w * f.light.w); // #if !half\n"
+    "    float few = 7.0 * f.spread.y / (f.light.w * f.light.w); // #if half\n"
     "    float variance = max(f.spread.x / f.light.w - mean * mean, 0.0);\n"
     "    return sqrt((variance + 0.01 * mean * mean * max(few - 1.0, 0.0)) * few);\n"
     "}\n" },

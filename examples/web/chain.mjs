@@ -16,7 +16,7 @@ export function chainAs(ssgi, set, name, preset, own, { dialect, width, height, 
     if (own && set.steps && ssgi.resolve(d).steps) d.steps = set.steps;
     if (own && set.half !== 'preset') d.half = +set.half;
     if (own && set.filter > 0) d.filter_radius = set.filter;
-    /* half size becomes whole, and light is restored, where it is filtered */
-    const blur = +!(own && set.filter === 0 && !d.half && !d.restore);
+    /* half size becomes whole, light is restored, and frames are averaged where it is filtered */
+    const blur = +!(own && set.filter === 0 && !d.half && !d.restore && !set.history);
     return { desc: d, width, height, blur, history: +set.history, direct: +(bounce && set.sun), precise };
 }

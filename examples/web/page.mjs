@@ -805,6 +805,12 @@ let choosing = 0;
 async function chooseGpu(wanted) {
     const mine = ++choosing;
     let made = null;
+    const alone = [set.a, set.b].find(name => methods[name]?.module);
+    if (wanted && alone) {
+        notice(`${methods[alone].title} is not in WebGPU: WebGL 2 draws`);
+        $('webgpu-box').checked = false;
+        return;
+    }
     if (wanted) {
         if (told) loading('Opening WebGPU');
         made = await import('./webgpu.mjs').then(({ open }) => open(ssgi, canvas, lost => {
@@ -815,6 +821,12 @@ async function chooseGpu(wanted) {
         if (mine !== choosing) { made?.close(); return; }
     } else notice();
     drawBy(made ?? null);
+}
+
+/* Why WebGPU does not draw a method; falsy: it does. */
+function lacksOf(name) {
+    if (methods[name]?.module) return 'is not in WebGPU';
+    return methods[name]?.desc && gpu.drawer.lacks(chainOf(name, set.p, false));
 }
 
 /* What was made by one of them goes with it. made: null: WebGL 2 draws. */
@@ -840,7 +852,7 @@ function drawBy(made) {
     $('copy-glsl').textContent = `Copy the ${drawer.language}`;
     for (const select of [panel.elements.a, panel.elements.b])
         for (const option of select.options) {          /* what only WebGL 2 has is grey, and says why */
-            const lacks = methods[option.value]?.desc && gpu?.drawer.lacks(chainOf(option.value, set.p, false));
+            const lacks = gpu && lacksOf(option.value);
             option.disabled = !!lacks;
             option.title = lacks ? `${methods[option.value].title} ${lacks}: draw it with WebGL 2` : '';
         }

@@ -36,7 +36,8 @@ static void only_new(shot *s, const shot *last)
 }
 
 /* How much of what was before is still seen: where the truth has changed, the picture's mean difference from the frame
-   alone, counted toward what was. share: of how many pixels of the picture that is more than HELD_MOST. */
+   alone, counted toward what was. share: of how many pixels of the picture that is more than HELD_MOST, and makes them
+   err by as much more. */
 static const float HELD_MOST = 0.05f;
 static double remains(const shot *s, const shot *before, int m, int share)
 {
@@ -45,9 +46,10 @@ static double remains(const shot *s, const shot *before, int m, int share)
     for (int i = 0; i < s->frame.width * s->frame.height; ++i) {
         const float now = shot_values(&s->truth[0])[i], was = shot_values(&before->truth[0])[i];
         if (!(s->mask[i] > 0) || !(fabsf(now - was) > 0.05f)) continue;
-        const float d = shot_values(&s->picture[m])[i] - shot_values(&s->single[m])[i];
-        sum += (double)(was > now ? d : -d);
-        held += (was > now ? d : -d) > HELD_MOST;
+        const float seen = shot_values(&s->picture[m])[i], alone = shot_values(&s->single[m])[i];
+        const float d = was > now ? seen - alone : alone - seen;
+        sum += (double)d;
+        held += d > HELD_MOST && fabsf(seen - now) - fabsf(alone - now) > HELD_MOST;
         ++count;
     }
     if (share) return (double)held / (s->frame.width * s->frame.height);
