@@ -1478,7 +1478,8 @@ static void pixels_take_turns(void)
         if (!facing(&view, &frame, 1)) return;
         frame.phase = ssgi_gl_phase(k);
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL);
-        const int went = probe(&d, &frame, texture, "o = vec4(ssgi_gathered(ivec2(4, 6)), ssgi_gathered(ivec2(1000)));");
+        const int went = probe(&d, &frame, texture,
+                               "o = vec4(ssgi_gathered(ivec2(4, 6)), ssgi_gathered(ivec2(1000)));");
         glDeleteTextures(1, &texture);
         if (!went) return;
         const int turn = (int)out[0][0] - 8 + 2 * ((int)out[0][1] - 12);
