@@ -3446,8 +3446,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            if (x == 0 && y == 0) continue; // #if !half\n"
     "            ssgi_neighbour t = ssgi_neighbour_at(p, x, y);\n"
     "            vec4 s = ssgi_now(t.at);\n"
-    "            if (!ssgi_inside(t.q) || s.w >= SSGI_FAR) continue;\n"
-    "            ssgi_filtered_add(f, s, ssgi_blur_weight(c, t, s.w));\n"
+    "            // not >=: background in 16 bits is an infinity or NaN\n"
+    "            if (ssgi_inside(t.q) && s.w < SSGI_FAR) ssgi_filtered_add(f, s, ssgi_blur_weight(c, t, s.w));\n"
     "        }\n"
     "    return c;\n"
     "}\n" },
