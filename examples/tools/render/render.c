@@ -186,25 +186,30 @@ static int trace(job *j, kit_error *err)
     return kit_floor_ao(&j->r.picture, &j->r.frame, camera, radius, kit_method_attenuation(m), j->o.floor, 1, err);
 }
 
-static int draw(job *j, kit_error *err)
+/* Medians of each pass over frames of a view that stays: of methods that keep history, of frames that have one. */
+static int time_passes(job *j, kit_error *err)
 {
     const int frames = j->o.time;
     kit_run *run = &j->run;
+    j->r.frames = frames;
+    j->r.ms = calloc((size_t)run->passes * (size_t)(frames + 1), sizeof *j->r.ms);
+    if (!j->r.ms) return kit_fail(err, "out of memory");
+    for (int f = 0; f < frames; ++f) {
+        if (kit_frames_still(run, 0, (unsigned)f, KIT_PASSES, err)) return -1;
+        for (int i = 0; i < run->passes; ++i) j->r.ms[run->passes + i * frames + f] = run->pass[i].ms;
+    }
+    for (int i = 0; i < run->passes; ++i) j->r.ms[i] = kit_median(j->r.ms + run->passes + i * frames, frames);
+    return 0;
+}
+
+static int draw(job *j, kit_error *err)
+{
+    kit_run *run = &j->run;
     if (kit_run_open(run, &j->gbuffer, &j->method, (float)j->radius, &j->world, err)) return -1;
     j->r.run = run;
+    if (j->o.time && time_passes(j, err)) return -1;
     for (int k = 0; k < (j->o.still ? j->o.still : 1); ++k)
-        if (j->o.still ? kit_frames_still(run, 0, (unsigned)k, 0, err) : (kit_run_draw(run, 0), 0)) return -1;
-    if (frames) {
-        j->r.frames = frames;
-        j->r.ms = calloc((size_t)run->passes * (size_t)(frames + 1), sizeof *j->r.ms);
-        if (!j->r.ms) return kit_fail(err, "out of memory");
-        for (int f = 0; f < frames; ++f) {
-            kit_run_draw(run, 1);
-            for (int i = 0; i < run->passes; ++i) j->r.ms[run->passes + i * frames + f] = run->pass[i].ms;
-        }
-        for (int i = 0; i < run->passes; ++i)
-            j->r.ms[i] = kit_median(j->r.ms + run->passes + i * frames, frames);
-    }
+        if (kit_frames_still(run, 0, (unsigned)k, 0, err)) return -1;
     return kit_run_read(&j->r.picture, run, err);
 }
 
