@@ -1,7 +1,7 @@
 /* try.c - settings tried on scenes by seed, for whoever tunes: what each errs by as a share of doing nothing, and how
    it differs from the first, scene by scene.
 
-      build/try [--from 0] [--count 70] [--light | --bounce] [--radius R] [--out try.csv] [--against other.csv]
+      build/try [--from 0] [--count 70] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
                 METHOD[:key=value,..] ..
 
    Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused. --light: of irradiance
@@ -173,7 +173,7 @@ static int add_entry(trial *t, const char *text, kit_error *err)
 
 static int parse(trial *t, int argc, char **argv, kit_error *err)
 {
-    *t = (trial){ .count = 70, .radius = 1, .out = "try.csv" };
+    *t = (trial){ .count = 70, .radius = 1, .out = "build/try.csv" };
     for (int i = 1; i < argc; ++i) {
         const char *const a = argv[i], *const v = i + 1 < argc ? argv[i + 1] : NULL;
         if (!strcmp(a, "--light") || !strcmp(a, "--bounce")) {
@@ -200,8 +200,8 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
     if (!(t->radius > 0)) return kit_fail(err, "--radius: must be above 0, times the scene's own");
     return t->entries
              ? 0
-             : kit_fail(err, "usage: try [--from 0] [--count 70] [--light | --bounce] [--radius 1] [--out try.csv] "
-                             "[--against other.csv] METHOD[:key=value,..] ..");
+             : kit_fail(err, "usage: try [--from 0] [--count 70] [--light | --bounce] [--radius 1] "
+                             "[--out build/try.csv] [--against other.csv] METHOD[:key=value,..] ..");
 }
 
 int main(int argc, char **argv)
