@@ -22,7 +22,7 @@
 
    HOW A PASS IS DRAWN
       draw         vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, the viewport on the image
-                   inside the target, glDrawArrays(GL_TRIANGLES, 0, 3)
+                   inside the target (ssgi_gl_step.size), glDrawArrays(GL_TRIANGLES, 0, 3)
       state        off: tests of depth (its mask does not matter then), of stencil, scissor and alpha (compatibility
                    contexts); blending, but where told below; culling, rasteriser discard, logic op, clip distances.
                    Colour mask on, polygons filled
@@ -55,6 +55,8 @@
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
                 blur, history            edge-preserving filter of what the others wrote; the same, and a mean over
                                          frames
+                changes, nearby          occluders that came or went, by depth, in tiles of 8x8 pixels; the share of
+                                         them within the radius, which shortens what history averages
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
                 width    writes view depth and thickness of what is seen, for gathers and lights: desc.thickness
 
@@ -131,6 +133,8 @@ enum {
     SSGI_GL_HISTORY,
     SSGI_GL_COMPOSE,
     SSGI_GL_WIDTH,
+    SSGI_GL_CHANGES,
+    SSGI_GL_NEARBY,
     SSGI_GL_PASSES, /* how many */
 };
 
@@ -490,7 +494,8 @@ typedef struct ssgi_gl_desc {
     int filter_radius;  /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when
                            half: 1 is 3x3 */
     int filter_normals; /* blur, history, smooth   1: neighbours' normals are compared, too: 1 more fetch each */
-    int motion;         /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
+    int motion;         /* history, changes   1: t_ssgi_motion says where each pixel was, so that what moves on its own
+                           keeps its average; 0: the camera alone moves */
     int onto;           /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE .. */
 
     /* ---- your own text */
@@ -696,13 +701,14 @@ enum {
     SSGI_GL_SIZE_FULL = 0,
     SSGI_GL_SIZE_HALF,   /* of the image, rounded up */
     SSGI_GL_SIZE_LEVELS, /* of all levels: ssgi_splat_size */
+    SSGI_GL_SIZE_TILES,  /* an eighth of the image, rounded up */
 };
 
 /* One draw. Text of each stage: ssgi_gl_emit of desc. */
 typedef struct ssgi_gl_step {
     ssgi_gl_desc desc;
 
-    /* ---- where: the image in the targets begins at frame.target, of HALF at half of that */
+    /* ---- where: the image in the targets begins at frame.target, of HALF at half of that, of TILES at an eighth */
     int size;          /* SSGI_GL_SIZE_FULL .. */
     int width, height; /* [units: pixels] of that image */
 
@@ -973,7 +979,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of that image stands for\n"
     "#if half == 2\n"
     "    int turn = int(16777216.0 * u_ssgi_phase);\n"
-    "    return min(2 * texel + (ivec2(turn, turn + (turn >> 1)) & 1), u_ssgi_size - 1); // of every 2x2 in turn\n"
+    "    ivec2 p = 2 * texel + (ivec2(turn, turn + (turn >> 1)) & 1); // of every 2x2 in turn\n"
+    "    return min(p, max(u_ssgi_size - 1, 2 * texel)); // beyond the image it stays so\n"
     "#else\n"
     "    return 2 * texel; // of every 2x2 // #if half\n"
     "    return texel; // #if !half\n"
@@ -3334,12 +3341,29 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "struct ssgi_blurred { // the pixel that is filtered\n"
     "    vec3 P, n, plane; // n, plane: where they are asked for\n"
     "    float z, footprint;\n"
+    "    vec4 now; // what is there // #if !half && colour != COEFFICIENTS\n"
+    "    bool settled; // it has been averaged over frames // #if pass == HISTORY\n"
     "};\n" },
 
+{ "ssgi_texel", __LINE__ + 1,
+    "// light or visibility, view depth\n"
+    "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
+    "    return texelFetch(t, q, 0); // #if colour == COLOUR\n"
+    "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n"
+    "}\n" },
+
+{ "ssgi_now", __LINE__ + 1,
+    "vec4 ssgi_now(ivec2 q) { // this frame's\n"
+    "    return ssgi_texel(t_ssgi_light, q); // #if colour == COLOUR\n"
+    "    return ssgi_texel(t_ssgi_ao, q); // #if colour == GREY\n"
+    "}\n" },
+
 { "ssgi_blurred_at", __LINE__ + 1,
-    "ssgi_blurred ssgi_blurred_at(ivec2 p, float z) {\n"
+    "ssgi_blurred ssgi_blurred_at(ivec2 p) {\n"
     "    ssgi_blurred c;\n"
-    "    c.P = ssgi_position(vec2(p) + 0.5, z), c.z = z, c.footprint = ssgi_footprint(z);\n"
+    "    c.now = ssgi_now(p + u_ssgi_target), c.z = c.now.w; // #if !half && colour != COEFFICIENTS\n"
+    "    c.z = ssgi_depth(p); // #if half || colour == COEFFICIENTS\n"
+    "    c.P = ssgi_position(vec2(p) + 0.5, c.z), c.footprint = ssgi_footprint(c.z);\n"
     "    c.n = ssgi_normal(p, c.P); // #if filter == BILATERAL || restore || pass == HISTORY\n"
     "    c.plane = ssgi_plane(c.P, c.n); // #if filter == BILATERAL\n"
     "    return c;\n"
@@ -3375,8 +3399,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(vec2(t.o));\n"
     "    // never 0: if no tap lies on the plane, the closest to it wins\n"
     "    float w = tent.x * tent.y / (0.1 + off * off); // #if pass != HISTORY\n"
-    "    float w = tent.x * tent.y; // #if pass == HISTORY\n"
-    "    w *= w / (0.02 + off * off); // narrower: frames average, too // #if pass == HISTORY\n"
+    "    float w = tent.x * tent.y / (0.02 + off * off); // #if pass == HISTORY\n"
+    "    if (c.settled) w *= 12.0 + tent.x * tent.y; // nearer ones more: frames average, too // #if pass == HISTORY\n"
     "#else\n"
     "    float w = max(1.0 - off, 0.0);\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == SSGI_FILTER_RADIUS) w *= 0.5;\n"
@@ -3392,19 +3416,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec4((1.0 - ao) * texelFetch(t_ssgi_ambient, p + u_ssgi_origin, 0).xyz, 0.0); // #if onto == AMBIENT\n"
     "    return vec4(vec3(pow(ao, 1.0 / 2.2)), 1.0); // #if onto == MULTIPLY_SRGB\n"
     "    return vec4(vec3(ao), 1.0); // #if onto == MULTIPLY\n"
-    "}\n" },
-
-{ "ssgi_texel", __LINE__ + 1,
-    "// light or visibility, view depth\n"
-    "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
-    "    return texelFetch(t, q, 0); // #if colour == COLOUR\n"
-    "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n"
-    "}\n" },
-
-{ "ssgi_now", __LINE__ + 1,
-    "vec4 ssgi_now(ivec2 q) { // this frame's\n"
-    "    return ssgi_texel(t_ssgi_light, q); // #if colour == COLOUR\n"
-    "    return ssgi_texel(t_ssgi_ao, q); // #if colour == GREY\n"
     "}\n" },
 
 { "ssgi_grey", __LINE__ + 1,
@@ -3432,31 +3443,56 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    f.spread += vec2(v * v, w) * w; // #if pass == HISTORY\n"
     "}\n" },
 
+{ "ssgi_filter_tap", __LINE__ + 1,
+    "void ssgi_filter_tap(inout ssgi_filtered f, ivec2 p, ssgi_blurred c, ivec2 o) {\n"
+    "    ssgi_neighbour t = ssgi_neighbour_at(p, o.x, o.y);\n"
+    "    vec4 s = ssgi_now(t.at);\n"
+    "    // not >=: background in 16 bits is an infinity or NaN\n"
+    "    if (ssgi_inside(t.q) && s.w < SSGI_FAR) ssgi_filtered_add(f, s, ssgi_blur_weight(c, t, s.w));\n"
+    "}\n" },
+
 { "ssgi_filter", __LINE__ + 1,
-    "// what is at p; in f sums over that and what is around it\n"
-    "ssgi_blurred ssgi_filter(ivec2 p, out ssgi_filtered f) {\n"
-    "    f = ssgi_filtered_none();\n"
-    "    float z = ssgi_depth(p); // #if half\n"
-    "    vec4 centre = ssgi_now(p + u_ssgi_target); // #if !half\n"
-    "    float z = centre.w; // #if !half\n"
-    "    ssgi_filtered_add(f, centre, 1.0); // #if !half\n"
-    "    ssgi_blurred c = ssgi_blurred_at(p, z);\n"
+    "#if pass != HISTORY\n"
+    "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over p and what is around it\n"
+    "    ssgi_filtered f = ssgi_filtered_none();\n"
+    "    ssgi_filtered_add(f, c.now, 1.0); // #if !half\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
     "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
     "            if (x == 0 && y == 0) continue; // #if !half\n"
-    "            ssgi_neighbour t = ssgi_neighbour_at(p, x, y);\n"
-    "            vec4 s = ssgi_now(t.at);\n"
-    "            // not >=: background in 16 bits is an infinity or NaN\n"
-    "            if (ssgi_inside(t.q) && s.w < SSGI_FAR) ssgi_filtered_add(f, s, ssgi_blur_weight(c, t, s.w));\n"
+    "            ssgi_filter_tap(f, p, c, ivec2(x, y));\n"
     "        }\n"
-    "    return c;\n"
-    "}\n" },
+    "    return f;\n"
+    "}\n"
+    "#endif\n" },
+
+/* Frames average, too: where there are some, the four texels next to a pixel suffice. */
+{ "ssgi_filter", __LINE__ + 1,
+    "#if pass == HISTORY\n"
+    "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over p and what is around it, or what is next to it\n"
+    "    ssgi_filtered f = ssgi_filtered_none();\n"
+    "    ssgi_filtered_add(f, c.now, 1.0); // #if !half\n"
+    "    ivec2 next = (p & 1) - 1; // #if half\n"
+    "    for (int k = 0; k < 4; ++k) {\n"
+    "        ssgi_filter_tap(f, p, c, next + ivec2(k & 1, k >> 1)); // #if half\n"
+    "        ssgi_filter_tap(f, p, c, ivec2((k & 1) * (k - 2), ((k + 1) & 1) * (k - 1))); // #if !half\n"
+    "    }\n"
+    "    const int side = 2 * SSGI_FILTER_RADIUS + 1;\n"
+    "    int more = c.settled ? 0 : side * side;\n"
+    "    for (int k = 0; k < more; ++k) {\n"
+    "        ivec2 o = ivec2(k % side, k / side) - SSGI_FILTER_RADIUS;\n"
+    "        if (((o.x - next.x) | (o.y - next.y)) >> 1 == 0) continue; // #if half\n"
+    "        if (abs(o.x) + abs(o.y) < 2) continue; // #if !half\n"
+    "        ssgi_filter_tap(f, p, c, o);\n"
+    "    }\n"
+    "    return f;\n"
+    "}\n"
+    "#endif\n" },
 
 { "main_blur_grey", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    ssgi_filtered f;\n"
-    "    ssgi_blurred c = ssgi_filter(p, f);\n"
+    "    ssgi_blurred c = ssgi_blurred_at(p);\n"
+    "    ssgi_filtered f = ssgi_filter(p, c);\n"
     "    float ao = c.z < SSGI_FAR && f.light.w > 0.0 ? f.light.x / f.light.w : 1.0;\n"
     "    o_ssgi_picture = ssgi_onto(p, ao); // #if onto\n"
     "    o_ssgi_ao = ao; // #if !onto\n"
@@ -3472,8 +3508,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "main_blur_light", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    ssgi_filtered f;\n"
-    "    ssgi_blurred c = ssgi_filter(p, f);\n"
+    "    ssgi_blurred c = ssgi_blurred_at(p);\n"
+    "    ssgi_filtered f = ssgi_filter(p, c);\n"
     "    o_ssgi_light = vec4(f.light.w > 0.0 ? f.light.xyz / f.light.w : vec3(0.0), c.z);\n"
     "    o_ssgi_light.xyz = c.z < SSGI_FAR ? ssgi_restored(o_ssgi_light.xyz, c) : vec3(0.0);\n"
     "}\n" },
@@ -3483,9 +3519,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    ssgi_coefficients sum = ssgi_coefficients_none(); // #if half\n"
     "    ssgi_coefficients sum = ssgi_load(p + u_ssgi_target); // #if !half\n"
-    "    float z = ssgi_depth(p), weights = 0.0; // #if half\n"
-    "    float z = ssgi_depth(p), weights = 1.0; // #if !half\n"
-    "    ssgi_blurred c = ssgi_blurred_at(p, z);\n"
+    "    float weights = 0.0; // #if half\n"
+    "    float weights = 1.0; // #if !half\n"
+    "    ssgi_blurred c = ssgi_blurred_at(p);\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
     "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
     "            if (x == 0 && y == 0) continue; // #if !half\n"
@@ -3496,7 +3532,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            for (int k = 0; k < s.c.length(); ++k) ssgi_sh_add(sum.c[k], s.c[k], w);\n"
     "            weights += w;\n"
     "        }\n"
-    "    float scale = z < SSGI_FAR && weights > 0.0 ? 1.0 / weights : 0.0;\n"
+    "    float scale = c.z < SSGI_FAR && weights > 0.0 ? 1.0 / weights : 0.0;\n"
     "    for (int k = 0; k < sum.c.length(); ++k) ssgi_sh_add(sum.c[k], sum.c[k], scale - 1.0);\n"
     "    ssgi_store(sum);\n"
     "}\n" },
@@ -3518,7 +3554,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* ---- history: what blur does, averaged over what the last frames saw of this surface. Where light changes the average
-   follows: a mean over two frames (quick) is kept beside that over all. */
+   follows: a mean over three frames (quick) is kept beside that over all. */
 
 /* How far quick may be from this frame's filtered value, by the deviation of what is filtered and by that value: 0.7
    deviations are three to five times its noise, so that what is beyond is a change. Of the value 2 %, where nothing
@@ -3535,10 +3571,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_FORGOTTEN", __LINE__ + 1,
     "const float SSGI_FORGOTTEN = 0.85;\n" },
 
-/* Interpolation blurs once a frame: of 16 frames 8 are kept where a place lies midway between two pixels, 5.3 amid
+/* Interpolation blurs once a frame: of 16 frames 10.7 are kept where a place lies midway between two pixels, 8 amid
    four. */
 { "SSGI_BLURRED", __LINE__ + 1,
-    "const float SSGI_BLURRED = 4.0;\n" },
+    "const float SSGI_BLURRED = 2.0;\n" },
+
+/* Of what lies within the radius, the share whose change leaves one frame beside this. */
+{ "SSGI_CHANGED", __LINE__ + 1,
+    "const float SSGI_CHANGED = 0.01;\n" },
+
+/* From how many frames on the filter needs no more than the four texels next to a pixel. */
+{ "SSGI_SETTLED", __LINE__ + 1,
+    "const float SSGI_SETTLED = 3.0;\n" },
+
+/* Where motion vectors say that nothing moves, fewer changed depths of a tile than this share are edges that pixels
+   sample otherwise than in the last frame, such as leaves'. */
+{ "SSGI_APPEARED", __LINE__ + 1,
+    "const float SSGI_APPEARED = 0.25;\n" },
 
 { "ssgi_finite", __LINE__ + 1,
     "// no NaN, nothing beyond 1e9; by the bits, since compilers turn !(a < b) into a >= b\n"
@@ -3557,7 +3606,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_kept", __LINE__ + 1,
     "struct ssgi_kept { // of a pixel over frames\n"
     "    vec4 light; // light or visibility, view depth\n"
-    "    vec2 means; // over two frames, grey; how many frames\n"
+    "    vec2 means; // over three frames, grey; how many frames\n"
     "};\n" },
 
 { "ssgi_kept_at", __LINE__ + 1,
@@ -3571,15 +3620,34 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "struct ssgi_last { // what the last frame knows of this surface\n"
     "    float known; // weight of the texels that do; below 0.25: 0\n"
     "    float blurred; // by interpolation, 0 .. 0.5\n"
+    "    bool moves; // on its own, not by the camera alone // #if motion\n"
     "    ssgi_kept kept;\n"
     "};\n" },
+
+{ "ssgi_last_none", __LINE__ + 1,
+    "ssgi_last ssgi_last_none() {\n"
+    "    return ssgi_last(0.0, 0.0, false, ssgi_kept(vec4(0.0), vec2(0.0))); // #if motion\n"
+    "    return ssgi_last(0.0, 0.0, ssgi_kept(vec4(0.0), vec2(0.0))); // #if !motion\n"
+    "}\n" },
+
+{ "ssgi_own_motion", __LINE__ + 1,
+    "#if motion\n"
+    "vec2 ssgi_own_motion(ivec2 p, vec2 was) { // pixels that it moved beside the camera's; was: by that alone\n"
+    "    return vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy - was;\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_moves", __LINE__ + 1,
+    "bool ssgi_moves(vec2 own) {\n"
+    "    return dot(own, own) > 0.25;\n"
+    "}\n" },
 
 /* A texel shows P's plane if it is within the slack of it: half a footprint and a thousandth of the depth, which the
    rounding of 16-bit depths takes. A hundredth of a texel decides nothing: the nearest texel alone does. */
 { "ssgi_last_of", __LINE__ + 1,
     "// Reprojects P: between those of the last frame's four texels around it that show P's plane\n"
     "ssgi_last ssgi_last_of(ivec2 p, vec3 P, vec3 n) {\n"
-    "    ssgi_last none = ssgi_last(0.0, 0.0, ssgi_kept(vec4(0.0), vec2(0.0))), sum = none;\n"
+    "    ssgi_last none = ssgi_last_none(), sum = none;\n"
     "    vec3 was = ssgi_reproject(P);\n"
     "    vec2 at = was.xy;\n"
     "    float footprint = ssgi_footprint(-P.z);\n"
@@ -3587,9 +3655,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    plane.w -= dot(n, P);\n"
     "    float slack = 0.5 * footprint - 0.001 * P.z;\n"
     "#if motion\n"
-    "    vec2 by = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy;\n"
-    "    slack += max(distance(at, by) - 0.5, 0.0) * footprint; // its depth may have changed as much\n"
-    "    at = by;\n"
+    "    vec2 own = ssgi_own_motion(p, at);\n"
+    "    slack += max(length(own) - 0.5, 0.0) * footprint; // its depth may have changed as much\n"
+    "    at += own;\n"
+    "    sum.moves = ssgi_moves(own);\n"
     "#endif\n"
     "    at -= 0.5;\n"
     "    bool shown = all(lessThan(abs(2.0 * at - vec2(u_ssgi_size)), vec2(u_ssgi_size + 2)));\n"
@@ -3612,92 +3681,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return sum;\n"
     "}\n" },
 
-{ "ssgi_depth_now", __LINE__ + 1,
-    "float ssgi_depth_now(ivec2 q) {\n"
-    "    return ssgi_depth(q); // #if half\n"
-    "    return ssgi_now(q + u_ssgi_target).w; // #if !half\n"
-    "}\n" },
-
-{ "ssgi_depth_last", __LINE__ + 1,
-    "float ssgi_depth_last(ivec2 q) {\n"
-    "    return ssgi_texel(t_ssgi_history, q + u_ssgi_target).w;\n"
-    "}\n" },
-
-/* Two pixels, since one alone may lie behind an edge. What is a 20th of a pixel off one counts as there, so that what
-   moved by a pixel before a camera that stands still is seen. */
-{ "ssgi_nearest", __LINE__ + 1,
-    "// of two pixels that a place lies between, in the last frame or this, the one of less depth: where, its depth\n"
-    "vec3 ssgi_nearest(vec2 at, bool last) {\n"
-    "    ivec2 a = clamp(ivec2(floor(at + 0.05)), ivec2(0), u_ssgi_size - 1);\n"
-    "    ivec2 b = clamp(ivec2(floor(at + 0.95)), ivec2(0), u_ssgi_size - 1);\n"
-    "    float y = last ? ssgi_depth_last(a) : ssgi_depth_now(a), z = last ? ssgi_depth_last(b) : ssgi_depth_now(b);\n"
-    "    return y < z ? vec3(vec2(a), y) : vec3(vec2(b), z);\n"
-    "}\n" },
-
-{ "ssgi_within", __LINE__ + 1,
-    "bool ssgi_within(vec2 at) { // a place of the picture, a pixel's centre at whole numbers\n"
-    "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(u_ssgi_size) - 0.5));\n"
-    "}\n" },
-
-{ "ssgi_occludes", __LINE__ + 1,
-    "bool ssgi_occludes(vec3 Q, vec3 P, vec3 n) { // its cosine times 1 - distance over radius is above a 20th\n"
-    "    Q = (Q - P) / u_ssgi_radius;\n"
-    "    float l = length(Q);\n"
-    "    return dot(n, Q) * (1.0 - l) > 0.05 * l;\n"
-    "}\n" },
-
-/* What is seen at a tap now came if it stood in front of what the last frame saw there. What that saw went if it would
-   stand in front of what is seen where it would be now. A nearer surface that hides or bares it as the camera moves is
-   neither. In front: by half a pixel's footprint and 0.2 % of the depth. */
-{ "ssgi_occluder_moved", __LINE__ + 1,
-    "// Whether depth at a pixel shows that an occluder of P came or went. along: how far P moved on its own\n"
-    "bool ssgi_occluder_moved(ivec2 q, vec3 P, vec3 n, vec2 along) {\n"
-    "    float pixels = 0.5 + length(along);\n"
-    "    q = clamp(q, ivec2(0), u_ssgi_size - 1);\n"
-    "    vec3 Q = ssgi_position(vec2(q) + 0.5, ssgi_depth_now(q)), was = ssgi_reproject(Q);\n"
-    "    vec2 at = was.xy + along - 0.5;\n"
-    "    vec3 E = ssgi_nearest(at, true);\n"
-    "    float slack = pixels * ssgi_footprint(was.z) + 0.002 * was.z;\n"
-    "    bool came = E.z > was.z;\n"
-    "    if (!ssgi_within(at) || abs(E.z - was.z) < slack) return false;\n"
-    "    E.xy += 0.5 - along;\n"
-    "    E.xy *= E.z; // #if !orthographic\n"
-    "    E = came ? Q : (u_ssgi_last_from * vec4(E, 1.0)).xyz;\n"
-    "    if (!ssgi_occludes(E, P, n)) return false;\n"
-    "    if (came) return true;\n"
-    "    at = ssgi_project(E) - 0.5;\n"
-    "    slack = pixels * ssgi_footprint(-E.z) - 0.002 * E.z;\n"
-    "    return ssgi_within(at) && -E.z < ssgi_nearest(at, false).z - slack;\n"
-    "}\n" },
-
-/* Each pixel of a quad has a side of a square for each tap. Along the side the place is interleaved gradient noise, as
-   in ssgi_noise; how large the square is a second one, independent of it. */
-{ "ssgi_occluders_moved", __LINE__ + 1,
-    "// whether one of two taps, within a third of the radius and beyond, shows it, here or, by derivatives, in\n"
-    "// another pixel of the 2x2 quad\n"
-    "bool ssgi_occluders_moved(ivec2 p, vec3 P, vec3 n) {\n"
-    "    vec2 xi = fract(fract(dot(vec2(p), vec2(0.0671, 0.00584))) * vec2(52.983, 386.77) + u_ssgi_phase);\n"
-    "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius; // #if orthographic\n"
-    "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / -P.z; // #if !orthographic\n"
-    "    vec2 way = vec2(2.0 * xi.x - 1.0, (p.y & 1) == 0 ? -1.0 : 1.0), along = vec2(0.0);\n"
-    "    if ((p.x & 1) == 0) way = vec2(-way.y, way.x);\n"
-    "#if motion\n"
-    "    // what moved along with P stays where it is\n"
-    "    along = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy - ssgi_reproject(P).xy;\n"
-    "#endif\n"
-    "    vec2 far = reach * (0.35 + 0.65 * xi.y) * way, near = reach * (0.05 + 0.3 * xi.y) * vec2(-way.y, way.x);\n"
-    "    bool one = ssgi_occluder_moved(p + ivec2(floor(near + 0.5)), P, n, along);\n"
-    "    bool other = ssgi_occluder_moved(p + ivec2(floor(far + 0.5)), P, n, along);\n"
-    "    float moved = one || other ? 1.0 : 0.0;\n"
-    "#if dialect == 450 || dialect == VULKAN\n"
-    "    moved = max(moved, abs(dFdxFine(moved))); // coarse ones may be of one row for both\n"
-    "    return max(moved, abs(dFdyFine(moved))) > 0.0;\n"
-    "#else\n"
-    "    moved = max(moved, abs(dFdx(moved)));\n"
-    "    return max(moved, abs(dFdy(moved))) > 0.0;\n"
-    "#endif\n"
-    "}\n" },
-
 /* Larger where few neighbours are of the surface, and a tenth of the mean more. All of them count as 9 of equal weight;
    those of half size, whose weights fall off, as 7. */
 { "ssgi_deviation", __LINE__ + 1,
@@ -3705,18 +3688,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float few = 9.0 * f.spread.y / (f.light.w * f.light.w); // #if !half\n"
     "    float few = 7.0 * f.spread.y / (f.light.w * f.light.w); // #if half\n"
     "    float variance = max(f.spread.x / f.light.w - mean * mean, 0.0);\n"
+    "    variance /= max(1.0 - f.spread.y / (f.light.w * f.light.w), 0.2); // unbiased\n"
     "    return sqrt((variance + 0.01 * mean * mean * max(few - 1.0, 0.0)) * few);\n"
+    "}\n" },
+
+{ "ssgi_frames", __LINE__ + 1,
+    "float ssgi_frames(ivec2 p, ssgi_last last) { // how many are averaged, this one among them\n"
+    "    float changed = texelFetch(t_ssgi_nearby, p / 8 + u_ssgi_target / 8, 0).x;\n"
+    "    if (last.moves) changed = 0.0; // mostly itself, which goes along // #if motion\n"
+    "    float most = max(u_ssgi_history / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
+    "    most = min(most, 1.0 + SSGI_CHANGED / max(changed, 1e-9));\n"
+    "    return last.known > 0.0 ? min(last.kept.means.y + 1.0, most) : 1.0;\n"
     "}\n" },
 
 { "ssgi_averaged", __LINE__ + 1,
     "// this frame's mean with the last ones', which follows it where that differs by more than noise does\n"
-    "ssgi_kept ssgi_averaged(vec4 now, float deviation, ssgi_last last) {\n"
-    "    float v = ssgi_grey(now), frames = 1.0;\n"
+    "ssgi_kept ssgi_averaged(vec4 now, float deviation, float frames, ssgi_last last) {\n"
+    "    float v = ssgi_grey(now);\n"
     "    float jump = SSGI_JUMP.x * deviation + SSGI_JUMP.y * abs(v);\n"
     "    float drift = SSGI_DRIFT.x * deviation + SSGI_DRIFT.y * abs(v) + 1e-9;\n"
-    "    float most = max(u_ssgi_history / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
-    "    if (last.known > 0.0) frames = min(last.kept.means.y + 1.0, most);\n"
-    "    float quick = mix(last.kept.means.x, v, 1.0 / min(frames, 2.0));\n"
+    "    float quick = mix(last.kept.means.x, v, 1.0 / min(frames, 3.0));\n"
     "    quick = clamp(quick, v - jump, v + jump);\n"
     "    vec4 average = vec4(mix(last.kept.light.xyz, now.xyz, 1.0 / frames), now.w);\n"
     "    float mean = ssgi_grey(average), by = clamp(mean, quick - drift, quick + drift) - mean;\n"
@@ -3735,17 +3726,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "main_history", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    ssgi_filtered f;\n"
-    "    ssgi_blurred c = ssgi_filter(p, f);\n"
-    "    bool moved = ssgi_occluders_moved(p, c.P, c.n);\n"
+    "    ssgi_blurred c = ssgi_blurred_at(p);\n"
+    "    ssgi_last last = ssgi_last_of(p, c.P, c.n);\n"
+    "    float frames = ssgi_frames(p, last);\n"
+    "    c.settled = frames >= SSGI_SETTLED;\n"
+    "    ssgi_filtered f = ssgi_filter(p, c);\n"
     "    vec4 now = vec4(f.light.xyz / f.light.w, c.z);\n"
     "    float open = 1.0; // #if colour == GREY\n"
     "    float open = 0.0; // #if colour == COLOUR\n"
     "    ssgi_kept kept = ssgi_kept(vec4(vec3(open), c.z), vec2(open, 1.0));\n"
     "    if (c.z < SSGI_FAR && f.light.w > 0.0 && ssgi_finite(now)) {\n"
-    "        ssgi_last last = ssgi_last_of(p, c.P, c.n);\n"
-    "        if (moved) last.known = 0.0;\n"
-    "        kept = ssgi_averaged(now, ssgi_deviation(f, ssgi_grey(now)), last);\n"
+    "        kept = ssgi_averaged(now, ssgi_deviation(f, ssgi_grey(now)), frames, last);\n"
     "    }\n"
     "    o_ssgi_ao = vec4(kept.light.xw, kept.means); // #if colour == GREY\n"
     "#if colour == COLOUR\n"
@@ -3754,6 +3745,127 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (c.z < SSGI_FAR) o_ssgi_light.xyz = ssgi_restored(kept.light.xyz, c); // #if restore\n"
     "    o_ssgi_means = kept.means;\n"
     "#endif\n"
+    "}\n" },
+
+/* ---- changes, nearby: what came or went within the radius, for history. An average that holds an occluder's shadow is
+   worth nothing once that has gone; a moving camera alone changes nothing. */
+
+{ "ssgi_depth_last", __LINE__ + 1,
+    "float ssgi_depth_last(ivec2 q) {\n"
+    "    float z = ssgi_texel(t_ssgi_history, clamp(q, ivec2(0), u_ssgi_size - 1) + u_ssgi_target).w;\n"
+    "    return z < SSGI_FAR ? z : SSGI_FAR; // background in 16 bits is an infinity or NaN\n"
+    "}\n" },
+
+/* A 50th of a pixel beside a pixel counts as on it, so that what moved by a pixel before a camera that stands still is
+   seen. */
+{ "ssgi_nearest", __LINE__ + 1,
+    "// of the four pixels that a place lies between, in the last frame or this, the one of least depth: where, its\n"
+    "// depth\n"
+    "vec3 ssgi_nearest(vec2 at, bool last) {\n"
+    "    vec3 nearest = vec3(at, 2.0 * SSGI_FAR);\n"
+    "    for (int k = 0; k < 4; ++k) {\n"
+    "        ivec2 q = clamp(ivec2(floor(at + 0.02 + 0.96 * vec2(k & 1, k >> 1))), ivec2(0), u_ssgi_size - 1);\n"
+    "        float z = last ? ssgi_depth_last(q) : ssgi_depth(q);\n"
+    "        if (z < nearest.z) nearest = vec3(vec2(q), z);\n"
+    "    }\n"
+    "    return nearest;\n"
+    "}\n" },
+
+{ "ssgi_within", __LINE__ + 1,
+    "bool ssgi_within(vec2 at) { // a place of the picture, a pixel's centre at whole numbers\n"
+    "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(u_ssgi_size) - 0.5));\n"
+    "}\n" },
+
+{ "ssgi_slack", __LINE__ + 1,
+    "float ssgi_slack(float z) { // depths of one surface differ by less from frame to frame\n"
+    "    return ssgi_footprint(z) + 0.002 * z;\n"
+    "}\n" },
+
+{ "ssgi_depth_differs", __LINE__ + 1,
+    "// whether the last frame had another depth where a point was: false nearly everywhere\n"
+    "bool ssgi_depth_differs(vec3 was) {\n"
+    "    float z = ssgi_depth_last(ivec2(floor(was.xy)));\n"
+    "    return ssgi_within(was.xy - 0.5) && min(z, was.z) < 0.5 * SSGI_FAR && abs(z - was.z) > ssgi_slack(was.z);\n"
+    "}\n" },
+
+/* What is seen at a pixel now came if it stands in front of what the last frame saw there. What that saw went if it
+   would stand in front of what is seen where it would be now. A nearer surface that hides or bares it as the camera
+   moves is neither. In front is off the surface's plane, too: depths on a steep one differ from pixel to pixel. */
+{ "ssgi_change", __LINE__ + 1,
+    "float ssgi_change(ivec2 q, vec3 was) { // the view depth of what came or went at a pixel; 0: nothing did\n"
+    "    vec3 E = ssgi_nearest(was.xy - 0.5, true);\n"
+    "    bool came = E.z > was.z;\n"
+    "    E.xy += 0.5;\n"
+    "    E.xy *= E.z; // #if !orthographic\n"
+    "    E = (u_ssgi_last_from * vec4(E, 1.0)).xyz;\n"
+    "    vec2 at = ssgi_project(E) - 0.5;\n"
+    "    if (!came && !ssgi_within(at)) return 0.0;\n"
+    "    vec3 seen = came ? vec3(vec2(q), ssgi_depth(q)) : ssgi_nearest(at, false);\n"
+    "    vec3 Q = ssgi_position(seen.xy + 0.5, seen.z), apart = came ? Q - E : E - Q;\n"
+    "    float slack = ssgi_slack(seen.z);\n"
+    "    bool off = seen.z >= SSGI_FAR || abs(dot(ssgi_normal(ivec2(seen.xy), Q), apart)) > slack;\n"
+    "    return off && apart.z > slack ? (came ? seen.z : -E.z) : 0.0;\n"
+    "}\n" },
+
+{ "ssgi_tile", __LINE__ + 1,
+    "ivec2 ssgi_tile() { // this tile of 8x8 pixels\n"
+    "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 8;\n"
+    "}\n" },
+
+{ "ssgi_tested", __LINE__ + 1,
+    "ivec2 ssgi_tested(int k) { // of each 2x2 of a tile one pixel, another every frame\n"
+    "    int turn = int(16777216.0 * u_ssgi_phase);\n"
+    "    ivec2 q = 8 * ssgi_tile() + 2 * ivec2(k & 3, k >> 2) + (ivec2(turn, turn + (turn >> 1)) & 1);\n"
+    "    return min(q, u_ssgi_size - 1);\n"
+    "}\n" },
+
+{ "ssgi_pixel_was", __LINE__ + 1,
+    "vec3 ssgi_pixel_was(ivec2 q) { // where its point was in the last frame, unless it moved on its own\n"
+    "    return ssgi_reproject(ssgi_position(vec2(q) + 0.5, ssgi_depth(q)));\n"
+    "}\n" },
+
+/* Where depths differ is found first, since it is seldom; a loop over what is left ends at once elsewhere. */
+{ "main_changes", __LINE__ + 1,
+    "void main() {\n"
+    "    vec4 changes = vec4(0.0, SSGI_FAR, 0.0, 0.0);\n"
+    "    uint differ = 0u;\n"
+    "    bool moves = false; // #if motion\n"
+    "    for (int k = 0; k < 16; ++k) {\n"
+    "        ivec2 q = ssgi_tested(k);\n"
+    "        vec3 was = ssgi_pixel_was(q);\n"
+    "        if (ssgi_depth_differs(was)) differ |= 1u << k;\n"
+    "        if (ssgi_moves(ssgi_own_motion(q, was.xy))) moves = true; // #if motion\n"
+    "    }\n"
+    "    for (int k = 0; differ >> k != 0u; ++k) {\n"
+    "        if ((differ >> k & 1u) == 0u) continue;\n"
+    "        ivec2 q = ssgi_tested(k);\n"
+    "        float z = ssgi_change(q, ssgi_pixel_was(q));\n"
+    "        if (z > 0.0) changes = vec4(changes.x + 1.0 / 16.0, min(changes.y, z), max(changes.z, z), 0.0);\n"
+    "    }\n"
+    "    if (!moves && changes.x < SSGI_APPEARED) changes.x = 0.0; // #if motion\n"
+    "    o_ssgi_changes = changes;\n"
+    "}\n" },
+
+/* Seven tiles on a side, farther apart where the radius reaches beyond them. */
+{ "main_nearby", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 tile = ssgi_tile(), tiles = (u_ssgi_size + 7) / 8;\n"
+    "    float nearest = SSGI_FAR, farthest = 0.0, share = 0.0;\n"
+    "    for (int k = 0; k < 4; ++k) {\n"
+    "        float z = ssgi_depth(min(8 * tile + 2 + 4 * ivec2(k & 1, k >> 1), u_ssgi_size - 1));\n"
+    "        nearest = min(nearest, z);\n"
+    "        if (z < SSGI_FAR) farthest = max(farthest, z);\n"
+    "    }\n"
+    "    float reach = u_ssgi_radius / ssgi_footprint(nearest) / 8.0, apart = max(reach / 3.0, 1.0);\n"
+    "    for (int y = -3; y <= 3; ++y)\n"
+    "        for (int x = -3; x <= 3; ++x) {\n"
+    "            vec2 o = round(apart * vec2(x, y));\n"
+    "            ivec2 q = tile + ivec2(o);\n"
+    "            if (max(abs(o.x), abs(o.y)) > reach + 1.0 || clamp(q, ivec2(0), tiles - 1) != q) continue;\n"
+    "            vec4 c = texelFetch(t_ssgi_changes, q + u_ssgi_target / 8, 0);\n"
+    "            if (c.y < farthest + u_ssgi_radius && c.z > nearest - u_ssgi_radius) share += c.x;\n"
+    "        }\n"
+    "    o_ssgi_nearby = min(share * apart * apart / max(4.0 * reach * reach, 1.0), 1.0);\n"
     "}\n" },
 
 { "main_triangle", __LINE__ + 1,
@@ -3907,17 +4019,21 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                          "what this wrote for the last frame, NEAREST: o_ssgi_ao; o_ssgi_light, or with desc.restore "
                          "o_ssgi_history"),
     SSGI_GL__ROW_TEXTURE("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
+    SSGI_GL__ROW_TEXTURE("changes", 3, NULL, "sampler2D",
+                         SSGI_GL__HDR ", an eighth of the size, NEAREST: what changes wrote"),
+    SSGI_GL__ROW_TEXTURE("nearby", 5, NULL, "sampler2D",
+                         "R32F or R16F, an eighth of the size, NEAREST: what nearby wrote"),
     SSGI_GL__ROW_YOURS("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
     SSGI_GL__ROW_OUTPUT("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
     SSGI_GL__ROW_OUTPUT("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
     SSGI_GL__ROW_OUTPUT("ao", "pass == HISTORY", "vec4",
-                        SSGI_GL__HDR ": ambient visibility, view depth, its mean over two frames, how many frames"),
+                        SSGI_GL__HDR ": ambient visibility, view depth, its mean over three frames, how many frames"),
     SSGI_GL__ROW_OUTPUT("ao", "pass != FIELD && pass != BLUR && pass != HISTORY", "vec2",
                         "RG32F or RG16F: ambient visibility, view depth; R8 or R16F if nothing filters"),
     SSGI_GL__ROW_OUTPUT("picture", NULL, "vec4", "your picture"),
     SSGI_GL__ROW_OUTPUT("history", NULL, "vec4", SSGI_GL__HDR ": what is averaged, before it is restored; view depth"),
-    SSGI_GL__ROW_OUTPUT("means", NULL, "vec2", "RG32F or RG16F: light's mean over two frames, grey; how many frames"),
+    SSGI_GL__ROW_OUTPUT("means", NULL, "vec2", "RG32F or RG16F: light's mean over three frames, grey; how many frames"),
     SSGI_GL__ROW_OUTPUT("light", NULL, "vec4",
                         SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
     SSGI_GL__ROW_OUTPUT("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
@@ -3929,6 +4045,11 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                         "and 14, octahedral view-space normal as 6 6"),
     SSGI_GL__ROW_OUTPUT("width", NULL, "uvec4",
                         "RGBA32UI: of each pixel of a 2x2 view depth; its last 6 bits are thickness in radii / 63"),
+    SSGI_GL__ROW_OUTPUT("changes", NULL, "vec4",
+                        SSGI_GL__HDR ": of 8x8 pixels the share where an occluder came or went; the least and the "
+                        "greatest view depth of these"),
+    SSGI_GL__ROW_OUTPUT("nearby", NULL, "float",
+                        "R32F or R16F: of what lies within the radius of 8x8 pixels, the share that came or went"),
     SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",
                         "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
     SSGI_GL__ROW_OUTPUT("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
@@ -4017,7 +4138,9 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     SSGI_GL__ALWAYS(HISTORY, "history", "main_history"),
     SSGI_GL__WHEN(COMPOSE, "compose", "colour == GREY", "main_compose_grey"),
     SSGI_GL__WHEN(COMPOSE, "compose", "colour != GREY", "main_compose_light"),
-    SSGI_GL__ALWAYS(WIDTH, "width", "main_width")
+    SSGI_GL__ALWAYS(WIDTH, "width", "main_width"),
+    SSGI_GL__ALWAYS(CHANGES, "changes", "main_changes"),
+    SSGI_GL__ALWAYS(NEARBY, "nearby", "main_nearby")
 };
 
 enum {
@@ -4064,7 +4187,7 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
 static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__FIELD_WORDS(pass, SSGI_GL_PASSES - 1, "SSGI_GL",
                          "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE SPLAT UNSHUFFLE SMOOTH SUM "
-                         "BLUR HISTORY COMPOSE WIDTH"),
+                         "BLUR HISTORY COMPOSE WIDTH CHANGES NEARBY"),
     SSGI_GL__FIELD_WORDS(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
     SSGI_GL__FIELD_SWITCH(lines),
 
@@ -4196,7 +4319,7 @@ static const char *const ssgi_gl__rules[][2] = {
     { "world_normals && normal == FROM_DEPTH", "desc.world_normals: normals from depth are in view space" },
     { "half && (pass == BLUR || pass == HISTORY) && filter == GAUSSIAN",
       "desc.filter: only SSGI_GL_BILATERAL brings half size to full" },
-    { "pass == HISTORY && colour == COEFFICIENTS",
+    { "(pass == HISTORY || pass == CHANGES) && colour == COEFFICIENTS",
       "desc.colour: history has SSGI_GL_GREY and _COLOUR; coefficients are shaded first" },
     { "pass == SSDO && !environment && !bounce", "desc.environment: ssdo needs an environment, a bounce or both" },
     { "transfer && !packed && ((pass == S3HO && !shaded) || pass == SHADE || (pass == BLUR && colour == COEFFICIENTS))",
@@ -5335,6 +5458,7 @@ typedef struct ssgi_gl__build {
     int capacity, count;
     int textures;      /* numbers given so far */
     int light, bounce; /* which of them hold the result; -1: none */
+    int depth;         /* which keeps view depth for the next frame; -1: none */
     int picture;       /* 1: a step has drawn onto yours */
     const char *why;   /* what is wrong; NULL: nothing */
 
@@ -5384,6 +5508,11 @@ static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, cons
     s->size = half ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
     s->width = (chain->width + half) >> half;
     s->height = (chain->height + half) >> half;
+    if (d->pass >= SSGI_GL_CHANGES) {
+        s->size = SSGI_GL_SIZE_TILES;
+        s->width = (chain->width + 7) / 8;
+        s->height = (chain->height + 7) / 8;
+    }
     if (d->pass < SSGI_GL_SHUFFLE || d->pass > SSGI_GL_SMOOTH) return;
     ssgi_splat_size(level, chain->width, chain->height, d->levels, NULL);
     s->size = SSGI_GL_SIZE_LEVELS;
@@ -5455,6 +5584,7 @@ static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_
     out->texture = d->onto ? -1 : b->textures++;
     b->picture |= d->onto != SSGI_GL_ONTO_NONE;
     *ssgi_gl__texture(b, row->name + strlen("o_ssgi_")) = out->texture;
+    if (out->kept && b->depth < 0 && strcmp(row->name, "o_ssgi_means")) b->depth = out->texture;
 }
 
 /* A step more, of a desc that goes together. frame: as ssgi_gl_step has it. */
@@ -5487,7 +5617,16 @@ static void ssgi_gl__width(ssgi_gl__build *b, const ssgi_gl_desc *desc)
     ssgi_gl__append(b, &d, row, ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), 0);
 }
 
-/* A step more, pass width before it where it is the first that reads what that writes. */
+/* Adds what tells history which occluders came and went: it is drawn once, by the first that reads it. */
+static void ssgi_gl__changes(ssgi_gl__build *b, const ssgi_gl_desc *desc)
+{
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    ssgi_gl_desc d = *desc;
+    for (d.pass = SSGI_GL_CHANGES; d.pass <= SSGI_GL_NEARBY; ++d.pass)
+        ssgi_gl__append(b, &d, row, ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), 0);
+}
+
+/* A step more. Before it pass width, or changes and nearby, where it is the first that reads what these write. */
 static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
 {
     ssgi_gl_io row[SSGI_GL_MAX_IO];
@@ -5498,8 +5637,10 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
         return &b->spare;
     }
     const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
-    for (int i = 0; i < rows; ++i)
+    for (int i = 0; i < rows; ++i) {
         if (!strcmp(row[i].name, "t_ssgi_width") && *ssgi_gl__texture(b, "width") < 0) ssgi_gl__width(b, &d);
+        if (!strcmp(row[i].name, "t_ssgi_nearby") && *ssgi_gl__texture(b, "nearby") < 0) ssgi_gl__changes(b, &d);
+    }
     return ssgi_gl__append(b, &d, row, rows, frame);
 }
 
@@ -5761,10 +5902,11 @@ static void ssgi_gl__thickness(ssgi_gl_desc *d)
     if (d->thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__slices(d)) d->thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
-/* What an input reads that no step before it writes: the last frame's light, or coefficients of a name. */
+/* What an input reads that no step before it writes: the last frame's light, its depth, or coefficients of a name. */
 static int ssgi_gl__left_by_last(ssgi_gl__build *b, const char *name)
 {
     static const char last[] = "t_ssgi_last_";
+    if (!strcmp(name, "t_ssgi_history")) return b->depth;
     return strncmp(name, last, sizeof last - 1) ? b->light : *ssgi_gl__texture(b, name + sizeof last - 1);
 }
 
@@ -5785,7 +5927,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         b.chain = &own;
         b.steps = steps;
         b.capacity = turn ? capacity : 0;
-        b.light = b.bounce = -1;
+        b.light = b.bounce = b.depth = -1;
         ssgi_gl__build_chain(&b);
         if (b.why) return ssgi_gl__bad(why, b.why), 0;
     }

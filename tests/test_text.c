@@ -1262,7 +1262,7 @@ static void lint(void)
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
 static const struct { const char *start; size_t offset; int most;
 } ints[] = { /* all of a desc */
-             INT(pass, 17),         INT(dialect, 6),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
+             INT(pass, 19),         INT(dialect, 6),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
              INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 2),  INT(directions, 32),
              INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(thickness, 5),   INT(falloff, 1),
              INT(uniform, 1),

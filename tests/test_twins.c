@@ -1391,43 +1391,106 @@ static void history_lies_between(void)
     }
 }
 
-/* Frames are counted on where the last one shows the same plane: of four texels one alone counts whole. Where a nearer
-   square has come or gone, some of the pixels about it begin anew, and none where nothing did. */
-static void history_tells_what_moved(void)
+static GLuint filled(float value)
 {
-    static float now[MANY][2], last[MANY][4], got[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY,
-                             .dialect = SSGI_GL_450,
-                             .orthographic = 1,
-                             .normal = SSGI_GL_NORMAL_CUSTOM,
-                             .fetch = FACING };
+    static float texel[MANY];
+    for (int i = 0; i < MANY; ++i) texel[i] = value;
+    return kit_texture(SIDE, SIDE, GL_R32F, texel);
+}
+
+/* Frames are counted on where the last one shows the same plane: of four texels one alone counts whole. Of what lies
+   within the radius a hundredth that changed leaves two; what moves on its own, by motion vectors, keeps them. */
+static void history_counts_on(void)
+{
+    static float now[MANY][2], last[MANY][4], went[MANY][2], got[MANY][4];
     const int centre = SIDE / 2 * SIDE + SIDE / 2;
-    for (int k = 0; k < 4; ++k) {                          /* one texel of the plane; nothing, came, went */
+    const struct { float by, nearby; int alone, motion; double frames; } cases[] = {
+        { 0.25f / 16, 0, 1, 0, 6 }, { 0, 0, 0, 0, 6 }, { 0, 0.01f, 0, 0, 2 }, { 0, 1, 0, 0, 1.01 }, { 0, 1, 0, 1, 6 } };
+    for (int i = 0; i < MANY; ++i) went[i][0] = 2;
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1,
+                                 .motion = cases[k].motion, .normal = SSGI_GL_NORMAL_CUSTOM, .fetch = FACING };
         ssgi_gl_frame frame;
         ssgi_view view;
-        int anew = 0, counted = 0;
-        if (!follows_itself(&view, &frame, k ? 1 : 0.01f, k ? 0 : 0.25f / 16)) return;
+        if (!follows_itself(&view, &frame, cases[k].alone ? 0.01f : 1, cases[k].by)) return;
         for (int i = 0; i < MANY; ++i) {
-            const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2, square = abs(x) < 6 && abs(y) < 6;
-            const float z = !k ? i == centre ? 10 : 50 : k == 3 && square ? 9.6f : 10;
-            const float texel[4] = { 0.5f, z, 0.5f, 5 };
+            const float texel[4] = { 0.5f, cases[k].alone && i != centre ? 50 : 10, 0.5f, 5 };
             now[i][0] = 0.5f;
-            now[i][1] = k == 2 && square ? 9.6f : 10;
+            now[i][1] = 10;
             memcpy(last[i], texel, sizeof texel);
         }
-        const given t[2] = { { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, now[0]) },
-                             { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) } };
-        if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 2)) return;
+        const given t[4] = { { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, now[0]) },
+                             { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) },
+                             { "t_ssgi_nearby", filled(cases[k].nearby) },
+                             { "t_ssgi_motion", kit_texture(SIDE, SIDE, GL_RG32F, went[0]) } };
+        if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 3 + cases[k].motion)) return;
+        CHECK(fabs((double)got[centre][3] - cases[k].frames) < 1e-3
+                  && (!cases[k].alone || got[centre + 3 * SIDE + 3][3] == 1),
+              "case %zu: %g frames, of none %g", k, (double)got[centre][3], (double)got[centre + 3 * SIDE + 3][3]);
+        for (int i = 0; i < 4; ++i) glDeleteTextures(1, &t[i].texture);
+    }
+}
+
+/* A nearer square comes or goes, and a camera passes by one that stays: of 4x4 pixels that are tested in a tile those
+   that the square holds, at its depth. With motion vectors of 0 fewer than four are an edge's, not a change. */
+static void changes_are_counted(void)
+{
+    enum { TILES = SIDE / 8, LOW = TILES / 2 - 1, HIGH = TILES / 2 };
+    static float depth[MANY], last[MANY][4], still[MANY][2], got[TILES * TILES][4];
+    const struct { int came, went, half, motion; float by; double low, high; } cases[] = {
+        { 0, 0, 6, 0, 0, 0, 0 },          { 1, 0, 6, 0, 0, 4 / 16.0, 9 / 16.0 }, { 0, 1, 6, 0, 0, 4 / 16.0, 9 / 16.0 },
+        { 1, 1, 6, 0, 0.7f / 16, 0, 0 },  { 1, 0, 2, 0, 0, 0, 1 / 16.0 },        { 1, 0, 2, 1, 0, 0, 0 },
+        { 1, 0, 6, 1, 0, 4 / 16.0, 9 / 16.0 } };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_CHANGES, .dialect = SSGI_GL_450, .orthographic = 1,
+                                 .depth = SSGI_GL_DEPTH_LINEAR, .motion = cases[k].motion,
+                                 .normal = SSGI_GL_NORMAL_CUSTOM, .fetch = FACING };
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        if (!follows_itself(&view, &frame, 1, cases[k].by)) return;
         for (int i = 0; i < MANY; ++i) {
-            const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2;
-            if (abs(x) < 6 && abs(y) < 6) continue;
-            if (got[i][3] > 1) ++counted; else ++anew;
+            const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2, half = cases[k].half;
+            const int square = abs(x) < half && abs(y) < half, was = abs(x - 1) < half && abs(y) < half;
+            depth[i] = cases[k].came && square ? 9 : 10;
+            const float texel[4] = { 0.5f, cases[k].went && (cases[k].by > 0 ? was : square) ? 9 : 10, 0.5f, 5 };
+            memcpy(last[i], texel, sizeof texel);
         }
-        if (!k) {
-            CHECK(got[centre][3] > 1 && got[centre + 3 * SIDE + 3][3] == 1, "frames of one texel %g, of none %g",
-                  (double)got[centre][3], (double)got[centre + 3 * SIDE + 3][3]);
-        } else CHECK(k == 1 ? !anew : anew > MANY / 30 && counted > MANY / 20, "%s: %d anew, %d counted on",
-                     k == 1 ? "nothing" : k == 2 ? "came" : "went", anew, counted);
+        const given t[3] = { { "t_ssgi_depth", kit_texture(SIDE, SIDE, GL_R32F, depth) },
+                             { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) },
+                             { "t_ssgi_motion", kit_texture(SIDE, SIDE, GL_RG32F, still[0]) } };
+        if (!pass_drawn(got[0], 0, 4, TILES, TILES, &d, &frame, t, 2 + cases[k].motion)) return;
+        const float *low = got[LOW * TILES + LOW], *high = got[HIGH * TILES + HIGH], *away = got[0];
+        CHECK(fabs((double)low[0] - cases[k].low) + fabs((double)high[0] - cases[k].high) + (double)away[0] < 1e-6
+                  && (high[0] <= 0 || fabsf(high[1] - 9) + fabsf(high[2] - 9) < 1e-3f),
+              "case %zu: shares %g %g, away %g, depths %g %g", k, (double)low[0], (double)high[0], (double)away[0],
+              (double)high[1], (double)high[2]);
+        for (int i = 0; i < 3; ++i) glDeleteTextures(1, &t[i].texture);
+    }
+}
+
+/* One tile changed, whole; the radius is two tiles long. Within it and a tile more a sixteenth of what lies there did,
+   unless that is nearer or farther than the radius. */
+static void changes_are_nearby(void)
+{
+    enum { TILES = SIDE / 8, AT = TILES / 2 };
+    static float changes[TILES * TILES][4], got[TILES * TILES];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_NEARBY, .dialect = SSGI_GL_450, .orthographic = 1,
+                             .depth = SSGI_GL_DEPTH_LINEAR };
+    const float depths[] = { 9.5f, 8.9f, 11.1f };
+    for (int k = 0; k < 3; ++k) {
+        const float changed[4] = { 1, depths[k], depths[k], 0 };
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        if (!facing(&view, &frame, 1)) return;
+        for (int i = 0; i < TILES * TILES; ++i) changes[i][1] = 1e18f;
+        memcpy(changes[AT * TILES + AT], changed, sizeof changed);
+        const given t[2] = { { "t_ssgi_depth", filled(10) },
+                             { "t_ssgi_changes", kit_texture(TILES, TILES, GL_RGBA32F, changes[0]) } };
+        if (!pass_drawn(got, 0, 1, TILES, TILES, &d, &frame, t, 2)) return;
+        for (int i = 0; i < TILES * TILES; ++i) {
+            const int x = abs(i % TILES - AT), y = abs(i / TILES - AT);
+            NEAR(got[i], !k && x <= 3 && y <= 3 ? 1 / 16.0 : 0, 1e-6, "the share nearby");
+        }
         for (int i = 0; i < 2; ++i) glDeleteTextures(1, &t[i].texture);
     }
 }
@@ -1454,8 +1517,9 @@ static void history_spreads(void)
     }
     GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
     const int went = probe(&d, &frame, texture,
-                           "ssgi_filtered f;"
-                           "ssgi_filter(texel, f);"
+                           "ssgi_blurred c = ssgi_blurred_at(texel);"
+                           "c.settled = false;"
+                           "ssgi_filtered f = ssgi_filter(texel, c);"
                            "float mean = f.light.x / f.light.w;"
                            "o = vec4(mean, ssgi_deviation(f, mean), 0.0, 0.0);");
     glDeleteTextures(1, &texture);
@@ -1467,7 +1531,8 @@ static void history_spreads(void)
     }
 }
 
-/* Of half size each of the four pixels is drawn in turn, as often as the others, whatever its directions. */
+/* Of half size each of the four pixels is drawn in turn, as often as the others, whatever its directions; texels beyond
+   the image stay beyond. */
 static void pixels_take_turns(void)
 {
     const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .half = 2, .dialect = SSGI_GL_450, .orthographic = 1 };
@@ -1483,7 +1548,7 @@ static void pixels_take_turns(void)
         glDeleteTextures(1, &texture);
         if (!went) return;
         const int turn = (int)out[0][0] - 8 + 2 * ((int)out[0][1] - 12);
-        if (!CHECK(turn >= 0 && turn < 4 && (int)out[0][2] == view.width - 1, "frame %u: %g %g", k, (double)out[0][0],
+        if (!CHECK(turn >= 0 && turn < 4 && (int)out[0][2] >= 2000, "frame %u: %g %g", k, (double)out[0][0],
                    (double)out[0][1]))
             return;
         ++drawn[turn][(int)(frame.phase * 4)];
@@ -1562,7 +1627,11 @@ void test_twins(void)
     RUN("a triangle's parts are as many as in C, about the near plane, too", twin_parts);
     RUN("levels, counts, radii and shrunk corners of triangles are those of C", twin_tessellation);
     RUN("what the last frame knows lies between four texels of its plane", history_lies_between);
-    RUN("frames are counted on, but where an occluder came or went", history_tells_what_moved);
+    RUN("frames are counted on where the surface was seen, the fewer the more of what is nearby changed",
+        history_counts_on);
+    RUN("an occluder that came or went is counted in tiles; a camera that moves, and edges, are not",
+        changes_are_counted);
+    RUN("changes are nearby within the radius, in the picture and in depth", changes_are_nearby);
     RUN("the fewer texels a surface has, the farther its mean may be off", history_spreads);
     RUN("of half size each pixel of four is drawn in turn", pixels_take_turns);
     kit_gl_close();

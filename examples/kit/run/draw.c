@@ -116,6 +116,8 @@ static void bind_targets(const kit_run *run, const kit_pass *p)
     /* surfels: any complete one, which a context without a surface has not */
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);
     if (step->size == SSGI_GL_SIZE_LEVELS) glViewport(0, 0, p->width, p->height);
+    else if (step->size == SSGI_GL_SIZE_TILES)
+        glViewport(f->target[0] / 8, f->target[1] / 8, (f->size[0] + 7) / 8, (f->size[1] + 7) / 8);
     else glViewport(f->target[0] >> half, f->target[1] >> half, (f->size[0] + half) >> half,
                     (f->size[1] + half) >> half);
     if (!p->box[2]) return;

@@ -175,16 +175,14 @@ static int add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textures[], 
     return 0;
 }
 
-/* What a pass's inputs are, and where a result is. */
-static void connect(kit_pass *p, const GLuint textures[], GLuint *light, GLuint *bounce)
+/* What a pass's inputs are, and where a result is. last: what steps' numbers were in the last frame, 0 = not kept. */
+static void connect(kit_pass *p, const GLuint textures[], const GLuint last[], GLuint *light, GLuint *bounce)
 {
     const ssgi_gl_step *step = p->step;
     for (int k = 0; k < step->inputs; ++k) {
         const ssgi_gl_input *in = &step->input[k];
         if (in->texture < 0) continue;
-        p->input[k] = textures[in->texture];
-        for (int o = 0; o < step->outputs && in->last; ++o)
-            if (step->output[o].texture == in->texture) p->input[k] = p->last[o];
+        p->input[k] = in->last && last[in->texture] ? last[in->texture] : textures[in->texture];
     }
     for (int o = 0; o < step->outputs; ++o) {
         if (step->output[o].result == SSGI_GL_RESULT_LIGHT && light) *light = p->target[o];
@@ -196,7 +194,7 @@ int kit_add_steps(kit_making *m, const ssgi_gl_chain *chain, int aside, GLuint *
 {
     kit_run *run = m->run;
     const char *why = "out of memory";
-    GLuint textures[KIT_MAX_TEXTURES] = { 0 };
+    GLuint textures[KIT_MAX_TEXTURES] = { 0 }, last[KIT_MAX_TEXTURES] = { 0 };
     const int first = run->passes, count = ssgi_gl_steps(NULL, 0, chain, &why);
     ssgi_gl_step *step = malloc((size_t)(count + 1) * sizeof *step);
     int failed = !count || !step;
@@ -205,7 +203,10 @@ int kit_add_steps(kit_making *m, const ssgi_gl_chain *chain, int aside, GLuint *
     /* parts are told apart by passes that embedders would not draw; lights are drawn all the same */
     for (int i = 0; i < count && !failed; ++i)
         failed = add_pass(m, &step[i], textures, aside && step[i].desc.pass != SSGI_GL_LIGHTS);
-    for (int i = 0; i < count && !failed; ++i) connect(&run->pass[first + i], textures, light, bounce);
+    for (int i = first; i < run->passes; ++i)
+        for (int o = 0; o < KIT_HISTORIES; ++o)
+            if (run->pass[i].last[o]) last[run->pass[i].step->output[o].texture] = run->pass[i].last[o];
+    for (int i = 0; i < count && !failed; ++i) connect(&run->pass[first + i], textures, last, light, bounce);
     free(step);
     return failed ? -1 : 0;
 }

@@ -143,6 +143,28 @@ static int trace(shot *s, const look *l, const int truths[2], kit_error *err)
     return truths[1] ? kit_truth_objects(&s->truth[1], &s->scene, c, l->rays, l->stride, err) : 0;
 }
 
+/* Motion vectors of the first box, which goes along the picture's rows: all else stands still, as the camera does. */
+static int tell_motion(shot *s, const look *l, kit_error *err)
+{
+    static const float SLACK = 1e-3f;
+    kit_gbuffer *g = &s->gbuffer;
+    const float *z = kit_image_channel(&s->frame, "Z"), *b = l->box[0];
+    float (*went)[2] = calloc((size_t)g->width * (size_t)g->height, sizeof *went);
+    if (!went) return kit_fail(err, "out of memory");
+    for (int i = 0; i < g->width * g->height; ++i) {
+        float p[3];
+        int within = z[i] > 0;
+        if (within) shot_place(s, i, p);
+        for (int k = 0; k < 3 && within; ++k) within = p[k] > b[k] - SLACK && p[k] < b[3 + k] + SLACK;
+        if (within)
+            went[(g->height - 1 - i / g->width) * g->width + i % g->width][0] =
+                l->went * (float)g->height / (2 * z[i] * tanf(0.5f * g->camera.fovy * DEGREE));
+    }
+    g->motion = kit_texture(g->width, g->height, GL_RG32F, went[0]);
+    free(went);
+    return 0;
+}
+
 int shot_open(shot *s, const look *l, const int truths[2], kit_error *err)
 {
     memset(s, 0, sizeof *s);
@@ -152,7 +174,8 @@ int shot_open(shot *s, const look *l, const int truths[2], kit_error *err)
     s->radius = l->pixels > 0 ? l->pixels * pixel : (l->radius > 0 ? l->radius : s->scene.radius) * scale;
     return kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &c, NULL, err)
                    || kit_gbuffer_read(&s->frame, &s->gbuffer, err) || look_around(s, l, err)
-                   || (l->format && recode(s, l->format, err)) || light_up(s, l, err)
+                   || (l->format && recode(s, l->format, err)) || (l->told && tell_motion(s, l, err))
+                   || light_up(s, l, err)
                ? -1
                : trace(s, l, truths, err);
 }

@@ -49,7 +49,9 @@ static int stability(const sweep_options *o, kit_error *err)
     int shown[MOST_CAUSES], count = 0, done = 0;
     char what[128];
     if (folder_make(o->out, err)) return -1;
-    for (int k = 0; k < sweeps_causes; ++k) count += shown[k] = !o->causes || o->cause[k];
+    for (int k = 0; k < sweeps_causes; ++k)
+        count += shown[k] = (!o->causes || o->cause[k]) && sweep_has(&sweeps_cause[k], o);
+    if (!count) return kit_fail(err, "--method: none of these is swept through the causes that are named");
     for (int k = 0; k < sweeps_causes; ++k) {
         if (!shown[k]) continue;
         snprintf(what, sizeof what, "%d of %d: %s", ++done, count, sweeps_cause[k].name);

@@ -268,6 +268,13 @@ static void curves_of(result *r, const sweep_options *o, int truths[2])
     }
 }
 
+int sweep_has(const cause *c, const sweep_options *o)
+{
+    int has = c->curves != NULL && !o->methods;
+    for (int m = 0; m < sweeps_methods; ++m) has |= sweeps_method[m].of & c->of && (!o->methods || o->method[m]);
+    return has;
+}
+
 static int draw(shot *s, int m, int width, kit_frames *kept, kit_error *err)
 {
     if (sweeps_method[m < 0 ? 0 : m].of & (KEPT | KEPT_LIGHT)) return shot_draw_kept(s, m, &kept[m], err);

@@ -10,6 +10,9 @@ typedef struct sweep_options {
     int quick, causes, methods, cause[MOST_CAUSES], method[MOST_METHODS];
 } sweep_options;
 
+/* Whether any of the methods that are asked for is swept through a cause. */
+int sweep_has(const cause *c, const sweep_options *o);
+
 /* what: for kit_progress. The curves' pictures are the caller's to free. */
 int sweep(result *r, const cause *c, const sweep_options *o, const char *what, kit_error *err);
 

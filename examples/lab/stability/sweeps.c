@@ -214,17 +214,45 @@ static void rolled(look *l, double value, int frame)
     set(l->up, sinf(a), cosf(a), 0);
 }
 
-/* A box on a floor, so many pixels from the middle. */
-static void box_at(look *l, float pixels)
+/* A box on a floor, so many pixels from the middle; went: since the frame before. */
+static void box_at(look *l, float pixels, float went)
 {
-    const float x = pixels * 2 * 5 * tanf(15 * DEGREE) / (float)l->height;
+    const float pixel = 2 * 5 * tanf(15 * DEGREE) / (float)l->height, x = pixels * pixel;
+    l->went = went * pixel;
     camera(l, 0, 3, 4, 0, 0.2f, 0, 30);
     l->radius = 0.6f;
     set_box(l->box[0], x - 0.4f, 0.001f, -0.4f, x + 0.4f, 0.7f, 0.4f);
 }
-static void slid(look *l, double value, int frame) { box_at(l, (float)value * (float)(frame - CHANGED)); }
-static void appeared(look *l, double value, int frame) { (void)value; box_at(l, frame < CHANGED ? 1000 : 0); }
-static void vanished(look *l, double value, int frame) { (void)value; box_at(l, frame < CHANGED ? -20 : 20); }
+static void slid(look *l, double value, int frame)
+{
+    box_at(l, (float)value * (float)(frame - CHANGED), (float)value);
+}
+/* What was not there before has not moved. */
+static void appeared(look *l, double value, int frame)
+{
+    (void)value;
+    box_at(l, frame < CHANGED ? 1000 : 0, 0);
+}
+static void vanished(look *l, double value, int frame)
+{
+    (void)value;
+    box_at(l, frame < CHANGED ? -20 : 20, frame == CHANGED ? 40 : 0);
+}
+static void slid_told(look *l, double value, int frame)
+{
+    slid(l, value, frame);
+    l->told = 1;
+}
+static void appeared_told(look *l, double value, int frame)
+{
+    appeared(l, value, frame);
+    l->told = 1;
+}
+static void vanished_told(look *l, double value, int frame)
+{
+    vanished(l, value, frame);
+    l->told = 1;
+}
 /* Nothing says that it is another view: the worst that a cut can do. */
 static void jumped(look *l, double value, int frame)
 {
@@ -405,6 +433,24 @@ const cause sweeps_cause[] = {
       .kind = HELD, .of = KEPT, .width = 320, .rays = 64, .log = 1, .at = vanished,
       .value = { 1, 2, 3, 4, 8 },
       .about = "The same." },
+    { .name = "kept-slide-told",
+      .title = "Over frames: a box slides over a floor, with motion vectors",
+      .across = "pixels a frame",
+      .kind = FOLLOWS, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = slid_told,
+      .value = { 0.1, 0.25, 0.5, 1, 2, 4 },
+      .about = "The box's own; of all else 0." },
+    { .name = "kept-held-appear-told",
+      .title = "Over frames: a box appears, pixels that hold what was, with motion vectors",
+      .across = "frames after",
+      .kind = HELD, .of = KEPT, .width = 320, .rays = 64, .log = 1, .at = appeared_told,
+      .value = { 1, 2, 3, 4, 8 },
+      .about = "They are 0: what was not there before has not moved." },
+    { .name = "kept-held-jump-told",
+      .title = "Over frames: a box is elsewhere at once, pixels that hold what was, with motion vectors",
+      .across = "frames after",
+      .kind = HELD, .of = KEPT, .width = 320, .rays = 64, .log = 1, .at = vanished_told,
+      .value = { 1, 2, 3, 4, 8 },
+      .about = "The box's own; of all else 0." },
     { .name = "kept-flicker",
       .title = "Over frames: deviation while the camera moves sideways",
       .across = "pixels a frame",

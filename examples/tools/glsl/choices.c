@@ -148,6 +148,10 @@ const variant variants[] = {
     { "`history`", { .pass = SSGI_GL_HISTORY } },
     { "`history`, colour", { .pass = SSGI_GL_HISTORY, .colour = SSGI_GL_COLOUR } },
     { "`history`, motion", { .pass = SSGI_GL_HISTORY, .motion = 1 } },
+    { "`changes`", { .pass = SSGI_GL_CHANGES } },
+    { "`changes`, colour", { .pass = SSGI_GL_CHANGES, .colour = SSGI_GL_COLOUR } },
+    { "`changes`, motion", { .pass = SSGI_GL_CHANGES, .motion = 1 } },
+    { "`nearby`", { .pass = SSGI_GL_NEARBY } },
     { "`compose`", { .pass = SSGI_GL_COMPOSE } },
     { "`width`", { .pass = SSGI_GL_WIDTH } }
 };

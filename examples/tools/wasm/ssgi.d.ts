@@ -53,7 +53,8 @@ export interface Output {
 
 /** ssgi_gl_step: one draw */
 export interface Step {
-  desc: Desc; size: 'FULL' | 'HALF' | 'LEVELS'; width: number; height: number; inputs: Input[]; outputs: Output[];
+  desc: Desc; size: 'FULL' | 'HALF' | 'LEVELS' | 'TILES'; width: number; height: number; inputs: Input[];
+  outputs: Output[];
   frame: number; primitive: number; vertices: number; instances: number; blend: number[]; clear: number;
   clear_to: number;
 }

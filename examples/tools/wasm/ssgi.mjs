@@ -20,7 +20,7 @@ const presets = ['FAST', 'BALANCED', 'BEST'];
 const meanings = ['DEPTH', 'LAYERS', 'BACK', 'VIEWS', 'NORMAL', 'ALBEDO', 'LAYER_NORMALS', 'LAYER_ALBEDOS', 'DIRECT',
                   'NOISE', 'KERNEL', 'ENVIRONMENT', 'IRRADIANCE', 'LIGHTS', 'SHADOW', 'OCCLUDERS', 'FIELDS', 'OBJECTS',
                   'MOTION', 'AMBIENT', 'CAP'];                                  /* SSGI_GL_YOUR_ .. */
-const results = ['NONE', 'LIGHT', 'BOUNCE'], sizes = ['FULL', 'HALF', 'LEVELS'];
+const results = ['NONE', 'LIGHT', 'BOUNCE'], sizes = ['FULL', 'HALF', 'LEVELS', 'TILES'];
 const clips = ['GL', 'ZERO'];
 const floats = { float: 1, int: 1, vec2: 2, ivec2: 2, vec4: 4, mat3: 12, mat4: 16 };     /* in std140 */
 const memoryMost = 0x7fff0000;                                                  /* addresses are signed here */
