@@ -1,8 +1,8 @@
 /* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in steps.mjs. */
 import { load } from './ssgi.mjs';
-import { behinds, defaults, halves, methods, normals, presets, read, settings, sizes, views, write }
+import { behinds, defaults, halves, methods, normals, presets, read, settings, shadows, sizes, views, write }
     from './settings.mjs';
-import { chainAs, countOf } from './chain.mjs';
+import { chainAs, countOf, lightsOf } from './chain.mjs';
 import { skies, equirect } from './sky.mjs';
 import { Drawer } from './steps.mjs';
 import { Show } from './show.mjs';
@@ -50,6 +50,8 @@ const radius = () => stage.info.radius * 2 ** set.radius;
 const thickness = method => set.thickness < 0 ? methods[method]?.thickness ?? 0.6 : set.thickness;
 const wantsTruth = () => set.truth || set.b === 'truth' || set.view === 'difference';
 const moving = () => set.moves || set.circle;
+/* Whether the sun is in what a side's chain writes, and so in the truth of it. */
+const lit = () => [set.a, set.b].some(name => lightsOf(set, name));
 const uses = name => set.a === name || set.b === name;
 const averages = () => sides.some(side => side?.run.chain.history);
 const digits = v => v >= 100 ? v.toFixed(0) : v >= 10 ? v.toFixed(1) : v.toFixed(2);
@@ -93,6 +95,7 @@ function toPanel() {
     on('.of-surfels', module === 'surfels');
     on('.of-field', module === 'fields');
     on('.of-sun', set.sun);
+    on('.of-lights', set.sun && [set.a, set.b].some(m => methods[m]?.light));
     on('.of-thickness', set.behind !== 'SOLID');
     on('.of-bounce', [set.a, set.b].some(m => methods[m]?.desc?.pass === 'SSDO'));
     if (is) $('slices-field').textContent = `desc.${countOf(is)}`;
@@ -257,7 +260,7 @@ const forEyes = ['exposure', 'effect', 'truth'];            /* change nothing of
 function changed(name) {
     if (suns.includes(name)) {
         dirty.scene = true;
-        dirty.gather ||= set.bounce;
+        dirty.gather ||= set.bounce || lit();
     } else if (!forEyes.includes(name) && name !== 'split') dirty.gather = true;
     if (name !== 'split') dirty.picture = true;
     if (stage.info) stage.shine(set.azimuth, set.height, sunStrength());
@@ -403,6 +406,16 @@ function lightOf(desc) {
     return given;
 }
 
+/* The sun's row, and its map, which three.js has drawn. */
+function sunOf(now) {
+    const { toSun, irradiance, projection, size, worldToLight } = stage.sunlight, v = now.toView;
+    const at = [0, 1, 2].map(k => v[k] * toSun[0] + v[4 + k] * toSun[1] + v[8 + k] * toSun[2]);
+    const map = { view: ssgi.view(projection, size, size), worldToView: v, worldToLight };
+    lamps = drawer.floats(ssgi.light({ kind: 'SUN', at, colour: irradiance }, map), 8, 1, 0, lamps ?? undefined);
+    return { LIGHTS: lamps };
+}
+let lamps = null;                                   /* rows of t_ssgi_lights */
+
 const farthestHalf = 65504;                         /* depths that 16 bits hold */
 
 const filterOf = desc => desc.filter_radius || (desc.filter === 'GAUSSIAN' ? 2 : 1);
@@ -470,6 +483,7 @@ function frameOf(side, now) {
     frame.thickness[0] = thickness(side.name) * radius();
     for (let column = 0; column < 3; ++column)
         for (let row = 0; row < 3; ++row) frame.rotation[4 * column + row] = v[4 * column + row];
+    if (side.run.chain.lights) frame.lights[0] = 1;
     if (desc.environment === 'SH') ssgi.harmonics(frame, coefficients(desc.bands), desc.bands, v);
     if (desc.pass === 'SPLAT') {
         const { size, epsilon } = side.about;
@@ -623,6 +637,7 @@ function drawSides(now) {
     const from = stage.reprojection(), moved = sides.some(s => s?.run.chain.desc.motion);
     const given = { ...buffers };
     if (moved) given.MOTION = show.motion(size.width, size.height, buffers, from);
+    if (sides.some(s => s?.run.chain.lights)) Object.assign(given, sunOf(now));
     if (sides.some(s => s?.run.chain.desc.objects)) given.OBJECTS = show.objects(size.width, size.height, buffers);
     for (const [i, side] of sides.entries()) {
         if (!side) continue;
@@ -667,12 +682,13 @@ function present(now) {
     const light = sides.some(s => s && methods[s.name].light), kind = (s, name) => name === 'truth' ? 4 : !s ? 0
         : !methods[s.name].light ? 1 : s.run.bounce ? 3 : 2;
     const shown = (s, name) => ({ t_light: (set.view === 'difference' && s?.rested) || s?.run.light,
-                                  t_bounce: s?.run.bounce, kind: kind(s, name) });
+                                  t_bounce: s?.run.bounce, kind: kind(s, name),
+                                  sun: +(set.sun && !lightsOf(set, name) && !(name === 'truth' && light && lit())) });
     show.draw(size.width, size.height, {
         t_depth: buffers.DEPTH, t_normal: buffers.NORMAL, t_albedo: buffers.ALBEDO, t_direct: buffers.DIRECT,
         t_truth: truthTexture()
     }, [shown(sides[0], set.a), set.b === 'off' ? null : shown(sides[1], set.b)],
-    { sky: coefficients(3), world: now.world, ray: now.ray, light: +light, sun: +set.sun, range: light ? 0.5 : 0.4,
+    { sky: coefficients(3), world: now.world, ray: now.ray, light: +light, range: light ? 0.5 : 0.4,
       view: views.indexOf(set.view), split: splitAt(), exposure: 0.45 * 2 ** set.exposure,
       effect: set.effect }, samples);
 }
@@ -747,7 +763,7 @@ async function beginTruth() {
     }
     traced = calm;
     truth.start({ width: size.width, height: size.height, radius: radius(), most,
-                  sky: set.sky === 'file' ? ownSky : set.sky,
+                  sky: set.sky === 'file' ? ownSky : set.sky, sun: lit() ? stage.sunlight : null,
                   camera: { eye: calm.eye, world: calm.world, ray: calm.ray } });
     writeStatus();
 }
@@ -838,6 +854,8 @@ function drawBy(made) {
         if (!(is instanceof Float32Array)) { drawer.free(is); environments.delete(key); }
     if (truthHeld) drawer.free(truthHeld.texture);
     truthHeld = truthMade = null;
+    if (lamps) drawer.free(lamps);
+    lamps = null;
     if (gpu !== made) gpu?.close();
     gpu = made;
     ({ drawer, show } = gpu ?? own);
@@ -1051,6 +1069,7 @@ async function start() {
     for (const name of ['p', 'q']) options(panel.elements[name], Object.entries(presets));
     options(panel.elements.behind, Object.entries(behinds));
     options(panel.elements.half, Object.entries(halves));
+    options(panel.elements.shadow, Object.entries(shadows));
     showThumbs();
     makers = new Makers({ gl, drawer, ssgi, loading }, remade);
     options(panel.elements.normals, Object.entries(normals));
