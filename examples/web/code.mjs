@@ -125,15 +125,14 @@ function fieldLines({ resolution, rays, reach }) {
 }
 
 const sunLines = () => [
-    '/* Each frame: the sun, a row of t_ssgi_lights, RGBA32F, 8 wide. to_sun: unit, in the world. map: of the projection',
-    '   that t_ssgi_shadow was drawn with, depth as seen from the sun. */',
+    '/* Each frame: the sun, a row of t_ssgi_lights, RGBA32F, 8 wide. to_sun: unit, in the world. map: of the',
+    '   projection that t_ssgi_shadow was drawn with, depth as seen from the sun. */',
     'static ssgi_result make_sun(ssgi_gl_light *row, const float to_sun[3], const float irradiance[3],',
     '                            const ssgi_view *map, const float world_to_view[16], const float world_to_sun[16],',
     '                            const char **why)',
     '{',
-    '    const ssgi_gl_light none = { { 0 } };',
+    '    static const ssgi_gl_light none; /* SSGI_GL_SUN is 0 */',
     '    *row = none;',
-    '    row->kind = SSGI_GL_SUN;',
     '    for (int i = 0; i < 3; ++i) {',
     '        for (int k = 0; k < 3; ++k) row->at[i] += world_to_view[4 * k + i] * to_sun[k];',
     '        row->colour[i] = irradiance[i];',

@@ -17,7 +17,8 @@ const translate = join(dirname(fileURLToPath(import.meta.url)), '../../tools/gls
 
 /* What changes texts, each with all of its values. */
 const every = {
-    name: Object.keys(methods).filter(name => methods[name].desc && !methods[name].module), preset: Object.keys(presets),
+    name: Object.keys(methods).filter(name => methods[name].desc && !methods[name].module),
+    preset: Object.keys(presets),
     behind: Object.keys(behinds), normals: Object.keys(normals), half: Object.keys(halves), filter: [-1, 0, 1, 2, 3, 4],
     history: [false, true], moves: [false, true], bounce: [false, true], sun: [false, true], precise: [0, 1]
 };
