@@ -219,11 +219,13 @@ function saved(name, blob) {
 }
 
 /* What is on its way, and how much of it is there, 0 to 1; NaN: nobody knows; null: nothing is. aside: it leaves in
-   sight what is shown meanwhile. */
+   sight what is shown meanwhile. Until the first picture there are words alone: a bar that moves has the page put
+   together anew all the while, which in software takes as long as the picture. */
 function loading(text, share = NaN, aside = false) {
     $('loading').classList.toggle('aside', aside);
     $('loading').hidden = text === null;
     $('loading-text').textContent = text ?? '';
+    $('loading-bar').hidden = false;
     if (Number.isFinite(share)) $('loading-bar').value = share;
     else $('loading-bar').removeAttribute('value');
 }
@@ -285,7 +287,7 @@ async function openScene() {
     const named = name => scenes.find(s => s.name === name), mine = ++opening;
     const info = named(set.scene) ?? named(defaults.scene) ?? scenes[0], { cam } = set;     /* show() looks elsewhere */
     try {
-        if (stage.info !== info) loading(`Loading ${info.title}`);
+        if (stage.info !== info && told) loading(`Loading ${info.title}`);
         const model = stage.info === info ? null : info.model ?? await readScene(`scenes/${info.name}.bin`);
         if (mine !== opening) return;                   /* another was chosen meanwhile */
         if (told) loading(null);
@@ -502,6 +504,8 @@ function frameOf(side, now) {
 function fit() {
     const box = $('picture').getBoundingClientRect();
     let width, height;
+    /* in software a quarter of the pixels is there in half the time */
+    const early = software && !told ? 0.5 : 1;
     if (set.size !== 'auto') [width, height] = set.size.split('x').map(Number);
     else {
         const limit = software ? 960 * 540 : 1920 * 1200, area = Math.max(1, box.width * box.height);
@@ -509,6 +513,8 @@ function fit() {
         width = Math.max(16, Math.round(box.width * scale));
         height = Math.max(16, Math.round(box.height * scale));
     }
+    width = Math.max(16, Math.round(width * early));
+    height = Math.max(16, Math.round(height * early));
     if (width === size.width && height === size.height) return;
     size = { width, height };
     stage.resize(width, height);
@@ -963,15 +969,21 @@ function showText() {
 
 /* ---- begin */
 
-let told = false;
+let told = false, whole = false;                    /* the first picture is there; in its size */
 function first() {
-    if (told) return;
-    told = true;
+    if (whole) return;
     /* it is there, not just asked for */
     if (!gpu) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    performance.mark(told ? 'in its size' : 'first picture');
+    whole = told || !software;
+    if (told) return;
+    told = true;
     page.first = performance.now();
     loading(null);
+    showThumbs();
+    toPanel();
     page.ready();
+    request();
 }
 
 /* For scripts: make web-test waits for it, and reads results. */
@@ -1022,8 +1034,11 @@ function savePicture() {
     (gpu?.canvas ?? canvas).toBlob(blob => { if (blob) saved('ssgi.png', blob); });
 }
 
+/* As three.js asks for one, which it is handed. */
+const contextLike = { alpha: true, depth: true, stencil: false, antialias: false, premultipliedAlpha: true,
+                      preserveDrawingBuffer: false, powerPreference: 'high-performance' };
 function lacks() {
-    const probe = document.createElement('canvas').getContext('webgl2');
+    const probe = canvas.getContext('webgl2', contextLike);
     if (!probe) return 'This browser or device has no WebGL 2, which every pass here is written for.';
     const half = probe.getExtension('EXT_color_buffer_float') || probe.getExtension('EXT_color_buffer_half_float');
     const missing = half ? null : 'This device cannot draw into floating-point textures (no EXT_color_buffer_float, no '
@@ -1032,7 +1047,6 @@ function lacks() {
     const name = probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER);
     software = /swiftshader|llvmpipe|software|basic render/i.test(name);
     $('device').textContent = name + (software ? ': a software renderer; the picture has 960×540 pixels at most' : '');
-    probe.getExtension('WEBGL_lose_context')?.loseContext();
     return missing;
 }
 
@@ -1070,7 +1084,6 @@ async function start() {
     options(panel.elements.behind, Object.entries(behinds));
     options(panel.elements.half, Object.entries(halves));
     options(panel.elements.shadow, Object.entries(shadows));
-    showThumbs();
     makers = new Makers({ gl, drawer, ssgi, loading }, remade);
     options(panel.elements.normals, Object.entries(normals));
     options(panel.elements.size, [['auto', 'as shown'], ...sizes.map(size => [size, size])]);

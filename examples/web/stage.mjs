@@ -70,8 +70,7 @@ export class Stage {
     mover = null;
 
     constructor(canvas) {
-        this.renderer = new THREE.WebGLRenderer({ canvas, antialias: false, stencil: false,
-                                                  powerPreference: 'high-performance' });
+        this.renderer = new THREE.WebGLRenderer({ canvas, context: canvas.getContext('webgl2') });
         this.renderer.shadowMap.enabled = true;
         this.renderer.shadowMap.autoUpdate = false;
         this.renderer.setClearColor(0x000000, 0);

@@ -66,14 +66,15 @@ function opaque(name, value, length, from) {
     return value instanceof Uint8Array && value.length === length ? value : fail(`${name}: must be what ${from} gave`);
 }
 
-/* The bytes of ssgi.wasm, of whatever names them. */
-async function bytesOf(source) {
+/* ssgi.wasm, of whatever names it: compiled while it comes, or its bytes where the server names another type. */
+async function moduleOf(source) {
     const url = new URL(source, globalThis.location?.href);
     if (url.protocol === 'file:' && globalThis.process?.versions?.node)
         return (await import('node:fs/promises')).readFile(url);
     const answer = await fetch(url);
     if (!answer.ok) fail(`${answer.status} ${answer.statusText}`);
-    return answer.arrayBuffer();
+    const typed = /^application\/wasm\s*(;|$)/.test(answer.headers.get('content-type') ?? '');
+    return typed && WebAssembly.compileStreaming ? WebAssembly.compileStreaming(answer) : answer.arrayBuffer();
 }
 
 export async function load(source = new URL('ssgi.wasm', import.meta.url)) {
@@ -81,9 +82,11 @@ export async function load(source = new URL('ssgi.wasm', import.meta.url)) {
     const held = source instanceof WebAssembly.Module || source instanceof ArrayBuffer || ArrayBuffer.isView(source);
     if (!named && !held) fail('source: must be a URL, bytes or a WebAssembly.Module');
     const name = named ? source : 'source';
-    const bytes = named ? await bytesOf(source).catch(e => fail(`${name}: cannot be read: ${e.message}`)) : source;
-    const made = await WebAssembly.instantiate(bytes, { Math })
-        .catch(e => fail(`${name}: must be the ssgi.wasm that make wasm builds: ${e.message}`));
+    const strange = e => fail(`${name}: must be the ssgi.wasm that make wasm builds: ${e.message}`);
+    const unread = e => (e instanceof WebAssembly.CompileError ? strange(e) : fail(`${name}: cannot be read: ${
+        e.message}`));
+    const is = named ? await moduleOf(source).catch(unread) : source;
+    const made = await WebAssembly.instantiate(is, { Math }).catch(strange);
     return new Ssgi((made.instance ?? made).exports);
 }
 
