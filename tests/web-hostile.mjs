@@ -242,7 +242,7 @@ export function calls({ load, Ssgi }, ssgi) {
         [() => ssgi.light({ kind: 'SUN', at: up, colour: up }, { view, worldToView: identity }),
          'map.worldToLight: must be an array of numbers'],
         [() => ssgi.light({ kind: 'SUN', at: up, colour: up },
-                          { view, x: -1, worldToView: identity, worldToLight: identity }), /^x, y: must be/],
+                          { view, x: -1, worldToView: identity, worldToLight: identity }), /^x: the tile must lie in the atlas/],
         [() => ssgi.field('bytes'), 'field: must be bytes of ssgi_field_save'],
         [() => ssgi.field(bytes), /^file: /],
         [() => ssgi.phase(NaN), 'k: must be a whole number'],

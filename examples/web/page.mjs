@@ -995,7 +995,7 @@ const page = globalThis.page = { set, first: null, lacks: null, result,
                                  resting: () => wantedSamples() > 0,
                                  smooth: () => samples > 0 && samples >= wantedSamples(),
                                  code: codeOf, chain: chainShown,
-                                 inside: () => ({ stage, show, buffers, size, gl, gpu }),
+                                 inside: () => ({ stage, show, buffers, size, gl, gpu, sky: () => coefficients(3) }),
                                  frame: frameFile,
                                  limits, picture, webgpu: chooseGpu };
 page.drawn = new Promise(resolve => { page.ready = resolve; });
