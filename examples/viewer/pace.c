@@ -6,7 +6,7 @@
 
 static const double shares[] = { 1, 0.75, 0.5, 0.375, 0.25, 0.1875, 0.125 };
 
-enum { SHARES = (int)(sizeof shares / sizeof *shares), COARSEST = 2 };
+enum { SHARES = (int)(sizeof shares / sizeof *shares), COARSEST = 3 };
 
 static const double most_ms = 100, wanted_ms = 70, still_ms = 110, most_still_ms = 140;
 

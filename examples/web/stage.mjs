@@ -63,7 +63,7 @@ const packer = () => new THREE.ShaderMaterial({
 
 export class Stage {
     #target = null; #back = []; #slabs = null; #model = null; #size = { width: 1, height: 1 };
-    #casts = new THREE.Box3(); #toSun = new THREE.Vector3(0, 1, 0);
+    #casts = new THREE.Box3(); #all = new THREE.Box3(); #toSun = new THREE.Vector3(0, 1, 0);
     #behind = new THREE.MeshBasicMaterial({ side: THREE.BackSide, colorWrite: false });
     #peels = [peeling(THREE.FrontSide), peeling(THREE.BackSide)]; #pack = null;
     #seenFrom = null;
@@ -125,6 +125,7 @@ export class Stage {
         });
         this.scene.add(this.#model = model);
         this.info = info;
+        this.#all.setFromObject(model);
         info.key ??= ++shown;
         Object.assign(this.camera, { near: info.near, far: info.far });
         this.#widen();
@@ -132,18 +133,19 @@ export class Stage {
         this.#aim();
     }
 
-    /* The sun's map covers all that casts, as build/render's widest one does: what it does not see nothing shadows. */
+    /* The sun's map covers all that casts, as build/render's widest one does, as deep as the scene is: what is beside
+       that nothing shadows. */
     #aim() {
         const { shadow, position, target } = this.sun, { camera } = shadow, to = this.#toSun;
         camera.up.set(+(Math.abs(to.y) >= 0.9), +(Math.abs(to.y) < 0.9), 0);
         const axes = new THREE.Matrix4().lookAt(to, new THREE.Vector3(), camera.up), way = axes.clone().transpose();
         const box = this.#reached().applyMatrix4(way), size = box.getSize(new THREE.Vector3());
         const middle = box.getCenter(new THREE.Vector3()), margin = 0.01 * size.z + 1e-6;
-        const half = 0.5 * (1.01 * Math.max(size.x, size.y) + 1e-6);
+        const low = this.#all.clone().applyMatrix4(way).min.z, half = 0.5 * (1.01 * Math.max(size.x, size.y) + 1e-6);
         position.set(middle.x, middle.y, box.max.z + 2 * margin).applyMatrix4(axes);
         target.position.copy(position).sub(to);
         Object.assign(camera, { left: -half, right: half, top: half, bottom: -half, near: margin,
-                                far: size.z + 3 * margin });
+                                far: box.max.z - Math.min(low, box.min.z) + 3 * margin });
         camera.updateProjectionMatrix();
         shadow.normalBias = 3 * half / shadow.mapSize.x;
         shadow.bias = -0.0008;
@@ -216,7 +218,10 @@ export class Stage {
 
     /* So many pixels to the side the picture is drawn, for edges that are averaged. */
     jitter(x, y) {
-        const { camera } = this, { elements } = camera.projectionMatrix;
+        const { camera, info } = this, { elements } = camera.projectionMatrix;
+        /* from afar all is seen, too, as far as 16 bits tell depths */
+        const { center, radius } = this.#all.getBoundingSphere(new THREE.Sphere());
+        camera.far = Math.max(info.far, Math.min(camera.position.distanceTo(center) + radius, 65504));
         camera.updateProjectionMatrix();
         elements[8] -= 2 * x / this.#size.width;
         elements[9] -= 2 * y / this.#size.height;
