@@ -31,7 +31,6 @@ for (const [name, hash, [width, height], then] of [
     ['dss', 'a=dss&b=hsao&view=ambient&scene=slats', wide],
     ['aof', 'a=aof&b=none&scene=casters&moves=0', wide],
     ['error', 'a=hsao&b=ssao&view=difference', wide, 'page.rays() >= 8'],
-    ['truth', 'a=hsao&p=BEST&b=truth&view=ambient', wide, 'page.rays() >= 32'],
     ['phone', '', [390, 844]],
     ['phone-panel', '', [390, 844], 'scrollTo(0, 520) || true']]) {
     if (!name.includes(only)) continue;

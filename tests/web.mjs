@@ -387,6 +387,25 @@ await run('a model of one\'s own is drawn', async () => {
     check(least < 0.9, `nothing is occluded: ${least}`);
 });
 
+await run('the sun throws the shadow of a model onto its ground, as far as it reaches', async () => {
+    const corner = i => `v ${(i & 1) * 0.2 - 0.1} ${(i >> 1 & 1) * 2} ${(i >> 2) * 0.2 - 0.1}`;
+    const pillar = [...Array(8).keys()].map(corner);
+    const faces = ['1 5 7 3', '2 4 8 6', '1 2 6 5', '3 7 8 4', '1 3 4 2', '5 6 8 7'].map(face => `f ${face}`);
+    writeFileSync(`${out}/pillar.obj`, [...pillar, ...faces, ''].join('\n'));
+    await go('size=320x180&b=off&history=0&a=none&azimuth=90&height=30');
+    await (await page.$('#file')).uploadFile(`${out}/pillar.obj`);
+    await page.waitForFunction(`page.inside().stage.info.title === 'pillar.obj' && page.smooth()`, { timeout: 20000 });
+    const [shadow, beside] = await page.evaluate(() => {
+        const { stage, size: { width, height } } = page.inside(), all = page.picture();
+        return [0, 0.8].map(z => {
+            const at = stage.camera.position.clone().set(-1.3, 0, z).project(stage.camera);
+            return all[4 * (Math.floor((at.y * 0.5 + 0.5) * height) * width + Math.floor((at.x * 0.5 + 0.5) * width))];
+        });
+    });
+    note(`${shadow} in it, ${beside} beside it`);
+    check(beside > 1.1 * shadow, `${shadow} in it, ${beside} beside it`);
+});
+
 /* A ring with points on it that is no solid of revolution, on a floor as the page has it. */
 const ring = (out = []) => {
     const around = 20, along = 10, at = (i, k) => 1 + (i % around) * along + k % along;

@@ -2,8 +2,8 @@
    its own examples set it up, with this page's camera, size, radius and light. make web-shots bundles it and calls
    draw(name, look) for each.
 
-   look: of the page: { width, height, file: the scene's .bin, camera: { position, target, fov, near, far }, radius, sun:
-   { toSun, irradiance, position, target, half, near, far, normalBias, bias }, sky: radiance as nine harmonics } */
+   look: of the page: { width, height, file: the scene's .bin, camera: { position, target, fov, near, far }, radius,
+   sun: { toSun, irradiance, position, target, half, near, far, normalBias, bias }, sky: radiance as nine harmonics } */
 import * as THREE from 'three';
 import { EffectComposer } from 'three/addons/postprocessing/EffectComposer.js';
 import { GTAOPass } from 'three/addons/postprocessing/GTAOPass.js';
