@@ -26,10 +26,10 @@ async function shoot(page, name, quality = 82) {
 const wide = [1280, 800];
 for (const [name, hash, [width, height], then] of [
     ['first', '', wide],
-    ['ssdo', 'a=ssdo&b=ssdo&bounce=1&q=FAST&shadow=FILL&scene=colonnade&split=0.7', wide],
-    ['s3ho', 'a=s3ho&b=none&sky=windows&sun=0&view=ambient', wide],
-    ['dss', 'a=dss&b=hsao&view=ambient&scene=slats', wide],
-    ['aof', 'a=aof&b=none&scene=casters&moves=0', wide],
+    ['ssdo', 'a=ssdo&b=none&bounce=1&shadow=FILL&scene=colonnade&history=0&size=720x605', wide],
+    ['s3ho', 'a=s3ho&b=none&sky=windows&sun=0&view=ambient&history=0&size=720x605', wide],
+    ['dss', 'a=dss&b=hsao&view=ambient&scene=slats&history=0', wide],
+    ['aof', 'a=aof&b=none&scene=casters&p=FAST', wide],
     ['error', 'a=hsao&b=ssao&view=difference', wide, 'page.rays() >= 8'],
     ['phone', '', [390, 844]],
     ['phone-panel', '', [390, 844], 'scrollTo(0, 520) || true']]) {
