@@ -13,7 +13,8 @@ for (let i = 0; i < +count; ++i)
         const browser = await launch(...flags), page = await browser.newPage();
         await page.setViewport({ width: 1280, height: 800 });
         await page.goto(`${of.root}/#size=960x540`, { waitUntil: 'domcontentloaded' });
-        await page.waitForFunction('globalThis.page && page.smooth()', { timeout: 60000 });
+        await page.waitForFunction(`globalThis.page && page.first && (performance.getEntriesByName('in its size').length
+                                    || performance.now() > page.first + 2000)`, { timeout: 60000 });
         const { first, marks } = await page.evaluate(() => ({ first: page.first,
             marks: performance.getEntriesByType('mark').map(({ name, startTime }) => [name, startTime]) }));
         of.first.push(first / 1000);
