@@ -9,6 +9,7 @@
 #   make passes    examples/docs/PASSES.md, the table of them
 #   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
 #   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
+#   make web-first     how long it takes to its first picture. make web-shots: pictures of it, and of others' beside it
 #   make viewer, bench   a window; milliseconds on a GPU. make viewer-test
 #   make hosts-test   the pages of examples/hosts, built and run
 #   make vulkan, vulkan-test     examples/hosts/vulkan.cpp, and its pictures beside GL's on lavapipe
@@ -421,6 +422,19 @@ web-test: web-deps
 	echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html && \
 	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs $(ONLY)
 
+# How long the page takes to its first picture; BESIDE=folder: another build/web, which takes turns with it.
+web-first: web-deps web
+	@node tests/web-first.mjs $(or $(COUNT),5) $(BESIDE) build/web
+
+# Pictures of the page, and of its first view as three.js, n8ao and Babylon.js draw it, into examples/docs/pictures/page.
+# ONLY=phone: those whose name has that word.
+web-shots: web-deps web
+	@test -d build/peers/node_modules || $(MAKE) peers
+	@echo '<!doctype html><link rel="icon" href="data:,"><body><script src="beside.js"></script>' >build/peers/beside.html
+	@NODE_PATH=build/peers/node_modules $(MINIFY) --bundle --log-level=error --outfile=build/peers/beside.js \
+	  examples/lab/beside/beside.mjs
+	@node tests/web-shots.mjs $(ONLY)
+
 # Headless Chromium compiles the WGSL of every text on WebGPU's software adapter, makes pipelines of them, draws chains
 # beside what GL drew of them, and the page of examples/hosts.
 WEBGPU = build/webgpu-test
@@ -432,7 +446,7 @@ webgpu-test: web-deps build/glsl-text build/capture
 	{ test $$? = 2 && echo 'skipped: everything: no translator' && echo '0 passed, 0 failed' && exit 0; exit 1; }; } && \
 	node tests/webgpu.mjs $(ONLY)
 
-.PHONY: web web-deps web-test webgpu-test
+.PHONY: web web-deps web-test web-first web-shots webgpu-test
 
 # A method's chain with all that it reads and its picture, for tests that draw it through another API.
 build/capture: tests/capture.c $(GLSL_O) $(KIT_O)

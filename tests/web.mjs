@@ -274,11 +274,73 @@ await run('and of light: the same error of ssdo under the sky', async () => {
     check(Math.abs(is - wanted) < 0.004, `${is} against ${wanted}`);
 });
 
+/* A side's light, and the sun that is in it, as a file that build/render scores against. */
+async function lightFile(path) {
+    const { sun, bytes } = await page.evaluate(async () => {
+        const { exr } = await import('./exr.mjs'), { width, height, pixels } = page.result(0), light = {};
+        ['R', 'G', 'B'].forEach((name, c) => {
+            const one = Float32Array.from({ length: width * height }, (_, i) => pixels[4 * i + c]);
+            for (const of of ['', 'irradiance.', 'bounce.']) light[of + name] = one;
+        });
+        const file = exr(width, height, light);
+        let text = '';
+        for (let i = 0; i < file.length; i += 32768) text += String.fromCharCode(...file.subarray(i, i + 32768));
+        return { sun: page.inside().stage.sunlight, bytes: btoa(text) };
+    });
+    writeFileSync(path, Buffer.from(bytes, 'base64'));
+    return `sun:${[...sun.toSun, ...sun.irradiance].join()}`;
+}
+const scored = (words, file, sets) => {
+    const told = render(...words, '--method', 'ssdo', '--env', 'sky', '--set', `bounce=none,${sets}`, '--score', file);
+    const [, rmse, mean, p95] = /irradiance: RMSE ([\d.]+) \([\d.]+ of its mean ([\d.]+)\).* p95 ([\d.]+)/.exec(told);
+    return { rmse: rmse / mean, p95: p95 / mean };
+};
+await run('the sun through its shadow map is build/render\'s', async () => {
+    const found = [], file = `${out}/light.exr`;
+    for (const [shadow, scene] of [['MAP', 'casters'], ['FILL', 'casters'], ['MAP', 'room']]) {
+        await go(`scene=${scene}&a=ssdo&b=off&size=480x270&history=0&radius=0&shadow=${shadow}`);
+        const sun = await lightFile(file), words = [scene, '--size', '480x270', '--light', sun];
+        const is = scored(words, file, `shadows=${shadow.toLowerCase()},shadow_size=2048`);
+        const open = scored(words, file, 'shadows=none');
+        found.push(`${shadow} of ${scene}: 95 % of pixels within ${is.p95.toFixed(4)} of the mean, RMSE ${
+            is.rmse.toFixed(3)} with the silhouettes, ${open.rmse.toFixed(3)} from no shadow`);
+        check(is.p95 <= 0.005 && is.rmse < 0.3 * open.rmse, found.join('; '));
+    }
+    found.forEach(note);
+});
+await run('the sun by points on the screen is build/render\'s of one G-buffer', async () => {
+    await go('scene=room&a=ssdo&b=off&size=480x270&history=0&radius=0&shadow=SEGMENT');
+    const sun = await lightFile(`${out}/light.exr`), bytes = await page.evaluate(() => {
+        const file = page.frame();
+        let text = '';
+        for (let i = 0; i < file.length; i += 32768) text += String.fromCharCode(...file.subarray(i, i + 32768));
+        return btoa(text);
+    });
+    writeFileSync(`${out}/frame.exr`, Buffer.from(bytes, 'base64'));
+    const words = ['--gbuffer', `${out}/frame.exr`, '--light', sun];
+    const is = scored(words, `${out}/light.exr`, 'shadows=segment'), open = scored(words, `${out}/light.exr`,
+                                                                                   'shadows=none');
+    note(`RMSE ${is.rmse.toFixed(4)} of the mean, ${open.rmse.toFixed(4)} from no shadow`);
+    check(is.rmse <= 0.005 && open.rmse > 0.02, `${is.rmse} ${open.rmse}`);
+});
+await run('the truth has the sun where the chain has it: the same error of ssdo', async () => {
+    await go('scene=casters&a=ssdo&b=truth&size=240x136&history=0&radius=0&shadow=MAP');
+    const { toSun, irradiance } = await page.evaluate('page.inside().stage.sunlight');
+    const words = ['casters', '--method', 'ssdo', '--env', 'sky', '--light', `sun:${[...toSun, ...irradiance].join()}`,
+                   '--set', 'bounce=none,shadows=map,shadow_size=2048', '--size', '240x136'];
+    render(...words, '--truth', '64', '--out', `${out}/truth.exr`);
+    const wanted = +/irradiance: RMSE ([\d.]+)/.exec(render(...words, '--score', `${out}/truth.exr`))[1];
+    await page.waitForFunction('page.rays() >= 16', { timeout: 60000 });
+    const is = await page.evaluate('page.error(0)');
+    note(`RMSE ${is.toFixed(4)}, ${wanted.toFixed(4)} by build/render`);
+    check(Math.abs(is - wanted) < 0.02, `${is} against ${wanted}`);
+});
+
 await run('every method, side, view and choice is drawn', async () => {
     const drawn = [];
     for (const hash of ['a=none', 'a=ssdo&b=points&view=ambient', 'a=s3ho&b=march&p=FAST', 
                         'a=ssdo&bounce=1&history=1&b=s3ho&q=BEST',
-                        'a=ssao&b=hsao&behind=SOLID&history=1',
+                        'a=ssao&b=hsao&behind=SOLID&history=1', 'a=ssdo&shadow=FILL&bounce=1&b=s3ho&history=1',
                         'a=ssdo&behind=BACK&normals=FROM_DEPTH&sky=windows&sun=0',
                         'scene=cornell&view=difference&b=ssao&sky=white',
                         'scene=bunny&a=hsao&radius=1&thickness=1.5']) {
@@ -323,6 +385,25 @@ await run('a model of one\'s own is drawn', async () => {
     await rest(500);
     const least = await page.evaluate(() => page.result(0).pixels.reduce((a, b) => Math.min(a, b), 1));
     check(least < 0.9, `nothing is occluded: ${least}`);
+});
+
+await run('the sun throws the shadow of a model onto its ground, as far as it reaches', async () => {
+    const corner = i => `v ${(i & 1) * 0.2 - 0.1} ${(i >> 1 & 1) * 2} ${(i >> 2) * 0.2 - 0.1}`;
+    const pillar = [...Array(8).keys()].map(corner);
+    const faces = ['1 5 7 3', '2 4 8 6', '1 2 6 5', '3 7 8 4', '1 3 4 2', '5 6 8 7'].map(face => `f ${face}`);
+    writeFileSync(`${out}/pillar.obj`, [...pillar, ...faces, ''].join('\n'));
+    await go('size=320x180&b=off&history=0&a=none&azimuth=90&height=30');
+    await (await page.$('#file')).uploadFile(`${out}/pillar.obj`);
+    await page.waitForFunction(`page.inside().stage.info.title === 'pillar.obj' && page.smooth()`, { timeout: 20000 });
+    const [shadow, beside] = await page.evaluate(() => {
+        const { stage, size: { width, height } } = page.inside(), all = page.picture();
+        return [0, 0.8].map(z => {
+            const at = stage.camera.position.clone().set(-1.3, 0, z).project(stage.camera);
+            return all[4 * (Math.floor((at.y * 0.5 + 0.5) * height) * width + Math.floor((at.x * 0.5 + 0.5) * width))];
+        });
+    });
+    note(`${shadow} in it, ${beside} beside it`);
+    check(beside > 1.1 * shadow, `${shadow} in it, ${beside} beside it`);
 });
 
 /* A ring with points on it that is no solid of revolution, on a floor as the page has it. */
@@ -679,7 +760,8 @@ for (const [width, height] of [[1280, 800], [390, 844]])
             ['field', 8, ({ set }) => set.field === 8],
             ['a', 'aof', ({ chain }) => chain.desc.pass === 'FIELD'], ['reach', 0.2, 'picture'],
             ['a', 'ssdo', ({ chain }) => chain.desc.pass === 'SSDO'],
-            ['bounce', true, ({ chain }) => chain.desc.bounce === 'SOLID_ANGLE'],
+            ['bounce', true, ({ chain }) => chain.desc.bounce === 'SOLID_ANGLE'], ['sun', true, 'picture'],
+            ['shadow', 'MAP', ({ steps }) => steps.includes('LIGHTS')],
             ['b', 'ssao', ({ set }) => set.b === 'ssao'], ['q', 'FAST', ({ set }) => set.q === 'FAST'],
             ['scene', 'cornell', ({ set }) => set.scene === 'cornell'],
             ['size', '480x270', ({ chain }) => chain.width === 480],
@@ -832,11 +914,19 @@ const fieldMain = `static const float corners[36] = { 0, 0, 0, 1, 0, 0, 0, 1, 0,
     if (make_field(&field, texels, corners, 4, &wrong) != SSGI_OK
         || make_row(&row, &field, unit, 0, 1, &wrong) != SSGI_OK
         || !(row.reach < 0.51f * field.reach)) printf("%s", wrong);`;
+const sunMain = `static const float to[3] = { 0, 0, 1 }, white[3] = { 1, 1, 1 };
+    ssgi_gl_light row;
+    ssgi_view map;
+    const char *wrong = "";
+    if (ssgi_view_from_projection(&map, projection, SSGI_CLIP_GL, 64, 64, &wrong) != SSGI_OK
+        || make_sun(&row, to, white, &map, unit, unit, &wrong) != SSGI_OK || !(row.at[2] > 0.99f && row.tile[2] > 63))
+        printf("%s", wrong);`;
 await run('the C lines compile, and make the chain that is drawn', async () => {
     const page = await open('size=160x90&history=0'), made = [];
     for (const hash of ['a=hsao', 'a=hsao&history=1&slices=3&steps=7&half=0&filter=2&behind=SLABS', 'a=ssao&p=BEST',
                         'a=ssdo&bounce=1&history=1', 'a=march&filter=0&half=0', 'a=s3ho&history=1', 'a=s3ho&p=FAST',
-                        'a=points&behind=BACK&normals=FROM_DEPTH', 'a=dss&levels=3', 'a=aof&p=FAST&reach=0.5']) {
+                        'a=points&behind=BACK&normals=FROM_DEPTH', 'a=dss&levels=3', 'a=aof&p=FAST&reach=0.5',
+                        'a=ssdo&shadow=FILL']) {
         await page.evaluate(h => page.go(h), `size=160x90&history=0&b=off&${hash}`);
         const { code, chain, list, given } = await page.evaluate(() => ({ code: page.code(0), ...page.chain(0) }));
         const history = !!chain.history, bands = /coefficients\[(\d+)\]/.exec(code)?.[1];
@@ -851,6 +941,7 @@ int main(void)
     const char *why = "";
     ssgi_view view;
     ssgi_gl_frame frame;
+    ${code.includes('make_sun') ? sunMain : ''}
     ${code.includes('make_surfels') ? surfelsMain : code.includes('make_field') ? fieldMain : ''}
     const int n = make_steps(steps, ${chain.width}, ${chain.height}, &why);
     for (int i = 0; i < n; ++i)

@@ -62,6 +62,8 @@ else {
         'ssdo in each preset': [`${small}&a=ssdo&p=FAST&b=ssdo&q=BEST`, `${small}&a=ssdo`],
         'ssdo by points, and with a bounce': [`${small}&a=points&b=ssdo&bounce=1&view=ambient`],
         's3ho in each preset': [`${small}&a=s3ho&p=FAST&b=s3ho&q=BEST`, `${small}&a=s3ho`],
+        'the sun through its shadow map, on the screen': [`${small}&a=ssdo&shadow=FILL&b=s3ho`,
+                                                          `${small}&a=ssdo&shadow=SEGMENT&bounce=1`],
         'history': ['size=320x180&a=hsao&b=s3ho'],
         'two slabs, back faces': [`${small}&behind=SLABS&b=ssdo`, `${small}&behind=BACK&scene=casters`],
         'normals from depth, numbers of one\'s own': [`${small}&normals=FROM_DEPTH&slices=3&steps=4&half=1&filter=3`]

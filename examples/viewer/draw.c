@@ -74,7 +74,7 @@ int draw_open(viewer *v)
         glUseProgram(*of[p]);
         for (int i = 0; i < 5 && samplers[p][i]; ++i) glUniform1i(place(*of[p], samplers[p][i]), i);
     }
-    return panel_open(v);
+    return motion_open(v) || panel_open(v) ? -1 : 0;
 }
 
 void draw_forget(viewer *v)
@@ -158,7 +158,9 @@ static int side_draw(viewer *v, side *s, int opens)
         *s->failed.text = 0;
     }
     if (*s->failed.text) return 0;
-    if (opens || !s->frames.now ? kit_frames_next(&s->frames, v->seen, &s->method, v->radius, &world, NULL, &v->err)
+    kit_method method = s->method;
+    method.set.size *= pace_coarse(&v->pace);
+    if (opens || !s->frames.now ? kit_frames_next(&s->frames, v->seen, &method, v->radius, &world, NULL, &v->err)
                                 : kit_frames_again(&s->frames, &v->err))
         return side_failed(v, s);
     kit_run_draw(s->frames.now, v->panel ? KIT_PASSES : KIT_UNTIMED);
@@ -175,6 +177,8 @@ static int draw_sides(viewer *v, int opens)
         if (!v->kept && kit_mesh_keep(&v->scene.mesh, &v->err)) return -1;
         v->kept = 1;
         if (kit_gbuffer_from_scene(next, &v->scene, &v->camera, NULL, &v->err)) return -1;
+        memcpy(v->stood[next - v->gbuffer], v->slid, sizeof v->slid);
+        if (last && v->slides && motion_draw(v, next, last)) return -1;
         v->seen = next;
     }
     for (int i = 0; i < 2; ++i) {
@@ -200,13 +204,25 @@ static int drawn_enough(const viewer *v)
     return !more;
 }
 
-int draw_settled(const viewer *v) { return drawn_enough(v) && v->pace.still && !pace_tries(&v->pace); }
+int draw_settled(const viewer *v)
+{
+    return drawn_enough(v) && (v->pace.still ? !pace_tries(&v->pace) : pace_waits(&v->pace));
+}
+
+/* A method draws of surfels. */
+static int of_surfels(const viewer *v)
+{
+    int found = 0;
+    for (int i = 0; i < 2; ++i) found |= drawn(v, i) && v->side[i].method.set.size > 0;
+    return found;
+}
 
 int draw_frame(viewer *v)
 {
+    const double coarse = pace_coarse(&v->pace);
     if (v->moved || v->restart) pace_moves(&v->pace);
     else if (drawn_enough(v)) pace_still(&v->pace);
-    const int sized = fit(v);
+    const int sized = fit(v) || coarse != pace_coarse(&v->pace);
     if (v->restart || sized) v->pace.opened = 0;
     if (v->moved || v->restart || sized) v->still = 0;
     const int opens = sized || opens_again(v);
@@ -219,7 +235,7 @@ int draw_frame(viewer *v)
     v->moved = v->restart = 0;
     ++v->still;
     ++v->frame;
-    if (!opens || (++v->pace.opened < 2 && !v->pace.rest) || !pace_took(&v->pace, v->ms)) return 0;
+    if (!opens || (++v->pace.opened < 2 && !v->pace.rest) || !pace_took(&v->pace, v->ms, of_surfels(v))) return 0;
     if (!v->panel) panel_say(v, "the size goes by what there is time for (f: fixed)");
     return 0;
 }

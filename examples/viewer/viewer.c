@@ -5,8 +5,8 @@
 
    To put ssgi into a program of your own, copy a page of examples/hosts, not this: frames are the kit's here, as they
    are build/render's. arguments.c: the command line; keys.c, input.c: keys, mouse, drops; load.c: scenes and light;
-   settings.c: methods; draw.c: a frame; pace.c: its size; panel.c: text; command.c, pictures.c: what is written;
-   truth.c: rays beside the drawing. */
+   settings.c: methods; draw.c: a frame; motion.c: what slid; pace.c: its size; panel.c: text; command.c, pictures.c:
+   what is written; truth.c: rays beside the drawing. */
 #include "viewer.h"
 #include <GLFW/glfw3.h>
 #include <math.h>

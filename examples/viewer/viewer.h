@@ -64,8 +64,10 @@ typedef struct light {
 typedef struct pace {
     double fixed;                           /* share of the window's sides that is drawn; 0: as there is time for */
     int    level, lowest;                   /* of the shares, where it is not fixed; the lowest of this window */
-    int    still, rest;                     /* the view stays: so many levels larger */
+    int    still, rest;                     /* the view stays: so many levels larger; still: 1, and a try each */
+    int    coarse;                          /* while it moves surfels are 2^coarse times as wide */
     double failed;                          /* when a size took too long */
+    double tried;                           /* when it moved last, or another size was tried at rest */
     int    opened;                          /* frames since settings changed that were drawn from the G-buffer on */
     double ms;                              /* that the last of these took */
 } pace;
@@ -88,6 +90,7 @@ typedef struct viewer {
     side         side[2];
     int          kept;                      /* the scene's triangles are on the GPU */
     kit_gbuffer  gbuffer[2], *seen;         /* of this frame and the last; seen: this one's, NULL: none yet */
+    float        stood[2][3];               /* slid, in each of them */
     int          drawn[2];                  /* size */
     int          moved, restart, redraw;    /* since the last frame: the view; anything of the methods; the text */
     unsigned     frame, still;              /* all frames; those since the view moved */
@@ -100,7 +103,7 @@ typedef struct viewer {
     progress     shown;                     /* of the truth, when its picture was made */
     GLuint       truth_picture;
     double       scored;
-    GLuint       resolve, display, text, glyphs;
+    GLuint       resolve, display, motion, text, glyphs;
     char         note[1200], title[300];
     double       noted, titled;
     const char  *shot;
@@ -134,13 +137,21 @@ int    draw_settled(const viewer *v);       /* another frame would not differ */
 void   draw_forget(viewer *v);              /* before the scene's triangles change */
 void   draw_close(viewer *v);
 
+/* ---- >>motion.c */
+
+int    motion_open(viewer *v);
+/* What slides, from the last G-buffer to the next: a texture of it, for history. */
+int    motion_draw(viewer *v, kit_gbuffer *next, const kit_gbuffer *last);
+
 /* ---- >>pace.c: the size that there is time for */
 
 void   pace_begin(pace *p, const int window[2], int software);
 void   pace_size(pace *p, const int window[2], int size[2]);
-int    pace_took(pace *p, double ms);       /* of such a frame; 1: the size is another now */
+int    pace_took(pace *p, double ms, int surfels);  /* of such a frame; 1: the next one is drawn otherwise */
 void   pace_still(pace *p);                 /* nothing but another size would make the picture another */
 int    pace_tries(const pace *p);           /* it would do so again: a size that took too long, once more */
+int    pace_waits(const pace *p);           /* not yet */
+double pace_coarse(const pace *p);
 void   pace_moves(pace *p);
 double pace_share(const pace *p);
 

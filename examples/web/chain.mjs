@@ -5,6 +5,9 @@ import { methods } from './settings.mjs';
 /* The field that says in how many directions a gather looks. */
 export const countOf = desc => (desc.pass === 'SSAO' || desc.search === 'POINTS' ? 'samples' : 'directions');
 
+/* Whether the chain adds the sun, as desc.lights shadows it, to what it gathers; else three.js does. */
+export const lightsOf = (set, name) => !!methods[name]?.light && set.sun && set.shadow !== 'HOST';
+
 /* own: with the numbers that replace the preset's. */
 export function chainAs(ssgi, set, name, preset, own, { dialect, width, height, precise }) {
     const { desc } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
@@ -18,5 +21,8 @@ export function chainAs(ssgi, set, name, preset, own, { dialect, width, height, 
     if (own && set.filter > 0) d.filter_radius = set.filter;
     /* half size becomes whole, light is restored, and frames are averaged where it is filtered */
     const blur = +!(own && set.filter === 0 && !d.half && !d.restore && !set.history);
-    return { desc: d, width, height, blur, history: +set.history, direct: +(bounce && set.sun), precise };
+    const lit = lightsOf(set, name), lights = { pass: 'LIGHTS', dialect, normal: set.normals, thickness: 'CONSTANT',
+                                                shadow: set.shadow };
+    return { desc: d, ...(lit && { lights }), width, height, blur, history: +set.history,
+             direct: +(bounce && set.sun && !lit), precise };
 }

@@ -17,7 +17,7 @@ function float(value) {
 
 /* Once, and whenever the size changes. */
 function stepsLines(ssgi, { desc, width, height, ...members }) {
-    const rest = Object.entries(members).filter(([, value]) => value);
+    const { lights, ...plain } = members, rest = Object.entries(plain).filter(([, value]) => value);
     return [
         '/* Once, and whenever the size changes: what is drawn, in its order. 0: why says what is wrong. */',
         'static int make_steps(ssgi_gl_step steps[STEPS], int width, int height, const char **why)',
@@ -26,13 +26,14 @@ function stepsLines(ssgi, { desc, width, height, ...members }) {
         ...fieldsOf(ssgi, desc).map(([name, value]) => `    chain.desc.${name} = ${value};`),
         '    chain.width = width;',
         '    chain.height = height;',
+        ...(lights ? fieldsOf(ssgi, lights).map(([name, value]) => `    chain.lights.${name} = ${value};`) : []),
         ...rest.map(([name, value]) => `    chain.${name} = ${Number(value)};`),
         '    return ssgi_gl_steps(steps, STEPS, &chain, why);',
         '}'
     ];
 }
 
-function frameLines({ history, desc }, { radius, thickness, bands, surfels }) {
+function frameLines({ history, desc, lights }, { radius, thickness, bands, surfels }) {
     const parameters = [
         'ssgi_gl_frame *frame, const ssgi_view *view, const float world_to_view[16],',
         ...(history ? ['const ssgi_view *last_view, const float last_world_to_view[16], uint32_t number,'] : []),
@@ -48,6 +49,7 @@ function frameLines({ history, desc }, { radius, thickness, bands, surfels }) {
         `    frame->thickness = ${float(thickness)};`,
         '    for (int i = 0; i < 12; ++i)',
         '        if (i % 4 < 3) frame->rotation[i] = world_to_view[i];',
+        ...(lights ? ['    frame->lights = 1;'] : []),
         ...(surfels ? [`    frame->epsilon = ${float(surfels.epsilon)};`,
                        `    if (ssgi_gl_surfels_set(frame, view, &surfels_made, ${desc.levels}, NULL, why) != SSGI_OK)`,
                        '        return SSGI_BAD_ARGUMENT;'] : []),
@@ -122,12 +124,31 @@ function fieldLines({ resolution, rays, reach }) {
     ];
 }
 
+const sunLines = () => [
+    '/* Each frame: the sun, a row of t_ssgi_lights, RGBA32F, 8 wide. to_sun: unit, in the world. map: of the',
+    '   projection that t_ssgi_shadow was drawn with, depth as seen from the sun. */',
+    'static ssgi_result make_sun(ssgi_gl_light *row, const float to_sun[3], const float irradiance[3],',
+    '                            const ssgi_view *map, const float world_to_view[16], const float world_to_sun[16],',
+    '                            const char **why)',
+    '{',
+    '    static const ssgi_gl_light none; /* SSGI_GL_SUN is 0 */',
+    '    *row = none;',
+    '    for (int i = 0; i < 3; ++i) {',
+    '        for (int k = 0; k < 3; ++k) row->at[i] += world_to_view[4 * k + i] * to_sun[k];',
+    '        row->colour[i] = irradiance[i];',
+    '    }',
+    '    return ssgi_gl_light_map(row, map, 0, 0, world_to_view, world_to_sun, why);',
+    '}',
+    ''
+];
+
 /* Functions that compile as they stand. chain: as Ssgi.steps takes it. given: { radius, thickness: in units of the
    view, bands: of the harmonics that the frame has, or 0, title: what it is, surfels, fields: how they are made }. */
 export function cLines(ssgi, chain, given) {
     const { surfels, fields, radius } = given;
     return [`/* ${given.title} */`, '#include "ssgi_gl.h"', ...(surfels || fields ? ['#include <stdlib.h>'] : []), '',
             `enum { STEPS = ${ssgi.steps(chain).length} };`, '', ...(surfels ? surfelLines(surfels, radius) : []),
-            ...(fields ? fieldLines(fields) : []), ...stepsLines(ssgi, chain), '', ...frameLines(chain, given),
+            ...(fields ? fieldLines(fields) : []), ...(chain.lights ? sunLines() : []), ...stepsLines(ssgi, chain), '',
+            ...frameLines(chain, given),
             ''].join('\n');
 }

@@ -226,6 +226,7 @@ function stagedOnFloor(model, title) {
     const floor = new THREE.Mesh(new THREE.PlaneGeometry(5 * wide, 5 * wide).rotateX(-Math.PI / 2),
                                  lambert({ color: 0xb4b4b4 }));
     floor.position.set(middle.x, box.min.y, middle.z);
+    floor.userData.ground = true;                       /* shadows nothing */
     const eye = new THREE.Vector3(0.4, 0.32, 0.9).normalize().multiplyScalar(1.25 * wide).add(middle);
     const info = { name: 'file', title, radius: wide / 10, fovy: 45, near: wide / 100, far: 10 * wide,
                    eye: eye.toArray(), target: middle.toArray() };

@@ -1,8 +1,8 @@
 /* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in steps.mjs. */
 import { load } from './ssgi.mjs';
-import { behinds, defaults, halves, methods, normals, presets, read, settings, sizes, views, write }
+import { behinds, defaults, halves, methods, normals, presets, read, settings, shadows, sizes, views, write }
     from './settings.mjs';
-import { chainAs, countOf } from './chain.mjs';
+import { chainAs, countOf, lightsOf } from './chain.mjs';
 import { skies, equirect } from './sky.mjs';
 import { Drawer } from './steps.mjs';
 import { Show } from './show.mjs';
@@ -50,6 +50,8 @@ const radius = () => stage.info.radius * 2 ** set.radius;
 const thickness = method => set.thickness < 0 ? methods[method]?.thickness ?? 0.6 : set.thickness;
 const wantsTruth = () => set.truth || set.b === 'truth' || set.view === 'difference';
 const moving = () => set.moves || set.circle;
+/* Whether the sun is in what a side's chain writes, and so in the truth of it. */
+const lit = () => [set.a, set.b].some(name => lightsOf(set, name));
 const uses = name => set.a === name || set.b === name;
 const averages = () => sides.some(side => side?.run.chain.history);
 const digits = v => v >= 100 ? v.toFixed(0) : v >= 10 ? v.toFixed(1) : v.toFixed(2);
@@ -93,6 +95,7 @@ function toPanel() {
     on('.of-surfels', module === 'surfels');
     on('.of-field', module === 'fields');
     on('.of-sun', set.sun);
+    on('.of-lights', set.sun && [set.a, set.b].some(m => methods[m]?.light));
     on('.of-thickness', set.behind !== 'SOLID');
     on('.of-bounce', [set.a, set.b].some(m => methods[m]?.desc?.pass === 'SSDO'));
     if (is) $('slices-field').textContent = `desc.${countOf(is)}`;
@@ -216,11 +219,13 @@ function saved(name, blob) {
 }
 
 /* What is on its way, and how much of it is there, 0 to 1; NaN: nobody knows; null: nothing is. aside: it leaves in
-   sight what is shown meanwhile. */
+   sight what is shown meanwhile. Until the first picture there are words alone: a bar that moves has the page put
+   together anew all the while, which in software takes as long as the picture. */
 function loading(text, share = NaN, aside = false) {
     $('loading').classList.toggle('aside', aside);
     $('loading').hidden = text === null;
     $('loading-text').textContent = text ?? '';
+    $('loading-bar').hidden = false;
     if (Number.isFinite(share)) $('loading-bar').value = share;
     else $('loading-bar').removeAttribute('value');
 }
@@ -257,7 +262,7 @@ const forEyes = ['exposure', 'effect', 'truth'];            /* change nothing of
 function changed(name) {
     if (suns.includes(name)) {
         dirty.scene = true;
-        dirty.gather ||= set.bounce;
+        dirty.gather ||= set.bounce || lit();
     } else if (!forEyes.includes(name) && name !== 'split') dirty.gather = true;
     if (name !== 'split') dirty.picture = true;
     if (stage.info) stage.shine(set.azimuth, set.height, sunStrength());
@@ -282,7 +287,7 @@ async function openScene() {
     const named = name => scenes.find(s => s.name === name), mine = ++opening;
     const info = named(set.scene) ?? named(defaults.scene) ?? scenes[0], { cam } = set;     /* show() looks elsewhere */
     try {
-        if (stage.info !== info) loading(`Loading ${info.title}`);
+        if (stage.info !== info && told) loading(`Loading ${info.title}`);
         const model = stage.info === info ? null : info.model ?? await readScene(`scenes/${info.name}.bin`);
         if (mine !== opening) return;                   /* another was chosen meanwhile */
         if (told) loading(null);
@@ -403,6 +408,16 @@ function lightOf(desc) {
     return given;
 }
 
+/* The sun's row, and its map, which three.js has drawn. */
+function sunOf(now) {
+    const { toSun, irradiance, projection, size, worldToLight } = stage.sunlight, v = now.toView;
+    const at = [0, 1, 2].map(k => v[k] * toSun[0] + v[4 + k] * toSun[1] + v[8 + k] * toSun[2]);
+    const map = { view: ssgi.view(projection, size, size), worldToView: v, worldToLight };
+    lamps = drawer.floats(ssgi.light({ kind: 'SUN', at, colour: irradiance }, map), 8, 1, 0, lamps ?? undefined);
+    return { LIGHTS: lamps };
+}
+let lamps = null;                                   /* rows of t_ssgi_lights */
+
 const farthestHalf = 65504;                         /* depths that 16 bits hold */
 
 const filterOf = desc => desc.filter_radius || (desc.filter === 'GAUSSIAN' ? 2 : 1);
@@ -470,6 +485,7 @@ function frameOf(side, now) {
     frame.thickness[0] = thickness(side.name) * radius();
     for (let column = 0; column < 3; ++column)
         for (let row = 0; row < 3; ++row) frame.rotation[4 * column + row] = v[4 * column + row];
+    if (side.run.chain.lights) frame.lights[0] = 1;
     if (desc.environment === 'SH') ssgi.harmonics(frame, coefficients(desc.bands), desc.bands, v);
     if (desc.pass === 'SPLAT') {
         const { size, epsilon } = side.about;
@@ -488,6 +504,8 @@ function frameOf(side, now) {
 function fit() {
     const box = $('picture').getBoundingClientRect();
     let width, height;
+    /* in software a quarter of the pixels is there in half the time */
+    const early = software && !told ? 0.5 : 1;
     if (set.size !== 'auto') [width, height] = set.size.split('x').map(Number);
     else {
         const limit = software ? 960 * 540 : 1920 * 1200, area = Math.max(1, box.width * box.height);
@@ -495,6 +513,8 @@ function fit() {
         width = Math.max(16, Math.round(box.width * scale));
         height = Math.max(16, Math.round(box.height * scale));
     }
+    width = Math.max(16, Math.round(width * early));
+    height = Math.max(16, Math.round(height * early));
     if (width === size.width && height === size.height) return;
     size = { width, height };
     stage.resize(width, height);
@@ -623,6 +643,7 @@ function drawSides(now) {
     const from = stage.reprojection(), moved = sides.some(s => s?.run.chain.desc.motion);
     const given = { ...buffers };
     if (moved) given.MOTION = show.motion(size.width, size.height, buffers, from);
+    if (sides.some(s => s?.run.chain.lights)) Object.assign(given, sunOf(now));
     if (sides.some(s => s?.run.chain.desc.objects)) given.OBJECTS = show.objects(size.width, size.height, buffers);
     for (const [i, side] of sides.entries()) {
         if (!side) continue;
@@ -667,12 +688,13 @@ function present(now) {
     const light = sides.some(s => s && methods[s.name].light), kind = (s, name) => name === 'truth' ? 4 : !s ? 0
         : !methods[s.name].light ? 1 : s.run.bounce ? 3 : 2;
     const shown = (s, name) => ({ t_light: (set.view === 'difference' && s?.rested) || s?.run.light,
-                                  t_bounce: s?.run.bounce, kind: kind(s, name) });
+                                  t_bounce: s?.run.bounce, kind: kind(s, name),
+                                  sun: +(set.sun && !lightsOf(set, name) && !(name === 'truth' && light && lit())) });
     show.draw(size.width, size.height, {
         t_depth: buffers.DEPTH, t_normal: buffers.NORMAL, t_albedo: buffers.ALBEDO, t_direct: buffers.DIRECT,
         t_truth: truthTexture()
     }, [shown(sides[0], set.a), set.b === 'off' ? null : shown(sides[1], set.b)],
-    { sky: coefficients(3), world: now.world, ray: now.ray, light: +light, sun: +set.sun, range: light ? 0.5 : 0.4,
+    { sky: coefficients(3), world: now.world, ray: now.ray, light: +light, range: light ? 0.5 : 0.4,
       view: views.indexOf(set.view), split: splitAt(), exposure: 0.45 * 2 ** set.exposure,
       effect: set.effect }, samples);
 }
@@ -747,7 +769,7 @@ async function beginTruth() {
     }
     traced = calm;
     truth.start({ width: size.width, height: size.height, radius: radius(), most,
-                  sky: set.sky === 'file' ? ownSky : set.sky,
+                  sky: set.sky === 'file' ? ownSky : set.sky, sun: lit() ? stage.sunlight : null,
                   camera: { eye: calm.eye, world: calm.world, ray: calm.ray } });
     writeStatus();
 }
@@ -838,6 +860,8 @@ function drawBy(made) {
         if (!(is instanceof Float32Array)) { drawer.free(is); environments.delete(key); }
     if (truthHeld) drawer.free(truthHeld.texture);
     truthHeld = truthMade = null;
+    if (lamps) drawer.free(lamps);
+    lamps = null;
     if (gpu !== made) gpu?.close();
     gpu = made;
     ({ drawer, show } = gpu ?? own);
@@ -945,15 +969,21 @@ function showText() {
 
 /* ---- begin */
 
-let told = false;
+let told = false, whole = false;                    /* the first picture is there; in its size */
 function first() {
-    if (told) return;
-    told = true;
+    if (whole) return;
     /* it is there, not just asked for */
     if (!gpu) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    performance.mark(told ? 'in its size' : 'first picture');
+    whole = told || !software;
+    if (told) return;
+    told = true;
     page.first = performance.now();
     loading(null);
+    showThumbs();
+    toPanel();
     page.ready();
+    request();
 }
 
 /* For scripts: make web-test waits for it, and reads results. */
@@ -965,7 +995,7 @@ const page = globalThis.page = { set, first: null, lacks: null, result,
                                  resting: () => wantedSamples() > 0,
                                  smooth: () => samples > 0 && samples >= wantedSamples(),
                                  code: codeOf, chain: chainShown,
-                                 inside: () => ({ stage, show, buffers, size, gl, gpu }),
+                                 inside: () => ({ stage, show, buffers, size, gl, gpu, sky: () => coefficients(3) }),
                                  frame: frameFile,
                                  limits, picture, webgpu: chooseGpu };
 page.drawn = new Promise(resolve => { page.ready = resolve; });
@@ -1004,8 +1034,11 @@ function savePicture() {
     (gpu?.canvas ?? canvas).toBlob(blob => { if (blob) saved('ssgi.png', blob); });
 }
 
+/* As three.js asks for one, which it is handed. */
+const contextLike = { alpha: true, depth: true, stencil: false, antialias: false, premultipliedAlpha: true,
+                      preserveDrawingBuffer: false, powerPreference: 'high-performance' };
 function lacks() {
-    const probe = document.createElement('canvas').getContext('webgl2');
+    const probe = canvas.getContext('webgl2', contextLike);
     if (!probe) return 'This browser or device has no WebGL 2, which every pass here is written for.';
     const half = probe.getExtension('EXT_color_buffer_float') || probe.getExtension('EXT_color_buffer_half_float');
     const missing = half ? null : 'This device cannot draw into floating-point textures (no EXT_color_buffer_float, no '
@@ -1014,7 +1047,6 @@ function lacks() {
     const name = probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER);
     software = /swiftshader|llvmpipe|software|basic render/i.test(name);
     $('device').textContent = name + (software ? ': a software renderer; the picture has 960×540 pixels at most' : '');
-    probe.getExtension('WEBGL_lose_context')?.loseContext();
     return missing;
 }
 
@@ -1051,7 +1083,7 @@ async function start() {
     for (const name of ['p', 'q']) options(panel.elements[name], Object.entries(presets));
     options(panel.elements.behind, Object.entries(behinds));
     options(panel.elements.half, Object.entries(halves));
-    showThumbs();
+    options(panel.elements.shadow, Object.entries(shadows));
     makers = new Makers({ gl, drawer, ssgi, loading }, remade);
     options(panel.elements.normals, Object.entries(normals));
     options(panel.elements.size, [['auto', 'as shown'], ...sizes.map(size => [size, size])]);

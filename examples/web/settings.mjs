@@ -28,6 +28,8 @@ export const presets = { __proto__: null, FAST: 'fast', BALANCED: 'balanced', BE
 export const views = ['lit', 'ambient', 'difference'];
 export const behinds = { __proto__: null, DEFAULT: 'as thick as wide', CONSTANT: 'constant', SOLID: 'unlimited',
                          BACK: 'to the back face', SLABS: 'two slabs, peeled' };
+export const shadows = { __proto__: null, HOST: 'by three.js, beside the chain', MAP: 'mapped',
+                         FILL: 'mapped, the bias filled', SEGMENT: 'on the screen', NONE: 'none' };
 export const halves = { __proto__: null, preset: 'as the preset', '1': 'half size', '0': 'full size' };
 export const normals = { __proto__: null, SIGNED: 'of the G-buffer', FROM_DEPTH: 'from depth' };
 export const sizes = ['480x270', '640x360', '960x540', '1280x720', '1920x1080'];
@@ -102,9 +104,10 @@ export const settings = {
     scene,
     sky,
     sun: flag(true),
-    azimuth: number(45, -180, 180),
-    height: number(35, 0, 90),
-    strength: number(1, 0, 4),
+    azimuth: number(55, -180, 180),
+    height: number(22, 0, 90),
+    strength: number(1.2, 0, 4),
+    shadow: word('HOST', Object.keys(shadows)),
     exposure: number(0, -3, 3),
     effect: number(1, 0, 3),
     view: word('lit', views),

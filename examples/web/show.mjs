@@ -55,7 +55,8 @@ void main() {
     if (u_kind == 3) light += texelFetch(t_bounce, p, 0).rgb;
     if (u_kind == 4 && traced) { light = truth; visible = seen.a; }
     if (u_view < 2) {
-        light = open * pow(max(light, 0.0) / max(open, 1e-4), vec3(u_effect));
+        vec3 share = max(light, 0.0) / max(open, 1e-4); // above 1 is what a lamp adds
+        light = open * pow(min(share, 1.0), vec3(u_effect)) * max(share, 1.0);
         visible = pow(visible, u_effect);
     }
     if (u_view == 0) {
@@ -232,9 +233,9 @@ export class Show {
         return list;
     }
 
-    /* sides: [left, right or null], each { light, bounce, kind }. sample: 0: the picture of this frame; n: the n-th of
-       those whose mean is shown. */
-    draw(width, height, bound, sides, { sky, world, ray, view, light, split, sun, range, exposure, effect }, sample) {
+    /* sides: [left, right or null], each { light, bounce, kind, sun: 0 where its light has the sun's }. sample: 0: the
+       picture of this frame; n: the n-th of those whose mean is shown. */
+    draw(width, height, bound, sides, { sky, world, ray, view, light, split, range, exposure, effect }, sample) {
         const gl = this.#gl, at = this.#use(this.#picture);
         const targets = sample ? this.#fit(this.#means, width, height, gl.RGBA16F)
             : this.#fit(this.#sides, width, height, gl.RGBA8);
@@ -244,7 +245,6 @@ export class Show {
         gl.uniform1i(at.u_view, view);
         gl.uniform1i(at.u_light, light);
         gl.uniform1i(at.u_traced, +!!bound.t_truth);
-        gl.uniform1f(at.u_sun, sun);
         gl.uniform1f(at.u_range, range);
         gl.uniform1f(at.u_exposure, exposure);
         gl.uniform1f(at.u_effect, effect);
@@ -252,6 +252,7 @@ export class Show {
             if (!side) return;
             this.#bind(textures.map(name => bound[name] ?? side[name]));
             gl.uniform1i(at.u_kind, side.kind);
+            gl.uniform1f(at.u_sun, side.sun);
             this.#triangle(targets[i].framebuffer, width, height, sample);
         });
         this.place(width, height, split, view === 2 || sample > 0, sample);

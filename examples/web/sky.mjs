@@ -66,9 +66,9 @@ export function skyOf(rgba, from, width, height) {
             for (let x = left; x < right; ++x)
                 for (let c = 0; c < 3; ++c) {
                     const v = rgba[4 * (y * from.width + x) + c];
-                    if (!(v >= 0 && v < Infinity))
-                        throw new Error(`texel ${x}, ${y} is ${v}; must be finite, 0 at least`);
-                    rgb[3 * i + c] += v / ((right - left) * (bottom - top));
+                    if (!Number.isFinite(v)) throw new Error(`texel ${x}, ${y} is ${v}; must be finite`);
+                    /* what resampled them leaves some a little below 0 */
+                    rgb[3 * i + c] += Math.max(0, v) / ((right - left) * (bottom - top));
                 }
     }
     let sum = 0, weights = 0;

@@ -62,15 +62,15 @@ const packer = () => new THREE.ShaderMaterial({
 });
 
 export class Stage {
-    #target = null; #back = []; #slabs = null; #model = null; #reach = 1; #size = { width: 1, height: 1 };
+    #target = null; #back = []; #slabs = null; #model = null; #size = { width: 1, height: 1 };
+    #casts = new THREE.Box3(); #all = new THREE.Box3(); #toSun = new THREE.Vector3(0, 1, 0);
     #behind = new THREE.MeshBasicMaterial({ side: THREE.BackSide, colorWrite: false });
     #peels = [peeling(THREE.FrontSide), peeling(THREE.BackSide)]; #pack = null;
     #seenFrom = null;
     mover = null;
 
     constructor(canvas) {
-        this.renderer = new THREE.WebGLRenderer({ canvas, antialias: false, stencil: false,
-                                                  powerPreference: 'high-performance' });
+        this.renderer = new THREE.WebGLRenderer({ canvas, context: canvas.getContext('webgl2') });
         this.renderer.shadowMap.enabled = true;
         this.renderer.shadowMap.autoUpdate = false;
         this.renderer.setClearColor(0x000000, 0);
@@ -117,32 +117,63 @@ export class Stage {
                 [part.material ?? []].flat().forEach(m => m.dispose());
             });
         }
-        model.traverse(part => { part.castShadow = part.receiveShadow = true; });
+        this.#casts.makeEmpty();
+        model.updateMatrixWorld(true);
+        model.traverse(part => {
+            part.castShadow = part.receiveShadow = true;
+            if (part.isMesh && !part.userData.ground) this.#casts.expandByObject(part);
+        });
         this.scene.add(this.#model = model);
         this.info = info;
+        this.#all.setFromObject(model);
         info.key ??= ++shown;
         Object.assign(this.camera, { near: info.near, far: info.far });
         this.#widen();
         this.look(info.eye, info.target);
-        /* the sun's map covers what the first view looks at */
-        const reach = new THREE.Vector3(...info.eye).distanceTo(this.controls.target), { shadow } = this.sun;
-        this.#reach = reach;
-        this.sun.target.position.copy(this.controls.target);
-        Object.assign(shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.2 * reach,
-                                       far: 6 * reach });
-        shadow.camera.updateProjectionMatrix();
-        shadow.normalBias = 3 * reach / shadow.mapSize.x;
+        this.#aim();
+    }
+
+    /* The sun's map covers all that casts, as build/render's widest one does, as deep as the scene is: what is beside
+       that nothing shadows. */
+    #aim() {
+        const { shadow, position, target } = this.sun, { camera } = shadow, to = this.#toSun;
+        camera.up.set(+(Math.abs(to.y) >= 0.9), +(Math.abs(to.y) < 0.9), 0);
+        const axes = new THREE.Matrix4().lookAt(to, new THREE.Vector3(), camera.up), way = axes.clone().transpose();
+        const box = this.#reached().applyMatrix4(way), size = box.getSize(new THREE.Vector3());
+        const middle = box.getCenter(new THREE.Vector3()), margin = 0.01 * size.z + 1e-6;
+        const low = this.#all.clone().applyMatrix4(way).min.z, half = 0.5 * (1.01 * Math.max(size.x, size.y) + 1e-6);
+        position.set(middle.x, middle.y, box.max.z + 2 * margin).applyMatrix4(axes);
+        target.position.copy(position).sub(to);
+        Object.assign(camera, { left: -half, right: half, top: half, bottom: -half, near: margin,
+                                far: box.max.z - Math.min(low, box.min.z) + 3 * margin });
+        camera.updateProjectionMatrix();
+        shadow.normalBias = 3 * half / shadow.mapSize.x;
         shadow.bias = -0.0008;
         this.renderer.shadowMap.needsUpdate = true;
+    }
+    /* What casts, and where something circles. */
+    #reached() {
+        const { info, mover } = this, box = this.#casts.clone();
+        if (!mover) return box;
+        return box.union(new THREE.Box3(new THREE.Vector3(), new THREE.Vector3())
+            .setFromCenterAndSize(new THREE.Vector3(...info.target), new THREE.Vector3().setScalar(5.6 * info.radius)));
     }
 
     /* Degrees from +z toward +x, and above the horizon; 1 is the strength that goes with the clear sky. */
     shine(azimuth, height, strength) {
         const lon = azimuth * Math.PI / 180, lat = height * Math.PI / 180, level = Math.cos(lat);
-        this.sun.position.set(Math.sin(lon) * level, Math.sin(lat), Math.cos(lon) * level)
-            .multiplyScalar(3 * this.#reach).add(this.sun.target.position);
+        this.#toSun.set(Math.sin(lon) * level, Math.sin(lat), Math.cos(lon) * level);
         this.sun.intensity = 3.2 * strength;
-        this.renderer.shadowMap.needsUpdate = true;
+        this.#aim();
+    }
+
+    /* The same sun for the library: the way to it and its irradiance, in the world; the view of its map. */
+    get sunlight() {
+        const { color, intensity, shadow: { camera, mapSize } } = this.sun;
+        camera.updateMatrixWorld();
+        return { toSun: this.#toSun.toArray(), irradiance: color.toArray().map(c => c * intensity),
+                 projection: camera.projectionMatrix.elements, size: mapSize.x,
+                 worldToLight: camera.matrixWorldInverse.elements };
     }
 
     /* Something that circles about the view's target, in seconds; null: nothing does. Its matrix, now and before, in
@@ -150,8 +181,9 @@ export class Stage {
     move(seconds) {
         if (seconds === null) {
             this.mover?.mesh.removeFromParent();
-            if (this.mover) this.renderer.shadowMap.needsUpdate = true;
+            if (!this.mover) return;
             this.mover = null;
+            this.#aim();
             return;
         }
         if (!this.mover) {
@@ -167,6 +199,7 @@ export class Stage {
         mesh.rotation.set(0.6 * turn, turn, 0);
         if (mesh.parent !== this.scene) this.scene.add(mesh);
         mesh.updateMatrixWorld(true);
+        if (!this.mover.started) this.#aim();
         this.mover.before = this.mover.started ? this.mover.now.clone() : mesh.matrixWorld.clone();
         this.mover.now.copy(mesh.matrixWorld);
         this.mover.started = true;
@@ -185,7 +218,10 @@ export class Stage {
 
     /* So many pixels to the side the picture is drawn, for edges that are averaged. */
     jitter(x, y) {
-        const { camera } = this, { elements } = camera.projectionMatrix;
+        const { camera, info } = this, { elements } = camera.projectionMatrix;
+        /* from afar all is seen, too, as far as 16 bits tell depths */
+        const { center, radius } = this.#all.getBoundingSphere(new THREE.Sphere());
+        camera.far = Math.max(info.far, Math.min(camera.position.distanceTo(center) + radius, 65504));
         camera.updateProjectionMatrix();
         elements[8] -= 2 * x / this.#size.width;
         elements[9] -= 2 * y / this.#size.height;
@@ -228,6 +264,7 @@ export class Stage {
         renderer.setRenderTarget(null);
         const [direct, normal, albedo] = this.#target.textures.map(raw);
         return { DIRECT: direct, NORMAL: normal, ALBEDO: albedo, DEPTH: raw(this.#target.depthTexture), backs,
+                 SHADOW: raw(this.sun.shadow.map.depthTexture),
                  BACK: backs > 1 ? raw(this.#slabs.texture) : backs ? raw(this.#back[0].depthTexture) : null };
     }
 

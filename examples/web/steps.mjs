@@ -10,6 +10,10 @@ export class Drawer {
         this.#gl = gl;
         this.#ssgi = ssgi;
         this.array = gl.createVertexArray();
+        /* nearest texels, and of the sun's map its depths, which three.js compares */
+        this.plain = gl.createSampler();
+        for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+            gl.samplerParameteri(this.plain, name, gl.NEAREST);
         gl.getExtension('EXT_float_blend');         /* where depths need 32 bits */
         this.timer = gl.getExtension('EXT_disjoint_timer_query_webgl2');
         /* asks without stopping whether a program is linked */
@@ -181,7 +185,7 @@ class Run {
                 if (!of) throw new Error(`pass ${step.desc.pass} reads ${name}, which nobody gives`);
                 gl.activeTexture(gl.TEXTURE0 + unit);
                 gl.bindTexture(target, of);
-                gl.bindSampler(unit, null);
+                gl.bindSampler(unit, this.#drawer.plain);
             }
             gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer[turn && this.turned ? 1 : 0]);
             gl.viewport(0, 0, step.width, step.height);
@@ -197,6 +201,7 @@ class Run {
             gl.bindVertexArray(made.attributes ? yours.array : this.#drawer.array);
             gl.drawArraysInstanced(step.primitive, 0, step.vertices, step.instances || yours.instances);
             gl.disable(gl.BLEND);
+            for (const { unit } of step.inputs) gl.bindSampler(unit, null);
             if (clock && timer) gl.endQuery(timer.TIME_ELAPSED_EXT);
             if (clock === 2) { this.#wait(step); this.ms[number] = performance.now() - begun; }
         });

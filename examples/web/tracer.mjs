@@ -46,6 +46,7 @@ function begin() {
     job.rows = rows;
     job.origin = new Float64Array(3 * width * rows);
     job.n = new Float32Array(3 * width * rows).fill(NaN);
+    job.lit = new Uint8Array(width * rows);          /* 1: the sun shines there */
     job.sums = [new Float32Array(4 * width * rows), new Float32Array(4 * width * rows)];
     job.radiance = typeof job.sky === 'string' ? skies[job.sky].radiance : radianceOf(job.sky);
     job.order = spread(rows);
@@ -71,12 +72,18 @@ function look(r) {
         if (!place(camera.eye, way, origin, n)) continue;
         job.origin.set(origin, 3 * (r * width + x));
         job.n.set(n, 3 * (r * width + x));
+        if (job.sun && shines(origin, n, job.sun.toSun)) job.lit[r * width + x] = 1;
     }
+}
+
+/* Whether nothing, however far, is between a place and the sun. */
+function shines(origin, n, to) {
+    return n[0] * to[0] + n[1] * to[1] + n[2] * to[2] > 0 && !trace.any(origin, to, 0, 1e12);
 }
 
 /* One ray more of each pixel of some rows, into one half. */
 function round(k, firstRow, rows) {
-    const { width, first, every, radius, origin, n, radiance } = job;
+    const { width, first, every, radius, origin, n, radiance, lit, sun } = job;
     const half = k & 1, sums = job.sums[half], index = k >> 1, from = [0, 0, 0], d = [0, 0, 0], light = [0, 0, 0];
     for (let i = width * firstRow; i < width * (firstRow + rows); ++i) {
         const nx = n[3 * i], ny = n[3 * i + 1], nz = n[3 * i + 2];
@@ -95,9 +102,9 @@ function round(k, firstRow, rows) {
         from[2] = origin[3 * i + 2];
         const hit = trace.closest(from, d, 0, radius), open = hit ? hit.t / radius : 1;
         radiance(d, light);
-        sums[4 * i] += light[0] * open;
-        sums[4 * i + 1] += light[1] * open;
-        sums[4 * i + 2] += light[2] * open;
+        const level = lit[i] ? (nx * sun.toSun[0] + ny * sun.toSun[1] + nz * sun.toSun[2]) / Math.PI : 0;
+        for (let c = 0; c < 3; ++c)
+            sums[4 * i + c] += light[c] * open + (level && level * sun.irradiance[c]);
         sums[4 * i + 3] += open;
     }
 }

@@ -402,7 +402,8 @@ export class Scene {
         for (let i = 0; i < backs; ++i) this.#peel(encoder, i, list, parts, bare, depth);
         if (backs > 1) this.#pack(encoder);
         device.queue.submit([encoder.finish()]);
-        return { ...this.#target, backs, BACK: backs > 1 ? this.#slabs : backs ? this.#back[0] : null };
+        return { ...this.#target, SHADOW: this.#shadow, backs,
+                 BACK: backs > 1 ? this.#slabs : backs ? this.#back[0] : null };
     }
 
     #peel(encoder, i, list, parts, bare, depth) {

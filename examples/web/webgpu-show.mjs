@@ -57,7 +57,8 @@ fn coloured(place: vec2f) -> vec3f {
     if (look.kind == 3) { light += textureLoad(t_bounce, p, 0).rgb; }
     if (look.kind == 4 && traced) { light = truth; visible = seen.a; }
     if (look.view < 2) {
-        light = open * pow(max(light, vec3f(0)) / max(open, vec3f(1e-4)), vec3f(look.effect));
+        let share = max(light, vec3f(0)) / max(open, vec3f(1e-4)); // above 1 is what a lamp adds
+        light = open * pow(min(share, vec3f(1)), vec3f(look.effect)) * max(share, vec3f(1));
         visible = pow(visible, look.effect);
     }
     if (look.view == 0) {
@@ -183,15 +184,15 @@ export class Show {
     }
 
     /* As Show.draw of show.mjs. */
-    draw(width, height, bound, sides, { sky, world, ray, view, light, split, sun, range, exposure, effect }, sample) {
+    draw(width, height, bound, sides, { sky, world, ray, view, light, split, range, exposure, effect }, sample) {
         const targets = sample ? this.#fit(this.#means, width, height, 'rgba16float')
             : this.#fit(this.#sides, width, height, 'rgba8unorm');
         const { t_depth, t_normal, t_albedo, t_direct, t_truth } = bound;
         sides.forEach((side, i) => {
             if (!side) return;
             this.#draw(picture, targets[i], `picture ${i}`,
-                       [...four(sky), ...rows(world), ...ray, view, light, +!!t_truth, sun, range, exposure, effect,
-                        side.kind],
+                       [...four(sky), ...rows(world), ...ray, view, light, +!!t_truth, side.sun, range, exposure,
+                        effect, side.kind],
                        [t_depth, t_normal, t_albedo, t_direct, t_truth, side.t_light, side.t_bounce], false, sample);
         });
         this.place(width, height, split, view === 2 || sample > 0, sample);

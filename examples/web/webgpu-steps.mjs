@@ -108,7 +108,8 @@ function planOf(ssgi, steps) {
     })) };
 }
 
-const given = ['DEPTH', 'NORMAL', 'ALBEDO', 'DIRECT', 'BACK', 'MOTION', 'ENVIRONMENT', 'IRRADIANCE'];
+const given = ['DEPTH', 'NORMAL', 'ALBEDO', 'DIRECT', 'BACK', 'MOTION', 'ENVIRONMENT', 'IRRADIANCE', 'LIGHTS',
+               'SHADOW'];
 
 export class Drawer {
     #device; #ssgi; #keys; #texts = new Map(); #modules = new Map();

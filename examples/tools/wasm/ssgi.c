@@ -1,6 +1,6 @@
 /* ssgi.c - the headers as WebAssembly, without a C library: make wasm builds build/wasm/ssgi.wasm, ssgi.mjs loads it.
 
-   What a page needs each frame is exported by name; the linker drops the rest. For more (lights, plans) add lines of
+   What a page needs each frame is exported by name; the linker drops the rest. For more (views, plans) add lines of
    EXPORT; examples/web/bake.c makes surfels and fields. Memory is the page's: from __heap_base on nothing here touches
    what it does not get a pointer to. */
 #include "../../../ssgi_gl.h"
@@ -24,6 +24,7 @@ EXPORT(ssgi_gl_harmonics_set);
 EXPORT(ssgi_gl_steps);
 EXPORT(ssgi_gl_surfels_set);
 EXPORT(ssgi_gl_occluder_set);
+EXPORT(ssgi_gl_light_map);
 EXPORT(ssgi_field_size);
 EXPORT(ssgi_field_load);
 EXPORT(ssgi_environment_map);
@@ -48,12 +49,13 @@ const place *ssgi_wasm_place_at(int i)
 #define OUTPUT(member) AT(ssgi_gl_output, member)
 #define SURFELS(member) AT(ssgi_surfel_desc, member)
 #define FIELD(member) AT(ssgi_field, member)
+#define LIGHT(member) AT(ssgi_gl_light, member)
     static const place places[] = {
         { "major", SSGI_VERSION_MAJOR }, { "minor", SSGI_VERSION_MINOR },
         { "meanings", SSGI_GL_YOURS },
         SIZE(ssgi_view), SIZE(ssgi_gl_desc), SIZE(ssgi_gl_frame), SIZE(ssgi_gl_io), SIZE(ssgi_gl_chain),
         SIZE(ssgi_gl_step), SIZE(ssgi_gl_input), SIZE(ssgi_gl_output), SIZE(ssgi_trace), SIZE(ssgi_hit),
-        SIZE(ssgi_surfel_desc), SIZE(ssgi_field), SIZE(ssgi_gl_occluder),
+        SIZE(ssgi_surfel_desc), SIZE(ssgi_field), SIZE(ssgi_gl_occluder), SIZE(ssgi_gl_light),
         AT(ssgi_gl_desc, version), AT(ssgi_gl_desc, fetch),
         AT(ssgi_gl_choice, name), AT(ssgi_gl_choice, values), AT(ssgi_gl_choice, sentence), AT(ssgi_gl_choice, offset),
         AT(ssgi_gl_choice, most),
@@ -70,7 +72,8 @@ const place *ssgi_wasm_place_at(int i)
         AT(ssgi_gl_format, bytes), AT(ssgi_gl_format, vulkan), AT(ssgi_gl_format, vulkan_name),
         AT(ssgi_gl_format, webgpu),
         SURFELS(size), SURFELS(splits), SURFELS(offscreen_growth), SURFELS(keep_small), SURFELS(max_distance),
-        SURFELS(overhang), FIELD(resolution), FIELD(radius), FIELD(reach), FIELD(inside), FIELD(p95)
+        SURFELS(overhang), FIELD(resolution), FIELD(radius), FIELD(reach), FIELD(inside), FIELD(p95),
+        LIGHT(at), LIGHT(kind), LIGHT(colour), LIGHT(min_distance), LIGHT(normal)
     };
     return i >= 0 && i < (int)(sizeof places / sizeof *places) ? &places[i] : NULL;
 }

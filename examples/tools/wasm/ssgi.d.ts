@@ -83,6 +83,16 @@ export interface Field {
            limits?: { ramp?: number; reach?: number; inside?: number; power?: number }): Float32Array;
 }
 
+/** ssgi_gl_light. at, normal: in the picture's view space */
+export interface Light {
+  kind: 'SUN' | 'POINT' | 'SPOT' | 'VPL';
+  at: ArrayLike<number>; colour: ArrayLike<number>; min_distance?: number; normal?: ArrayLike<number>;
+}
+/** its shadow map: the first texel in t_ssgi_shadow, the view that it was drawn with, matrices from the world */
+export interface LightMap {
+  view: Uint8Array; x?: number; y?: number; worldToView: ArrayLike<number>; worldToLight: ArrayLike<number>;
+}
+
 export class Ssgi {
   constructor(exports: WebAssembly.Exports);
   readonly version: string;
@@ -102,6 +112,8 @@ export class Ssgi {
   harmonics(frame: Frame, coefficients: ArrayLike<number>, bands: number,
             worldToView?: ArrayLike<number> | null): Frame;
   surfels(frame: Frame, view: Uint8Array, desc?: SurfelDesc, levels?: number): Frame;
+  /** a row of t_ssgi_lights: 8 texels of RGBA32F */
+  light(light: Light, map?: LightMap | null): Float32Array;
   phase(k: number): number;
   steps(chain: Chain): Step[];
   environmentMap(size: number, rgb: ArrayLike<number>, width: number, height: number,

@@ -21,7 +21,7 @@ const meanings = ['DEPTH', 'LAYERS', 'BACK', 'VIEWS', 'NORMAL', 'ALBEDO', 'LAYER
                   'NOISE', 'KERNEL', 'ENVIRONMENT', 'IRRADIANCE', 'LIGHTS', 'SHADOW', 'OCCLUDERS', 'FIELDS', 'OBJECTS',
                   'MOTION', 'AMBIENT', 'CAP'];                                  /* SSGI_GL_YOUR_ .. */
 const results = ['NONE', 'LIGHT', 'BOUNCE'], sizes = ['FULL', 'HALF', 'LEVELS', 'TILES'];
-const clips = ['GL', 'ZERO'];
+const clips = ['GL', 'ZERO'], lamps = ['SUN', 'POINT', 'SPOT', 'VPL'];
 const floats = { float: 1, int: 1, vec2: 2, ivec2: 2, vec4: 4, mat3: 12, mat4: 16 };     /* in std140 */
 const memoryMost = 0x7fff0000;                                                  /* addresses are signed here */
 
@@ -66,14 +66,15 @@ function opaque(name, value, length, from) {
     return value instanceof Uint8Array && value.length === length ? value : fail(`${name}: must be what ${from} gave`);
 }
 
-/* The bytes of ssgi.wasm, of whatever names them. */
-async function bytesOf(source) {
+/* ssgi.wasm, of whatever names it: compiled while it comes, or its bytes where the server names another type. */
+async function moduleOf(source) {
     const url = new URL(source, globalThis.location?.href);
     if (url.protocol === 'file:' && globalThis.process?.versions?.node)
         return (await import('node:fs/promises')).readFile(url);
     const answer = await fetch(url);
     if (!answer.ok) fail(`${answer.status} ${answer.statusText}`);
-    return answer.arrayBuffer();
+    const typed = /^application\/wasm\s*(;|$)/.test(answer.headers.get('content-type') ?? '');
+    return typed && WebAssembly.compileStreaming ? WebAssembly.compileStreaming(answer) : answer.arrayBuffer();
 }
 
 export async function load(source = new URL('ssgi.wasm', import.meta.url)) {
@@ -81,9 +82,11 @@ export async function load(source = new URL('ssgi.wasm', import.meta.url)) {
     const held = source instanceof WebAssembly.Module || source instanceof ArrayBuffer || ArrayBuffer.isView(source);
     if (!named && !held) fail('source: must be a URL, bytes or a WebAssembly.Module');
     const name = named ? source : 'source';
-    const bytes = named ? await bytesOf(source).catch(e => fail(`${name}: cannot be read: ${e.message}`)) : source;
-    const made = await WebAssembly.instantiate(bytes, { Math })
-        .catch(e => fail(`${name}: must be the ssgi.wasm that make wasm builds: ${e.message}`));
+    const strange = e => fail(`${name}: must be the ssgi.wasm that make wasm builds: ${e.message}`);
+    const unread = e => (e instanceof WebAssembly.CompileError ? strange(e) : fail(`${name}: cannot be read: ${
+        e.message}`));
+    const is = named ? await moduleOf(source).catch(unread) : source;
+    const made = await WebAssembly.instantiate(is, { Math }).catch(strange);
     return new Ssgi((made.instance ?? made).exports);
 }
 
@@ -226,6 +229,27 @@ export class Ssgi {
             }
             const v = this.#view(view), l = whole('levels', levels);
             this.#try(why => this.#c.ssgi_gl_surfels_set(f, v, d, l, 0, why));
+        });
+    }
+    /* Its row of t_ssgi_lights: 8 texels of RGBA32F. light: members of ssgi_gl_light; map: where its shadow map is in
+       t_ssgi_shadow, the view that it was drawn with, the way to the picture's view space and to its own. */
+    light(light, map = null) {
+        return this.#scope(() => {
+            const { kind, at, colour, min_distance = 0, normal = [0, 0, 0] } = object('light', light);
+            const { ssgi_gl_light: places } = this.#of, l = this.#room(this.#at.ssgi_gl_light);
+            const put = (name, list) => this.#setFloats(l + places[name], finite(`light.${name}`, list));
+            for (const [name, list] of Object.entries({ at, colour, normal }))
+                put(name, numbers(`light.${name}`, list, 3, 3));
+            put('kind', [word('light.kind', kind, lamps)]);
+            put('min_distance', [number('light.min_distance', min_distance)]);
+            if (map !== null) {
+                const { view, x = 0, y = 0, worldToView, worldToLight } = object('map', map), v = this.#view(view);
+                const left = whole('map.x', x), low = whole('map.y', y);
+                const to = this.#floats('map.worldToView', worldToView, 16);
+                const from = this.#floats('map.worldToLight', worldToLight, 16);
+                this.#try(why => this.#c.ssgi_gl_light_map(l, v, left, low, to, from, why));
+            }
+            return new Float32Array(this.#bytes(l, this.#at.ssgi_gl_light).slice().buffer);
         });
     }
     phase(k) { return this.#c.ssgi_gl_phase(whole('k', k)); }

@@ -8,7 +8,7 @@ import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'no
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chainAs } from '../chain.mjs';
-import { behinds, defaults, halves, methods, normals, presets } from '../settings.mjs';
+import { behinds, defaults, halves, methods, normals, presets, shadows } from '../settings.mjs';
 import { bare, keyOf } from '../webgpu-steps.mjs';
 
 const [wasm, loader, folder, to] = process.argv.slice(2);
@@ -17,9 +17,15 @@ const translate = join(dirname(fileURLToPath(import.meta.url)), '../../tools/gls
 
 /* What changes texts, each with all of its values. */
 const every = {
-    name: Object.keys(methods).filter(name => methods[name].desc && !methods[name].module), preset: Object.keys(presets),
+    name: Object.keys(methods).filter(name => methods[name].desc && !methods[name].module),
+    preset: Object.keys(presets),
     behind: Object.keys(behinds), normals: Object.keys(normals), half: Object.keys(halves), filter: [-1, 0, 1, 2, 3, 4],
     history: [false, true], moves: [false, true], bounce: [false, true], sun: [false, true], precise: [0, 1]
+};
+/* The sun's own pass, and what it changes of those about it, which are of the others' defaults. */
+const ofLights = {
+    name: every.name.filter(name => methods[name].light), preset: ['BALANCED'], shadow: Object.keys(shadows),
+    normals: every.normals, history: every.history, bounce: every.bounce, precise: every.precise
 };
 function* products([[name, values], ...rest]) {
     if (!name) { yield {}; return; }
@@ -28,7 +34,8 @@ function* products([[name, values], ...rest]) {
 }
 
 const texts = new Map(), seen = new Set();
-for (const { name, preset, precise, ...choice } of products(Object.entries(every))) {
+for (const { name, preset, precise, ...choice } of [...products(Object.entries(every)),
+                                                   ...products(Object.entries(ofLights))]) {
     const chain = chainAs(ssgi, { ...defaults, ...choice }, name, preset, true,
                           { dialect: 'VULKAN', width: 64, height: 64, precise }), whole = JSON.stringify(chain);
     if (seen.has(whole)) continue;
