@@ -1596,7 +1596,8 @@ static void history_is_quiet(void)
     enum { FIRST = 100 };                                  /* frame of the second sixteen */
     static const struct { const char *method, *set; double share; } kept[] = {
         { "hsao-fast", "history=1", 0.4 }, { "hsao", "half=0,history=1", 0.25 }, { "ssdo-fast", "history=1", 0.62 },
-        { "s3ho-fast", "history=1", 0.45 } };
+        { "s3ho-fast", "history=1", 0.45 }, { "hsao-fast", "behind=slabs,history=1", 0.4 },
+        { "hsao-march", "views=1,directions=2,steps=4,history=1", 0.4 } };
     kit_lighting lighting = { .lights = 0 };
     kit_scene scene;
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_env_read(&lighting.env, "sky", &err))) return;
