@@ -362,7 +362,7 @@ NPM_WEB  = npm install --prefix build/web-deps --no-save --ignore-scripts --no-a
 web: build/web/index.html
 build/web/index.html: $(WEB) build/wasm/ssgi.wasm build/web/three/three.module.js build/web/scenes/scenes.json \
                       build/web/wgsl/list.json
-	@cp $(WEB) build/wasm/ssgi.mjs build/wasm/ssgi.wasm LICENSE examples/docs/pictures/page.png build/web
+	@cp $(WEB) build/wasm/ssgi.mjs build/wasm/ssgi.wasm LICENSE examples/docs/pictures/page/first.jpg build/web
 	@touch $@
 	@echo 'build/web: cd build/web && python3 -m http.server, then http://localhost:8000'
 
