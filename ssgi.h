@@ -4713,6 +4713,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    twice: it darkened creases. The march's horizon reads desc.layers and desc.views.
    Pass history filters, too, and averages at full size: it takes blur's place, and chain.history needs blur. Its
    o_ssgi_ao has four channels; with desc.restore o_ssgi_history is kept instead of o_ssgi_light; o_ssgi_means has two.
+   Passes changes and nearby stand before it, which ssgi_gl_steps adds; they draw at an eighth of the size (SIZE_TILES).
    desc.half 2: each pixel of 2x2 in turn, by the last bits of ssgi_gl_phase, which is another sequence.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
    New, the papers' maths: room >>bias (ssgi_normal_offset, ssgi_shadow_patch, ssgi_shadow_bias, ssgi_radius_guess; 0.1

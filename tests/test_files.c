@@ -689,10 +689,12 @@ static void figures_whole(void)
           && !strcmp(bytes, "# Figures"), "%s: \"%s\"", said, bytes);
 }
 
-/* A full run of the papers' takes its own part of the documentation's page; the other stays to the byte. */
+/* A full run of the papers' takes its own part of the documentation's page, then one of the sweeps; others stay to the
+   byte. */
 static void figures_part(void)
 {
-#define OTHER "\n## Ambient occlusion\n\nold figures\n"
+#define OTHER "\n## Ambient occlusion\n\nold figures\n" SWEEPS "\nold sweeps\n"
+#define SWEEPS "\n## Where methods fail\n"
 #define HEADING "\n## The papers' own tables and figures\n"
     static const char csv[] =
         "paper,figure,row,kind,head,text\nA01,Table 1,0,title,,times\nA01,Table 1,0,theirs,,ms\n"
@@ -700,6 +702,8 @@ static void figures_part(void)
         "A01,Table 1,1,printed,ms,6.9\nA01,Table 1,1,measured,ms,21\nA01,Table 1,2,what,,none\n"
         "A01,Table 1,2,method,,\nA01,Table 1,2,note,,no such pass\nA01,Table 1,2,printed,ms,\n"
         "A01,Table 1,2,measured,ms,\nA01,Table 1,0,claim,agrees,faster: agrees\n";
+    static const char sweeps[] =
+        "cause,unit,method,settings,value,figure,number\ntilt,degrees,\"ssao\",\"\",30,0.02,0.025\n";
     char said[1024] = "", bytes[4096] = { 0 };
     const char *at;
     files_in_folder(1);
@@ -715,6 +719,14 @@ static void figures_part(void)
               && !strstr(bytes, "an old head") && !strstr(at, "old\n")
               && strstr(at, "| A01 | 1 | 1 | 0 |") && strstr(at, "| 8 samples | `ssao`: `samples=8` | 6.9 | 21 |")
               && strstr(at, "| none | not drawn: no such pass |  |  |") && strstr(at, "\n- faster: agrees\n"),
+          "%s: \"%s\"", said, bytes);
+    put("report/stability.txt", "full\na run of sweeps\n", 21);
+    put("report/stability.csv", sweeps, sizeof sweeps - 1);
+    CHECK(!program(said, sizeof said, "d=$PWD && cd '%s' && \"$d/build/figures\" 2>&1", folder), "%s", said);
+    memset(bytes, 0, sizeof bytes);
+    CHECK(get("examples/docs/FIGURES.md", bytes, sizeof bytes - 1) && (at = strstr(bytes, SWEEPS)) != NULL
+              && strstr(bytes, "\nold figures\n" SWEEPS) && !strstr(at, "old sweeps") && strstr(at, "a run of sweeps")
+              && strstr(at, "| 0.0250 |") && strstr(at, HEADING),
           "%s: \"%s\"", said, bytes);
     program(said, sizeof said, "cd '%s' && rm -rf examples report", folder);
 }

@@ -3,11 +3,10 @@
       build/figures [report]
 
    Reads chart.txt, stability.txt and papers.txt (kind, command, commit, machine, driver) and the csv beside them. The
-   page has two parts, one of the chart and of stability, one of the papers. A part whose runs are full ones goes to
-   examples/docs/FIGURES.md, where the other stays as it is, and the charts that it shows to examples/docs/pictures;
-   else it goes to FIGURES.md in the folder of the csv, for a quick run should not replace a full one. After a run of
-   some rows (SCENE, METHOD, PAPER) theirs stays as it is. Bad input, or a write that fails: one line on stderr, status
-   2; the page is then as it was. */
+   page has a part of each. A part whose run is a full one goes to examples/docs/FIGURES.md, where the others stay as
+   they are, and the charts that it shows to examples/docs/pictures; else it goes to FIGURES.md in the folder of the
+   csv, for a quick run should not replace a full one. After a run of some rows (SCENE, METHOD, PAPER) theirs stays as it
+   is. Bad input, or a write that fails: one line on stderr, status 2; the page is then as it was. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -69,17 +68,20 @@ static void chart(const markdown *m)
 }
 
 /* What is to be written: the parts, and whether each is measured anew. */
-typedef struct parts { char chart, stability, papers; char *kept, *kept_papers; } parts;
+typedef struct parts { char chart, stability, papers; char *kept, *kept_stability, *kept_papers; } parts;
 
-/* The page's parts as they are in examples/docs; "" = there is none. To be freed: kept. */
+/* The page's parts as they are in examples/docs; "" = there is none. To be freed. */
 static int keep(parts *p, kit_error *err)
 {
     size_t size;
     if (kit_file_read(&p->kept, &size, DOCS "FIGURES.md", err)) return -1;
     char *const first = strstr(p->kept, "\n## "), *const papers = strstr(p->kept, PAPERS_HEADING);
-    p->kept_papers = papers ? strdup(papers) : strdup("");
-    if (!p->kept_papers) return kit_fail(err, "out of memory");
+    char *const stability = strstr(p->kept, STABILITY_HEADING);
+    p->kept_papers = strdup(papers ? papers : "");
     if (papers) *papers = 0;
+    p->kept_stability = strdup(stability ? stability : "");
+    if (stability) *stability = 0;
+    if (!p->kept_papers || !p->kept_stability) return kit_fail(err, "out of memory");
     if (first) memmove(p->kept, first, strlen(first) + 1);
     return 0;
 }
@@ -93,8 +95,9 @@ static int write_page(const char *path, markdown *m, const parts *p, kit_error *
     if (!m->file) return kit_fail(err, "out of memory");
     head(m);
     if (p->chart) chart(m);
+    else if (m->full) fputs(p->kept, m->file);
     if (p->stability) section_stability(m);
-    if (m->full && !p->chart) fputs(p->kept, m->file);
+    else if (m->full) fputs(p->kept_stability, m->file);
     if (p->papers) section_papers(m);
     else if (m->full) fputs(p->kept_papers, m->file);
     int failed = ferror(m->file);
@@ -110,18 +113,20 @@ static int write_page(const char *path, markdown *m, const parts *p, kit_error *
 /* Full runs go to the documentation, others beside the csv. */
 static int write_pages(markdown *m, char chart_run, char stability_run, char papers_run, kit_error *err)
 {
-    const int full = chart_run == 'f' && stability_run == 'f', part = chart_run == 'p' || stability_run == 'p';
-    const parts quick = { full || part ? 0 : chart_run, full || part ? 0 : stability_run,
-                          papers_run == 'q' ? 'q' : 0, NULL, NULL };
-    parts whole = { full ? 'f' : 0, full ? 'f' : 0, papers_run == 'f' ? 'f' : 0, NULL, NULL };
+    const int part = chart_run == 'p' || stability_run == 'p';
+    const parts quick = { chart_run == 'q' ? 'q' : 0, stability_run == 'q' ? 'q' : 0, papers_run == 'q' ? 'q' : 0,
+                          NULL, NULL, NULL };
+    parts whole = { chart_run == 'f' ? 'f' : 0, stability_run == 'f' ? 'f' : 0, papers_run == 'f' ? 'f' : 0,
+                    NULL, NULL, NULL };
     char path[1024];
     snprintf(path, sizeof path, "%s/FIGURES.md", csv_folder);
-    m->full = whole.chart || whole.papers;
-    int failed = m->full && (((!whole.chart || !whole.papers) && keep(&whole, err))
+    m->full = whole.chart || whole.stability || whole.papers;
+    int failed = m->full && (((!whole.chart || !whole.stability || !whole.papers) && keep(&whole, err))
         || write_page(DOCS "FIGURES.md", m, &whole, err));
     m->full = 0;
     if (!failed && (quick.chart || quick.stability || quick.papers)) failed = write_page(path, m, &quick, err);
     free(whole.kept);
+    free(whole.kept_stability);
     free(whole.kept_papers);
     if (part || papers_run == 'p') puts("figures: some are left as they are, for a part alone was measured");
     return failed ? -1 : 0;

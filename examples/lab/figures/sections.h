@@ -13,6 +13,7 @@ void section_plan(const markdown *m);
 void section_costs(const markdown *m);
 void section_stability(const markdown *m);
 /* Begins with this line: what stands from it to the page's end. */
+#define STABILITY_HEADING "\n## Where methods fail\n"
 #define PAPERS_HEADING "\n## The papers' own tables and figures\n"
 void section_papers(const markdown *m);
 
