@@ -218,8 +218,9 @@ uninstall:
 	@for f in $(INSTALLED); do rm -f '$(TO)'/$$f; done; rmdir '$(TO)/share/cmake/ssgi' 2>/dev/null || true
 
 # The headers as WebAssembly, without a C library; examples/tools/wasm/ssgi.mjs loads it.
-WASM_FLAGS = --target=wasm32 -std=c99 $(WARNINGS) -Os -fno-builtin -fno-math-errno -fdata-sections \
-             -nostdlib -nostdlibinc -isystem examples/tools/wasm/libc -Wl,--no-entry,--strip-all,--stack-first,--export=__heap_base
+WASM_FLAGS = --target=wasm32 -std=c99 $(WARNINGS) -Oz -fno-builtin -fno-math-errno -fdata-sections \
+             -nostdlib -nostdlibinc -isystem examples/tools/wasm/libc \
+             -Wl,--no-entry,--strip-all,--stack-first,--compress-relocations,--export=__heap_base
 wasm: build/wasm/ssgi.wasm
 WASM_LIBC  = $(wildcard examples/tools/wasm/libc/*)
 build/wasm/ssgi.wasm: examples/tools/wasm/ssgi.c examples/tools/wasm/ssgi.mjs $(WASM_LIBC) ssgi.h ssgi_gl.h
