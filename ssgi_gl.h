@@ -974,13 +974,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
     "}\n" },
 
-/* Its turn is told by the last bits of the phase: ssgi_gl_phase. */
+/* Told by the last bits of the phase: ssgi_gl_phase. */
+{ "ssgi_turn", __LINE__ + 1,
+    "ivec2 ssgi_turn() { // which pixel of every 2x2 has its turn\n"
+    "    int turn = int(16777216.0 * u_ssgi_phase);\n"
+    "    return ivec2(turn, turn + (turn >> 1)) & 1;\n"
+    "}\n" },
+
 { "ssgi_gathered", __LINE__ + 1,
     "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of that image stands for\n"
     "#if half == 2\n"
-    "    int turn = int(16777216.0 * u_ssgi_phase);\n"
-    "    ivec2 p = 2 * texel + (ivec2(turn, turn + (turn >> 1)) & 1); // of every 2x2 in turn\n"
-    "    return min(p, max(u_ssgi_size - 1, 2 * texel)); // beyond the image it stays so\n"
+    "    return min(2 * texel + ssgi_turn(), max(u_ssgi_size - 1, 2 * texel)); // beyond the image it stays so\n"
     "#else\n"
     "    return 2 * texel; // of every 2x2 // #if half\n"
     "    return texel; // #if !half\n"
@@ -3814,9 +3818,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_tested", __LINE__ + 1,
     "ivec2 ssgi_tested(int k) { // of each 2x2 of a tile one pixel, another every frame\n"
-    "    int turn = int(16777216.0 * u_ssgi_phase);\n"
-    "    ivec2 q = 8 * ssgi_tile() + 2 * ivec2(k & 3, k >> 2) + (ivec2(turn, turn + (turn >> 1)) & 1);\n"
-    "    return min(q, u_ssgi_size - 1);\n"
+    "    return min(8 * ssgi_tile() + 2 * ivec2(k & 3, k >> 2) + ssgi_turn(), u_ssgi_size - 1);\n"
     "}\n" },
 
 { "ssgi_pixel_was", __LINE__ + 1,

@@ -5,8 +5,8 @@
    Reads chart.txt, stability.txt and papers.txt (kind, command, commit, machine, driver) and the csv beside them. The
    page has a part of each. A part whose run is a full one goes to examples/docs/FIGURES.md, where the others stay as
    they are, and the charts that it shows to examples/docs/pictures; else it goes to FIGURES.md in the folder of the
-   csv, for a quick run should not replace a full one. After a run of some rows (SCENE, METHOD, PAPER) theirs stays as it
-   is. Bad input, or a write that fails: one line on stderr, status 2; the page is then as it was. */
+   csv, for a quick run should not replace a full one. After a run of some rows (SCENE, METHOD, PAPER) theirs stays as
+   it is. Bad input, or a write that fails: one line on stderr, status 2; the page is then as it was. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -238,21 +238,6 @@ static void vanished(look *l, double value, int frame)
     (void)value;
     box_at(l, frame < CHANGED ? -20 : 20, frame == CHANGED ? 40 : 0);
 }
-static void slid_told(look *l, double value, int frame)
-{
-    slid(l, value, frame);
-    l->told = 1;
-}
-static void appeared_told(look *l, double value, int frame)
-{
-    appeared(l, value, frame);
-    l->told = 1;
-}
-static void vanished_told(look *l, double value, int frame)
-{
-    vanished(l, value, frame);
-    l->told = 1;
-}
 /* Nothing says that it is another view: the worst that a cut can do. */
 static void jumped(look *l, double value, int frame)
 {
@@ -436,19 +421,19 @@ const cause sweeps_cause[] = {
     { .name = "kept-slide-told",
       .title = "Over frames: a box slides over a floor, with motion vectors",
       .across = "pixels a frame",
-      .kind = FOLLOWS, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = slid_told,
+      .kind = FOLLOWS, .of = KEPT, .width = 160, .rays = 64, .log = 1, .at = slid, .told = 1,
       .value = { 0.1, 0.25, 0.5, 1, 2, 4 },
       .about = "The box's own; of all else 0." },
     { .name = "kept-held-appear-told",
       .title = "Over frames: a box appears, pixels that hold what was, with motion vectors",
       .across = "frames after",
-      .kind = HELD, .of = KEPT, .width = 320, .rays = 64, .log = 1, .at = appeared_told,
+      .kind = HELD, .of = KEPT, .width = 320, .rays = 64, .log = 1, .at = appeared, .told = 1,
       .value = { 1, 2, 3, 4, 8 },
       .about = "They are 0: what was not there before has not moved." },
     { .name = "kept-held-jump-told",
       .title = "Over frames: a box is elsewhere at once, pixels that hold what was, with motion vectors",
       .across = "frames after",
-      .kind = HELD, .of = KEPT, .width = 320, .rays = 64, .log = 1, .at = vanished_told,
+      .kind = HELD, .of = KEPT, .width = 320, .rays = 64, .log = 1, .at = vanished, .told = 1,
       .value = { 1, 2, 3, 4, 8 },
       .about = "The box's own; of all else 0." },
     { .name = "kept-flicker",
@@ -526,5 +511,6 @@ look sweeps_look(const cause *c, double value, int frame)
 {
     look l = { .scene = "plane", .width = c->width, .height = c->width * 9 / 16, .stride = 1, .rays = c->rays };
     c->at(&l, value, frame);
+    l.told = c->told;
     return l;
 }

@@ -58,7 +58,7 @@ enum { FRAMES = 16, CHANGED = 8 };
 typedef struct result result;
 typedef struct cause {
     const char *name, *title, *across;     /* across: what varies, and its unit */
-    int kind, of, width, rays, log;        /* log: the axis is logarithmic */
+    int kind, of, width, rays, log, told;  /* log: the axis is logarithmic; told: with motion vectors */
     void (*at)(look *l, double value, int frame);
     int (*curves)(result *r, kit_error *err);      /* instead: of the library's maths alone */
     double value[MOST_VALUES];             /* up to the first 0 after the first value */
