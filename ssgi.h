@@ -70,7 +70,10 @@
 #define SSGI_VERSION_MINOR 3
 #define SSGI_VERSION (10000 * SSGI_VERSION_MAJOR + 100 * SSGI_VERSION_MINOR)
 
-#ifdef SSGI_STATIC
+/* With SSGI_STATIC a file that calls a few functions would be warned of all the others. */
+#if defined(SSGI_STATIC) && defined(__GNUC__)
+#define SSGI_DEF static __attribute__((unused))
+#elif defined(SSGI_STATIC)
 #define SSGI_DEF static
 #else
 #define SSGI_DEF extern
@@ -122,8 +125,8 @@ typedef struct ssgi_view {
 SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width,
                                                int height, const char **why);
 
-/* View depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth of 0 or
-   infinity) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use ssgi_view_depth_at, whose pixel is a
+/* View depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth of 1 /
+   SSGI_FAR or less, or infinity) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use ssgi_view_depth_at, whose pixel is a
    position, centres at .5. GLSL twin: ssgi_decode. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
@@ -168,7 +171,7 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
    ssgi_pixel_footprint, since NDC spans 2, and of two unequal axes the one whose pixels are larger. Orthographic: the
    same at any depth.
      view_depth   [units: view] positive: with GL's negative z the receiver would sink into its surface
-   GLSL twin: ssgi_lift, which lifts by frame.offset of these, 1.5 by default: the corners of a pixel need sqrt(2). */
+   The result is in 0..SSGI_FAR, and 0 for NaN. GLSL twin: ssgi_lift, which lifts by frame.offset of these, 1.5 by default: the corners of a pixel need sqrt(2). */
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 
 /* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2)/resolution [SSDO09 section 5].
@@ -650,7 +653,8 @@ typedef struct ssgi_dipole {
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why);
 
-/* Diffuse reflectance R_d [units: 1/length^2] at a distance [limit: >= 0]; 0 for a channel outside 0..2. */
+/* Diffuse reflectance R_d [units: 1/length^2] at a distance [limit: >= 0]; 0 for a channel outside 0..2, and for a
+   distance that is not a finite float. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 
 /* ==== >>cap ==================================================================================================== */
@@ -913,8 +917,8 @@ typedef struct ssgi_plan {
     float size;
 
     /* what they are predicted to give */
-    float cost;    /* [units: as budget] with depth passes, without what makes surfels and fields */
-    float error;   /* in the measure of `wanted` */
+    float cost;    /* [units: as budget] with depth passes, without what makes surfels and fields; at most SSGI_FAR */
+    float error;   /* in the measure of `wanted`; at most SSGI_FAR */
     int meets;     /* 1: error <= 1.05 x that asked for, and cost within the budget; 0 if no error was asked for */
     char why[160]; /* one sentence */
 } ssgi_plan;
@@ -1022,6 +1026,9 @@ SSGI__FN int ssgi__positive(const float *v, int count)
     }
     return count == 0;
 }
+
+/* Whether x is finite and above 0 as a float, so that doubles hold its square and its inverse. */
+SSGI__FN int ssgi__above_zero(double x) { return ssgi__finite((float)x) && (float)x > 0.0f; }
 
 SSGI__FN int ssgi__within(float x, float least, float most) { return ssgi__finite(x) && x >= least && x <= most; }
 
@@ -1167,6 +1174,8 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
     SSGI__CHECK(ssgi__finites(v.project, 4) && ssgi__finites(v.unproject, 4) && ssgi__finites(v.depth, 2)
                     && ssgi__finites(v.oblique, 2),
                 "projection: its elements are too large or too small for float arithmetic");
+    SSGI__CHECK(v.orthographic || ssgi__above_zero((double)ssgi_view_near(&v)),
+                "projection: shows nothing that is in front of the camera (elements 10 and 14)");
     *view = v;
     return SSGI_OK;
 }
@@ -1178,7 +1187,7 @@ SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float x, float y, float
     float z = view->depth[0] + view->depth[1] * (d + (x * view->oblique[0] + y * view->oblique[1]));
     if (!ssgi__finite(d) || !(d >= 0.0f && d <= 1.0f) || d == view->clear) return SSGI_FAR;
     if (!view->orthographic) z = z > 1.0f / SSGI_FAR ? 1.0f / z : SSGI_FAR;
-    return z > 0.0f && z < SSGI_FAR ? z : SSGI_FAR;
+    return z > 1.0f / SSGI_FAR && z < SSGI_FAR ? z : SSGI_FAR;
 }
 
 SSGI_DEF void ssgi_view_position(const ssgi_view *view, float x, float y, float z, float out[3])
@@ -1322,7 +1331,7 @@ SSGI__FN float ssgi__clamped_length(float x)
 
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float z)
 {
-    return 0.5f * ssgi_pixel_footprint(view, ssgi__clamped_length(z));
+    return ssgi__clamped_length(0.5f * ssgi_pixel_footprint(view, ssgi__clamped_length(z)));
 }
 
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution)
@@ -2287,8 +2296,11 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
                     "corner: must lie within 1e30 of the origin, as a and b from it");
     for (int i = 0; i < count; ++i) {
         double u = (i + 0.5) / count, v = fmod(0.5 + 0.61803398874989484820 * i, 1.0), p[3];
-        if (triangle && v > u) u *= 0.5, v -= u; /* folded: as even as before */
-        else if (triangle) v *= 0.5, u -= v;
+        double *const greater = v > u ? &v : &u, *const less = v > u ? &u : &v;
+        if (triangle) { /* the square is folded onto one half, where the points are as even as before */
+            *less *= 0.5;
+            *greater -= *less;
+        }
         ssgi__along(p, from, u, side[0]);
         ssgi__along(p, p, v, side[1]);
         ssgi__floats(out[i].position, p);
@@ -2851,9 +2863,6 @@ SSGI_DEF ssgi_result ssgi_tess_points(float *uvw, int level, const char **why)
     return SSGI_OK;
 }
 
-/* 1: a finite float above 0. */
-SSGI__FN int ssgi__above_zero(double x) { return ssgi__finite((float)x) && x > 0.0; }
-
 SSGI_DEF int ssgi_tess_level(double area, double radius)
 {
     double discs;
@@ -3360,7 +3369,7 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 {
     double sum = 0.0;
-    if (c < 0 || c > 2) return 0.0;
+    if (c < 0 || c > 2 || !ssgi__finite((float)r)) return 0.0;
     for (int k = 0; k < 2; ++k) {
         const double z = k ? d->z_v[c] : d->z_r[c], length = sqrt(r * r + z * z);
         sum += z * (d->sigma_tr[c] + 1.0 / length) * exp(-d->sigma_tr[c] * length) / (length * length);
@@ -3409,7 +3418,7 @@ SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
 SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int bands, float solid_angle,
                                     const float axis[3], const float normal[3], const char **why)
 {
-    enum { DIRECTIONS = 256 };
+    enum { directions = 256 };
 
     const double shift[2] = { 0.0, 0.0 };
     double a[3], n[3], d[3], sum[3] = { 0.0, 0.0, 0.0 }, all = 0.0;
@@ -3427,8 +3436,8 @@ SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int
     const double cosine = 1.0 - (double)ssgi__max(0.0f, ssgi__min(solid_angle, 12.5663706f)) / (2.0 * SSGI__PI);
     const double share = SSGI__PI * ssgi_cap_occlusion((double)solid_angle, ssgi__dot(a, n));
     ssgi__axes(axes, a);
-    for (int i = 0; i <= DIRECTIONS; ++i) { /* the last, the axis, counts where none else is above the horizon */
-        const int last = i == DIRECTIONS;
+    for (int i = 0; i <= directions; ++i) { /* the last, the axis, counts where none else is above the horizon */
+        const int last = i == directions;
         if (last && all > 0.0) break;
         ssgi__cone_ray(direction, axes, last ? 1.0f : (float)cosine, i, shift);
         ssgi__doubles(d, direction);
@@ -3482,12 +3491,12 @@ SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double norm
 /* Solves a x = b for a symmetric 3x3 by Cramer's rule; 0 if it is singular. */
 SSGI__FN int ssgi__field_solve(double x[3], double a[3][3], double b[3])
 {
-    double minor[3], determinant;
+    double cross[3], determinant;
     for (int i = 0; i < 3; ++i) {
-        ssgi__cross(minor, a[(i + 1) % 3], a[(i + 2) % 3]);
-        determinant = ssgi__dot(a[i], minor);
+        ssgi__cross(cross, a[(i + 1) % 3], a[(i + 2) % 3]);
+        determinant = ssgi__dot(a[i], cross);
         if (!(fabs(determinant) > 1e-280)) return 0;
-        x[i] = ssgi__dot(b, minor) / determinant;
+        x[i] = ssgi__dot(b, cross) / determinant;
     }
     return 1;
 }
@@ -4561,16 +4570,17 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
 SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const int gpu = s->device == SSGI_PLAN_GPU;
-    const float finer = row->size > 0.0f ? SSGI__PLAN_SURFEL / row->size : 1.0f;
-    float cost = row->cost[gpu];
-    if (row->thickness >= SSGI_PLAN_BACK) cost += s->depth_pass * (row->thickness == SSGI_PLAN_SLABS ? 3.0f : 1.0f);
+    const double finer = row->size > 0.0f ? (double)(SSGI__PLAN_SURFEL / row->size) : 1.0;
+    double cost = (double)row->cost[gpu];
+    if (row->thickness >= SSGI_PLAN_BACK)
+        cost += (double)s->depth_pass * (row->thickness == SSGI_PLAN_SLABS ? 3.0 : 1.0);
     if (row->method == SSGI_PLAN_FIELD)
-        cost += ssgi__plan_costs[gpu].occluder * (float)s->occluders
-              * (s->coverage > 0.0f ? s->coverage : SSGI__PLAN_COVERAGE);
+        cost += (double)ssgi__plan_costs[gpu].occluder * s->occluders
+              * (double)(s->coverage > 0.0f ? s->coverage : SSGI__PLAN_COVERAGE);
     if (row->method == SSGI_PLAN_SURFELS)
-        cost += ssgi__plan_costs[gpu].texel * (float)(s->splats > 0.0 ? s->splats : SSGI__PLAN_TEXELS) * sqrtf(finer)
-              + ssgi__plan_costs[gpu].surfel * (float)s->surfels * finer * finer;
-    return cost;
+        cost += (double)ssgi__plan_costs[gpu].texel * (s->splats > 0.0 ? s->splats : SSGI__PLAN_TEXELS) * sqrt(finer)
+              + (double)ssgi__plan_costs[gpu].surfel * s->surfels * finer * finer;
+    return (float)fmin(cost, (double)SSGI_FAR);
 }
 
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
@@ -4593,7 +4603,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     plan->resolution = row->resolution;
     plan->size = row->size;
     for (int k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
-    plan->error = (float)sqrt(square);
+    plan->error = (float)fmin(sqrt(square), (double)SSGI_FAR);
     plan->cost = ssgi__plan_cost(row, s);
     /* bands whose energy is negligible are left out; a band is taken to matter by 0.02 of its share of the energy */
     energy = ssgi__plan_energy(s);

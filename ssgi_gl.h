@@ -88,10 +88,10 @@
       >>frame      what changes per frame; extra cameras, lights, occluders
       >>library    GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
       >>rows       the table of inputs and outputs
-      >>passes     the main function of each stage
+      >>passes     the table of passes: main functions, size, primitive, blending
       and the implementations of >>desc, >>emit (with >>io), >>frame, >>steps
 
-   TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its line in >>passes, its
+   TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its row in >>passes, its
                 outputs in >>rows. An accumulator: a member of ssgi_sums, where taps are added to it, an output row, its
                 field in >>desc. An input: a row. What a text reads is what its functions name; nothing else says it.
 
@@ -102,10 +102,13 @@
 
    NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, a_ssgi_* attributes, v_ssgi_* between
                        stages, ssgi_*() functions, SSGI_* constants; nothing else at global scope. */
+
+/* This stands before the guard, so that a file whose other headers have included this one plainly still gets the
+   implementation of ssgi.h when it asks for it. */
+#include "ssgi.h"
+
 #ifndef SSGI_GL_H
 #define SSGI_GL_H
-
-#include "ssgi.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -182,7 +185,7 @@ enum {
 /* desc.depth: what the depth texture holds. A CUSTOM one's layer 0 is the visible surface. */
 enum {
     SSGI_GL_DEPTH_WINDOW = 0, /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
-    SSGI_GL_DEPTH_LINEAR,     /* positive view depth; <= 0, inf or NaN is background */
+    SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background */
     SSGI_GL_DEPTH_CUSTOM,     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call ssgi_decode */
 };
 
@@ -893,7 +896,7 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
                                        const char **why);
 
 /* Sets frame->sent to a radiance such that half of all that is sent comes from surfels that send as much or more, in
-   their largest component. It stays where nothing is sent.
+   their largest component. It stays where nothing is sent, which is a radiance of 1e-30 or less.
      surfels    with their colours as yet unlit [limit: finite]
      lights     rows of t_ssgi_lights that light them, unshadowed; a SPOT within its map [limit: finite]
      sky        mean radiance of the environment [limit: >= 0, finite; NULL: black] */
@@ -957,6 +960,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_FAR", __LINE__ + 1,
     "const float SSGI_FAR = 1e18; // view depth of background\n" },
 
+{ "SSGI_NEAR", __LINE__ + 1,
+    "const float SSGI_NEAR = 1e-18; // what is nearer is background, since its square would be 0\n" },
+
 { "SSGI_PI", __LINE__ + 1,
     "const float SSGI_PI = 3.14159265;\n" },
 
@@ -995,7 +1001,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_decode(float d) {\n"
     "    float z = u_ssgi_decode.x + u_ssgi_decode.y * d; // #if orthographic\n"
     "    float z = 1.0 / (u_ssgi_decode.x + u_ssgi_decode.y * d); // #if !orthographic\n"
-    "    return d != u_ssgi_decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "    return d != u_ssgi_decode.z && z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR;\n"
     "}\n" },
 
 { "ssgi_unskew", __LINE__ + 1,
@@ -1019,20 +1025,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_depth", __LINE__ + 1,
-    "#if pass < SENDERS && (thickness == WIDTH || (thickness > WIDTH && search == SLICES))\n"
+    "#if reads_thickness && (thickness == WIDTH || (thickness > WIDTH && search == SLICES))\n"
     "float ssgi_depth(ivec2 p) { // view depth at a pixel\n"
     "    return ssgi_measured_depth(ssgi_measured(p));\n"
     "}\n"
     "#endif\n" },
 
 { "ssgi_depth", __LINE__ + 1,
-    "#if !(pass < SENDERS && (thickness == WIDTH || (thickness > WIDTH && search == SLICES)))\n"
+    "#if !(reads_thickness && (thickness == WIDTH || (thickness > WIDTH && search == SLICES)))\n"
     "float ssgi_depth(ivec2 p) { // view depth at a pixel\n"
     "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x); // #if depth == WINDOW && !oblique\n"
     "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x; // #if depth == LINEAR || !depth && oblique\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0); // #if depth == CUSTOM\n"
     "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
-    "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
+    "    return z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
     "}\n"
     "#endif\n" },
 
@@ -1042,7 +1048,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, j); // #if depth == CUSTOM\n"
     "    return ssgi_decode(z); // #if depth == WINDOW && !oblique\n"
     "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
-    "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
+    "    return z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
     "}\n" },
 
 { "ssgi_slabs", __LINE__ + 1,
@@ -2158,7 +2164,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_sums", __LINE__ + 1,
     "struct ssgi_sums { // shares of the cosine-weighted hemisphere that are blocked, attenuated\n"
-    "    float all; // #if pass < SSDO\n"
+    "    float all; // #if pass == SSAO || pass == HSAO\n"
     "    vec3 dark; // of the environment: over pi (slices), over its sum (points) // #if environment == MAP\n"
     "    ssgi_sh lobe; // the cosine lobe less what is blocked of it // #if environment == SH\n"
     "    vec3 bounce; // what blocks sends // #if pass == SSDO && bounce\n"
@@ -2168,7 +2174,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_sums_none", __LINE__ + 1,
     "ssgi_sums ssgi_sums_none(vec3 n) { // n: the axis of the cosine lobe\n"
     "    ssgi_sums sums;\n"
-    "    sums.all = 0.0; // #if pass < SSDO\n"
+    "    sums.all = 0.0; // #if pass == SSAO || pass == HSAO\n"
     "    sums.dark = vec3(0.0); // #if environment == MAP\n"
     "    sums.lobe = ssgi_sh_zonal(SSGI_COSINE, n); // #if environment == SH\n"
     "    sums.bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
@@ -2287,7 +2293,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float blocked = ssgi_point_blocked(s, i, direction);\n"
     "        float weight = 2.0 * direction.z; // 2 pi/N steradians, of pi by the cosine // #if uniform\n"
     "        blocked *= weight; // #if uniform\n"
-    "        sums.all += blocked / float(SSGI_SAMPLES); // #if pass < SSDO\n"
+    "        sums.all += blocked / float(SSGI_SAMPLES); // #if pass == SSAO || pass == HSAO\n"
     "        float less = blocked * (-SSGI_PI / float(SSGI_SAMPLES)); // #if environment == SH\n"
     "        ssgi_sh_add(sums.lobe, ssgi_sh_basis(direction), less); // #if environment == SH\n"
     "        vec3 L = ssgi_environment(world * direction); // #if environment == MAP\n"
@@ -4091,65 +4097,160 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 
 /* clang-format on */
 
-/* ==== >>passes: the main function of each stage =================================================================== */
+/* ==== >>passes: all that is said of each pass ===================================================================== */
+
+/* The columns of a pass's row, which are 0 where nothing else is said. */
+enum {
+    SSGI_GL__CHAIN_NONE = 0, /* ssgi_gl_chain.desc must not be of this pass */
+    SSGI_GL__CHAIN_ALONE,    /* a chain may be of this pass, and holds nothing else */
+    SSGI_GL__CHAIN_FILTERED, /* and its filter */
+    SSGI_GL__CHAIN_OWN       /* and what ssgi_gl__build_chain adds for it */
+};
+
+enum {
+    SSGI_GL__SEARCH_NONE = 0, /* it gathers nothing */
+    SSGI_GL__SEARCH_POINTS,   /* it has points, whatever desc.search says */
+    SSGI_GL__SEARCH_CHOSEN    /* it has what desc.search says */
+};
+
+enum {
+    SSGI_GL__THICKNESS_NONE = 0, /* it does not look at desc.thickness */
+    SSGI_GL__THICKNESS_READ,     /* its occluders are as thick as desc.thickness says */
+    SSGI_GL__THICKNESS_MEASURED  /* it measures what the others read */
+};
+
+enum {
+    SSGI_GL__PRESET_NONE = 0, /* nothing in it trades cost for accuracy */
+    SSGI_GL__PRESET_SSAO,
+    SSGI_GL__PRESET_LIGHTS,
+    SSGI_GL__PRESET_SEARCH /* the preset of desc.search, so that a desc also serves the passes around its own */
+};
+
+enum {
+    SSGI_GL__SIZE_FULL = SSGI_GL_SIZE_FULL,
+    SSGI_GL__SIZE_HALF = SSGI_GL_SIZE_HALF,
+    SSGI_GL__SIZE_LEVELS = SSGI_GL_SIZE_LEVELS,
+    SSGI_GL__SIZE_TILES = SSGI_GL_SIZE_TILES,
+    SSGI_GL__SIZE_CHOSEN /* half where desc.half says so, else full */
+};
+
+enum {
+    SSGI_GL__DRAW_IMAGE = 0, /* one triangle covers the image */
+    SSGI_GL__DRAW_FIELDS,    /* a rectangle of two triangles for each occluder */
+    SSGI_GL__DRAW_SPLATS,    /* such a rectangle for each surfel and level, or patches */
+    SSGI_GL__DRAW_SURFELS    /* points or patches, which are captured */
+};
+
+enum {
+    SSGI_GL__BLEND_ONTO = 0, /* as desc.onto says; off where the pass does not look at it */
+    SSGI_GL__BLEND_MULTIPLY,
+    SSGI_GL__BLEND_ADD
+};
+
+enum {
+    SSGI_GL__TEXTURE_NEW = 0, /* each of its outputs has a texture of its own */
+    SSGI_GL__TEXTURE_KEPT,    /* each has two, which change places from frame to frame */
+    SSGI_GL__TEXTURE_SLICE    /* its output is a slice of what all passes of its name write */
+};
+
+/* The main functions of a pass's stages, where `when`, a condition as in #if lines, holds. */
+typedef struct ssgi_gl__variant {
+    const char *when; /* NULL: always */
+    const char *mains[SSGI_GL_STAGES];
+} ssgi_gl__variant;
 
 typedef struct ssgi_gl__pass {
     int pass;
-    const char *name, *when, *mains[SSGI_GL_STAGES];
+    const char *name;
+    int chain, search, thickness, preset, size, draw, blend, texture;
+    ssgi_gl__variant variant[6]; /* the last are empty */
 } ssgi_gl__pass;
 
-#define SSGI_GL__WHEN(pass, name, when, main) \
-    { \
-        SSGI_GL_##pass, name, when, { "main_triangle", main, NULL, NULL, NULL } \
-    }
-#define SSGI_GL__ALWAYS(pass, name, main) SSGI_GL__WHEN(pass, name, NULL, main)
-#define SSGI_GL__SPLAT(when, fragment) \
-    { SSGI_GL_SPLAT, "splat", "!tessellate && " when, { "main_quad", fragment, NULL, NULL, NULL } }, \
-    { \
-        SSGI_GL_SPLAT, "splat", "tessellate && " when, \
-        { \
-            "main_patch", fragment, "main_levels", "main_points", "main_strip" \
-        } \
-    }
+/* clang-format off */
+#define SSGI_GL__PASS(pass, name, chain, search, thickness, preset, size, draw, blend, texture) \
+    SSGI_GL_##pass, name, SSGI_GL__CHAIN_##chain, SSGI_GL__SEARCH_##search, SSGI_GL__THICKNESS_##thickness, \
+    SSGI_GL__PRESET_##preset, SSGI_GL__SIZE_##size, SSGI_GL__DRAW_##draw, SSGI_GL__BLEND_##blend, \
+    SSGI_GL__TEXTURE_##texture
+#define SSGI_GL__IMAGE(when, main) { when, { "main_triangle", main, NULL, NULL, NULL } }
+#define SSGI_GL__QUADS(when, main) { "!tessellate && " when, { "main_quad", main, NULL, NULL, NULL } }
+#define SSGI_GL__PATCHED(when, main) \
+    { "tessellate && " when, { "main_patch", main, "main_levels", "main_points", "main_strip" } }
 
+/* Which outputs a pass has follows from what its main functions name, as inputs do: their rows are in >>rows. */
 static const ssgi_gl__pass ssgi_gl__passes[] = {
-    SSGI_GL__ALWAYS(SSAO, "ssao", "main_occlusion"),
-    SSGI_GL__ALWAYS(HSAO, "hsao", "main_occlusion"),
-    SSGI_GL__ALWAYS(SSDO, "ssdo", "main_ssdo"),
-    SSGI_GL__WHEN(S3HO, "s3ho", "!shaded", "main_s3ho"),
-    SSGI_GL__WHEN(S3HO, "s3ho", "shaded", "main_s3ho_shaded"),
-    SSGI_GL__ALWAYS(LIGHTS, "lights", "main_lights"),
-    SSGI_GL__ALWAYS(SENDERS, "senders", "main_senders"),
-    SSGI_GL__WHEN(SHADE, "shade", "shading != BENT", "main_shade"),
-    SSGI_GL__WHEN(SHADE, "shade", "shading == BENT", "main_bent"),
-    { SSGI_GL_FIELD, "field", NULL, { "main_occluder", "main_field", NULL, NULL, NULL } },
-    { SSGI_GL_SURFELS, "surfels", "!tessellate", { "main_buffer", "main_nothing", NULL, NULL, NULL } },
-    { SSGI_GL_SURFELS, "surfels", "tessellate", { "main_patch", "main_nothing", "main_levels", "main_points", NULL } },
-    SSGI_GL__ALWAYS(SHUFFLE, "shuffle", "main_shuffle"),
-    SSGI_GL__SPLAT("effect < SCATTER", "main_splat"),
-    SSGI_GL__SPLAT("effect == SCATTER", "main_splat_scatter"),
-    SSGI_GL__SPLAT("effect == CUSTOM", "main_splat_custom"),
-    SSGI_GL__ALWAYS(UNSHUFFLE, "unshuffle", "main_unshuffle"),
-    SSGI_GL__ALWAYS(SMOOTH, "smooth", "main_smooth"),
-    SSGI_GL__WHEN(SUM, "sum", "effect == OCCLUSION", "main_sum_occlusion"),
-    SSGI_GL__WHEN(SUM, "sum", "effect == LIGHT", "main_sum_light"),
-    SSGI_GL__WHEN(SUM, "sum", "effect > LIGHT", "main_sum_sent"),
-    SSGI_GL__WHEN(BLUR, "blur", "colour == GREY", "main_blur_grey"),
-    SSGI_GL__WHEN(BLUR, "blur", "colour == COLOUR", "main_blur_light"),
-    SSGI_GL__WHEN(BLUR, "blur", "colour == COEFFICIENTS", "main_blur_coefficients"),
-    SSGI_GL__ALWAYS(HISTORY, "history", "main_history"),
-    SSGI_GL__WHEN(COMPOSE, "compose", "colour == GREY", "main_compose_grey"),
-    SSGI_GL__WHEN(COMPOSE, "compose", "colour != GREY", "main_compose_light"),
-    SSGI_GL__ALWAYS(WIDTH, "width", "main_width"),
-    SSGI_GL__ALWAYS(CHANGES, "changes", "main_changes"),
-    SSGI_GL__ALWAYS(NEARBY, "nearby", "main_nearby")
+    /*                              chain     search  thickness preset  size    draw     blend    texture */
+    { SSGI_GL__PASS(SSAO, "ssao",   FILTERED, POINTS, READ,     SSAO,   CHOSEN, IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE(NULL, "main_occlusion") } },
+    { SSGI_GL__PASS(HSAO, "hsao",   FILTERED, CHOSEN, READ,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE(NULL, "main_occlusion") } },
+    { SSGI_GL__PASS(SSDO, "ssdo",   OWN,      CHOSEN, READ,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE(NULL, "main_ssdo") } },
+    { SSGI_GL__PASS(S3HO, "s3ho",   OWN,      CHOSEN, READ,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE("!shaded", "main_s3ho"),
+        SSGI_GL__IMAGE("shaded", "main_s3ho_shaded") } },
+    { SSGI_GL__PASS(LIGHTS, "lights",   NONE, POINTS, READ,     LIGHTS, FULL,   IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE(NULL, "main_lights") } },
+    { SSGI_GL__PASS(SENDERS, "senders", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     SLICE),
+      { SSGI_GL__IMAGE(NULL, "main_senders") } },
+    { SSGI_GL__PASS(SHADE, "shade", NONE,     NONE,   NONE,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE("shading != BENT", "main_shade"),
+        SSGI_GL__IMAGE("shading == BENT", "main_bent") } },
+    { SSGI_GL__PASS(FIELD, "field", ALONE,    NONE,   NONE,     NONE,   FULL,   FIELDS,  MULTIPLY, NEW),
+      { { NULL, { "main_occluder", "main_field", NULL, NULL, NULL } } } },
+    { SSGI_GL__PASS(SURFELS, "surfels", NONE, NONE,   NONE,     NONE,   FULL,   SURFELS, ONTO,     NEW),
+      { { "!tessellate", { "main_buffer", "main_nothing", NULL, NULL, NULL } },
+        { "tessellate", { "main_patch", "main_nothing", "main_levels", "main_points", NULL } } } },
+    { SSGI_GL__PASS(SHUFFLE, "shuffle", NONE, NONE,   NONE,     NONE,   LEVELS, IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE(NULL, "main_shuffle") } },
+    { SSGI_GL__PASS(SPLAT, "splat", OWN,      NONE,   NONE,     NONE,   LEVELS, SPLATS,  ADD,      NEW),
+      { SSGI_GL__QUADS("effect < SCATTER", "main_splat"),
+        SSGI_GL__QUADS("effect == SCATTER", "main_splat_scatter"),
+        SSGI_GL__QUADS("effect == CUSTOM", "main_splat_custom"),
+        SSGI_GL__PATCHED("effect < SCATTER", "main_splat"),
+        SSGI_GL__PATCHED("effect == SCATTER", "main_splat_scatter"),
+        SSGI_GL__PATCHED("effect == CUSTOM", "main_splat_custom") } },
+    { SSGI_GL__PASS(UNSHUFFLE, "unshuffle", NONE, NONE, NONE,   NONE,   LEVELS, IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE(NULL, "main_unshuffle") } },
+    { SSGI_GL__PASS(SMOOTH, "smooth", NONE,   NONE,   NONE,     NONE,   LEVELS, IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE(NULL, "main_smooth") } },
+    { SSGI_GL__PASS(SUM, "sum",     NONE,     NONE,   NONE,     NONE,   FULL,   IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE("effect == OCCLUSION", "main_sum_occlusion"),
+        SSGI_GL__IMAGE("effect == LIGHT", "main_sum_light"),
+        SSGI_GL__IMAGE("effect > LIGHT", "main_sum_sent") } },
+    { SSGI_GL__PASS(BLUR, "blur",   NONE,     NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE("colour == GREY", "main_blur_grey"),
+        SSGI_GL__IMAGE("colour == COLOUR", "main_blur_light"),
+        SSGI_GL__IMAGE("colour == COEFFICIENTS", "main_blur_coefficients") } },
+    { SSGI_GL__PASS(HISTORY, "history", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     KEPT),
+      { SSGI_GL__IMAGE(NULL, "main_history") } },
+    { SSGI_GL__PASS(COMPOSE, "compose", NONE, NONE,   NONE,     NONE,   FULL,   IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE("colour == GREY", "main_compose_grey"),
+        SSGI_GL__IMAGE("colour != GREY", "main_compose_light") } },
+    { SSGI_GL__PASS(WIDTH, "width", NONE,     NONE,   MEASURED, NONE,   HALF,   IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE(NULL, "main_width") } },
+    { SSGI_GL__PASS(CHANGES, "changes", NONE, NONE,   NONE,     NONE,   TILES,  IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE(NULL, "main_changes") } },
+    { SSGI_GL__PASS(NEARBY, "nearby", NONE,   NONE,   NONE,     NONE,   TILES,  IMAGE,   ONTO,     NEW),
+      { SSGI_GL__IMAGE(NULL, "main_nearby") } }
 };
+
+/* clang-format on */
 
 enum {
     SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
     SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
-    SSGI_GL__VARIANTS = (int)(sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes)
+    SSGI_GL__VARIANTS = (int)(sizeof ssgi_gl__passes->variant / sizeof *ssgi_gl__passes->variant)
 };
+
+typedef char ssgi_gl__every_pass_has_a_row[sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes == SSGI_GL_PASSES ? 1 : -1];
+
+/* The row of a pass; NULL where there is no such pass. */
+static const ssgi_gl__pass *ssgi_gl__pass_of(int pass)
+{
+    for (int i = 0; i < SSGI_GL_PASSES; ++i)
+        if (ssgi_gl__passes[i].pass == pass) return &ssgi_gl__passes[i];
+    return NULL;
+}
 
 /* ==== >>desc (implementation) ===================================================================================== */
 
@@ -4300,7 +4401,7 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
 static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d) { return !when || ssgi_gl__any(&when, d); }
 
 /* What does not go together, as a condition of #if lines, and the sentence that says so. */
-#define SSGI_GL__SLICED "pass > SSAO && pass < LIGHTS && search == SLICES && "
+#define SSGI_GL__SLICED "searches && search == SLICES && "
 static const char *const ssgi_gl__rules[][2] = {
     { "pass == HSAO && search == POINTS", "desc.search: hsao is SSGI_GL_SLICES or _MARCH; points are ssao's" },
     { "(pass == SSDO || pass == S3HO) && search == MARCH",
@@ -4315,7 +4416,7 @@ static const char *const ssgi_gl__rules[][2] = {
       "SSGI_GL_POINTS or _MARCH" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
       "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE" },
-    { "thickness > SOLID && pass < SENDERS && (layers > 1 || views)",
+    { "thickness > SOLID && reads_thickness && (layers > 1 || views)",
       "desc.thickness: widths and back faces are those of one layer and camera; layers and views want "
       "SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
     { "world_normals && normal == FROM_DEPTH", "desc.world_normals: normals from depth are in view space" },
@@ -4400,8 +4501,9 @@ static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_BEST + 1] = {
 
 static int ssgi_gl__presets_of(const ssgi_gl_desc *desc)
 {
-    if (desc->pass == SSGI_GL_SSAO) return SSGI_GL__OF_SSAO;
-    if (desc->pass == SSGI_GL_LIGHTS) return SSGI_GL__OF_LIGHTS;
+    const int preset = ssgi_gl__pass_of(desc->pass)->preset;
+    if (preset == SSGI_GL__PRESET_SSAO) return SSGI_GL__OF_SSAO;
+    if (preset == SSGI_GL__PRESET_LIGHTS) return SSGI_GL__OF_LIGHTS;
     if (desc->search == SSGI_GL_SLICES) return SSGI_GL__OF_SLICES;
     return desc->search == SSGI_GL_MARCH ? SSGI_GL__OF_MARCH : SSGI_GL__OF_POINTS;
 }
@@ -4411,8 +4513,7 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     const ssgi_gl__preset *set;
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(preset >= 0 && preset <= SSGI_GL_BEST, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
-    if (desc->pass > SSGI_GL_SHADE && desc->pass != SSGI_GL_BLUR && desc->pass != SSGI_GL_HISTORY)
-        return SSGI_OK; /* nothing in these trades cost for accuracy */
+    if (ssgi_gl__pass_of(desc->pass)->preset == SSGI_GL__PRESET_NONE) return SSGI_OK;
     set = &ssgi_gl__presets[ssgi_gl__presets_of(desc)][preset];
     desc->half = set->half;
     desc->steps = set->steps;
@@ -4439,15 +4540,20 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_NOTHING && plan->method <= SSGI_PLAN_FIELD,
                    "plan: must not be NULL, and of something");
+    SSGI_GL__CHECK(plan->thickness >= SSGI_PLAN_WIDTH && plan->thickness <= SSGI_PLAN_SLABS,
+                   "plan.thickness: must be SSGI_PLAN_WIDTH, _SOLID, _BACK or _SLABS");
     ssgi_gl_desc d = *desc;
     d.pass = passes[plan->method];
     d.search = SSGI_GL_SLICES;
     if (d.pass == SSGI_GL_SSDO && !d.environment) d.environment = SSGI_GL_ENVIRONMENT_MAP;
     SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_BALANCED, why));
     d.half = plan->half;
-    d.directions = plan->directions, d.steps = plan->steps;
+    d.directions = plan->directions;
+    d.steps = plan->steps;
     d.thickness = thickness[plan->thickness];
-    d.bands = plan->bands, d.levels = plan->levels, d.filter_radius = plan->filter_radius;
+    d.bands = plan->bands;
+    d.levels = plan->levels;
+    d.filter_radius = plan->filter_radius;
     if (d.pass == SSGI_GL_S3HO) {
         d.shaded = d.residual = 1;
         d.restore = d.transfer ? SSGI_GL_RESTORE_DIFFERENCE : SSGI_GL_RESTORE_RATIO;
@@ -4459,7 +4565,7 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
 
 static int ssgi_gl__slices(const ssgi_gl_desc *d)
 {
-    return d->pass > SSGI_GL_SSAO && d->pass < SSGI_GL_LIGHTS && d->search == SSGI_GL_SLICES;
+    return ssgi_gl__pass_of(d->pass)->search == SSGI_GL__SEARCH_CHOSEN && d->search == SSGI_GL_SLICES;
 }
 
 /* So that #if lines need not ask for the pass, s3ho has a bounce where it has a transfer, and an environment SH where
@@ -4467,18 +4573,19 @@ static int ssgi_gl__slices(const ssgi_gl_desc *d)
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 {
     ssgi_gl_desc d = *desc;
+    const ssgi_gl__pass *const row = ssgi_gl__pass_of(d.pass);
     const int pass = d.pass, ssdo = pass == SSGI_GL_SSDO, s3ho = pass == SSGI_GL_S3HO, shade = pass == SSGI_GL_SHADE;
     const int points = pass == SSGI_GL_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_BLUR, splat = pass == SSGI_GL_SPLAT;
     const int surfels = pass == SSGI_GL_SURFELS || splat, reads = shade || (blur && d.colour == SSGI_GL_COEFFICIENTS);
     const int slices = ssgi_gl__slices(&d);
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
-    const int averages = blur || pass == SSGI_GL_HISTORY, width = pass == SSGI_GL_WIDTH;
+    const int averages = blur || pass == SSGI_GL_HISTORY, measures = row->thickness == SSGI_GL__THICKNESS_MEASURED;
     const int restores = averages && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce)
                       && d.transfer != SSGI_GL_TRANSFER_REFLECTED;
     if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
-    if (pass == SSGI_GL_SSAO || pass == SSGI_GL_LIGHTS) d.search = SSGI_GL_POINTS;
+    if (row->search == SSGI_GL__SEARCH_POINTS) d.search = SSGI_GL_POINTS;
     if (pass == SSGI_GL_HSAO && !slices) d.falloff = SSGI_GL_FALLOFF_LINEAR;
     else d.terms = d.spheres = 0;
     if (d.terms == SSGI_GL_TERMS_HORIZON) d.terms = d.normal_rays = 0;
@@ -4489,8 +4596,8 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     if (!d.levels) d.levels = 5;
     if (!d.layers) d.layers = 1;
     if (!d.view_layers) d.view_layers = 1;
-    if (!points && pass != SSGI_GL_HSAO && !shade && !averages) d.half = width;
-    if (!d.thickness) d.thickness = width ? SSGI_GL_THICKNESS_WIDTH : SSGI_GL_THICKNESS_CONSTANT;
+    if (row->size != SSGI_GL__SIZE_CHOSEN && !averages) d.half = row->size == SSGI_GL__SIZE_HALF;
+    if (!d.thickness) d.thickness = measures ? SSGI_GL_THICKNESS_WIDTH : SSGI_GL_THICKNESS_CONSTANT;
     if (d.thickness == SSGI_GL_THICKNESS_BACK && slices) d.thickness = SSGI_GL_THICKNESS_WIDTH; /* width reads them */
     if (!ssdo && pass != SSGI_GL_LIGHTS && pass != SSGI_GL_SENDERS) d.receiver = 0;
     if (!points || slices) d.fade = d.range = d.uniform = 0;
@@ -4526,8 +4633,8 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 
 /* ==== >>emit (implementation) ===================================================================================== */
 
-/* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers. A function reads
-   from *s on and leaves *s behind what it has read. */
+/* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, numbers, and two columns of
+   the pass's row. A function reads from *s on and leaves *s behind what it has read. */
 
 static int ssgi_gl__letter(char c)
 {
@@ -4552,6 +4659,17 @@ static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t lengt
     return NULL;
 }
 
+/* What conditions name besides fields: whether a column of the pass's row is set. -1: no such name. */
+static int ssgi_gl__column(const char *name, size_t length, int pass)
+{
+    static const char *const names[2] = { "searches", "reads_thickness" };
+    const ssgi_gl__pass *const row = ssgi_gl__pass_of(pass);
+    const int set[2] = { row->search == SSGI_GL__SEARCH_CHOSEN, row->thickness == SSGI_GL__THICKNESS_READ };
+    for (int i = 0; i < 2; ++i)
+        if (!strncmp(names[i], name, length) && !names[i][length]) return set[i];
+    return -1;
+}
+
 /* The value that a word or number stands for in a field; -1: none. */
 static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length)
 {
@@ -4572,16 +4690,18 @@ static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
         return !ssgi_gl__operand(s, d);
     }
     if (**s == '(') {
-        const int inner = (++*s, ssgi_gl__any(s, d));
+        ++*s;
+        const int inner = ssgi_gl__any(s, d);
         ssgi_gl__word(s);
         *s += **s == ')';
         return inner;
     }
     const ssgi_gl_choice *field = ssgi_gl__field_named(*s, n);
+    const int column = field ? 0 : ssgi_gl__column(*s, n, d->pass);
     *s += n;
     ssgi_gl__word(s);
     const char sign = **s;
-    if (!field) return 0;
+    if (!field) return column > 0;
     const int value = ssgi_gl__get(d, field->offset);
     if (sign != '=' && sign != '!' && sign != '<' && sign != '>') return value != 0;
     *s += (*s)[1] == '=' ? 2 : 1;
@@ -4595,7 +4715,8 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
 {
     int any = 0, all = ssgi_gl__operand(s, d);
     for (;;) {
-        const char sign = (char)(ssgi_gl__word(s), **s);
+        ssgi_gl__word(s);
+        const char sign = **s;
         if (sign != '&' && sign != '|') return any | all;
         *s += 2;
         if (sign == '|') any |= all;
@@ -4647,8 +4768,11 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 }
 
 /* ---- linking: what is named in what is kept */
-/* A hash table, with open addresses. */
-enum { SSGI_GL__SLOTS = 512 };
+/* A hash table, with open addresses. It is never full: a kept line names entries, rows and a few functions of
+   desc.fetch, and all of these together leave slots empty, else the second line does not compile. */
+enum { SSGI_GL__SLOTS = 1024 };
+
+typedef char ssgi_gl__slots_suffice[SSGI_GL__CODES + SSGI_GL__ROWS < SSGI_GL__SLOTS / 2 ? 1 : -1];
 
 typedef struct ssgi_gl__names {
     const char *at[SSGI_GL__SLOTS];
@@ -4657,7 +4781,6 @@ typedef struct ssgi_gl__names {
 } ssgi_gl__names;
 
 /* Whether a name is in the table; `add` puts it there, if it was not. */
-
 static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add)
 {
     uint32_t h = 2166136261u;
@@ -4722,23 +4845,25 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
     stage->fetch = (unsigned char)(names.custom << decodes);
 }
 
-/* A desc resolved and linked: the row of its pass, and what each stage keeps. */
+/* A desc resolved and linked: the main function of each stage, and what each stage keeps. */
 typedef struct ssgi_gl__program {
     ssgi_gl_desc d;
-    const ssgi_gl__pass *pass;
+    const char *const *mains;
     ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
 
-/* Links one stage, or with SSGI_GL_STAGES all of them. 0 where the pass has no such stage. */
+/* Links all stages, since rows are shared between them. Returns 0 where the pass does not have `stage`, before it
+   links; SSGI_GL_STAGES asks for none. */
 static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage)
 {
     memset(p, 0, sizeof *p);
     p->d = ssgi_gl_resolve(desc);
-    for (const ssgi_gl__pass *pass = ssgi_gl__passes; pass < ssgi_gl__passes + SSGI_GL__VARIANTS; ++pass)
-        if (pass->pass == p->d.pass && ssgi_gl__holds(pass->when, &p->d)) p->pass = pass;
-    if (stage < SSGI_GL_STAGES && !p->pass->mains[stage]) return 0;
+    const ssgi_gl__variant *variant = ssgi_gl__pass_of(p->d.pass)->variant;
+    while (!ssgi_gl__holds(variant->when, &p->d)) ++variant;
+    p->mains = variant->mains;
+    if (stage < SSGI_GL_STAGES && !p->mains[stage]) return 0;
     for (int i = 0; i < SSGI_GL_STAGES; ++i)
-        if (p->pass->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->pass->mains[i]);
+        if (p->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->mains[i]);
     return 1;
 }
 
@@ -4771,7 +4896,7 @@ static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
    reads any. Returns how many there are. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
 {
-    int n = 0, slots[SSGI_GL_CAPTURE + 1] = { 0 }, block[2] = { 0 };
+    int n = 0, next[SSGI_GL_CAPTURE + 1] = { 0 }, block[2] = { 0 };
     for (int i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
         if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
     for (int i = 0; i < SSGI_GL__ROWS; ++i) {
@@ -4782,10 +4907,10 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         if (io.kind == SSGI_GL_CONSTANT) {
             io.slot = ssgi_gl__get(&p->d, io.offset);
             io.offset = ssgi_gl__constant_id(&p->d, io.name);
-        } else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = slots[io.kind]++;
+        } else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = next[io.kind]++;
         else if (io.kind == SSGI_GL_TEXTURE && ssgi_gl__rows[i].bytes && p->d.array)
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
-        if (io.kind == SSGI_GL_CAPTURE && p->pass->mains[SSGI_GL_GEOMETRY] && stage >= SSGI_GL_GEOMETRY)
+        if (io.kind == SSGI_GL_CAPTURE && p->mains[SSGI_GL_GEOMETRY] && stage >= SSGI_GL_GEOMETRY)
             continue; /* between stages: captured is what leaves the last */
         if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_PARAM ? block[io.slot] : p->stage[stage].row[i])) continue;
         io.type = ssgi_gl__word_of(p->d.dialect, io.type, strlen(io.type));
@@ -5039,15 +5164,14 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
     ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
     for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
-        if (p.pass->mains[stage]) ssgi_gl__write(&t, &p, stage);
+        if (p.mains[stage]) ssgi_gl__write(&t, &p, stage);
     return t.hash;
 }
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass)
 {
-    for (int i = 0; i < SSGI_GL__VARIANTS; ++i)
-        if (ssgi_gl__passes[i].pass == pass) return ssgi_gl__passes[i].name;
-    return NULL;
+    const ssgi_gl__pass *const row = ssgi_gl__pass_of(pass);
+    return row ? row->name : NULL;
 }
 
 SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
@@ -5125,7 +5249,9 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
    tells it apart. */
 static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
 {
-    const int sun = l->kind<0.5f, spot = l->kind> 1.5f && l->kind<2.5f, vpl = l->kind> 2.5f;
+    const int sun = l->kind < 0.5f;
+    const int vpl = l->kind > 2.5f;
+    const int spot = l->kind > 1.5f && !vpl;
     const double least = (double)l->min_distance * (double)l->min_distance;
     double to[3], q[3], d = 0.0, facing = 0.0, from = 0.0; /* q: the surfel in the light's map */
     for (int c = 0; c < 3; ++c) {
@@ -5147,7 +5273,8 @@ static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
     return sun ? facing : facing / (d > least ? d : least);
 }
 
-/* The largest component of what a surfel sends. */
+/* The largest component of the radiance that a surfel sends; 0 where it is 1e-30 or less, as texts divide by
+   frame.sent. */
 static double ssgi_gl__sent_by(const ssgi_surfel *s, const ssgi_gl_light *lights, int light_count, const float *sky)
 {
     double light[3] = { 0.0, 0.0, 0.0 }, sent = 0.0;
@@ -5160,17 +5287,17 @@ static double ssgi_gl__sent_by(const ssgi_surfel *s, const ssgi_gl_light *lights
         light[c] *= (double)s->colour[c];
         sent = light[c] > sent ? light[c] : sent;
     }
-    return sent < (double)SSGI_FAR ? sent : 0.0;
+    return sent > 1e-30 && sent < (double)SSGI_FAR ? sent : 0.0;
 }
 
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
                                       const ssgi_gl_light *lights, int light_count, const float sky[3],
                                       const char **why)
 {
-    enum { BINS = 256 }; /* of radiances below the most, each 1/8 of an octave: down to 2^-32 of it */
+    enum { bins = 256 }; /* of radiances below the most, each 1/8 of an octave: down to 2^-32 of it */
 
     const double octave = 8.0; /* bins */
-    double sum[BINS] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
+    double sum[bins] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
     int b;
     SSGI_GL__THERE(frame);
     SSGI_GL__CHECK(surfels || !count, "surfels: must not be NULL when there are any");
@@ -5192,12 +5319,12 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
         const double flux = sent * (double)surfels[i].radius * (double)surfels[i].radius;
         if (!(sent > 0.0)) continue;
         b = (int)(octave * log2(most / sent));
-        sum[b < BINS ? b : BINS - 1] += flux;
+        sum[b < bins ? b : bins - 1] += flux;
         all += flux;
     }
     /* the median, within its bin by the share of the bin that it takes */
-    for (b = 0; b < BINS && below + sum[b] < 0.5 * all; ++b) below += sum[b];
-    if (all > 0.0 && b < BINS)
+    for (b = 0; b < bins && below + sum[b] < 0.5 * all; ++b) below += sum[b];
+    if (all > 0.0 && b < bins)
         frame->sent = (float)(most * exp2(-(b + 1 - (below + sum[b] - 0.5 * all) / sum[b]) / octave));
     return SSGI_OK;
 }
@@ -5388,7 +5515,10 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
         c.to_field[i][3] = (float)shift;
     }
     c.radius = l.reach * sqrtf((float)square[0]);
-    c.ramp = l.ramp, c.reach = l.reach, c.inside = l.inside, c.power = l.power;
+    c.ramp = l.ramp;
+    c.reach = l.reach;
+    c.inside = l.inside;
+    c.power = l.power;
     memcpy(c.low, field->low, sizeof c.low);
     memcpy(c.span, field->span, sizeof c.span);
     c.resolution = (float)field->resolution;
@@ -5470,7 +5600,7 @@ typedef struct ssgi_gl__build {
     struct {
         const char *name;
         int texture;
-    } written[32];
+    } written[SSGI_GL__ROWS]; /* a name is that of a row */
 } ssgi_gl__build;
 
 static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
@@ -5480,7 +5610,7 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
     if (i == b->names) {
         b->written[i].name = name;
         b->written[i].texture = -1;
-        b->names += b->names < 31;
+        ++b->names;
     }
     return &b->written[i].texture;
 }
@@ -5492,7 +5622,7 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
     const int single = *out->type == 'f', whole = *out->type == 'u';
     const int coefficients = last >= '0' && last <= '3'; /* o_ssgi_sh0 .., red0 ..: whole where they are packed */
     const int gles = d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN; /* does not blend 32-bit floats */
-    const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT;
+    const int blended = ssgi_gl__pass_of(d->pass)->blend != SSGI_GL__BLEND_ONTO;
     const int wide = chain->precise > coefficients && !(blended && gles);
     int channels = single ? SSGI_GL__R : size == '2' ? SSGI_GL__RG : SSGI_GL__RGBA;
     /* coefficients that do not fill their last texture: 1 in the first, the 9th in the second or third */
@@ -5505,39 +5635,38 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
 /* Where a step draws: the image's size in its targets. d: resolved. */
 static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
 {
-    const int half = d->half > 0 && d->pass != SSGI_GL_BLUR && d->pass != SSGI_GL_HISTORY;
-    int level[2] = { 0, 0 };
-    s->size = half ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
-    s->width = (chain->width + half) >> half;
-    s->height = (chain->height + half) >> half;
-    if (d->pass >= SSGI_GL_CHANGES) {
-        s->size = SSGI_GL_SIZE_TILES;
-        s->width = (chain->width + 7) / 8;
-        s->height = (chain->height + 7) / 8;
+    const int column = ssgi_gl__pass_of(d->pass)->size;
+    const int size = column != SSGI_GL__SIZE_CHOSEN ? column : d->half ? SSGI_GL__SIZE_HALF : SSGI_GL__SIZE_FULL;
+    const int part = size == SSGI_GL__SIZE_TILES ? 8 : size == SSGI_GL__SIZE_HALF ? 2 : 1;
+    s->size = size;
+    s->width = (chain->width + part - 1) / part;
+    s->height = (chain->height + part - 1) / part;
+    if (size == SSGI_GL__SIZE_LEVELS) {
+        int level[2] = { 0, 0 };
+        ssgi_splat_size(level, chain->width, chain->height, d->levels, NULL);
+        s->width = level[0];
+        s->height = level[1] * d->levels;
     }
-    if (d->pass < SSGI_GL_SHUFFLE || d->pass > SSGI_GL_SMOOTH) return;
-    ssgi_splat_size(level, chain->width, chain->height, d->levels, NULL);
-    s->size = SSGI_GL_SIZE_LEVELS;
-    s->width = level[0];
-    s->height = level[1] * d->levels;
 }
 
-/* How it draws: a triangle over all of it; a quad of two a field, and a surfel and level; or patches. d: resolved. */
+/* The primitives, how many vertices they have, and how they are blended. d: resolved. */
 static void ssgi_gl__step_draw(ssgi_gl_step *s, const ssgi_gl_desc *d)
 {
     static const unsigned multiply[3] = { SSGI_GL__FUNC_ADD, SSGI_GL__DST_COLOR, SSGI_GL__ZERO };
     static const unsigned add[3] = { SSGI_GL__FUNC_ADD, SSGI_GL__ONE, SSGI_GL__ONE };
     static const unsigned subtract[3] = { SSGI_GL__FUNC_REVERSE_SUBTRACT, SSGI_GL__ONE, SSGI_GL__ONE };
-    const int field = d->pass == SSGI_GL_FIELD, splat = d->pass == SSGI_GL_SPLAT, surfels = d->pass == SSGI_GL_SURFELS;
-    const int patches = d->tessellate && (surfels || splat);
+    const ssgi_gl__pass *const row = ssgi_gl__pass_of(d->pass);
+    const int surfels = row->draw == SSGI_GL__DRAW_SURFELS, splats = row->draw == SSGI_GL__DRAW_SPLATS;
+    const int patches = d->tessellate && (surfels || splats), grey = d->colour == SSGI_GL_GREY;
+    const int blend = row->blend;
     s->primitive = patches ? SSGI_GL__PATCHES : surfels ? SSGI_GL__POINTS : SSGI_GL__TRIANGLES;
-    s->vertices = patches || surfels ? 0 : field ? 6 : splat ? 6 * d->levels : 3;
-    s->instances = !(field || splat || patches);
-    s->clear = field || splat;
-    s->clear_to = (float)field; /* fields multiply, surfels add up */
-    if (splat || (d->onto && d->colour != SSGI_GL_GREY)) memcpy(s->blend, add, sizeof add);
+    s->vertices = patches || surfels ? 0 : splats ? 6 * d->levels : row->draw == SSGI_GL__DRAW_FIELDS ? 6 : 3;
+    s->instances = row->draw == SSGI_GL__DRAW_IMAGE || (surfels && !patches);
+    s->clear = blend != SSGI_GL__BLEND_ONTO;
+    s->clear_to = (float)(blend == SSGI_GL__BLEND_MULTIPLY); /* that which changes nothing */
+    if (blend == SSGI_GL__BLEND_ADD || (d->onto && !grey)) memcpy(s->blend, add, sizeof add);
     else if (d->onto == SSGI_GL_ONTO_AMBIENT) memcpy(s->blend, subtract, sizeof subtract);
-    else if (field || d->onto) memcpy(s->blend, multiply, sizeof multiply);
+    else if (blend == SSGI_GL__BLEND_MULTIPLY || d->onto) memcpy(s->blend, multiply, sizeof multiply);
 }
 
 /* A texture that it reads: yours, or what was last written under its name. */
@@ -5569,7 +5698,8 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
         return;
     }
     in->meaning = -1;
-    in->last = d->pass == SSGI_GL_HISTORY && (!strcmp(name, "history") || !strcmp(name, "means"));
+    in->last = ssgi_gl__pass_of(d->pass)->texture == SSGI_GL__TEXTURE_KEPT
+            && (!strcmp(name, "history") || !strcmp(name, "means"));
     /* of history its own outputs, which are numbered next: restored light is behind both, other light behind means.
        -1: what a later step writes */
     in->texture = !in->last ? *ssgi_gl__texture(b, name)
@@ -5579,10 +5709,11 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
 static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_gl_desc *d, const ssgi_gl_io *row)
 {
     ssgi_gl_output *out = &s->output[s->outputs++];
+    const int texture = ssgi_gl__pass_of(d->pass)->texture;
     out->name = row->name;
     out->format = d->onto ? NULL : ssgi_gl__format(b->chain, d, row);
-    out->kept = d->pass == SSGI_GL_HISTORY && !(d->restore && !strcmp(row->name, "o_ssgi_light"));
-    if (d->pass == SSGI_GL_SENDERS) return; /* a slice of what all of them write: ssgi_gl__send */
+    out->kept = texture == SSGI_GL__TEXTURE_KEPT && !(d->restore && !strcmp(row->name, "o_ssgi_light"));
+    if (texture == SSGI_GL__TEXTURE_SLICE) return; /* ssgi_gl__send numbers it */
     out->texture = d->onto ? -1 : b->textures++;
     b->picture |= d->onto != SSGI_GL_ONTO_NONE;
     *ssgi_gl__texture(b, row->name + strlen("o_ssgi_")) = out->texture;
@@ -5622,10 +5753,13 @@ static void ssgi_gl__width(ssgi_gl__build *b, const ssgi_gl_desc *desc)
 /* Adds what tells history which occluders came and went: it is drawn once, by the first that reads it. */
 static void ssgi_gl__changes(ssgi_gl__build *b, const ssgi_gl_desc *desc)
 {
+    static const int passes[2] = { SSGI_GL_CHANGES, SSGI_GL_NEARBY };
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     ssgi_gl_desc d = *desc;
-    for (d.pass = SSGI_GL_CHANGES; d.pass <= SSGI_GL_NEARBY; ++d.pass)
+    for (int i = 0; i < 2; ++i) {
+        d.pass = passes[i];
         ssgi_gl__append(b, &d, row, ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), 0);
+    }
 }
 
 /* A step more. Before it pass width, or changes and nearby, where it is the first that reads what these write. */
@@ -5803,28 +5937,28 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
 static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light)
 {
     const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
-    ssgi_gl_desc d = *of, near = d;
+    ssgi_gl_desc d = *of, slices = d;
     d.effect = effect;
     if (effect > SSGI_GL_EFFECT_BOUNCE || (bounce && light < 0)) d.span = 0;
     if (effect < SSGI_GL_EFFECT_BOUNCE) d.sends = SSGI_GL_SENDS_COLOUR;
     if (d.span) {
-        near.directions = 2;
-        near.steps = 4;
-        near.hard |= lit; /* light does not fade */
-        near.search = SSGI_GL_SLICES;
-        near.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
-        near.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
-        near.restore = SSGI_GL_RESTORE_RATIO; /* sum multiplies by it */
+        slices.directions = 2;
+        slices.steps = 4;
+        slices.hard |= lit; /* light does not fade */
+        slices.search = SSGI_GL_SLICES;
+        slices.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
+        slices.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
+        slices.restore = SSGI_GL_RESTORE_RATIO; /* sum multiplies by it */
         *ssgi_gl__texture(b, "light") = light;
         if (bounce) ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_LIGHT);
-        ssgi_gl__add(b, &near, lit ? SSGI_GL_SSDO : SSGI_GL_HSAO, 0);
+        ssgi_gl__add(b, &slices, lit ? SSGI_GL_SSDO : SSGI_GL_HSAO, 0);
         if (bounce) *ssgi_gl__texture(b, "light") = *ssgi_gl__texture(b, "bounce");
-        near.environment = near.bounce = near.restore = 0;
-        near.colour = lit ? SSGI_GL_COLOUR : SSGI_GL_GREY;
-        near.filter_radius = 1;
-        near.filter_normals = bounce;
-        near.onto = SSGI_GL_ONTO_NONE; /* sum reads it */
-        ssgi_gl__add(b, &near, SSGI_GL_BLUR, 0);
+        slices.environment = slices.bounce = slices.restore = 0;
+        slices.colour = lit ? SSGI_GL_COLOUR : SSGI_GL_GREY;
+        slices.filter_radius = 1;
+        slices.filter_normals = bounce;
+        slices.onto = SSGI_GL_ONTO_NONE; /* sum reads it */
+        ssgi_gl__add(b, &slices, SSGI_GL_BLUR, 0);
     }
     ssgi_gl__add(b, &d, SSGI_GL_SPLAT, 0);
     ssgi_gl__add(b, &d, SSGI_GL_UNSHUFFLE, 0);
@@ -5853,7 +5987,8 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
 {
     if (!chain) return "chain: must not be NULL";
     const int pass = chain->desc.pass, lit = chain->lights.pass == SSGI_GL_LIGHTS;
-    if (pass < 0 || (pass > SSGI_GL_S3HO && pass != SSGI_GL_FIELD && pass != SSGI_GL_SPLAT))
+    const ssgi_gl__pass *const row = ssgi_gl__pass_of(pass);
+    if (!row || row->chain == SSGI_GL__CHAIN_NONE)
         return "chain.desc.pass: must be SSGI_GL_SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT";
     if (chain->width < 1 || chain->width > 16384 || chain->height < 1 || chain->height > 16384)
         return "chain.width, height: must be 1..16384";
@@ -5875,9 +6010,8 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
 static void ssgi_gl__compose(ssgi_gl__build *b)
 {
     ssgi_gl_desc d = b->chain->desc;
-    const int grey = d.pass < SSGI_GL_SSDO || d.pass == SSGI_GL_FIELD || (d.pass == SSGI_GL_SPLAT && !d.effect);
     if (!d.onto || b->picture) return;
-    d.colour = grey ? SSGI_GL_GREY : SSGI_GL_COLOUR;
+    d.colour = b->light >= 0 && b->light == *ssgi_gl__texture(b, "ao") ? SSGI_GL_GREY : SSGI_GL_COLOUR;
     d.bounce = b->light >= 0 && b->bounce >= 0;
     *ssgi_gl__texture(b, "light") = b->light < 0 ? b->bounce : b->light;
     *ssgi_gl__texture(b, "bounce") = b->bounce;
@@ -5891,7 +6025,7 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b)
     else if (d->pass == SSGI_GL_S3HO) ssgi_gl__s3ho(b);
     else if (d->pass == SSGI_GL_SPLAT) ssgi_gl__deep(b);
     else b->light = ssgi_gl__add(b, d, d->pass, 0)->output[0].texture;
-    if (d->pass < SSGI_GL_SSDO) b->light = ssgi_gl__filter(b, d, "ao");
+    if (ssgi_gl__pass_of(d->pass)->chain == SSGI_GL__CHAIN_FILTERED) b->light = ssgi_gl__filter(b, d, "ao");
     if (!b->why && b->light < 0 && b->bounce < 0 && !b->picture)
         b->why = "chain: nothing lights it: desc.environment, lights, or direct";
     if (!b->why) ssgi_gl__compose(b);
@@ -5917,7 +6051,10 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
     const char *const bad = ssgi_gl__chain_bad(chain);
     ssgi_gl_chain own;
     ssgi_gl__build b;
-    if (bad) return ssgi_gl__bad(why, bad), 0;
+    if (bad) {
+        ssgi_gl__bad(why, bad);
+        return 0;
+    }
     own = *chain;
     if (own.desc.pass != SSGI_GL_S3HO) /* fields of s3ho and shade that blur looks at, too */
         own.desc.transfer = own.desc.shaded = own.desc.shading = own.desc.lights = 0;
@@ -5931,7 +6068,10 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         b.capacity = turn ? capacity : 0;
         b.light = b.bounce = b.depth = -1;
         ssgi_gl__build_chain(&b);
-        if (b.why) return ssgi_gl__bad(why, b.why), 0;
+        if (b.why) {
+            ssgi_gl__bad(why, b.why);
+            return 0;
+        }
     }
     for (int i = 0; i < b.count && i < b.capacity; ++i)
         for (int k = 0; k < steps[i].outputs; ++k) {

@@ -159,6 +159,59 @@ static void surfel_formulas(void)
     }
 }
 
+static void expect(int good, const char *sentence)
+{
+    if (good) return;
+    printf("%s (\"%s\")\n", sentence, why);
+    ++wrong;
+}
+
+/* Finite input whose squares, inverses or products are none. */
+static void extremes(void)
+{
+    static const float nothing[16] = { 1.2f, 0, 0, 0, 0, 1.6f, 0, 0, 0, 0, -1.002f, -1, 0, 0, 0.2002f, 0 };
+    static const int thickness[] = { -100000000, -1, 4, 7 };
+    static const float dark[] = { 1e-45f, 1e-38f, 9e-31f };
+    float wide[16];
+    ssgi_view seen;
+    ssgi_gl_desc desc = { 0 };
+    ssgi_plan planned;
+    ssgi_plan_scene many = scene;
+    why = "";
+    expect(ssgi_surfel_form_factor(1e-300, 0) == 0.0, "the form factor of a radius that is 0 as a float is not 0");
+    expect(ssgi_tess_radius(1, 5e-324) == 0.0, "the radius of fewer discs than a float can count is not 0");
+    expect(ssgi_dipole_reflectance(&dipole, 1, 1e308) == 0.0, "the reflectance beyond all floats is not 0");
+    memcpy(wide, projection, sizeof wide);
+    wide[0] = wide[5] = 1e-30f;
+    expect(ssgi_view_from_projection(&seen, wide, SSGI_CLIP_GL, 64, 36, &why) == SSGI_OK
+               && ssgi_normal_offset(&seen, 1e18f) == SSGI_FAR,
+           "a normal offset is larger than SSGI_FAR");
+    expect(ssgi_view_from_projection(&seen, nothing, SSGI_CLIP_GL, 64, 36, &why) == SSGI_BAD_ARGUMENT
+               && !strncmp(why, "projection: ", 12),
+           "a projection that shows nothing is taken");
+
+    many.wanted = SSGI_PLAN_OBJECTS;
+    many.occluders = 2000000000;
+    many.coverage = many.calibration.unoccluded = 3e38f;
+    many.calibration.known = 1;
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i)
+        expect(!ssgi_plan_choice(&planned, i, &many) || (planned.cost <= SSGI_FAR && planned.error <= SSGI_FAR),
+               "a plan's cost or error is larger than SSGI_FAR");
+    expect(ssgi_plan_make(&planned, &many, &why) == SSGI_OK, "many occluders cannot be planned for");
+    for (size_t i = 0; i < sizeof thickness / sizeof *thickness; ++i) {
+        planned.method = SSGI_PLAN_HSAO;
+        planned.thickness = thickness[i];
+        expect(ssgi_gl_plan(&desc, &planned, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, "plan.thickness: ", 16),
+               "a plan of another thickness is taken");
+    }
+    for (size_t i = 0; i < sizeof dark / sizeof *dark; ++i) {
+        const float sky[3] = { dark[i], dark[i], dark[i] };
+        out.frame.sent = 7;
+        expect(ssgi_gl_sent_set(&out.frame, surfel, 2, NULL, 0, sky, &why) == SSGI_OK && out.frame.sent == 7,
+               "a radiance that texts cannot divide by counts as bright");
+    }
+}
+
 int main(void)
 {
     static float work[1 << 17];
@@ -181,6 +234,7 @@ int main(void)
 
     formulas();
     surfel_formulas();
+    extremes();
     REFUSES(view_of, &projection);
     REFUSES(extra, &rigid); REFUSES(extra, &up); REFUSES(extra, &colour); REFUSES_ONE(extra, &number);
     REFUSES(sh_light, &up); REFUSES(sh_light, &colour); REFUSES_ONE(sh_light, &number);

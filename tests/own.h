@@ -5,16 +5,5 @@
 #define SSGI_STATIC
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
-#if defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Wunused-function"
-#endif
 #include "../ssgi_gl.h"
-
-/* First, where what follows asks passes for their rows. */
-static inline int every_pass_has_a_row(void)
-{
-    int pass = 0;
-    while (pass < SSGI_GL_PASSES && ssgi_gl_pass_name(pass)) ++pass;
-    return CHECK(pass == SSGI_GL_PASSES, "pass %d has no row in ssgi_gl__passes (ssgi_gl.h, >>passes)", pass);
-}
 #endif

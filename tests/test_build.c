@@ -9,6 +9,7 @@
 #include <zlib.h>
 #include "kit/kit_gl.h"
 
+#define MSVC "--target=x86_64-pc-windows-msvc -ffreestanding -isystem $root/examples/tools/wasm/libc"
 #define WARNINGS "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror"
 
 static char folder[64];
@@ -167,7 +168,8 @@ static const char *const deep_rooms =
 static double implementation_seconds;          /* of processor, that gcc took for both of them at -O2 */
 
 /* Each compiler takes both ways and both standards; what optimisers alone see (values that may be unset, arithmetic
-   that they may take apart) C's. */
+   that they may take apart) C's. The implementation comes after a plain include, as in a host whose own headers include
+   ssgi_gl.h. */
 static void compilers(void)
 {
     static const struct {
@@ -179,7 +181,8 @@ static void compilers(void)
     char text[4000], present[200], compile[200];
     int ran = 0;
     write_text("implementation.c",
-               "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n");
+               "#include \"ssgi_gl.h\"\n#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n"
+               "#include \"ssgi_gl.h\"\n");
     write_text("rooms.c", rooms);
     write_text("field.c", field_rooms);
     write_text("deep.c", deep_rooms);
@@ -205,13 +208,49 @@ static void compilers(void)
                             "-lm")
                   && !text[0],
               "%s: %s", modes[i].whole, text);
-        CHECK(!shell(text, sizeof text, "%s " WARNINGS " -Wno-unused-function -I. static.c -o one %s && ./one",
+        CHECK(!shell(text, sizeof text, "%s " WARNINGS " -I. static.c -o one %s && ./one",
                      modes[i].one, "-lm")
                   && !text[0],
               "%s, SSGI_STATIC: %s", modes[i].one, text);
         ++ran;
     }
     CHECK(ran >= 2, "only %d compilers were there", ran);
+}
+
+/* Is a program here? Says that what it is for is not tried when it is not. */
+static int has(const char *program)
+{
+    char text[400];
+    const int here = !shell(text, sizeof text, "command -v %s%s", program, "");
+    if (!here) t_note("%s is not here: not tried", program);
+    return here;
+}
+
+/* Behind the macros of many hosts, behind windows.h, and for MSVC's dialect. -Wpedantic holds literals to 4,095
+   characters, a quarter of what MSVC takes. */
+static void hosts(void)
+{
+    static const struct {
+        const char *compiler, *how;
+    } modes[] = { { "gcc", "-std=c99 -include $root/tests/macros.h" },
+                  { "g++", "-std=c++11 -xc++ -include $root/tests/macros.h" },
+                  { "x86_64-w64-mingw32-gcc", "-std=c99 -include windows.h" },
+                  { "x86_64-w64-mingw32-g++", "-std=c++17 -xc++ -include windows.h" },
+                  { "clang", "-std=c11 " MSVC }, { "clang++", "-std=c++17 -xc++ " MSVC } };
+    char text[4000], line[400];
+    for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
+        if (!has(modes[i].compiler)) continue;
+        snprintf(line, sizeof line, "%s -fsyntax-only " WARNINGS " -I. %s", modes[i].compiler, modes[i].how);
+        CHECK(!shell(text, sizeof text, "root='%s' && %s implementation.c", getenv("PWD"), line) && !text[0],
+              "%s: %s", line, text);
+    }
+}
+
+static void order_of_passes(void)
+{
+    char text[4000];
+    CHECK(!shell(text, sizeof text, "sh '%s/tests/order.sh' '%s'", getenv("PWD"), getenv("PWD")),
+          "the order of passes: something compares passes by it: %s", text);
 }
 
 /* A field of a few triangles, baked by programs of other optimisation, is the same to the byte. */
@@ -392,15 +431,6 @@ static void not_numbers(void)
         CHECK(!shell(text, sizeof text, "%s -DSSGI_STATIC -I. '%s/tests/nan.c' -o nan -lm && ./nan", modes[i],
                      getenv("PWD")),
               "%s: %s", modes[i], text);
-}
-
-/* Is a program here? Says that what it is for is not tried when it is not. */
-static int has(const char *program)
-{
-    char text[400];
-    const int here = !shell(text, sizeof text, "command -v %s%s", program, "");
-    if (!here) t_note("%s is not here: not tried", program);
-    return here;
 }
 
 /* Are brackets and strings of a JSON text closed? */
@@ -1310,6 +1340,8 @@ void test_build(void)
     if (!mkdtemp(folder)) { CHECK(0, "no temporary folder"); return; }
     shell(text, sizeof text, "cp '%s/ssgi.h' '%s/ssgi_gl.h' .", getenv("PWD"), getenv("PWD"));
     RUN("both headers compile without a warning and link, as C99, C11, C++11 and C++17, whole and static", compilers);
+    RUN("both headers compile behind a hundred macros of hosts, behind windows.h, and as MSVC reads them", hosts);
+    RUN("the order of passes in their enum means nothing", order_of_passes);
     RUN("a baked field has the same bytes at any optimisation", optimised);
     RUN("both headers are as make format leaves them, in 120 columns", formatted);
     RUN("an optimiser is quick with both implementations", compile_time);

@@ -77,9 +77,9 @@ static const char *describe(const ssgi_gl_desc *d)
 {
     static _Thread_local char text[1000];
     size_t n = (size_t)snprintf(text, sizeof text, "%s%s%s %s", ssgi_gl_pass_name(d->pass),
-                                d->search == SSGI_GL_MARCH                                        ? " march"
-                                : d->search && d->pass >= SSGI_GL_SSDO && d->pass <= SSGI_GL_S3HO ? " points"
-                                                                                                  : "",
+                                d->search == SSGI_GL_MARCH    ? " march"
+                                : d->search == SSGI_GL_POINTS ? " points"
+                                                              : "",
                                 d->tessellate ? " tessellated" : "", ssgi_gl_dialect_name(d->dialect));
     for (int k = 0; k < CHOICES; ++k)
         if (get(d, choices[k].offset) != choices[k].first)
@@ -742,6 +742,8 @@ static int ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
         } else if (row[i].kind == SSGI_GL_OUTPUT) value = glGetFragDataLocation(program, row[i].name);
         else if (glGetUniformLocation(program, row[i].name) >= 0)
             glGetUniformiv(program, glGetUniformLocation(program, row[i].name), &value);
+        /* light of one band is the same for all normals, as GL's compilers find out */
+        if (value < 0 && ssgi_gl_resolve(d).bands == 1 && row[i].kind == SSGI_GL_TEXTURE && row[i].slot < 2) continue;
         CHECK(value == want, "%s: %s is at %d for GL, the row says %d", describe(d), row[i].name, value, want);
     }
     glDeleteProgram(program);
@@ -1378,8 +1380,7 @@ static void sentences(void)
             ssgi_result r = ssgi_gl_preset(&d, preset, &why),
                         want = preset < 0 || preset > 2 ? SSGI_BAD_ARGUMENT : SSGI_OK;
             CHECK(r == want && (r == SSGI_OK || NAMES(why, "preset:"))
-                      && ((r == SSGI_OK
-                           && (d.pass < SSGI_GL_FIELD || d.pass == SSGI_GL_BLUR || d.pass == SSGI_GL_HISTORY))
+                      && ((r == SSGI_OK && ssgi_gl__pass_of(d.pass)->preset)
                           || !memcmp(&d, &variant[v], sizeof d)),
                   "preset %d: \"%s\"", preset, why);
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "preset %d of %s leaves a bad desc: %s", preset,
@@ -1715,6 +1716,24 @@ static char *document(const char *name)
     return data;
 }
 
+/* Whether a chain may be of a pass, as the sentence says that answers any other. */
+static int begins_a_chain(int pass)
+{
+    const ssgi_gl_chain none = { .desc = { .pass = SSGI_GL_PASSES }, .width = 64, .height = 36 };
+    const ssgi_gl_chain chain = { .desc = { .pass = pass, .environment = SSGI_GL_ENVIRONMENT_SH },
+                                  .width = 64,
+                                  .height = 36 };
+    const char *why = "", *sentence = "";
+    const int drawn = ssgi_gl_steps(NULL, 0, &chain, &why) > 0, length = (int)strlen(ssgi_gl_pass_name(pass));
+    char name[40];
+    for (int i = 0; i <= length; ++i) name[i] = (char)toupper((unsigned char)ssgi_gl_pass_name(pass)[i]);
+    ssgi_gl_steps(NULL, 0, &none, &sentence);
+    const char *const named = strstr(sentence, name);
+    CHECK(drawn == (named && !isalnum((unsigned char)named[length])), "%s: \"%s\" is not true of it: \"%s\"", name,
+          sentence, why);
+    return drawn;
+}
+
 /* The passes that ssgi_gl_steps draws, of chains that between them ask for everything. */
 static uint64_t drawn_passes(void)
 {
@@ -1724,6 +1743,7 @@ static uint64_t drawn_passes(void)
         { .pass = SSGI_GL_S3HO }, { .pass = SSGI_GL_FIELD }, { .pass = SSGI_GL_SPLAT },
         { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT, .onto = SSGI_GL_ONTO_MULTIPLY } };
     uint64_t passes = 0;
+    for (int pass = 0; pass < SSGI_GL_PASSES; ++pass) passes |= (uint64_t)begins_a_chain(pass) << pass;
     for (size_t i = 0; i < sizeof descs / sizeof *descs; ++i)
         for (int flags = 0; flags < 8; ++flags) {
             static ssgi_gl_step step[128];
@@ -1780,7 +1800,6 @@ static void every_pass(void)
 
 void test_text(void)
 {
-    if (!every_pass_has_a_row()) return;
     make_variants();
     speak();
     RUN("every text compiles: each pass, dialect and choice, with Khronos' compiler and Mesa's; a vertex stage of its "

@@ -483,6 +483,38 @@ static void range_is_checked(void)
     kit_image_free(&frame);
 }
 
+/* Depths whose squares are no floats, beside each other and beside what is far. */
+static void depths_without_squares(void)
+{
+    static const float depth[] = { 1e-20f, 1e-19f, 1.5e-20f, 1e-17f, 1e-38f, 2, 9e17f };
+    kit_camera c = looking_along_z(W, H, 0);
+    kit_image frame;
+    kit_gbuffer g;
+    kit_run run;
+    if (!TRY(kit_image_new(&frame, W, H, "Z,N.X,N.Y,N.Z", &err))) return;
+    for (int row = 0; row < 2; ++row) { /* 0: all are too near */
+        int wrong = 0;
+        for (int i = 0; i < W * H; ++i) {
+            frame.data[i] = depth[i % (row ? 7 : 3)];
+            frame.data[3 * W * H + i] = 1;
+        }
+        if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
+            || (!row && !begin(&run, &g, "s3ho", "indirect=none,store=float,filtered=vectors,half=0", 0.5f, NULL, &dark)))
+            return;
+        turn(&run, &g);
+        kit_run_update(&run);
+        kit_run_draw(&run, 0);
+        float *vector = vectors_new(&run, run.pass[0].desc.pass == SSGI_GL_WIDTH);
+        if (!vector) return;
+        for (int i = 0; i < 16 * W * H; ++i) wrong += !(fabsf(vector[i]) < 3.55f); /* 2 sqrt(pi): all of light's */
+        CHECK(!wrong, "row %d: %d coefficients are not finite, or beyond all light", row, wrong);
+        free(vector);
+        kit_gbuffer_free(&g);
+    }
+    kit_run_close(&run);
+    kit_image_free(&frame);
+}
+
 /* ---- light ------------------------------------------------------------------------------------------------------- */
 
 /* A room under the sky, small. */
@@ -1375,6 +1407,7 @@ void test_vectors(void)
     RUN("senders reflect what the last frame let through to them", senders_are_dimmed);
     RUN("what a gather reads of the last frame is what its filter wrote", filtered_sets_are_left);
     RUN("what is seen beyond the radius blocks nothing when the range is checked", range_is_checked);
+    RUN("depths whose squares are no floats leave no NaN", depths_without_squares);
     RUN("ssdo's harmonics are s3ho's", ssdo_agrees);
     RUN("what faces a sun, a point light, a sphere gets its irradiance; what turns away its window's",
         lamps_light_what_faces_them);

@@ -163,7 +163,9 @@ ssgi_gl_desc with_choice(ssgi_gl_desc d, int c)
     if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM || d.objects == SSGI_GL_OBJECTS_CUSTOM
         || d.harmonics == SSGI_GL_HARMONICS_CUSTOM
         || (d.sends == SSGI_GL_SENDS_CUSTOM && (d.pass == SSGI_GL_SURFELS || d.pass == SSGI_GL_SPLAT))
-        || (d.effect == SSGI_GL_EFFECT_CUSTOM && d.pass >= SSGI_GL_SPLAT && d.pass <= SSGI_GL_SUM))
+        || (d.effect == SSGI_GL_EFFECT_CUSTOM
+            && (d.pass == SSGI_GL_SPLAT || d.pass == SSGI_GL_UNSHUFFLE || d.pass == SSGI_GL_SMOOTH
+                || d.pass == SSGI_GL_SUM)))
         d.fetch = d.dialect == SSGI_GL_VULKAN ? custom_vulkan : custom;
     return d;
 }

@@ -1,0 +1,52 @@
+/* order.c - prints, by the names of passes, what the library makes of each: text, preset, steps. order.sh compares two
+   orders of their enum. */
+#define SSGI_IMPLEMENTATION
+#define SSGI_GL_IMPLEMENTATION
+#include "ssgi_gl.h"
+
+#include <stdio.h>
+
+static void print_steps(const ssgi_gl_chain *chain)
+{
+    static ssgi_gl_step step[64];
+    const int count = ssgi_gl_steps(step, 64, chain, NULL);
+    for (int i = 0; i < count; ++i) {
+        const ssgi_gl_step *const s = &step[i];
+        printf("; %s %llx, size %d %dx%d, draw %x %d %d, blend %x %x %x %d %g", ssgi_gl_pass_name(s->desc.pass),
+               (unsigned long long)ssgi_gl_key(&s->desc), s->size, s->width, s->height, s->primitive, s->vertices,
+               s->instances, s->blend[0], s->blend[1], s->blend[2], s->clear, (double)s->clear_to);
+        for (int k = 0; k < s->outputs; ++k)
+            printf(", %s %s %d %d", s->output[k].name, s->output[k].format ? s->output[k].format->name : "",
+                   s->output[k].texture, s->output[k].kept);
+    }
+}
+
+int main(void)
+{
+    for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
+        for (int k = 0; k < 64; ++k) {
+            ssgi_gl_desc d = { 0 };
+            ssgi_gl_chain chain = { 0 };
+            d.pass = pass;
+            d.dialect = SSGI_GL_450;
+            d.half = k & 1;
+            d.thickness = k & 1 ? SSGI_GL_THICKNESS_SLABS : SSGI_GL_THICKNESS_DEFAULT;
+            d.tessellate = k >> 1 & 1;
+            d.search = !(k & 4) ? SSGI_GL_SLICES : pass == SSGI_GL_HSAO ? SSGI_GL_MARCH : SSGI_GL_POINTS;
+            d.environment = SSGI_GL_ENVIRONMENT_SH;
+            d.bounce = k >> 3 & 1 ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
+            d.effect = k >> 4 & 1 ? SSGI_GL_EFFECT_LIGHT : SSGI_GL_EFFECT_OCCLUSION;
+            d.onto = k >> 5 & 1 ? SSGI_GL_ONTO_MULTIPLY : SSGI_GL_ONTO_NONE;
+            chain.desc = d;
+            chain.lights.pass = d.bounce ? SSGI_GL_LIGHTS : SSGI_GL_BLUR;
+            chain.blur = 1;
+            chain.history = chain.surfels = d.tessellate;
+            chain.width = 640;
+            chain.height = 360;
+            printf("%s %d: %llx", ssgi_gl_pass_name(pass), k, (unsigned long long)ssgi_gl_key(&d));
+            print_steps(&chain);
+            ssgi_gl_preset(&d, SSGI_GL_FAST, NULL);
+            printf("; %d %d %d %d\n", d.half, d.steps, d.directions, d.samples);
+        }
+    return 0;
+}
