@@ -126,8 +126,8 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
                                                int height, const char **why);
 
 /* View depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth of 1 /
-   SSGI_FAR or less, or infinity) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use ssgi_view_depth_at, whose pixel is a
-   position, centres at .5. GLSL twin: ssgi_decode. */
+   SSGI_FAR or less, or infinity) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use
+   ssgi_view_depth_at, whose pixel is a position, centres at .5. GLSL twin: ssgi_decode. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
 #define SSGI_FAR 1e18f /* the view depth of the background: beyond any scene, its square a finite float */
@@ -171,7 +171,8 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
    ssgi_pixel_footprint, since NDC spans 2, and of two unequal axes the one whose pixels are larger. Orthographic: the
    same at any depth.
      view_depth   [units: view] positive: with GL's negative z the receiver would sink into its surface
-   The result is in 0..SSGI_FAR, and 0 for NaN. GLSL twin: ssgi_lift, which lifts by frame.offset of these, 1.5 by default: the corners of a pixel need sqrt(2). */
+   The result is in 0..SSGI_FAR, and 0 for NaN. GLSL twin: ssgi_lift, which lifts by frame.offset of these, 1.5 by
+   default: the corners of a pixel need sqrt(2). */
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 
 /* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2)/resolution [SSDO09 section 5].

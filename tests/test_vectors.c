@@ -499,7 +499,8 @@ static void depths_without_squares(void)
             frame.data[3 * W * H + i] = 1;
         }
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
-            || (!row && !begin(&run, &g, "s3ho", "indirect=none,store=float,filtered=vectors,half=0", 0.5f, NULL, &dark)))
+            || (!row
+                && !begin(&run, &g, "s3ho", "indirect=none,store=float,filtered=vectors,half=0", 0.5f, NULL, &dark)))
             return;
         turn(&run, &g);
         kit_run_update(&run);
