@@ -4712,6 +4712,11 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 /* From 1.0 on a minor version adds: sources still compile, names, units and what zeros mean stay; pixels may change.
    Before that a minor version may rename: its changes are listed here, old -> new.
 
+   CHANGES since 0.3
+   View depths of 1 / SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing
+   in front of the camera, ssgi_gl_plan a thickness that there is not. To ssgi_gl_sent_set a radiance of 1e-30 or less
+   is nothing.
+
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.
    Renamed: desc.behind, SSGI_GL_BEHIND_* -> desc.thickness, SSGI_GL_THICKNESS_*; plan_scene.behind, plan.behind ->

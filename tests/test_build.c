@@ -175,7 +175,7 @@ static void compilers(void)
     static const struct {
         const char *whole, *one;
     } modes[] = { { "gcc -std=c11 -O2 -xc", "gcc -std=c99 -O2 -ffast-math -xc" },
-                  { "clang -std=c99 -xc", "clang -std=c11 -xc" },
+                  { "clang -Wcomma -std=c99 -xc", "clang -std=c11 -xc" },
                   { "g++ -std=c++11 -xc++", "g++ -std=c++17 -xc++" },
                   { "clang++ -std=c++17 -xc++", "clang++ -std=c++11 -xc++" } };
     char text[4000], present[200], compile[200];
@@ -1340,7 +1340,7 @@ void test_build(void)
     if (!mkdtemp(folder)) { CHECK(0, "no temporary folder"); return; }
     shell(text, sizeof text, "cp '%s/ssgi.h' '%s/ssgi_gl.h' .", getenv("PWD"), getenv("PWD"));
     RUN("both headers compile without a warning and link, as C99, C11, C++11 and C++17, whole and static", compilers);
-    RUN("both headers compile behind a hundred macros of hosts, behind windows.h, and as MSVC reads them", hosts);
+    RUN("both headers compile behind a hundred macros of hosts, behind windows.h, and in MSVC's dialect", hosts);
     RUN("the order of passes in their enum means nothing", order_of_passes);
     RUN("a baked field has the same bytes at any optimisation", optimised);
     RUN("both headers are as make format leaves them, in 120 columns", formatted);
