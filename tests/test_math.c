@@ -1149,6 +1149,42 @@ static void sunlight(void)
     CHECK(lit == 6 && fabs(sum / (4 * PI) - 1) < 1e-6, "%d suns of six texels are lit, by %g", lit, sum);
 }
 
+/* The median cut of a white sky by hand. A region's width is its longitudes times the sine of its middle. The sphere,
+   360 degrees by 180, is cut around; halves of 180 by 180 at the horizon; quarters of 127 by 90 around; those of 64
+   by 90 at cosine 1/2. The upper parts, 45 by 60, are then cut at cosine 3/4, the lower ones, 87 by 30, around. */
+static void white_sky(void)
+{
+    static const struct { int around; double top, bottom;
+    } zone[] = { { 4, 1, 0.75 }, { 4, 0.75, 0.5 }, { 8, 0.5, 0 } };
+    enum { HEIGHT = 300, COUNT = 32 }; /* the cuts are near rows: 69.02 and 100 */
+    static float rgb[3 * 600 * HEIGHT];
+    static ssgi_sun suns[COUNT];
+    for (int i = 0; i < 3 * 600 * HEIGHT; ++i) rgb[i] = 1;
+    for (int width = 200; width <= 600; width += 400) {
+        CHECK(ssgi_environment_suns(suns, COUNT, rgb, width, HEIGHT, NULL) == SSGI_OK, "refused");
+        for (size_t z = 0; z < sizeof zone / sizeof *zone; ++z)
+            for (int k = 0; k < 2 * zone[z].around; ++k) {
+                /* flat, up: a region's directions, integrated */
+                const double turn = 2 * PI / zone[z].around, longitude = (k / 2 + 0.5) * turn,
+                             a = acos(zone[z].top), b = acos(zone[z].bottom),
+                             flat = (b - a - 0.5 * (sin(2 * b) - sin(2 * a))) * sin(turn / 2),
+                             up = (pow(zone[z].top, 2) - pow(zone[z].bottom, 2)) / 2 * turn,
+                             length = sqrt(flat * flat + up * up);
+                const float want[3] = { (float)(flat / length * sin(longitude)),
+                                        (float)(k % 2 ? -up / length : up / length),
+                                        (float)(flat / length * cos(longitude)) };
+                int there = 0;
+                for (int i = 0; i < COUNT; ++i)
+                    there += fabsf(suns[i].direction[0] - want[0]) < 3e-4f
+                             && fabsf(suns[i].direction[1] - want[1]) < 3e-4f
+                             && fabsf(suns[i].direction[2] - want[2]) < 3e-4f
+                             && fabs((double)suns[i].irradiance[1] * COUNT / (4 * PI) - 1) < 2e-3;
+                CHECK(there == 1, "%d x %d: %d suns at %g %g %g, between cosines %g and %g", width, HEIGHT, there,
+                      (double)want[0], (double)want[1], (double)want[2], zone[z].bottom, zone[z].top);
+            }
+    }
+}
+
 static void vpls(void)
 {
     enum { PIXELS = 500 };
@@ -1192,6 +1228,31 @@ static void vpls(void)
             CHECK(fabs(chosen[k] - share) < 2, "%d lights: pixel %d is chosen %d times, its share is %g", count, k,
                   chosen[k], share);
         }
+    }
+}
+
+/* The rows of a map are the strata of as many lights. Within them lights stand in the order of the radical inverse, so
+   that each column has one as well. The first and the last pixel are halves: no light is where two pixels meet. */
+static void vpl_strata(void)
+{
+    enum { SIDE = 16 };
+    static float position[3 * (SIDE * SIDE + 1)], flux[3 * (SIDE * SIDE + 1)];
+    ssgi_vpl lights[SIDE];
+    for (int side = 1; side <= SIDE; side *= 2) {
+        int columns[SIDE] = { 0 };
+        for (int i = 0; i <= side * side; ++i) {
+            position[3 * i] = (float)i;
+            for (int c = 0; c < 3; ++c) flux[3 * i + c] = i % (side * side) ? 3 : 1.5f;
+        }
+        CHECK(ssgi_vpl_choose(lights, side, position, position, flux, (size_t)(side * side + 1), NULL)
+                  == SSGI_OK,
+              "refused");
+        for (int i = 0; i < side; ++i) {
+            const int at = (int)lights[i].position[0];
+            CHECK(at / side == i, "%d lights: light %d is in row %d", side, i, at / side);
+            ++columns[at % side];
+        }
+        for (int k = 0; k < side; ++k) CHECK(columns[k] == 1, "%d lights: column %d has %d", side, k, columns[k]);
     }
 }
 
@@ -1596,7 +1657,9 @@ void test_math(void)
     RUN("environment maps: constants exact, each band as the lobe leaves it, the mean kept", environment_maps);
     RUN("cones: cosine 0 is irradiance, constants exact, a disc inside, across the rim and outside", environment_cones);
     RUN("suns: no light lost, about equal shares, one texel is one sun", sunlight);
+    RUN("suns: a white sky is cut where it is wider on the sphere, at its median", white_sky);
     RUN("virtual point lights: the map's flux in all, only where it is lit, by share", vpls);
+    RUN("virtual point lights: of a square of pixels that are all as bright, one a row and one a column", vpl_strata);
     RUN("area lights as points: the closed form of a rectangle", areas);
     RUN("cameras and lights: bad arguments are named, outputs stay", bad_light);
 }
