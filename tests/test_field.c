@@ -887,6 +887,62 @@ static void unfiltered(void)
     t_note("directions of texels: off by %.4f, filtered %.4f", error[1], error[0]);
 }
 
+/* The centres of three fine texels of 16 a side on the cube: within faces, and beside an edge. */
+static const double impulses[3][3] = { { 1, 0.0625, -0.4375 }, { 0.3125, -1, 0.1875 }, { 0.9375, -0.1875, 1 } };
+
+/* What is seen from those texels' directions leaves most of its cap open, what is seen from others fills it. */
+static void impulse(void *user, float *out, const float *point, int count)
+{
+    for (int i = 0; i < count; ++i, point += 3, out += 4) {
+        const double p[3] = { (double)point[0], (double)point[1], (double)point[2] },
+                     most = fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2])), length = sqrt(dot(p, p));
+        int here = 0;
+        for (int n = 0; n < 3; ++n) {
+            double off = 0;
+            for (int k = 0; k < 3; ++k) off = fmax(off, fabs(p[k] / most - impulses[n][k]));
+            here |= off < 0.04;
+        }
+        out[0] = *(const float *)user;
+        for (int k = 0; k < 3; ++k) out[1 + k] = (float)(-p[k] / length * (here ? 0.25 : 1));
+    }
+}
+
+/* A texel is the mean of 4 x 4 fine ones by a Gaussian whose deviation is one of them. One that differs counts in the
+   texels around it by the bell's values at half a fine texel and at one and a half, across edges as within faces. */
+static void filtered(void)
+{
+    static float solid_angle = 0.2f;
+    const double open = 1 - 0.25 * (double)solid_angle / PI, sum = 2 * (exp(-0.125) + exp(-1.125)),
+                 bell[3] = { exp(-0.125) / sum, exp(-1.125) / sum, 0 };
+    const ssgi_field_desc d = { .resolution = 8, .radii = 4, .rays = 16, .hit = nothing_hit, .sample = impulse,
+                                .user = &solid_angle };
+    const ssgi_field f = baked(0, &d, box_mesh(cube));
+    double worst = 0;
+    for (int i = 0; i < 6 * 64; ++i) {
+        const int a = i / 64 % 3;
+        double p[3], want = 1;
+        float angle, axis[3], fill;
+        p[a] = i / 64 < 3 ? 1 : -1;
+        p[(a + 1) % 3] = (i % 8 - 3.5) / 4;
+        p[(a + 2) % 3] = (i / 8 % 8 - 3.5) / 4;
+        for (int n = 0; n < 3; ++n) {
+            const double *q = impulses[n];
+            const int b = fabs(q[0]) == 1 ? 0 : fabs(q[1]) == 1 ? 1 : 2;
+            double weight = a == b && p[a] != q[a] ? 0 : open;
+            for (int k = 0; k < 3; ++k) { /* a neighbouring face is laid flat beside this one */
+                const double at = k == a ? p[a] * (2 - p[b] * q[b]) : p[k];
+                if (k != b) weight *= bell[(int)fmin(2, fabs(at - q[k]) * 8)];
+            }
+            want -= weight;
+        }
+        ssgi_field_cap(&f, point_at(f.centre, 1.5, p), &angle, axis, &fill);
+        worst = fmax(worst, fabs((double)fill - want));
+    }
+    CHECK(worst < 0.51 / 255 * (double)f.span[7] && fabs((double)f.span[7] / (open * bell[0] * bell[0]) - 1) < 1e-4,
+          "off by %g, of which storing takes %g; at most %g of an impulse, not %g", worst,
+          0.5 / 255 * (double)f.span[7], (double)f.span[7] / open, bell[0] * bell[0]);
+}
+
 typedef struct calls_log { int calls, most; float last; int descends; } calls_log;
 
 static int keep(void *user, float done)
@@ -1182,6 +1238,49 @@ static void inside_hulls(void)
     t_note("%.3f, of points between the boxes %.3f", (double)f.inside, sum / weight);
 }
 
+/* Where a bake looks from inside the cube, and how many of its rays hit. */
+typedef struct looks { int points, rays[256], hits[256]; float from[256][3]; } looks;
+
+/* Of directions low ones hit, a share of them that is the point's share of the way out; near the centre all of them. */
+static int low_hit(void *user, const float o[3], const float d[3])
+{
+    looks *l = (looks *)user;
+    const float r = fmaxf(fmaxf(fabsf(o[0]), fabsf(o[1])), fabsf(o[2]));
+    const int hit = r < 0.3f || d[2] < 2 * r - 1, last = l->points - 1;
+    if (r >= 1 || (last == 255 && memcmp(l->from[last], o, sizeof l->from[0]))) return 0;
+    if (last < 0 || memcmp(l->from[last], o, sizeof l->from[0])) memcpy(l->from[l->points++], o, sizeof l->from[0]);
+    ++l->rays[l->points - 1];
+    l->hits[l->points - 1] += hit;
+    return hit;
+}
+
+/* A_0 of a cube that occludes points at a share r of the way out by r, but encloses them below 0.3 and above 0.95. They
+   count by 1 - r, the share that A_0 has of the occlusion there. It is this mean of the points that the bake looked
+   from; and the ratio of the integrals of r (1 - r) and 1 - r, from which that of 256 points deviates by 0.013. */
+static void toward_the_centre(void)
+{
+    static looks l;
+    const ssgi_field_desc d = { .resolution = 2, .radii = 4, .rays = 16, .hit = low_hit, .user = &l };
+    const ssgi_field f = baked(0, &d, box_mesh(cube));
+    const double even = (pow(0.95, 2) - pow(0.3, 2)) / 2,
+                 closed = (even - (pow(0.95, 3) - pow(0.3, 3)) / 3) / (0.65 - even);
+    double sum = 0, weight = 0;
+    for (int i = 0; i < l.points; ++i) {
+        const double share = (double)l.hits[i] / l.rays[i];
+        double r = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double way = (double)l.from[i][k] - (double)f.centre[k];
+            r = fmax(r, way / ((way > 0 ? 1 : -1) - (double)f.centre[k]));
+        }
+        if (share > 0.95) continue;
+        sum += share * (1 - r);
+        weight += 1 - r;
+    }
+    CHECK(l.points == 256 && fabs((double)f.inside - sum / weight) < 1e-5 && fabs((double)f.inside - closed) < 0.03,
+          "%.6f; of its %d points %.6f; by the integrals %.3f", (double)f.inside, l.points, sum / weight, closed);
+    t_note("%.6f; of its %d points %.6f; by the integrals %.3f", (double)f.inside, l.points, sum / weight, closed);
+}
+
 /* The one closed form: a ball that rests on a plane takes 1/(1 + rho^2)^1.5 of it. */
 static void ball_on_plane(void)
 {
@@ -1397,12 +1496,14 @@ void test_field(void)
     RUN("a ray caster of one's own gives the same field", own_rays);
     RUN("samples of one's own give the field of exact rays, unit directions filled caps", own_samples);
     RUN("unfiltered texels are what their own directions fit", unfiltered);
+    RUN("texels are means by a Gaussian, a fine texel in deviation, across edges too", filtered);
     RUN("progress ascends to 1, and giving up leaves the field untouched", progress);
     RUN("bad descs, meshes and sizes are named and leave the field untouched", bad_arguments);
     RUN("triangles, needles, flat occluders, far, tiny and huge ones stay in [0,1]; scale does not matter", degenerate);
     RUN("hulls are where the mesh ends, and what touches one is dark", hulls);
     RUN("cones to which rays are confined hold all of a mesh", cones);
     RUN("inside a hull counts what the mesh does not enclose", inside_hulls);
+    RUN("inside a hull points count by what is left of the way to it", toward_the_centre);
     RUN("a ball on a plane has the closed form's contact shadow", ball_on_plane);
     RUN("there is no seam at edges and corners", borders);
     RUN("limits: ramp, reach, inside and power; points that are not finite", limits);
