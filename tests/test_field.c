@@ -784,7 +784,7 @@ typedef struct rasters {
     const double *half;
     double filled;
     int unit, broken;                      /* unit: the paper's directions; broken: what is not finite */
-    int calls, wrong;
+    _Atomic int calls, wrong;              /* of several threads */
     float reach;
 } rasters;
 
