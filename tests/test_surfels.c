@@ -1669,6 +1669,86 @@ static void creases(void)
     t_note("%d pixels: RMSE %.4f, of surfels alone %.4f", pixels, rmse[1], rmse[0]);
 }
 
+/* Surfels send 2^-octaves..1, as many an octave, and are as large as makes their flux a power of it: half of the flux
+   is sent above ((1 + 2^(-octaves power)) / 2)^(1 / power). Bins of h = 1/8 octave in which flux is taken as even
+   mistake its logarithm by at most power h^2 / 8, an exponential's distance from its chord; or by a surfel more. */
+static void sent_by_half(void)
+{
+    enum { N = 1 << 14 };
+    static ssgi_surfel surfel[N];
+    static const float sky[3] = { 0.25f, 1, 0.5f };
+    static const double powers[] = { 1, 2, 3, 0, -1 };
+    for (int k = 0; k < COUNT(powers); ++k) {
+        const double power = powers[k], h = log(2) / 8;
+        double worst = 0;
+        for (double octaves = 1; octaves < 32; octaves *= 1.1) {
+            ssgi_gl_frame frame = { .sent = 0 };
+            for (int i = 0; i < N; ++i) {
+                const float sent = (float)exp2(-octaves * (i + 0.5) / N);
+                surfel[i] = (ssgi_surfel){ .radius = (float)(1e-3 * pow((double)sent, (power - 1) / 2)),
+                                           .colour = { sent, sent, sent } };
+            }
+            CHECK(ssgi_gl_sent_set(&frame, surfel, N, NULL, 0, sky, NULL) == SSGI_OK, "refused");
+            const double half = power == 0 ? -octaves / 2 * log(2) : log((1 + exp2(-octaves * power)) / 2) / power,
+                         off = fabs(log((double)frame.sent) - half),
+                         most = fabs(power) * h * h / 8 + octaves * log(2) / N;
+            CHECK(off < most, "flux by power %g over %g octaves: %g, not %g", power, octaves, (double)frame.sent,
+                  exp(half));
+            worst = fmax(worst, off / most);
+        }
+        t_note("flux by power %g: off by %.2f of the bins' most", power, worst);
+    }
+}
+
+/* One surfel alone in its bin stands in the middle, 1/16 octave below what it sends: in its largest component, colour
+   times irradiance over pi. */
+static void sent_by_one(void)
+{
+    static const ssgi_surfel surfel = { .position = { 1, 2, -5 }, .radius = 0.1f, .normal = { 0, 0, 1 },
+                                        .colour = { 0.5f, 0.25f, 0.125f } };
+    /* a map of 8 x 8 texels, in which the surfel is at x, y and a depth of z */
+#define MAP(x, y, z) \
+    .tile = { 3, 5, 8, 8 }, \
+    .map = { { (x) * (z), 0, 0, 0 }, { 0, (y) * (z) / 2, 0, 0 }, { 0, 0, (z) / -10.0f, (z) / 2.0f } }
+#define SIDE 1, 5, -1 /* 5 away: 4/5 of it along the surfel's normal */
+    static const struct { const char *what; ssgi_gl_light light; double facing; int sky;
+    } row[] = {
+        { "a sun", { .at = { 0, 0.6f, 0.8f } }, 0.8, 0 },
+        { "a sun behind", { .at = { 0, 0.6f, -0.8f } }, 0, 0 },
+        { "a sun of which a wider map follows", { .at = { 0, 0.6f, 0.8f }, .min_distance = 1 }, 0, 0 },
+        { "a point", { .kind = SSGI_GL_POINT, .at = { SIDE } }, 0.8 / 25, 0 },
+        { "a near point", { .kind = SSGI_GL_POINT, .at = { 1, 2, -4.9f }, .min_distance = 0.5f }, 4, 0 },
+        { "a virtual point", { .kind = SSGI_GL_VPL, .at = { SIDE }, .normal = { 0, -1, 0 } }, 0.8 * 0.6 / 25, 0 },
+        { "a virtual point that faces away", { .kind = SSGI_GL_VPL, .at = { SIDE }, .normal = { 0, 1, 0 } }, 0, 0 },
+        { "a spot without a map", { .kind = SSGI_GL_SPOT, .at = { SIDE } }, 0.8 / 25, 0 },
+        { "a spot", { .kind = SSGI_GL_SPOT, .at = { SIDE }, MAP(7.9f, 0.1f, 4) }, 0.8 / 25, 0 },
+        { "beyond its map's right", { .kind = SSGI_GL_SPOT, .at = { SIDE }, MAP(8.1f, 1, 4) }, 0, 0 },
+        { "beyond its left", { .kind = SSGI_GL_SPOT, .at = { SIDE }, MAP(-0.1f, 1, 4) }, 0, 0 },
+        { "beyond its top", { .kind = SSGI_GL_SPOT, .at = { SIDE }, MAP(1, 8.1f, 4) }, 0, 0 },
+        { "beyond its bottom", { .kind = SSGI_GL_SPOT, .at = { SIDE }, MAP(1, -0.1f, 4) }, 0, 0 },
+        { "a sun with a map", { .at = { 0, 0.6f, 0.8f }, MAP(9, 9, 4) }, 0.8, 0 },
+        { "a sun and the sky", { .at = { 0, 0.6f, 0.8f } }, 0.8, 1 },
+        { "the sky", { .at = { 0, 0, -1 } }, 0, 1 },
+    };
+    for (int i = 0; i < COUNT(row); ++i) {
+        static const float colour[3] = { 2, 16, 8 }, sky[3] = { 0.75f, 0.25f, 0.5f };
+        ssgi_gl_light light[2] = { row[i].light, row[i].light };
+        ssgi_gl_frame frame = { .sent = 7 };
+        double sent = 0;
+        memcpy(light[0].colour, colour, sizeof colour);
+        memcpy(light[1].colour, colour, sizeof colour);
+        for (int c = 0; c < 3; ++c)
+            sent = fmax(sent, (double)surfel.colour[c] * ((row[i].sky ? (double)sky[c] : 0)
+                                                          + 2 * (double)colour[c] * row[i].facing / pi));
+        const double want = sent > 0 ? sent * exp2(-1.0 / 16) : 7;
+        CHECK(ssgi_gl_sent_set(&frame, &surfel, 1, light, 2, row[i].sky ? sky : NULL, NULL) == SSGI_OK
+                  && fabs((double)frame.sent / want - 1) < 1e-5,
+              "%s: %g, not %g", row[i].what, (double)frame.sent, want);
+    }
+#undef MAP
+#undef SIDE
+}
+
 /* The bounce of a point light, and of a lobe, by its intensity; of the sky by its brightness. */
 static void linear(void)
 {
@@ -1720,6 +1800,8 @@ void test_surfels(void)
     RUN("dipoles as published; a plane of them sums to its total", dipoles);
     RUN("surfels: what is too small, too far or not finite has no radius or normal of 0", smallest);
     RUN("bad arguments are named and nothing is written", refusals);
+    RUN("half of the flux is sent above the radiance that is found, to a bin's share", sent_by_half);
+    RUN("one surfel sends what each kind of light and the sky give it", sent_by_one);
     if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
     RUN("the real tessellator places the same points, all 64 levels", real_tessellator);
     RUN("tessellation shaders make the CPU's surfels; three ways give one picture", three_ways);
