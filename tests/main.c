@@ -20,6 +20,15 @@ enum { GROUPS = (int)(sizeof groups / sizeof groups[0]) };
 
 static struct { pid_t process; FILE *said; int answer[2], done; double seconds; } job[GROUPS];
 
+/* To the folder above build/, where this program lies: whatever folder and environment it is started in. */
+static int go_home(const char *program)
+{
+    char *path = realpath(program, NULL), *end = path;
+    for (int up = 0; end && up < 2; ++up) if ((end = strrchr(path, '/')) != NULL) *end = 0;
+    t_root = path;
+    return !end || chdir(path) || access("ssgi_gl.h", R_OK) ? -1 : 0;
+}
+
 static void start(int g)
 {
     job[g].said = tmpfile();
@@ -67,6 +76,8 @@ int main(int argc, char **argv)
        4 floats a picture is the same on every processor. */
     setenv("GALLIVM_PERF", "nopt", 0);
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
+    setenv("PATH", "/usr/local/bin:/usr/bin:/bin", 0);     /* without one gcc does not find its own parts */
+    if (go_home(argv[0])) return fprintf(stderr, "test: %s: is not a path of build/test\n", argv[0]), 2;
     int running = 0, next = 0, shown = 0, wanted[GROUPS];
     double all = 0;
     for (int g = 0; g < GROUPS; ++g) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 int t_passed, t_failed;
+const char *t_root;
 
 enum { SHOWN = 5 };                        /* messages of failed checks a test: the rest is counted */
 static char   said[8192];

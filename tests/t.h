@@ -24,6 +24,7 @@ double t_seconds(const struct rusage *spent);
 double t_spent(int children);
 
 extern int t_passed, t_failed;
+extern const char *t_root;                 /* the repository's folder, which is the current one, too */
 
 /* one function a file, called by main.c */
 void test_trace(void);

@@ -352,33 +352,33 @@ static void documentation(void)
     CHECK(!status, "README.md's usage: %s", text);
     CHECK(!shell(text, sizeof text,
                  "awk 'length($0) > 120 || NR > 250 { print \"line \" NR; bad = 1 } END { exit bad }' '%s/README.md'%s",
-                 getenv("PWD"), ""),
+                 t_root, ""),
           "README.md: 250 lines of 120 columns are enough: %s", text);
     CHECK(!shell(text, sizeof text,
                  "cd '%s' && for f in README.md examples/docs/*.md; do "
                  "for l in $(grep -o '](%s)' $f | tr -d '()]' | cut -d'#' -f1); do "
                  "test -e \"$(dirname $f)/$l\" || { echo \"$f: $l\"; exit 1; }; done; done",
-                 getenv("PWD"), "[^)]*"),
+                 t_root, "[^)]*"),
           "a link leads nowhere: %s", text);
     /* figures: decimals but versions, "3 of 4" from the chart on */
     CHECK(!shell(text, sizeof text,
                  "cd '%s' && { sed -E 's/(GL|ES|From|Mesa) [0-9.]+//g' README.md | grep -oE '[0-9]+\\.[0-9]+'; sed -n "
                  "'/^## Speed/,$p' README.md | tr '\\n' ' ' | grep -oE '[0-9]+ of [0-9]+'; } | sort -u | "
                  "while read -r n; do grep -qE \"(^|[^0-9.])$(echo \"$n\" | sed 's/[.]/[.]/')([^0-9.]|%s)\" "
-                 "examples/docs/FIGURES.md || { echo \"$n\"; exit 1; }; done", getenv("PWD"), "$"),
+                 "examples/docs/FIGURES.md || { echo \"$n\"; exit 1; }; done", t_root, "$"),
           "README.md has a figure that examples/docs/FIGURES.md has not: %s", text);
     CHECK(!shell(text, sizeof text,
                  "gcc -std=c99 -Wall -Wextra -Werror '%s/examples/minimal.c' -I. -o minimal %s && ./minimal && head -c "
                  "15 ao.pgm && test $(tail -c +16 ao.pgm | tr -d '\\377' | wc -c) -gt 100000",
-                 getenv("PWD"), "-lOSMesa -lm")
+                 t_root, "-lOSMesa -lm")
               && strstr(text, "P5 960 540 255"),
           "examples/minimal.c: %s", text);
     CHECK(!shell(text, sizeof text,
                  "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/docs/PASSES.md' passes.md",
-                 getenv("PWD"), getenv("PWD")),
+                 t_root, t_root),
           "examples/docs/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
-    CHECK(!shell(text, sizeof text, "grep -q 'v0.3 ' '%s/ssgi.h' && grep -q 'v0.3 ' '%s/ssgi_gl.h'", getenv("PWD"),
-                 getenv("PWD"))
+    CHECK(!shell(text, sizeof text, "grep -q 'v0.3 ' '%s/ssgi.h' && grep -q 'v0.3 ' '%s/ssgi_gl.h'", t_root,
+                 t_root)
               && SSGI_VERSION == 300 && SSGI_VERSION_MAJOR == 0 && SSGI_VERSION_MINOR == 3,
           "the headers' first lines and SSGI_VERSION disagree");
 }
@@ -397,17 +397,17 @@ static void library_as_files(void)
     CHECK(!shell(text, sizeof text,
                  "cp ssgi_gl.h edited.h && '%s/build/library' out edited.h glsl && "
                  "'%s/build/library' in edited.h glsl && cmp ssgi_gl.h edited.h",
-                 getenv("PWD"), getenv("PWD")), "%s", text);
+                 t_root, t_root), "%s", text);
     CHECK(!shell(text, sizeof text,
                  "sed -i 's/SSGI_UNSEEN = [0-9.]*/SSGI_UNSEEN = 0.5/' glsl/*.glsl && "
                  "'%s/build/library' in edited.h glsl && diff ssgi_gl.h edited.h | "
                  "grep -c '^> .*SSGI_UNSEEN = 0.5' && gcc -fsyntax-only -xc edited.h%s",
-                 getenv("PWD"), ""), "an edit of a file does not reach the header: %s", text);
+                 t_root, ""), "an edit of a file does not reach the header: %s", text);
     for (size_t i = 0; i < sizeof broken / sizeof *broken; ++i) {
         snprintf(line, sizeof line,
                  "cp ssgi_gl.h edited.h && rm -r glsl && '%%s/build/library' out edited.h glsl && "
                  "%s && ! '%%s/build/library' in edited.h glsl && cmp ssgi_gl.h edited.h", broken[i].edit);
-        const int failed = shell(text, sizeof text, line, getenv("PWD"), getenv("PWD"));
+        const int failed = shell(text, sizeof text, line, t_root, t_root);
         const char *end = strchr(text, '\n');
         CHECK(!failed && end && !end[1] && strstr(text, broken[i].says), "%s: %s", broken[i].edit, text);
     }
@@ -419,7 +419,7 @@ static void fuzz(void)
     int status = shell(text, sizeof text,
                        "gcc -O1 -DSSGI_STATIC -I. -fsanitize=address,undefined -fno-sanitize-recover=all "
                        "'%s/tests/fuzz.c' -o fuzz %s && ./fuzz 24000",
-                       getenv("PWD"), "-lm");
+                       t_root, "-lm");
     CHECK(!status, "24,000 inputs under address and undefined-behaviour sanitizers: %s", text);
 }
 
@@ -429,7 +429,7 @@ static void not_numbers(void)
     char text[4000];
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i)
         CHECK(!shell(text, sizeof text, "%s -DSSGI_STATIC -I. '%s/tests/nan.c' -o nan -lm && ./nan", modes[i],
-                     getenv("PWD")),
+                     t_root),
               "%s: %s", modes[i], text);
 }
 
@@ -493,7 +493,7 @@ static void manifest(void)
         "assert m['defaults']['hsao']['steps'] == 6 and m['defaults']['lights']['samples'] == 8\n"
         "print(len(m['variants']), 'variants')\n";
     char text[4000], path[256], *json;
-    if (!CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' texts 300es%s", getenv("PWD"), ""), "%s", text)) return;
+    if (!CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' texts 300es%s", t_root, ""), "%s", text)) return;
     snprintf(path, sizeof path, "%s/texts/manifest.json", folder);
     json = read_text(path);
     CHECK(json && balanced(json), "manifest.json: brackets or strings are not closed");
@@ -519,9 +519,9 @@ static void own_chain(void)
     char text[4000], line[512];
     CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --chain hsao,balanced,depth=LINEAR,lights=0 --300es --450 "
                  "own && test $(ls own | wc -l) = 13 && grep -q 'SSGI_STEPS = 10' own/*2-hsao.450.frag && "
-                 "! grep -q ssgi_decode own/*.frag%s", getenv("PWD"), ""), "%s", text);
+                 "! grep -q ssgi_decode own/*.frag%s", t_root, ""), "%s", text);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
-        snprintf(line, sizeof line, "'%s/build/glsl-text' --chain %s", getenv("PWD"), wrong[i].chain);
+        snprintf(line, sizeof line, "'%s/build/glsl-text' --chain %s", t_root, wrong[i].chain);
         const int status = shell(text, sizeof text, "%s%s", line, "");
         const char *end = strchr(text, '\n');
         CHECK(status == 2 && end && !end[1] && strstr(text, wrong[i].says), "%s: status %d, %s", line, status, text);
@@ -599,16 +599,16 @@ static void wasm(void)
     char text[4000], path[256], *bytes = NULL;
     size_t size = 0;
     if (!(has("clang") & has("wasm-ld") & has("node"))) return;
-    if (!CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' wasm%s", getenv("PWD"), ""), "%s", text)) return;
-    snprintf(path, sizeof path, "%s/build/wasm/ssgi.wasm", getenv("PWD"));
+    if (!CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' wasm%s", t_root, ""), "%s", text)) return;
+    snprintf(path, sizeof path, "%s/build/wasm/ssgi.wasm", t_root);
     if (CHECK(!kit_file_read(&bytes, &size, path, NULL) && size <= 192 * 1024, "ssgi.wasm has %zu bytes", size))
         t_note("ssgi.wasm has %zu bytes", size);
     free(bytes);
     write_text("blocks.c", blocks);
     write_text("wasm.mjs", script);
     CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' others 330 && gcc -I. blocks.c -o blocks %s && "
-                 "./blocks >frame.bin", getenv("PWD"), "-lm"), "%s", text);
-    CHECK(!shell(text, sizeof text, "node wasm.mjs '%s/build/wasm'%s", getenv("PWD"), ""), "%s", text);
+                 "./blocks >frame.bin", t_root, "-lm"), "%s", text);
+    CHECK(!shell(text, sizeof text, "node wasm.mjs '%s/build/wasm'%s", t_root, ""), "%s", text);
 }
 
 /* What make install and make npm leave serves their tools. */
@@ -639,7 +639,7 @@ static void packages(void)
         "        for (const [stage, word] of [['vert', '@vertex'], ['frag', '@fragment']])\n"
         "            check(text(`wgsl/${files[stage]}.wgsl`).includes(word), files[stage]);\n";
     char text[4000];
-    CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' install DESTDIR='%s/to' PREFIX=/usr", getenv("PWD"),
+    CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' install DESTDIR='%s/to' PREFIX=/usr", t_root,
                  folder), "%s", text);
     shell(text, sizeof text, "mkdir -p app%s%s", "", "");
     write_text("app/app.c", program);
@@ -656,14 +656,14 @@ static void packages(void)
                      "WORKS=1 && cmake --build app/build && app/build/app%s%s", "", ""), "%s", text);
     }
     CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' uninstall DESTDIR='%s/to' PREFIX=/usr && test -z "
-                 "\"$(find to -type f)\"", getenv("PWD"), folder), "left behind: %s", text);
-    snprintf(text, sizeof text, "%s/build/tint/twgsl.wasm", getenv("PWD"));
+                 "\"$(find to -type f)\"", t_root, folder), "left behind: %s", text);
+    snprintf(text, sizeof text, "%s/build/tint/twgsl.wasm", t_root);
     const int translates = !access(text, R_OK) && has("glslangValidator");
     if (!translates) t_note("package not tried, without tint: make npm brings it");
     if (has("clang") & has("wasm-ld") & has("node") & translates) {
         write_text("npm.mjs", script);
         CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' npm && mkdir node_modules && ln -s '%s/build/npm' "
-                     "node_modules/ssgi && node npm.mjs", getenv("PWD"), getenv("PWD")), "%s", text);
+                     "node_modules/ssgi && node npm.mjs", t_root, t_root), "%s", text);
     }
 }
 
@@ -704,7 +704,7 @@ static void sanitized(void)
         char arguments[160];
         snprintf(arguments, sizeof arguments, "boxes --size 64x36 --method %s %s --out s.exr", m.name, m.lit ? world
             : m.between ? cheap : "");
-        CHECK(!shell(text, sizeof text, "ASAN_OPTIONS=detect_leaks=0 '%s/build/render-sanitized' %s", getenv("PWD"),
+        CHECK(!shell(text, sizeof text, "ASAN_OPTIONS=detect_leaks=0 '%s/build/render-sanitized' %s", t_root,
             arguments), "render %s: %s", arguments, text);
     }
 }
@@ -721,9 +721,9 @@ static void streams(void)
         { "ulimit -f 8 && %s/build/render room --size 160x90 --out big.exr", "big.exr: cannot be written" },
         { "ln -s loop.exr loop.exr && %s/build/render room --size 8x8 --out loop.exr", "loop.exr" } };
     char text[4000], line[512];
-    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 8x8 --out s.exr%s", getenv("PWD"), ""), "%s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 8x8 --out s.exr%s", t_root, ""), "%s", text);
     for (size_t i = 0; i < sizeof lost / sizeof lost[0]; ++i) {
-        snprintf(line, sizeof line, lost[i].line, getenv("PWD"));
+        snprintf(line, sizeof line, lost[i].line, t_root);
         const int status = shell(text, sizeof text, "%s%s", line, "");
         const char *end = strchr(text, '\n');
         CHECK(status == 2 && end && !end[1] && strstr(text, lost[i].word), "%s: status %d, %s", line, status, text);
@@ -732,14 +732,14 @@ static void streams(void)
     CHECK(!shell(text, sizeof text,
                  "ln -s there.exr here.exr && '%s/build/render' room --size 8x8 --out here.exr && test -L here.exr && "
                  "cmp there.exr s.exr%s",
-                 getenv("PWD"), ""),
+                 t_root, ""),
           "a dangling link is not written through: %s", text);
     CHECK(!shell(text, sizeof text, "for s in 0,0,0 0.3,0,0; do '%s/build/render' casters --size 64x36 --frames 2 "
                  "--method hsao-history --slide $s --out $s-%%d.exr || exit 1; done; cmp 0,0,0-0.exr 0.3,0,0-0.exr && "
-                 "! cmp -s 0,0,0-1.exr 0.3,0,0-1.exr%s", getenv("PWD"), ""),
+                 "! cmp -s 0,0,0-1.exr 0.3,0,0-1.exr%s", t_root, ""),
           "an object slides from the second frame on: %s", text);
     CHECK(!shell(text, sizeof text, "'%s/build/render' cr.obj --size 8x8 --out cr.exr && test -s cr.exr%s",
-        getenv("PWD"), ""), "lines that end in CR: %s", text);
+        t_root, ""), "lines that end in CR: %s", text);
 }
 
 /* Bad command lines and files: status 2, one line that names the argument or file, nothing left behind. */
@@ -885,7 +885,7 @@ static void command_line(void)
     snprintf(path, sizeof path, "%s/y.exr", folder);
     if (!kit_image_new(&y, 4, 4, "Y", NULL)) { kit_exr_write(&y, path, NULL); kit_image_free(&y); }
     shell(text, sizeof text, "head -c 300 %s > cut.exr%s", "y.exr", "");
-    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 16x9 --save-gbuffer f.exr%s", getenv("PWD"), ""),
+    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 16x9 --save-gbuffer f.exr%s", t_root, ""),
           "a frame of one layer: %s", text);
     for (size_t i = 0; i < sizeof lists / sizeof lists[0]; ++i) write_text(lists[i].name, lists[i].text);
     zero[40] = 0;
@@ -908,12 +908,12 @@ static void command_line(void)
         kit_exr_write_frame(&frame, odd[i].header, path, NULL);
         kit_image_free(&frame);
     }
-    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 8x8 --save-gbuffer small.exr%s", getenv("PWD"), ""),
+    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 8x8 --save-gbuffer small.exr%s", t_root, ""),
           "a smaller frame: %s", text);
     shell(text, sizeof text, "ls > before%s%s", "", "");
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         int status = shell(text, sizeof text, "F='--fovy 57 --radius 0.5 --out q%%d.exr'; '%s/build/render' %s",
-                           getenv("PWD"), cases[i].arguments);
+                           t_root, cases[i].arguments);
         char *line = strchr(text, '\n');
         CHECK(status == 2 && line && !line[1] && strstr(text, cases[i].word), "render %s: status %d, %s",
               cases[i].arguments, status, text);
@@ -921,26 +921,26 @@ static void command_line(void)
     CHECK(!shell(text, sizeof text, "ls | grep -v after > after; diff before after%s%s", "", ""), "left behind: %s",
           text);
     CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 64x36 --save-gbuffer g.exr --out a.exr%s",
-                 getenv("PWD"), "")
+                 t_root, "")
               && !shell(text, sizeof text,
                         "'%s/build/render' --gbuffer g.exr --fovy 57 --radius 0.5 --out b.exr --json --score a.exr%s",
-                        getenv("PWD"), "")
+                        t_root, "")
               && strstr(text, "\"rmse\""),
           "a frame saved and taken back: %s", text);
     CHECK(!shell(text, sizeof text,
                  "'%s/build/render' --gbuffer g.exr --fovy 57 --radius 0.5 --plan visibility:0.1 --json --out b.exr%s",
-                 getenv("PWD"), "")
+                 t_root, "")
               && strstr(text, "\"plan\": {\"error\""),
           "a plan of a frame: %s", text);
     CHECK(!shell(text, sizeof text, "'%s/build/render' plane --size 4x4 --plan objects:0.1 --score y.exr%s",
-                 getenv("PWD"), "")
+                 t_root, "")
               && strstr(text, "nothing: errs by 0.0000"),
           "a plan of what is between no objects: %s", text);
     CHECK(!shell(text, sizeof text, "'%s/build/render' --sequence good.txt --fovy 57 --radius 0.5 --set history=1 "
-                 "--out s%%d.exr && test -s s0.exr && test -s s1.exr && ! test -e s2.exr%s", getenv("PWD"), ""),
+                 "--out s%%d.exr && test -s s0.exr && test -s s1.exr && ! test -e s2.exr%s", t_root, ""),
           "a sequence: %s", text);
     CHECK(!shell(text, sizeof text, "'%s/build/render' --sequence own.txt --set history=1 --out o%%d.exr && "
-                 "test -s o2.exr%s", getenv("PWD"), ""),
+                 "test -s o2.exr%s", t_root, ""),
           "a sequence of frames that have their cameras: %s", text);
 }
 
@@ -963,7 +963,7 @@ static void frames_carry_cameras(void)
     static const char *const sky = "--method ssdo --env sky --set bounce=none";
     double worst = 0;
     char line[400], text[4000], render[300];
-    snprintf(render, sizeof render, "%s/build/render", getenv("PWD"));
+    snprintf(render, sizeof render, "%s/build/render", t_root);
     setenv("R", render, 1);
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; ++i) {
         CHECK(!shell(text, sizeof text, "$R %s --save-gbuffer f.exr --out ao.exr%s", scenes[i], "")
@@ -1138,7 +1138,7 @@ static void captures(void)
     kit_header header;
     kit_error err = { "" };
     if (!has("python3")) return;
-    snprintf(path, sizeof path, "%s/examples/tools/capture/capture.py", getenv("PWD"));
+    snprintf(path, sizeof path, "%s/examples/tools/capture/capture.py", t_root);
     setenv("C", path, 1);
     snprintf(path, sizeof path, "%s/f.exr", folder);
     if (!CHECK(!shell(text, sizeof text, "$R room --size 96x54 --set normal=depth --save-gbuffer f.exr %s %s",
@@ -1185,7 +1185,7 @@ static void what_is_printed(void)
                  "n=$(printf 'a\\377\\303\\251\\355\\240\\200\\\\\"\\tb.exr') && cp f.exr \"$n\" && "
                  "'%s/build/render' --gbuffer \"$n\" --fovy 57 --radius 0.5 --score endless.exr --time 1 "
                  "--json && rm \"$n\"%s",
-                 getenv("PWD"), ""), "%s", text);
+                 t_root, ""), "%s", text);
     CHECK(strstr(text, "{\"source\": \"a\\ufffd\303\251\\ufffd\\ufffd\\ufffd\\\\\\\"\\u0009b.exr\", \"method\": "
                        "\"hsao\""),
           "a name that is no UTF-8: %s", text);
@@ -1196,7 +1196,7 @@ static void what_is_printed(void)
         CHECK(!shell(text, sizeof text, "python3 -c 'import json; json.load(open(\"json.txt\"), parse_constant=exit)'"
                      "%s%s", "", ""), "%s", text);
     }
-    CHECK(!shell(text, sizeof text, "'%s/build/render' --list s3ho%s", getenv("PWD"), "")
+    CHECK(!shell(text, sizeof text, "'%s/build/render' --list s3ho%s", t_root, "")
               && strstr(text, "none [joint] apart") && strstr(text, "[linear] square") && strstr(text, "4 in 1..4"),
           "the settings of s3ho: %s", text);
 }
@@ -1210,9 +1210,9 @@ static void formatted(void)
         t_note("clang-format is not of version 14: not tried");
         return;
     }
-    CHECK(!shell(text, sizeof text, "cd '%s' && clang-format --dry-run --Werror ssgi.h ssgi_gl.h%s", getenv("PWD"), ""),
+    CHECK(!shell(text, sizeof text, "cd '%s' && clang-format --dry-run --Werror ssgi.h ssgi_gl.h%s", t_root, ""),
           "make format would change a header: %s", text);
-    CHECK(!shell(text, sizeof text, "! grep -nE '.{121}' '%s/ssgi.h' '%s/ssgi_gl.h'", getenv("PWD"), getenv("PWD")),
+    CHECK(!shell(text, sizeof text, "! grep -nE '.{121}' '%s/ssgi.h' '%s/ssgi_gl.h'", t_root, t_root),
           "longer than 120 columns: %s", text);
 }
 
@@ -1274,7 +1274,7 @@ static void bench_fits(const char *plan)
                  "'%s/build/fit' /dev/null b/plan-software.csv 2>/dev/null >is.txt; diff was.txt is.txt | "
                  "grep -c '^[<>]'; grep -c SSGI__ROW is.txt; sed -n 4p was.txt; "
                  "sed -n 4p is.txt; sed -n '/SSGI__ROW(VIS/,/^};/p' ssgi.h | grep SSGI__ROW | diff - was.txt",
-                 getenv("PWD"), getenv("PWD")),
+                 t_root, t_root),
           "fit of no rows does not print ssgi.h's table: %s", text);
     if (!CHECK(!strncmp(text, "2\n", 2) && sscanf(text, "2\n%d\n%299[^\n]\n%299[^\n]", &choice, was, is) == 3
                && choice == SSGI_PLAN_CHOICES, "fit: %s", text))
@@ -1305,7 +1305,7 @@ static void bench(void)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         const int status =
             shell(text, sizeof text, "'%s/build/bench' --context osmesa --size 64x36 --method hsao-fast %s",
-                  getenv("PWD"), bad[i].arguments);
+                  t_root, bad[i].arguments);
         const char *end = strchr(text, '\n');
         CHECK(status == 2 && end && !end[1] && strstr(text, bad[i].word), "%s: status %d, %s", bad[i].arguments, status,
               text);
@@ -1313,14 +1313,14 @@ static void bench(void)
     CHECK(shell(text, sizeof text, "test -e report%s%s", "", ""), "left behind: report");
     for (int i = 0; i < 2; ++i) {
         write_text("bad.csv", i ? "3,1.5\n3,1.5 x\n" : "3\n");
-        const int status = shell(text, sizeof text, "'%s/build/fit' /dev/null bad.csv%s", getenv("PWD"), "");
+        const int status = shell(text, sizeof text, "'%s/build/fit' /dev/null bad.csv%s", t_root, "");
         CHECK(status == 2 && strstr(text, i ? "bad.csv: line 2" : "bad.csv: line 1"), "fit: status %d, %s", status,
               text);
     }
     if (!CHECK(!shell(text, sizeof text, "'%s/build/bench' --context osmesa --size 64x36 --method hsao-fast --plan 3 "
                       "--seconds 1 --out b >out.txt && cmp out.txt b/bench.md && cat b/bench.md && "
                       "test -s b/bench.svg%s",
-                      getenv("PWD"), ""), "%s", text))
+                      t_root, ""), "%s", text))
         return;
     const char *rate = strstr(text, "passes copied ");
     CHECK(strstr(text, "| `hsao-fast` | ") && strstr(text, "No GPU was found") && strstr(text, "llvmpipe") && rate
@@ -1333,16 +1333,27 @@ static void bench(void)
     CHECK(access(path, F_OK), "a CPU's costs as a GPU's");
 }
 
+/* ---- >>make ------------------------------------------------------------------------------------------------------ */
+
+/* Whatever the folder and the environment. */
+static void anywhere(void)
+{
+    char text[2000];
+    CHECK(!shell(text, sizeof text, "cd / && env -i '%s/build/test' library%s", t_root, "")
+              && strstr(text, " passed, 0 failed"), "%s", text);
+}
+
 void test_build(void)
 {
     char text[1000];
     strcpy(folder, "/tmp/ssgi-test-XXXXXX");
     if (!mkdtemp(folder)) { CHECK(0, "no temporary folder"); return; }
-    shell(text, sizeof text, "cp '%s/ssgi.h' '%s/ssgi_gl.h' .", getenv("PWD"), getenv("PWD"));
+    shell(text, sizeof text, "cp '%s/ssgi.h' '%s/ssgi_gl.h' .", t_root, t_root);
     RUN("both headers compile without a warning and link, as C99, C11, C++11 and C++17, whole and static", compilers);
     RUN("both headers compile behind a hundred macros of hosts, behind windows.h, and in MSVC's dialect", hosts);
     RUN("the order of passes in their enum means nothing", order_of_passes);
     RUN("a baked field has the same bytes at any optimisation", optimised);
+    RUN("tests run from any folder, without an environment", anywhere);
     RUN("both headers are as make format leaves them, in 120 columns", formatted);
     RUN("an optimiser is quick with both implementations", compile_time);
     RUN("the code in the headers' openings, in the README and in examples/minimal.c compiles and runs", documentation);

@@ -2,6 +2,7 @@
    it, every row and function can be reached. */
 #include "own.h"
 #include <ctype.h>
+#include <sys/stat.h>
 
 enum { CODES = SSGI_GL__CODES, ROWS = SSGI_GL__ROWS };
 
@@ -220,10 +221,19 @@ static void reflection(void)
     CHECK(resolved > 500, "%d descs", resolved);
 }
 
+static void at_home(void)
+{
+    struct stat here, there;
+    char path[4096];
+    snprintf(path, sizeof path, "%s/ssgi_gl.h", t_root);
+    CHECK(!stat("ssgi_gl.h", &here) && !stat(path, &there) && here.st_ino == there.st_ino, "%s is not here", path);
+}
+
 void test_library(void)
 {
     RUN("tables name every field of a desc and every member of the blocks; what zeros mean gives the same text",
         reflection);
+    RUN("tests stand in their repository, wherever they were started", at_home);
     RUN("every #if names fields of the desc and their values", conditions);
     RUN("every name in the library is a function before it or a row; none is out of reach", names);
 }

@@ -1175,7 +1175,7 @@ static int reserved_words_read(void)
     char path[4096], line[256], word[64];
     size_t used = 1;
     int used_line = 0;
-    snprintf(path, sizeof path, "%s/tests/reserved.txt", getenv("PWD"));
+    snprintf(path, sizeof path, "%s/tests/reserved.txt", t_root);
     FILE *file = fopen(path, "r");
     if (!file) return 0;
     reserved_words[0] = ' ';
