@@ -1335,6 +1335,39 @@ static void bench(void)
 
 /* ---- >>make ------------------------------------------------------------------------------------------------------ */
 
+/* How many objects of build/render and build/test make would compile in the copy. */
+static int compiled_again(void)
+{
+    char text[200];
+    const int failed = shell(text, sizeof text, "MAKEFLAGS= make -n -C tree build/render build/test >made.txt && "
+                             "grep -c ' -c .* -o build/.*[.]o$' made.txt || test $? = 1%s%s", "", "");
+    return CHECK(!failed, "make -n: %s", text) ? atoi(text) : -1;
+}
+
+/* In a copy of the tree by links, built as far as the tree is. */
+static void edits(void)
+{
+    static const struct { const char *edit; int least, most; } cases[] = {
+        { "$s/$/ /", 2, 8 },                               /* behind the declarations: library_gl.o, tests/own.h */
+        { "s/END OF HEADER/& /", 40, 400 } };              /* among them: all that include kit_gl.h */
+    char text[400];
+    CHECK(!shell(text, sizeof text, "mkdir -p tree/build && cp -rs '%s'/Makefile '%s'/*.h tree", t_root, t_root)
+              && !shell(text, sizeof text, "cp -rs '%s'/examples '%s'/tests tree", t_root, t_root)
+              && !shell(text, sizeof text, "cd '%s'/build && cp -rs $PWD/kit $PWD/examples $PWD/tests $PWD/include "
+                        "$PWD/assimp '%s'/tree/build", t_root, folder), "%s", text);
+    const int before = compiled_again();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        shell(text, sizeof text, "cp '%s/ssgi_gl.h' tree/edited && sed -i '%s' tree/edited && mv tree/edited "
+              "tree/ssgi_gl.h", t_root, cases[i].edit);
+        CHECK(shell(text, sizeof text, "cmp -s tree/ssgi_gl.h '%s/ssgi_gl.h'%s", t_root, ""), "%s: edits nothing",
+              cases[i].edit);
+        const int again = compiled_again() - before;
+        CHECK(again >= cases[i].least && again <= cases[i].most, "%s: %d objects are compiled again", cases[i].edit,
+              again);
+        t_note("%d objects", again);
+    }
+}
+
 /* Whatever the folder and the environment. */
 static void anywhere(void)
 {
@@ -1354,6 +1387,7 @@ void test_build(void)
     RUN("the order of passes in their enum means nothing", order_of_passes);
     RUN("a baked field has the same bytes at any optimisation", optimised);
     RUN("tests run from any folder, without an environment", anywhere);
+    RUN("an edit of GLSL compiles again what holds the implementation, one of a declaration all that calls it", edits);
     RUN("both headers are as make format leaves them, in 120 columns", formatted);
     RUN("an optimiser is quick with both implementations", compile_time);
     RUN("the code in the headers' openings, in the README and in examples/minimal.c compiles and runs", documentation);

@@ -7,6 +7,7 @@
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
+#include "../ssgi.h"
 #include "kit/kit.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* test_math.c - ssgi.h's rooms of view, bias, kernel, sh and environment against double precision and closed forms. */
 #include "t.h"
-#include "../ssgi.h"
+#include "ssgi.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,7 @@
 /* test_trace.c - the tracer against brute force, cameras, the ray-traced truth and its floor against closed forms. */
 #include "t.h"
 #include "kit/kit.h"
+#include "ssgi.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -10,6 +10,7 @@
 #include <vulkan/vulkan_raii.hpp>
 extern "C" {
 #include "kit/kit.h"
+#include "ssgi_gl.h"
 }
 
 /* Throws what is wrong unless all went well. By reference: what was called has set it by now. */

@@ -37,8 +37,6 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include "../../ssgi.h"
-#include "../../ssgi_gl.h"
 
 #define KIT_PI 3.14159265358979323846
 #define KIT_MOST 1e12                      /* of a number that people type: floats still compute with its squares */
@@ -373,8 +371,9 @@ int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *ca
    dipole's unit of length [limit: > 0]. R, G, B are albedo times it, bounce is 0. Where samples are farther apart than
    z_r / 2 the sum is noisy. R_d from a table: to 1e-4 for z_r above 2e-3 of the bounds' diagonal. Time: about 2 ns a
    pixel and lit sample, a core. */
+struct ssgi_dipole;                        /* ssgi.h's */
 int kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
-                      const ssgi_dipole *dipole, float unit, size_t samples, int stride, kit_error *err);
+                      const struct ssgi_dipole *dipole, float unit, size_t samples, int stride, kit_error *err);
 
 /* Where a picture's error sits. Channels edge, border, interior: each pixel is of one kind, 1 there; all 0 where
    nothing is seen. frame: channel Z, view depth as in the build/render contract, of that camera.

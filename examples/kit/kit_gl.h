@@ -6,6 +6,7 @@
 #define KIT_GL_H
 
 #include "kit/kit.h"
+#include "ssgi_gl.h"
 #include <GL/glcorearb.h>
 
 /* ---- >>functions -------------------------------------------------------------------------------------------- */

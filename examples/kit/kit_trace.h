@@ -4,6 +4,7 @@
 #define KIT_TRACE_H
 
 #include "kit/kit.h"
+#include "ssgi.h"
 
 /* ---- >>camera */
 

@@ -1,4 +1,3 @@
-/* library.c - the one file of the kit that holds the library's code. */
+/* library.c - the one file of the kit that holds ssgi.h's code. */
 #define SSGI_IMPLEMENTATION
-#define SSGI_GL_IMPLEMENTATION
-#include "../../ssgi_gl.h"
+#include "../../ssgi.h"

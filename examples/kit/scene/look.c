@@ -1,6 +1,7 @@
 /* look.c - where the camera of a scene by seed stands, and the radius: tried until the picture shows something.
    Declared in kit_seed.h. */
 #include "kit/kit_seed.h"
+#include "ssgi.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #define CHAINS_H
 
 #include "kit/kit.h"
+#include "ssgi_gl.h"
 
 enum { MOST_STEPS = 64 };
 

@@ -2,7 +2,7 @@
 #ifndef CHOICES_H
 #define CHOICES_H
 
-#include "../../../ssgi_gl.h"
+#include "ssgi_gl.h"
 
 typedef struct choice { const char *name; size_t offset; int value; } choice;
 typedef struct variant { const char *title; ssgi_gl_desc desc; } variant;

@@ -3,6 +3,7 @@
 #define MANIFEST_H
 
 #include "kit/kit.h"
+#include "ssgi_gl.h"
 
 extern const char *const endings[SSGI_GL_STAGES + 1];          /* of files, by stage: "vert" ..; functions: "glsl" */
 
