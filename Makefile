@@ -121,7 +121,8 @@ build/glsl-text: build/examples/tools/glsl/glsl.o $(GLSL_O) $(KIT_O)
 
 build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
-	@echo '  cc $@'; $(CC) -std=c11 -Wall -Wextra $(CFLAGS) $< -lOSMesa -lm -o $@
+	@echo '  cc $@'; $(CC) -E -include GL/osmesa.h -xc /dev/null >/dev/null 2>&1 && gl=-lOSMesa || gl='-lEGL -lGL'; \
+	  $(CC) -std=c11 -Wall -Wextra $(CFLAGS) $< $$gl -lm -o $@
 
 # The main job: a scanned mesh with every method beside the truth; report/demo.html.
 demo: build/render build/report

@@ -1,9 +1,28 @@
 /* minimal.c - a whole program, which writes ao.pgm: OSMesa is the engine's context, a few boxes its scene, ssgi's part
-   between the lines of "====". Engines compile once: examples/hosts.   cc examples/minimal.c -lOSMesa -lm && ./a.out */
-#define GL_GLEXT_PROTOTYPES
-#include <GL/osmesa.h>
-#include <GL/glext.h>
+   between the lines of "====". Engines compile once: examples/hosts.   cc examples/minimal.c -lOSMesa -lm && ./a.out
+   Where there is no OSMesa, which Mesa dropped in 25.1, EGL is the context:   cc examples/minimal.c -lEGL -lGL -lm */
 #include <stdio.h>
+#define GL_GLEXT_PROTOTYPES
+#if __has_include(<GL/osmesa.h>)
+#include <GL/osmesa.h>
+static int open_context(void)
+{
+    static unsigned char screen[4];
+    OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, NULL);
+    return context && OSMesaMakeCurrent(context, screen, GL_UNSIGNED_BYTE, 1, 1);
+}
+#else
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GL/gl.h>
+static int open_context(void)
+{
+    EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL);
+    return eglInitialize(display, NULL, NULL) && eglBindAPI(EGL_OPENGL_API)
+           && eglMakeCurrent(display, NULL, NULL, eglCreateContext(display, NULL, NULL, NULL));
+}
+#endif
+#include <GL/glext.h>
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
 #include "../ssgi_gl.h"
@@ -63,19 +82,18 @@ static void draw(const ssgi_gl_chain *chain, const ssgi_gl_frame *frame, const G
 /* ================================================================================================================== */
 int main(void)
 {
-    static unsigned char screen[4 * W * H], pixels[W * H];
+    static unsigned char pixels[W * H];
     const float g = 2.365f, projection[16] = { g * H / W, 0, 0, 0, 0, g, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2002f, 0 };
-    OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, NULL);
     ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_HSAO }, .width = W, .height = H, .blur = 1 };
     GLuint name, yours[SSGI_GL_YOURS];
     ssgi_view view;
     ssgi_gl_frame frame;
-    if (!context || !OSMesaMakeCurrent(context, screen, GL_UNSIGNED_BYTE, W, H)) return puts("no OSMesa context"), 1;
+    if (!open_context()) return puts("no GL context"), 1;
     glGenFramebuffers(1, &name), glBindFramebuffer(GL_FRAMEBUFFER, name);
     yours[SSGI_GL_YOUR_DEPTH] = target(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, W, H);
     yours[SSGI_GL_YOUR_NORMAL] = target(GL_COLOR_ATTACHMENT0, GL_RGBA16F, GL_RGBA, GL_FLOAT, W, H);
     glUniformMatrix4fv(glGetUniformLocation(program(boxes_vs, boxes_fs), "projection"), 1, GL_FALSE, projection);
-    glEnable(GL_DEPTH_TEST), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glViewport(0, 0, W, H), glEnable(GL_DEPTH_TEST), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 36, 40), glDisable(GL_DEPTH_TEST);
     ssgi_gl_preset(&chain.desc, SSGI_GL_BALANCED, NULL);
     ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, W, H, NULL);

@@ -368,12 +368,6 @@ static void documentation(void)
                  "examples/docs/FIGURES.md || { echo \"$n\"; exit 1; }; done", t_root, "$"),
           "README.md has a figure that examples/docs/FIGURES.md has not: %s", text);
     CHECK(!shell(text, sizeof text,
-                 "gcc -std=c99 -Wall -Wextra -Werror '%s/examples/minimal.c' -I. -o minimal %s && ./minimal && head -c "
-                 "15 ao.pgm && test $(tail -c +16 ao.pgm | tr -d '\\377' | wc -c) -gt 100000",
-                 t_root, "-lOSMesa -lm")
-              && strstr(text, "P5 960 540 255"),
-          "examples/minimal.c: %s", text);
-    CHECK(!shell(text, sizeof text,
                  "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/docs/PASSES.md' passes.md",
                  t_root, t_root),
           "examples/docs/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
@@ -381,6 +375,78 @@ static void documentation(void)
                  t_root)
               && SSGI_VERSION == 300 && SSGI_VERSION_MAJOR == 0 && SSGI_VERSION_MINOR == 3,
           "the headers' first lines and SSGI_VERSION disagree");
+}
+
+/* examples/minimal.c with the header of OSMesa and as it is read without: the same picture, on the CPU. */
+static void minimal(void)
+{
+    static const struct { const char *header, *line; } ways[] = {
+        { "GL/osmesa.h", "cp '%s/examples/minimal.c' examples && gcc $W examples/minimal.c -lOSMesa -lm -o minimal%s" },
+        { "EGL/egl.h", "sed 's|__has_include.*|0|' '%s/examples/minimal.c' >examples/egl.c && "
+                       "gcc $W examples/egl.c -lEGL -lGL -lm -o minimal%s" } };
+    char text[4000];
+    int ran = 0;
+    setenv("W", "-std=c99 -Wall -Wextra -Werror", 1);
+    shell(text, sizeof text, "mkdir examples%s%s", "", "");
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; ++i) {
+        if (shell(text, sizeof text, "echo '#include <%s>' | gcc -E -%s", ways[i].header, "")) {
+            t_note("%s is not here: not tried", ways[i].header);
+            continue;
+        }
+        CHECK(!shell(text, sizeof text, ways[i].line, t_root, "")
+                  && !shell(text, sizeof text, "LIBGL_ALWAYS_SOFTWARE=1 ./minimal && head -c 15 ao.pgm && "
+                            "test $(tail -c +16 ao.pgm | tr -d '\\377' | wc -c) -gt 100000%s%s", "", "")
+                  && strstr(text, "P5 960 540 255"),
+              "%s: %s", ways[i].line, text);
+        CHECK(!shell(text, sizeof text, "%s ao.pgm other.pgm%s", ran ? "cmp" : "mv", ""), "by %s: %s", ways[i].header,
+              text);
+        ++ran;
+    }
+    CHECK(ran, "neither OSMesa nor EGL is here");
+}
+
+/* Where there is no OSMesa, which empty files in its place stand for, the default context is EGL's, and draws the same;
+   who asks for it is told. */
+static void without_osmesa(void)
+{
+    char text[4000];
+    if (shell(text, sizeof text, "'%s/build/render' plane --size 8x8 --context egl --out egl.exr%s", t_root, "")) {
+        t_note("not tried: %s", text);
+        return;
+    }
+    CHECK(!shell(text, sizeof text, "mkdir lacks && cd lacks && touch libOSMesa.so libOSMesa.so.6 libOSMesa.so.8 && "
+                 "cd .. && '%s/build/render' room --size 64x36 --out with.exr && export LD_LIBRARY_PATH=lacks && "
+                 "'%s/build/render' room --size 64x36 --json --out without.exr && cmp with.exr without.exr", t_root,
+                 t_root)
+              && strstr(text, "llvmpipe"), "%s", text);
+    CHECK(shell(text, sizeof text, "LD_LIBRARY_PATH=lacks '%s/build/render' room --size 8x8 --context osmesa --out "
+                "a.exr%s", t_root, "") == 2 && strstr(text, "libOSMesa.so is not there"), "%s", text);
+}
+
+/* install.sh as root on a Debian where these packages are there, and those can be had. */
+static void installs(void)
+{
+    static const char rest[] = "gcc make pkg-config libopenexr-dev libstb-dev glslang-tools glmark2-data",
+                      egl[] = "libegl-dev libegl-mesa0 libgl1-mesa-dri";
+    static const struct { const char *has, *can, *got; } cases[] = {
+        { "libosmesa6-dev", "", "" }, { egl, "libosmesa6-dev", "" },
+        { "", "libosmesa6-dev libegl-dev libegl-mesa0 libgl1-mesa-dri", "libosmesa6-dev\n" },
+        { "libegl-mesa0", egl, "libegl-dev libgl1-mesa-dri\n" }, { "", "", NULL } };
+    char text[4000], line[600];
+    shell(text, sizeof text, "mkdir bin%s%s", "", "");
+    write_text("bin/id", "echo 0\n");
+    write_text("bin/dpkg-query", "case \" $HAS \" in *\" $4 \"*) echo install ok installed ;; *) exit 1 ;; esac\n");
+    write_text("bin/apt-get", "[ $1 = update ] && exit\nshift 3\necho \"$@\" >asked\n"
+                              "for p; do case \" $CAN \" in *\" $p \"*) ;; *) exit 100 ;; esac; done\nmv asked got\n");
+    shell(text, sizeof text, "chmod +x bin/*%s%s", "", "");
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        snprintf(line, sizeof line, "export HAS='%s %s' CAN='%s' PATH=\"$PWD/bin:$PATH\"", rest, cases[i].has,
+                 cases[i].can);
+        const int status = shell(text, sizeof text, "%s; : >got; sh '%s/examples/kit/install.sh' >said 2>&1; s=$?; "
+                                 "cat got; exit $s", line, t_root);
+        CHECK(cases[i].got ? !status && !strcmp(text, cases[i].got) : status == 1, "%s: status %d, installs %s", line,
+              status, text);
+    }
 }
 
 /* The library of GLSL as files: back it is the same header, to the byte; an edit arrives; what is broken is refused by
@@ -1302,9 +1368,13 @@ static void bench(void)
                 { "--out /dev/null/b", "/dev/null" } };
     char text[8000], path[256], *file;
     double copied = 0;
+    const int none =
+        shell(text, sizeof text, "'%s/build/render' plane --size 8x8 --context osmesa --out o.exr%s", t_root, "");
+    setenv("CONTEXT", none ? "egl" : "osmesa", 1);                         /* the CPU's */
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         const int status =
-            shell(text, sizeof text, "'%s/build/bench' --context osmesa --size 64x36 --method hsao-fast %s",
+            shell(text, sizeof text, "'%s/build/bench' --context $CONTEXT --size 64x36 --method hsao-fast %s",
                   t_root, bad[i].arguments);
         const char *end = strchr(text, '\n');
         CHECK(status == 2 && end && !end[1] && strstr(text, bad[i].word), "%s: status %d, %s", bad[i].arguments, status,
@@ -1317,7 +1387,7 @@ static void bench(void)
         CHECK(status == 2 && strstr(text, i ? "bad.csv: line 2" : "bad.csv: line 1"), "fit: status %d, %s", status,
               text);
     }
-    if (!CHECK(!shell(text, sizeof text, "'%s/build/bench' --context osmesa --size 64x36 --method hsao-fast --plan 3 "
+    if (!CHECK(!shell(text, sizeof text, "'%s/build/bench' --context $CONTEXT --size 64x36 --method hsao-fast --plan 3 "
                       "--seconds 1 --out b >out.txt && cmp out.txt b/bench.md && cat b/bench.md && "
                       "test -s b/bench.svg%s",
                       t_root, ""), "%s", text))
@@ -1390,7 +1460,10 @@ void test_build(void)
     RUN("an edit of GLSL compiles again what holds the implementation, one of a declaration all that calls it", edits);
     RUN("both headers are as make format leaves them, in 120 columns", formatted);
     RUN("an optimiser is quick with both implementations", compile_time);
-    RUN("the code in the headers' openings, in the README and in examples/minimal.c compiles and runs", documentation);
+    RUN("the code in the headers' openings and in the README compiles and runs", documentation);
+    RUN("examples/minimal.c draws the same by OSMesa and by EGL", minimal);
+    RUN("without OSMesa the default context is EGL's, and draws the same", without_osmesa);
+    RUN("install.sh takes OSMesa or EGL, whichever can be had", installs);
     RUN("the library of GLSL as files comes back to the byte; edits arrive, what is broken is refused",
         library_as_files);
     RUN("the manifest names every file, what belongs together, and rows that the texts have", manifest);

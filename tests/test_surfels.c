@@ -80,7 +80,7 @@ static float form_factor(const ssgi_surfel *surfel, const float position[3], con
 
 static void points(void)
 {
-    /* of level 5, OSMesa's */
+    /* of level 5, Mesa's */
     static const float inner[4][3] = { { 0.133331299f, 0.533340454f, 0.333328247f },
                                        { 0.333328247f, 0.133331299f, 0.533340454f },
                                        { 0.266662598f, 0.466674805f, 0.266662598f },
@@ -1802,7 +1802,7 @@ void test_surfels(void)
     RUN("bad arguments are named and nothing is written", refusals);
     RUN("half of the flux is sent above the radiance that is found, to a bin's share", sent_by_half);
     RUN("one surfel sends what each kind of light and the sky give it", sent_by_one);
-    if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
+    if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("the real tessellator places the same points, all 64 levels", real_tessellator);
     RUN("tessellation shaders make the CPU's surfels; three ways give one picture", three_ways);
     RUN("shuffling deals every pixel out once a level", shuffled);

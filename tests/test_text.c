@@ -475,7 +475,7 @@ static int compiles(const ssgi_gl_desc *d, int stage)
     return CHECK(ok, "%s: %s", describe(d), log);
 }
 
-static int desktop;                        /* an OSMesa context is open: from here to the end */
+static int desktop;                        /* a context of desktop GL is open: from here to the end */
 
 static void compilers(void)
 {
@@ -493,7 +493,7 @@ static void compilers(void)
             glGetIntegerv(GL_MINOR_VERSION, &version[1]);
         }
         /* takes ES texts too: ARB_ES3_2_compatibility */
-        if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open("osmesa", &err), "%s", err.text);
+        if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
         if (version[0] * 10 + version[1] < 32 && !desktop) break;
         for (int i = 0, bad = 0; i < texts && bad < 3; ++i) {
             if (is_es(&spoken[i].desc) != es || spoken[i].desc.dialect == SSGI_GL_VULKAN) continue;

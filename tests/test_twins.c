@@ -1,4 +1,4 @@
-/* test_twins.c - functions of the emitted GLSL against the same in C, drawn by OSMesa; and what C writes for GLSL to
+/* test_twins.c - functions of the emitted GLSL against the same in C, drawn by the CPU; and what C writes for GLSL to
    read: extra cameras, those of shadow maps, the light of a frame; and what a weight or a limit that no formula gives
    does in GLSL, by cases worked out by hand. */
 #include "own.h"
@@ -1603,7 +1603,7 @@ void test_twins(void)
     RUN("cameras that are wrong are named, and nothing is written", refused_cameras);
     RUN("a frame's light is the world's, turned, word by word; what is wrong is named, and nothing is written",
         frame_light);
-    if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
+    if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("depth, position, projection, footprint and offset as in C", twin_views);
     RUN("noise and kernel as in C", twin_noise_and_kernel);
     RUN("normals of every encoding and frame come back", twin_normals);

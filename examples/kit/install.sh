@@ -1,32 +1,39 @@
 #!/bin/sh
 # Installs the Debian packages that examples and tests need: as root or through sudo; otherwise says which are missing.
-need="gcc make pkg-config libosmesa6-dev libopenexr-dev libstb-dev glslang-tools glmark2-data"
-missing=
-for p in $need "$@"; do
-    dpkg-query -W -f '${Status}' "$p" 2>/dev/null | grep -q 'ok installed' || missing="$missing $p"
-done
-[ -z "$missing" ] && exit 0
+# Of contexts without a window one is enough: OSMesa's, or EGL's with Mesa's rasteriser where OSMesa cannot be had (Mesa
+# dropped it in 25.1).
+need="gcc make pkg-config libopenexr-dev libstb-dev glslang-tools glmark2-data"
+lacking() {
+    for p in "$@"; do
+        dpkg-query -W -f '${Status}' "$p" 2>/dev/null | grep -q 'ok installed' || printf ' %s' "$p"
+    done
+}
+missing=$(lacking $need "$@")
+osmesa=$(lacking libosmesa6-dev) egl=$(lacking libegl-dev libegl-mesa0 libgl1-mesa-dri)
+[ -n "$osmesa" ] && [ -n "$egl" ] || osmesa= egl=
+[ -z "$missing$egl" ] && exit 0
+wanted="$missing$osmesa${egl:+ (or, where there is none,$egl)}"
 if ! command -v apt-get >/dev/null 2>&1; then
-    command -v dpkg-query >/dev/null 2>&1 || { echo "note: not a Debian system; wanted:$missing" >&2; exit 0; }
+    command -v dpkg-query >/dev/null 2>&1 || { echo "note: not a Debian system; wanted:$wanted" >&2; exit 0; }
 fi
 if [ "$(id -u)" = 0 ]; then
     sudo=
 elif command -v sudo >/dev/null 2>&1 && sudo -n true 2>/dev/null; then
     sudo=sudo
 else
-    echo "please install:$missing   (apt-get install$missing)" >&2
+    echo "please install:$wanted   (apt-get install$missing$osmesa)" >&2
     exit 1
 fi
-echo "installing:$missing"
+echo "installing:$wanted"
 log=$(mktemp)
+get() { DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y --no-install-recommends "$@"; }
 install() {
-    $sudo apt-get update &&
-        DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y --no-install-recommends $missing
+    $sudo apt-get update && { get $missing $osmesa || { [ -n "$egl" ] && get $missing $egl; }; }
 }
 install >"$log" 2>&1 || {
     tail -5 "$log" >&2
     rm -f "$log"
-    echo "could not install:$missing" >&2
+    echo "could not install:$wanted" >&2
     exit 1
 }
 rm -f "$log"

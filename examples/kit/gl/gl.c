@@ -128,7 +128,7 @@ static int egl_is_software(void)
     return get && is_rasteriser((const char *)get(GL_RENDERER));
 }
 
-/* 1 when a context on this display is current; software 0: not one that the CPU draws for. */
+/* 1 when a context on this display is current; software 0: not one that the CPU draws for, 2: no other. */
 static int egl_try(void *display, int es, int software)
 {
     static const int32_t versions[2][3] = { { 45, 43, 0 }, { 32, 31, 30 } };
@@ -139,7 +139,7 @@ static int egl_try(void *display, int es, int software)
                                      es ? EGL_NONE : EGL_PROFILE_MASK, EGL_CORE_PROFILE, EGL_NONE };
             void *context = egl.create(display, NULL, NULL, attributes);
             const int current = context && egl.current(display, NULL, NULL, context);
-            if (current && (software || !egl_is_software())) {
+            if (current && (software == 1 || egl_is_software() == (software == 2))) {
                 gl.open = 2; gl.display = display; gl.context = context;
                 return 1;
             }
@@ -151,7 +151,8 @@ static int egl_try(void *display, int es, int software)
     return 0;
 }
 
-static int egl_open(int es, kit_error *err)
+/* cpu: one that the CPU draws for, whatever else there is */
+static int egl_open(int es, int cpu, kit_error *err)
 {
     static const char *const names[] = { "libEGL.so.1", "libEGL.so", NULL };
     static const char *const symbols[] = { "eglGetProcAddress", "eglQueryString", "eglInitialize",
@@ -185,14 +186,15 @@ static int egl_open(int es, kit_error *err)
         if (!egl.query_devices(EGL_MAX_DEVICES, devices, &count)) count = 0;
     /* whatever a GPU draws for first; of what a CPU draws for the surfaceless platform before devices */
     const int surfaceless = strstr(client, "EGL_MESA_platform_surfaceless") != NULL;
-    for (int software = 0; software < 2; software++) {
-        if (software && surfaceless && egl_try(egl.platform_display(EGL_PLATFORM_SURFACELESS, NULL, NULL), es, 1))
+    for (int software = cpu; software < 2; software++) {
+        if (software && surfaceless
+            && egl_try(egl.platform_display(EGL_PLATFORM_SURFACELESS, NULL, NULL), es, software + cpu))
             return 0;
         for (int32_t i = 0; i < count; i++) {
             const char *extensions = egl.device_string(devices[i], EGL_EXTENSIONS);
             const int marked = extensions && strstr(extensions, "EGL_MESA_device_software");
             if (marked <= software
-                && egl_try(egl.platform_display(EGL_PLATFORM_DEVICE, devices[i], NULL), es, software))
+                && egl_try(egl.platform_display(EGL_PLATFORM_DEVICE, devices[i], NULL), es, software + cpu))
                 return 0;
         }
         if (!software && surfaceless && egl_try(egl.platform_display(EGL_PLATFORM_SURFACELESS, NULL, NULL), es, 0))
@@ -283,9 +285,12 @@ int kit_gl_open(const char *context, kit_error *err)
 {
     int result;
     kit_gl_close();
-    if (!context || !strcmp(context, "osmesa")) result = osmesa_open(err);
-    else if (!strcmp(context, "egl"))           result = egl_open(0, err);
-    else if (!strcmp(context, "egl-es"))        result = egl_open(1, err);
+    if (!context) {
+        result = osmesa_open(NULL);
+        if (result) { kit_gl_close(); result = egl_open(0, 1, err); }
+    } else if (!strcmp(context, "osmesa")) result = osmesa_open(err);
+    else if (!strcmp(context, "egl"))      result = egl_open(0, 0, err);
+    else if (!strcmp(context, "egl-es"))   result = egl_open(1, 0, err);
     else return kit_fail(err, "context '%s': no such kind; there are osmesa, egl and egl-es", context);
     gl.proc = gl.open == 1 ? osmesa.proc : egl.proc;
     return make_ready(result, err);

@@ -13,7 +13,7 @@ typedef struct ahead {
 } ahead;
 
 /* Before this process has a context, from which none could be forked. What fails is left out quietly: the process that
-   asked measures it once more, and says why. Nothing is done on one core, or in a context that is not OSMesa's. */
+   asked measures it once more, and says why. Nothing is done on one core, or in another context than the default. */
 int ahead_run(const ahead *a, kit_error *err);
 
 #endif

@@ -48,7 +48,7 @@ const char render_usage[] =
     "                        bounce look at --env and --light\n"
     "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples)\n"
     "  --floor RAYS          the exact answer from the depth buffer instead of a method\n"
-    "  --context osmesa | egl | egl-es   [osmesa]\n"
+    "  --context osmesa | egl | egl-es   [osmesa, else egl]\n"
     "what comes out\n"
     "  --out F.exr | F.png   Y = ambient visibility; lit: R G B, irradiance.R .., bounce.R .. (PNG: R G B, sRGB)\n"
     "  --colours             with a method of visibility, of --out: that times the colours of what is seen, R G B\n"
