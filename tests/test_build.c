@@ -9,7 +9,7 @@
 #include <zlib.h>
 #include "kit/kit_gl.h"
 
-#define MSVC "--target=x86_64-pc-windows-msvc -ffreestanding -isystem $root/examples/tools/wasm/libc"
+#define MSVC "--target=x86_64-pc-windows-msvc -ffreestanding -isystem \"$root/examples/tools/wasm/libc\""
 #define WARNINGS "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror"
 
 static char folder[64];
@@ -232,8 +232,8 @@ static void hosts(void)
 {
     static const struct {
         const char *compiler, *how;
-    } modes[] = { { "gcc", "-std=c99 -include $root/tests/macros.h" },
-                  { "g++", "-std=c++11 -xc++ -include $root/tests/macros.h" },
+    } modes[] = { { "gcc", "-std=c99 -include \"$root/tests/macros.h\"" },
+                  { "g++", "-std=c++11 -xc++ -include \"$root/tests/macros.h\"" },
                   { "x86_64-w64-mingw32-gcc", "-std=c99 -include windows.h" },
                   { "x86_64-w64-mingw32-g++", "-std=c++17 -xc++ -include windows.h" },
                   { "clang", "-std=c11 " MSVC }, { "clang++", "-std=c++17 -xc++ " MSVC } };
@@ -241,7 +241,7 @@ static void hosts(void)
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
         if (!has(modes[i].compiler)) continue;
         snprintf(line, sizeof line, "%s -fsyntax-only " WARNINGS " -I. %s", modes[i].compiler, modes[i].how);
-        CHECK(!shell(text, sizeof text, "root='%s' && %s implementation.c", getenv("PWD"), line) && !text[0],
+        CHECK(!shell(text, sizeof text, "root='%s' && %s implementation.c", t_root, line) && !text[0],
               "%s: %s", line, text);
     }
 }
@@ -249,7 +249,7 @@ static void hosts(void)
 static void order_of_passes(void)
 {
     char text[4000];
-    CHECK(!shell(text, sizeof text, "sh '%s/tests/order.sh' '%s'", getenv("PWD"), getenv("PWD")),
+    CHECK(!shell(text, sizeof text, "sh '%s/tests/order.sh' '%s'", t_root, t_root),
           "the order of passes: something compares passes by it: %s", text);
 }
 
