@@ -196,6 +196,44 @@ static void refused_cameras(void)
           "what was refused was written to");
 }
 
+/* The largest gap between neighbouring phases of so many frames in a row, round the circle. */
+static double largest_gap(uint32_t from, uint32_t frames)
+{
+    double most = 0;
+    for (uint32_t i = 0; i < frames; ++i) {
+        double next = 1;
+        for (uint32_t k = 0; k < frames; ++k) {
+            const double ahead = (double)ssgi_gl_phase(from + k) - (double)ssgi_gl_phase(from + i);
+            if (k != i) next = fmin(next, ahead - floor(ahead));
+        }
+        most = fmax(most, next);
+    }
+    return most;
+}
+
+/* Four frames halve the circle and then its halves, and the next four go on by a quarter of 1 + the golden ratio's
+   fraction g. In each quarter they are multiples of g then, whose largest gap is a power of g where a Fibonacci number
+   of them stands there; frames that begin amid four have three more at their ends. */
+static void phases_spread(void)
+{
+    enum { FRAMES = 1024, POWERS = 7 };
+    static const uint32_t fibonacci[POWERS] = { 1, 2, 3, 5, 8, 13, 21 };
+    const double golden = 0.5 * (sqrt(5) - 1), bits = 16777216;
+    for (uint32_t k = 0; k < FRAMES; ++k) {
+        const double phase = (double)ssgi_gl_phase(k), halved = (double)(k & 1) / 2 + (double)(k >> 1 & 1) / 4,
+                     off = phase - halved - (double)(k >> 2) * (1 + golden) / 4;
+        CHECK(phase >= 0 && phase < 1 && fabs(off - nearbyint(off)) < 5 / bits,
+              "phase %.8f of frame %u is off by %.8f", phase, k, off - nearbyint(off));
+        CHECK(((uint32_t)(phase * bits) & 3) == (k & 3), "frame %u: the last bits tell another pixel", k);
+    }
+    for (uint32_t k = 0; k < 32; ++k)
+        for (int i = 0; i < POWERS; ++i) {
+            const double want = pow(golden, i) / 4, gap = largest_gap(k, 4 * fibonacci[i] + (k & 3 ? 3 : 0));
+            CHECK(k & 3 ? gap < want + 12 / bits : fabs(gap - want) < 12 / bits,
+                  "of 4 times %u frames from %u on the largest gap is %.7f, not %.7f", fibonacci[i], k, gap, want);
+        }
+}
+
 /* ---- >>twins: GLSL against C ------------------------------------------------------------------------------------- */
 
 enum { SIDE = 64, MANY = SIDE * SIDE };
@@ -1603,6 +1641,7 @@ void test_twins(void)
     RUN("cameras that are wrong are named, and nothing is written", refused_cameras);
     RUN("a frame's light is the world's, turned, word by word; what is wrong is named, and nothing is written",
         frame_light);
+    RUN("any few frames' phases spread as multiples of the golden ratio do, in every quarter", phases_spread);
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("depth, position, projection, footprint and offset as in C", twin_views);
     RUN("noise and kernel as in C", twin_noise_and_kernel);
