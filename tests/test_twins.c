@@ -755,17 +755,19 @@ static int facing(ssgi_view *view, ssgi_gl_frame *frame, float radius)
 }
 
 /* Four arcs, from near to far, first come first counted: a bit at a time in C; and on the mean over all roundings the
-   exact union of the intervals. */
+   exact union of the intervals. A span ends the arcs' shares at 2.5, from half of it on. */
 static void twin_sectors(void)
 {
-    static const int dialects[] = { SSGI_GL_330, SSGI_GL_450 };
+    static const struct { int dialect, span; } row[] = { { SSGI_GL_330, 0 }, { SSGI_GL_450, 0 }, { SSGI_GL_450, 1 } };
+    static const double share[2][4] = { { 1, 0.75, 0.5, 0.25 }, { 1, 0.75, 0.4 * 0.5, 0 } };   /* by distance, near */
     static float noise[MANY];
     ssgi_gl_frame frame;
     memset(&frame, 0, sizeof frame);
     frame.radius = 4;
-    for (size_t v = 0; v < sizeof dialects / sizeof *dialects; ++v) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = dialects[v] };
+    for (size_t v = 0; v < sizeof row / sizeof *row; ++v) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = row[v].dialect, .span = row[v].span };
         double sum = 0, exact = 0;
+        char statements[400];
         random_state = 31;
         for (int i = 0; i < MANY; ++i) {
             const float a = uniform(0, 1), b = uniform(0, 1), whole[4] = { 0, 32, 0, 1 };
@@ -773,12 +775,12 @@ static void twin_sectors(void)
             const float n = noise[i / 4], tap[4] = { fminf(a, b) * 32 + n, fmaxf(a, b) * 32 + n, (float)(i % 4), 0 };
             memcpy(in[i], i % 1000 == 3 ? whole : tap, sizeof tap);
         }
-        if (!probe(&d, &frame, 0,
-                   "uvec2 mask = uvec2(0u); vec2 sum = vec2(0.0); ssgi_slice s; s.share = vec2(1.0);"
-                   "for (int k = 0; k < 4; ++k) { vec4 x = X(k); sum += ssgi_cover_sectors(s, mask, "
-                   "ssgi_sectors(vec2(x.x, 0.0), vec2(x.y, x.x)), x.zz); }"
-                   "o = vec4(sum, ssgi_count(mask));"))
-            return;
+        snprintf(statements, sizeof statements,
+                 "uvec2 mask = uvec2(0u); vec2 sum = vec2(0.0); ssgi_slice s; s.share = vec2(1.0); %s"
+                 "for (int k = 0; k < 4; ++k) { vec4 x = X(k); sum += ssgi_cover_sectors(s, mask, "
+                 "ssgi_sectors(vec2(x.x, 0.0), vec2(x.y, x.x)), x.zz); }"
+                 "o = vec4(sum, ssgi_count(mask));", row[v].span ? "ssgi_span = 2.5;" : "");
+        if (!probe(&d, &frame, 0, statements)) return;
         for (int i = 0; i < MANY; ++i) {
             double want[4] = { 0 }, cut[8];
             int taken[2][32] = { { 0 } }, cuts = 0;
@@ -788,7 +790,7 @@ static void twin_sectors(void)
                     for (int s = side ? 0 : (int)tap[k][0]; s < (int)tap[k][!side]; ++s) {
                         if (taken[side][s]) continue;
                         taken[side][s] = 1;
-                        want[side] += 1 - (double)tap[k][2] / 4;
+                        want[side] += share[row[v].span][(int)tap[k][2]];
                         ++want[2 + side];
                     }
             for (int k = 0; k < 4; ++k) NEAR(out[i][k], want[k], 1e-5, "sectors");
@@ -801,8 +803,9 @@ static void twin_sectors(void)
         }
         CHECK(fabs(sum - exact) < 0.002 * MANY / 4, "%s: a mean of %.4f of the sectors, of the intervals %.4f",
               ssgi_gl_dialect_name(d.dialect), 4 * sum / MANY, 4 * exact / MANY);
-        t_note("%s: a mean of %.4f of the sectors, of the intervals %.4f", ssgi_gl_dialect_name(d.dialect),
-               4 * sum / MANY, 4 * exact / MANY);
+        if (!d.span)
+            t_note("%s: a mean of %.4f of the sectors, of the intervals %.4f", ssgi_gl_dialect_name(d.dialect),
+                   4 * sum / MANY, 4 * exact / MANY);
     }
 }
 
@@ -833,13 +836,15 @@ static void twin_deep(void)
         }
 }
 
-/* One tap in one slice, at an elevation over a plane that is tilted: what of it counts. */
+/* One tap in one slice, at an elevation over a plane that is tilted: what of it counts. The walk ends at the radius, or
+   with the span where there is one. */
 static void slices_limits(void)
 {
     /* degrees; sine of the elevation; is it beyond the normal? */
-    static const struct { double tilt, height; int beyond, counts;
-    } row[] = { { 80, 0.39, 1, 0 },   { 80, 0.41, 1, 1 },   { 80, 0.2, 1, 0 }, { 60, 0.9, 1, 1 },
-                { 80, 0.0039, 0, 0 }, { 30, 0.0041, 0, 1 }, { 60, 0.3, 0, 1 }, { 20, 0.7, 0, 1 } };
+    static const struct { double tilt, height; int beyond, counts, span;
+    } row[] = { { 80, 0.39, 1, 0, 0 },   { 80, 0.41, 1, 1, 0 },   { 80, 0.2, 1, 0, 0 }, { 60, 0.9, 1, 1, 0 },
+                { 80, 0.0039, 0, 0, 0 }, { 30, 0.0041, 0, 1, 0 }, { 60, 0.3, 0, 1, 0 }, { 20, 0.7, 0, 1, 0 },
+                { 20, 0.7, 0, 1, 1 } };
     static float map[MANY][4];
     const int centre = SIDE / 2 * SIDE + SIDE / 2;
     ssgi_gl_desc d = { .pass = SSGI_GL_HSAO,
@@ -853,6 +858,7 @@ static void slices_limits(void)
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 3.512f)) return;
+    frame.surfel[0] = 1.561f;
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
         const double tilt = row[k].tilt * 0.017453292519943,
                      up = row[k].beyond ? 3.14159265358979 - asin(row[k].height) : asin(row[k].height);
@@ -864,8 +870,9 @@ static void slices_limits(void)
         }
         in[centre][0] = (float)sin(tilt);
         in[centre][1] = (float)cos(tilt);
-        /* its square of the radius: 4.3 pixels. Sectors are rounded up but for 1e-5 */
-        in[centre][2] = 0.276624f;
+        /* its square of the radius or the span: 4.3 pixels. Sectors are rounded up but for 1e-5 */
+        in[centre][2] = row[k].span ? 0.414937f : 0.276624f;
+        d.span = row[k].span;
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
         const int went = probe(&d, &frame, texture,
                                "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel)); mat3 m = "
@@ -879,6 +886,96 @@ static void slices_limits(void)
                   && (out[centre][0] > 0) == row[k].counts,
               "tilt %g, height %g%s: %g, not %g", row[k].tilt, row[k].height, row[k].beyond ? " beyond the normal" : "",
               (double)out[centre][0], want);
+    }
+}
+
+/* Sheets on both sides of a receiver, half a unit beyond the tap before them, which lies in its plane. Up to four times
+   as high they are joined to that tap and hide all below them, else next to nothing. The same where a span, which is
+   half of the radius then, brings taps as near to each other. */
+static void steep_taps_are_not_joined(void)
+{
+    static const struct { float height, radius; int span, joined; } row[] = {
+        { 1.98f, 4, 0, 1 }, { 2.02f, 4, 0, 0 }, { 1.98f, 8, 1, 1 }, { 2.02f, 8, 1, 0 } };
+    static float map[MANY][4];
+    const int centre = SIDE / 2 * SIDE + SIDE / 2;
+    for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .directions = 1, .steps = 4, .hard = 1,
+                                 .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR, .span = row[k].span };
+        const double high = (double)row[k].height, want = high * high / (high * high + 0.5625 * 0.5625);
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        if (!facing(&view, &frame, row[k].radius)) return;
+        frame.thickness = 1e-4f;
+        frame.surfel[0] = 4;
+        for (int i = 0; i < MANY; ++i) {                       /* taps: 1, 9, 25 pixels aside, and none */
+            const int aside = abs(i % SIDE - SIDE / 2);
+            map[i][0] = aside < 5 ? 10 : aside < 15 ? 10 - row[k].height : 100;
+        }
+        GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+        const int went = probe(&d, &frame, texture,
+                               "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel));"
+                               "o = vec4(ssgi_gather(texel, P, vec3(0.0, 0.0, 1.0), vec2(0.0, 0.5)).all);");
+        glDeleteTextures(1, &texture);
+        if (!went) return;
+        CHECK(row[k].joined ? fabs((double)out[centre][0] - want) < 1.0 / 32 : out[centre][0] < 1.0f / 16,
+              "height %g, %s: %g, joined %g", high, row[k].span ? "a span" : "no span", (double)out[centre][0], want);
+    }
+}
+
+/* The back of a tap lies on the tap's own ray, not the receiver's, in perspective and without: how far along the
+   receiver's plane and how high over it that is, and in which sector of its side. */
+static void backs_lie_on_their_rays(void)
+{
+    random_state = 61;
+    for (int flat_ = 0; flat_ < 2; ++flat_) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .orthographic = flat_ };
+        const ssgi_gl_frame frame = { .radius = 1 };
+        /* the receiver and the slice's turn; its normal and the thickness; the tap, along the slice and to the eye */
+        for (int i = 0; i < MANY; i += 4) {
+            const float z = uniform(1, 20), P[4] = { z * uniform(-2, 2), z * uniform(-2, 2), -z, uniform(0, 6.28f) };
+            float n[4] = { uniform(-1, 1), uniform(-1, 1), uniform(0.1f, 1), 0.1f * z * uniform(0, 1) };
+            const float tap[4] = { 0.1f * z * uniform(-1, 1), 0.1f * z * uniform(-1, 1), 0, 0 };
+            const float l = sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+            for (int c = 0; c < 3; ++c) n[c] /= l;
+            memcpy(in[i], P, sizeof P);
+            memcpy(in[i + 1], n, sizeof n);
+            memcpy(in[i + 2], tap, sizeof tap);
+        }
+        if (!probe(&d, &frame, 0,
+                   "vec3 P = X(0).xyz, V = ssgi_toward(P); mat3 m = ssgi_basis(V);"
+                   "vec3 along = m[0] * cos(X(0).w) + m[1] * sin(X(0).w), at = along * X(2).x + V * X(2).y;"
+                   "ssgi_slice s = ssgi_slice_of(P, V, along, X(1).xyz, vec2(0.5));"
+                   "vec2 x = vec2(dot(at, s.t), -dot(at, s.t)), y = vec2(dot(at, s.n));"
+                   "vec2 sector = ssgi_deepen(s, x, y, vec2(-P.z - at.z), vec2(X(1).w));"
+                   "int w = texel.x & 3; o = w == 0 ? vec4(x, y) : w == 1 ? sector.xyxy : along.xyzz;"))
+            return;
+        for (int i = 0; i < MANY; i += 4) {
+            double P[3], V[3], to[3], n[2] = { 0, 0 }, x[2] = { 0, 0 }, far = 0;
+            for (int c = 0; c < 3; ++c) { P[c] = (double)in[i][c]; far += P[c] * P[c]; }
+            for (int c = 0; c < 3; ++c) {
+                V[c] = flat_ ? c == 2 : -P[c] / sqrt(far);
+                to[c] = P[c] + (double)out[i + 2][c] * (double)in[i + 2][0] + V[c] * (double)in[i + 2][1];
+            }
+            for (int c = 0; c < 3; ++c) {
+                const double back = to[c] - (double)in[i + 1][3] * (flat_ ? c == 2 : to[c] / to[2]);
+                n[0] += (double)in[i + 1][c] * (double)out[i + 2][c];
+                n[1] += (double)in[i + 1][c] * V[c];
+                x[0] += (back - P[c]) * (double)out[i + 2][c];
+                x[1] += (back - P[c]) * V[c];
+            }
+            /* the normal's angle from the view direction; the back's place along the tangent and up */
+            const double g = atan2(n[0], n[1]), t = x[0] * cos(g) - x[1] * sin(g), up = x[0] * sin(g) + x[1] * cos(g),
+                         within = 3e-6 * sqrt(far);
+            if (n[1] < 0.1 || hypot(t, up) < 1e-3 * sqrt(far)) continue;
+            for (int side = 0; side < 2; ++side) {
+                const double ahead = side ? -t : t, turn = side ? -g : g, whole = arc(1.5707963267949 + turn, turn),
+                             sector = 32 * arc(atan2(up, ahead), turn) / whole + 0.5;
+                NEAR(out[i][side], ahead, within, "how far along the plane a back is");
+                NEAR(out[i][2 + side], up, within, "how high it is");
+                if (up > 0.005 * hypot(t, up))
+                    NEAR(out[i + 1][side], fmax(fmin(sector, 32), 0), 0.05 / whole, "its sector");
+            }
+        }
     }
 }
 
@@ -1072,10 +1169,11 @@ static int pass_drawn(float *result, int output, int components, int width, int 
     const GLenum to = GL_COLOR_ATTACHMENT0 + (GLenum)output, buffers[2] = { output ? GL_NONE : to, to };
     kit_error err = { "" };
     ssgi_gl_io row[SSGI_GL_MAX_IO];
-    GLuint block, framebuffer, program = kit_pass_program(d, &err),
-                               target = kit_texture(width, height, components == 1 ? GL_R32F : GL_RGBA32F, NULL);
+    const uint64_t key = ssgi_gl_key(d);
+    const GLuint kept = kit_program_kept(key), program = kept ? kept : kit_pass_program(d, &err);
+    GLuint block, framebuffer, target = kit_texture(width, height, components == 1 ? GL_R32F : GL_RGBA32F, NULL);
     int given_ = 0;
-    if (!CHECK(program, "%s", err.text)) return 0;
+    if (!CHECK(program && (kept || !kit_program_keep(key, program, &err)), "%s", err.text)) return 0;
     glGenBuffers(1, &block);
     glBindBuffer(GL_UNIFORM_BUFFER, block);
     glBufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)sizeof *frame, frame, GL_STATIC_DRAW);
@@ -1085,7 +1183,7 @@ static int pass_drawn(float *result, int output, int components, int width, int 
         for (int k = 0; k < count && row[i].kind == SSGI_GL_TEXTURE; ++k)
             if (!strcmp(row[i].name, textures[k].name)) {
                 glActiveTexture(GL_TEXTURE0 + (GLenum)row[i].slot);
-                glBindTexture(GL_TEXTURE_2D, textures[k].texture);
+                glBindTexture(strstr(row[i].type, "Array") ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, textures[k].texture);
                 ++given_;
             }
     glGenFramebuffers(1, &framebuffer);
@@ -1099,7 +1197,6 @@ static int pass_drawn(float *result, int output, int components, int width, int 
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteTextures(1, &target);
     glDeleteBuffers(1, &block);
-    glDeleteProgram(program);
     return CHECK(!read && given_ == count, "%s: %d of %d textures are its own", ssgi_gl_pass_name(d->pass), given_,
                  count);
 }
@@ -1231,6 +1328,73 @@ static void points_over_a_disc(void)
             if (fabs(h * h / (16 * rr) - 1) > 1e-5) NEAR(out[i][0], want, 2e-5 * want, "ssgi_form");
         }
     }
+}
+
+/* A surfel that faces receivers farther and farther from it: its form factor is r^2 / (d^2 + r^2). Of that slices have
+   all up to half a span, and less and less up to a whole one, if they see it: before the eye, and within two radii of
+   the depth at its pixel, which others surround at another depth. One that they see and that faces the eye sends the
+   light of the picture's surface, others their own. */
+static void slices_see_surfels(void)
+{
+    static const struct { float x, z, radius, toward; int seen; } row[] = {
+        { 0.06f, -10, 0.3f, -1, 1 },     { 0.06f, -9.41f, 0.3f, -1, 1 },  { 0.06f, -9.39f, 0.3f, -1, 0 },
+        { 0.06f, -10.59f, 0.3f, -1, 1 }, { 0.06f, -10.61f, 0.3f, -1, 0 }, { 0.07f, -10, 0.3f, -1, 0 },
+        { -0.01f, -10, 0.3f, -1, 0 },    { 2.1f, -50, 0.3f, -1, 0 },      { 0.06f, -0.001f, 5.1f, -1, 1 },
+        { 0.06f, 0.001f, 5.1f, -1, 0 },  { 0.06f, -10, 0.3f, 1, 1 },      { 0.06f, -9.39f, 0.3f, 1, 0 } };
+    static const float own[3] = { 0.75f, 1, 2 };
+    static float got[MANY][4];
+    static uint32_t texel[MANY][4], sender[MANY][2];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_SPLAT, .dialect = SSGI_GL_450, .orthographic = 1, .levels = 1, .span = 8,
+                             .effect = SSGI_GL_EFFECT_BOUNCE, .depth = SSGI_GL_DEPTH_LINEAR };
+    const double span = 8 * 0.25;
+    GLuint array, buffer;
+    GLint was;
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &was);
+    glGenVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    for (GLuint i = 0; i < 3; ++i) {
+        glEnableVertexAttribArray(i);
+        glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(ssgi_surfel), (const void *)(size_t)(16 * i));
+        glVertexAttribDivisor(i, 1);                           /* the same at each corner */
+    }
+    for (int i = 0; i < MANY; ++i) sender[i][0] = 256u | 128u << 9 | 64u << 18 | 16u << 27;      /* 1, 1/2, 1/4 */
+    for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
+        const ssgi_surfel surfel = { .position = { row[k].x, 0.03f, row[k].z }, .radius = row[k].radius,
+                                     .normal = { 0, 0, row[k].toward }, .colour = { own[0], own[1], own[2] } };
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        if (!facing(&view, &frame, 50)) return;
+        frame.surfel[0] = 0.25f;
+        frame.level[0] = frame.level[1] = SIDE;
+        frame.epsilon = 1e-4f;
+        for (int i = 0; i < MANY; ++i) {
+            const float P[3] = { row[k].x, 0.03f, row[k].z + row[k].toward * (float)(1.25 * span * (i + 1) / MANY) };
+            memcpy(texel[i], P, sizeof P);
+            texel[i][3] = row[k].toward < 0 ? 0x80008000u : 0xffffffffu;       /* +z, -z */
+        }
+        const given t[3] = {
+            { "t_ssgi_shuffled", kit_texture(SIDE, SIDE, GL_RGBA32UI, (const float *)(const void *)texel) },
+            { "t_ssgi_depth", grey(2 * SIDE, SIDE, 50, SIDE * SIDE + SIDE / 2, 10) },
+            { "t_ssgi_senders", kit_texture_array(SIDE, SIDE, 1, GL_RG32UI, (const float *)(const void *)sender) } };
+        glBufferData(GL_ARRAY_BUFFER, sizeof surfel, &surfel, GL_STATIC_DRAW);
+        if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 3)) return;
+        for (int i = 0; i < MANY; ++i) {                       /* of its rectangle the lower half is drawn */
+            const double away = 1.25 * span * (i + 1) / MANY, rr = (double)row[k].radius * (double)row[k].radius,
+                         sliced = row[k].seen ? fmax(fmin(2 - 2 * away / span, 1), 0) : 0,
+                         form = rr / (away * away + rr) * (1 - sliced);
+            if (i % SIDE + i / SIDE >= SIDE - 1) continue;
+            NEAR(got[i][3], form, 1e-5, row[k].seen ? "a surfel that slices see" : "one that they do not see");
+            for (int c = 0; c < 3; ++c)
+                NEAR(got[i][c], form * (row[k].seen && row[k].toward > 0 ? ldexp(1, -c) : (double)own[c]), 2e-5,
+                     "its light");
+        }
+        for (int i = 0; i < 3; ++i) glDeleteTextures(1, &t[i].texture);
+    }
+    glBindVertexArray((GLuint)was);
+    glDeleteVertexArrays(1, &array);
+    glDeleteBuffers(1, &buffer);
 }
 
 /* Pixel bounds of spheres, also of those that the near depth cuts. */
@@ -1654,6 +1818,8 @@ void test_twins(void)
     RUN("sectors are covered once, by the nearest; on the mean as much as intervals are", twin_sectors);
     RUN("slabs are as deep as their back faces say; sheets and open things by the thickness", twin_deep);
     RUN("a slice leaves out taps below 0.004 over the plane, and beyond the normal below 0.4", slices_limits);
+    RUN("taps are joined up to a slope of four, whatever the walk's length", steep_taps_are_not_joined);
+    RUN("the back of a tap lies on its own ray, as deep as it is thick", backs_lie_on_their_rays);
     RUN("what is beyond the radius, or begins behind the plane, covers nothing, however deep", what_covers_nothing);
     RUN("before a shadow map's surface it is lit for as far as depths are rounded", shadow_slack);
     RUN("a shadow map's bias as in C, up to the largest slope", shadow_bias);
@@ -1662,6 +1828,8 @@ void test_twins(void)
     RUN("the Gaussian filter has its radius' deviation", gaussian_weights);
     RUN("of a sender's unseen side counts 0.35, edge-on nothing, of a second slab half", unseen_sides);
     RUN("several points over a disc stand in the middles of equal rings", points_over_a_disc);
+    RUN("slices see surfels within two radii of the picture's depth, and have the near share of them",
+        slices_see_surfels);
     RUN("a sphere's bounds in the picture as in C, before and across the near depth", twin_spheres);
     RUN("a triangle's parts are as many as in C, about the near plane, too", twin_parts);
     RUN("levels, counts, radii and shrunk corners of triangles are those of C", twin_tessellation);
