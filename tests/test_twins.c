@@ -1600,23 +1600,28 @@ static GLuint filled(float value)
     return kit_texture(SIDE, SIDE, GL_R32F, texel);
 }
 
-/* Frames are counted on where the last one shows the same plane: of four texels one alone counts whole. Of what lies
-   within the radius a hundredth that changed leaves two; what moves on its own, by motion vectors, keeps them. */
+/* Frames are counted on where the last one shows the same plane, up to a pixel beyond its picture: of four texels one
+   alone counts whole, if it weighs a quarter. They are 16 at most, amid two texels 10.7, amid four 8. Where a hundredth
+   of what lies within the radius changed two are left; things that move by more than half a pixel on their own, by
+   motion vectors, keep theirs. */
 static void history_counts_on(void)
 {
     static float now[MANY][2], last[MANY][4], went[MANY][2], got[MANY][4];
     const int centre = SIDE / 2 * SIDE + SIDE / 2;
-    const struct { float by, nearby; int alone, motion; double frames; } cases[] = {
-        { 0.25f / 16, 0, 1, 0, 6 }, { 0, 0, 0, 0, 6 }, { 0, 0.01f, 0, 0, 2 }, { 0, 1, 0, 0, 1.01 }, { 0, 1, 0, 1, 6 } };
-    for (int i = 0; i < MANY; ++i) went[i][0] = 2;
+    const struct { float by, nearby; int alone; float own, kept; double frames; } cases[] = {
+        { 0.25f, 0, 1, 0, 5, 6 },   { 0.45f, 0, 1, 0, 5, 6 },  { 0.55f, 0, 1, 0, 5, 1 },    { 0, 0, 0, 0, 5, 6 },
+        { 0, 0, 0, 0, 40, 16 },     { 0, 0, 0, 0.5f, 40, 16 / 1.5 }, { 0.5f, 0, 0, 0, 40, 8 }, { 32.9f, 0, 0, 0, 5, 6 },
+        { 33.1f, 0, 0, 0, 5, 1 },   { 0, 0.01f, 0, 0, 5, 2 },  { 0, 1, 0, 0, 5, 1.01 },     { 0, 1, 0, 0.45f, 5, 1.01 },
+        { 0, 1, 0, 0.55f, 5, 6 },   { 0, 1, 0, 2, 5, 6 } };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1,
-                                 .motion = cases[k].motion, .normal = SSGI_GL_NORMAL_CUSTOM, .fetch = FACING };
+                                 .motion = cases[k].own > 0, .normal = SSGI_GL_NORMAL_CUSTOM, .fetch = FACING };
         ssgi_gl_frame frame;
         ssgi_view view;
-        if (!follows_itself(&view, &frame, cases[k].alone ? 0.01f : 1, cases[k].by)) return;
+        if (!follows_itself(&view, &frame, cases[k].alone ? 0.01f : 1, cases[k].by / 16)) return;
         for (int i = 0; i < MANY; ++i) {
-            const float texel[4] = { 0.5f, cases[k].alone && i != centre ? 50 : 10, 0.5f, 5 };
+            const float texel[4] = { 0.5f, cases[k].alone && i != centre ? 50 : 10, 0.5f, cases[k].kept };
+            went[i][0] = cases[k].own;
             now[i][0] = 0.5f;
             now[i][1] = 10;
             memcpy(last[i], texel, sizeof texel);
@@ -1625,7 +1630,7 @@ static void history_counts_on(void)
                              { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) },
                              { "t_ssgi_nearby", filled(cases[k].nearby) },
                              { "t_ssgi_motion", kit_texture(SIDE, SIDE, GL_RG32F, went[0]) } };
-        if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 3 + cases[k].motion)) return;
+        if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 3 + d.motion)) return;
         CHECK(fabs((double)got[centre][3] - cases[k].frames) < 1e-3
                   && (!cases[k].alone || got[centre + 3 * SIDE + 3][3] == 1),
               "case %zu: %g frames, of none %g", k, (double)got[centre][3], (double)got[centre + 3 * SIDE + 3][3]);
@@ -1633,28 +1638,152 @@ static void history_counts_on(void)
     }
 }
 
-/* A nearer square comes or goes, and a camera passes by one that stays: of 4x4 pixels that are tested in a tile those
-   that the square holds, at its depth. With motion vectors of 0 fewer than four are an edge's, not a change. */
+/* The last frame saw a plane that is off by up to twice the slack, which is half a pixel and a thousandth of the depth,
+   and as many pixels more as a thing moved beyond half a one. It is measured across the plane, though depths are along
+   the view, and where a camera came nearer from what it saw before. */
+static void history_keeps_its_plane(void)
+{
+    static const struct { const char *normal; double cosine; float own, nearer; } row[] = {
+        { "0.0, 0.0, 1.0", 1, 0, 0 }, { "0.0, 0.8, 0.6", 0.6, 0, 0 }, { "0.0, 0.0, 1.0", 1, 0, 3 },
+        { "0.0, 0.0, 1.0", 1, 1, 0 }, { "0.0, 0.0, 1.0", 1, 3, 0 } };
+    static float now[MANY][2], last[MANY][4], went[MANY][2], got[MANY][4];
+    const float still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
+        const double pixel = 1.0 / 16, slack = 0.5 * pixel + 0.001 * 10 + fmax((double)row[k].own - 0.5, 0) * pixel;
+        const int moved = (int)row[k].own;
+        char fetch[100];
+        snprintf(fetch, sizeof fetch, "vec3 ssgi_custom_normal(ivec2 texel) { return vec3(%s); }\n", row[k].normal);
+        const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1, .motion = 1,
+                                 .normal = SSGI_GL_NORMAL_CUSTOM, .fetch = fetch };
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        float before[16];
+        const char *why = "";
+        memcpy(before, still, sizeof before);
+        before[14] = -row[k].nearer;
+        if (!facing(&view, &frame, 1)
+            || !CHECK(ssgi_gl_frame_history(&frame, &view, still, before, &why) == SSGI_OK, "%s", why))
+            return;
+        for (int i = 0; i < MANY; ++i) {
+            const double off = slack / row[k].cosine * (4.0 * i / MANY - 2);
+            const float texel[4] = { 0.5f, (float)(10 + (double)row[k].nearer + off), 0.5f, 5 };
+            now[i][0] = 0.5f;
+            now[i][1] = 10;
+            went[i][1] = -row[k].own;
+            memcpy(last[i], texel, sizeof texel);
+        }
+        const given t[4] = { { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, now[0]) },
+                             { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) },
+                             { "t_ssgi_nearby", filled(0) },
+                             { "t_ssgi_motion", kit_texture(SIDE, SIDE, GL_RG32F, went[0]) } };
+        if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 4)) return;
+        for (int i = 0; i < MANY - (moved + 1) * SIDE; ++i) {  /* it moved up by so many rows */
+            const double off = 4.0 * (i + moved * SIDE) / MANY - 2;
+            if (fabs(fabs(off) - 1) > 2e-3)
+                CHECK((got[i][3] > 1) == (fabs(off) < 1), "row %d: off by %g of the slack: %g frames", k, off,
+                      (double)got[i][3]);
+        }
+        for (int i = 0; i < 4; ++i) glDeleteTextures(1, &t[i].texture);
+    }
+}
+
+/* Any last state, and this frame a checkerboard beside an even half. A pixel's value is the mean of 3x3 texels up to
+   two frames, of five from three on. The mean over three frames goes a third of the way to it and stays within 0.7
+   deviations and 2 % of it; that over all goes 1/frames of it, at most 16, and stays within 0.2 and 0.5 % of the other,
+   for which it forgets up to 0.85 of the frames. Light that has to become three times as bright begins anew. */
+static void history_follows(void)
+{
+    static float now[MANY][4], last[MANY][4], means[MANY][2], light[MANY][4], kept[MANY][4];
+    const double tint[2][3] = { { 1, 1, 1 }, { 2, (1 - 2 * 0.2126) / 0.7152, 0 } };   /* as bright as grey */
+    int held = 0, pulled = 0, neither = 0, anew = 0;
+    random_state = 67;
+    for (int colour = 0; colour < 2; ++colour) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1,
+                                 .colour = colour ? SSGI_GL_COLOUR : SSGI_GL_GREY, .normal = SSGI_GL_NORMAL_CUSTOM,
+                                 .fetch = FACING };
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        if (!follows_itself(&view, &frame, 1, 0)) return;
+        for (int i = 0; i < MANY; ++i) {
+            const float value = i % SIDE < SIDE / 2 ? 0.5f : (i + i / SIDE) & 1 ? 0.4f : 0.6f,
+                        mean = value + uniform(-0.4f, 0.3f), quick = mean + uniform(-0.1f, 0.1f);
+            means[i][0] = quick;
+            means[i][1] = uniform(0, 20);
+            for (int c = 0; c < 3; ++c) {
+                now[i][c] = value * (float)tint[colour][c];
+                last[i][c] = mean * (float)tint[colour][c];
+            }
+            now[i][colour ? 3 : 1] = last[i][colour ? 3 : 1] = 10;
+            if (!colour) memcpy(&last[i][2], means[i], sizeof means[i]);
+        }
+        const given t[4] = { { colour ? "t_ssgi_light" : "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RGBA32F, now[0]) },
+                             { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) },
+                             { "t_ssgi_nearby", filled(0) },
+                             { "t_ssgi_means", kit_texture(SIDE, SIDE, GL_RG32F, means[0]) } };
+        if (!pass_drawn(light[0], colour, 4, SIDE, SIDE, &d, &frame, t, 3 + colour)
+            || (colour && !pass_drawn(kept[0], 0, 4, SIDE, SIDE, &d, &frame, t, 4)))
+            return;
+        for (int i = 0; i < MANY; ++i) {
+            const int x = i % SIDE, y = i / SIDE, even = x < SIDE / 2;
+            if ((x + 1) % (SIDE / 2) < 2 || (y + 1) % SIDE < 2) continue;          /* has other neighbours */
+            const double h = even ? 0 : (i + y) & 1 ? -0.1 : 0.1, n = (double)means[i][1],
+                         most = n < 1 ? 1 : fmin(n + 1, 16), value = 0.5 + h * (most < 3 ? 1 / 9.0 : -3 / 5.0);
+            /* of nine texels; of five, which are few: a tenth of the value more */
+            const double deviation = most < 3 ? fabs(h) * sqrt(10 / 9.0) : 1.2 * sqrt(h * h + 0.01 * value * value),
+                         jump = 0.7 * deviation + 0.02 * value, drift = 0.2 * deviation + 0.005 * value;
+            double quick = value + ((double)means[i][0] - value) * (1 - 1 / fmin(most, 3)),
+                   mean = value + ((double)last[i][0] / tint[colour][0] - value) * (1 - 1 / most), frames = most;
+            held += fabs(quick - value) > jump;
+            quick = fmax(fmin(quick, value + jump), value - jump);
+            const double by = fmax(fmin(mean, quick + drift), quick - drift) - mean;
+            pulled += fabs(by) > 0;
+            neither += !(fabs(by) > 0) && n > 3;
+            mean += by;
+            frames = fmax(frames * (1 - 0.85 * fmin(fabs(by) / drift, 1)), 1);
+            if (colour && by > 2 * (mean - by)) mean = quick = value, frames = 1, ++anew;
+            for (int c = 0; c < (colour ? 3 : 1); ++c) NEAR(light[i][c], mean * tint[colour][c], 1e-5, "the mean");
+            NEAR(colour ? kept[i][0] : light[i][2], quick, 1e-5, "the mean over three frames");
+            NEAR(colour ? kept[i][1] : light[i][3], frames, 2e-3, "frames");
+        }
+        for (int i = 0; i < 4; ++i) glDeleteTextures(1, &t[i].texture);
+    }
+    CHECK(held > MANY / 4 && pulled > MANY / 4 && neither > MANY / 16 && anew > MANY / 64,
+          "%d are held, %d pulled, %d neither, %d begin anew", held, pulled, neither, anew);
+}
+
+/* A nearer rectangle comes or goes, a camera passes by one that stays, or it moves by a pixel before a camera that
+   trembles: of 4x4 pixels that are tested in a tile those that changed, at its depth. Depths of one surface differ by
+   less than a pixel and a 500th. With motion vectors of 0 fewer than four pixels are an edge's, not a change. */
 static void changes_are_counted(void)
 {
     enum { TILES = SIDE / 8, LOW = TILES / 2 - 1, HIGH = TILES / 2 };
     static float depth[MANY], last[MANY][4], still[MANY][2], got[TILES * TILES][4];
-    const struct { int came, went, half, motion; float by; double low, high; } cases[] = {
-        { 0, 0, 6, 0, 0, 0, 0 },          { 1, 0, 6, 0, 0, 4 / 16.0, 9 / 16.0 }, { 0, 1, 6, 0, 0, 4 / 16.0, 9 / 16.0 },
-        { 1, 1, 6, 0, 0.7f / 16, 0, 0 },  { 1, 0, 2, 0, 0, 0, 1 / 16.0 },        { 1, 0, 2, 1, 0, 0, 0 },
-        { 1, 0, 6, 1, 0, 4 / 16.0, 9 / 16.0 } };
+    const struct { int came, went, wide, high_, motion, moved; float by, depth; double low, high; } cases[] = {
+        { 0, 0, 6, 6, 0, 0, 0, 9, 0, 0 },
+        { 1, 0, 6, 6, 0, 0, 0, 9, 4 / 16.0, 9 / 16.0 },
+        { 0, 1, 6, 6, 0, 0, 0, 9, 4 / 16.0, 9 / 16.0 },
+        { 1, 0, 6, 6, 0, 0, 0, 9.915f, 4 / 16.0, 9 / 16.0 },   /* 1/16 and 0.02 */
+        { 1, 0, 6, 6, 0, 0, 0, 9.92f, 0, 0 },
+        { 1, 1, 6, 6, 0, 1, 0.7f, 9, 0, 0 },
+        { 1, 1, 6, 6, 0, 1, 0.03f, 9, 0, 0 },                  /* its edge reached another pixel's centre */
+        { 1, 1, 6, 6, 0, 1, 0.015f, 9, 0, 3 / 16.0 },          /* of x = 6, which it left, y = 0, 2 and 4 */
+        { 1, 0, 2, 2, 0, 0, 0, 9, 0, 1 / 16.0 },
+        { 1, 0, 2, 2, 1, 0, 0, 9, 0, 0 },
+        { 1, 0, 3, 7, 0, 0, 0, 9, 3 / 16.0, 8 / 16.0 },
+        { 1, 0, 3, 7, 1, 0, 0, 9, 0, 8 / 16.0 },
+        { 1, 0, 6, 6, 1, 0, 0, 9, 4 / 16.0, 9 / 16.0 } };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_CHANGES, .dialect = SSGI_GL_450, .orthographic = 1,
                                  .depth = SSGI_GL_DEPTH_LINEAR, .motion = cases[k].motion,
                                  .normal = SSGI_GL_NORMAL_CUSTOM, .fetch = FACING };
         ssgi_gl_frame frame;
         ssgi_view view;
-        if (!follows_itself(&view, &frame, 1, cases[k].by)) return;
+        if (!follows_itself(&view, &frame, 1, cases[k].by / 16)) return;
         for (int i = 0; i < MANY; ++i) {
-            const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2, half = cases[k].half;
-            const int square = abs(x) < half && abs(y) < half, was = abs(x - 1) < half && abs(y) < half;
-            depth[i] = cases[k].came && square ? 9 : 10;
-            const float texel[4] = { 0.5f, cases[k].went && (cases[k].by > 0 ? was : square) ? 9 : 10, 0.5f, 5 };
+            const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2, wide = cases[k].wide, high = cases[k].high_;
+            const int is = abs(x) < wide && abs(y) < high, was = abs(x - cases[k].moved) < wide && abs(y) < high;
+            const float texel[4] = { 0.5f, cases[k].went && was ? cases[k].depth : 10, 0.5f, 5 };
+            depth[i] = cases[k].came && is ? cases[k].depth : 10;
             memcpy(last[i], texel, sizeof texel);
         }
         const given t[3] = { { "t_ssgi_depth", kit_texture(SIDE, SIDE, GL_R32F, depth) },
@@ -1663,7 +1792,7 @@ static void changes_are_counted(void)
         if (!pass_drawn(got[0], 0, 4, TILES, TILES, &d, &frame, t, 2 + cases[k].motion)) return;
         const float *low = got[LOW * TILES + LOW], *high = got[HIGH * TILES + HIGH], *away = got[0];
         CHECK(fabs((double)low[0] - cases[k].low) + fabs((double)high[0] - cases[k].high) + (double)away[0] < 1e-6
-                  && (high[0] <= 0 || fabsf(high[1] - 9) + fabsf(high[2] - 9) < 1e-3f),
+                  && (high[0] <= 0 || fabsf(high[1] - cases[k].depth) + fabsf(high[2] - cases[k].depth) < 1e-3f),
               "case %zu: shares %g %g, away %g, depths %g %g", k, (double)low[0], (double)high[0], (double)away[0],
               (double)high[1], (double)high[2]);
         for (int i = 0; i < 3; ++i) glDeleteTextures(1, &t[i].texture);
@@ -1671,19 +1800,22 @@ static void changes_are_counted(void)
 }
 
 /* One tile changed, whole; the radius is two tiles long. Within it and a tile more a sixteenth of what lies there did,
-   unless that is nearer or farther than the radius. */
+   unless that is nearer or farther than the radius. Where it is six tiles every other one is looked at, and counts for
+   four; where it is one, a quarter changed. */
 static void changes_are_nearby(void)
 {
     enum { TILES = SIDE / 8, AT = TILES / 2 };
     static float changes[TILES * TILES][4], got[TILES * TILES];
     const ssgi_gl_desc d = { .pass = SSGI_GL_NEARBY, .dialect = SSGI_GL_450, .orthographic = 1,
                              .depth = SSGI_GL_DEPTH_LINEAR };
-    const float depths[] = { 9.5f, 8.9f, 11.1f };
-    for (int k = 0; k < 3; ++k) {
-        const float changed[4] = { 1, depths[k], depths[k], 0 };
+    const struct { float radius, depth; int tiles, apart; double share; } cases[] = {
+        { 1, 9.5f, 3, 1, 1 / 16.0 }, { 1, 8.9f, 0, 1, 0 }, { 1, 11.1f, 0, 1, 0 }, { 3, 9.5f, 7, 2, 4 / 144.0 },
+        { 0.5f, 9.7f, 2, 1, 1 / 4.0 } };
+    for (int k = 0; k < (int)(sizeof cases / sizeof *cases); ++k) {
+        const float changed[4] = { 1, cases[k].depth, cases[k].depth, 0 };
         ssgi_gl_frame frame;
         ssgi_view view;
-        if (!facing(&view, &frame, 1)) return;
+        if (!facing(&view, &frame, cases[k].radius)) return;
         for (int i = 0; i < TILES * TILES; ++i) changes[i][1] = 1e18f;
         memcpy(changes[AT * TILES + AT], changed, sizeof changed);
         const given t[2] = { { "t_ssgi_depth", filled(10) },
@@ -1691,7 +1823,8 @@ static void changes_are_nearby(void)
         if (!pass_drawn(got, 0, 1, TILES, TILES, &d, &frame, t, 2)) return;
         for (int i = 0; i < TILES * TILES; ++i) {
             const int x = abs(i % TILES - AT), y = abs(i / TILES - AT);
-            NEAR(got[i], !k && x <= 3 && y <= 3 ? 1 / 16.0 : 0, 1e-6, "the share nearby");
+            const int met = x <= cases[k].tiles && y <= cases[k].tiles && !((x | y) % cases[k].apart);
+            NEAR(got[i], met ? cases[k].share : 0, 1e-6, "the share nearby");
         }
         for (int i = 0; i < 2; ++i) glDeleteTextures(1, &t[i].texture);
     }
@@ -1731,6 +1864,53 @@ static void history_spreads(void)
         NEAR(out[i][0], 0.6, 1e-6, "the mean");
         NEAR(out[i][1], 0.06 * sqrt(few * (few - 1)), 1e-3, "the deviation");
     }
+}
+
+/* Of half size 3x3 texels are averaged by tents two of them long, the less the farther they are off the plane; where
+   frames are averaged, the four next to a pixel by steeper ones. Their weights fall off: all of them count as 7. */
+static void history_spreads_half_size(void)
+{
+    static float map[MANY][4];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1, .half = 1,
+                             .depth = SSGI_GL_DEPTH_CUSTOM, .normal = SSGI_GL_NORMAL_CUSTOM,
+                             .fetch = FACING "float ssgi_custom_depth(ivec2 texel, int layer) { return 10.0; }\n" };
+    ssgi_gl_frame frame;
+    ssgi_view view;
+    if (!facing(&view, &frame, 1)) return;
+    random_state = 71;
+    for (int i = 0; i < MANY; ++i) {                       /* off by up to half of a 20th of the radius and a pixel */
+        map[i][0] = uniform(0.4f, 0.6f);
+        map[i][1] = 10 + uniform(0, 0.5f) * (0.05f + 1.0f / 16) * (float)(i & 1);
+    }
+    GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+    for (int settled = 0; settled < 2; ++settled) {
+        char statements[300];
+        snprintf(statements, sizeof statements,
+                 "ssgi_blurred c = ssgi_blurred_at(texel); c.settled = %s;"
+                 "ssgi_filtered f = ssgi_filter(texel, c); float mean = f.light.x / f.light.w;"
+                 "o = vec4(mean, ssgi_deviation(f, mean), 0.0, 0.0);", settled ? "true" : "false");
+        if (!probe(&d, &frame, texture, statements)) break;
+        for (int i = 0; i < MANY; ++i) {
+            const int x = i % SIDE, y = i / SIDE;
+            double weights = 0, both = 0, sum = 0, squares = 0;
+            if (x < 2 || y < 2 || x >= SIDE - 2 || y >= SIDE - 2) continue;
+            for (int k = 0; k < 9; ++k) {
+                const int h[2] = { x / 2 + k % 3 - 1, y / 2 + k / 3 - 1 };
+                const int beside = k % 3 != 2 - 2 * (x & 1) && k / 3 != 2 - 2 * (y & 1);
+                const double tent = (4 - abs(2 * h[0] - x)) * (4 - abs(2 * h[1] - y)),
+                             value = (double)map[h[1] * SIDE + h[0]][0],
+                             off = ((double)map[h[1] * SIDE + h[0]][1] - 10) / (0.05 + 1.0 / 16),
+                             weight = (settled ? beside * (12 + tent) : 1) * tent / (0.02 + off * off);
+                weights += weight, both += weight * weight;
+                sum += weight * value, squares += weight * value * value;
+            }
+            const double mean = sum / weights, share = both / (weights * weights), few = 7 * share,
+                         variance = (squares / weights - mean * mean) / fmax(1 - share, 0.2);
+            NEAR(out[i][0], mean, 1e-5, "the mean");
+            NEAR(out[i][1], sqrt((variance + 0.01 * mean * mean * fmax(few - 1, 0)) * few), 1e-4, "the deviation");
+        }
+    }
+    glDeleteTextures(1, &texture);
 }
 
 /* Of half size each of the four pixels is drawn in turn, as often as the others, whatever its directions; texels beyond
@@ -1836,10 +2016,15 @@ void test_twins(void)
     RUN("what the last frame knows lies between four texels of its plane", history_lies_between);
     RUN("frames are counted on where the surface was seen, the fewer the more of what is nearby changed",
         history_counts_on);
+    RUN("the last frame's plane is known up to half a pixel and a thousandth of the depth, and as far as things moved",
+        history_keeps_its_plane);
+    RUN("a mean over three frames tells change: that over all follows it and forgets", history_follows);
     RUN("an occluder that came or went is counted in tiles; a camera that moves, and edges, are not",
         changes_are_counted);
     RUN("changes are nearby within the radius, in the picture and in depth", changes_are_nearby);
     RUN("the fewer texels a surface has, the farther its mean may be off", history_spreads);
+    RUN("of half size texels count by tents and planes, and a pixel's four neighbours more where frames are averaged",
+        history_spreads_half_size);
     RUN("of half size each pixel of four is drawn in turn", pixels_take_turns);
     kit_gl_close();
 }
