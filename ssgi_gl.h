@@ -4103,8 +4103,8 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 enum {
     SSGI_GL__CHAIN_NONE = 0, /* ssgi_gl_chain.desc must not be of this pass */
     SSGI_GL__CHAIN_ALONE,    /* a chain may be of this pass, and holds nothing else */
-    SSGI_GL__CHAIN_FILTERED, /* and its filter */
-    SSGI_GL__CHAIN_OWN       /* and what ssgi_gl__build_chain adds for it */
+    SSGI_GL__CHAIN_FILTERED, /* a chain may be of it, and filters its o_ssgi_ao */
+    SSGI_GL__CHAIN_OWN       /* a chain may be of it, and holds what ssgi_gl__build_chain adds */
 };
 
 enum {
@@ -6010,8 +6010,13 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
 static void ssgi_gl__compose(ssgi_gl__build *b)
 {
     ssgi_gl_desc d = b->chain->desc;
+    const int grey = b->light >= 0 && b->light == *ssgi_gl__texture(b, "ao");
     if (!d.onto || b->picture) return;
-    d.colour = b->light >= 0 && b->light == *ssgi_gl__texture(b, "ao") ? SSGI_GL_GREY : SSGI_GL_COLOUR;
+    if (!grey && ssgi_gl__pass_of(d.pass)->chain != SSGI_GL__CHAIN_OWN) {
+        b->why = "chain.desc.onto: this pass writes neither ambient visibility nor light";
+        return;
+    }
+    d.colour = grey ? SSGI_GL_GREY : SSGI_GL_COLOUR;
     d.bounce = b->light >= 0 && b->bounce >= 0;
     *ssgi_gl__texture(b, "light") = b->light < 0 ? b->bounce : b->light;
     *ssgi_gl__texture(b, "bounce") = b->bounce;

@@ -6,4 +6,12 @@
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
 #include "../ssgi_gl.h"
+
+/* First, where what follows asks passes for their rows: the compiler counts them, but one may stand there twice. */
+static inline int every_pass_has_a_row(void)
+{
+    int pass = 0;
+    while (pass < SSGI_GL_PASSES && ssgi_gl_pass_name(pass)) ++pass;
+    return CHECK(pass == SSGI_GL_PASSES, "pass %d has no row in ssgi_gl__passes (ssgi_gl.h, >>passes)", pass);
+}
 #endif
