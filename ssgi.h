@@ -4715,7 +4715,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    CHANGES since 0.3
    View depths of 1 / SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing
    in front of the camera, ssgi_gl_plan a thickness that there is not. To ssgi_gl_sent_set a radiance of 1e-30 or less
-   is nothing.
+   is nothing. Without desc.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: nobody else
+   sent that.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

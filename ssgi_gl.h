@@ -627,7 +627,8 @@ typedef struct ssgi_gl_chain {
 
     /* ---- surfels */
     int surfels;    /* splat   1: pass surfels writes them this frame: lit, or from patches */
-    int hidden_sky; /* splat   1: desc.environment lights surfels that the picture does not show, unoccluded */
+    int hidden_sky; /* splat   1: desc.environment lights surfels that the picture does not show, unoccluded. LIGHT
+                       without span does so by itself, of all surfels */
 
     /* ---- targets */
     int precise; /* 0: 16-bit floats, 8 bits for what is final; 1: 32-bit floats; 2: for coefficients, too */
@@ -5972,7 +5973,8 @@ static void ssgi_gl__deep(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
-    if (!chain->hidden_sky) d.environment = SSGI_GL_ENVIRONMENT_NONE;
+    /* without slices nothing else sends the environment's light */
+    if (!chain->hidden_sky && (d.span || d.effect != SSGI_GL_EFFECT_LIGHT)) d.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (chain->surfels) ssgi_gl__add(b, &d, SSGI_GL_SURFELS, 0);
     if (chain->surfels) d.tessellate = 0;
     ssgi_gl__add(b, &d, SSGI_GL_SHUFFLE, 0);

@@ -1783,6 +1783,42 @@ static void linear(void)
     }
 }
 
+/* Without slices every surfel sends its colour of a white sky, of which it takes as much as it is seen: bounce is albedo
+   times what of the light is missing. Without the bounce light is the same, and its truth has none either. */
+static void sky_returned(void)
+{
+    static const char *const sets[] = { "span=0,size=0.05", "span=0,size=0.05,way=direct",
+                                        "span=0,size=0.05,bounce=none" };
+    double light[3], bounce[3];
+    kit_method m;
+    kit_lighting l;
+    kit_image truth;
+    deep d;
+    if (!lighten(&l, "white", NULL)) return;
+    for (int k = 0; k < 3; ++k) {
+        kit_image out;
+        if (!dive(&d, "corner", NULL, 0, NULL, 64, 36, "dss-lit", sets[k], 0.8f, &l) || !drawn(&out, &d.run)) return;
+        light[k] = mean(&out, "irradiance.G");
+        bounce[k] = mean(&out, "bounce.G");
+        kit_image_free(&out);
+        if (k < 2) surface(&d);
+    }
+    if (!TRY(kit_method_find(&m, "dss-lit", &err)) || !TRY(kit_method_set(&m, sets[2], &err))
+        || !TRY(kit_method_truth(&truth, &m, &d.scene, &d.g.camera, &l, 0.8f, 4, 1, &err)))
+        return;
+    for (int k = 0; k < 2; ++k) {
+        const double want = (double)d.scene.mesh.albedo[1] * (1 - light[k]);
+        CHECK(want > 0.01 && fabs(bounce[k] / want - 1) < 0.05, "%s: %.4f, not %.4f", sets[k], bounce[k], want);
+    }
+    CHECK(light[2] == light[0] && bounce[2] == 0 && mean(&truth, "bounce.G") == 0 && mean(&truth, "irradiance.G") > 0.5,
+          "without a bounce: light %.4f, not %.4f, bounce %.4f, its truth's %.4f", light[2], light[0], bounce[2],
+          mean(&truth, "bounce.G"));
+    t_note("of a white sky %.4f is missing, %.4f comes back", 1 - light[0], bounce[0]);
+    kit_image_free(&truth);
+    kit_image_free(&l.env);
+    surface(&d);
+}
+
 void test_surfels(void)
 {
     RUN("points of all 64 levels are counted and placed as the tessellator does", points);
@@ -1815,6 +1851,7 @@ void test_surfels(void)
     RUN("a disc at hand, looked at more near_samples", near_samples);
     RUN("a scattering plane is as bright as its dipole's total", scattering);
     RUN("beside a wall slices see what surfels are too coarse for", creases);
+    RUN("without slices surfels reflect what they take of a white sky; bounce=none: nothing", sky_returned);
     RUN("a bounce is linear in its light, from 0.1 to 100", linear);
     RUN("occlusion, light and bounce against rays", against_truth);
     kit_gl_close();

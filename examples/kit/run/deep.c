@@ -119,7 +119,7 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
     kit_rotation_of(run->frame.rotation, picture, NULL);
     m->gather.environment = SSGI_GL_ENVIRONMENT_MAP;
     if (env->data && kit_add_environment(m)) return -1;
-    /* of surfels: what splats hide is seen all the same */
+    /* of surfels: what splats hide is seen all the same, and without slices all are lit anyway */
     if (!env->data || !m->set->sky) m->gather.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (kit_seen(run->gbuffer, &seen, m->err)) return -1;
     kit_placed_light *placed = kit_placed_lights_new(m, &seen, &count, &s->lamps);
@@ -164,7 +164,7 @@ static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const 
           || ssgi_surfels(s->surfel, run->surfels, &run->surfels, &s->desc, view, &source, &why) != SSGI_OK
           || ssgi_surfels_predict(&cost, &s->desc, &splat, view, &source, &why) != SSGI_OK;
     if (!failed && m->run->lit) {
-        if (env->data && (m->gather.environment || m->gather.span)) mean_of(sky, env);
+        if (env->data && (m->gather.environment || m->gather.effect == SSGI_GL_EFFECT_LIGHT)) mean_of(sky, env);
         failed = !s->rows || ssgi_gl_sent_set(&run->frame, s->surfel, run->surfels, s->rows, s->lamps, sky, &why)
                                  != SSGI_OK;
     }
@@ -190,7 +190,7 @@ static ssgi_gl_chain chain_of(const kit_making *m, const surfels *s)
     ssgi_gl_chain chain = kit_chain(m);
     chain.blur = chain.history = 0;
     chain.desc.tessellate = way != KIT_WAY_CPU;
-    chain.desc.bounce = m->gather.effect == SSGI_GL_EFFECT_LIGHT;
+    chain.desc.bounce = m->gather.effect == SSGI_GL_EFFECT_LIGHT && m->set->bounce;
     chain.desc.environment =
         lit && m->world->lighting->env.data ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
     chain.hidden_sky = m->gather.environment != SSGI_GL_ENVIRONMENT_NONE;

@@ -154,8 +154,10 @@ ROW(near_row, near_samples, "points over a surfel for pixels within 4 of its rad
     NULL, 4, 1, 16, GATHER, DESC(near_samples))
 ROW(span_row, span, "what is nearer than so many surfel radii is left to slices, all else to surfels",
     NULL, 4, 0, 64, GATHER, DESC(span))
-ROW(hidden_sky_row, sky, "1: --env lights surfels that the picture does not show, too, unoccluded",
+ROW(hidden_sky_row, sky, "1: --env lights surfels that the picture does not show, too, unoccluded; span=0: always, all",
     NULL, 0, 0, 1, PLAN, 0)
+ROW(sent_row, bounce, "one diffuse bounce of surfels; none: directional occlusion alone",
+    "none surfels", 1, 0, 1, PLAN, 0)
 ROW(offscreen_growth_row, offscreen_growth, "radius added per distance outside the frustum", NULL, 0.1, 0, 1, PLAN, 0)
 ROW(near_depth_row, near_depth, "splats end at: 1: the frame's minimum depth, 0: the near plane",
     NULL, 1, 0, 1, PLAN, 0)
@@ -284,7 +286,8 @@ static const plan plans[] = {
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_LIGHT,
       SSGI_GL_BALANCED,
-      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED, &span_row) },
+      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &sent_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED,
+              &span_row) },
     { "dss-gloss",
       "the same: one specular bounce; irradiance: radiance of the lobe",
       SSGI_GL_SPLAT,

@@ -17,7 +17,7 @@ static int trace_deep(kit_image *out, const kit_method *m, const kit_scene *scen
     if (m->effect == SSGI_GL_EFFECT_SPECULAR)
         return kit_truth_gloss(out, scene, camera, lighting, radius, KIT_ATTENUATION_NONE, m->set.exponent, rays,
                                stride, err);
-    return kit_truth_lit(out, scene, camera, lighting, radius, KIT_ATTENUATION_NONE, 1, rays, stride, err);
+    return kit_truth_lit(out, scene, camera, lighting, radius, KIT_ATTENUATION_NONE, m->set.bounce, rays, stride, err);
 }
 
 int kit_method_truth(kit_image *out, const kit_method *m, const kit_scene *scene, const kit_camera *camera,
