@@ -58,7 +58,8 @@ int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, flo
     const char *plain =
         strstr(method, "-points") ? "blur=0,samples=33,steps=1,range=0,fade=none" : "blur=0,half=0,steps=33";
     return CHECK(!kit_method_find(&m, method, &err) && !kit_method_set(&m, plain, &err)
-                     && (strncmp(method, "s3ho", 4) || !kit_method_set(&m, "residual=0", &err))
+                     && ((strncmp(method, "s3ho", 4) && strncmp(method, "ssdo", 4))
+                         || !kit_method_set(&m, "residual=0", &err))
                      && !kit_method_set(&m, set, &err) && !kit_run_open(run, g, &m, radius, &world, &err),
                  "%s %s: %s", method, set, err.text);
 }
@@ -225,6 +226,7 @@ static void open_planes(void)
     static const struct { const char *env, *set; double off;
     } row[] = { { "white", "environment=map", 1e-5 },       { "white", "environment=sh", 1e-5 },
                 { "sky", "environment=map", 0.01 },         { "sky", "environment=sh", 0.02 },
+                { "sky", "environment=sh,bands=1,residual=1", 0.01 },
                 { "sky", "environment=map,sets=16", 0.01 }, { "sky", "environment=sh,sets=16", 0.02 } };
     static const double tilts[] = { 0, 30, 60, 75 };
     static const float targets[4][3] = {
@@ -246,7 +248,7 @@ static void open_planes(void)
         if (!planes_seen(&frame[k], &c, n, 1, "") || !TRY(kit_gbuffer_from_frame(&g[k], &frame[k], &c, &err))) return;
     }
     for (int i = 0; i < (int)(sizeof row / sizeof row[0]); ++i) {
-        const int white = !strcmp(row[i].env, "white"), bands = strstr(row[i].set, "sh") != NULL;
+        const int white = !strcmp(row[i].env, "white"), bands = strstr(row[i].set, "sh") && !strstr(row[i].set, "residual=1");
         double worst = 0, noise = 0, brightest[3] = { 0 };
         kit_lighting l;
         kit_run run;

@@ -3,18 +3,33 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What the harmonics lack of unoccluded irradiance by the environment and so many suns. */
+static int add_residual(kit_making *m, const ssgi_sun *suns, int count)
+{
+    enum { OPEN = 32 };
+    const kit_image *env = &m->world->lighting->env;
+    kit_run *run = m->run;
+    const char *why = "out of memory";
+    float *map = calloc(3 * OPEN * OPEN, sizeof *map), *four = malloc(4 * OPEN * OPEN * sizeof *four);
+    const int failed =
+        !map || !four
+        || (env->data && kit_environment_of(map, OPEN, run->equirect, env, 0, 0, &why) != SSGI_OK)
+        || ssgi_sh_residual(map, OPEN, run->harmonics, m->gather.bands, suns, count, &why) != SSGI_OK
+        || !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, kit_rgba(four, map, OPEN))));
+    free(map);
+    free(four);
+    return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
+}
+
 /* s3ho: suns as lobes of the environment's harmonics; the placed that are left, which depend on where a pixel is, to
    the front; and what all of those harmonics lack. */
 static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
 {
-    enum { OPEN = 32 };
-    const kit_image *env = &m->world->lighting->env;
     const int window = m->set->window, bands = m->gather.bands;
     kit_run *run = m->run;
-    const char *why = "out of memory";
+    const char *why = "";
     ssgi_sun suns[KIT_MAX_LIGHTS];
-    float *map = calloc(3 * OPEN * OPEN, sizeof *map), *four = malloc(4 * OPEN * OPEN * sizeof *four);
-    int left = 0, n = 0, failed = !map || !four;
+    int left = 0, n = 0, failed = 0;
     for (int i = 0; i < *count && !failed; ++i) {
         const ssgi_gl_light *l = &placed[i].light;
         if (l->kind > 0 || m->gather.shading) { placed[left++] = placed[i]; continue; }
@@ -25,15 +40,8 @@ static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
     *count = left;
     memset(run->frame.window, 0, sizeof run->frame.window);
     ssgi_sh_window(run->frame.window, bands, window);
-    if (m->gather.residual && !m->gather.shading && !failed)
-        failed =
-            (env->data && kit_environment_of(map, OPEN, run->equirect, env, 0, 0, &why) != SSGI_OK)
-            || ssgi_sh_residual(map, OPEN, run->harmonics, bands, suns, n, &why) != SSGI_OK
-            || !(run->irradiance =
-                     kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, kit_rgba(four, map, OPEN))));
-    free(map);
-    free(four);
-    return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
+    if (failed) return kit_fail(m->err, "harmonics: %s", why);
+    return m->gather.residual && !m->gather.shading ? add_residual(m, suns, n) : 0;
 }
 
 /* s3ho: indirect: 0 no bounce, 1 in one gather with the occlusion, 2 in one of its own. What one gather does is told
@@ -137,6 +145,8 @@ int kit_open_lit(kit_making *m, const float picture[16])
         if (harmonics) count = direct = lobes;
         m->gather.lights = lobes > 0;
     }
+    if (m->gather.residual && !s3ho && m->gather.environment == SSGI_GL_ENVIRONMENT_SH)
+        failed = add_residual(m, NULL, 0);
     ssgi_gl_harmonics_set(&run->frame, run->harmonics, m->gather.bands, picture, NULL);
     run->frame.lights = direct;
     failed = failed || add_sources(m, placed, direct, count, picture, &seen.middle);

@@ -117,7 +117,11 @@ ROW(indirect_row, indirect, "one bounce: none, in the gather of the occlusion, i
 ROW(dimmed_row, dimmed, "1: senders reflect what the last frame let through to them, not all of it: several bounces",
     NULL, 0, 0, 1, GATHER, DESC(dimmed))
 ROW(filtered_row, filtered, "what is filtered", "vectors light", 1, 0, 1, PLAN, 0)
-ROW(residual_row, residual, "1: unoccluded irradiance is exact, harmonics give the occlusion alone",
+ROW(residual_row, residual, "1: unoccluded irradiance is exact, harmonics give the occlusion alone; 0: one band lights "
+    "all normals alike, which errs more than no occlusion",
+    NULL, 1, 0, 1, GATHER, DESC(residual))
+ROW(sh_residual_row, residual, "environment=sh: 1: unoccluded irradiance is exact, harmonics give the occlusion alone; "
+    "0: one band lights all normals alike, which errs more than no occlusion",
     NULL, 1, 0, 1, GATHER, DESC(residual))
 ROW(window_row, window, "of lights as harmonics", "none hann positive", 1, 0, 2, PLAN, 0)
 ROW(lights_row, lights, "--light as harmonics, or by maps and segments, without a bounce",
@@ -208,7 +212,7 @@ typedef struct plan {
         &range_row, &half_row, &behind_row, &most_thick_row, &offset_row, DEEP
 #define WALK &slices_row, &steps_row, &falloff_row, &half_row, &behind_row, &lit_thick_row, &offset_row
 #define SSDO(...) \
-    SETTINGS(__VA_ARGS__, &few_bands_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, \
+    SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, \
              &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, \
              &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, \
              &compare_row, &margin_row, &history_row)
