@@ -315,7 +315,8 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
 /* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics [SLO08, S3HO12]:
      coefficient i += irradiance k w_l f_l Y_i(direction)
    w_l is the window; k makes an unoccluded surface that faces the light receive exactly `irradiance`, whatever bands
-   and window (without k it would receive 1.06 of it with 4 bands, 0.83 with Hann's window).
+   and window (without k it would receive 1.06 of it with 4 bands, 0.83 with Hann's window). One band gives surfaces of
+   all normals alike: k is 1, and each receives their mean, a quarter.
      bands       [limit: 1..SSGI_SH_MAX_BANDS]
      direction   to the light [limit: finite, not 0], of any length
      sine        [limit: 0..1] of the angular radius. 0: a directional light, f_l = 1. Above: a sphere of uniform
@@ -1979,6 +1980,7 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
         factor[l] *= (double)weight[l];
         facing += factor[l] * (double)ssgi_sh_cosine(l) * (2 * l + 1) / (4.0 * SSGI__PI);
     }
+    if (bands == 1) facing = 1.0;
     ssgi__sh_basis(basis, bands, d);
     for (int i = 0; i < bands * bands; ++i)
         for (int c = 0; c < 3; ++c)
@@ -4716,7 +4718,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    View depths of 1 / SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing
    in front of the camera, ssgi_gl_plan a thickness that there is not. To ssgi_gl_sent_set a radiance of 1e-30 or less
    is nothing. Without desc.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: nobody else
-   sent that.
+   sent that. Lights of one band bring a quarter to every normal, not all (ssgi_sh_light, desc.lights): a bounce of them
+   was four times too bright. desc.residual holds for desc.lights by bent normals and cones, too.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

@@ -463,8 +463,10 @@ typedef struct ssgi_gl_desc {
                      through to it, and what reached it by way of others: t_ssgi_last_red0 .., three filtered sets of
                      BOTH, full size. 0: its open lobe [S3HO12 2.3] */
     int shaded;   /* s3ho   1: no coefficients, shaded with desc.harmonics at once; shade is not drawn */
-    int residual; /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds ambient visibility
-                     times the residual of unoccluded irradiance (ssgi_sh_residual) */
+    int residual; /* s3ho shaded, ssdo with SH, shade, transfer not REFLECTED   1: adds ambient visibility
+                     times the residual of unoccluded irradiance (ssgi_sh_residual). By bent normals and cones, whose
+                     environment is exact: of `lights` alone. 0: two bands give a lamp's light to what is turned away
+                     from it, which errs more than no occlusion */
     int shading;  /* shade   SSGI_GL_SHADING_HARMONICS .. */
     int lights;   /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone; a POINT is
                      a sphere of radius min_distance */
@@ -1872,6 +1874,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_ambient", __LINE__ + 1,
     "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility from the coefficients\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
+    "    a -= vec3(v.c[0].a.y, v.c[1].a.y, v.c[2].a.y); // what is reflected // #if transfer == BOTH && bands == 1\n"
     "    return clamp(a * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
     "}\n" },
 
@@ -2071,14 +2074,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_light_harmonics", __LINE__ + 1,
     "// Irradiance by a light projected onto harmonics: its sphere's cap, windowed,\n"
-    "// normalised so that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
+    "// normalised so that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised];\n"
+    "// one band, which gives all surfaces alike, so that they receive their mean\n"
     "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) {\n"
     "    float radius = s.colour.w / s.distance; // sine of the cap's\n"
     "    float c = s.at.w > SSGI_SUN ? sqrt(max(1.0 - radius * radius, 0.0)) : 1.0;\n"
     "    // means of the Legendre polynomials over the cap\n"
     "    vec4 w = vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
     "    w *= u_ssgi_window;\n"
-    "    float open = 0.25 * w.x;\n"
+    "    float open = 1.0; // #if bands == 1\n"
+    "    float open = 0.25 * w.x; // #if bands > 1\n"
     "    open += 0.5 * w.y; // #if bands > 1\n"
     "    open += 0.3125 * w.z; // #if bands > 2\n"
     "    ssgi_sh y = ssgi_sh_zonal(w * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), s.way);\n"
@@ -2709,6 +2714,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // from harmonics to irradiance [S3HO12 eq. 2]\n"
     "    ssgi_coefficients v = ssgi_coefficients_none(); // #if !(pass == S3HO && bounce)\n"
     "    ssgi_coefficients v = sums.bounce; // #if pass == S3HO && bounce\n"
+    "#if transfer == BOTH && bands == 1\n"
+    "    // most of a lamp is residual, which what is reflected must not get: it is noted in a lane that no light has\n"
+    "    for (int c = 0; c < v.c.length(); ++c) v.c[c].a.y = v.c[c].a.x;\n"
+    "#endif\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], sums.lobe, 1.0); // #if environment == SH\n"
     "    return v;\n"
     "}\n" },
@@ -4613,10 +4622,10 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     if (reflected || d.shading == SSGI_GL_SHADING_BENT
         || !(ssdo ? d.environment : restores || shade || (s3ho && d.shaded)))
         d.restore = 0;
-    if (reflected || d.shading || d.environment == SSGI_GL_ENVIRONMENT_MAP
+    if (!(shade || (restores && !d.shaded)) || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
+    if (reflected || (d.shading && !d.lights) || d.environment == SSGI_GL_ENVIRONMENT_MAP
         || !(shade || restores || (s3ho && d.shaded) || (ssdo && d.environment)))
         d.residual = 0;
-    if (!(shade || (restores && !d.shaded)) || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
     if (!s3ho || !d.transfer) d.dimmed = 0;
     if (d.shading || d.environment == SSGI_GL_ENVIRONMENT_MAP
         || !(shade || (s3ho && d.shaded) || (ssdo && d.environment) || (averages && d.restore)))

@@ -796,7 +796,7 @@ static void lights(void)
         for (int i = 0; i < 3 * MOST; ++i) c[i] = point[i] = 0;
         CHECK(ssgi_sh_light(c, bands, far_away, sine, red, window, &why) == SSGI_OK, "%s", why);
         for (int i = 0; i < 3; ++i)
-            CHECK(fabs(value(c + i, 3, bands, d, 1) / (double)red[i] - 1) < 1e-5,
+            CHECK(fabs(value(c + i, 3, bands, d, 1) / (double)red[i] - (bands > 1 ? 1 : 0.25)) < 1e-5,
                   "%d bands, window %d, sine %g: facing %.9g of %g", bands, window, (double)sine,
                   value(c + i, 3, bands, d, 1), (double)red[i]);
         ssgi_sh_light(point, bands, d, 0, red, window, NULL);
@@ -1649,7 +1649,7 @@ void test_math(void)
     RUN("windows: the table's rows: zonal factors, irradiance facing, behind and least, the worst that any mask lets "
         "through",
         windows);
-    RUN("lights: a surface that faces one receives what was given, spheres are caps of the sphere, lights add", lights);
+    RUN("lights: a surface that faces one receives what was given, of one band the mean of normals, spheres are caps of the sphere, lights add", lights);
     RUN("transfer: the cosine's series, behind a wall and below a cap", transfer);
     RUN("what harmonics lack of open surfaces makes them exact", lacking);
     RUN("rotation: values move with their directions, twice is once by both", rotations);
