@@ -198,6 +198,10 @@ TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score ahead)
 build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
+# Where a published method errs, step by step beside what is exact at a few hundred pixels: build/oracle surfels.
+build/oracle: $(addprefix build/examples/lab/oracle/,oracle.o surfels.o harmonics.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
+
 # The text of every pass, dialect and feature choice, as plain files; manifest.json says what belongs together.
 # make glsl WGSL=1 HLSL=1 MSL=1 SPV=1: what other compilers make of the vulkan ones, beside them; each needs a tool, which
 # is named where it is missing.
