@@ -1235,6 +1235,59 @@ static void as_brute_force(void)
     }
 }
 
+/* What a surfel brings to a pixel on the level whose shell it is in, if it is drawn into the pixel's sub-buffer: row y
+   from the bottom. */
+static double interleaved(const deep *d, const ssgi_surfel *s, int x, int y, const float p[3], const float n[3],
+                          int levels, int enlarge)
+{
+    const float v[3] = { s->position[0] - p[0], s->position[1] - p[1], s->position[2] - p[2] };
+    const double distance = sqrt(dot(v, v)), fade = 1 - distance / (double)d->run.frame.radius,
+                 reach = ssgi_surfel_reach((double)s->radius, 1, (double)d->run.frame.epsilon);
+    ssgi_surfel wide = *s;
+    int l = 0;
+    while (distance > ldexp(reach, l)) ++l;
+    if (l >= levels || !(fade > 0)) return 0;
+    const int mask = (1 << l) - 1, seed = (int)(s->seed * 16777216.0f);
+    uint32_t h = (uint32_t)(x >> l) * 747796405u + (uint32_t)(y >> l) * 2891336453u + (uint32_t)mask;
+    h = ((h >> ((h >> 28) + 4)) ^ h) * 277803737u;
+    h ^= h >> 22;
+    if (((x ^ (int)h ^ seed) | (y ^ (int)(h >> 8) ^ seed >> 8)) & mask) return 0;
+    if (enlarge) wide.radius *= (float)(1 << l);
+    return (double)form_factor(&wide, p, n) * fade * (enlarge ? 1 : 1 << 2 * l);
+}
+
+/* Every pixel of a picture that is not smoothed is the sum over the surfels of its own sub-buffers, as published and by
+   weights: not only the mean is. */
+static void as_sub_buffers(void)
+{
+    for (int m = 0; m < 2; ++m) {
+        char set[160];
+        deep d;
+        kit_image out;
+        double worst = 0, most = 0;
+        int off = 0;
+        snprintf(set, sizeof set, "size=0.05,smooth=0,near_samples=1,span=0,combine=add,enlarge=%d", m);
+        if (!dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss", set, 0.6f, NULL) || !drawn(&out, &d.run)) return;
+        ssgi_surfel *s = held(&d, 0);
+        for (int i = 0; i < 96 * 54; ++i) {
+            double sum = 0;
+            float p[3], n[3];
+            if (!seen(&d, i, p, n)) continue;
+            for (size_t f = 0; f < d.run.surfels; ++f)
+                sum += interleaved(&d, &s[f], i % 96, 53 - i / 96, p, n, 5, m);
+            const double apart = fabs(1 - fmin(sum, 1) - (double)out.data[i]);
+            worst = fmax(worst, apart);
+            most = fmax(most, sum);
+            off += apart > 1e-3;
+        }
+        CHECK(off <= 5 && most > 0.4, "%s: %d pixels off, by %.2g at most, of sums up to %.2f", set, off, worst, most);
+        t_note("%s: %zu surfels, %d pixels off by more than 0.001, the worst by %.1e", set, d.run.surfels, off, worst);
+        free(s);
+        kit_image_free(&out);
+        surface(&d);
+    }
+}
+
 /* A surfel at a place of the world, facing a direction there. */
 static ssgi_surfel placed(const deep *d, float x, float y, float z, float nx, float ny, float nz, float radius,
                           float seed)
@@ -1843,6 +1896,7 @@ void test_surfels(void)
     RUN("tessellation shaders make the CPU's surfels; three ways give one picture", three_ways);
     RUN("shuffling deals every pixel out once a level", shuffled);
     RUN("splats are what brute force over all surfels is", as_brute_force);
+    RUN("each pixel is what brute force over its own sub-buffers is", as_sub_buffers);
     RUN("surfels beside the picture, behind the eye, hidden and across the near plane darken what they face", unseen);
     RUN("one surfel in its shells: one pixel of a block, weighted or enlarged", shells);
     RUN("seeds of one's own: sub-buffers in turn", in_turn);

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PUBLISHED "span=0,overhang=centroid,enlarge=1,combine=add,near_samples=1,keep_small=1,offscreen_growth=0"
-enum { LEVELS = 5, FAN = 6, FINE = 128, SURFEL_RAYS = 32, COLUMNS = 8, CELLS = 32 };
+#define PUBLISHED "span=0,overhang=centroid,enlarge=1,combine=add,near_samples=1"
+enum { LEVELS = 5, FAN = 6, FINE = 256, SURFEL_RAYS = 64, COLUMNS = 8, CELLS = 32 };
 
 /* What a pixel has by each way, before it is put into 0..1. */
 enum { TRIANGLES, TRIANGLES_SHARED, NEAREST, EXACT, EXACT_SHARED, CENTRE, ENLARGED, INTERLEAVED, NEAR4, NEAR16, SHARED,
