@@ -82,19 +82,33 @@ static void summary(const markdown *m, const csv *c)
     }
 }
 
+/* What no table or figure here is of, from every paper. */
+static void absent(const markdown *m, const csv *c)
+{
+    const char *head = "\n### What is not here\n\n";
+    for (int r = 0; r < c->rows; ++r) {
+        if (!is(c, r, "absent")) continue;
+        fprintf(m->file, "%s- [%s] %s: %s\n", head, csv_text(c, r, "paper"), csv_text(c, r, "figure"),
+                csv_text(c, r, "text"));
+        head = "";
+    }
+}
+
 void section_papers(const markdown *m)
 {
     const csv c = csv_read("papers.csv");
     if (!c.rows) return;
     fputs(PAPERS_HEADING "\nMade by `make papers`, whose page has the pictures. What the papers print stands beside "
           "what is drawn here on a comparable scene;\nbelow each table what the paper says of it, and whether this "
-          "run's figures agree.\n\n", m->file);
+          "run's figures agree,\nwith the figures at which it would not.\n\n", m->file);
     summary(m, &c);
     for (int from = 0, to; from < c.rows; from = to) {
         for (to = from; to < c.rows && same_figure(&c, from, to);) ++to;
+        if (is(&c, from, "absent")) continue;
         heading(m, &c, from, to);
         table(m, &c, from, to);
         fputs(*text_of(&c, from, to, "claim") ? "\n" : "", m->file);
         for (int r = from; r < to; ++r) if (is(&c, r, "claim")) fprintf(m->file, "- %s\n", csv_text(&c, r, "text"));
     }
+    absent(m, &c);
 }

@@ -66,6 +66,13 @@ static int chart(FILE *html, FILE *csv, const options *o, int k, kit_error *err)
     return 0;
 }
 
+static void not_here(FILE *html)
+{
+    fputs("<h2>What is not on this page</h2>\n<ul>\n", html);
+    for (int p = 0; p < PAPERS; ++p) show_absent_html(html, papers[p]);
+    fputs("</ul>\n", html);
+}
+
 int papers_chart(FILE *html, const options *o, kit_error *err)
 {
     page csv;
@@ -74,7 +81,9 @@ int papers_chart(FILE *html, const options *o, kit_error *err)
     for (int p = 0, k = 0; p < PAPERS; ++p) {
         fprintf(html, "<h2>[%s] %s</h2>\n", papers[p]->key, papers[p]->title);
         for (int i = 0; i < papers[p]->count; ++i, ++k) if (chart(html, csv.file, o, k, err)) return -1;
+        if (!o->paper) show_absent_csv(csv.file, papers[p]);
     }
+    if (!o->paper) not_here(html);
     return page_close(&csv, o->out, "papers.csv", err);
 }
 

@@ -19,16 +19,25 @@ int sheet_load(stage *s, const sheet *t, kit_error *err)
 
 /* ---- >>values ---------------------------------------------------------------------------------------------------- */
 
-static double overhead(const sheet *t, const row *rows, int i)
+/* The column of what is shown, else -1. */
+static int column_of(const sheet *t, quantity of)
 {
-    const int base = t->rows[i].base;
-    return base ? 100 * (rows[i].relative / rows[base - 1].relative - 1) : (double)NAN;
+    for (int c = 0; c < MOST_HEADS && t->column[c].head; ++c) if (t->column[c].of == (int)of) return c;
+    return -1;
 }
 
-double sheet_value(const sheet *t, const row *rows, int i, int c)
+/* By the times that a reader has beside it. */
+static double overhead(const sheet *t, const row *rows, int i)
+{
+    const int base = t->rows[i].base - 1, ms = column_of(t, MILLISECONDS), shown = ms < 0 ? column_of(t, TIME) : ms;
+    if (base < 0) return (double)NAN;
+    return shown < 0 ? 100 * (rows[i].relative / rows[base].relative - 1)
+                     : 100 * (sheet_value(t, rows, i, shown) / sheet_value(t, rows, base, shown) - 1);
+}
+
+static double measured(const sheet *t, const row *rows, int i, int of)
 {
     const row *r = &rows[i];
-    const int of = t->column[c].of;
     switch (of) {
     case TIME: return r->relative;
     case MILLISECONDS: return r->ms;
@@ -50,11 +59,31 @@ double sheet_value(const sheet *t, const row *rows, int i, int c)
     }
 }
 
+double sheet_value(const sheet *t, const row *rows, int i, int c)
+{
+    const double unit = pow(10, t->column[c].digits);
+    return round(measured(t, rows, i, t->column[c].of) * unit) / unit;
+}
+
+double sheet_judged(const sheet *t, const claim *c, const row *rows)
+{
+    const double a = sheet_value(t, rows, c->a, c->column);
+    return c->b == ALONE ? a : a / sheet_value(t, rows, c->b, c->column);
+}
+
 int sheet_holds(const sheet *t, const claim *c, const row *rows)
 {
-    const double a = sheet_value(t, rows, c->a, c->column),
-                 b = c->b == ALONE ? 1 : sheet_value(t, rows, c->b, c->column);
-    return isnan(a) || isnan(b) ? -1 : a >= c->least * b && a <= c->most * b;
+    const double v = sheet_judged(t, c, rows);
+    return isnan(v) ? -1 : v > c->least && v < c->most;
+}
+
+int sheet_own(claim *own, const sheet *t, const claim *c)
+{
+    const int a = t->rows[c->a].ours, b = c->b == ALONE ? 0 : t->rows[c->b].ours;
+    *own = *c;
+    if (a) own->a = a - 1;
+    if (b) own->b = b - 1;
+    return a || b;
 }
 
 /* ---- >>pictures -------------------------------------------------------------------------------------------------- */

@@ -3,6 +3,7 @@
 #ifndef LAB_SHEET_H
 #define LAB_SHEET_H
 
+#include <math.h>
 #include "lab/chart/deep_stage.h"
 #include "lab/page/units.h"
 
@@ -12,7 +13,7 @@ typedef enum quantity {
     NO_COLUMN,
     TIME,              /* over that of one unblurred 16-sample ssao */
     MILLISECONDS,
-    OVERHEAD,
+    OVERHEAD,          /* of the MILLISECONDS that the sheet shows, else of its TIME */
     ERROR,             /* of visibility: share of no occlusion's; of irradiance: over its mean */
     BIAS,              /* of the same */
     BOUNCE_ERROR,      /* over the bounce's mean */
@@ -39,17 +40,27 @@ typedef struct paper_row {
     float reach;                           /* of the sheet's radius; 0: all of it */
     int   width, height;                   /* 0: the sheet's */
     int   base;                            /* of OVERHEAD: that row, from 1 on; 0: none */
+    int   ours;                            /* of a published algorithm: the row, from 1 on, that is the library's */
     int   half;                            /* drawn at half the width and height */
     int   slow;                            /* the quick form leaves it out */
 } paper_row;
 
 /* What the paper says, as a range of a row's value over another's, in the column of ours; b = ALONE: of the value
-   itself. why: where it does not hold, the reason. */
+   itself. It holds between the bounds, not at them, and is judged by figures as they are shown. Where a row is of an
+   algorithm as published, the library's own rows are judged beside it. why: where it does not hold, the reason. */
 typedef struct claim { const char *says; int column, a, b; double least, most; const char *why; } claim;
 enum { ALONE = -1 };
-#define LESS(column, a, b)        column, a, b, 0, 1
-#define ALIKE(column, a, b, by)   column, a, b, 1 / (1 + (by)), 1 + (by)
-#define WITHIN(column, a, least, most)  column, a, ALONE, least, most
+#define NO_BOUND  ((double)INFINITY)
+/* a window around a figure that the paper prints: this factor either way */
+#define PRINTED_WITHIN  1.5
+#define AS_PRINTED(column, a, b, figure)  column, a, b, (figure) / PRINTED_WITHIN, (figure) * PRINTED_WITHIN
+#define WITHIN(column, a, b, least, most) column, a, b, least, most
+#define LESS(column, a, b)                column, a, b, -NO_BOUND, 1
+#define MUCH_LESS(column, a, b)           column, a, b, -NO_BOUND, 0.7
+#define LITTLE_MORE(column, a, b)         column, a, b, -NO_BOUND, 1.1
+#define ALIKE(column, a, b, by)           column, a, b, 1.0 / (1.0 + (by)), 1.0 + (by)
+/* to a reference: an error of so much of its mean, of ambient visibility of what having no occlusion errs by */
+#define SIMILAR(column, a)                column, a, ALONE, -NO_BOUND, 0.15
 
 enum { MOST_HEADS = 6, MOST_PAPER_ROWS = 24 };
 typedef struct sheet sheet;
@@ -77,8 +88,16 @@ struct sheet {
 /* halved: even, in the quick form as well */
 enum { SHEET_WIDTH = 320, SHEET_HEIGHT = 180, HALVED_HEIGHT = 184, SHEET_RAYS = 64, SHEET_ROUNDS = 3 };
 
+/* What of a paper is on no sheet, and why, or where its like is shown. */
+typedef struct absent { const char *name, *why; } absent;
 /* The sheets of each paper, in the paper's order. */
-typedef struct paper { const char *key, *title; const sheet *const *sheets; int count; } paper;
+typedef struct paper {
+    const char *key, *title;
+    const sheet *const *sheets;
+    int count;
+    const absent *absent;
+    int absents;
+} paper;
 extern const paper hsao_paper, ssdo_paper, s3ho_paper, aof_paper, dss_paper;
 /* The k-th sheet of all; NULL past the last. */
 const sheet *papers_sheet(int k);
@@ -104,9 +123,14 @@ int    sheet_rounds(const options *o);
    page. Frees the pictures. */
 int    sheet_show(FILE *html, const options *o, const sheet *t, const stage *s, kit_image *picture, const row *drawn,
                   const int *at, int count, row *rows, kit_error *err);
-double sheet_value(const sheet *t, const row *rows, int i, int c);      /* NAN: there is none */
+/* As it is shown, to its column's digits; NAN: there is none. */
+double sheet_value(const sheet *t, const row *rows, int i, int c);
+/* What a claim is judged by: a value or a ratio. */
+double sheet_judged(const sheet *t, const claim *c, const row *rows);
 /* Whether a claim holds: 1, 0; -1 where a row was not drawn. */
 int    sheet_holds(const sheet *t, const claim *c, const row *rows);
+/* Whether the library's own rows take part in a claim; own: the claim of them. */
+int    sheet_own(claim *own, const sheet *t, const claim *c);
 
 /* ---- show.c: a sheet and its rows, as a page's part, as csv, as text */
 
@@ -114,5 +138,10 @@ void   show_html(FILE *f, const sheet *t, const row *rows);
 void   show_csv_head(FILE *f);
 void   show_csv(FILE *f, const sheet *t, const row *rows);
 void   show_text(FILE *f, const sheet *t, const row *rows);
+/* A claim, what came of it, by which figures, and which would have made it otherwise. */
+enum { SENTENCE = 1024 };
+const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const row *rows);
+void   show_absent_html(FILE *f, const paper *p);
+void   show_absent_csv(FILE *f, const paper *p);
 
 #endif

@@ -26,19 +26,52 @@ static const char *cell(char text[32], const sheet *t, const row *rows, int i, i
     return text;
 }
 
-/* A claim, what came of it, and the figures that it is of. */
-static const char *sentence(char out[512], const sheet *t, const claim *c, const row *rows)
+static const char *number(char text[32], double v)
+{
+    snprintf(text, 32, fabs(v) < 1000 ? "%.3g" : "%.0f", v);
+    return text;
+}
+
+/* Of a claim that holds, where it would not; of another, where it would. */
+static void put_bounds(FILE *f, const claim *c, int holds)
+{
+    const int lower = isfinite(c->least), upper = isfinite(c->most);
+    char least[32], most[32];
+    number(least, c->least);
+    number(most, c->most);
+    if (holds && lower && upper) fprintf(f, "does not at %s or less, nor at %s or more", least, most);
+    else if (holds) fprintf(f, "does not at %s or %s", lower ? least : most, lower ? "less" : "more");
+    else if (lower && upper) fprintf(f, "would between %s and %s", least, most);
+    else fprintf(f, "would %s %s", lower ? "above" : "below", lower ? least : most);
+}
+
+static void put_verdict(FILE *f, const sheet *t, const claim *c, const row *rows)
 {
     const int holds = sheet_holds(t, c, rows);
-    char a[32], b[32];
-    if (holds < 0) {
-        snprintf(out, 512, "%s: not known, for a row of it was not drawn", c->says);
-        return out;
+    char a[32], b[32], of[32];
+    fprintf(f, "%s (%s", holds ? "agrees" : "does not agree", cell(a, t, rows, c->a, c->column));
+    if (c->b != ALONE)
+        fprintf(f, " beside %s: %s of it", cell(b, t, rows, c->b, c->column), number(of, sheet_judged(t, c, rows)));
+    fputs("; ", f);
+    put_bounds(f, c, holds);
+    fputc(')', f);
+}
+
+const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const row *rows)
+{
+    FILE *f = fmemopen(out, SENTENCE, "w");
+    claim own;
+    out[0] = 0;
+    if (!f) return out;
+    fprintf(f, "%s: ", c->says);
+    if (sheet_holds(t, c, rows) < 0) fputs("not known, for a row of it was not drawn", f);
+    else put_verdict(f, t, c, rows);
+    if (sheet_own(&own, t, c) && sheet_holds(t, &own, rows) >= 0) {
+        fputs("; as the library has it, ", f);
+        put_verdict(f, t, &own, rows);
     }
-    snprintf(out, 512, "%s: %s (%s%s%s)%s%s", c->says, holds ? "agrees" : "does not agree",
-             cell(a, t, rows, c->a, c->column), c->b == ALONE ? "" : " beside ",
-             c->b == ALONE ? "" : cell(b, t, rows, c->b, c->column), c->why && !holds ? "; " : "",
-             c->why && !holds ? c->why : "");
+    if (c->why && !sheet_holds(t, c, rows)) fprintf(f, "; %s", c->why);
+    fclose(f);
     return out;
 }
 
@@ -61,7 +94,7 @@ static void html_row(FILE *f, const sheet *t, const row *rows, int i)
 
 void show_html(FILE *f, const sheet *t, const row *rows)
 {
-    char text[512];
+    char text[SENTENCE];
     fputs("<div class=\"wide\"><table>\n<tr><th>the paper's<th>ours", f);
     for (int k = 0; k < heads(t); ++k) { fputs("<th>paper: ", f); page_escaped(f, t->head[k]); }
     for (int c = 0; c < columns(t); ++c) { fputs("<th>", f); page_escaped(f, t->column[c].head); }
@@ -70,10 +103,19 @@ void show_html(FILE *f, const sheet *t, const row *rows)
     fputs("</table></div>\n<ul>\n", f);
     for (int k = 0; k < t->claimed; ++k) {
         fputs("<li>", f);
-        page_escaped(f, sentence(text, t, &t->claims[k], rows));
+        page_escaped(f, show_claim(text, t, &t->claims[k], rows));
         fputs("\n", f);
     }
     fputs("</ul>\n", f);
+}
+
+void show_absent_html(FILE *f, const paper *p)
+{
+    for (int i = 0; i < p->absents; ++i) {
+        fprintf(f, "<li>[%s] %s: ", p->key, p->absent[i].name);
+        page_escaped(f, p->absent[i].why);
+        fputs("\n", f);
+    }
 }
 
 /* ---- >>csv: a line a cell, as FIGURES.md's part is made of ------------------------------------------------------- */
@@ -102,7 +144,7 @@ void show_csv_head(FILE *f) { fputs("paper,figure,row,kind,head,text\n", f); }
 void show_csv(FILE *f, const sheet *t, const row *rows)
 {
     static const char *const came_to[] = { "unknown", "differs", "agrees" };
-    char text[32], said[512];
+    char text[32], said[SENTENCE];
     csv_cell(f, t, 0, "title", "", t->title);
     csv_cell(f, t, 0, "theirs", "", t->theirs);
     if (t->erratum) csv_cell(f, t, 0, "erratum", "", t->erratum);
@@ -118,7 +160,15 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
     }
     for (int k = 0; k < t->claimed; ++k)
         csv_cell(f, t, 0, "claim", came_to[1 + sheet_holds(t, &t->claims[k], rows)],
-                 sentence(said, t, &t->claims[k], rows));
+                 show_claim(said, t, &t->claims[k], rows));
+}
+
+void show_absent_csv(FILE *f, const paper *p)
+{
+    for (int i = 0; i < p->absents; ++i) {
+        const sheet none = { .paper = p->key, .name = p->absent[i].name };
+        csv_cell(f, &none, 0, "absent", "", p->absent[i].why);
+    }
 }
 
 /* ---- >>text ------------------------------------------------------------------------------------------------------ */
@@ -126,7 +176,7 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
 void show_text(FILE *f, const sheet *t, const row *rows)
 {
     int agree = 0, known = 0;
-    char said[512];
+    char said[SENTENCE];
     for (int k = 0; k < t->claimed; ++k) {
         const int holds = sheet_holds(t, &t->claims[k], rows);
         agree += holds > 0;
@@ -134,5 +184,5 @@ void show_text(FILE *f, const sheet *t, const row *rows)
     }
     fprintf(f, "%s %s, %s: %d of %d statements agree\n", t->paper, t->name, t->title, agree, known);
     for (int k = 0; k < t->claimed; ++k)
-        if (sheet_holds(t, &t->claims[k], rows) < 1) fprintf(f, "    %s\n", sentence(said, t, &t->claims[k], rows));
+        if (sheet_holds(t, &t->claims[k], rows) < 1) fprintf(f, "    %s\n", show_claim(said, t, &t->claims[k], rows));
 }
