@@ -125,7 +125,7 @@ static void claims_judged(void)
     }
 }
 
-/* "+%" is of the times that stand beside it, not of a median of ratios: by hand 65.0 / 45.3 = 1.435, 1.7 / 1.2 = 1.417. */
+/* "+%" is of the times beside it, not of a median of ratios. By hand: 65.0 / 45.3 = 1.435, 1.7 / 1.2 = 1.417. */
 static void overhead_follows(void)
 {
     static const paper_row two[] = { { .what = "a", .method = "ssao" }, { .what = "b", .method = "ssao", .base = 1 } };
@@ -141,8 +141,8 @@ static void overhead_follows(void)
     const double got[] = { sheet_value(&by_ms, rows, 1, 0), sheet_value(&by_time, rows, 1, 0),
                            sheet_value(&alone, rows, 1, 0) };
     CHECK(fabs(got[0] - 43.5) < 1e-9 && fabs(got[1] - 41.7) < 1e-9 && fabs(got[2] - 33.9) < 1e-9
-          && isnan(sheet_value(&by_ms, rows, 0, 0)), "+%% is %g by milliseconds, %g by shown times, %g by times", got[0],
-          got[1], got[2]);
+          && isnan(sheet_value(&by_ms, rows, 0, 0)),
+          "+%% is %g by milliseconds, %g by shown times, %g by times", got[0], got[1], got[2]);
 }
 
 /* The sentence has the figures, what they come to, and the figure at which it would be otherwise. */
@@ -152,15 +152,16 @@ static void claims_told(void)
                                        { .what = "c", .method = "ssao" } };
     static const sheet t = { .rows = WITH_COUNT(three), .column = { { "error", ERROR, 3 } } };
     static const struct { claim says; const char *told; } cases[] = {
-        { { "S", LESS(0, 2, 0), NULL }, "S: agrees (0.383 beside 0.458: 0.836 of it; does not at 1 or more)" },
-        { { "S", MUCH_LESS(0, 2, 0), "why" }, "S: does not agree (0.383 beside 0.458: 0.836 of it; would below 0.7); why" },
+        { { "S", LESS(0, 2, 0), NULL }, "S: agrees (0.383 beside 0.458: 0.836 of it; would not at 1 or more)" },
+        { { "S", MUCH_LESS(0, 2, 0), "why" },
+          "S: does not agree (0.383 beside 0.458: 0.836 of it; would below 0.7); why" },
         { { "S", ALIKE(0, 2, 0, 0.25), "why" },
-          "S: agrees (0.383 beside 0.458: 0.836 of it; does not at 0.8 or less, nor at 1.25 or more)" },
+          "S: agrees (0.383 beside 0.458: 0.836 of it; would not at 0.8 or less, nor at 1.25 or more)" },
         { { "S", AS_PRINTED(0, 2, ALONE, 0.9), NULL }, "S: does not agree (0.383; would between 0.6 and 1.35)" },
-        { { "S", WITHIN(0, 2, ALONE, 0.1, NO_BOUND), NULL }, "S: agrees (0.383; does not at 0.1 or less)" },
+        { { "S", WITHIN(0, 2, ALONE, 0.1, NO_BOUND), NULL }, "S: agrees (0.383; would not at 0.1 or less)" },
         { { "S", WITHIN(0, 2, ALONE, 1234, NO_BOUND), NULL }, "S: does not agree (0.383; would above 1234)" },
         { { "S", LESS(0, 1, 0), "why" }, "S: does not agree (0.615 beside 0.458: 1.34 of it; would below 1); as the "
-          "library has it, agrees (0.383 beside 0.458: 0.836 of it; does not at 1 or more); why" }
+          "library has it, agrees (0.383 beside 0.458: 0.836 of it; would not at 1 or more); why" }
     };
     row rows[3];
     char out[SENTENCE];

@@ -39,8 +39,8 @@ static void put_bounds(FILE *f, const claim *c, int holds)
     char least[32], most[32];
     number(least, c->least);
     number(most, c->most);
-    if (holds && lower && upper) fprintf(f, "does not at %s or less, nor at %s or more", least, most);
-    else if (holds) fprintf(f, "does not at %s or %s", lower ? least : most, lower ? "less" : "more");
+    if (holds && lower && upper) fprintf(f, "would not at %s or less, nor at %s or more", least, most);
+    else if (holds) fprintf(f, "would not at %s or %s", lower ? least : most, lower ? "less" : "more");
     else if (lower && upper) fprintf(f, "would between %s and %s", least, most);
     else fprintf(f, "would %s %s", lower ? "above" : "below", lower ? least : most);
 }
