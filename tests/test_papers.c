@@ -65,8 +65,8 @@ static void papers_whole(void)
     static const char *const wanted[] = {
         "HSAO08 Table 1", "HSAO08 Figure 6", "HSAO08 Figure 7", "HSAO08 Figure 10", "HSAO08 Figure 11",
         "HSAO08 Figure 12", "HSAO08 Figure 14", "SSDO09 Table 1", "SSDO09 Figure 6", "SSDO09 Figure 7",
-        "SSDO09 Figure 9", "SSDO09 Figure 10", "SSDO09 Figure 11", "SSDO09 Figure 12", "SSDO09 Figure 14",
-        "S3HO12 Table 1",
+        "SSDO09 Figure 9", "SSDO09 Figure 10", "SSDO09 Figure 11", "SSDO09 Figure 12", "SSDO09 Figure 13",
+        "SSDO09 Figure 14", "S3HO12 Table 1",
         "S3HO12 Figure 7", "S3HO12 Figure 8", "S3HO12 Figure 9", "AOF05 Table 2", "AOF05 Figure 5", "AOF05 Figure 8",
         "DSS14 Table 1", "DSS14 Figure 4", "DSS14 Figure 7, first row", "DSS14 Figure 7, second and third row",
         "DSS14 Figure 7, fourth row", "DSS14 Figure 7, fifth row", "DSS14 Figure 8", "DSS14 Figure 9"

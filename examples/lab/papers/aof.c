@@ -50,7 +50,7 @@ static const paper_row resolution_rows[] = {
 static const claim resolution_claims[] = {
     { "Memory is as (N + 2)^2: 43.56 times from 8 to 64, border texels included", WITHIN(0, 4, 1, 43, 44.1), NULL },
     { "So is the bake, by the square: 64 times from 8 to 64", AS_PRINTED(1, 4, 1, 63.9),
-      "a bake's rays are many for a few texels, too: its tree is built once" },
+      "a part of it is the same for any resolution" },
     { "The time of a frame stays, whatever the resolution (64 to 8)", ALIKE(2, 4, 1, 0.1), NULL },
     { "The time of a frame grows with the occluders: 31 times from 1 to 20", AS_PRINTED(2, 9, 6, 31.3),
       "one occluder's time holds the pass itself" },

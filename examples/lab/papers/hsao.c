@@ -133,7 +133,8 @@ static const sheet term_sheet = {
       MARCH("directions=" #d ",steps=" #s ",normal_rays=" #n ",filter=gaussian,blur=2"), .ours = own }
 #define OWN_SET(letter, d, s, n) { .what = letter " the library's filter", \
       MARCH("directions=" #d ",steps=" #s ",normal_rays=" #n) }
-#define SLICES { .what = "the library's slices, full size", .method = "hsao-best", .settings = "", .note = "not in the figure" }
+#define SLICES \
+    { .what = "the library's slices, full size", .method = "hsao-best", .settings = "", .note = "not in the figure" }
 static const paper_row quality_rows[] = { SET("(a)", 6, 9, 0, 5), SET("(b)", 8, 18, 0, 6), SET("(c)", 8, 18, 1, 7),
     SET("(d)", 18, 25, 2, 8), OWN_SET("(a)", 6, 9, 0), OWN_SET("(b)", 8, 18, 0), OWN_SET("(c)", 8, 18, 1),
     OWN_SET("(d)", 18, 25, 2), SLICES };

@@ -133,10 +133,9 @@ static const paper_row bounce_rows[] = {
 static const claim bounce_claims[] = {
     { "S3HO's light is less noisy than SSDO's before the filter", LESS(0, 1, 2), NULL },
     { "The bounces are similar: S3HO's error is SSDO's", ALIKE(4, 1, 2, 0.25),
-      "a patch's area is that of an open hemisphere, whatever was found there" },
+      "patches of two points a direction have the area of one's" },
     { "A bounce errs less than none would (S3HO)", LESS(4, 1, 0), NULL },
-    { "The bounce costs 318 %: 59 ms instead of 14.1", AS_PRINTED(2, 1, ALONE, 318),
-      "two more fetches a sample are in a CPU's cache" }
+    { "The bounce costs 318 %: 59 ms instead of 14.1", AS_PRINTED(2, 1, ALONE, 318), NULL }
 };
 static const lit colonnade_probe = { "probe", { NULL }, 0, 1, 0, 256, 0.9f,
     { { 40, 60, 80, 45 }, { 150, 125, 80, 45 } } };
