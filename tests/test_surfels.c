@@ -923,6 +923,7 @@ static void real_tessellator(void)
     static float uvw[3 * 3169];
     static unsigned char met[65][193][193];
     GLuint program = kit_program(source, stage, 3, &err), buffer, query, written = 0;
+    GLuint target, framebuffer;                            /* a context without a surface draws nothing without one */
     size_t all = 0;
     double worst = 0;
     int wrong = 0;
@@ -931,6 +932,10 @@ static void real_tessellator(void)
     float *point = malloc((all + 9) * 4 * sizeof *point);
     glTransformFeedbackVaryings(program, 1, &varying, GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(program);
+    target = kit_texture(1, 1, GL_R8, NULL);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
     glGenQueries(1, &query);
     glGenBuffers(1, &buffer);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
@@ -976,6 +981,9 @@ static void real_tessellator(void)
     t_note("%u points of 64 levels, coordinates within %.1e", written, worst);
     glUseProgram(0);
     glDeleteProgram(program);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteTextures(1, &target);
     glDeleteBuffers(1, &buffer);
     glDeleteQueries(1, &query);
     free(point);
