@@ -1874,7 +1874,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_ambient", __LINE__ + 1,
     "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility from the coefficients\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
-    "    a -= vec3(v.c[0].a.y, v.c[1].a.y, v.c[2].a.y); // what is reflected // #if transfer == BOTH && bands == 1\n"
+    "    a -= vec3(v.c[0].a.y, v.c[1].a.y, v.c[2].a.y); // #if transfer == BOTH && bands == 1\n"
     "    return clamp(a * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
     "}\n" },
 
@@ -2075,7 +2075,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_light_harmonics", __LINE__ + 1,
     "// Irradiance by a light projected onto harmonics: its sphere's cap, windowed,\n"
     "// normalised so that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised];\n"
-    "// one band, which gives all surfaces alike, so that they receive their mean\n"
+    "// of one band all receive their mean\n"
     "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) {\n"
     "    float radius = s.colour.w / s.distance; // sine of the cap's\n"
     "    float c = s.at.w > SSGI_SUN ? sqrt(max(1.0 - radius * radius, 0.0)) : 1.0;\n"
@@ -2715,8 +2715,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients v = ssgi_coefficients_none(); // #if !(pass == S3HO && bounce)\n"
     "    ssgi_coefficients v = sums.bounce; // #if pass == S3HO && bounce\n"
     "#if transfer == BOTH && bands == 1\n"
-    "    // most of a lamp is residual, which what is reflected must not get: it is noted in a lane that no light has\n"
-    "    for (int c = 0; c < v.c.length(); ++c) v.c[c].a.y = v.c[c].a.x;\n"
+    "    // what is reflected has no residual, which is most of a lamp: y, which is free, notes it\n"
+    "    for (int c = 0; c < 3; ++c) v.c[c].a.y = v.c[c].a.x;\n"
     "#endif\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], sums.lobe, 1.0); // #if environment == SH\n"
     "    return v;\n"

@@ -248,7 +248,8 @@ static void open_planes(void)
         if (!planes_seen(&frame[k], &c, n, 1, "") || !TRY(kit_gbuffer_from_frame(&g[k], &frame[k], &c, &err))) return;
     }
     for (int i = 0; i < (int)(sizeof row / sizeof row[0]); ++i) {
-        const int white = !strcmp(row[i].env, "white"), bands = strstr(row[i].set, "sh") && !strstr(row[i].set, "residual=1");
+        const int white = !strcmp(row[i].env, "white"),
+                  bands = strstr(row[i].set, "sh") && !strstr(row[i].set, "residual=1");
         double worst = 0, noise = 0, brightest[3] = { 0 };
         kit_lighting l;
         kit_run run;

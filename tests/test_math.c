@@ -1649,7 +1649,7 @@ void test_math(void)
     RUN("windows: the table's rows: zonal factors, irradiance facing, behind and least, the worst that any mask lets "
         "through",
         windows);
-    RUN("lights: a surface that faces one receives what was given, of one band the mean of normals, spheres are caps of the sphere, lights add", lights);
+    RUN("lights: what faces one receives what was given, of one band all the mean; spheres are caps; they add", lights);
     RUN("transfer: the cosine's series, behind a wall and below a cap", transfer);
     RUN("what harmonics lack of open surfaces makes them exact", lacking);
     RUN("rotation: values move with their directions, twice is once by both", rotations);

@@ -1844,8 +1844,8 @@ static void linear(void)
     }
 }
 
-/* Without slices every surfel sends its colour of a white sky, of which it takes as much as it is seen: bounce is albedo
-   times what of the light is missing. Without the bounce light is the same, and its truth has none either. */
+/* Without slices every surfel sends its colour of a white sky, of which it takes as much as it is seen: bounce is
+   albedo times what of the light is missing. Without the bounce light is the same, and its truth has none either. */
 static void sky_returned(void)
 {
     static const char *const sets[] = { "span=0,size=0.05", "span=0,size=0.05,way=direct",
