@@ -99,8 +99,8 @@ void section_papers(const markdown *m)
     const csv c = csv_read("papers.csv");
     if (!c.rows) return;
     fputs(PAPERS_HEADING "\nMade by `make papers`, whose page has the pictures. What the papers print stands beside "
-          "what is drawn here on a comparable scene;\nbelow each table what the paper says of it, and whether this "
-          "run's figures agree,\nwith the figures at which it would not.\n\n", m->file);
+          "what is drawn here on a comparable scene;\nbelow each table what the paper says of it, whether this "
+          "run's figures agree, and the figure at which that would change.\n\n", m->file);
     summary(m, &c);
     for (int from = 0, to; from < c.rows; from = to) {
         for (to = from; to < c.rows && same_figure(&c, from, to);) ++to;
