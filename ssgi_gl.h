@@ -4148,7 +4148,8 @@ enum {
     SSGI_GL__DRAW_IMAGE = 0, /* one triangle covers the image */
     SSGI_GL__DRAW_FIELDS,    /* a rectangle of two triangles for each occluder */
     SSGI_GL__DRAW_SPLATS,    /* such a rectangle for each surfel and level, or patches */
-    SSGI_GL__DRAW_SURFELS    /* points or patches, which are captured */
+    SSGI_GL__DRAW_SURFELS,   /* points or patches, which are captured */
+    SSGI_GL__DRAWS
 };
 
 enum {
@@ -4163,17 +4164,16 @@ enum {
     SSGI_GL__TEXTURE_SLICE    /* its output is a slice of what all passes of its name write */
 };
 
-/* The main functions of a pass's stages, where `when`, a condition as in #if lines, holds. */
+/* The main function of a pass's fragment stage where `when`, a condition as in #if lines, holds (NULL: always). */
 typedef struct ssgi_gl__variant {
-    const char *when; /* NULL: always */
-    const char *mains[SSGI_GL_STAGES];
+    const char *when, *main;
 } ssgi_gl__variant;
 
 typedef struct ssgi_gl__pass {
     int pass;
     const char *name;
-    int chain, search, thickness, preset, size, draw, blend, texture;
-    ssgi_gl__variant variant[6]; /* the last are empty */
+    signed char chain, search, thickness, preset, size, draw, blend, texture; /* columns */
+    ssgi_gl__variant variant[3];                                              /* the last are empty */
 } ssgi_gl__pass;
 
 /* clang-format off */
@@ -4181,67 +4181,67 @@ typedef struct ssgi_gl__pass {
     SSGI_GL_##pass, name, SSGI_GL__CHAIN_##chain, SSGI_GL__SEARCH_##search, SSGI_GL__THICKNESS_##thickness, \
     SSGI_GL__PRESET_##preset, SSGI_GL__SIZE_##size, SSGI_GL__DRAW_##draw, SSGI_GL__BLEND_##blend, \
     SSGI_GL__TEXTURE_##texture
-#define SSGI_GL__IMAGE(when, main) { when, { "main_triangle", main, NULL, NULL, NULL } }
-#define SSGI_GL__QUADS(when, main) { "!tessellate && " when, { "main_quad", main, NULL, NULL, NULL } }
-#define SSGI_GL__PATCHED(when, main) \
-    { "tessellate && " when, { "main_patch", main, "main_levels", "main_points", "main_strip" } }
+
+/* The main functions of the other stages, by the column draw; second, with desc.tessellate. */
+static const char *const ssgi_gl__stages[SSGI_GL__DRAWS][2][SSGI_GL_STAGES] = {
+    { { "main_triangle", NULL, NULL, NULL, NULL }, { "main_triangle", NULL, NULL, NULL, NULL } },
+    { { "main_occluder", NULL, NULL, NULL, NULL }, { "main_occluder", NULL, NULL, NULL, NULL } },
+    { { "main_quad", NULL, NULL, NULL, NULL }, { "main_patch", NULL, "main_levels", "main_points", "main_strip" } },
+    { { "main_buffer", NULL, NULL, NULL, NULL }, { "main_patch", NULL, "main_levels", "main_points", NULL } }
+};
 
 /* Which outputs a pass has follows from what its main functions name, as inputs do: their rows are in >>rows. */
 static const ssgi_gl__pass ssgi_gl__passes[] = {
     /*                              chain     search  thickness preset  size    draw     blend    texture */
     { SSGI_GL__PASS(SSAO, "ssao",   FILTERED, POINTS, READ,     SSAO,   CHOSEN, IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE(NULL, "main_occlusion") } },
+      { { NULL, "main_occlusion" } } },
     { SSGI_GL__PASS(HSAO, "hsao",   FILTERED, CHOSEN, READ,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE(NULL, "main_occlusion") } },
+      { { NULL, "main_occlusion" } } },
     { SSGI_GL__PASS(SSDO, "ssdo",   OWN,      CHOSEN, READ,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE(NULL, "main_ssdo") } },
+      { { NULL, "main_ssdo" } } },
     { SSGI_GL__PASS(S3HO, "s3ho",   OWN,      CHOSEN, READ,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE("!shaded", "main_s3ho"),
-        SSGI_GL__IMAGE("shaded", "main_s3ho_shaded") } },
+      { { "!shaded", "main_s3ho" },
+        { "shaded", "main_s3ho_shaded" } } },
     { SSGI_GL__PASS(LIGHTS, "lights",   NONE, POINTS, READ,     LIGHTS, FULL,   IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE(NULL, "main_lights") } },
+      { { NULL, "main_lights" } } },
     { SSGI_GL__PASS(SENDERS, "senders", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     SLICE),
-      { SSGI_GL__IMAGE(NULL, "main_senders") } },
+      { { NULL, "main_senders" } } },
     { SSGI_GL__PASS(SHADE, "shade", NONE,     NONE,   NONE,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE("shading != BENT", "main_shade"),
-        SSGI_GL__IMAGE("shading == BENT", "main_bent") } },
+      { { "shading != BENT", "main_shade" },
+        { "shading == BENT", "main_bent" } } },
     { SSGI_GL__PASS(FIELD, "field", ALONE,    NONE,   NONE,     NONE,   FULL,   FIELDS,  MULTIPLY, NEW),
-      { { NULL, { "main_occluder", "main_field", NULL, NULL, NULL } } } },
+      { { NULL, "main_field" } } },
     { SSGI_GL__PASS(SURFELS, "surfels", NONE, NONE,   NONE,     NONE,   FULL,   SURFELS, ONTO,     NEW),
-      { { "!tessellate", { "main_buffer", "main_nothing", NULL, NULL, NULL } },
-        { "tessellate", { "main_patch", "main_nothing", "main_levels", "main_points", NULL } } } },
+      { { NULL, "main_nothing" } } },
     { SSGI_GL__PASS(SHUFFLE, "shuffle", NONE, NONE,   NONE,     NONE,   LEVELS, IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE(NULL, "main_shuffle") } },
+      { { NULL, "main_shuffle" } } },
     { SSGI_GL__PASS(SPLAT, "splat", OWN,      NONE,   NONE,     NONE,   LEVELS, SPLATS,  ADD,      NEW),
-      { SSGI_GL__QUADS("effect < SCATTER", "main_splat"),
-        SSGI_GL__QUADS("effect == SCATTER", "main_splat_scatter"),
-        SSGI_GL__QUADS("effect == CUSTOM", "main_splat_custom"),
-        SSGI_GL__PATCHED("effect < SCATTER", "main_splat"),
-        SSGI_GL__PATCHED("effect == SCATTER", "main_splat_scatter"),
-        SSGI_GL__PATCHED("effect == CUSTOM", "main_splat_custom") } },
+      { { "effect < SCATTER", "main_splat" },
+        { "effect == SCATTER", "main_splat_scatter" },
+        { "effect == CUSTOM", "main_splat_custom" } } },
     { SSGI_GL__PASS(UNSHUFFLE, "unshuffle", NONE, NONE, NONE,   NONE,   LEVELS, IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE(NULL, "main_unshuffle") } },
+      { { NULL, "main_unshuffle" } } },
     { SSGI_GL__PASS(SMOOTH, "smooth", NONE,   NONE,   NONE,     NONE,   LEVELS, IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE(NULL, "main_smooth") } },
+      { { NULL, "main_smooth" } } },
     { SSGI_GL__PASS(SUM, "sum",     NONE,     NONE,   NONE,     NONE,   FULL,   IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE("effect == OCCLUSION", "main_sum_occlusion"),
-        SSGI_GL__IMAGE("effect == LIGHT", "main_sum_light"),
-        SSGI_GL__IMAGE("effect > LIGHT", "main_sum_sent") } },
+      { { "effect == OCCLUSION", "main_sum_occlusion" },
+        { "effect == LIGHT", "main_sum_light" },
+        { "effect > LIGHT", "main_sum_sent" } } },
     { SSGI_GL__PASS(BLUR, "blur",   NONE,     NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE("colour == GREY", "main_blur_grey"),
-        SSGI_GL__IMAGE("colour == COLOUR", "main_blur_light"),
-        SSGI_GL__IMAGE("colour == COEFFICIENTS", "main_blur_coefficients") } },
+      { { "colour == GREY", "main_blur_grey" },
+        { "colour == COLOUR", "main_blur_light" },
+        { "colour == COEFFICIENTS", "main_blur_coefficients" } } },
     { SSGI_GL__PASS(HISTORY, "history", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     KEPT),
-      { SSGI_GL__IMAGE(NULL, "main_history") } },
+      { { NULL, "main_history" } } },
     { SSGI_GL__PASS(COMPOSE, "compose", NONE, NONE,   NONE,     NONE,   FULL,   IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE("colour == GREY", "main_compose_grey"),
-        SSGI_GL__IMAGE("colour != GREY", "main_compose_light") } },
+      { { "colour == GREY", "main_compose_grey" },
+        { "colour != GREY", "main_compose_light" } } },
     { SSGI_GL__PASS(WIDTH, "width", NONE,     NONE,   MEASURED, NONE,   HALF,   IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE(NULL, "main_width") } },
+      { { NULL, "main_width" } } },
     { SSGI_GL__PASS(CHANGES, "changes", NONE, NONE,   NONE,     NONE,   TILES,  IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE(NULL, "main_changes") } },
+      { { NULL, "main_changes" } } },
     { SSGI_GL__PASS(NEARBY, "nearby", NONE,   NONE,   NONE,     NONE,   TILES,  IMAGE,   ONTO,     NEW),
-      { SSGI_GL__IMAGE(NULL, "main_nearby") } }
+      { { NULL, "main_nearby" } } }
 };
 
 /* clang-format on */
@@ -4858,7 +4858,7 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
 /* A desc resolved and linked: the main function of each stage, and what each stage keeps. */
 typedef struct ssgi_gl__program {
     ssgi_gl_desc d;
-    const char *const *mains;
+    const char *mains[SSGI_GL_STAGES];
     ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
 
@@ -4868,9 +4868,11 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
 {
     memset(p, 0, sizeof *p);
     p->d = ssgi_gl_resolve(desc);
-    const ssgi_gl__variant *variant = ssgi_gl__pass_of(p->d.pass)->variant;
+    const ssgi_gl__pass *const row = ssgi_gl__pass_of(p->d.pass);
+    const ssgi_gl__variant *variant = row->variant;
     while (!ssgi_gl__holds(variant->when, &p->d)) ++variant;
-    p->mains = variant->mains;
+    memcpy(p->mains, ssgi_gl__stages[row->draw][p->d.tessellate], sizeof p->mains);
+    p->mains[SSGI_GL_FRAGMENT] = variant->main;
     if (stage < SSGI_GL_STAGES && !p->mains[stage]) return 0;
     for (int i = 0; i < SSGI_GL_STAGES; ++i)
         if (p->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->mains[i]);

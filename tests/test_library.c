@@ -108,13 +108,17 @@ static void names(void)
         const int k = code_named(roots[i], strlen(roots[i]), CODES);
         if (CHECK(k >= 0, "%s is asked for and does not exist", roots[i])) reached[k] = 1;
     }
-    for (int i = 0; i < SSGI_GL_PASSES * SSGI_GL__VARIANTS; ++i)
-        for (int s = 0; s < SSGI_GL_STAGES; ++s) {
-            const ssgi_gl__pass *row = &ssgi_gl__passes[i / SSGI_GL__VARIANTS];
-            const char *main_ = row->variant[i % SSGI_GL__VARIANTS].mains[s];
-            const int k = main_ ? code_named(main_, strlen(main_), CODES) : -1;
-            if (main_ && CHECK(k >= 0, "pass %s names %s, which does not exist", row->name, main_)) reached[k] = 1;
-        }
+    for (int i = 0; i < SSGI_GL_PASSES * SSGI_GL__VARIANTS; ++i) {
+        const ssgi_gl__pass *row = &ssgi_gl__passes[i / SSGI_GL__VARIANTS];
+        const char *main_ = row->variant[i % SSGI_GL__VARIANTS].main;
+        const int k = main_ ? code_named(main_, strlen(main_), CODES) : -1;
+        if (main_ && CHECK(k >= 0, "pass %s names %s, which does not exist", row->name, main_)) reached[k] = 1;
+    }
+    for (int i = 0; i < SSGI_GL__DRAWS * 2 * SSGI_GL_STAGES; ++i) {
+        const char *main_ = ssgi_gl__stages[i / 2 / SSGI_GL_STAGES][i / SSGI_GL_STAGES % 2][i % SSGI_GL_STAGES];
+        const int k = main_ ? code_named(main_, strlen(main_), CODES) : -1;
+        if (main_ && CHECK(k >= 0, "a stage is %s, which does not exist", main_)) reached[k] = 1;
+    }
     for (int i = CODES - 1; i >= 0; --i) {
         const ssgi_gl__code *c = &ssgi_gl__library[i];
         int defines = 0, others = 0;
