@@ -822,6 +822,7 @@ static void command_line(void)
                   { "casters --method aof --set unfiltered=2 --out a.exr", "unfiltered=2" },
                   { "room --method hsao-march --set terms=all --out a.exr", "terms=all" },
                   { "room --set colour=1 --out a.exr", "colour=1" },
+                  { "room --set left_handed=2 --out a.exr", "left_handed=2" },
                   { "room --size 0x5 --out a.exr", "--size 0x5" },
                   { "room --camera 1,2 --out a.exr", "--camera 1,2" },
                   { "room --camera 1,1,1,1,1,1 --out a.exr", "--camera" },

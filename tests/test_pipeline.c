@@ -983,6 +983,13 @@ static void what_engines_have(void)
     kit_image_free(&got);
     glDeleteTextures(1, &other.normal);
 
+    kit_image right;                                       /* the kit's setting of that name does the same */
+    if (!TRY(kit_run_picture(&right, &g, NULL, "hsao", "left_handed=0", scene.radius, &err))
+        || !TRY(kit_run_picture(&got, &g, NULL, "hsao", "left_handed=1", scene.radius, &err))) return;
+    CHECK(!apart(&right, &got, 0, 0), "left_handed=1: %d pixels differ", apart(&right, &got, 0, 0));
+    kit_image_free(&right);
+    kit_image_free(&got);
+
     if (sampled(texture, &g)) {
         d = *gather_of(&run);
         d.multisampled = 1;

@@ -244,7 +244,7 @@ typedef struct kit_settings {
     int    layers, views, view_layers, view_size;
     double margin;                         /* radii */
     /* what occludes there, and how much of it */
-    int    behind, hard, falloff, fade, normal;
+    int    behind, hard, falloff, fade, normal, left_handed;
     double thickness, fade_from, lambda;   /* radii, radii, per radius */
     /* filters */
     int    blur, filter, filter_normals, restore, history;
@@ -341,6 +341,7 @@ typedef struct kit_run {
     /* the result: ambient visibility or irradiance over pi; that of the bounce */
     GLuint        light, bounce;
     GLuint        texture[KIT_MAX_TEXTURES];   /* all that are the run's own */
+    GLuint        normal;                  /* left_handed: the G-buffer's with z the other way; 0 = as it has them */
     GLuint        noise, kernel, environment, irradiance, view_depth, atlas, grey, cap;
     GLuint        block[KIT_FRAMES];
     kit_gbuffer   view[KIT_MAX_VIEWS];     /* of the extra cameras */

@@ -10,7 +10,9 @@ GLuint kit_pass_texture(const kit_run *run, const kit_pass *p, const char *name)
                   { "layers", p->gbuffer->layer_depth },
                   { "back", p->desc.thickness == SSGI_GL_THICKNESS_SLABS ? p->gbuffer->slabs : p->gbuffer->back },
                   { "views", run->view_depth },
-                  { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
+                  { "normal", p->desc.receiver ? p->gbuffer->layer_normal
+                              : run->normal    ? run->normal
+                                               : p->gbuffer->normal },
                   { "albedo", p->desc.receiver     ? p->gbuffer->layer_albedo
                               : p->gbuffer->albedo ? p->gbuffer->albedo
                                                    : run->grey },

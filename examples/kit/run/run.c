@@ -56,6 +56,22 @@ static void add_noise(kit_making *m)
     m->run->noise = kit_keep(m->run, kit_texture(size, size, GL_RGBA32F, tile));
 }
 
+/* The projection of a camera along +z, and normals as it has them. */
+static int turn_left_handed(kit_making *m, const kit_gbuffer *g, float projection[16])
+{
+    const size_t texels = (size_t)g->width * (size_t)g->height;
+    float *n = malloc(4 * texels * sizeof *n);
+    for (int k = 8; k < 12; ++k) projection[k] = -projection[k];
+    if (!n || (g->normal && kit_texture_read(g->normal, g->width, g->height, 4, n))) {
+        free(n);
+        return kit_fail(m->err, "--set left_handed=1: normals cannot be read");
+    }
+    for (size_t i = 0; i < texels && g->normal; ++i) n[4 * i + 2] = -n[4 * i + 2];
+    if (g->normal) m->run->normal = kit_keep(m->run, kit_texture(g->width, g->height, GL_RGBA32F, n));
+    free(n);
+    return 0;
+}
+
 /* What there is to draw on a G-buffer, the caller's or a wider one. */
 static int open_on(kit_making *m, kit_gbuffer *g, float radius)
 {
@@ -63,7 +79,9 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     ssgi_view view;
     const char *why = "";
     float picture[16], projection[16];
-    if (kit_view_of(&view, g->projection, g->camera.depth, g->viewport[2], g->viewport[3], m->err)) return -1;
+    memcpy(projection, g->projection, sizeof projection);
+    if (m->set->left_handed && turn_left_handed(m, g, projection)) return -1;
+    if (kit_view_of(&view, projection, g->camera.depth, g->viewport[2], g->viewport[3], m->err)) return -1;
     if (ssgi_gl_frame_init(&run->frame, &view, radius, &why) != SSGI_OK) return kit_fail(m->err, "%s", why);
     run->gbuffer = g;
     run->lit = m->method->lit;

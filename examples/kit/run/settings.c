@@ -28,6 +28,8 @@ typedef struct row { kit_setting setting; size_t member; int where; size_t offse
 ROW(noise_row, noise, "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, PLAN, 0)
 ROW(normal_row, normal, "normals from the G-buffer, or from depth alone, as where a frame has none",
     "gbuffer depth", 0, 0, 1, PLAN, 0)
+ROW(left_handed_row, left_handed, "1: as an engine gives them whose camera looks along +z: projection and normals",
+    NULL, 0, 0, 1, GATHER, DESC(left_handed))
 #define THICKNESS(name, value) \
     ROW(name, thickness, "thickness of visible surfaces, constant or the most of a width, in radii", \
         NULL, value, 0, 100, SCALED, FRAMED(thickness))
@@ -216,7 +218,7 @@ typedef struct plan {
     }))
 #define SLICES \
     SETTINGS(&slices_row, &steps_row, &half_row, &behind_row, &slice_thick_row, &hard_row, &normal_row, &noise_row, \
-             &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row)
+             &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row, &left_handed_row)
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define POINTS \
     &samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, \
