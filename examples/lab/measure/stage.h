@@ -88,6 +88,8 @@ int stage_show(stage *s, const view *v, int width, int height, kit_error *err);
 int stage_open(stage *s, const view *v, int width, int height, kit_error *err);
 void stage_close(stage *s);
 
+/* The truth alone, of its camera (gbuffer.camera), from build/cache where it was computed before. */
+int stage_truth(stage *s, kit_error *err);
 /* The truth's rays; every stride-th pixel. */
 int stage_trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err);
 /* The true ambient visibility (channel Y) of a stage that is lit. */
