@@ -5,6 +5,7 @@
 #   make test    all tests; tree: who calls whom  make peers       what others have, for the chart
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make seeds   the chart's part on scenes by seed
+#   make against OLD=HEAD   what this tree draws beside what a revision draws, of every accumulator; METHOD=hsao: a row
 #   make golden    the hashes of those texts that make test compares
 #   make passes    examples/docs/PASSES.md, the table of them
 #   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
@@ -202,6 +203,19 @@ build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
 build/oracle: $(addprefix build/examples/lab/oracle/,oracle.o surfels.o harmonics.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
+# A revision's build/render is made of its own sources, under build/old, once; METHOD="hsao ssdo": those rows, or all whose
+# names begin so. Status 1 is a row that breaks a limit: examples/docs/CONTRIBUTING.md.
+AGAINST = $(addprefix lab/against/,against compared look subjects) $(addprefix lab/measure/,folder rows picture stage) \
+          lab/page/page
+against: build/against build/render
+	@revision=$$(git rev-parse --verify -q --short=12 '$(OLD)^{commit}') || \
+	  { echo 'against: OLD=$(OLD) is no revision' >&2; exit 2; }; old=build/old/$$revision; \
+	test -d $$old || { rm -rf $$old.part && mkdir -p $$old.part && git archive $$revision | tar -x -C $$old.part && \
+	  mv $$old.part $$old; } || exit 2; \
+	$(MAKE) -C $$old build/render || exit 2; build/against $$old/build/render build/render $(METHOD)
+build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
+
 # The text of every pass, dialect and feature choice, as plain files; manifest.json says what belongs together.
 # make glsl WGSL=1 HLSL=1 MSL=1 SPV=1: what other compilers make of the vulkan ones, beside them; each needs a tool, which
 # is named where it is missing.
@@ -273,7 +287,7 @@ glsl-out glsl-in: build/library
 TESTS = main t others $(addprefix test_,math trace files models seeds library text twins pipeline light vectors field casters \
         steps surfels plan papers stability build)
 
-TESTED = $(sort $(SWEEP) $(filter-out lab/report,$(REPORT)))
+TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects $(filter-out lab/report,$(REPORT)))
 build/test: $(TESTS:%=build/tests/%.o) $(TESTED:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -287,7 +301,8 @@ build/fuzz-files: $(addprefix build/sanitized/,tests/fuzz_files.o tests/others.o
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(KIT_LIBS) -o $@
 
 # No room of examples/ calls one above it.
-tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(GLSL_O) $(BENCH:%=build/examples/%.o)
+tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(GLSL_O) $(BENCH:%=build/examples/%.o) \
+      $(AGAINST:%=build/examples/%.o)
 	@sh tests/tree.sh $(sort $^)
 
 # make test ONLY="math text" runs those groups, make test PASS=blur those that draw that pass: only the programs that
@@ -313,7 +328,7 @@ clean:
 	rm -rf build report
 
 .PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability \
-        fit fit-gpu glsl golden deps unlisted format clean
+        against fit fit-gpu glsl golden deps unlisted format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)

@@ -4,6 +4,8 @@
 #include "kit/kit_gl.h"
 #include "kit/kit_seed.h"
 #include "kit/kit_trace.h"
+#include "lab/against/compared.h"
+#include "lab/against/subjects.h"
 #include "lab/measure/spread.h"
 #include "lab/page/units.h"
 
@@ -221,6 +223,161 @@ static void spreads(void)
           "of none: mean %g, worst number %d; of one alone: +- %g", none.mean, none.worst, alone.half);
 }
 
+/* ---- two builds: what differs, and the rows that are compared --------------------------------------------------- */
+
+enum { ACROSS_DIFFERS = 32, DOWN_DIFFERS = 16, NOISY = 256 };
+
+/* 1, 1, -1, -1, 1 .. across, all rows alike: 32 columns make 31 neighbours, 16 of them equal; of 29 pairs three apart 14
+   are equal. Patches of eight columns have mean 0. */
+static double stripes(int x, int y) { return (void)y, x & 2 ? -1 : 1; }
+
+/* The left half 1, the right one -1: one of 31 neighbours differs, three of 29 pairs; of two rows of four patches one of
+   three neighbours, none of the four above each other. */
+static double halves(int x, int y) { return (void)y, x < ACROSS_DIFFERS / 2 ? 1 : -1; }
+
+static double checks(int x, int y) { return (x + y) & 1 ? -1 : 1; }
+
+static void differences(void)
+{
+    static const char *const both[2] = { "A", "B" };
+    static const struct { const char *name; double (*at)(int x, int y), across[2], down, patches; } cases[] = {
+        { "stripes", stripes, { 1.0 / 31, -1.0 / 29 }, 1, 0 },
+        { "halves", halves, { 29.0 / 31, 23.0 / 29 }, 1, (1.0 / 3 + 1) / 2 },
+        { "checks", checks, { -1, -1 }, -1, 0 }
+    };
+    static float mask[ACROSS_DIFFERS * DOWN_DIFFERS];
+    kit_error err;
+    kit_image a, b;
+    compared c;
+    if (!CHECK(!kit_image_new(&a, ACROSS_DIFFERS, DOWN_DIFFERS, "A,B", &err)
+                   && !kit_image_new(&b, ACROSS_DIFFERS, DOWN_DIFFERS, "B,A", &err), "%s", err.text)) return;
+    const int pixels = ACROSS_DIFFERS * DOWN_DIFFERS;
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < pixels; ++i) {
+            const double d = 0.125 * cases[k].at(i % ACROSS_DIFFERS, i / ACROSS_DIFFERS);
+            for (int n = 0; n < 2; ++n) {
+                kit_image_channel(&b, both[n])[i] = (float)(0.5 + n);
+                kit_image_channel(&a, both[n])[i] = (float)(0.75 + n + (n ? -d : d));
+            }
+        }
+        CHECK(!compared_of(&c, &a, &b, both, 2, NULL, &err) && c.values == (size_t)(2 * pixels)
+                  && fabs(c.bias - 0.25) < 1e-9 && fabs(c.rmse - sqrt(0.25 * 0.25 + 0.125 * 0.125)) < 1e-9,
+              "%s: %zu values, bias %g, RMSE %g", cases[k].name, c.values, c.bias, c.rmse);
+        CHECK(fabs(c.across[0] - cases[k].across[0]) < 1e-9 && fabs(c.across[1] - cases[k].across[1]) < 1e-9
+                  && fabs(c.down[0] - cases[k].down) < 1e-9 && fabs(c.down[1] - cases[k].down) < 1e-9
+                  && fabs(c.patches - cases[k].patches) < 1e-9,
+              "%s: like itself %g, %g across, %g, %g down, %g from patch to patch", cases[k].name, c.across[0],
+              c.across[1], c.down[0], c.down[1], c.patches);
+    }
+    /* Halves of which 25 columns are seen: 16 and 9, which are off the mean by 18/25 and -32/25; of the last patches
+       too little. */
+    for (int i = 0; i < pixels; ++i) {
+        const int x = i % ACROSS_DIFFERS;
+        mask[i] = x < 25;
+        kit_image_channel(&a, "A")[i] = x < 25 ? (float)halves(x, 0) : NAN;
+    }
+    CHECK(!compared_of(&c, &a, &b, both, 1, mask, &err)
+              && fabs(c.across[0] - (15 * 324 + 8 * 1024 - 576) / 24.0 / 576) < 1e-9
+              && fabs(c.across[1] - (13 * 324 + 6 * 1024 - 3 * 576) / 22.0 / 576) < 1e-9 && fabs(c.down[0] - 1) < 1e-9
+              && fabs(c.patches - (-0.25 + 1) / 2) < 1e-9,
+          "halves, a part of them: like itself %g, %g across, %g down, %g from patch to patch", c.across[0], c.across[1],
+          c.down[0], c.patches);
+    for (int i = 0; i < pixels; ++i) {
+        mask[i] = i % 7 != 0;
+        kit_image_channel(&a, "A")[i] = i % 7 ? 0.75f : NAN;
+    }
+    CHECK(!compared_of(&c, &a, &b, both, 1, mask, &err) && c.values == (size_t)(pixels - (pixels + 6) / 7)
+              && fabs(c.bias - 0.25) < 1e-9 && fabs(c.rmse - 0.25) < 1e-9 && c.across[0] == 0 && c.patches == 0,
+          "all by the same, and holes: %zu values, bias %g, RMSE %g, like itself %g, %g", c.values, c.bias, c.rmse,
+          c.across[0], c.patches);
+    CHECK(!compared_of(&c, &a, &b, both, 1, NULL, &err) && isnan(c.rmse), "what is no number: RMSE %g", c.rmse);
+    kit_image_free(&a);
+    kit_image_free(&b);
+}
+
+/* Of 512 pixels, two channels each, the first picture is off by 0.5 at every fourth: RMSE 0.25. The second one is off by
+   as much at half of those: its squared error is less by 0.25 at an eighth of the pixels, which deviate by 0.25
+   sqrt(7 / 64). */
+static void errors_by_hand(void)
+{
+    static const char *const both[2] = { "A", "B" };
+    kit_error err;
+    kit_image p[3];
+    errors e = { 0 };
+    const int pixels = ACROSS_DIFFERS * DOWN_DIFFERS;
+    for (int k = 0; k < 3; ++k)
+        if (!CHECK(!kit_image_new(&p[k], ACROSS_DIFFERS, DOWN_DIFFERS, "A,B", &err), "%s", err.text)) return;
+    for (int i = 0; i < 2 * pixels; ++i) {
+        p[2].data[i] = 1;
+        p[0].data[i] = i % 4 ? 1 : 1.5f;
+        p[1].data[i] = i % 8 ? 1 : 0.5f;
+    }
+    const double second = 0.5 * sqrt(1.0 / 8), doubt = 0.25 * sqrt(7.0 / 64 / pixels) / (0.25 + second);
+    CHECK(!errors_of(&e, (const kit_image *const[]){ &p[0], &p[1] }, &p[2], both, 2, NULL, &err)
+              && fabs(e.rmse[0] - 0.25) < 1e-9 && fabs(e.rmse[1] - second) < 1e-9 && fabs(e.doubt - doubt) < 1e-9,
+          "errors of %g and %g, %g in doubt, which should be %g", e.rmse[0], e.rmse[1], e.doubt, doubt);
+    for (int k = 0; k < 3; ++k) kit_image_free(&p[k]);
+}
+
+/* Noise under a filter of 3x3: two neighbours share two of three columns, two that are three apart none. Over patches of
+   eight the filter's columns weigh 1/3, 2/3, 1 six times, 2/3, 1/3; the next patch shares two: 4/9 of 64/9.
+   What is brighter in a half of the picture by two thirds of that noise's deviation varies the patches as much again. */
+static void noise_and_shape(void)
+{
+    static const char *const y[1] = { "Y" };
+    static float noise[NOISY + 2][NOISY + 2];
+    kit_error err;
+    kit_image a, b;
+    compared c;
+    uint32_t seed = 1;
+    if (!CHECK(!kit_image_new(&a, NOISY, NOISY, "Y", &err) && !kit_image_new(&b, NOISY, NOISY, "Y", &err), "%s",
+               err.text)) return;
+    for (int i = 0; i < (NOISY + 2) * (NOISY + 2); ++i) {
+        seed = seed * 1664525u + 1013904223u;
+        noise[i / (NOISY + 2)][i % (NOISY + 2)] = (float)(seed >> 8) / (float)(1 << 24) - 0.5f;
+    }
+    for (int k = 0; k < 2; ++k) {
+        for (int i = 0; i < NOISY * NOISY; ++i) {
+            const int x = i % NOISY, z = i / NOISY;
+            a.data[i] = k && x < NOISY / 2 ? 2 * sqrtf(1 / 12.0f) / 9 : 0;
+            for (int n = 0; n < 9; ++n) a.data[i] += noise[z + n / 3][x + n % 3] / 9;
+        }
+        if (!CHECK(!compared_of(&c, &a, &b, y, 1, NULL, &err), "%s", err.text)) return;
+        if (k)
+            CHECK(fabs(c.patches - (1 + 1.0 / 16) / 2) < 0.1, "a shape under noise: %g from patch to patch", c.patches);
+        else
+            CHECK(fabs(c.across[0] - 2.0 / 3) < 0.02 && fabs(c.across[1]) < 0.02 && fabs(c.down[0] - 2.0 / 3) < 0.02
+                      && fabs(c.down[1]) < 0.02 && fabs(c.patches - 1.0 / 16) < 0.06,
+                  "noise: like itself %g, %g across, %g, %g down, %g from patch to patch", c.across[0], c.across[1],
+                  c.down[0], c.down[1], c.patches);
+    }
+    kit_image_free(&a);
+    kit_image_free(&b);
+}
+
+/* Each is of a method, with settings that it takes, in a frame that has what they read; one picture's follow each
+   other. */
+static void subjects_sound(void)
+{
+    kit_method m;
+    kit_error err = { "" };
+    for (int i = 0; i < SUBJECTS; ++i) {
+        const subject *u = &subjects[i];
+        const int method = !kit_method_find(&m, u->method, &err) && !kit_method_set(&m, u->settings, &err)
+                        && !kit_method_set(&m, u->new_alone, &err);
+        CHECK(method, "%s: %s", u->name, err.text);
+        CHECK(method && m.lit == quantities[u->quantity].lit, "%s: %s is not what %s draws", u->name,
+              quantities[u->quantity].word, u->method);
+        CHECK(m.set.behind < SSGI_GL_THICKNESS_BACK || u->view == SLABS, "%s: its frame has no back faces", u->name);
+        for (int k = 0; k < i; ++k) {
+            const int same = !strcmp(subjects[k].name, u->name);
+            CHECK(!same || (k + (u->quantity - subjects[k].quantity) == i && !strcmp(subjects[k].method, u->method)
+                            && !strcmp(subjects[k].settings, u->settings) && subjects[k].view == u->view),
+                  "%s: is the name of two pictures", u->name);
+        }
+    }
+}
+
 static int measured;
 
 static int one_row(FILE *html, const options *o, int k, row *rows, kit_error *err)
@@ -279,5 +436,9 @@ void test_seeds(void)
     RUN("a seed that is none: the name and what is wrong with it are told, the scene is untouched", no_seeds);
     RUN("what they are built of is closed, faces outwards and holds its volume, in frames within frames", closed_parts);
     RUN("what many scenes say together: mean, interval, median, worst from known numbers", spreads);
+    RUN("pictures apart: RMSE, bias and what is like itself, worked out by hand", differences);
+    RUN("how far the pixels of a truth leave it in doubt which of two pictures errs more", errors_by_hand);
+    RUN("noise under a filter has no shape, what is brighter under it has", noise_and_shape);
+    RUN("rows that two builds are compared by can be drawn", subjects_sound);
     RUN("a chart of seeds that was interrupted goes on from what it measured", units_resumed);
 }

@@ -1,0 +1,358 @@
+/* against.c - two builds of the library beside each other: what every accumulator draws by the one and by the other, on
+   scenes by seed, and what both err by.
+
+      build/against OLD_RENDER NEW_RENDER [ROW ..]
+      build/against build/old/0123abc/build/render build/render hsao
+
+   A name takes the row that has it, else all rows that begin so; none: all. OLD_RENDER and NEW_RENDER are build/render
+   of two checkouts: they draw frames that this program saves, so that only the library is compared; where a row says
+   so, the scenes themselves. The truth is traced at every eleventh pixel both ways and kept under build/cache.
+
+   A row whose pictures mean the same keeps three limits: on the mean over the scenes neither the bias nor the share of
+   the error goes further, and what differs has no shape, unless it is too little to see. Each row is printed, all scenes
+   go to report/against.csv, and of a row that breaks a limit the worst scene's difference to
+   report/against-ROW-QUANTITY.png. Status 0: all rows keep them; 1: some do not; 2: an error. */
+#include <fcntl.h>
+#include <math.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "lab/against/compared.h"
+#include "lab/against/look.h"
+#include "lab/page/page.h"
+
+#define REPORT "report"
+
+enum { SCENES = 12 }; /* of seeds that settings may be tuned on, from 0 on */
+
+/* Of the mean over the scenes. SHARE: plus half of the 95 % interval that the truth's pixels leave. SEEN: what differs by
+   an RMSE up to it needs no look at its shape. */
+static const double BIAS = 0.0002, SHARE = 0.002, SHAPE = 0.2, SEEN = 0.0002;
+
+/* ---- >>pictures -------------------------------------------------------------------------------------------------- */
+
+/* share: of the old build's error, of the new one's; doubt: the standard error of their difference. missing: the old
+   build does not draw it. */
+typedef struct found {
+    compared apart;
+    double share[2], doubt;
+    int missing, failed;
+    kit_error why;
+} found;
+
+static struct {
+    const char *render[2]; /* old, new */
+    int wanted[SUBJECTS];
+    place place[SCENES]; /* number k is random:k */
+    found found[SUBJECTS][SCENES];
+    int compared, broken, missing; /* rows */
+} all;
+
+/* The first line of what a program said. */
+static void read_line(char *line, size_t size, const char *path)
+{
+    FILE *f = fopen(path, "r");
+    if (!f || !fgets(line, (int)size, f)) snprintf(line, size, "ended without a word");
+    if (f) fclose(f);
+    line[strcspn(line, "\n")] = 0;
+}
+
+/* Runs a program without a shell; what it says goes into a file. */
+static int run(const char *const *words, const char *said, kit_error *err)
+{
+    extern char **environ;
+    posix_spawn_file_actions_t to;
+    pid_t child;
+    int status = 1;
+    char line[512];
+    posix_spawn_file_actions_init(&to);
+    posix_spawn_file_actions_addopen(&to, STDOUT_FILENO, said, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    posix_spawn_file_actions_adddup2(&to, STDOUT_FILENO, STDERR_FILENO);
+    const int failed = posix_spawnp(&child, words[0], &to, NULL, (char *const *)(uintptr_t)words, environ)
+                    || waitpid(child, &status, 0) < 0 || status;
+    posix_spawn_file_actions_destroy(&to);
+    if (failed) read_line(line, sizeof line, said);
+    unlink(said);
+    return failed ? kit_fail(err, "%s", line) : 0;
+}
+
+/* A build's picture, on one core. */
+static int draw(kit_image *out, const subject *u, const place *p, int is_new, kit_error *err)
+{
+    const char *const settings[2] = { u->settings, is_new ? u->new_alone : "" }, *words[32] = { "env" };
+    char base[64], said[80], path[80], last[80], frame[64], size[32], frames[16], orbit[16];
+    const int turned = u->view == TURNED;
+    int n = 1;
+    snprintf(base, sizeof base, LOOK_FOLDER "/%d-%s", p->seed, is_new ? "new" : "old");
+    snprintf(said, sizeof said, "%s.txt", base);
+    snprintf(path, sizeof path, "%s%s.exr", base, turned ? "-%d" : "");
+    snprintf(size, sizeof size, "%dx%d", LOOK_WIDTH, LOOK_HEIGHT);
+    snprintf(frames, sizeof frames, "%d", LOOK_FRAMES);
+    snprintf(orbit, sizeof orbit, "%g", LOOK_ORBIT);
+    place_frame(frame, p, u->view);
+#define SAY(...) \
+    for (const char *const *w = (const char *const[]){ __VA_ARGS__, NULL }; *w; ++w) words[n++] = *w
+    SAY("LP_NUM_THREADS=0", "KIT_THREADS=1", all.render[is_new], "--method", u->method, "--out", path);
+    for (int i = 0; i < 2; ++i)
+        if (*settings[i]) SAY("--set", settings[i]);
+    if (quantities[u->quantity].lit) SAY("--env", p->env);
+    if (turned) SAY("--frames", frames, "--orbit", orbit);
+    if (turned || u->view == SCENE) SAY(p->name, "--size", size);
+    else SAY("--gbuffer", frame);
+#undef SAY
+    if (run(words, said, err)) return -1;
+    for (int k = turned ? 0 : LOOK_FRAMES - 1; k < LOOK_FRAMES; ++k) {
+        snprintf(last, sizeof last, turned ? "%s-%d.exr" : "%s.exr", base, k);
+        const int failed = k == LOOK_FRAMES - 1 && kit_exr_read(out, last, err);
+        if (unlink(last) || failed) return -1;
+    }
+    return 0;
+}
+
+/* What the two err by, as shares of what nothing done errs by. */
+static int judge(found *f, const subject *u, const look *l, const kit_image *const picture[2], kit_error *err)
+{
+    const quantity *q = &quantities[u->quantity];
+    const double unit = q->lit ? l->light : 1;
+    const kit_image *truth = &l->truth[q->lit];
+    const float *mask = l->middles.data;
+    compared nothing;
+    errors e;
+    kit_image middles[2] = { { 0 } };
+    int failed = compared_of(&f->apart, picture[1], picture[0], q->channel, q->channels, l->shown.data, err)
+              || compared_of(&nothing, &l->nothing[q->lit], truth, q->channel, q->channels, mask, err);
+    for (int k = 0; k < 2 && !failed; ++k) failed = look_middles(&middles[k], picture[k], err);
+    failed = failed
+          || errors_of(&e, (const kit_image *const[]){ &middles[0], &middles[1] }, truth, q->channel, q->channels, mask,
+                       err);
+    for (int k = 0; k < 2; ++k) kit_image_free(&middles[k]);
+    if (failed) return -1;
+    f->apart.rmse /= unit;
+    f->apart.bias /= unit;
+    for (int k = 0; k < 2; ++k) f->share[k] = e.rmse[k] / nothing.rmse;
+    f->doubt = e.doubt / nothing.rmse;
+    return 0;
+}
+
+/* Rows first .. last - 1 are of one picture. */
+typedef struct drawing {
+    int first, last;
+} drawing;
+
+static void draw_both(void *of, int k)
+{
+    const drawing *d = of;
+    const subject *u = &subjects[d->first];
+    place *p = &all.place[k];
+    found *f = &all.found[d->first][k];
+    kit_image old = { 0 }, new = { 0 };
+    f->missing = draw(&old, u, p, 0, &f->why);
+    f->failed = !f->missing && draw(&new, u, p, 1, &f->why);
+    for (int i = d->first; i < d->last && !f->missing && !f->failed; ++i)
+        f->failed = judge(&all.found[i][k], &subjects[i], place_look(p, u->view),
+                          (const kit_image *const[]){ &old, &new }, &f->why);
+    kit_image_free(&old);
+    kit_image_free(&new);
+}
+
+/* ---- >>results --------------------------------------------------------------------------------------------------- */
+
+enum { RMSE, BIASED, CHANGE, SHAPED, FIGURED };
+
+static double figure(const found *f, int which)
+{
+    return which == RMSE   ? f->apart.rmse
+         : which == BIASED ? f->apart.bias
+         : which == CHANGE ? f->share[1] - f->share[0]
+                           : f->apart.patches;
+}
+
+/* The mean over the scenes, which is farthest from 0, and how far. */
+typedef struct summary {
+    double mean, worst;
+    int whose;
+} summary;
+
+static summary summarise(const found f[SCENES], int which)
+{
+    summary s = { 0, 0, 0 };
+    int count = 0;
+    for (int k = 0; k < SCENES; ++k) {
+        const double v = figure(&f[k], which);
+        if (which == SHAPED && f[k].apart.rmse <= SEEN) continue;
+        s.mean += v;
+        ++count;
+        if (isnan(v) || fabs(v) > fabs(s.worst)) {
+            s.worst = v;
+            s.whose = k;
+        }
+    }
+    if (count) s.mean /= count;
+    return s;
+}
+
+/* What differs, red where the new picture is brighter. */
+static int show(const subject *u, place *p, double rmse, kit_error *err)
+{
+    const char *channel = quantities[u->quantity].channel[quantities[u->quantity].lit];
+    const double range = (rmse > 0 ? 4 * rmse : 0.01) * (quantities[u->quantity].lit ? place_look(p, u->view)->light : 1);
+    kit_image old, new, difference;
+    char path[128];
+    snprintf(path, sizeof path, REPORT "/against-%s-%s.png", u->name, quantities[u->quantity].word);
+    if (draw(&old, u, p, 0, err) || draw(&new, u, p, 1, err)
+        || kit_image_difference(&difference, &new, &old, channel, (float)range, err)
+        || kit_png_write(&difference, "R,G,B", 0, path, err))
+        return -1;
+    printf("%-18s %s: %s, full colour at +-%.2g\n", "", path, p->name, range);
+    kit_image_free(&old);
+    kit_image_free(&new);
+    kit_image_free(&difference);
+    return 0;
+}
+
+static void print_head(void)
+{
+    printf("Means over %d scenes, and in brackets the worst with its seed. Like itself: what differs, 1 and 3 pixels "
+           "across,\n1 and 3 down, and from 8x8 pixels to the next.\n\n%-18s %-10s  %-23s  %-25s  %-34s  %s\n",
+           SCENES, "row", "quantity", "RMSE", "bias", "share of error", "like itself");
+    fflush(stdout);
+}
+
+/* A row's line; how many limits it breaks. */
+static int print_row(int i)
+{
+    static const char *const limited[FIGURED] = { NULL, "bias", "share", "shape" };
+    const found *f = all.found[i];
+    double like[2 * COMPARED_LAGS] = { 0 }, share = 0, half = 0;
+    char verdict[64] = "DIFFERS:";
+    summary s[FIGURED];
+    for (int k = 0; k < FIGURED; ++k) s[k] = summarise(f, k);
+    for (int k = 0; k < SCENES; ++k) {
+        share += f[k].share[0] / SCENES;
+        half = hypot(half, 1.96 * f[k].doubt / SCENES);
+        for (int l = 0; l < COMPARED_LAGS; ++l) {
+            like[l] += f[k].apart.across[l] / SCENES;
+            like[COMPARED_LAGS + l] += f[k].apart.down[l] / SCENES;
+        }
+    }
+    const int breaks[FIGURED] = { 0, !(fabs(s[BIASED].mean) <= BIAS), !(fabs(s[CHANGE].mean) <= SHARE + half),
+                                  s[SHAPED].mean > SHAPE };
+    const int broken = breaks[BIASED] + breaks[CHANGE] + breaks[SHAPED];
+    for (int k = 0; k < FIGURED; ++k)
+        if (breaks[k]) snprintf(verdict + strlen(verdict), sizeof verdict - strlen(verdict), " %s", limited[k]);
+    printf("%-18s %-10s  %.5f (%.5f %3d)", subjects[i].name, quantities[subjects[i].quantity].word, s[RMSE].mean,
+           s[RMSE].worst, s[RMSE].whose);
+    printf("  %+.5f (%+.5f %3d)", s[BIASED].mean, s[BIASED].worst, s[BIASED].whose);
+    printf("  %.4f %+.4f +- %.4f (%+.4f %3d) ", share, s[CHANGE].mean, half, s[CHANGE].worst, s[CHANGE].whose);
+    for (int l = 0; l < 2 * COMPARED_LAGS; ++l) printf(" %+.2f", like[l]);
+    printf(" %+.2f (%+.2f %3d)  %s\n", s[SHAPED].mean, s[SHAPED].worst, s[SHAPED].whose,
+           broken              ? verdict
+           : s[RMSE].mean == 0 ? "same"
+                               : "equal");
+    return broken;
+}
+
+static void add_csv(FILE *f, int i)
+{
+    for (int k = 0; k < SCENES; ++k) {
+        const found *at = &all.found[i][k];
+        fprintf(f, "%s,%s,%d,%.8f,%+.8f,%.6f,%.6f,%.6f", subjects[i].name, quantities[subjects[i].quantity].word,
+                all.place[k].seed, at->apart.rmse, at->apart.bias, at->share[0], at->share[1], at->doubt);
+        for (int l = 0; l < COMPARED_LAGS; ++l) fprintf(f, ",%.4f", at->apart.across[l]);
+        for (int l = 0; l < COMPARED_LAGS; ++l) fprintf(f, ",%.4f", at->apart.down[l]);
+        fprintf(f, ",%.4f\n", at->apart.patches);
+    }
+}
+
+/* Draws a picture's rows and prints them. */
+static int compare(const drawing *d, FILE *csv, kit_error *err)
+{
+    const subject *u = &subjects[d->first];
+    char what[64];
+    snprintf(what, sizeof what, "%s, row %d of %d", u->name, d->first + 1, SUBJECTS);
+    kit_parallel(what, SCENES, draw_both, (void *)(uintptr_t)d);
+    for (int k = 0; k < SCENES; ++k) {
+        const found *f = &all.found[d->first][k];
+        if (f->missing) {
+            printf("%-18s not compared on %s, the old build says: %s\n", u->name, all.place[k].name, f->why.text);
+            all.missing += d->last - d->first;
+            return 0;
+        }
+        if (f->failed) return kit_fail(err, "row %s on %s: %s", u->name, all.place[k].name, f->why.text);
+    }
+    for (int i = d->first; i < d->last; ++i) {
+        const int breaks = print_row(i) > 0;
+        const summary rmse = summarise(all.found[i], RMSE);
+        add_csv(csv, i);
+        if (breaks && show(&subjects[i], &all.place[rmse.whose], rmse.worst, err)) return -1;
+        all.broken += breaks;
+        ++all.compared;
+        fflush(stdout);
+    }
+    return 0;
+}
+
+/* ---- >>main ------------------------------------------------------------------------------------------------------ */
+
+static int want(const char *name, kit_error *err)
+{
+    int exactly = 0, some = 0;
+    for (int i = 0; i < SUBJECTS; ++i) exactly |= !strcmp(subjects[i].name, name);
+    for (int i = 0; i < SUBJECTS; ++i) {
+        if (exactly ? strcmp(subjects[i].name, name) : strncmp(subjects[i].name, name, strlen(name))) continue;
+        all.wanted[i] = some = 1;
+    }
+    return some ? 0 : kit_fail(err, "%s: there is no such row", name);
+}
+
+static int parse(int argc, char **argv, kit_error *err)
+{
+    if (argc < 3) return kit_fail(err, "usage: against OLD_RENDER NEW_RENDER [ROW ..]");
+    for (int k = 0; k < 2; ++k) {
+        all.render[k] = argv[1 + k];
+        if (access(argv[1 + k], X_OK)) return kit_fail(err, "%s: cannot be run", argv[1 + k]);
+    }
+    for (int i = 0; i < SUBJECTS; ++i) all.wanted[i] = argc == 3;
+    for (int i = 3; i < argc; ++i)
+        if (want(argv[i], err)) return -1;
+    return 0;
+}
+
+static int visit_all(kit_error *err)
+{
+    if (kit_gl_open(NULL, err)) return -1;
+    kit_progress("scenes and their truth", 0);
+    for (int k = 0; k < SCENES; ++k) {
+        if (place_open(&all.place[k], k, all.wanted, err)) return -1;
+        kit_progress("scenes and their truth", (k + 1.0) / SCENES);
+    }
+    kit_gl_close();
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    kit_error err = { "" };
+    page csv;
+    int failed = parse(argc, argv, &err) || folder_make(LOOK_FOLDER, &err) || folder_make(REPORT, &err)
+              || page_open(&csv, &err) || visit_all(&err);
+    if (!failed) {
+        print_head();
+        fputs("row,quantity,seed,rmse,bias,share_old,share_new,share_doubt,across_1,across_3,down_1,down_3,patches\n", csv.file);
+    }
+    for (drawing d = { 0, 0 }; d.first < SUBJECTS && !failed; d.first = d.last) {
+        while (d.last < SUBJECTS && !strcmp(subjects[d.first].name, subjects[d.last].name)) ++d.last;
+        failed = all.wanted[d.first] && compare(&d, csv.file, &err);
+    }
+    if (!failed && !all.compared) failed = kit_fail(&err, "no row was compared");
+    if (!failed) failed = page_close(&csv, REPORT, "against.csv", &err);
+    if (failed) {
+        fprintf(stderr, "against: %s\n", err.text);
+        return 2;
+    }
+    printf("\n%d rows compared, %d differ; not compared: %d; scene by scene: " REPORT "/against.csv\n", all.compared,
+           all.broken, all.missing);
+    return all.broken > 0;
+}
