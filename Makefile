@@ -53,9 +53,9 @@ $(DECLARED): build/include/%.h: %.h Makefile
 	+@mkdir -p $(@D); { echo '#line 1 "$<"'; sed '/END OF HEADER/q' $<; } >$@.$$$$ && \
 	  if cmp -s $@.$$$$ $@; then rm $@.$$$$; else mv $@.$$$$ $@; fi
 
-# The compiler lists beside each object which files it read (-MMD; with -MP a file on the list may be deleted). An object
-# without a list, as older Makefiles left them, is made again. Tests take -O1: they compile in two thirds of the time, and
-# run as fast.
+# The compiler lists beside each object which files it read (-MMD; with -MP a file on the list may be deleted). An
+# object without a list, as older Makefiles left them, is made again. Tests take -O1: they compile in two thirds of the
+# time, and run as fast.
 compile   = @mkdir -p $(@D); echo '  cc $@'; $(CC) $(1) -MMD -MP -c $< -o $@
 SANITIZE  = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 THREADS   = $(KIT_FLAGS) -O1 -fsanitize=thread
