@@ -47,7 +47,7 @@ static const entry deep_lights[] = {
     { "dss-lit", "dss-lit", COARSE, 1 },
     { "dss-lit", "dss-lit", "", 0 },
     { "dss-lit, epsilon 0.02", "dss-lit", COARSE ",epsilon=0.02,levels=4", 0 },
-    { "dss-lit, no sky on surfels", "dss-lit", COARSE ",sky=0", 0 }
+    { "dss-lit, the sky on surfels that are hidden, too", "dss-lit", COARSE ",sky=1", 0 }
 };
 static const entry deep_ssdos[] = {
     { "ssdo", "ssdo-fast", "", 0 },

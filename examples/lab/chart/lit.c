@@ -87,11 +87,11 @@ static const entry extension_entries[] = {
 };
 static const entry cost_entries[] = {
     { "ambient visibility", "ssao", "blur=0", 1 },
-    { "harmonics", "ssdo-points", "samples=16,steps=1,environment=sh,bounce=none,blur=0," PLAIN, 1 },
+    { "harmonics", "ssdo-points", "samples=16,steps=1,environment=sh,residual=0,bounce=none,blur=0," PLAIN, 1 },
     { "map", "ssdo-points", "samples=16,steps=1,bounce=none,blur=0," PLAIN, 1 },
     { "map, bounce, of the last frame", "ssdo-points", "samples=16,steps=1,reuse=1,blur=0," PLAIN, 1 },
-    { "harmonics, bounce, of the last frame", "ssdo-points", "samples=16,steps=1,environment=sh,reuse=1,blur=0," PLAIN,
-      1 }
+    { "harmonics, bounce, of the last frame", "ssdo-points",
+      "samples=16,steps=1,environment=sh,residual=0,reuse=1,blur=0," PLAIN, 1 }
 };
 
 static const entry harmonics_entries[] = {
