@@ -227,12 +227,12 @@ static void spreads(void)
 
 enum { ACROSS_DIFFERS = 32, DOWN_DIFFERS = 16, NOISY = 256 };
 
-/* 1, 1, -1, -1, 1 .. across, all rows alike: 32 columns make 31 neighbours, 16 of them equal; of 29 pairs three apart 14
-   are equal. Patches of eight columns have mean 0. */
+/* 1, 1, -1, -1, 1 .. across, all rows alike: 32 columns make 31 neighbours, 16 of them equal; of 29 pairs three apart
+   14 are equal. Patches of eight columns have mean 0. */
 static double stripes(int x, int y) { return (void)y, x & 2 ? -1 : 1; }
 
-/* The left half 1, the right one -1: one of 31 neighbours differs, three of 29 pairs; of two rows of four patches one of
-   three neighbours, none of the four above each other. */
+/* The left half 1, the right one -1: one of 31 neighbours differs, three of 29 pairs; of two rows of four patches one
+   of three neighbours, none of the four above each other. */
 static double halves(int x, int y) { return (void)y, x < ACROSS_DIFFERS / 2 ? 1 : -1; }
 
 static double checks(int x, int y) { return (x + y) & 1 ? -1 : 1; }
@@ -280,8 +280,8 @@ static void differences(void)
               && fabs(c.across[0] - (15 * 324 + 8 * 1024 - 576) / 24.0 / 576) < 1e-9
               && fabs(c.across[1] - (13 * 324 + 6 * 1024 - 3 * 576) / 22.0 / 576) < 1e-9 && fabs(c.down[0] - 1) < 1e-9
               && fabs(c.patches - (-0.25 + 1) / 2) < 1e-9,
-          "halves, a part of them: like itself %g, %g across, %g down, %g from patch to patch", c.across[0], c.across[1],
-          c.down[0], c.patches);
+          "halves, a part of them: like itself %g, %g across, %g down, %g from patch to patch", c.across[0],
+          c.across[1], c.down[0], c.patches);
     for (int i = 0; i < pixels; ++i) {
         mask[i] = i % 7 != 0;
         kit_image_channel(&a, "A")[i] = i % 7 ? 0.75f : NAN;
@@ -295,8 +295,8 @@ static void differences(void)
     kit_image_free(&b);
 }
 
-/* Of 512 pixels, two channels each, the first picture is off by 0.5 at every fourth: RMSE 0.25. The second one is off by
-   as much at half of those: its squared error is less by 0.25 at an eighth of the pixels, which deviate by 0.25
+/* Of 512 pixels, two channels each, the first picture is off by 0.5 at every fourth: RMSE 0.25. The second one is off
+   by as much at half of those: its squared error is less by 0.25 at an eighth of the pixels, which deviate by 0.25
    sqrt(7 / 64). */
 static void errors_by_hand(void)
 {
@@ -319,9 +319,9 @@ static void errors_by_hand(void)
     for (int k = 0; k < 3; ++k) kit_image_free(&p[k]);
 }
 
-/* Noise under a filter of 3x3: two neighbours share two of three columns, two that are three apart none. Over patches of
-   eight the filter's columns weigh 1/3, 2/3, 1 six times, 2/3, 1/3; the next patch shares two: 4/9 of 64/9.
-   What is brighter in a half of the picture by two thirds of that noise's deviation varies the patches as much again. */
+/* Noise under a filter of 3x3: two neighbours share two of three columns, two that are three apart none. Over patches
+   of eight the filter's columns weigh 1/3, 2/3, 1 six times, 2/3, 1/3; the next patch shares two: 4/9 of 64/9. What is
+   brighter in a half of the picture by two thirds of that noise's deviation varies the patches as much again. */
 static void noise_and_shape(void)
 {
     static const char *const y[1] = { "Y" };

@@ -9,8 +9,8 @@
    so, the scenes themselves. The truth is traced at every eleventh pixel both ways and kept under build/cache.
 
    A row whose pictures mean the same keeps three limits: on the mean over the scenes neither the bias nor the share of
-   the error goes further, and what differs has no shape, unless it is too little to see. Each row is printed, all scenes
-   go to report/against.csv, and of a row that breaks a limit the worst scene's difference to
+   the error goes further, and what differs has no shape, unless it is too little to see. Each row is printed; all
+   scenes go to report/against.csv, and of a row that breaks a limit the worst scene's difference to
    report/against-ROW-QUANTITY.png. Status 0: all rows keep them; 1: some do not; 2: an error. */
 #include <fcntl.h>
 #include <math.h>
@@ -27,8 +27,8 @@
 
 enum { SCENES = 12 }; /* of seeds that settings may be tuned on, from 0 on */
 
-/* Of the mean over the scenes. SHARE: plus half of the 95 % interval that the truth's pixels leave. SEEN: what differs by
-   an RMSE up to it needs no look at its shape. */
+/* Of the mean over the scenes. SHARE: plus half of the 95 % interval that the truth's pixels leave, for other noise
+   moves it so far. SEEN: what differs by an RMSE up to it needs no look at its shape. */
 static const double BIAS = 0.0002, SHARE = 0.002, SHAPE = 0.2, SEEN = 0.0002;
 
 /* ---- >>pictures -------------------------------------------------------------------------------------------------- */
@@ -197,7 +197,8 @@ static summary summarise(const found f[SCENES], int which)
 static int show(const subject *u, place *p, double rmse, kit_error *err)
 {
     const char *channel = quantities[u->quantity].channel[quantities[u->quantity].lit];
-    const double range = (rmse > 0 ? 4 * rmse : 0.01) * (quantities[u->quantity].lit ? place_look(p, u->view)->light : 1);
+    const double unit = quantities[u->quantity].lit ? place_look(p, u->view)->light : 1,
+                 range = unit * (rmse > 0 ? 4 * rmse : 0.01);
     kit_image old, new, difference;
     char path[128];
     snprintf(path, sizeof path, REPORT "/against-%s-%s.png", u->name, quantities[u->quantity].word);
@@ -340,7 +341,8 @@ int main(int argc, char **argv)
               || page_open(&csv, &err) || visit_all(&err);
     if (!failed) {
         print_head();
-        fputs("row,quantity,seed,rmse,bias,share_old,share_new,share_doubt,across_1,across_3,down_1,down_3,patches\n", csv.file);
+        fputs("row,quantity,seed,rmse,bias,share_old,share_new,share_doubt,across_1,across_3,down_1,down_3,patches\n",
+              csv.file);
     }
     for (drawing d = { 0, 0 }; d.first < SUBJECTS && !failed; d.first = d.last) {
         while (d.last < SUBJECTS && !strcmp(subjects[d.first].name, subjects[d.last].name)) ++d.last;
