@@ -602,10 +602,10 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* Makes surfels of triangles; their areas sum to the triangle's, on average where small ones are thinned (keep_small
-   0). Writes at most `capacity`, and to *count how many
-   there are (query with out NULL and capacity 0). Triangles without area, with corners that are not finite or beyond
-   SSGI_FAR, or too small for a radius above 0 give none; normals that are not finite count as 0. A surfel's seed
-   depends on its triangle's vertex indices and its place there alone. */
+   0). Writes at most `capacity`, and to *count how many there are (query with out NULL and capacity 0). Triangles
+   without area, with corners that are not finite or beyond SSGI_FAR, or too small for a radius above 0 give none;
+   normals that are not finite count as 0. A surfel's seed depends on its triangle's vertex indices and its place there
+   alone. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -4718,10 +4718,10 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 
    CHANGES since 0.3
    View depths of 1 / SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing
-   in front of the camera, ssgi_gl_plan a thickness that there is not. To ssgi_gl_sent_set a radiance of 1e-30 or less
-   is nothing. Without desc.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: nobody else
-   sent that. Lights of one band bring a quarter to every normal, not all (ssgi_sh_light, desc.lights): a bounce of them
-   was four times too bright. desc.residual holds for desc.lights by bent normals and cones, too.
+   in front of the camera, ssgi_gl_plan an unknown thickness. To ssgi_gl_sent_set a radiance of 1e-30 or less is
+   nothing. Without desc.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: no other step
+   sent its light. Lights of one band bring a quarter to every normal, not all (ssgi_sh_light, desc.lights): a bounce of
+   them was four times too bright. desc.residual holds for desc.lights by bent normals and cones, too.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

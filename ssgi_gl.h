@@ -2075,7 +2075,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_light_harmonics", __LINE__ + 1,
     "// Irradiance by a light projected onto harmonics: its sphere's cap, windowed,\n"
     "// normalised so that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised];\n"
-    "// of one band all receive their mean\n"
+    "// one band knows no normals, so that every surface receives the mean over all of them\n"
     "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) {\n"
     "    float radius = s.colour.w / s.distance; // sine of the cap's\n"
     "    float c = s.at.w > SSGI_SUN ? sqrt(max(1.0 - radius * radius, 0.0)) : 1.0;\n"
@@ -2715,7 +2715,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients v = ssgi_coefficients_none(); // #if !(pass == S3HO && bounce)\n"
     "    ssgi_coefficients v = sums.bounce; // #if pass == S3HO && bounce\n"
     "#if transfer == BOTH && bands == 1\n"
-    "    // what is reflected has no residual, which is most of a lamp: y, which is free, notes it\n"
+    "    // one band leaves lane y free: it keeps the reflected part, to which no residual is added\n"
     "    for (int c = 0; c < 3; ++c) v.c[c].a.y = v.c[c].a.x;\n"
     "#endif\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], sums.lobe, 1.0); // #if environment == SH\n"
@@ -4131,7 +4131,7 @@ enum {
 
 enum {
     SSGI_GL__PRESET_NONE = 0, /* nothing in it trades cost for accuracy */
-    SSGI_GL__PRESET_SSAO,
+    SSGI_GL__PRESET_SSAO,     /* this and those below number the rows of ssgi_gl__presets */
     SSGI_GL__PRESET_LIGHTS,
     SSGI_GL__PRESET_SEARCH /* the preset of desc.search, so that a desc also serves the passes around its own */
 };
@@ -4485,46 +4485,36 @@ typedef struct ssgi_gl__preset {
     int fades; /* 1: range, and fade SMOOTH */
 } ssgi_gl__preset;
 
-enum { SSGI_GL__OF_SSAO, SSGI_GL__OF_SLICES, SSGI_GL__OF_MARCH, SSGI_GL__OF_POINTS, SSGI_GL__OF_LIGHTS };
-
+/* By the passes' column preset, from SSGI_GL__PRESET_SSAO on; those of SSGI_GL__PRESET_SEARCH by desc.search. */
 /* clang-format off */
 static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_BEST + 1] = {
     /* half, samples, directions, steps, normal_rays, fades */
     { { 0,  8, 0,  1, 0, 0 },       /* ssao: FAST */
       { 0, 16, 0,  1, 0, 0 },       /*       BALANCED */
       { 0, 32, 0,  1, 0, 0 } },     /*       BEST */
+    { { 0,  4, 0,  1, 0, 0 },       /* segments of lights: FAST */
+      { 0,  8, 0,  1, 0, 0 },       /*                     BALANCED */
+      { 0, 16, 0,  1, 0, 0 } },     /*                     BEST */
     { { 1,  0, 1,  6, 0, 0 },       /* slices: FAST */
       { 1,  0, 2, 10, 0, 0 },       /*         BALANCED */
       { 0,  0, 2, 10, 0, 0 } },     /*         BEST */
-    { { 0,  0, 4,  6, 0, 0 },       /* march: FAST */
-      { 0,  0, 6,  9, 1, 0 },       /*        BALANCED */
-      { 0,  0, 8, 18, 2, 0 } },     /*        BEST */
     /* several along a direction, as single ones miss more */
     { { 1,  4, 0,  4, 0, 1 },       /* points of ssdo, s3ho: FAST */
       { 0,  4, 0,  4, 0, 1 },       /*                       BALANCED */
       { 0,  8, 0,  6, 0, 1 } },     /*                       BEST */
-    { { 0,  4, 0,  1, 0, 0 },       /* segments of lights: FAST */
-      { 0,  8, 0,  1, 0, 0 },       /*                     BALANCED */
-      { 0, 16, 0,  1, 0, 0 } } };   /*                     BEST */
+    { { 0,  0, 4,  6, 0, 0 },       /* march: FAST */
+      { 0,  0, 6,  9, 1, 0 },       /*        BALANCED */
+      { 0,  0, 8, 18, 2, 0 } } };   /*        BEST */
 
 /* clang-format on */
 
-static int ssgi_gl__presets_of(const ssgi_gl_desc *desc)
-{
-    const int preset = ssgi_gl__pass_of(desc->pass)->preset;
-    if (preset == SSGI_GL__PRESET_SSAO) return SSGI_GL__OF_SSAO;
-    if (preset == SSGI_GL__PRESET_LIGHTS) return SSGI_GL__OF_LIGHTS;
-    if (desc->search == SSGI_GL_SLICES) return SSGI_GL__OF_SLICES;
-    return desc->search == SSGI_GL_MARCH ? SSGI_GL__OF_MARCH : SSGI_GL__OF_POINTS;
-}
-
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
 {
-    const ssgi_gl__preset *set;
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(preset >= 0 && preset <= SSGI_GL_BEST, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
-    if (ssgi_gl__pass_of(desc->pass)->preset == SSGI_GL__PRESET_NONE) return SSGI_OK;
-    set = &ssgi_gl__presets[ssgi_gl__presets_of(desc)][preset];
+    const int of = ssgi_gl__pass_of(desc->pass)->preset, search = of == SSGI_GL__PRESET_SEARCH ? desc->search : 0;
+    if (of == SSGI_GL__PRESET_NONE) return SSGI_OK;
+    const ssgi_gl__preset *const set = &ssgi_gl__presets[of - SSGI_GL__PRESET_SSAO + search][preset];
     desc->half = set->half;
     desc->steps = set->steps;
     if (set->samples) {

@@ -165,6 +165,15 @@ static const char *const deep_rooms =
     "    return bad;\n"
     "}\n";
 
+/* Is a program here? Says that what it is for is not tried when it is not. */
+static int has(const char *program)
+{
+    char text[400];
+    const int here = !shell(text, sizeof text, "command -v %s%s", program, "");
+    if (!here) t_note("%s is not here: not tried", program);
+    return here;
+}
+
 static double implementation_seconds;          /* of processor, that gcc took for both of them at -O2 */
 
 /* Each compiler takes both ways and both standards; what optimisers alone see (values that may be unset, arithmetic
@@ -178,7 +187,7 @@ static void compilers(void)
                   { "clang -Wcomma -std=c99 -xc", "clang -std=c11 -xc" },
                   { "g++ -std=c++11 -xc++", "g++ -std=c++17 -xc++" },
                   { "clang++ -std=c++17 -xc++", "clang++ -std=c++11 -xc++" } };
-    char text[4000], present[200], compile[200];
+    char text[4000], compiler[40], compile[200];
     int ran = 0;
     write_text("implementation.c",
                "#include \"ssgi_gl.h\"\n#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n"
@@ -191,12 +200,8 @@ static void compilers(void)
                "#define SSGI_STATIC\n#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include "
                "\"rooms.c\"\n#include \"field.c\"\n#include \"deep.c\"\nint main(void) { return use(); }\n");
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
-        const int name = (int)strcspn(modes[i].whole, " ");
-        snprintf(present, sizeof present, "command -v %.*s", name, modes[i].whole);
-        if (shell(text, sizeof text, "%s%s", present, "")) {
-            t_note("%.*s is not here: not tried", name, modes[i].whole);
-            continue;
-        }
+        snprintf(compiler, sizeof compiler, "%.*s", (int)strcspn(modes[i].whole, " "), modes[i].whole);
+        if (!has(compiler)) continue;
         snprintf(compile, sizeof compile, "%s " WARNINGS " -I.", modes[i].whole);
         const double before = t_spent(1);
         const int failed = shell(text, sizeof text, "%s -c implementation.c -o implementation.o%s", compile, "")
@@ -215,15 +220,6 @@ static void compilers(void)
         ++ran;
     }
     CHECK(ran >= 2, "only %d compilers were there", ran);
-}
-
-/* Is a program here? Says that what it is for is not tried when it is not. */
-static int has(const char *program)
-{
-    char text[400];
-    const int here = !shell(text, sizeof text, "command -v %s%s", program, "");
-    if (!here) t_note("%s is not here: not tried", program);
-    return here;
 }
 
 /* Behind the macros of many hosts, behind windows.h, and for MSVC's dialect. -Wpedantic holds literals to 4,095

@@ -119,7 +119,7 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
     kit_rotation_of(run->frame.rotation, picture, NULL);
     m->gather.environment = SSGI_GL_ENVIRONMENT_MAP;
     if (env->data && kit_add_environment(m)) return -1;
-    /* of surfels: what splats hide is seen all the same, and without slices all are lit anyway */
+    /* The picture's own surfels have the picture's light; without slices ssgi_gl_steps lights all of them. */
     if (!env->data || !m->set->sky) m->gather.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (kit_seen(run->gbuffer, &seen, m->err)) return -1;
     kit_placed_light *placed = kit_placed_lights_new(m, &seen, &count, &s->lamps);
