@@ -974,7 +974,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_inside", __LINE__ + 1,
     "bool ssgi_inside(ivec2 p) {\n"
-    "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // uint(-1) is large\n"
+    "    return all(lessThan(uvec2(p), uvec2(u_ssgi_size))); // uint(-1) is large\n"
     "}\n" },
 
 { "ssgi_gathered_texel", __LINE__ + 1,
@@ -1013,12 +1013,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n"
     "}\n" },
 
-{ "ssgi_measured", __LINE__ + 1,
-    "// what pass width wrote for a pixel: view depth; its last 6 bits are the thickness in radii / 63\n"
-    "uint ssgi_measured(ivec2 p) {\n"
-    "    uvec4 m = texelFetch(t_ssgi_width, (p >> 1) + u_ssgi_target / 2, 0);\n"
+{ "ssgi_measured_origin", __LINE__ + 1,
+    "ivec2 ssgi_measured_origin() { // of the picture in what pass width wrote, in pixels\n"
+    "    return u_ssgi_target & -2;\n"
+    "}\n" },
+
+{ "ssgi_measured_texel", __LINE__ + 1,
+    "// what pass width wrote for a pixel, counted from texel 0,0: view depth; its last 6 bits are the thickness in\n"
+    "// radii / 63\n"
+    "uint ssgi_measured_texel(ivec2 p) {\n"
+    "    uvec4 m = texelFetch(t_ssgi_width, p >> 1, 0);\n"
     "    m.xy = (p.y & 1) == 0 ? m.xy : m.zw;\n"
     "    return (p.x & 1) == 0 ? m.x : m.y;\n"
+    "}\n" },
+
+{ "ssgi_measured", __LINE__ + 1,
+    "uint ssgi_measured(ivec2 p) {\n"
+    "    return ssgi_measured_texel(p + ssgi_measured_origin());\n"
     "}\n" },
 
 { "ssgi_measured_depth", __LINE__ + 1,
@@ -2209,11 +2220,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_attenuation", __LINE__ + 1,
-    "float ssgi_attenuation(float d) { // an occluder's weight at a distance [HSAO08 3.5]\n"
-    "    return d < u_ssgi_radius ? 1.0 : 0.0; // #if hard\n"
-    "    d /= u_ssgi_radius; // #if !hard\n"
-    "    return max(1.0 - d, 0.0); // #if !hard && falloff == LINEAR\n"
-    "    return max(1.0 - d * d, 0.0); // #if !hard && falloff == SQUARE\n"
+    "float ssgi_attenuation(float d) { // an occluder's weight at a distance in radii [HSAO08 3.5]\n"
+    "    return d < 1.0 ? 1.0 : 0.0; // #if hard\n"
+    "    return clamp(1.0 - d, 0.0, 1.0); // #if !hard && falloff == LINEAR\n"
+    "    return clamp(1.0 - d * d, 0.0, 1.0); // #if !hard && falloff == SQUARE\n"
     "}\n" },
 
 /* ---- points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]; the distribution of lengths attenuates */
@@ -2329,8 +2339,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// occlusion along one ray from the lifted receiver: the weight of the first occluded step\n"
     "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
     "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
-    "        float d = u_ssgi_radius * (float(i) + xi) / float(SSGI_STEPS);\n"
-    "        if (ssgi_blocked(start + direction * d) > 0.0) return ssgi_attenuation(d);\n"
+    "        float d = (float(i) + xi) / float(SSGI_STEPS);\n"
+    "        if (ssgi_blocked(start + direction * (u_ssgi_radius * d)) > 0.0) return ssgi_attenuation(d);\n"
     "    }\n"
     "    return 0.0;\n"
     "}\n" },
@@ -2363,7 +2373,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            float H = y * inversesqrt(x * x + y * y);\n"
     "            if (H > r.x) {\n"
     "#endif\n"
-    "                r = vec2(H, r.y + (H * H - r.x * r.x) * ssgi_attenuation(l));\n"
+    "                r = vec2(H, r.y + (H * H - r.x * r.x) * ssgi_attenuation(l / u_ssgi_radius));\n"
     "                h = H * n + sqrt(max(1.0 - H * H, 0.0)) * t;\n"
     "            }\n"
     "        }\n"
@@ -2406,7 +2416,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    cosine-weighted measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its
    distance; the surface has the thickness of desc.thickness. Taps of one surface are joined: they also cover the
    sectors between them, at their mean distance. n over the length l of its projection makes dot(d, n) the height over
-   the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y. */
+   the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y.
+   Most taps lie in the tangent plane or below it: only where one of a step's two rises are arcs worked out. */
 
 /* [DSS14 section 3.1] */
 { "ssgi_surfel_radius", __LINE__ + 1,
@@ -2423,14 +2434,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 
+{ "ssgi_arc_odd", __LINE__ + 1,
+    "vec2 ssgi_arc_odd(vec2 c, vec2 q) { // acos c - c sin acos c, to 0.0015; q: c * c\n"
+    "    // 0 at c = 1 and odd about c = 0\n"
+    "    return 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
+    "}\n" },
+
 { "ssgi_arc", __LINE__ + 1,
-    "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c:\n"
+    "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c, q their squares:\n"
     "// the integral of sin x cos(g - x), where g is the signed angle from the view direction to the projected\n"
     "// normal; half its cosine and +-half its sine are given.\n"
-    "vec2 ssgi_arc(vec2 c, float cosg, vec2 sing) {\n"
-    "    vec2 q = c * c; // acos c - c sin acos c, to 0.0015, is 0 at c = 1 and odd about c = 0\n"
-    "    vec2 e = 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
-    "    return cosg * (1.0 - q) + sing * e;\n"
+    "vec2 ssgi_arc(vec2 c, vec2 q, vec2 cosg, vec2 sing) {\n"
+    "    return cosg - cosg * q + sing * ssgi_arc_odd(c, q);\n"
     "}\n" },
 
 { "SSGI_LEVEL", __LINE__ + 1,
@@ -2438,6 +2453,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "SSGI_OVER", __LINE__ + 1,
     "const float SSGI_OVER = 0.4; // the same beyond the zenith: rounding, or a texel off the slice\n" },
+
+{ "SSGI_ROUNDED", __LINE__ + 1,
+    "const float SSGI_ROUNDED = 0.05; // of a pixel: what the walk's rounding may not reach\n" },
 
 { "SSGI_JOINED", __LINE__ + 1,
     "const float SSGI_JOINED = 4.0; // thickness CONSTANT: slope up to which taps are joined\n" },
@@ -2450,8 +2468,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_sectors", __LINE__ + 1,
     "uvec2 ssgi_sectors(vec2 low, vec2 high) { // the sectors from low to high, a bit each\n"
-    "    uvec2 a = uvec2(low), b = uvec2(high), one = uvec2(1u); // by halves, as shifts by 32 are undefined\n"
-    "    return ((one << (b >> 1u)) << (b - (b >> 1u))) - ((one << (a >> 1u)) << (a - (a >> 1u)));\n"
+    "    uvec2 a = uvec2(low), b = uvec2(high), one = uvec2(1u); // of 32 the shift is by 0, and one less is none\n"
+    "    return ((one << (b & 31u)) - (b >> 5u)) - ((one << (a & 31u)) - (a >> 5u));\n"
     "}\n" },
 
 { "ssgi_count", __LINE__ + 1,
@@ -2465,113 +2483,207 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
+{ "ssgi_walked_origin", __LINE__ + 1,
+    "ivec2 ssgi_walked_origin() { // of the picture in what slices read\n"
+    "    return ssgi_measured_origin(); // #if thickness > SOLID\n"
+    "    return ivec2(0); // #if thickness < WIDTH\n"
+    "}\n" },
+
+{ "ssgi_receiver", __LINE__ + 1,
+    "struct ssgi_receiver { // what its slices share\n"
+    "    vec3 P, normal, n; // n: the normal in the basis\n"
+    "    mat3 basis; // z: to the eye\n"
+    "    vec2 unproject; // radii per pixel, at depth 1 // #if !orthographic\n"
+    "    vec2 unproject; // radii per pixel // #if orthographic\n"
+    "    vec2 across, up; // a radius along x and y of the basis, in pixels\n"
+    "    float ray, near; // radii per view depth along its ray; what is nearer is the receiver itself\n"
+    "};\n" },
+
+{ "ssgi_receiver_of", __LINE__ + 1,
+    "ssgi_receiver ssgi_receiver_of(vec3 P, vec3 normal) {\n"
+    "    ssgi_receiver r;\n"
+    "    vec3 V = ssgi_toward(P);\n"
+    "    float per = 1.0 / u_ssgi_radius;\n"
+    "    r.P = P, r.normal = normal, r.basis = ssgi_basis(V), r.n = normal * r.basis;\n"
+    "    r.unproject = u_ssgi_unproject.xy * per;\n"
+    "    r.across = ssgi_screen(P, r.basis[0]) * u_ssgi_radius, r.up = ssgi_screen(P, r.basis[1]) * u_ssgi_radius;\n"
+    "    r.ray = per; // #if orthographic\n"
+    "    r.ray = per / V.z; // #if !orthographic\n"
+    "    // its own pixel is off by rounding alone, in any direction: beside a share of a pixel that is nothing\n"
+    "    r.near = max(SSGI_ROUNDED * ssgi_footprint(-P.z) * per, 1e-18);\n"
+    "    return r;\n"
+    "}\n" },
+
+/* The point Q at view depth z, seen by a pixel q: dot(Q - P, v) is (dot(form.xy, q) + form.z) * z + form.w; without
+   perspective dot(form.xy, q) + form.z * z + form.w. */
 { "ssgi_slice", __LINE__ + 1,
-    "struct ssgi_slice {\n"
-    "    vec3 t, up, n; // t in the tangent plane, up perpendicular to it; n: the normal over its projection's length\n"
-    "    float cosg; // with sing, for ssgi_arc\n"
-    "    vec2 sing, sectors, noise, share; // sectors per measure, rounding noise, the hemisphere's share per sector\n"
-    "    vec2 x, y; // a point's x, y along its ray, per depth (perspective: plus x, y over depth)\n"
+    "struct ssgi_slice { // lengths in radii\n"
+    "    vec3 along; // it and the view direction span it\n"
+    "    vec4 x, y; // forms: along the tangent plane, and the height over it within the slice\n"
+    "    vec4 off; // off the slice at the receiver's depth: dot(xy, q) + z; w: height over the plane for that\n"
+    "    vec2 cosg, sing, rest; // for ssgi_arc, so that it is in sectors; cosg and the noise that rounds them\n"
+    "    vec2 share; // of the hemisphere, per sector\n"
+    "    vec2 edge; // how far the picture goes, of the radius\n"
+    "    float near, least, grain; // of the receiver, its square; unit of pass width, in view units\n"
     "};\n" },
 
 { "ssgi_slice_of", __LINE__ + 1,
-    "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, vec3 normal, vec2 noise) {\n"
-    "    float a = dot(normal, along), b = dot(normal, V), l = max(sqrt(a * a + b * b), 1e-4);\n"
-    "    a /= l, b /= l;\n"
-    "    vec3 t = along * b - V * a, up = along * a + V * b, n = normal / l;\n"
-    "    vec2 sing = vec2(0.5, -0.5) * a, whole = max(ssgi_arc(vec2(-a, a), 0.5 * b, sing), 1e-5);\n"
-    "    vec2 share = whole * (l / (32.0 * float(SSGI_DIRECTIONS)));\n"
-    "    vec2 x = vec2(-t.z, t.z), y = vec2(-n.z); // #if orthographic\n"
-    "    vec2 x = vec2(dot(P, t), -dot(P, t)), y = vec2(dot(P, n)); // #if !orthographic\n"
-    "    return ssgi_slice(t, up, n, 0.5 * b, sing, 32.0 / whole, noise, share, x, y);\n"
+    "// the slice at a turn, cosine and sine, about the view direction; p: the receiver's coordinates among pixels\n"
+    "ssgi_slice ssgi_slice_of(ssgi_receiver r, ivec2 p, vec2 turn, vec2 noise) {\n"
+    "    vec3 along = r.basis[0] * turn.x + r.basis[1] * turn.y, across = r.basis[1] * turn.x - r.basis[0] * turn.y;\n"
+    "    float a = dot(r.n.xy, turn), b = r.n.z, l = max(sqrt(a * a + b * b), 1e-4), per = 1.0 / l;\n"
+    "    float tilt = (r.n.y * turn.x - r.n.x * turn.y) * per;\n"
+    "    a *= per, b *= per;\n"
+    "    ssgi_slice s;\n"
+    "    s.along = along;\n"
+    "    s.x = vec4((along.xy * b - r.basis[2].xy * a) * r.unproject, r.ray * a, r.ray * a * r.P.z);\n"
+    "    s.y = vec4(r.normal.xy * per * r.unproject, -r.ray * b, -r.ray * b * r.P.z);\n"
+    "    s.off = vec4(across.xy * r.unproject, 0.0, tilt);\n"
+    "    s.off.xy *= -r.P.z; // #if !orthographic\n"
+    "    vec2 q = vec2(p);\n"
+    "    s.x.w -= dot(s.x.xy, q), s.y.w -= dot(s.y.xy, q); // #if orthographic\n"
+    "    s.x.z -= dot(s.x.xy, q), s.y.z -= dot(s.y.xy, q); // #if !orthographic\n"
+    "    s.off.z = -dot(s.off.xy, q);\n"
+    "    s.sing = vec2(0.5, -0.5) * a, s.cosg = vec2(0.5 * b);\n"
+    "    vec2 whole = max(ssgi_arc(vec2(-a, a), vec2(a * a), s.cosg, s.sing), 1e-5), scale = 32.0 / whole;\n"
+    "    s.share = whole * (l / (32.0 * float(SSGI_DIRECTIONS)));\n"
+    "    s.cosg *= scale, s.sing *= scale, s.rest = s.cosg + noise;\n"
+    "    s.near = r.near, s.least = r.near * r.near, s.grain = u_ssgi_radius / 63.0;\n"
+    "    return s;\n"
+    "}\n" },
+
+{ "ssgi_edges", __LINE__ + 1,
+    "// how far along pixels, on both sides of p, the picture goes: nearly, so that rounding reads nothing beyond\n"
+    "vec2 ssgi_edges(ivec2 p, vec2 pixels) {\n"
+    "    vec2 per = 1.0 / (pixels + 1e-9);\n"
+    "    vec2 low = (vec2(p) + 0.499) * per, high = (vec2(u_ssgi_size - p) - 0.501) * per;\n"
+    "    vec2 ahead = max(high, -low), behind = max(low, -high);\n"
+    "    return vec2(min(ahead.x, ahead.y), min(behind.x, behind.y));\n"
     "}\n" },
 
 { "ssgi_sector", __LINE__ + 1,
-    "// sector of an elevation with cosine c; 0 where not up\n"
-    "vec2 ssgi_sector(ssgi_slice s, vec2 c, bvec2 up) {\n"
-    "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n"
-    "}\n" },
-
-{ "ssgi_deepen", __LINE__ + 1,
-    "// moves x, y, depth z along their rays, away from the viewer; returns their sectors\n"
-    "vec2 ssgi_deepen(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 by) {\n"
-    "    x += by * s.x, y += by * s.y; // #if orthographic\n"
-    "    by /= z, x += by * (x + s.x), y += by * (y + s.y); // #if !orthographic\n"
-    "    vec2 r = inversesqrt(max(x * x + y * y, 1e-36));\n"
-    "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n"
+    "// sector of an elevation with cosine c, q its square, up to most; 0 where not up\n"
+    "vec2 ssgi_sector(ssgi_slice s, vec2 c, vec2 q, bvec2 up, vec2 most) {\n"
+    "    vec2 sector = s.rest - s.cosg * q + s.sing * ssgi_arc_odd(c, q);\n"
+    "    return mix(vec2(0.0), clamp(sector, vec2(0.0), most), up);\n"
     "}\n" },
 
 { "ssgi_cover_sectors", __LINE__ + 1,
-    "// covers an arc's sectors; share of those that were not, attenuated by a distance\n"
-    "vec2 ssgi_cover_sectors(ssgi_slice s, inout uvec2 mask, uvec2 arc, vec2 d) {\n"
-    "    vec2 fresh = ssgi_count(arc & ~mask);\n"
-    "    mask |= arc;\n"
-    "    fresh *= ssgi_near(d); // #if span\n"
-    "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y)) * s.share;\n"
+    "// covers an arc's sectors; those that were free, attenuated by a distance in radii\n"
+    "vec2 ssgi_cover_sectors(inout uvec2 left, uvec2 arc, vec2 d) {\n"
+    "    arc &= left;\n"
+    "    left ^= arc;\n"
+    "    vec2 fresh = ssgi_count(arc);\n"
+    "    fresh *= ssgi_near(d * u_ssgi_radius); // #if span\n"
+    "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n"
     "}\n" },
 
 { "ssgi_taps", __LINE__ + 1,
     "struct ssgi_taps { // one step's, a side each\n"
     "    ivec2 q0, q1; // pixels\n"
-    "    vec3 d0, d1; // from the receiver\n"
-    "    vec2 z, x, y, distance; // view depth; along t and up\n"
-    "    vec2 c, h; // cosine and sine of the elevation\n"
-    "    bvec2 inside, seen, up; // in the picture; within the radius; above the tangent plane\n"
+    "    vec2 kx, ky; // of their rays: ssgi_on_rays\n"
+    "    vec2 z, x, y, distance; // view depth; along t and up, and from the receiver, in radii\n"
+    "    vec2 h; // sine of the elevation\n"
+    "    bvec2 inside, seen; // in the picture; within the radius\n"
+    "    bvec2 beyond, up; // past the zenith; above the tangent plane\n"
     "    vec2 width; // thickness of what is seen // #if thickness > SOLID\n"
     "};\n" },
 
+{ "ssgi_rays", __LINE__ + 1,
+    "void ssgi_rays(ssgi_slice s, inout ssgi_taps t, vec2 q0, vec2 q1) { // of pixels\n"
+    "    float x = s.x.w, y = s.y.w; // #if orthographic\n"
+    "    float x = s.x.z, y = s.y.z; // #if !orthographic\n"
+    "    t.kx = vec2(dot(s.x.xy, q0) + x, -(dot(s.x.xy, q1) + x));\n"
+    "    t.ky = vec2(dot(s.y.xy, q0) + y, dot(s.y.xy, q1) + y);\n"
+    "}\n" },
+
+{ "ssgi_on_rays", __LINE__ + 1,
+    "// x and y of the points at depths z on the rays of the taps' pixels; their squared length\n"
+    "vec2 ssgi_on_rays(ssgi_slice s, ssgi_taps t, vec2 z, out vec2 x, out vec2 y) {\n"
+    "    x = t.kx + z * vec2(s.x.z, -s.x.z), y = t.ky + z * s.y.z; // #if orthographic\n"
+    "    x = t.kx * z + vec2(s.x.w, -s.x.w), y = t.ky * z + s.y.w; // #if !orthographic\n"
+    "    return x * x + (y * y + s.least);\n"
+    "}\n" },
+
 { "ssgi_taps_at", __LINE__ + 1,
-    "ssgi_taps ssgi_taps_at(ssgi_slice s, vec3 P, ivec2 q0, ivec2 q1) {\n"
-    "    vec2 z = vec2(ssgi_depth(q0), ssgi_depth(q1)); // #if thickness < WIDTH\n"
-    "    uvec2 m = uvec2(ssgi_measured(q0), ssgi_measured(q1)); // #if thickness > SOLID\n"
-    "    vec2 z = vec2(ssgi_measured_depth(m.x), ssgi_measured_depth(m.y)); // #if thickness > SOLID\n"
-    "    vec2 width = vec2(ssgi_measured_width(m.x), ssgi_measured_width(m.y)); // #if thickness > SOLID\n"
-    "    vec3 d0 = ssgi_position(vec2(q0) + 0.5, z.x) - P, d1 = ssgi_position(vec2(q1) + 0.5, z.y) - P;\n"
-    "    vec2 x = vec2(dot(d0, s.t), -dot(d1, s.t)), y = vec2(dot(d0, s.n), dot(d1, s.n));\n"
-    "    vec2 l = max(sqrt(vec2(dot(d0, d0), dot(d1, d1))), 1e-18);\n"
-    "    vec2 h = clamp(y / l, 0.0, 1.0), c = sqrt(1.0 - h * h);\n"
-    "    vec2 least = mix(vec2(SSGI_LEVEL), vec2(SSGI_OVER), lessThan(x, vec2(0.0)));\n"
-    "    bvec2 inside = bvec2(ssgi_inside(q0), ssgi_inside(q1));\n"
-    "    bvec2 seen = bvec2(inside.x && l.x < u_ssgi_radius, inside.y && l.y < u_ssgi_radius);\n"
-    "    bvec2 up = bvec2(seen.x && h.x > least.x, seen.y && h.y > least.y);\n"
-    "    c = mix(c, -c, lessThan(x, vec2(0.0)));\n"
-    "    return ssgi_taps(q0, q1, d0, d1, z, x, y, l, c, h, inside, seen, up); // #if thickness < WIDTH\n"
-    "    return ssgi_taps(q0, q1, d0, d1, z, x, y, l, c, h, inside, seen, up, width); // #if thickness > SOLID\n"
+    "ssgi_taps ssgi_taps_at(ssgi_slice s, vec2 pixel, vec2 pixels, vec2 u) { // u: how far along pixels\n"
+    "    ssgi_taps t;\n"
+    "    t.q0 = ivec2(pixel + pixels * u.x), t.q1 = ivec2(pixel - pixels * u.y);\n"
+    "    t.z = vec2(ssgi_depth(t.q0), ssgi_depth(t.q1)); // #if thickness < WIDTH\n"
+    "    uvec2 m = uvec2(ssgi_measured_texel(t.q0), ssgi_measured_texel(t.q1)); // #if thickness > SOLID\n"
+    "    t.z = uintBitsToFloat(m & 0xffffffc0u), t.width = vec2(m & 63u) * s.grain; // #if thickness > SOLID\n"
+    "    vec2 q0 = vec2(t.q0), q1 = vec2(t.q1);\n"
+    "    ssgi_rays(s, t, q0, q1);\n"
+    "    ssgi_on_rays(s, t, t.z, t.x, t.y);\n"
+    "    vec2 off = s.off.x * vec2(q0.x, q1.x) + (s.off.y * vec2(q0.y, q1.y) + s.off.z), up = t.y - s.off.w * off;\n"
+    "    vec2 ll = t.x * t.x + (up * up + (off * off + s.least)), r = inversesqrt(ll);\n"
+    "    t.distance = sqrt(ll), t.h = clamp(t.y * r, 0.0, 1.0);\n"
+    "    t.inside = lessThan(u, s.edge);\n"
+    "    t.seen = bvec2(t.inside.x && ll.x < 1.0, t.inside.y && ll.y < 1.0);\n"
+    "    t.beyond = lessThan(t.x, vec2(-s.near));\n"
+    "    vec2 least = mix(vec2(SSGI_LEVEL), vec2(SSGI_OVER), t.beyond);\n"
+    "    t.up = bvec2(t.seen.x && t.h.x > least.x, t.seen.y && t.h.y > least.y);\n"
+    "    return t;\n"
+    "}\n" },
+
+{ "ssgi_cosine", __LINE__ + 1,
+    "vec2 ssgi_cosine(vec2 q, bvec2 beyond) { // of an elevation, from its square\n"
+    "    vec2 c = sqrt(q);\n"
+    "    return mix(c, -c, beyond);\n"
     "}\n" },
 
 { "ssgi_walked", __LINE__ + 1,
     "struct ssgi_walked { // what the steps so far leave to the next, a side each\n"
-    "    uvec2 mask; // sectors that are covered\n"
-    "    vec2 distance, u; // of the last taps: from the receiver; along the slice, of the radius\n"
-    "    vec2 low, high, z; // its arc, its view depth // #if thickness != SOLID\n"
+    "    uvec2 left; // sectors that are not covered\n"
+    "    vec2 distance; // of the last taps from the receiver, in radii\n"
+    "    vec2 low, high, z; // their arcs, their view depth // #if thickness != SOLID\n"
+    "    bvec2 seen; // within the radius // #if thickness != SOLID\n"
+    "    bool rose; // one of them // #if thickness != SOLID\n"
     "    vec2 end_; // where its surface ends // #if thickness > SOLID\n"
-    "    vec2 c, h; // lower elevation of the covered arc // #if environment\n"
-    "    vec2 share, shared_c, shared_h; // blocked so far, and times its elevation // #if environment\n"
+    "    vec2 sine; // of their elevations, negative beyond the zenith // #if environment\n"
+    "    vec2 share; // sectors blocked so far, attenuated // #if pass == HSAO || environment\n"
+    "    vec2 shared_c, shared_h; // times their elevation // #if environment\n"
     "};\n" },
 
 { "ssgi_walked_none", __LINE__ + 1,
     "ssgi_walked ssgi_walked_none(float z) {\n"
     "    ssgi_walked w;\n"
-    "    w.mask = uvec2(0u);\n"
-    "    w.distance = w.u = vec2(0.0);\n"
+    "    w.left = uvec2(0xffffffffu);\n"
+    "    w.distance = vec2(0.0);\n"
     "    w.low = w.high = vec2(0.0), w.z = vec2(z); // #if thickness != SOLID\n"
+    "    w.seen = bvec2(true), w.rose = false; // #if thickness != SOLID\n"
     "    w.end_ = w.z; // #if thickness > SOLID\n"
-    "    w.c = vec2(1.0), w.h = vec2(0.0); // #if environment\n"
-    "    w.share = w.shared_c = w.shared_h = vec2(0.0); // #if environment\n"
+    "    w.sine = vec2(0.0); // #if environment\n"
+    "    w.share = vec2(0.0); // #if pass == HSAO || environment\n"
+    "    w.shared_c = w.shared_h = vec2(0.0); // #if environment\n"
     "    return w;\n"
     "}\n" },
 
+{ "ssgi_last_cosine", __LINE__ + 1,
+    "vec2 ssgi_last_cosine(ssgi_walked w) { // of the last taps' elevations\n"
+    "    return ssgi_cosine(1.0 - w.sine * w.sine, lessThan(w.sine, vec2(0.0)));\n"
+    "}\n" },
+
+{ "ssgi_elevation", __LINE__ + 1,
+    "// cosine and sine of the elevation at x, y; r: 1 over their length; 1 and 0 where it is not above the plane\n"
+    "void ssgi_elevation(vec2 x, vec2 y, vec2 r, out vec2 c, out vec2 h) {\n"
+    "    c = mix(vec2(1.0), x * r, greaterThan(y, vec2(0.0))), h = max(y, 0.0) * r;\n"
+    "}\n" },
+
 { "ssgi_add_elevation", __LINE__ + 1,
-    "// adds blocked shares at elevations with cosines c and sines h, of any length\n"
+    "// adds blocked sectors at elevations with cosines c and sines h, of any length\n"
     "void ssgi_add_elevation(inout ssgi_walked w, vec2 c, vec2 h, vec2 share) {\n"
-    "    vec2 unit = inversesqrt(max(c * c + h * h, 1e-12));\n"
-    "    w.share += share, w.shared_c += share * c * unit, w.shared_h += share * h * unit;\n"
+    "    vec2 unit = inversesqrt(max(c * c + h * h, 1e-12)) * share;\n"
+    "    w.shared_c += c * unit, w.shared_h += h * unit;\n"
     "}\n" },
 
 { "ssgi_add_blocked", __LINE__ + 1,
     "// one evaluation of the environment or the harmonics a side, whatever the steps\n"
-    "void ssgi_add_blocked(inout ssgi_sums sums, ssgi_slice s, ssgi_walked w) {\n"
+    "void ssgi_add_blocked(inout ssgi_sums sums, ssgi_slice s, vec3 V, ssgi_walked w) {\n"
+    "    vec2 lean = normalize(vec2(s.sing.x, s.cosg.x)); // of the normal from the view direction\n"
     "    for (int k = 0; k < 2; ++k) {\n"
-    "        vec3 way = s.t * (k == 0 ? w.shared_c.x : -w.shared_c.y) + s.up * w.shared_h[k];\n"
+    "        vec2 e = vec2(k == 0 ? w.shared_c.x : -w.shared_c.y, w.shared_h[k]); // along the tangent plane, up\n"
+    "        vec3 way = s.along * dot(e, lean.yx) + V * (e.y * lean.y - e.x * lean.x);\n"
     "        way *= inversesqrt(max(dot(way, way), 1e-24));\n"
     "        sums.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * w.share[k]; // #if environment == MAP\n"
     "        ssgi_sh_add(sums.lobe, ssgi_sh_basis(way), -SSGI_PI * w.share[k]); // #if environment == SH\n"
@@ -2592,92 +2704,131 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_reflected(sums.bounce, q, ssgi_unpack_radiance(s.x) * share); // #if pass != SSDO && dimmed\n"
     "}\n" },
 
+{ "ssgi_gap", __LINE__ + 1,
+    "struct ssgi_gap { // view units between taps, the greater of these\n"
+    "    vec2 last, first; // to the last tap; from the receiver to the first one\n"
+    "};\n" },
+
+{ "ssgi_between", __LINE__ + 1,
+    "vec2 ssgi_between(ssgi_gap gap) {\n"
+    "    return max(gap.last, gap.first);\n"
+    "}\n" },
+
 { "ssgi_cover", __LINE__ + 1,
     "#if thickness == SOLID\n"
-    "// covers what a step's taps block; share of the hemisphere that is newly blocked\n"
+    "// covers what a step's taps block; sectors that are newly blocked, attenuated\n"
     "vec2 ssgi_cover(ssgi_slice s, inout ssgi_walked w, ssgi_taps t) {\n"
-    "    uvec2 arc = ssgi_sectors(vec2(0.0), ssgi_sector(s, t.c, t.up));\n"
-    "    vec2 share = ssgi_cover_sectors(s, w.mask, arc, 0.5 * (t.distance + w.distance));\n"
-    "    w.distance = min(t.distance, u_ssgi_radius);\n"
-    "#if environment\n"
-    "    ssgi_add_elevation(w, t.c + w.c, t.h + w.h, share);\n"
-    "    w.c = t.c, w.h = t.h;\n"
-    "#endif\n"
-    "    return share;\n"
+    "    vec2 fresh = vec2(0.0);\n"
+    "    if (any(t.up)) { // else nothing rises\n"
+    "        vec2 q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
+    "        uvec2 arc = ssgi_sectors(vec2(0.0), ssgi_sector(s, c, q, t.up, vec2(32.0)));\n"
+    "        fresh = ssgi_cover_sectors(w.left, arc, 0.5 * (t.distance + w.distance));\n"
+    "        w.share += fresh; // #if pass == HSAO || environment\n"
+    "        ssgi_add_elevation(w, c + ssgi_last_cosine(w), t.h + abs(w.sine), fresh); // #if environment\n"
+    "    }\n"
+    "    w.sine = mix(t.h, -t.h, t.beyond); // #if environment\n"
+    "    w.distance = min(t.distance, 1.0);\n"
+    "    return fresh;\n"
     "}\n"
     "#endif\n" },
 
 { "ssgi_cover", __LINE__ + 1,
     "#if thickness != SOLID\n"
-    "// covers what a step's taps block, whose thickness is `deep`; share of the hemisphere that is newly blocked\n"
-    "vec2 ssgi_cover(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 deep, vec2 gap) {\n"
-    "    vec2 x = t.x, y = t.y, high = ssgi_sector(s, t.c, t.up), low = min(ssgi_deepen(s, x, y, t.z, deep), high);\n"
-    "    vec2 l = t.distance;\n"
-    "    bvec2 joined = lessThan(abs(t.z - w.z), SSGI_JOINED * gap); // #if thickness == CONSTANT\n"
-    "#if thickness > SOLID\n"
-    "    vec2 end_ = t.z + deep;\n"
-    "    bvec2 joined = lessThan(max(t.z - w.end_, w.z - end_), gap); // their depths overlap\n"
-    "    w.end_ = mix(vec2(-SSGI_FAR), end_, t.seen);\n"
-    "    l = 0.5 * (l + min(l, sqrt(x * x + y * y)));\n"
-    "#endif\n"
-    "    joined = bvec2(joined.x && t.seen.x, joined.y && t.seen.y);\n"
-    "    uvec2 arc = ssgi_sectors(mix(low, min(low, w.low), joined), mix(high, max(high, w.high), joined));\n"
-    "    // a joined arc lies halfway to the last tap, another an eighth of the way\n"
-    "    vec2 share = ssgi_cover_sectors(s, w.mask, arc, mix(l, w.distance, mix(vec2(0.125), vec2(0.5), joined)));\n"
-    "    w.z = mix(vec2(-SSGI_FAR), t.z, t.seen), w.low = low, w.high = high;\n"
-    "    w.distance = min(l, u_ssgi_radius);\n"
+    "// covers what a step's taps block, whose thickness is `deep`; sectors that are newly blocked, attenuated\n"
+    "vec2 ssgi_cover(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 deep, ssgi_gap gap) {\n"
+    "    vec2 fresh = vec2(0.0), low = fresh, high = fresh, end_ = t.z + deep, x, y, l = t.distance;\n"
+    "    vec2 ll = ssgi_on_rays(s, t, end_, x, y); // the back\n"
+    "    l = 0.5 * (l + min(l, sqrt(ll))); // #if thickness > SOLID\n"
+    "    bool rises = false;\n"
+    "    if (any(t.up) || w.rose) { // else nothing rises, nor did at the last step\n"
+    "        vec2 r = inversesqrt(ll), q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
+    "        high = ssgi_sector(s, c, q, t.up, vec2(32.0));\n"
+    "        vec2 back_c = x * r;\n"
+    "        low = ssgi_sector(s, back_c, back_c * back_c, greaterThan(y * r, vec2(SSGI_LEVEL)), high);\n"
+    "        vec2 apart = abs(t.z - w.z) / SSGI_JOINED; // #if thickness == CONSTANT\n"
+    "        vec2 apart = max(t.z - w.end_, w.z - end_); // below 0 depths overlap // #if thickness > SOLID\n"
+    "        bvec2 joined = lessThan(apart, ssgi_between(gap));\n"
+    "        joined = bvec2(joined.x && t.seen.x && w.seen.x, joined.y && t.seen.y && w.seen.y);\n"
+    "        uvec2 arc = ssgi_sectors(mix(low, min(low, w.low), joined), mix(high, max(high, w.high), joined));\n"
+    "        // a joined arc lies halfway to the last tap, another an eighth of the way\n"
+    "        vec2 d = mix(min(l, 2.0), min(w.distance, 1.0), mix(vec2(0.125), vec2(0.5), joined));\n"
+    "        fresh = ssgi_cover_sectors(w.left, arc, d);\n"
+    "        rises = high.x + high.y > 0.0;\n"
+    "        w.share += fresh; // #if pass == HSAO || environment\n"
     "#if environment\n"
-    "    vec2 r = inversesqrt(max(x * x + y * y, 1e-36));\n"
-    "    vec2 c = mix(mix(vec2(1.0), x * r, greaterThan(y, vec2(0.0))), w.c, joined);\n"
-    "    vec2 h = mix(max(y, 0.0) * r, w.h, joined);\n"
-    "    ssgi_add_elevation(w, t.c + c, t.h + h, share);\n"
-    "    w.c = t.c, w.h = t.h;\n"
+    "        vec2 back_h, last_c = ssgi_last_cosine(w);\n"
+    "        ssgi_elevation(x, y, r, back_c, back_h);\n"
+    "        ssgi_add_elevation(w, c + mix(back_c, last_c, joined), t.h + mix(back_h, abs(w.sine), joined), fresh);\n"
     "#endif\n"
-    "    return share;\n"
+    "    }\n"
+    "    w.sine = mix(t.h, -t.h, t.beyond); // #if environment\n"
+    "    w.end_ = end_; // #if thickness > SOLID\n"
+    "    w.low = low, w.high = high, w.z = t.z, w.seen = t.seen, w.distance = l, w.rose = rises;\n"
+    "    return fresh;\n"
     "}\n"
     "#endif\n" },
 
 { "ssgi_cover_second", __LINE__ + 1,
     "// the same of second slabs behind the taps\n"
     "vec2 ssgi_cover_second(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 front, vec2 deep) {\n"
-    "    vec2 x = t.x, y = t.y, high = ssgi_deepen(s, x, y, t.z, front - t.z), bx = x, by = y;\n"
-    "    vec2 low = min(ssgi_deepen(s, bx, by, front, deep), high);\n"
-    "    vec2 l = sqrt(x * x + y * y);\n"
-    "    bvec2 seen = bvec2(t.inside.x && l.x < u_ssgi_radius, t.inside.y && l.y < u_ssgi_radius);\n"
-    "    l = 0.5 * (l + min(l, sqrt(bx * bx + by * by)));\n"
-    "    vec2 share = ssgi_cover_sectors(s, w.mask, ssgi_sectors(low, mix(low, high, seen)), l);\n"
-    "    ssgi_add_elevation(w, x, max(y, 0.0), share); // #if environment\n"
-    "    return share;\n"
+    "    vec2 x, y, ll = ssgi_on_rays(s, t, front, x, y), r = inversesqrt(ll), fresh = vec2(0.0);\n"
+    "    bvec2 up = bvec2(t.inside.x && ll.x < 1.0 && y.x * r.x > SSGI_LEVEL,\n"
+    "        t.inside.y && ll.y < 1.0 && y.y * r.y > SSGI_LEVEL);\n"
+    "    if (any(up)) {\n"
+    "        vec2 back_x, back_y, back_ll = ssgi_on_rays(s, t, front + deep, back_x, back_y), l = ll * r;\n"
+    "        vec2 back_r = inversesqrt(back_ll), c = x * r, high = ssgi_sector(s, c, c * c, up, vec2(32.0));\n"
+    "        c = back_x * back_r;\n"
+    "        vec2 low = ssgi_sector(s, c, c * c, greaterThan(back_y * back_r, vec2(SSGI_LEVEL)), high);\n"
+    "        l = 0.5 * (l + min(l, back_ll * back_r));\n"
+    "        fresh = ssgi_cover_sectors(w.left, ssgi_sectors(low, high), l);\n"
+    "        w.share += fresh; // #if pass == HSAO || environment\n"
+    "        ssgi_add_elevation(w, x, max(y, 0.0), fresh); // #if environment\n"
+    "    }\n"
+    "    return fresh;\n"
     "}\n" },
 
 { "ssgi_walk_slice", __LINE__ + 1,
     "// a slice from near to far; pixels: that a radius along it covers\n"
-    "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_sums sums) {\n"
+    "void ssgi_walk_slice(ssgi_slice s, vec3 P, ivec2 p, vec2 pixels, vec2 xi, inout ssgi_sums sums) {\n"
+    "    float unit = 1.0 / float(SSGI_STEPS), reach = u_ssgi_radius;\n"
     "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // of the radius // #if span\n"
-    "    pixels *= share; // #if span\n"
+    "    pixels *= share, reach *= share; // #if span\n"
+    "    s.edge = ssgi_edges(p, pixels);\n"
+    "    vec2 pixel = vec2(p + ssgi_walked_origin()) + 0.5;\n"
+    "    // taps are at squares, so that gaps between them grow evenly\n"
+    "    vec2 at = vec2(xi.y, 1.0 - xi.y) * unit, second = vec2(0.0);\n"
+    "    ssgi_gap gap;\n"
+    "    gap.first = at * at * reach;\n"
+    "    float grows = 2.0 * reach * unit, less = reach * unit * unit;\n"
     "    ssgi_walked w = ssgi_walked_none(-P.z);\n"
     "    for (int k = 0; k < SSGI_STEPS; ++k) {\n"
-    "        vec2 u = (float(k) + vec2(xi.y, 1.0 - xi.y)) / float(SSGI_STEPS);\n"
-    "        u *= u;\n"
-    "        ivec2 q0 = ivec2(floor(pixel + pixels * u.x)), q1 = ivec2(floor(pixel - pixels * u.y));\n"
-    "        ssgi_taps t = ssgi_taps_at(s, P, q0, q1);\n"
-    "        vec2 gap = (u - w.u) * u_ssgi_radius, second = vec2(0.0); // gap: between taps\n"
-    "        gap *= share; // #if span\n"
-    "        w.u = u;\n"
-    "        vec2 first = ssgi_cover(s, w, t, max(t.width, gap), gap); // #if thickness > SOLID\n"
+    "        ssgi_taps t = ssgi_taps_at(s, pixel, pixels, at * at);\n"
+    "        gap.last = at * grows - less;\n"
+    "        vec2 deep = max(max(t.width, gap.last), gap.first); // #if thickness > SOLID\n"
+    "        vec2 first = ssgi_cover(s, w, t, deep, gap); // #if thickness > SOLID\n"
     "        vec2 first = ssgi_cover(s, w, t, vec2(u_ssgi_thickness), gap); // #if thickness == CONSTANT\n"
     "        vec2 first = ssgi_cover(s, w, t); // #if thickness == SOLID\n"
+    "        t.q0 -= ssgi_walked_origin(), t.q1 -= ssgi_walked_origin();\n"
     "#if thickness == SLABS\n"
     "        vec3 back0 = ssgi_slabs(t.q0), back1 = ssgi_slabs(t.q1);\n"
-    "        vec2 deep = vec2(ssgi_second_thickness(back0.y, back0.z, t.width.x),\n"
+    "        deep = vec2(ssgi_second_thickness(back0.y, back0.z, t.width.x),\n"
     "            ssgi_second_thickness(back1.y, back1.z, t.width.y));\n"
-    "        second = ssgi_cover_second(s, w, t, vec2(back0.y, back1.y), max(deep, 2.0 * gap));\n"
+    "        deep = max(deep, 2.0 * ssgi_between(gap));\n"
+    "        second = ssgi_cover_second(s, w, t, vec2(back0.y, back1.y), deep);\n"
+    "        second *= s.share; // #if bounce\n"
     "#endif\n"
-    "        sums.all += first.x + first.y + second.x + second.y; // #if pass == HSAO\n"
-    "        ssgi_add_sent(sums, t.q0, t.d0, first.x, second.x); // #if bounce\n"
-    "        ssgi_add_sent(sums, t.q1, t.d1, first.y, second.y); // #if bounce\n"
+    "#if bounce\n"
+    "        first *= s.share;\n"
+    "        if (first.x + second.x > 0.0)\n"
+    "            ssgi_add_sent(sums, t.q0, ssgi_position(vec2(t.q0) + 0.5, t.z.x) - P, first.x, second.x);\n"
+    "        if (first.y + second.y > 0.0)\n"
+    "            ssgi_add_sent(sums, t.q1, ssgi_position(vec2(t.q1) + 0.5, t.z.y) - P, first.y, second.y);\n"
+    "#endif\n"
+    "        at += unit;\n"
     "    }\n"
-    "    ssgi_add_blocked(sums, s, w); // #if environment\n"
+    "    w.share *= s.share; // #if pass == HSAO || environment\n"
+    "    sums.all += w.share.x + w.share.y; // #if pass == HSAO\n"
+    "    ssgi_add_blocked(sums, s, ssgi_toward(P), w); // #if environment\n"
     "}\n" },
 
 { "ssgi_gather", __LINE__ + 1,
@@ -2685,15 +2836,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    ssgi_sums sums = ssgi_sums_none(n);\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
-    "    vec3 V = ssgi_toward(P);\n"
-    "    mat3 basis = ssgi_basis(V);\n"
+    "    ssgi_receiver r = ssgi_receiver_of(P, n); // #if !environment\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float phi = SSGI_PI * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
-    "        vec3 along = basis[0] * cos(phi) + basis[1] * sin(phi);\n"
+    "        ssgi_receiver r = ssgi_receiver_of(P, n); // here, as registers are scarce // #if environment\n"
+    "        vec2 turn = vec2(cos(phi), sin(phi));\n"
     "        // rounds the sectors, independently of the turn and the offset\n"
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
-    "        ssgi_slice s = ssgi_slice_of(P, V, along, n, noise);\n"
-    "        ssgi_walk_slice(s, P, vec2(p) + 0.5, ssgi_screen(P, along) * u_ssgi_radius, xi, sums);\n"
+    "        ssgi_slice s = ssgi_slice_of(r, p + ssgi_walked_origin(), turn, noise);\n"
+    "        ssgi_walk_slice(s, P, p, r.across * turn.x + r.up * turn.y, xi, sums);\n"
     "    }\n"
     "    return sums;\n"
     "}\n"

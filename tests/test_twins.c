@@ -488,7 +488,8 @@ static void twin_arc(void)
     if (probe(&d, &frame, 0,
               "a.xy *= a.w; float r = inversesqrt(a.x * a.x + a.y * a.y) * (1.0 + 2.4e-7 * float(texel.x & 2)), h = "
               "0.5 * sin(a.z);"
-              "o = vec4(ssgi_arc(vec2(a.x, -a.x) * r, 0.5 * cos(a.z), vec2(h, -h)), 0.0, 0.0);"))
+              "vec2 c = vec2(a.x, -a.x) * r;"
+              "o = vec4(ssgi_arc(c, c * c, vec2(0.5 * cos(a.z)), vec2(h, -h)), 0.0, 0.0);"))
         for (int i = 0; i < MANY; ++i) {
             double x = (double)in[i][0], y = (double)in[i][1], g = (double)in[i][2];
             double within = 0.5 * fabs(sin(g)) * 0.0015 + 2e-6;           /* its polynomial, and */
@@ -776,10 +777,10 @@ static void twin_sectors(void)
             memcpy(in[i], i % 1000 == 3 ? whole : tap, sizeof tap);
         }
         snprintf(statements, sizeof statements,
-                 "uvec2 mask = uvec2(0u); vec2 sum = vec2(0.0); ssgi_slice s; s.share = vec2(1.0); %s"
-                 "for (int k = 0; k < 4; ++k) { vec4 x = X(k); sum += ssgi_cover_sectors(s, mask, "
-                 "ssgi_sectors(vec2(x.x, 0.0), vec2(x.y, x.x)), x.zz); }"
-                 "o = vec4(sum, ssgi_count(mask));", row[v].span ? "ssgi_span = 2.5;" : "");
+                 "uvec2 left = uvec2(0xffffffffu); vec2 sum = vec2(0.0); %s"
+                 "for (int k = 0; k < 4; ++k) { vec4 x = X(k); sum += ssgi_cover_sectors(left, "
+                 "ssgi_sectors(vec2(x.x, 0.0), vec2(x.y, x.x)), 0.25 * x.zz); }"
+                 "o = vec4(sum, ssgi_count(~left));", row[v].span ? "ssgi_span = 2.5;" : "");
         if (!probe(&d, &frame, 0, statements)) return;
         for (int i = 0; i < MANY; ++i) {
             double want[4] = { 0 }, cut[8];
@@ -929,7 +930,7 @@ static void backs_lie_on_their_rays(void)
     random_state = 61;
     for (int flat_ = 0; flat_ < 2; ++flat_) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .orthographic = flat_ };
-        const ssgi_gl_frame frame = { .radius = 1 };
+        const ssgi_gl_frame frame = { .radius = 1, .project = { 100, 100 }, .unproject = { 0.01f, 0.01f } };
         /* the receiver and the slice's turn; its normal and the thickness; the tap, along the slice and to the eye */
         for (int i = 0; i < MANY; i += 4) {
             const float z = uniform(1, 20), P[4] = { z * uniform(-2, 2), z * uniform(-2, 2), -z, uniform(0, 6.28f) };
@@ -940,13 +941,17 @@ static void backs_lie_on_their_rays(void)
             memcpy(in[i], P, sizeof P);
             memcpy(in[i + 1], n, sizeof n);
             memcpy(in[i + 2], tap, sizeof tap);
+            in[i + 3][0] = (float)flat_;
         }
         if (!probe(&d, &frame, 0,
-                   "vec3 P = X(0).xyz, V = ssgi_toward(P); mat3 m = ssgi_basis(V);"
-                   "vec3 along = m[0] * cos(X(0).w) + m[1] * sin(X(0).w), at = along * X(2).x + V * X(2).y;"
-                   "ssgi_slice s = ssgi_slice_of(P, V, along, X(1).xyz, vec2(0.5));"
-                   "vec2 x = vec2(dot(at, s.t), -dot(at, s.t)), y = vec2(dot(at, s.n));"
-                   "vec2 sector = ssgi_deepen(s, x, y, vec2(-P.z - at.z), vec2(X(1).w));"
+                   "vec3 P = X(0).xyz; vec2 turn = vec2(cos(X(0).w), sin(X(0).w));"
+                   "ssgi_receiver r = ssgi_receiver_of(P, X(1).xyz); mat3 m = r.basis;"
+                   "vec3 along = m[0] * turn.x + m[1] * turn.y, at = along * X(2).x + m[2] * X(2).y;"
+                   "ssgi_slice s = ssgi_slice_of(r, ivec2(0), turn, vec2(0.5));"
+                   "vec3 Q = P + at; vec2 way = Q.xy / mix(-Q.z, 1.0, X(3).x) - P.xy / mix(-P.z, 1.0, X(3).x), x, y;"
+                   "ssgi_taps t; ssgi_rays(s, t, 100.0 * way, 100.0 * way);"
+                   "ssgi_on_rays(s, t, vec2(X(1).w - P.z - at.z), x, y); vec2 c = x * inversesqrt(x * x + y * y);"
+                   "vec2 sector = ssgi_sector(s, c, c * c, greaterThan(y, vec2(0.0)), vec2(32.0));"
                    "int w = texel.x & 3; o = w == 0 ? vec4(x, y) : w == 1 ? sector.xyxy : along.xyzz;"))
             return;
         for (int i = 0; i < MANY; i += 4) {
