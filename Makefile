@@ -14,6 +14,7 @@
 #   make viewer, bench   a window; milliseconds on a GPU. make viewer-test
 #   make hosts-test   the pages of examples/hosts, built and run
 #   make vulkan, vulkan-test     examples/hosts/vulkan.cpp, and its pictures beside GL's on lavapipe
+#   make cost      what a GPU's compiler makes of every chain, and milliseconds by a model; make cost-test for CI
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
 #   make wasm      the headers as WebAssembly       make npm         a package with it, for WebGL 2 and WebGPU
 #   make format    the layout of every header, example and test, by clang-format 14
@@ -216,6 +217,23 @@ against: build/against build/render
 build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
+# What RADV's compiler makes of every chain, for GPUs that need not be here, and milliseconds by a model; report/cost.csv.
+# ONLY="hsao hsao,best,steps=16 own.frag": those, with their passes; AGAINST=FILE.csv: what has changed since that run.
+# cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew.
+COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev
+COST       = $(addprefix lab/cost/,cost against show passes model count compile) tools/glsl/chains lab/measure/folder \
+             $(addprefix lab/page/,page csv)
+COST_LIBS  = -lvulkan -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
+             -Wl,--end-group -lstdc++
+cost cost-test cost-record: deps
+	@sh examples/kit/install.sh $(COST_NEEDS) || true
+	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h; do \
+	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
+	$(MAKE) --no-print-directory build/cost && build/cost $(if $(filter cost,$@),$(AGAINST:%=--against %) $(ONLY),\
+	  $(patsubst cost-test,--check,$(patsubst cost-record,--record,$@)))
+build/cost: $(COST:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) $(COST_LIBS) -o $@
+
 # The text of every pass, dialect and feature choice, as plain files; manifest.json says what belongs together.
 # make glsl WGSL=1 HLSL=1 MSL=1 SPV=1: what other compilers make of the vulkan ones, beside them; each needs a tool, which
 # is named where it is missing.
@@ -285,9 +303,10 @@ glsl-out glsl-in: build/library
 	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
 
 TESTS = main t others $(addprefix test_,math trace files models seeds library text twins pipeline light vectors field casters \
-        steps surfels plan papers stability build)
+        steps surfels plan papers cost stability build)
 
-TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects $(filter-out lab/report,$(REPORT)))
+TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/model \
+         $(filter-out lab/report,$(REPORT)))
 build/test: $(TESTS:%=build/tests/%.o) $(TESTED:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -328,7 +347,7 @@ clean:
 	rm -rf build report
 
 .PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability \
-        against fit fit-gpu glsl golden deps unlisted format clean
+        against fit fit-gpu cost cost-test cost-record glsl golden deps unlisted format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)

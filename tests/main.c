@@ -15,7 +15,7 @@ static const struct { const char *name; void (*run)(void);
                { "surfels", test_surfels }, { "casters", test_casters }, { "trace", test_trace },
                { "field", test_field }, { "files", test_files }, { "steps", test_steps }, { "plan", test_plan },
                { "math", test_math }, { "twins", test_twins }, { "models", test_models }, { "seeds", test_seeds },
-               { "library", test_library }, { "papers", test_papers } };
+               { "library", test_library }, { "papers", test_papers }, { "cost", test_cost } };
 enum { GROUPS = (int)(sizeof groups / sizeof groups[0]) };
 
 static struct { pid_t process; FILE *said; int answer[2], done; double seconds; } job[GROUPS];

@@ -33,6 +33,7 @@ void test_models(void);
 void test_seeds(void);
 void test_math(void);
 void test_library(void);
+void test_cost(void);
 void test_text(void);
 void test_twins(void);
 void test_pipeline(void);

@@ -1,0 +1,454 @@
+/* compile.c - what a pipeline needs beside its texts is read from their SPIR-V: bindings, attributes, targets. Declared
+   in compile.h. */
+#include "lab/cost/compile.h"
+#include <glslang/Include/glslang_c_interface.h>
+#include <glslang/Public/resource_limits_c.h>
+#include <glob.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- SPIR-V ------------------------------------------------------------------------------------------------------ */
+
+/* Numbers of the SPIR-V specification, of what is looked at here. */
+enum {
+    OP_ENTRY_POINT = 15, OP_TYPE_INT = 21, OP_TYPE_FLOAT, OP_TYPE_VECTOR, OP_TYPE_MATRIX, OP_TYPE_IMAGE,
+    OP_TYPE_SAMPLER, OP_TYPE_SAMPLED_IMAGE, OP_TYPE_ARRAY, OP_TYPE_STRUCT = 30, OP_TYPE_POINTER = 32, OP_CONSTANT = 43,
+    OP_VARIABLE = 59, OP_DECORATE = 71,
+    SET_BUILTIN = 11, SET_LOCATION = 30, SET_BINDING = 33, SET_GROUP = 34, SET_BUFFER_BLOCK = 3,
+    CLASS_CONSTANT = 0, CLASS_INPUT, CLASS_UNIFORM, CLASS_OUTPUT, CLASS_PUSH = 9, CLASS_STORAGE = 12, DIM_BUFFER = 5
+};
+
+/* Where an id was made, and how it is decorated. */
+typedef struct id { const uint32_t *at; int location, binding, group, builtin, storage; } id;
+
+int spirv_read(spirv *s, const char *path, kit_error *err)
+{
+    static const struct { const char *ending; VkShaderStageFlagBits stage; } endings[] = {
+        { ".vert.spv", VK_SHADER_STAGE_VERTEX_BIT }, { ".tesc.spv", VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT },
+        { ".tese.spv", VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT }, { ".geom.spv", VK_SHADER_STAGE_GEOMETRY_BIT },
+        { ".frag.spv", VK_SHADER_STAGE_FRAGMENT_BIT }
+    };
+    const size_t length = strlen(path);
+    memset(s, 0, sizeof *s);
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; ++i) {
+        const size_t n = strlen(endings[i].ending);
+        if (length > n && !strcmp(path + length - n, endings[i].ending)) s->stage = endings[i].stage;
+    }
+    if (!s->stage) return kit_fail(err, "%s: must end in .frag.spv, or another stage's letters and .spv", path);
+    FILE *f = fopen(path, "rb");
+    if (!f) return kit_fail(err, "%s: cannot be read", path);
+    size_t room = 1 << 16;
+    s->word = malloc(room * sizeof *s->word);
+    while (s->word && (s->count += fread(s->word + s->count, sizeof *s->word, room - s->count, f)) == room)
+        s->word = realloc(s->word, (room *= 2) * sizeof *s->word);
+    fclose(f);
+    if (!s->word || s->count < 5 || s->word[0] != 0x07230203) return kit_fail(err, "%s: is not SPIR-V", path);
+    return 0;
+}
+
+int spirv_triangle(spirv *s)
+{
+    static const uint32_t words[] = {               /* void main() { gl_Position = vec4(0); } */
+        0x7230203, 0x10000, 0x70000, 0xa, 0x0, 0x20011, 0x1, 0x3000e, 0x0, 0x1, 0x6000f, 0x0, 0x1, 0x6e69616d, 0x0,
+        0x2, 0x40047, 0x2, 0xb, 0x0, 0x20013, 0x3, 0x30021, 0x4, 0x3, 0x30016, 0x5, 0x20, 0x40017, 0x6, 0x5, 0x4,
+        0x40020, 0x7, 0x3, 0x6, 0x4003b, 0x7, 0x2, 0x3, 0x3002e, 0x6, 0x8, 0x50036, 0x3, 0x1, 0x0, 0x4, 0x200f8, 0x9,
+        0x3003e, 0x2, 0x8, 0x100fd, 0x10038
+    };
+    *s = (spirv) { malloc(sizeof words), sizeof words / sizeof *words, VK_SHADER_STAGE_VERTEX_BIT };
+    if (s->word) memcpy(s->word, words, sizeof words);
+    return s->word ? 0 : -1;
+}
+
+static glslang_stage_t glslang_stage_of(VkShaderStageFlagBits stage)
+{
+    return stage == VK_SHADER_STAGE_VERTEX_BIT                    ? GLSLANG_STAGE_VERTEX
+         : stage == VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT      ? GLSLANG_STAGE_TESSCONTROL
+         : stage == VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT   ? GLSLANG_STAGE_TESSEVALUATION
+         : stage == VK_SHADER_STAGE_GEOMETRY_BIT                  ? GLSLANG_STAGE_GEOMETRY
+                                                                  : GLSLANG_STAGE_FRAGMENT;
+}
+
+int spirv_make(spirv *s, const char *text, VkShaderStageFlagBits stage, kit_error *err)
+{
+    const glslang_messages_t rules = GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT;
+    const glslang_input_t input = {
+        .language = GLSLANG_SOURCE_GLSL, .stage = glslang_stage_of(stage), .client = GLSLANG_CLIENT_VULKAN,
+        .client_version = GLSLANG_TARGET_VULKAN_1_0, .target_language = GLSLANG_TARGET_SPV,
+        .target_language_version = GLSLANG_TARGET_SPV_1_0, .code = text, .default_version = 450,
+        .default_profile = GLSLANG_NO_PROFILE, .messages = rules, .resource = glslang_default_resource()
+    };
+    glslang_spv_options_t options = { .disable_optimizer = true };
+    glslang_shader_t *shader = glslang_shader_create(&input);
+    glslang_program_t *program = glslang_program_create();
+    int failed = 0;
+    *s = (spirv) { NULL, 0, stage };
+    if (!glslang_shader_preprocess(shader, &input) || !glslang_shader_parse(shader, &input))
+        failed = kit_fail(err, "glslang: %.900s", glslang_shader_get_info_log(shader));
+    if (!failed) {
+        glslang_program_add_shader(program, shader);
+        if (!glslang_program_link(program, (int)rules))
+            failed = kit_fail(err, "glslang: %.900s", glslang_program_get_info_log(program));
+    }
+    if (!failed) {
+        glslang_program_SPIRV_generate_with_options(program, input.stage, &options);
+        s->count = glslang_program_SPIRV_get_size(program);
+        s->word = malloc(s->count * sizeof *s->word);
+        if (s->word) glslang_program_SPIRV_get(program, s->word);
+        else failed = kit_fail(err, "out of memory");
+    }
+    glslang_program_delete(program);
+    glslang_shader_delete(shader);
+    return failed;
+}
+
+static id *read_ids(const spirv *s)
+{
+    id *ids = calloc(s->word[3], sizeof *ids);
+    for (const uint32_t *w = s->word + 5; ids && w < s->word + s->count && *w >> 16; w += *w >> 16) {
+        switch (*w & 0xffff) {
+        case OP_TYPE_INT: case OP_TYPE_FLOAT: case OP_TYPE_VECTOR: case OP_TYPE_MATRIX: case OP_TYPE_IMAGE:
+        case OP_TYPE_SAMPLER: case OP_TYPE_SAMPLED_IMAGE: case OP_TYPE_ARRAY: case OP_TYPE_STRUCT: case OP_TYPE_POINTER:
+            ids[w[1]].at = w;
+            break;
+        case OP_CONSTANT: case OP_VARIABLE:
+            ids[w[2]].at = w;
+            break;
+        case OP_DECORATE:
+            if (w[2] == SET_LOCATION) ids[w[1]].location = (int)w[3];
+            if (w[2] == SET_BINDING) ids[w[1]].binding = (int)w[3];
+            if (w[2] == SET_GROUP) ids[w[1]].group = (int)w[3];
+            if (w[2] == SET_BUILTIN) ids[w[1]].builtin = 1;
+            if (w[2] == SET_BUFFER_BLOCK) ids[w[1]].storage = 1;
+            break;
+        }
+    }
+    return ids;
+}
+
+static uint32_t op(const id *ids, uint32_t i) { return ids[i].at ? *ids[i].at & 0xffff : 0; }
+
+/* ---- what a pipeline needs --------------------------------------------------------------------------------------- */
+
+enum { MOST_BINDINGS = 64, MOST_GROUPS = 4, MOST_PLACES = 16 };
+
+typedef struct needs {
+    VkDescriptorSetLayoutBinding binding[MOST_GROUPS][MOST_BINDINGS];
+    uint32_t bindings[MOST_GROUPS];
+    VkVertexInputAttributeDescription attribute[MOST_PLACES];
+    VkFormat target[8];
+    uint32_t attributes, targets;
+    VkShaderStageFlags push;
+} needs;
+
+static VkDescriptorType descriptor_of(const id *ids, uint32_t type, uint32_t storage_class)
+{
+    const uint32_t *image;
+    switch (op(ids, type)) {
+    case OP_TYPE_SAMPLER: return VK_DESCRIPTOR_TYPE_SAMPLER;
+    case OP_TYPE_SAMPLED_IMAGE:
+        image = ids[ids[type].at[2]].at;
+        return image[3] == DIM_BUFFER ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
+                                      : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case OP_TYPE_IMAGE:
+        image = ids[type].at;
+        if (image[3] == DIM_BUFFER)
+            return image[7] == 2 ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER : VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+        return image[7] == 2 ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
+    default:
+        return storage_class == CLASS_STORAGE || ids[type].storage ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+                                                                   : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    }
+}
+
+static void add_binding(needs *n, const id *ids, uint32_t variable, uint32_t type, VkShaderStageFlagBits stage)
+{
+    uint32_t count = 1;
+    if (op(ids, type) == OP_TYPE_ARRAY) {
+        count = ids[ids[type].at[3]].at[3];
+        type = ids[type].at[2];
+    }
+    const int group = ids[variable].group;
+    if (group >= MOST_GROUPS) return;
+    for (uint32_t i = 0; i < n->bindings[group]; ++i)
+        if (n->binding[group][i].binding == (uint32_t)ids[variable].binding) {
+            n->binding[group][i].stageFlags |= stage;
+            return;
+        }
+    if (n->bindings[group] == MOST_BINDINGS) return;
+    n->binding[group][n->bindings[group]++] = (VkDescriptorSetLayoutBinding) {
+        (uint32_t)ids[variable].binding, descriptor_of(ids, type, ids[variable].at[3]), count, stage, NULL
+    };
+}
+
+/* The widest format of a number, a vector or a matrix' column; 0 float, 1 int, 2 uint. */
+static VkFormat format_of(const id *ids, uint32_t type, int half)
+{
+    static const VkFormat formats[3][4] = {
+        { VK_FORMAT_R32_SFLOAT, VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT },
+        { VK_FORMAT_R32_SINT, VK_FORMAT_R32G32_SINT, VK_FORMAT_R32G32B32_SINT, VK_FORMAT_R32G32B32A32_SINT },
+        { VK_FORMAT_R32_UINT, VK_FORMAT_R32G32_UINT, VK_FORMAT_R32G32B32_UINT, VK_FORMAT_R32G32B32A32_UINT }
+    };
+    static const VkFormat halves[4] = { VK_FORMAT_R16_SFLOAT, VK_FORMAT_R16G16_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
+                                        VK_FORMAT_R16G16B16A16_SFLOAT };
+    uint32_t width = 1;
+    if (op(ids, type) == OP_TYPE_VECTOR) { width = ids[type].at[3]; type = ids[type].at[2]; }
+    const int kind = op(ids, type) == OP_TYPE_INT ? ids[type].at[3] ? 1 : 2 : 0;
+    if (half && !kind) return halves[width - 1];
+    if (half && width == 3) width = 4;
+    return formats[kind][width - 1];
+}
+
+static void add_attribute(needs *n, const id *ids, uint32_t variable, uint32_t type)
+{
+    uint32_t columns = 1;
+    if (op(ids, type) == OP_TYPE_MATRIX) { columns = ids[type].at[3]; type = ids[type].at[2]; }
+    for (uint32_t i = 0; i < columns && n->attributes < MOST_PLACES; ++i, ++n->attributes)
+        n->attribute[n->attributes] = (VkVertexInputAttributeDescription) {
+            (uint32_t)ids[variable].location + i, 0, format_of(ids, type, 0), 16 * n->attributes
+        };
+}
+
+static void look(needs *n, const spirv *s)
+{
+    id *ids = read_ids(s);
+    for (uint32_t i = 0; ids && i < s->word[3]; ++i) {
+        if (op(ids, i) != OP_VARIABLE || op(ids, ids[i].at[1]) != OP_TYPE_POINTER) continue;
+        const uint32_t storage_class = ids[i].at[3], type = ids[ids[i].at[1]].at[3];
+        if (storage_class == CLASS_CONSTANT || storage_class == CLASS_UNIFORM || storage_class == CLASS_STORAGE)
+            add_binding(n, ids, i, type, s->stage);
+        if (storage_class == CLASS_PUSH) n->push |= s->stage;
+        if (ids[i].builtin) continue;
+        if (storage_class == CLASS_INPUT && s->stage == VK_SHADER_STAGE_VERTEX_BIT) add_attribute(n, ids, i, type);
+        if (storage_class == CLASS_OUTPUT && s->stage == VK_SHADER_STAGE_FRAGMENT_BIT && ids[i].location < 8) {
+            n->target[ids[i].location] = format_of(ids, type, 1);
+            if ((uint32_t)ids[i].location >= n->targets) n->targets = (uint32_t)ids[i].location + 1;
+        }
+    }
+    free(ids);
+}
+
+/* ---- the device -------------------------------------------------------------------------------------------------- */
+
+int compiler_exists(kit_error *err)
+{
+    glob_t found;
+    const int lacks = glob("/usr/share/vulkan/icd.d/radeon_icd*.json", 0, NULL, &found);
+    if (lacks) return kit_fail(err, "radeon_icd is missing (apt-get install mesa-vulkan-drivers)"), 0;
+    setenv("VK_ICD_FILENAMES", found.gl_pathv[0], 1);
+    setenv("VK_DRIVER_FILES", found.gl_pathv[0], 1);
+    globfree(&found);
+    glslang_initialize_process();
+    return 1;
+}
+
+int compiler_open(compiler *c, const char *family, kit_error *err)
+{
+    const char *const wanted[] = { VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME };
+    const VkApplicationInfo application = { .sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                            .apiVersion = VK_API_VERSION_1_3 };
+    const VkInstanceCreateInfo instance = { .sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                            .pApplicationInfo = &application };
+    memset(c, 0, sizeof *c);
+    setenv("RADV_FORCE_FAMILY", family, 1);
+    if (vkCreateInstance(&instance, NULL, &c->instance) != VK_SUCCESS)
+        return kit_fail(err, "RADV cannot be opened");
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    uint32_t count = 1;
+    if (vkEnumeratePhysicalDevices(c->instance, &count, &physical) < 0 || !count)
+        return kit_fail(err, "RADV has no device for the family %s", family);
+    VkPhysicalDeviceSubgroupSizeControlProperties wave = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_SIZE_CONTROL_PROPERTIES };
+    VkPhysicalDeviceDriverProperties driver = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
+                                                .pNext = &wave };
+    VkPhysicalDeviceProperties2 about = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &driver };
+    vkGetPhysicalDeviceProperties2(physical, &about);
+    snprintf(c->name, sizeof c->name, "%s", about.properties.deviceName);
+    c->least_lanes = (int)wave.minSubgroupSize;
+    snprintf(c->driver, sizeof c->driver, "%.40s", driver.driverInfo);
+    VkPhysicalDeviceVulkan13Features dynamic = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
+                                                 .dynamicRendering = VK_TRUE };
+    VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR told = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR, .pNext = &dynamic,
+        .pipelineExecutableInfo = VK_TRUE
+    };
+    const VkPhysicalDeviceFeatures2 features = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &told,
+        .features = { .geometryShader = VK_TRUE, .tessellationShader = VK_TRUE, .independentBlend = VK_TRUE }
+    };
+    const float priority = 1;
+    const VkDeviceQueueCreateInfo queue = { .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, .queueCount = 1,
+                                            .pQueuePriorities = &priority };
+    const VkDeviceCreateInfo device = { .sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, .pNext = &features,
+                                        .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue,
+                                        .enabledExtensionCount = 1, .ppEnabledExtensionNames = wanted };
+    if (vkCreateDevice(physical, &device, NULL, &c->device) != VK_SUCCESS)
+        return kit_fail(err, "RADV gives no device that tells of its pipelines for the family %s", family);
+    return 0;
+}
+
+void compiler_close(compiler *c)
+{
+    if (c->device) vkDestroyDevice(c->device, NULL);
+    if (c->instance) vkDestroyInstance(c->instance, NULL);
+    memset(c, 0, sizeof *c);
+}
+
+/* ---- a pipeline -------------------------------------------------------------------------------------------------- */
+
+static void take_statistic(executable *e, const VkPipelineExecutableStatisticKHR *s)
+{
+    const struct { const char *name; int *to; } wanted[] = {
+        { "VGPRs", &e->vgprs }, { "SGPRs", &e->sgprs }, { "Spilled VGPRs", &e->spilled },
+        { "Spilled SGPRs", &e->spilled }, { "Scratch size", &e->scratch }, { "Code size", &e->code },
+        { "Subgroups per SIMD", &e->waves }
+    };
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; ++i)
+        if (!strcmp(s->name, wanted[i].name)) *wanted[i].to += (int)s->value.u64;
+}
+
+static int take_executable(const compiler *c, executable *e, const VkPipelineExecutableInfoKHR *which)
+{
+#define FUNCTION(name) const PFN_##name get_##name = (PFN_##name)vkGetDeviceProcAddr(c->device, #name)
+    FUNCTION(vkGetPipelineExecutableStatisticsKHR);
+    FUNCTION(vkGetPipelineExecutableInternalRepresentationsKHR);
+    VkPipelineExecutableStatisticKHR statistic[64];
+    VkPipelineExecutableInternalRepresentationKHR text[8];
+    uint32_t statistics = 64, texts = 8;
+    for (int i = 0; i < 64; ++i)
+        statistic[i] = (VkPipelineExecutableStatisticKHR) {
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR };
+    for (int i = 0; i < 8; ++i)
+        text[i] = (VkPipelineExecutableInternalRepresentationKHR) {
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INTERNAL_REPRESENTATION_KHR };
+    get_vkGetPipelineExecutableStatisticsKHR(c->device, which, &statistics, statistic);
+    for (uint32_t i = 0; i < statistics; ++i) take_statistic(e, &statistic[i]);
+    get_vkGetPipelineExecutableInternalRepresentationsKHR(c->device, which, &texts, text);
+    for (uint32_t i = 0; i < texts; ++i) text[i].pData = calloc(1, text[i].dataSize + 1);
+    get_vkGetPipelineExecutableInternalRepresentationsKHR(c->device, which, &texts, text);
+    for (uint32_t i = 0; i < texts; ++i) {
+        if (!e->assembly && !strcmp(text[i].name, "Assembly")) e->assembly = text[i].pData;
+        else free(text[i].pData);
+    }
+    return e->assembly ? 0 : -1;
+}
+
+static int take_parts(const compiler *c, pipeline *p, VkPipeline made, kit_error *err)
+{
+    FUNCTION(vkGetPipelineExecutablePropertiesKHR);
+    const VkPipelineInfoKHR info = { .sType = VK_STRUCTURE_TYPE_PIPELINE_INFO_KHR, .pipeline = made };
+    VkPipelineExecutablePropertiesKHR about[STAGES + 1];
+    uint32_t count = STAGES + 1;
+    for (int i = 0; i <= STAGES; ++i)
+        about[i] = (VkPipelineExecutablePropertiesKHR) {
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR };
+    get_vkGetPipelineExecutablePropertiesKHR(c->device, &info, &count, about);
+    for (uint32_t i = 0; i < count && p->parts < STAGES; ++i) {
+        const VkPipelineExecutableInfoKHR which = { .sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR,
+                                                    .pipeline = made, .executableIndex = i };
+        executable *e = &p->part[p->parts++];
+        e->stages = about[i].stages;
+        if (take_executable(c, e, &which)) return kit_fail(err, "RADV shows no assembly");
+        e->waves = e->waves * c->least_lanes / 64;          /* told as waves of the least size */
+    }
+    return 0;
+}
+
+static VkPipelineLayout make_layout(const compiler *c, const needs *n, VkDescriptorSetLayout group[MOST_GROUPS])
+{
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    for (int i = 0; i < MOST_GROUPS; ++i) {
+        const VkDescriptorSetLayoutCreateInfo info = {
+            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, .bindingCount = n->bindings[i],
+            .pBindings = n->binding[i]
+        };
+        vkCreateDescriptorSetLayout(c->device, &info, NULL, &group[i]);
+    }
+    const VkPushConstantRange push = { n->push, 0, 128 };
+    const VkPipelineLayoutCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = MOST_GROUPS, .pSetLayouts = group,
+        .pushConstantRangeCount = n->push ? 1 : 0, .pPushConstantRanges = &push
+    };
+    vkCreatePipelineLayout(c->device, &info, NULL, &layout);
+    return layout;
+}
+
+static VkResult make_pipeline(const compiler *c, VkPipeline *made, const needs *n, VkPipelineLayout layout,
+                              const VkPipelineShaderStageCreateInfo *stage, uint32_t stages)
+{
+    VkPipelineColorBlendAttachmentState blend[8];
+    int patches = 0;
+    for (uint32_t i = 0; i < stages; ++i) patches |= stage[i].stage == VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT;
+    for (int i = 0; i < 8; ++i) blend[i] = (VkPipelineColorBlendAttachmentState) { .colorWriteMask = 15 };
+    const VkVertexInputBindingDescription vertex = { 0, 16 * MOST_PLACES, VK_VERTEX_INPUT_RATE_VERTEX };
+    const VkPipelineVertexInputStateCreateInfo input = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
+        .vertexBindingDescriptionCount = n->attributes ? 1 : 0, .pVertexBindingDescriptions = &vertex,
+        .vertexAttributeDescriptionCount = n->attributes, .pVertexAttributeDescriptions = n->attribute
+    };
+    const VkPipelineInputAssemblyStateCreateInfo assembly = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
+        .topology = patches ? VK_PRIMITIVE_TOPOLOGY_PATCH_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST
+    };
+    const VkPipelineTessellationStateCreateInfo patch = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_STATE_CREATE_INFO, .patchControlPoints = 3 };
+    const VkPipelineViewportStateCreateInfo view = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1 };
+    const VkPipelineRasterizationStateCreateInfo raster = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .lineWidth = 1 };
+    const VkPipelineMultisampleStateCreateInfo samples = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO, .rasterizationSamples = 1 };
+    const VkPipelineColorBlendStateCreateInfo colour = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = n->targets,
+        .pAttachments = blend };
+    const VkDynamicState moving[] = { VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR };
+    const VkPipelineDynamicStateCreateInfo dynamic = { .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+                                                       .dynamicStateCount = 2, .pDynamicStates = moving };
+    const VkPipelineRenderingCreateInfo targets = { .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+                                                    .colorAttachmentCount = n->targets,
+                                                    .pColorAttachmentFormats = n->target };
+    const VkGraphicsPipelineCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, .pNext = &targets,
+        .flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR |
+                 VK_PIPELINE_CREATE_CAPTURE_INTERNAL_REPRESENTATIONS_BIT_KHR,
+        .stageCount = stages, .pStages = stage, .pVertexInputState = &input, .pInputAssemblyState = &assembly,
+        .pTessellationState = &patch, .pViewportState = &view, .pRasterizationState = &raster,
+        .pMultisampleState = &samples, .pColorBlendState = &colour, .pDynamicState = &dynamic, .layout = layout
+    };
+    return vkCreateGraphicsPipelines(c->device, VK_NULL_HANDLE, 1, &info, NULL, made);
+}
+
+int compile(const compiler *c, pipeline *p, const spirv *stage, int stages, const VkFormat *formats, kit_error *err)
+{
+    VkPipelineShaderStageCreateInfo info[STAGES];
+    VkDescriptorSetLayout group[MOST_GROUPS] = { VK_NULL_HANDLE };
+    VkPipeline made = VK_NULL_HANDLE;
+    needs n;
+    memset(&n, 0, sizeof n);
+    memset(p, 0, sizeof *p);
+    for (int i = 0; i < stages; ++i) {
+        const VkShaderModuleCreateInfo text = { .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                                .codeSize = stage[i].count * 4, .pCode = stage[i].word };
+        look(&n, &stage[i]);
+        info[i] = (VkPipelineShaderStageCreateInfo) { .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                                      .stage = stage[i].stage, .pName = "main" };
+        vkCreateShaderModule(c->device, &text, NULL, &info[i].module);
+    }
+    for (uint32_t i = 0; formats && i < n.targets; ++i) n.target[i] = formats[i];
+    const VkPipelineLayout layout = make_layout(c, &n, group);
+    const double start = kit_seconds();
+    const VkResult result = make_pipeline(c, &made, &n, layout, info, (uint32_t)stages);
+    p->seconds = kit_seconds() - start;
+    int failed = result != VK_SUCCESS ? kit_fail(err, "RADV makes no pipeline (%d)", result)
+                                      : take_parts(c, p, made, err);
+    vkDestroyPipeline(c->device, made, NULL);
+    vkDestroyPipelineLayout(c->device, layout, NULL);
+    for (int i = 0; i < MOST_GROUPS; ++i) vkDestroyDescriptorSetLayout(c->device, group[i], NULL);
+    for (int i = 0; i < stages; ++i) vkDestroyShaderModule(c->device, info[i].module, NULL);
+    return failed;
+}
+
+void pipeline_free(pipeline *p)
+{
+    for (int i = 0; i < p->parts; ++i) free(p->part[i].assembly);
+    memset(p, 0, sizeof *p);
+}

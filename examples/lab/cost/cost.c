@@ -1,0 +1,102 @@
+/* cost.c - what passes cost a GPU, by the instructions that Mesa's compiler makes of them. Nothing is executed, and no
+   time is measured: milliseconds are a model's (model.h).
+
+      build/cost                     every chain that build/glsl-text --chains names, for RDNA 2 and GCN, also into
+                                     report/cost.csv
+      build/cost CHAIN .. FILE ..    those: a name, what build/glsl-text --chain takes, FILE.frag or FILE.frag.spv with
+                                     its vertex stage beside it; with their passes
+        --family navi10,vega10       other families: names of RADV_FORCE_FAMILY
+        --against FILE.csv           what has changed since a run
+        --check, --record            beside examples/lab/cost/recorded.csv, for CI; writes that file anew
+
+   busy: whatever an `if` guards is executed; calm: inside loops no body of an `if` that a wave may skip is. Status 1:
+   --check found something. Where RADV or its null device is missing, a line says so, status 0. */
+#include "lab/cost/against.h"
+#include "lab/measure/folder.h"
+#include "lab/page/page.h"
+#include "tools/glsl/chains.h"
+#include <stdlib.h>
+#include <string.h>
+
+#define RECORDED "examples/lab/cost/recorded.csv"
+
+typedef struct asked { const char *against; int check, record, some; } asked;
+
+static work work_of_all;
+
+static int take_families(work *w, char *names, kit_error *err)
+{
+    w->families = 0;
+    for (char *name = strtok(names, ","); name; name = strtok(NULL, ",")) {
+        if (w->families == MOST_FAMILIES) return kit_fail(err, "--family: at most %d", MOST_FAMILIES);
+        w->family[w->families++] = name;
+    }
+    return w->families ? 0 : kit_fail(err, "--family: which");
+}
+
+static int is_file(const char *text)
+{
+    const char *ending = strstr(text, ".frag");
+    return ending && (!ending[5] || !strcmp(ending + 5, ".spv"));
+}
+
+static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *err)
+{
+    for (int i = 1; i < argc; ++i) {
+        const int more = i + 1 < argc;
+        if (!strcmp(argv[i], "--check")) a->check = 1;
+        else if (!strcmp(argv[i], "--record")) a->record = 1;
+        else if (!strcmp(argv[i], "--against") && more) a->against = argv[++i];
+        else if (!strcmp(argv[i], "--family") && more) { if (take_families(w, argv[++i], err)) return -1; }
+        else if (*argv[i] == '-') return kit_fail(err, "%s: is no option; usage: examples/lab/cost/cost.c", argv[i]);
+        else if (is_file(argv[i]) ? work_add_file(w, argv[i], err) : work_add_chain(w, argv[i], err)) return -1;
+        else a->some = 1;
+    }
+    for (int i = 0; i < chain_names_count && !a->some; ++i)
+        if (work_add_chain(w, chain_names[i].name, err)) return -1;
+    return 0;
+}
+
+static int write_page(const work *w, const char *folder, const char *name, void (*write)(FILE *, const work *),
+                      kit_error *err)
+{
+    page p;
+    if (folder_make(folder, err) || page_open(&p, err)) return -1;
+    write(p.file, w);
+    return page_close(&p, folder, name, err);
+}
+
+static int run(work *w, const asked *a, kit_error *err)
+{
+    if (work_do(w, err)) return -1;
+    if (a->check) {
+        const int wrong = against_check(w, RECORDED, err);
+        return wrong > 0 ? 1 : wrong;
+    }
+    if (a->record) return write_page(w, "examples/lab/cost", "recorded.csv", write_recorded, err);
+    show_costs(w, a->some);
+    show_budget(w);
+    show_ranking(w);
+    if (!a->some && write_page(w, "report", "cost.csv", write_costs, err)) return -1;
+    return a->against ? against_show(w, a->against, err) : 0;
+}
+
+int main(int argc, char **argv)
+{
+    kit_error err = { "" };
+    asked a = { NULL, 0, 0, 0 };
+    work *w = &work_of_all;
+    kit_streams_open();
+    if (!compiler_exists(&err)) {
+        printf("skipped: everything: %s\n", err.text);
+        return 0;
+    }
+    w->family[0] = "navi21";
+    w->family[1] = "polaris10";
+    w->families = 2;
+    int status = take_arguments(w, &a, argc, argv, &err) ? -1 : run(w, &a, &err);
+    work_free(w);
+    if (status >= 0 && kit_streams_close(&err)) status = -1;
+    if (status < 0) fprintf(stderr, "cost: %s\n", err.text);
+    return status < 0 ? 2 : status;
+}

@@ -1,0 +1,36 @@
+/* model.c - the slowest of four is the time of a pass. Declared in model.h. */
+#include "lab/cost/model.h"
+#include <math.h>
+
+enum { WAVE = 64, WAIT = 320 };             /* lanes; cycles that a fetch takes to come */
+
+const device devices[] = {
+    { "RX 6800", "navi21", 60, 2, 32, 2.105, 512, 16, 8, 1 },
+    { "Steam Deck", "navi21", 8, 2, 32, 1.6, 88, 16, 8, 1 },
+    { "RX 480", "polaris10", 36, 4, 16, 1.266, 256, 4, 4, 0 },
+    { "RX 5700 XT", "navi10", 40, 2, 32, 1.905, 448, 16, 8, 1 },
+    { "RX Vega 64", "vega10", 64, 4, 16, 1.546, 484, 4, 4, 0 }
+};
+const int devices_count = (int)(sizeof devices / sizeof *devices);
+
+const char *const bound_names[BOUNDS] = { "alu", "tex", "hide", "memory" };
+
+double model(const device *d, const load *l, bound *which)
+{
+    const double cycles = 1e6 * d->gigahertz;                               /* a millisecond */
+    const double lanes = d->units * d->simds * d->lanes, simds = d->units * d->simds;
+    const double slow = 4 * l->transcendental, issue = (double)WAVE / d->lanes;
+    const double waves = l->pixels / WAVE / simds;                          /* that a SIMD executes in all */
+    const double alu = d->apart ? fmax(l->vector, slow) : l->vector + slow - l->transcendental;
+    const double narrow = l->fetches - l->wide_fetches;
+    const double wave = alu * issue + WAIT * l->fetches;
+    const double ms[BOUNDS] = {
+        l->pixels * alu / lanes / cycles,
+        l->pixels * (narrow / d->fetches + l->wide_fetches / d->wide_fetches) / d->units / cycles,
+        waves * wave / fmin(l->waves, fmax(waves, 1)) / cycles,
+        l->bytes / (1e6 * d->gigabytes)
+    };
+    *which = ALU;
+    for (int i = 0; i < BOUNDS; ++i) if (ms[i] > ms[*which]) *which = (bound)i;
+    return ms[*which];
+}

@@ -1,0 +1,72 @@
+/* passes.h - chains and their passes, and the programs that these are made of, each compiled once a family. */
+#ifndef COST_PASSES_H
+#define COST_PASSES_H
+
+#include "lab/cost/compile.h"
+#include "lab/cost/count.h"
+#include "ssgi_gl.h"
+
+enum { MOST_FAMILIES = 4, MOST_PROGRAMS = 512, MOST_CHAINS = 128, MOST_PASSES = 16, SIZES = 4 };
+enum { WIDTH = 1920, HEIGHT = 1080 };       /* of the picture that milliseconds are of */
+
+/* What a family's compiler makes of a program. */
+typedef struct compiled {
+    counts busy, calm;                      /* of a fragment */
+    double vertex;                          /* vector instructions of a vertex */
+    walk_report report;
+    int vgprs, sgprs, spilled, scratch, code, waves;
+    double seconds;
+} compiled;
+
+typedef struct cost_program {
+    uint64_t key;
+    const char *pass;                       /* the first that has it: assumptions on loops go by it */
+    char *text[STAGES];
+    VkShaderStageFlagBits kind[STAGES];
+    spirv stage[STAGES];
+    int stages, formats;
+    VkFormat format[8];
+    double seconds;                         /* that glslang takes */
+    compiled of[MOST_FAMILIES];
+    kit_error err;
+} cost_program;
+
+typedef struct cost_pass {
+    const char *name;
+    int program, width, height, vertices;   /* vertices: of a surfel; 0: it draws the picture */
+    double bytes_in, bytes_out;             /* of the pass */
+} cost_pass;
+
+typedef struct cost_chain {
+    char name[128];
+    cost_pass pass[MOST_PASSES];
+    int passes;                             /* 0: Vulkan has not what it asks for */
+    double targets[SIZES];                  /* bytes, by size of the picture */
+    kit_error lacks;
+} cost_chain;
+
+extern const int sizes[SIZES][2];
+
+typedef struct work {
+    const char *family[MOST_FAMILIES];
+    int families;
+    char driver[64];
+    cost_program program[MOST_PROGRAMS];
+    cost_chain chain[MOST_CHAINS];
+    int programs, chains;
+} work;
+
+/* A chain by its name or as chain_parse reads it; a pair of files, texts or SPIR-V: FILE.frag, FILE.frag.spv, with the
+   vertex stage of that name beside it, if it is there. */
+int work_add_chain(work *w, const char *text, kit_error *err);
+int work_add_file(work *w, const char *path, kit_error *err);
+/* Compiles and counts all of it. */
+int work_do(work *w, kit_error *err);
+void work_free(work *w);
+
+/* What is taken for granted of loops whose end no instruction tells. */
+typedef struct assumed { const char *pass; int busy, calm; const char *why; } assumed;
+extern const assumed assumptions[];
+extern const int assumptions_count;
+
+#endif

@@ -1,0 +1,38 @@
+/* show.h - sums over a chain's passes, and what is printed and written of them. */
+#ifndef COST_SHOW_H
+#define COST_SHOW_H
+
+#include "lab/cost/model.h"
+#include "lab/cost/passes.h"
+#include <stdio.h>
+
+/* Of a chain in a family; counts a pixel of the picture. Splats are not among them: what they cost depends on how many
+   there are. */
+typedef struct sum {
+    counts busy, calm;
+    double bytes_in, bytes_out;             /* a pixel */
+    int vgprs, waves, spilled, scratch, splats, endless;
+} sum;
+
+sum sum_of(const work *w, const cost_chain *c, int family);
+/* Milliseconds on a device, of one pass or of all. */
+double pass_ms(const work *w, const cost_pass *p, int family, way how, const device *d, bound *which);
+double chain_ms(const work *w, const cost_chain *c, int family, way how, const device *d);
+
+/* Chains of a kind by their instructions, each with the first of those that it is cheaper than, and than all that
+   follow: by instructions and by the model, in every family and on every device, busy and calm. NULL: there is none. */
+enum { KINDS = 2 };
+extern const char *const kind_names[KINDS];
+typedef struct rank { const cost_chain *chain, *than; } rank;
+int ranking(const work *w, int kind, rank order[MOST_CHAINS]);
+
+/* On stdout: a line a chain, with its passes or without; what an engine budgets; what is cheaper than what. */
+void show_costs(const work *w, int passes);
+void show_budget(const work *w);
+void show_ranking(const work *w);
+
+/* Lines of all passes and chains; those of chains alone that are recorded. */
+void write_costs(FILE *f, const work *w);
+void write_recorded(FILE *f, const work *w);
+
+#endif
