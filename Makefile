@@ -168,8 +168,9 @@ stability: build/stability build/figures
 	build/stability $(if $(QUICK),--quick)
 	build/figures
 
-# examples/docs/FIGURES.md, from the csv of chart, stability and papers; of quick ones report/FIGURES.md.
-FIGURES = lab/measure/spread lab/page/csv $(addprefix lab/figures/,figures markdown tables seeds ambient choices stability papers)
+# examples/docs/FIGURES.md, from the csv of chart, stability, papers and cost; of quick ones report/FIGURES.md.
+FIGURES = lab/measure/spread lab/page/csv \
+          $(addprefix lab/figures/,figures markdown tables seeds ambient choices stability papers cost)
 build/figures: $(FIGURES:%=build/examples/%.o) build/kit/util.o
 	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
 
@@ -217,8 +218,8 @@ against: build/against build/render
 build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
-# What RADV's compiler makes of every chain, for GPUs that need not be here, and milliseconds by a model; report/cost.csv.
-# ONLY="hsao hsao,best,steps=16 own.frag": those, with their passes; AGAINST=FILE.csv: what has changed since that run.
+# What RADV's compiler makes of every chain for GPUs that need not be here, and milliseconds by a model; report/cost.csv.
+# ONLY="hsao hsao,best,steps=16 own.frag": those, with their passes; SINCE=FILE.csv: what has changed since that run.
 # cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev
 COST       = $(addprefix lab/cost/,cost against show passes model count compile) tools/glsl/chains lab/measure/folder \
@@ -229,8 +230,8 @@ cost cost-test cost-record: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h; do \
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
-	$(MAKE) --no-print-directory build/cost && build/cost $(if $(filter cost,$@),$(AGAINST:%=--against %) $(ONLY),\
-	  $(patsubst cost-test,--check,$(patsubst cost-record,--record,$@)))
+	$(MAKE) --no-print-directory build/cost build/figures && build/cost $(if $(filter cost,$@),\
+	  $(SINCE:%=--against %) $(ONLY) $(if $(ONLY),,&& build/figures),--$(patsubst test,check,$(@:cost-%=%)))
 build/cost: $(COST:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) $(COST_LIBS) -o $@
 

@@ -33,7 +33,8 @@ static void nested_loops(void)
                                "BB3:\n\ts_cmp_lt_i32 s1, 2\n\ts_cbranch_scc0 BB5\n"
                                "BB4:\n\tv_add_f32_e32 v0, 1.0, v0\n"
                                "\timage_load v[2:5], v[0:1], s[8:15] dmask:0xf dim:SQ_RSRC_IMG_2D unorm\n"
-                               "\tv_cmp_lt_f32_e32 vcc, 0, v2\n\ts_and_saveexec_b64 s[2:3], vcc\n\ts_cbranch_execz BB7\n"
+                               "\tv_cmp_lt_f32_e32 vcc, 0, v2\n\ts_and_saveexec_b64 s[2:3], vcc\n"
+                               "\ts_cbranch_execz BB7\n"
                                "BB8:\n\tv_rcp_f32_e32 v1, v2\n\tv_mul_f32_e32 v0, v0, v1\n"
                                "BB7:\n\ts_mov_b64 exec, s[2:3]\n\ts_add_u32 s1, s1, 1\n\ts_branch BB3\n"
                                "BB5:\n\ts_addk_i32 s0, 0x1\n\ts_branch BB1\n"
@@ -117,7 +118,7 @@ static void model_by_hand(void)
         { { 1.28e6, 100, 30, 0, 0, 0, 10 }, 0, ALU, 1.9 },          /* 70 + 4 * 30 */
         { { 1.28e6, 0, 0, 64, 0, 0, 1000 }, 1, TEX, 2.56 },         /* 2 units of 16 a cycle */
         { { 1.28e6, 0, 0, 64, 16, 0, 1000 }, 1, TEX, 3.2 },         /* 48 and 16, which count twice */
-        { { 1.28e6, 100, 0, 10, 0, 0, 10 }, 1, HIDE, 1.7 },         /* 5000 waves a SIMD of 200 + 3200 cycles, 10 at once */
+        { { 1.28e6, 100, 0, 10, 0, 0, 10 }, 1, HIDE, 1.7 },         /* 5000 waves a SIMD, each 200 + 3200 cycles */
         { { 256, 100, 0, 10, 0, 0, 10 }, 1, HIDE, 0.0034 },         /* a wave a SIMD: none to take its place */
         { { 1.28e6, 100, 0, 0, 0, 2e8, 10 }, 1, MEMORY, 2.0 }
     };

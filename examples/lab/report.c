@@ -173,7 +173,7 @@ static int chart(const options *o, kit_error *err)
     if (all) all_terms(html.file);
     chart_files(html.file, o, all);
     if (page_close(&html, o->out, "index.html", err)
-        || page_note(o->out, "chart.txt", kind, o->quick ? "make chart QUICK=1" : "make chart", err))
+        || page_note(o->out, "chart.txt", kind, o->quick ? "make chart QUICK=1" : "make chart", kit_gl_name(), err))
         return -1;
     units_end();
     chart_text(o, all, whole);
@@ -255,7 +255,7 @@ static int papers(const options *o, kit_error *err)
     if (papers_chart(html.file, o, err)) return -1;
     terms_chart(html.file);
     if (page_close(&html, o->out, "papers.html", err)
-        || page_note(o->out, "papers.txt", kind, o->quick ? "make papers QUICK=1" : "make papers", err))
+        || page_note(o->out, "papers.txt", kind, o->quick ? "make papers QUICK=1" : "make papers", kit_gl_name(), err))
         return -1;
     units_end();
     papers_text(stdout, o);

@@ -270,7 +270,8 @@ static int write_csv(const options *o, kit_error *err)
     snprintf(note, sizeof note, "%s.txt", all.base);
     snprintf(command, sizeof command, "build/report seeds%s --from %d --count %d", o->quick ? " --quick" : "",
              all.first, all.count);
-    return page_close(&csv, o->out, name, err) || page_note(o->out, note, kind, command, err) ? -1 : 0;
+    return page_close(&csv, o->out, name, err) || page_note(o->out, note, kind, command, kit_gl_name(), err)
+        ? -1 : 0;
 }
 
 int seeds_chart(FILE *html, const options *o, kit_error *err)

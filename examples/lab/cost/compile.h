@@ -26,6 +26,7 @@ typedef struct executable {
     int vgprs, sgprs, spilled, scratch, code, waves;    /* waves of 64 that share a SIMD */
 } executable;
 
+/* seconds: of processor, that it took to make. */
 typedef struct pipeline { executable part[STAGES]; int parts; double seconds; } pipeline;
 
 /* 0: RADV is not here, err says so. To be called first. */
@@ -33,6 +34,9 @@ int compiler_exists(kit_error *err);
 /* family: as RADV_FORCE_FAMILY names it. */
 int compiler_open(compiler *c, const char *family, kit_error *err);
 void compiler_close(compiler *c);
+
+/* Of processor, of the calling thread. */
+double compile_seconds(void);
 
 /* From a file, FILE.vert.spv ..; from the text of a stage, in any number of threads. */
 int spirv_read(spirv *s, const char *path, kit_error *err);

@@ -77,7 +77,8 @@ static int run(work *w, const asked *a, kit_error *err)
     show_costs(w, a->some);
     show_budget(w);
     show_ranking(w);
-    if (!a->some && write_page(w, "report", "cost.csv", write_costs, err)) return -1;
+    if (!a->some && (write_page(w, "report", "cost.csv", write_costs, err) ||
+                     page_note("report", "cost.txt", "full", "make cost", w->driver, err))) return -1;
     return a->against ? against_show(w, a->against, err) : 0;
 }
 

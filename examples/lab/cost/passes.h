@@ -15,7 +15,7 @@ typedef struct compiled {
     double vertex;                          /* vector instructions of a vertex */
     walk_report report;
     int vgprs, sgprs, spilled, scratch, code, waves;
-    double seconds;
+    double seconds;                         /* of processor, that the compiler takes */
 } compiled;
 
 typedef struct cost_program {
@@ -26,7 +26,7 @@ typedef struct cost_program {
     spirv stage[STAGES];
     int stages, formats;
     VkFormat format[8];
-    double seconds;                         /* that glslang takes */
+    double seconds;                         /* of processor, that glslang takes */
     compiled of[MOST_FAMILIES];
     kit_error err;
 } cost_program;

@@ -186,7 +186,7 @@ void show_budget(const work *w)
         for (int k = 0; k < SIZES; ++k) printf("%12.1f", c->targets[k] / 1e6);
         puts("");
     }
-    printf("* to compile, glslang and RADV for %s, on this machine\n", w->family[0]);
+    printf("* of processor here, for glslang and RADV (%s) to compile them\n", w->family[0]);
 }
 
 const char *const kind_names[KINDS] = { "ambient occlusion", "light" };
@@ -255,6 +255,16 @@ void show_ranking(const work *w)
 
 /* ---- csv --------------------------------------------------------------------------------------------------------- */
 
+/* The first of those that a chain is cheaper than, all of them: "" where there is none, or it is not ranked. */
+static const char *than_of(const work *w, const cost_chain *c)
+{
+    rank order[MOST_CHAINS];
+    for (int kind = 0; kind < KINDS; ++kind)
+        for (int i = ranking(w, kind, order); i-- > 0;)
+            if (order[i].chain == c && order[i].than) return order[i].than->name;
+    return "";
+}
+
 static void write_row(FILE *f, const work *w, int family, const cost_chain *c, const cost_pass *p)
 {
     const sum s = sum_of(w, c, family);
@@ -278,12 +288,12 @@ static void write_row(FILE *f, const work *w, int family, const cost_chain *c, c
         }
     }
     fprintf(f, ",%s", p && !p->vertices ? bound_names[which] : "");
-    if (p) fputs(",,,,,,\n", f);
+    if (p) fputs(",,,,,,,,,\n", f);
     else {
         const int programs = programs_of(w, c, family, &text, &ms);
         fprintf(f, ",%d,%zu", programs, text);
         for (int k = 0; k < SIZES; ++k) fprintf(f, ",%.0f", c->targets[k]);
-        fprintf(f, ",%.1f\n", ms);
+        fprintf(f, ",%.1f,%d,\"%s\"\n", ms, s.splats, than_of(w, c));
     }
 }
 
@@ -294,7 +304,7 @@ void write_costs(FILE *f, const work *w)
     for (int k = 0; k < devices_count; ++k) fprintf(f, ",%s busy,%s calm", devices[k].name, devices[k].name);
     fputs(",bound,programs,text_bytes", f);
     for (int k = 0; k < SIZES; ++k) fprintf(f, ",targets_%d", sizes[k][1]);
-    fputs(",compile_ms\n", f);
+    fputs(",compile_ms,splats,cheaper_than\n", f);
     for (int family = 0; family < w->families; ++family)
         for (int i = 0; i < w->chains; ++i) {
             const cost_chain *c = &w->chain[i];

@@ -1,12 +1,13 @@
-/* figures.c - examples/docs/FIGURES.md from the csv that make chart, make stability and make papers write.
+/* figures.c - examples/docs/FIGURES.md from the csv that make chart, make stability, make papers and make cost write.
 
       build/figures [report]
 
-   Reads chart.txt, stability.txt and papers.txt (kind, command, commit, machine, driver) and the csv beside them. The
-   page has a part of each. A part whose run is a full one goes to examples/docs/FIGURES.md, where the others stay as
-   they are, and the charts that it shows to examples/docs/pictures; else it goes to FIGURES.md in the folder of the
-   csv, for a quick run should not replace a full one. After a run of some rows (SCENE, METHOD, PAPER) theirs stays as
-   it is. Bad input, or a write that fails: one line on stderr, status 2; the page is then as it was. */
+   Reads chart.txt, stability.txt, papers.txt and cost.txt (kind, command, commit, machine, driver) and the csv beside
+   them. The page has a part of each. A part whose run is a full one goes to examples/docs/FIGURES.md, where the others
+   stay as they are, and the charts that it shows to examples/docs/pictures; else it goes to FIGURES.md in the folder
+   of the csv, for a quick run should not replace a full one. After a run of some rows (SCENE, METHOD, PAPER) theirs
+   stays as it is. Bad input, or a write that fails: one line on stderr, status 2; the page is then as it was. */
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,8 +39,8 @@ static int kept(const char *name, kit_error *err)
 
 static void head(const markdown *m)
 {
-    fputs("# Figures\n\nMade by `make chart`, `make stability` and `make papers` from the csv that they write: change "
-          "nothing here. Above each table\n"
+    fputs("# Figures\n\nMade by `make chart`, `make stability`, `make papers` and `make cost` from the csv that they "
+          "write: change nothing here. Above each table\n"
           "stand the command, commit, machine and driver that it comes from.", m->file);
     fputs(m->full ? "\n" : " Quick runs have smaller pictures, fewer rays and fewer rows.\n", m->file);
     fputs("\n- Time: GL time of all passes, filter included, relative to one unblurred 16-sample `ssao` in the same "
@@ -67,42 +68,48 @@ static void chart(const markdown *m)
     section_costs(m);
 }
 
-/* What is to be written: the parts, and whether each is measured anew. */
-typedef struct parts { char chart, stability, papers; char *kept, *kept_stability, *kept_papers; } parts;
+enum { PARTS = 4 };
+
+/* The page's parts in their order, each of a run that name.txt tells of; the first begins with the first heading. */
+static const struct { const char *name, *heading; void (*write)(const markdown *); size_t note; } parts[PARTS] = {
+    { "chart.txt", "\n## ", chart, offsetof(markdown, chart_note) },
+    { "stability.txt", STABILITY_HEADING, section_stability, offsetof(markdown, stability_note) },
+    { "papers.txt", PAPERS_HEADING, section_papers, offsetof(markdown, papers_note) },
+    { "cost.txt", COST_HEADING, section_cost, offsetof(markdown, cost_note) }
+};
 
 /* The page's parts as they are in examples/docs; "" = there is none. To be freed. */
-static int keep(parts *p, kit_error *err)
+static int keep(char *old[PARTS], kit_error *err)
 {
+    char *page;
     size_t size;
-    if (kit_file_read(&p->kept, &size, DOCS "FIGURES.md", err)) return -1;
-    char *const first = strstr(p->kept, "\n## "), *const papers = strstr(p->kept, PAPERS_HEADING);
-    char *const stability = strstr(p->kept, STABILITY_HEADING);
-    p->kept_papers = strdup(papers ? papers : "");
-    if (papers) *papers = 0;
-    p->kept_stability = strdup(stability ? stability : "");
-    if (stability) *stability = 0;
-    if (!p->kept_papers || !p->kept_stability) return kit_fail(err, "out of memory");
-    if (first) memmove(p->kept, first, strlen(first) + 1);
+    if (kit_file_read(&page, &size, DOCS "FIGURES.md", err)) return -1;
+    for (int i = PARTS; i-- > 0;) {
+        char *const at = strstr(page, parts[i].heading);
+        old[i] = strdup(at ? at : "");
+        if (at) *at = 0;
+        if (!old[i]) { free(page); return kit_fail(err, "out of memory"); }
+    }
+    free(page);
     return 0;
 }
 
-/* The page, in memory first. */
-static int write_page(const char *path, markdown *m, const parts *p, kit_error *err)
+/* The page, in memory first: the parts whose run is of this kind, and of others what there was. */
+static int write_page(const char *path, markdown *m, const char run[PARTS], char kind, char *const old[PARTS],
+                      kit_error *err)
 {
     char *text = NULL;
     size_t size;
     m->file = open_memstream(&text, &size);
     if (!m->file) return kit_fail(err, "out of memory");
     head(m);
-    if (p->chart) chart(m);
-    else if (m->full) fputs(p->kept, m->file);
-    if (p->stability) section_stability(m);
-    else if (m->full) fputs(p->kept_stability, m->file);
-    if (p->papers) section_papers(m);
-    else if (m->full) fputs(p->kept_papers, m->file);
+    for (int i = 0; i < PARTS; ++i) {
+        if (run[i] == kind) parts[i].write(m);
+        else if (old[i]) fputs(old[i], m->file);
+    }
     int failed = ferror(m->file);
     if (fclose(m->file) || failed) failed = kit_fail(err, "out of memory");
-    if (!failed && m->full && p->chart)
+    if (!failed && m->full && run[0] == kind)
         failed = kept("chart.svg", err) || kept("chart-lit.svg", err) || kept("chart-deep-turn.svg", err);
     if (!failed) failed = kit_file_write(path, text, size, err);
     free(text);
@@ -110,25 +117,26 @@ static int write_page(const char *path, markdown *m, const parts *p, kit_error *
     return failed ? -1 : 0;
 }
 
-/* Full runs go to the documentation, others beside the csv. */
-static int write_pages(markdown *m, char chart_run, char stability_run, char papers_run, kit_error *err)
+static int count_of(const char run[PARTS], char kind)
 {
-    const int part = chart_run == 'p' || stability_run == 'p';
-    const parts quick = { chart_run == 'q' ? 'q' : 0, stability_run == 'q' ? 'q' : 0, papers_run == 'q' ? 'q' : 0,
-                          NULL, NULL, NULL };
-    parts whole = { chart_run == 'f' ? 'f' : 0, stability_run == 'f' ? 'f' : 0, papers_run == 'f' ? 'f' : 0,
-                    NULL, NULL, NULL };
-    char path[1024];
+    int count = 0;
+    for (int i = 0; i < PARTS; ++i) count += run[i] == kind;
+    return count;
+}
+
+/* Full runs go to the documentation, others beside the csv. */
+static int write_pages(markdown *m, const char run[PARTS], kit_error *err)
+{
+    char path[1024], *old[PARTS] = { NULL }, *const none[PARTS] = { NULL };
+    int failed = 0;
     snprintf(path, sizeof path, "%s/FIGURES.md", csv_folder);
-    m->full = whole.chart || whole.stability || whole.papers;
-    int failed = m->full && (((!whole.chart || !whole.stability || !whole.papers) && keep(&whole, err))
-        || write_page(DOCS "FIGURES.md", m, &whole, err));
+    m->full = count_of(run, 'f') > 0;
+    if (m->full) failed = (count_of(run, 'f') < PARTS && keep(old, err))
+        || write_page(DOCS "FIGURES.md", m, run, 'f', old, err);
     m->full = 0;
-    if (!failed && (quick.chart || quick.stability || quick.papers)) failed = write_page(path, m, &quick, err);
-    free(whole.kept);
-    free(whole.kept_stability);
-    free(whole.kept_papers);
-    if (part || papers_run == 'p') puts("figures: some are left as they are, for a part alone was measured");
+    if (!failed && count_of(run, 'q')) failed = write_page(path, m, run, 'q', none, err);
+    for (int i = 0; i < PARTS; ++i) free(old[i]);
+    if (count_of(run, 'p')) puts("figures: some are left as they are, for a part alone was measured");
     return failed ? -1 : 0;
 }
 
@@ -138,17 +146,18 @@ int main(int argc, char **argv)
     markdown m = { 0 };
     if (argc > 2 || (argc > 1 && *argv[1] == '-')) { fputs("usage: figures [FOLDER of the csv]\n", stderr); return 2; }
     if (argc > 1) csv_folder = argv[1];
-    const char chart_run = run_of("chart.txt", &m.chart_note),
-               stability_run = run_of("stability.txt", &m.stability_note),
-               papers_run = run_of("papers.txt", &m.papers_note);
+    char run[PARTS];
+    int found = 0;
+    for (int i = 0; i < PARTS; ++i)
+        found += (run[i] = run_of(parts[i].name, (const char **)((char *)&m + parts[i].note))) != 0;
     m.seeds_run = run_of("seeds.txt", &m.seeds_note);
-    if (!chart_run && !stability_run && !papers_run) {
-        fprintf(stderr, "figures: %s: holds none of chart.txt, stability.txt and papers.txt (make chart, make "
-                        "stability, make papers)\n",
+    if (!found) {
+        fprintf(stderr, "figures: %s: holds none of chart.txt, stability.txt, papers.txt and cost.txt (make chart, "
+                        "make stability, make papers, make cost)\n",
                 csv_folder);
         return 2;
     }
-    if (write_pages(&m, chart_run, stability_run, papers_run, &err)) {
+    if (write_pages(&m, run, &err)) {
         fprintf(stderr, "figures: %s\n", err.text);
         return 2;
     }

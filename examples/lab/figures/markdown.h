@@ -9,7 +9,7 @@ typedef struct markdown {
     FILE       *file;
     int         full;                      /* the page is examples/docs/FIGURES.md */
     /* where the figures of each come from */
-    const char *chart_note, *stability_note, *papers_note, *seeds_note;
+    const char *chart_note, *stability_note, *papers_note, *cost_note, *seeds_note;
     char        seeds_run;                 /* f, q, p: whole, quick or in part; 0 = there was none */
 } markdown;
 

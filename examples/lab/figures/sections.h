@@ -16,5 +16,7 @@ void section_stability(const markdown *m);
 #define STABILITY_HEADING "\n## Where methods fail\n"
 #define PAPERS_HEADING "\n## The papers' own tables and figures\n"
 void section_papers(const markdown *m);
+#define COST_HEADING "\n## What chains cost a GPU, modelled\n"
+void section_cost(const markdown *m);
 
 #endif

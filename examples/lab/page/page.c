@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "kit/kit_gl.h"
 
 /* ---- >>page ------------------------------------------------------------------------------------------------------ */
 
@@ -41,7 +40,8 @@ static void line_of(char *out, int size, const char *command)
     out[strcspn(out, "\n")] = 0;
 }
 
-int page_note(const char *folder, const char *name, const char *kind, const char *command, kit_error *err)
+int page_note(const char *folder, const char *name, const char *kind, const char *command, const char *driver,
+              kit_error *err)
 {
     char commit[64], changed[64], processor[128];
     page p;
@@ -51,7 +51,7 @@ int page_note(const char *folder, const char *name, const char *kind, const char
     if (page_open(&p, err)) return -1;
     fprintf(p.file, "%s\n`%s`, commit %s%s, %ld cores (%s), %s\n", kind, command, *commit ? commit : "unknown",
             *changed ? " with changes" : "", sysconf(_SC_NPROCESSORS_ONLN), *processor ? processor : "unknown",
-            kit_gl_name());
+            driver);
     return page_close(&p, folder, name, err);
 }
 

@@ -12,7 +12,8 @@ void page_into(page *p, FILE *f);     /* what a page holds becomes part of anoth
 
 /* What a run's figures come from, for build/figures: a line of its kind (full, quick or part), and one of command,
    commit, machine and driver. */
-int page_note(const char *folder, const char *name, const char *kind, const char *command, kit_error *err);
+int page_note(const char *folder, const char *name, const char *kind, const char *command, const char *driver,
+              kit_error *err);
 
 void page_escaped(FILE *f, const char *s);
 void page_head(FILE *f, const char *title, const char *about);

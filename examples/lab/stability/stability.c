@@ -38,7 +38,7 @@ static int write_all(const sweep_options *o, const result *results, const int *s
                              o->causes || o->methods ? "part"
                              : o->quick              ? "quick"
                                                      : "full",
-                             o->quick ? "make stability QUICK=1" : "make stability", err)
+                             o->quick ? "make stability QUICK=1" : "make stability", kit_gl_name(), err)
              ? -1
              : 0;
 }
