@@ -24,14 +24,19 @@ typedef struct asked { const char *against; int check, record, some; } asked;
 
 static work work_of_all;
 
+/* Names with commas between; RADV ends the program on one that it does not know. */
 static int take_families(work *w, char *names, kit_error *err)
 {
+    static const char known[] = " polaris10 vega10 raven navi10 navi21 vangogh gfx1100 ";
     w->families = 0;
     for (char *name = strtok(names, ","); name; name = strtok(NULL, ",")) {
+        char word[32];
+        snprintf(word, sizeof word, " %.24s ", name);
+        if (!strstr(known, word)) return kit_fail(err, "--family %s: must be some of%swith commas between", name, known);
         if (w->families == MOST_FAMILIES) return kit_fail(err, "--family: at most %d", MOST_FAMILIES);
         w->family[w->families++] = name;
     }
-    return w->families ? 0 : kit_fail(err, "--family: which");
+    return w->families ? 0 : kit_fail(err, "--family: must be some of%swith commas between", known);
 }
 
 static int is_file(const char *text)
@@ -48,7 +53,7 @@ static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *e
         else if (!strcmp(argv[i], "--record")) a->record = 1;
         else if (!strcmp(argv[i], "--against") && more) a->against = argv[++i];
         else if (!strcmp(argv[i], "--family") && more) { if (take_families(w, argv[++i], err)) return -1; }
-        else if (*argv[i] == '-') return kit_fail(err, "%s: is no option; usage: examples/lab/cost/cost.c", argv[i]);
+        else if (*argv[i] == '-') return kit_fail(err, "%s: is no option, or lacks what it is to be", argv[i]);
         else if (is_file(argv[i]) ? work_add_file(w, argv[i], err) : work_add_chain(w, argv[i], err)) return -1;
         else a->some = 1;
     }

@@ -162,13 +162,15 @@ int work_add_file(work *w, const char *path, kit_error *err)
     char *ending = strstr(vertex, ".frag");
     if (!ending || strlen(path) >= sizeof vertex) return kit_fail(err, "%s: must be FILE.frag or FILE.frag.spv", path);
     memcpy(ending, ".vert", 5);
+    const char *slash = strrchr(path, '/');
+    cost_chain *c = new_chain(w, slash ? slash + 1 : path, err);
+    if (!c) return -1;
+    p.pass = c->name;
     const int triangle = access(vertex, R_OK) != 0;
     if (triangle ? spirv_triangle(&p.stage[0]) : read_stage(&p, vertex, VK_SHADER_STAGE_VERTEX_BIT, err)) return -1;
     p.stages = 1;
     if (read_stage(&p, path, VK_SHADER_STAGE_FRAGMENT_BIT, err)) return -1;
-    const char *slash = strrchr(path, '/');
-    cost_chain *c = new_chain(w, slash ? slash + 1 : path, err);
-    const int program = c ? add_program(w, &p, err) : -1;
+    const int program = add_program(w, &p, err);
     if (program < 0) return -1;
     c->pass[c->passes++] = (cost_pass) { .name = "", .program = program, .width = WIDTH, .height = HEIGHT };
     return 0;

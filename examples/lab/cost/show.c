@@ -145,7 +145,8 @@ void show_costs(const work *w, int passes)
         for (int i = 0; i < w->chains; ++i) {
             const cost_chain *c = &w->chain[i];
             if (c->passes) show_chain(w, c, family);
-            for (int k = 0; k < c->passes && passes; ++k) show_pass(w, &c->pass[k], family);
+            for (int k = 0; k < c->passes && passes; ++k)
+                if (*c->pass[k].name) show_pass(w, &c->pass[k], family);
         }
     }
     show_assumptions(w);
