@@ -32,7 +32,8 @@ static int take_families(work *w, char *names, kit_error *err)
     for (char *name = strtok(names, ","); name; name = strtok(NULL, ",")) {
         char word[32];
         snprintf(word, sizeof word, " %.24s ", name);
-        if (!strstr(known, word)) return kit_fail(err, "--family %s: must be some of%swith commas between", name, known);
+        if (!strstr(known, word))
+            return kit_fail(err, "--family %s: must be some of%swith commas between", name, known);
         if (w->families == MOST_FAMILIES) return kit_fail(err, "--family: at most %d", MOST_FAMILIES);
         w->family[w->families++] = name;
     }
