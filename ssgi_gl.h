@@ -1095,21 +1095,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_plane", __LINE__ + 1,
-    "vec3 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P, for ssgi_above_plane\n"
-    "    return vec3(n.xy * u_ssgi_unproject.xy, n.z); // #if orthographic\n"
-    "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z); // #if !orthographic\n"
+    "vec4 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P, for ssgi_above_plane\n"
+    "    return vec4(n.xy * u_ssgi_unproject.xy, -n.z, -n.z * P.z); // #if orthographic\n"
+    "    return vec4(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z, -dot(n, P)); // #if !orthographic\n"
     "}\n" },
 
 { "ssgi_above_plane", __LINE__ + 1,
-    "// height above the plane through P of the point at depth z, o pixels away\n"
-    "float ssgi_above_plane(vec3 k, vec2 o, vec3 P, float z) {\n"
-    "    return dot(k.xy, o) - k.z * (z + P.z); // #if orthographic\n"
-    "    return (dot(k.xy, o) + k.z) * z + k.z * P.z; // #if !orthographic\n"
-    "}\n" },
-
-{ "ssgi_off_plane", __LINE__ + 1,
-    "float ssgi_off_plane(vec3 k, vec2 o, vec3 P, float z) { // its distance\n"
-    "    return abs(ssgi_above_plane(k, o, P, z));\n"
+    "// height above that plane of the point at depth z, o pixels from P's\n"
+    "float ssgi_above_plane(vec4 k, vec2 o, float z) {\n"
+    "    return k.x * o.x + (k.y * o.y + (k.z * z + k.w)); // #if orthographic\n"
+    "    return (k.x * o.x + (k.y * o.y + k.z)) * z + k.w; // #if !orthographic\n"
     "}\n" },
 
 { "ssgi_screen", __LINE__ + 1,
@@ -1360,8 +1355,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_end", __LINE__ + 1,
     "// What is seen o pixels from P: 1 rises above the tangent plane there, or is out of the picture; -1 drops\n"
     "// below it, away from the viewer, or nothing is seen; 0 the surface goes on.\n"
-    "int ssgi_end(ivec2 p, ivec2 o, vec3 P, vec3 plane, float slack) {\n"
-    "    float z = ssgi_depth(p + o), h = ssgi_above_plane(plane, vec2(o), P, z);\n"
+    "int ssgi_end(ivec2 p, ivec2 o, vec3 P, vec4 plane, float slack) {\n"
+    "    float z = ssgi_depth(p + o), h = ssgi_above_plane(plane, vec2(o), z);\n"
     "    if (!ssgi_inside(p + o)) return 1;\n"
     "    if (z >= SSGI_FAR || (h < -slack && z > -P.z)) return -1;\n"
     "    return h > slack ? 1 : 0;\n"
@@ -1370,7 +1365,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_run", __LINE__ + 1,
     "// Pixels that the surface at P goes on along a direction of the picture until it drops away. The radius\n"
     "// where it ends in another that rises above it, or at the picture's edge: its end is hidden.\n"
-    "float ssgi_run(ivec2 p, ivec2 way, vec3 P, vec3 plane, float footprint, float pixels) {\n"
+    "float ssgi_run(ivec2 p, ivec2 way, vec3 P, vec4 plane, float footprint, float pixels) {\n"
     "    float run = pixels, reach = max(0.5 * pixels, SSGI_LONGEST);\n"
     "    for (int i = 0; i < 5; ++i) { // from far to near: the nearest end counts\n"
     "        float k = floor(reach * exp2(-float(i)));\n"
@@ -1403,15 +1398,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 z = vec4(ssgi_depth(p), ssgi_depth(p + ivec2(1, 0)), ssgi_depth(p + ivec2(0, 1)), ssgi_depth(p + 1));\n"
     "    vec4 width = vec4(SSGI_OTHER * u_ssgi_radius);\n"
     "    if (z.x < SSGI_FAR) {\n"
-    "        vec3 P = ssgi_position(vec2(p) + 0.5, z.x), n = ssgi_normal(p, P), plane = ssgi_plane(P, n);\n"
+    "        vec3 P = ssgi_position(vec2(p) + 0.5, z.x);\n"
+    "        vec4 plane = ssgi_plane(P, ssgi_normal(p, P));\n"
     "        float footprint = ssgi_footprint(z.x), pixels = u_ssgi_radius / footprint;\n"
     "        float x = ssgi_run(p, ivec2(1, 0), P, plane, footprint, pixels);\n"
     "        float y = ssgi_run(p, ivec2(0, 1), P, plane, footprint, pixels);\n"
     "        x += ssgi_run(p, ivec2(-1, 0), P, plane, footprint, pixels);\n"
     "        y += ssgi_run(p, ivec2(0, -1), P, plane, footprint, pixels);\n"
-    "        vec4 off = vec4(0.0, ssgi_off_plane(plane, vec2(1.0, 0.0), P, z.y),\n"
-    "            ssgi_off_plane(plane, vec2(0.0, 1.0), P, z.z), ssgi_off_plane(plane, vec2(1.0), P, z.w));\n"
-    "        bvec4 same = lessThan(off, vec4(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
+    "        vec4 off = vec4(0.0, ssgi_above_plane(plane, vec2(1.0, 0.0), z.y),\n"
+    "            ssgi_above_plane(plane, vec2(0.0, 1.0), z.z), ssgi_above_plane(plane, vec2(1.0), z.w));\n"
+    "        bvec4 same = lessThan(abs(off), vec4(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
     "        width = mix(width, vec4(min(min(x, y) * footprint, u_ssgi_thickness)), same);\n"
     "    }\n"
     "    width = ssgi_slab_widths(p, z, width); // #if thickness > WIDTH\n"
@@ -2455,7 +2451,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_OVER = 0.4; // the same beyond the zenith: rounding, or a texel off the slice\n" },
 
 { "SSGI_ROUNDED", __LINE__ + 1,
-    "const float SSGI_ROUNDED = 0.05; // of a pixel: what the walk's rounding may not reach\n" },
+    "const float SSGI_ROUNDED = 0.005; // of a pixel: what rounding does not reach in pictures 8,000 pixels wide\n" },
 
 { "SSGI_JOINED", __LINE__ + 1,
     "const float SSGI_JOINED = 4.0; // thickness CONSTANT: slope up to which taps are joined\n" },
@@ -2496,7 +2492,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 unproject; // radii per pixel, at depth 1 // #if !orthographic\n"
     "    vec2 unproject; // radii per pixel // #if orthographic\n"
     "    vec2 across, up; // a radius along x and y of the basis, in pixels\n"
-    "    float ray, near; // radii per view depth along its ray; what is nearer is the receiver itself\n"
+    "    float ray, rounded; // radii per view depth along its ray; what rounding does not reach\n"
     "};\n" },
 
 { "ssgi_receiver_of", __LINE__ + 1,
@@ -2509,8 +2505,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    r.across = ssgi_screen(P, r.basis[0]) * u_ssgi_radius, r.up = ssgi_screen(P, r.basis[1]) * u_ssgi_radius;\n"
     "    r.ray = per; // #if orthographic\n"
     "    r.ray = per / V.z; // #if !orthographic\n"
-    "    // its own pixel is off by rounding alone, in any direction: beside a share of a pixel that is nothing\n"
-    "    r.near = max(SSGI_ROUNDED * ssgi_footprint(-P.z) * per, 1e-18);\n"
+    "    r.rounded = max(SSGI_ROUNDED * ssgi_footprint(-P.z) * per, 1e-18);\n"
     "    return r;\n"
     "}\n" },
 
@@ -2524,7 +2519,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 cosg, sing, rest; // for ssgi_arc, so that it is in sectors; cosg and the noise that rounds them\n"
     "    vec2 share; // of the hemisphere, per sector\n"
     "    vec2 edge; // how far the picture goes, of the radius\n"
-    "    float near, least, grain; // of the receiver, its square; unit of pass width, in view units\n"
+    "    float rounded, least; // what rounding does not reach; added to squared distances\n"
+    "    float grain; // unit of pass width, in view units\n"
     "};\n" },
 
 { "ssgi_slice_of", __LINE__ + 1,
@@ -2548,7 +2544,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 whole = max(ssgi_arc(vec2(-a, a), vec2(a * a), s.cosg, s.sing), 1e-5), scale = 32.0 / whole;\n"
     "    s.share = whole * (l / (32.0 * float(SSGI_DIRECTIONS)));\n"
     "    s.cosg *= scale, s.sing *= scale, s.rest = s.cosg + noise;\n"
-    "    s.near = r.near, s.least = r.near * r.near, s.grain = u_ssgi_radius / 63.0;\n"
+    "    // rounding puts the receiver's own pixel off it in any direction: ten times as much beside it is flat\n"
+    "    s.rounded = r.rounded, s.least = 100.0 * r.rounded * r.rounded, s.grain = u_ssgi_radius / 63.0;\n"
     "    return s;\n"
     "}\n" },
 
@@ -2620,7 +2617,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    t.distance = sqrt(ll), t.h = clamp(t.y * r, 0.0, 1.0);\n"
     "    t.inside = lessThan(u, s.edge);\n"
     "    t.seen = bvec2(t.inside.x && ll.x < 1.0, t.inside.y && ll.y < 1.0);\n"
-    "    t.beyond = lessThan(t.x, vec2(-s.near));\n"
+    "    t.beyond = lessThan(t.x, vec2(-s.rounded));\n"
     "    vec2 least = mix(vec2(SSGI_LEVEL), vec2(SSGI_OVER), t.beyond);\n"
     "    t.up = bvec2(t.seen.x && t.h.x > least.x, t.seen.y && t.h.y > least.y);\n"
     "    return t;\n"
@@ -2770,11 +2767,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_cover_second", __LINE__ + 1,
     "// the same of second slabs behind the taps\n"
-    "vec2 ssgi_cover_second(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 front, vec2 deep) {\n"
-    "    vec2 x, y, ll = ssgi_on_rays(s, t, front, x, y), r = inversesqrt(ll), fresh = vec2(0.0);\n"
+    "vec2 ssgi_cover_second(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 gap) {\n"
+    "    vec3 slab0 = ssgi_slabs(t.q0), slab1 = ssgi_slabs(t.q1);\n"
+    "    vec2 front = vec2(slab0.y, slab1.y), fresh = vec2(0.0), x, y;\n"
+    "    vec2 ll = ssgi_on_rays(s, t, front, x, y), r = inversesqrt(ll);\n"
     "    bvec2 up = bvec2(t.inside.x && ll.x < 1.0 && y.x * r.x > SSGI_LEVEL,\n"
     "        t.inside.y && ll.y < 1.0 && y.y * r.y > SSGI_LEVEL);\n"
     "    if (any(up)) {\n"
+    "        vec2 deep = vec2(ssgi_second_thickness(slab0.y, slab0.z, t.width.x),\n"
+    "            ssgi_second_thickness(slab1.y, slab1.z, t.width.y));\n"
+    "        deep = max(deep, 2.0 * gap);\n"
     "        vec2 back_x, back_y, back_ll = ssgi_on_rays(s, t, front + deep, back_x, back_y), l = ll * r;\n"
     "        vec2 back_r = inversesqrt(back_ll), c = x * r, high = ssgi_sector(s, c, c * c, up, vec2(32.0));\n"
     "        c = back_x * back_r;\n"
@@ -2810,11 +2812,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 first = ssgi_cover(s, w, t); // #if thickness == SOLID\n"
     "        t.q0 -= ssgi_walked_origin(), t.q1 -= ssgi_walked_origin();\n"
     "#if thickness == SLABS\n"
-    "        vec3 back0 = ssgi_slabs(t.q0), back1 = ssgi_slabs(t.q1);\n"
-    "        deep = vec2(ssgi_second_thickness(back0.y, back0.z, t.width.x),\n"
-    "            ssgi_second_thickness(back1.y, back1.z, t.width.y));\n"
-    "        deep = max(deep, 2.0 * ssgi_between(gap));\n"
-    "        second = ssgi_cover_second(s, w, t, vec2(back0.y, back1.y), deep);\n"
+    "        second = ssgi_cover_second(s, w, t, ssgi_between(gap));\n"
     "        second *= s.share; // #if bounce\n"
     "#endif\n"
     "#if bounce\n"
@@ -3430,14 +3428,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 first = ivec2(0, l * u_ssgi_level.y), p = q - first;\n"
     "    float z = ssgi_inside(p) ? ssgi_depth(p) : SSGI_FAR;\n"
     "    if (z >= SSGI_FAR) discard;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), plane = ssgi_plane(P, n);\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
+    "    vec4 plane = ssgi_plane(P, n);\n"
     "    float footprint = ssgi_footprint(z), near = 1.0 / (footprint * (1.0 + float(reach)));\n"
     "    vec4 sum = vec4(texelFetch(t_ssgi_levels, q, 0));\n"
     "    float weights = 1.0;\n"
     "    for (int i = -reach; i <= reach; ++i) { // a box over the block that the level interleaves\n"
     "        ivec2 o = SSGI_AXIS == 0 ? ivec2(i, 0) : ivec2(0, i);\n"
     "        if (i == 0 || !ssgi_inside(p + o)) continue;\n"
-    "        float d = ssgi_depth(p + o), off = ssgi_off_plane(plane, vec2(o), P, d) * near;\n"
+    "        float d = ssgi_depth(p + o), off = abs(ssgi_above_plane(plane, vec2(o), d)) * near;\n"
     "        float w = max(1.0 - off, 0.0) * (abs(i) == reach ? 0.5 : 1.0);\n"
     "#if filter_normals\n"
     "        if (w > 0.0) w *= max(dot(n, ssgi_normal(p + o, ssgi_position(vec2(p + o) + 0.5, d))), 0.0);\n"
@@ -3510,7 +3509,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_blurred", __LINE__ + 1,
     "struct ssgi_blurred { // the pixel that is filtered\n"
-    "    vec3 P, n, plane; // n, plane: where they are asked for\n"
+    "    vec3 P, n;\n"
+    "    vec4 plane; // its unit is a 20th of the radius and a pixel // #if filter == BILATERAL\n"
     "    float z, footprint;\n"
     "    vec4 now; // what is there // #if !half && colour != COEFFICIENTS\n"
     "    bool settled; // it has been averaged over frames // #if pass == HISTORY\n"
@@ -3536,19 +3536,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    c.z = ssgi_depth(p); // #if half || colour == COEFFICIENTS\n"
     "    c.P = ssgi_position(vec2(p) + 0.5, c.z), c.footprint = ssgi_footprint(c.z);\n"
     "    c.n = ssgi_normal(p, c.P); // #if filter == BILATERAL || restore || pass == HISTORY\n"
-    "    c.plane = ssgi_plane(c.P, c.n); // #if filter == BILATERAL\n"
+    "    c.plane = ssgi_plane(c.P, c.n) / (0.05 * u_ssgi_radius + c.footprint); // #if filter == BILATERAL\n"
     "    return c;\n"
     "}\n" },
 
 { "ssgi_neighbour", __LINE__ + 1,
-    "struct ssgi_neighbour { ivec2 at, q, o; }; // texel; pixel; offset from the one that is filtered\n" },
+    "struct ssgi_neighbour { // of the pixel that is filtered\n"
+    "    ivec2 at, q; // texel; pixel\n"
+    "    vec2 o; // pixels to it\n"
+    "};\n" },
 
 { "ssgi_neighbour_at", __LINE__ + 1,
     "ssgi_neighbour ssgi_neighbour_at(ivec2 p, int x, int y) {\n"
-    "    ivec2 h = p / 2 + ivec2(x, y); // #if half\n"
-    "    ivec2 q = ssgi_gathered(h); // #if half\n"
-    "    return ssgi_neighbour(h + u_ssgi_target / 2, q, q - p); // #if half\n"
-    "    return ssgi_neighbour(p + ivec2(x, y) + u_ssgi_target, p + ivec2(x, y), ivec2(x, y)); // #if !half\n"
+    "    ivec2 h = (p >> 1) + ivec2(x, y), q = ssgi_gathered(h); // #if half\n"
+    "    return ssgi_neighbour(h + (u_ssgi_target >> 1), q, vec2(q - p)); // #if half == 2\n"
+    "    return ssgi_neighbour(h + (u_ssgi_target >> 1), q, vec2(2 * x, 2 * y) - vec2(p & 1)); // #if half == 1\n"
+    "    return ssgi_neighbour(p + ivec2(x, y) + u_ssgi_target, p + ivec2(x, y), vec2(x, y)); // #if !half\n"
     "}\n" },
 
 { "ssgi_blur_weight", __LINE__ + 1,
@@ -3556,8 +3559,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Gaussian over the depth difference plus a pixel's footprint [HSAO08 4.1.3]\n"
     "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
     "    float variance = 0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25;\n"
-    "    float distance_ = float(t.o.x * t.o.x + t.o.y * t.o.y);\n"
-    "    return exp(-0.5 * distance_ / variance) * c.footprint / (c.footprint + abs(z - c.z));\n"
+    "    return exp(-0.5 * dot(t.o, t.o) / variance) * c.footprint / (c.footprint + abs(z - c.z));\n"
     "}\n"
     "#endif\n" },
 
@@ -3565,17 +3567,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if filter == BILATERAL\n"
     "// a box over a tile of noise, within a 20th of the radius and a pixel of the tangent plane\n"
     "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
-    "    float off = ssgi_off_plane(c.plane, vec2(t.o), c.P, z) / (0.05 * u_ssgi_radius + c.footprint);\n"
+    "    float off = ssgi_above_plane(c.plane, t.o, z);\n"
     "#if half\n"
-    "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(vec2(t.o));\n"
+    "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(t.o);\n"
     "    // never 0: if no tap lies on the plane, the closest to it wins\n"
     "    float w = tent.x * tent.y / (0.1 + off * off); // #if pass != HISTORY\n"
     "    float w = tent.x * tent.y / (0.02 + off * off); // #if pass == HISTORY\n"
     "    if (c.settled) w *= 12.0 + tent.x * tent.y; // nearer ones more: frames average, too // #if pass == HISTORY\n"
     "#else\n"
-    "    float w = max(1.0 - off, 0.0);\n"
-    "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == SSGI_FILTER_RADIUS) w *= 0.5;\n"
-    "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.y) == SSGI_FILTER_RADIUS) w *= 0.5;\n"
+    "    float w = max(1.0 - abs(off), 0.0);\n"
+    "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
+    "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.y) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
     "#endif\n"
     "    w *= max(dot(c.n, ssgi_normal(t.q, ssgi_position(vec2(t.q) + 0.5, z))), 1e-3); // #if filter_normals\n"
     "    return w;\n"
