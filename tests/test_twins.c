@@ -1041,6 +1041,199 @@ static void what_covers_nothing(void)
     }
 }
 
+/* A slice's side of the walk as it is defined, by vectors and a sector at a time; frame and map as walks_by_vectors has
+   them. Width is a map's w, in radii / 63. */
+typedef struct walk { const ssgi_gl_frame *frame; const float (*map)[4]; int flat, thickness, steps; } walk;
+typedef struct walked { double l, z, end, low, high; int seen; } walked;
+
+static double dot3(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static void seen_at(const walk *w, double x, double y, double z, double *Q)
+{
+    const float *k = w->frame->unproject;
+    const double by = w->flat ? 1 : z;
+    Q[0] = (x * (double)k[0] + (double)k[2]) * by;
+    Q[1] = (y * (double)k[1] + (double)k[3]) * by;
+    Q[2] = -z;
+}
+
+/* The sector of a cosine, by the polynomial of ssgi_arc, which twin_arc holds. */
+static double sector_of(double c, double g, double whole, double noise)
+{
+    const double q = c * c;
+    const double odd = 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));
+    return fmax(fmin((0.5 * cos(g) * (1 - q) + 0.5 * sin(g) * odd) * 32 / whole + noise, 32), 0);
+}
+
+/* Of sectors from low to high those that are free, which are taken. */
+static int taken(uint32_t *mask, double low, double high)
+{
+    int fresh = 0;
+    for (int s = (int)low; s < (int)high; ++s) {
+        fresh += !(*mask >> s & 1);
+        *mask |= UINT32_C(1) << s;
+    }
+    return fresh;
+}
+
+/* Attenuated sectors; t: along the tangent plane; n: the normal over the length of its projection; g: its angle. */
+static double side_walked(const walk *w, const int *p, const double *P, const double *t, const double *n, double g,
+                          const double *pixels, double xi, double noise)
+{
+    const double R = (double)w->frame->radius, whole = fmax(sector_of(-sin(g), g, 32, 0), 1e-5);
+    /* a 20th of a pixel, under which the walk hides rounding */
+    const float *per = w->frame->unproject;
+    const double near = 0.05 * fmax(fabs((double)per[0]), fabs((double)per[1])) * (w->flat ? 1 : -P[2]);
+    walked last = { 0, -P[2], -P[2], 0, 0, 1 };
+    uint32_t mask = 0;
+    double sum = 0, before = 0;
+    for (int k = 0; k < w->steps; ++k) {
+        const double root = (k + xi) / w->steps, u = root * root, gap = (u - before) * R;
+        const int x = (int)floor(p[0] + 0.5 + pixels[0] * u), y = (int)floor(p[1] + 0.5 + pixels[1] * u);
+        const int inside = x >= 0 && y >= 0 && x < SIDE && y < SIDE;
+        const float *tap = w->map[inside ? y * SIDE + x : 0];
+        double z[4] = { (double)tap[0], 0, (double)tap[1], 0 }, Q[3], at[4][3], e[4][2], L[4];
+        const double width = fmax((double)tap[3] * R / 63, gap);
+        z[1] = z[0] + (w->thickness == SSGI_GL_THICKNESS_CONSTANT ? (double)w->frame->thickness : width);
+        if (z[2] <= 0) z[2] = 1e18;
+        z[3] = z[2] + fmax(fmin(tap[2] > tap[1] ? (double)(tap[2] - tap[1]) : (double)tap[3] * R / 63, R), 2 * gap);
+        for (int i = 0; i < 4; ++i) {               /* front, back, second front, its back: along and up */
+            seen_at(w, x + 0.5, y + 0.5, z[i], Q);
+            for (int c = 0; c < 3; ++c) at[i][c] = Q[c] - P[c];
+            e[i][0] = dot3(at[i], t);
+            e[i][1] = dot3(at[i], n);
+            L[i] = sqrt((i ? e[i][0] * e[i][0] + e[i][1] * e[i][1] : dot3(at[0], at[0])) + near * near);
+        }
+        const double h = fmax(fmin(e[0][1] / L[0], 1), 0), c = sqrt(1 - h * h) * (e[0][0] < -1e-9 ? -1 : 1);
+        walked now = { L[0], z[0], z[1], 0, 0, inside && L[0] < R };
+        if (now.seen && h > (e[0][0] < -1e-9 ? 0.4 : 0.004)) now.high = sector_of(c, g, whole, noise);
+        if (w->thickness == SSGI_GL_THICKNESS_SOLID) {
+            sum += taken(&mask, 0, now.high) * fmax(1 - 0.5 * (now.l + last.l) / R, 0);
+        } else {
+            const int constant = w->thickness == SSGI_GL_THICKNESS_CONSTANT;
+            if (e[1][1] / L[1] > 0.004) now.low = fmin(sector_of(e[1][0] / L[1], g, whole, noise), now.high);
+            if (!constant) now.l = 0.5 * (now.l + fmin(now.l, L[1]));
+            const double apart = constant ? fabs(now.z - last.z) / 4 : fmax(now.z - last.end, last.z - now.end);
+            const int joined = now.seen && last.seen && apart < gap;
+            const double d = now.l + (last.l - now.l) * (joined ? 0.5 : 0.125);
+            sum += taken(&mask, joined ? fmin(now.low, last.low) : now.low,
+                         joined ? fmax(now.high, last.high) : now.high) * fmax(1 - d / R, 0);
+        }
+        if (w->thickness == SSGI_GL_THICKNESS_SLABS && inside && L[2] < R && e[2][1] / L[2] > 0.004) {
+            const double high = sector_of(e[2][0] / L[2], g, whole, noise);
+            const double low = e[3][1] / L[3] > 0.004 ? sector_of(e[3][0] / L[3], g, whole, noise) : 0;
+            sum += taken(&mask, fmin(low, high), high) * fmax(1 - 0.5 * (L[2] + fmin(L[2], L[3])) / R, 0);
+        }
+        now.l = fmin(now.l, R);
+        last = now;
+        before = u;
+    }
+    return sum * whole / 32;
+}
+
+static double fraction(double x) { return x - floor(x); }
+
+/* The walk of every pixel of a rough map, some of it turned far from the viewer, beside linear forms in GLSL. A sector
+   that rounding moves is a 32nd of a slice's side: few pixels have one. */
+static void walks_by_vectors(void)
+{
+    enum { SLICES = 2, STEPS = 5 };
+    static float map[MANY][4], seen[MANY][4];
+    static uint32_t packed[MANY];
+    static const float m[2][16] = { { 2, 0, 0, 0, 0, 2.5f, 0, 0, 0.1f, -0.05f, -1.02f, -1, 0, 0, -0.2f, 0 },
+                                    { 0.3f, 0, 0, 0, 0, 0.25f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
+    for (int k = 0; k < 8; ++k) {
+        static const int thick[4] = { SSGI_GL_THICKNESS_SOLID, SSGI_GL_THICKNESS_CONSTANT, SSGI_GL_THICKNESS_WIDTH,
+                                      SSGI_GL_THICKNESS_SLABS };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .directions = SLICES, .steps = STEPS,
+                                 .orthographic = k & 1, .depth = SSGI_GL_DEPTH_LINEAR, .thickness = thick[k / 2] };
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        const char *why = "";
+        const walk w = { &frame, (const float (*)[4])map, k & 1, d.thickness, STEPS };
+        if (!CHECK(ssgi_view_from_projection(&view, m[k & 1], SSGI_CLIP_GL, SIDE, SIDE, &why) == SSGI_OK
+                       && ssgi_gl_frame_init(&frame, &view, 1.5f, &why) == SSGI_OK, "%s", why))
+            return;
+        frame.thickness = 0.3f;
+        random_state = 71 + (uint32_t)k;
+        for (int i = 0; i < MANY; ++i) {                   /* a slope with blocks, a step down, holes to the background */
+            const int x = i % SIDE, y = i / SIDE, block = (x / 6 * 7 + y / 9 * 5) % 4;
+            const float z = 8 + 0.02f * (float)x - 0.01f * (float)y - 0.4f * (float)block + (x > 40 ? 0.9f : 0);
+            const float a = uniform(0, 6.28f), tilt = uniform(0, 1.5f);
+            const float n[4] = { sinf(tilt) * cosf(a), sinf(tilt) * sinf(a), cosf(tilt), uniform(0, 1) };
+            memcpy(in[i], n, sizeof n);
+            map[i][0] = block == 3 && x % 5 == 0 ? 1e18f : z;
+            map[i][1] = x % 3 ? z + uniform(0.1f, 0.5f) : 0;
+            map[i][2] = map[i][1] > 0 && y % 3 ? map[i][1] + uniform(0.1f, 1) : 0;
+            map[i][3] = (float)(1 + (int)uniform(0, 62.9f));
+            uint32_t bits;
+            const float deep = map[i][0] < 1e17f ? map[i][0] : 2e18f;
+            memcpy(&bits, &deep, sizeof bits);
+            bits = (bits + 32) & ~63u;
+            packed[4 * (y / 2 * SIDE / 2 + x / 2) + 2 * (y & 1) + (x & 1)] = bits | (uint32_t)map[i][3];
+            memcpy(&seen[i][0], &bits, sizeof bits);       /* as pass width rounds it */
+            memcpy(&seen[i][1], &map[i][1], 3 * sizeof map[i][1]);
+        }
+        GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+        probed_width = kit_texture(SIDE / 2, SIDE / 2, GL_RGBA32UI, (const float *)(const void *)packed);
+        const int went = probe(&d, &frame, texture,
+                               "float z = ssgi_depth(texel); vec2 xi = vec2(a.w, fract(7.0 * a.w));"
+                               "o = vec4(ssgi_gather(texel, ssgi_position(vec2(texel) + 0.5, z), a.xyz, xi).all, z, "
+                               "ssgi_basis(ssgi_toward(ssgi_position(vec2(texel) + 0.5, z)))[0].xy);");
+        glDeleteTextures(1, &texture);
+        glDeleteTextures(1, &probed_width);
+        probed_width = 0;
+        if (!went) return;
+        if (d.thickness > SSGI_GL_THICKNESS_SOLID) memcpy(map, seen, sizeof map);
+        int off = 0, many = 0;
+        double bias = 0, mean = 0;
+        for (int i = 0; i < MANY; ++i) {
+            if (!(map[i][0] < 1e17f)) continue;
+            const int p[2] = { i % SIDE, i / SIDE };
+            const double n[3] = { (double)in[i][0], (double)in[i][1], (double)in[i][2] }, xi[2] = {
+                (double)in[i][3], (double)fmodf(7 * in[i][3], 1) };
+            double P[3], V[3] = { 0, 0, 1 }, B[2][3], want = 0;
+            seen_at(&w, p[0] + 0.5, p[1] + 0.5, (double)map[i][0], P);
+            for (int c = 0; c < 3 && !w.flat; ++c) V[c] = -P[c] / sqrt(dot3(P, P));
+            /* [Duff et al. 2017] */
+            const double q = -1 / (1 + V[2]), b = V[0] * V[1] * q;
+            const double basis[2][3] = { { 1 + V[0] * V[0] * q, b, -V[0] }, { b, 1 + V[1] * V[1] * q, -V[1] } };
+            memcpy(B, basis, sizeof B);
+            for (int s = 0; s < SLICES; ++s) {
+                const double phi = 3.14159265 * (s + xi[0]) / SLICES, wide = 0.61803399 * s + 3.7 * xi[0];
+                double along[3], t[2][3], over[3], pixels[2][2];
+                for (int c = 0; c < 3; ++c) along[c] = B[0][c] * cos(phi) + B[1][c] * sin(phi);
+                const double sine = dot3(n, along), cosine = dot3(n, V), l = fmax(hypot(sine, cosine), 1e-4);
+                for (int c = 0; c < 3; ++c) {
+                    t[0][c] = (along[c] * cosine - V[c] * sine) / l;
+                    t[1][c] = -t[0][c];
+                    over[c] = n[c] / l;
+                }
+                for (int c = 0; c < 2; ++c) {
+                    const double by = w.flat ? along[c] : (along[c] - P[c] * along[2] / P[2]) / -P[2];
+                    pixels[0][c] = by * (double)frame.project[c] * (double)frame.radius;
+                    pixels[1][c] = -pixels[0][c];
+                }
+                for (int side = 0; side < 2; ++side)
+                    want += l / SLICES
+                          * side_walked(&w, p, P, t[side], over, (side ? -1 : 1) * atan2(sine, cosine), pixels[side],
+                                        side ? 1 - xi[1] : xi[1],
+                                        fraction(xi[1] * (side ? 11.41 : 7.23) + wide));
+            }
+            off += fabs((double)out[i][0] - want) > 0.002;
+            bias += (double)out[i][0] - want;
+            mean += want;
+            ++many;
+        }
+        /* how far a texel is off its slice is taken at the receiver's depth */
+        CHECK(off < many * (k & 1 ? 0.004 : 0.06) && fabs(bias) < many * 0.0004 && mean > many * 0.2,
+              "%s, thickness %d: %d of %d pixels are off by more than 0.002, by %g on the mean",
+              k & 1 ? "orthographic" : "perspective", d.thickness, off, many, bias / many);
+        t_note("%s, thickness %d: %.4f blocked; off by %.6f; %d of %d pixels by more than 0.002",
+               k & 1 ? "orthographic" : "perspective", d.thickness, mean / many, bias / many, off, many);
+    }
+}
+
 /* A surface just before what a shadow map shows, which faces its light and whose texels are points: lit as long as that
    is what rounding does. */
 static void shadow_slack(void)
@@ -2006,6 +2199,8 @@ void test_twins(void)
     RUN("taps are joined up to a slope of four, whatever the walk's length", steep_taps_are_not_joined);
     RUN("the back of a tap lies on its own ray, as deep as it is thick", backs_lie_on_their_rays);
     RUN("what is beyond the radius, or begins behind the plane, covers nothing, however deep", what_covers_nothing);
+    RUN("the walk by linear forms is that by vectors, whatever the thickness, with perspective and without",
+        walks_by_vectors);
     RUN("before a shadow map's surface it is lit for as far as depths are rounded", shadow_slack);
     RUN("a shadow map's bias as in C, up to the largest slope", shadow_bias);
     RUN("an extra camera knows what is open two pixels before its surfaces", view_slack);
