@@ -451,6 +451,8 @@ enum { KIT_FETCH_OPERATIONS = 8 };
 /* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers
    and block to their slots. */
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);
+/* Binds those of a program that has the rows of a pass. */
+void   kit_pass_bind(GLuint program, const ssgi_gl_io *io, int rows);
 /* Gives a pass the rows of its desc, and its program where that is 0. */
 int    kit_pass_make(kit_pass *pass, kit_error *err);
 int    kit_dialect(void);

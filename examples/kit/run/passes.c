@@ -46,6 +46,17 @@ static int link_captures(GLuint program, const ssgi_gl_desc *desc, const ssgi_gl
                              kit_gl_name());
 }
 
+void kit_pass_bind(GLuint program, const ssgi_gl_io *io, int rows)
+{
+    glUseProgram(program);
+    for (int i = 0; i < rows; ++i)
+        if (io[i].kind == SSGI_GL_TEXTURE) glUniform1i(glGetUniformLocation(program, io[i].name), io[i].slot);
+    for (GLuint k = 0; k < 2; ++k) {
+        const GLuint block = glGetUniformBlockIndex(program, k ? "ssgi_views" : "ssgi_frame");
+        if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, k);
+    }
+}
+
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err)
 {
     const char *why = "";
@@ -55,13 +66,7 @@ GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err)
     const GLuint program = link_stages(desc, err);
     if (!program) return 0;
     if (link_captures(program, desc, io, rows, err)) { glDeleteProgram(program); return 0; }
-    glUseProgram(program);
-    for (int i = 0; i < rows; ++i)
-        if (io[i].kind == SSGI_GL_TEXTURE) glUniform1i(glGetUniformLocation(program, io[i].name), io[i].slot);
-    for (GLuint k = 0; k < 2; ++k) {
-        const GLuint block = glGetUniformBlockIndex(program, k ? "ssgi_views" : "ssgi_frame");
-        if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, k);
-    }
+    kit_pass_bind(program, io, rows);
     return program;
 }
 
