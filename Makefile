@@ -220,13 +220,14 @@ build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
 
 # What RADV's compiler makes of every chain for GPUs that need not be here, and milliseconds by a model; report/cost.csv.
 # ONLY="hsao hsao,best,steps=16 own.frag": those, with their passes; SINCE=FILE.csv: what has changed since that run.
-# cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew.
+# cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew. cost-shares measures how
+# many waves enter what they may leave out: examples/lab/cost/shares.csv, in three minutes.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev
-COST       = $(addprefix lab/cost/,cost against show passes model count compile) tools/glsl/chains lab/measure/folder \
-             $(addprefix lab/page/,page csv)
+COST       = $(addprefix lab/cost/,cost against show passes entered share model count compile) tools/glsl/chains \
+             $(addprefix lab/measure/,folder rows picture stage) $(addprefix lab/page/,page csv)
 COST_LIBS  = -lvulkan -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
              -Wl,--end-group -lstdc++
-cost cost-test cost-record: deps
+cost cost-test cost-record cost-shares: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h; do \
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
@@ -306,7 +307,7 @@ glsl-out glsl-in: build/library
 TESTS = main t others $(addprefix test_,math trace files models seeds library text twins pipeline light vectors field casters \
         steps surfels plan papers cost stability build)
 
-TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/model \
+TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model \
          $(filter-out lab/report,$(REPORT)))
 build/test: $(TESTS:%=build/tests/%.o) $(TESTED:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
@@ -348,7 +349,8 @@ clean:
 	rm -rf build report
 
 .PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability \
-        against fit fit-gpu cost cost-test cost-record glsl golden deps unlisted format clean
+        against fit fit-gpu cost cost-test cost-record cost-shares glsl golden deps unlisted format \
+        clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)

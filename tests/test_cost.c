@@ -1,16 +1,26 @@
-/* test_cost.c - make cost: how often instructions are counted, and the model, by figures worked out by hand. */
+/* test_cost.c - make cost: how often instructions are counted, shares of waves, and the model, by figures worked out by
+   hand. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
-#include "lab/cost/count.h"
 #include "lab/cost/model.h"
+#include "lab/cost/share.h"
 #include "t.h"
+
+static counted count_all(const char *text, int turns)
+{
+    const int both[2] = { turns, turns };
+    counted c;
+    const char *bad = "";
+    CHECK(!count_instructions(&c, text, both, &bad), "not understood: %.60s", bad);
+    return c;
+}
 
 static counts count(const char *text, way how, int turns, walk_report *report)
 {
-    counts c;
-    const char *bad = "";
-    CHECK(!count_instructions(&c, report, text, how, turns, &bad), "not understood: %.60s", bad);
-    return c;
+    const counted c = count_all(text, turns);
+    *report = c.report;
+    return how == BUSY ? c.busy : c.calm;
 }
 
 /* vector, transcendental, fetches */
@@ -108,6 +118,140 @@ static void unknown_end(void)
     }
 }
 
+/* Four turns, in each an `if` with an else, which a wave enters in part or not at all, and another with one inside.
+   What is left of a wave does the else's instruction in any case. */
+static void bodies_apart(void)
+{
+    static const char text[] = "BB0:\n\ts_mov_b32 s0, 0\n"
+                               "BB1:\n\tv_cmp_lt_f32_e32 vcc, 0, v2\n\ts_and_saveexec_b64 s[2:3], vcc\n"
+                               "\ts_cbranch_execz BB3\n"
+                               "BB2:\n\tv_rcp_f32_e32 v1, v2\n\tv_mul_f32_e32 v0, v0, v1\n"
+                               "BB3:\n\ts_andn2_b64 exec, s[2:3], exec\n\ts_cbranch_execz BB5\n"
+                               "BB4:\n\tv_mov_b32_e32 v0, 0\n"
+                               "BB5:\n\ts_mov_b64 exec, s[2:3]\n\tv_cmp_lt_f32_e32 vcc, 0, v3\n"
+                               "\ts_and_saveexec_b64 s[4:5], vcc\n\ts_cbranch_execz BB8\n"
+                               "BB6:\n\tv_add_f32_e32 v0, v0, v1\n\tv_cmp_lt_f32_e32 vcc, 0, v4\n"
+                               "\ts_and_saveexec_b64 s[6:7], vcc\n\ts_cbranch_execz BB8\n"
+                               "BB7:\n\timage_load v[2:3], v[0:1], s[8:15] dmask:0x3 dim:SQ_RSRC_IMG_2D unorm\n"
+                               "BB8:\n\ts_mov_b64 exec, s[4:5]\n\ts_add_u32 s0, s0, 1\n\ts_cmp_lg_u32 s0, 4\n"
+                               "\ts_cbranch_scc1 BB1\nBB9:\n\ts_endpgm\n";
+    const counted c = count_all(text, 1);
+    const struct { const char *name; const counts *of; double vector, transcendental, fetches; } cases[] = {
+        { "busy", &c.busy, 4 * (2 + 2 + 1 + 2), 4, 4 },
+        { "calm", &c.calm, 4 * (2 + 1), 0, 0 },
+        { "the first", &c.body[0], 4 * 2, 4, 0 },
+        { "the second", &c.body[1], 4 * 2, 0, 4 }
+    };
+    CHECK(c.bodies == 2, "%d bodies", c.bodies);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i)
+        CHECK(cases[i].of->vector == cases[i].vector && cases[i].of->transcendental == cases[i].transcendental &&
+              cases[i].of->fetches == cases[i].fetches, "%s: %g vector, %g transcendental, %g fetches", cases[i].name,
+              cases[i].of->vector, cases[i].of->transcendental, cases[i].of->fetches);
+}
+
+/* Five texels by three, each with the bits of two times, "." where nothing is shown. Tiles of 2x2 are six waves, of
+   which the last one shows nothing; the others enter 2 2 0 1 2 times of two. */
+static void waves_of_tiles(void)
+{
+    static const char picture[] = "10020" "20100" "1.03.";
+    static const struct { tile tile; double share, waves; } cases[] = {
+        { { "2x2", 2, 2 }, (2 + 2 + 0 + 1 + 2) / 10.0, 5 / 6.0 },
+        { { "4x1", 4, 1 }, (2 + 0 + 2 + 0 + 2) / 10.0, 5 / 6.0 },
+        { { "1x1", 1, 1 }, (1 + 1 + 1 + 1 + 1 + 2) / 26.0, 13 / 15.0 },
+        { { "8x8", 8, 8 }, 1, 1 }
+    };
+    told texel[15];
+    for (int i = 0; i < 15; ++i)
+        texel[i] = (told) { picture[i] == '.' ? 0 : (float)(picture[i] - '0'), picture[i] != '.' };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        double waves;
+        const double share = share_of(texel, 5, 3, &cases[i].tile, 2, &waves);
+        CHECK(fabs(share - cases[i].share) < 1e-9 && fabs(waves - cases[i].waves) < 1e-9, "%s: %g (%g) of %g (%g)",
+              cases[i].tile.name, share, cases[i].share, waves, cases[i].waves);
+    }
+}
+
+/* Bodies by their own shares; the whole of what may be left out by one share; else all counts. */
+static void weighed_by_hand(void)
+{
+    static const double shares[] = { 0.5, 0.25 };
+    static const struct { int bodies, shares; double vector; int failed; } cases[] = {
+        { 2, 2, 100 + 0.5 * 40 + 0.25 * 8, 0 },
+        { 1, 1, 100 + 0.5 * 40, 0 },
+        { 0, 1, 100 + 0.5 * 60, 0 },
+        { 3, 1, 100 + 0.5 * 60, 0 },
+        { 2, 0, 160, 0 },
+        { 1, 2, 160, -1 }
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const counted of = { .busy = { .vector = 160 }, .calm = { .vector = 100 }, .bodies = cases[i].bodies,
+                             .body = { { .vector = 40 }, { .vector = 8 } } };
+        counts c;
+        const int failed = weigh(&c, &of, shares, cases[i].shares);
+        CHECK(failed == cases[i].failed && fabs(c.vector - cases[i].vector) < 1e-9, "case %zu: %g, not %g", i, c.vector,
+              cases[i].vector);
+    }
+}
+
+/* The most like it: of its size, then by steps; of cameras that both stand and turn the one that turns. */
+static void shares_recorded(void)
+{
+    static char *cells[] = { "body", "camera", "half", "steps", "tile", "share",
+                             "cover", "", "1", "10", "8x8", ".1",  "cover", "", "1", "6", "8x8", ".2",
+                             "cover", "", "0", "10", "8x8", ".3",  "cover", "", "1", "10", "16x4", ".4",
+                             "unsettled", "stands", "1", "12", "8x8", ".5",
+                             "unsettled", "turns", "1", "12", "8x8", ".6" };
+    static const struct { int body, half, steps, tile; double share; } cases[] = {
+        { COVER, 1, 10, SQUARE, .1 }, { COVER, 2, 12, SQUARE, .1 }, { COVER, 1, 6, SQUARE, .2 },
+        { COVER, 0, 6, SQUARE, .3 }, { COVER, 1, 6, FLAT, .4 }, { UNSETTLED, 2, 12, SQUARE, .6 }
+    };
+    const csv shares = { NULL, cells, 6, 6 };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const ssgi_gl_desc d = { .half = cases[i].half, .steps = cases[i].steps };
+        const double share = share_recorded(&shares, cases[i].body, &d, &tiles[cases[i].tile]);
+        CHECK(share == cases[i].share, "case %zu: %g, not %g", i, share, cases[i].share);
+    }
+    CHECK(isnan(share_recorded(&shares, SECOND, &(ssgi_gl_desc) { 0 }, &tiles[SQUARE])), "what was not recorded");
+    const char *was = csv_folder;
+    csv_folder = "examples/lab/cost";
+    const csv recorded = csv_read("shares.csv");
+    csv_folder = was;
+    for (int i = 0; i < BODIES; ++i)
+        for (int t = 0; t < TILES; ++t) {
+            const double share = share_recorded(&recorded, i, &(ssgi_gl_desc) { 0 }, &tiles[t]);
+            CHECK(share > 0 && share < 1, "shares.csv, %s, %s: %g", bodies[i].name, tiles[t].name, share);
+        }
+}
+
+/* A line that has been written otherwise must be written so in share.c, too: else all of its body would count. */
+static void texts_have_bodies(void)
+{
+    static const struct { ssgi_gl_desc desc; int count, body[4]; } cases[] = {
+        { { .pass = SSGI_GL_HSAO }, 1, { COVER } },
+        { { .pass = SSGI_GL_HSAO, .thickness = SSGI_GL_THICKNESS_SOLID }, 1, { COVER_SOLID } },
+        { { .pass = SSGI_GL_HSAO, .thickness = SSGI_GL_THICKNESS_SLABS }, 2, { COVER, SECOND } },
+        { { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE, .thickness = SSGI_GL_THICKNESS_SLABS }, 4,
+          { COVER, SECOND, SENT_AHEAD, SENT_BEHIND } },
+        { { .pass = SSGI_GL_S3HO, .transfer = SSGI_GL_TRANSFER_BOTH, .packed = 1 }, 3,
+          { COVER, SENT_AHEAD, SENT_BEHIND } },
+        { { .pass = SSGI_GL_HISTORY }, 1, { UNSETTLED } },
+        { { .pass = SSGI_GL_CHANGES }, 1, { CHANGED } },
+        { { .pass = SSGI_GL_BLUR }, 0, { 0 } }
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const size_t length = ssgi_gl_emit(NULL, 0, &cases[i].desc, SSGI_GL_FRAGMENT);
+        char *text = malloc(length + 1);
+        int of[BODIES];
+        if (!text) return;
+        ssgi_gl_emit(text, length + 1, &cases[i].desc, SSGI_GL_FRAGMENT);
+        const int count = bodies_of(of, text);
+        CHECK(count == cases[i].count && !memcmp(of, cases[i].body, (size_t)count * sizeof *of),
+              "%s, case %zu: %d bodies, the first %s", ssgi_gl_pass_name(cases[i].desc.pass), i, count,
+              count ? bodies[of[0]].name : "none");
+        free(text);
+    }
+}
+
 /* A millisecond of this device has a million cycles, its 128 lanes 100 instructions each of 1.28 million pixels. */
 static void model_by_hand(void)
 {
@@ -138,5 +282,10 @@ void test_cost(void)
     RUN("a loop of none or three turns has three busy, none calm", chosen_turns);
     RUN("of an unknown condition that lanes share one side counts", shared_conditions);
     RUN("a loop without a known end is named, and counted as told", unknown_end);
+    RUN("each body that a wave may leave out is counted by itself, an else in any case", bodies_apart);
+    RUN("waves enter where one of their lanes does, of those that show something", waves_of_tiles);
+    RUN("bodies are weighed by their own shares, or all by one", weighed_by_hand);
+    RUN("a share is of the gather that is most alike; of each body one is recorded", shares_recorded);
+    RUN("texts have the lines that shares are told at", texts_have_bodies);
     RUN("milliseconds are those of the slowest of four", model_by_hand);
 }

@@ -24,20 +24,30 @@ static int row_of(const csv *c, const char *family, const char *chain)
     return -1;
 }
 
+static double then_vector(const csv *then, int row, way how) { return csv_number(then, row, way_names[how]); }
+
 /* Per cent. */
 static double change(double now, double then) { return then > 0 ? 100 * (now / then - 1) : 0; }
 
-/* The first device's busy milliseconds, of a family. */
+/* The first device's milliseconds, weighed, of a family. */
 static double ms_of(const work *w, const cost_chain *c, int family, const csv *then, int row, double *before)
 {
     char key[64];
     for (int k = 0; k < devices_count; ++k) {
         if (strcmp(devices[k].family, w->family[family])) continue;
-        snprintf(key, sizeof key, "%s busy", devices[k].name);
+        snprintf(key, sizeof key, "%s weighed", devices[k].name);
         *before = csv_number(then, row, key);
-        return chain_ms(w, c, family, BUSY, &devices[k]);
+        return chain_ms(w, c, family, WEIGHED, &devices[k]);
     }
     return *before = (double)NAN;
+}
+
+/* Whether instructions or registers are others than a row's; weighed ones alone are of other shares. */
+static int differs(const sum *s, const csv *then, int row)
+{
+    int other = s->vgprs != (int)csv_number(then, row, "vgprs");
+    for (way how = BUSY; how < WAYS; ++how) other |= fabs(s->way[how].vector - then_vector(then, row, how)) >= 0.06;
+    return other;
 }
 
 int against_show(const work *w, const char *path, kit_error *err)
@@ -51,16 +61,15 @@ int against_show(const work *w, const char *path, kit_error *err)
             const cost_chain *c = &w->chain[i];
             const sum s = sum_of(w, c, family);
             const int row = row_of(&then, w->family[family], c->name);
-            if (!c->passes || row < 0) continue;
-            const double busy = csv_number(&then, row, "busy"), calm = csv_number(&then, row, "calm");
-            const double registers = csv_number(&then, row, "vgprs");
-            if (fabs(s.busy.vector - busy) < 0.06 && fabs(s.calm.vector - calm) < 0.06 && s.vgprs == (int)registers)
-                continue;
             double before;
+            if (!c->passes || row < 0 || !differs(&s, &then, row)) continue;
             const double ms = ms_of(w, c, family, &then, row, &before);
-            printf("%-10s %-22s VALU %.0f -> %.0f (%+.1f %%), calm %.0f -> %.0f (%+.1f %%), VGPRs %.0f -> %d",
-                   w->family[family], c->name, busy, s.busy.vector, change(s.busy.vector, busy), calm, s.calm.vector,
-                   change(s.calm.vector, calm), registers, s.vgprs);
+            printf("%-10s %-22s VALU", w->family[family], c->name);
+            for (way how = BUSY; how <= WEIGHED; ++how) {
+                const double was = then_vector(&then, row, how), is = s.way[how].vector;
+                if (was >= 0) printf(" %s %.0f -> %.0f (%+.1f %%),", way_names[how], was, is, change(is, was));
+            }
+            printf(" VGPRs %.0f -> %d", csv_number(&then, row, "vgprs"), s.vgprs);
             if (before > 0) printf(", %.3f -> %.3f ms", before, ms);
             puts("");
             ++changed;
@@ -74,9 +83,9 @@ static int check_chain(const work *w, const cost_chain *c, int family, const csv
 {
     const sum s = sum_of(w, c, family);
     const char *name = w->family[family];
-    const double busy = csv_number(then, row, "busy"), calm = csv_number(then, row, "calm");
+    const double busy = then_vector(then, row, BUSY), calm = then_vector(then, row, CALM);
     const int registers = (int)csv_number(then, row, "vgprs"), many = s.vgprs > MOST_REGISTERS;
-    const int more = s.busy.vector > most_more * busy || s.calm.vector > most_more * calm;
+    const int more = s.way[BUSY].vector > most_more * busy || s.way[CALM].vector > most_more * calm;
     if (s.spilled || s.scratch)
         printf("%s, %s: %d registers are spilled, %d bytes of scratch\n", name, c->name, s.spilled, s.scratch);
     if (many)
@@ -84,7 +93,7 @@ static int check_chain(const work *w, const cost_chain *c, int family, const csv
                s.vgprs <= registers ? ", as is recorded" : "");
     if (more)
         printf("%s, %s: %.0f instructions busy, %.0f calm; %s has %.0f, %.0f. At most 3 %% more, or make cost-record\n",
-               name, c->name, s.busy.vector, s.calm.vector, path, busy, calm);
+               name, c->name, s.way[BUSY].vector, s.way[CALM].vector, path, busy, calm);
     return (s.spilled || s.scratch) + (many && s.vgprs > registers) + more;
 }
 

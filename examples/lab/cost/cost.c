@@ -8,17 +8,22 @@
         --family navi10,vega10       other families: names of RADV_FORCE_FAMILY
         --against FILE.csv           what has changed since a run
         --check, --record            beside examples/lab/cost/recorded.csv, for CI; writes that file anew
+      build/cost --shares            how many waves enter what they may leave out, on scenes by seed (0 to 11):
+                                     examples/lab/cost/shares.csv anew, in three minutes; needs GL, of a CPU or a GPU
 
-   busy: whatever an `if` guards is executed; calm: inside loops no body of an `if` that a wave may skip is. Status 1:
-   --check found something. Where RADV or its null device is missing, a line says so, status 0. */
+   busy: whatever an `if` guards is executed; calm: inside loops no body of an `if` that a wave may skip is; weighed: by
+   those shares, of waves of 8x8 texels, where the camera turns. Status 1: --check found something. Where RADV or its
+   null device is missing, a line says so, status 0. */
 #include "lab/cost/against.h"
+#include "lab/cost/entered.h"
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
 #include "tools/glsl/chains.h"
 #include <stdlib.h>
 #include <string.h>
 
-#define RECORDED "examples/lab/cost/recorded.csv"
+#define ROOM     "examples/lab/cost"
+#define RECORDED ROOM "/recorded.csv"
 
 typedef struct asked { const char *against; int check, record, some; } asked;
 
@@ -72,6 +77,12 @@ static int write_page(const work *w, const char *folder, const char *name, void 
     return page_close(&p, folder, name, err);
 }
 
+static int write_shares(kit_error *err)
+{
+    page p;
+    return page_open(&p, err) || entered_write(p.file, err) || page_close(&p, ROOM, "shares.csv", err) ? -1 : 0;
+}
+
 static int run(work *w, const asked *a, kit_error *err)
 {
     if (work_do(w, err)) return -1;
@@ -79,7 +90,7 @@ static int run(work *w, const asked *a, kit_error *err)
         const int wrong = against_check(w, RECORDED, err);
         return wrong > 0 ? 1 : wrong;
     }
-    if (a->record) return write_page(w, "examples/lab/cost", "recorded.csv", write_recorded, err);
+    if (a->record) return write_page(w, ROOM, "recorded.csv", write_recorded, err);
     show_costs(w, a->some);
     show_budget(w);
     show_ranking(w);
@@ -91,9 +102,14 @@ static int run(work *w, const asked *a, kit_error *err)
 int main(int argc, char **argv)
 {
     kit_error err = { "" };
-    asked a = { NULL, 0, 0, 0 };
+    asked a = { .against = NULL };
     work *w = &work_of_all;
     kit_streams_open();
+    if (argc == 2 && !strcmp(argv[1], "--shares")) {
+        const int failed = write_shares(&err);
+        if (failed) fprintf(stderr, "cost: %s\n", err.text);
+        return failed ? 2 : 0;
+    }
     if (!compiler_exists(&err)) {
         printf("skipped: everything: %s\n", err.text);
         return 0;
@@ -101,7 +117,10 @@ int main(int argc, char **argv)
     w->family[0] = "navi21";
     w->family[1] = "polaris10";
     w->families = 2;
-    int status = take_arguments(w, &a, argc, argv, &err) ? -1 : run(w, &a, &err);
+    csv_folder = ROOM;
+    w->shares = csv_read("shares.csv");
+    int status = w->shares.rows ? 0 : kit_fail(&err, ROOM "/shares.csv: cannot be read: make cost-shares");
+    if (!status) status = take_arguments(w, &a, argc, argv, &err) ? -1 : run(w, &a, &err);
     work_free(w);
     if (status >= 0 && kit_streams_close(&err)) status = -1;
     if (status < 0) fprintf(stderr, "cost: %s\n", err.text);

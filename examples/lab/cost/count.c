@@ -342,6 +342,8 @@ typedef struct walk {
     walk_report *report;
     way how;
     int assumed;                            /* turns of loops whose end is not known */
+    int *body, bodies;                      /* calm: of branches, the number of the body that they skip, from 1 on */
+    int enters;                             /* calm: the body that is entered; 0: none is, and each gets its number */
     int *turns;                             /* by the instruction that begins a loop */
     char *endless;                          /* likewise: its end is not known */
     char *met;                              /* a branch is reported once */
@@ -364,16 +366,16 @@ static void count_one(counts *c, const instruction *t)
 
 static double weight(const counts *c) { return c->vector + 3 * c->transcendental + c->fetches + 0.01 * c->scalar; }
 
-static void add(counts *to, const counts *c)
+void counts_add(counts *to, const counts *c, double times)
 {
-    to->vector += c->vector;
-    to->transcendental += c->transcendental;
-    to->scalar_loads += c->scalar_loads;
-    to->fetches += c->fetches;
-    to->wide_fetches += c->wide_fetches;
-    to->buffer_loads += c->buffer_loads;
-    to->scalar += c->scalar;
-    to->exports += c->exports;
+    to->vector += times * c->vector;
+    to->transcendental += times * c->transcendental;
+    to->scalar_loads += times * c->scalar_loads;
+    to->fetches += times * c->fetches;
+    to->wide_fetches += times * c->wide_fetches;
+    to->buffer_loads += times * c->buffer_loads;
+    to->scalar += times * c->scalar;
+    to->exports += times * c->exports;
 }
 
 /* Whether a branch's condition holds: 1, 0, or -1: not known. */
@@ -403,11 +405,20 @@ static int walk_both(walk *w, machine *m, counts *c, int at, int join)
     int takes_then = (weight(&of_then) >= weight(&of_other)) != calm;
     if (met_then != join) takes_then = 0;
     if (met_other != join) takes_then = 1;
-    add(c, takes_then ? &of_then : &of_other);
+    counts_add(c, takes_then ? &of_then : &of_other, 1);
     *m = takes_then ? then : other;
     for (int r = 0; r < REGISTERS + LANES; ++r)
         if (then.known[r] != other.known[r] || then.number[r] != other.number[r]) m->known[r] = UNKNOWN;
     return join;
+}
+
+/* Whether a branch over a body, whose condition is not known, is taken. Branches that a calm wave does not come to, as
+   to what is left where an `if` is not entered whole, have no number and skip nothing. */
+static int skips_body(walk *w, int at)
+{
+    if (w->how != CALM || w->program->at[at].loop < 0) return 0;
+    if (!w->enters && !w->body[at]) w->body[at] = ++w->bodies;
+    return w->body[at] && w->body[at] != w->enters;
 }
 
 /* The next instruction after a branch. */
@@ -430,7 +441,7 @@ static int walk_branch(walk *w, machine *m, counts *c, int at)
     const instruction *end = &p->at[t->target - 1];
     if (!on_lanes && !strcmp(end->name, "s_branch") && end->target > t->target)
         return walk_both(w, m, c, at, end->target);
-    const int skips = w->how == CALM && t->loop >= 0;
+    const int skips = skips_body(w, at);
     if (on_lanes) put(m, &exec, skips == (strstr(t->name, "execz") != NULL) ? none : some);
     return skips ? t->target : at + 1;
 }
@@ -459,31 +470,54 @@ static int walk_on(walk *w, machine *m, counts *c, int from, int stop)
     return at;
 }
 
-int count_instructions(counts *c, walk_report *report, const char *text, way how, int turns, const char **bad)
+/* From the first instruction to the end. */
+static int walk_all(walk *w, counts *c, way how, int enters, const int turns[2])
 {
-    program p;
-    walk w = { .program = &p, .report = report, .how = how, .assumed = turns };
-    *bad = "";
-    memset(report, 0, sizeof *report);
-    int failed = read_program(&p, text, bad);
-    w.turns = calloc((size_t)p.count + 1, sizeof *w.turns);
-    w.endless = calloc((size_t)p.count + 1, 1);
-    w.met = calloc((size_t)p.count + 1, 1);
+    const int count = w->program->count;
+    w->how = how;
+    w->enters = enters;
+    w->assumed = turns[how];
+    memset(w->met, 0, (size_t)count);
+    w->report->unknown = 0;
     do {
         uint64_t names = 1;
         machine m = { .names = &names };
         m.known[EXEC] = m.known[EXEC + 1] = SOME;
         m.number[EXEC] = (uint32_t)names;
         memset(c, 0, sizeof *c);
-        w.again = 0;
-        w.left = 20000000;
-        if (!failed && walk_on(&w, &m, c, 0, -1) < p.count && !w.again) failed = -1;
-    } while (w.again && !failed);
+        if (how == CALM && !enters) memset(w->body, w->bodies = 0, (size_t)count * sizeof *w->body);
+        w->again = 0;
+        w->left = 20000000;
+        if (walk_on(w, &m, c, 0, -1) < count && !w->again) return -1;
+    } while (w->again);
+    return 0;
+}
+
+int count_instructions(counted *c, const char *text, const int turns[2], const char **bad)
+{
+    program p;
+    walk w = { .program = &p, .report = &c->report };
+    *bad = "";
+    memset(c, 0, sizeof *c);
+    int failed = read_program(&p, text, bad);
+    const size_t count = (size_t)p.count + 1;
+    w.turns = calloc(count, sizeof *w.turns);
+    w.body = calloc(count, sizeof *w.body);
+    w.endless = calloc(count, 1);
+    w.met = calloc(count, 1);
+    failed = failed || walk_all(&w, &c->calm, CALM, 0, turns);
+    c->bodies = w.bodies;
+    for (int i = 0; i < w.bodies && i < MOST_BODIES && !failed; ++i) {
+        failed = walk_all(&w, &c->body[i], CALM, i + 1, turns);
+        counts_add(&c->body[i], &c->calm, -1);
+    }
+    failed = failed || walk_all(&w, &c->busy, BUSY, 0, turns);
     for (int i = 0; i < p.count; ++i)
-        if (w.endless[i] && report->loops < MOST_LOOPS)
+        if (w.endless[i] && c->report.loops < MOST_LOOPS)
             for (int b = 0; b < p.labels; ++b)
-                if (p.label[b] == i) { report->endless[report->loops++] = b; break; }
+                if (p.label[b] == i) { c->report.endless[c->report.loops++] = b; break; }
     free(w.turns);
+    free(w.body);
     free(w.endless);
     free(w.met);
     free(p.at);

@@ -35,7 +35,7 @@ static int program_of_step(work *w, const ssgi_gl_step *s, kit_error *err)
         VK_SHADER_STAGE_VERTEX_BIT, VK_SHADER_STAGE_FRAGMENT_BIT, VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT,
         VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT, VK_SHADER_STAGE_GEOMETRY_BIT
     };
-    cost_program p = { .pass = ssgi_gl_pass_name(s->desc.pass), .formats = s->outputs };
+    cost_program p = { .pass = ssgi_gl_pass_name(s->desc.pass), .desc = s->desc, .formats = s->outputs };
     for (int i = 0; i < s->outputs; ++i)
         p.format[i] = s->output[i].format ? (VkFormat)s->output[i].format->vulkan : VK_FORMAT_R16G16B16A16_SFLOAT;
     for (int k = 0; k < SSGI_GL_STAGES; ++k) {
@@ -121,10 +121,15 @@ static cost_chain *new_chain(work *w, const char *name, kit_error *err)
 
 int work_add_chain(work *w, const char *text, kit_error *err)
 {
+    ssgi_gl_chain chain;
+    return chain_parse(&chain, text, err) || work_add(w, text, &chain, err) ? -1 : 0;
+}
+
+int work_add(work *w, const char *name, const ssgi_gl_chain *chain, kit_error *err)
+{
     static ssgi_gl_step steps[MOST_STEPS];
-    ssgi_gl_chain described;
-    if (chain_parse(&described, text, err)) return -1;
-    cost_chain *c = new_chain(w, text, err);
+    ssgi_gl_chain described = *chain;
+    cost_chain *c = new_chain(w, name, err);
     if (!c) return -1;
     for (int i = SIZES; i-- > 0;) {                         /* the steps of WIDTH and HEIGHT are needed last */
         const int *size = sizes[(i + 2) % SIZES];
@@ -132,7 +137,7 @@ int work_add_chain(work *w, const char *text, kit_error *err)
         described.height = size[1];
         const int count = chain_steps(steps, &described, SSGI_GL_VULKAN, &c->lacks);
         if (!count) return 0;
-        if (count > MOST_PASSES) return kit_fail(err, "%s: has more than %d passes", text, MOST_PASSES);
+        if (count > MOST_PASSES) return kit_fail(err, "%s: has more than %d passes", name, MOST_PASSES);
         c->targets[(i + 2) % SIZES] = target_bytes(steps, count);
         for (int k = 0; size[0] == WIDTH && k < count; ++k) {
             const int program = program_of_step(w, &steps[k], err);
@@ -179,17 +184,17 @@ int work_add_file(work *w, const char *path, kit_error *err)
 /* ---- compiling and counting -------------------------------------------------------------------------------------- */
 
 const assumed assumptions[] = {
-    { "changes", 16, 0, "of the 16 places of a tile all have changed, or none" },
-    { "lights", 1, 1, "there is one light" },
-    { "smooth", 7, 7, "the mean of five levels" }
+    { "changes", { 16, 0 }, "of the 16 places of a tile all have changed, or none" },
+    { "lights", { 1, 1 }, "there is one light" },
+    { "smooth", { 7, 7 }, "the mean of five levels" }
 };
 const int assumptions_count = (int)(sizeof assumptions / sizeof *assumptions);
 
-static int turns_of(const char *pass, way how)
+static const int *turns_of(const char *pass)
 {
-    for (int i = 0; i < assumptions_count; ++i)
-        if (!strcmp(assumptions[i].pass, pass)) return how == BUSY ? assumptions[i].busy : assumptions[i].calm;
-    return 1;
+    static const int once[2] = { 1, 1 };
+    for (int i = 0; i < assumptions_count; ++i) if (!strcmp(assumptions[i].pass, pass)) return assumptions[i].turns;
+    return once;
 }
 
 static void make_spirv(void *context, int i)
@@ -212,20 +217,35 @@ static void warm_up(const work *w)
     }
 }
 
-static int count_part(compiled *to, const executable *e, const char *pass, kit_error *err)
+/* Of waves as they are; a share that is not recorded is 1. */
+static void weigh_ways(const work *w, const cost_program *p, compiled *to, const counted *c)
+{
+    int of[BODIES];
+    const int count = p->text[1] ? bodies_of(of, p->text[1]) : 0;           /* the fragment stage */
+    to->way[BUSY] = c->busy;
+    to->way[CALM] = c->calm;
+    for (int t = SQUARE; t <= FLAT; ++t) {
+        double share[BODIES];
+        for (int i = 0; i < count; ++i) {
+            const double known = share_recorded(&w->shares, of[i], &p->desc, &tiles[t]);
+            share[i] = known >= 0 ? known : 1;
+        }
+        to->untold = weigh(&to->way[WEIGHED + t], c, share, count) < 0;
+    }
+}
+
+static int count_part(const work *w, const cost_program *p, compiled *to, const executable *e, kit_error *err)
 {
     const char *bad;
-    counts c;
-    walk_report report;
+    counted c;
+    if (count_instructions(&c, e->assembly, turns_of(p->pass), &bad))
+        return kit_fail(err, "%s: not understood: %.80s", p->pass, bad);
     if (!(e->stages & VK_SHADER_STAGE_FRAGMENT_BIT)) {
-        if (count_instructions(&c, &report, e->assembly, BUSY, 1, &bad))
-            return kit_fail(err, "%s: not understood: %.80s", pass, bad);
-        to->vertex += c.vector;
+        to->vertex += c.busy.vector;
         return 0;
     }
-    if (count_instructions(&to->calm, &to->report, e->assembly, CALM, turns_of(pass, CALM), &bad) ||
-        count_instructions(&to->busy, &to->report, e->assembly, BUSY, turns_of(pass, BUSY), &bad))
-        return kit_fail(err, "%s: not understood: %.80s", pass, bad);
+    weigh_ways(w, p, to, &c);
+    to->report = c.report;
     to->vgprs = e->vgprs;
     to->sgprs = e->sgprs;
     to->spilled = e->spilled;
@@ -246,7 +266,7 @@ static void compile_one(void *context, int i)
     kit_error err = { "" };
     if (*p->err.text) return;
     int failed = compile(&j->compiler[family], &made, p->stage, p->stages, p->formats ? p->format : NULL, &err);
-    for (int k = 0; !failed && k < made.parts; ++k) failed = count_part(&p->of[family], &made.part[k], p->pass, &err);
+    for (int k = 0; !failed && k < made.parts; ++k) failed = count_part(j->w, p, &p->of[family], &made.part[k], &err);
     p->of[family].seconds = made.seconds;
     pipeline_free(&made);
     if (failed) p->err = err;

@@ -3,15 +3,15 @@
 #define COST_PASSES_H
 
 #include "lab/cost/compile.h"
-#include "lab/cost/count.h"
-#include "ssgi_gl.h"
+#include "lab/cost/share.h"
 
 enum { MOST_FAMILIES = 4, MOST_PROGRAMS = 512, MOST_CHAINS = 128, MOST_PASSES = 16, SIZES = 4 };
 enum { WIDTH = 1920, HEIGHT = 1080 };       /* of the picture that milliseconds are of */
 
 /* What a family's compiler makes of a program. */
 typedef struct compiled {
-    counts busy, calm;                      /* of a fragment */
+    counts way[WAYS];                       /* of a fragment */
+    int untold;                             /* 1: bodies cannot be told apart, so that all counts where it is weighed */
     double vertex;                          /* vector instructions of a vertex */
     walk_report report;
     int vgprs, sgprs, spilled, scratch, code, waves;
@@ -21,6 +21,7 @@ typedef struct compiled {
 typedef struct cost_program {
     uint64_t key;
     const char *pass;                       /* the first that has it: assumptions on loops go by it */
+    ssgi_gl_desc desc;                      /* likewise */
     char *text[STAGES];
     VkShaderStageFlagBits kind[STAGES];
     spirv stage[STAGES];
@@ -51,13 +52,15 @@ typedef struct work {
     const char *family[MOST_FAMILIES];
     int families;
     char driver[64];
+    csv shares;                             /* as recorded; no rows: none are known */
     cost_program program[MOST_PROGRAMS];
     cost_chain chain[MOST_CHAINS];
     int programs, chains;
 } work;
 
-/* A chain by its name or as chain_parse reads it; a pair of files, texts or SPIR-V: FILE.frag, FILE.frag.spv, with the
-   vertex stage of that name beside it, if it is there. */
+/* A chain; one by its name or as chain_parse reads it; a pair of files, texts or SPIR-V: FILE.frag, FILE.frag.spv, with
+   the vertex stage of that name beside it, if it is there. */
+int work_add(work *w, const char *name, const ssgi_gl_chain *chain, kit_error *err);
 int work_add_chain(work *w, const char *text, kit_error *err);
 int work_add_file(work *w, const char *path, kit_error *err);
 /* Compiles and counts all of it. */
@@ -65,7 +68,7 @@ int work_do(work *w, kit_error *err);
 void work_free(work *w);
 
 /* What is taken for granted of loops whose end no instruction tells. */
-typedef struct assumed { const char *pass; int busy, calm; const char *why; } assumed;
+typedef struct assumed { const char *pass; int turns[2]; const char *why; } assumed;    /* BUSY, CALM */
 extern const assumed assumptions[];
 extern const int assumptions_count;
 

@@ -5,17 +5,6 @@
 
 /* ---- sums -------------------------------------------------------------------------------------------------------- */
 
-static void add(counts *to, const counts *c, double share)
-{
-    to->vector += share * c->vector;
-    to->transcendental += share * c->transcendental;
-    to->scalar_loads += share * c->scalar_loads;
-    to->fetches += share * c->fetches;
-    to->wide_fetches += share * c->wide_fetches;
-    to->buffer_loads += share * c->buffer_loads;
-    to->scalar += share * c->scalar;
-}
-
 sum sum_of(const work *w, const cost_chain *c, int family)
 {
     sum s = { .waves = 99 };
@@ -29,8 +18,7 @@ sum sum_of(const work *w, const cost_chain *c, int family)
         s.scratch += of->scratch;
         s.endless += of->report.loops;
         if (p->vertices) { ++s.splats; continue; }
-        add(&s.busy, &of->busy, share);
-        add(&s.calm, &of->calm, share);
+        for (way how = BUSY; how < WAYS; ++how) counts_add(&s.way[how], &of->way[how], share);
         s.bytes_in += p->bytes_in / pixels;
         s.bytes_out += p->bytes_out / pixels;
     }
@@ -40,7 +28,7 @@ sum sum_of(const work *w, const cost_chain *c, int family)
 double pass_ms(const work *w, const cost_pass *p, int family, way how, const device *d, bound *which)
 {
     const compiled *of = &w->program[p->program].of[family];
-    const counts *c = how == BUSY ? &of->busy : &of->calm;
+    const counts *c = &of->way[how];
     const load l = { (double)p->width * p->height, c->vector, c->transcendental, c->fetches, c->wide_fetches,
                      p->bytes_in + p->bytes_out, of->waves };
     *which = ALU;
@@ -68,19 +56,23 @@ static void print_heads(const work *w, const char *first, int family)
 {
     char title[128];
     snprintf(title, sizeof title, "%s, %s", w->family[family], w->driver);
-    printf("\n%-34s%7s%12s%20s\n%-27s%7s%7s%6s%6s%6s%7s%7s%6s%6s%6s", title, "VALU", "transc.", "bytes", first, "busy",
-           "calm", "busy", "calm", "SMEM", "fetch", "in", "out", "VGPRs", "waves");
+    printf("\n%-34s%14s%12s%20s\n%-27s%7s%7s%9s%6s%6s%6s%7s%7s%6s%6s%6s", title, "VALU", "transc.", "bytes", first,
+           "busy", "calm", "weighed", "busy", "calm", "SMEM", "fetch", "in", "out", "VGPRs", "waves");
     for (int i = 0; i < devices_count; ++i)
-        if (family_of(w, &devices[i]) == family) printf("   %s, ms", devices[i].name);
+        if (family_of(w, &devices[i]) == family) printf("  %s, ms (busy, calm)", devices[i].name);
     puts("");
 }
 
-static void print_counts(const char *name, const counts *busy, const counts *calm, double in, double out, int vgprs,
-                         int waves)
+static void print_counts(const char *name, const counts of[WAYS], double in, double out, int vgprs, int waves)
 {
-    printf("%-26s %7.0f%7.0f%6.0f%6.0f%6.0f%7.1f%7.1f%6.1f%6d%6d", name, busy->vector, calm->vector,
-           busy->transcendental, calm->transcendental, busy->scalar_loads, busy->fetches, in, out, vgprs, waves);
+    const counts *busy = &of[BUSY], *calm = &of[CALM];
+    printf("%-26s %7.0f%7.0f%9.0f%6.0f%6.0f%6.0f%7.1f%7.1f%6.1f%6d%6d", name, busy->vector, calm->vector,
+           of[WEIGHED].vector, busy->transcendental, calm->transcendental, busy->scalar_loads, busy->fetches, in, out,
+           vgprs, waves);
 }
+
+/* "0.39 (0.44, 0.30)" */
+static void print_ms(const double ms[WAYS]) { printf("  %6.3f (%.3f, %.3f)", ms[WEIGHED], ms[BUSY], ms[CALM]); }
 
 static void print_trouble(int spilled, int scratch)
 {
@@ -90,11 +82,13 @@ static void print_trouble(int spilled, int scratch)
 static void show_chain(const work *w, const cost_chain *c, int family)
 {
     const sum s = sum_of(w, c, family);
-    print_counts(c->name, &s.busy, &s.calm, s.bytes_in, s.bytes_out, s.vgprs, s.waves);
-    for (int k = 0; k < devices_count; ++k)
-        if (family_of(w, &devices[k]) == family)
-            printf("  %6.3f %6.3f", chain_ms(w, c, family, BUSY, &devices[k]),
-                   chain_ms(w, c, family, CALM, &devices[k]));
+    print_counts(c->name, s.way, s.bytes_in, s.bytes_out, s.vgprs, s.waves);
+    for (int k = 0; k < devices_count; ++k) {
+        double ms[WAYS];
+        if (family_of(w, &devices[k]) != family) continue;
+        for (way how = BUSY; how < WAYS; ++how) ms[how] = chain_ms(w, c, family, how, &devices[k]);
+        print_ms(ms);
+    }
     if (s.splats) fputs("  and splats", stdout);
     print_trouble(s.spilled, s.scratch);
     puts("");
@@ -106,16 +100,19 @@ static void show_pass(const work *w, const cost_pass *p, int family)
     const double texels = (double)p->width * p->height;
     char name[64];
     snprintf(name, sizeof name, "  %s, %dx%d", p->name, p->width, p->height);
-    print_counts(name, &of->busy, &of->calm, p->bytes_in / texels, p->bytes_out / texels, of->vgprs, of->waves);
+    print_counts(name, of->way, p->bytes_in / texels, p->bytes_out / texels, of->vgprs, of->waves);
     for (int k = 0; k < devices_count && !p->vertices; ++k) {
-        bound which;
+        bound which[WAYS];
+        double ms[WAYS];
         if (family_of(w, &devices[k]) != family) continue;
-        printf("  %6.3f", pass_ms(w, p, family, BUSY, &devices[k], &which));
-        printf(" %6.3f %s", pass_ms(w, p, family, CALM, &devices[k], &which), bound_names[which]);
+        for (way how = BUSY; how < WAYS; ++how) ms[how] = pass_ms(w, p, family, how, &devices[k], &which[how]);
+        print_ms(ms);
+        printf(" %s", bound_names[which[WEIGHED]]);
     }
     if (p->vertices) printf("  of a splat's fragment; a surfel has %d vertices of %.0f VALU", p->vertices, of->vertex);
     print_trouble(of->spilled, of->scratch);
     if (of->report.loops) fputs("  *", stdout);
+    if (of->untold) fputs("  BODIES ARE NOT TOLD APART: weighed is busy", stdout);
     if (of->report.unknown) printf("  unknown conditions: %d", of->report.unknown);
     puts("");
 }
@@ -131,7 +128,8 @@ static void show_assumptions(const work *w)
         printf("* %s: nothing tells when its loop at BB%d ends: ", p->pass, p->of[0].report.endless[0]);
         for (int k = 0; k < assumptions_count; ++k) {
             if (strcmp(assumptions[k].pass, p->pass)) continue;
-            printf("%d turns busy, %d calm: %s\n", assumptions[k].busy, assumptions[k].calm, assumptions[k].why);
+            printf("%d turns busy, %d calm: %s\n", assumptions[k].turns[BUSY], assumptions[k].turns[CALM],
+                   assumptions[k].why);
             known = 1;
         }
         if (!known) puts("IT IS COUNTED ONCE");
@@ -194,16 +192,16 @@ const char *const kind_names[KINDS] = { "ambient occlusion", "light" };
 
 /* ---- a ranking --------------------------------------------------------------------------------------------------- */
 
-/* Whether a chain is cheaper by instructions and by the model, in every family and on every device, busy and calm. */
+/* Whether a chain is cheaper by instructions and by the model, in every family and on every device, in every way. */
 static int is_cheaper(const work *w, const cost_chain *a, const cost_chain *b)
 {
     for (int family = 0; family < w->families; ++family) {
         const sum x = sum_of(w, a, family), y = sum_of(w, b, family);
-        if (x.busy.vector >= y.busy.vector || x.calm.vector >= y.calm.vector) return 0;
-        for (int k = 0; k < devices_count; ++k) {
-            if (family_of(w, &devices[k]) != family) continue;
-            for (way how = BUSY; how <= CALM; ++how)
-                if (chain_ms(w, a, family, how, &devices[k]) >= chain_ms(w, b, family, how, &devices[k])) return 0;
+        for (way how = BUSY; how < WAYS; ++how) {
+            if (x.way[how].vector >= y.way[how].vector) return 0;
+            for (int k = 0; k < devices_count; ++k)
+                if (family_of(w, &devices[k]) == family &&
+                    chain_ms(w, a, family, how, &devices[k]) >= chain_ms(w, b, family, how, &devices[k])) return 0;
         }
     }
     return 1;
@@ -220,7 +218,7 @@ static int kind_of(const cost_chain *c)
     return c->passes ? light : -1;
 }
 
-static double busy_instructions(const work *w, const cost_chain *c) { return sum_of(w, c, 0).busy.vector; }
+static double busy_instructions(const work *w, const cost_chain *c) { return sum_of(w, c, 0).way[BUSY].vector; }
 
 int ranking(const work *w, int kind, rank order[MOST_CHAINS])
 {
@@ -246,8 +244,8 @@ void show_ranking(const work *w)
     for (int kind = 0; kind < KINDS; ++kind) {
         rank order[MOST_CHAINS];
         const int count = ranking(w, kind, order);
-        if (count > 1) printf("\n%s: cheaper by instructions and by the model, in every family, busy and calm\n",
-                              kind_names[kind]);
+        if (count > 1) printf("\n%s: cheaper by instructions and by the model, in every family, busy, calm and "
+                              "weighed\n", kind_names[kind]);
         for (int i = 0; i + 1 < count; ++i)
             if (order[i].than)
                 printf("%-26s than %s and what follows it\n", order[i].chain->name, order[i].than->name);
@@ -266,23 +264,27 @@ static const char *than_of(const work *w, const cost_chain *c)
     return "";
 }
 
+const char *const way_names[WAYS] = { "busy", "calm", "weighed", "weighed 16x4" };
+
 static void write_row(FILE *f, const work *w, int family, const cost_chain *c, const cost_pass *p)
 {
     const sum s = sum_of(w, c, family);
     const compiled *of = p ? &w->program[p->program].of[family] : NULL;
-    const counts *busy = p ? &of->busy : &s.busy, *calm = p ? &of->calm : &s.calm;
+    const counts *way_of = p ? of->way : s.way, *busy = &way_of[BUSY];
     const double texels = p ? (double)p->width * p->height : 1;
     size_t text;
     double ms;
     bound which = BOUNDS;
-    fprintf(f, "%s,%s,\"%s\",%s,%d,%d,%.1f,%.1f,%.1f,%.1f,%.1f,%.2f,%.2f,%.2f,%d,%d,%d,%d", w->family[family],
-            w->driver, c->name, p ? p->name : "", p ? p->width : WIDTH, p ? p->height : HEIGHT, busy->vector,
-            calm->vector, busy->transcendental, calm->transcendental, busy->scalar_loads, busy->fetches,
-            p ? p->bytes_in / texels : s.bytes_in, p ? p->bytes_out / texels : s.bytes_out, p ? of->vgprs : s.vgprs,
-            p ? of->waves : s.waves, p ? of->spilled : s.spilled, p ? of->scratch : s.scratch);
+    fprintf(f, "%s,%s,\"%s\",%s,%d,%d", w->family[family], w->driver, c->name, p ? p->name : "",
+            p ? p->width : WIDTH, p ? p->height : HEIGHT);
+    for (way how = BUSY; how < WAYS; ++how) fprintf(f, ",%.1f", way_of[how].vector);
+    fprintf(f, ",%.1f,%.1f,%.1f,%.2f,%.2f,%.2f,%d,%d,%d,%d", busy->transcendental, way_of[CALM].transcendental,
+            busy->scalar_loads, busy->fetches, p ? p->bytes_in / texels : s.bytes_in,
+            p ? p->bytes_out / texels : s.bytes_out, p ? of->vgprs : s.vgprs, p ? of->waves : s.waves,
+            p ? of->spilled : s.spilled, p ? of->scratch : s.scratch);
     for (int k = 0; k < devices_count; ++k) {
         const int here = family_of(w, &devices[k]) == family;
-        for (way how = BUSY; how <= CALM; ++how) {
+        for (way how = BUSY; how < WAYS; ++how) {
             if (!here) fputc(',', f);
             else fprintf(f, ",%.4f", p ? pass_ms(w, p, family, how, &devices[k], &which)
                                        : chain_ms(w, c, family, how, &devices[k]));
@@ -300,9 +302,12 @@ static void write_row(FILE *f, const work *w, int family, const cost_chain *c, c
 
 void write_costs(FILE *f, const work *w)
 {
-    fputs("family,driver,chain,pass,width,height,busy,calm,transcendental_busy,transcendental_calm,scalar_loads,"
-          "fetches,bytes_in,bytes_out,vgprs,waves,spilled,scratch", f);
-    for (int k = 0; k < devices_count; ++k) fprintf(f, ",%s busy,%s calm", devices[k].name, devices[k].name);
+    fputs("family,driver,chain,pass,width,height", f);
+    for (way how = BUSY; how < WAYS; ++how) fprintf(f, ",%s", way_names[how]);
+    fputs(",transcendental_busy,transcendental_calm,scalar_loads,fetches,bytes_in,bytes_out,vgprs,waves,spilled,"
+          "scratch", f);
+    for (int k = 0; k < devices_count; ++k)
+        for (way how = BUSY; how < WAYS; ++how) fprintf(f, ",%s %s", devices[k].name, way_names[how]);
     fputs(",bound,programs,text_bytes", f);
     for (int k = 0; k < SIZES; ++k) fprintf(f, ",targets_%d", sizes[k][1]);
     fputs(",compile_ms,splats,cheaper_than\n", f);
@@ -316,12 +321,13 @@ void write_costs(FILE *f, const work *w)
 
 void write_recorded(FILE *f, const work *w)
 {
-    fputs("family,driver,chain,pass,busy,calm,transcendental_busy,vgprs\n", f);
+    fputs("family,driver,chain,pass,busy,calm,weighed,weighed 16x4,transcendental_busy,vgprs\n", f);
     for (int family = 0; family < w->families; ++family)
         for (int i = 0; i < w->chains; ++i) {
             const sum s = sum_of(w, &w->chain[i], family);
-            if (w->chain[i].passes)
-                fprintf(f, "%s,%s,\"%s\",,%.1f,%.1f,%.1f,%d\n", w->family[family], w->driver, w->chain[i].name,
-                        s.busy.vector, s.calm.vector, s.busy.transcendental, s.vgprs);
+            if (!w->chain[i].passes) continue;
+            fprintf(f, "%s,%s,\"%s\",", w->family[family], w->driver, w->chain[i].name);
+            for (way how = BUSY; how < WAYS; ++how) fprintf(f, ",%.1f", s.way[how].vector);
+            fprintf(f, ",%.1f,%d\n", s.way[BUSY].transcendental, s.vgprs);
         }
 }

@@ -9,7 +9,7 @@
 /* Of a chain in a family; counts a pixel of the picture. Splats are not among them: what they cost depends on how many
    there are. */
 typedef struct sum {
-    counts busy, calm;
+    counts way[WAYS];
     double bytes_in, bytes_out;             /* a pixel */
     int vgprs, waves, spilled, scratch, splats, endless;
 } sum;
@@ -19,8 +19,11 @@ sum sum_of(const work *w, const cost_chain *c, int family);
 double pass_ms(const work *w, const cost_pass *p, int family, way how, const device *d, bound *which);
 double chain_ms(const work *w, const cost_chain *c, int family, way how, const device *d);
 
+/* Heads of columns; of a device's, behind its name. */
+extern const char *const way_names[WAYS];
+
 /* Chains of a kind by their instructions, each with the first of those that it is cheaper than, and than all that
-   follow: by instructions and by the model, in every family and on every device, busy and calm. NULL: there is none. */
+   follow: by instructions and by the model, in every family and on every device, in every way. NULL: there is none. */
 enum { KINDS = 2 };
 extern const char *const kind_names[KINDS];
 typedef struct rank { const cost_chain *chain, *than; } rank;
