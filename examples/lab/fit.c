@@ -3,8 +3,9 @@
 
       build/fit report/plan-fit.csv [report/plan-gpu.csv]
 
-   The second is what make bench measured on a GPU; without it that column is a model of fetches and operations. Of an
-   empty plan-fit.csv (/dev/null: make fit-gpu) all but that column stays as ssgi.h has it.
+   The second is what make bench measured on a GPU, or what make cost models of one (report/plan-cost.csv); without it
+   that column is a model of fetches and operations. Of an empty plan-fit.csv (/dev/null: make fit-gpu, make fit-cost)
+   all but that column stays as ssgi.h has it.
    A choice's squared error is a sum of terms, each times a number that is 0 or more: least squares of relative errors,
    by coordinates. */
 #define SSGI_STATIC
@@ -174,7 +175,7 @@ static int read_rows(FILE *f, const char *path)
     return count;
 }
 
-/* What a GPU took for each choice; 0: not measured. # begins a line that is none. -1: another one is none. */
+/* What a GPU takes for each choice; 0: not known. # begins a line that is none. -1: another one is none. */
 static int read_gpu(double gpu[SSGI_PLAN_CHOICES], FILE *f, const char *path)
 {
     char line[1024];
@@ -213,7 +214,7 @@ static int equations_of(double costs[2][MOST_ROWS], int *timed, int c, int count
     return n;
 }
 
-/* In software, and on a GPU: measured there, else by the model; what was not measured stays as it is. */
+/* In software, and on a GPU: as given, else by fetches and operations; what was not measured stays as it is. */
 static double cost_of(double *costs, int n, const ssgi__plan_row *r, int column, double base, double gpu)
 {
     qsort(costs, (size_t)n, sizeof *costs, by_value);

@@ -10,12 +10,14 @@
         --check, --record            beside examples/lab/cost/recorded.csv, for CI; writes that file anew
       build/cost --shares            how many waves enter what they may leave out, on scenes by seed (0 to 11):
                                      examples/lab/cost/shares.csv anew, in three minutes; needs GL, of a CPU or a GPU
+      build/cost --plan              what the plan's choices cost on a Radeon RX 6800: report/plan-cost.csv
 
    busy: whatever an `if` guards is executed; calm: inside loops no body of an `if` that a wave may skip is; weighed: by
    those shares, of waves of 8x8 texels, where the camera turns. Status 1: --check found something. Where RADV or its
    null device is missing, a line says so, status 0. */
 #include "lab/cost/against.h"
 #include "lab/cost/entered.h"
+#include "lab/cost/plan.h"
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
 #include "tools/glsl/chains.h"
@@ -25,7 +27,7 @@
 #define ROOM     "examples/lab/cost"
 #define RECORDED ROOM "/recorded.csv"
 
-typedef struct asked { const char *against; int check, record, some; } asked;
+typedef struct asked { const char *against; int check, record, plan, some; } asked;
 
 static work work_of_all;
 
@@ -57,12 +59,14 @@ static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *e
         const int more = i + 1 < argc;
         if (!strcmp(argv[i], "--check")) a->check = 1;
         else if (!strcmp(argv[i], "--record")) a->record = 1;
+        else if (!strcmp(argv[i], "--plan")) a->plan = 1;
         else if (!strcmp(argv[i], "--against") && more) a->against = argv[++i];
         else if (!strcmp(argv[i], "--family") && more) { if (take_families(w, argv[++i], err)) return -1; }
         else if (*argv[i] == '-') return kit_fail(err, "%s: is no option, or lacks what it is to be", argv[i]);
         else if (is_file(argv[i]) ? work_add_file(w, argv[i], err) : work_add_chain(w, argv[i], err)) return -1;
         else a->some = 1;
     }
+    if (a->plan) return plan_add(w, err);
     for (int i = 0; i < chain_names_count && !a->some; ++i)
         if (work_add_chain(w, chain_names[i].name, err)) return -1;
     return 0;
@@ -91,6 +95,7 @@ static int run(work *w, const asked *a, kit_error *err)
         return wrong > 0 ? 1 : wrong;
     }
     if (a->record) return write_page(w, ROOM, "recorded.csv", write_recorded, err);
+    if (a->plan) return write_page(w, "report", "plan-cost.csv", plan_write, err);
     show_costs(w, a->some);
     show_budget(w);
     show_ranking(w);

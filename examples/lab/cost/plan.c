@@ -1,0 +1,52 @@
+/* plan.c - chains of the plan's choices, and their milliseconds over the unit's. Declared in plan.h. */
+#include "lab/cost/plan.h"
+#include <string.h>
+#include "lab/cost/show.h"
+
+/* Chain 0 is the unit; number i of those behind it is of choice[i]. */
+static int choice[MOST_CHAINS];
+
+/* A plan as a chain, as ssgi_gl_plan has it and with what that leaves to its caller. */
+static int chain_of(ssgi_gl_chain *chain, const ssgi_plan *plan, int wanted, kit_error *err)
+{
+    const char *why = "";
+    memset(chain, 0, sizeof *chain);
+    if (wanted == SSGI_PLAN_BOUNCE && plan->method == SSGI_PLAN_S3HO) {
+        chain->desc.transfer = SSGI_GL_TRANSFER_BOTH;
+        chain->desc.packed = 1;
+    }
+    if (ssgi_gl_plan(&chain->desc, plan, &why) != SSGI_OK) return kit_fail(err, "%s", why);
+    if (wanted == SSGI_PLAN_BOUNCE && plan->method == SSGI_PLAN_SSDO) {
+        chain->desc.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE;
+        chain->reuse = 1;
+    }
+    chain->blur = plan->filter_radius > 0;
+    chain->history = plan->history;
+    return 0;
+}
+
+int plan_add(work *w, kit_error *err)
+{
+    ssgi_plan_scene s = { .thickness = SSGI_PLAN_SLABS, .history = 1, .map = 1 };
+    if (work_add_chain(w, "ssao,balanced,samples=16,blur=0", err)) return -1;
+    for (s.wanted = 0; s.wanted < SSGI_PLAN_OBJECTS; ++s.wanted)
+        for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+            ssgi_gl_chain chain;
+            ssgi_plan p;
+            char name[16];
+            if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_NOTHING) continue;
+            snprintf(name, sizeof name, "%d", i);
+            choice[w->chains] = i;
+            if (chain_of(&chain, &p, s.wanted, err) || work_add(w, name, &chain, err)) return -1;
+        }
+    return 0;
+}
+
+void plan_write(FILE *f, const work *w)
+{
+    const double unit = chain_ms(w, &w->chain[0], 0, WEIGHED, &devices[0]);
+    fprintf(f, "# modelled: %s, %dx%d, %s; make fit-cost\n", devices[0].name, WIDTH, HEIGHT, w->driver);
+    for (int i = 1; i < w->chains; ++i)
+        if (w->chain[i].passes)
+            fprintf(f, "%d,%.3f\n", choice[i], chain_ms(w, &w->chain[i], 0, WEIGHED, &devices[0]) / unit);
+}
