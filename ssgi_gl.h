@@ -2426,21 +2426,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_span; // how far slices see what surfels do not, view units\n" },
 
 { "ssgi_near", __LINE__ + 1,
-    "vec2 ssgi_near(vec2 d) { // share of slices at a distance\n"
+    "float ssgi_near(float d) { // share of slices at a distance\n"
     "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 
 { "ssgi_arc_odd", __LINE__ + 1,
-    "vec2 ssgi_arc_odd(vec2 c, vec2 q) { // acos c - c sin acos c, to 0.0015; q: c * c\n"
+    "float ssgi_arc_odd(float c, float q) { // acos c - c sin acos c, to 0.0015; q: c * c\n"
     "    // 0 at c = 1 and odd about c = 0\n"
     "    return 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
     "}\n" },
 
 { "ssgi_arc", __LINE__ + 1,
-    "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c, q their squares:\n"
+    "// Occlusion of a slice's side from the tangent plane up to an elevation with cosine c, q its square:\n"
     "// the integral of sin x cos(g - x), where g is the signed angle from the view direction to the projected\n"
-    "// normal; half its cosine and +-half its sine are given.\n"
-    "vec2 ssgi_arc(vec2 c, vec2 q, vec2 cosg, vec2 sing) {\n"
+    "// normal; half its cosine and half its sine are given.\n"
+    "float ssgi_arc(float c, float q, float cosg, float sing) {\n"
     "    return cosg - cosg * q + sing * ssgi_arc_odd(c, q);\n"
     "}\n" },
 
@@ -2463,19 +2463,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_SECOND = 0.5; // what a second slab sends, of the first: measured\n" },
 
 { "ssgi_sectors", __LINE__ + 1,
-    "uvec2 ssgi_sectors(vec2 low, vec2 high) { // the sectors from low to high, a bit each\n"
-    "    uvec2 a = uvec2(low), b = uvec2(high), one = uvec2(1u); // of 32 the shift is by 0, and one less is none\n"
-    "    return ((one << (b & 31u)) - (b >> 5u)) - ((one << (a & 31u)) - (a >> 5u));\n"
+    "uint ssgi_sectors(float low, float high) { // the sectors from low to high, a bit each\n"
+    "    uint a = uint(low), b = uint(high); // of 32 the shift is by 0, and one less is none\n"
+    "    return ((1u << (b & 31u)) - (b >> 5u)) - ((1u << (a & 31u)) - (a >> 5u));\n"
     "}\n" },
 
 { "ssgi_count", __LINE__ + 1,
-    "vec2 ssgi_count(uvec2 m) {\n"
-    "    return vec2(bitCount(m)); // #if dialect != 330 && dialect != 300ES\n"
+    "float ssgi_count(uint m) {\n"
+    "    return float(bitCount(m)); // #if dialect != 330 && dialect != 300ES\n"
     "#if dialect == 330 || dialect == 300ES\n"
     "    m -= (m >> 1u) & 0x55555555u;\n"
     "    m = (m & 0x33333333u) + ((m >> 2u) & 0x33333333u);\n"
     "    m = (m + (m >> 4u)) & 0x0f0f0f0fu;\n"
-    "    return vec2((m * 0x01010101u) >> 24u);\n"
+    "    return float((m * 0x01010101u) >> 24u);\n"
     "#endif\n"
     "}\n" },
 
@@ -2516,22 +2516,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 along; // it and the view direction span it\n"
     "    vec4 x, y; // forms: along the tangent plane, and the height over it within the slice\n"
     "    vec4 off; // off the slice at the receiver's depth: dot(xy, q) + z; w: height over the plane for that\n"
-    "    vec2 cosg, sing, rest; // for ssgi_arc, so that it is in sectors; cosg and the noise that rounds them\n"
-    "    vec2 share; // of the hemisphere, per sector\n"
-    "    vec2 edge; // how far the picture goes, of the radius\n"
+    "    vec2 lean; // half of the sine and the cosine of the projected normal's angle from the view direction\n"
+    "    float width; // of the normal's projection\n"
     "    float rounded, least; // what rounding does not reach; added to squared distances\n"
-    "    float grain; // unit of pass width, in view units\n"
+    "    float grain; // unit of pass width, view units\n"
     "};\n" },
 
 { "ssgi_slice_of", __LINE__ + 1,
     "// the slice at a turn, cosine and sine, about the view direction; p: the receiver's coordinates among pixels\n"
-    "ssgi_slice ssgi_slice_of(ssgi_receiver r, ivec2 p, vec2 turn, vec2 noise) {\n"
+    "ssgi_slice ssgi_slice_of(ssgi_receiver r, ivec2 p, vec2 turn) {\n"
     "    vec3 along = r.basis[0] * turn.x + r.basis[1] * turn.y, across = r.basis[1] * turn.x - r.basis[0] * turn.y;\n"
     "    float a = dot(r.n.xy, turn), b = r.n.z, l = max(sqrt(a * a + b * b), 1e-4), per = 1.0 / l;\n"
     "    float tilt = (r.n.y * turn.x - r.n.x * turn.y) * per;\n"
     "    a *= per, b *= per;\n"
     "    ssgi_slice s;\n"
-    "    s.along = along;\n"
+    "    s.along = along, s.lean = 0.5 * vec2(a, b), s.width = l;\n"
     "    s.x = vec4((along.xy * b - r.basis[2].xy * a) * r.unproject, r.ray * a, r.ray * a * r.P.z);\n"
     "    s.y = vec4(r.normal.xy * per * r.unproject, -r.ray * b, -r.ray * b * r.P.z);\n"
     "    s.off = vec4(across.xy * r.unproject, 0.0, tilt);\n"
@@ -2540,13 +2539,28 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.x.w -= dot(s.x.xy, q), s.y.w -= dot(s.y.xy, q); // #if orthographic\n"
     "    s.x.z -= dot(s.x.xy, q), s.y.z -= dot(s.y.xy, q); // #if !orthographic\n"
     "    s.off.z = -dot(s.off.xy, q);\n"
-    "    s.sing = vec2(0.5, -0.5) * a, s.cosg = vec2(0.5 * b);\n"
-    "    vec2 whole = max(ssgi_arc(vec2(-a, a), vec2(a * a), s.cosg, s.sing), 1e-5), scale = 32.0 / whole;\n"
-    "    s.share = whole * (l / (32.0 * float(SSGI_DIRECTIONS)));\n"
-    "    s.cosg *= scale, s.sing *= scale, s.rest = s.cosg + noise;\n"
     "    // rounding puts the receiver's own pixel off it in any direction: ten times as much beside it is flat\n"
     "    s.rounded = r.rounded, s.least = 100.0 * r.rounded * r.rounded, s.grain = u_ssgi_radius / 63.0;\n"
     "    return s;\n"
+    "}\n" },
+
+{ "ssgi_side", __LINE__ + 1,
+    "struct ssgi_side { // of a slice, from the receiver outwards\n"
+    "    vec4 x; // form along the tangent plane\n"
+    "    float cosg, sing, rest; // for ssgi_arc, so that it is in sectors; cosg and the noise that rounds them\n"
+    "    float share; // of the hemisphere, per sector\n"
+    "    float edge; // how far the picture goes, of the radius\n"
+    "};\n" },
+
+{ "ssgi_side_of", __LINE__ + 1,
+    "// way: 1 along the slice, -1 against it\n"
+    "ssgi_side ssgi_side_of(ssgi_slice s, float way, float noise, float edge) {\n"
+    "    ssgi_side e;\n"
+    "    float a = way * s.lean.x, whole = max(ssgi_arc(-2.0 * a, 4.0 * a * a, s.lean.y, a), 1e-5);\n"
+    "    float scale = 32.0 / whole;\n"
+    "    e.x = way * s.x, e.cosg = s.lean.y * scale, e.sing = a * scale, e.rest = e.cosg + noise;\n"
+    "    e.share = whole * s.width / (32.0 * float(SSGI_DIRECTIONS)), e.edge = edge;\n"
+    "    return e;\n"
     "}\n" },
 
 { "ssgi_edges", __LINE__ + 1,
@@ -2560,131 +2574,114 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_sector", __LINE__ + 1,
     "// sector of an elevation with cosine c, q its square, up to most; 0 where not up\n"
-    "vec2 ssgi_sector(ssgi_slice s, vec2 c, vec2 q, bvec2 up, vec2 most) {\n"
-    "    vec2 sector = s.rest - s.cosg * q + s.sing * ssgi_arc_odd(c, q);\n"
-    "    return mix(vec2(0.0), clamp(sector, vec2(0.0), most), up);\n"
+    "float ssgi_sector(ssgi_side e, float c, float q, bool up, float most) {\n"
+    "    float sector = e.rest - e.cosg * q + e.sing * ssgi_arc_odd(c, q);\n"
+    "    return up ? clamp(sector, 0.0, most) : 0.0;\n"
     "}\n" },
 
 { "ssgi_cover_sectors", __LINE__ + 1,
     "// covers an arc's sectors; those that were free, attenuated by a distance in radii\n"
-    "vec2 ssgi_cover_sectors(inout uvec2 left, uvec2 arc, vec2 d) {\n"
+    "float ssgi_cover_sectors(inout uint left, uint arc, float d) {\n"
     "    arc &= left;\n"
     "    left ^= arc;\n"
-    "    vec2 fresh = ssgi_count(arc);\n"
+    "    float fresh = ssgi_count(arc);\n"
     "    fresh *= ssgi_near(d * u_ssgi_radius); // #if span\n"
-    "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n"
+    "    return fresh * ssgi_attenuation(d);\n"
     "}\n" },
 
-{ "ssgi_taps", __LINE__ + 1,
-    "struct ssgi_taps { // one step's, a side each\n"
-    "    ivec2 q0, q1; // pixels\n"
-    "    vec2 kx, ky; // of their rays: ssgi_on_rays\n"
-    "    vec2 z, x, y, distance; // view depth; along t and up, and from the receiver, in radii\n"
-    "    vec2 h; // sine of the elevation\n"
-    "    bvec2 inside, seen; // in the picture; within the radius\n"
-    "    bvec2 beyond, up; // past the zenith; above the tangent plane\n"
-    "    vec2 width; // thickness of what is seen // #if thickness > SOLID\n"
+{ "ssgi_tap", __LINE__ + 1,
+    "struct ssgi_tap {\n"
+    "    ivec2 q; // its pixel\n"
+    "    vec2 k; // of its ray: ssgi_on_ray\n"
+    "    float z, distance, h; // view depth; radii from the receiver; sine of the elevation\n"
+    "    bool inside, seen; // in the picture; within the radius\n"
+    "    bool beyond, up; // past the zenith; above the tangent plane\n"
+    "    float width; // thickness of what is seen, view units // #if thickness > SOLID\n"
     "};\n" },
 
-{ "ssgi_rays", __LINE__ + 1,
-    "void ssgi_rays(ssgi_slice s, inout ssgi_taps t, vec2 q0, vec2 q1) { // of pixels\n"
-    "    float x = s.x.w, y = s.y.w; // #if orthographic\n"
-    "    float x = s.x.z, y = s.y.z; // #if !orthographic\n"
-    "    t.kx = vec2(dot(s.x.xy, q0) + x, -(dot(s.x.xy, q1) + x));\n"
-    "    t.ky = vec2(dot(s.y.xy, q0) + y, dot(s.y.xy, q1) + y);\n"
+{ "ssgi_ray_of", __LINE__ + 1,
+    "vec2 ssgi_ray_of(ssgi_slice s, ssgi_side e, vec2 q) { // of a pixel\n"
+    "    return vec2(dot(e.x.xy, q) + e.x.w, dot(s.y.xy, q) + s.y.w); // #if orthographic\n"
+    "    return vec2(dot(e.x.xy, q) + e.x.z, dot(s.y.xy, q) + s.y.z); // #if !orthographic\n"
     "}\n" },
 
-{ "ssgi_on_rays", __LINE__ + 1,
-    "// x and y of the points at depths z on the rays of the taps' pixels; their squared length\n"
-    "vec2 ssgi_on_rays(ssgi_slice s, ssgi_taps t, vec2 z, out vec2 x, out vec2 y) {\n"
-    "    x = t.kx + z * vec2(s.x.z, -s.x.z), y = t.ky + z * s.y.z; // #if orthographic\n"
-    "    x = t.kx * z + vec2(s.x.w, -s.x.w), y = t.ky * z + s.y.w; // #if !orthographic\n"
-    "    return x * x + (y * y + s.least);\n"
+{ "ssgi_on_ray", __LINE__ + 1,
+    "vec2 ssgi_on_ray(ssgi_slice s, ssgi_side e, vec2 k, float z) { // along and up, in radii, at a view depth\n"
+    "    return k + z * vec2(e.x.z, s.y.z); // #if orthographic\n"
+    "    return k * z + vec2(e.x.w, s.y.w); // #if !orthographic\n"
     "}\n" },
 
-{ "ssgi_taps_at", __LINE__ + 1,
-    "ssgi_taps ssgi_taps_at(ssgi_slice s, vec2 pixel, vec2 pixels, vec2 u) { // u: how far along pixels\n"
-    "    ssgi_taps t;\n"
-    "    t.q0 = ivec2(pixel + pixels * u.x), t.q1 = ivec2(pixel - pixels * u.y);\n"
-    "    t.z = vec2(ssgi_depth(t.q0), ssgi_depth(t.q1)); // #if thickness < WIDTH\n"
-    "    uvec2 m = uvec2(ssgi_measured_texel(t.q0), ssgi_measured_texel(t.q1)); // #if thickness > SOLID\n"
-    "    t.z = uintBitsToFloat(m & 0xffffffc0u), t.width = vec2(m & 63u) * s.grain; // #if thickness > SOLID\n"
-    "    vec2 q0 = vec2(t.q0), q1 = vec2(t.q1);\n"
-    "    ssgi_rays(s, t, q0, q1);\n"
-    "    ssgi_on_rays(s, t, t.z, t.x, t.y);\n"
-    "    vec2 off = s.off.x * vec2(q0.x, q1.x) + (s.off.y * vec2(q0.y, q1.y) + s.off.z), up = t.y - s.off.w * off;\n"
-    "    vec2 ll = t.x * t.x + (up * up + (off * off + s.least)), r = inversesqrt(ll);\n"
-    "    t.distance = sqrt(ll), t.h = clamp(t.y * r, 0.0, 1.0);\n"
-    "    t.inside = lessThan(u, s.edge);\n"
-    "    t.seen = bvec2(t.inside.x && ll.x < 1.0, t.inside.y && ll.y < 1.0);\n"
-    "    t.beyond = lessThan(t.x, vec2(-s.rounded));\n"
-    "    vec2 least = mix(vec2(SSGI_LEVEL), vec2(SSGI_OVER), t.beyond);\n"
-    "    t.up = bvec2(t.seen.x && t.h.x > least.x, t.seen.y && t.h.y > least.y);\n"
+{ "ssgi_squared", __LINE__ + 1,
+    "float ssgi_squared(ssgi_slice s, vec2 d) {\n"
+    "    return d.x * d.x + (d.y * d.y + s.least);\n"
+    "}\n" },
+
+{ "ssgi_tap_at", __LINE__ + 1,
+    "ssgi_tap ssgi_tap_at(ssgi_slice s, ssgi_side e, vec2 place, float u) { // u: how far along the side\n"
+    "    ssgi_tap t;\n"
+    "    t.q = ivec2(place);\n"
+    "    t.z = ssgi_depth(t.q); // #if thickness < WIDTH\n"
+    "    uint m = ssgi_measured_texel(t.q); // #if thickness > SOLID\n"
+    "    t.z = uintBitsToFloat(m & 0xffffffc0u), t.width = float(m & 63u) * s.grain; // #if thickness > SOLID\n"
+    "    vec2 q = vec2(t.q);\n"
+    "    t.k = ssgi_ray_of(s, e, q);\n"
+    "    vec2 d = ssgi_on_ray(s, e, t.k, t.z);\n"
+    "    float off = s.off.x * q.x + (s.off.y * q.y + s.off.z), up = d.y - s.off.w * off;\n"
+    "    float ll = d.x * d.x + (up * up + (off * off + s.least));\n"
+    "    t.distance = sqrt(ll), t.h = clamp(d.y * inversesqrt(ll), 0.0, 1.0);\n"
+    "    t.inside = u < e.edge, t.seen = t.inside && ll < 1.0, t.beyond = d.x < -s.rounded;\n"
+    "    t.up = t.seen && t.h > (t.beyond ? SSGI_OVER : SSGI_LEVEL);\n"
     "    return t;\n"
     "}\n" },
 
 { "ssgi_cosine", __LINE__ + 1,
-    "vec2 ssgi_cosine(vec2 q, bvec2 beyond) { // of an elevation, from its square\n"
-    "    vec2 c = sqrt(q);\n"
-    "    return mix(c, -c, beyond);\n"
+    "float ssgi_cosine(float q, bool beyond) { // of an elevation, from its square\n"
+    "    return beyond ? -sqrt(q) : sqrt(q);\n"
     "}\n" },
 
 { "ssgi_walked", __LINE__ + 1,
-    "struct ssgi_walked { // what the steps so far leave to the next, a side each\n"
-    "    uvec2 left; // sectors that are not covered\n"
-    "    vec2 distance; // of the last taps from the receiver, in radii\n"
-    "    vec2 low, high, z; // their arcs, their view depth // #if thickness != SOLID\n"
-    "    bvec2 seen; // within the radius // #if thickness != SOLID\n"
-    "    bool rose; // one of them // #if thickness != SOLID\n"
-    "    vec2 end_; // where its surface ends // #if thickness > SOLID\n"
-    "    vec2 sine; // of their elevations, negative beyond the zenith // #if environment\n"
-    "    vec2 share; // sectors blocked so far, attenuated // #if pass == HSAO || environment\n"
-    "    vec2 shared_c, shared_h; // times their elevation // #if environment\n"
+    "struct ssgi_walked { // what the steps so far leave to the next one of a side\n"
+    "    uint left; // sectors that are not covered\n"
+    "    float distance; // of the last tap from the receiver, in radii\n"
+    "    float low, high, z; // its arc, its view depth // #if thickness != SOLID\n"
+    "    bool seen, rose; // it was within the radius; above the tangent plane // #if thickness != SOLID\n"
+    "    float end_; // where its surface ends // #if thickness > SOLID\n"
+    "    float sine; // of its elevation, negative beyond the zenith // #if environment\n"
+    "    float share; // sectors blocked so far, attenuated // #if pass == HSAO || environment\n"
+    "    vec2 toward; // times cosine and sine of their elevation // #if environment\n"
     "};\n" },
 
 { "ssgi_walked_none", __LINE__ + 1,
     "ssgi_walked ssgi_walked_none(float z) {\n"
     "    ssgi_walked w;\n"
-    "    w.left = uvec2(0xffffffffu);\n"
-    "    w.distance = vec2(0.0);\n"
-    "    w.low = w.high = vec2(0.0), w.z = vec2(z); // #if thickness != SOLID\n"
-    "    w.seen = bvec2(true), w.rose = false; // #if thickness != SOLID\n"
-    "    w.end_ = w.z; // #if thickness > SOLID\n"
-    "    w.sine = vec2(0.0); // #if environment\n"
-    "    w.share = vec2(0.0); // #if pass == HSAO || environment\n"
-    "    w.shared_c = w.shared_h = vec2(0.0); // #if environment\n"
+    "    w.left = 0xffffffffu, w.distance = 0.0;\n"
+    "    w.low = w.high = 0.0, w.z = z, w.seen = true, w.rose = false; // #if thickness != SOLID\n"
+    "    w.end_ = z; // #if thickness > SOLID\n"
+    "    w.sine = 0.0, w.toward = vec2(0.0); // #if environment\n"
+    "    w.share = 0.0; // #if pass == HSAO || environment\n"
     "    return w;\n"
     "}\n" },
 
-{ "ssgi_last_cosine", __LINE__ + 1,
-    "vec2 ssgi_last_cosine(ssgi_walked w) { // of the last taps' elevations\n"
-    "    return ssgi_cosine(1.0 - w.sine * w.sine, lessThan(w.sine, vec2(0.0)));\n"
-    "}\n" },
-
-{ "ssgi_elevation", __LINE__ + 1,
-    "// cosine and sine of the elevation at x, y; r: 1 over their length; 1 and 0 where it is not above the plane\n"
-    "void ssgi_elevation(vec2 x, vec2 y, vec2 r, out vec2 c, out vec2 h) {\n"
-    "    c = mix(vec2(1.0), x * r, greaterThan(y, vec2(0.0))), h = max(y, 0.0) * r;\n"
+{ "ssgi_last_elevation", __LINE__ + 1,
+    "vec2 ssgi_last_elevation(ssgi_walked w) { // cosine and sine of the last tap's\n"
+    "    return vec2(ssgi_cosine(1.0 - w.sine * w.sine, w.sine < 0.0), abs(w.sine));\n"
     "}\n" },
 
 { "ssgi_add_elevation", __LINE__ + 1,
-    "// adds blocked sectors at elevations with cosines c and sines h, of any length\n"
-    "void ssgi_add_elevation(inout ssgi_walked w, vec2 c, vec2 h, vec2 share) {\n"
-    "    vec2 unit = inversesqrt(max(c * c + h * h, 1e-12)) * share;\n"
-    "    w.shared_c += c * unit, w.shared_h += h * unit;\n"
+    "// adds blocked sectors at an elevation: its cosine and sine, of any length\n"
+    "void ssgi_add_elevation(inout ssgi_walked w, vec2 elevation, float share) {\n"
+    "    w.toward += elevation * (inversesqrt(max(dot(elevation, elevation), 1e-12)) * share);\n"
     "}\n" },
 
 { "ssgi_add_blocked", __LINE__ + 1,
-    "// one evaluation of the environment or the harmonics a side, whatever the steps\n"
-    "void ssgi_add_blocked(inout ssgi_sums sums, ssgi_slice s, vec3 V, ssgi_walked w) {\n"
-    "    vec2 lean = normalize(vec2(s.sing.x, s.cosg.x)); // of the normal from the view direction\n"
-    "    for (int k = 0; k < 2; ++k) {\n"
-    "        vec2 e = vec2(k == 0 ? w.shared_c.x : -w.shared_c.y, w.shared_h[k]); // along the tangent plane, up\n"
-    "        vec3 way = s.along * dot(e, lean.yx) + V * (e.y * lean.y - e.x * lean.x);\n"
-    "        way *= inversesqrt(max(dot(way, way), 1e-24));\n"
-    "        sums.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * w.share[k]; // #if environment == MAP\n"
-    "        ssgi_sh_add(sums.lobe, ssgi_sh_basis(way), -SSGI_PI * w.share[k]); // #if environment == SH\n"
-    "    }\n"
+    "// one evaluation of the environment or the harmonics a side, whatever the steps; way: as ssgi_side_of\n"
+    "void ssgi_add_blocked(inout ssgi_sums sums, ssgi_slice s, vec3 V, ssgi_walked w, float way, float share) {\n"
+    "    vec2 e = vec2(way * w.toward.x, w.toward.y), lean = 2.0 * s.lean; // along the tangent plane, up\n"
+    "    vec3 to = s.along * dot(e, lean.yx) + V * (e.y * lean.y - e.x * lean.x);\n"
+    "    to *= inversesqrt(max(dot(to, to), 1e-24));\n"
+    "    share *= w.share;\n"
+    "    sums.dark += ssgi_environment(transpose(u_ssgi_rotation) * to) * share; // #if environment == MAP\n"
+    "    ssgi_sh_add(sums.lobe, ssgi_sh_basis(to), -SSGI_PI * share); // #if environment == SH\n"
     "}\n" },
 
 { "ssgi_add_sent", __LINE__ + 1,
@@ -2703,27 +2700,27 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_gap", __LINE__ + 1,
     "struct ssgi_gap { // view units between taps, the greater of these\n"
-    "    vec2 last, first; // to the last tap; from the receiver to the first one\n"
+    "    float last, first; // to the last tap; from the receiver to the first one\n"
     "};\n" },
 
 { "ssgi_between", __LINE__ + 1,
-    "vec2 ssgi_between(ssgi_gap gap) {\n"
+    "float ssgi_between(ssgi_gap gap) {\n"
     "    return max(gap.last, gap.first);\n"
     "}\n" },
 
 { "ssgi_cover", __LINE__ + 1,
     "#if thickness == SOLID\n"
-    "// covers what a step's taps block; sectors that are newly blocked, attenuated\n"
-    "vec2 ssgi_cover(ssgi_slice s, inout ssgi_walked w, ssgi_taps t) {\n"
-    "    vec2 fresh = vec2(0.0);\n"
-    "    if (any(t.up)) { // else nothing rises\n"
-    "        vec2 q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
-    "        uvec2 arc = ssgi_sectors(vec2(0.0), ssgi_sector(s, c, q, t.up, vec2(32.0)));\n"
+    "// covers what a tap blocks; sectors that are newly blocked, attenuated\n"
+    "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
+    "    float fresh = 0.0;\n"
+    "    if (t.up) {\n"
+    "        float q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
+    "        uint arc = ssgi_sectors(0.0, ssgi_sector(e, c, q, true, 32.0));\n"
     "        fresh = ssgi_cover_sectors(w.left, arc, 0.5 * (t.distance + w.distance));\n"
     "        w.share += fresh; // #if pass == HSAO || environment\n"
-    "        ssgi_add_elevation(w, c + ssgi_last_cosine(w), t.h + abs(w.sine), fresh); // #if environment\n"
+    "        ssgi_add_elevation(w, vec2(c, t.h) + ssgi_last_elevation(w), fresh); // #if environment\n"
     "    }\n"
-    "    w.sine = mix(t.h, -t.h, t.beyond); // #if environment\n"
+    "    w.sine = t.beyond ? -t.h : t.h; // #if environment\n"
     "    w.distance = min(t.distance, 1.0);\n"
     "    return fresh;\n"
     "}\n"
@@ -2731,102 +2728,97 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_cover", __LINE__ + 1,
     "#if thickness != SOLID\n"
-    "// covers what a step's taps block, whose thickness is `deep`; sectors that are newly blocked, attenuated\n"
-    "vec2 ssgi_cover(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 deep, ssgi_gap gap) {\n"
-    "    vec2 fresh = vec2(0.0), low = fresh, high = fresh, end_ = t.z + deep, x, y, l = t.distance;\n"
-    "    vec2 ll = ssgi_on_rays(s, t, end_, x, y); // the back\n"
+    "// covers what a tap blocks; sectors that are newly blocked, attenuated\n"
+    "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
+    "    float end_ = t.z + max(max(t.width, gap.last), gap.first); // #if thickness > SOLID\n"
+    "    float end_ = t.z + u_ssgi_thickness; // #if thickness == CONSTANT\n"
+    "    float fresh = 0.0, low = 0.0, high = 0.0, l = t.distance;\n"
+    "    vec2 back = ssgi_on_ray(s, e, t.k, end_);\n"
+    "    float ll = ssgi_squared(s, back);\n"
     "    l = 0.5 * (l + min(l, sqrt(ll))); // #if thickness > SOLID\n"
-    "    bool rises = false;\n"
-    "    if (any(t.up) || w.rose) { // else nothing rises, nor did at the last step\n"
-    "        vec2 r = inversesqrt(ll), q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
-    "        high = ssgi_sector(s, c, q, t.up, vec2(32.0));\n"
-    "        vec2 back_c = x * r;\n"
-    "        low = ssgi_sector(s, back_c, back_c * back_c, greaterThan(y * r, vec2(SSGI_LEVEL)), high);\n"
-    "        vec2 apart = abs(t.z - w.z) / SSGI_JOINED; // #if thickness == CONSTANT\n"
-    "        vec2 apart = max(t.z - w.end_, w.z - end_); // below 0 depths overlap // #if thickness > SOLID\n"
-    "        bvec2 joined = lessThan(apart, ssgi_between(gap));\n"
-    "        joined = bvec2(joined.x && t.seen.x && w.seen.x, joined.y && t.seen.y && w.seen.y);\n"
-    "        uvec2 arc = ssgi_sectors(mix(low, min(low, w.low), joined), mix(high, max(high, w.high), joined));\n"
+    "    if (t.up || (w.rose && t.seen)) { // else it does not rise, nor did the last one\n"
+    "        float q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
+    "        back *= inversesqrt(ll);\n"
+    "        high = ssgi_sector(e, c, q, t.up, 32.0);\n"
+    "        low = ssgi_sector(e, back.x, back.x * back.x, back.y > SSGI_LEVEL, high);\n"
+    "        float apart = abs(t.z - w.z) / SSGI_JOINED; // #if thickness == CONSTANT\n"
+    "        float apart = max(t.z - w.end_, w.z - end_); // below 0 their depths overlap // #if thickness > SOLID\n"
+    "        bool joined = apart < ssgi_between(gap) && t.seen && w.seen;\n"
+    "        uint arc = ssgi_sectors(joined ? min(low, w.low) : low, joined ? max(high, w.high) : high);\n"
     "        // a joined arc lies halfway to the last tap, another an eighth of the way\n"
-    "        vec2 d = mix(min(l, 2.0), min(w.distance, 1.0), mix(vec2(0.125), vec2(0.5), joined));\n"
-    "        fresh = ssgi_cover_sectors(w.left, arc, d);\n"
-    "        rises = high.x + high.y > 0.0;\n"
+    "        fresh = ssgi_cover_sectors(w.left, arc, mix(min(l, 2.0), min(w.distance, 1.0), joined ? 0.5 : 0.125));\n"
     "        w.share += fresh; // #if pass == HSAO || environment\n"
     "#if environment\n"
-    "        vec2 back_h, last_c = ssgi_last_cosine(w);\n"
-    "        ssgi_elevation(x, y, r, back_c, back_h);\n"
-    "        ssgi_add_elevation(w, c + mix(back_c, last_c, joined), t.h + mix(back_h, abs(w.sine), joined), fresh);\n"
+    "        back = back.y > 0.0 ? back : vec2(1.0, 0.0); // the lower end of the arc\n"
+    "        ssgi_add_elevation(w, vec2(c, t.h) + (joined ? ssgi_last_elevation(w) : back), fresh);\n"
     "#endif\n"
     "    }\n"
-    "    w.sine = mix(t.h, -t.h, t.beyond); // #if environment\n"
+    "    w.sine = t.beyond ? -t.h : t.h; // #if environment\n"
     "    w.end_ = end_; // #if thickness > SOLID\n"
-    "    w.low = low, w.high = high, w.z = t.z, w.seen = t.seen, w.distance = l, w.rose = rises;\n"
+    "    w.low = low, w.high = high, w.z = t.z, w.seen = t.seen, w.distance = l, w.rose = t.up;\n"
     "    return fresh;\n"
     "}\n"
     "#endif\n" },
 
 { "ssgi_cover_second", __LINE__ + 1,
-    "// the same of second slabs behind the taps\n"
-    "vec2 ssgi_cover_second(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 gap) {\n"
-    "    vec3 slab0 = ssgi_slabs(t.q0), slab1 = ssgi_slabs(t.q1);\n"
-    "    vec2 front = vec2(slab0.y, slab1.y), fresh = vec2(0.0), x, y;\n"
-    "    vec2 ll = ssgi_on_rays(s, t, front, x, y), r = inversesqrt(ll);\n"
-    "    bvec2 up = bvec2(t.inside.x && ll.x < 1.0 && y.x * r.x > SSGI_LEVEL,\n"
-    "        t.inside.y && ll.y < 1.0 && y.y * r.y > SSGI_LEVEL);\n"
-    "    if (any(up)) {\n"
-    "        vec2 deep = vec2(ssgi_second_thickness(slab0.y, slab0.z, t.width.x),\n"
-    "            ssgi_second_thickness(slab1.y, slab1.z, t.width.y));\n"
-    "        deep = max(deep, 2.0 * gap);\n"
-    "        vec2 back_x, back_y, back_ll = ssgi_on_rays(s, t, front + deep, back_x, back_y), l = ll * r;\n"
-    "        vec2 back_r = inversesqrt(back_ll), c = x * r, high = ssgi_sector(s, c, c * c, up, vec2(32.0));\n"
-    "        c = back_x * back_r;\n"
-    "        vec2 low = ssgi_sector(s, c, c * c, greaterThan(back_y * back_r, vec2(SSGI_LEVEL)), high);\n"
+    "// the same of a second slab behind the tap\n"
+    "float ssgi_cover_second(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
+    "    vec3 slab = ssgi_slabs(t.q);\n"
+    "    vec2 front = ssgi_on_ray(s, e, t.k, slab.y);\n"
+    "    float ll = ssgi_squared(s, front), r = inversesqrt(ll), fresh = 0.0;\n"
+    "    if (t.inside && ll < 1.0 && front.y * r > SSGI_LEVEL) {\n"
+    "        float deep = max(ssgi_second_thickness(slab.y, slab.z, t.width), 2.0 * ssgi_between(gap));\n"
+    "        vec2 back = ssgi_on_ray(s, e, t.k, slab.y + deep);\n"
+    "        float back_ll = ssgi_squared(s, back), back_r = inversesqrt(back_ll), l = ll * r, c = front.x * r;\n"
+    "        float high = ssgi_sector(e, c, c * c, true, 32.0);\n"
+    "        c = back.x * back_r;\n"
+    "        float low = ssgi_sector(e, c, c * c, back.y * back_r > SSGI_LEVEL, high);\n"
     "        l = 0.5 * (l + min(l, back_ll * back_r));\n"
     "        fresh = ssgi_cover_sectors(w.left, ssgi_sectors(low, high), l);\n"
     "        w.share += fresh; // #if pass == HSAO || environment\n"
-    "        ssgi_add_elevation(w, x, max(y, 0.0), fresh); // #if environment\n"
+    "        ssgi_add_elevation(w, front, fresh); // #if environment\n"
     "    }\n"
     "    return fresh;\n"
     "}\n" },
 
+{ "ssgi_step", __LINE__ + 1,
+    "// a side's step: what its tap blocks, and what that sends\n"
+    "void ssgi_step(inout ssgi_sums sums, ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap,\n"
+    "    vec3 P) {\n"
+    "    float first = ssgi_cover(s, e, w, t, gap), second = 0.0;\n"
+    "    t.q -= ssgi_walked_origin();\n"
+    "    second = ssgi_cover_second(s, e, w, t, gap); // #if thickness == SLABS\n"
+    "#if bounce\n"
+    "    if (first + second > 0.0) {\n"
+    "        vec3 d = ssgi_position(vec2(t.q) + 0.5, t.z) - P;\n"
+    "        ssgi_add_sent(sums, t.q, d, first * e.share, second * e.share);\n"
+    "    }\n"
+    "#endif\n"
+    "}\n" },
+
 { "ssgi_walk_slice", __LINE__ + 1,
     "// a slice from near to far; pixels: that a radius along it covers\n"
-    "void ssgi_walk_slice(ssgi_slice s, vec3 P, ivec2 p, vec2 pixels, vec2 xi, inout ssgi_sums sums) {\n"
+    "void ssgi_walk_slice(ssgi_slice s, vec3 P, ivec2 p, vec2 pixels, vec2 xi, vec2 noise, inout ssgi_sums sums) {\n"
     "    float unit = 1.0 / float(SSGI_STEPS), reach = u_ssgi_radius;\n"
     "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // of the radius // #if span\n"
     "    pixels *= share, reach *= share; // #if span\n"
-    "    s.edge = ssgi_edges(p, pixels);\n"
-    "    vec2 pixel = vec2(p + ssgi_walked_origin()) + 0.5;\n"
+    "    vec2 edges = ssgi_edges(p, pixels), pixel = vec2(p + ssgi_walked_origin()) + 0.5;\n"
+    "    ssgi_side a = ssgi_side_of(s, 1.0, noise.x, edges.x), b = ssgi_side_of(s, -1.0, noise.y, edges.y);\n"
     "    // taps are at squares, so that gaps between them grow evenly\n"
-    "    vec2 at = vec2(xi.y, 1.0 - xi.y) * unit, second = vec2(0.0);\n"
-    "    ssgi_gap gap;\n"
-    "    gap.first = at * at * reach;\n"
+    "    vec2 at = vec2(xi.y, 1.0 - xi.y) * unit, first = at * at * reach;\n"
     "    float grows = 2.0 * reach * unit, less = reach * unit * unit;\n"
-    "    ssgi_walked w = ssgi_walked_none(-P.z);\n"
+    "    ssgi_walked wa = ssgi_walked_none(-P.z), wb = wa;\n"
     "    for (int k = 0; k < SSGI_STEPS; ++k) {\n"
-    "        ssgi_taps t = ssgi_taps_at(s, pixel, pixels, at * at);\n"
-    "        gap.last = at * grows - less;\n"
-    "        vec2 deep = max(max(t.width, gap.last), gap.first); // #if thickness > SOLID\n"
-    "        vec2 first = ssgi_cover(s, w, t, deep, gap); // #if thickness > SOLID\n"
-    "        vec2 first = ssgi_cover(s, w, t, vec2(u_ssgi_thickness), gap); // #if thickness == CONSTANT\n"
-    "        vec2 first = ssgi_cover(s, w, t); // #if thickness == SOLID\n"
-    "        t.q0 -= ssgi_walked_origin(), t.q1 -= ssgi_walked_origin();\n"
-    "#if thickness == SLABS\n"
-    "        second = ssgi_cover_second(s, w, t, ssgi_between(gap));\n"
-    "        second *= s.share; // #if bounce\n"
-    "#endif\n"
-    "#if bounce\n"
-    "        first *= s.share;\n"
-    "        if (first.x + second.x > 0.0)\n"
-    "            ssgi_add_sent(sums, t.q0, ssgi_position(vec2(t.q0) + 0.5, t.z.x) - P, first.x, second.x);\n"
-    "        if (first.y + second.y > 0.0)\n"
-    "            ssgi_add_sent(sums, t.q1, ssgi_position(vec2(t.q1) + 0.5, t.z.y) - P, first.y, second.y);\n"
-    "#endif\n"
+    "        vec2 u = at * at, last = at * grows - less;\n"
+    "        ssgi_tap ta = ssgi_tap_at(s, a, pixel + pixels * u.x, u.x);\n"
+    "        ssgi_tap tb = ssgi_tap_at(s, b, pixel - pixels * u.y, u.y); // both fetched before either is worked out\n"
+    "        ssgi_step(sums, s, a, wa, ta, ssgi_gap(last.x, first.x), P);\n"
+    "        ssgi_step(sums, s, b, wb, tb, ssgi_gap(last.y, first.y), P);\n"
     "        at += unit;\n"
     "    }\n"
-    "    w.share *= s.share; // #if pass == HSAO || environment\n"
-    "    sums.all += w.share.x + w.share.y; // #if pass == HSAO\n"
-    "    ssgi_add_blocked(sums, s, ssgi_toward(P), w); // #if environment\n"
+    "    sums.all += wa.share * a.share + wb.share * b.share; // #if pass == HSAO\n"
+    "    ssgi_add_blocked(sums, s, ssgi_toward(P), wa, 1.0, a.share); // #if environment\n"
+    "    ssgi_add_blocked(sums, s, ssgi_toward(P), wb, -1.0, b.share); // #if environment\n"
     "}\n" },
 
 { "ssgi_gather", __LINE__ + 1,
@@ -2841,8 +2833,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 turn = vec2(cos(phi), sin(phi));\n"
     "        // rounds the sectors, independently of the turn and the offset\n"
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
-    "        ssgi_slice s = ssgi_slice_of(r, p + ssgi_walked_origin(), turn, noise);\n"
-    "        ssgi_walk_slice(s, P, p, r.across * turn.x + r.up * turn.y, xi, sums);\n"
+    "        ssgi_slice s = ssgi_slice_of(r, p + ssgi_walked_origin(), turn);\n"
+    "        ssgi_walk_slice(s, P, p, r.across * turn.x + r.up * turn.y, xi, noise, sums);\n"
     "    }\n"
     "    return sums;\n"
     "}\n"
@@ -3378,7 +3370,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    away = abs(away); // #if two_sided\n"
     "    if (!(away > 0.0)) discard; // with back faces closed meshes would count twice // #if !two_sided\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
-    "    away *= 1.0 - v_ssgi_seen * ssgi_near(vec2(sqrt(dd))).x; // #if span\n"
+    "    away *= 1.0 - v_ssgi_seen * ssgi_near(sqrt(dd)); // #if span\n"
     "    ssgi_P = P, ssgi_gloss = 0.0; // #if effect == SPECULAR\n"
     "    float area = v_ssgi_turned.w * rr * away, form = ssgi_form(v, n, v_ssgi_turned.xyz, rr) * area;\n"
     "    if (!(form > 0.0)) discard;\n"
@@ -3902,7 +3894,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_blurred c = ssgi_blurred_at(p);\n"
     "    ssgi_last last = ssgi_last_of(p, c.P, c.n);\n"
     "    float frames = ssgi_frames(p, last);\n"
-    "    c.settled = frames >= SSGI_SETTLED;\n"
+    "    c.settled = frames >= SSGI_SETTLED || c.z >= SSGI_FAR; // background needs none\n"
     "    ssgi_filtered f = ssgi_filter(p, c);\n"
     "    vec4 now = vec4(f.light.xyz / f.light.w, c.z);\n"
     "    float open = 1.0; // #if colour == GREY\n"

@@ -489,7 +489,8 @@ static void twin_arc(void)
               "a.xy *= a.w; float r = inversesqrt(a.x * a.x + a.y * a.y) * (1.0 + 2.4e-7 * float(texel.x & 2)), h = "
               "0.5 * sin(a.z);"
               "vec2 c = vec2(a.x, -a.x) * r;"
-              "o = vec4(ssgi_arc(c, c * c, vec2(0.5 * cos(a.z)), vec2(h, -h)), 0.0, 0.0);"))
+              "float g = 0.5 * cos(a.z);"
+              "o = vec4(ssgi_arc(c.x, c.x * c.x, g, h), ssgi_arc(c.y, c.y * c.y, g, -h), 0.0, 0.0);"))
         for (int i = 0; i < MANY; ++i) {
             double x = (double)in[i][0], y = (double)in[i][1], g = (double)in[i][2];
             double within = 0.5 * fabs(sin(g)) * 0.0015 + 2e-6;           /* its polynomial, and */
@@ -777,10 +778,11 @@ static void twin_sectors(void)
             memcpy(in[i], i % 1000 == 3 ? whole : tap, sizeof tap);
         }
         snprintf(statements, sizeof statements,
-                 "uvec2 left = uvec2(0xffffffffu); vec2 sum = vec2(0.0); %s"
-                 "for (int k = 0; k < 4; ++k) { vec4 x = X(k); sum += ssgi_cover_sectors(left, "
-                 "ssgi_sectors(vec2(x.x, 0.0), vec2(x.y, x.x)), 0.25 * x.zz); }"
-                 "o = vec4(sum, ssgi_count(~left));", row[v].span ? "ssgi_span = 2.5;" : "");
+                 "uint one = 0xffffffffu, two = one; vec2 sum = vec2(0.0); %s"
+                 "for (int k = 0; k < 4; ++k) { vec4 x = X(k);"
+                 "sum.x += ssgi_cover_sectors(one, ssgi_sectors(x.x, x.y), 0.25 * x.z);"
+                 "sum.y += ssgi_cover_sectors(two, ssgi_sectors(0.0, x.x), 0.25 * x.z); }"
+                 "o = vec4(sum, ssgi_count(~one), ssgi_count(~two));", row[v].span ? "ssgi_span = 2.5;" : "");
         if (!probe(&d, &frame, 0, statements)) return;
         for (int i = 0; i < MANY; ++i) {
             double want[4] = { 0 }, cut[8];
@@ -947,12 +949,14 @@ static void backs_lie_on_their_rays(void)
                    "vec3 P = X(0).xyz; vec2 turn = vec2(cos(X(0).w), sin(X(0).w));"
                    "ssgi_receiver r = ssgi_receiver_of(P, X(1).xyz); mat3 m = r.basis;"
                    "vec3 along = m[0] * turn.x + m[1] * turn.y, at = along * X(2).x + m[2] * X(2).y;"
-                   "ssgi_slice s = ssgi_slice_of(r, ivec2(0), turn, vec2(0.5));"
-                   "vec3 Q = P + at; vec2 way = Q.xy / mix(-Q.z, 1.0, X(3).x) - P.xy / mix(-P.z, 1.0, X(3).x), x, y;"
-                   "ssgi_taps t; ssgi_rays(s, t, 100.0 * way, 100.0 * way);"
-                   "ssgi_on_rays(s, t, vec2(X(1).w - P.z - at.z), x, y); vec2 c = x * inversesqrt(x * x + y * y);"
-                   "vec2 sector = ssgi_sector(s, c, c * c, greaterThan(y, vec2(0.0)), vec2(32.0));"
-                   "int w = texel.x & 3; o = w == 0 ? vec4(x, y) : w == 1 ? sector.xyxy : along.xyzz;"))
+                   "ssgi_slice s = ssgi_slice_of(r, ivec2(0), turn);"
+                   "vec3 Q = P + at; vec2 way = Q.xy / mix(-Q.z, 1.0, X(3).x) - P.xy / mix(-P.z, 1.0, X(3).x), sector;"
+                   "vec4 back; for (int i = 0; i < 2; ++i) {"
+                   "ssgi_side e = ssgi_side_of(s, 1.0 - 2.0 * float(i), 0.5, 1.0);"
+                   "vec2 b = ssgi_on_ray(s, e, ssgi_ray_of(s, e, 100.0 * way), X(1).w - P.z - at.z);"
+                   "float c = b.x * inversesqrt(dot(b, b)); back[i] = b.x, back[i + 2] = b.y;"
+                   "sector[i] = ssgi_sector(e, c, c * c, b.y > 0.0, 32.0); }"
+                   "int w = texel.x & 3; o = w == 0 ? back : w == 1 ? sector.xyxy : along.xyzz;"))
             return;
         for (int i = 0; i < MANY; i += 4) {
             double P[3], V[3], to[3], n[2] = { 0, 0 }, x[2] = { 0, 0 }, far = 0;
@@ -1156,7 +1160,7 @@ static void walks_by_vectors(void)
             return;
         frame.thickness = 0.3f;
         random_state = 71 + (uint32_t)k;
-        for (int i = 0; i < MANY; ++i) {                   /* a slope with blocks, a step down, holes to the background */
+        for (int i = 0; i < MANY; ++i) {                   /* a slope with blocks, a step down, holes */
             const int x = i % SIDE, y = i / SIDE, block = (x / 6 * 7 + y / 9 * 5) % 4;
             const float z = 8 + 0.02f * (float)x - 0.01f * (float)y - 0.4f * (float)block + (x > 40 ? 0.9f : 0);
             const float a = uniform(0, 6.28f), tilt = uniform(0, 1.5f);

@@ -25,9 +25,9 @@ static const drawn all[] = {
     { "hsao", "behind=slabs", ONCE, { SECOND }, 1 },
     { "hsao-fast", "behind=slabs", ONCE, { SECOND }, 1 },
     { "hsao-best", "behind=slabs", ONCE, { SECOND }, 1 },
-    { "ssdo", "", ONCE, { SENT_AHEAD, SENT_BEHIND }, 2 },
-    { "ssdo-fast", "", ONCE, { SENT_AHEAD, SENT_BEHIND }, 2 },
-    { "ssdo-best", "", ONCE, { SENT_AHEAD, SENT_BEHIND }, 2 },
+    { "ssdo", "", ONCE, { SENT }, 1 },
+    { "ssdo-fast", "", ONCE, { SENT }, 1 },
+    { "ssdo-best", "", ONCE, { SENT }, 1 },
     { "hsao-history", "", STANDS, { UNSETTLED, CHANGED }, 2 },
     { "hsao-history", "", TURNS, { UNSETTLED, CHANGED }, 2 }
 };
@@ -53,9 +53,9 @@ static char *telling(const char *text, const body *b, const kit_pass *p, kit_err
     char *to;
     if (strstr(line + 1, b->line)) return kit_fail(err, "a text has the line `%s` twice", b->line), NULL;
     if (!(to = malloc(size))) return kit_fail(err, "out of memory"), NULL;
-    snprintf(to, size, "%.*s#define main picture\nuint told = 0u;\nint times = 0;\nbool shown = false;\n"
+    snprintf(to, size, "%.*s#define main picture\nuvec2 told = uvec2(0u);\nint times = 0;\nbool shown = false;\n"
              "%.*s%s\n%s\n#undef main\nvoid main() {\n    picture();\n"
-             "    %s.xy = vec2(float(told), shown ? 1.0 : 0.0);\n}\n",
+             "    %s.xy = vec2(float(told.x), shown ? float(told.y) : -1.0 - float(told.y));\n}\n",
              (int)(rest - text), text, (int)(line - rest), rest, b->tells, line, p->step->output[0].name);
     return to;
 }
@@ -98,10 +98,10 @@ static found results[DRAWN][2][SEEDS];
 
 static int read(found *f, const kit_pass *p, const body *b, kit_error *err)
 {
-    const int times = b->times ? b->times : p->desc.directions * p->desc.steps;
+    const int gathered = p->desc.directions * p->desc.steps, times = b->times ? b->times : 2 * gathered;
     told *texel = malloc((size_t)p->width * (size_t)p->height * sizeof *texel);
-    const int failed = !texel || times > MOST_BITS ||
-                       kit_texture_read(p->target[0], p->width, p->height, 2, &texel->entered);
+    const int failed = !texel || (b->times ? times : gathered) > MOST_BITS ||
+                       kit_texture_read(p->target[0], p->width, p->height, 2, texel->entered);
     for (int t = 0; t < TILES && !failed; ++t)
         f->share[t] = share_of(texel, p->width, p->height, &tiles[t], times, &f->waves[t]);
     f->half = p->desc.half > 0;

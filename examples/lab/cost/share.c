@@ -4,16 +4,17 @@
 #include <stdint.h>
 #include <string.h>
 
-#define GATHERED(condition) "told |= uint(" condition ") << uint(times++); shown = true;"
+/* Of a slice's sides one comes there after the other. */
+#define GATHERED(condition) "told[times & 1] |= uint(" condition ") << uint(times >> 1); ++times; shown = true;"
 
 const body bodies[BODIES] = {
-    { "cover", "if (any(t.up) || w.rose) {", GATHERED("any(t.up) || w.rose"), 0 },
-    { "cover of solids", "if (any(t.up)) {", GATHERED("any(t.up)"), 0 },
-    { "second", "if (any(up)) {", GATHERED("any(up)"), 0 },
-    { "sent ahead", "if (first.x + second.x > 0.0)", GATHERED("first.x + second.x > 0.0"), 0 },
-    { "sent behind", "if (first.y + second.y > 0.0)", GATHERED("first.y + second.y > 0.0"), 0 },
-    { "unsettled", "int more = c.settled ? 0 : side * side;", "told = uint(!c.settled); shown = c.z < SSGI_FAR;", 1 },
-    { "changed", "for (int k = 0; differ >> uint(k) != 0u; ++k) {", "told = differ; shown = true;", 16 }
+    { "cover", "if (t.up || (w.rose && t.seen)) {", GATHERED("t.up || (w.rose && t.seen)"), 0 },
+    { "cover of solids", "if (t.up) {", GATHERED("t.up"), 0 },
+    { "second", "if (t.inside && ll < 1.0 && front.y * r > SSGI_LEVEL) {",
+      GATHERED("t.inside && ll < 1.0 && front.y * r > SSGI_LEVEL"), 0 },
+    { "sent", "if (first + second > 0.0) {", GATHERED("first + second > 0.0"), 0 },
+    { "unsettled", "int more = c.settled ? 0 : side * side;", "told.x = uint(!c.settled); shown = c.z < SSGI_FAR;", 1 },
+    { "changed", "for (int k = 0; differ >> uint(k) != 0u; ++k) {", "told.x = differ; shown = true;", 16 }
 };
 
 const tile tiles[TILES] = { { "8x8", 8, 8 }, { "16x4", 16, 4 }, { "8x4", 8, 4 } };
@@ -37,17 +38,20 @@ double share_of(const told *texel, int width, int height, const tile *t, int tim
     double entered = 0, held = 0, all = 0;
     for (int y = 0; y < height; y += t->height)
         for (int x = 0; x < width; x += t->width) {
-            uint32_t bits = 0;
+            uint32_t bits[2] = { 0, 0 };
             int shown = 0;
             for (int k = 0; k < t->width * t->height; ++k) {
                 const int across = x + k % t->width, up = y + k / t->width;
                 if (across >= width || up >= height) continue;
-                bits |= (uint32_t)texel[up * width + across].entered;
-                shown |= texel[up * width + across].shown > 0;
+                const told *of = &texel[up * width + across];
+                const int hidden = of->entered[1] < 0;
+                bits[0] |= (uint32_t)of->entered[0];
+                bits[1] |= (uint32_t)(hidden ? -1 - of->entered[1] : of->entered[1]);
+                shown |= !hidden;
             }
             ++all;
             held += shown;
-            if (shown) entered += ones(bits);
+            if (shown) entered += ones(bits[0]) + ones(bits[1]);
         }
     *waves = held / all;
     return held > 0 ? entered / (held * times) : 0;
@@ -69,9 +73,9 @@ double share_recorded(const csv *shares, int which, const ssgi_gl_desc *d, const
 
 int weigh(counts *c, const counted *of, const double *share, int count)
 {
-    const int apart = count && of->bodies == count, whole = count == 1 && !apart;
+    const int apart = count && (of->bodies == count || of->bodies == 2 * count), whole = count == 1 && !apart;
     *c = apart ? of->calm : of->busy;
-    for (int i = 0; i < count && apart; ++i) counts_add(c, &of->body[i], share[i]);
+    for (int i = 0; i < of->bodies && apart; ++i) counts_add(c, &of->body[i], share[i % count]);
     if (whole) {
         counts_add(c, &of->busy, share[0] - 1);
         counts_add(c, &of->calm, 1 - share[0]);

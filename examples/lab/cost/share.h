@@ -9,9 +9,9 @@
 
 /* line: no other line of a text has it; tells: goes before it, GLSL that sets told, a bit for each time that a pixel
    comes to the line, and shown, whether something is seen there. times: how often it comes there, 0: directions times
-   steps. */
+   steps, with each side. */
 typedef struct body { const char *name, *line, *tells; int times; } body;
-enum { COVER, COVER_SOLID, SECOND, SENT_AHEAD, SENT_BEHIND, UNSETTLED, CHANGED, BODIES };
+enum { COVER, COVER_SOLID, SECOND, SENT, UNSETTLED, CHANGED, BODIES };
 extern const body bodies[BODIES];
 
 /* Those that a text has, in its order; how many. */
@@ -22,8 +22,8 @@ typedef struct tile { const char *name; int width, height; } tile;
 enum { SQUARE, FLAT, SMALL, TILES };
 extern const tile tiles[TILES];
 
-/* What a texel tells: bits, 1 where it entered; and whether something is seen. */
-typedef struct told { float entered, shown; } told;
+/* What a texel tells: of two sides the bits, 1 where it entered; where nothing is seen the second is -1 less them. */
+typedef struct told { float entered[2]; } told;
 
 /* How often a wave enters, of the times that it comes to the line, on the mean over those waves of which a texel at
    least shows something. waves: how many of all these are. */
@@ -34,7 +34,7 @@ double share_of(const told *texel, int width, int height, const tile *t, int tim
 double share_recorded(const csv *shares, int which, const ssgi_gl_desc *d, const tile *t);
 
 /* What a wave of a pass executes on the mean. share: of each body that its text has. Where the compiler left as many
-   bodies as the text has, each counts by its own; where the text has one, all that may be left out goes by that; where
+   bodies as the text has, or both sides' one after the other, each counts by its own; where the text has one, all that may be left out goes by that; where
    it has none, all counts. -1: bodies cannot be told apart, all counts. */
 int weigh(counts *c, const counted *of, const double *share, int count);
 
