@@ -444,8 +444,8 @@ int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *
 /* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and occluders
    count as one of each. 0 for a bad desc. */
 int    kit_fetches(const ssgi_gl_desc *desc);
-/* The same of operators, constructors and calls of GLSL's own functions, vectors counting once. The plan's model of a
-   GPU's time: KIT_FETCH_OPERATIONS for a fetch, 1 for an operation. */
+/* The same of operators, constructors and calls of GLSL's own functions, vectors counting once. A guess at a GPU's time
+   for what make cost cannot count: KIT_FETCH_OPERATIONS for a fetch, 1 for an operation. */
 int    kit_operations(const ssgi_gl_desc *desc);
 enum { KIT_FETCH_OPERATIONS = 8 };
 /* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers
