@@ -4721,7 +4721,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    in front of the camera, ssgi_gl_plan an unknown thickness. To ssgi_gl_sent_set a radiance of 1e-30 or less is
    nothing. Without desc.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: no other step
    sent its light. Lights of one band bring a quarter to every normal, not all (ssgi_sh_light, desc.lights): a bounce of
-   them was four times too bright. desc.residual holds for desc.lights by bent normals and cones, too.
+   them was four times too bright. desc.residual holds for desc.lights by bent normals and cones, too. The plan's costs
+   of a GPU are modelled from its compiler's instructions.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

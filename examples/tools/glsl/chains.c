@@ -9,7 +9,7 @@ const chain_named chain_names[] = {
     { "hsao", "hsao,balanced", "ambient visibility by slices" },
     { "hsao-best", "hsao,best", "ambient visibility by slices" },
     { "hsao-fast-history", "hsao,fast,history=1", "over frames" },
-    { "hsao-history", "hsao,balanced,history=1", "over frames" },
+    { "hsao-history", "hsao,balanced,history=1,directions=1,steps=12", "over frames: one slice of many taps" },
     { "hsao-best-history", "hsao,best,history=1", "over frames" },
     { "hsao-fast-slabs", "hsao,fast,thickness=SLABS", "two slabs behind what is seen" },
     { "hsao-slabs", "hsao,balanced,thickness=SLABS", "two slabs behind what is seen" },
