@@ -2412,8 +2412,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    cosine-weighted measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its
    distance; the surface has the thickness of desc.thickness. Taps of one surface are joined: they also cover the
    sectors between them, at their mean distance. n over the length l of its projection makes dot(d, n) the height over
-   the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y.
-   Most taps lie in the tangent plane or below it: only where one of a step's two rises are arcs worked out. */
+   the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. Each side of a slice is walked alone.
+   Most taps lie in the tangent plane or below it: an arc is worked out only where a tap, or the last one, rises. */
 
 /* [DSS14 section 3.1] */
 { "ssgi_surfel_radius", __LINE__ + 1,
@@ -2492,7 +2492,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 unproject; // radii per pixel, at depth 1 // #if !orthographic\n"
     "    vec2 unproject; // radii per pixel // #if orthographic\n"
     "    vec2 across, up; // a radius along x and y of the basis, in pixels\n"
-    "    float ray, rounded; // radii per view depth along its ray; what rounding does not reach\n"
+    "    float ray, rounded; // radii along its ray per view depth; what rounding does not reach\n"
     "};\n" },
 
 { "ssgi_receiver_of", __LINE__ + 1,
@@ -2539,7 +2539,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.x.w -= dot(s.x.xy, q), s.y.w -= dot(s.y.xy, q); // #if orthographic\n"
     "    s.x.z -= dot(s.x.xy, q), s.y.z -= dot(s.y.xy, q); // #if !orthographic\n"
     "    s.off.z = -dot(s.off.xy, q);\n"
-    "    // rounding puts the receiver's own pixel off it in any direction: ten times as much beside it is flat\n"
+    "    // rounding puts the receiver's own texel beside it in any direction: with ten times that added it lies flat\n"
     "    s.rounded = r.rounded, s.least = 100.0 * r.rounded * r.rounded, s.grain = u_ssgi_radius / 63.0;\n"
     "    return s;\n"
     "}\n" },
@@ -2626,6 +2626,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 q = vec2(t.q);\n"
     "    t.k = ssgi_ray_of(s, e, q);\n"
     "    vec2 d = ssgi_on_ray(s, e, t.k, t.z);\n"
+    "    // a texel is up to half a pixel off its slice: without that, slices that graze a plane darken it in dots\n"
     "    float off = s.off.x * q.x + (s.off.y * q.y + s.off.z), up = d.y - s.off.w * off;\n"
     "    float ll = d.x * d.x + (up * up + (off * off + s.least));\n"
     "    t.distance = sqrt(ll), t.h = clamp(d.y * inversesqrt(ll), 0.0, 1.0);\n"
