@@ -1014,13 +1014,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_measured_origin", __LINE__ + 1,
-    "ivec2 ssgi_measured_origin() { // of the picture in what pass width wrote, in pixels\n"
+    "ivec2 ssgi_measured_origin() { // of the picture in t_ssgi_width, in pixels\n"
     "    return u_ssgi_target & -2;\n"
     "}\n" },
 
 { "ssgi_measured_texel", __LINE__ + 1,
-    "// what pass width wrote for a pixel, counted from texel 0,0: view depth; its last 6 bits are the thickness in\n"
-    "// radii / 63\n"
+    "// view depth of a pixel, counted from texel 0,0, by pass width; its last 6 bits are the thickness in radii / 63\n"
     "uint ssgi_measured_texel(ivec2 p) {\n"
     "    uvec4 m = texelFetch(t_ssgi_width, p >> 1, 0);\n"
     "    m.xy = (p.y & 1) == 0 ? m.xy : m.zw;\n"
@@ -2451,7 +2450,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_OVER = 0.4; // the same beyond the zenith: rounding, or a texel off the slice\n" },
 
 { "SSGI_ROUNDED", __LINE__ + 1,
-    "const float SSGI_ROUNDED = 0.005; // of a pixel: what rounding does not reach in pictures 8,000 pixels wide\n" },
+    "const float SSGI_ROUNDED = 0.005; // of a pixel: rounding stays below it in pictures 8,000 pixels wide\n" },
 
 { "SSGI_JOINED", __LINE__ + 1,
     "const float SSGI_JOINED = 4.0; // thickness CONSTANT: slope up to which taps are joined\n" },
@@ -2480,19 +2479,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_walked_origin", __LINE__ + 1,
-    "ivec2 ssgi_walked_origin() { // of the picture in what slices read\n"
+    "ivec2 ssgi_walked_origin() { // of the picture in the texture that slices read\n"
     "    return ssgi_measured_origin(); // #if thickness > SOLID\n"
     "    return ivec2(0); // #if thickness < WIDTH\n"
     "}\n" },
 
 { "ssgi_receiver", __LINE__ + 1,
-    "struct ssgi_receiver { // what its slices share\n"
+    "struct ssgi_receiver { // values that its slices share\n"
     "    vec3 P, normal, n; // n: the normal in the basis\n"
     "    mat3 basis; // z: to the eye\n"
     "    vec2 unproject; // radii per pixel, at depth 1 // #if !orthographic\n"
     "    vec2 unproject; // radii per pixel // #if orthographic\n"
     "    vec2 across, up; // a radius along x and y of the basis, in pixels\n"
-    "    float ray, rounded; // radii along its ray per view depth; what rounding does not reach\n"
+    "    float ray, rounded; // radii along its ray per view depth; rounding stays below it\n"
     "};\n" },
 
 { "ssgi_receiver_of", __LINE__ + 1,
@@ -2509,8 +2508,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return r;\n"
     "}\n" },
 
-/* The point Q at view depth z, seen by a pixel q: dot(Q - P, v) is (dot(form.xy, q) + form.z) * z + form.w; without
-   perspective dot(form.xy, q) + form.z * z + form.w. */
+/* Forms are as ssgi_plane's. A pixel q sees the point Q at view depth z: dot(Q - P, v) is
+   (dot(form.xy, q) + form.z) * z + form.w; without perspective dot(form.xy, q) + form.z * z + form.w. */
 { "ssgi_slice", __LINE__ + 1,
     "struct ssgi_slice { // lengths in radii\n"
     "    vec3 along; // it and the view direction span it\n"
@@ -2518,7 +2517,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 off; // off the slice at the receiver's depth: dot(xy, q) + z; w: height over the plane for that\n"
     "    vec2 lean; // half of the sine and the cosine of the projected normal's angle from the view direction\n"
     "    float width; // of the normal's projection\n"
-    "    float rounded, least; // what rounding does not reach; added to squared distances\n"
+    "    float rounded, least; // rounding stays below it; added to squared distances\n"
     "    float grain; // unit of pass width, view units\n"
     "};\n" },
 
@@ -2596,7 +2595,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float z, distance, h; // view depth; radii from the receiver; sine of the elevation\n"
     "    bool inside, seen; // in the picture; within the radius\n"
     "    bool beyond, up; // past the zenith; above the tangent plane\n"
-    "    float width; // thickness of what is seen, view units // #if thickness > SOLID\n"
+    "    float width; // thickness of its surface, view units // #if thickness > SOLID\n"
     "};\n" },
 
 { "ssgi_ray_of", __LINE__ + 1,
@@ -2641,7 +2640,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_walked", __LINE__ + 1,
-    "struct ssgi_walked { // what the steps so far leave to the next one of a side\n"
+    "struct ssgi_walked { // a side after some steps, for the next one\n"
     "    uint left; // sectors that are not covered\n"
     "    float distance; // of the last tap from the receiver, in radii\n"
     "    float low, high, z; // its arc, its view depth // #if thickness != SOLID\n"
@@ -2700,7 +2699,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gap", __LINE__ + 1,
-    "struct ssgi_gap { // view units between taps, the greater of these\n"
+    "struct ssgi_gap { // view units between taps, the greater of these: apart, for GPUs have a maximum of three\n"
     "    float last, first; // to the last tap; from the receiver to the first one\n"
     "};\n" },
 
@@ -2711,7 +2710,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_cover", __LINE__ + 1,
     "#if thickness == SOLID\n"
-    "// covers what a tap blocks; sectors that are newly blocked, attenuated\n"
+    "// covers the sectors that a tap blocks; those that were free, attenuated\n"
     "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
     "    float fresh = 0.0;\n"
     "    if (t.up) {\n"
@@ -2729,7 +2728,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_cover", __LINE__ + 1,
     "#if thickness != SOLID\n"
-    "// covers what a tap blocks; sectors that are newly blocked, attenuated\n"
+    "// covers the sectors that a tap blocks; those that were free, attenuated\n"
     "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
     "    float end_ = t.z + max(max(t.width, gap.last), gap.first); // #if thickness > SOLID\n"
     "    float end_ = t.z + u_ssgi_thickness; // #if thickness == CONSTANT\n"
@@ -2783,11 +2782,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_step", __LINE__ + 1,
-    "// a side's step: what its tap blocks, and what that sends\n"
+    "// a side's step: its tap blocks, and sends\n"
     "void ssgi_step(inout ssgi_sums sums, ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap,\n"
     "    vec3 P) {\n"
     "    float first = ssgi_cover(s, e, w, t, gap), second = 0.0;\n"
-    "    t.q -= ssgi_walked_origin();\n"
+    "    t.q -= ssgi_walked_origin(); // #if bounce || thickness == SLABS\n"
     "    second = ssgi_cover_second(s, e, w, t, gap); // #if thickness == SLABS\n"
     "#if bounce\n"
     "    if (first + second > 0.0) {\n"

@@ -34,8 +34,8 @@ double share_of(const told *texel, int width, int height, const tile *t, int tim
 double share_recorded(const csv *shares, int which, const ssgi_gl_desc *d, const tile *t);
 
 /* What a wave of a pass executes on the mean. share: of each body that its text has. Where the compiler left as many
-   bodies as the text has, or both sides' one after the other, each counts by its own; where the text has one, all that may be left out goes by that; where
-   it has none, all counts. -1: bodies cannot be told apart, all counts. */
+   bodies as the text has, or both sides' one after the other, each counts by its own; where the text has one, all that
+   may be left out goes by that; where it has none, all counts. -1: bodies cannot be told apart, all counts. */
 int weigh(counts *c, const counted *of, const double *share, int count);
 
 #endif

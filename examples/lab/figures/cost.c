@@ -48,12 +48,12 @@ static void families(const markdown *m, const csv *c, int first)
     char name[64];
     int columns = 12;
     markdown_heading(m, "Instructions and milliseconds",
-                     "Never measured: what Mesa's compiler makes of the passes for GPUs that were not there, each "
-                     "instruction as often as it is executed, a pixel.\n"
+                     "Never measured: Mesa's compiler made these instructions of the passes, for GPUs "
+                     "that were not there; each counts as often as it is executed, a pixel.\n"
                      "Milliseconds are a model's of a picture of 1920x1080: a pass takes as long as the slowest of its "
                      "arithmetic, its fetches, what hides their\n"
-                     "latency and its bytes, each read or written once (examples/lab/cost/model.h). In brackets what "
-                     "depends on the picture: busy, whatever an\n"
+                     "latency and its bytes, each read or written once (examples/lab/cost/model.h). In brackets the "
+                     "bounds, where it depends on the picture: busy, whatever an\n"
                      "`if` guards is executed; calm, inside loops nothing is that a wave may leave out, and history "
                      "has settled. Before them weighed: as often\n"
                      "as waves of 8x8 texels that show something enter, on twelve scenes by seed at 1280x720, history "
@@ -98,9 +98,9 @@ static void families(const markdown *m, const csv *c, int first)
 /* Only what holds by every figure of the table above. */
 static void ranks(const markdown *m, const csv *c, int first)
 {
-    fputs("\nWhat is cheaper than what, by every figure above: instructions and milliseconds, in both families, "
-          "weighed, busy and calm. Each is cheaper than the chain\nbehind it, and than all of its kind (occlusion, "
-          "light) that take more instructions than that one.\n\n", m->file);
+    fputs("\nChains that are cheaper than others by every figure above: instructions and milliseconds, in both "
+          "families, weighed, busy and calm. Each is cheaper than the chain\nbehind it, and than all of its kind "
+          "(occlusion, light) that take more instructions than that one.\n\n", m->file);
     for (int r = 0; r < c->rows; ++r)
         if (is_chain(c, r) && csv_same(c, r, first, "family") && *csv_text(c, r, "cheaper_than"))
             fprintf(m->file, "- %s < %s\n", csv_text(c, r, "chain"), csv_text(c, r, "cheaper_than"));
@@ -109,7 +109,7 @@ static void ranks(const markdown *m, const csv *c, int first)
 static void budget(const markdown *m, const csv *c, int first)
 {
     static const char *const sizes[] = { "targets_720", "targets_1080", "targets_1440", "targets_2160" };
-    markdown_heading(m, "What an engine budgets",
+    markdown_heading(m, "An engine's budget",
                      "Targets: megabytes of all textures that the steps write, by lines of a picture of 16:9.\n"
                      "Compiled: milliseconds of processor, of glslang and of RADV, on the machine named below.",
                      m->cost_note);
