@@ -1336,7 +1336,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ---- pass width: surfaces are taken to be as thick as they are wide in the picture. From the first pixel of each 2x2
    ssgi_run goes left, right, down and up to where the surface drops away; the width is the shorter of the two sums. A
-   run reaches half the radius, SSGI_LONGEST where that is more; a surface that goes on beyond has the radius. The other
+   run reaches half the radius, SSGI_LONGEST where that is more; a surface that goes on beyond has the radius. One that
+   ends at a probe ended somewhere from the probe before it on, which is half as far: that half counts, so that thin
+   things are not taken for too thick, and more steps do not darken what is behind them. The other
    three pixels share the width where they lie in the first one's plane, and have SSGI_OTHER where they do not. */
 
 { "SSGI_THINNEST", __LINE__ + 1,
@@ -1369,7 +1371,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < 5; ++i) { // from far to near: the nearest end counts\n"
     "        float k = floor(reach * exp2(-float(i)));\n"
     "        int end_ = ssgi_end(p, way * int(k), P, plane, SSGI_LIFTED * u_ssgi_radius + 0.5 * footprint * k);\n"
-    "        run = end_ > 0 ? pixels : end_ < 0 ? k : run;\n"
+    "        run = end_ > 0 ? pixels : end_ < 0 ? 0.5 * k : run;\n"
     "    }\n"
     "    return run;\n"
     "}\n" },
@@ -2730,7 +2732,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if thickness != SOLID\n"
     "// covers the sectors that a tap blocks; those that were free, attenuated\n"
     "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
-    "    float end_ = t.z + max(max(t.width, gap.last), gap.first); // #if thickness > SOLID\n"
+    "    float end_ = t.z + t.width + 0.5 * ssgi_between(gap); // #if thickness > SOLID\n"
     "    float end_ = t.z + u_ssgi_thickness; // #if thickness == CONSTANT\n"
     "    float fresh = 0.0, low = 0.0, high = 0.0, l = t.distance;\n"
     "    vec2 back = ssgi_on_ray(s, e, t.k, end_);\n"

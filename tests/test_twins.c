@@ -1105,7 +1105,7 @@ static double side_walked(double *where, const walk *w, const int *p, const doub
         const int inside = x >= 0 && y >= 0 && x < SIDE && y < SIDE;
         const float *tap = w->map[inside ? y * SIDE + x : 0];
         double z[4] = { (double)tap[0], 0, (double)tap[1], 0 }, Q[3], at[4][3], e[4][2], L[4];
-        const double width = fmax((double)tap[3] * R / 63, gap);
+        const double width = (double)tap[3] * R / 63 + 0.5 * gap;
         z[1] = z[0] + (w->thickness == SSGI_GL_THICKNESS_CONSTANT ? (double)w->frame->thickness : width);
         if (z[2] <= 0) z[2] = 1e18;
         z[3] = z[2] + fmax(fmin(tap[2] > tap[1] ? (double)(tap[2] - tap[1]) : (double)tap[3] * R / 63, R), 2 * gap);
