@@ -3504,7 +3504,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_blurred", __LINE__ + 1,
     "struct ssgi_blurred { // the pixel that is filtered\n"
     "    vec3 P, n;\n"
-    "    vec4 plane; // its unit is a 20th of the radius and a pixel // #if filter == BILATERAL\n"
+    "    vec4 plane; // its unit is a 100th of the radius and a pixel // #if filter == BILATERAL\n"
     "    float z, footprint;\n"
     "    vec4 now; // what is there // #if !half && colour != COEFFICIENTS\n"
     "    bool settled; // it has been averaged over frames // #if pass == HISTORY\n"
@@ -3530,7 +3530,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    c.z = ssgi_depth(p); // #if half || colour == COEFFICIENTS\n"
     "    c.P = ssgi_position(vec2(p) + 0.5, c.z), c.footprint = ssgi_footprint(c.z);\n"
     "    c.n = ssgi_normal(p, c.P); // #if filter == BILATERAL || restore || pass == HISTORY\n"
-    "    c.plane = ssgi_plane(c.P, c.n) / (0.05 * u_ssgi_radius + c.footprint); // #if filter == BILATERAL\n"
+    "    c.plane = ssgi_plane(c.P, c.n) / (0.01 * u_ssgi_radius + c.footprint); // #if filter == BILATERAL\n"
     "    return c;\n"
     "}\n" },
 
@@ -3559,7 +3559,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_blur_weight", __LINE__ + 1,
     "#if filter == BILATERAL\n"
-    "// a box over a tile of noise, within a 20th of the radius and a pixel of the tangent plane\n"
+    "// a box over a tile of noise; less by how many units of the plane a neighbour is off it\n"
     "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
     "    float off = ssgi_above_plane(c.plane, t.o, z);\n"
     "#if half\n"
@@ -3569,7 +3569,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float w = tent.x * tent.y / (0.02 + off * off); // #if pass == HISTORY\n"
     "    if (c.settled) w *= 12.0 + tent.x * tent.y; // nearer ones more: frames average, too // #if pass == HISTORY\n"
     "#else\n"
-    "    float w = max(1.0 - abs(off), 0.0);\n"
+    "    float w = 0.02 / (0.02 + off * off);\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.y) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
     "#endif\n"

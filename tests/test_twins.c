@@ -2112,9 +2112,9 @@ static void history_spreads_half_size(void)
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
     random_state = 71;
-    for (int i = 0; i < MANY; ++i) {                       /* off by up to half of a 20th of the radius and a pixel */
+    for (int i = 0; i < MANY; ++i) {                       /* off by up to half of a 100th of the radius and a pixel */
         map[i][0] = uniform(0.4f, 0.6f);
-        map[i][1] = 10 + uniform(0, 0.5f) * (0.05f + 1.0f / 16) * (float)(i & 1);
+        map[i][1] = 10 + uniform(0, 0.5f) * (0.01f + 1.0f / 16) * (float)(i & 1);
     }
     GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
     for (int settled = 0; settled < 2; ++settled) {
@@ -2133,7 +2133,7 @@ static void history_spreads_half_size(void)
                 const int beside = k % 3 != 2 - 2 * (x & 1) && k / 3 != 2 - 2 * (y & 1);
                 const double tent = (4 - abs(2 * h[0] - x)) * (4 - abs(2 * h[1] - y)),
                              value = (double)map[h[1] * SIDE + h[0]][0],
-                             off = ((double)map[h[1] * SIDE + h[0]][1] - 10) / (0.05 + 1.0 / 16),
+                             off = ((double)map[h[1] * SIDE + h[0]][1] - 10) / (0.01 + 1.0 / 16),
                              weight = (settled ? beside * (12 + tent) : 1) * tent / (0.02 + off * off);
                 weights += weight, both += weight * weight;
                 sum += weight * value, squares += weight * value * value;
