@@ -2798,21 +2798,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* What steps miss, and what is beyond the picture, is expected, not open: it is a share of the sectors that are free,
-   fitted to the truth of 28 scenes at 1280x720. Steps miss occluders between them beside what they found, and the less
-   the more they are: 34 steps miss nothing. Beyond the picture little is blocked where nothing was before it, and more the more was. */
-{ "SSGI_OUTSIDE", __LINE__ + 1,
-    "// of free sectors: at least, a blocked one, at most beside the least\n"
-    "const vec3 SSGI_OUTSIDE = vec3(0.04, 0.05, 0.4);\n" },
-
+/* What steps miss, and what is beyond the picture, is expected, not open: by each sector that is blocked it is a share
+   of those that are free, fitted to the truth of 28 scenes at 1280x720; where nothing is blocked it is nothing. Steps
+   miss occluders beside those that they found, and the fewer the more they are: 34 steps miss none. Nothing is known of
+   what such occluders would send: where a bounce is gathered nothing is expected. */
 { "ssgi_expect", __LINE__ + 1,
-    "// adds what a side did not see; where it saw nothing that lies 37 degrees up\n"
-    "void ssgi_expect(ssgi_side e, inout ssgi_walked w) {\n"
-    "    float free = ssgi_count(w.left), beyond = max(1.0 - e.edge, 0.0);\n"
-    "    float outside = SSGI_OUTSIDE.x + min(SSGI_OUTSIDE.y * w.share, SSGI_OUTSIDE.z);\n"
-    "    float missed = max(0.09375 / float(SSGI_STEPS) - 0.0028, 0.0); // of a free sector, by each blocked one\n"
-    "    w.share += free * min(missed * w.share + beyond * beyond * outside, 1.0);\n"
-    "    ssgi_add_elevation(w, vec2(0.8, 0.6), free * beyond * beyond * SSGI_OUTSIDE.x); // #if environment\n"
+    "void ssgi_expect(ssgi_side e, inout ssgi_walked w) { // adds what a side did not see\n"
+    "    float missed = max(0.09375 / float(SSGI_STEPS) - 0.0028, 0.0), beyond = max(1.0 - e.edge, 0.0);\n"
+    "    float more = missed * w.share + beyond * beyond * min(0.05 * w.share, 0.4);\n"
+    "    w.share += ssgi_count(w.left) * min(more, 1.0);\n"
     "}\n" },
 
 { "ssgi_walk_slice", __LINE__ + 1,
@@ -2835,8 +2829,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_step(sums, s, b, wb, tb, ssgi_gap(last.y, first.y), P);\n"
     "        at += unit;\n"
     "    }\n"
-    "    ssgi_expect(a, wa); // #if pass == HSAO || environment\n"
-    "    ssgi_expect(b, wb); // #if pass == HSAO || environment\n"
+    "    ssgi_expect(a, wa); // #if pass == HSAO || environment && !bounce\n"
+    "    ssgi_expect(b, wb); // #if pass == HSAO || environment && !bounce\n"
     "    sums.all += wa.share * a.share + wb.share * b.share; // #if pass == HSAO\n"
     "    ssgi_add_blocked(sums, s, ssgi_toward(P), wa, 1.0, a.share); // #if environment\n"
     "    ssgi_add_blocked(sums, s, ssgi_toward(P), wb, -1.0, b.share); // #if environment\n"
@@ -3588,7 +3582,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float w = tent.x * tent.y / (0.02 + off * off); // #if pass == HISTORY\n"
     "    if (c.settled) w *= 12.0 + tent.x * tent.y; // nearer ones more: frames average, too // #if pass == HISTORY\n"
     "#else\n"
-    "    float w = 0.02 / (0.02 + off * off);\n"
+    "    float w = max(1.02 / (1.0 + 50.0 * off * off) - 0.02, 0.0); // none from a unit off the plane on\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.y) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
     "#endif\n"

@@ -716,8 +716,8 @@ static void back_faces_are_drawn(void)
     }
 }
 
-/* A wall that few taps see is as dark as it is to many: what stands between two taps of it lies, on the mean, between
-   their distances. */
+/* A wall that few taps see is as dark as it is to many, and by what these are expected to miss, a share of what is free:
+   what stands between two taps of it lies, on the mean, between their distances. */
 static void taps_of_a_wall_are_joined(void)
 {
     static const char *const behind[] = { "solid", "constant", "back", "slabs" };
@@ -735,7 +735,7 @@ static void taps_of_a_wall_are_joined(void)
         snprintf(set, sizeof set, "directions=2,steps=8,blur=0,behind=%s", behind[i]);
         if (!start(&run, &g, "hsao-best", set, 1)) return;
         off[i] = 1 - row_of(&run, &g, row_at(c), 32) - linear_corner(c);
-        CHECK(fabs(off[i]) < 0.006, "%s: %+.4f off %.4f", set, off[i], linear_corner(c));
+        CHECK(off[i] > 0.013 && off[i] < 0.023, "%s: %+.4f off %.4f", set, off[i], linear_corner(c));
         kit_run_close(&run);
     }
     t_note("8 steps: solid %+.4f, constant %+.4f, back %+.4f, slabs %+.4f off %.4f", off[0], off[1], off[2], off[3],
@@ -1299,7 +1299,7 @@ static void widths_are_measured(void)
                 memcpy(&z, &bits, sizeof z);
                 bad[0] += !(fabsf(z / depth[y * W + x] - 1) < 4e-6f);
                 if (post && m && y < H / 2) bad[1] += fabs(thick - 16) > 0.3;           /* 0.5 units */
-                else if (post) bad[1] += !(thick >= (m ? 0.5 : 1) * ACROSS - 0.3 && thick <= (m ? 1 : 2) * ACROSS);
+                else if (post) bad[1] += !(thick >= (m ? 0.25 : 0.5) * ACROSS - 0.3 && thick <= (m ? 0.5 : 1) * ACROSS);
                 else if (x == POLE) bad[2] += fabs(thick - (m ? 1.6 : 3.2)) > 0.3;      /* not of its 2x2's surface */
                 else bad[3] += thick < 31.7 && x != POLE - 1;                           /* the wall has no end */
             }
@@ -1603,7 +1603,7 @@ static void history_is_quiet(void)
     enum { FIRST = 100 };                                  /* frame of the second sixteen */
     static const struct { const char *method, *set; double share; } kept[] = {
         { "hsao-fast", "history=1", 0.4 }, { "hsao", "half=0,history=1", 0.25 }, { "ssdo-fast", "history=1", 0.62 },
-        { "s3ho-fast", "history=1", 0.45 }, { "hsao-fast", "behind=slabs,history=1", 0.4 },
+        { "s3ho-fast", "history=1", 0.52 }, { "hsao-fast", "behind=slabs,history=1", 0.4 },
         { "hsao-march", "views=1,directions=2,steps=4,history=1", 0.4 } };
     kit_lighting lighting = { .lights = 0 };
     kit_scene scene;
