@@ -2183,6 +2183,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh lobe; // the cosine lobe less what is blocked of it // #if environment == SH\n"
     "    vec3 bounce; // what blocks sends // #if pass == SSDO && bounce\n"
     "    ssgi_coefficients bounce; // the lobes of what blocks, times albedo // #if pass == S3HO && bounce\n"
+    "    float found, expected; // shares of occluders // #if search == SLICES && bounce\n"
     "};\n" },
 
 { "ssgi_sums_none", __LINE__ + 1,
@@ -2193,6 +2194,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    sums.lobe = ssgi_sh_zonal(SSGI_COSINE, n); // #if environment == SH\n"
     "    sums.bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
     "    sums.bounce = ssgi_coefficients_none(); // #if pass == S3HO && bounce\n"
+    "    sums.found = 1e-6, sums.expected = 0.0; // #if search == SLICES && bounce\n"
     "    return sums;\n"
     "}\n" },
 
@@ -2649,7 +2651,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    bool seen, rose; // it was within the radius; above the tangent plane // #if thickness != SOLID\n"
     "    float end_; // where its surface ends // #if thickness > SOLID\n"
     "    float sine; // of its elevation, negative beyond the zenith // #if environment\n"
-    "    float share; // sectors blocked so far, attenuated // #if pass == HSAO || environment\n"
+    "    float share; // sectors blocked so far, attenuated\n"
     "    vec2 toward; // times cosine and sine of their elevation // #if environment\n"
     "};\n" },
 
@@ -2660,7 +2662,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    w.low = w.high = 0.0, w.z = z, w.seen = true, w.rose = false; // #if thickness != SOLID\n"
     "    w.end_ = z; // #if thickness > SOLID\n"
     "    w.sine = 0.0, w.toward = vec2(0.0); // #if environment\n"
-    "    w.share = 0.0; // #if pass == HSAO || environment\n"
+    "    w.share = 0.0;\n"
     "    return w;\n"
     "}\n" },
 
@@ -2719,7 +2721,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
     "        uint arc = ssgi_sectors(0.0, ssgi_sector(e, c, q, true, 32.0));\n"
     "        fresh = ssgi_cover_sectors(w.left, arc, 0.5 * (t.distance + w.distance));\n"
-    "        w.share += fresh; // #if pass == HSAO || environment\n"
+    "        w.share += fresh;\n"
     "        ssgi_add_elevation(w, vec2(c, t.h) + ssgi_last_elevation(w), fresh); // #if environment\n"
     "    }\n"
     "    w.sine = t.beyond ? -t.h : t.h; // #if environment\n"
@@ -2749,7 +2751,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        uint arc = ssgi_sectors(joined ? min(low, w.low) : low, joined ? max(high, w.high) : high);\n"
     "        // a joined arc lies halfway to the last tap, another an eighth of the way\n"
     "        fresh = ssgi_cover_sectors(w.left, arc, mix(min(l, 2.0), min(w.distance, 1.0), joined ? 0.5 : 0.125));\n"
-    "        w.share += fresh; // #if pass == HSAO || environment\n"
+    "        w.share += fresh;\n"
     "#if environment\n"
     "        back = back.y > 0.0 ? back : vec2(1.0, 0.0); // the lower end of the arc\n"
     "        ssgi_add_elevation(w, vec2(c, t.h) + (joined ? ssgi_last_elevation(w) : back), fresh);\n"
@@ -2777,7 +2779,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float low = ssgi_sector(e, c, c * c, back.y * back_r > SSGI_LEVEL, high);\n"
     "        l = 0.5 * (l + min(l, back_ll * back_r));\n"
     "        fresh = ssgi_cover_sectors(w.left, ssgi_sectors(low, high), l);\n"
-    "        w.share += fresh; // #if pass == HSAO || environment\n"
+    "        w.share += fresh;\n"
     "        ssgi_add_elevation(w, front, fresh); // #if environment\n"
     "    }\n"
     "    return fresh;\n"
@@ -2800,13 +2802,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* What steps miss, and what is beyond the picture, is expected, not open: by each sector that is blocked it is a share
    of those that are free, fitted to the truth of 28 scenes at 1280x720; where nothing is blocked it is nothing. Steps
-   miss occluders beside those that they found, and the fewer the more they are: 34 steps miss none. Nothing is known of
-   what such occluders would send: where a bounce is gathered nothing is expected. */
+   miss occluders beside those that they found, and the fewer the more they are: 34 steps miss none. Such occluders are
+   taken to send as the found ones do. */
 { "ssgi_expect", __LINE__ + 1,
-    "void ssgi_expect(ssgi_side e, inout ssgi_walked w) { // adds what a side did not see\n"
+    "void ssgi_expect(inout ssgi_sums sums, ssgi_side e, inout ssgi_walked w) { // adds what a side did not see\n"
     "    float missed = max(0.09375 / float(SSGI_STEPS) - 0.0028, 0.0), beyond = max(1.0 - e.edge, 0.0);\n"
     "    float more = missed * w.share + beyond * beyond * min(0.05 * w.share, 0.4);\n"
-    "    w.share += ssgi_count(w.left) * min(more, 1.0);\n"
+    "    more = ssgi_count(w.left) * min(more, 1.0);\n"
+    "    sums.found += w.share * e.share, sums.expected += more * e.share; // #if bounce\n"
+    "    w.share += more;\n"
+    "}\n" },
+
+{ "ssgi_expect_sent", __LINE__ + 1,
+    "void ssgi_expect_sent(inout ssgi_sums sums) { // adds what expected occluders send\n"
+    "    float more = sums.expected / sums.found;\n"
+    "    sums.bounce *= 1.0 + more; // #if pass == SSDO\n"
+    "    for (int c = 0; c < 3; ++c) ssgi_sh_add(sums.bounce.c[c], sums.bounce.c[c], more); // #if pass == S3HO\n"
     "}\n" },
 
 { "ssgi_walk_slice", __LINE__ + 1,
@@ -2829,8 +2840,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_step(sums, s, b, wb, tb, ssgi_gap(last.y, first.y), P);\n"
     "        at += unit;\n"
     "    }\n"
-    "    ssgi_expect(a, wa); // #if pass == HSAO || environment && !bounce\n"
-    "    ssgi_expect(b, wb); // #if pass == HSAO || environment && !bounce\n"
+    "    ssgi_expect(sums, a, wa);\n"
+    "    ssgi_expect(sums, b, wb);\n"
     "    sums.all += wa.share * a.share + wb.share * b.share; // #if pass == HSAO\n"
     "    ssgi_add_blocked(sums, s, ssgi_toward(P), wa, 1.0, a.share); // #if environment\n"
     "    ssgi_add_blocked(sums, s, ssgi_toward(P), wb, -1.0, b.share); // #if environment\n"
@@ -2851,6 +2862,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_slice s = ssgi_slice_of(r, p + ssgi_walked_origin(), turn);\n"
     "        ssgi_walk_slice(s, P, p, r.across * turn.x + r.up * turn.y, xi, noise, sums);\n"
     "    }\n"
+    "    ssgi_expect_sent(sums); // #if bounce\n"
     "    return sums;\n"
     "}\n"
     "#endif\n" },
