@@ -4,6 +4,7 @@
 #   make demo    the main job, into report/       make stability   where methods fail, into report/
 #   make test    all tests; tree: who calls whom  make peers       what others have, for the chart
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
+#   make quiet     what the eye sees as mottling, in bands of pixels, of presets and of others' beside them
 #   make seeds   the chart's part on scenes by seed
 #   make against OLD=HEAD   what this tree draws beside what a revision draws, of every accumulator; METHOD=hsao: a row
 #   make golden    the hashes of those texts that make test compares
@@ -205,6 +206,15 @@ TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score ahead)
 build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
+# What the eye sees as mottling, of the presets and of what make peers brought; report/quiet.html. Other entries:
+# build/quiet --scene room hsao hsao:steps=12.
+QUIET = $(addprefix lab/quiet/,quiet bands) $(addprefix lab/measure/,folder rows picture stage score clock peers) \
+        $(addprefix lab/page/,page table svg scatter pictures)
+build/quiet: $(QUIET:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
+quiet: build/quiet
+	build/quiet
+
 # Where a published method errs, step by step beside what is exact at a few hundred pixels: build/oracle surfels.
 build/oracle: $(addprefix build/examples/lab/oracle/,oracle.o surfels.o harmonics.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
@@ -353,8 +363,8 @@ clean:
 	rm -rf build report
 
 .PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability \
-        against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl golden deps unlisted format \
-        clean
+        quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl golden deps unlisted \
+        format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)

@@ -92,6 +92,7 @@ void   kit_build_columns(kit_build *b);
 void   kit_build_plates(kit_build *b);
 void   kit_build_pebbles(kit_build *b);
 void   kit_build_boxes(kit_build *b);
+void   kit_build_spheres(kit_build *b);
 void   kit_build_blocks(kit_build *b);
 void   kit_build_casters(kit_build *b);
 void   kit_build_crowd(kit_build *b);

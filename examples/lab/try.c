@@ -1,13 +1,13 @@
 /* try.c - settings tried on scenes by seed, for whoever tunes: what each errs by as a share of doing nothing, and how
    it differs from the first, scene by scene.
 
-      build/try [--from 0] [--count 70] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
-                METHOD[:key=value,..] ..
+      build/try [--from 0] [--count 28] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
+                [--judge yes] METHOD[:key=value,..] ..
 
-   Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused. --light: of irradiance
-   under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same settings as
-   another build measured them, in the order given; so a change of the headers is tried in two work trees. Pictures are
-   320x180, truth at every third pixel both ways, kept under build/cache. A process a core. */
+   Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused without --judge. --light: of
+   irradiance under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same
+   settings as another build measured them, in the order given; so a change of the headers is tried in two work trees.
+   Pictures are 1280x720, truth at every eleventh pixel both ways, kept under build/cache. A process a core. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,14 +16,14 @@
 #include "lab/measure/folder.h"
 #include "lab/measure/score.h"
 
-enum { WIDTH = 320, HEIGHT = 180, TRY_RAYS = 256, LIGHT_RAYS = 384, MOST_TRIED = 32, MOST_SEEDS = 1000, JUDGED = 1000 };
+enum { WIDTH = 1280, HEIGHT = 720, STRIDE = 11, TRUTH_RAYS = 1024, MOST_TRIED = 32, MOST_SEEDS = 1000, JUDGED = 1000 };
 
 typedef struct tried {
     char method[64], settings[256];
 } tried;
 
 typedef struct trial {
-    int from, count, light, bounce, entries;
+    int from, count, light, bounce, entries, judge;
     float radius; /* times the scene's own */
     const char *out, *other;
     tried entry[MOST_TRIED];
@@ -45,14 +45,14 @@ static int measure_seed(const trial *t, int k, kit_error *err)
     char name[64];
     stage s;
     kit_image picture;
-    const lit of_light = { .rays = LIGHT_RAYS, .exposure = 1, .bounce = t->bounce };
+    const lit of_light = { .rays = TRUTH_RAYS, .exposure = 1, .bounce = t->bounce };
     view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
     snprintf(name, sizeof name, "random:%d", t->from + k);
     if (stage_load(&s, &v, err)) return -1;
     v.radius = t->radius * s.scene.radius;
     if (stage_look(&s, &v, WIDTH, HEIGHT, err)) return -1;
-    s.stride = SEED_STRIDE;
-    s.rays = t->light ? LIGHT_RAYS : TRY_RAYS;
+    s.stride = STRIDE;
+    s.rays = TRUTH_RAYS;
     if (stage_compare(&s, err)) return -1;
     const double nothing = error_of(&s, &s.given[s.givens - 1].picture, err);
     for (int i = 0; i < t->entries; ++i) {
@@ -173,7 +173,7 @@ static int add_entry(trial *t, const char *text, kit_error *err)
 
 static int parse(trial *t, int argc, char **argv, kit_error *err)
 {
-    *t = (trial){ .count = 70, .radius = 1, .out = "build/try.csv" };
+    *t = (trial){ .count = 28, .radius = 1, .out = "build/try.csv" };
     for (int i = 1; i < argc; ++i) {
         const char *const a = argv[i], *const v = i + 1 < argc ? argv[i + 1] : NULL;
         if (!strcmp(a, "--light") || !strcmp(a, "--bounce")) {
@@ -191,17 +191,18 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
         else if (!strcmp(a, "--radius")) t->radius = (float)atof(v);
         else if (!strcmp(a, "--out")) t->out = v;
         else if (!strcmp(a, "--against")) t->other = v;
+        else if (!strcmp(a, "--judge")) t->judge = !strcmp(v, "yes");
         else return kit_fail(err, "%s: there is no such option", a);
         ++i;
     }
-    if (t->from < 0 || t->count < 2 || t->from + t->count > JUDGED)
-        return kit_fail(err, "--from, --count: at least two seeds below %d; those from there on are for judging",
-                        JUDGED);
+    if (t->from < 0 || t->count < 2 || t->count > MOST_SEEDS || (!t->judge && t->from + t->count > JUDGED))
+        return kit_fail(err, "--from, --count: at least two seeds below %d; those from there on need --judge yes, for "
+                             "nobody tunes on them", JUDGED);
     if (!(t->radius > 0)) return kit_fail(err, "--radius: must be above 0, times the scene's own");
     return t->entries
              ? 0
-             : kit_fail(err, "usage: try [--from 0] [--count 70] [--light | --bounce] [--radius 1] "
-                             "[--out build/try.csv] [--against other.csv] METHOD[:key=value,..] ..");
+             : kit_fail(err, "usage: try [--from 0] [--count 28] [--light | --bounce] [--radius 1] "
+                             "[--out build/try.csv] [--against other.csv] [--judge yes] METHOD[:key=value,..] ..");
 }
 
 int main(int argc, char **argv)

@@ -120,6 +120,21 @@ void kit_build_boxes(kit_build *b)
     }
 }
 
+void kit_build_spheres(kit_build *b)
+{
+    /* x, z, radius, how far above the floor */
+    static const double ball[][4] = { {-2.1, -0.6, 1, 0.001}, {-0.45, -1.7, 0.9, 0.001}, {0.95, -0.5, 0.8, 0.05},
+                                      {2.3, 0.3, 0.7, 0.001}, {-0.35, 0.5, 0.6, 0.001}, {0.45, 1.45, 0.5, 0.001},
+                                      {-1.35, 1.35, 0.5, 0.12} };
+    kit_begin_object(b, "floor", 0);
+    kit_box(b, -16, -0.2, -16, 16, 0, 8);
+    for (size_t i = 0; i < sizeof ball / sizeof *ball; i++) {
+        kit_begin_object(b, "ball", 1);
+        kit_place_at(b, ball[i][0], ball[i][2] + ball[i][3], ball[i][1], 0);
+        kit_patch(b, 128, 64, kit_sphere_surface, &ball[i][2]);
+    }
+}
+
 void kit_build_blocks(kit_build *b)
 {
     const double gap = 0.0005;

@@ -288,7 +288,8 @@ static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *er
         return -1;
     peers = o->method
                 ? 0
-                : peers_measure(rows + count + s.givens, &s, QUICK_ROUNDS, o->quick ? PEERS_QUICK : MOST_PEERS, err);
+                : peers_measure(rows + count + s.givens, &s, QUICK_ROUNDS, o->quick ? PEERS_QUICK : MOST_PEERS, NULL,
+                                err);
     if (peers < 0) return -1;
     memcpy(names[k], s.name, sizeof names[k]);
     for (int i = 0; i < count + s.givens + peers; ++i) {

@@ -427,7 +427,7 @@ static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
     return set->textures ? 0 : kit_fail(err, "out of memory");
 }
 
-int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
+int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures, kit_error *err)
 {
     static peer_set set;
     char what[128];
@@ -451,11 +451,12 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
             picture.data[k] = fminf(fmaxf(picture.data[k], 0), 1);
         failed = score_picture(r, s, &picture, err);
         r->figure[FITTED] *= r->share / r->score.rmse;
-        kit_image_free(&picture);
+        if (pictures) pictures[i] = picture;
+        else kit_image_free(&picture);
         kit_progress(what, (i + 1.0) / (count + 1.0));
     }
     kit_progress(what, 1);
-    failed = failed || clock_all(rows, s, peer_draw, &set, count, rounds, err);
+    failed = failed || (rounds && clock_all(rows, s, peer_draw, &set, count, rounds, err));
     peers_free(&set);
     return failed ? -1 : count;
 }

@@ -1,0 +1,129 @@
+/* bands.c - bands of the difference between two pictures. Declared in bands.h. */
+#include "lab/quiet/bands.h"
+#include <math.h>
+#include <stdlib.h>
+
+const float bands_sigma[BANDS] = { 1.2f, 3, 8, 20 };
+#define UNKNOWN ((double)NAN)
+const bands bands_unknown = { { UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN }, UNKNOWN };
+
+/* ---- >>blur ------------------------------------------------------------------------------------------------------ */
+
+enum { REACH = 3, MOST_TAPS = 64 };        /* sigmas that a Gaussian ends at; taps on one side of the widest */
+
+/* Along rows, and turned: two of these are a blur. What lies outside is 0. */
+static void blur_turned(float *to, const float *from, int width, int height, float sigma)
+{
+    const int taps = (int)ceilf(REACH * sigma);
+    float weight[MOST_TAPS], sum = 0;
+    for (int k = 0; k <= taps; ++k) {
+        weight[k] = expf(-0.5f * (float)(k * k) / (sigma * sigma));
+        sum += k ? 2 * weight[k] : weight[k];
+    }
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const float *at = from + (size_t)y * (size_t)width + x;
+            float value = weight[0] * at[0];
+            for (int k = 1; k <= taps; ++k)
+                value += weight[k] * ((x >= k ? at[-k] : 0) + (x + k < width ? at[k] : 0));
+            to[(size_t)x * (size_t)height + (size_t)y] = value / sum;
+        }
+}
+
+/* between: room for a picture. */
+static void blur(float *to, const float *from, float *between, int width, int height, float sigma)
+{
+    blur_turned(between, from, width, height, sigma);
+    blur_turned(to, between, height, width, sigma);
+}
+
+/* ---- >>shaded ---------------------------------------------------------------------------------------------------- */
+
+/* What a pixel shows, in view space; 0: nothing. */
+static int seen_at(double p[3], const stage *s, int x, int y)
+{
+    const float *projection = s->gbuffer.projection;
+    const int width = s->frame.width, height = s->frame.height;
+    const double z = (double)kit_image_channel(&s->frame, "Z")[(size_t)y * (size_t)width + (size_t)x];
+    p[0] = (2 * (x + 0.5) / width - 1) * z / (double)projection[0];
+    p[1] = (1 - 2 * (y + 0.5) / height) * z / (double)projection[5];
+    p[2] = -z;
+    return z > 0;
+}
+
+static int is_smooth(const stage *s, int x, int y)
+{
+    static const char *const names[3] = { "N.X", "N.Y", "N.Z" };
+    const size_t i = (size_t)y * (size_t)s->frame.width + (size_t)x;
+    double p[3], q[3], n[3];
+    if (!seen_at(p, s, x, y)) return 0;
+    for (int k = 0; k < 3; ++k) n[k] = (double)kit_image_channel(&s->frame, names[k])[i];
+    const double footprint = -2 * p[2] / ((double)s->gbuffer.projection[5] * s->frame.height);
+    for (int k = 0; k < 25; ++k) {
+        if (!seen_at(q, s, x + k % 5 - 2, y + k / 5 - 2)) return 0;
+        if (!(fabs(kit_dot(n, q) - kit_dot(n, p)) < footprint)) return 0;
+    }
+    return 1;
+}
+
+int shaded_find(shaded *m, const stage *s, const kit_image *visibility, kit_error *err)
+{
+    const int width = s->frame.width, height = s->frame.height;
+    const size_t pixels = (size_t)width * (size_t)height;
+    float *const all = calloc((BANDS + 2) * pixels, sizeof *all);
+    if (!all) return kit_fail(err, "out of memory");
+    *m = (shaded){ .width = width, .height = height, .on = all };
+    for (int y = BORDER; y < height - BORDER; ++y)
+        for (int x = BORDER; x < width - BORDER; ++x) {
+            const size_t i = (size_t)y * (size_t)width + (size_t)x;
+            if (!(visibility->data[i] < SHADED) || !is_smooth(s, x, y)) continue;
+            m->on[i] = 1;
+            ++m->pixels;
+        }
+    for (size_t k = 0; k < BANDS; ++k) {
+        m->weight[k] = all + (k + 1) * pixels;
+        blur(m->weight[k], m->on, all + (BANDS + 1) * pixels, width, height, bands_sigma[k]);
+    }
+    if (m->pixels) return 0;
+    shaded_free(m);
+    return kit_fail(err, "--scene %s, --size %dx%d: no pixel of a smooth surface in shade is %d pixels away from the "
+                         "border", s->name, width, height, BORDER);
+}
+
+void shaded_free(shaded *m)
+{
+    free(m->on);
+    *m = (shaded){ .on = NULL };
+}
+
+/* ---- >>bands ----------------------------------------------------------------------------------------------------- */
+
+/* Of a - b over the pixels of m. */
+static double rms_of(const float *a, const float *b, const shaded *m)
+{
+    const size_t all = (size_t)m->width * (size_t)m->height;
+    double sum = 0;
+    for (size_t i = 0; i < all; ++i) sum += (double)m->on[i] * pow((double)a[i] - (double)b[i], 2);
+    return sqrt(sum / (double)m->pixels);
+}
+
+int bands_of(bands *out, kit_image *picture, const shaded *m, const kit_image *a, const kit_image *b, kit_error *err)
+{
+    const size_t all = (size_t)m->width * (size_t)m->height;
+    float *const room = malloc((BANDS + 2) * all * sizeof *room), *level[BANDS + 1];
+    if (!room || (picture && kit_image_new(picture, m->width, m->height, "Y", err))) {
+        free(room);
+        return kit_fail(err, "out of memory");
+    }
+    for (size_t k = 0; k <= BANDS; ++k) level[k] = room + k * all;
+    for (size_t i = 0; i < all; ++i) level[0][i] = m->on[i] > 0 ? a->data[i] - b->data[i] : 0;
+    for (int k = 0; k < BANDS; ++k) {
+        blur(level[k + 1], level[0], room + (BANDS + 1) * all, m->width, m->height, bands_sigma[k]);
+        for (size_t i = 0; i < all; ++i) level[k + 1][i] = m->on[i] > 0 ? level[k + 1][i] / m->weight[k][i] : 0;
+        out->rms[k] = rms_of(level[k], level[k + 1], m);
+    }
+    out->seen = rms_of(level[1], level[3], m);
+    for (size_t i = 0; i < all && picture; ++i) picture->data[i] = 0.5f + 16 * (level[1][i] - level[3][i]);
+    free(room);
+    return 0;
+}

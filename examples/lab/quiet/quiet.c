@@ -1,0 +1,381 @@
+/* quiet.c - how much of a picture of ambient visibility the eye sees as mottling, in bands of frequency.
+
+      build/quiet [--scene spheres] [--size 960x540] [--radius R] [--rays 256] [--pictures DIR] [--out build/quiet.csv]
+                  [METHOD[:key=value,..]] ..
+
+   --scene: a built-in scene, random:SEED, or a model's file, which stands on a floor. Without entries: the
+   presets, and what others have (make peers). Of one frame (with a history: of a view that stays, settled) it says how
+   far each entry is, over smooth surfaces in shade (bands.h), from
+     noise   the same settings with 32 directions
+     all     the same walk at full size with 32 directions of 20 steps: noise, and the patterns of few steps and half
+             size
+     truth   what is ray-traced, which has a row of its own: what half of its rays are off by, no less than its grain
+   The first two are known of slices alone (hsao and its presets). CSV: RMS of visibility; what is printed and charted
+   are thousandths. report/quiet.html has charts against milliseconds of a GPU, modelled, of entries that make cost
+   names; a CPU's time says nothing of these. --pictures: NN-method.png, and NN-method-band.png: 0.5 + 16 times what the
+   bands from 1.2 to 8 pixels hold, of noise where that is known, else of truth. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "lab/measure/folder.h"
+#include "lab/measure/peers.h"
+#include "lab/page/page.h"
+#include "lab/page/pictures.h"
+#include "lab/page/scatter.h"
+#include "lab/quiet/bands.h"
+
+#define DEVICE  "RX 6800"
+#define FIGURES_MD "examples/docs/FIGURES.md"      /* make cost writes the table of chains there */
+enum { MOST_QUIET = 48, MOST_LINES = MOST_QUIET + PEERS_QUICK + 1, CONVERGED = 32, WALKED = 20 };
+enum { NOISE, ALL, TRUTH, KINDS };
+
+/* ms: the device's, 1920x1080; NAN: not known. */
+typedef struct line { char method[64], settings[256], label[336]; double ms; bands of[KINDS]; } line;
+
+typedef struct quiet {
+    const char *scene, *pictures, *out;
+    int         width, height, rays, lines, peers;     /* lines: entries, then the peers' and the truth's */
+    float       radius;
+    line        line[MOST_LINES];
+    stage       stage;
+    shaded      shaded;
+    kit_settings walked;                               /* of walk, the last one that was drawn */
+    kit_image   walk;
+} quiet;
+
+/* ---- >>measuring ------------------------------------------------------------------------------------------------- */
+
+static int draw(kit_image *out, quiet *q, const char *method, const char *settings, kit_error *err)
+{
+    kit_run run;
+    if (stage_run(&run, &q->stage, method, settings, q->stage.radius, err)) return -1;
+    const int failed = stage_settled(out, &q->stage, &run, 0, 0, err);
+    kit_run_close(&run);
+    return failed;
+}
+
+/* What the settings' walk converges to at full size, in q->walk: drawn unless it is there. */
+static int walk_whole(quiet *q, const char *method, const char *settings, kit_error *err)
+{
+    char text[384];
+    kit_method m;
+    snprintf(text, sizeof text, "%s%shalf=0,history=0,directions=%d,steps=%d", settings, *settings ? "," : "",
+             CONVERGED, WALKED);
+    if (kit_method_find(&m, method, err) || kit_method_set(&m, text, err)) return -1;
+    if (q->walk.data && !memcmp(&m.set, &q->walked, sizeof m.set)) return 0;
+    kit_image_free(&q->walk);
+    q->walked = m.set;
+    return draw(&q->walk, q, method, text, err);
+}
+
+static int save(const quiet *q, int number, const char *label, const char *ending, const kit_image *image,
+                kit_error *err)
+{
+    char slug[64], name[80];
+    pictures_slug(slug, label);
+    snprintf(name, sizeof name, "%02d-%s", number, slug);
+    return pictures_save(image, "Y", 0, q->pictures, name, ending, err);
+}
+
+/* The picture beside each reference, NULL: there is none; what is seen of the first of these is kept as a picture. */
+static int compare(quiet *q, int i, const kit_image *picture, const kit_image *const reference[KINDS], kit_error *err)
+{
+    line *l = &q->line[i];
+    kit_image band = { .data = NULL };
+    int failed = 0;
+    for (int k = 0; k < KINDS && !failed; ++k) {
+        l->of[k] = bands_unknown;
+        if (reference[k])
+            failed = bands_of(&l->of[k], q->pictures && !band.data ? &band : NULL, &q->shaded, picture, reference[k],
+                              err);
+    }
+    if (!failed && q->pictures)
+        failed = save(q, i, l->label, ".png", picture, err) || save(q, i, l->label, "-band.png", &band, err);
+    kit_image_free(&band);
+    return failed;
+}
+
+static int measure_entry(quiet *q, int i, kit_error *err)
+{
+    const line *l = &q->line[i];
+    const kit_image *reference[KINDS] = { NULL, NULL, &q->stage.truth };
+    kit_image picture = { .data = NULL }, converged = { .data = NULL };
+    char text[320];
+    kit_method m;
+    if (kit_method_find(&m, l->method, err) || draw(&picture, q, l->method, l->settings, err)) return -1;
+    if (m.pass == SSGI_GL_HSAO && !m.set.normal_rays) {        /* slices */
+        snprintf(text, sizeof text, "%s%sdirections=%d", l->settings, *l->settings ? "," : "", CONVERGED);
+        if (draw(&converged, q, l->method, text, err) || walk_whole(q, l->method, l->settings, err)) return -1;
+        reference[NOISE] = &converged;
+        reference[ALL] = &q->walk;
+    }
+    const int failed = compare(q, i, &picture, reference, err);
+    kit_image_free(&picture);
+    kit_image_free(&converged);
+    return failed;
+}
+
+/* How many rows of what others have there are; -1 = failed. */
+static int measure_peers(quiet *q, kit_error *err)
+{
+    const kit_image *const reference[KINDS] = { NULL, NULL, &q->stage.truth };
+    kit_image picture[PEERS_QUICK];
+    row rows[PEERS_QUICK];
+    const int count = peers_measure(rows, &q->stage, 0, PEERS_QUICK, picture, err);
+    for (int i = 0; i < count; ++i) {
+        line *l = &q->line[q->lines];
+        *l = (line){ .ms = (double)NAN };
+        snprintf(l->method, sizeof l->method, "%s", rows[i].label);
+        snprintf(l->settings, sizeof l->settings, "%s", rows[i].settings);
+        snprintf(l->label, sizeof l->label, "%s", rows[i].label);
+        if (compare(q, q->lines++, &picture[i], reference, err)) return -1;
+        kit_image_free(&picture[i]);
+    }
+    return count;
+}
+
+/* Rays are a sequence whose first half is evenly spread, too. Of independent halves one is off from the whole by as
+   much as the whole is off; of these by more. */
+static int measure_grain(quiet *q, kit_error *err)
+{
+    stage half = q->stage;
+    line *l = &q->line[q->lines];
+    *l = (line){ .method = "truth", .label = "truth", .ms = (double)NAN };
+    snprintf(l->settings, sizeof l->settings, "rays=%d", q->rays);
+    half.rays = q->rays / 2;
+    memset(&half.truth, 0, sizeof half.truth);
+    if (stage_truth(&half, err)) return -1;
+    const kit_image *const reference[KINDS] = { NULL, NULL, &half.truth };
+    const int failed = compare(q, q->lines++, &q->stage.truth, reference, err);
+    kit_image_free(&half.truth);
+    return failed;
+}
+
+/* ---- >>milliseconds ---------------------------------------------------------------------------------------------- */
+
+/* The text behind the n-th bar of a table's line; NULL: there are fewer. */
+static const char *cell_of(const char *at, int n)
+{
+    while (at && n--) if ((at = strchr(at, '|')) != NULL) ++at;
+    return at;
+}
+
+/* Of the chain that an entry is, as the table of make cost has it; weighed, of 1920x1080. */
+static double ms_of(const line *l, const char *table)
+{
+    static const char *const more[][2] = { { "", "" }, { "behind=slabs", "-slabs" }, { "behind=back", "-back" },
+                                           { "normal=depth", "-depth" } };
+    const char *head = strstr(table, "| chain | "), *column = head ? strstr(head, "| " DEVICE ", ms |") : NULL;
+    char name[96] = "";
+    int bars = 1;
+    for (int k = 0; k < COUNT(more); ++k)
+        if (!strcmp(l->settings, more[k][0])) snprintf(name, sizeof name, "\n| %s%s |", l->method, more[k][1]);
+    for (const char *c = head; c && c < column; ++c) bars += *c == '|';
+    const char *const found = *name && column ? strstr(column, name) : NULL, *const cell = cell_of(found, bars);
+    return cell && cell < found + 1 + strcspn(found + 1, "\n") ? atof(cell) : (double)NAN;
+}
+
+static void take_ms(quiet *q)
+{
+    char *table;
+    size_t size;
+    const int failed = kit_file_read(&table, &size, FIGURES_MD, NULL);
+    if (failed) fputs("quiet: note: " FIGURES_MD ": cannot be read: no milliseconds, no charts\n", stderr);
+    for (int i = 0; i < q->lines; ++i) q->line[i].ms = failed ? (double)NAN : ms_of(&q->line[i], table);
+    if (!failed) free(table);
+}
+
+/* ---- >>results --------------------------------------------------------------------------------------------------- */
+
+static void number(FILE *f, const char *format, const char *blank, double v)
+{
+    if (isnan(v)) fputs(blank, f);
+    else fprintf(f, format, v);
+}
+
+/* Every figure of a line, each so many times. */
+static void numbers(FILE *f, const char *format, const char *blank, const line *l, double times)
+{
+    for (int k = 0; k < KINDS; ++k)
+        for (int b = 0; b <= BANDS; ++b)
+            number(f, format, blank, times * (b < BANDS ? l->of[k].rms[b] : l->of[k].seen));
+}
+
+static void print_line(const line *l)
+{
+    printf("%-28s", l->label);
+    number(stdout, "%7.3f", "       ", l->ms);
+    numbers(stdout, "%7.2f", "       ", l, 1e3);
+    puts("");
+    fflush(stdout);
+}
+
+static void print_head(const quiet *q)
+{
+    static const char *const kinds[KINDS] = { "noise", "all", "truth" };
+    printf("%s, %dx%d, radius %g: %zu shaded smooth pixels. RMS of visibility, thousandths, by bands of pixels\n%35s",
+           q->stage.name, q->width, q->height, (double)q->stage.radius, q->shaded.pixels, "");
+    for (int k = 0; k < KINDS; ++k) printf("%7s%28s", kinds[k], "");
+    printf("\n%-28s%7s", "method, settings", "ms");
+    for (int k = 0; k < KINDS; ++k) printf("%7s%7s%7s%7s%7s", "..1.2", "..3", "..8", "..20", "1.2-8");
+    puts("");
+}
+
+static int write_csv(const quiet *q, kit_error *err)
+{
+    static const char *const kinds[KINDS] = { "noise", "all", "truth" };
+    FILE *f = fopen(q->out, "w");
+    if (!f) return kit_fail(err, "--out %s: cannot be written", q->out);
+    fputs("scene,width,height,radius,rays,pixels,method,settings,ms", f);
+    for (int k = 0; k < KINDS; ++k) fprintf(f, ",%s_1,%s_3,%s_8,%s_20,%s_seen", kinds[k], kinds[k], kinds[k], kinds[k],
+                                            kinds[k]);
+    for (int i = 0; i < q->lines; ++i) {
+        const line *l = &q->line[i];
+        fprintf(f, "\n\"%s\",%d,%d,%g,%d,%zu,\"%s\",\"%s\",", q->scene, q->width, q->height, (double)q->stage.radius,
+                q->rays, q->shaded.pixels, l->method, l->settings);
+        number(f, "%.3f", "", l->ms);
+        numbers(f, ",%.6f", ",", l, 1);
+    }
+    fputs("\n", f);
+    return fclose(f) ? kit_fail(err, "--out %s: cannot be written", q->out) : 0;
+}
+
+static int chart(FILE *html, const quiet *q, int kind, const char *name, const char *title, const char *up,
+                 kit_error *err)
+{
+    const words w = { "left is faster, down is quieter; grey band: nothing beats these",
+                      "milliseconds of a " DEVICE " at 1920x1080, modelled (log scale)", up, "milliseconds", NULL, 0 };
+    row rows[MOST_LINES];
+    int count = 0;
+    for (int i = 0; i < q->lines; ++i) {
+        const line *l = &q->line[i];
+        if (isnan(l->ms) || isnan(l->of[kind].seen)) continue;
+        rows[count] = row_blank(0, q->stage.name, l->label, l->method, l->settings);
+        rows[count].relative = l->ms;
+        rows[count++].share = 1e3 * l->of[kind].seen;
+    }
+    return count ? scatter_chart(html, "report", name, title, &w, rows, count, (double)NAN, err) : 0;
+}
+
+static int write_page(const quiet *q, kit_error *err)
+{
+    char about[256];
+    page p;
+    snprintf(about, sizeof about,
+             "%s, %d x %d pixels, radius %g: RMS over %zu pixels of smooth surfaces in shade. Truth: %d rays a pixel.",
+             q->stage.name, q->width, q->height, (double)q->stage.radius, q->shaded.pixels, q->rays);
+    if (folder_make("report", err) || page_open(&p, err)) return -1;
+    page_head(p.file, "ssgi: what the eye sees as mottling", about);
+    fputs("<div class=\"charts\">\n", p.file);
+    int failed = chart(p.file, q, NOISE, "quiet-noise.svg", "noise of 1.2 to 8 pixels",
+                       "RMS beside 32 directions, thousandths", err)
+                 || chart(p.file, q, TRUTH, "quiet-truth.svg", "error of 1.2 to 8 pixels",
+                          "RMS beside the truth, thousandths", err);
+    fputs("</div>\n<p>Thousandths of visibility, by bands of pixels, and of 1.2 to 8. Noise: beside the same with 32 "
+          "directions. All: beside the same walk at full size with 32 directions of 20 steps. Truth: ray-traced; its "
+          "own row is what half of its rays are off by, no less than its grain.</p>\n<div class=\"wide\"><table>\n"
+          "<tr><th>method<th>settings<th>ms", p.file);
+    for (int k = 0; k < KINDS; ++k)
+        fprintf(p.file, "<th>%s, to 1.2<th>to 3<th>to 8<th>to 20<th>1.2 to 8",
+                k == NOISE ? "noise" : k == ALL ? "all" : "truth");
+    for (int i = 0; i < q->lines; ++i) {
+        fputs("\n<tr><td>", p.file);
+        page_escaped(p.file, q->line[i].method);
+        fputs("<td>", p.file);
+        page_escaped(p.file, q->line[i].settings);
+        number(p.file, "<td>%.3f", "<td>", q->line[i].ms);
+        numbers(p.file, "<td>%.2f", "<td>", &q->line[i], 1e3);
+    }
+    fputs("\n</table></div>\n", p.file);
+    return page_close(&p, "report", "quiet.html", err) || failed ? -1 : 0;
+}
+
+/* ---- >>main ------------------------------------------------------------------------------------------------------ */
+
+static int add_entry(quiet *q, const char *text, kit_error *err)
+{
+    const char *colon = strchr(text, ':');
+    kit_method m;
+    if (q->lines == MOST_QUIET) return kit_fail(err, "%s: at most %d entries", text, MOST_QUIET);
+    line *l = &q->line[q->lines++];
+    snprintf(l->method, sizeof l->method, "%.*s", (int)(colon ? colon - text : (long)strlen(text)), text);
+    snprintf(l->settings, sizeof l->settings, "%s", colon ? colon + 1 : "");
+    snprintf(l->label, sizeof l->label, "%s", text);
+    if (colon) l->label[strlen(l->method)] = ' ';
+    if (kit_method_find(&m, l->method, err) || kit_method_set(&m, l->settings, err)) return -1;
+    return m.lit || m.between ? kit_fail(err, "%s: does not draw ambient visibility of the whole scene", text) : 0;
+}
+
+static int parse(quiet *q, int argc, char **argv, kit_error *err)
+{
+    static const char *const presets[] = { "hsao-fast", "hsao", "hsao:directions=3", "hsao-history", "hsao-best",
+                                           "hsao:behind=slabs", "ssao" };
+    char end;
+    *q = (quiet){ .scene = "spheres", .out = "build/quiet.csv", .width = 960, .height = 540, .rays = RAYS };
+    for (int i = 1; i < argc; ++i) {
+        const char *const a = argv[i], *const v = i + 1 < argc ? argv[i + 1] : NULL;
+        if (strncmp(a, "--", 2)) {
+            if (add_entry(q, a, err)) return -1;
+            continue;
+        }
+        if (!v) return kit_fail(err, "%s: needs a value", a);
+        if (!strcmp(a, "--scene")) q->scene = v;
+        else if (!strcmp(a, "--pictures")) q->pictures = v;
+        else if (!strcmp(a, "--out")) q->out = v;
+        else if (!strcmp(a, "--size")) {
+            if (sscanf(v, "%dx%d%c", &q->width, &q->height, &end) != 2 || q->width < 64 || q->height < 64 ||
+                q->width > 8192 || q->height > 8192)
+                return kit_fail(err, "--size %s: must be WxH, each 64 to 8192", v);
+        } else if (!strcmp(a, "--radius")) {
+            if (sscanf(v, "%f%c", &q->radius, &end) != 1 || !(q->radius > 0 && q->radius < 1e9f))
+                return kit_fail(err, "--radius %s: must be above 0", v);
+        } else if (!strcmp(a, "--rays")) {
+            if (sscanf(v, "%d%c", &q->rays, &end) != 1 || q->rays < 2 || q->rays > 65536)
+                return kit_fail(err, "--rays %s: must be 2 to 65536", v);
+        } else return kit_fail(err, "%s: there is no such option", a);
+        ++i;
+    }
+    q->peers = !q->lines;
+    for (int i = 0; i < COUNT(presets) && q->peers; ++i) if (add_entry(q, presets[i], err)) return -1;
+    return 0;
+}
+
+static int measure(quiet *q, kit_error *err)
+{
+    const view v = { .name = q->scene, .path = q->scene, .ground = 1, .radius = q->radius };
+    stage *s = &q->stage;
+    if (folder_make(FOLDER_CACHE, err) || (q->pictures && folder_make(q->pictures, err)) || kit_gl_open(NULL, err)
+        || stage_load(s, &v, err))
+        return -1;
+    s->rays = q->rays;
+    if (stage_show(s, &v, q->width, q->height, err) || walk_whole(q, "hsao-best", "", err)
+        || shaded_find(&q->shaded, s, &q->walk, err))
+        return -1;
+    take_ms(q);
+    print_head(q);
+    const int entries = q->lines;
+    for (int i = 0; i < entries; ++i) {
+        if (measure_entry(q, i, err)) return -1;
+        print_line(&q->line[i]);
+    }
+    const int peers = q->peers ? measure_peers(q, err) : 0;
+    if (peers < 0 || measure_grain(q, err)) return -1;
+    for (int i = entries; i < q->lines; ++i) print_line(&q->line[i]);
+    if (q->peers && *peers_missing()) puts(peers_missing());
+    return write_csv(q, err) || write_page(q, err) ? -1 : 0;
+}
+
+int main(int argc, char **argv)
+{
+    static quiet q;
+    kit_error err = { "" };
+    if (parse(&q, argc, argv, &err) || measure(&q, &err)) {
+        fprintf(stderr, "quiet: %s\n", err.text);
+        return 2;
+    }
+    shaded_free(&q.shaded);
+    kit_image_free(&q.walk);
+    stage_close(&q.stage);
+    kit_gl_close();
+    return 0;
+}
