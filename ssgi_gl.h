@@ -1336,10 +1336,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ---- pass width: surfaces are taken to be as thick as they are wide in the picture. From the first pixel of each 2x2
    ssgi_run goes left, right, down and up to where the surface drops away; the width is the shorter of the two sums. A
-   run reaches half the radius, SSGI_LONGEST where that is more; a surface that goes on beyond has the radius. One that
-   ends at a probe ended somewhere from the probe before it on, which is half as far: that half counts, so that thin
-   things are not taken for too thick, and more steps do not darken what is behind them. The other
-   three pixels share the width where they lie in the first one's plane, and have SSGI_OTHER where they do not. */
+   run reaches half the radius, SSGI_LONGEST where that is more. One that ends at a probe ended somewhere from the probe
+   before it on, which is half as far: that half counts, so that thin things are not taken for too thick, and more steps
+   do not darken what is behind them. No run counts for more than SSGI_ENDLESS: what is wide is as often a wall that is
+   seen past or through as a block. The other three pixels share the width where they lie in the first one's plane, and
+   have SSGI_OTHER where they do not. */
 
 { "SSGI_THINNEST", __LINE__ + 1,
     "const float SSGI_THINNEST = 0.02; // of the radius\n" },
@@ -1349,6 +1350,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "SSGI_LIFTED", __LINE__ + 1,
     "const float SSGI_LIFTED = 0.05; // of the radius: off a tangent plane by less a surface goes on\n" },
+
+{ "SSGI_ENDLESS", __LINE__ + 1,
+    "const float SSGI_ENDLESS = 0.3; // of the radius: a run whose end is not found, and the most of one\n" },
 
 { "SSGI_LONGEST", __LINE__ + 1,
     "const float SSGI_LONGEST = 32.0; // pixels\n" },
@@ -1364,14 +1368,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_run", __LINE__ + 1,
-    "// Pixels that the surface at P goes on along a direction of the picture until it drops away. The radius\n"
+    "// Pixels that the surface at P goes on along a direction of the picture until it drops away. As if it went on\n"
     "// where it ends in another that rises above it, or at the picture's edge: its end is hidden.\n"
     "float ssgi_run(ivec2 p, ivec2 way, vec3 P, vec4 plane, float footprint, float pixels) {\n"
-    "    float run = pixels, reach = max(0.5 * pixels, SSGI_LONGEST);\n"
+    "    float most = SSGI_ENDLESS * pixels, run = most, reach = max(0.5 * pixels, SSGI_LONGEST);\n"
     "    for (int i = 0; i < 5; ++i) { // from far to near: the nearest end counts\n"
     "        float k = floor(reach * exp2(-float(i)));\n"
     "        int end_ = ssgi_end(p, way * int(k), P, plane, SSGI_LIFTED * u_ssgi_radius + 0.5 * footprint * k);\n"
-    "        run = end_ > 0 ? pixels : end_ < 0 ? 0.5 * k : run;\n"
+    "        run = end_ > 0 ? most : end_ < 0 ? min(0.5 * k, most) : run;\n"
     "    }\n"
     "    return run;\n"
     "}\n" },
