@@ -100,6 +100,21 @@ static void screen(look *l, double value, int frame)
     set(l->where[1], 2 * l->radius, 10.5f, -5.99f);
 }
 
+/* Two sheets side by side, half a radius before a wall; of the wall what is seen between them is scored. */
+static void slot(look *l, double value, int frame)
+{
+    const float half = 0.5f * 0.3f * (float)value;
+    (void)frame;
+    camera(l, 0, 10, 0, 0, 10, -6, 12);
+    l->radius = 0.3f;
+    l->znear = 0.05f;
+    set_box(l->box[0], -8, 6, -5.85f, -half, 14, -5.847f);
+    set_box(l->box[1], half, 6, -5.85f, 8, 14, -5.847f);
+    set_box(l->box[2], -8, 6, -6.2f, 8, 14, -6);
+    set(l->where[0], -half, 9.5f, -6.1f);
+    set(l->where[1], half, 10.5f, -5.99f);
+}
+
 static void of_pixels(look *l, double value, int frame)
 {
     (void)frame;
@@ -122,6 +137,16 @@ static void off_screen(look *l, double value, int frame)
     l->radius = 0.5f;
     set_box(l->box[0], side - 0.6f, 0.001f, -0.4f, side, 0.6f, 0.4f);
     along(l, side, edge, -0.3f, 0.3f);
+}
+
+/* The camera turns to the right: a box whose last 0.15 were in the picture leaves it. */
+static void turned_off(look *l, double value, int frame)
+{
+    const float pixel = 2 * 3.72f * tanf(15 * DEGREE) / (float)l->height, side = -1.62f;
+    off_screen(l, 0, frame);
+    l->target[0] = (float)value * (float)frame * pixel;
+    set_box(l->box[0], side - 0.6f, 0.001f, -0.4f, side, 0.6f, 0.4f);
+    along(l, side, side, -0.3f, 0.3f);
 }
 
 static void behind(look *l, double value, int frame)
@@ -283,6 +308,13 @@ const cause sweeps_cause[] = {
       .value = { 0.1, 0.3, 0.6, 1, 1.5, 3, 10, 30 },
       .about = "A screen before a wall; of the wall two radii beside the edge are scored. Beyond one radius it is "
                "open." },
+    { .name = "slot",
+      .title = "Through a slot between two sheets",
+      .across = "width of the slot, radii",
+      .kind = ERROR, .of = AMBIENT | THIN, .width = 240, .rays = 128, .log = 1, .at = slot,
+      .value = { 0.2, 0.4, 0.8, 1.6, 3.2 },
+      .about = "Sheets a hundredth of the radius thick, half a radius before a wall, which is scored: taken for as "
+               "thick as they are wide, they darken it." },
     { .name = "radius",
       .title = "Radius, from a tenth of a pixel to the whole screen",
       .across = "radius, pixels at the middle of the room",
@@ -296,6 +328,13 @@ const cause sweeps_cause[] = {
       .value = SLIDING,
       .about = "A box slides off; the ground beside it, or beside the picture's border, is scored. Of aof: occlusion "
                "at any distance, against its own truth, here and below." },
+    { .name = "turned-off",
+      .title = "Sliding off the screen as the camera turns",
+      .across = "pixels a frame",
+      .kind = SECOND, .of = AMBIENT, .width = 240, .rays = 128, .log = 1, .at = turned_off,
+      .value = { 0.25, 0.5, 1, 2, 4, 8 },
+      .about = "The last of a box leaves the picture: what is expected beyond the border is to follow it, not to "
+               "flicker. The ground beside the box." },
     { .name = "hidden",
       .title = "Sliding behind another",
       .across = "how far the box is behind the screen's edge, radii",

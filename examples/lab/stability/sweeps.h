@@ -31,7 +31,7 @@ extern const int sweeps_methods;
 
 /* how depth is stored: view depth as 32F; as 16F; window depth */
 enum { EXACT = 1, HALF, UNORM24, FLOAT32, REVERSED32 };
-enum { BOXES = 2, SUN_DEGREES = 3, MOST_VALUES = 12 };
+enum { BOXES = 3, SUN_DEGREES = 3, MOST_VALUES = 12 };
 /* What a frame shows; what is 0 is the scene's own. */
 typedef struct look {
     const char *scene, *only;              /* only: of what casts the first of that name is there alone, placed */
