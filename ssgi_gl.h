@@ -2437,18 +2437,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 
-{ "ssgi_arc_odd", __LINE__ + 1,
-    "float ssgi_arc_odd(float c, float q) { // acos c - c sin acos c, to 0.0015; q: c * c\n"
-    "    // 0 at c = 1 and odd about c = 0\n"
-    "    return 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
+/* Occlusion of a slice's side from the tangent plane up to an elevation with cosine c is the integral of
+   sin x cos(g - x), where g is the signed angle from the view direction to the projected normal:
+   cos g / 2 * (1 - c * c) + sin g / 2 * ssgi_arc_odd(c, c * c). */
+{ "ssgi_arc_slope", __LINE__ + 1,
+    "float ssgi_arc_slope(float q) {\n"
+    "    return 2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q));\n"
     "}\n" },
 
-{ "ssgi_arc", __LINE__ + 1,
-    "// Occlusion of a slice's side from the tangent plane up to an elevation with cosine c, q its square:\n"
-    "// the integral of sin x cos(g - x), where g is the signed angle from the view direction to the projected\n"
-    "// normal; half its cosine and half its sine are given.\n"
-    "float ssgi_arc(float c, float q, float cosg, float sing) {\n"
-    "    return cosg - cosg * q + sing * ssgi_arc_odd(c, q);\n"
+{ "ssgi_arc_odd", __LINE__ + 1,
+    "// acos c - c sin acos c, to 0.0015; q: c * c. 0 at c = 1, and odd about c = 0 but for pi / 2\n"
+    "float ssgi_arc_odd(float c, float q) {\n"
+    "    return 1.57079633 - c * ssgi_arc_slope(q);\n"
     "}\n" },
 
 { "SSGI_LEVEL", __LINE__ + 1,
@@ -2524,6 +2524,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 x, y; // forms: along the tangent plane, and the height over it within the slice\n"
     "    vec4 off; // off the slice at the receiver's depth: dot(xy, q) + z; w: height over the plane for that\n"
     "    vec2 lean; // half of the sine and the cosine of the projected normal's angle from the view direction\n"
+    "    float open; // arc of a side, without what the lean adds to one and takes from the other\n"
     "    float width; // of the normal's projection\n"
     "    float rounded, least; // rounding stays below it; added to squared distances\n"
     "    float grain; // unit of pass width, view units\n"
@@ -2538,6 +2539,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    a *= per, b *= per;\n"
     "    ssgi_slice s;\n"
     "    s.along = along, s.lean = 0.5 * vec2(a, b), s.width = l;\n"
+    "    s.open = s.lean.y - s.lean.y * a * a + 0.5 * a * a * ssgi_arc_slope(a * a);\n"
     "    s.x = vec4((along.xy * b - r.basis[2].xy * a) * r.unproject, r.ray * a, r.ray * a * r.P.z);\n"
     "    s.y = vec4(r.normal.xy * per * r.unproject, -r.ray * b, -r.ray * b * r.P.z);\n"
     "    s.off = vec4(across.xy * r.unproject, 0.0, tilt);\n"
@@ -2554,16 +2556,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_side", __LINE__ + 1,
     "struct ssgi_side { // of a slice, from the receiver outwards\n"
     "    vec4 x; // form along the tangent plane\n"
-    "    float cosg, sing, rest; // for ssgi_arc, so that it is in sectors; cosg and the noise that rounds them\n"
+    "    float cosg, sing, rest; // halves, in sectors; cosg and the noise that rounds sectors\n"
     "    float share; // of the hemisphere, per sector\n"
     "    float edge; // how far the picture goes, of the radius\n"
     "};\n" },
 
+/* A side reaches from the tangent plane to where c is -sin g. The slice has the part of that arc which both sides have
+   alike: of the whole formula NVIDIA's compiler for GL (driver 580) loses a sign where way is -1. */
 { "ssgi_side_of", __LINE__ + 1,
     "// way: 1 along the slice, -1 against it\n"
     "ssgi_side ssgi_side_of(ssgi_slice s, float way, float noise, float edge) {\n"
     "    ssgi_side e;\n"
-    "    float a = way * s.lean.x, whole = max(ssgi_arc(-2.0 * a, 4.0 * a * a, s.lean.y, a), 1e-5);\n"
+    "    float a = way * s.lean.x, whole = max(s.open + 1.57079633 * a, 1e-5);\n"
     "    float scale = 32.0 / whole;\n"
     "    e.x = way * s.x, e.cosg = s.lean.y * scale, e.sing = a * scale, e.rest = e.cosg + noise;\n"
     "    e.share = whole * s.width / (32.0 * float(SSGI_DIRECTIONS)), e.edge = edge;\n"

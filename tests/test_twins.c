@@ -462,7 +462,7 @@ static void twin_normals(void)
         }
 }
 
-/* The integral that ssgi_arc documents, by Simpson's rule. */
+/* The integral that the comment of ssgi_arc_slope names, by Simpson's rule. */
 static double arc(double top, double g)
 {
     enum { PARTS = 128 };
@@ -490,13 +490,14 @@ static void twin_arc(void)
               "0.5 * sin(a.z);"
               "vec2 c = vec2(a.x, -a.x) * r;"
               "float g = 0.5 * cos(a.z);"
-              "o = vec4(ssgi_arc(c.x, c.x * c.x, g, h), ssgi_arc(c.y, c.y * c.y, g, -h), 0.0, 0.0);"))
+              "vec2 q = c * c, way = vec2(h, -h);"
+              "o = vec4(g - g * q + way * vec2(ssgi_arc_odd(c.x, q.x), ssgi_arc_odd(c.y, q.y)), 0.0, 0.0);"))
         for (int i = 0; i < MANY; ++i) {
             double x = (double)in[i][0], y = (double)in[i][1], g = (double)in[i][2];
             double within = 0.5 * fabs(sin(g)) * 0.0015 + 2e-6;           /* its polynomial, and */
             /* two roundings, or what GLSL grants an inversesqrt, so that |c| > 1 */
-            NEAR(out[i][0], arc(atan2(y, x), g), within, "ssgi_arc.x");
-            NEAR(out[i][1], arc(atan2(y, -x), -g), within, "ssgi_arc.y");
+            NEAR(out[i][0], arc(atan2(y, x), g), within, "the arc");
+            NEAR(out[i][1], arc(atan2(y, -x), -g), within, "the other side's");
             worst = fmax(worst, fmax(fabs((double)out[i][0] - arc(atan2(y, x), g)),
                                      fabs((double)out[i][1] - arc(atan2(y, -x), -g))));
         }
@@ -1072,7 +1073,7 @@ static void seen_at(const walk *w, double x, double y, double z, double *Q)
     Q[2] = -z;
 }
 
-/* The sector of a cosine, by the polynomial of ssgi_arc, which twin_arc holds. */
+/* The sector of a cosine, by the polynomial of ssgi_arc_odd, which twin_arc holds. */
 static double sector_of(double c, double g, double whole, double noise)
 {
     const double q = c * c;
