@@ -68,7 +68,8 @@ KIT_GL_DESKTOP(KIT_GL_DECLARE)
 
 /* Makes a headless context current and loads the functions; a context that is open is closed first. An empty vertex
    array is bound.
-     NULL      "osmesa"; where there is none, as Mesa dropped it in 25.1, what the CPU draws through EGL
+     NULL      KIT_CONTEXT of the environment, which is one of those below; without it "osmesa"; where there is none, as
+               Mesa dropped it in 25.1, what the CPU draws through EGL
      "osmesa"  desktop GL core, on the CPU
      "egl"     desktop GL core, on a GPU where there is one, with or without a display: the first EGL device that a GPU
                draws for, else surfaceless, else a software device

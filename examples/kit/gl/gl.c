@@ -285,6 +285,7 @@ int kit_gl_open(const char *context, kit_error *err)
 {
     int result;
     kit_gl_close();
+    if (!context) context = getenv("KIT_CONTEXT");
     if (!context) {
         result = osmesa_open(NULL);
         if (result) { kit_gl_close(); result = egl_open(0, 1, err); }
