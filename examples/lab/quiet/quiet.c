@@ -1,7 +1,7 @@
 /* quiet.c - how much of a picture of ambient visibility the eye sees as mottling, in bands of frequency.
 
       build/quiet [--scene spheres] [--size 960x540] [--radius R] [--rays 256] [--pictures DIR] [--out build/quiet.csv]
-                  [METHOD[:key=value,..]] ..
+                  [--context egl] [METHOD[:key=value,..]] ..
 
    --scene: a built-in scene, random:SEED, or a model's file, which stands on a floor. Without entries: the
    presets, and what others have (make peers). Of one frame (with a history: of a view that stays, settled) it says how
@@ -11,12 +11,14 @@
              size
      truth   what is ray-traced, which has a row of its own: what half of its rays are off by, no less than its grain
    The first two are known of slices alone (hsao and its presets). CSV: RMS of visibility; what is printed and charted
-   are thousandths. report/quiet.html has charts against milliseconds of a GPU, modelled, of entries that make cost
-   names; a CPU's time says nothing of these. --pictures: NN-method.png, and NN-method-band.png: 0.5 + 16 times what the
-   bands from 1.2 to 8 pixels hold, of noise where that is known, else of truth. */
+   are thousandths. report/quiet.html has charts against milliseconds: measured, of a GPU that draws (--context egl);
+   else modelled, of entries that make cost names, since a CPU's time says nothing of these. --pictures: NN-method.png,
+   and NN-method-band.png: 0.5 + 16 times what the bands from 1.2 to 8 pixels hold, of noise where that is known, else of
+   truth. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "lab/measure/clock.h"
 #include "lab/measure/folder.h"
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
@@ -26,14 +28,14 @@
 
 #define DEVICE  "RX 6800"
 #define FIGURES_MD "examples/docs/FIGURES.md"      /* make cost writes the table of chains there */
-enum { MOST_QUIET = 48, MOST_LINES = MOST_QUIET + PEERS_QUICK + 1, CONVERGED = 32, WALKED = 20 };
+enum { MOST_QUIET = 48, GPU_ROUNDS = 25, MOST_LINES = MOST_QUIET + PEERS_QUICK + 1, CONVERGED = 32, WALKED = 20 };
 enum { NOISE, ALL, TRUTH, KINDS };
 
-/* ms: the device's, 1920x1080; NAN: not known. */
+/* ms: of the GPU that draws, or of DEVICE at 1920x1080; NAN: not known. */
 typedef struct line { char method[64], settings[256], label[336]; double ms; bands of[KINDS]; } line;
 
 typedef struct quiet {
-    const char *scene, *pictures, *out;
+    const char *scene, *pictures, *out, *context;
     int         width, height, rays, lines, peers;     /* lines: entries, then the peers' and the truth's */
     float       radius;
     line        line[MOST_LINES];
@@ -121,10 +123,10 @@ static int measure_peers(quiet *q, kit_error *err)
     const kit_image *const reference[KINDS] = { NULL, NULL, &q->stage.truth };
     kit_image picture[PEERS_QUICK];
     row rows[PEERS_QUICK];
-    const int count = peers_measure(rows, &q->stage, 0, PEERS_QUICK, picture, err);
+    const int count = peers_measure(rows, &q->stage, kit_gl_is_software() ? 0 : GPU_ROUNDS, PEERS_QUICK, picture, err);
     for (int i = 0; i < count; ++i) {
         line *l = &q->line[q->lines];
-        *l = (line){ .ms = (double)NAN };
+        *l = (line){ .ms = kit_gl_is_software() ? (double)NAN : rows[i].ms };
         snprintf(l->method, sizeof l->method, "%s", rows[i].label);
         snprintf(l->settings, sizeof l->settings, "%s", rows[i].settings);
         snprintf(l->label, sizeof l->label, "%s", rows[i].label);
@@ -175,7 +177,7 @@ static double ms_of(const line *l, const char *table)
     return cell && cell < found + 1 + strcspn(found + 1, "\n") ? atof(cell) : (double)NAN;
 }
 
-static void take_ms(quiet *q)
+static void take_modelled(quiet *q)
 {
     char *table;
     size_t size;
@@ -183,6 +185,21 @@ static void take_ms(quiet *q)
     if (failed) fputs("quiet: note: " FIGURES_MD ": cannot be read: no milliseconds, no charts\n", stderr);
     for (int i = 0; i < q->lines; ++i) q->line[i].ms = failed ? (double)NAN : ms_of(&q->line[i], table);
     if (!failed) free(table);
+}
+
+static int measure_ms(quiet *q, kit_error *err)
+{
+    kit_run run[MOST_QUIET];
+    row rows[MOST_QUIET];
+    for (int i = 0; i < q->lines; ++i) {
+        const line *l = &q->line[i];
+        rows[i] = row_blank(0, q->stage.name, l->label, l->method, l->settings);
+        if (stage_run(&run[i], &q->stage, l->method, l->settings, q->stage.radius, err)) return -1;
+        kit_run_draw(&run[i], 1);
+    }
+    if (clock_runs(rows, &q->stage, run, q->lines, GPU_ROUNDS, err)) return -1;
+    for (int i = 0; i < q->lines; ++i) q->line[i].ms = rows[i].ms;
+    return 0;
 }
 
 /* ---- >>results --------------------------------------------------------------------------------------------------- */
@@ -243,10 +260,14 @@ static int write_csv(const quiet *q, kit_error *err)
 static int chart(FILE *html, const quiet *q, int kind, const char *name, const char *title, const char *up,
                  kit_error *err)
 {
-    const words w = { "left is faster, down is quieter; grey band: nothing beats these",
-                      "milliseconds of a " DEVICE " at 1920x1080, modelled (log scale)", up, "milliseconds", NULL, 0 };
+    char across[256];
+    const words w = { "left is faster, down is quieter; grey band: nothing beats these", across, up, "milliseconds",
+                      NULL, 0 };
     row rows[MOST_LINES];
     int count = 0;
+    if (kit_gl_is_software()) snprintf(across, sizeof across, "milliseconds of a " DEVICE " at 1920x1080, modelled (log "
+                                       "scale)");
+    else snprintf(across, sizeof across, "milliseconds of %.120s (log scale)", kit_gl_name());
     for (int i = 0; i < q->lines; ++i) {
         const line *l = &q->line[i];
         if (isnan(l->ms) || isnan(l->of[kind].seen)) continue;
@@ -322,6 +343,7 @@ static int parse(quiet *q, int argc, char **argv, kit_error *err)
         if (!strcmp(a, "--scene")) q->scene = v;
         else if (!strcmp(a, "--pictures")) q->pictures = v;
         else if (!strcmp(a, "--out")) q->out = v;
+        else if (!strcmp(a, "--context")) q->context = v;
         else if (!strcmp(a, "--size")) {
             if (sscanf(v, "%dx%d%c", &q->width, &q->height, &end) != 2 || q->width < 64 || q->height < 64 ||
                 q->width > 8192 || q->height > 8192)
@@ -344,14 +366,15 @@ static int measure(quiet *q, kit_error *err)
 {
     const view v = { .name = q->scene, .path = q->scene, .ground = 1, .radius = q->radius };
     stage *s = &q->stage;
-    if (folder_make(FOLDER_CACHE, err) || (q->pictures && folder_make(q->pictures, err)) || kit_gl_open(NULL, err)
+    if (folder_make(FOLDER_CACHE, err) || (q->pictures && folder_make(q->pictures, err)) || kit_gl_open(q->context, err)
         || stage_load(s, &v, err))
         return -1;
     s->rays = q->rays;
     if (stage_show(s, &v, q->width, q->height, err) || walk_whole(q, "hsao-best", "", err)
         || shaded_find(&q->shaded, s, &q->walk, err))
         return -1;
-    take_ms(q);
+    if (kit_gl_is_software()) take_modelled(q);
+    else if (measure_ms(q, err)) return -1;
     print_head(q);
     const int entries = q->lines;
     for (int i = 0; i < entries; ++i) {
