@@ -1029,7 +1029,8 @@ function result(i) {
     const of = { ...size }, pixels = pixelsOf(sides[i]);
     return pixels.then?.(all => ({ ...of, pixels: all })) ?? { ...of, pixels };
 }
-function savePicture() {
+async function savePicture() {
+    while (!whole) await new Promise(requestAnimationFrame);    // the first picture has a quarter of the pixels
     placeAgain();
     (gpu?.canvas ?? canvas).toBlob(blob => { if (blob) saved('ssgi.png', blob); });
 }
