@@ -4717,6 +4717,9 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    Before that a minor version may rename: its changes are listed here, old -> new.
 
    CHANGES since 0.3
+   Pictures of slices: thickness WIDTH is at most 0.6 radii, and half as much where a probe found the end of a surface;
+   what steps miss and what is beyond the picture is expected to occlude a little; the filter lets less across edges of
+   a hundredth of the radius. NVIDIA's compiler for GL lost a sign in them: they came out too bright there.
    View depths of 1 / SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing
    in front of the camera, ssgi_gl_plan an unknown thickness. To ssgi_gl_sent_set a radiance of 1e-30 or less is
    nothing. Without desc.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: no other step

@@ -235,7 +235,7 @@ enum {
     SSGI_GL_THICKNESS_DEFAULT = 0, /* ssgi_gl_steps with hsao, ssdo, s3ho by slices: WIDTH; all else: CONSTANT */
     SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness */
     SSGI_GL_THICKNESS_SOLID,       /* without end */
-    SSGI_GL_THICKNESS_WIDTH,       /* as thick as it is wide in the picture, at most frame.thickness and the radius */
+    SSGI_GL_THICKNESS_WIDTH,       /* as thick as it is wide in the picture, at most frame.thickness and 0.6 radii */
     SSGI_GL_THICKNESS_BACK,        /* to the nearest back face: t_ssgi_back, a depth pass with front faces culled */
     SSGI_GL_THICKNESS_SLABS,       /* and from the next front face behind that to its back face: two peeled passes */
 };

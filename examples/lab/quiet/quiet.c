@@ -13,8 +13,7 @@
    The first two are known of slices alone (hsao and its presets). CSV: RMS of visibility; what is printed and charted
    are thousandths. report/quiet.html has charts against milliseconds: measured, of a GPU that draws (--context egl);
    else modelled, of entries that make cost names, since a CPU's time says nothing of these. --pictures: NN-method.png,
-   and NN-method-band.png: 0.5 + 16 times what the bands from 1.2 to 8 pixels hold, of noise where that is known, else of
-   truth. */
+   and NN-method-band.png: 0.5 + 16 times the bands from 1.2 to 8 pixels: of noise where that is known, or of truth. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -265,9 +264,8 @@ static int chart(FILE *html, const quiet *q, int kind, const char *name, const c
                       NULL, 0 };
     row rows[MOST_LINES];
     int count = 0;
-    if (kit_gl_is_software()) snprintf(across, sizeof across, "milliseconds of a " DEVICE " at 1920x1080, modelled (log "
-                                       "scale)");
-    else snprintf(across, sizeof across, "milliseconds of %.120s (log scale)", kit_gl_name());
+    snprintf(across, sizeof across, "milliseconds of %.120s (log scale)",
+             kit_gl_is_software() ? "a " DEVICE " at 1920x1080, modelled" : kit_gl_name());
     for (int i = 0; i < q->lines; ++i) {
         const line *l = &q->line[i];
         if (isnan(l->ms) || isnan(l->of[kind].seen)) continue;
