@@ -945,11 +945,11 @@ extern "C" {
 
 /* ==== >>library ===================================================================================================
 
-   Whole functions, in the order in which GLSL wants them; constants, structs and globals are entries too. Lines of #if,
-   #elif, #else and #endif name fields of the desc, and "// #if .." at the end of a line guards that line: the emitter
-   resolves them, and none reaches the text. An entry is kept where its name occurs in what is kept after it; main_* are
-   named by >>passes. Entries of one name exclude each other. Your textures are fetched at ", p + u_ssgi_origin, 0":
-   where they are arrays (desc.array) the emitter puts the slice in. */
+   Entries are whole functions, in the order in which GLSL wants them; constants, structs and globals are entries too.
+   Lines of #if, #elif, #else and #endif name fields of the desc, and "// #if .." at the end of a line guards that line:
+   the emitter resolves them, and none reaches the text. The emitter keeps an entry if its name occurs in an entry that
+   it keeps and that stands further down; >>passes names main_*. Entries of one name exclude each other. Your textures
+   are fetched at ", p + u_ssgi_origin, 0": where they are arrays (desc.array) the emitter puts the slice in. */
 typedef struct ssgi_gl__code {
     const char *name;
     int line;
@@ -964,7 +964,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_FAR = 1e18; // view depth of background\n" },
 
 { "SSGI_NEAR", __LINE__ + 1,
-    "const float SSGI_NEAR = 1e-18; // what is nearer is background, since its square would be 0\n" },
+    "const float SSGI_NEAR = 1e-18; // nearer surfaces count as background: the square of their depth is 0\n" },
 
 { "SSGI_PI", __LINE__ + 1,
     "const float SSGI_PI = 3.14159265;\n" },
@@ -978,12 +978,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gathered_texel", __LINE__ + 1,
-    "ivec2 ssgi_gathered_texel() { // this one, of the image that gathers write\n"
+    "ivec2 ssgi_gathered_texel() { // this texel's place in the image that gathers write\n"
     "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 2; // #if half\n"
     "    return ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
     "}\n" },
 
-/* Told by the last bits of the phase: ssgi_gl_phase. */
+/* The last bits of the phase say which: ssgi_gl_phase. */
 { "ssgi_turn", __LINE__ + 1,
     "ivec2 ssgi_turn() { // which pixel of every 2x2 has its turn\n"
     "    int turn = int(16777216.0 * u_ssgi_phase);\n"
@@ -993,9 +993,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_gathered", __LINE__ + 1,
     "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of that image stands for\n"
     "#if half == 2\n"
-    "    return min(2 * texel + ssgi_turn(), max(u_ssgi_size - 1, 2 * texel)); // beyond the image it stays so\n"
+    "    return min(2 * texel + ssgi_turn(), max(u_ssgi_size - 1, 2 * texel)); // texels beyond the image stay there\n"
     "#else\n"
-    "    return 2 * texel; // of every 2x2 // #if half\n"
+    "    return 2 * texel; // the first pixel of every 2x2 // #if half\n"
     "    return texel; // #if !half\n"
     "#endif\n"
     "}\n" },
@@ -1008,18 +1008,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_unskew", __LINE__ + 1,
-    "// window depth at a pixel as u_ssgi_decode wants it where the near plane is oblique\n"
+    "// the window depth that the pixel would have if the near plane were not oblique, as u_ssgi_decode takes it\n"
     "float ssgi_unskew(float d, ivec2 p) {\n"
     "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n"
     "}\n" },
 
 { "ssgi_measured_origin", __LINE__ + 1,
-    "ivec2 ssgi_measured_origin() { // of the picture in t_ssgi_width, in pixels\n"
+    "ivec2 ssgi_measured_origin() { // where the picture begins in t_ssgi_width, in pixels\n"
     "    return u_ssgi_target & -2;\n"
     "}\n" },
 
 { "ssgi_measured_texel", __LINE__ + 1,
-    "// view depth of a pixel, counted from texel 0,0, by pass width; its last 6 bits are the thickness in radii / 63\n"
+    "// View depth of pixel p, which is counted from texel 0,0, as pass width wrote it: the last 6 bits are the\n"
+    "// thickness of its surface in radii / 63.\n"
     "uint ssgi_measured_texel(ivec2 p) {\n"
     "    uvec4 m = texelFetch(t_ssgi_width, p >> 1, 0);\n"
     "    m.xy = (p.y & 1) == 0 ? m.xy : m.zw;\n"
@@ -1034,7 +1035,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_measured_depth", __LINE__ + 1,
     "float ssgi_measured_depth(uint m) {\n"
     "    float z = uintBitsToFloat(m & 0xffffffc0u);\n"
-    "    return z > 0.0 ? z : SSGI_FAR; // 0: out of the picture\n"
+    "    return z > 0.0 ? z : SSGI_FAR; // fetches beyond the picture give 0\n"
     "}\n" },
 
 { "ssgi_depth", __LINE__ + 1,
@@ -1065,7 +1066,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slabs", __LINE__ + 1,
-    "// view depths: nearest back face at or behind what is seen; next front face behind that, and its back face\n"
+    "// view depths of the back face nearest behind the visible surface, of the next front face, of its back face\n"
     "vec3 ssgi_slabs(ivec2 p) {\n"
     "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0); // #if thickness == BACK\n"
     "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if thickness == SLABS\n"
@@ -1094,20 +1095,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_plane", __LINE__ + 1,
-    "vec4 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P, for ssgi_above_plane\n"
+    "vec4 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P in the form that ssgi_above_plane takes\n"
     "    return vec4(n.xy * u_ssgi_unproject.xy, -n.z, -n.z * P.z); // #if orthographic\n"
     "    return vec4(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z, -dot(n, P)); // #if !orthographic\n"
     "}\n" },
 
 { "ssgi_above_plane", __LINE__ + 1,
-    "// height above that plane of the point at depth z, o pixels from P's\n"
+    "// how high a point stands above that plane: it is seen o pixels from P at view depth z\n"
     "float ssgi_above_plane(vec4 k, vec2 o, float z) {\n"
     "    return k.x * o.x + (k.y * o.y + (k.z * z + k.w)); // #if orthographic\n"
     "    return (k.x * o.x + (k.y * o.y + k.z)) * z + k.w; // #if !orthographic\n"
     "}\n" },
 
 { "ssgi_screen", __LINE__ + 1,
-    "// pixels that a small step along t from P covers, per unit of length\n"
+    "// how many pixels a small step from P along t covers, per unit of length\n"
     "vec2 ssgi_screen(vec3 P, vec3 t) {\n"
     "    return t.xy * u_ssgi_project.xy; // #if orthographic\n"
     "    return (t.xy - P.xy * (t.z / P.z)) * (u_ssgi_project.xy / -P.z); // #if !orthographic\n"
@@ -1120,14 +1121,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sphere", __LINE__ + 1,
-    "// pixel bounds of the part of a sphere beyond the near depth; empty if there is none\n"
+    "// pixel bounds of a sphere's part beyond the near depth; they are empty where no part is\n"
     "vec4 ssgi_sphere(vec4 at) {\n"
     "#if orthographic\n"
     "    if (at.w - at.z <= u_ssgi_near_depth) return vec4(0.0);\n"
     "    float off = max(u_ssgi_near_depth + at.z, 0.0), r = sqrt(max(at.w * at.w - off * off, 0.0));\n"
     "    vec4 p = vec4(at.xy - r, at.xy + r) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "#else\n"
-    "    // slopes of its tangents in the planes of x and of y, or of where it meets the near depth\n"
+    "    // The bounds are slopes: of its tangents in the planes of x and y, or of the points where it meets the near\n"
+    "    // depth.\n"
     "    float near = u_ssgi_near_depth, z = -at.z, r = at.w;\n"
     "    float chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
     "    if (z + r <= near) return vec4(0.0);\n"
@@ -1143,20 +1145,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_octahedral", __LINE__ + 1,
-    "vec2 ssgi_octahedral(vec3 d) { // a direction on the octahedral map's square, [-1,1]\n"
+    "vec2 ssgi_octahedral(vec3 d) { // where a direction lies on the square of the octahedral map, [-1,1]\n"
     "    vec2 e = d.xy / (abs(d.x) + abs(d.y) + abs(d.z));\n"
     "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n"
     "}\n" },
 
 { "ssgi_octahedral_decode", __LINE__ + 1,
-    "vec3 ssgi_octahedral_decode(vec2 e) { // and back; not unit\n"
+    "vec3 ssgi_octahedral_decode(vec2 e) { // the direction of a point of that square; its length is not 1\n"
     "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
     "    float t = max(-n.z, 0.0);\n"
     "    return vec3(n.x + (n.x >= 0.0 ? -t : t), n.y + (n.y >= 0.0 ? -t : t), n.z);\n"
     "}\n" },
 
 { "ssgi_unit", __LINE__ + 1,
-    "vec3 ssgi_unit(vec3 n) { // a unit normal from whatever the texture held\n"
+    "vec3 ssgi_unit(vec3 n) { // a unit normal whatever the texture held\n"
     "    float l = dot(n, n);\n"
     "    return l > 1e-12 && l < 1e12 ? n * inversesqrt(l) : vec3(0.0, 0.0, 1.0);\n"
     "}\n" },
@@ -1176,7 +1178,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tangent", __LINE__ + 1,
-    "// difference along +step to the neighbour on either side whose depth is closer\n"
+    "// The tangent along +step: the difference to that neighbour of the two whose depth is closer to the pixel's.\n"
     "vec3 ssgi_tangent(ivec2 p, vec3 P, ivec2 step_) {\n"
     "    float a = ssgi_inside(p + step_) ? ssgi_depth(p + step_) : SSGI_FAR;\n"
     "    float b = ssgi_inside(p - step_) ? ssgi_depth(p - step_) : SSGI_FAR;\n"
@@ -1204,7 +1206,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_noise", __LINE__ + 1,
     "vec2 ssgi_noise(ivec2 p) { // in [0,1): x turns the directions, y offsets the steps\n"
     "#if noise == GRADIENT\n"
-    "    // interleaved gradient noise, evenly spread over every 3x3 block; the R2 sequence over the image\n"
+    "    // x is interleaved gradient noise, which spreads evenly over every 3x3 block; y is the R2 sequence.\n"
     "    float gradient = 52.9829189 * fract(dot(vec2(p), vec2(0.06711056, 0.00583715)));\n"
     "    vec2 xi = vec2(gradient, dot(vec2(p), vec2(0.75487767, 0.56984029)));\n"
     "#else\n"
@@ -1221,21 +1223,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_environment", __LINE__ + 1,
-    "vec3 ssgi_environment(vec3 d) { // radiance about a direction in the world\n"
+    "vec3 ssgi_environment(vec3 d) { // radiance that arrives from about a direction in the world\n"
     "    ivec2 size = textureSize(t_ssgi_environment, 0), p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
     "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n"
     "}\n" },
 
 { "ssgi_irradiance_texel", __LINE__ + 1,
     "vec3 ssgi_irradiance_texel(ivec2 p, ivec2 last, int slice) {\n"
-    "    // beyond an edge the octahedral square continues mirrored\n"
+    "    // Beyond an edge the octahedral square continues as its mirror image.\n"
     "    if (p.x < 0 || p.x > last.x) p = ivec2(clamp(p.x, 0, last.x), last.y - p.y);\n"
     "    if (p.y < 0 || p.y > last.y) p = ivec2(last.x - p.x, clamp(p.y, 0, last.y));\n"
     "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n"
     "}\n" },
 
 { "ssgi_irradiance_map", __LINE__ + 1,
-    "// bilinear: unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it\n"
+    "// Unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it; bilinear.\n"
     "vec3 ssgi_irradiance_map(vec3 n, int slice) {\n"
     "    ivec2 last = textureSize(t_ssgi_irradiance, 0).xy - 1;\n"
     "    vec2 t = (ssgi_octahedral(n) * 0.5 + 0.5) * vec2(last + 1) - 0.5;\n"
@@ -1245,24 +1247,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n"
     "}\n" },
 
-/* ---- What senders write, for one fetch a sample: 64 bits. Radiance is m * 2^(e - 24), with 9 bits of m a channel and
-   5 of e. View depth is its float's exponent from 2^-20 on, in 6 bits, and 14 bits of its mantissa. The normal is 6
-   bits of each octahedral coordinate. */
+/* ---- Pass senders packs a surface into 64 bits, so that a sample fetches it at once. Radiance is m * 2^(e - 24), with
+   9 bits of m a channel and 5 of e. View depth has 6 bits of its float's exponent, from 2^-20 on, and 14 of its
+   mantissa. The normal has 6 bits of each octahedral coordinate. */
 
 { "ssgi_unpack_radiance", __LINE__ + 1,
-    "// what senders wrote: radiance; view depth; the way of the normal, not unit\n"
-    "vec3 ssgi_unpack_radiance(uint u) {\n"
+    "vec3 ssgi_unpack_radiance(uint u) { // the radiance that pass senders packed\n"
     "    vec3 m = vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u));\n"
     "    return m * uintBitsToFloat(((u >> 27u) + 103u) << 23u);\n"
     "}\n" },
 
 { "ssgi_unpack_depth", __LINE__ + 1,
-    "float ssgi_unpack_depth(uint u) {\n"
+    "float ssgi_unpack_depth(uint u) { // the view depth\n"
     "    return u < 0xfffff000u ? uintBitsToFloat(((u >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n"
     "}\n" },
 
 { "ssgi_unpack_normal", __LINE__ + 1,
-    "vec3 ssgi_unpack_normal(uint u) {\n"
+    "vec3 ssgi_unpack_normal(uint u) { // the normal's direction; its length is not 1\n"
     "    return ssgi_octahedral_decode((vec2(float(u & 63u), float((u >> 6u) & 63u)) - 32.0) / 31.0);\n"
     "}\n" },
 
@@ -1270,7 +1271,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// radiance in [0, 65408] as three mantissas of 9 bits and one exponent\n"
     "uint ssgi_pack_radiance(vec3 c) {\n"
     "    c = clamp(c, 0.0, 65408.0);\n"
-    "    // 1 + 2^-10: what would round to 512 has the next exponent\n"
+    "    // Times 1 + 2^-10, as a mantissa that would round to 512 belongs to the next exponent.\n"
     "    float most = max(max(c.x, c.y), max(c.z, 6.1035156e-5)) * 1.0009775;\n"
     "    uint e = min((floatBitsToUint(most) >> 23u) - 111u, 31u);\n"
     "    uvec3 m = min(uvec3(c * uintBitsToFloat((151u - e) << 23u) + 0.5), uvec3(511u));\n"
@@ -1278,7 +1279,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pack_place", __LINE__ + 1,
-    "// view depth in [1e-6, 1e13], to 3e-5 of it, and a normal, to 4 degrees\n"
+    "// A view depth in [1e-6, 1e13] keeps 3e-5 of itself, a normal is kept to 4 degrees.\n"
     "uint ssgi_pack_place(float z, vec3 n) {\n"
     "    uvec2 e = uvec2(round(ssgi_octahedral(n) * 31.0) + 32.0);\n"
     "    uint depth = ((floatBitsToUint(clamp(z, 1e-6, 1e13)) + 256u) >> 9u) - (107u << 14u);\n"
@@ -1288,16 +1289,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>visibility: is this point behind a surface, and which one =============================================== */
 
 { "ssgi_lift", __LINE__ + 1,
-    "// the receiver lifted, so that nearest fetches of its plane stay below it [HSAO08 eq. 13]\n"
+    "// The receiver is lifted, so that its own plane, fetched at whole pixels, stays below it [HSAO08 eq. 13].\n"
     "vec3 ssgi_lift(vec3 P, vec3 n) {\n"
     "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
     "}\n" },
 
 { "ssgi_segment_length", __LINE__ + 1,
-    "float ssgi_segment_length; // length of the segment that is tested\n" },
+    "float ssgi_segment_length; // of the segment that pass lights tests, in view units\n" },
 
 { "ssgi_measured_width", __LINE__ + 1,
-    "// thickness of what is seen at a pixel, in view units, from ssgi_measured\n"
+    "// thickness of the visible surface in view units, from the bits of ssgi_measured\n"
     "float ssgi_measured_width(uint m) {\n"
     "    float width = float(m & 63u) * (u_ssgi_radius / 63.0);\n"
     "    return min(width, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
@@ -1306,60 +1307,61 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_thickness", __LINE__ + 1,
     "float ssgi_thickness() { // constant thickness of visible surfaces\n"
-    "    // short segments must not hit surfaces that float far in front of them\n"
+    "    // A short segment must not hit a surface that floats far in front of it.\n"
     "    return min(u_ssgi_thickness, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
     "    return u_ssgi_thickness; // #if pass != LIGHTS\n"
     "}\n" },
 
 { "SSGI_SHEET", __LINE__ + 1,
-    "// a back face closer behind the front than this, of its depth, is the front itself: half precision\n"
+    "// A back face that is closer behind the front than this share of its depth is the front itself: half floats\n"
+    "// round that much.\n"
     "const float SSGI_SHEET = 0.0005;\n" },
 
 { "ssgi_closed", __LINE__ + 1,
-    "bool ssgi_closed(float front, float back) { // whether there is a back face behind a front\n"
+    "bool ssgi_closed(float front, float back) { // whether a back face stands behind a front\n"
     "    return back > front * (1.0 + SSGI_SHEET) && back < SSGI_FAR;\n"
     "}\n" },
 
 { "ssgi_slab_thickness", __LINE__ + 1,
-    "// Thickness of slabs that begin at z, within least .. radius. Sheets, whose back face is what is seen, and\n"
-    "// surfaces without a back face have ssgi_thickness(): points step over what is thinner.\n"
+    "// Thickness of the slabs that begin at z, within least .. radius. Sheets, which show their back face, and\n"
+    "// surfaces without one have ssgi_thickness(), since points would step over thinner ones.\n"
     "vec2 ssgi_slab_thickness(vec2 z, vec2 back, vec2 least) {\n"
     "    bvec2 closed = bvec2(ssgi_closed(z.x, back.x), ssgi_closed(z.y, back.y));\n"
     "    return max(min(mix(vec2(ssgi_thickness()), back - z, closed), u_ssgi_radius), least);\n"
     "}\n" },
 
 { "ssgi_second_thickness", __LINE__ + 1,
-    "// thickness of a second slab, at most the radius; without a back face that of what is seen\n"
+    "// A second slab reaches to its back face, or is as thick as the visible surface; at most a radius.\n"
     "float ssgi_second_thickness(float front, float back, float width) {\n"
     "    return min(ssgi_closed(front, back) ? back - front : width, u_ssgi_radius);\n"
     "}\n" },
 
-/* ---- pass width: surfaces are taken to be as thick as they are wide in the picture. From the first pixel of each 2x2
+/* ---- pass width: a surface is taken to be as thick as it is wide in the picture. From the first pixel of each 2x2
    ssgi_run goes left, right, down and up to where the surface drops away; the width is the shorter of the two sums. A
-   run reaches half the radius, SSGI_LONGEST where that is more. One that ends at a probe ended somewhere from the probe
-   before it on, which is half as far: that half counts, so that thin things are not taken for too thick, and more steps
-   do not darken what is behind them. No run counts for more than SSGI_ENDLESS: what is wide is as often a wall that is
-   seen past or through as a block. The other three pixels share the width where they lie in the first one's plane, and
-   have SSGI_OTHER where they do not. */
+   run reaches half the radius, or SSGI_LONGEST where that is more. If a probe finds its end, the surface ended between
+   that probe and the last one, which stood half as far: the half counts, so that thin things are not taken for too
+   thick, and more steps do not darken the surfaces behind them. No run counts for more than SSGI_ENDLESS, since a wide
+   surface is as often a wall that light passes by or through as it is a block. The other three pixels share the width
+   if they lie in the first one's plane, and have SSGI_OTHER if they do not. */
 
 { "SSGI_THINNEST", __LINE__ + 1,
-    "const float SSGI_THINNEST = 0.02; // of the radius\n" },
+    "const float SSGI_THINNEST = 0.02; // the least thickness, of the radius\n" },
 
 { "SSGI_OTHER", __LINE__ + 1,
-    "const float SSGI_OTHER = 0.1; // of the radius: thickness beside the edge of another surface, in one 2x2\n" },
+    "const float SSGI_OTHER = 0.1; // of the radius: thickness of pixels whose 2x2 begins on another surface\n" },
 
 { "SSGI_LIFTED", __LINE__ + 1,
-    "const float SSGI_LIFTED = 0.05; // of the radius: off a tangent plane by less a surface goes on\n" },
+    "const float SSGI_LIFTED = 0.05; // of the radius: a surface goes on while it leaves its tangent plane by less\n" },
 
 { "SSGI_ENDLESS", __LINE__ + 1,
-    "const float SSGI_ENDLESS = 0.3; // of the radius: a run whose end is not found, and the most of one\n" },
+    "const float SSGI_ENDLESS = 0.3; // of the radius: the length of a run that finds no end, and the most of any\n" },
 
 { "SSGI_LONGEST", __LINE__ + 1,
-    "const float SSGI_LONGEST = 32.0; // pixels\n" },
+    "const float SSGI_LONGEST = 32.0; // pixels that a run reaches at least\n" },
 
 { "ssgi_end", __LINE__ + 1,
-    "// What is seen o pixels from P: 1 rises above the tangent plane there, or is out of the picture; -1 drops\n"
-    "// below it, away from the viewer, or nothing is seen; 0 the surface goes on.\n"
+    "// Whether the surface at P ends o pixels away: -1 it drops below the tangent plane there, away from the viewer,\n"
+    "// or nothing is seen; 1 another surface rises above the plane, or the picture ends; 0 it goes on.\n"
     "int ssgi_end(ivec2 p, ivec2 o, vec3 P, vec4 plane, float slack) {\n"
     "    float z = ssgi_depth(p + o), h = ssgi_above_plane(plane, vec2(o), z);\n"
     "    if (!ssgi_inside(p + o)) return 1;\n"
@@ -1368,11 +1370,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_run", __LINE__ + 1,
-    "// Pixels that the surface at P goes on along a direction of the picture until it drops away. As if it went on\n"
-    "// where it ends in another that rises above it, or at the picture's edge: its end is hidden.\n"
+    "// How many pixels the surface at P goes on along a direction of the picture until it drops away. Where another\n"
+    "// surface rises above it, and at the picture's edge, its end is hidden, and counts as not found.\n"
     "float ssgi_run(ivec2 p, ivec2 way, vec3 P, vec4 plane, float footprint, float pixels) {\n"
     "    float most = SSGI_ENDLESS * pixels, run = most, reach = max(0.5 * pixels, SSGI_LONGEST);\n"
-    "    for (int i = 0; i < 5; ++i) { // from far to near: the nearest end counts\n"
+    "    for (int i = 0; i < 5; ++i) { // from far to near, so that the nearest end counts\n"
     "        float k = floor(reach * exp2(-float(i)));\n"
     "        int end_ = ssgi_end(p, way * int(k), P, plane, SSGI_LIFTED * u_ssgi_radius + 0.5 * footprint * k);\n"
     "        run = end_ > 0 ? most : end_ < 0 ? min(0.5 * k, most) : run;\n"
@@ -1381,7 +1383,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slab_widths", __LINE__ + 1,
-    "// widths of a 2x2, or where there is a back face its distance; of sheets, whose back face is what is seen, half\n"
+    "// Of a 2x2, pixels with a back face are as thick as that is far; others keep their width, but for sheets,\n"
+    "// which show their back face and have half of it.\n"
     "vec4 ssgi_slab_widths(ivec2 p, vec4 z, vec4 width) {\n"
     "    for (int i = 0; i < 4; ++i) {\n"
     "        float back = ssgi_slabs(p + ivec2(i & 1, i >> 1)).x;\n"
@@ -1391,7 +1394,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pack_measured", __LINE__ + 1,
-    "// view depth, to 4e-6 of it, and thickness, in [0, 1] of the radius\n"
+    "// a view depth, which loses 4e-6 of itself, and a thickness in [0, 1] of the radius\n"
     "uvec4 ssgi_pack_measured(vec4 z, vec4 width) {\n"
     "    z = mix(z, vec4(2.0 * SSGI_FAR), greaterThanEqual(z, vec4(SSGI_FAR)));\n"
     "    return ((floatBitsToUint(z) + 32u) & 0xffffffc0u) | uvec4(width * 63.0 + 0.5);\n"
@@ -1419,7 +1422,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_width = ssgi_pack_measured(z, clamp(width / u_ssgi_radius, SSGI_THINNEST, 1.0));\n"
     "}\n" },
 
-/* ---- the occluder: what it sends, its distance */
+/* ---- the receiver, and the occluder of a sample */
 
 { "ssgi_P", __LINE__ + 1,
     "vec3 ssgi_P; // the receiver\n" },
@@ -1436,16 +1439,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sender", __LINE__ + 1,
-    "vec4 ssgi_sender; // radiance from it to the receiver; its distance from the sample\n" },
+    "vec4 ssgi_sender; // of a sample's occluder: radiance to the receiver, and distance from the sample\n" },
 
 { "ssgi_sender_place", __LINE__ + 1,
-    "uint ssgi_sender_place; // its normal, packed\n" },
+    "uint ssgi_sender_place; // the packed normal of that occluder\n" },
 
 { "ssgi_sender_pixel", __LINE__ + 1,
-    "ivec2 ssgi_sender_pixel; // where it is seen\n" },
+    "ivec2 ssgi_sender_pixel; // the pixel that shows it\n" },
 
 { "ssgi_sender_texel", __LINE__ + 1,
-    "// what layer j of camera v sends at a pixel: radiance; normal, view depth\n"
+    "// the surface that layer j of camera v has at a pixel: its radiance; its normal and view depth\n"
     "uvec2 ssgi_sender_texel(int v, ivec2 p, int j) {\n"
     "    if (v >= 0) return texelFetch(t_ssgi_view_senders, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy; // #if views\n"
     "    return texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, j), 0).xy;\n"
@@ -1453,7 +1456,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_radiance_from", __LINE__ + 1,
     "#if bounce != PATCH\n"
-    "vec3 ssgi_radiance_from(uvec2 s, vec3 Q) { // radiance from a sender at Q to the receiver\n"
+    "vec3 ssgi_radiance_from(uvec2 s, vec3 Q) { // radiance that the receiver gets from a surface at Q\n"
     "    if (!(dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0)) return vec3(0.0); // #if !two_sided\n"
     "    return ssgi_unpack_radiance(s.x);\n"
     "}\n"
@@ -1461,7 +1464,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_radiance_from", __LINE__ + 1,
     "#if bounce == PATCH\n"
-    "// radiance from a sender at Q to the receiver: of a patch of area pi r^2 / N, less pi / N [SSDO09 3]\n"
+    "// Radiance that the receiver gets from a patch of area pi r^2 / N at Q [SSDO09 3], without the factor pi / N.\n"
     "vec3 ssgi_radiance_from(uvec2 s, vec3 Q) {\n"
     "    vec3 d = ssgi_P - Q;\n"
     "    float dd = max(dot(d, d), 1e-30), area = u_ssgi_radius * u_ssgi_radius * u_ssgi_gain;\n"
@@ -1474,17 +1477,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_fade_weight", __LINE__ + 1,
-    "float ssgi_fade_weight(vec3 Q) { // of an occluder at Q in the depth buffer\n"
+    "float ssgi_fade_weight(vec3 Q) { // how much an occluder counts that the depth buffer has at Q\n"
     "    vec3 d = Q - ssgi_P;\n"
     "    float t = length(d) / u_ssgi_radius, weight = 1.0;\n"
     "    if (t > 1.0 || dot(d, ssgi_n) <= 0.0) return 0.0; // #if range\n"
     "    weight -= smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, t * u_ssgi_radius); // #if fade == SMOOTH\n"
     "    weight /= 1.0 + u_ssgi_lambda * t; // #if fade == LAMBDA\n"
-    "    return max(weight, 1e-6); // above 0: it is an occluder\n"
+    "    return max(weight, 1e-6); // not 0, which would mean that nothing occludes\n"
     "}\n" },
 
 { "ssgi_view_depth", __LINE__ + 1,
-    "// view depth of a depth texel; decode: ssgi_view.depth[0], [1], clear, orthographic\n"
+    "// view depth of a depth texel; decode holds ssgi_view.depth[0], [1], the clear depth, and 1 if orthographic\n"
     "float ssgi_view_depth(vec4 decode, float d) {\n"
     "    float w = decode.x + decode.y * d, z = decode.w > 0.0 ? w : 1.0 / w;\n"
     "    return d != decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
@@ -1499,10 +1502,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_way", __LINE__ + 1,
-    "vec3 ssgi_way; // receiver to sample\n" },
+    "vec3 ssgi_way; // from the receiver to the sample\n" },
 
 { "ssgi_offer_sender", __LINE__ + 1,
-    "// keeps the sender that is closest to the segment from the receiver to the sample\n"
+    "// keeps the surface that is closest to the segment from the receiver to the sample\n"
     "void ssgi_offer_sender(uvec2 s, vec3 Q) {\n"
     "    vec3 L = ssgi_radiance_from(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
@@ -1512,10 +1515,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_rising", __LINE__ + 1,
-    "struct ssgi_rising { // a horizon, raised by what a ray finds\n"
-    "    vec3 tangent; // along which it is sought\n"
-    "    float within; // what is farther away does not count\n"
-    "    float sine, away; // of its elevation; distance of what raised it last\n"
+    "struct ssgi_rising { // a horizon, which occluders along a ray raise\n"
+    "    vec3 tangent; // the ray's direction in the tangent plane\n"
+    "    float within; // farther occluders do not count\n"
+    "    float sine, away; // sine of the horizon's elevation; distance of the occluder that raised it last\n"
     "};\n" },
 
 { "ssgi_rise", __LINE__ + 1,
@@ -1529,7 +1532,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_solid", __LINE__ + 1,
-    "struct ssgi_solid { // two layers of a pixel: a solid's front and its back, SSGI_FAR where there is none\n"
+    "struct ssgi_solid { // view depths of a solid's front and back, two layers of a pixel; SSGI_FAR: there is none\n"
     "    float front, back;\n"
     "    uvec2 front_sender, back_sender; // #if bounce\n"
     "};\n" },
@@ -1546,7 +1549,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_solid_occludes", __LINE__ + 1,
-    "// weight of the solid around depth s at a pixel of camera v\n"
+    "// how much the solid that holds depth s at a pixel of camera v counts\n"
     "float ssgi_solid_occludes(ssgi_solid a, int v, ivec2 p, float s) {\n"
     "    ssgi_offer_rise(ssgi_point(v, p, a.front)); // #if pass == HSAO && terms != RAYS\n"
     "    ssgi_offer_sender(a.front_sender, ssgi_point(v, p, a.front)); // #if bounce\n"
@@ -1556,10 +1559,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occupancy", __LINE__ + 1,
-    "// What depth s is at a pixel of camera v: above 0, inside solid geometry, which is from an odd layer\n"
-    "// to the next; -1, before the visible surface by more than the slack; 0, unknown\n"
+    "// Where depth s lies at a pixel of camera v. Above 0: inside a solid, which reaches from an odd layer to the\n"
+    "// next; -1: before the visible surface by more than the slack; 0: that is unknown.\n"
     "float ssgi_occupancy(int v, ivec2 p, float s, int layers, float slack) {\n"
-    "    // without a layer for its far side geometry has ssgi_thickness() or no end; behind that is unknown\n"
+    "    // A solid whose far side no layer has is as thick as ssgi_thickness(), or endless; the rest is unknown.\n"
     "    float found = 0.0;\n"
     "    bool known = false;\n"
     "    for (int j = 0; j < layers; j += 2) {\n"
@@ -1568,14 +1571,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (a.back >= SSGI_FAR) back = a.front + ssgi_thickness(); // #if thickness != SOLID\n"
     "        if (!known && s <= a.front - slack) found = -1.0;\n"
     "        if (!known && s > a.front && s < back) found = ssgi_solid_occludes(a, v, p, s);\n"
-    "        // within the slack before a surface it is unknown, too\n"
+    "        // Within the slack before a surface it is unknown, too.\n"
     "        known = known || s < back || a.back >= SSGI_FAR;\n"
     "    }\n"
     "    return found;\n"
     "}\n" },
 
 { "ssgi_occupancy_of_view", __LINE__ + 1,
-    "// what extra camera v knows of S: as ssgi_occupancy; 0 out of its picture\n"
+    "// where S lies as extra camera v sees it, as ssgi_occupancy says; 0 out of its picture\n"
     "float ssgi_occupancy_of_view(int v, vec3 S) {\n"
     "    vec3 q = (u_ssgi_view_to[v] * vec4(S, 1.0)).xyz;\n"
     "    float unit = u_ssgi_view_decode[v].w > 0.0 ? 1.0 : q.z;\n"
@@ -1586,13 +1589,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_blocked", __LINE__ + 1,
     "#if layers > 1 || views\n"
-    "float ssgi_blocked(vec3 S) { // occlusion of S: inside solid geometry\n"
+    "float ssgi_blocked(vec3 S) { // how much the solid counts that S is in; 0: it is in none\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    ssgi_sender = vec4(0.0, 0.0, 0.0, SSGI_FAR); // #if bounce\n"
     "    ssgi_way = S - ssgi_P; // #if bounce\n"
     "    float found = S.z < 0.0 && ssgi_inside(p) ? ssgi_occupancy(-1, p, -S.z, SSGI_LAYERS, 0.0) : 0.0;\n"
     "#if views\n"
-    "    for (int v = 0; v < SSGI_VIEWS; ++v) { // a camera that sees S unoccluded overrides the others\n"
+    "    for (int v = 0; v < SSGI_VIEWS; ++v) { // one camera that sees S unoccluded outvotes all others\n"
     "        float known = ssgi_occupancy_of_view(v, S);\n"
     "        found = min(found, known) < 0.0 ? -1.0 : max(found, known);\n"
     "    }\n"
@@ -1602,7 +1605,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_sending_depth", __LINE__ + 1,
-    "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel, whose surface becomes the sender\n"
+    "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel; its surface becomes ssgi_sender\n"
     "    uvec2 s = ssgi_sender_texel(-1, p, 0);\n"
     "    float z = ssgi_unpack_depth(s.y);\n"
     "    ssgi_sender.xyz = ssgi_radiance_from(s, ssgi_point(-1, p, z));\n"
@@ -1612,12 +1615,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_thickness_at", __LINE__ + 1,
-    "float ssgi_thickness_at(ivec2 p, float z) { // of what is seen at a pixel, at depth z; a pixel at least\n"
+    "float ssgi_thickness_at(ivec2 p, float z) { // thickness of the visible surface at depth z: a pixel at least\n"
     "    return max(ssgi_measured_width(ssgi_measured(p)), ssgi_footprint(z));\n"
     "}\n" },
 
 { "ssgi_in_slabs", __LINE__ + 1,
-    "// whether depth s lies in a pixel's first slab, which begins at z, or in its second; z becomes that one's front\n"
+    "// Whether depth s lies in a pixel's first slab, which begins at z, or in its second, whose front z becomes.\n"
     "bool ssgi_in_slabs(ivec2 p, float s, inout float z) {\n"
     "    vec3 back = ssgi_slabs(p);\n"
     "    vec2 front = vec2(z, back.y);\n"
@@ -1635,13 +1638,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_blocked", __LINE__ + 1,
     "#if !(layers > 1 || views)\n"
-    "// occlusion of S: within the thickness behind what is seen; 0 off screen or behind the eye\n"
+    "// How much the surface counts that S is in, behind its front; 0: it is in none, off screen, or behind the eye.\n"
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    float z = ssgi_depth(p); // #if !bounce\n"
     "    float z = ssgi_sending_depth(p); // #if bounce\n"
     "    bool found = -S.z > z; // #if thickness == SOLID\n"
-    "    bool seen = ssgi_inside(p); // called before &&: behind it uniforms are read anew for every point\n"
+    "    bool seen = ssgi_inside(p); // not behind &&, where compilers read the uniforms anew for every point\n"
     "    float end_ = z + ssgi_thickness(); // #if thickness == CONSTANT\n"
     "    float end_ = z + ssgi_thickness_at(p, z); // #if thickness == WIDTH\n"
     "    bool found = -S.z > z && -S.z < end_; // #if thickness == CONSTANT || thickness == WIDTH\n"
@@ -1654,10 +1657,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
 
-/* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0. Twins of >>sh in ssgi.h. */
+/* Coefficient 4w + k is lane k of word w: a, b, c, d. Lanes beyond the bands are 0. Twins in C: >>sh of ssgi.h. */
 
 { "ssgi_sh", __LINE__ + 1,
-    "struct ssgi_sh { // coefficient 4w + k in lane k of word w\n"
+    "struct ssgi_sh { // lane k of word w holds coefficient 4w + k\n"
     "    vec4 a;\n"
     "    vec4 b, c; // #if bands > 2\n"
     "    vec4 d; // #if bands > 3\n"
@@ -1668,7 +1671,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "struct ssgi_coefficients { ssgi_sh c[1]; }; // #if !transfer\n" },
 
 { "ssgi_sh_basis", __LINE__ + 1,
-    "// real spherical harmonics of a unit direction, l*l + l + m, no Condon-Shortley sign\n"
+    "// Real spherical harmonics of a unit direction in the order l*l + l + m, without the Condon-Shortley sign.\n"
     "ssgi_sh ssgi_sh_basis(vec3 n) {\n"
     "    ssgi_sh y;\n"
     "    y.a = vec4(0.28209479, 0.0, 0.0, 0.0);\n"
@@ -1690,14 +1693,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "SSGI_SH_AMBIENT", __LINE__ + 1,
-    "const float SSGI_SH_AMBIENT = 1.12837917; // ambient visibility per coefficient 0: 2 / sqrt(pi)\n" },
+    "const float SSGI_SH_AMBIENT = 1.12837917; // times coefficient 0 it is ambient visibility: 2 / sqrt(pi)\n" },
 
 { "SSGI_COSINE", __LINE__ + 1,
     "// zonal harmonics of the clamped cosine\n"
     "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0);\n" },
 
 { "ssgi_sh_zonal", __LINE__ + 1,
-    "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n) { // a lobe about n: zonal has a lane a band\n"
+    "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n) { // a lobe about n; zonal has one lane for each band\n"
     "    ssgi_sh y = ssgi_sh_basis(n);\n"
     "    zonal *= vec4(3.54490770, 2.04665341, 1.58533092, 1.33984917);\n"
     "    y.a *= zonal.xyyy;\n"
@@ -1714,7 +1717,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sh_dot", __LINE__ + 1,
-    "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) { // the integral of the product\n"
+    "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) { // the integral of the product of two functions\n"
     "    float s = dot(x.a, y.a);\n"
     "    s += dot(x.b, y.b) + dot(x.c, y.c); // #if bands > 2\n"
     "    s += dot(x.d, y.d); // #if bands > 3\n"
@@ -1727,7 +1730,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sh_about_z", __LINE__ + 1,
-    "// turns the bands from the third on about z, by the angle of cosine and sine u\n"
+    "// turns the bands from the third on about z by the angle whose cosine and sine are u\n"
     "void ssgi_sh_about_z(inout ssgi_sh s, vec2 u) {\n"
     "    vec2 uu = ssgi_sh_complex(u, u), t = ssgi_sh_complex(vec2(s.c.x, s.b.x), uu);\n"
     "    s.b.wy = ssgi_sh_complex(s.b.wy, u);\n"
@@ -1741,7 +1744,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sh_quarter", __LINE__ + 1,
-    "// turns them about x by a quarter, forth (1) or back (-1)\n"
+    "// turns those bands about x by a quarter, forth (1) or back (-1)\n"
     "void ssgi_sh_quarter(inout ssgi_sh s, float way) {\n"
     "    float q = s.c.x;\n"
     "    s.c.x = 0.5 * q - 0.86602540 * s.b.z;\n"
@@ -1756,12 +1759,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sh_turn", __LINE__ + 1,
-    "// turns a function by a rotation: its value at n goes to R n\n"
+    "// turns a function by a rotation R: R n gets the value that n had\n"
     "void ssgi_sh_turn(inout ssgi_sh s, mat3 R) {\n"
     "    s.a.yzw = (R * s.a.wyz).yzx; // #if bands > 1\n"
     "#if bands > 2\n"
-    "    // R = Rz(phi) Ry(theta) Rz(psi), and Ry is Rz between two quarters about x. Gimbal lock: near a pole only\n"
-    "    // phi + psi or phi - psi is defined; psi is recovered from that sum\n"
+    "    // R = Rz(phi) Ry(theta) Rz(psi), and Ry is Rz between two quarters about x. Near a pole only phi + psi or\n"
+    "    // phi - psi is defined (gimbal lock), so psi comes from that sum.\n"
     "    float m = dot(R[2].xy, R[2].xy);\n"
     "    vec2 phi = m > 1e-30 ? R[2].xy * inversesqrt(m) : vec2(1.0, 0.0);\n"
     "    vec2 psi = R[2].z < 0.0 ? ssgi_sh_complex(vec2(R[1].y - R[0].x, R[0].y + R[1].x), phi)\n"
@@ -1779,9 +1782,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v = clamp(v, -65504.0, 65504.0);\n"
     "    return packHalf2x16(v); // #if dialect != 330 && dialect != 410\n"
     "#if dialect == 330 || dialect == 410\n"
-    "    uvec2 u = floatBitsToUint(v), a = u & 0x7fffffffu; // these languages lack it: to nearest even\n"
+    "    uvec2 u = floatBitsToUint(v), a = u & 0x7fffffffu; // these languages lack it; this rounds to nearest even\n"
     "    uvec2 h = (a - 0x38000000u + 0xfffu + ((a >> 13u) & 1u)) >> 13u;\n"
-    "    uvec2 small = floatBitsToUint(uintBitsToFloat(a) + 0.5) - 0x3f000000u; // below 2^-14 the sum rounds\n"
+    "    uvec2 small = floatBitsToUint(uintBitsToFloat(a) + 0.5) - 0x3f000000u; // this sum rounds below 2^-14\n"
     "    h = uvec2(a.x < 0x38800000u ? small.x : h.x, a.y < 0x38800000u ? small.y : h.y) | ((u >> 16u) & 0x8000u);\n"
     "    return h.x | (h.y << 16u);\n"
     "#endif\n"
@@ -1809,7 +1812,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_load", __LINE__ + 1,
-    "ssgi_coefficients ssgi_load(ivec2 p) { // what s3ho wrote at a texel of its targets\n"
+    "ssgi_coefficients ssgi_load(ivec2 p) { // the coefficients that pass s3ho wrote at a texel of its targets\n"
     "    ssgi_coefficients v;\n"
     "#if transfer\n"
     "    uvec4 red = uvec4(0u), green = red, blue = red; // #if bands < 3\n"
@@ -1833,7 +1836,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_load_last", __LINE__ + 1,
-    "ssgi_coefficients ssgi_load_last(ivec2 p) { // what was filtered of the last frame's three sets\n"
+    "ssgi_coefficients ssgi_load_last(ivec2 p) { // the filtered coefficients of the last frame, three sets\n"
     "    ssgi_coefficients v;\n"
     "    uvec4 red = uvec4(0u), green = red, blue = red; // #if bands < 3\n"
     "    uvec4 red = texelFetch(t_ssgi_last_red1, p, 0); // #if bands > 2\n"
@@ -1846,14 +1849,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pack_first", __LINE__ + 1,
-    "uvec4 ssgi_pack_first(ssgi_sh s) { // coefficients 0..7\n"
+    "uvec4 ssgi_pack_first(ssgi_sh s) { // packs coefficients 0..7\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), ssgi_pack_half(s.a.zw), 0u, 0u);\n"
     "    u.zw = uvec2(ssgi_pack_half(s.b.xy), ssgi_pack_half(s.b.zw)); // #if bands > 2\n"
     "    return u;\n"
     "}\n" },
 
 { "ssgi_pack_more", __LINE__ + 1,
-    "uvec4 ssgi_pack_more(ssgi_sh s) { // 8..15\n"
+    "uvec4 ssgi_pack_more(ssgi_sh s) { // packs coefficients 8..15\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.c.xy), 0u, 0u, 0u);\n"
     "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw)); // #if bands > 3\n"
     "    return u;\n"
@@ -1884,7 +1887,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_ambient", __LINE__ + 1,
-    "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility from the coefficients\n"
+    "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility, which is coefficient 0 but for a factor\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
     "    a -= vec3(v.c[0].a.y, v.c[1].a.y, v.c[2].a.y); // #if transfer == BOTH && bands == 1\n"
     "    return clamp(a * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
@@ -1892,7 +1895,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_incoming", __LINE__ + 1,
     "#if harmonics == FRAME\n"
-    "float ssgi_incoming(int c, ssgi_sh s) { // a channel of irradiance [S3HO12 eq. 3]\n"
+    "float ssgi_incoming(int c, ssgi_sh s) { // channel c of the irradiance that visibility s lets in [S3HO12 eq. 3]\n"
     "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
     "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c); // #if bands > 2\n"
     "    e += dot(u_ssgi_harmonics[9 + c], s.d); // #if bands > 3\n"
@@ -1912,11 +1915,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_lit_at", __LINE__ + 1,
-    "vec3 ssgi_lit_at; // where your harmonics are asked for\n" },
+    "vec3 ssgi_lit_at; // the place that your harmonics are asked about\n" },
 
 { "ssgi_incoming", __LINE__ + 1,
     "#if harmonics == CUSTOM\n"
-    "// irradiance by count of your coefficients from number i on: four lanes of each channel's transfer\n"
+    "// Irradiance by your coefficients i to i + count - 1: each channel's transfer has a lane for each of them.\n"
     "vec3 ssgi_incoming(int i, int count, vec4 r, vec4 g, vec4 b) {\n"
     "    vec3 e = vec3(0.0);\n"
     "    for (int k = 0; k < count; ++k) e += ssgi_custom_harmonic(i + k, ssgi_lit_at) * vec3(r[k], g[k], b[k]);\n"
@@ -1926,7 +1929,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_irradiance", __LINE__ + 1,
     "#if harmonics == CUSTOM\n"
-    "// irradiance over pi by your harmonics, which are in the world: the transfer is turned into it\n"
+    "// Irradiance over pi by your harmonics. They are in world space, so the transfer is turned there.\n"
     "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_turn(v.c[c], transpose(u_ssgi_rotation));\n"
     "    ssgi_sh r = v.c[0], g = v.c[1 % v.c.length()], b = v.c[2 % v.c.length()];\n"
@@ -1942,7 +1945,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>light: lights, senders, shading of coefficients ========================================================= */
 
 { "SSGI_SUN", __LINE__ + 1,
-    "const float SSGI_SUN = 0.5; // kinds of suns are below\n" },
+    "const float SSGI_SUN = 0.5; // a light whose kind is below this is a sun\n" },
 
 { "SSGI_POINT", __LINE__ + 1,
     "const float SSGI_POINT = 1.5;\n" },
@@ -1951,10 +1954,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_SPOT = 2.5;\n" },
 
 { "ssgi_light", __LINE__ + 1,
-    "struct ssgi_light { // a row of t_ssgi_lights, as it shines on a point\n"
+    "struct ssgi_light { // how a row of t_ssgi_lights shines on a point\n"
     "    vec4 at, colour, facing;\n"
-    "    vec3 way; // unit, to it\n"
-    "    float distance, falloff; // falloff: all but the receiver's cosine\n"
+    "    vec3 way; // unit vector to the light\n"
+    "    float distance, falloff; // falloff is all that dims it but the receiver's cosine\n"
     "};\n" },
 
 { "ssgi_light_at", __LINE__ + 1,
@@ -1972,17 +1975,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_segment_blocked", __LINE__ + 1,
     "#if shadow == SEGMENT || shadow == FILL\n"
-    "// 1 if any point of the segment from P to light i is occluded; contact: as ssgi_shadow has it\n"
+    "// 1 if any point of the segment from P to light i is occluded; ssgi_shadow explains contact\n"
     "float ssgi_segment_blocked(int i, vec3 P, vec3 n, ssgi_light s, float contact, float xi) {\n"
     "    float reach = s.at.w > SSGI_SUN ? min(u_ssgi_radius, s.distance) : u_ssgi_radius;\n"
     "    if (contact >= 0.0) reach = min(reach, contact); // #if shadow == FILL\n"
-    "    // distances below a pixel are left to the map // #if shadow == FILL\n"
+    "    // The map decides on distances below a pixel. // #if shadow == FILL\n"
     "    if (contact >= 0.0 && contact < ssgi_footprint(-P.z)) reach = 0.0; // #if shadow == FILL\n"
     "    ssgi_segment_length = reach; // #if thickness != SOLID\n"
     "    vec3 start = ssgi_lift(P, n), along = s.way * reach;\n"
-    "    // short segments stay near a crease's surfaces, whose depth nearest fetches round // #if shadow == FILL\n"
+    "    // Short segments stay near the surfaces of a crease, whose depth whole pixels round. // #if shadow == FILL\n"
     "    if (contact >= 0.0) start = ssgi_lift(start, n); // #if shadow == FILL\n"
-    "    xi = fract(xi + 0.61803399 * float(i)); // by the golden ratio: another offset for every light\n"
+    "    xi = fract(xi + 0.61803399 * float(i)); // the golden ratio gives every light another offset\n"
     "    for (int k = 0; k < SSGI_SAMPLES; ++k)\n"
     "        if (ssgi_blocked(start + along * ((float(k + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
     "    return 0.0;\n"
@@ -1990,31 +1993,31 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_shadow", __LINE__ + 1,
-    "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by\n"
+    "// 1 where the map of light i shadows P. The map's texels are taken to lie below the surface by\n"
     "// the bias that keeps a plane from shadowing itself: half a texel's diagonal times the plane's slope against\n"
-    "// the map. contact returns how far along the ray to the light the map sees what may be the plane itself or an\n"
-    "// occluder that the bias loses, 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected]\n"
+    "// the map. contact returns how far along the ray to the light the map may see the plane itself, or an occluder\n"
+    "// that the bias loses; 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected].\n"
     "float ssgi_shadow(int i, vec3 P, vec3 n, ssgi_light s, float cosine, out float contact) {\n"
     "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0), tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
     "    vec4 axis = texelFetch(t_ssgi_lights, ivec2(5, i), 0), Q = vec4(P, 1.0);\n"
     "    vec4 across = texelFetch(t_ssgi_lights, ivec2(3, i), 0), down = texelFetch(t_ssgi_lights, ivec2(4, i), 0);\n"
     "    vec3 q = vec3(dot(across, Q), dot(down, Q), dot(axis, Q)); // texels (times depth if perspective), depth\n"
-    "    bool flat_ = decode.w > 0.0; // orthographic\n"
+    "    bool flat_ = decode.w > 0.0; // the map is orthographic\n"
     "    vec2 texel = floor(flat_ ? q.xy : q.xy / q.z);\n"
     "    contact = -1.0;\n"
     "    if (q.z <= 0.0 || texel.x < 0.0 || texel.y < 0.0 || texel.x >= tile.z || texel.y >= tile.w) return 0.0;\n"
-    "    float facing = dot(n, axis.xyz), ray = flat_ ? 1.0 : s.distance / q.z; // its length per depth\n"
+    "    float facing = dot(n, axis.xyz), ray = flat_ ? 1.0 : s.distance / q.z; // the ray's length per depth\n"
     "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * ray), u_ssgi_max_slope);\n"
     "    float width = s.facing.w * (flat_ ? 1.0 : q.z), bias = width * 0.70710678 * slope;\n"
     "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + texel), 0).x);\n"
-    "    // a fiftieth of a texel, the rounding of the map's depth, that of P\n"
+    "    // The slack is a fiftieth of a texel, the rounding of the map's depth, and that of P.\n"
     "    float slack = 0.02 * width + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
     "    contact = max(q.z - slack - z, 0.0) * ray;\n"
     "    return q.z - bias - slack > z ? 1.0 : 0.0;\n"
     "}\n" },
 
 { "ssgi_lit", __LINE__ + 1,
-    "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
+    "// irradiance of P by the lights of t_ssgi_lights, with shadows as desc.shadow says\n"
     "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
     "    vec3 sum = vec3(0.0);\n"
     "    for (int i = 0; i < u_ssgi_lights; ++i) {\n"
@@ -2024,7 +2027,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float contact = -1.0; // #if shadow == SEGMENT\n"
     "#if shadow == MAP || shadow == FILL\n"
     "        float contact, shadow = ssgi_shadow(i, P, n, s, cosine, contact);\n"
-    "        int wider = s.at.w < SSGI_SUN ? int(s.colour.w) : 0; // rows of this sun to come\n"
+    "        int wider = s.at.w < SSGI_SUN ? int(s.colour.w) : 0; // how many rows of this sun follow\n"
     "        if (contact < 0.0 && (wider > 0 || (s.at.w > SSGI_POINT && s.at.w < SSGI_SPOT))) continue;\n"
     "        i += wider;\n"
     "        if (shadow > 0.0) continue;\n"
@@ -2055,7 +2058,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_albedo", __LINE__ + 1,
-    "vec3 ssgi_albedo(ivec2 p) { // of the layer that receives light\n"
+    "vec3 ssgi_albedo(ivec2 p) { // albedo of the layer that receives light\n"
     "    return texelFetch(t_ssgi_albedo, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz; // #if receiver\n"
     "    return texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if !receiver\n"
     "}\n" },
@@ -2075,9 +2078,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_bent", __LINE__ + 1,
-    "// Mean unoccluded direction, which is band 1 (2/3 sqrt(3/pi) of it), and the cosine c of the half-angle of a\n"
-    "// cone of its spread: cosine-weighted directions in it have a mean of length 2/3 (1 + c + c^2) / (1 + c)\n"
-    "// [SSBN11]\n"
+    "// The mean unoccluded direction, which is 2/3 sqrt(3/pi) of band 1, and the cosine c of the half-angle of the\n"
+    "// cone that spreads as much: its cosine-weighted directions have a mean of length 2/3 (1 + c + c^2) / (1 + c)\n"
+    "// [SSBN11].\n"
     "vec4 ssgi_bent(ssgi_sh s) {\n"
     "    vec3 mean = s.a.wyz * 0.65147002;\n"
     "    float l = length(mean), q = clamp(3.0 * l / max(s.a.x * SSGI_SH_AMBIENT, 1e-6) - 2.0, 0.0, 1.0);\n"
@@ -2085,13 +2088,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_light_harmonics", __LINE__ + 1,
-    "// Irradiance by a light projected onto harmonics: its sphere's cap, windowed,\n"
-    "// normalised so that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised];\n"
-    "// one band knows no normals, so that every surface receives the mean over all of them\n"
+    "// Irradiance by a light whose cap is projected onto harmonics and windowed. It is normalised, so that an\n"
+    "// unoccluded surface that faces the light receives its full irradiance [S3HO12 2.2, normalised]. One band knows\n"
+    "// no normals: every surface receives the mean over all of them.\n"
     "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) {\n"
-    "    float radius = s.colour.w / s.distance; // sine of the cap's\n"
+    "    float radius = s.colour.w / s.distance; // the sine of the cap's half-angle\n"
     "    float c = s.at.w > SSGI_SUN ? sqrt(max(1.0 - radius * radius, 0.0)) : 1.0;\n"
-    "    // means of the Legendre polynomials over the cap\n"
+    "    // These are the means of the Legendre polynomials over the cap.\n"
     "    vec4 w = vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
     "    w *= u_ssgi_window;\n"
     "    float open = 1.0; // #if bands == 1\n"
@@ -2130,7 +2133,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_shaded", __LINE__ + 1,
-    "// irradiance over pi from the coefficients of a receiver, by all that shines\n"
+    "// irradiance over pi that a receiver with these coefficients gets from all lights\n"
     "vec3 ssgi_shaded(ssgi_coefficients v, vec3 P, vec3 n) {\n"
     "    ssgi_lit_at = P; // #if harmonics == CUSTOM\n"
     "    vec3 sum = ssgi_shade(v, n);\n"
@@ -2151,7 +2154,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_encode_for_filter", __LINE__ + 1,
-    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 n) { // what is written of its light: desc.restore\n"
+    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 n) { // the form of the light that desc.restore has written\n"
     "    return max(light, 0.0); // #if !restore\n"
     "    return clamp(light / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
     "    return light - ssgi_open_light(P, n); // #if restore == DIFFERENCE\n"
@@ -2165,7 +2168,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    vec3 n = ssgi_normal(p, P); // #if residual || restore && (bands > 1 || shading)\n"
-    "    vec3 n = vec3(0.0); // the coefficients alone tell // #if !(residual || restore && (bands > 1 || shading))\n"
+    "    vec3 n = vec3(0.0); // coefficients need no normal // #if !(residual || restore && (bands > 1 || shading))\n"
     "    vec3 light = ssgi_shaded(ssgi_load(ivec2(gl_FragCoord.xy)), P, n);\n"
     "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, n);\n"
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if albedo\n"
@@ -2181,17 +2184,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>gather: sampling around a pixel ========================================================================= */
 
 { "ssgi_sums", __LINE__ + 1,
-    "struct ssgi_sums { // shares of the cosine-weighted hemisphere that are blocked, attenuated\n"
+    "struct ssgi_sums { // occluded shares of the cosine-weighted hemisphere, attenuated\n"
     "    float all; // #if pass == SSAO || pass == HSAO\n"
-    "    vec3 dark; // of the environment: over pi (slices), over its sum (points) // #if environment == MAP\n"
-    "    ssgi_sh lobe; // the cosine lobe less what is blocked of it // #if environment == SH\n"
-    "    vec3 bounce; // what blocks sends // #if pass == SSDO && bounce\n"
-    "    ssgi_coefficients bounce; // the lobes of what blocks, times albedo // #if pass == S3HO && bounce\n"
-    "    float found, expected; // shares of occluders // #if search == SLICES && bounce\n"
+    "    // occluded radiance of the environment, over pi (slices) or over its sum (points) // #if environment == MAP\n"
+    "    vec3 dark; // #if environment == MAP\n"
+    "    ssgi_sh lobe; // the unoccluded part of the cosine lobe // #if environment == SH\n"
+    "    vec3 bounce; // irradiance over pi from occluders // #if pass == SSDO && bounce\n"
+    "    ssgi_coefficients bounce; // cosine lobes of occluders, times their albedo // #if pass == S3HO && bounce\n"
+    "    float found, expected; // shares that found and expected occluders have // #if search == SLICES && bounce\n"
     "};\n" },
 
 { "ssgi_sums_none", __LINE__ + 1,
-    "ssgi_sums ssgi_sums_none(vec3 n) { // n: the axis of the cosine lobe\n"
+    "ssgi_sums ssgi_sums_none(vec3 n) { // nothing is occluded; n is the axis of the cosine lobe\n"
     "    ssgi_sums sums;\n"
     "    sums.all = 0.0; // #if pass == SSAO || pass == HSAO\n"
     "    sums.dark = vec3(0.0); // #if environment == MAP\n"
@@ -2204,7 +2208,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_reflected", __LINE__ + 1,
     "#if dimmed\n"
-    "// adds the last frame's transfer of the sender at pixel q times albedo [S3HO12 2.3], by solid angle\n"
+    "// adds the last frame's transfer of the surface at pixel q, times albedo and solid angle [S3HO12 2.3]\n"
     "void ssgi_reflected(inout ssgi_coefficients v, ivec2 q, vec3 albedo) {\n"
     "    ssgi_coefficients y = ssgi_load_last(q + u_ssgi_target);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y.c[c], albedo[c]);\n"
@@ -2213,7 +2217,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_reflected", __LINE__ + 1,
     "#if !dimmed\n"
-    "// adds a sender's cosine lobe times albedo [S3HO12 eq. 5], by solid angle; o: its normal; w: way to it\n"
+    "// Adds the cosine lobe of a surface with normal o, seen along w, times albedo and solid angle [S3HO12 eq. 5].\n"
     "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
     "    o = normalize(o);\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
@@ -2232,21 +2236,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]; the distribution of lengths attenuates */
 
 { "SSGI_KERNEL", __LINE__ + 1,
-    "// ssgi_kernel: cosine-weighted directions about +z, w: length // #if !uniform\n"
-    "// ssgi_directions: even over the hemisphere about +z, w: length // #if uniform\n" },
+    "// of ssgi_kernel: xyz are cosine-weighted directions about +z, w is a length // #if !uniform\n"
+    "// of ssgi_directions: xyz are spread evenly over the hemisphere about +z, w is a length // #if uniform\n" },
 
 { "ssgi_length", __LINE__ + 1,
-    "float ssgi_length(float xi) { // distance of a sample along its direction\n"
+    "float ssgi_length(float xi) { // how far a sample lies along its direction, in radii\n"
     "    return sqrt(xi); // #if falloff == SQUARE\n"
     "    return xi; // #if falloff != SQUARE\n"
     "}\n" },
 
 { "ssgi_points", __LINE__ + 1,
-    "struct ssgi_points { // samples of a receiver: where they start, what turns them, what moves them along\n"
+    "struct ssgi_points { // a receiver's samples start here, are turned by a basis, and moved along by an offset\n"
     "    vec3 start;\n"
     "    mat3 basis;\n"
     "    float offset;\n"
-    "    int row; // of t_ssgi_kernel // #if kernel\n"
+    "    int row; // of t_ssgi_kernel, which has a set of directions in each // #if kernel\n"
     "};\n" },
 
 { "ssgi_points_of", __LINE__ + 1,
@@ -2283,8 +2287,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_add_bounce", __LINE__ + 1,
     "#if pass == SSDO\n"
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float blocked) {\n"
-    "    // over the cosine pdf: pi r^2/N assumes uniform directions // #if bounce == PATCH && !uniform\n"
-    "    // pi r^2/N each, without the weight by the cosine // #if bounce == PATCH && uniform\n"
+    "    // A patch of pi r^2/N wants uniform directions, so the pdf divides. // #if bounce == PATCH && !uniform\n"
+    "    // Each patch has pi r^2/N, so the weight by the cosine goes. // #if bounce == PATCH && uniform\n"
     "    blocked *= 0.5 / max(direction.z, 0.05); // #if bounce == PATCH && !uniform\n"
     "    blocked *= 0.5 / direction.z; // #if bounce == PATCH && uniform\n"
     "    sums.bounce += ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES));\n"
@@ -2310,7 +2314,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 direction, light = vec3(0.0);\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
     "        float blocked = ssgi_point_blocked(s, i, direction);\n"
-    "        float weight = 2.0 * direction.z; // 2 pi/N steradians, of pi by the cosine // #if uniform\n"
+    "        float weight = 2.0 * direction.z; // 2 pi/N steradians, over the cosine's integral, pi // #if uniform\n"
     "        blocked *= weight; // #if uniform\n"
     "        sums.all += blocked / float(SSGI_SAMPLES); // #if pass == SSAO || pass == HSAO\n"
     "        float less = blocked * (-SSGI_PI / float(SSGI_SAMPLES)); // #if environment == SH\n"
@@ -2328,7 +2332,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_map_light", __LINE__ + 1,
     "#if search == POINTS\n"
-    "// light of the environment, as desc.restore wants it; exact without occlusion\n"
+    "// light of the environment in the form that desc.restore wants; where nothing occludes it is exact\n"
     "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) {\n"
     "    return (1.0 - dark) * ssgi_open_light(P, n); // #if !restore\n"
     "    return 1.0 - dark; // #if restore == RATIO\n"
@@ -2339,7 +2343,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- the paper's march [HSAO08 3.1 to 3.3] */
 
 { "ssgi_ray", __LINE__ + 1,
-    "// occlusion along one ray from the lifted receiver: the weight of the first occluded step\n"
+    "// occlusion along one ray from the lifted receiver, which is the weight of the first occluded step\n"
     "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
     "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
     "        float d = (float(i) + xi) / float(SSGI_STEPS);\n"
@@ -2349,8 +2353,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_horizon", __LINE__ + 1,
-    "// The horizon along tangent t, by deflecting a ray toward the surface [HSAO08 fig. 4]:\n"
-    "// H, the sine of its elevation; occlusion below it: increments of H^2, attenuated by where each was found.\n"
+    "// Finds the horizon along tangent t by deflecting a ray toward the surface [HSAO08 fig. 4]. H is the sine of\n"
+    "// its elevation; the occlusion below it sums the increments of H^2, each attenuated by its own distance.\n"
     "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 n, vec3 t, float beta) {\n"
     "    vec3 h = t;\n"
     "    vec2 r = vec2(0.0);\n"
@@ -2385,7 +2389,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_above", __LINE__ + 1,
-    "// occlusion above H in direction t: even over z^2 in [H^2, 1] [HSAO08 3.3, corrected]\n"
+    "// Occlusion above H in direction t, by normal rays that are even over z^2 in [H^2, 1] [HSAO08 3.3, corrected].\n"
     "float ssgi_above(vec3 start, vec3 n, vec3 t, float H, vec2 xi) {\n"
     "    float sum = 0.0;\n"
     "    for (int k = 0; k < SSGI_NORMAL_RAYS; ++k) {\n"
@@ -2415,12 +2419,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n"
     "#endif\n" },
 
-/* ---- The walk: planes through the view direction, from near to far [TLG23]. Each side has 32 sectors of equal
-   cosine-weighted measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its
-   distance; the surface has the thickness of desc.thickness. Taps of one surface are joined: they also cover the
-   sectors between them, at their mean distance. n over the length l of its projection makes dot(d, n) the height over
-   the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. Each side of a slice is walked alone.
-   Most taps lie in the tangent plane or below it: an arc is worked out only where a tap, or the last one, rises. */
+/* ---- The walk: slices are planes through the view direction, and each side of one is walked from near to far [TLG23].
+   A side has 32 sectors of equal cosine-weighted measure. The surface of a tap occludes the sectors that this tap is
+   the first to cover, attenuated by its distance; it is as thick as desc.thickness says. Taps of one surface join: they
+   also cover the sectors between them, at their mean distance. The normal over the length l of its projection
+   makes dot(d, n) the height over the tangent plane within the slice, which is exactly 0 on a plane, wherever texels
+   lie. Most taps lie in the tangent plane or below it, so an arc is worked out only if a tap or the last one rises. */
 
 /* [DSS14 section 3.1] */
 { "ssgi_surfel_radius", __LINE__ + 1,
@@ -2430,10 +2434,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_span", __LINE__ + 1,
-    "float ssgi_span; // how far slices see what surfels do not, view units\n" },
+    "float ssgi_span; // how far slices count before surfels do, in view units\n" },
 
 { "ssgi_near", __LINE__ + 1,
-    "float ssgi_near(float d) { // share of slices at a distance\n"
+    "float ssgi_near(float d) { // how much slices count at a distance; surfels have the rest\n"
     "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 
@@ -2452,26 +2456,27 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "SSGI_LEVEL", __LINE__ + 1,
-    "const float SSGI_LEVEL = 0.004; // sines of elevation below this are 0: the precision of 10-bit normals\n" },
+    "const float SSGI_LEVEL = 0.004; // sines of elevation below this count as 0, as 10-bit normals round as much\n" },
 
 { "SSGI_OVER", __LINE__ + 1,
-    "const float SSGI_OVER = 0.4; // the same beyond the zenith: rounding, or a texel off the slice\n" },
+    "const float SSGI_OVER = 0.4; // beyond the zenith these do: rounding or a texel off the slice puts taps there\n" },
 
 { "SSGI_ROUNDED", __LINE__ + 1,
-    "const float SSGI_ROUNDED = 0.005; // of a pixel: rounding stays below it in pictures 8,000 pixels wide\n" },
+    "const float SSGI_ROUNDED = 0.005; // of a pixel: places are rounded by less in pictures 8,000 pixels wide\n" },
 
 { "SSGI_JOINED", __LINE__ + 1,
-    "const float SSGI_JOINED = 4.0; // thickness CONSTANT: slope up to which taps are joined\n" },
+    "const float SSGI_JOINED = 4.0; // with thickness CONSTANT taps are joined up to this slope\n" },
 
 { "SSGI_UNSEEN", __LINE__ + 1,
-    "const float SSGI_UNSEEN = 0.35; // what the unseen side of a sender sends, of what is seen: measured\n" },
+    "const float SSGI_UNSEEN = 0.35; // the hidden side of a surface sends this share of its seen side: measured\n" },
 
 { "SSGI_SECOND", __LINE__ + 1,
-    "const float SSGI_SECOND = 0.5; // what a second slab sends, of the first: measured\n" },
+    "const float SSGI_SECOND = 0.5; // a second slab sends this share of the visible surface before it: measured\n" },
 
 { "ssgi_sectors", __LINE__ + 1,
-    "uint ssgi_sectors(float low, float high) { // the sectors from low to high, a bit each\n"
-    "    uint a = uint(low), b = uint(high); // of 32 the shift is by 0, and one less is none\n"
+    "uint ssgi_sectors(float low, float high) { // a bit for each sector from low to high\n"
+    "    // 32 shifts by 0, as a shift by 32 is undefined, and subtracts 1: that gives no bit, as the sum wants it.\n"
+    "    uint a = uint(low), b = uint(high);\n"
     "    return ((1u << (b & 31u)) - (b >> 5u)) - ((1u << (a & 31u)) - (a >> 5u));\n"
     "}\n" },
 
@@ -2487,19 +2492,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_walked_origin", __LINE__ + 1,
-    "ivec2 ssgi_walked_origin() { // of the picture in the texture that slices read\n"
+    "ivec2 ssgi_walked_origin() { // where the picture begins in the texture of depth that slices read\n"
     "    return ssgi_measured_origin(); // #if thickness > SOLID\n"
     "    return ivec2(0); // #if thickness < WIDTH\n"
     "}\n" },
 
 { "ssgi_receiver", __LINE__ + 1,
     "struct ssgi_receiver { // values that its slices share\n"
-    "    vec3 P, normal, n; // n: the normal in the basis\n"
-    "    mat3 basis; // z: to the eye\n"
+    "    vec3 P, normal, n; // n is the normal in the basis\n"
+    "    mat3 basis; // its z points to the eye\n"
     "    vec2 unproject; // radii per pixel, at depth 1 // #if !orthographic\n"
     "    vec2 unproject; // radii per pixel // #if orthographic\n"
-    "    vec2 across, up; // a radius along x and y of the basis, in pixels\n"
-    "    float ray, rounded; // radii along its ray per view depth; rounding stays below it\n"
+    "    vec2 across, up; // how many pixels a radius along x and y of the basis is\n"
+    "    float ray, rounded; // radii along its ray per unit of view depth; the most that rounding moves a point\n"
     "};\n" },
 
 { "ssgi_receiver_of", __LINE__ + 1,
@@ -2516,22 +2521,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return r;\n"
     "}\n" },
 
-/* Forms are as ssgi_plane's. A pixel q sees the point Q at view depth z: dot(Q - P, v) is
+/* Forms are linear, as that of ssgi_plane. A pixel q sees the point Q at view depth z: dot(Q - P, v) is
    (dot(form.xy, q) + form.z) * z + form.w; without perspective dot(form.xy, q) + form.z * z + form.w. */
 { "ssgi_slice", __LINE__ + 1,
     "struct ssgi_slice { // lengths in radii\n"
-    "    vec3 along; // it and the view direction span it\n"
-    "    vec4 x, y; // forms: along the tangent plane, and the height over it within the slice\n"
-    "    vec4 off; // off the slice at the receiver's depth: dot(xy, q) + z; w: height over the plane for that\n"
+    "    vec3 along; // spans the slice together with the view direction\n"
+    "    vec4 x, y; // forms of a point's place along the tangent plane, and of its height within the slice\n"
+    "    vec4 off; // dot(xy, q) + z is how far pixel q is off the slice; w is the height that one unit off it has\n"
     "    vec2 lean; // half of the sine and the cosine of the projected normal's angle from the view direction\n"
-    "    float open; // arc of a side, without what the lean adds to one and takes from the other\n"
-    "    float width; // of the normal's projection\n"
-    "    float rounded, least; // rounding stays below it; added to squared distances\n"
-    "    float grain; // unit of pass width, view units\n"
+    "    float open; // the arc of a side, but for the part that the lean adds to one and takes from the other\n"
+    "    float width; // length of the normal's projection\n"
+    "    float rounded, least; // the most that rounding moves a point; squared distances have least added\n"
+    "    float grain; // the unit of thickness in pass width, in view units\n"
     "};\n" },
 
 { "ssgi_slice_of", __LINE__ + 1,
-    "// the slice at a turn, cosine and sine, about the view direction; p: the receiver's coordinates among pixels\n"
+    "// The slice at a turn about the view direction, given as cosine and sine. p is the receiver's pixel, counted as\n"
+    "// the pixels of taps are.\n"
     "ssgi_slice ssgi_slice_of(ssgi_receiver r, ivec2 p, vec2 turn) {\n"
     "    vec3 along = r.basis[0] * turn.x + r.basis[1] * turn.y, across = r.basis[1] * turn.x - r.basis[0] * turn.y;\n"
     "    float a = dot(r.n.xy, turn), b = r.n.z, l = max(sqrt(a * a + b * b), 1e-4), per = 1.0 / l;\n"
@@ -2548,23 +2554,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.x.w -= dot(s.x.xy, q), s.y.w -= dot(s.y.xy, q); // #if orthographic\n"
     "    s.x.z -= dot(s.x.xy, q), s.y.z -= dot(s.y.xy, q); // #if !orthographic\n"
     "    s.off.z = -dot(s.off.xy, q);\n"
-    "    // rounding puts the receiver's own texel beside it in any direction: with ten times that added it lies flat\n"
+    "    // Rounding puts the receiver's own texel beside the receiver, in any direction. As ten times as much is\n"
+    "    // added to its distance, that texel seems to lie in the tangent plane.\n"
     "    s.rounded = r.rounded, s.least = 100.0 * r.rounded * r.rounded, s.grain = u_ssgi_radius / 63.0;\n"
     "    return s;\n"
     "}\n" },
 
 { "ssgi_side", __LINE__ + 1,
     "struct ssgi_side { // of a slice, from the receiver outwards\n"
-    "    vec4 x; // form along the tangent plane\n"
-    "    float cosg, sing, rest; // halves, in sectors; cosg and the noise that rounds sectors\n"
-    "    float share; // of the hemisphere, per sector\n"
-    "    float edge; // how far the picture goes, of the radius\n"
+    "    vec4 x; // form of a point's place along the tangent plane\n"
+    "    float cosg, sing, rest; // half of cos g and of sin g, in sectors; cosg plus the noise that rounds sectors\n"
+    "    float share; // of the hemisphere that a sector has\n"
+    "    float edge; // share of the radius at which the picture ends\n"
     "};\n" },
 
 /* A side reaches from the tangent plane to where c is -sin g. The slice has the part of that arc which both sides have
    alike: of the whole formula NVIDIA's compiler for GL (driver 580) loses a sign where way is -1. */
 { "ssgi_side_of", __LINE__ + 1,
-    "// way: 1 along the slice, -1 against it\n"
+    "// way is 1 for the side along the slice, -1 for the other\n"
     "ssgi_side ssgi_side_of(ssgi_slice s, float way, float noise, float edge) {\n"
     "    ssgi_side e;\n"
     "    float a = way * s.lean.x, whole = max(s.open + 1.57079633 * a, 1e-5);\n"
@@ -2575,7 +2582,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_edges", __LINE__ + 1,
-    "// how far along pixels, on both sides of p, the picture goes: nearly, so that rounding reads nothing beyond\n"
+    "// How much of the way along pixels, on both sides of p, lies in the picture: a little less, so that rounding\n"
+    "// reads no texel beyond.\n"
     "vec2 ssgi_edges(ivec2 p, vec2 pixels) {\n"
     "    vec2 per = 1.0 / (pixels + 1e-9);\n"
     "    vec2 low = (vec2(p) + 0.499) * per, high = (vec2(u_ssgi_size - p) - 0.501) * per;\n"
@@ -2584,14 +2592,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sector", __LINE__ + 1,
-    "// sector of an elevation with cosine c, q its square, up to most; 0 where not up\n"
+    "// The sector of an elevation with cosine c, whose square is q: at most `most`, and 0 unless it is up.\n"
     "float ssgi_sector(ssgi_side e, float c, float q, bool up, float most) {\n"
     "    float sector = e.rest - e.cosg * q + e.sing * ssgi_arc_odd(c, q);\n"
     "    return up ? clamp(sector, 0.0, most) : 0.0;\n"
     "}\n" },
 
 { "ssgi_cover_sectors", __LINE__ + 1,
-    "// covers an arc's sectors; those that were free, attenuated by a distance in radii\n"
+    "// covers an arc's sectors; returns how many of them were free, attenuated by a distance in radii\n"
     "float ssgi_cover_sectors(inout uint left, uint arc, float d) {\n"
     "    arc &= left;\n"
     "    left ^= arc;\n"
@@ -2602,22 +2610,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_tap", __LINE__ + 1,
     "struct ssgi_tap {\n"
-    "    ivec2 q; // its pixel\n"
-    "    vec2 k; // of its ray: ssgi_on_ray\n"
-    "    float z, distance, h; // view depth; radii from the receiver; sine of the elevation\n"
-    "    bool inside, seen; // in the picture; within the radius\n"
-    "    bool beyond, up; // past the zenith; above the tangent plane\n"
+    "    ivec2 q; // the pixel\n"
+    "    vec2 k; // the forms at that pixel, which ssgi_on_ray takes\n"
+    "    float z, distance, h; // its view depth; its distance in radii; the sine of its elevation\n"
+    "    bool inside, seen; // it is in the picture; it is within the radius, too\n"
+    "    bool beyond, up; // it is past the zenith; it rises above the tangent plane\n"
     "    float width; // thickness of its surface, view units // #if thickness > SOLID\n"
     "};\n" },
 
 { "ssgi_ray_of", __LINE__ + 1,
-    "vec2 ssgi_ray_of(ssgi_slice s, ssgi_side e, vec2 q) { // of a pixel\n"
+    "vec2 ssgi_ray_of(ssgi_slice s, ssgi_side e, vec2 q) { // both forms at a pixel, without the view depth\n"
     "    return vec2(dot(e.x.xy, q) + e.x.w, dot(s.y.xy, q) + s.y.w); // #if orthographic\n"
     "    return vec2(dot(e.x.xy, q) + e.x.z, dot(s.y.xy, q) + s.y.z); // #if !orthographic\n"
     "}\n" },
 
 { "ssgi_on_ray", __LINE__ + 1,
-    "vec2 ssgi_on_ray(ssgi_slice s, ssgi_side e, vec2 k, float z) { // along and up, in radii, at a view depth\n"
+    "vec2 ssgi_on_ray(ssgi_slice s, ssgi_side e, vec2 k, float z) { // place along and height at view depth z\n"
     "    return k + z * vec2(e.x.z, s.y.z); // #if orthographic\n"
     "    return k * z + vec2(e.x.w, s.y.w); // #if !orthographic\n"
     "}\n" },
@@ -2628,7 +2636,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tap_at", __LINE__ + 1,
-    "ssgi_tap ssgi_tap_at(ssgi_slice s, ssgi_side e, vec2 place, float u) { // u: how far along the side\n"
+    "ssgi_tap ssgi_tap_at(ssgi_slice s, ssgi_side e, vec2 place, float u) { // u is the share of the radius\n"
     "    ssgi_tap t;\n"
     "    t.q = ivec2(place);\n"
     "    t.z = ssgi_depth(t.q); // #if thickness < WIDTH\n"
@@ -2637,7 +2645,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 q = vec2(t.q);\n"
     "    t.k = ssgi_ray_of(s, e, q);\n"
     "    vec2 d = ssgi_on_ray(s, e, t.k, t.z);\n"
-    "    // a texel is up to half a pixel off its slice: without that, slices that graze a plane darken it in dots\n"
+    "    // A texel is up to half a pixel off its slice. If that did not count, slices that graze a plane would\n"
+    "    // darken it in dots.\n"
     "    float off = s.off.x * q.x + (s.off.y * q.y + s.off.z), up = d.y - s.off.w * off;\n"
     "    float ll = d.x * d.x + (up * up + (off * off + s.least));\n"
     "    t.distance = sqrt(ll), t.h = clamp(d.y * inversesqrt(ll), 0.0, 1.0);\n"
@@ -2647,20 +2656,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cosine", __LINE__ + 1,
-    "float ssgi_cosine(float q, bool beyond) { // of an elevation, from its square\n"
+    "float ssgi_cosine(float q, bool beyond) { // the cosine of an elevation from its square\n"
     "    return beyond ? -sqrt(q) : sqrt(q);\n"
     "}\n" },
 
 { "ssgi_walked", __LINE__ + 1,
-    "struct ssgi_walked { // a side after some steps, for the next one\n"
-    "    uint left; // sectors that are not covered\n"
-    "    float distance; // of the last tap from the receiver, in radii\n"
-    "    float low, high, z; // its arc, its view depth // #if thickness != SOLID\n"
-    "    bool seen, rose; // it was within the radius; above the tangent plane // #if thickness != SOLID\n"
-    "    float end_; // where its surface ends // #if thickness > SOLID\n"
-    "    float sine; // of its elevation, negative beyond the zenith // #if environment\n"
-    "    float share; // sectors blocked so far, attenuated\n"
-    "    vec2 toward; // times cosine and sine of their elevation // #if environment\n"
+    "struct ssgi_walked { // how a side stands after some steps\n"
+    "    uint left; // sectors that are free\n"
+    "    float distance; // of the last tap, in radii\n"
+    "    float low, high, z; // the last tap's arc and view depth // #if thickness != SOLID\n"
+    "    bool seen, rose; // the last tap was within the radius; it rose // #if thickness != SOLID\n"
+    "    float end_; // view depth at which the last tap's surface ends // #if thickness > SOLID\n"
+    "    float sine; // of the last tap's elevation, negative beyond the zenith // #if environment\n"
+    "    float share; // how many sectors are occluded, attenuated\n"
+    "    vec2 toward; // sum of cosine and sine of the occluded sectors' elevations // #if environment\n"
     "};\n" },
 
 { "ssgi_walked_none", __LINE__ + 1,
@@ -2675,18 +2684,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_last_elevation", __LINE__ + 1,
-    "vec2 ssgi_last_elevation(ssgi_walked w) { // cosine and sine of the last tap's\n"
+    "vec2 ssgi_last_elevation(ssgi_walked w) { // cosine and sine of the last tap's elevation\n"
     "    return vec2(ssgi_cosine(1.0 - w.sine * w.sine, w.sine < 0.0), abs(w.sine));\n"
     "}\n" },
 
 { "ssgi_add_elevation", __LINE__ + 1,
-    "// adds blocked sectors at an elevation: its cosine and sine, of any length\n"
+    "// adds occluded sectors at an elevation, whose cosine and sine may have any length\n"
     "void ssgi_add_elevation(inout ssgi_walked w, vec2 elevation, float share) {\n"
     "    w.toward += elevation * (inversesqrt(max(dot(elevation, elevation), 1e-12)) * share);\n"
     "}\n" },
 
 { "ssgi_add_blocked", __LINE__ + 1,
-    "// one evaluation of the environment or the harmonics a side, whatever the steps; way: as ssgi_side_of\n"
+    "// Adds the light that a side occludes; environment or harmonics are evaluated once, in the mean direction.\n"
     "void ssgi_add_blocked(inout ssgi_sums sums, ssgi_slice s, vec3 V, ssgi_walked w, float way, float share) {\n"
     "    vec2 e = vec2(way * w.toward.x, w.toward.y), lean = 2.0 * s.lean; // along the tangent plane, up\n"
     "    vec3 to = s.along * dot(e, lean.yx) + V * (e.y * lean.y - e.x * lean.x);\n"
@@ -2697,8 +2706,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_add_sent", __LINE__ + 1,
-    "// Adds what the surface at pixel q, at an offset d, sends: its share, and that of the second slab behind it.\n"
-    "// Edge-on, within the rounding of its normal, it sends nothing.\n"
+    "// Adds the light that the surface at pixel q, at an offset d, sends, and that of the second slab behind it, by\n"
+    "// their shares. Edge-on, within the rounding of its normal, a surface sends nothing.\n"
     "void ssgi_add_sent(inout ssgi_sums sums, ivec2 q, vec3 d, float share, float second) {\n"
     "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 o = ssgi_unpack_normal(s.y);\n"
@@ -2711,8 +2720,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gap", __LINE__ + 1,
-    "struct ssgi_gap { // view units between taps, the greater of these: apart, for GPUs have a maximum of three\n"
-    "    float last, first; // to the last tap; from the receiver to the first one\n"
+    "struct ssgi_gap { // the greater is the gap between taps, in view units; apart, as GPUs have a maximum of three\n"
+    "    float last, first; // from the last tap to this one; from the receiver to the first one\n"
     "};\n" },
 
 { "ssgi_between", __LINE__ + 1,
@@ -2748,7 +2757,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 back = ssgi_on_ray(s, e, t.k, end_);\n"
     "    float ll = ssgi_squared(s, back);\n"
     "    l = 0.5 * (l + min(l, sqrt(ll))); // #if thickness > SOLID\n"
-    "    if (t.up || (w.rose && t.seen)) { // else it does not rise, nor did the last one\n"
+    "    if (t.up || (w.rose && t.seen)) { // else neither this tap rises nor did the last one\n"
     "        float q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
     "        back *= inversesqrt(ll);\n"
     "        high = ssgi_sector(e, c, q, t.up, 32.0);\n"
@@ -2757,7 +2766,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float apart = max(t.z - w.end_, w.z - end_); // below 0 their depths overlap // #if thickness > SOLID\n"
     "        bool joined = apart < ssgi_between(gap) && t.seen && w.seen;\n"
     "        uint arc = ssgi_sectors(joined ? min(low, w.low) : low, joined ? max(high, w.high) : high);\n"
-    "        // a joined arc lies halfway to the last tap, another an eighth of the way\n"
+    "        // The distance of a joined arc is halfway to the last tap, that of another an eighth of the way.\n"
     "        fresh = ssgi_cover_sectors(w.left, arc, mix(min(l, 2.0), min(w.distance, 1.0), joined ? 0.5 : 0.125));\n"
     "        w.share += fresh;\n"
     "#if environment\n"
@@ -2773,7 +2782,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_cover_second", __LINE__ + 1,
-    "// the same of a second slab behind the tap\n"
+    "// covers the sectors of a second slab behind the tap; returns how many were free, attenuated\n"
     "float ssgi_cover_second(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
     "    vec3 slab = ssgi_slabs(t.q);\n"
     "    vec2 front = ssgi_on_ray(s, e, t.k, slab.y);\n"
@@ -2794,7 +2803,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_step", __LINE__ + 1,
-    "// a side's step: its tap blocks, and sends\n"
+    "// one step of a side: its tap occludes sectors, and sends light from them\n"
     "void ssgi_step(inout ssgi_sums sums, ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap,\n"
     "    vec3 P) {\n"
     "    float first = ssgi_cover(s, e, w, t, gap), second = 0.0;\n"
@@ -2808,12 +2817,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* What steps miss, and what is beyond the picture, is expected, not open: by each sector that is blocked it is a share
-   of those that are free, fitted to the truth of 28 scenes at 1280x720; where nothing is blocked it is nothing. Steps
-   miss occluders beside those that they found, and the fewer the more they are: 34 steps miss none. Such occluders are
-   taken to send as the found ones do. */
+/* Steps miss occluders, and beyond the picture nobody sees them: both are expected, as leaving those directions open
+   errs more. For each occluded sector a share of the free ones counts as occluded, too; where no sector is, nothing is
+   expected, so that planes stay open. The shares are fitted to the truth of 28 scenes at 1280x720; with 34 steps none
+   is missed. Expected occluders send light as the found ones do. */
 { "ssgi_expect", __LINE__ + 1,
-    "void ssgi_expect(inout ssgi_sums sums, ssgi_side e, inout ssgi_walked w) { // adds what a side did not see\n"
+    "void ssgi_expect(inout ssgi_sums sums, ssgi_side e, inout ssgi_walked w) { // adds occlusion that a side missed\n"
     "    float missed = max(0.09375 / float(SSGI_STEPS) - 0.0028, 0.0), beyond = max(1.0 - e.edge, 0.0);\n"
     "    float more = missed * w.share + beyond * beyond * min(0.05 * w.share, 0.4);\n"
     "    more = ssgi_count(w.left) * min(more, 1.0);\n"
@@ -2822,28 +2831,28 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_expect_sent", __LINE__ + 1,
-    "void ssgi_expect_sent(inout ssgi_sums sums) { // adds what expected occluders send\n"
+    "void ssgi_expect_sent(inout ssgi_sums sums) { // adds the light that expected occluders send\n"
     "    float more = sums.expected / sums.found;\n"
     "    sums.bounce *= 1.0 + more; // #if pass == SSDO\n"
     "    for (int c = 0; c < 3; ++c) ssgi_sh_add(sums.bounce.c[c], sums.bounce.c[c], more); // #if pass == S3HO\n"
     "}\n" },
 
 { "ssgi_walk_slice", __LINE__ + 1,
-    "// a slice from near to far; pixels: that a radius along it covers\n"
+    "// walks both sides of a slice from near to far; a radius along it covers so many pixels in x and y\n"
     "void ssgi_walk_slice(ssgi_slice s, vec3 P, ivec2 p, vec2 pixels, vec2 xi, vec2 noise, inout ssgi_sums sums) {\n"
     "    float unit = 1.0 / float(SSGI_STEPS), reach = u_ssgi_radius;\n"
     "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // of the radius // #if span\n"
     "    pixels *= share, reach *= share; // #if span\n"
     "    vec2 edges = ssgi_edges(p, pixels), pixel = vec2(p + ssgi_walked_origin()) + 0.5;\n"
     "    ssgi_side a = ssgi_side_of(s, 1.0, noise.x, edges.x), b = ssgi_side_of(s, -1.0, noise.y, edges.y);\n"
-    "    // taps are at squares, so that gaps between them grow evenly\n"
+    "    // Taps stand at the squares of even steps, so that the gaps between them grow evenly.\n"
     "    vec2 at = vec2(xi.y, 1.0 - xi.y) * unit, first = at * at * reach;\n"
     "    float grows = 2.0 * reach * unit, less = reach * unit * unit;\n"
     "    ssgi_walked wa = ssgi_walked_none(-P.z), wb = wa;\n"
     "    for (int k = 0; k < SSGI_STEPS; ++k) {\n"
     "        vec2 u = at * at, last = at * grows - less;\n"
     "        ssgi_tap ta = ssgi_tap_at(s, a, pixel + pixels * u.x, u.x);\n"
-    "        ssgi_tap tb = ssgi_tap_at(s, b, pixel - pixels * u.y, u.y); // both fetched before either is worked out\n"
+    "        ssgi_tap tb = ssgi_tap_at(s, b, pixel - pixels * u.y, u.y); // both wait at once\n"
     "        ssgi_step(sums, s, a, wa, ta, ssgi_gap(last.x, first.x), P);\n"
     "        ssgi_step(sums, s, b, wb, tb, ssgi_gap(last.y, first.y), P);\n"
     "        at += unit;\n"
@@ -2863,9 +2872,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_receiver r = ssgi_receiver_of(P, n); // #if !environment\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float phi = SSGI_PI * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
-    "        ssgi_receiver r = ssgi_receiver_of(P, n); // here, as registers are scarce // #if environment\n"
+    "        ssgi_receiver r = ssgi_receiver_of(P, n); // anew, which keeps registers free // #if environment\n"
     "        vec2 turn = vec2(cos(phi), sin(phi));\n"
-    "        // rounds the sectors, independently of the turn and the offset\n"
+    "        // This rounds the sectors. It must not depend on the turn or the offset.\n"
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
     "        ssgi_slice s = ssgi_slice_of(r, p + ssgi_walked_origin(), turn);\n"
     "        ssgi_walk_slice(s, P, p, r.across * turn.x + r.up * turn.y, xi, noise, sums);\n"
@@ -2877,21 +2886,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_map_light", __LINE__ + 1,
     "#if search == SLICES\n"
-    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) { // light of the environment, as desc.restore wants it\n"
+    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) { // the environment's light in the form of desc.restore\n"
     "    return max(ssgi_open_light(P, n) - dark, 0.0); // #if !restore\n"
     "    return clamp(1.0 - dark / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
     "    return -dark; // #if restore == DIFFERENCE\n"
     "}\n"
     "#endif\n" },
 
-/* ---- what is written */
+/* ---- the output of a gather */
 
 { "ssgi_transfer", __LINE__ + 1,
-    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // from harmonics to irradiance [S3HO12 eq. 2]\n"
+    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // its dot with light is irradiance [S3HO12 eq. 2]\n"
     "    ssgi_coefficients v = ssgi_coefficients_none(); // #if !(pass == S3HO && bounce)\n"
     "    ssgi_coefficients v = sums.bounce; // #if pass == S3HO && bounce\n"
     "#if transfer == BOTH && bands == 1\n"
-    "    // one band leaves lane y free: it keeps the reflected part, to which no residual is added\n"
+    "    // One band leaves lane y free, which keeps the reflected part, as that gets no residual.\n"
     "    for (int c = 0; c < 3; ++c) v.c[c].a.y = v.c[c].a.x;\n"
     "#endif\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], sums.lobe, 1.0); // #if environment == SH\n"
@@ -2957,9 +2966,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "main_occluder", __LINE__ + 1,
-    "flat out vec4 v_ssgi_occluder[9]; // ssgi_gl_occluder from to_field on\n"
+    "flat out vec4 v_ssgi_occluder[9]; // the members of ssgi_gl_occluder from to_field on\n"
     "void main() {\n"
-    "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0)); // of influence\n"
+    "    // The occluder darkens nothing outside this sphere.\n"
+    "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0));\n"
     "    for (int i = 0; i < 9; ++i)\n"
     "        v_ssgi_occluder[i] = texelFetch(t_ssgi_occluders, ivec2(i + 1, gl_InstanceID), 0);\n"
     "    gl_Position = ssgi_corner(bounds, gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID, u_ssgi_size);\n"
@@ -2973,9 +2983,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_fetch", __LINE__ + 1,
-    "// components in [0,1] along w, bilinear with the border; at: resolution, slice\n"
+    "// The field's components along w, in [0,1], bilinear with the border; at holds resolution and slice.\n"
     "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
-    "    vec3 m = abs(w), s = vec3(vec2(w.z < 0.0 ? -w.x : w.x, -w.y) / m.z, w.z < 0.0 ? 5.0 : 4.0); // s.z: the face\n"
+    "    vec3 m = abs(w), s = vec3(vec2(w.z < 0.0 ? -w.x : w.x, -w.y) / m.z, w.z < 0.0 ? 5.0 : 4.0); // s.z: face\n"
     "    if (m.x >= m.y && m.x >= m.z) s = vec3(vec2(w.x < 0.0 ? w.z : -w.z, -w.y) / m.x, w.x < 0.0 ? 1.0 : 0.0);\n"
     "    else if (m.y >= m.z) s = vec3(vec2(w.x, w.y < 0.0 ? -w.z : w.z) / m.y, w.y < 0.0 ? 3.0 : 2.0);\n"
     "    s.xy = (s.xy * 0.5 + 0.5) * at.x + 0.5;\n"
@@ -2992,8 +3002,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* [AOF05 eq. 3] */
 { "ssgi_cap", __LINE__ + 1,
-    "// cosine-weighted occlusion of a spherical cap, at most a hemisphere; k, S: cosine of its radius,\n"
-    "// squared sine; c: cosine between its axis and the normal\n"
+    "// Cosine-weighted occlusion of a spherical cap, at most a hemisphere: k is the cosine of its radius, S the\n"
+    "// square of the sine, c the cosine between its axis and the normal.\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
@@ -3002,7 +3012,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* [AOF05 section 4.2] */
 { "ssgi_cap_table", __LINE__ + 1,
-    "// the same by your table, bilinear between texels' centres; h: solid angle over 2 pi\n"
+    "// The same occlusion from your table, bilinear between texels' centres; h is the cap's solid angle over 2 pi.\n"
     "float ssgi_cap_table(float h, float c) {\n"
     "    ivec2 last = textureSize(t_ssgi_cap, 0) - 1;\n"
     "    vec2 at = clamp(vec2(h, c + 1.0) * 0.5, 0.0, 1.0) * vec2(last);\n"
@@ -3014,8 +3024,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_at", __LINE__ + 1,
-    "// a point in the occluder's space: direction from the centre, distance\n"
-    "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) { // occluder: ssgi_gl_occluder from to_field on\n"
+    "// A point in the occluder's space: its direction from the centre, and its distance.\n"
+    "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) { // occluder has ssgi_gl_occluder's members from to_field on\n"
     "    vec4 p = vec4(P, 1.0);\n"
     "    vec3 w = vec3(dot(occluder[0], p), dot(occluder[1], p), dot(occluder[2], p));\n"
     "    float r = length(w);\n"
@@ -3024,20 +3034,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* [AOF05 algorithm 1] */
 { "ssgi_field_occlusion", __LINE__ + 1,
-    "// occlusion by an occluder, in [0,1]; n: unit normal\n"
+    "// occlusion by an occluder of a surface with unit normal n, in [0,1]\n"
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
     "    vec4 a, b;\n"
     "    ssgi_field_fetch(at.xyz, occluder[8].xy, a, b);\n"
     "    a = occluder[4] + occluder[6] * a, b = occluder[5] + occluder[7] * b;\n"
     "    float hull = a.w, r = max(at.w, hull), t = min((r - hull) / (occluder[8].z - hull), 1.0);\n"
     "    a.xyz = exp2(a.xyz);\n"
-    "    a.y -= sqrt(a.x * a.z); // 1/(a quadratic in r) by its Bernstein form from the hull to the end\n"
+    "    a.y -= sqrt(a.x * a.z); // 1/(a quadratic in r), in Bernstein form from the hull to the end\n"
     "    float q = mix(mix(a.x, a.y, t), mix(a.y, a.z, t), t);\n"
     "    vec3 axis = b.xyz - r * at.xyz;\n"
     "    axis = dot(axis, axis) > 0.0 ? normalize(axis) : -at.xyz;\n"
     "    n = normalize(vec3(dot(occluder[0].xyz, n), dot(occluder[1].xyz, n), dot(occluder[2].xyz, n)));\n"
     "    float c = dot(axis, n);\n"
-    "    // the cap of this vector irradiance, and the share of it that is covered\n"
+    "    // The cap has this vector irradiance; fill is the share of it that the occluder covers.\n"
     "    float S = 0.318309886 / max(q, 0.318309886), fill = max(b.w, S);\n"
     "    S /= fill;\n"
     "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c); // #if !cap_table\n"
@@ -3047,7 +3057,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_visibility", __LINE__ + 1,
-    "// ambient visibility by occluders 0 .., except those of the object itself\n"
+    "// ambient visibility that all occluders leave, but for those of the object itself\n"
     "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 n) {\n"
     "    float visibility = 1.0;\n"
     "    for (int i = 0; i < occluders; ++i) {\n"
@@ -3070,7 +3080,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (!(z < SSGI_FAR && at.w < v_ssgi_occluder[3].y)) discard;\n"
     "    uint object = ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
     "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects == TEXTURE\n"
-    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion // #if objects\n"
+    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // it is the object itself // #if objects\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n"
     "}\n" },
 
@@ -3078,7 +3088,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_patch", __LINE__ + 1,
     "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
-    "out vec2 v_ssgi_part; // of splits * splits; which vertex\n"
+    "out vec2 v_ssgi_part; // which part of splits * splits, and which vertex of it\n"
     "void main() {\n"
     "    mat3 m = mat3(u_ssgi_mesh);\n"
     "    vec3 x = cross(m[1], m[2]);\n"
@@ -3095,7 +3105,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_part_corner", __LINE__ + 1,
-    "vec3 ssgi_part_corner(int i, int n, int c) { // weights of corner c of part i of n * n\n"
+    "vec3 ssgi_part_corner(int i, int n, int c) { // barycentric weights of corner c of part i of n * n\n"
     "    int row = int(sqrt(float(i) + 0.5)), place = i - row * row, odd = place & 1;\n"
     "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0));\n"
     "    int across = place / 2 + (odd == 1 ? (c > 0 ? 1 : 0) : (c > 1 ? 1 : 0));\n"
@@ -3103,7 +3113,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_outside", __LINE__ + 1,
-    "float ssgi_outside(vec3 P) { // distance outside the frustum\n"
+    "float ssgi_outside(vec3 P) { // how far a point is outside the frustum\n"
     "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a;\n"
     "    vec2 low = min(a, b), high = max(a, b);\n"
     "    vec2 d = max(low - P.xy, P.xy - high); // #if orthographic\n"
@@ -3113,13 +3123,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "SSGI_MOST", __LINE__ + 1,
-    "const float SSGI_MOST = 3169.0; // surfels of level 64, the tessellator's last: ssgi_tess_count(64)\n" },
+    "const float SSGI_MOST = 3169.0; // surfels of the tessellator's last level: ssgi_tess_count(64)\n" },
 
 { "SSGI_WHOLE", __LINE__ + 1,
-    "const float SSGI_WHOLE = 1e-5; // what is so little above a whole number counts as that\n" },
+    "const float SSGI_WHOLE = 1e-5; // a count that is so little above a whole number is rounded down\n" },
 
 { "ssgi_parts", __LINE__ + 1,
-    "// parts of an edge that a triangle needs beyond level 64, by its corners' view depths and its area\n"
+    "// how many parts each edge of a triangle needs beyond level 64, by its corners' view depths and its area\n"
     "int ssgi_parts(vec3 z, float area) {\n"
     "    float low = min(z.x, min(z.y, z.z)), high = max(z.x, max(z.y, z.z));\n"
     "    float nearest = low > 0.0 ? low : high < 0.0 ? high : 0.0;\n"
@@ -3129,12 +3139,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tess_level", __LINE__ + 1,
-    "int ssgi_tess_level(float discs) { // the least level with as many surfels\n"
+    "int ssgi_tess_level(float discs) { // the least level that has so many surfels\n"
     "    return discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - SSGI_WHOLE), 64.0)) : 1;\n"
     "}\n" },
 
 { "ssgi_alive", __LINE__ + 1,
-    "// of the three surfels of a small triangle those that stay, a bit each: thinned stochastically\n"
+    "// The three surfels of a small triangle are thinned out by chance; a bit each says which stay.\n"
     "int ssgi_alive(uint key, float share) {\n"
     "    int alive = 0;\n"
     "    for (int i = 0; i < 3; ++i)\n"
@@ -3144,7 +3154,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_inset", __LINE__ + 1,
     "#if overhang == INCENTRE\n"
-    "// a corner, scaled about the centre of the inscribed circle so that discs of radius r end at the edges\n"
+    "// A corner is scaled about the centre of the inscribed circle, so that discs of radius r end at the edges.\n"
     "vec3 ssgi_inset(vec3 at[3], int corner, float r, float area) {\n"
     "    vec3 edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
     "    float perimeter = edge.x + edge.y + edge.z, inset = max(1.0 - r * perimeter / (2.0 * area), 0.25);\n"
@@ -3155,7 +3165,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_inset", __LINE__ + 1,
     "#if overhang == CENTROID\n"
-    "// a corner, moved by r toward the centroid, by 0.9 of the way at most\n"
+    "// A corner is moved by r toward the centroid, by 0.9 of the way at most.\n"
     "vec3 ssgi_inset(vec3 at[3], int corner, float r, float area) {\n"
     "    vec3 centre = (at[0] + at[1] + at[2]) / 3.0, way = at[corner] - centre;\n"
     "    return centre + max(1.0 - r * inversesqrt(dot(way, way)), 0.1) * way;\n"
@@ -3167,7 +3177,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
     "in vec2 v_ssgi_part[];\n"
     "out vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
-    "patch out vec4 v_ssgi_patch; // radius, level, key in two halves\n"
+    "patch out vec4 v_ssgi_patch; // radius, level, and the key in two halves\n"
     "void main() {\n"
     "    vec3 z = -vec3(v_ssgi_position[0].z, v_ssgi_position[1].z, v_ssgi_position[2].z), at[3];\n"
     "    vec3 sides[2] = vec3[2](v_ssgi_position[1] - v_ssgi_position[0], v_ssgi_position[2] - v_ssgi_position[0]);\n"
@@ -3188,7 +3198,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float discs = area / (SSGI_PI * r * r), share = u_ssgi_keep_small > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
     "    int alive = ssgi_alive(key, share), level = ssgi_tess_level(discs);\n"
     "    empty = empty || aside - extent > u_ssgi_radius || alive == 0;\n"
-    "    r = sqrt(area / (SSGI_PI * share * float(ssgi_tess_count(level)))); // their area sums to the triangle's\n"
+    "    r = sqrt(area / (SSGI_PI * share * float(ssgi_tess_count(level)))); // the discs have the triangle's area\n"
     "    vec3 w = ssgi_part_corner(part, n, gl_InvocationID);\n"
     "    v_ssgi_corner[gl_InvocationID] = ssgi_inset(at, gl_InvocationID, r, area);\n"
     "    v_ssgi_facing[gl_InvocationID] = v_ssgi_normal[0] * w.x + v_ssgi_normal[1] * w.y + v_ssgi_normal[2] * w.z;\n"
@@ -3199,7 +3209,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_scramble", __LINE__ + 1,
-    "uint ssgi_scramble(uint x) { // PCG's [O'Neill 2014]\n"
+    "uint ssgi_scramble(uint x) { // the output function of PCG [O'Neill 2014]\n"
     "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
     "    return (x >> 22) ^ x;\n"
     "}\n" },
@@ -3210,7 +3220,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_surfel_sent", __LINE__ + 1,
-    "// what a surfel sends: its colour times irradiance over pi, unoccluded\n"
+    "// the radiance that a surfel sends: its colour times irradiance over pi, unoccluded\n"
     "vec3 ssgi_surfel_sent(vec3 P, vec3 n, vec3 colour) {\n"
     "    return colour; // #if sends == COLOUR\n"
     "    return ssgi_custom_surfel(P, n, colour); // #if sends == CUSTOM\n"
@@ -3229,13 +3239,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 n = v_ssgi_facing[0] * w.x + v_ssgi_facing[1] * w.y + v_ssgi_facing[2] * w.z;\n"
     "    vec3 colour = v_ssgi_tint[0] * w.x + v_ssgi_tint[1] * w.y + v_ssgi_tint[2] * w.z;\n"
     "    n = dot(n, n) > 0.0 ? normalize(n) : flat_ * sign(determinant(mat3(u_ssgi_mesh)));\n"
-    "    // which point of the tessellator's rings this is: the same number on every machine\n"
+    "    // The number of this point in the tessellator's rings is the same on every machine.\n"
     "    float ring = floor(min(w.x, min(w.y, w.z)) * 1.5 * v_ssgi_patch.y + 0.5);\n"
     "    uvec3 place = uvec3(max(w * v_ssgi_patch.y - ring / 1.5 + 0.5, 0.0));\n"
     "    uint h = ssgi_hash((uint(v_ssgi_patch.z) << 16) | uint(v_ssgi_patch.w));\n"
     "    h = ssgi_hash(h + (place.x | (place.y << 7) | (uint(ring) << 14)));\n"
     "    bool kept = v_ssgi_patch.y > 1.0 || (uint(v_ssgi_patch.z) >> (16u + place.y + 2u * place.z) & 1u) > 0u;\n"
-    "    v_ssgi_surfel0 = vec4(P, kept ? v_ssgi_patch.x : 0.0); // radius 0 affects nothing\n"
+    "    v_ssgi_surfel0 = vec4(P, kept ? v_ssgi_patch.x : 0.0); // with radius 0 it affects nothing\n"
     "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, n, colour), 0.0);\n"
     "}\n" },
@@ -3247,10 +3257,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "main_nothing", __LINE__ + 1,
-    "void main() {} // nothing is drawn; GLES requires a fragment stage\n" },
+    "void main() {} // Nothing is drawn, but GLES requires a fragment stage.\n" },
 
 { "ssgi_interleave", __LINE__ + 1,
-    "// the sub-buffer of a pixel in its block, hashed; exclusive or is its own inverse\n"
+    "// The sub-buffer of a pixel in its block is hashed by exclusive or, which is its own inverse.\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint h = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
     "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n"
@@ -3266,7 +3276,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 across = (u_ssgi_size + mask) >> l, sub = q / across, block = q - sub * across;\n"
     "    ivec2 p = (block << l) | ((sub ^ ssgi_interleave(block, mask)) & mask);\n"
     "    o_ssgi_shuffled = uvec4(floatBitsToUint(vec3(SSGI_FAR)), 0u);\n"
-    "    if (max(sub.x, sub.y) > mask || !ssgi_inside(p)) return; // sizes need not be multiples\n"
+    "    if (max(sub.x, sub.y) > mask || !ssgi_inside(p)) return; // the size need not be a multiple\n"
     "    float z = ssgi_depth(p);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
@@ -3289,19 +3299,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* [DSS14 section 3.2] */
 { "ssgi_shell", __LINE__ + 1,
     "// the rectangle of one sub-buffer that a surfel covers at a level\n"
-    "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n"
-    "flat out float v_ssgi_end; // outer^2\n"
-    "flat out float v_ssgi_seen; // 1: slices can see it // #if span\n"
-    "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) { // texels, empty if it covers none\n"
+    "// position, squared radius; normal, weight; radiance, square of the distance from which on the level counts\n"
+    "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
+    "flat out float v_ssgi_end; // square of the distance at which the level ends\n"
+    "flat out float v_ssgi_seen; // 1: slices can see the surfel // #if span\n"
+    "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) { // in texels; empty if it covers none\n"
     "    ivec2 p = ivec2(floor(ssgi_project(at.xyz))); // #if span\n"
     "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w); // #if span\n"
     "#if span && effect == BOUNCE\n"
-    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(at.xyz)) > 0.0) // it is as lit as what is seen\n"
+    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(at.xyz)) > 0.0) // it is as lit as visible surfaces\n"
     "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
     "    float most = 1.0; // #if effect < BOUNCE\n"
     "    float most = max(sent.x, max(sent.y, sent.z)) / u_ssgi_sent; // #if effect > LIGHT && effect != CUSTOM\n"
-    "    most *= 0.5 * (u_ssgi_exponent + 1.0); // of the lobe // #if effect == SPECULAR\n"
+    "    most *= 0.5 * (u_ssgi_exponent + 1.0); // the peak of the lobe // #if effect == SPECULAR\n"
     "    float reach = ssgi_custom_reach(at.xyz, turned.xyz, at.w, sent, u_ssgi_epsilon); // #if effect == CUSTOM\n"
     "    float reach = at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0)); // #if effect != CUSTOM\n"
     "    float block = exp2(float(l));\n"
@@ -3310,12 +3321,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 b = clamp(ssgi_sphere(vec4(at.xyz, outer)), vec4(0.0), vec2(u_ssgi_size).xyxy);\n"
     "    b = vec4(floor(b.xy / block), ceil(b.zw / block));\n"
     "    if (b.x >= b.z || b.y >= b.w) return vec4(0.0);\n"
-    "    // hashed: round-robin would correlate with the tessellation order\n"
+    "    // Sub-buffers are chosen by a hash, as taking turns would correlate with the tessellator's order.\n"
     "    int mask = (1 << uint(l)) - 1, seed = int(turned.w * 16777216.0);\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
     "    vec2 corner = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
     "#if enlarge\n"
-    "    // of block * block surfels a pixel meets one, which is as large as they are together\n"
+    "    // Of block * block surfels a pixel meets one, which stands for all of them.\n"
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w * block * block);\n"
     "    v_ssgi_turned = vec4(turned.xyz, 1.0);\n"
     "#else\n"
@@ -3336,11 +3347,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_strip", __LINE__ + 1,
     "layout(points) in;\n"
-    "layout(triangle_strip, max_vertices = 28) out; // 4 a level\n"
+    "layout(triangle_strip, max_vertices = 28) out; // 4 for each level\n"
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
     "void main() {\n"
     "    for (int l = 0; l < SSGI_LEVELS; ++l)\n"
-    "        for (int corner = 0; corner < 4; ++corner) { // outputs are undefined after each vertex\n"
+    "        for (int corner = 0; corner < 4; ++corner) { // after each vertex outputs are undefined\n"
     "            vec4 b = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, l);\n"
     "            if (b.x >= b.z) break;\n"
     "            gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n"
@@ -3350,24 +3361,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gloss", __LINE__ + 1,
-    "float ssgi_gloss; // solid angle over pi of ssgi_form's discs, times the lobe\n" },
+    "float ssgi_gloss; // the form factor of ssgi_form's discs with the specular lobe instead of the cosine\n" },
 
 { "ssgi_disc", __LINE__ + 1,
     "float ssgi_disc(vec3 v, vec3 n, float rr) {\n"
     "    float dd = max(dot(v, v), 1e-30);\n"
     "#if effect == SPECULAR\n"
     "    float mirrored = max(dot(v, reflect(-ssgi_toward(ssgi_P), n)), 1e-20) * inversesqrt(dd);\n"
-    "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent); // normalised, over pi\n"
+    "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent); // over pi, normalised\n"
     "    ssgi_gloss += lobe * inversesqrt(dd) / (dd + rr);\n"
     "#endif\n"
     "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n"
     "}\n" },
 
 { "ssgi_form", __LINE__ + 1,
-    "// a disc's form factor without area, weight, cosine; v: to its centre, m: its normal\n"
+    "// The form factor of a disc with normal m, whose centre is at v, but for its area, weight and cosine.\n"
     "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
     "#if near_samples > 1\n"
-    "    // near the disc, as several smaller ones: part of it may be above the horizon though its centre is not\n"
+    "    // Near by, the disc counts as several smaller ones, as a part of it may rise above the horizon although its\n"
+    "    // centre does not.\n"
     "    if (dot(v, v) < 16.0 * rr) {\n"
     "        vec3 a = normalize(abs(m.z) < 0.7 ? vec3(m.y, -m.x, 0.0) : vec3(0.0, m.z, -m.y)), b = cross(m, a);\n"
     "        vec2 turn = vec2(1.0, 0.0);\n"
@@ -3375,7 +3387,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        for (int i = 0; i < SSGI_NEAR_SAMPLES; ++i) {\n"
     "            vec2 o = turn * sqrt((float(i) + 0.5) * part * rr);\n"
     "            form += ssgi_disc(v + a * o.x + b * o.y, n, rr * part);\n"
-    "            turn = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888) * turn; // by the golden angle\n"
+    "            turn = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888) * turn; // the golden angle\n"
     "        }\n"
     "        ssgi_gloss *= part; // #if effect == SPECULAR\n"
     "        return form * part;\n"
@@ -3385,7 +3397,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_effect", __LINE__ + 1,
-    "vec4 ssgi_effect(vec3 sent, vec3 v, float form, float area) { // what a surfel brings; its form factor\n"
+    "vec4 ssgi_effect(vec3 sent, vec3 v, float form, float area) { // a surfel's contribution, and its form factor\n"
     "    return form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * v), 1.0); // #if effect == LIGHT\n"
     "    return form * vec4(sent, 1.0); // #if effect == BOUNCE\n"
     "    return vec4(sent * (ssgi_gloss * area), form); // #if effect == SPECULAR\n"
@@ -3403,7 +3415,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 n = normalize(ssgi_octahedral_decode((vec2(t.w >> 16, t.w & 65535u) - 32768.0) * (1.0 / 32767.0)));\n"
     "    float away = -dot(v, v_ssgi_turned.xyz), rr = v_ssgi_at.w;\n"
     "    away = abs(away); // #if two_sided\n"
-    "    if (!(away > 0.0)) discard; // with back faces closed meshes would count twice // #if !two_sided\n"
+    "    if (!(away > 0.0)) discard; // a closed mesh's back would count, too // #if !two_sided\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
     "    away *= 1.0 - v_ssgi_seen * ssgi_near(sqrt(dd)); // #if span\n"
     "    ssgi_P = P, ssgi_gloss = 0.0; // #if effect == SPECULAR\n"
@@ -3423,7 +3435,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 v = v_ssgi_at.xyz - P;\n"
     "    float dd = dot(v, v);\n"
     "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
-    "    // surfels wider than their sources are deep would show as dots: deeper sources blur them\n"
+    "    // Surfels that are wider than their sources are deep would show as dots, which deeper sources blur.\n"
     "    vec3 s = u_ssgi_dipole[2].xyz, h = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0);\n"
     "    vec3 y = u_ssgi_dipole[0].xyz + h, z = u_ssgi_dipole[1].xyz + h;\n"
     "    vec3 a = inversesqrt(dd + y * y), b = inversesqrt(dd + z * z);\n"
@@ -3431,7 +3443,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * u_ssgi_dipole[3].xyz * R, 1.0) * (v_ssgi_turned.w * v_ssgi_at.w);\n"
     "}\n" },
 
-/* Yours: ssgi_custom_effect. */
+/* ssgi_custom_effect is yours. */
 { "main_splat_custom", __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
@@ -3460,7 +3472,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float footprint = ssgi_footprint(z), near = 1.0 / (footprint * (1.0 + float(reach)));\n"
     "    vec4 sum = vec4(texelFetch(t_ssgi_levels, q, 0));\n"
     "    float weights = 1.0;\n"
-    "    for (int i = -reach; i <= reach; ++i) { // a box over the block that the level interleaves\n"
+    "    for (int i = -reach; i <= reach; ++i) { // the mean over the block that the level interleaves\n"
     "        ivec2 o = SSGI_AXIS == 0 ? ivec2(i, 0) : ivec2(0, i);\n"
     "        if (i == 0 || !ssgi_inside(p + o)) continue;\n"
     "        float d = ssgi_depth(p + o), off = abs(ssgi_above_plane(plane, vec2(o), d)) * near;\n"
@@ -3477,7 +3489,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_saturate_form", __LINE__ + 1,
     "#if combine == SHARE\n"
-    "// surfel-surfel visibility is ignored: each hides its share of what the others leave\n"
+    "// Nobody knows which surfels hide which, so each hides its share of the directions that the others leave.\n"
     "float ssgi_saturate_form(float form) {\n"
     "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
     "}\n"
@@ -3485,7 +3497,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_saturate_form", __LINE__ + 1,
     "#if combine == ADD\n"
-    "// surfel-surfel visibility is ignored: form factors add up, to 1 at most\n"
+    "// Nobody knows which surfels hide which, so form factors add up, to 1 at most.\n"
     "float ssgi_saturate_form(float form) {\n"
     "    return 1.0 / max(form, 1.0);\n"
     "}\n"
@@ -3532,26 +3544,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_custom = vec4(sum.xyz, z); // #if effect == CUSTOM\n"
     "}\n" },
 
-/* ---- blur: the mean of a pixel's neighbours on its surface; from half size, of the pixels of half size around it. */
+/* ---- blur takes the mean of a pixel's neighbours on its surface; from half size, that of the texels around it. */
 
 { "ssgi_blurred", __LINE__ + 1,
     "struct ssgi_blurred { // the pixel that is filtered\n"
     "    vec3 P, n;\n"
-    "    vec4 plane; // its unit is a 100th of the radius and a pixel // #if filter == BILATERAL\n"
+    "    vec4 plane; // its unit of height is a 100th of the radius plus a pixel // #if filter == BILATERAL\n"
     "    float z, footprint;\n"
-    "    vec4 now; // what is there // #if !half && colour != COEFFICIENTS\n"
-    "    bool settled; // it has been averaged over frames // #if pass == HISTORY\n"
+    "    vec4 now; // its own texel // #if !half && colour != COEFFICIENTS\n"
+    "    bool settled; // it has an average over frames // #if pass == HISTORY\n"
     "};\n" },
 
 { "ssgi_texel", __LINE__ + 1,
-    "// light or visibility, view depth\n"
+    "// light or visibility, and view depth, as the pass before wrote them\n"
     "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
     "    return texelFetch(t, q, 0); // #if colour == COLOUR\n"
     "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n"
     "}\n" },
 
 { "ssgi_now", __LINE__ + 1,
-    "vec4 ssgi_now(ivec2 q) { // this frame's\n"
+    "vec4 ssgi_now(ivec2 q) { // light or visibility of this frame\n"
     "    return ssgi_texel(t_ssgi_light, q); // #if colour == COLOUR\n"
     "    return ssgi_texel(t_ssgi_ao, q); // #if colour == GREY\n"
     "}\n" },
@@ -3568,9 +3580,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_neighbour", __LINE__ + 1,
-    "struct ssgi_neighbour { // of the pixel that is filtered\n"
-    "    ivec2 at, q; // texel; pixel\n"
-    "    vec2 o; // pixels to it\n"
+    "struct ssgi_neighbour { // a neighbour of the pixel that is filtered\n"
+    "    ivec2 at, q; // its texel; its pixel\n"
+    "    vec2 o; // how many pixels away it is\n"
     "};\n" },
 
 { "ssgi_neighbour_at", __LINE__ + 1,
@@ -3583,7 +3595,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_blur_weight", __LINE__ + 1,
     "#if filter == GAUSSIAN\n"
-    "// Gaussian over the depth difference plus a pixel's footprint [HSAO08 4.1.3]\n"
+    "// A Gaussian over the difference of depth, which may be a pixel's footprint [HSAO08 4.1.3].\n"
     "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
     "    float variance = 0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25;\n"
     "    return exp(-0.5 * dot(t.o, t.o) / variance) * c.footprint / (c.footprint + abs(z - c.z));\n"
@@ -3592,17 +3604,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_blur_weight", __LINE__ + 1,
     "#if filter == BILATERAL\n"
-    "// a box over a tile of noise; less by how many units of the plane a neighbour is off it\n"
+    "// A box over a tile of noise, in which a neighbour counts the less the farther it is off the plane.\n"
     "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
     "    float off = ssgi_above_plane(c.plane, t.o, z);\n"
     "#if half\n"
     "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(t.o);\n"
-    "    // never 0: if no tap lies on the plane, the closest to it wins\n"
+    "    // The weight is never 0, so that the tap closest to the plane wins if none lies on it.\n"
     "    float w = tent.x * tent.y / (0.1 + off * off); // #if pass != HISTORY\n"
     "    float w = tent.x * tent.y / (0.02 + off * off); // #if pass == HISTORY\n"
-    "    if (c.settled) w *= 12.0 + tent.x * tent.y; // nearer ones more: frames average, too // #if pass == HISTORY\n"
+    "    if (c.settled) w *= 12.0 + tent.x * tent.y; // nearest most: frames average, too // #if pass == HISTORY\n"
     "#else\n"
-    "    float w = max(1.02 / (1.0 + 50.0 * off * off) - 0.02, 0.0); // none from a unit off the plane on\n"
+    "    float w = max(1.02 / (1.0 + 50.0 * off * off) - 0.02, 0.0); // 0 from one unit off the plane on\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.y) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
     "#endif\n"
@@ -3612,7 +3624,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_onto", __LINE__ + 1,
-    "vec4 ssgi_onto(ivec2 p, float ao) { // what is blended onto a picture\n"
+    "vec4 ssgi_onto(ivec2 p, float ao) { // the colour that is blended onto your picture\n"
     "    return vec4((1.0 - ao) * texelFetch(t_ssgi_ambient, p + u_ssgi_origin, 0).xyz, 0.0); // #if onto == AMBIENT\n"
     "    return vec4(vec3(pow(ao, 1.0 / 2.2)), 1.0); // #if onto == MULTIPLY_SRGB\n"
     "    return vec4(vec3(ao), 1.0); // #if onto == MULTIPLY\n"
@@ -3626,8 +3638,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_filtered", __LINE__ + 1,
     "struct ssgi_filtered { // sums over a pixel and its neighbours\n"
-    "    vec4 light; // light or visibility, times weight; weights\n"
-    "    vec2 spread; // their squares, times weight; squared weights // #if pass == HISTORY\n"
+    "    vec4 light; // xyz: light or visibility, times weight; w: weights\n"
+    "    vec2 spread; // squares of the former, times weight; squares of weights // #if pass == HISTORY\n"
     "};\n" },
 
 { "ssgi_filtered_none", __LINE__ + 1,
@@ -3647,13 +3659,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "void ssgi_filter_tap(inout ssgi_filtered f, ivec2 p, ssgi_blurred c, ivec2 o) {\n"
     "    ssgi_neighbour t = ssgi_neighbour_at(p, o.x, o.y);\n"
     "    vec4 s = ssgi_now(t.at);\n"
-    "    // not >=: background in 16 bits is an infinity or NaN\n"
+    "    // Not >=, as background in 16 bits is infinity or NaN.\n"
     "    if (ssgi_inside(t.q) && s.w < SSGI_FAR) ssgi_filtered_add(f, s, ssgi_blur_weight(c, t, s.w));\n"
     "}\n" },
 
 { "ssgi_filter", __LINE__ + 1,
     "#if pass != HISTORY\n"
-    "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over p and what is around it\n"
+    "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over p and the pixels around it\n"
     "    ssgi_filtered f = ssgi_filtered_none();\n"
     "    ssgi_filtered_add(f, c.now, 1.0); // #if !half\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
@@ -3665,10 +3677,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n"
     "#endif\n" },
 
-/* Frames average, too: where there are some, the four texels next to a pixel suffice. */
+/* Frames average, too: where a pixel has some, the four texels next to it suffice. */
 { "ssgi_filter", __LINE__ + 1,
     "#if pass == HISTORY\n"
-    "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over p and what is around it, or what is next to it\n"
+    "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over the texels around p, or next to it\n"
     "    ssgi_filtered f = ssgi_filtered_none();\n"
     "    ssgi_filtered_add(f, c.now, 1.0); // #if !half\n"
     "    ivec2 next = (p & 1) - 1; // #if half\n"
@@ -3699,7 +3711,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_restored", __LINE__ + 1,
-    "vec3 ssgi_restored(vec3 light, ssgi_blurred c) { // with unoccluded light at every pixel\n"
+    "vec3 ssgi_restored(vec3 light, ssgi_blurred c) { // the light itself from the form that was filtered\n"
     "    return light; // #if !restore\n"
     "    return light * ssgi_open_light(c.P, c.n); // #if restore == RATIO\n"
     "    return max(light + ssgi_open_light(c.P, c.n), 0.0); // #if restore == DIFFERENCE\n"
@@ -3753,34 +3765,34 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz, 0.0);\n"
     "}\n" },
 
-/* ---- history: what blur does, averaged over what the last frames saw of this surface. Where light changes the average
-   follows: a mean over three frames (quick) is kept beside that over all. */
+/* ---- history filters as blur does, and averages that over the last frames in which this surface was seen. Where light
+   changes the average follows: a mean over three frames (quick) is kept beside that over all. */
 
-/* How far quick may be from this frame's filtered value, by the deviation of what is filtered and by that value: 0.7
-   deviations are three to five times its noise, so that what is beyond is a change. Of the value 2 %, where nothing
-   deviates. */
+/* How far quick may be from this frame's filtered value: 0.7 of the neighbours' deviation, which is three to five times
+   the noise of a filtered value, so that a greater difference is a change; and 2 % of the value, for neighbours without
+   a deviation. */
 { "SSGI_JUMP", __LINE__ + 1,
     "const vec2 SSGI_JUMP = vec2(0.7, 0.02);\n" },
 
-/* How far the mean over all frames may be from quick: as far as the noise of a filtered value goes, which is a quarter
-   to a seventh of the deviation; or 0.5 % of the mean, about a step of 8 bits. */
+/* How far the mean over all frames may be from quick: by the noise of a filtered value, which is a quarter to a seventh
+   of the deviation; and by 0.5 % of the mean, about a step of 8 bits. */
 { "SSGI_DRIFT", __LINE__ + 1,
     "const vec2 SSGI_DRIFT = vec2(0.2, 0.005);\n" },
 
-/* What share of the frames is forgotten where the mean had to follow by a drift or more: of 16 frames two stay. */
+/* The share of the frames that is forgotten where the mean had to follow by a drift or more: of 16 frames two stay. */
 { "SSGI_FORGOTTEN", __LINE__ + 1,
     "const float SSGI_FORGOTTEN = 0.85;\n" },
 
-/* Interpolation blurs once a frame: of 16 frames 10.7 are kept where a place lies midway between two pixels, 8 amid
-   four. */
+/* Interpolation blurs once a frame, so that fewer frames are kept the more it blurs: of 16 frames 10.7 where a place
+   lies midway between two pixels, 8 amid four. */
 { "SSGI_BLURRED", __LINE__ + 1,
     "const float SSGI_BLURRED = 2.0;\n" },
 
-/* Of what lies within the radius, the share whose change leaves one frame beside this. */
+/* The share of all surfaces within the radius whose change leaves one frame beside this one. */
 { "SSGI_CHANGED", __LINE__ + 1,
     "const float SSGI_CHANGED = 0.01;\n" },
 
-/* From how many frames on the filter needs no more than the four texels next to a pixel. */
+/* From so many frames on the filter needs no more than the four texels next to a pixel. */
 { "SSGI_SETTLED", __LINE__ + 1,
     "const float SSGI_SETTLED = 3.0;\n" },
 
@@ -3790,13 +3802,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_APPEARED = 0.25;\n" },
 
 { "ssgi_finite", __LINE__ + 1,
-    "// no NaN, nothing beyond 1e9; by the bits, since compilers turn !(a < b) into a >= b\n"
+    "// Neither NaN nor more than 1e9. The bits decide, since compilers turn !(a < b) into a >= b.\n"
     "bool ssgi_finite(vec4 v) {\n"
     "    return all(lessThan(floatBitsToUint(v) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n"
     "}\n" },
 
 { "ssgi_reproject", __LINE__ + 1,
-    "// P's pixel and depth in the last frame\n"
+    "// the pixel and depth that P had in the last frame\n"
     "vec3 ssgi_reproject(vec3 P) {\n"
     "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
     "    return P; // #if orthographic\n"
@@ -3804,23 +3816,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_kept", __LINE__ + 1,
-    "struct ssgi_kept { // of a pixel over frames\n"
-    "    vec4 light; // light or visibility, view depth\n"
-    "    vec2 means; // over three frames, grey; how many frames\n"
+    "struct ssgi_kept { // the averages that a pixel keeps over frames\n"
+    "    vec4 light; // light or visibility, and view depth\n"
+    "    vec2 means; // x: the mean over three frames, in grey; y: how many frames light averages\n"
     "};\n" },
 
 { "ssgi_kept_at", __LINE__ + 1,
-    "ssgi_kept ssgi_kept_at(ivec2 q) { // by the last frame\n"
+    "ssgi_kept ssgi_kept_at(ivec2 q) { // the averages that the last frame kept\n"
     "    vec4 t = texelFetch(t_ssgi_history, q + u_ssgi_target, 0);\n"
     "    return ssgi_kept(t, texelFetch(t_ssgi_means, q + u_ssgi_target, 0).xy); // #if colour == COLOUR\n"
     "    return ssgi_kept(t.xxxy, t.zw); // #if colour == GREY\n"
     "}\n" },
 
 { "ssgi_last", __LINE__ + 1,
-    "struct ssgi_last { // what the last frame knows of this surface\n"
-    "    float known; // weight of the texels that do; below 0.25: 0\n"
-    "    float blurred; // by interpolation, 0 .. 0.5\n"
-    "    bool moves; // on its own, not by the camera alone // #if motion\n"
+    "struct ssgi_last { // this surface as the last frame has it\n"
+    "    float known; // weight of the texels that show it; 0 if it is below 0.25\n"
+    "    float blurred; // how much interpolation blurs it, 0 .. 0.5\n"
+    "    bool moves; // it moves on its own, not by the camera alone // #if motion\n"
     "    ssgi_kept kept;\n"
     "};\n" },
 
@@ -3832,7 +3844,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_own_motion", __LINE__ + 1,
     "#if motion\n"
-    "vec2 ssgi_own_motion(ivec2 p, vec2 was) { // pixels that it moved beside the camera's; was: by that alone\n"
+    "vec2 ssgi_own_motion(ivec2 p, vec2 was) { // its own motion in pixels; by the camera's alone it was at `was`\n"
     "    return vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy - was;\n"
     "}\n"
     "#endif\n" },
@@ -3845,18 +3857,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* A texel shows P's plane if it is within the slack of it: half a footprint and a thousandth of the depth, which the
    rounding of 16-bit depths takes. A hundredth of a texel decides nothing: the nearest texel alone does. */
 { "ssgi_last_of", __LINE__ + 1,
-    "// Reprojects P: between those of the last frame's four texels around it that show P's plane\n"
+    "// Reprojects P and interpolates between those of the last frame's four texels around it that show P's plane.\n"
     "ssgi_last ssgi_last_of(ivec2 p, vec3 P, vec3 n) {\n"
     "    ssgi_last none = ssgi_last_none(), sum = none;\n"
     "    vec3 was = ssgi_reproject(P);\n"
     "    vec2 at = was.xy;\n"
     "    float footprint = ssgi_footprint(-P.z);\n"
-    "    vec4 plane = vec4(n, 0.0) * u_ssgi_last_from; // as the last frame's pixels and depth have it\n"
+    "    vec4 plane = vec4(n, 0.0) * u_ssgi_last_from; // for pixels and depths of the last frame\n"
     "    plane.w -= dot(n, P);\n"
     "    float slack = 0.5 * footprint - 0.001 * P.z;\n"
     "#if motion\n"
     "    vec2 own = ssgi_own_motion(p, at);\n"
-    "    slack += max(length(own) - 0.5, 0.0) * footprint; // its depth may have changed as much\n"
+    "    slack += max(length(own) - 0.5, 0.0) * footprint; // its depth may have changed by that\n"
     "    at += own;\n"
     "    sum.moves = ssgi_moves(own);\n"
     "#endif\n"
@@ -3881,28 +3893,28 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return sum;\n"
     "}\n" },
 
-/* Larger where few neighbours are of the surface, and a tenth of the mean more. All of them count as 9 of equal weight;
-   those of half size, whose weights fall off, as 7. */
+/* The deviation of few neighbours says little, so it is taken to be larger, and a tenth of the mean is added. All
+   neighbours count as 9 of equal weight; those of half size, whose weights fall off, as 7. */
 { "ssgi_deviation", __LINE__ + 1,
     "float ssgi_deviation(ssgi_filtered f, float mean) {\n"
     "    float few = 9.0 * f.spread.y / (f.light.w * f.light.w); // #if !half\n"
     "    float few = 7.0 * f.spread.y / (f.light.w * f.light.w); // #if half\n"
     "    float variance = max(f.spread.x / f.light.w - mean * mean, 0.0);\n"
-    "    variance /= max(1.0 - f.spread.y / (f.light.w * f.light.w), 0.2); // unbiased\n"
+    "    variance /= max(1.0 - f.spread.y / (f.light.w * f.light.w), 0.2); // this makes it unbiased\n"
     "    return sqrt((variance + 0.01 * mean * mean * max(few - 1.0, 0.0)) * few);\n"
     "}\n" },
 
 { "ssgi_frames", __LINE__ + 1,
-    "float ssgi_frames(ivec2 p, ssgi_last last) { // how many are averaged, this one among them\n"
+    "float ssgi_frames(ivec2 p, ssgi_last last) { // how many frames are averaged, this one among them\n"
     "    float changed = texelFetch(t_ssgi_nearby, p / 8 + u_ssgi_target / 8, 0).x;\n"
-    "    if (last.moves) changed = 0.0; // mostly itself, which goes along // #if motion\n"
+    "    if (last.moves) changed = 0.0; // most of the change is its own motion, which is followed // #if motion\n"
     "    float most = max(u_ssgi_history / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
     "    most = min(most, 1.0 + SSGI_CHANGED / max(changed, 1e-9));\n"
     "    return last.known > 0.0 ? min(last.kept.means.y + 1.0, most) : 1.0;\n"
     "}\n" },
 
 { "ssgi_averaged", __LINE__ + 1,
-    "// this frame's mean with the last ones', which follows it where that differs by more than noise does\n"
+    "// Averages this frame with the last ones. Where their mean differs from it by more than noise, it follows.\n"
     "ssgi_kept ssgi_averaged(vec4 now, float deviation, float frames, ssgi_last last) {\n"
     "    float v = ssgi_grey(now);\n"
     "    float jump = SSGI_JUMP.x * deviation + SSGI_JUMP.y * abs(v);\n"
@@ -3929,7 +3941,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_blurred c = ssgi_blurred_at(p);\n"
     "    ssgi_last last = ssgi_last_of(p, c.P, c.n);\n"
     "    float frames = ssgi_frames(p, last);\n"
-    "    c.settled = frames >= SSGI_SETTLED || c.z >= SSGI_FAR; // background needs none\n"
+    "    c.settled = frames >= SSGI_SETTLED || c.z >= SSGI_FAR; // background needs no filter\n"
     "    ssgi_filtered f = ssgi_filter(p, c);\n"
     "    vec4 now = vec4(f.light.xyz / f.light.w, c.z);\n"
     "    float open = 1.0; // #if colour == GREY\n"
@@ -3947,20 +3959,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- changes, nearby: what came or went within the radius, for history. An average that holds an occluder's shadow is
-   worth nothing once that has gone; a moving camera alone changes nothing. */
+/* ---- changes, nearby: these passes tell history which surfaces came or went within the radius. An average that holds
+   an occluder's shadow is worth nothing once the occluder has gone; a moving camera alone changes nothing. */
 
 { "ssgi_depth_last", __LINE__ + 1,
     "float ssgi_depth_last(ivec2 q) {\n"
     "    float z = ssgi_texel(t_ssgi_history, clamp(q, ivec2(0), u_ssgi_size - 1) + u_ssgi_target).w;\n"
-    "    return z < SSGI_FAR ? z : SSGI_FAR; // background in 16 bits is an infinity or NaN\n"
+    "    return z < SSGI_FAR ? z : SSGI_FAR; // background in 16 bits is infinity or NaN\n"
     "}\n" },
 
-/* A 50th of a pixel beside a pixel counts as on it, so that what moved by a pixel before a camera that stands still is
-   seen. */
+/* A place that is a 50th of a pixel beside a pixel counts as that pixel, so that an object that moved by a pixel is
+   noticed while the camera stands still. */
 { "ssgi_nearest", __LINE__ + 1,
-    "// of the four pixels that a place lies between, in the last frame or this, the one of least depth: where, its\n"
-    "// depth\n"
+    "// Finds the pixel of least depth among the four that a place lies between, in the last frame or in this: its\n"
+    "// place and its depth.\n"
     "vec3 ssgi_nearest(vec2 at, bool last) {\n"
     "    vec3 nearest = vec3(at, 2.0 * SSGI_FAR);\n"
     "    for (int k = 0; k < 4; ++k) {\n"
@@ -3972,7 +3984,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_within", __LINE__ + 1,
-    "bool ssgi_within(vec2 at) { // a place of the picture, a pixel's centre at whole numbers\n"
+    "bool ssgi_within(vec2 at) { // whether a place is in the picture; whole numbers are centres of pixels\n"
     "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(u_ssgi_size) - 0.5));\n"
     "}\n" },
 
@@ -3982,17 +3994,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_depth_differs", __LINE__ + 1,
-    "// whether the last frame had another depth where a point was: false nearly everywhere\n"
+    "// Whether the last frame had another depth where a point was, which is seldom so.\n"
     "bool ssgi_depth_differs(vec3 was) {\n"
     "    float z = ssgi_depth_last(ivec2(floor(was.xy)));\n"
     "    return ssgi_within(was.xy - 0.5) && min(z, was.z) < 0.5 * SSGI_FAR && abs(z - was.z) > ssgi_slack(was.z);\n"
     "}\n" },
 
-/* What is seen at a pixel now came if it stands in front of what the last frame saw there. What that saw went if it
-   would stand in front of what is seen where it would be now. A nearer surface that hides or bares it as the camera
-   moves is neither. In front is off the surface's plane, too: depths on a steep one differ from pixel to pixel. */
+/* The surface that a pixel shows now came if it stands in front of the one that the last frame saw there. The last
+   frame's surface went if it would stand in front of the one that is seen now, at the place where it would be now. A
+   nearer surface that hides or bares it as the camera moves counts for neither. To stand in front means to be off the
+   plane, too, as depths on a steep surface differ from pixel to pixel. */
 { "ssgi_change", __LINE__ + 1,
-    "float ssgi_change(ivec2 q, vec3 was) { // the view depth of what came or went at a pixel; 0: nothing did\n"
+    "float ssgi_change(ivec2 q, vec3 was) { // view depth of the surface that came or went at a pixel; 0: none\n"
     "    vec3 E = ssgi_nearest(was.xy - 0.5, true);\n"
     "    bool came = E.z > was.z;\n"
     "    E.xy += 0.5;\n"
@@ -4013,16 +4026,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tested", __LINE__ + 1,
-    "ivec2 ssgi_tested(int k) { // of each 2x2 of a tile one pixel, another every frame\n"
+    "ivec2 ssgi_tested(int k) { // one pixel of each 2x2 of a tile, another one in each frame\n"
     "    return min(8 * ssgi_tile() + 2 * ivec2(k & 3, k >> 2) + ssgi_turn(), u_ssgi_size - 1);\n"
     "}\n" },
 
 { "ssgi_pixel_was", __LINE__ + 1,
-    "vec3 ssgi_pixel_was(ivec2 q) { // where its point was in the last frame, unless it moved on its own\n"
+    "vec3 ssgi_pixel_was(ivec2 q) { // where a pixel's point was in the last frame, unless it moved on its own\n"
     "    return ssgi_reproject(ssgi_position(vec2(q) + 0.5, ssgi_depth(q)));\n"
     "}\n" },
 
-/* Where depths differ is found first, since it is seldom; a loop over what is left ends at once elsewhere. */
+/* The places where depths differ are found first, since they are few: the loop over them ends at once elsewhere. */
 { "main_changes", __LINE__ + 1,
     "void main() {\n"
     "    vec4 changes = vec4(0.0, SSGI_FAR, 0.0, 0.0);\n"
@@ -4044,7 +4057,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_changes = changes;\n"
     "}\n" },
 
-/* Seven tiles on a side, farther apart where the radius reaches beyond them. */
+/* Seven tiles on a side are read, farther apart where the radius reaches beyond them. */
 { "main_nearby", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 tile = ssgi_tile(), tiles = (u_ssgi_size + 7) / 8;\n"
