@@ -1150,7 +1150,7 @@ static void toolboxes(void)
         memset(&used, 0, sizeof used);
         read_names(&defined, &used, source_of(text, &d, TOOLBOX));
         d.pass = SSGI_GL_FIELD;
-        char *first = strstr(text, "\n\n"), *last = strstr(text, "\n// ambient visibility by occluders");
+        char *first = strstr(text, "\n\n"), *last = strstr(text, "\n// ambient visibility that all occluders");
         CHECK(!memcmp(&defined, &used, sizeof used), "%s: its functions alone declare other names than they use",
               describe(&d));
         if (CHECK(first && last, "%s: no functions", describe(&d))) *last = 0;
