@@ -4165,7 +4165,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
     SSGI_GL__ROW_FRAME(keep_small, "float", "1: small triangles keep all of their surfels"),
     SSGI_GL__ROW_FRAME(near_depth, "float", "view units"),
-    SSGI_GL__ROW_FRAME(sent, "float", "what counts as bright"),
+    SSGI_GL__ROW_FRAME(sent, "float", "radiance that counts as bright"),
     SSGI_GL__ROW_FRAME(epsilon, "float", ""),
     SSGI_GL__ROW_FRAME(exponent, "float", ""),
     SSGI_GL__ROW_FRAME(history, "float", "frames"),
@@ -4192,7 +4192,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_TEXTURE("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
     SSGI_GL__ROW_TEXTURE("views", 4, NULL, "sampler2DArray",
                          "hardware depth, slice camera * view_layers + layer, NEAREST"),
-    SSGI_GL__ROW_TEXTURE("senders", 5, NULL, "usampler2DArray", "RG32UI: what senders wrote, a slice a layer, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("senders", 5, NULL, "usampler2DArray", "RG32UI: of pass senders, a slice a layer, NEAREST"),
     SSGI_GL__ROW_TEXTURE("view_senders", 6, NULL, "usampler2DArray",
                          "RG32UI: slice camera * view_layers + layer, NEAREST"),
     SSGI_GL__ROW_TEXTURE("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
@@ -4204,9 +4204,9 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_TEXTURE("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
     SSGI_GL__ROW_TEXTURE("shadow", 11, NULL, "sampler2D",
                          "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
-    SSGI_GL__ROW_TEXTURE("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
+    SSGI_GL__ROW_TEXTURE("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: of pass ssdo, shade or lights"),
     SSGI_GL__ROW_TEXTURE("bounce", 10, NULL, "sampler2D",
-                         SSGI_GL__HDR ", NEAREST: what ssdo or s3ho wrote of the bounce"),
+                         SSGI_GL__HDR ", NEAREST: the bounce of pass ssdo or s3ho"),
     SSGI_GL__ROW_YOURS("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
     SSGI_GL__ROW_YOURS("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
     SSGI_GL__ROW_TEXTURE("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
@@ -4217,23 +4217,23 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                        "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest back face; next front face behind "
                        "it; next back face behind that"),
     SSGI_GL__ROW_TEXTURE("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
-    SSGI_GL__ROW_TEXTURE("width", 2, NULL, "usampler2D", "RGBA32UI, half size, NEAREST: what width wrote"),
+    SSGI_GL__ROW_TEXTURE("width", 2, NULL, "usampler2D", "RGBA32UI, half size, NEAREST: of pass width"),
     SSGI_GL__ROW_YOURS("objects", 3, NULL, "usampler2D",
                        "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
     SSGI_GL__ROW_TEXTURE("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
     SSGI_GL__ROW_TEXTURE("cap", 5, NULL, "sampler2D", "R32F or R16F, any size, NEAREST: ssgi_cap_table"),
-    SSGI_GL__ROW_TEXTURE("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
+    SSGI_GL__ROW_TEXTURE("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: of pass shuffle"),
     SSGI_GL__ROW_TEXTURE("levels", 3, NULL, "sampler2D",
-                         "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
-    SSGI_GL__ROW_TEXTURE("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao, hsao or history wrote"),
+                         "of pass splat, unshuffle or smooth, in this order, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: of pass ssao, hsao or history"),
     SSGI_GL__ROW_TEXTURE("history", 2, NULL, "sampler2D",
-                         "what this wrote for the last frame, NEAREST: o_ssgi_ao; o_ssgi_light, or with desc.restore "
-                         "o_ssgi_history"),
+                         "this pass's output for the last frame, NEAREST: o_ssgi_ao; o_ssgi_light, or with "
+                         "desc.restore o_ssgi_history"),
     SSGI_GL__ROW_TEXTURE("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
     SSGI_GL__ROW_TEXTURE("changes", 3, NULL, "sampler2D",
-                         SSGI_GL__HDR ", an eighth of the size, NEAREST: what changes wrote"),
+                         SSGI_GL__HDR ", an eighth of the size, NEAREST: of pass changes"),
     SSGI_GL__ROW_TEXTURE("nearby", 5, NULL, "sampler2D",
-                         "R32F or R16F, an eighth of the size, NEAREST: what nearby wrote"),
+                         "R32F or R16F, an eighth of the size, NEAREST: of pass nearby"),
     SSGI_GL__ROW_YOURS("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
     SSGI_GL__ROW_OUTPUT("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
@@ -4243,14 +4243,14 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_OUTPUT("ao", "pass != FIELD && pass != BLUR && pass != HISTORY", "vec2",
                         "RG32F or RG16F: ambient visibility, view depth; R8 or R16F if nothing filters"),
     SSGI_GL__ROW_OUTPUT("picture", NULL, "vec4", "your picture"),
-    SSGI_GL__ROW_OUTPUT("history", NULL, "vec4", SSGI_GL__HDR ": what is averaged, before it is restored; view depth"),
+    SSGI_GL__ROW_OUTPUT("history", NULL, "vec4", SSGI_GL__HDR ": the average, before it is restored; view depth"),
     SSGI_GL__ROW_OUTPUT("means", NULL, "vec2", "RG32F or RG16F: light's mean over three frames, grey; how many frames"),
     SSGI_GL__ROW_OUTPUT("light", NULL, "vec4",
                         SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
     SSGI_GL__ROW_OUTPUT("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
     SSGI_GL__ROW_OUTPUT("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
     SSGI_GL__ROW_OUTPUT("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
-    SSGI_GL__ROW_OUTPUT("custom", NULL, "vec4", SSGI_GL__HDR ": what your effect sums up to, view depth"),
+    SSGI_GL__ROW_OUTPUT("custom", NULL, "vec4", SSGI_GL__HDR ": the sum of your effect, view depth"),
     SSGI_GL__ROW_OUTPUT("sender", NULL, "uvec2",
                         "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent "
                         "and 14, octahedral view-space normal as 6 6"),
@@ -4260,13 +4260,13 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                         SSGI_GL__HDR ": of 8x8 pixels the share where an occluder came or went; the least and the "
                         "greatest view depth of these"),
     SSGI_GL__ROW_OUTPUT("nearby", NULL, "float",
-                        "R32F or R16F: of what lies within the radius of 8x8 pixels, the share that came or went"),
+                        "R32F or R16F: of all surfaces within the radius of 8x8 pixels, the share that came or went"),
     SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",
                         "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
     SSGI_GL__ROW_OUTPUT("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
     SSGI_GL__ROW_OUTPUT("levels", "effect == OCCLUSION", "float",
-                        "R32F, or R16F that loses what is below 1/2000: form factors"),
-    SSGI_GL__ROW_OUTPUT("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": what surfels bring, form factors"),
+                        "R32F, or R16F that loses values below 1/2000: form factors"),
+    SSGI_GL__ROW_OUTPUT("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": effects of surfels, form factors"),
     SSGI_GL__ROWS_FLOATS("sh0", 2, "coefficients 0..3; R16F suffices for 1 band"),
     SSGI_GL__ROWS_HALVES("sh0", 2, "coefficients 0..7; R32UI suffices for 1 band, RG32UI for 2"),
     SSGI_GL__ROWS_FLOATS("sh1", 3, "coefficients 4..7"),
@@ -4612,10 +4612,10 @@ static const char *const ssgi_gl__rules[][2] = {
     { "pass == HSAO && search == SLICES && normal_rays",
       "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon" },
     { SSGI_GL__SLICED "layers > 1",
-      "desc.layers: slices read what is seen and its slabs (desc.thickness); hidden layers "
+      "desc.layers: slices read visible surfaces and their slabs (desc.thickness); hidden layers "
       "need SSGI_GL_POINTS or _MARCH" },
     { SSGI_GL__SLICED "views",
-      "desc.views: slices read what is seen and its slabs (desc.thickness); extra cameras need "
+      "desc.views: slices read visible surfaces and their slabs (desc.thickness); extra cameras need "
       "SSGI_GL_POINTS or _MARCH" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
       "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE" },
@@ -4629,13 +4629,13 @@ static const char *const ssgi_gl__rules[][2] = {
       "desc.colour: history has SSGI_GL_GREY and _COLOUR; coefficients are shaded first" },
     { "pass == SSDO && !environment && !bounce", "desc.environment: ssdo needs an environment, a bounce or both" },
     { "transfer && !packed && ((pass == S3HO && !shaded) || pass == SHADE || (pass == BLUR && colour == COEFFICIENTS))",
-      "desc.packed: three vectors need it: more floats than there are targets" },
+      "desc.packed: three sets of coefficients need it: there are fewer targets than floats" },
     { "pass == SHADE && shading && (bands == 1 || transfer)",
-      "desc.shading: a mean direction needs one vector (desc.transfer) of 2 bands or more" },
+      "desc.shading: a mean direction needs one set of coefficients (desc.transfer), of 2 bands or more" },
     { "restore == RATIO && transfer == BOTH && (pass == SHADE || (pass == S3HO && shaded))",
-      "desc.restore: what blockers reflect may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
+      "desc.restore: reflected light may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
     { "pass == S3HO && transfer && dimmed && (layers > 1 || views)",
-      "desc.dimmed: the last frame's coefficients are of what is seen: not with desc.layers or .views" },
+      "desc.dimmed: the last frame's coefficients are of visible surfaces: not with desc.layers or .views" },
     { "harmonics == CUSTOM && residual",
       "desc.residual: is of frame.harmonics' light: SSGI_GL_HARMONICS_CUSTOM has none" },
     { "multisampled && (dialect == 300ES || array || receiver)",
@@ -4662,8 +4662,8 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
                        || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
                                           "sends == CUSTOM || effect == CUSTOM || harmonics == CUSTOM",
                                           desc),
-                   "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel, _effect and _reach, _harmonic: "
-                   "what is CUSTOM");
+                   "desc.fetch: must hold those that are CUSTOM of ssgi_custom_depth, _normal, _object, _surfel, "
+                   "_effect and _reach, _harmonic");
     return SSGI_OK;
 }
 
@@ -6056,7 +6056,7 @@ static void ssgi_gl__hidden(ssgi_gl__build *b)
         if (albedo || ssgi_gl__direct(b, camera, layer) >= 0)
             ssgi_gl__send(b, camera, layer, albedo ? SSGI_GL_RADIANCE_ALBEDO : SSGI_GL_RADIANCE_LIGHT);
         else if (b->chain->direct)
-            b->why = "chain.direct: is what the picture shows; hidden senders (desc.layers, views) need "
+            b->why = "chain.direct: is of visible surfaces; hidden senders (desc.layers, views) need "
                      "desc.environment or chain.lights";
     }
 }
@@ -6188,12 +6188,12 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
         return "chain.desc.pass: must be SSGI_GL_SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT";
     if (chain->width < 1 || chain->width > 16384 || chain->height < 1 || chain->height > 16384)
         return "chain.width, height: must be 1..16384";
-    if (chain->history && !chain->blur) return "chain.history: filters what it averages: needs blur = 1";
+    if (chain->history && !chain->blur) return "chain.history: filters its average: needs blur = 1";
     if (chain->history && chain->vectors && pass == SSGI_GL_S3HO)
         return "chain.history: averages light, not coefficients: needs vectors = 0";
     if (pass == SSGI_GL_S3HO && chain->desc.transfer && chain->desc.dimmed
         && (chain->desc.transfer != SSGI_GL_TRANSFER_BOTH || !chain->vectors || !chain->blur))
-        return "chain.desc.dimmed: reads what was filtered of the last frame's coefficients: needs "
+        return "chain.desc.dimmed: reads the last frame's filtered coefficients: needs "
                "SSGI_GL_TRANSFER_BOTH, vectors = 1 and blur = 1";
     if (ssgi_gl__directions_alone(chain)
         && (lit || chain->history || chain->desc.onto || (chain->blur && !chain->vectors)))
@@ -6311,7 +6311,7 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
     if (format && f != format->internal) return "is not of the format that the step names";
     if (in && integer != in->integer) return "must be of integers where its sampler is, and nowhere else";
     if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
-    if (is->width < width || is->height < height) return "is smaller than what is drawn";
+    if (is->width < width || is->height < height) return "is smaller than the picture";
     if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
     if (!in || in->target == SSGI_GL__TEXTURE_2D_MULTISAMPLE) return NULL; /* samples are not filtered */
     if (is->filter >= SSGI_GL__NEAREST_MIPMAP_NEAREST)

@@ -501,7 +501,7 @@ static int check_combination(const kit_making *m)
 {
     const kit_settings *set = m->set;
     if (m->kept && !set->blur)
-        return kit_fail(m->err, "--set history=1: filters what it averages; it needs blur=1 or more");
+        return kit_fail(m->err, "--set history=1: filters its average; it needs blur=1 or more");
     if (m->kept && m->gather.pass == SSGI_GL_S3HO && set->filtered != KIT_FILTERED_LIGHT)
         return kit_fail(m->err, "--set history=1: averages light, not coefficients; it needs filtered=light");
     if (set->indirect == KIT_INDIRECT_JOINT && set->store != KIT_STORE_PACKED)
