@@ -14,10 +14,10 @@
       char *text = (char *)malloc(length + 1);
       ssgi_gl_emit(text, length + 1, &d, SSGI_GL_FRAGMENT);              // compile this with your own GL ...
       ssgi_gl_io row[SSGI_GL_MAX_IO];
-      int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), i;            // ... and bind what it reads and writes:
+      int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), i;            // ... and bind its inputs and outputs:
       for (i = 0; i < rows; ++i)
          if (row[i].kind == SSGI_GL_TEXTURE) printf("unit %d: %s, %s\n", row[i].slot, row[i].name, row[i].format);
-      ssgi_gl_frame frame;                                  // what changes per frame: upload as one uniform buffer
+      ssgi_gl_frame frame;                                  // changes per frame: upload as one uniform buffer
       ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);        // view: an ssgi_view, see ssgi.h; radius 0.5 view units
 
    HOW A PASS IS DRAWN
@@ -29,11 +29,11 @@
       textures     a name has the same unit in every variant of a pass. They are read by texelFetch at level 0: wrap
                    modes do not matter, but a texture must be complete: set both of its filters to GL_NEAREST. Under
                    GL's default minifying filter a texture without mip levels reads 0, under its default magnifying
-                   filter a texture of integers does (what pass width writes), and visibility is 0 or 1 everywhere.
+                   filter a texture of integers does (as pass width writes), and visibility is 0 or 1 everywhere.
                    Depth and 32-bit floats need GL_NEAREST in GLES and WebGL. GL_TEXTURE_COMPARE_MODE is GL_NONE. No
                    sampler object on their units: it would override their filters
-      targets      what a step reads must not be attached to what it draws into: with desc.onto, depth and normals not
-                   to the picture. In GLES and WebGL floating-point targets need EXT_color_buffer_float or, of 16
+      targets      a texture that a step reads must not be attached to its target: with desc.onto, depth and normals
+                   not to the picture. In GLES and WebGL floating-point targets need EXT_color_buffer_float or, of 16
                    bits, EXT_color_buffer_half_float
       uniforms     the block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding)
                    the slots of ssgi_gl_reflect's rows are in the text; in the others set them once by name
@@ -45,20 +45,20 @@
    PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
                 hsao     ambient visibility: slices through the view direction [TLG23], or the paper's march [HSAO08]
                 ssdo     directional occlusion of an environment, one diffuse bounce, or both [SSDO09]
-                s3ho     occlusion as spherical harmonics, to be dotted with light; what occluders reflect [S3HO12]
+                s3ho     occlusion as spherical harmonics, to be dotted with light; light that occluders reflect
                 lights   suns, point lights, virtual point lights; shadow maps, or segments on the screen [SSDO09 4, 5]
-                senders  packs what surfaces send, their normal and depth: one fetch a sample for the bounce
+                senders  packs a surface's radiance, normal and depth, so that a bounce's sample is one fetch
                 shade    shades the coefficients of s3ho: dot product with light, bent normals, cones [S3HO12, SSBN11]
                 field    ambient occlusion by rigid occluders whose fields were baked, blended over each other [AOF05]
                 surfels  surfels from triangles, or lights those that are there; into a buffer [DSS14]
                 shuffle, splat           interleaves pixels into every level's sub-buffers; adds up surfels' effects
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
-                blur, history            edge-preserving filter of what the others wrote; the same, and a mean over
+                blur, history            edge-preserving filter of the others' outputs; the same, and a mean over
                                          frames
                 changes, nearby          occluders that came or went, by depth, in tiles of 8x8 pixels; the share of
-                                         them within the radius, which shortens what history averages
+                                         them within the radius, which shortens the average of history
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
-                width    writes view depth and thickness of what is seen, for gathers and lights: desc.thickness
+                width    writes view depth and thickness of visible surfaces, for gathers and lights: desc.thickness
 
    SOURCES      as in ssgi.h, and
                 [SA07]   Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion techniques on GPUs
@@ -66,7 +66,7 @@
                 [HHM18]  Heitz, Hill, McGuire 2018, Combining analytic direct illumination and stochastic shadows:
                          desc.restore
 
-   WHAT IS DRAWN, IN WHICH ORDER, INTO WHAT is data: ssgi_gl_steps (>>steps; a loop: examples/minimal.c). Left to you:
+   STEPS, THEIR ORDER AND TARGETS are data: ssgi_gl_steps (>>steps; a loop: examples/minimal.c). Left to you:
       lights       you draw the shadow maps that desc.shadow MAP and FILL read. Lights without a map: see desc.shadow
       s3ho         with chain.vectors the filtered coefficients hold while camera and geometry stay: where the light
                    alone changed, draw only the steps from shade on
@@ -81,11 +81,11 @@
                    needs no buffer of surfels
 
    ROOMS        search for ">>"
-      >>desc       what you choose, and in which limits
+      >>desc       your choices, and their limits
       >>emit       a desc in, text out
-      >>io         what a pass reads and writes
+      >>io         the inputs and outputs of a pass
       >>steps      the draws of a whole chain
-      >>frame      what changes per frame; extra cameras, lights, occluders
+      >>frame      the block that changes per frame; extra cameras, lights, occluders
       >>library    GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
       >>rows       the table of inputs and outputs
       >>passes     the table of passes: main functions, size, primitive, blending
@@ -93,11 +93,11 @@
 
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its row in >>passes, its
                 outputs in >>rows. An accumulator: a member of ssgi_sums, where taps are added to it, an output row, its
-                field in >>desc. An input: a row. What a text reads is what its functions name; nothing else says it.
+                field in >>desc. An input: a row. A text reads the inputs that its functions name; nothing else says it.
 
    OTHER LANGUAGES     ssgi_gl_choice_at, _member_at and _reflect have all names, limits and offsets; the repository's
                        make glsl writes them beside the texts (manifest.json), make wasm serves JavaScript. cffi takes
-                       what gcc -E -P '-D__attribute__(x)=' prints; bindgen -- --target=x86_64-pc-windows-msvc
+                       the output of gcc -E -P '-D__attribute__(x)='; bindgen -- --target=x86_64-pc-windows-msvc
                        -ffreestanding has constants of the fields' type. desc.pass in Python: setattr(desc, "pass", ..)
 
    NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, a_ssgi_* attributes, v_ssgi_* between
@@ -158,7 +158,7 @@ enum {
      blending    ssgi_gl_step.blend has GL's numbers. FUNC_ADD and FUNC_REVERSE_SUBTRACT are VK_BLEND_OP_ADD and
                  VK_BLEND_OP_REVERSE_SUBTRACT; ZERO, ONE, DST_COLOR are VK_BLEND_FACTOR_ZERO, _ONE, _DST_COLOR. 32-bit
                  floats blend in WebGPU with the feature float32-blendable alone
-     views       frame.target is where the image begins in what passes write, frame.origin in what they read, as a
+     views       frame.target is where the image begins in targets, frame.origin where it begins in inputs, as a
                  viewport of an atlas has it. ssgi_gl_output.slices: how many layers that target has; slice: the one
                  that is drawn into, by a 2D view of it */
 enum {
@@ -182,7 +182,7 @@ enum {
     SSGI_GL_STAGES, /* how many */
 };
 
-/* desc.depth: what the depth texture holds. A CUSTOM one's layer 0 is the visible surface. */
+/* desc.depth: the kind of depth that the texture holds. A CUSTOM one's layer 0 is the visible surface. */
 enum {
     SSGI_GL_DEPTH_WINDOW = 0, /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
     SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background */
@@ -205,15 +205,15 @@ enum {
                                    ssgi_noise_tile makes one */
 };
 
-/* desc.search: where a gather looks for what occludes. */
+/* desc.search: where a gather looks for occluders. */
 enum {
     SSGI_GL_SLICES = 0, /* planes through the view direction, walked both ways [TLG23] */
     SSGI_GL_POINTS,     /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
     SSGI_GL_MARCH,      /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 };
 
-/* desc.terms: what of the march counts. All but RAYS seek the horizon: with desc.layers or desc.views by their solids,
-   else what is seen has no far side, whatever desc.thickness is. NORMAL, RAYS: normal_rays 0 is 1. */
+/* desc.terms: the parts of the march that count. All but RAYS seek the horizon: with desc.layers or desc.views by their
+   solids; else visible surfaces have no far side, whatever desc.thickness is. NORMAL, RAYS: normal_rays 0 means 1. */
 enum {
     SSGI_GL_TERMS_BOTH = 0, /* below the horizon in closed form; above it normal rays, as many as there are */
     SSGI_GL_TERMS_HORIZON,  /* below the horizon alone, as normal_rays 0 [HSAO08 fig. 10a] */
@@ -230,7 +230,7 @@ enum {
                      (a sheet) half as thick. SLABS: the second slab is fetched from t_ssgi_back. All three are at least
                      0.02 radii and the spacing of the taps
      points, march   BACK, SLABS: both slabs are fetched from t_ssgi_back. A surface without a back face, and a sheet,
-                     is as thick as frame.thickness: points would step over what is thinner */
+                     is as thick as frame.thickness: points would step over thinner ones */
 enum {
     SSGI_GL_THICKNESS_DEFAULT = 0, /* ssgi_gl_steps with hsao, ssdo, s3ho by slices: WIDTH; all else: CONSTANT */
     SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness */
@@ -243,8 +243,8 @@ enum {
 /* desc.falloff: an occluder's weight over its distance t. Slices multiply with it, points are distributed by it. */
 enum {
     SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius, the paper's */
-    SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: what a bounce needs that restores what virtual point lights clamp
-                                   (ssgi_gl_light.min_distance = radius) */
+    SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: for a bounce that restores the light which virtual point lights
+                                   clamp (ssgi_gl_light.min_distance = radius) */
 };
 
 /* desc.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer shows. */
@@ -254,14 +254,14 @@ enum {
     SSGI_GL_FADE_LAMBDA, /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
 };
 
-/* desc.environment: what the light of the environment is read from. */
+/* desc.environment: where the light of the environment is read from. */
 enum {
     SSGI_GL_ENVIRONMENT_NONE = 0,
     SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: all directions at the cost of the visibility alone */
     SSGI_GL_ENVIRONMENT_MAP, /* a texture in world space, read once a direction: ssgi_environment_map */
 };
 
-/* desc.bounce: estimator of what an occluded direction receives. */
+/* desc.bounce: the estimator of the light that arrives from an occluded direction. */
 enum {
     SSGI_GL_BOUNCE_NONE = 0,
     SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: never brighter than it */
@@ -272,23 +272,23 @@ enum {
 enum {
     SSGI_GL_SHADOW_SEGMENT = 0, /* points on the segment to the light, radius long at most, in screen space */
     SSGI_GL_SHADOW_MAP,         /* your shadow maps, with a bias; lights without a map are unshadowed */
-    SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over what the bias skips [SSDO09 5]; without a map, SEGMENT */
+    SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT where the bias skips [SSDO09 5]; without a map, SEGMENT */
     SSGI_GL_SHADOW_NONE,
 };
 
-/* desc.radiance: what senders send. */
+/* desc.radiance: the light that senders send. */
 enum {
-    SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times what ssdo, shade or lights wrote */
+    SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times the light that ssdo, shade or lights wrote */
     SSGI_GL_RADIANCE_DIRECT,    /* your own texture of outgoing radiance */
     SSGI_GL_RADIANCE_BOTH,      /* the sum */
-    SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone: what s3ho reads, whose light comes later */
+    SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone, for s3ho, whose light comes later */
 };
 
-/* desc.transfer: what the coefficients of s3ho hold. From 3 bands on three sets take 6 targets (GLES has 4). */
+/* desc.transfer: the meaning of the coefficients of s3ho. From 3 bands on three sets take 6 targets (GLES has 4). */
 enum {
     SSGI_GL_TRANSFER_DIRECT = 0, /* one set: the transfer of unoccluded directions */
     SSGI_GL_TRANSFER_BOTH,       /* a set a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
-    SSGI_GL_TRANSFER_REFLECTED,  /* a set a channel: what occluders reflect alone */
+    SSGI_GL_TRANSFER_REFLECTED,  /* a set a channel: only light that occluders reflect */
 };
 
 /* desc.harmonics: the light that coefficients are dotted with. */
@@ -315,36 +315,36 @@ enum {
     SSGI_GL_OBJECTS_CUSTOM,  /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
 };
 
-/* desc.effect: what surfels do to pixels. */
+/* desc.effect: the effect of surfels on pixels. */
 enum {
     SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
-    SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less what surfels block of the environment */
-    SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from what surfels send */
+    SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less the environment's light that surfels occlude */
+    SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from surfels */
     SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
-    SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface: frame.dipole, over what surfels get */
+    SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface: frame.dipole over the surfels' light */
     SSGI_GL_EFFECT_CUSTOM,        /* yours: two functions in desc.fetch */
 };
 
 /* EFFECT_CUSTOM calls these, which desc.fetch holds: the paper's getMaxDist and computeEffect [DSS14 section 3.2]. A
-   surfel is a disc of view-space position, unit normal and radius; its colour is what desc.sends made of it.
+   surfel is a disc of view-space position, unit normal and radius; desc.sends chooses its colour.
      float ssgi_custom_reach(vec3 position, vec3 normal, float radius, vec3 colour, float epsilon)
          the distance from its centre beyond which its effect is less than epsilon (frame.epsilon), linear in the
          radius; 0: it has none. For a form factor radius * sqrt(1.0 / epsilon - 1.0). Level 0 ends there, each further
          one at twice the last one's distance, all of them at frame.radius
      vec4 ssgi_custom_effect(vec3 position, vec3 normal, float radius, vec3 colour, vec3 P, vec3 n)
-         xyz: what it brings to the pixel at P, whose unit normal is n; those of all surfels are summed. w: its form
+         xyz: its contribution to the pixel at P, whose unit normal is n; all surfels' are summed. w: its form
          factor there, by which desc.combine counts surfels behind each other; 0: the sum stays as it is. Which side
          counts is yours to say. Called for pixels in the surfel's shells alone
    The sum is o_ssgi_custom of pass sum. For a disc that occludes v = position - P, d = dot(v, v), w = radius * radius *
    max(dot(v, n), 0.0) * max(-dot(v, normal), 0.0) / (d * (d + radius * radius)). */
 
-/* desc.combine: how form factors of many surfels are put together: what they hide of each other is not known. */
+/* desc.combine: how form factors of many surfels are put together: nobody knows how they hide each other. */
 enum {
-    SSGI_GL_COMBINE_SHARE = 0, /* each takes its share of what the others leave: 1 - exp(-sum) */
+    SSGI_GL_COMBINE_SHARE = 0, /* each takes its share of the directions that the others leave: 1 - exp(-sum) */
     SSGI_GL_COMBINE_ADD,       /* they add up, to 1 at most, as published [DSS14 section 3.2]; darker */
 };
 
-/* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards. */
+/* desc.sends: the light of surfels, as ssgi_surfel.colour has it afterwards. */
 enum {
     SSGI_GL_SENDS_COLOUR = 0, /* the colour that they had */
     SSGI_GL_SENDS_LIGHTS,     /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
@@ -352,7 +352,7 @@ enum {
     SSGI_GL_SENDS_CUSTOM,     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
 };
 
-/* desc.colour: what blur and history filter. */
+/* desc.colour: the quantity that blur and history filter. */
 enum {
     SSGI_GL_GREY = 0,     /* ambient visibility */
     SSGI_GL_COLOUR,       /* light, three channels */
@@ -365,11 +365,11 @@ enum {
     SSGI_GL_ONTO_NONE = 0,
     SSGI_GL_ONTO_MULTIPLY,      /* linear values. In a picture that holds direct light that is dimmed, too */
     SSGI_GL_ONTO_MULTIPLY_SRGB, /* values that are stored encoded, by the power of 1/2.2 */
-    SSGI_GL_ONTO_AMBIENT,       /* what is occluded of t_ssgi_ambient, the picture's ambient part, is subtracted */
+    SSGI_GL_ONTO_AMBIENT,       /* the occluded part of t_ssgi_ambient, the picture's ambient light, is subtracted */
 };
 
-/* desc.restore: what history and blur filter instead of light. Unoccluded light is known exactly at every pixel and
-   differs across creases, which a filter would smooth: blur puts it back unfiltered, at full size. */
+/* desc.restore: the quantity that history and blur filter instead of light. Unoccluded light is known exactly at every
+   pixel and differs across creases, which a filter would smooth: blur puts it back unfiltered, at full size. */
 enum {
     SSGI_GL_RESTORE_NONE = 0,
     SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [HHM18] */
@@ -382,10 +382,10 @@ enum {
     SSGI_GL_GAUSSIAN,      /* the paper's, by the inverse of the depth difference [HSAO08 4.1.3] */
 };
 
-/* What you choose when a program is built. Zero is the default everywhere; counts become literal constants in the text,
-   and what is off leaves no text behind. A comment begins with the passes that look at the field, where its heading
-   does not tell; the others ignore it, but it must be in its limits [0..1 where none is told]. ssgi_gl_check names the
-   field that is not. */
+/* Your choices when a program is built. Zero is the default everywhere; counts become literal constants in the text,
+   and a feature that is off leaves no text behind. A comment begins with the passes that look at the field, where its
+   heading does not tell; the others ignore it, but it must be in its limits [0..1 where none is told]. ssgi_gl_check
+   names the field that is not. */
 typedef struct ssgi_gl_desc {
     /* ---- the text */
     int pass;    /* SSGI_GL_SSAO .. */
@@ -404,7 +404,7 @@ typedef struct ssgi_gl_desc {
     int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS, the rest is yours to resolve. Sample 0 is
                           read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
     int array;         /* 1: depth, normal, back, albedo, direct, ambient, objects and motion are array textures with a
-                          slice a view, as for stereo: frame.slice. What passes write stays 2D */
+                          slice a view, as for stereo: frame.slice. Targets stay 2D */
 
     /* ---- gathers, which are ssao, hsao, ssdo, s3ho: where they look. lights tests points as they do */
     int search;      /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao always has points */
@@ -414,7 +414,7 @@ typedef struct ssgi_gl_desc {
                         counts */
     int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
     int terms;       /* hsao by march   SSGI_GL_TERMS_BOTH .. */
-    int spheres;     /* hsao by march   1: the horizon rises only to what lies within a sphere that grows with the ray,
+    int spheres;     /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the ray,
                         a step ahead of its end: it occludes less where depths jump [HSAO08 5] */
     int noise;       /* SSGI_GL_NOISE_GRADIENT .. */
     int kernel;      /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
@@ -424,7 +424,7 @@ typedef struct ssgi_gl_desc {
                         in turn, by frame.phase, which ssgi_gl_steps sets before history. blur, history: the same, from
                         which they go to full size */
 
-    /* ---- gathers, lights: what occludes */
+    /* ---- gathers, lights: occluders */
     int thickness;   /* SSGI_GL_THICKNESS_DEFAULT .. */
     int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from each odd one to the
                         next; an odd last one is as thick as thickness says, CONSTANT or SOLID */
@@ -448,7 +448,7 @@ typedef struct ssgi_gl_desc {
     int receiver;    /* ssdo, lights, senders   [limit: 0..7, below layers]  the depth layer that is lit: so that hidden
                         surfaces send, too */
     int shadow;      /* lights, surfels, splat   SSGI_GL_SHADOW_SEGMENT .. */
-    int accumulate;  /* lights   1: adds to t_ssgi_light, what an earlier pass of this frame wrote */
+    int accumulate;  /* lights   1: adds to t_ssgi_light, which an earlier pass of this frame wrote */
     int restore;     /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; with another o_ssgi_light
                         is not light until blur or history has drawn with this desc and colour = 1. A bounce alone is
                         not restored */
@@ -459,14 +459,14 @@ typedef struct ssgi_gl_desc {
     int packed;   /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
     int transfer; /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing is
                      restored, since it has no unoccluded light */
-    int dimmed;   /* s3ho with a transfer, of one layer   1: a sender reflects what the last frame's coefficients let
-                     through to it, and what reached it by way of others: t_ssgi_last_red0 .., three filtered sets of
-                     BOTH, full size. 0: its open lobe [S3HO12 2.3] */
+    int dimmed;   /* s3ho with a transfer, of one layer   1: a sender reflects the light that the last frame's
+                     coefficients let through, and light by way of other senders: t_ssgi_last_red0 .., three filtered
+                     sets of BOTH, full size. 0: its open lobe [S3HO12 2.3] */
     int shaded;   /* s3ho   1: no coefficients, shaded with desc.harmonics at once; shade is not drawn */
     int residual; /* s3ho shaded, ssdo with SH, shade, transfer not REFLECTED   1: adds ambient visibility
                      times the residual of unoccluded irradiance (ssgi_sh_residual). By bent normals and cones, whose
-                     environment is exact: of `lights` alone. 0: two bands give a lamp's light to what is turned away
-                     from it, which errs more than no occlusion */
+                     environment is exact: of `lights` alone. 0: two bands give a lamp's light to surfaces that are
+                     turned away from it, which errs more than no occlusion */
     int shading;  /* shade   SSGI_GL_SHADING_HARMONICS .. */
     int lights;   /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone; a POINT is
                      a sphere of radius min_distance */
@@ -484,8 +484,8 @@ typedef struct ssgi_gl_desc {
     int tessellate;   /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
     int overhang;     /* surfels, splat when tessellate   as ssgi_surfel_desc has it (ssgi.h): how triangles shrink */
     int sends;        /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what is
-                         nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
+    int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
+                         slices count nearer occluders, surfels the others and hidden ones; 0: surfels count all */
     int near_samples; /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1: its
                          centre alone, as published, which finds half at 1/3 radius from a wall */
     int enlarge;      /* splat, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they count
@@ -499,8 +499,8 @@ typedef struct ssgi_gl_desc {
     int filter_radius;  /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when
                            half: 1 is 3x3 */
     int filter_normals; /* blur, history, smooth   1: neighbours' normals are compared, too: 1 more fetch each */
-    int motion;         /* history, changes   1: t_ssgi_motion says where each pixel was, so that what moves on its own
-                           keeps its average; 0: the camera alone moves */
+    int motion;         /* history, changes   1: t_ssgi_motion says where each pixel was, so that moving objects keep
+                           their average; 0: the camera alone moves */
     int onto;           /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE .. */
 
     /* ---- your own text */
@@ -508,7 +508,7 @@ typedef struct ssgi_gl_desc {
     const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
 } ssgi_gl_desc;
 
-/* Measured settings: the points of the README's chart. Sets what trades cost for accuracy in desc->pass with
+/* Measured settings: the points of the README's chart. Sets the fields that trade cost for accuracy in desc->pass with
    desc->search, and in its filter, so that the same desc serves blur: half, directions or samples, steps, normal_rays,
    noise, filter, filter_radius; range and fade of points; of ssdo with an environment restore RATIO, without which
    blur would smooth creases.
@@ -529,14 +529,14 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
    ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
-/* SSGI_OK, or SSGI_BAD_ARGUMENT and which field is wrong and what it may be ("desc.steps: must be 0..64"). */
+/* SSGI_OK, or SSGI_BAD_ARGUMENT and a sentence with the field and its limits ("desc.steps: must be 0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 
 /* A field of ssgi_gl_desc that is an int: all but version and fetch. */
 typedef struct ssgi_gl_choice {
     const char *name;     /* "search" */
     const char *values;   /* an enum's words in order from 0, blanks between: "SLICES POINTS MARCH"; of others "" */
-    const char *sentence; /* what it must be; of an enum with the prefix that makes enumerators of the words */
+    const char *sentence; /* its limits; of an enum with the prefix that makes enumerators of the words */
     size_t offset;        /* bytes into ssgi_gl_desc */
     int most;             /* its largest value; the least is 0 */
 } ssgi_gl_choice;
@@ -544,7 +544,7 @@ typedef struct ssgi_gl_choice {
 /* The i-th field; NULL past the last. */
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
 
-/* What a desc means: its pass's defaults in place, and 0 where the pass does not look. Both have the same text.
+/* The meaning of a desc: its pass's defaults in place, and 0 where the pass does not look. Both have the same text.
      desc   [limit: not NULL, one that ssgi_gl_check takes] */
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
 
@@ -592,7 +592,7 @@ typedef struct ssgi_gl_io {
                            PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
     size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. CONSTANT in VULKAN:
                            its constant_id where it may be specialised. Else 0 */
-    const char *format; /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
+    const char *format; /* TEXTURE, OUTPUT: the texture's format and meaning. PARAM: units */
 } ssgi_gl_io;
 
 #define SSGI_GL_MAX_IO 48
@@ -606,23 +606,23 @@ SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* ==== >>steps ================================================================================================== */
 
-/* What is drawn for a desc: its pass, and the passes before and behind it. Zero: the pass alone. */
+/* The draws of a desc: its pass, and the passes before and behind it. Zero: the pass alone. */
 typedef struct ssgi_gl_chain {
-    /* ---- what is drawn */
+    /* ---- the passes */
     ssgi_gl_desc desc;   /* pass SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT. The passes around it are drawn with its
                             choices, too: SSDO with an environment and a bounce draws that light, then its bounce; S3HO
-                            with a transfer its senders first; SPLAT by LIGHT with a bounce then what surfels send */
+                            with a transfer its senders first; SPLAT by LIGHT with a bounce then the surfels' light */
     ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc. Another pass:
                             none */
     int width, height;   /* [units: pixels] [limit: 1..16384]  of the image: ssgi_gl_frame.size */
 
     /* ---- how it is filtered */
-    int blur;       /* 1: what is gathered is filtered within surfaces */
+    int blur;       /* 1: the gather's output is filtered within surfaces */
     int history;    /* 1: and averaged over frames, at full size: pass history in place of blur. Needs blur = 1 */
     int vectors;    /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is filtered */
     int unsmoothed; /* splat   1: levels are added unfiltered */
 
-    /* ---- what is sent */
+    /* ---- the bounce */
     int reuse;  /* ssdo   1: senders send the last frame's light, so that one gather does light and bounce */
     int vpls;   /* ssdo   1: pass lights adds virtual point lights to the bounce, which restores what they clamp */
     int direct; /* 1: senders send your own radiance, too (t_ssgi_direct) */
@@ -633,10 +633,10 @@ typedef struct ssgi_gl_chain {
                        without span does so by itself, of all surfels */
 
     /* ---- targets */
-    int precise; /* 0: 16-bit floats, 8 bits for what is final; 1: 32-bit floats; 2: for coefficients, too */
+    int precise; /* 0: 16-bit floats, 8 bits for results; 1: 32-bit floats; 2: for coefficients, too */
 } ssgi_gl_chain;
 
-/* What a texture of yours is: ssgi_gl_input.meaning. */
+/* The meaning of a texture of yours: ssgi_gl_input.meaning. */
 enum {
     SSGI_GL_YOUR_DEPTH = 0,
     SSGI_GL_YOUR_LAYERS,
@@ -718,7 +718,7 @@ typedef struct ssgi_gl_step {
     int size;          /* SSGI_GL_SIZE_FULL .. */
     int width, height; /* [units: pixels] of that image */
 
-    /* ---- what it reads and writes */
+    /* ---- its inputs and outputs */
     int inputs, outputs; /* how many */
     ssgi_gl_input input[16];
     ssgi_gl_output output[6];
@@ -738,7 +738,7 @@ typedef struct ssgi_gl_step {
    stay, since none depends on the size. With desc.onto the last step draws onto your picture. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
-/* What GL has at a unit, or as a target. */
+/* A texture that GL has at a unit, or as a target. */
 typedef struct ssgi_gl_bound {
     unsigned target; /* GL_TEXTURE_2D ..; of targets not looked at */
     unsigned format; /* GL_TEXTURE_INTERNAL_FORMAT; 0: nothing is bound */
@@ -748,17 +748,17 @@ typedef struct ssgi_gl_bound {
     unsigned magnify; /* GL_TEXTURE_MAG_FILTER; 0, and of targets: not looked at */
 } ssgi_gl_bound;
 
-/* For debug builds: what would be drawn wrong, in a sentence that names step, texture and unit. Like snprintf; 0 when
-   nothing would.
-     units      what is bound at each of 16 units; NULL: not looked at
-     targets    what each of step->outputs is drawn into; NULL: not looked at */
+/* For debug builds: says which binding would be drawn wrong, in a sentence that names step, texture and unit. Like
+   snprintf; 0 when all are right.
+     units      the texture at each of 16 units; NULL: not looked at
+     targets    the texture that each of step->outputs is drawn into; NULL: not looked at */
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
                                    const ssgi_gl_bound *targets);
 
 /* ==== >>frame ================================================================================================== */
 
-/* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140), in whose order
-   the members are. */
+/* The values that change per frame, for all passes: upload them whole as the uniform block "ssgi_frame" (std140), in
+   whose order the members are. */
 typedef struct ssgi_gl_frame {
     /* ---- the camera: from ssgi_view */
     float project[4];
@@ -767,10 +767,10 @@ typedef struct ssgi_gl_frame {
 
     /* ---- the image */
     int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
-    int32_t size[2];   /* [units: pixels]  of the image. For a margin, larger than what is shown: scissor the passes
-                          (but width, senders, and what lights them) to the inner rectangle and what their filters
-                          read */
-    int32_t target[2]; /* [units: texels]  first texel of the image in what passes write; half of it in half size */
+    int32_t size[2];   /* [units: pixels]  of the image. For a margin, larger than the part that is shown: scissor
+                          the passes (but width, senders, and those that light them) to the inner rectangle and the
+                          pixels that their filters read */
+    int32_t target[2]; /* [units: texels]  first texel of the image in targets; half of it in half size */
 
     /* ---- gathers */
     float radius;         /* [units: view] [limit: > 0]  farthest occluder */
@@ -799,11 +799,11 @@ typedef struct ssgi_gl_frame {
     float dipole[16]; /* EFFECT_SCATTER: ssgi_gl_dipole_set */
     float keep_small; /* ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
     float near_depth; /* field, splat   [units: view] [default: the near plane]  lower bound of the frame's view depths:
-                         the last frame's minimum, for instance, culls most of what is around the eye */
+                         the last frame's minimum, for instance, culls most surfels around the eye */
     float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
                          ssgi_gl_sent_set makes the result linear in the light */
-    float epsilon;    /* splat   [default: 0.1]  the least that a surfel is drawn for: form factor, or that times what
-                         it sends over `sent` (times the lobe's peak) */
+    float epsilon;    /* splat   [default: 0.1]  the least effect that a surfel is drawn for: form factor, or that
+                         times its radiance over `sent` (times the lobe's peak) */
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
 
     /* ---- the rest, where std140 has room for it */
@@ -833,8 +833,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
    bits are k's, which tell the pixel that is gathered (desc.half 2). */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
-/* Sets what surfels are made with, but desc->overhang, which the text has: ssgi_gl_desc.overhang. Draw the mesh with
-   desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
+/* Sets the values that surfels are made with, but desc->overhang, which the text has: ssgi_gl_desc.overhang. Draw the
+   mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
      view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
      levels         desc.levels [limit: 1..7]
      mesh_to_view   as source.to_view; NULL: stays as it is */
@@ -859,8 +859,8 @@ typedef struct ssgi_gl_views {
     float to[4][16];    /* view space to x, y (pixels, times z if perspective), that camera's depth z, 1; columns */
     float from[4][16];  /* and back */
     float decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
-    float size[4][4];   /* [units: pixels]  width, height; [units: view, at depth 1 when perspective]  slack: what is in
-                           front of a surface by less is not taken to be visible; 0 */
+    float size[4][4];   /* [units: pixels]  width, height; [units: view, at depth 1 when perspective]  slack: points
+                           in front of a surface by less do not count as visible; 0 */
 } ssgi_gl_views;
 
 /* Sets camera i of 0..3: view and extra_world_to_view are the extra camera's. An oblique view is refused.
@@ -869,8 +869,8 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
                                        const float main_world_to_view[16], const float extra_world_to_view[16],
                                        const char **why);
 
-/* ssgi_gl_light.kind. With desc.shadow MAP or FILL a SPOT lights only what its map sees: six of them are a point light
-   with a cube of maps. */
+/* ssgi_gl_light.kind. With desc.shadow MAP or FILL a SPOT lights only surfaces that its map sees: six of them are a
+   point light with a cube of maps. */
 enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
 
 /* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. With zeros from patch on it
@@ -4115,7 +4115,7 @@ typedef struct ssgi_gl__row {
 #define SSGI_GL__ROW_ATTRIBUTE(name, type, is)    { NULL, 0, { "a_ssgi_" name, SSGI_GL_ATTRIBUTE, type, 0, 0, is } }
 #define SSGI_GL__ROW_CAPTURE(name, type, is)      { NULL, 0, { "v_ssgi_" name, SSGI_GL_CAPTURE, type, 0, 0, is } }
 
-/* What s3ho writes and shade and blur read: a texture and an output of one name. */
+/* A texture and an output of one name: s3ho writes them, shade and blur read them. */
 #define SSGI_GL__ROWS_FLOATS(name, unit, is) \
     SSGI_GL__ROW_TEXTURE(name, unit, "!packed", "sampler2D", SSGI_GL__HDR ": " is), \
     SSGI_GL__ROW_OUTPUT(name, "!packed", "vec4", SSGI_GL__HDR ": " is)
@@ -4307,19 +4307,19 @@ enum {
     SSGI_GL__CHAIN_NONE = 0, /* ssgi_gl_chain.desc must not be of this pass */
     SSGI_GL__CHAIN_ALONE,    /* a chain may be of this pass, and holds nothing else */
     SSGI_GL__CHAIN_FILTERED, /* a chain may be of it, and filters its o_ssgi_ao */
-    SSGI_GL__CHAIN_OWN       /* a chain may be of it, and holds what ssgi_gl__build_chain adds */
+    SSGI_GL__CHAIN_OWN       /* a chain may be of it; ssgi_gl__build_chain adds the other steps */
 };
 
 enum {
     SSGI_GL__SEARCH_NONE = 0, /* it gathers nothing */
     SSGI_GL__SEARCH_POINTS,   /* it has points, whatever desc.search says */
-    SSGI_GL__SEARCH_CHOSEN    /* it has what desc.search says */
+    SSGI_GL__SEARCH_CHOSEN    /* desc.search chooses */
 };
 
 enum {
     SSGI_GL__THICKNESS_NONE = 0, /* it does not look at desc.thickness */
     SSGI_GL__THICKNESS_READ,     /* its occluders are as thick as desc.thickness says */
-    SSGI_GL__THICKNESS_MEASURED  /* it measures what the others read */
+    SSGI_GL__THICKNESS_MEASURED  /* it measures the thickness that the others read */
 };
 
 enum {
@@ -4354,7 +4354,7 @@ enum {
 enum {
     SSGI_GL__TEXTURE_NEW = 0, /* each of its outputs has a texture of its own */
     SSGI_GL__TEXTURE_KEPT,    /* each has two, which change places from frame to frame */
-    SSGI_GL__TEXTURE_SLICE    /* its output is a slice of what all passes of its name write */
+    SSGI_GL__TEXTURE_SLICE    /* its output is a slice of one texture, which all passes of its name share */
 };
 
 /* The main function of a pass's fragment stage where `when`, a condition as in #if lines, holds (NULL: always). */
@@ -4383,7 +4383,7 @@ static const char *const ssgi_gl__stages[SSGI_GL__DRAWS][2][SSGI_GL_STAGES] = {
     { { "main_buffer", NULL, NULL, NULL, NULL }, { "main_patch", NULL, "main_levels", "main_points", NULL } }
 };
 
-/* Which outputs a pass has follows from what its main functions name, as inputs do: their rows are in >>rows. */
+/* The outputs of a pass are those that its main functions name, as inputs are: their rows are in >>rows. */
 static const ssgi_gl__pass ssgi_gl__passes[] = {
     /*                              chain     search  thickness preset  size    draw     blend    texture */
     { SSGI_GL__PASS(SSAO, "ssao",   FILTERED, POINTS, READ,     SSAO,   CHOSEN, IMAGE,   ONTO,     NEW),
@@ -4603,7 +4603,7 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
 
 static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d) { return !when || ssgi_gl__any(&when, d); }
 
-/* What does not go together, as a condition of #if lines, and the sentence that says so. */
+/* Choices that do not go together: a condition as in #if lines, and the sentence of the error. */
 #define SSGI_GL__SLICED "searches && search == SLICES && "
 static const char *const ssgi_gl__rules[][2] = {
     { "pass == HSAO && search == POINTS", "desc.search: hsao is SSGI_GL_SLICES or _MARCH; points are ssao's" },
@@ -4672,7 +4672,7 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i)
     return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i] : NULL;
 }
 
-/* What a preset sets. Of points directions and normal_rays stay as they are, of the others samples, range and fade. */
+/* The fields that a preset sets. Points keep directions and normal_rays as they are, others samples, range and fade. */
 typedef struct ssgi_gl__preset {
     int half, samples, directions, steps, normal_rays;
     int fades; /* 1: range, and fade SMOOTH */
@@ -4827,7 +4827,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 /* ==== >>emit (implementation) ===================================================================================== */
 
 /* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, numbers, and two columns of
-   the pass's row. A function reads from *s on and leaves *s behind what it has read. */
+   the pass's row. A function reads from *s on and leaves *s behind the part that it has read. */
 
 static int ssgi_gl__letter(char c)
 {
@@ -4852,7 +4852,7 @@ static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t lengt
     return NULL;
 }
 
-/* What conditions name besides fields: whether a column of the pass's row is set. -1: no such name. */
+/* Conditions also name columns of the pass's row: whether one is set. -1: there is no such name. */
 static int ssgi_gl__column(const char *name, size_t length, int pass)
 {
     static const char *const names[2] = { "searches", "reads_thickness" };
@@ -4920,7 +4920,7 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
 /* ---- the lines of a function that a desc keeps */
 
 typedef struct ssgi_gl__reader {
-    const char *at; /* what is not read yet */
+    const char *at; /* the rest, which is not read yet */
     const ssgi_gl_desc *d;
     int line;      /* of the header */
     int depth;     /* how many #if are open */
@@ -4960,7 +4960,7 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
     return NULL;
 }
 
-/* ---- linking: what is named in what is kept */
+/* ---- linking: a kept line keeps the entries that it names */
 /* A hash table, with open addresses. It is never full: a kept line names entries, rows and a few functions of
    desc.fetch, and all of these together leave slots empty, else the second line does not compile. */
 enum { SSGI_GL__SLOTS = 1024 };
@@ -5012,8 +5012,8 @@ typedef struct ssgi_gl__stage {
     unsigned char fetch;                                    /* 1: desc.fetch is read; 2: and calls ssgi_decode */
 } ssgi_gl__stage;
 
-/* Keeps, from the last function to the first, those that are named in what is kept, beginning with the roots; then the
-   rows that are named. */
+/* Goes from the last function to the first, and keeps each that the roots or a kept function name; then the rows that
+   these name. */
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
 {
     const int decodes = d->fetch && strstr(d->fetch, "ssgi_decode");
@@ -5038,7 +5038,7 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
     stage->fetch = (unsigned char)(names.custom << decodes);
 }
 
-/* A desc resolved and linked: the main function of each stage, and what each stage keeps. */
+/* A desc resolved and linked: the main function of each stage, and the entries that each stage keeps. */
 typedef struct ssgi_gl__program {
     ssgi_gl_desc d;
     const char *mains[SSGI_GL_STAGES];
@@ -5062,7 +5062,7 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
     return 1;
 }
 
-/* What Vulkan calls a word, where it calls it otherwise. */
+/* Vulkan's word for a word of GL, or the word itself. */
 static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length)
 {
     static const char *const words[][2] = { { "gl_InstanceID", "gl_InstanceIndex" },
@@ -5106,7 +5106,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         else if (io.kind == SSGI_GL_TEXTURE && ssgi_gl__rows[i].bytes && p->d.array)
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
         if (io.kind == SSGI_GL_CAPTURE && p->mains[SSGI_GL_GEOMETRY] && stage >= SSGI_GL_GEOMETRY)
-            continue; /* between stages: captured is what leaves the last */
+            continue; /* between stages: the outputs of the last one are captured */
         if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_PARAM ? block[io.slot] : p->stage[stage].row[i])) continue;
         io.type = ssgi_gl__word_of(p->d.dialect, io.type, strlen(io.type));
         if (n++ < capacity) out[n - 1] = io;
@@ -5195,8 +5195,7 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples, int uniform)
     ssgi_gl__print(t, ");\n");
 }
 
-/* A line in Vulkan's words. What goes from stage to stage gets locations; place: the next one out and the next one
-   in. */
+/* A line in Vulkan's words. Varyings get locations; place holds the next one out and the next one in. */
 static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2])
 {
     const char *const line = s, *const end = s + length, *name = s, *word;
@@ -5781,13 +5780,13 @@ static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
 /* Steps as they are added. */
 typedef struct ssgi_gl__build {
     const ssgi_gl_chain *chain;
-    ssgi_gl_step *steps, spare; /* spare: for what is beyond the capacity */
+    ssgi_gl_step *steps, spare; /* spare takes the steps beyond the capacity */
     int capacity, count;
     int textures;      /* numbers given so far */
     int light, bounce; /* which of them hold the result; -1: none */
     int depth;         /* which keeps view depth for the next frame; -1: none */
     int picture;       /* 1: a step has drawn onto yours */
-    const char *why;   /* what is wrong; NULL: nothing */
+    const char *why;   /* the sentence of an error; NULL: there is none */
 
     /* the texture that was last written under a name, less o_ssgi_ or t_ssgi_; -1: none */
     int names;
@@ -5810,7 +5809,7 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
     return &b->written[i].texture;
 }
 
-/* The format of an output: what it needs, in as few bits as chain.precise lets it have. */
+/* The format of an output: the channels that it needs, in as few bits as chain.precise lets it have. */
 static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
 {
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
@@ -5823,7 +5822,7 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
     /* coefficients that do not fill their last texture: 1 in the first, the 9th in the second or third */
     if (coefficients && (d->bands == 1 || (d->bands == 3 && last == (whole ? '1' : '2')))) channels = SSGI_GL__R;
     if (coefficients && whole && d->bands == 2) channels = SSGI_GL__RG;
-    if (single && !wide && !strncmp(out->format, "R8", 2)) return &ssgi_gl__r8; /* what a byte holds, as its row says */
+    if (single && !wide && !strncmp(out->format, "R8", 2)) return &ssgi_gl__r8; /* its row says that a byte holds it */
     return &ssgi_gl__formats[channels][whole ? SSGI_GL__UINT : wide ? SSGI_GL__FLOAT : SSGI_GL__HALF];
 }
 
@@ -5864,7 +5863,7 @@ static void ssgi_gl__step_draw(ssgi_gl_step *s, const ssgi_gl_desc *d)
     else if (blend == SSGI_GL__BLEND_MULTIPLY || d->onto) memcpy(s->blend, multiply, sizeof multiply);
 }
 
-/* A texture that it reads: yours, or what was last written under its name. */
+/* A texture that a step reads: yours, or the one that was last written under that name. */
 static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_gl_desc *d, const ssgi_gl_io *row)
 {
     ssgi_gl_input *in = &s->input[s->inputs++];
@@ -5895,8 +5894,8 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
     in->meaning = -1;
     in->last = ssgi_gl__pass_of(d->pass)->texture == SSGI_GL__TEXTURE_KEPT
             && (!strcmp(name, "history") || !strcmp(name, "means"));
-    /* of history its own outputs, which are numbered next: restored light is behind both, other light behind means.
-       -1: what a later step writes */
+    /* Pass history reads its own outputs of the last frame, which get the next numbers: of colour o_ssgi_means before
+       o_ssgi_light, with desc.restore o_ssgi_history before both. Of other inputs -1: a later step writes them. */
     in->texture = !in->last ? *ssgi_gl__texture(b, name)
                             : b->textures + (d->colour && !strcmp(name, d->restore ? "means" : "history"));
 }
@@ -5945,7 +5944,8 @@ static void ssgi_gl__width(ssgi_gl__build *b, const ssgi_gl_desc *desc)
     ssgi_gl__append(b, &d, row, ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), 0);
 }
 
-/* Adds what tells history which occluders came and went: it is drawn once, by the first that reads it. */
+/* Adds passes changes and nearby, which tell history where occluders came and went. They are drawn once, before the
+   first step that reads them. */
 static void ssgi_gl__changes(ssgi_gl__build *b, const ssgi_gl_desc *desc)
 {
     static const int passes[2] = { SSGI_GL_CHANGES, SSGI_GL_NEARBY };
@@ -5957,7 +5957,7 @@ static void ssgi_gl__changes(ssgi_gl__build *b, const ssgi_gl_desc *desc)
     }
 }
 
-/* A step more. Before it pass width, or changes and nearby, where it is the first that reads what these write. */
+/* Adds a step, and before it pass width, or changes and nearby, if it is the first that reads their outputs. */
 static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
 {
     ssgi_gl_io row[SSGI_GL_MAX_IO];
@@ -5975,8 +5975,8 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
     return ssgi_gl__append(b, &d, row, rows, frame);
 }
 
-/* Averages what was last written under a name over frames and filters it, as the chain wants. Returns the texture that
-   holds it, -1: your picture does. */
+/* Filters the texture that was last written under a name, and averages it over frames, as the chain wants. Returns the
+   texture of the result, -1: your picture has it. */
 static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name)
 {
     const int grey = !strcmp(name, "ao");
@@ -5990,7 +5990,7 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
     return b->picture ? -1 : *held;
 }
 
-/* Adds your lights to what texture `light` holds, -1: nothing. Returns the texture that holds the sum. */
+/* Adds your lights to texture `light`, -1: there is none. Returns the texture that holds the sum. */
 static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame)
 {
     ssgi_gl_desc d = *lights;
@@ -6006,7 +6006,7 @@ static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc
     ssgi_gl_desc d = *desc;
     d.receiver = layer;
     if (camera < 0 && !layer) return d;
-    d.normal = SSGI_GL_NORMAL_SIGNED;                     /* depth gives those of what is seen alone */
+    d.normal = SSGI_GL_NORMAL_SIGNED;                     /* depth has those of visible surfaces */
     if (d.pass != SSGI_GL_LIGHTS) d.half = d.restore = 0; /* nothing filters it */
     if (camera < 0) return d;
     d.views = d.orthographic = d.depth = 0; /* hardware depth */
@@ -6032,7 +6032,7 @@ static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance
     out->slice = camera < 0 ? layer : camera * slices + layer;
 }
 
-/* The texture that holds what lights a layer of a camera directly; -1: nothing does. */
+/* The texture of the light that reaches a layer of a camera directly; -1: there is none. */
 static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer)
 {
     const ssgi_gl_desc lights = ssgi_gl__seen_by(b, &b->chain->lights, camera, layer);
@@ -6127,8 +6127,8 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
     b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
 }
 
-/* One effect of surfels, with what slices see of it (desc.span). light: the texture of light on what the picture shows,
-   -1: none. Returns the texture that holds the effect. */
+/* One effect of surfels, and of slices near by (desc.span). light: the texture of the light on visible surfaces, -1:
+   there is none. Returns the texture that holds the effect. */
 static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light)
 {
     const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
@@ -6178,7 +6178,7 @@ static void ssgi_gl__deep(ssgi_gl__build *b)
     if (chain->desc.bounce) b->bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, b->light);
 }
 
-/* What a chain lacks, or what of it does not go together, as a sentence; NULL: nothing. */
+/* A sentence on a part that a chain lacks, or on parts that do not go together; NULL: the chain is sound. */
 static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
 {
     if (!chain) return "chain: must not be NULL";
@@ -6232,14 +6232,14 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b)
     if (!b->why) ssgi_gl__compose(b);
 }
 
-/* DEFAULT in a chain: slices have WIDTH, which errs least of what needs no further input. The rest may read layers and
-   cameras, which have no widths. */
+/* DEFAULT in a chain: slices have WIDTH, which errs least of all choices that need no further input. The other passes
+   may read layers and cameras, which have no widths. */
 static void ssgi_gl__thickness(ssgi_gl_desc *d)
 {
     if (d->thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__slices(d)) d->thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
-/* What an input reads that no step before it writes: the last frame's light, its depth, or coefficients of a name. */
+/* The texture of an input that no step before it writes: the last frame's light, depth, or coefficients of a name. */
 static int ssgi_gl__left_by_last(ssgi_gl__build *b, const char *name)
 {
     static const char last[] = "t_ssgi_last_";
@@ -6296,7 +6296,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
     return b.count;
 }
 
-/* What is wrong with the texture of an input, or with `in` NULL of an output; NULL: nothing. */
+/* A sentence on a wrong texture of an input, or with `in` NULL of an output; NULL: it is right. */
 static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *in, const ssgi_gl_format *format,
                                   int width, int height)
 {
