@@ -19,9 +19,9 @@
       view space   right-handed, +x right, +y up, the camera looks along -z; VIEW DEPTH is the positive distance -z
       pixels       (0,0) is the corner of the first texel, centres at (x+0.5, y+0.5), y as in GL textures (upward when
                    the projection is GL's)
-      window depth what the depth texture holds, [0,1]
+      window depth values of the depth texture, [0,1]
       units        lengths in your view units, angles in radians, radiance linear
-      visibility   V = 1 visible, 0 blocked; occlusion O in [0,1]; ambient visibility (what AO passes write) = 1 - O,
+      visibility   V = 1 visible, 0 blocked; occlusion O in [0,1]; ambient visibility (AO passes write it) = 1 - O,
                    cosine-weighted
       environments latitude-longitude images as OpenEXR's, linear radiance, rgb[3 * (y * width + x) + c]:
                    row 0 at +y, the image centre looks to +z, +x is left of the centre; solid angles of texels are
@@ -41,12 +41,12 @@
                    point lights
       >>trace      a small BVH over your triangles: closest hit, any hit
       >>tessellate the points of a tessellated triangle; the level and the radius for its area
-      >>surfels    triangles as discs of about equal size on the screen, their reach, and what splatting those costs
+      >>surfels    triangles as discs of about equal size on the screen, their reach, and the cost of splatting them
       >>dipole     multiple scattering under surfaces
       >>cap        occlusion of spherical caps, in closed form and as a table
       >>field      ambient occlusion fields: bake, fit, look up, save and load
-      >>plan       what a scene needs: its numbers in, method, settings, predicted error and cost out
-      and at the end of the file what each version renamed (CHANGES), and the licence
+      >>plan       the method for a scene: its numbers in; method, settings, predicted error and cost out
+      and at the end of the file the renames of each version (CHANGES), and the licence
 
    SOURCES      [HSAO08] Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion
                 [SSDO09] Ritschel, Grosch, Seidel 2009, Approximating dynamic global illumination in image space
@@ -115,9 +115,9 @@ typedef struct ssgi_view {
    infinite far plane), off-centre (sub-pixel jitter, stereo), y up or down, the near plane oblique (planar reflections:
    desc.oblique of ssgi_gl.h), right-handed or left-handed.
    Left-handed: your camera looks along +z, and view space here is yours with z negated. (An orthographic projection is
-   taken for left-handed where a right-handed camera would have all of its depth range behind the eye.) Negate z of what
-   you give in view space (lights; for normals there is desc.left_handed) and the third row (elements 2, 6, 10, 14) of
-   every matrix to view space, frame.rotation included. What comes back has z negated likewise.
+   taken for left-handed where a right-handed camera would have all of its depth range behind the eye.) Negate z of
+   values that you give in view space (lights; for normals there is desc.left_handed) and the third row (elements 2, 6,
+   10, 14) of every matrix to view space, frame.rotation included. Results have z negated likewise.
      projection     [limit: w row (0,0,-1,0), (0,0,1,0) or (0,0,0,1) up to a common factor; x and y do not mix]
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
      width, height  [units: pixels] [limit: 1..65536] of the frame that the projection fills
@@ -164,7 +164,7 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
 /* ==== >>bias =================================================================================================== */
 
-/* Formulas. Of their floats NaN and what is below 0 count as 0, what is above SSGI_FAR as that; results are finite. */
+/* Formulas. NaN and floats below 0 count as 0, floats above SSGI_FAR as SSGI_FAR; results are finite. */
 
 /* How far a receiver is lifted along its normal, so that nearest fetches of its own plane stay below it: z/(f res)
    [HSAO08 eq. 13]; 0.00802 at z = 10 for 60 degrees, f = 1/tan(30 degrees), over 720 pixels. That is half of
@@ -182,7 +182,7 @@ SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
    ssgi_gl_light.patch holds it for depth 1. */
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
 
-/* Half of what is the patch of a bias. */
+/* The thing whose half is the patch of a bias. */
 enum {
     SSGI_BIAS_SAFE = 0,  /* its diagonal: patch/sqrt(2) tan(alpha), which slopes in any direction need */
     SSGI_BIAS_PUBLISHED, /* its side: patch/2 tan(alpha) [SSDO09 section 5], which suffices for slopes along a side
@@ -249,8 +249,8 @@ enum {
    For desc.kernel of ssgi_gl.h: COSINE, or with desc.uniform UNIFORM. */
 SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples, const char **why);
 
-/* A tile of noise that is repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. What
-   desc.noise = NOISE_TEXTURE of ssgi_gl.h reads, as RGBA32F or, up to 1024 sets, RGBA16F: its z and w; x and y are for
+/* A tile of noise that is repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. With
+   desc.noise = NOISE_TEXTURE ssgi_gl.h reads it, as RGBA32F or, up to 1024 sets, RGBA16F: its z and w; x and y are for
    shaders that turn their own directions, as the paper's does.
      size         [limit: 1..64] texels of a side
      sets         [limit: 1.., a divisor of size * size] each is at as many texels: turn = (set + 0.5)/sets, by which
@@ -371,8 +371,8 @@ typedef struct ssgi_sun {
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
                                            const char **why);
 
-/* Residual of unoccluded irradiance: what a few bands lack. Dimmed by ambient visibility and added to the light from
-   the coefficients it makes unoccluded surfaces exact.
+/* Residual of unoccluded irradiance: the part that a few bands lack. Dimmed by ambient visibility and added to the
+   light from the coefficients it makes unoccluded surfaces exact.
      map                 +=  (irradiance of the suns - irradiance reconstructed from the coefficients) / pi. On entry it
                          holds the environment's map: ssgi_environment_map, solid_angle 0; zeros without an environment
      size                [limit: 8..256] of the map
@@ -482,7 +482,7 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
    3169. 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
 SSGI_DEF int ssgi_tess_count(int level);
 
-/* The points of a level as gl_TessCoord has them, but for what GPUs round (2e-5), in an order of ours: rings from the
+/* The points of a level as gl_TessCoord has them, but for a GPU's rounding (2e-5), in an order of ours: rings from the
    edges inwards, each from a corner around.
      uvw      barycentric coordinates, 3 a point; they sum to 1 [limit: 3 * ssgi_tess_count(level) floats]
      level    [limit: 1..64] */
@@ -508,7 +508,7 @@ SSGI_DEF double ssgi_tess_radius(double area, double count);
    grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU; pass splat
    takes either. */
 
-/* A surfel: three vec4 attributes of one instance, byte for byte; what transform feedback captures. */
+/* A surfel: three vec4 attributes of one instance, byte for byte, as transform feedback captures them. */
 typedef struct ssgi_surfel {
     float position[3], radius; /* view space */
     float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers: on level l the column by the lowest l
@@ -558,7 +558,7 @@ typedef struct ssgi_surfel_source {
 
 /* Radius of a surfel at a view depth [DSS14 section 3.1]: size tan(alpha/2) (|depth - near| + near), alpha the vertical
    angle of view: half of `size` image heights on the screen; behind the near plane surfels grow again. Orthographic:
-   half of `size` image heights everywhere. 0 where size is not above 0, and for what is not a finite float.
+   half of `size` image heights everywhere. 0 where size is not above 0, and for arguments that are not finite.
      size     [units: image heights] s: ssgi_surfel_desc.size, whose default 0.015 is not put in
      depth    [units: view] of the triangle's centroid; below 0 behind the eye
    GLSL twin: ssgi_surfel_radius. */
@@ -567,15 +567,15 @@ SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double de
 /* Form factor of a disc, to be multiplied by the cosines at both ends: r^2 / (d^2 + r^2) [DSS14 section 4; Wallace,
    Elmquist, Haines 1989]. Exact on the disc's axis; beside it too low when near: on a parallel receiver
    0.93 .50 .07 of it at 15, 45 and 75 degrees from one radius away, .97 .73 .49 from two, .99 .91 .84 from four. 0
-   where radius is not above 0, and for what is not a finite float.
+   where radius is not above 0, and for arguments that are not finite.
      radius, distance   [units: view] distance: to the centre */
 SSGI_DEF double ssgi_surfel_form_factor(double radius, double distance);
 
-/* Distance at which what a surfel brings has fallen to epsilon: radius sqrt(brightest / epsilon - 1), linear in the
+/* Distance at which a surfel's effect has fallen to epsilon: radius sqrt(brightest / epsilon - 1), linear in the
    radius: the paper's getMaxDist [DSS14 sections 3.2, 4]. 0 where brightest is epsilon or less or radius is not above
-   0, and for what is not a finite float; SSGI_FAR where epsilon is 0 or below.
-     brightest   the largest component of what it sends; 1 for occlusion
-     epsilon     the least that it is drawn for: ssgi_gl_frame.epsilon */
+   0, and for arguments that are not finite; SSGI_FAR where epsilon is 0 or below.
+     brightest   the largest component of its radiance; 1 for occlusion
+     epsilon     the least effect that it is drawn for: ssgi_gl_frame.epsilon */
 SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon);
 
 /* The distances d that a level is drawn for, shell[0] < d <= shell[1] [DSS14 section 3.2]: level 0 those up to reach,
@@ -587,8 +587,8 @@ SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilo
      most     [units: view] ssgi_splat.max_distance; SSGI_FAR: no end */
 SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double most);
 
-/* What ssgi_gl_frame.surfel holds, with defaults in place: radius per view depth (orthographic: radius), view depth of
-   the near plane, offscreen_growth, splits. */
+/* The values of ssgi_gl_frame.surfel, with defaults in place: radius per view depth (orthographic: radius), view depth
+   of the near plane, offscreen_growth, splits. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const char **why);
 
@@ -667,8 +667,8 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
    [AOF05 eq. 3, whose formula the paper leaves out].
      solid_angle  [units: sr] [limit: 0..4 pi, clamped]
      cosine       between the cap's axis and the surface's normal [limit: -1..1, clamped]
-   What is not finite counts as 0. In [0,1], monotone in both. Absolute error 1e-12; as a float 1e-7. GLSL twin:
-   ssgi_cap. */
+   Values that are not finite count as 0. The result is in [0,1], monotone in both. Absolute error 1e-12; as a float
+   1e-7. GLSL twin: ssgi_cap. */
 SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine);
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
@@ -681,10 +681,10 @@ SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
             a texel add 2e-3 */
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
 
-/* Irradiance from what an environment shows within a cap [AOF05 section 6]: pi times the cap's occlusion, times its
-   radiance there, averaged by the cosine over 256 directions of the cap. With the cap of ssgi_field_cap it is what an
-   occluder blocks: subtract fill times it from unoccluded irradiance. With the rest of the sphere (4 pi - solid_angle,
-   -axis), the inverse cap, it is what stays open.
+/* Irradiance from the part of an environment within a cap [AOF05 section 6]: pi times the cap's occlusion, times the
+   radiance there, averaged by the cosine over 256 directions of the cap. With the cap of ssgi_field_cap an occluder
+   blocks it: subtract fill times it from unoccluded irradiance. With the rest of the sphere (4 pi - solid_angle,
+   -axis), the inverse cap, it is the irradiance that stays.
      coefficients   [3*i + c] of radiance: ssgi_sh_project_equirect
      bands          [limit: 1..SSGI_SH_MAX_BANDS]
      solid_angle    [units: sr] [limit: finite; clamped to 0..4 pi]
@@ -714,16 +714,16 @@ typedef struct ssgi_field_desc {
     int radii;      /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
     int rays;       /* [limit: 0, 16..65536] [default: 128] traced at each distance */
     float reach;    /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] where the field ends */
-    int unfiltered; /* [limit: 0 or 1] 1: directions are sampled at the resolution itself, without the Gaussian: what
-                       thin parts do then is figure 5 of the paper, in a quarter of the time */
+    int unfiltered; /* [limit: 0 or 1] 1: directions are sampled at the resolution itself, without the Gaussian,
+                       in a quarter of the time: figure 5 of the paper shows the effect on thin parts */
     /* Your ray caster: 1 if the ray meets the occluder at any t > 0; NULL: ours, which finds the hull in any case. */
     int (*hit)(void *user, const float origin[3], const float direction[3]);
     /* Your samples instead of rays [AOF05 section 4.1], rasterised for instance: of point i, x y z at point[3 * i] in
        the mesh's space, out[4 * i] is the solid angle of the occluder [units: sr] and the next three are its mean
        direction, from the point to it. Its length tells how far the occluder fills its cap; 1, or more than can be, is
-       a cap that is filled, as in the paper, which has unit directions. What is not finite counts as nothing seen.
+       a cap that is filled, as in the paper, which has unit directions. Not finite means that nothing is seen.
        Called once a direction, with all its distances: desc.radii points from near the hull to the reach, ascending.
-       What is inside the hull, and the reported errors, come from rays in any case. NULL: rays. */
+       Values inside the hull, and the reported errors, come from rays in any case. NULL: rays. */
     void (*sample)(void *user, float *out, const float *point, int count);
     /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
@@ -772,7 +772,7 @@ SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangl
    rays, or from desc.sample.
      texels     ssgi_field_size(desc's resolution) bytes, which belong to the field from then on
      work       work_size >= ssgi_field_bake_size(desc, triangles) bytes of any alignment
-     position, stride_bytes, index, triangles   as in ssgi_trace_build, which tells what triangles are left out
+     position, stride_bytes, index, triangles   as in ssgi_trace_build, which tells which triangles are left out
    Same input, same bytes, with any number of threads and at any optimisation that keeps IEEE arithmetic (not
    -ffast-math; with FMA instructions -ffp-contract=off). Fails with SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size) or
    SSGI_CANCELLED; *field is then untouched, texels and work are not. Resolution 16 with 128 rays takes 9.4 million
@@ -792,7 +792,7 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
                                     const float normal[3]);
 
 /* The cap itself, for points in the hull that at the hull: its solid angle [units: sr], its unit axis, and in *fill the
-   share of it that is covered; what it blocks of an environment: ssgi_cap_light. Returns the point's distance from the
+   share of it that is covered. ssgi_cap_light has the light that it blocks. Returns the point's distance from the
    centre over the hull's. No argument may be NULL; a point that is not finite counts as the centre. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
@@ -813,7 +813,7 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
    Fitted on ray-traced truth of 121 views, tested on other scenes: README. A survey improves predictions, a calibration
    most.
 
-      ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
+      ssgi_plan_scene s = { 0 };                                       members that stay 0 are not known
       s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;   s.thickness = SSGI_PLAN_SLABS;
       ssgi_survey_of(&s.survey, hsao, best, solid, hsao_slabs, pixels, NULL);     pictures of hsao
       ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, hsao_slabs, 3000, 64, radius, NULL);
@@ -880,10 +880,10 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
                                          const float *normal, const float *hsao, const float *slabs, size_t count,
                                          int rays, float radius, const char **why);
 
-/* What is known of a scene, and what is asked for. Zero means not known, or the default. A comment in capitals names
+/* The known numbers of a scene, and the request. Zero means not known, or the default. A comment in capitals names
    the values of `wanted` for which a member is read. */
 typedef struct ssgi_plan_scene {
-    /* what is asked for */
+    /* the request */
     int wanted;   /* SSGI_PLAN_VISIBILITY .. */
     int device;   /* SSGI_PLAN_SOFTWARE .. */
     float error;  /* [limit: >= 0] 0: the least that the budget buys */
@@ -901,7 +901,7 @@ typedef struct ssgi_plan_scene {
     int map;         /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
     float albedo;    /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
 
-    /* what may be drawn */
+    /* the techniques that may be used */
     int thickness;    /* the most that may be chosen: SSGI_PLAN_WIDTH, _BACK or _SLABS */
     float depth_pass; /* [units: as budget] [limit: >= 0] cost of one depth-only pass; BACK adds 1 of it, SLABS 3 */
     int history;      /* 1: frames may be averaged: the camera's motion is known, a trail may show */
@@ -920,8 +920,8 @@ typedef struct ssgi_plan {
     int thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
     float size;
 
-    /* what they are predicted to give */
-    float cost;    /* [units: as budget] with depth passes, without what makes surfels and fields; at most SSGI_FAR */
+    /* the prediction */
+    float cost;    /* [units: as budget] with depth passes, without making surfels and fields; at most SSGI_FAR */
     float error;   /* in the measure of `wanted`; at most SSGI_FAR */
     int meets;     /* 1: error <= 1.05 x that asked for, and cost within the budget; 0 if no error was asked for */
     char why[160]; /* one sentence */
@@ -933,7 +933,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scen
 
 /* Choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked), and an
    empty `why`. Returns 1 with *plan filled; 0 with *plan untouched past the last choice, for NULL, or where the choice
-   is not for what is wanted or needs what the scene does not give. */
+   is not for the quantity that is wanted, or needs a technique that the scene does not allow. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 
 enum { SSGI_PLAN_CHOICES = 46 };
@@ -1587,7 +1587,7 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
     return ssgi_directions(out, SSGI_DIRECTIONS_COSINE, sets, samples, why);
 }
 
-/* The height of a direction, and its distance from z, at a share u of what there is from +z on. */
+/* The height of a direction, and its distance from z, at a share u of their measure from +z on. */
 SSGI__FN void ssgi__directions_at(double out[2], int kind, double u)
 {
     const double most = kind == SSGI_DIRECTIONS_SPHERE ? 2.0 : 1.0;
@@ -1659,8 +1659,8 @@ SSGI__FN ssgi__block ssgi__block_of(int size, int sets)
     return b;
 }
 
-/* Numbers the texels of a block at 0, 0: each next one is where those before are felt least, by 1/distance^4 in whole
-   numbers, which floats add without rounding. out[4 * (y * size + x) + 3] is the number, out[.. + 2] what is felt. */
+/* Numbers the texels of a block at 0, 0: each next one is where those before weigh least, by 1/distance^4 in whole
+   numbers, which floats add without rounding. out[4 * (y * size + x) + 3] is the number, out[.. + 2] that weight. */
 SSGI__FN void ssgi__block_order(float *out, int size, const ssgi__block *b)
 {
     const int texels = b->w * b->h;
@@ -1957,7 +1957,7 @@ SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
         mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
 }
 
-/* A unit vector; 0 for what has no direction. */
+/* A unit vector; returns 0 for a vector without a direction. */
 SSGI__FN int ssgi__direction(double d[3], const float *v)
 {
     if (!ssgi__finites(v, 3)) return 0;
@@ -3464,8 +3464,8 @@ SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int
 
 /* ---- samples */
 
-/* What an occluder does to a point, by rays within acos(cosine) of a unit axis; `hit` NULL: ours.
-     out         solid angle of what is hit; its vector irradiance, which is the integral of the directions that are hit
+/* The effect of an occluder on a point, by rays within acos(cosine) of a unit axis; `hit` NULL: ours.
+     out         solid angle of the hits; their vector irradiance, which is the integral of the directions that are hit
      occlusion   of four receivers with these normals, or NULL */
 SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
                                  int (*hit)(void *, const float *, const float *), void *user, const float point[3],
@@ -3659,8 +3659,8 @@ typedef struct ssgi__field_occluder {
     double few[SSGI__FIELD_FEW][3], loose;
 } ssgi__field_occluder;
 
-/* The corner that is farthest along n, about the centre; returns how far. Boxes that end before what is found are not
-   opened. */
+/* The corner that is farthest along n, about the centre; returns how far. Boxes that end before the best corner so far
+   are not opened. */
 SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double n[3], double out[3])
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
@@ -3807,7 +3807,8 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 }
 
 /* A cone from a point outside of the hull that holds all of the occluder: its axis, and the cosine of its half-angle.
-   It is about the mean direction to some corners, wider by what they lack; or the half space below the hull's plane. */
+   It is about the mean direction to some corners, wide enough for the others; or the half space below the hull's
+   plane. */
 SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, const double point[3],
                                 const double normal[3])
 {
@@ -3891,7 +3892,7 @@ SSGI__FN void ssgi__field_yours(double sum[][4], const ssgi__field_bake *b, cons
     }
 }
 
-/* One texel of the fine map: samples along its direction, and what they fit. */
+/* One texel of the fine map: samples along its direction, and the fit to them. */
 SSGI__FN void ssgi__field_texel(void *context, int job)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
@@ -4417,7 +4418,7 @@ enum {
     SSGI__PLAN_TERMS           /* how many */
 };
 
-/* A choice: what it is for, its settings, its cost in software and on a GPU, weights of the terms. */
+/* A choice: its quantity, its settings, its cost in software and on a GPU, weights of the terms. */
 typedef struct ssgi__plan_row {
     signed char wanted, method, thickness, half, directions, steps, bands, history, resolution;
     float size, cost[2], term[SSGI__PLAN_TERMS];
@@ -4480,7 +4481,7 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 };
 /* clang-format on */
 
-/* What a scene that leaves a number 0 is taken to have. */
+/* Numbers of a scene that leaves them 0. */
 #define SSGI__PLAN_RADIUS 0.15   /* screen_radius */
 #define SSGI__PLAN_ALBEDO 0.6f   /* albedo */
 #define SSGI__PLAN_TEXELS 170.0  /* splats */
@@ -4499,7 +4500,7 @@ static const float ssgi__plan_survey[2][3][4] = {
     { { 1.29f, 3.59f, 0, 0 }, { 0.0299f, 3.59f, 0, 0.824f }, { 0.0146f, 3.63f, 0.0396f, 0.302f } }
 };
 
-/* What splats and fields cost beside a choice's own; in software, on a GPU. */
+/* Costs of splats and fields beside a choice's own; in software, on a GPU. */
 static const struct {
     float texel, surfel; /* per texel of splats and per surfel, over the frame's pixels */
     float occluder;      /* per occluder that reaches all pixels */
@@ -4516,7 +4517,7 @@ static const float *ssgi__plan_energy(const ssgi_plan_scene *s)
 }
 
 /* Squared errors without occlusion, of hsao, of hsao with slabs: of the calibration, else from the survey, else a
-   guess. A calibration without slabs scales what else is known of them. */
+   guess. A calibration without slabs scales the other figures of slabs. */
 SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
 {
     static const double guess[3] = { 0.02, 0.003, 0.003 };
@@ -4556,7 +4557,7 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     term[SSGI__PLAN_CONSTANT_ERROR] = 1e-4;
 }
 
-/* Whether a scene has what a choice requires, and benefits from it. */
+/* Whether a scene allows the techniques that a choice requires, and benefits from them. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
     const int m = row->method;
@@ -4713,13 +4714,13 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 #endif
 #endif /* SSGI_IMPLEMENTATION */
 
-/* From 1.0 on a minor version adds: sources still compile, names, units and what zeros mean stay; pixels may change.
+/* From 1.0 on a minor version adds: sources still compile, names, units and meanings of zeros stay; pixels may change.
    Before that a minor version may rename: its changes are listed here, old -> new.
 
    CHANGES since 0.3
    Pictures of slices: thickness WIDTH is at most 0.6 radii, and half as much where a probe found the end of a surface;
-   what steps miss and what is beyond the picture is expected to occlude a little; the filter lets less across edges of
-   a hundredth of the radius. NVIDIA's compiler for GL lost a sign in them: they came out too bright there.
+   surfaces that steps miss and those beyond the picture are expected to occlude a little; the filter lets less across
+   edges of a hundredth of the radius. NVIDIA's compiler for GL lost a sign in them: they came out too bright there.
    View depths of 1 / SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing
    in front of the camera, ssgi_gl_plan an unknown thickness. To ssgi_gl_sent_set a radiance of 1e-30 or less is
    nothing. Without desc.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: no other step
