@@ -7,58 +7,68 @@
 
    QUICK USE  of one pass alone, by ssgi_gl_emit and ssgi_gl_reflect (compiled and run by tests/test_build.c)
 
-      // Whole chains, with filter and history, come from ssgi_gl_steps: lines in the README, examples/minimal.c.
+      // ssgi_gl_steps lists the draws of whole chains, with filter and history: see the README, examples/minimal.c.
       ssgi_gl_desc d = { 0 };                               // every choice at its default; C++: ssgi_gl_desc d = {};
       d.pass = SSGI_GL_HSAO;
-      size_t length = ssgi_gl_emit(NULL, 0, &d, SSGI_GL_FRAGMENT);       // like snprintf
+      size_t length = ssgi_gl_emit(NULL, 0, &d, SSGI_GL_FRAGMENT);       // it works like snprintf
       char *text = (char *)malloc(length + 1);
       ssgi_gl_emit(text, length + 1, &d, SSGI_GL_FRAGMENT);              // compile this with your own GL ...
       ssgi_gl_io row[SSGI_GL_MAX_IO];
       int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), i;            // ... and bind its inputs and outputs:
       for (i = 0; i < rows; ++i)
          if (row[i].kind == SSGI_GL_TEXTURE) printf("unit %d: %s, %s\n", row[i].slot, row[i].name, row[i].format);
-      ssgi_gl_frame frame;                                  // changes per frame: upload as one uniform buffer
+      ssgi_gl_frame frame;                                  // the values of one frame: upload as one uniform buffer
       ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);        // view: an ssgi_view, see ssgi.h; radius 0.5 view units
 
    HOW A PASS IS DRAWN
-      draw         vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, the viewport on the image
-                   inside the target (ssgi_gl_step.size), glDrawArrays(GL_TRIANGLES, 0, 3)
-      state        off: tests of depth (its mask does not matter then), of stencil, scissor and alpha (compatibility
-                   contexts); blending, but where told below; culling, rasteriser discard, logic op, clip distances.
-                   Colour mask on, polygons filled
-      textures     a name has the same unit in every variant of a pass. They are read by texelFetch at level 0: wrap
-                   modes do not matter, but a texture must be complete: set both of its filters to GL_NEAREST. Under
-                   GL's default minifying filter a texture without mip levels reads 0, under its default magnifying
-                   filter a texture of integers does (as pass width writes), and visibility is 0 or 1 everywhere.
-                   Depth and 32-bit floats need GL_NEAREST in GLES and WebGL. GL_TEXTURE_COMPARE_MODE is GL_NONE. No
-                   sampler object on their units: it would override their filters
-      targets      a texture that a step reads must not be attached to its target: with desc.onto, depth and normals
-                   not to the picture. In GLES and WebGL floating-point targets need EXT_color_buffer_float or, of 16
-                   bits, EXT_color_buffer_half_float
+      draw         link the vertex and the fragment stage that ssgi_gl_emit writes, bind an empty vertex array, set the
+                   viewport to the image inside the target (ssgi_gl_step.size), call glDrawArrays(GL_TRIANGLES, 0, 3)
+      state        switch off the tests of depth (its mask does not matter then), of stencil, scissor and alpha (in
+                   compatibility contexts); blending, except where ssgi_gl_step.blend asks for it; culling, rasteriser
+                   discard, logic op, clip distances. Leave the colour mask on and polygons filled
+      textures     a name has the same unit in every variant of a pass. Textures are read by texelFetch at level 0, so
+                   wrap modes do not matter, but a texture must be complete: set both of its filters to GL_NEAREST.
+                   Under GL's default minifying filter a texture without mip levels reads 0, and under its default
+                   magnifying filter a texture of integers does (pass width writes one), so that visibility is 0 or 1
+                   everywhere. Depth and 32-bit floats need GL_NEAREST in GLES and WebGL. GL_TEXTURE_COMPARE_MODE must
+                   be GL_NONE. Bind no sampler object to these units: it would override the textures' filters
+      targets      a texture that a step reads must not be attached to the framebuffer that the step draws into: with
+                   desc.onto, depth and normals must not be attached beside the picture. In GLES and WebGL
+                   floating-point targets need EXT_color_buffer_float or, if of 16 bits, EXT_color_buffer_half_float
       uniforms     the block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding)
-                   the slots of ssgi_gl_reflect's rows are in the text; in the others set them once by name
-                   (glUniform1i, glUniformBlockBinding). An engine that caches its state must forget it afterwards
-      projection   the one that depth was drawn with: some engines (OpenSceneGraph) move near and far behind its getter.
-                   For left-handed ones see ssgi_view_from_projection (ssgi.h)
-      No GL is called here.
+                   the text holds the slots of ssgi_gl_reflect's rows; in the others set them once by name
+                   (glUniform1i, glUniformBlockBinding). An engine that caches GL's state must drop that cache after
+                   these draws
+      projection   take the one that depth was drawn with: some engines (OpenSceneGraph) move its near and far planes,
+                   and their getter does not return the result. For left-handed projections see
+                   ssgi_view_from_projection (ssgi.h)
+      This header calls no GL.
 
-   PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
-                hsao     ambient visibility: slices through the view direction [TLG23], or the paper's march [HSAO08]
+   PASSES       ssao     ambient visibility from point samples in the hemisphere [SA07]
+                hsao     ambient visibility from slices through the view direction [TLG23], or from the paper's march
+                         [HSAO08]
                 ssdo     directional occlusion of an environment, one diffuse bounce, or both [SSDO09]
                 s3ho     occlusion as spherical harmonics, to be dotted with light; light that occluders reflect
-                lights   suns, point lights, virtual point lights; shadow maps, or segments on the screen [SSDO09 4, 5]
-                senders  packs a surface's radiance, normal and depth, so that a bounce's sample is one fetch
+                         [S3HO12]
+                lights   irradiance by suns, point lights and virtual point lights, shadowed by shadow maps or by
+                         segments on the screen [SSDO09 4, 5]
+                senders  packs the outgoing radiance, the normal and the depth of surfaces, so that the bounce fetches
+                         one texel a sample
                 shade    shades the coefficients of s3ho: dot product with light, bent normals, cones [S3HO12, SSBN11]
-                field    ambient occlusion by rigid occluders whose fields were baked, blended over each other [AOF05]
-                surfels  surfels from triangles, or lights those that are there; into a buffer [DSS14]
-                shuffle, splat           interleaves pixels into every level's sub-buffers; adds up surfels' effects
-                unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
-                blur, history            edge-preserving filter of the others' outputs; the same, and a mean over
-                                         frames
-                changes, nearby          occluders that came or went, by depth, in tiles of 8x8 pixels; the share of
-                                         them within the radius, which shortens the average of history
-                compose  blends the result onto your picture; of ambient visibility blur does that itself
-                width    writes view depth and thickness of visible surfaces, for gathers and lights: desc.thickness
+                field    ambient occlusion by rigid occluders whose fields were baked; blending multiplies them [AOF05]
+                surfels  makes surfels from triangles, or lights the surfels of a buffer; writes into a buffer [DSS14]
+                shuffle, splat           the first interleaves pixels into every level's sub-buffers; the second adds
+                                         up the effects of surfels on them
+                unshuffle, smooth, sum   the first deinterleaves the pixels, the second filters within surfaces, the
+                                         third adds the levels up
+                blur, history            the first filters the other passes' results and preserves edges; the second
+                                         does the same and averages over frames
+                changes, nearby          the first finds occluders that came or went, by their depth, in tiles of 8x8
+                                         pixels; the second finds their share of the surfaces within the radius: the
+                                         larger it is, the fewer frames history averages
+                compose  blends the result onto your picture; pass blur itself blends the visibility that it filters
+                width    writes the view depth and the thickness of visible surfaces, which gathers and lights read:
+                         desc.thickness
 
    SOURCES      as in ssgi.h, and
                 [SA07]   Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion techniques on GPUs
@@ -66,45 +76,48 @@
                 [HHM18]  Heitz, Hill, McGuire 2018, Combining analytic direct illumination and stochastic shadows:
                          desc.restore
 
-   STEPS, THEIR ORDER AND TARGETS are data: ssgi_gl_steps (>>steps; a loop: examples/minimal.c). Left to you:
-      lights       you draw the shadow maps that desc.shadow MAP and FILL read. Lights without a map: see desc.shadow
+   WHICH PASSES ARE DRAWN, IN WHICH ORDER, INTO WHICH TEXTURES is data: ssgi_gl_steps (>>steps; a loop:
+   examples/minimal.c). This is left to you:
+      lights       you draw the shadow maps that desc.shadow MAP and FILL read. For lights without a map see desc.shadow
       s3ho         with chain.vectors the filtered coefficients hold while camera and geometry stay: where the light
                    alone changed, draw only the steps from shade on
-      field        each occluder is a row of t_ssgi_occluders (ssgi_gl_occluder). Not filtered. In forward shaders:
-                   ssgi_gl_field
+      field        each occluder is a row of t_ssgi_occluders (ssgi_gl_occluder). The result is not filtered. Forward
+                   shaders call the function that ssgi_gl_field writes
       history      each frame set frame.phase = ssgi_gl_phase(its number), and call ssgi_gl_frame_history except after a
                    cut or a change of size
       splat        surfels are made by ssgi_surfels on the CPU, or by pass surfels: transform feedback of its CAPTURE
-                   rows, interleaved, rasteriser discard on, is ssgi_surfel[] (with at most two of radius 0 for each
-                   that ssgi_surfels makes). Pass splat reads three vec4 attributes an instance, with divisor 1. With
-                   tessellate either pass draws patches of 3 vertices, instanced splits * splits times, and splat
-                   needs no buffer of surfels
+                   rows, interleaved and with rasteriser discard on, writes ssgi_surfel[] (with at most two of radius 0
+                   for each surfel that ssgi_surfels makes). Pass splat reads three vec4 attributes an instance, with
+                   divisor 1. With tessellate either pass draws patches of 3 vertices in splits * splits instances, and
+                   splat needs no buffer of surfels
 
    ROOMS        search for ">>"
-      >>desc       your choices, and their limits
+      >>desc       your choices and their limits
       >>emit       a desc in, text out
       >>io         the inputs and outputs of a pass
       >>steps      the draws of a whole chain
-      >>frame      the block that changes per frame; extra cameras, lights, occluders
+      >>frame      the values of each frame; extra cameras, lights, occluders
       >>library    GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
       >>rows       the table of inputs and outputs
       >>passes     the table of passes: main functions, size, primitive, blending
       and the implementations of >>desc, >>emit (with >>io), >>frame, >>steps
 
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its row in >>passes, its
-                outputs in >>rows. An accumulator: a member of ssgi_sums, where taps are added to it, an output row, its
-                field in >>desc. An input: a row. A text reads the inputs that its functions name; nothing else says it.
+                outputs in >>rows. An accumulator: a member of ssgi_sums, a line where taps are added to it, an output
+                row, its field in >>desc. An input: a row. A text reads the inputs that its functions name; no table
+                repeats them.
 
-   OTHER LANGUAGES     ssgi_gl_choice_at, _member_at and _reflect have all names, limits and offsets; the repository's
+   OTHER LANGUAGES     ssgi_gl_choice_at, _member_at and _reflect return all names, limits and offsets; the repository's
                        make glsl writes them beside the texts (manifest.json), make wasm serves JavaScript. cffi takes
                        the output of gcc -E -P '-D__attribute__(x)='; bindgen -- --target=x86_64-pc-windows-msvc
-                       -ffreestanding has constants of the fields' type. desc.pass in Python: setattr(desc, "pass", ..)
+                       -ffreestanding gives constants the type of the fields. In Python, whose keyword pass is, write
+                       setattr(desc, "pass", ..)
 
-   NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, a_ssgi_* attributes, v_ssgi_* between
-                       stages, ssgi_*() functions, SSGI_* constants; nothing else at global scope. */
+   NAMES IN THE TEXT   u_ssgi_* are uniforms, t_ssgi_* samplers, o_ssgi_* outputs, a_ssgi_* attributes, v_ssgi_* pass
+                       between stages; ssgi_*() are functions, SSGI_* constants. Nothing else is at global scope. */
 
-/* This stands before the guard, so that a file whose other headers have included this one plainly still gets the
-   implementation of ssgi.h when it asks for it. */
+/* This include stands before the guard, so that a file whose other headers have included this one plainly still gets
+   the implementation of ssgi.h when it asks for it. */
 #include "ssgi.h"
 
 #ifndef SSGI_GL_H
@@ -142,25 +155,26 @@ enum {
 };
 
 /* desc.dialect: the language of the text.
-   VULKAN: for SPIR-V, and from that HLSL, MSL, WGSL.
-     bindings    all in set 0: uniform blocks ssgi_frame and ssgi_views at bindings 0 and 1; the texture of unit u at
-                 2 + u (ssgi_gl_input.binding), a sampled image, fetched without a sampler, as GENERAL or
-                 SHADER_READ_ONLY_OPTIMAL. Its view is of an array where ssgi_gl_input.array says so, be it of one
-                 slice: senders are. 18 on, and other sets, are yours. Depth is viewed by its depth aspect alone
+   VULKAN: text for SPIR-V, which other tools translate to HLSL, MSL and WGSL.
+     bindings    all are in set 0: the uniform blocks ssgi_frame and ssgi_views at bindings 0 and 1, the texture of unit
+                 u at 2 + u (ssgi_gl_input.binding): a sampled image, fetched without a sampler, in the layout GENERAL
+                 or SHADER_READ_ONLY_OPTIMAL. Its view is of an array where ssgi_gl_input.array says so, even of one
+                 slice, as that of senders. Bindings from 18 on and other sets are yours. Depth is viewed by its depth
+                 aspect alone
      formats     ssgi_gl_format has Vulkan's and WebGPU's names
      counts      constants that ssgi_gl_reflect gives an offset other than 0 are specialisation constants of that id
                  (WGSL: overrides): other directions, steps and samples need no other text
-     rows        viewport heights are positive. ssgi_view_from_projection gets SSGI_CLIP_ZERO and Vulkan's own matrix, y
-                 down: row 0 is at NDC y = -1. Where the scene has that at 1 (drawn with a negative height; D3D, Metal,
-                 WebGPU), negate the matrix's second row; in the last three field's and splat's vertex stages negate
-                 gl_Position.y: those of make glsl WGSL=1 do. Noise follows rows: a picture whose rows run the other
-                 way differs from GL's by its noise
+     rows        viewport heights are positive. Give ssgi_view_from_projection SSGI_CLIP_ZERO and Vulkan's own matrix,
+                 whose y points down: row 0 is at NDC y = -1. Where the scene has row 0 at 1 (drawn with a negative
+                 height, or by D3D, Metal or WebGPU), negate the matrix's second row; in D3D, Metal and WebGPU also
+                 negate gl_Position.y in the vertex stages of field and splat, as make glsl WGSL=1 does. Noise follows
+                 rows: a picture whose rows run the other way differs from GL's by its noise
      blending    ssgi_gl_step.blend has GL's numbers. FUNC_ADD and FUNC_REVERSE_SUBTRACT are VK_BLEND_OP_ADD and
-                 VK_BLEND_OP_REVERSE_SUBTRACT; ZERO, ONE, DST_COLOR are VK_BLEND_FACTOR_ZERO, _ONE, _DST_COLOR. 32-bit
-                 floats blend in WebGPU with the feature float32-blendable alone
-     views       frame.target is where the image begins in targets, frame.origin where it begins in inputs, as a
-                 viewport of an atlas has it. ssgi_gl_output.slices: how many layers that target has; slice: the one
-                 that is drawn into, by a 2D view of it */
+                 VK_BLEND_OP_REVERSE_SUBTRACT; ZERO, ONE, DST_COLOR are VK_BLEND_FACTOR_ZERO, _ONE, _DST_COLOR. WebGPU
+                 blends 32-bit floats only with the feature float32-blendable
+     views       the image begins at frame.target in the textures that passes write, and at frame.origin in your
+                 textures, as a viewport of an atlas does. ssgi_gl_output.slices is the number of layers of a target;
+                 .slice is the layer that is drawn into, by a 2D view of it */
 enum {
     SSGI_GL_330 = 0,
     SSGI_GL_410,
@@ -182,7 +196,7 @@ enum {
     SSGI_GL_STAGES, /* how many */
 };
 
-/* desc.depth: the kind of depth that the texture holds. A CUSTOM one's layer 0 is the visible surface. */
+/* desc.depth: the content of the depth texture. Layer 0 of CUSTOM is the visible surface. */
 enum {
     SSGI_GL_DEPTH_WINDOW = 0, /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
     SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background */
@@ -191,16 +205,16 @@ enum {
 
 /* desc.normal: source and packing of normals. */
 enum {
-    SSGI_GL_NORMAL_SIGNED = 0, /* xyz in [-1,1] (any float or snorm texture), need not be unit */
+    SSGI_GL_NORMAL_SIGNED = 0, /* xyz in [-1,1] (any float or snorm texture), of any length */
     SSGI_GL_NORMAL_UNSIGNED,   /* xyz * 0.5 + 0.5 (unorm texture) */
     SSGI_GL_NORMAL_OCTAHEDRAL, /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
-    SSGI_GL_NORMAL_FROM_DEPTH, /* no texture: from the nearer depth neighbours, 4 more fetches */
+    SSGI_GL_NORMAL_FROM_DEPTH, /* no texture: computed from the nearer depth neighbours, by 4 more fetches */
     SSGI_GL_NORMAL_CUSTOM,     /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
 };
 
 /* desc.noise: the pattern that decorrelates neighbouring pixels. */
 enum {
-    SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
+    SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise, which suits a filter of 3x3 */
     SSGI_GL_NOISE_TEXTURE,      /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions;
                                    ssgi_noise_tile makes one */
 };
@@ -209,106 +223,113 @@ enum {
 enum {
     SSGI_GL_SLICES = 0, /* planes through the view direction, walked both ways [TLG23] */
     SSGI_GL_POINTS,     /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
-    SSGI_GL_MARCH,      /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
+    SSGI_GL_MARCH,      /* hsao: the paper's deflected ray, with normal rays above it [HSAO08 3.1-3.3] */
 };
 
-/* desc.terms: the parts of the march that count. All but RAYS seek the horizon: with desc.layers or desc.views by their
-   solids; else visible surfaces have no far side, whatever desc.thickness is. NORMAL, RAYS: normal_rays 0 means 1. */
+/* desc.terms: the terms of the march that count. All but RAYS seek the horizon: with desc.layers or desc.views that of
+   their solids; otherwise visible surfaces have no far side, whatever desc.thickness is. With NORMAL and RAYS
+   normal_rays 0 means 1. */
 enum {
-    SSGI_GL_TERMS_BOTH = 0, /* below the horizon in closed form; above it normal rays, as many as there are */
-    SSGI_GL_TERMS_HORIZON,  /* below the horizon alone, as normal_rays 0 [HSAO08 fig. 10a] */
-    SSGI_GL_TERMS_NORMAL,   /* above it alone: by how much normal rays darken [HSAO08 fig. 10b] */
+    SSGI_GL_TERMS_BOTH = 0, /* occlusion below the horizon in closed form, and above it by desc.normal_rays rays */
+    SSGI_GL_TERMS_HORIZON,  /* below the horizon alone, as with normal_rays 0 [HSAO08 fig. 10a] */
+    SSGI_GL_TERMS_NORMAL,   /* above the horizon alone: the part that normal rays add [HSAO08 fig. 10b] */
     SSGI_GL_TERMS_RAYS,     /* no horizon: directions x normal_rays rays over the whole hemisphere [HSAO08 fig. 12] */
 };
 
 /* desc.thickness: how far visible surfaces reach, away from the viewer.
-     pass width      is read by slices with WIDTH, BACK and SLABS, by the others with WIDTH: thickness and view depth in
-                     one fetch, instead of t_ssgi_depth's. ssgi_gl_steps draws it once a frame, with the largest
-                     thickness of chain.desc and chain.lights. On your own draw it first, with the reader's desc but
-                     for the pass
-     slices          BACK, SLABS: a surface without a back face is as thick as with WIDTH, one that is its own back face
-                     (a sheet) half as thick. SLABS: the second slab is fetched from t_ssgi_back. All three are at least
-                     0.02 radii and the spacing of the taps
+     pass width      writes thickness and view depth, which slices read with WIDTH, BACK and SLABS, the others with
+                     WIDTH, by one fetch instead of t_ssgi_depth's. ssgi_gl_steps draws it once a frame, with the
+                     largest thickness of chain.desc and chain.lights. Without ssgi_gl_steps draw it first, with the
+                     reader's desc except for the pass
+     slices          BACK, SLABS: a surface without a back face is as thick as with WIDTH; a sheet, which is its own
+                     back face, half as thick. SLABS: the second slab is fetched from t_ssgi_back. All three are at
+                     least as thick as 0.02 radii and the spacing of the taps
      points, march   BACK, SLABS: both slabs are fetched from t_ssgi_back. A surface without a back face, and a sheet,
-                     is as thick as frame.thickness: points would step over thinner ones */
+                     is as thick as frame.thickness, since points would step over thinner ones */
 enum {
     SSGI_GL_THICKNESS_DEFAULT = 0, /* ssgi_gl_steps with hsao, ssdo, s3ho by slices: WIDTH; all else: CONSTANT */
     SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness */
     SSGI_GL_THICKNESS_SOLID,       /* without end */
-    SSGI_GL_THICKNESS_WIDTH,       /* as thick as it is wide in the picture, at most frame.thickness and 0.6 radii */
+    SSGI_GL_THICKNESS_WIDTH,       /* a surface is as thick as it is wide in the picture, at most frame.thickness and
+                                      0.6 radii */
     SSGI_GL_THICKNESS_BACK,        /* to the nearest back face: t_ssgi_back, a depth pass with front faces culled */
-    SSGI_GL_THICKNESS_SLABS,       /* and from the next front face behind that to its back face: two peeled passes */
+    SSGI_GL_THICKNESS_SLABS,       /* as BACK, and a second slab from the next front face to its back face: two peeled
+                                      passes */
 };
 
-/* desc.falloff: an occluder's weight over its distance t. Slices multiply with it, points are distributed by it. */
+/* desc.falloff: an occluder's weight over its distance t. Slices multiply by it; points are distributed by it. */
 enum {
     SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius, the paper's */
-    SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: for a bounce that restores the light which virtual point lights
-                                   clamp (ssgi_gl_light.min_distance = radius) */
+    SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: needed by a bounce that restores the light that virtual point
+                                   lights lose to their clamp (ssgi_gl_light.min_distance = radius) */
 };
 
-/* desc.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer shows. */
+/* desc.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer holds at a
+   sample. */
 enum {
     SSGI_GL_FADE_NONE = 0,
-    SSGI_GL_FADE_SMOOTH, /* from 1 at frame.fade to 0 at the radius */
-    SSGI_GL_FADE_LAMBDA, /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
+    SSGI_GL_FADE_SMOOTH, /* falls from 1 at frame.fade to 0 at the radius */
+    SSGI_GL_FADE_LAMBDA, /* 1 / (1 + lambda d), the paper's, which is not 0 at the radius [S3HO12 2.1] */
 };
 
-/* desc.environment: where the light of the environment is read from. */
+/* desc.environment: the source of the environment's light. */
 enum {
     SSGI_GL_ENVIRONMENT_NONE = 0,
-    SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: all directions at the cost of the visibility alone */
+    SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: light of all directions at the cost of the visibility alone */
     SSGI_GL_ENVIRONMENT_MAP, /* a texture in world space, read once a direction: ssgi_environment_map */
 };
 
-/* desc.bounce: the estimator of the light that arrives from an occluded direction. */
+/* desc.bounce: how the light that an occluded direction sends is estimated. */
 enum {
     SSGI_GL_BOUNCE_NONE = 0,
-    SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: never brighter than it */
+    SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: never above the sender's */
     SSGI_GL_BOUNCE_PATCH,       /* the paper's: a patch of pi r^2/N, clamped at frame.distance_clamp [SSDO09 3] */
 };
 
 /* desc.shadow: how a light's visibility is tested. */
 enum {
-    SSGI_GL_SHADOW_SEGMENT = 0, /* points on the segment to the light, radius long at most, in screen space */
-    SSGI_GL_SHADOW_MAP,         /* your shadow maps, with a bias; lights without a map are unshadowed */
-    SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT where the bias skips [SSDO09 5]; without a map, SEGMENT */
+    SSGI_GL_SHADOW_SEGMENT = 0, /* by points, in screen space, on the segment to the light, at most a radius long */
+    SSGI_GL_SHADOW_MAP,         /* by your shadow maps, with a bias; lights without a map are unshadowed */
+    SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over the length that the bias skips [SSDO09 5]; SEGMENT without a
+                                   map */
     SSGI_GL_SHADOW_NONE,
 };
 
-/* desc.radiance: the light that senders send. */
+/* desc.radiance: the radiance that senders send. */
 enum {
     SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times the light that ssdo, shade or lights wrote */
     SSGI_GL_RADIANCE_DIRECT,    /* your own texture of outgoing radiance */
-    SSGI_GL_RADIANCE_BOTH,      /* the sum */
-    SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone, for s3ho, whose light comes later */
+    SSGI_GL_RADIANCE_BOTH,      /* the sum of both */
+    SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone, for s3ho, whose coefficients meet the light later */
 };
 
-/* desc.transfer: the meaning of the coefficients of s3ho. From 3 bands on three sets take 6 targets (GLES has 4). */
+/* desc.transfer: the light that the coefficients of s3ho hold. From 3 bands on three sets take 6 targets (GLES has
+   4). */
 enum {
     SSGI_GL_TRANSFER_DIRECT = 0, /* one set: the transfer of unoccluded directions */
-    SSGI_GL_TRANSFER_BOTH,       /* a set a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
-    SSGI_GL_TRANSFER_REFLECTED,  /* a set a channel: only light that occluders reflect */
+    SSGI_GL_TRANSFER_BOTH,       /* a set a channel: DIRECT, and unoccluded light reflected by occluders [S3HO12 2.3] */
+    SSGI_GL_TRANSFER_REFLECTED,  /* a set a channel: the light that occluders reflect alone */
 };
 
 /* desc.harmonics: the light that coefficients are dotted with. */
 enum {
     SSGI_GL_HARMONICS_FRAME = 0, /* frame.harmonics: the same everywhere */
-    SSGI_GL_HARMONICS_CUSTOM,    /* desc.fetch: vec3 ssgi_custom_harmonic(int i, vec3 position): coefficient i of the
-                                    radiance, in the world, at a view-space position, as from a volume of probes
-                                    [S3HO12 1, 6]. Called for each i once a pixel, where coefficients are shaded or
-                                    unoccluded light is restored */
+    SSGI_GL_HARMONICS_CUSTOM,    /* desc.fetch: vec3 ssgi_custom_harmonic(int i, vec3 position) returns coefficient i
+                                    of the radiance, in the world, at a view-space position, as from a volume of
+                                    probes [S3HO12 1, 6]. It is called for each i once a pixel, where coefficients are
+                                    shaded or unoccluded light is restored */
 };
 
 /* desc.shading: how the coefficients are shaded. */
 enum {
     SSGI_GL_SHADING_HARMONICS = 0, /* dot product with frame.harmonics [S3HO12 2.2] */
     SSGI_GL_SHADING_BENT_NORMAL,   /* ambient visibility times irradiance along the mean unoccluded direction */
-    SSGI_GL_SHADING_BENT_CONE,     /* the same, from a cone as wide as the unoccluded directions [SSBN11] */
-    SSGI_GL_SHADING_BENT,          /* no light: that direction, view space, unit; cosine of the cone's half-angle */
+    SSGI_GL_SHADING_BENT_CONE,     /* visibility times mean radiance of a cone as wide as those directions [SSBN11] */
+    SSGI_GL_SHADING_BENT,          /* no light: the mean direction, view space, unit; cosine of the cone's half-angle */
 };
 
-/* desc.objects: which object a pixel shows, so that no occluder shades itself; NONE: all in reach are darkened. */
+/* desc.objects: the object that a pixel shows, so that no occluder darkens its own pixels. With NONE an occluder
+   darkens all pixels in its reach. */
 enum {
     SSGI_GL_OBJECTS_NONE = 0,
     SSGI_GL_OBJECTS_TEXTURE, /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
@@ -319,36 +340,39 @@ enum {
 enum {
     SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
     SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less the environment's light that surfels occlude */
-    SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from surfels */
+    SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from the light that surfels send */
     SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
-    SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface: frame.dipole over the surfels' light */
-    SSGI_GL_EFFECT_CUSTOM,        /* yours: two functions in desc.fetch */
+    SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface, by frame.dipole from the light that
+                                     surfels receive */
+    SSGI_GL_EFFECT_CUSTOM,        /* your own effect: two functions in desc.fetch */
 };
 
-/* EFFECT_CUSTOM calls these, which desc.fetch holds: the paper's getMaxDist and computeEffect [DSS14 section 3.2]. A
-   surfel is a disc of view-space position, unit normal and radius; desc.sends chooses its colour.
+/* EFFECT_CUSTOM calls these functions of desc.fetch: the paper's getMaxDist and computeEffect [DSS14 section 3.2]. A
+   surfel is a disc of view-space position, unit normal and radius, with the colour that desc.sends gave it.
      float ssgi_custom_reach(vec3 position, vec3 normal, float radius, vec3 colour, float epsilon)
-         the distance from its centre beyond which its effect is less than epsilon (frame.epsilon), linear in the
-         radius; 0: it has none. For a form factor radius * sqrt(1.0 / epsilon - 1.0). Level 0 ends there, each further
-         one at twice the last one's distance, all of them at frame.radius
+         returns the distance from the surfel's centre beyond which its effect is less than epsilon (frame.epsilon),
+         linear in the radius; 0: it has no effect. For a form factor it is radius * sqrt(1.0 / epsilon - 1.0). Level 0
+         ends at this distance, each further level at twice the last one's, and all of them at frame.radius
      vec4 ssgi_custom_effect(vec3 position, vec3 normal, float radius, vec3 colour, vec3 P, vec3 n)
-         xyz: its contribution to the pixel at P, whose unit normal is n; all surfels' are summed. w: its form
-         factor there, by which desc.combine counts surfels behind each other; 0: the sum stays as it is. Which side
-         counts is yours to say. Called for pixels in the surfel's shells alone
+         returns in xyz the surfel's effect on the pixel at P, whose unit normal is n; the effects of all surfels are
+         summed. w is its form factor there, by which desc.combine counts surfels behind each other; with 0 the sum
+         stays as it is. Your function decides which side of the surfel counts. It is called for pixels in the
+         surfel's shells alone
    The sum is o_ssgi_custom of pass sum. For a disc that occludes v = position - P, d = dot(v, v), w = radius * radius *
    max(dot(v, n), 0.0) * max(-dot(v, normal), 0.0) / (d * (d + radius * radius)). */
 
-/* desc.combine: how form factors of many surfels are put together: nobody knows how they hide each other. */
+/* desc.combine: how the form factors of many surfels are combined. How much surfels hide of each other is not
+   known. */
 enum {
-    SSGI_GL_COMBINE_SHARE = 0, /* each takes its share of the directions that the others leave: 1 - exp(-sum) */
-    SSGI_GL_COMBINE_ADD,       /* they add up, to 1 at most, as published [DSS14 section 3.2]; darker */
+    SSGI_GL_COMBINE_SHARE = 0, /* each surfel takes its share of the part that the others leave: 1 - exp(-sum) */
+    SSGI_GL_COMBINE_ADD,       /* they add up, to 1 at most, as published [DSS14 section 3.2], which is darker */
 };
 
-/* desc.sends: the light of surfels, as ssgi_surfel.colour has it afterwards. */
+/* desc.sends: the light that surfels send, which ssgi_surfel.colour holds afterwards. */
 enum {
     SSGI_GL_SENDS_COLOUR = 0, /* the colour that they had */
-    SSGI_GL_SENDS_LIGHTS,     /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
-                                 the environment, open, if desc.environment */
+    SSGI_GL_SENDS_LIGHTS,     /* that colour times irradiance over pi: by t_ssgi_lights, shadowed if desc.shadow is MAP
+                                 or FILL, and by the unoccluded environment if there is desc.environment */
     SSGI_GL_SENDS_CUSTOM,     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
 };
 
@@ -356,16 +380,16 @@ enum {
 enum {
     SSGI_GL_GREY = 0,     /* ambient visibility */
     SSGI_GL_COLOUR,       /* light, three channels */
-    SSGI_GL_COEFFICIENTS, /* of s3ho */
+    SSGI_GL_COEFFICIENTS, /* those of s3ho */
 };
 
-/* desc.onto: how ambient visibility is put onto your picture, by blending. Light is added, times albedo, by any of them
-   but NONE. */
+/* desc.onto: how blending puts ambient visibility onto your picture. Light, times albedo, is added with any value but
+   NONE. */
 enum {
     SSGI_GL_ONTO_NONE = 0,
-    SSGI_GL_ONTO_MULTIPLY,      /* linear values. In a picture that holds direct light that is dimmed, too */
-    SSGI_GL_ONTO_MULTIPLY_SRGB, /* values that are stored encoded, by the power of 1/2.2 */
-    SSGI_GL_ONTO_AMBIENT,       /* the occluded part of t_ssgi_ambient, the picture's ambient light, is subtracted */
+    SSGI_GL_ONTO_MULTIPLY,      /* the picture holds linear values, which are multiplied; direct light is dimmed, too */
+    SSGI_GL_ONTO_MULTIPLY_SRGB, /* the picture holds encoded values, by the power of 1/2.2 */
+    SSGI_GL_ONTO_AMBIENT,       /* the occluded share of t_ssgi_ambient, the picture's ambient part, is subtracted */
 };
 
 /* desc.restore: the quantity that history and blur filter instead of light. Unoccluded light is known exactly at every
@@ -378,165 +402,172 @@ enum {
 
 /* desc.filter: how a neighbour is weighted. */
 enum {
-    SSGI_GL_BILATERAL = 0, /* a box over a tile, by its distance to the tangent plane */
-    SSGI_GL_GAUSSIAN,      /* the paper's, by the inverse of the depth difference [HSAO08 4.1.3] */
+    SSGI_GL_BILATERAL = 0, /* a box over a tile, weighted by the neighbour's distance to the tangent plane */
+    SSGI_GL_GAUSSIAN,      /* the paper's, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
 };
 
 /* Your choices when a program is built. Zero is the default everywhere; counts become literal constants in the text,
-   and a feature that is off leaves no text behind. A comment begins with the passes that look at the field, where its
-   heading does not tell; the others ignore it, but it must be in its limits [0..1 where none is told]. ssgi_gl_check
-   names the field that is not. */
+   and a feature that is off leaves no text. A field's comment begins with the passes that look at it, where its heading
+   does not tell; the other passes ignore the field, but it must be in its limits [0..1 where none is told].
+   ssgi_gl_check names a field that is not. */
 typedef struct ssgi_gl_desc {
     /* ---- the text */
     int pass;    /* SSGI_GL_SSAO .. */
     int dialect; /* SSGI_GL_330 .. */
-    int lines;   /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
+    int lines;   /* 1: the text has #line directives, so that a compiler's "0:N" is line N of this header */
 
     /* ---- the camera */
-    int orthographic; /* 1: it is orthographic (ssgi_view.orthographic says so) */
+    int orthographic; /* 1: the camera is orthographic (ssgi_view.orthographic says so) */
     int oblique;      /* DEPTH_WINDOW   1: its near plane may be oblique (ssgi_view.oblique) */
-    int left_handed;  /* 1: view-space normals have +z away from the viewer; all else: ssgi_view_from_projection */
+    int left_handed;  /* 1: view-space normals have +z away from the viewer; for all else: ssgi_view_from_projection */
 
     /* ---- your textures */
     int depth;         /* SSGI_GL_DEPTH_WINDOW .. */
     int normal;        /* SSGI_GL_NORMAL_SIGNED .. */
     int world_normals; /* 1: the normals are in world space; frame.rotation turns them into view space */
-    int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS, the rest is yours to resolve. Sample 0 is
+    int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; you resolve the other textures. Sample 0 is
                           read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
     int array;         /* 1: depth, normal, back, albedo, direct, ambient, objects and motion are array textures with a
-                          slice a view, as for stereo: frame.slice. Targets stay 2D */
+                          slice a view, as for stereo: frame.slice. The textures that passes write stay 2D */
 
-    /* ---- gathers, which are ssao, hsao, ssdo, s3ho: where they look. lights tests points as they do */
+    /* ---- gathers, which are ssao, hsao, ssdo, s3ho: where they look. Pass lights tests points as they do */
     int search;      /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao always has points */
-    int directions;  /* slices, march   [limit: 0..32] [default: slices 1, march 6]  slices have two each; N_d */
-    int samples;     /* points   [limit: 0..64] [default: 16; lights 8]  directions; of lights points on a segment */
-    int steps;       /* [limit: 0..64] [default: 6; points 1]  on each direction, N_s; of points the first occluded one
-                        counts */
+    int directions;  /* slices, march   [limit: 0..32] [default: slices 1, march 6]  the paper's N_d; a slice has two
+                        directions */
+    int samples;     /* points   [limit: 0..64] [default: 16; lights 8]  directions; in lights points on a segment */
+    int steps;       /* [limit: 0..64] [default: 6; points 1]  steps along each direction, N_s; of the points along
+                        a direction the first occluded one counts */
     int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
     int terms;       /* hsao by march   SSGI_GL_TERMS_BOTH .. */
     int spheres;     /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the ray,
-                        a step ahead of its end: it occludes less where depths jump [HSAO08 5] */
+                        a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
     int noise;       /* SSGI_GL_NOISE_GRADIENT .. */
-    int kernel;      /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
-    int uniform;     /* points of gathers   1: directions spread evenly, as published, each weighted by 2 cos (those in
-                        a texture, too); 0: by the cosine, of equal weight, which err less */
-    int half; /* gathers, shade   [limit: 0..2]  1: for one pixel of every 2x2, rounded up; 2: for each of the four
-                        in turn, by frame.phase, which ssgi_gl_steps sets before history. blur, history: the same, from
-                        which they go to full size */
+    int kernel;      /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by noise */
+    int uniform;     /* points of gathers   1: directions are spread evenly, as published, and each is weighted by
+                        2 cos (those in a texture, too); 0: they are spread by the cosine and weigh the same, which errs
+                        less */
+    int half; /* gathers, shade   [limit: 0..2]  1: they write one pixel of every 2x2, rounded up; 2: each of the four
+                        in turn, by frame.phase: ssgi_gl_steps sets 2 before history. blur, history   the size of their
+                        input, from which they go to full size */
 
-    /* ---- gathers, lights: occluders */
+    /* ---- gathers, lights: the occluders */
     int thickness;   /* SSGI_GL_THICKNESS_DEFAULT .. */
-    int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from each odd one to the
-                        next; an odd last one is as thick as thickness says, CONSTANT or SOLID */
-    int views;       /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if one sees it in
-                        front of its depth; occluded if none does and one finds it inside a solid */
+    int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: space is solid from each odd
+                        one to the next; an odd last one is as thick as thickness says, CONSTANT or SOLID */
+    int views;       /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if any camera sees it
+                        in front of its depth, and occluded if none does and one finds it inside a solid */
     int view_layers; /* all but slices   [limit: 0..8] [default: 1]  depth layers of each extra camera */
     int falloff;     /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
     int fade;        /* points   SSGI_GL_FADE_NONE .. */
-    int range;       /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
-    int hard;        /* hsao, splat; ssdo, s3ho by slices   1: no attenuation, all within the radius occludes fully */
+    int range;       /* points   1: surfaces beyond the radius or below the receiver's plane do not occlude
+                        [S3HO12 2.1] */
+    int hard;        /* hsao, splat; ssdo, s3ho by slices   1: no attenuation: each surface within the radius occludes
+                        fully */
 
     /* ---- light: ssdo, lights, senders */
     int environment; /* ssdo, blur, history, surfels, splat   SSGI_GL_ENVIRONMENT_NONE .. */
     int harmonics;   /* ssdo with SH, s3ho shaded, shade and blur by HARMONICS   SSGI_GL_HARMONICS_FRAME .. */
-    int bounce;      /* ssdo   SSGI_GL_BOUNCE_NONE ..; environment and bounce are not both NONE. With both, two targets
-                        are written from one visibility. compose   1: adds t_ssgi_bounce */
-    int two_sided;   /* ssdo, s3ho   1: senders shine from both sides; 0: from the side that is seen, while in slices
-                        the other side sends 0.35 of that. splat   1: surfels occlude from both sides, for
+    int bounce;      /* ssdo   SSGI_GL_BOUNCE_NONE ..; environment and bounce must not both be NONE. With both, two
+                        targets are written from one visibility. compose   1: adds t_ssgi_bounce */
+    int two_sided;   /* ssdo, s3ho   1: senders shine from both sides; 0: from their visible side, while in slices
+                        the other side sends 0.35 of its radiance. splat   1: surfels occlude from both sides, for
                         sheets */
     int radiance;    /* senders   SSGI_GL_RADIANCE_LIGHT .. */
-    int receiver;    /* ssdo, lights, senders   [limit: 0..7, below layers]  the depth layer that is lit: so that hidden
+    int receiver;    /* ssdo, lights, senders   [limit: 0..7, below layers]  the depth layer that is lit, so that hidden
                         surfaces send, too */
     int shadow;      /* lights, surfels, splat   SSGI_GL_SHADOW_SEGMENT .. */
     int accumulate;  /* lights   1: adds to t_ssgi_light, which an earlier pass of this frame wrote */
-    int restore;     /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; with another o_ssgi_light
-                        is not light until blur or history has drawn with this desc and colour = 1. A bounce alone is
-                        not restored */
+    int restore;     /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; with any other value
+                        o_ssgi_light is not light until blur or history has drawn with this desc and colour = 1. A
+                        bounce alone is not restored */
 
     /* ---- coefficients: s3ho, shade, blur of them */
     int bands;    /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2 coefficients; bent
-                     ones need 2 */
-    int packed;   /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
+                     normals need 2 bands */
+    int packed;   /* 0: up to four targets of four floats each; 1: up to two of RGBA32UI a set, of eight halves each */
     int transfer; /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing is
-                     restored, since it has no unoccluded light */
+                     restored, since REFLECTED has no unoccluded light */
     int dimmed;   /* s3ho with a transfer, of one layer   1: a sender reflects the light that the last frame's
-                     coefficients let through, and light by way of other senders: t_ssgi_last_red0 .., three filtered
-                     sets of BOTH, full size. 0: its open lobe [S3HO12 2.3] */
-    int shaded;   /* s3ho   1: no coefficients, shaded with desc.harmonics at once; shade is not drawn */
+                     coefficients let through to it, and the light that reached it from other senders:
+                     t_ssgi_last_red0 .., three filtered sets of BOTH, full size. 0: it reflects its open lobe
+                     [S3HO12 2.3] */
+    int shaded;   /* s3ho   1: the pass writes no coefficients, but shades them with desc.harmonics at once; shade is
+                     not drawn */
     int residual; /* s3ho shaded, ssdo with SH, shade, transfer not REFLECTED   1: adds ambient visibility
-                     times the residual of unoccluded irradiance (ssgi_sh_residual). By bent normals and cones, whose
-                     environment is exact: of `lights` alone. 0: two bands give a lamp's light to surfaces that are
-                     turned away from it, which errs more than no occlusion */
+                     times the residual of unoccluded irradiance (ssgi_sh_residual). With bent normals and cones, whose
+                     environment is exact, the residual of `lights` alone. 0: two bands give a lamp's light to surfaces
+                     that are turned away from it, which errs more than no occlusion */
     int shading;  /* shade   SSGI_GL_SHADING_HARMONICS .. */
-    int lights;   /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone; a POINT is
-                     a sphere of radius min_distance */
-    int albedo;   /* shade   1: writes outgoing radiance; 0: irradiance over pi */
+    int lights;   /* shade   1: adds rows of t_ssgi_lights as harmonics, which the coefficients alone occlude; a POINT
+                     is a sphere of radius min_distance */
+    int albedo;   /* shade   1: the pass writes outgoing radiance; 0: irradiance over pi */
 
     /* ---- fields */
     int objects;   /* field   SSGI_GL_OBJECTS_NONE .. */
-    int cap_table; /* field   0: a cap's occlusion in closed form; 1: from t_ssgi_cap, your ssgi_cap_table, as published
-                      [AOF05 4.2]: 4 more fetches, at most as far off as ssgi_cap_table says */
+    int cap_table; /* field   0: a cap's occlusion is computed in closed form; 1: it is read from t_ssgi_cap, your
+                      ssgi_cap_table, as published [AOF05 4.2], by 4 more fetches; ssgi_cap_table states its error */
 
     /* ---- surfels: surfels, shuffle, splat, unshuffle, smooth, sum */
     int effect;       /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
-    int levels;       /* [limit: 0..7] [default: 5]  each doubles the reach; the last's smoothing doubles its
-                         taps */
-    int tessellate;   /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
-    int overhang;     /* surfels, splat when tessellate   as ssgi_surfel_desc has it (ssgi.h): how triangles shrink */
+    int levels;       /* [limit: 0..7] [default: 5]  each level doubles the reach, and has twice the smoothing taps of
+                         the level before */
+    int tessellate;   /* surfels, splat   0: surfels come from a buffer; 1: from patches: not in 330, 300es, 310es */
+    int overhang;     /* surfels, splat when tessellate   how triangles shrink, as in ssgi_surfel_desc (ssgi.h) */
     int sends;        /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
-                         slices count nearer occluders, surfels the others and hidden ones; 0: surfels count all */
+    int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  nearer
+                         surfaces are left to slices, farther and hidden ones to surfels; 0: all to surfels */
     int near_samples; /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1: its
-                         centre alone, as published, which finds half at 1/3 radius from a wall */
+                         centre alone, as published, which finds half of its effect at 1/3 radius from a wall */
     int enlarge;      /* splat, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they count
-                         4^l times. Wider ones bring up to a third less than they stand for, where epsilon is 0.1 */
+                         4^l times. Wider ones bring up to a third less than the surfels that they stand for, where
+                         epsilon is 0.1 */
     int combine;      /* sum, but SCATTER   SSGI_GL_COMBINE_SHARE .. */
     int axis;         /* smooth   0: along x; 1: along y */
 
     /* ---- filters: blur, history, compose */
-    int colour;         /* SSGI_GL_GREY ..; of coefficients blur alone: history goes behind shade */
+    int colour;         /* SSGI_GL_GREY ..; blur alone filters coefficients, as history averages the light of shade */
     int filter;         /* blur, history   SSGI_GL_BILATERAL .. */
     int filter_radius;  /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when
                            half: 1 is 3x3 */
-    int filter_normals; /* blur, history, smooth   1: neighbours' normals are compared, too: 1 more fetch each */
-    int motion;         /* history, changes   1: t_ssgi_motion says where each pixel was, so that moving objects keep
-                           their average; 0: the camera alone moves */
+    int filter_normals; /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch each */
+    int motion;         /* history, changes   1: t_ssgi_motion says where each pixel was, so that objects that move on
+                           their own keep their average; 0: the camera alone moves */
     int onto;           /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE .. */
 
     /* ---- your own text */
-    const char *version; /* your first line(s) instead of "#version ..", verbatim; NULL: ours */
+    const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: ours */
     const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
 } ssgi_gl_desc;
 
-/* Measured settings: the points of the README's chart. Sets the fields that trade cost for accuracy in desc->pass with
-   desc->search, and in its filter, so that the same desc serves blur: half, directions or samples, steps, normal_rays,
-   noise, filter, filter_radius; range and fade of points; of ssdo with an environment restore RATIO, without which
-   blur would smooth creases.
+/* Measured settings: the points of the README's chart. ssgi_gl_preset sets the fields that trade cost for accuracy in
+   desc->pass with desc->search, and in its filter, so that the same desc serves blur: half, directions or samples,
+   steps, normal_rays, noise, filter, filter_radius; range and fade of points; for ssdo with an environment restore
+   RATIO, without which blur would smooth creases.
      slices        FAST half size 1x6, BALANCED half 2x10, BEST full 2x10 (slices x steps)
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
-   All else stays, desc.thickness, too: set BACK or SLABS where you can draw those passes. Passes without such settings
-   are left as they are. Bad input leaves desc as it is. */
+   All other fields stay, desc.thickness, too: set BACK or SLABS where you can draw those passes. Passes without such
+   settings are left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
-/* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work (of surfels and fields the one that
-   draws them), with its settings and the filter's; the rest stays. ssdo and s3ho get restore; s3ho gets shaded and
-   residual; ssdo without an environment gets MAP; thickness is the plan's: where it draws no back faces DEFAULT, which
-   in chains is WIDTH. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is
-   ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
+/* Writes a plan of ssgi_plan_make (ssgi.h) into a desc: the pass that does most of the work (of surfels and fields the
+   pass that draws them), with its settings and the filter's; the other fields stay. ssdo and s3ho get restore; s3ho
+   gets shaded and residual; ssdo without an environment gets MAP; thickness is the plan's: where the plan draws no back
+   faces it is DEFAULT, which in chains is WIDTH. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and
+   plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
-/* SSGI_OK, or SSGI_BAD_ARGUMENT and a sentence with the field and its limits ("desc.steps: must be 0..64"). */
+/* SSGI_OK, or SSGI_BAD_ARGUMENT and a sentence on the wrong field and its limits ("desc.steps: must be 0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 
 /* A field of ssgi_gl_desc that is an int: all but version and fetch. */
 typedef struct ssgi_gl_choice {
     const char *name;     /* "search" */
     const char *values;   /* an enum's words in order from 0, blanks between: "SLICES POINTS MARCH"; of others "" */
-    const char *sentence; /* its limits; of an enum with the prefix that makes enumerators of the words */
+    const char *sentence; /* its limits; of an enum with the prefix that turns the words into enumerators */
     size_t offset;        /* bytes into ssgi_gl_desc */
     int most;             /* its largest value; the least is 0 */
 } ssgi_gl_choice;
@@ -544,34 +575,36 @@ typedef struct ssgi_gl_choice {
 /* The i-th field; NULL past the last. */
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
 
-/* The meaning of a desc: its pass's defaults in place, and 0 where the pass does not look. Both have the same text.
+/* Returns desc with its pass's defaults in place, and with 0 in fields that the pass does not look at. Both descs have
+   the same text.
      desc   [limit: not NULL, one that ssgi_gl_check takes] */
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
 
 /* ==== >>emit ====================================================================================================== */
 
-/* Writes the GLSL of one stage. Like snprintf: returns the length of the whole text without its terminating 0, writes
-   at most capacity bytes and always terminates them (capacity > 0); out may be NULL when capacity is 0. A stage that
-   the pass does not have gives an empty text. A bad desc or stage returns 0 and writes nothing. The same desc gives
-   the same bytes. */
+/* Writes the GLSL of one stage. It works like snprintf: it returns the length of the whole text without its terminating
+   0, writes at most capacity bytes and always terminates them (capacity > 0); out may be NULL when capacity is 0. A
+   stage that the pass does not have gives an empty text. A bad desc or stage returns 0 and writes nothing. The same
+   desc gives the same bytes. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
-/* A number for caches of programs: equal when the choices that reach the text are equal (texts in desc.version and
-   desc.fetch by content). 0 for a desc that ssgi_gl_check refuses. */
+/* A number for caches of programs. It is equal when the choices that reach the text are equal (texts in desc.version
+   and desc.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
-/* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
+/* Writes the GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
    (ssgi_sh_turn) and a dot product. struct ssgi_sh { vec4 a, b, c, d; } holds coefficient 4w + k in lane k of word w,
-   as many words as the bands need (1 band: a.x; 2: a; 3: a, b, c.x). Like snprintf. bands [limit: 1..4]; 0 is returned
-   for others. */
+   in as many words as the bands need (1 band: a.x; 2: a; 3: a, b, c.x). It works like snprintf. bands [limit: 1..4];
+   other values return 0. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* The GLSL of fields for your own shaders, with its samplers:
+/* Writes the GLSL of fields for your own shaders, with its samplers:
      float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal);
-   It returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, but for those of that
-   object (0: none), in the space that ssgi_gl_occluder_set was given. Of desc it reads cap_table, and whether
-   dialect is VULKAN, which has another text. In GLES it needs "precision highp float; precision highp int;" before it,
-   in VULKAN the extension GL_EXT_samplerless_texture_functions. Like snprintf; 0 for a bad desc. */
+   This function returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, except those of
+   that object (0: none), in the space that ssgi_gl_occluder_set was given. ssgi_gl_field reads desc->cap_table, and
+   whether desc->dialect is VULKAN, which has another text. In GLES the text needs "precision highp float; precision
+   highp int;" before it, in VULKAN the extension GL_EXT_samplerless_texture_functions. It works like snprintf; a bad
+   desc returns 0. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
@@ -582,61 +615,65 @@ SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* "330", "vulkan"; NULL
 /* ssgi_gl_io.kind. PARAM: a member of a uniform block. CAPTURE: a varying for transform feedback. */
 enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT, SSGI_GL_ATTRIBUTE, SSGI_GL_CAPTURE };
 
-/* One input or output of a pass: the very row that its declaration was printed from. */
+/* One input or output of a pass: its declaration in the text is printed from this row. */
 typedef struct ssgi_gl_io {
     const char *name; /* exactly as in the text: "t_ssgi_depth" */
     int kind;
     const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D" */
-    int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass (and binding; VULKAN: less 2).
+    int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass (and binding, in VULKAN less 2).
                            OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its value.
                            PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
-    size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. CONSTANT in VULKAN:
-                           its constant_id where it may be specialised. Else 0 */
-    const char *format; /* TEXTURE, OUTPUT: the texture's format and meaning. PARAM: units */
+    size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views, the same as in the std140 block. CONSTANT in
+                           VULKAN: its constant_id where it may be specialised. Otherwise 0 */
+    const char *format; /* TEXTURE, OUTPUT: formats and content of the texture. PARAM: units */
 } ssgi_gl_io;
 
 #define SSGI_GL_MAX_IO 48
 
-/* Writes the rows of a pass in this variant, as the text has them, at most `capacity`; returns how many there are, 0
+/* Writes the rows of a pass in this variant, as the text has them, at most `capacity`; returns how many there are, or 0
    for a bad desc. */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
 
-/* Row i of kind PARAM, whatever the pass: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
+/* Row i of kind PARAM of any pass: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
 SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* ==== >>steps ================================================================================================== */
 
-/* The draws of a desc: its pass, and the passes before and behind it. Zero: the pass alone. */
+/* The draws of a desc: its pass, and the passes before and behind it. With all but desc and size at 0 the pass is drawn
+   alone. */
 typedef struct ssgi_gl_chain {
     /* ---- the passes */
     ssgi_gl_desc desc;   /* pass SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT. The passes around it are drawn with its
                             choices, too: SSDO with an environment and a bounce draws that light, then its bounce; S3HO
-                            with a transfer its senders first; SPLAT by LIGHT with a bounce then the surfels' light */
+                            with a transfer draws its senders first; SPLAT by LIGHT with a bounce then draws the light
+                            that surfels send */
     ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc. Another pass:
                             none */
     int width, height;   /* [units: pixels] [limit: 1..16384]  of the image: ssgi_gl_frame.size */
 
-    /* ---- how it is filtered */
-    int blur;       /* 1: the gather's output is filtered within surfaces */
-    int history;    /* 1: and averaged over frames, at full size: pass history in place of blur. Needs blur = 1 */
+    /* ---- the filter */
+    int blur;       /* 1: gathered visibility and light are filtered within surfaces */
+    int history;    /* 1: they are also averaged over frames, at full size: pass history in place of blur. Needs
+                       blur = 1 */
     int vectors;    /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is filtered */
     int unsmoothed; /* splat   1: levels are added unfiltered */
 
-    /* ---- the bounce */
+    /* ---- the senders */
     int reuse;  /* ssdo   1: senders send the last frame's light, so that one gather does light and bounce */
-    int vpls;   /* ssdo   1: pass lights adds virtual point lights to the bounce, which restores what they clamp */
+    int vpls;   /* ssdo   1: pass lights adds virtual point lights to the bounce, and the bounce restores the light that
+                   their clamp removes */
     int direct; /* 1: senders send your own radiance, too (t_ssgi_direct) */
 
     /* ---- surfels */
-    int surfels;    /* splat   1: pass surfels writes them this frame: lit, or from patches */
-    int hidden_sky; /* splat   1: desc.environment lights surfels that the picture does not show, unoccluded. LIGHT
-                       without span does so by itself, of all surfels */
+    int surfels;    /* splat   1: pass surfels writes the surfels of this frame: lit, or from patches */
+    int hidden_sky; /* splat   1: desc.environment, unoccluded, lights the surfels that the picture does not show.
+                       LIGHT without span always has it light all surfels */
 
     /* ---- targets */
-    int precise; /* 0: 16-bit floats, 8 bits for results; 1: 32-bit floats; 2: for coefficients, too */
+    int precise; /* 0: 16-bit floats, and 8 bits for final visibility; 1: 32-bit floats; 2: for coefficients, too */
 } ssgi_gl_chain;
 
-/* The meaning of a texture of yours: ssgi_gl_input.meaning. */
+/* The content of a texture of yours: ssgi_gl_input.meaning. */
 enum {
     SSGI_GL_YOUR_DEPTH = 0,
     SSGI_GL_YOUR_LAYERS,
@@ -665,7 +702,7 @@ enum {
 typedef struct ssgi_gl_format {
     const char *name;                /* "R16F" */
     unsigned internal, format, type; /* the numbers that glTexImage2D takes */
-    int bytes;                       /* of a texel */
+    int bytes;                       /* the size of a texel */
     unsigned vulkan;                 /* VkFormat's number */
     const char *vulkan_name;         /* "VK_FORMAT_R16_SFLOAT" */
     const char *webgpu;              /* "r16float" */
@@ -673,20 +710,20 @@ typedef struct ssgi_gl_format {
 
 typedef struct ssgi_gl_input {
     const char *name, *type;      /* as in the text: "t_ssgi_depth", "sampler2D" */
-    int unit;                     /* of the sampler: ssgi_gl_io.slot */
+    int unit;                     /* the sampler's: ssgi_gl_io.slot */
     unsigned target;              /* GL_TEXTURE_2D .. */
-    int binding;                  /* VULKAN, WebGPU: of a sampled image in set 0 */
+    int binding;                  /* VULKAN, WebGPU: that of a sampled image in set 0 */
     int array;                    /* 1: its view is of an array: VK_IMAGE_VIEW_TYPE_2D_ARRAY, "2d-array" */
     int multisampled;             /* 1: it has samples: sampler2DMS, WebGPU's multisampled: true */
     int integer;                  /* 1: of unsigned integers, WebGPU's sampleType "uint"; 0: "unfilterable-float" */
-    int meaning;                  /* a texture of yours: SSGI_GL_YOUR_DEPTH ..; -1: one that the steps write */
-    int texture;                  /* of the latter its number; -1: yours */
-    int last;                     /* 1: as the last frame left it */
-    const ssgi_gl_format *format; /* of the steps' textures; NULL: yours, as ssgi_gl_io.format says */
-    int width, height;            /* of the steps' textures; of yours the least that is needed */
+    int meaning;                  /* of a texture of yours SSGI_GL_YOUR_DEPTH ..; -1: the steps write the texture */
+    int texture;                  /* the number of a texture that the steps write; -1: it is yours */
+    int last;                     /* 1: it is read as the last frame left it */
+    const ssgi_gl_format *format; /* that of the steps' texture; NULL: it is yours, as ssgi_gl_io.format says */
+    int width, height;            /* the size of the steps' texture; of yours the least size that is needed */
 } ssgi_gl_input;
 
-/* ssgi_gl_output.result. A chain has one texture of LIGHT, or of BOUNCE, or both; with desc.onto neither. */
+/* ssgi_gl_output.result. A chain has one texture of LIGHT, or of BOUNCE, or both; with desc.onto it has neither. */
 enum {
     SSGI_GL_RESULT_NONE = 0,
     SSGI_GL_RESULT_LIGHT, /* light, ambient visibility or bent normals */
@@ -697,7 +734,7 @@ typedef struct ssgi_gl_output {
     const char *name;             /* as in the text: "o_ssgi_ao" */
     int texture;                  /* its number, from 0 in the order of first use; -1: your picture */
     const ssgi_gl_format *format; /* NULL: your picture's */
-    int slices, slice;            /* 0: GL_TEXTURE_2D; else an array of so many layers, drawn into layer `slice` */
+    int slices, slice;            /* 0: GL_TEXTURE_2D; otherwise an array of so many layers; `slice` is drawn into */
     int kept;                     /* 1: make two of it, which change places each frame: history */
     int result;                   /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
@@ -705,16 +742,16 @@ typedef struct ssgi_gl_output {
 /* ssgi_gl_step.size */
 enum {
     SSGI_GL_SIZE_FULL = 0,
-    SSGI_GL_SIZE_HALF,   /* of the image, rounded up */
-    SSGI_GL_SIZE_LEVELS, /* of all levels: ssgi_splat_size */
+    SSGI_GL_SIZE_HALF,   /* half of the image, rounded up */
+    SSGI_GL_SIZE_LEVELS, /* the size of all levels: ssgi_splat_size */
     SSGI_GL_SIZE_TILES,  /* an eighth of the image, rounded up */
 };
 
-/* One draw. Text of each stage: ssgi_gl_emit of desc. */
+/* One draw. ssgi_gl_emit of desc writes the text of each stage. */
 typedef struct ssgi_gl_step {
     ssgi_gl_desc desc;
 
-    /* ---- where: the image in the targets begins at frame.target, of HALF at half of that, of TILES at an eighth */
+    /* ---- where: the image begins at frame.target in the targets, at half of that for HALF, at an eighth for TILES */
     int size;          /* SSGI_GL_SIZE_FULL .. */
     int width, height; /* [units: pixels] of that image */
 
@@ -722,43 +759,45 @@ typedef struct ssgi_gl_step {
     int inputs, outputs; /* how many */
     ssgi_gl_input input[16];
     ssgi_gl_output output[6];
-    int frame; /* the uniform block. 0: yours. 1 + 2v: that of extra camera v, whose G-buffer it reads, too. 2 + 2v: the
-                  same with rotation from its view space to yours. 9: yours, with virtual point lights as lights */
+    int frame; /* the uniform block. 0: yours. 1 + 2v: that of extra camera v, whose G-buffer the step reads, too.
+                  2 + 2v: the same with rotation from that camera's view space to yours. 9: yours, with virtual point
+                  lights as lights */
 
     /* ---- the draw */
-    unsigned primitive;      /* GL_TRIANGLES ..; those of SURFELS are captured, rasteriser discarded */
-    int vertices, instances; /* 0: as many as you have: surfels, occluders, three a triangle */
+    unsigned primitive;      /* GL_TRIANGLES ..; those of SURFELS are captured, and rasteriser discard is on */
+    int vertices, instances; /* 0: as many as you have: surfels, occluders, three vertices a triangle */
     unsigned blend[3];       /* equation, source, destination; 0: off */
-    int clear;               /* 1: the targets are cleared first, to clear_to in each component */
+    int clear;               /* 1: clear the targets first, to clear_to in each component */
     float clear_to;
 } ssgi_gl_step;
 
-/* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0;
-   0 for a bad chain, and why. Clear the steps' textures to 0 when you make them, and again when the size changes: texts
-   stay, since none depends on the size. With desc.onto the last step draws onto your picture. */
+/* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0.
+   A bad chain returns 0, and why says the reason. Clear the steps' textures to 0 when you make them, and again when the
+   size changes; the texts stay, since none depends on the size. With desc.onto the last step draws onto your
+   picture. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
-/* A texture that GL has at a unit, or as a target. */
+/* GL's state of the texture at a unit, or of a target. */
 typedef struct ssgi_gl_bound {
-    unsigned target; /* GL_TEXTURE_2D ..; of targets not looked at */
+    unsigned target; /* GL_TEXTURE_2D ..; not looked at in targets */
     unsigned format; /* GL_TEXTURE_INTERNAL_FORMAT; 0: nothing is bound */
     int width, height;
-    unsigned filter;  /* GL_TEXTURE_MIN_FILTER; of targets not looked at */
-    unsigned compare; /* GL_TEXTURE_COMPARE_MODE; of targets not looked at */
-    unsigned magnify; /* GL_TEXTURE_MAG_FILTER; 0, and of targets: not looked at */
+    unsigned filter;  /* GL_TEXTURE_MIN_FILTER; not looked at in targets */
+    unsigned compare; /* GL_TEXTURE_COMPARE_MODE; not looked at in targets */
+    unsigned magnify; /* GL_TEXTURE_MAG_FILTER; not looked at where it is 0, and in targets */
 } ssgi_gl_bound;
 
-/* For debug builds: says which binding would be drawn wrong, in a sentence that names step, texture and unit. Like
-   snprintf; 0 when all are right.
-     units      the texture at each of 16 units; NULL: not looked at
-     targets    the texture that each of step->outputs is drawn into; NULL: not looked at */
+/* For debug builds: writes a sentence on the first fault of a draw, which names step, texture and unit. It works like
+   snprintf, and returns 0 when there is no fault.
+     units      the texture at each of 16 units; NULL: units are not checked
+     targets    the target of each of step->outputs; NULL: targets are not checked */
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
                                    const ssgi_gl_bound *targets);
 
 /* ==== >>frame ================================================================================================== */
 
-/* The values that change per frame, for all passes: upload them whole as the uniform block "ssgi_frame" (std140), in
-   whose order the members are. */
+/* The values that change per frame, for all passes: upload the struct whole as the uniform block "ssgi_frame" (std140),
+   which has the members in this order. */
 typedef struct ssgi_gl_frame {
     /* ---- the camera: from ssgi_view */
     float project[4];
@@ -767,29 +806,32 @@ typedef struct ssgi_gl_frame {
 
     /* ---- the image */
     int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
-    int32_t size[2];   /* [units: pixels]  of the image. For a margin, larger than the part that is shown: scissor
-                          the passes (but width, senders, and those that light them) to the inner rectangle and the
-                          pixels that their filters read */
-    int32_t target[2]; /* [units: texels]  first texel of the image in targets; half of it in half size */
+    int32_t size[2];   /* [units: pixels]  of the image. With a margin it is larger than the part that is shown: scissor
+                          the passes (but width, senders, and those that light senders) to the inner rectangle and the
+                          texels that their filters read */
+    int32_t target[2]; /* [units: texels]  first texel of the image in the textures that passes write; half of it in
+                          half size */
 
     /* ---- gathers */
-    float radius;         /* [units: view] [limit: > 0]  farthest occluder */
-    float offset;         /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of
-                             points */
-    float thickness;      /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces: desc.thickness
-                             CONSTANT; the most of WIDTH; BACK and SLABS by points where there is no back face. 1
-                             radius suits ssao, 0.5 march, 0.4 light */
+    float radius;         /* [units: view] [limit: > 0]  distance of the farthest occluder */
+    float offset;         /* [units: half pixels] [default: 1.5]  lift of receivers along their normals, so that nearest
+                             fetches of their planes stay below them: not of slices */
+    float thickness;      /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces: with
+                             desc.thickness CONSTANT; with WIDTH the most; with BACK and SLABS by points where there is
+                             no back face. 1 radius suits ssao, 0.5 march, 0.4 light */
     float phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
-    float fade;           /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
+    float fade;           /* [units: view] [default: 0.3 radii]  distance at which occluders begin to fade; at the
+                             radius: they do not */
     float distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
-    float gain;           /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
-    float max_slope;      /* [default: 20]  shadow maps: their bias follows slopes, tan of light against normal, to
-                             here */
-    int32_t lights;       /* how many rows of t_ssgi_lights */
+    float gain;           /* [default: 1]  factor of the patches' area in BOUNCE_PATCH: the paper's strength of the
+                             bounce */
+    float max_slope;      /* [default: 20]  shadow maps: their bias grows with the slope, tan of light against normal,
+                             up to this slope */
+    int32_t lights;       /* how many rows of t_ssgi_lights are read */
     float lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
 
     /* ---- the world */
-    float rotation[12];  /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
+    float rotation[12];  /* world to view, 3 columns padded to 4, for all inputs in the world; identity by default */
     float harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded, unless desc.harmonics is CUSTOM:
                             ssgi_gl_harmonics_set; black by default */
 
@@ -799,16 +841,17 @@ typedef struct ssgi_gl_frame {
     float dipole[16]; /* EFFECT_SCATTER: ssgi_gl_dipole_set */
     float keep_small; /* ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
     float near_depth; /* field, splat   [units: view] [default: the near plane]  lower bound of the frame's view depths:
-                         the last frame's minimum, for instance, culls most surfels around the eye */
+                         the last frame's minimum, for instance, culls most occluders and surfels around the eye */
     float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
                          ssgi_gl_sent_set makes the result linear in the light */
-    float epsilon;    /* splat   [default: 0.1]  the least effect that a surfel is drawn for: form factor, or that
-                         times its radiance over `sent` (times the lobe's peak) */
+    float epsilon;    /* splat   [default: 0.1]  the least effect that a surfel is drawn for: its form factor, or that
+                         times the radiance that it sends over `sent` (times the lobe's peak) */
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
 
     /* ---- the rest, where std140 has room for it */
-    float history;       /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  frames averaged; 0: anew */
-    int32_t level[2];    /* surfels   [units: texels]  of one level: ssgi_splat_size */
+    float history;       /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  how many frames are averaged; 0:
+                            the average begins anew */
+    int32_t level[2];    /* surfels   [units: texels]  size of one level: ssgi_splat_size */
     float window[4];     /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
     float last_to[16];   /* history: view space to the last frame's pixels (times depth when perspective) and depth */
     float last_from[16]; /* and back: ssgi_gl_frame_history */
@@ -817,27 +860,27 @@ typedef struct ssgi_gl_frame {
     int32_t unused;      /* fills the block's last 16 bytes */
 } ssgi_gl_frame;
 
-/* Fills a frame: view, image at the origin of textures and targets, else defaults.
+/* Fills a frame from a view: the image is at the origin of textures and targets, all other members have their defaults.
      radius   [units: view] [limit: > 0] */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
 /* Sets history, last_to, last_from. Leave history 0 at a cut and where the size changes.
-     view, last_world_to_view    of the last frame, as GL had them, jitter and all; view has this frame's kind of
+     view, last_world_to_view    those of the last frame, as GL had them, jitter and all; view has this frame's kind of
                                  projection and size
      matrices                    [limit: rigid, finite] world to view space */
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
                                            const float main_world_to_view[16], const float last_world_to_view[16],
                                            const char **why);
 
-/* frame.phase of frame number k, in [0,1): spreads the noise of any few frames in a row evenly. The last 2 of its 24
-   bits are k's, which tell the pixel that is gathered (desc.half 2). */
+/* frame.phase of frame number k, in [0,1), which spreads the noise of any few frames in a row evenly. The last 2 of its
+   24 bits are k's, by which passes tell the pixel that is gathered (desc.half 2). */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
-/* Sets the values that surfels are made with, but desc->overhang, which the text has: ssgi_gl_desc.overhang. Draw the
-   mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
+/* Sets the members that surfels are made with, except desc->overhang, which the text has: ssgi_gl_desc.overhang. Draw
+   the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
      view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
      levels         desc.levels [limit: 1..7]
-     mesh_to_view   as source.to_view; NULL: stays as it is */
+     mesh_to_view   as source.to_view; NULL: frame->mesh stays as it is */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
                                          int levels, const float *mesh_to_view, const char **why);
 
@@ -848,49 +891,49 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
 /* Sets frame->harmonics.
      coefficients    [3*i + c], in the world [limit: finite]
      bands           [limit: 1..4]
-     world_to_view   turns them [limit: rigid; NULL: none] */
+     world_to_view   turns the coefficients [limit: rigid; NULL: none] */
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
                                            const float *world_to_view, const char **why);
 
 /* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Their hardware depths are slices of one
-   array texture, t_ssgi_views: camera v's layer j is slice v * view_layers + j, from texel 0,0 on. A camera may use a
+   array texture, t_ssgi_views: layer j of camera v is slice v * view_layers + j, from texel 0,0 on. A camera may use a
    part of its slice. */
 typedef struct ssgi_gl_views {
     float to[4][16];    /* view space to x, y (pixels, times z if perspective), that camera's depth z, 1; columns */
     float from[4][16];  /* and back */
     float decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
-    float size[4][4];   /* [units: pixels]  width, height; [units: view, at depth 1 when perspective]  slack: points
-                           in front of a surface by less do not count as visible; 0 */
+    float size[4][4];   /* [units: pixels]  width, height; [units: view, at depth 1 when perspective]  slack: a point
+                           that lies in front of a surface by less is not taken to be visible; 0 */
 } ssgi_gl_views;
 
-/* Sets camera i of 0..3: view and extra_world_to_view are the extra camera's. An oblique view is refused.
+/* Sets camera i of 0..3: view and extra_world_to_view are those of the extra camera. An oblique view is refused.
      matrices   [limit: rigid, finite] world to view space */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
                                        const float main_world_to_view[16], const float extra_world_to_view[16],
                                        const char **why);
 
-/* ssgi_gl_light.kind. With desc.shadow MAP or FILL a SPOT lights only surfaces that its map sees: six of them are a
-   point light with a cube of maps. */
+/* ssgi_gl_light.kind. With desc.shadow MAP or FILL a SPOT lights only surfaces within its map: six of them are a point
+   light with a cube of maps. */
 enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
 
-/* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. With zeros from patch on it
-   has no shadow map. */
+/* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. A light whose members are zeros
+   from patch on has no shadow map. */
 typedef struct ssgi_gl_light {
-    float at[3];        /* view space. SUN: unit vector to the light; else where it is */
+    float at[3];        /* view space. SUN: unit vector to the light; otherwise the light's position */
     float kind;         /* SSGI_GL_SUN .. */
-    float colour[3];    /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: that along its normal */
-    float min_distance; /* clamp of the distance in 1/d^2. SUN: how many of the rows that follow are the same sun with a
-                           wider map each (desc.shadow MAP or FILL) */
-    float normal[3];    /* VPL: unit normal, from which it falls off by the cosine */
+    float colour[3];    /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: this along its normal */
+    float min_distance; /* clamp of the distance in 1/d^2. SUN: how many of the following rows are the same sun, each
+                           with a wider map (desc.shadow MAP or FILL) */
+    float normal[3];    /* VPL: unit normal; its intensity falls off by the cosine from this direction */
 
     /* ---- the shadow map: ssgi_gl_light_map */
     float patch;     /* width of a texel of the map, at depth 1 when perspective: 2 tan(angle/2) / texels */
-    float map[3][4]; /* rows: view space to x, y (texels in the tile, times depth if perspective), its depth */
-    float decode[4]; /* of its ssgi_view: depth[0], [1], clear, orthographic */
+    float map[3][4]; /* rows: view space to x, y (texels in the tile, times depth if perspective), the light's depth */
+    float decode[4]; /* that of its ssgi_view: depth[0], [1], clear, orthographic */
     float tile[4];   /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
 } ssgi_gl_light;
 
-/* Gives a light its shadow map, drawn by a camera with the projection of `view`. Sets map, patch, decode, tile. An
+/* Gives a light its shadow map, drawn by a camera with the projection of `view`: sets map, patch, decode, tile. An
    oblique view is refused.
      x, y       [units: texels] [limit: >= 0] the map's first texel in t_ssgi_shadow
      matrices   [limit: rigid, finite] world to the main camera's view space, and to the light's */
@@ -898,31 +941,31 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
                                        const float main_world_to_view[16], const float light_world_to_view[16],
                                        const char **why);
 
-/* Sets frame->sent to a radiance such that half of all that is sent comes from surfels that send as much or more, in
-   their largest component. It stays where nothing is sent, which is a radiance of 1e-30 or less.
+/* Sets frame->sent to a radiance such that half of all light is sent by surfels that send as much or more, in their
+   largest component. frame->sent stays where none sends a radiance above 1e-30.
      surfels    with their colours as yet unlit [limit: finite]
-     lights     rows of t_ssgi_lights that light them, unshadowed; a SPOT within its map [limit: finite]
+     lights     rows of t_ssgi_lights that light them, unshadowed; a SPOT lights within its map [limit: finite]
      sky        mean radiance of the environment [limit: >= 0, finite; NULL: black] */
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
                                       const ssgi_gl_light *lights, int light_count, const float sky[3],
                                       const char **why);
 
-/* An occluder: a row of t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. Made by ssgi_gl_occluder_set. */
+/* An occluder: a row of t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. ssgi_gl_occluder_set makes it. */
 typedef struct ssgi_gl_occluder {
     float at[3], radius;               /* the sphere that it darkens, view space */
     float to_field[3][4];              /* view space to the occluder's coordinates about the field's centre: rows */
-    float ramp, reach, inside, power;  /* ssgi_field_limits */
-    float low[8], span[8], resolution; /* ssgi_field */
-    float slice;                       /* of t_ssgi_fields */
+    float ramp, reach, inside, power;  /* those of ssgi_field_limits */
+    float low[8], span[8], resolution; /* those of ssgi_field */
+    float slice;                       /* slice of t_ssgi_fields */
     float baked_reach;                 /* ssgi_field.reach */
     float object;                      /* its number for desc.objects; 0: none */
 } ssgi_gl_occluder;
 
-/* Sets an occluder where it stands now.
+/* Sets an occluder to its present place.
      limits        NULL: ssgi_field_limits_of
      slice         [limit: 0..2047] of t_ssgi_fields; fields smaller than its slices stand in their lower corner
      mesh_to_view  [limit: rotation, translation, uniform scale; may mirror] from the bake's coordinates to the pass's
-     object        [limit: 0..16777215] */
+     object        [limit: 0..16777215] its number for desc.objects; 0: none */
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
                                           const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
                                           int object, const char **why);
