@@ -4718,7 +4718,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    Before that a minor version may rename: its changes are listed here, old -> new.
 
    CHANGES since 0.3
-   Pictures of slices: thickness WIDTH is at most 0.6 radii, and half as much where a probe found the end of a surface;
+   Pictures of slices: thickness WIDTH is half as much where a probe found the end of a surface;
    surfaces that steps miss and those beyond the picture are expected to occlude a little; the filter lets less across
    edges of a hundredth of the radius. NVIDIA's compiler for GL lost a sign in them: they came out too bright there.
    View depths of 1 / SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing

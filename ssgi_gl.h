@@ -251,7 +251,7 @@ enum {
     SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness */
     SSGI_GL_THICKNESS_SOLID,       /* without end */
     SSGI_GL_THICKNESS_WIDTH,       /* a surface is as thick as it is wide in the picture, at most frame.thickness and
-                                      0.6 radii */
+                                      the radius */
     SSGI_GL_THICKNESS_BACK,        /* to the nearest back face: t_ssgi_back, a depth pass with front faces culled */
     SSGI_GL_THICKNESS_SLABS,       /* as BACK, and a second slab from the next front face to its back face: two peeled
                                       passes */
@@ -1383,9 +1383,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    ssgi_run goes left, right, down and up to where the surface drops away; the width is the shorter of the two sums. A
    run reaches half the radius, or SSGI_LONGEST where that is more. If a probe finds its end, the surface ended between
    that probe and the last one, which stood half as far: the half counts, so that thin things are not taken for too
-   thick, and more steps do not darken the surfaces behind them. No run counts for more than SSGI_ENDLESS, since a wide
-   surface is as often a wall that light passes by or through as it is a block. The other three pixels share the width
-   if they lie in the first one's plane, and have SSGI_OTHER if they do not. */
+   thick, and more steps do not darken the surfaces behind them. A run that finds no end counts as a radius. The other
+   three pixels share the width if they lie in the first one's plane, and have SSGI_OTHER if they do not. */
 
 { "SSGI_THINNEST", __LINE__ + 1,
     "const float SSGI_THINNEST = 0.02; // the least thickness, of the radius\n" },
@@ -1395,9 +1394,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "SSGI_LIFTED", __LINE__ + 1,
     "const float SSGI_LIFTED = 0.05; // of the radius: a surface goes on while it leaves its tangent plane by less\n" },
-
-{ "SSGI_ENDLESS", __LINE__ + 1,
-    "const float SSGI_ENDLESS = 0.3; // of the radius: the length of a run that finds no end, and the most of any\n" },
 
 { "SSGI_LONGEST", __LINE__ + 1,
     "const float SSGI_LONGEST = 32.0; // pixels that a run reaches at least\n" },
@@ -1416,11 +1412,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// How many pixels the surface at P goes on along a direction of the picture until it drops away. Where another\n"
     "// surface rises above it, and at the picture's edge, its end is hidden, and counts as not found.\n"
     "float ssgi_run(ivec2 p, ivec2 way, vec3 P, vec4 plane, float footprint, float pixels) {\n"
-    "    float most = SSGI_ENDLESS * pixels, run = most, reach = max(0.5 * pixels, SSGI_LONGEST);\n"
+    "    float run = pixels, reach = max(0.5 * pixels, SSGI_LONGEST);\n"
     "    for (int i = 0; i < 5; ++i) { // from far to near, so that the nearest end counts\n"
     "        float k = floor(reach * exp2(-float(i)));\n"
     "        int end_ = ssgi_end(p, way * int(k), P, plane, SSGI_LIFTED * u_ssgi_radius + 0.5 * footprint * k);\n"
-    "        run = end_ > 0 ? most : end_ < 0 ? min(0.5 * k, most) : run;\n"
+    "        run = end_ > 0 ? pixels : end_ < 0 ? 0.5 * k : run;\n"
     "    }\n"
     "    return run;\n"
     "}\n" },
