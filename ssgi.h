@@ -6,7 +6,7 @@
 
    QUICK USE  (compiled and run by tests/test_build.c)
 
-      float      projection[16] = { 1.3f,0,0,0,  0,2.4f,0,0,  0,0,-1.002f,-1,  0,0,-0.2002f,0 };   // yours, as GL's
+      float      projection[16] = { 1.3f,0,0,0,  0,2.4f,0,0,  0,0,-1.002f,-1,  0,0,-0.2002f,0 };   // as GL has it
       ssgi_view  view;
       const char *why = "";
       if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 1280, 720, &why) != SSGI_OK) puts(why);
@@ -14,21 +14,21 @@
       ssgi_view_position(&view, 640.5f, 360.5f, ssgi_view_depth(&view, 0.75f), p);   // a depth texel, in view space
       printf("%g %g %g, a pixel is %g wide there\n", p[0], p[1], p[2], ssgi_pixel_footprint(&view, -p[2]));
 
-   CONVENTIONS  (one place; every comment relies on it)
+   CONVENTIONS  (given once; every comment relies on them)
       matrices     float[16], element (row r, column c) at m[c*4 + r]; vectors are columns
       view space   right-handed, +x right, +y up, the camera looks along -z; VIEW DEPTH is the positive distance -z
-      pixels       (0,0) is the corner of the first texel, centres at (x+0.5, y+0.5), y as in GL textures (upward when
-                   the projection is GL's)
-      window depth values of the depth texture, [0,1]
-      units        lengths in your view units, angles in radians, radiance linear
-      visibility   V = 1 visible, 0 blocked; occlusion O in [0,1]; ambient visibility (AO passes write it) = 1 - O,
-                   cosine-weighted
-      environments latitude-longitude images as OpenEXR's, linear radiance, rgb[3 * (y * width + x) + c]:
-                   row 0 at +y, the image centre looks to +z, +x is left of the centre; solid angles of texels are
-                   exact; values above 1e24 are clamped to it
+      pixels       (0,0) is the corner of the first texel, centres are at (x+0.5, y+0.5), and y grows as in GL textures
+                   (upward when the projection is GL's)
+      window depth the value that the depth texture holds, in [0,1]
+      units        lengths are in your view units, angles in radians; radiance is linear
+      visibility   V is 1 where visible, 0 where occluded; occlusion O is in [0,1]; ambient visibility, which AO passes
+                   write, is 1 - O, cosine-weighted
+      environments latitude-longitude images as in OpenEXR, of linear radiance, rgb[3 * (y * width + x) + c]:
+                   row 0 is at +y, the image centre looks to +z, +x is left of the centre; solid angles of texels are
+                   exact; values above 1e24 are clamped to 1e24
       errors       functions that can be misused return ssgi_result and, through the last argument (may be NULL), a
-                   static sentence that begins with the argument's name; outputs are then untouched. Nothing prints,
-                   exits, allocates or keeps state: all is reentrant.
+                   static sentence that begins with the argument's name; outputs are then untouched. No function prints,
+                   exits, allocates or keeps state: all are reentrant.
 
    CONFIG       SSGI_STATIC makes every function static. Nothing else changes the header.
    ROOMS        search for ">>"
@@ -45,8 +45,8 @@
       >>dipole     multiple scattering under surfaces
       >>cap        occlusion of spherical caps, in closed form and as a table
       >>field      ambient occlusion fields: bake, fit, look up, save and load
-      >>plan       the method for a scene: its numbers in; method, settings, predicted error and cost out
-      and at the end of the file the renames of each version (CHANGES), and the licence
+      >>plan       takes the numbers of a scene, gives a method, settings, predicted error and cost
+      and at the end of the file the changes of each version (CHANGES) and the licence
 
    SOURCES      [HSAO08] Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion
                 [SSDO09] Ritschel, Grosch, Seidel 2009, Approximating dynamic global illumination in image space
@@ -70,7 +70,7 @@
 #define SSGI_VERSION_MINOR 3
 #define SSGI_VERSION (10000 * SSGI_VERSION_MAJOR + 100 * SSGI_VERSION_MINOR)
 
-/* With SSGI_STATIC a file that calls a few functions would be warned of all the others. */
+/* With SSGI_STATIC a compiler would warn of every function that a file does not call, hence the attribute. */
 #if defined(SSGI_STATIC) && defined(__GNUC__)
 #define SSGI_DEF static __attribute__((unused))
 #elif defined(SSGI_STATIC)
@@ -87,9 +87,9 @@ extern "C" {
 
 typedef enum ssgi_result {
     SSGI_OK = 0,
-    SSGI_BAD_ARGUMENT, /* the sentence names it */
+    SSGI_BAD_ARGUMENT, /* the sentence names the argument */
     SSGI_TOO_SMALL,    /* the memory given does not suffice; the size query tells how much does */
-    SSGI_CANCELLED     /* your progress callback said so */
+    SSGI_CANCELLED     /* your progress callback asked for it */
 } ssgi_result;
 
 /* ==== >>view =================================================================================================== */
@@ -100,7 +100,7 @@ enum {
     SSGI_CLIP_ZERO,   /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
 };
 
-/* The camera parameters that the passes use; made by ssgi_view_from_projection, read-only for you. */
+/* The camera parameters that the passes use. ssgi_view_from_projection makes them; they are read-only for you. */
 typedef struct ssgi_view {
     float unproject[4]; /* view xy = (pixel * [0,1] + [2,3]) * view depth; orthographic: without "* view depth" */
     float project[4];   /* pixel = view xy / view depth * [0,1] + [2,3];   orthographic: without "/ view depth" */
@@ -108,36 +108,39 @@ typedef struct ssgi_view {
     float clear;        /* the window depth of the background: 1, or 0 when the projection is reversed */
     int orthographic;   /* 0 or 1 */
     int width, height;  /* pixels of the frame */
-    float oblique[2];   /* depth[] decodes window depth + dot(pixel, this): 0 but for oblique near planes */
+    float oblique[2];   /* depth[] decodes window depth + dot(pixel, oblique): 0 but for oblique near planes */
 } ssgi_view;
 
-/* Decodes a projection matrix, the one that GL got: perspective or orthographic, any window depth (normal, reversed,
-   infinite far plane), off-centre (sub-pixel jitter, stereo), y up or down, the near plane oblique (planar reflections:
-   desc.oblique of ssgi_gl.h), right-handed or left-handed.
-   Left-handed: your camera looks along +z, and view space here is yours with z negated. (An orthographic projection is
-   taken for left-handed where a right-handed camera would have all of its depth range behind the eye.) Negate z of
-   values that you give in view space (lights; for normals there is desc.left_handed) and the third row (elements 2, 6,
-   10, 14) of every matrix to view space, frame.rotation included. Results have z negated likewise.
+/* Decodes the projection matrix that GL got. It may be perspective or orthographic, with any window depth (normal,
+   reversed, infinite far plane), off-centre (sub-pixel jitter, stereo), with y up or down, with an oblique near plane
+   (planar reflections: desc.oblique of ssgi_gl.h), right-handed or left-handed.
+   If it is left-handed, your camera looks along +z, and view space here is yours with z negated. (An orthographic
+   projection is taken for left-handed where a right-handed camera would have all of its depth range behind the eye.)
+   Negate z of the vectors that you give in view space (lights; for normals there is desc.left_handed) and the third row
+   (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation included. Vectors that come back have z negated
+   likewise.
      projection     [limit: w row (0,0,-1,0), (0,0,1,0) or (0,0,0,1) up to a common factor; x and y do not mix]
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
      width, height  [units: pixels] [limit: 1..65536] of the frame that the projection fills
-   Computed in double; exact to float rounding. */
+   The view is computed in double and exact to float rounding. */
 SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width,
                                                int height, const char **why);
 
 /* View depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth of 1 /
    SSGI_FAR or less, or infinity) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use
-   ssgi_view_depth_at, whose pixel is a position, centres at .5. GLSL twin: ssgi_decode. */
+   ssgi_view_depth_at, whose pixel is a position, with texel centres at .5. GLSL twin: ssgi_decode. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
-#define SSGI_FAR 1e18f /* the view depth of the background: beyond any scene, its square a finite float */
+#define SSGI_FAR 1e18f /* the view depth of the background: it is beyond any scene, and its square is a finite float */
 
-/* The view-space point seen at a pixel position (centres at .5) at a view depth; and back: the pixel position of a
-   view-space point, with its depth [limit: > 0 when perspective] in out[2]. GLSL twins: ssgi_position, ssgi_project. */
+/* ssgi_view_position gives the view-space point that is seen at a pixel position (centres at .5) at a view depth;
+   ssgi_view_project gives the pixel position of a view-space point, with its depth [limit: > 0 when perspective] in
+   out[2]. GLSL twins: ssgi_position, ssgi_project. */
 SSGI_DEF void ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
 SSGI_DEF void ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
 
-/* View depth of the near plane that the projection implies [units: view]; of an oblique one the least in the frame. */
+/* View depth of the near plane that the projection implies [units: view]; for an oblique plane, its least view depth in
+   the frame. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 
 /* Size of a pixel [units: view] on a surface that faces the viewer at this view depth: the larger of its two sides. */
@@ -148,68 +151,70 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
      main_world_to_view  [limit: rigid: rotation and translation; z may be negated]
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
      displacement        [units: radii] along the main camera's axes: x right, y up, z toward the viewer
-     world_to_view       its up is the main camera's, or where it looks along that the main camera's forward. Standing
-                         at the centre it looks as the main camera does. Mirrored if that is (left-handed)
+     world_to_view       its up direction is the main camera's, or, where it looks along that, the main camera's forward
+                         direction. If it stands at the centre, it looks as the main camera does. It is mirrored if the
+                         main camera is (left-handed)
      projection          GL clip, square, symmetric; encloses the sphere, at most 100 degrees wide. The near plane is at
-                         0.02 radii, close since a solid that it cuts looks empty; the far plane is behind the sphere
+                         0.02 radii, so close because a solid that it cuts looks empty; the far plane is behind the
+                         sphere
    The outputs may be the inputs. */
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
 
-/* Default displacements, i modulo 4: left, right, above, behind. With the main camera two radii from the centre the
-   extra ones are as far from it, turned about it by 60 degrees to the left or right and 20 up; by 75 up; to the far
-   side and 50 up. */
+/* Default displacements, i modulo 4: left, right, above, behind. If the main camera is two radii from the centre, the
+   extra cameras are as far from the centre. They are turned about it by 60 degrees to the left or right and 20 up (0,
+   1), by 75 up (2), and to the far side and 50 up (3). */
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
 /* ==== >>bias =================================================================================================== */
 
-/* Formulas. NaN and floats below 0 count as 0, floats above SSGI_FAR as SSGI_FAR; results are finite. */
+/* The formulas take NaN and floats below 0 as 0, and floats above SSGI_FAR as SSGI_FAR. Their results are finite. */
 
-/* How far a receiver is lifted along its normal, so that nearest fetches of its own plane stay below it: z/(f res)
-   [HSAO08 eq. 13]; 0.00802 at z = 10 for 60 degrees, f = 1/tan(30 degrees), over 720 pixels. That is half of
-   ssgi_pixel_footprint, since NDC spans 2, and of two unequal axes the one whose pixels are larger. Orthographic: the
-   same at any depth.
-     view_depth   [units: view] positive: with GL's negative z the receiver would sink into its surface
-   The result is in 0..SSGI_FAR, and 0 for NaN. GLSL twin: ssgi_lift, which lifts by frame.offset of these, 1.5 by
-   default: the corners of a pixel need sqrt(2). */
+/* The distance by which a receiver is lifted along its normal, so that nearest fetches of its own plane stay below it:
+   z/(f res) [HSAO08 eq. 13]; for instance 0.00802 at z = 10 for 60 degrees, f = 1/tan(30 degrees), over 720 pixels. It
+   is half of ssgi_pixel_footprint, since NDC spans 2; where the two sides of a pixel are unequal, the larger one
+   counts. With an orthographic projection it is the same at any depth.
+     view_depth   [units: view] positive: GL's negative z would count as 0, and the receiver would not be lifted
+   The result is in 0..SSGI_FAR, and 0 for NaN. GLSL twin: ssgi_lift, which lifts by frame.offset such distances, 1.5 by
+   default, since the corners of a pixel need sqrt(2). */
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 
 /* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2)/resolution [SSDO09 section 5].
-     depth        [units: view] z, along the spot's axis: not the distance
+     depth        [units: view] z, along the spot's axis, not the distance from the light
      full_angle   [units: rad] [limit: 0..3.14, clamped] of the spot, from edge to edge
      resolution   [units: texels] [limit: 1 or more, less counts as 1] along that edge
-   ssgi_gl_light.patch holds it for depth 1. */
+   ssgi_gl_light.patch holds this width for depth 1. */
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
 
-/* The thing whose half is the patch of a bias. */
+/* A bias takes half of one length of the shadow map's texel: */
 enum {
     SSGI_BIAS_SAFE = 0,  /* its diagonal: patch/sqrt(2) tan(alpha), which slopes in any direction need */
     SSGI_BIAS_PUBLISHED, /* its side: patch/2 tan(alpha) [SSDO09 section 5], which suffices for slopes along a side
                             alone: a plane that slopes along the diagonal shadows itself */
 };
 
-/* The bias of a shadow map: how far below a surface its texel has to be moved, along the map's axis, for a plane not to
-   shadow itself.
-     patch    [units: view] width of a texel there
+/* The bias of a shadow map is the distance by which a texel has to be moved below its surface, along the map's axis, so
+   that a plane does not shadow itself.
+     patch    [units: view] width of the texel on a surface that faces the light: ssgi_shadow_patch
      cosine   [limit: 0..1, clamped] of alpha, between the surface's normal and the direction to the light
-     most     [units: view] at least 0: larger ones are cut to it. At 90 degrees, where tan(alpha) is infinite, it is
-              the bias, as for NaN
-     kind     SSGI_BIAS_SAFE ..; another is SAFE
+     most     [units: view] at least 0: a larger bias is cut to it. It is also the bias at 90 degrees, where tan(alpha)
+              is infinite, and where cosine is NaN
+     kind     SSGI_BIAS_SAFE ..; any other value counts as SAFE
    GLSL twin: ssgi_shadow, with most = patch/sqrt(2) frame.max_slope, where the light is on the map's axis: there the
    plane's slope against the map is tan(alpha). Elsewhere ssgi_shadow takes the slope itself. */
 SSGI_DEF float ssgi_shadow_bias(float patch, float cosine, float most, int kind);
 
 /* A radius to begin with: "for a closed polygonal model .. the average distance between two local maxima in the
    geometry" [SSDO09 section 7.2]. A vertex is a maximum if no edge leads up from it and one leads down; a level part
-   counts once, at its vertex of least x (then y, z). *radius is the mean distance to the nearest other maximum, over
-   1024 of them at most, evenly chosen. With fewer than two maxima (a sphere, a plane) it is a tenth of the diagonal of
-   the bounds.
+   counts once, at its vertex of least x (then y, z). *radius is the mean distance from a maximum to the nearest other,
+   over 1024 maxima at most, evenly chosen. With fewer than two maxima (a sphere, a plane) it is a tenth of the diagonal
+   of the bounds.
      radius          [units: the mesh's] above 0
      maxima          how many were found; may be NULL
-     position, stride_bytes, index, triangles   as in ssgi_trace_build [limit: 1..2^28 triangles]; vertices at one place
-                     are one. Triangles with a coordinate that is not finite or beyond +-1e12 are left out; without any
-                     others position is SSGI_BAD_ARGUMENT
+     position, stride_bytes, index, triangles   as in ssgi_trace_build [limit: 1..2^28 triangles]. Vertices at one place
+                     are one. Triangles with a coordinate that is not finite or beyond +-1e12 are left out; if no others
+                     remain, position is SSGI_BAD_ARGUMENT
      up              heights are along it [limit: finite, not 0]; NULL: they are distances from the middle of the bounds
      work            [limit: words >= 9 * triangles, else SSGI_TOO_SMALL] not needed later
    Heights that differ by less than 1e-6 of the diagonal are equal. O(n log n). */
@@ -219,16 +224,17 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
 
 /* ==== >>kernel ================================================================================================= */
 
-/* Radical inverse (van der Corput): the digits of i in a base, reflected about the radix point, in [0,1); 0 for a base
-   below 2. Halton points have the inverses in bases 2, 3 .. as coordinates, Hammersley points i/n and the one in 2. */
+/* The radical inverse (van der Corput) reflects the digits of i in a base about the radix point. It is in [0,1), and 0
+   for a base below 2. Halton points have the inverses in bases 2, 3 .. as coordinates; Hammersley points have i/n and
+   the inverse in base 2. */
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
-/* The i-th point of the R2 sequence in [0,1)^2, which steps by powers of the plastic number: evenly spread after any
-   count, so that the count need not be known. */
+/* The i-th point of the R2 sequence in [0,1)^2, which steps by powers of the plastic number. The points are evenly
+   spread after any count, so that the count need not be known. */
 SSGI_DEF void ssgi_r2(uint32_t i, float out[2]);
 
 /* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
-     sets       [limit: 1..4096] independent sets (interleave them over pixels)
+     sets       [limit: 1..4096] independent sets, to be interleaved over pixels
      samples    [limit: 1..4096] of each
      xyz        unit directions on the hemisphere about +z, density cos/pi, so that every sample counts 1/n;
                 low-discrepancy in each set, the sets rotated against each other
@@ -237,36 +243,40 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2]);
    [SSDO09 section 3; sets that integrate an unoccluded constant exactly: see examples/docs/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
-/* How directions are spread. Heights are the middles of equal strata of each set, so that sums over it are exact. */
+/* How directions are spread. Heights are the middles of equal strata of each set, so that sums of them over a set are
+   exact. */
 enum {
-    SSGI_DIRECTIONS_COSINE = 0, /* the hemisphere about +z, density cos/pi: ssgi_kernel's. Each counts 1/n */
-    SSGI_DIRECTIONS_UNIFORM,    /* the hemisphere, evenly, as published [SSDO09 section 3, S3HO12 2.1]: each stands for
-                                   2 pi/n steradians, and counts 2 z/n where the cosine weighs: the sum of that is 1 */
-    SSGI_DIRECTIONS_SPHERE,     /* the whole sphere, evenly: each stands for 4 pi/n; the sum of z is 0 */
+    SSGI_DIRECTIONS_COSINE = 0, /* the hemisphere about +z, density cos/pi, as in ssgi_kernel. Each counts 1/n */
+    SSGI_DIRECTIONS_UNIFORM,    /* the hemisphere, evenly, as published [SSDO09 section 3, S3HO12 2.1]: each sample
+                                   stands for 2 pi/n steradians, and with the cosine it counts 2 z/n; the sum of 2 z/n
+                                   is 1 */
+    SSGI_DIRECTIONS_SPHERE,     /* the whole sphere, evenly: each sample stands for 4 pi/n; the sum of z is 0 */
 };
 
-/* Sample sets as ssgi_kernel's, with directions of a kind [limit: SSGI_DIRECTIONS_COSINE ..]; the lengths are the same.
-   For desc.kernel of ssgi_gl.h: COSINE, or with desc.uniform UNIFORM. */
+/* Makes sample sets as ssgi_kernel does, with directions of a kind [limit: SSGI_DIRECTIONS_COSINE ..]; the lengths are
+   the same. desc.kernel of ssgi_gl.h takes COSINE, or UNIFORM with desc.uniform. */
 SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples, const char **why);
 
-/* A tile of noise that is repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. With
-   desc.noise = NOISE_TEXTURE ssgi_gl.h reads it, as RGBA32F or, up to 1024 sets, RGBA16F: its z and w; x and y are for
+/* A tile of noise that is repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. With desc.noise
+   NOISE_TEXTURE, passes of ssgi_gl.h read z and w of it, as RGBA32F or, up to 1024 sets, as RGBA16F; x and y are for
    shaders that turn their own directions, as the paper's does.
      size         [limit: 1..64] texels of a side
-     sets         [limit: 1.., a divisor of size * size] each is at as many texels: turn = (set + 0.5)/sets, by which
-                  desc.kernel chooses a row and the others turn their directions. size * size: as many turns as texels.
-                  Every window of w x h texels, w h = sets, w and h as equal as size allows, has every set once:
-                  a filter as wide sums over all of them. Size 4, sets 16: the 4 x 4 sets of [SSDO09, S3HO12].
-                  Neighbours have unlike turns; copies of a set lie as far apart as such windows let them
+     sets         [limit: 1.., a divisor of size * size] each set is at equally many texels, with
+                  turn = (set + 0.5)/sets, by which desc.kernel chooses a row and other passes turn their directions.
+                  With size * size sets there are as many turns as texels. Every window of w x h texels, w h = sets, w
+                  and h as equal as size allows, has every set once: a filter of that width sums over all sets. Size 4
+                  with 16 sets gives the 4 x 4 sets of [SSDO09, S3HO12]. Neighbours have unlike turns; copies of a set
+                  lie as far apart as such windows let them
      directions   [limit: 1..1024] N_d of [HSAO08 4.1.2]: a = 2 pi turn/directions, in [0, 2 pi/directions)
-   b, in [-0.5, 0.5], moves the steps: the middles of size * size strata, once each, decorrelated from the turn (the
-   paper's (-1,1) moves them by two steps, to no use). Same input, same tile. */
+   b, in [-0.5, 0.5], moves the steps. Its values are the middles of size * size strata, once each, decorrelated from
+   the turn. (The paper's range (-1,1) spans two steps, to no use.) The same input gives the same tile. */
 SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directions, const char **why);
 
 /* ==== >>sh ===================================================================================================== */
 
-/* Real spherical harmonics, orthonormal, function m = -l..l of band l at l*l + l + m; no Condon-Shortley sign: band 1
-   is +y, +z, +x times 0.4886. GLSL twins of basis, zonal and rotate: ssgi_gl_sh in ssgi_gl.h. */
+/* Real spherical harmonics are orthonormal, with function m = -l..l of band l at l*l + l + m. They have no
+   Condon-Shortley sign: band 1 is +y, +z, +x times 0.4886. GLSL twins of basis, zonal and rotate: ssgi_gl_sh in
+   ssgi_gl.h. */
 #define SSGI_SH_MAX_BANDS 6
 
 /* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
@@ -278,27 +288,30 @@ SSGI_DEF float ssgi_sh_cosine(int l);
 /* Radiance projected onto the basis: out[3*i + c], 3 * bands^2 floats. Values that are not finite count as 0.
      bands          [limit: 1..SSGI_SH_MAX_BANDS]
      width, height  [limit: 1..65536]
-     faces          six of GL's cube map, its order and orientation (+x -x +y -y +z -z), size^2 rgb [limit: 1..65536] */
+     faces          six faces of GL's cube map, in its order and orientation (+x -x +y -y +z -z), each size^2 rgb
+                    [limit: 1..65536] */
 SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height,
                                               const char **why);
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size,
                                           const char **why);
 
-/* Windows: factors of the bands that reduce a narrow light's ringing. Beside each, for a sun in 4 bands that gives a
-   facing surface irradiance 1: the series' peak; its least irradiance; how far occlusion takes it below 0. */
+/* Windows are factors of the bands that reduce the ringing of a narrow light. Beside each are three numbers for a sun
+   in 4 bands that gives a facing surface irradiance 1: the peak of the series; its least irradiance; how far occlusion
+   takes it below 0. */
 enum {
     SSGI_SH_WINDOW_NONE = 0, /* 1.20, -0.037, 0.20    1: sharpest, rings most */
     SSGI_SH_WINDOW_HANN,     /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
     SSGI_SH_WINDOW_POSITIVE, /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
 };
 
-/* A window's factors: bands floats, the first 1 [limit: bands as ssgi_sh_basis; a window out of range is NONE]. */
+/* The factors of a window are `bands` floats, of which the first is 1
+   [limit: bands as ssgi_sh_basis; a window out of range is NONE]. */
 SSGI_DEF void ssgi_sh_window(float *out, int bands, int window);
 
-/* A function about +z, turned to a unit direction. zonal[l] is its coefficient at l*l + l, the others are 0.
+/* Turns a function about +z to a unit direction. zonal[l] is its coefficient at l*l + l; its other coefficients are 0.
      out[i] = sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]
-   With zonal[l] = ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)) it is the clamped cosine about a normal: the transfer of an
-   unoccluded point. */
+   With zonal[l] = ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)) the function is the clamped cosine about a normal: the transfer
+   of an unoccluded point. */
 SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
 
 /* Rotates a function by the rotation R of world_to_view [limit: rigid; NULL: none]: its value along w moves to R w.
@@ -308,21 +321,22 @@ SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, i
                              const float *world_to_view);
 
 /* Energy of each band, bands floats: out[l] is the sum of squares of the band's coefficients, [channels * i + c], over
-   m and channels. A value that is not finite makes its band's energy so.
+   m and channels. A coefficient that is not finite makes its band's energy not finite.
      bands, channels    [limit: bands as ssgi_sh_basis; channels below 1 give zeros] */
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
 /* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics [SLO08, S3HO12]:
      coefficient i += irradiance k w_l f_l Y_i(direction)
-   w_l is the window; k makes an unoccluded surface that faces the light receive exactly `irradiance`, whatever bands
-   and window (without k it would receive 1.06 of it with 4 bands, 0.83 with Hann's window). One band gives surfaces of
-   all normals alike: k is 1, and each receives their mean, a quarter.
+   w_l is the window; k makes an unoccluded surface that faces the light receive exactly `irradiance`, whichever bands
+   and window are chosen (without k it would receive 1.06 of it with 4 bands, 0.83 with Hann's window). With one band
+   all surfaces receive the same irradiance, whatever their normal: k is 1, and each receives the mean over all normals,
+   a quarter.
      bands       [limit: 1..SSGI_SH_MAX_BANDS]
      direction   to the light [limit: finite, not 0], of any length
-     sine        [limit: 0..1] of the angular radius. 0: a directional light, f_l = 1. Above: a sphere of uniform
-                 radiance, its radius over the distance of its centre; f_l is the mean of the Legendre polynomial l over
-                 its cap
-     irradiance  of a surface that faces it [limit: finite; clamped to +-1e24]; negative values subtract light
+     sine        [limit: 0..1] of the angular radius. 0: a directional light, f_l = 1. Above 0: a sphere of uniform
+                 radiance; the sine is its radius over the distance of its centre, and f_l is the mean of the Legendre
+                 polynomial l over its cap
+     irradiance  of a surface that faces the light [limit: finite; clamped to +-1e24]; negative values subtract light
      window      SSGI_SH_WINDOW_NONE ..
    Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. A hemisphere
    light, radiance a above and b below, adds sqrt(pi) (a + b) to coefficient 0 and pi (a - b) Y_i(up) to i = 1..3. */
@@ -331,8 +345,8 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 
 /* ==== >>environment ============================================================================================ */
 
-/* Octahedral map: directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z. Decoding gives a
-   unit vector: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
+/* The octahedral map lays directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z. Decoding
+   gives a unit vector: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
 SSGI_DEF void ssgi_octahedral_encode(const float direction[3], float out[2]);
 SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3]);
 
@@ -340,20 +354,22 @@ SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3]);
    e = (x + 0.5, y + 0.5) / size * 2 - 1.
      size           [limit: 8..256]
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
-     solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above: the average over
-                    a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, whose width 1 / integral p^2 is nearly
-                    solid_angle (exactly: tanh(kappa) of it). Below 0.05 it counts as 0.05.
+     solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above 0: the average
+                    over a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, whose width 1 / integral p^2 is nearly
+                    solid_angle (exactly: tanh(kappa) times solid_angle). Values between 0 and 0.05 count as 0.05.
    A constant environment is kept exactly. The image is first averaged to 96 x 48 cells, which widens a lobe by up to
-   0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) An image of
-   2048 x 1024 at size 64 takes 0.25 s at most at -O2 on one core, and the time goes with size^2. Takes 60 KB of
-   stack. */
+   0.005 sr. (For a sky of 1 to 4 with a disc of 200, 6 degrees in radius, the result is within 0.6 % of the exact
+   average.) An image of 2048 x 1024 at size 64 takes 0.25 s at most at -O2 on one core, and the time grows with size^2.
+   The function takes 60 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why);
 
-/* The same over cones: the mean radiance within the cone about every direction, weighted by the cosine to its axis. A
-   bent cone's light [SSBN11] is then one look-up in a texture array, whose slice k of n holds the cones of cosine k/n.
+/* The same map over cones: it holds the mean radiance within the cone about every direction, weighted by the cosine to
+   the cone's axis. A bent cone's light [SSBN11] is then one look-up in a texture array, whose slice k of n holds the
+   cones of cosine k/n.
      cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi
-   The rim is a ramp as wide as a cell, 3.75 degrees, to either side; narrower below cosine 0.07, to end before 90. */
+   The rim is a ramp as wide as a cell, 3.75 degrees, to either side; below cosine 0.07 it is narrower, so that it ends
+   before 90 degrees. */
 SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine,
                                            const char **why);
 
@@ -371,8 +387,8 @@ typedef struct ssgi_sun {
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
                                            const char **why);
 
-/* Residual of unoccluded irradiance: the part that a few bands lack. Dimmed by ambient visibility and added to the
-   light from the coefficients it makes unoccluded surfaces exact.
+/* The residual of unoccluded irradiance is the part of it that a few bands lack. Dimmed by ambient visibility and added
+   to the light from the coefficients, the residual makes unoccluded surfaces exact.
      map                 +=  (irradiance of the suns - irradiance reconstructed from the coefficients) / pi. On entry it
                          holds the environment's map: ssgi_environment_map, solid_angle 0; zeros without an environment
      size                [limit: 8..256] of the map
@@ -384,34 +400,35 @@ SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coeffic
 
 typedef struct ssgi_vpl {
     float position[3], normal[3];
-    float intensity[3]; /* radiant intensity along the normal; at an angle from it times that angle's cosine */
+    float intensity[3]; /* radiant intensity along the normal; at an angle from the normal, times the angle's cosine */
 } ssgi_vpl;
 
-/* Virtual point lights [KEL97] from a reflective shadow map: pixels chosen in proportion to the luminance of their
-   flux, stratified along the map. Each keeps its pixel's colour and sends an equal share: luminances of the fluxes,
-   pi * intensity, sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
-     count                    [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
+/* Makes virtual point lights [KEL97] of a reflective shadow map. Their pixels are chosen in proportion to the luminance
+   of the flux, stratified along the map. Each light keeps its pixel's colour and sends an equal share of luminance: the
+   luminances of the lights' fluxes, pi * intensity, sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
+     count                    [limit: 1..4096] lights, exactly; a pixel may be chosen more than once
      position, normal, flux   x y z or r g b of pixel k at [3*k]. flux is the power that the pixel's surface reflects;
                               values that are negative or not finite count as 0
-     pixels                   [limit: > 0] how many the map has */
+     pixels                   [limit: > 0] number of pixels of the map */
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why);
 
-/* An area light as virtual point lights [SSDO09 section 5], at places spread evenly over it; their intensities sum to
-   radiance times area.
-     count           [limit: 1..4096] of them; nearer to the light than sqrt(area/count) single ones show: clamp there
-                     (ssgi_gl_light.min_distance)
+/* Replaces an area light by virtual point lights [SSDO09 section 5] at places spread evenly over it. Their intensities
+   sum to radiance times area.
+     count           [limit: 1..4096] point lights; nearer to the area light than sqrt(area/count) single ones show:
+                     clamp there (ssgi_gl_light.min_distance)
      corner          of a parallelogram with sides a and b, or of a triangle, which is half of that
      a, b            it shines to the side of a x b [limit: area 1e-30..1e13, finite, all within 1e30 of the origin]
      triangle        0 or 1
-     radiance        [limit: 0 or above, finite; clamped to 1e24] that leaves it */
+     radiance        [limit: 0 or above, finite; clamped to 1e24] that leaves the light */
 SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[3], const float a[3], const float b[3],
                                    int triangle, const float radiance[3], const char **why);
 
 /* ==== >>trace ================================================================================================== */
 
-/* Rays against triangles: the nearest hit, or any hit. For baking fields and for ray-traced references. Build once,
-   trace from any number of threads. Triangles are two-sided; rays do not pass between triangles that share an edge.
+/* Traces rays against triangles, for the nearest hit or for any hit, to bake fields and to ray-trace references. Build
+   once, then trace from any number of threads. Triangles are two-sided; rays do not pass between triangles that share
+   an edge.
 
       size_t      size = ssgi_trace_size(triangles);
       void       *memory = malloc(size);
@@ -423,7 +440,7 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
 typedef struct ssgi_trace {
     const void *nodes, *blocks;  /* in the memory given to ssgi_trace_build */
     uint32_t node_count;         /* 0: nothing can be hit */
-    uint32_t block_count;        /* four triangles each */
+    uint32_t block_count;        /* blocks of four triangles each */
     uint32_t triangles, skipped; /* as given, and how many of them were degenerate or out of range */
 } ssgi_trace;
 
@@ -435,84 +452,88 @@ typedef struct ssgi_hit {
 
 #define SSGI_TRACE_MAX_TRIANGLES 0x3fffffffu
 
-/* Bytes that ssgi_trace_build needs, about 59 a triangle. 0 for no triangles, for more than SSGI_TRACE_MAX_TRIANGLES
-   and for more than size_t can count. */
+/* Returns the bytes that ssgi_trace_build needs, about 59 a triangle; 0 for no triangles, for more than
+   SSGI_TRACE_MAX_TRIANGLES and for more than size_t can count. */
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
-/* Builds over corners index[3*i], index[3*i+1], index[3*i+2] of triangle i; index NULL: corners 3*i, 3*i+1, 3*i+2.
+/* Builds over triangles whose corners are index[3*i], index[3*i+1], index[3*i+2]; index NULL: 3*i, 3*i+1, 3*i+2.
    position      x y z of vertex k at (const char *)position + k * stride_bytes
    stride_bytes  [limit: 12 or more, a multiple of 4]
    memory        size >= ssgi_trace_size(triangles) bytes of any alignment (else SSGI_TOO_SMALL); the trace points into
-                 it: keep it where it is. position and index are not needed afterwards.
+                 the memory: keep it where it is. position and index are not needed afterwards.
    Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit; those smaller
-   than about 1e-18 may be missed. Indices are not checked. O(n log n) but for contrived input; no allocation; recursion
-   at most 62 deep, whatever the input. */
+   than about 1e-18 may be missed. Indices are not checked. Building takes O(n log n) time but for contrived input. It
+   allocates nothing and recurses at most 62 deep, whatever the input. */
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why);
 
-/* The hit with the smallest t in tmin < t < tmax: 1 and *hit filled, or 0 and *hit untouched. direction of any length:
-   t counts in it. tmin below 0 is 0. A ray that is not finite, beyond 1e12, or without direction hits nothing. */
+/* Finds the hit with the smallest t in tmin < t < tmax. Returns 1 with *hit filled, or 0 with *hit untouched. The
+   direction may have any length, which is the unit of t. tmin below 0 counts as 0. A ray that is not finite, beyond
+   1e12, or without direction hits nothing. */
 SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                                 float tmax, ssgi_hit *hit);
 
-/* 1 if there is any hit in tmin < t < tmax, else 0. Stops at the first found. */
+/* Returns 1 if there is any hit in tmin < t < tmax, else 0. It stops at the first hit that it finds. */
 SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                             float tmax);
 
-/* Ambient visibility of points, by cosine-weighted rays: a rigid object's self-occlusion, for instance, as an attribute
-   of its vertices [AOF05 section 1].
+/* Traces the ambient visibility of points by cosine-weighted rays: for instance the self-occlusion of a rigid object,
+   as an attribute of its vertices [AOF05 section 1].
      out                count of them, in [0,1]
      position, normal   x y z of point k at [3*k]; normals of any length
-     radius             [units: the mesh's] [limit: above 0; 0: without end, hard only] hits beyond it do not count
+     radius             [units: the mesh's] [limit: above 0; 0: without end, hard only] hits beyond the radius do not
+                        count
      rays               [limit: 1..65536] a point
      hard               [limit: 0 or 1] 0: a hit at the distance t occludes by 1 - t/radius; 1: fully
-   Rays begin off the surface: along the normal by 4e-6 of the largest coordinate in the trace. Lift positions yourself
-   where vertex normals stand far off the faces', whose neighbours then occlude. A point without a normal, or one that
-   is not finite, is open. The value depends on the trace, the point and the normal alone, so that copies of a vertex
-   agree, and threads may take a part of the points each. RMS error of sampling by 256 rays, and 1024: beside a wall
-   0.0006, 0.00015, hard 0.005, 0.002; in a groove hard 0.007, 0.003. */
+   Rays begin off the surface, lifted along the normal by 4e-6 of the largest coordinate in the trace. Lift positions
+   yourself where vertex normals differ much from the normals of the faces, since neighbouring faces then occlude. A
+   point without a normal, or one that is not finite, counts as visible. The value depends on the trace, the point and
+   the normal alone, so that copies of a vertex agree, and each thread may take a part of the points. Sampling by 256
+   and by 1024 rays has RMS errors of 0.0006 and 0.00015 beside a wall, and with hard of 0.005 and 0.002; in a groove,
+   with hard, of 0.007 and 0.003. */
 SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, const float *position,
                                            const float *normal, size_t count, float radius, int rays, int hard,
                                            const char **why);
 
 /* ==== >>tessellate ============================================================================================= */
 
-/* How many points tessellation hardware makes of a triangle whose levels are all `level`, with equal spacing, in point
-   mode [DSS14 section 3.1]: (3/4) i^2 + (3/2) i + 1 at an even level i, 3 ceil(i/2)^2 at an odd one: 3, 7, 12, 19 ..
-   3169. 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
+/* The number of points that tessellation hardware makes of a triangle whose levels are all `level`, with equal spacing,
+   in point mode [DSS14 section 3.1]: (3/4) i^2 + (3/2) i + 1 at an even level i, 3 ceil(i/2)^2 at an odd one: 3, 7, 12,
+   19 .. 3169. It is 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
 SSGI_DEF int ssgi_tess_count(int level);
 
-/* The points of a level as gl_TessCoord has them, but for a GPU's rounding (2e-5), in an order of ours: rings from the
-   edges inwards, each from a corner around.
+/* The points of a level as gl_TessCoord has them, but for the rounding of GPUs (2e-5). Their order is the library's
+   own: in rings from the edges inwards, each ring from a corner around.
      uvw      barycentric coordinates, 3 a point; they sum to 1 [limit: 3 * ssgi_tess_count(level) floats]
      level    [limit: 1..64] */
 SSGI_DEF ssgi_result ssgi_tess_points(float *uvw, int level, const char **why);
 
-/* The least level, 1..64, whose points are as many as discs of a radius have the triangle's area: with K = area / (pi
-   radius^2) ceil(sqrt((4 K - 1) / 3) - 1) [DSS14 section 3.1]. It is 1 for 3 discs or fewer, where the formula has no
-   level, and 64 for more than 3169, which want the triangle split (ssgi_surfel_desc.splits). The formula is that of
-   even levels: odd ones have a quarter of a point fewer, so that up to 3.25 discs level 1 suffices, and 12.1 get 12.
+/* The least level, 1..64, whose points are as many as the discs of a radius that together have the triangle's area:
+   ceil(sqrt((4 K - 1) / 3) - 1) with K = area / (pi radius^2) discs [DSS14 section 3.1]. It is 1 for 3 discs or fewer,
+   where the formula has no level, and 64 for more than 3169 discs, which need the triangle split
+   (ssgi_surfel_desc.splits). The formula is that of even levels. Odd levels have a quarter of a point fewer, so that
+   level 1 suffices for up to 3.25 discs, and 12.1 discs get 12 points.
      area     [units: view^2] 0 or below: level 1
      radius   [units: view] 0 or below: level 64
-   1 where either is not a finite float. GLSL twin: ssgi_tess_level, of the number of discs. */
+   It is 1 where either is not a finite float. GLSL twin: ssgi_tess_level, which takes the number of discs. */
 SSGI_DEF int ssgi_tess_level(double area, double radius);
 
-/* The radius at which so many discs have the triangle's area together: sqrt(area / (pi count)) [DSS14 section 3.1].
-   0 where area or count is not above 0 or not a finite float.
-     count    ssgi_tess_count of the level, or that times the share of the triangle's points that stay */
+/* The radius at which `count` discs together have the triangle's area: sqrt(area / (pi count)) [DSS14 section 3.1]. It
+   is 0 where area or count is not above 0 or not a finite float.
+     count    ssgi_tess_count of the level, or this number times the share of the triangle's points that stay */
 SSGI_DEF double ssgi_tess_radius(double area, double count);
 
 /* ==== >>surfels ================================================================================================ */
 
-/* Deep screen space [DSS14]: triangles become discs of about equal size on the screen, also where they are hidden, at
+/* In deep screen space [DSS14] triangles become discs of about equal size on the screen, also where they are hidden, at
    grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU; pass splat
    takes either. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte, as transform feedback captures them. */
 typedef struct ssgi_surfel {
     float position[3], radius; /* view space */
-    float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers: on level l the column by the lowest l
-                                  bits of seed 2^24, the row by those above its lowest 8 */
+    float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers: on level l the lowest l bits of seed
+                                  2^24 choose the column, and the bits above the lowest 8 choose the row */
     float colour[3], unused;   /* the source's colour until lit; then the radiance that leaves it for a bounce, the
                                   irradiance that it receives for scattering; not read for occlusion */
 } ssgi_surfel;
@@ -521,9 +542,9 @@ typedef struct ssgi_surfel {
    its edges. */
 enum {
     SSGI_OVERHANG_INCENTRE = 0, /* about the centre of the inscribed circle by 1 - r / the circle's radius, at least
-                                   1/4: discs end at the edges where they fit at all */
+                                   1/4: discs end at the edges if they fit into the triangle */
     SSGI_OVERHANG_CENTROID      /* as published, corners move by r toward the centroid, which leaves half of the
-                                   overhang; by 0.9 of the way at most, or slivers would turn over [DSS14 3.1] */
+                                   overhang; they move 0.9 of the way at most, or slivers would turn over [DSS14 3.1] */
 };
 
 /* How surfels are made. Zero is the default everywhere. */
@@ -533,8 +554,8 @@ typedef struct ssgi_surfel_desc {
     /* [limit: 0..32] [default: 8] into how many parts an edge may be split where the tessellator's last level, 64, is
        too coarse for the triangle */
     int splits;
-    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the frustum, where no
-       visible pixel is close; 1e-6: none, as published */
+    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the frustum, since no
+       visible pixel is close there; 1e-6: none, as published */
     float offscreen_growth;
     /* [limit: 0..1] 0: a triangle smaller than its three surfels keeps each with probability area / (3 pi r^2), at an
        unchanged radius, so that cost does not grow with mesh detail. 1: it keeps all, as published */
@@ -556,56 +577,57 @@ typedef struct ssgi_surfel_source {
     float to_view[16]; /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
 
-/* Radius of a surfel at a view depth [DSS14 section 3.1]: size tan(alpha/2) (|depth - near| + near), alpha the vertical
-   angle of view: half of `size` image heights on the screen; behind the near plane surfels grow again. Orthographic:
-   half of `size` image heights everywhere. 0 where size is not above 0, and for arguments that are not finite.
+/* Radius of a surfel at a view depth [DSS14 section 3.1]: size tan(alpha/2) (|depth - near| + near), where alpha is the
+   vertical angle of view. It is half of `size` image heights on the screen; behind the near plane surfels grow again.
+   With an orthographic projection it is half of `size` image heights everywhere. It is 0 where size is not above 0, and
+   for arguments that are not finite floats.
      size     [units: image heights] s: ssgi_surfel_desc.size, whose default 0.015 is not put in
      depth    [units: view] of the triangle's centroid; below 0 behind the eye
    GLSL twin: ssgi_surfel_radius. */
 SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth);
 
 /* Form factor of a disc, to be multiplied by the cosines at both ends: r^2 / (d^2 + r^2) [DSS14 section 4; Wallace,
-   Elmquist, Haines 1989]. Exact on the disc's axis; beside it too low when near: on a parallel receiver
-   0.93 .50 .07 of it at 15, 45 and 75 degrees from one radius away, .97 .73 .49 from two, .99 .91 .84 from four. 0
-   where radius is not above 0, and for arguments that are not finite.
-     radius, distance   [units: view] distance: to the centre */
+   Elmquist, Haines 1989]. It is exact on the disc's axis, and too low beside the axis when near: on a parallel receiver
+   it is 0.93 .50 .07 of the exact form factor at 15, 45 and 75 degrees from one radius away, .97 .73 .49 from two, .99
+   .91 .84 from four. It is 0 where radius is not above 0, and for arguments that are not finite floats.
+     radius, distance   [units: view] the distance is that to the disc's centre */
 SSGI_DEF double ssgi_surfel_form_factor(double radius, double distance);
 
-/* Distance at which a surfel's effect has fallen to epsilon: radius sqrt(brightest / epsilon - 1), linear in the
-   radius: the paper's getMaxDist [DSS14 sections 3.2, 4]. 0 where brightest is epsilon or less or radius is not above
-   0, and for arguments that are not finite; SSGI_FAR where epsilon is 0 or below.
-     brightest   the largest component of its radiance; 1 for occlusion
-     epsilon     the least effect that it is drawn for: ssgi_gl_frame.epsilon */
+/* Distance at which the contribution of a surfel has fallen to epsilon: radius sqrt(brightest / epsilon - 1), linear in
+   the radius. It is the paper's getMaxDist [DSS14 sections 3.2, 4]. It is 0 where brightest is epsilon or less or
+   radius is not above 0, and for arguments that are not finite floats; it is SSGI_FAR where epsilon is 0 or below.
+     brightest   the largest component of the radiance that the surfel sends; 1 for occlusion
+     epsilon     the least contribution that the surfel is drawn for: ssgi_gl_frame.epsilon */
 SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon);
 
 /* The distances d that a level is drawn for, shell[0] < d <= shell[1] [DSS14 section 3.2]: level 0 those up to reach,
-   level l > 0 those from reach 2^(l-1) to reach 2^l. Each distance up to the last level's end is in one shell (level 0:
-   d = 0, too). Both are `most` where the level lies beyond it, and 0 where a length is not above 0 or not a finite
-   float.
+   level l > 0 those from reach 2^(l-1) to reach 2^l. Each distance up to the last level's end is in one shell (d = 0 in
+   that of level 0). Both ends are `most` where the level lies beyond `most`, and 0 where a length is not above 0 or not
+   a finite float.
      reach    [units: view] ssgi_surfel_reach
      level    below 0 as 0, above 64 as 64
-     most     [units: view] ssgi_splat.max_distance; SSGI_FAR: no end */
+     most     [units: view] ssgi_splat.max_distance; SSGI_FAR: unlimited */
 SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double most);
 
-/* The values of ssgi_gl_frame.surfel, with defaults in place: radius per view depth (orthographic: radius), view depth
+/* The numbers of ssgi_gl_frame.surfel, with defaults in place: radius per view depth (orthographic: radius), view depth
    of the near plane, offscreen_growth, splits. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const char **why);
 
 /* Subdivides triangles that need more than desc->splits parts an edge, such as a ground that reaches the horizon, into
-   four, recursively, at most ten times; drops those farther outside the frustum than desc->max_distance. The others
-   stay unchanged, in their order.
+   four, recursively, at most ten times, and drops triangles farther outside the frustum than desc->max_distance. The
+   other triangles stay unchanged, in their order.
      out      27 floats a triangle: position, normal, colour of each corner in mesh space (normal 0 0 0 where
-              source->normal is NULL). Usable as a source of ssgi_surfels and as patches
+              source->normal is NULL). They are usable as a source of ssgi_surfels and as patches
      count    how many triangles there are; at most `capacity` of them are written */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* Makes surfels of triangles; their areas sum to the triangle's, on average where small ones are thinned (keep_small
-   0). Writes at most `capacity`, and to *count how many there are (query with out NULL and capacity 0). Triangles
-   without area, with corners that are not finite or beyond SSGI_FAR, or too small for a radius above 0 give none;
-   normals that are not finite count as 0. A surfel's seed depends on its triangle's vertex indices and its place there
-   alone. */
+   0). Writes at most `capacity` surfels, and to *count their number (to query it, give out NULL and capacity 0).
+   Triangles without area, with corners that are not finite or beyond SSGI_FAR, or too small for a radius above 0 give
+   none; normals that are not finite count as 0. A surfel's seed depends only on the vertex indices of its triangle and
+   on its place in the triangle. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -621,7 +643,7 @@ typedef struct ssgi_splat {
 enum { SSGI_SPLAT_LEVELS = 7 };
 
 /* Texels along x and y of one level in the shuffled layout: the frame's size, rounded up to multiples of
-   2^(levels - 1). All levels lie below each other in one texture of size[0] x (levels * size[1]) texels.
+   2^(levels - 1). The levels lie below each other in one texture of size[0] x (levels * size[1]) texels.
      width, height   [limit: 1..65536]
      levels          [limit: 1..7] */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
@@ -629,20 +651,20 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
 /* The cost of a frame before anything is drawn. */
 typedef struct ssgi_surfel_cost {
     size_t surfels;                   /* how many */
-    int splits;                       /* how many the triangles ask for; ssgi_surfel_desc.splits limits them */
+    int splits;                       /* parts of an edge that triangles need; ssgi_surfel_desc.splits limits them */
     double pixels[SSGI_SPLAT_LEVELS]; /* texels that the splats of each level cover, each overlap counted */
 } ssgi_surfel_cost;
 
-/* Predicts it. Surfels are counted exactly; pixels are those of one surfel at the centre of each part of a triangle
-   times the part's surfels (within 1.4 % of all surfels' where tested). desc, view, source as for ssgi_surfels; zeros
-   in splat are the defaults. */
+/* Predicts the cost. Surfels are counted exactly; pixels are those of one surfel at the centre of each part of a
+   triangle, times the number of surfels of the part (within 1.4 % of the pixels of all surfels where tested). desc,
+   view and source are as for ssgi_surfels; zeros in splat are the defaults. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
                                           const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* ==== >>dipole ================================================================================================= */
 
-/* Multiple scattering under a surface by the dipole of [JMLH01, JB02; DSS14 section 4], three channels. Lengths are in
-   the unit that ssgi_dipole_set was given. */
+/* Multiple scattering under a surface by the dipole of [JMLH01, JB02; DSS14 section 4], in three channels. Lengths are
+   in the unit of the coefficients that ssgi_dipole_set was given. */
 typedef struct ssgi_dipole {
     double z_r[3];      /* depth of the real source below the surface */
     double z_v[3];      /* height of the virtual source above it */
@@ -650,7 +672,7 @@ typedef struct ssgi_dipole {
     double albedo[3];   /* alpha', the reduced albedo */
 } ssgi_dipole;
 
-/* A dipole of a material.
+/* Makes the dipole of a material.
      sigma_s    reduced scattering coefficient [units: 1/length] [limit: > 0]
      sigma_a    absorption coefficient [units: 1/length] [limit: >= 0]
      eta        relative index of refraction [limit: 1..3] */
@@ -663,16 +685,16 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
 
 /* ==== >>cap ==================================================================================================== */
 
-/* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that it takes, in closed form
-   [AOF05 eq. 3, whose formula the paper leaves out].
+/* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that the cap takes, in closed
+   form [AOF05 eq. 3, whose formula the paper leaves out].
      solid_angle  [units: sr] [limit: 0..4 pi, clamped]
-     cosine       between the cap's axis and the surface's normal [limit: -1..1, clamped]
-   Values that are not finite count as 0. The result is in [0,1], monotone in both. Absolute error 1e-12; as a float
-   1e-7. GLSL twin: ssgi_cap. */
+     cosine       of the angle between the cap's axis and the surface's normal [limit: -1..1, clamped]
+   Arguments that are not finite count as 0. The result is in [0,1] and monotone in both arguments, with an absolute
+   error of 1e-12, as a float of 1e-7. GLSL twin: ssgi_cap. */
 SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine);
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
-/* The same as a look-up table [AOF05 section 4.2], for desc.cap_table of ssgi_gl.h or for shaders of your own:
+/* The same occlusion as a look-up table [AOF05 section 4.2], for desc.cap_table of ssgi_gl.h or for your shaders:
    out[y * size + x] is the occlusion of solid angle 4 pi x / (size - 1) and cosine 2 y / (size - 1) - 1. Values stand
    at the texels' centres: u = (solid_angle / (4 pi) * (size - 1) + 0.5) / size, v = ((cosine + 1) / 2 * (size - 1) +
    0.5) / size.
@@ -682,30 +704,31 @@ SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
 
 /* Irradiance from the part of an environment within a cap [AOF05 section 6]: pi times the cap's occlusion, times the
-   radiance there, averaged by the cosine over 256 directions of the cap. With the cap of ssgi_field_cap an occluder
-   blocks it: subtract fill times it from unoccluded irradiance. With the rest of the sphere (4 pi - solid_angle,
-   -axis), the inverse cap, it is the irradiance that stays.
+   environment's radiance there, averaged by the cosine over 256 directions of the cap. With the cap of ssgi_field_cap
+   it is the irradiance that an occluder takes away: subtract fill times it from unoccluded irradiance. With the rest of
+   the sphere (4 pi - solid_angle, -axis), the inverse cap, it is the irradiance that remains.
      coefficients   [3*i + c] of radiance: ssgi_sh_project_equirect
      bands          [limit: 1..SSGI_SH_MAX_BANDS]
      solid_angle    [units: sr] [limit: finite; clamped to 0..4 pi]
      axis, normal   [limit: finite, not 0] in the coefficients' space, of any length
-   Exact where the light is constant, else within 0.5 % of the unoccluded irradiance, inverse caps within 1.5 %. */
+   It is exact where the light is constant, else within 0.5 % of the unoccluded irradiance, and for inverse caps within
+   1.5 %. */
 SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int bands, float solid_angle,
                                     const float axis[3], const float normal[3], const char **why);
 
 /* ==== >>field ================================================================================================== */
 
-/* Ambient occlusion fields [AOF05]: the occlusion of its surroundings by a rigid occluder, baked once, evaluated at any
-   point at a cost that does not depend on its number of triangles. For each direction of a cube map about the
-   occluder's centre the field stores the spherical cap that the occluder subtends, as a function of the distance from
-   the centre, between the convex hull and the field's reach.
+/* An ambient occlusion field [AOF05] holds the occlusion of its surroundings by a rigid occluder. It is baked once and
+   evaluated at any point, at a cost that does not depend on the number of triangles. For each direction of a cube map
+   about the occluder's centre the field stores the spherical cap that the occluder subtends, as a function of the
+   distance from the centre, between the convex hull and the field's reach.
 
       ssgi_field_desc d = { 0 };                                   every choice at its default
       uint32_t *texels = malloc(ssgi_field_size(16));              16 x 16 texels a face
       size_t    size = ssgi_field_bake_size(&d, triangles);
       void     *work = malloc(size);
       if (ssgi_field_bake(&field, texels, work, size, &d, position, 12, NULL, triangles, &why) != SSGI_OK) puts(why);
-      free(work);                                                  field needs its texels only
+      free(work);                                                  the field needs its texels only
       occlusion = ssgi_field_occlusion(&field, NULL, point, normal);      */
 
 /* How a field is baked. Zero is the default everywhere. */
@@ -714,37 +737,42 @@ typedef struct ssgi_field_desc {
     int radii;      /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
     int rays;       /* [limit: 0, 16..65536] [default: 128] traced at each distance */
     float reach;    /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] where the field ends */
-    int unfiltered; /* [limit: 0 or 1] 1: directions are sampled at the resolution itself, without the Gaussian,
-                       in a quarter of the time: figure 5 of the paper shows the effect on thin parts */
-    /* Your ray caster: 1 if the ray meets the occluder at any t > 0; NULL: ours, which finds the hull in any case. */
+    int unfiltered; /* [limit: 0 or 1] 1: directions are sampled at the resolution itself, without the Gaussian, in a
+                       quarter of the time: figure 5 of the paper shows the effect on thin parts */
+    /* Your ray caster, which returns 1 if the ray meets the occluder at any t > 0. NULL: the library's, which finds the
+       hull in any case. */
     int (*hit)(void *user, const float origin[3], const float direction[3]);
-    /* Your samples instead of rays [AOF05 section 4.1], rasterised for instance: of point i, x y z at point[3 * i] in
-       the mesh's space, out[4 * i] is the solid angle of the occluder [units: sr] and the next three are its mean
-       direction, from the point to it. Its length tells how far the occluder fills its cap; 1, or more than can be, is
-       a cap that is filled, as in the paper, which has unit directions. Not finite means that nothing is seen.
-       Called once a direction, with all its distances: desc.radii points from near the hull to the reach, ascending.
-       Values inside the hull, and the reported errors, come from rays in any case. NULL: rays. */
+    /* Your samples instead of rays [AOF05 section 4.1], rasterised for instance. For point i, whose x y z are at
+       point[3 * i] in the mesh's space, out[4 * i] is the solid angle of the occluder [units: sr] and the next three
+       floats are its mean direction, from the point to the occluder. The length of this direction tells how far the
+       occluder fills its cap; a length of 1, or more than is possible, means that the cap is filled, as in the paper,
+       which has unit directions. Where a value is not finite, nothing counts as seen. The function is called once for
+       each direction, with all distances: desc.radii points from near the hull to the reach, ascending. The occlusion
+       inside the hull and the reported errors come from rays in any case. NULL: rays. */
     void (*sample)(void *user, float *out, const float *point, int count);
-    /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
+    /* Your threads: it calls job(context, i) for every i in [0, count) and returns when all are done. NULL: one by
+       one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
-    /* Called now and then on the caller's thread, done in [0,1]; not 0 gives up: SSGI_CANCELLED. */
+    /* It is called now and then on the caller's thread, with done in [0,1]. If it returns other than 0, the bake gives
+       up with SSGI_CANCELLED. */
     int (*progress)(void *user, float done);
-    void *user; /* handed to all of them; hit and sample must be reentrant if parallel has threads */
+    void *user; /* handed to all these functions; hit and sample must be reentrant if parallel has threads */
 } ssgi_field_desc;
 
-/* A baked field, in the occluder's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
+/* A baked field, in the occluder's own coordinates. ssgi_field_bake or ssgi_field_load makes it; it is read-only for
+   you. */
 typedef struct ssgi_field {
-    /* The cube map, to be uploaded as RG32UI: (resolution + 2) x 6 (resolution + 2) texels, the faces below each other
-       in GL's order, each within a border of one texel from its neighbours. Two words a texel hold eight components of
-       8 bits, lowest first: three logarithms of the distance function; the hull's distance; x y z of the characteristic
-       centre; the covered share of the cap. */
+    /* The cube map, to be uploaded as RG32UI: (resolution + 2) x 6 (resolution + 2) texels, with the faces below each
+       other in GL's order, each within a border of one texel from its neighbours. Two words a texel hold eight
+       components of 8 bits, lowest first: three logarithms of the distance function; the hull's distance; x y z of the
+       characteristic centre; the covered share of the cap. */
     const uint32_t *texels;
     int resolution; /* texels along a side of a face, without the border */
     int radii;      /* distances that were sampled along each direction */
 
     float centre[3], radius; /* [units: the mesh's] the bounding sphere; the centre lies in the convex hull */
     float reach;             /* [units: the mesh's] where the field ends, from the centre */
-    float inside;            /* A_0: mean occlusion of points in the hull, but for those that the mesh encloses */
+    float inside;            /* A_0: mean occlusion of points in the hull, but for points that the mesh encloses */
     float low[8], span[8];   /* 0 of a component stands for low, 255 for low + span */
 
     /* Errors of occlusion as stored, without the ramp, at receivers that the bake did not sample: directions between
@@ -757,7 +785,7 @@ typedef struct ssgi_field_limits {
     /* Distances from the centre between which occlusion falls to 0 [units: the mesh's]
        [limit: 0 <= ramp < reach <= field->reach] */
     float ramp, reach;
-    /* In the hull, at a share s of the way from the centre: mix(inside, occlusion at the hull, s^power)
+    /* In the hull, at a share s of the way from the centre, occlusion is mix(inside, occlusion at the hull, s^power)
        [limit: 0..1 and > 0] */
     float inside, power;
 } ssgi_field_limits;
@@ -765,55 +793,58 @@ typedef struct ssgi_field_limits {
 /* Bytes of a field's texels; 0 for a bad resolution [limit: 2..128]. */
 SSGI_DEF size_t ssgi_field_size(int resolution);
 
-/* Bytes of a bake's work memory, which is not needed later: 59 a triangle + 960 resolution^2. 0: bad arguments. */
+/* Bytes of a bake's work memory, which is not needed later: 59 a triangle + 960 resolution^2; 0 for bad arguments. */
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
-/* Bakes: samples directions at twice the resolution, fits each texel, reduces by a Gaussian [AOF05 section 4.1]; by
-   rays, or from desc.sample.
+/* Bakes a field: samples directions at twice the resolution, by rays or from desc.sample, fits each texel, and reduces
+   by a Gaussian [AOF05 section 4.1].
      texels     ssgi_field_size(desc's resolution) bytes, which belong to the field from then on
      work       work_size >= ssgi_field_bake_size(desc, triangles) bytes of any alignment
-     position, stride_bytes, index, triangles   as in ssgi_trace_build, which tells which triangles are left out
-   Same input, same bytes, with any number of threads and at any optimisation that keeps IEEE arithmetic (not
-   -ffast-math; with FMA instructions -ffp-contract=off). Fails with SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size) or
-   SSGI_CANCELLED; *field is then untouched, texels and work are not. Resolution 16 with 128 rays takes 9.4 million
-   rays. For an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below it. */
+     position, stride_bytes, index, triangles   as in ssgi_trace_build, which names the triangles that are left out
+   The same input gives the same bytes, with any number of threads and at any optimisation that keeps IEEE arithmetic
+   (not -ffast-math; with FMA instructions -ffp-contract=off). The bake fails with SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL
+   (work_size) or SSGI_CANCELLED; *field is then untouched, but texels and work may be written. Resolution 16 with 128
+   rays takes 9.4 million rays. For an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below
+   it. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
                                      const uint32_t *index, size_t triangles, const char **why);
 
-/* Limits to start from: ramp over the last quarter of the reach, inside as measured, power 1. */
+/* Limits to start from: a ramp over the last quarter of the reach, inside as measured, power 1. */
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 
-/* Occlusion of a point by the occluder, in [0,1], 0 from the reach on; finite whatever the input. Ambient light is
-   multiplied with 1 - occlusion, once for each occluder. GLSL twin: ssgi_field_occlusion.
+/* Occlusion of a point by the occluder: it is in [0,1], 0 from the reach on, and finite whatever the input. Multiply
+   ambient light by 1 - occlusion, once for each occluder. GLSL twin: ssgi_field_occlusion.
      limits           NULL: ssgi_field_limits_of
      point, normal    in the occluder's coordinates; the normal unit */
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
                                     const float normal[3]);
 
-/* The cap itself, for points in the hull that at the hull: its solid angle [units: sr], its unit axis, and in *fill the
-   share of it that is covered. ssgi_cap_light has the light that it blocks. Returns the point's distance from the
-   centre over the hull's. No argument may be NULL; a point that is not finite counts as the centre. */
+/* The cap itself; for points in the hull, the cap at the hull: its solid angle [units: sr], its unit axis, and in *fill
+   the share of the cap that is covered. ssgi_cap_light gives the irradiance of an environment that the cap takes away.
+   Returns the point's distance from the centre over the hull's. No argument may be NULL; a point that is not finite
+   counts as the centre. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
 
-/* A field as the bytes of a file, the same on every machine. Returns how many there are, 0 for no field; writes them if
+/* Saves a field as the bytes of a file, the same on every machine. Returns their number, 0 for no field; writes them if
    out is not NULL and capacity suffices. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
 
-/* A field from such bytes. With texels NULL and size 0 all but the texels is filled: ask so first, for the resolution.
+/* Loads a field from such bytes. With texels NULL and size 0 all but the texels is filled: call it so first, to learn
+   the resolution.
      texels, size   [units: bytes] [limit: ssgi_field_size(field->resolution), else SSGI_TOO_SMALL]
-     file           SSGI_BAD_ARGUMENT: cut short, too long, foreign, of another version, or corrupt */
+     file           SSGI_BAD_ARGUMENT if it is cut short, too long, foreign, of another version, or corrupt */
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why);
 
 /* ==== >>plan =================================================================================================== */
 
 /* Chooses the cheapest method and settings whose predicted error meets yours, or the least error within your budget.
-   Fitted on ray-traced truth of 121 views, tested on other scenes: README. A survey improves predictions, a calibration
-   most.
+   The predictions were fitted to ray-traced truth of 121 views and tested on other scenes: README. A survey improves
+   predictions; a calibration improves them most.
 
-      ssgi_plan_scene s = { 0 };                                       members that stay 0 are not known
+      ssgi_plan_scene s = { 0 };                                       a number left 0 is not known
       s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;   s.thickness = SSGI_PLAN_SLABS;
       ssgi_survey_of(&s.survey, hsao, best, solid, hsao_slabs, pixels, NULL);     pictures of hsao
       ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, hsao_slabs, 3000, 64, radius, NULL);
@@ -828,20 +859,20 @@ enum {
     SSGI_PLAN_OBJECTS,        /* ambient visibility between rigid objects, at any distance. RMSE of it */
 };
 
-/* plan.method. When light is wanted HSAO dims the irradiance of harmonics. */
+/* plan.method. When light is wanted, HSAO dims the irradiance of harmonics. */
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
 
 /* plan.thickness: desc.thickness of ssgi_gl.h with other numbers; ssgi_gl_plan translates. WIDTH is the default of
-   chains: ssgi_gl_steps draws pass width, of which the costs here know. */
+   chains: ssgi_gl_steps draws pass width, and the costs here include it. */
 enum { SSGI_PLAN_WIDTH = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };
 
-/* plan_scene.device: whose costs. */
+/* plan_scene.device: the device whose costs count. */
 enum {
-    SSGI_PLAN_SOFTWARE = 0, /* llvmpipe's, measured */
-    SSGI_PLAN_GPU,          /* an RX 6800's at 1920x1080, modelled by its compiler's instructions, never measured */
+    SSGI_PLAN_SOFTWARE = 0, /* llvmpipe's costs, measured */
+    SSGI_PLAN_GPU,          /* an RX 6800's at 1920x1080, modelled from its compiler's instructions, never measured */
 };
 
-/* How pictures of one frame differ: RMS over the pixels with a surface. */
+/* How pictures of one frame differ, as RMS over the pixels with a surface. */
 typedef struct ssgi_survey {
     float occlusion; /* of 1 - visibility, by slabs where they are drawn; 0: no survey */
     float detail;    /* of best - hsao */
@@ -849,11 +880,11 @@ typedef struct ssgi_survey {
     float slabs;     /* of slabs - hsao; 0: not drawn */
 } ssgi_survey;
 
-/* A survey of full-size pictures of pass HSAO by slices, filtered, all of one radius; count floats each. A pixel that
-   is NaN in any of them is left out: set it NaN where there is no surface (the pass writes 1 there).
+/* Makes a survey of full-size pictures of pass HSAO by slices, filtered, all of one radius; each has count floats. A
+   pixel that is NaN in any of them is left out: set it NaN where there is no surface (the pass writes 1 there).
      hsao, best    presets BALANCED and BEST with the default thickness, of chains WIDTH
      solid         preset BALANCED with desc.thickness SOLID
-     slabs         preset BALANCED with desc.thickness SLABS; may be NULL, the others not */
+     slabs         preset BALANCED with desc.thickness SLABS; may be NULL; the others may not */
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
                                     const float *slabs, size_t count, const char **why);
 
@@ -866,9 +897,9 @@ typedef struct ssgi_calibration {
 } ssgi_calibration;
 
 /* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
-   renderer would do that.) The rays' variance is removed by comparing two halves, so that 64 rays suffice. 3000 points
-   spread over the frame, 0.2 million rays, give the error over all of its pixels to 3 to 6 % in half of 27 views, to
-   10 % in nine of ten.
+   renderer would have to do so.) The rays' variance is removed by comparing two halves, so that 64 rays suffice. 3000
+   points spread over the frame, 0.2 million rays, give the error over all pixels of the frame to 3 to 6 % in half of 27
+   views, and to 10 % in nine of ten.
      position, normal   of each point, in the trace's space; normals unit, toward the viewer. Take positions from
                         tracing the pixels' rays: those from depth are too coarse far away
      hsao, slabs        ambient visibility in the frame at each point, by the settings of ssgi_calibration; slabs may be
@@ -880,14 +911,14 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
                                          const float *normal, const float *hsao, const float *slabs, size_t count,
                                          int rays, float radius, const char **why);
 
-/* The known numbers of a scene, and the request. Zero means not known, or the default. A comment in capitals names
-   the values of `wanted` for which a member is read. */
+/* The known numbers of a scene, and the request. Zero means not known, or the default. A comment in capitals names the
+   values of `wanted` for which a member is read. */
 typedef struct ssgi_plan_scene {
     /* the request */
     int wanted;   /* SSGI_PLAN_VISIBILITY .. */
     int device;   /* SSGI_PLAN_SOFTWARE .. */
-    float error;  /* [limit: >= 0] 0: the least that the budget buys */
-    float budget; /* [units: time of an unblurred 16-sample ssao on the device] [limit: >= 0] 0: any */
+    float error;  /* [limit: >= 0] 0: the least error that the budget buys */
+    float budget; /* [units: time of an unblurred 16-sample ssao on the device] [limit: >= 0] 0: unlimited */
 
     /* the geometry in the frame */
     float screen_radius; /* [limit: >= 0] [default: 0.15] the radius over the frame's height, mean over the visible
@@ -896,44 +927,44 @@ typedef struct ssgi_plan_scene {
     ssgi_calibration calibration; /* OBJECTS: only unoccluded is read */
 
     /* the light */
-    float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: a clear sky's, as 1 : 0.42 : 0.13
-                        : 0.18 */
-    int map;         /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
+    float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: those of a clear sky, 1 : 0.42 :
+                        0.13 : 0.18 */
+    int map;         /* LIGHT, BOUNCE: 1: there is also an image of the environment, which ssdo looks up */
     float albedo;    /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
 
-    /* the techniques that may be used */
-    int thickness;    /* the most that may be chosen: SSGI_PLAN_WIDTH, _BACK or _SLABS */
+    /* the passes that may be drawn */
+    int thickness;    /* the largest that may be chosen: SSGI_PLAN_WIDTH, _BACK or _SLABS */
     float depth_pass; /* [units: as budget] [limit: >= 0] cost of one depth-only pass; BACK adds 1 of it, SLABS 3 */
-    int history;      /* 1: frames may be averaged: the camera's motion is known, a trail may show */
-    double surfels;   /* VISIBILITY: how many the triangles become at size 0.015 (ssgi_surfels_predict), over the
+    int history;      /* 1: frames may be averaged: the camera's motion is known, and trails may show */
+    double surfels;   /* VISIBILITY: surfels that the triangles become at size 0.015 (ssgi_surfels_predict), over the
                          frame's pixels; 0: none may be made */
     double splats;    /* VISIBILITY: texels of their splats, all levels, over the frame's pixels [default: 170] */
-    int occluders;    /* OBJECTS: how many have fields */
+    int occluders;    /* OBJECTS: number of those with fields */
     float coverage;   /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
     int method; /* SSGI_PLAN_NOTHING .. */
 
-    /* settings, 0 where the method has none: as in ssgi_gl_desc, but thickness SSGI_PLAN_WIDTH .., history of
-       ssgi_gl_chain, resolution of ssgi_field_desc, size of ssgi_surfel_desc */
+    /* settings, 0 where the method has none. They are as in ssgi_gl_desc, but thickness is SSGI_PLAN_WIDTH .., and
+       history is as in ssgi_gl_chain, resolution as in ssgi_field_desc, size as in ssgi_surfel_desc */
     int thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
     float size;
 
-    /* the prediction */
+    /* the predictions for these settings */
     float cost;    /* [units: as budget] with depth passes, without making surfels and fields; at most SSGI_FAR */
     float error;   /* in the measure of `wanted`; at most SSGI_FAR */
-    int meets;     /* 1: error <= 1.05 x that asked for, and cost within the budget; 0 if no error was asked for */
+    int meets;     /* 1: error <= 1.05 x scene.error, and cost within the budget; 0 if no error was asked for */
     char why[160]; /* one sentence */
 } ssgi_plan;
 
-/* Plans. Where nothing meets the error the nearest choice is given, with meets 0 and a `why` that begins "cannot be
-   met". Bad input: SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
+/* Makes a plan. Where no choice meets the error, the nearest one is given, with meets 0 and a `why` that begins "cannot
+   be met". Bad input gives SSGI_BAD_ARGUMENT and leaves the plan untouched. It is a pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
 /* Choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked), and an
    empty `why`. Returns 1 with *plan filled; 0 with *plan untouched past the last choice, for NULL, or where the choice
-   is not for the quantity that is wanted, or needs a technique that the scene does not allow. */
+   does not serve scene->wanted or needs a part that the scene does not give. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 
 enum { SSGI_PLAN_CHOICES = 46 };
@@ -1010,7 +1041,7 @@ static int ssgi__finite(float x)
     return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
-/* Whether v is not NULL and all are finite. */
+/* Whether v is not NULL and all its values are finite. */
 SSGI__FN int ssgi__finites(const float *v, int count)
 {
     if (!v) return 0;
@@ -1021,7 +1052,7 @@ SSGI__FN int ssgi__finites(const float *v, int count)
     return count == 0;
 }
 
-/* Whether all are finite and 0 or more. */
+/* Whether all values are finite and 0 or more. */
 SSGI__FN int ssgi__positive(const float *v, int count)
 {
     while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) {
@@ -1036,13 +1067,13 @@ SSGI__FN int ssgi__above_zero(double x) { return ssgi__finite((float)x) && (floa
 
 SSGI__FN int ssgi__within(float x, float least, float most) { return ssgi__finite(x) && x >= least && x <= most; }
 
-/* A choice whose 0 means its default. */
+/* Whether x is a valid choice, of which 0 means the default. */
 SSGI__FN int ssgi__zero_or(float x, float least, float most)
 {
     return ssgi__within(x, 0.0f, 0.0f) || ssgi__within(x, least, most);
 }
 
-/* A radiance or flux: 0 if not finite, clamped so that sums over any image stay finite. */
+/* A radiance or flux is 0 if it is not finite; it is clamped so that sums over any image stay finite. */
 static double ssgi__light(float x, float least)
 {
     return ssgi__finite(x) ? (double)(x < least ? least : x > 1e24f ? 1e24f : x) : 0.0;
@@ -1050,7 +1081,7 @@ static double ssgi__light(float x, float least)
 
 static double ssgi__luminance(const double rgb[3]) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-/* A radiance times a weight. Returns its luminance. */
+/* Multiplies a radiance by a weight. Returns the luminance of the product. */
 SSGI__FN double ssgi__light3(double out[3], const float *rgb, float least, double weight)
 {
     for (int c = 0; c < 3; ++c) out[c] = weight * ssgi__light(rgb[c], least);
@@ -1090,7 +1121,7 @@ SSGI__FN void ssgi__floats(float out[3], const double v[3])
     for (int i = 0; i < 3; ++i) out[i] = (float)v[i];
 }
 
-/* Returns the length that it had; 0 stays 0. */
+/* Returns the length that v had; a zero vector stays 0. */
 SSGI__FN double ssgi__normalise(double v[3])
 {
     const double length = sqrt(ssgi__dot(v, v));
@@ -1098,7 +1129,7 @@ SSGI__FN double ssgi__normalise(double v[3])
     return length;
 }
 
-/* Two axes across a unit vector, which is the third. */
+/* Two axes perpendicular to a unit vector, which is the third axis. */
 SSGI__FN void ssgi__axes(float axes[3][3], const double axis[3])
 {
     double side[3] = { 0.0, 0.0, 0.0 }, up[3];
@@ -1150,7 +1181,7 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
     scale = clip == SSGI_CLIP_GL ? 2.0 : 1.0; /* NDC z = scale * window depth + shift */
     shift = clip == SSGI_CLIP_GL ? -1.0 : 0.0;
     if (perspective ? m[11] > 0.0 : (m[14] - shift) / m[10] <= 0.0 && (m[14] - shift - scale) / m[10] <= 0.0)
-        for (int i = 8; i < 12; ++i) m[i] = -m[i]; /* left-handed: of z negated it is right-handed */
+        for (int i = 8; i < 12; ++i) m[i] = -m[i]; /* left-handed: with z negated it is right-handed */
 
     /* NDC x = m0 x/z - m8 (perspective, z the view depth) or m0 x + m12; pixel = (NDC/2 + 1/2) size. The same for y. */
     memset(&v, 0, sizeof v);
@@ -1169,7 +1200,7 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
     if (perspective) { /* NDC z = m14/z - m10, and m2 x/z + m6 y/z where it is oblique */
         v.depth[0] = (float)((shift + m[10] - skew) / m[14]);
         v.depth[1] = (float)(scale / m[14]);
-        v.clear = v.depth[1] > 0.0f ? 0.0f : 1.0f; /* nearness grows with window depth: reversed */
+        v.clear = v.depth[1] > 0.0f ? 0.0f : 1.0f; /* if nearness grows with window depth, depth is reversed */
     } else {                                       /* NDC z = -m10 z + m14, and m2 x + m6 y */
         v.depth[0] = (float)((m[14] - shift + skew) / m[10]);
         v.depth[1] = (float)(-scale / m[10]);
@@ -1226,7 +1257,7 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
     return ssgi__max(x, y) * (view->orthographic ? 1.0f : z);
 }
 
-/* Distance of a view-space point outside the frustum, 0 inside: the largest of those beyond the side planes and the
+/* Distance of a view-space point outside the frustum, 0 inside. It is the largest distance beyond a side plane or the
    near plane. The far plane does not count. */
 SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
 {
@@ -1245,7 +1276,7 @@ SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
     return most;
 }
 
-/* The rotation of the main camera's matrix, a row an axis. */
+/* The rotation of the main camera's matrix, with one axis in each row. */
 SSGI__FN ssgi_result ssgi__main_axes(double axis[3][3], const float main_world_to_view[16], const char **why)
 {
     SSGI__CHECK(ssgi__finites(main_world_to_view, 16), "main_world_to_view: must be finite");
@@ -1263,7 +1294,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
 {
-    const double sin50 = 0.76604444311897803520, cot50 = 0.83909963117728001176; /* of half the widest angle */
+    const double sin50 = 0.76604444311897803520, cot50 = 0.83909963117728001176; /* of half the widest angle of view */
     const double r = (double)radius;
     double was[3][3], axis[3][3], turn[3], eye[3] = { 0, 0, 0 }, distance, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
@@ -1274,14 +1305,15 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
     SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be there and finite");
 
-    /* z looks away from the centre; x is across the main camera's y, or where that is z its forward direction */
+    /* z looks away from the centre; x is perpendicular to the main camera's y, or, where that is z, to its forward
+       axis */
     for (int k = 0; k < 3; ++k) { /* the main eye stands at minus the translation, in its own axes */
         for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
         axis[2][k] = eye[k] - (double)centre[k];
     }
     distance = ssgi__normalise(axis[2]);
-    if (distance < 1e-6 * r) { /* at the centre: as the main camera looks */
+    if (distance < 1e-6 * r) { /* at the centre it looks as the main camera does */
         memcpy(axis[2], was[2], sizeof axis[2]);
         ssgi__normalise(axis[2]);
     }
@@ -1324,7 +1356,7 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3])
 
 /* ==== >>bias (implementation) ================================================================================== */
 
-/* Clamped to 0..SSGI_FAR, NaN as 0. */
+/* Clamps to 0..SSGI_FAR; NaN counts as 0. */
 SSGI__FN float ssgi__clamped_length(float x)
 {
     uint32_t bits;
@@ -1359,15 +1391,15 @@ typedef struct ssgi__peaks {
     const char *position;
     size_t stride;
     const uint32_t *index;
-    uint32_t *corner; /* a corner at each vertex */
-    uint32_t *vertex; /* at each corner */
-    uint32_t *part;   /* of each vertex: another of its level part or itself; SSGI__UP, SSGI__DOWN */
+    uint32_t *corner; /* of each vertex: a corner at it */
+    uint32_t *vertex; /* of each corner */
+    uint32_t *part;   /* of each vertex: another of its level part, or itself; with SSGI__UP, SSGI__DOWN */
     double up[3], middle[3];
     int along; /* heights are along up; 0: from the middle */
 } ssgi__peaks;
 
-#define SSGI__UP 0x80000000u   /* an edge leads up from it */
-#define SSGI__DOWN 0x40000000u /* one leads down */
+#define SSGI__UP 0x80000000u   /* an edge leads up from the part */
+#define SSGI__DOWN 0x40000000u /* an edge leads down from it */
 #define SSGI__PART 0x3fffffffu
 
 SSGI__FN void ssgi__peaks_at(double p[3], const ssgi__peaks *m, uint32_t corner)
@@ -1388,7 +1420,7 @@ SSGI__FN int ssgi__peaks_before(const ssgi__peaks *m, uint32_t a, uint32_t b)
     return p[axis] < q[axis];
 }
 
-/* Puts corner k of a heap of n where it belongs: none before those below it. */
+/* Sifts corner k of a heap of n down, until no corner is before those below it in the heap. */
 SSGI__FN void ssgi__peaks_sift(const ssgi__peaks *m, size_t k, size_t n)
 {
     const uint32_t moved = m->corner[k];
@@ -1400,7 +1432,7 @@ SSGI__FN void ssgi__peaks_sift(const ssgi__peaks *m, size_t k, size_t n)
     m->corner[k] = moved;
 }
 
-/* Sorts n corners, then gives those at one place one vertex. Returns how many vertices there are. */
+/* Sorts n corners, then gives corners at one place one vertex. Returns the number of vertices. */
 SSGI__FN size_t ssgi__peaks_weld(const ssgi__peaks *m, size_t n)
 {
     size_t vertices = 0;
@@ -1438,7 +1470,8 @@ SSGI__FN uint32_t ssgi__peaks_part(const ssgi__peaks *m, uint32_t vertex)
     return vertex;
 }
 
-/* An edge: joins level ones, marks those that it leads up and down from. */
+/* Takes an edge: joins the level parts of its ends if it is level, else marks the part that it leads up from and the
+   part that it leads down from. */
 SSGI__FN void ssgi__peaks_edge(const ssgi__peaks *m, uint32_t a, uint32_t b, double level)
 {
     const double rise = ssgi__peaks_height(m, b) - ssgi__peaks_height(m, a);
@@ -1454,7 +1487,7 @@ SSGI__FN void ssgi__peaks_edge(const ssgi__peaks *m, uint32_t a, uint32_t b, dou
     }
 }
 
-/* Mean distance from vertices, which are maxima, to the nearest other. */
+/* Mean distance from the given vertices, which are the maxima, to the nearest other maximum. */
 SSGI__FN double ssgi__peaks_spacing(const ssgi__peaks *m, const uint32_t *vertex, size_t count)
 {
     const size_t step = (count + 1023) / 1024;
@@ -1490,7 +1523,7 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
     SSGI__ENOUGH(words, 9 * triangles, "words: must be 9 * triangles or more");
     m.vertex = work + 3 * triangles;
     m.part = m.vertex + 3 * triangles;
-    for (size_t i = 0; i < 3 * triangles; ++i) m.vertex[i] = SSGI__PART; /* left out */
+    for (size_t i = 0; i < 3 * triangles; ++i) m.vertex[i] = SSGI__PART; /* for now all are left out */
     for (size_t i = 0; i < triangles; ++i) {
         double p[3][3];
         int inside = 1;
@@ -1516,7 +1549,7 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
         const size_t next = i % 3 < 2 ? i + 1 : i - 2;
         if (m.vertex[i] != SSGI__PART) ssgi__peaks_edge(&m, m.vertex[i], m.vertex[next], 1e-6 * diagonal);
     }
-    peak = m.vertex; /* not needed any more */
+    peak = m.vertex; /* m.vertex is not needed any more */
     for (size_t i = 0; i < vertices; ++i)
         if (m.part[i] == ((uint32_t)i | SSGI__DOWN)) peak[found++] = (uint32_t)i;
     *radius = (float)(found > 1 ? ssgi__peaks_spacing(&m, peak, found) : 0.1 * diagonal);
@@ -1534,7 +1567,7 @@ SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i)
         f /= (double)base;
         r += f * (double)(i % base);
     }
-    return ssgi__min((float)r, 1.0f - FLT_EPSILON / 2); /* 0.99999999 rounds up to 1 */
+    return ssgi__min((float)r, 1.0f - FLT_EPSILON / 2); /* as 0.99999999 rounds up to 1 */
 }
 
 /* The hash of PCG [O'Neill 2014]. */
@@ -1545,7 +1578,7 @@ SSGI__FN uint32_t ssgi__hash(uint32_t x)
     return (x >> 22) ^ x;
 }
 
-/* A share of a turn, in [0,1). */
+/* A pseudo-random share of a turn, in [0,1). */
 SSGI__FN double ssgi__turn(uint32_t seed) { return (double)ssgi__hash(seed) / 4294967296.0; }
 
 SSGI__FN float ssgi__fract(double x)
@@ -1560,7 +1593,7 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2])
     out[1] = ssgi__fract(0.5 + 0.56984029099805326591 * (double)i);
 }
 
-/* Ray i of a stratified cone about axes[2]: directions are uniform, turned by seed. */
+/* Ray i of a stratified cone about axes[2]. Directions are uniform over the cone and moved by `shift`. */
 SSGI__FN void ssgi__cone_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
 {
     float at[2], z, radius, angle;
@@ -1587,7 +1620,8 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
     return ssgi_directions(out, SSGI_DIRECTIONS_COSINE, sets, samples, why);
 }
 
-/* The height of a direction, and its distance from z, at a share u of their measure from +z on. */
+/* The height of a direction and its distance from the z axis, where a share u of all directions lies between it and
+   +z. */
 SSGI__FN void ssgi__directions_at(double out[2], int kind, double u)
 {
     const double most = kind == SSGI_DIRECTIONS_SPHERE ? 2.0 : 1.0;
@@ -1604,13 +1638,15 @@ SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples
                 "kind: must be SSGI_DIRECTIONS_COSINE, _UNIFORM or _SPHERE");
     SSGI__RANGE(sets, 1, 4096);
     SSGI__RANGE(samples, 1, 4096);
-    /* coprime to the count: visits every stratum of length once; near sqrt(2)-1 of it: follows neither u nor azimuth */
+    /* a step coprime to the count visits every stratum of length once; near sqrt(2)-1 of it, it follows neither u nor
+       azimuth */
     for (step = (int)(0.41421356 * samples + 0.5); ssgi__gcd(step, samples) != 1; ++step) {}
     for (int set = 0; set < sets; ++set) {
         double turn = (double)ssgi_radical_inverse(2, (uint32_t)set),
                slide = 1.0 - (double)ssgi_radical_inverse(3, (uint32_t)set + 1);
         for (int i = 0; i < samples; ++i) {
-            /* u stratified at midpoints; azimuth by the golden angle, a spiral in which no two samples line up */
+            /* u is stratified at midpoints; the azimuth follows the golden angle, a spiral in which no two samples line
+               up */
             double u = ((double)i + 0.5) / samples, phi = two_pi * (fmod((double)i * golden, 1.0) + turn), at[2];
             float *o = out + 4 * ((size_t)set * (size_t)samples + (size_t)i);
             ssgi__directions_at(at, kind, u);
@@ -1623,12 +1659,13 @@ SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples
     return SSGI_OK;
 }
 
-/* A block of sets that fills a tile: rows of blocks, each moved left by `shift` against the one before. */
+/* A block of sets that fills a tile in rows of blocks, each row moved left by `shift` against the one before. */
 typedef struct ssgi__block {
     int w, h, shift;
 } ssgi__block;
 
-/* Least squared distance between a texel and those that stand x, y from it in a block, which is all over the plane. */
+/* Least squared distance between a texel and the copies of the texel at x, y from it, as the block repeats over the
+   plane. */
 SSGI__FN int ssgi__block_distance(const ssgi__block *b, int x, int y)
 {
     int least = 1 << 30;
@@ -1636,7 +1673,7 @@ SSGI__FN int ssgi__block_distance(const ssgi__block *b, int x, int y)
         int dx = (x - k * b->shift) % b->w, dy = y + k * b->h;
         if (dx < 0) dx += b->w;
         if (dx > b->w - dx) dx = b->w - dx;
-        if (!dx && !dy) dx = b->w; /* itself */
+        if (!dx && !dy) dx = b->w; /* the texel itself: its next copy */
         least = dx * dx + dy * dy < least ? dx * dx + dy * dy : least;
     }
     return least;
@@ -1659,8 +1696,9 @@ SSGI__FN ssgi__block ssgi__block_of(int size, int sets)
     return b;
 }
 
-/* Numbers the texels of a block at 0, 0: each next one is where those before weigh least, by 1/distance^4 in whole
-   numbers, which floats add without rounding. out[4 * (y * size + x) + 3] is the number, out[.. + 2] that weight. */
+/* Numbers the texels of the block at 0, 0. Each next number goes where the influence of the numbered texels is least;
+   it falls with 1/distance^4 and is in whole numbers, which floats add without rounding. out[4 * (y * size + x) + 3] is
+   the number, out[.. + 2] the influence. */
 SSGI__FN void ssgi__block_order(float *out, int size, const ssgi__block *b)
 {
     const int texels = b->w * b->h;
@@ -1697,10 +1735,10 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
     SSGI__RANGE(directions, 1, 1024);
     copies = texels / sets;
     b = ssgi__block_of(size, sets);
-    /* coprime to the count, near the golden ratio of it: numbers in a row are far apart */
+    /* the step is coprime to the count and near the golden ratio of it, so that numbers in a row are far apart */
     for (step = (int)(0.61803399 * texels + 0.5); ssgi__gcd(step, texels) != 1; ++step) {}
     ssgi__block_order(out, size, &b);
-    for (int i = texels - 1; i >= 0; --i) { /* the block at 0, 0 last: the others read it */
+    for (int i = texels - 1; i >= 0; --i) { /* the block at 0, 0 comes last, as the others read it */
         const int x = i % size, y = i / size, row = y / b.h, copy = row * (size / b.w) + x / b.w;
         const int set = (int)out[4 * (y % b.h * size + (x + row * b.shift) % b.w) + 3];
         const double turn = ((double)set + 0.5) / sets, a = 2.0 * SSGI__PI * turn / directions;
@@ -1766,7 +1804,8 @@ SSGI_DEF float ssgi_sh_cosine(int l)
     return l >= 0 && l < 5 ? a[l] : 0.0f;
 }
 
-/* Sine and cosine of a row's angle from +y, at rows from the top; returns the solid angle of a texel there. */
+/* Sine and cosine of the angle from +y of a row, which is `at` rows from the top. Returns the solid angle of a texel
+   there. */
 SSGI__FN double ssgi__equirect_row(double polar[2], double at, int width, int height)
 {
     polar[0] = sin(SSGI__PI * at / height);
@@ -1825,7 +1864,7 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
 /* Solid angle of the rectangle from (0,0) to (x,y) at distance 1. */
 SSGI__FN double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
 
-/* The direction of a place on a face, s and t in [-1,1]: OpenGL 4.6, table 8.19. */
+/* The direction of a place on a face, with s and t in [-1,1], by OpenGL 4.6, table 8.19. */
 SSGI__FN void ssgi__cube_direction(double out[3], int face, double s, double t)
 {
     static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 },
@@ -1837,7 +1876,7 @@ SSGI__FN void ssgi__cube_direction(double out[3], int face, double s, double t)
     ssgi__normalise(out);
 }
 
-/* The face of GL's cube map that a direction meets, and where: at in [-1,1]. */
+/* Returns the face of GL's cube map that a direction meets, and in `at` the place on it, in [-1,1]. */
 SSGI__FN int ssgi__cube_place(float at[2], const float w[3])
 {
     const float x = fabsf(w[0]), y = fabsf(w[1]), z = fabsf(w[2]);
@@ -1902,11 +1941,11 @@ SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const flo
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels, const float *m)
 {
     static const float none[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
-    /* Gauss and Legendre's 6 heights by 11 azimuths: exact for products of two functions of 6 bands */
+    /* Gauss and Legendre's 6 heights by 11 azimuths are exact for products of two functions of 6 bands */
     static const double gauss[3][2] = { { 0.23861918608319691, 0.46791393457269105 },
                                         { 0.66120938646626451, 0.36076157304813861 },
                                         { 0.93246951420315203, 0.17132449237917034 } };
-    /* block-diagonal by bands: each row keeps its own band */
+    /* the matrix is block-diagonal by bands: each row keeps its own band */
     double matrix[SSGI__SH_MOST][2 * SSGI_SH_MAX_BANDS - 1], of[SSGI__SH_MOST], here[SSGI__SH_MOST];
     double there[SSGI__SH_MOST], view[3], world[3], weight;
     bands = ssgi__sh_limit(bands);
@@ -1947,8 +1986,8 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
         }
 }
 
-/* A cap's factor for each band: the means of the Legendre polynomials over [cosine, 1]. By a recurrence of their own,
-   as differences of polynomials would cancel near cosine 1. */
+/* A cap's factors for the bands are the means of the Legendre polynomials over [cosine, 1]. They have a recurrence of
+   their own, as differences of polynomials would cancel near cosine 1. */
 SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 {
     mean[0] = 1.0;
@@ -1957,7 +1996,7 @@ SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
         mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
 }
 
-/* A unit vector; returns 0 for a vector without a direction. */
+/* Makes a unit vector of v. Returns 0 where v is NULL, not finite or 0. */
 SSGI__FN int ssgi__direction(double d[3], const float *v)
 {
     if (!ssgi__finites(v, 3)) return 0;
@@ -2033,7 +2072,7 @@ SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
 SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
                                       int height)
 {
-    /* rows in units of 1 / (CELLS_Y * height), columns in 1 / (CELLS_X * width) */
+    /* rows are in units of 1 / (CELLS_Y * height), columns in units of 1 / (CELLS_X * width) */
     for (int i = 0; i < SSGI__CELLS_Y; ++i) {
         const double unit = (double)height * SSGI__CELLS_Y;
         double sum[SSGI__CELLS_X][3] = { { 0.0 } }, light[3], area = 0.0;
@@ -2055,8 +2094,9 @@ SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3
     }
 }
 
-/* The environment averaged about every direction of an octahedral map. A cell's weight is exp(kappa (cosine - 1)), or
-   with kappa 0 the cosine, times a ramp that rises by `slope` from `least` on, up to which it is 0. */
+/* Averages the environment about every direction of an octahedral map. The weight of a cell is 0 up to the cosine
+   `least`. Beyond it is exp(kappa (cosine - 1)), or with kappa 0 the cosine times a ramp that rises by `slope` from
+   `least` to 1. */
 SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa,
                                              float least, float slope, const char **why)
 {
@@ -2101,7 +2141,7 @@ SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *
     return SSGI_OK;
 }
 
-#define SSGI__STEEP 1e30f /* a slope that is no ramp */
+#define SSGI__STEEP 1e30f /* a slope so steep that there is no ramp */
 
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why)
@@ -2130,7 +2170,7 @@ typedef struct ssgi__region {
 
 #define SSGI__REGION_BINS 256
 
-/* Luminance times solid angle of a region's lines across an axis, 2^shift lines a bin. */
+/* Luminance times solid angle of a region's lines across an axis, with 2^shift lines in each bin. */
 SSGI__FN void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
                                 const float *rgb, int width, int height)
 {
@@ -2154,7 +2194,7 @@ SSGI__FN void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const
     ssgi__equirect_row(polar, 0.5 * (part.lower[1] + part.upper[1]), width, height);
     axis = rows > 1 && (columns < 2 || 2.0 * columns * polar[0] / width <= (double)rows / height);
     while ((part.upper[axis] - part.lower[axis] - 1) >> shift >= SSGI__REGION_BINS) ++shift;
-    for (;; shift = 0) { /* sides of more than 256: first the bin, then the line within it */
+    for (;; shift = 0) { /* on sides of more than 256 it finds first the bin, then the line within it */
         ssgi__region_bins(bin, &part, axis, shift, rgb, width, height);
         last = (part.upper[axis] - part.lower[axis] - 1) >> shift;
         for (b = 0; b < last && before + bin[b] < half; ++b) before += bin[b];
@@ -2163,7 +2203,7 @@ SSGI__FN void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const
         part.lower[axis] = cut;
         if (part.upper[axis] > cut + (1 << shift)) part.upper[axis] = cut + (1 << shift);
     }
-    /* before or after the line that holds the median, whichever is nearer to it */
+    /* the cut is before or after the line that holds the median, whichever is nearer to the median */
     if (cut == region->lower[axis] || (cut + 1 < region->upper[axis] && before + bin[b] - half < half - before)) {
         before += bin[b];
         ++cut;
@@ -2218,7 +2258,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
         if (most < 0) break;
         ssgi__region_split(&region[most], &region[n], rgb, width, height);
     }
-    /* with nothing left to split the rest are dark: regions without texels at +y */
+    /* when no region is left to split, the other suns are dark: their regions have no texels and lie at +y */
     for (int i = 0; i < count; ++i) ssgi__region_sun(&out[i], &region[i], rgb, width, height);
     return SSGI_OK;
 }
@@ -2267,7 +2307,7 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
     }
     SSGI__CHECK(total > 0.0, "flux: must be above 0 somewhere");
     sum = here = ssgi__light3(rgb, flux, 0.0f, 1.0);
-    k = 0; /* not beyond `last`, the last pixel with flux: rounding may miss the end */
+    k = 0; /* not beyond `last`, the last pixel with flux, since rounding may miss the end */
     for (int i = 0; i < count; ++i) {
         const double at = (i + (double)ssgi_radical_inverse(2, (uint32_t)i)) / count * total;
         while (k < last && sum <= at) sum += here = ssgi__light3(rgb, flux + 3 * ++k, 0.0f, 1.0);
@@ -2318,14 +2358,14 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
 /* ==== >>trace (implementation) ================================================================================= */
 
 /* A tree with four children a node and four triangles a leaf, both laid out so that a loop over the four is one vector
-   operation. It comes from binary splits at the middle of the longest axis, of which the left side always gets a
-   multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there are at
-   most 2 L / 3 + 1 nodes, as a node with fewer than four children has only leaves. */
+   operation. The tree comes from binary splits at the middle of the longest axis; the left side of a split always gets
+   a multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there are
+   at most 2 L / 3 + 1 nodes, as a node with fewer than four children has only leaves. */
 
 #define SSGI__TRACE_LIMIT 1e12f /* products of three such lengths stay finite */
 #define SSGI__TRACE_LEAF 0x80000000u
 #define SSGI__TRACE_NONE 0xffffffffu
-#define SSGI__TRACE_DEEP 32 /* binary levels split in the middle; at most 30 more by count */
+#define SSGI__TRACE_DEEP 32 /* binary levels that split in the middle; at most 30 more split by count */
 #define SSGI__TRACE_STACK (3 * (SSGI__TRACE_DEEP + 30) + 4)
 
 typedef struct ssgi__trace_node {
@@ -2360,7 +2400,7 @@ typedef struct ssgi__trace_job {
     const uint32_t *index;
 } ssgi__trace_job;
 
-/* Finite and within the limit, by the bits: -ffast-math may drop any comparison. */
+/* Whether x is finite and within the limit, by the bits: -ffast-math may drop any comparison. */
 static int ssgi__trace_sane(float x)
 {
     const float limit = SSGI__TRACE_LIMIT;
@@ -2451,8 +2491,8 @@ SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_
     }
 }
 
-/* Splits a range of more than four items in two, in the middle of the longest axis, moved so that the left part
-   gets a multiple of four. */
+/* Splits a range of more than four items in two, in the middle of the longest axis; the split is moved so that the left
+   part gets a multiple of four. */
 SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left,
                                 ssgi__trace_range *right)
 {
@@ -2486,7 +2526,7 @@ SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range
     ssgi__trace_bound(items, right);
 }
 
-/* Makes a leaf of a range's items. They are read before the block is written: both share memory, see
+/* Makes a leaf of a range's items. The items are read before the block is written, as both share memory: see
    ssgi_trace_build. */
 SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
 {
@@ -2494,7 +2534,7 @@ SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_rang
     ssgi__trace_block *block = job->blocks + range->first / 4;
     for (uint32_t k = 0; k < 4; k++)
         id[k] = k < range->count ? job->items[range->first + k].triangle : SSGI__TRACE_NONE;
-    memset(block, 0, sizeof *block); /* a triangle of zeros has no area: never hit */
+    memset(block, 0, sizeof *block); /* a triangle of zeros has no area and is never hit */
     for (uint32_t k = 0; k < 4; k++) {
         block->triangle[k] = id[k];
         for (uint32_t c = 0; k < range->count && c < 3; c++)
@@ -2525,7 +2565,7 @@ SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_r
     }
     for (int k = 0; k < 4; k++) {
         ssgi__trace_node *node = job->nodes + self;
-        for (int i = 0; i < 3; i++) { /* an empty child's box is inside out: never entered */
+        for (int i = 0; i < 3; i++) { /* the box of an empty child is inside out and never entered */
             node->bound[0][i][k] = k < count ? range[k].lower[i] : 2.0f * SSGI__TRACE_LIMIT;
             node->bound[1][i][k] = k < count ? range[k].upper[i] : -2.0f * SSGI__TRACE_LIMIT;
         }
@@ -2583,12 +2623,12 @@ typedef struct ssgi__trace_ray {
     float origin[3], direction[3];
     float inverse[3]; /* 1 / direction, finite */
     int sign[3];      /* 1 where the direction is negative */
-    /* the same with x, y, z permuted so that z is the direction's longest axis, and sheared along it */
+    /* the same ray with x, y, z permuted so that z is the longest axis of its direction, and sheared along z */
     int axis[3];
     float from[3], slope[2];
 } ssgi__trace_ray;
 
-/* 0 for a ray that can hit nothing: not finite, too far out, or without direction. */
+/* Returns 0 for a ray that can hit nothing: it is not finite, too far out, or without direction. */
 static int ssgi__trace_ray_set(ssgi__trace_ray *ray, const float origin[3], const float direction[3])
 {
     float size = 0.0f, longest = 0.0f;
@@ -2599,7 +2639,7 @@ static int ssgi__trace_ray_set(ssgi__trace_ray *ray, const float origin[3], cons
     }
     for (int i = 2; i >= 0; i--) longest = ssgi__max(ssgi__abs(direction[i]), longest);
     if (!ssgi__trace_sane(size) || !(longest > 1e-18f)) return 0;
-    for (int i = 0; i < 3; i++) { /* no infinity: 0 * infinity would be NaN on the face of a box */
+    for (int i = 0; i < 3; i++) { /* no infinity, as 0 * infinity would be NaN on the face of a box */
         const float least = longest * 1e-12f;
         ray->sign[i] = direction[i] < 0.0f;
         ray->inverse[i] = 1.0f / (ray->sign[i] ? ssgi__min(direction[i], -least) : ssgi__max(direction[i], least));
@@ -2612,9 +2652,10 @@ static int ssgi__trace_ray_set(ssgi__trace_ray *ray, const float origin[3], cons
     return 1;
 }
 
-/* weight[c][k]: unnormalised barycentric weight of corner c of triangle k; outside[k] above 0: the ray's line misses
-   it. The corners are sheared so that the ray is the z axis; a weight's sign is then exact for the sheared corners,
-   which triangles share: neither edges nor corners leave gaps [Woop, Benthin, Wald 2013]. */
+/* weight[c][k] is the unnormalised barycentric weight of corner c of triangle k; where outside[k] is above 0, the ray's
+   line misses the triangle. The corners are sheared so that the ray is the z axis; a weight's sign is then exact for
+   the sheared corners, which triangles share, so that neither edges nor corners leave gaps [Woop, Benthin, Wald
+   2013]. */
 static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float weight[3][4],
                                   float outside[4])
 {
@@ -2636,7 +2677,8 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
     }
 }
 
-/* Where the ray meets the plane of triangle k, -1 if it lies in it; in double, for small things on large triangles. */
+/* The t at which the ray meets the plane of triangle k, -1 if the ray is parallel to it. It is computed in double, for
+   small details on large triangles. */
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
 {
     double e[3], f[3], facing = 0.0, height = 0.0;
@@ -2653,8 +2695,8 @@ static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const f
     return facing < 0.0 || facing > 0.0 ? (float)(height / facing) : -1.0f;
 }
 
-/* The closest hit in tmin < t < tmax of a leaf's triangles, or with `hit` NULL any. Returns 1 if there is one; *tmax is
-   then its distance. */
+/* Finds the closest hit in tmin < t < tmax of a leaf's triangles, or with `hit` NULL any hit. Returns 1 if there is
+   one; *tmax is then its t. */
 static int ssgi__trace_leaf(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float tmin, float *tmax,
                             ssgi_hit *hit)
 {
@@ -2676,7 +2718,8 @@ static int ssgi__trace_leaf(const ssgi__trace_block *block, const ssgi__trace_ra
     return found;
 }
 
-/* Where the ray enters and leaves the boxes of a node's children, within tmin .. tmax; missed where enter > leave. */
+/* The t at which the ray enters and leaves the boxes of a node's children, within tmin .. tmax. It misses a box where
+   enter > leave. */
 static void ssgi__trace_boxes(const ssgi__trace_node *node, const ssgi__trace_ray *ray, float tmin, float tmax,
                               float enter[4], float leave[4])
 {
@@ -2695,7 +2738,7 @@ static void ssgi__trace_boxes(const ssgi__trace_node *node, const ssgi__trace_ra
     }
 }
 
-/* From near to far. With `hit` NULL it returns at the first hit that it finds. */
+/* Walks the tree from near to far. With `hit` NULL it returns at the first hit that it finds. */
 SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                               float tmax, ssgi_hit *hit)
 {
@@ -2725,7 +2768,7 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
         }
         ssgi__trace_boxes(nodes + child, &ray, tmin, tmax, enter, leave);
         for (int k = 0; k < 4; k++)
-            if (enter[k] <= leave[k]) { /* the nearest on top, where the order matters */
+            if (enter[k] <= leave[k]) { /* the nearest goes on top, where the order matters */
                 int j = top++;
                 for (; hit && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
                 stack[j].child = nodes[child].child[k];
@@ -2766,7 +2809,7 @@ SSGI__FN double ssgi__trace_occlusion(const ssgi_trace *trace, const float from[
     return sum / rays;
 }
 
-/* The largest coordinate in it, of either sign. */
+/* The largest coordinate in a trace, of either sign. */
 SSGI__FN float ssgi__trace_extent(const ssgi_trace *trace)
 {
     const ssgi__trace_node *root = (const ssgi__trace_node *)trace->nodes;
@@ -2777,7 +2820,7 @@ SSGI__FN float ssgi__trace_extent(const ssgi_trace *trace)
     return most;
 }
 
-/* A number for a point, by its bits: 0 and -0 are one. */
+/* A number for a point, by the bits of its coordinates; 0 and -0 give the same number. */
 SSGI__FN uint32_t ssgi__trace_seed(const float p[3])
 {
     uint32_t seed = 0, bits;
@@ -2816,7 +2859,7 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
 
 /* ==== >>tessellate (implementation) ============================================================================ */
 
-#define SSGI__TESS_MOST 3169.0 /* points of level 64, the tessellator's last */
+#define SSGI__TESS_MOST 3169.0 /* points of level 64, the last of the tessellator */
 
 SSGI_DEF int ssgi_tess_count(int level)
 {
@@ -2825,14 +2868,15 @@ SSGI_DEF int ssgi_tess_count(int level)
     return level % 2 ? 3 * half * half : 3 * half * half + 3 * half + 1;
 }
 
-/* A point of a level. Ring k of level n has n - 2k segments a side, and its own corners at the ends of those. */
+/* A point of a level. Ring k of level n has n - 2k segments a side, and its own corners at the ends of the sides. */
 typedef struct ssgi__tess_point {
     int level, ring;
-    int i;        /* of the ring */
+    int i;        /* number within the ring */
     int place[3]; /* on the lattice, counted from the ring's corners */
 } ssgi__tess_point;
 
-/* The next point, rings inwards; the first after { level, 0, -1, { 0 } }. 0: there is none. */
+/* Steps to the next point, in rings inwards, and to the first from { level, 0, -1, { 0 } }. Returns 0 if there is
+   none. */
 SSGI__FN int ssgi__tess_next(ssgi__tess_point *p)
 {
     int segments = p->level - 2 * p->ring, side, along;
@@ -2925,7 +2969,7 @@ SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double
     shell[1] = finite ? fmin(ldexp(reach, l), most) : 0.0;
 }
 
-/* A triangle or a part of one, and its surfels. */
+/* The makings of surfels; a patch is a triangle or a part of one. */
 typedef struct ssgi__surfel_maker {
     const ssgi_view *view;
     const ssgi_surfel_source *source;
@@ -2935,7 +2979,7 @@ typedef struct ssgi__surfel_maker {
 
 typedef struct ssgi__patch {
     double at[3][3], normal[3][3], colour[3][3];
-    double face[3], area, radius; /* face: the triangle's own unit normal, as its corners turn */
+    double face[3], area, radius; /* face: the triangle's own unit normal, by the turn of its corners */
     int level, alive, count;      /* alive: bits of a triangle's three points at level 1; count: of surfels */
     uint32_t key;
 } ssgi__patch;
@@ -2945,7 +2989,7 @@ static const float *ssgi__surfel_at(const float *data, size_t stride, size_t i)
     return (const float *)(const void *)((const char *)data + i * (stride ? stride : 12));
 }
 
-/* The whole triangle in view space. 0: it gives no surfels. */
+/* Makes a patch of the whole triangle in view space. Returns 0 if the triangle gives no surfels. */
 SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, size_t triangle)
 {
     const ssgi_surfel_source *s = m->source;
@@ -2969,7 +3013,7 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
                 p->normal[corner][i] = ssgi__finites(normal, 3) ? ssgi__dot(m->normals[i], v) : 0.0;
         }
     }
-    /* from vertex indices: GPUs number primitives differently */
+    /* the key comes from vertex indices, as GPUs number primitives differently */
     p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;
     ssgi__along(a, p->at[1], -1.0, p->at[0]);
     ssgi__along(b, p->at[2], -1.0, p->at[0]);
@@ -2991,7 +3035,7 @@ SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_mak
     return ssgi__surfel_radius(m->scale, m->view->orthographic, low);
 }
 
-/* Centroid, largest distance of a corner from it; returns the centroid's distance outside the frustum. */
+/* The centroid and the largest distance of a corner from it. Returns the centroid's distance outside the frustum. */
 SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3],
                                      double *extent)
 {
@@ -3039,8 +3083,8 @@ SSGI__FN void ssgi__surfel_inset(ssgi__patch *p, int overhang)
     }
 }
 
-/* Part number `part` of n * n of a triangle, inset from its edges. 0: too far outside the frustum, or thinned out. GLSL
-   twin: main_levels. */
+/* Makes part number `part` of n * n of a triangle, inset from the part's edges. Returns 0 if the part is too far
+   outside the frustum, or thinned out. GLSL twin: main_levels. */
 SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
     int row = (int)sqrt((double)part), place;
@@ -3064,7 +3108,7 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.keep_small || share > 1.0) share = 1.0;
-    p->alive = 0; /* by the golden ratio: even along the order of indices, which is mostly spatial */
+    p->alive = 0; /* chosen by the golden ratio, so evenly along the order of indices, which is mostly spatial */
     for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
@@ -3247,8 +3291,9 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
     return SSGI_OK;
 }
 
-/* Pixels that the part of a sphere deeper than front (> 0 when perspective) covers: bounds x0, y0, x1, y1, clipped to
-   the frame, exact in each axis [Mara, McGuire 2013]. 0: none, bounds are untouched. GLSL twin: ssgi_sphere. */
+/* The pixels that the part of a sphere deeper than front (> 0 when perspective) covers, as bounds x0, y0, x1, y1,
+   clipped to the frame, exact in each axis [Mara, McGuire 2013]. Returns 0 if it covers none, with bounds untouched.
+   GLSL twin: ssgi_sphere. */
 SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius,
                                  float front)
 {
@@ -3261,7 +3306,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
         const double x = (double)centre[axis], off = x * x + z * z - r * r, t = off > 0.0 ? sqrt(off) : 0.0;
         double end[2];
         for (int side = 0; side < 2; ++side) {
-            const double e = side ? r : -r, depth = z * t - x * e; /* of the tangent's point, times |c|^2 / t */
+            const double e = side ? r : -r, depth = z * t - x * e; /* that of the point of tangency, times |c|^2 / t */
             /* where the sphere meets the front */
             const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);
             double slope = z < begin ? cut : x + e;
@@ -3390,12 +3435,12 @@ SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine)
 {
     double h = ssgi__finite((float)solid_angle) && solid_angle > 0.0 ? solid_angle / (2.0 * SSGI__PI) : 0.0;
     double c = !ssgi__finite((float)cosine) ? 0.0 : cosine < -1.0 ? -1.0 : cosine > 1.0 ? 1.0 : cosine, s, a = 0.0;
-    const int large = h > 1.0; /* more than a hemisphere: the complement is a cap, too */
+    const int large = h > 1.0; /* a cap larger than a hemisphere, whose complement is a cap, too */
     if (large) {
         h = h < 2.0 ? 2.0 - h : 0.0;
         c = -c;
     }
-    s = h * (2.0 - h); /* squared sine of its radius; (1 - k)(1 + k) would cancel */
+    s = h * (2.0 - h); /* squared sine of its angular radius, as (1 - k)(1 + k) would cancel */
     if (c * c >= s) a = c > 0.0 ? s * c : 0.0;
     else {
         const double x = (1.0 - h) / sqrt(s), w = sqrt(1.0 - c * c / s);
@@ -3441,7 +3486,7 @@ SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int
     const double cosine = 1.0 - (double)ssgi__max(0.0f, ssgi__min(solid_angle, 12.5663706f)) / (2.0 * SSGI__PI);
     const double share = SSGI__PI * ssgi_cap_occlusion((double)solid_angle, ssgi__dot(a, n));
     ssgi__axes(axes, a);
-    for (int i = 0; i <= directions; ++i) { /* the last, the axis, counts where none else is above the horizon */
+    for (int i = 0; i <= directions; ++i) { /* the last direction, the axis, counts if no other is above the horizon */
         const int last = i == directions;
         if (last && all > 0.0) break;
         ssgi__cone_ray(direction, axes, last ? 1.0f : (float)cosine, i, shift);
@@ -3464,8 +3509,9 @@ SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int
 
 /* ---- samples */
 
-/* The effect of an occluder on a point, by rays within acos(cosine) of a unit axis; `hit` NULL: ours.
-     out         solid angle of the hits; their vector irradiance, which is the integral of the directions that are hit
+/* Samples an occluder from a point, by rays within acos(cosine) of a unit axis; `hit` NULL: by ssgi_trace_any.
+     out         the solid angle that is hit; its vector irradiance, which is the integral of the directions that are
+                 hit
      occlusion   of four receivers with these normals, or NULL */
 SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
                                  int (*hit)(void *, const float *, const float *), void *user, const float point[3],
@@ -3493,7 +3539,7 @@ SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double norm
 
 /* ---- fits */
 
-/* Solves a x = b for a symmetric 3x3 by Cramer's rule; 0 if it is singular. */
+/* Solves a x = b for a symmetric 3x3 matrix by Cramer's rule. Returns 0 if the matrix is singular. */
 SSGI__FN int ssgi__field_solve(double x[3], double a[3][3], double b[3])
 {
     double cross[3], determinant;
@@ -3506,16 +3552,16 @@ SSGI__FN int ssgi__field_solve(double x[3], double a[3][3], double b[3])
     return 1;
 }
 
-/* One equation d . x = r, into the normal equations a x = b. */
+/* Adds one equation d . x = r to the normal equations a x = b. */
 SSGI__FN void ssgi__field_equation(double a[3][3], double b[3], const double d[3], double r)
 {
     for (int i = 0; i < 3; ++i) ssgi__along(a[i], a[i], d[i], d);
     ssgi__along(b, b, r, d);
 }
 
-/* Levenberg and Marquardt's descent over three unknowns, until the error is at most `stop`. f gives the error, and
-   where a is not NULL adds its normal equations: J J^T to a, -J residual to b. An error that is not below the last one,
-   NaN included, is a step too far. */
+/* Levenberg and Marquardt's descent over three unknowns goes on until the error is at most `stop`. f gives the error
+   and, where a is not NULL, adds the normal equations of the error: J J^T to a, -J residual to b. An error that is not
+   below the last one, NaN included, is a step too far. */
 typedef struct ssgi__field_data {
     const double *radii, *values, *w;
     int count, chord;
@@ -3580,8 +3626,8 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
     return sum;
 }
 
-/* Fits 1/q to values in 0..most at three or more radii, ascending: a quadratic in r as published [AOF05 eq. 6, 9], but
-   held above 1/most from the first radius, t = 0, to the last, t = 1: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2.
+/* Fits 1/q to values in 0..most at three or more radii, ascending. q is a quadratic in r as published [AOF05 eq. 6, 9],
+   but held above 1/most from the first radius, t = 0, to the last, t = 1: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2.
    Returns the sum of squared errors. */
 SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
@@ -3600,8 +3646,8 @@ SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *
     return error;
 }
 
-/* How far directions miss a point c, summed: as squared chords, |unit vector to c - direction|^2, or as (1 - cosine)^2.
-   A point beyond the hull's tangent at the first radius, where directions would flip, is too far. */
+/* The error by which directions miss a point c: the sum of squared chords, |unit vector to c - direction|^2, or of (1 -
+   cosine)^2. A point beyond the hull's tangent at the first radius, where directions would flip, is too far. */
 SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
 {
     double sum = 0.0;
@@ -3615,7 +3661,8 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
         cosine = ssgi__dot(v, y);
         residual = 1.0 - cosine;
         sum += data->chord ? 2.0 * residual : residual * residual;
-        for (int n = 0; a && n < (data->chord ? 3 : 1); ++n) { /* a row a residual: of v - y, or of 1 - cosine */
+        for (int n = 0; a && n < (data->chord ? 3 : 1); ++n) { /* one row for each residual: of v - y, or of 1 -
+                                                                  cosine */
             double d[3], r = data->chord ? v[n] - y[n] : residual;
             for (int k = 0; k < 3; ++k)
                 d[k] = (data->chord ? (k == n ? 1.0 : 0.0) - v[n] * v[k] : cosine * v[k] - y[k]) / length;
@@ -3625,11 +3672,11 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
     return sum;
 }
 
-/* The characteristic centre c [AOF05 eq. 7, 10]: the point that the directions seen from radius * w point to; the
-   origin where they do not tell. Returns the sum of (1 - cosine)^2, never above that of the origin. That error is flat
-   near its least: the chord leads there, the error polishes.
+/* The characteristic centre c [AOF05 eq. 7, 10]: the point that the directions seen from radius * w point to, or the
+   origin where they do not determine a point. Returns the sum of (1 - cosine)^2, never above that of the origin. Since
+   this error is flat near its least, descent on the chords comes first, and descent on the error then polishes.
      directions   unit, 3 each; zero vectors do not count
-     flat         an error that tells nothing */
+     flat         an error of the origin too small to determine a point */
 SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
                                    int count, double flat)
 {
@@ -3637,7 +3684,7 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
     memset(c, 0, sizeof at);
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
-    if (!(best > flat)) return best; /* all point at the centre already: undetermined */
+    if (!(best > flat)) return best; /* all point at the centre already, so c is undetermined */
     for (int polish = 0; polish < 2; ++polish) {
         data.chord = !polish;
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
@@ -3650,17 +3697,17 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
     return best;
 }
 
-/* ---- the occluder: where it is, and its convex hull */
+/* ---- the occluder: its place and its convex hull */
 
 typedef struct ssgi__field_occluder {
     ssgi_trace trace;
     double centre[3], radius;
-    /* corners of the hull about the centre, and how far it may lie beyond them */
+    /* corners of the hull about the centre, and the distance by which the hull may lie beyond them */
     double few[SSGI__FIELD_FEW][3], loose;
 } ssgi__field_occluder;
 
-/* The corner that is farthest along n, about the centre; returns how far. Boxes that end before the best corner so far
-   are not opened. */
+/* The corner that is farthest along n, about the centre. Returns its distance along n. Boxes that end before the
+   farthest corner found so far are not opened. */
 SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double n[3], double out[3])
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
@@ -3740,7 +3787,7 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
         int best = 0;
         ssgi__field_portal_plane(p);
         if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
-        for (int i = 0; i < 3; ++i) { /* the part of three that holds the ray by the largest margin */
+        for (int i = 0; i < 3; ++i) { /* of three parts, the one that holds the ray by the largest margin */
             double least = 1e300;
             split[i] = *p;
             memcpy(split[i].corner[i], farthest, sizeof farthest);
@@ -3761,14 +3808,14 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
     return facing > 1e-9 ? p->distance / facing : m->radius;
 }
 
-/* Direction i of n, evenly spread over the sphere: a spiral by the golden angle. */
+/* Direction i of n that are evenly spread over the sphere, in a spiral by the golden angle. */
 SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)
 {
     ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
 }
 
-/* Centre, radius, corners of the hull. The centre is the mean of the farthest corners over all directions: the hull's
-   Steiner point, which is inside. 0: the occluder has no extent. */
+/* Measures the centre, the radius and corners of the hull. The centre is the mean of the farthest corners over all
+   directions: the hull's Steiner point, which is inside. Returns 0 if the occluder has no extent. */
 SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -3807,8 +3854,8 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 }
 
 /* A cone from a point outside of the hull that holds all of the occluder: its axis, and the cosine of its half-angle.
-   It is about the mean direction to some corners, wide enough for the others; or the half space below the hull's
-   plane. */
+   The cone is about the mean direction to some corners and wider by the distance that the hull may lie beyond them; or
+   it is the half space below the hull's plane. */
 SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, const double point[3],
                                 const double normal[3])
 {
@@ -3836,13 +3883,13 @@ typedef struct ssgi__field_bake {
     const ssgi_field_desc *desc;
     ssgi__field_occluder occluder;
     ssgi_field *field;
-    int size;             /* of the fine map's faces: twice the field's resolution, or that */
-    float *fine, *coarse; /* eight components a texel, six faces; the latter of the field's resolution */
+    int size;             /* of the fine map's faces: twice the field's resolution, or the resolution itself */
+    float *fine, *coarse; /* maps of eight components a texel, six faces; the coarse one has the field's resolution */
     float *error;         /* of validation receivers; reuses fine */
     int first;
 } ssgi__field_bake;
 
-/* Texel x, y of a face; beyond its edges, of the neighbouring face. */
+/* Texel x, y of a face; beyond the edges of the face, a texel of the neighbouring face. */
 SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
 {
     if (x < 0 || y < 0 || x >= size || y >= size) {
@@ -3872,7 +3919,8 @@ SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal
                        rays, seed);
 }
 
-/* The same along w at all its radii, by the caller's samples: each as solid angle and vector irradiance. */
+/* Samples the occluder along w at all its radii by the caller's function; each sum is a solid angle and a vector
+   irradiance. */
 SSGI__FN void ssgi__field_yours(double sum[][4], const ssgi__field_bake *b, const double w[3], const double *radii)
 {
     float point[3 * 64], out[4 * 64];
@@ -3884,15 +3932,16 @@ SSGI__FN void ssgi__field_yours(double sum[][4], const ssgi__field_bake *b, cons
         double length, most;
         memset(sum[i], 0, sizeof sum[i]);
         if (!ssgi__finites(out + 4 * i, 4) || !(out[4 * i] > 0.0f)) continue;
-        sum[i][0] = (double)ssgi__min(out[4 * i], 6.28318531f); /* seen from beyond the hull */
+        sum[i][0] = (double)ssgi__min(out[4 * i], 6.28318531f); /* at most a hemisphere, as the point is beyond the
+                                                                   hull */
         ssgi__doubles(sum[i] + 1, out + 4 * i + 1);
         length = ssgi__normalise(sum[i] + 1);
-        most = 1.0 - sum[i][0] / (4.0 * SSGI__PI); /* mean direction of a cap that is filled */
+        most = 1.0 - sum[i][0] / (4.0 * SSGI__PI); /* length of the mean direction of a filled cap */
         for (int k = 1; k < 4; ++k) sum[i][k] *= sum[i][0] * (length < most ? length : most);
     }
 }
 
-/* One texel of the fine map: samples along its direction, and the fit to them. */
+/* Makes one texel of the fine map: takes samples along its direction and fits the components to them. */
 SSGI__FN void ssgi__field_texel(void *context, int job)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
@@ -3923,20 +3972,21 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
         memcpy(directions + 3 * i, sum + 1, 3 * sizeof *sum);
     }
     ssgi__field_fit(q, radii, values, b->desc->radii, SSGI__PI);
-    /* tolerance: the rays' noise, to which a centre near the hull would be fitted */
+    /* the tolerance is the rays' noise, to which a centre near the hull would be fitted */
     ssgi__field_centre(c, w, radii, directions, b->desc->radii,
                        0.0625 * b->desc->radii / ((double)b->desc->rays * b->desc->rays));
     length = sqrt(ssgi__dot(c, c));
     if (length > b->occluder.radius)
         for (int k = 0; k < 3; ++k) c[k] = c[k] * b->occluder.radius / length;
-    q[1] += sqrt(q[0] * q[2]); /* positive if q > 0 on [0,1]; blends of logarithms stay positive */
+    q[1] += sqrt(q[0] * q[2]); /* positive if q > 0 on [0,1], so that it has a logarithm, and blends of logarithms keep
+                                  it positive */
     for (int k = 0; k < 3; ++k) out[k] = ssgi__min((float)(log(q[k]) * 1.44269504088896341), 20.0f);
     out[3] = (float)hull;
     ssgi__floats(out + 4, c);
     out[7] = seen > 0.0 ? (float)(fill / seen) : 1.0f;
 }
 
-/* The coarse map: each texel by a Gaussian over 4 x 4 fine ones, a fine texel in deviation. */
+/* Makes the coarse map: each texel is a Gaussian mean of 4 x 4 fine texels, with a deviation of one fine texel. */
 SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
 {
     static const float weight[4] = { 0.13447f, 0.36553f, 0.36553f, 0.13447f };
@@ -3955,7 +4005,7 @@ SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
             }
 }
 
-/* The field's texels: 8 bits a component over its range, and borders. */
+/* Makes the field's texels, with 8 bits a component over its range, and with borders. */
 SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
 {
     ssgi_field *f = b->field;
@@ -3974,7 +4024,8 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
         for (int y = -1; y <= size; ++y)
             for (int x = -1; x <= size; ++x, texels += 2) {
                 const int xi = ssgi__clamp(x, 0, size - 1), yi = ssgi__clamp(y, 0, size - 1);
-                const int corner = x != xi && y != yi; /* three meet there: the border holds their mean [GL 8.14] */
+                const int corner = x != xi && y != yi; /* three faces meet there, and the border holds their mean [GL
+                                                          8.14] */
                 const float *a = b->coarse + 8 * ssgi__cube_texel(face, x, corner ? yi : y, size),
                             *up = b->coarse + 8 * ssgi__cube_texel(face, xi, y, size),
                             *own = b->coarse + 8 * ssgi__cube_texel(face, xi, yi, size);
@@ -4019,7 +4070,7 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     ssgi__field_portal portal;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
-    for (int n = 0; n < 4; ++n) { /* none faces straight away, where occlusion is 0 */
+    for (int n = 0; n < 4; ++n) { /* no normal faces straight away from the occluder, where occlusion is 0 */
         ssgi__polar(normal[n], 2.0 * ssgi__turn((uint32_t)(8 * i + n)) - 1.0,
                     2.0 * SSGI__PI * ssgi__turn((uint32_t)(8 * i + n + 4)));
         if (ssgi__dot(normal[n], w) > 0.5)
@@ -4081,7 +4132,7 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     return SSGI_OK;
 }
 
-/* How many floats both maps of a bake take; the errors reuse the fine one. */
+/* The number of floats that both maps of a bake take; the errors reuse the fine map. */
 SSGI__FN size_t ssgi__field_floats(int resolution)
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
@@ -4151,7 +4202,7 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
     return l;
 }
 
-/* A field's components along w, bilinear between texels. */
+/* Fetches a field's components along w, bilinear between texels. */
 SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
 {
     float at[2];
@@ -4226,7 +4277,7 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
 }
 
 /* ---- files: 32-bit words, lowest byte first: magic number, version, resolution, radii; the field's other numbers as
-   floats; texels; two words of checksum over all before */
+   floats; texels; two words of checksum over all words before */
 
 #define SSGI__FIELD_NUMBERS 25
 #define SSGI__FIELD_HEAD (4 + SSGI__FIELD_NUMBERS) /* words before the texels */
@@ -4259,7 +4310,7 @@ SSGI__FN void ssgi__field_numbers(float *number[SSGI__FIELD_NUMBERS], ssgi_field
     number[n++] = &f->max_error;
 }
 
-/* FNV-1a's hash. */
+/* The FNV-1a hash. */
 SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)
 {
     uint64_t h = 14695981039346656037u;
@@ -4293,7 +4344,7 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     return size;
 }
 
-/* All of a file but its texels. */
+/* Reads all of a file but its texels. */
 SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
 {
     static const char corrupt[] = "file: is corrupt";
@@ -4324,7 +4375,7 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     }
     SSGI__CHECK(ssgi__positive(f->span, 8), corrupt);
     SSGI__CHECK(f->median >= 0.0f && f->p95 >= 0.0f && f->max_error >= 0.0f, corrupt);
-    for (int i = 0; i < 3; ++i) /* logarithms: so that their powers of 2 are finite */
+    for (int i = 0; i < 3; ++i) /* the logarithms are limited, so that their powers of 2 are finite */
         SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
     SSGI__CHECK(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f, corrupt);
     SSGI__CHECK(ssgi__within(f->inside, 0.0f, 1.0f), corrupt);
@@ -4415,10 +4466,11 @@ enum {
     SSGI__PLAN_LEFT_OUT,       /* E times the light's energy beyond the choice's bands, over that of band 0 */
     SSGI__PLAN_BOUNCED,        /* E times the square of the albedo, when a bounce is wanted */
     SSGI__PLAN_CONSTANT_ERROR, /* 1e-4 */
-    SSGI__PLAN_TERMS           /* how many */
+    SSGI__PLAN_TERMS           /* number of terms */
 };
 
-/* A choice: its quantity, its settings, its cost in software and on a GPU, weights of the terms. */
+/* A choice: the value of `wanted` that it serves, its settings, its costs in software and on a GPU, weights of the
+   terms. */
 typedef struct ssgi__plan_row {
     signed char wanted, method, thickness, half, directions, steps, bands, history, resolution;
     float size, cost[2], term[SSGI__PLAN_TERMS];
@@ -4481,7 +4533,7 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 };
 /* clang-format on */
 
-/* Numbers of a scene that leaves them 0. */
+/* The values that stand in for numbers which a scene leaves 0. */
 #define SSGI__PLAN_RADIUS 0.15   /* screen_radius */
 #define SSGI__PLAN_ALBEDO 0.6f   /* albedo */
 #define SSGI__PLAN_TEXELS 170.0  /* splats */
@@ -4490,17 +4542,18 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 /* An error below a tenth of the one asked for is negligible: in squares it adds a hundredth. */
 #define SSGI__PLAN_NEGLIGIBLE 0.1
 
-/* Energies of a clear sky's bands: those of the examples' "sky". */
+/* The energies of a clear sky's bands are those of the examples' "sky". */
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };
 
-/* Squared errors from a survey's squares (make fit). A row each: without occlusion, of hsao, of slabs. Columns: weights
-   of occlusion, detail, solid, slabs. First of surveys without slabs, then with them. */
+/* Weights that give squared errors from a survey's squares (make fit). The rows are the errors without occlusion, of
+   hsao, of slabs; the columns weigh occlusion, detail, solid, slabs. The first table is for surveys without slabs, the
+   second for those with them. */
 static const float ssgi__plan_survey[2][3][4] = {
     { { 1.17f, 3.98f, 0, 0 }, { 0.0426f, 3.67f, 0.436f, 0 }, { 0.019f, 3.65f, 0.245f, 0 } },
     { { 1.29f, 3.59f, 0, 0 }, { 0.0299f, 3.59f, 0, 0.824f }, { 0.0146f, 3.63f, 0.0396f, 0.302f } }
 };
 
-/* Costs of splats and fields beside a choice's own; in software, on a GPU. */
+/* The costs of splats and fields beside a choice's own, in software and on a GPU. */
 static const struct {
     float texel, surfel; /* per texel of splats and per surfel, over the frame's pixels */
     float occluder;      /* per occluder that reaches all pixels */
@@ -4516,8 +4569,8 @@ static const float *ssgi__plan_energy(const ssgi_plan_scene *s)
     return s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
 }
 
-/* Squared errors without occlusion, of hsao, of hsao with slabs: of the calibration, else from the survey, else a
-   guess. A calibration without slabs scales the other figures of slabs. */
+/* Squared errors without occlusion, of hsao, and of hsao with slabs. They come from the calibration, else from the
+   survey, else from a guess. A calibration without slabs scales the error of slabs from the survey or the guess. */
 SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
 {
     static const double guess[3] = { 0.02, 0.003, 0.003 };
@@ -4557,7 +4610,7 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     term[SSGI__PLAN_CONSTANT_ERROR] = 1e-4;
 }
 
-/* Whether a scene allows the techniques that a choice requires, and benefits from them. */
+/* Whether a scene meets the requirements of a choice, and benefits from the choice. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
     const int m = row->method;
@@ -4571,8 +4624,8 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
         || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= SSGI__PLAN_NEGLIGIBLE * (double)s->error;
 }
 
-/* A choice's own cost, and that of depth passes, fields, surfels. Surfels go with 1 / size^2, texels of splats with
-   1 / size^(1/2). */
+/* A choice's own cost, and the costs of depth passes, fields and surfels. The number of surfels goes with 1 / size^2,
+   that of the splats' texels with 1 / size^(1/2). */
 SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const int gpu = s->device == SSGI_PLAN_GPU;
@@ -4655,7 +4708,8 @@ SSGI__FN char *ssgi__plan_word(char *at, const char *word)
     return at;
 }
 
-/* An error in 4 decimals: by hand, as there is no stdio.h here, and a locale would choose the point. */
+/* Writes an error in 4 decimals. It does so by hand, as there is no stdio.h here, and a locale would choose the decimal
+   point. */
 SSGI__FN char *ssgi__plan_figure(char *at, float x)
 {
     const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
@@ -4665,8 +4719,8 @@ SSGI__FN char *ssgi__plan_figure(char *at, float x)
     return at;
 }
 
-/* plan->why: "hsao, slabs: errs by 0.0123, the cheapest of all choices within 5 % of 0.0130". It has room for the
-   longest. */
+/* plan->why: "hsao, slabs: errs by 0.0123, the cheapest of all choices within 5 % of 0.0130". The array has room for
+   the longest sentence. */
 SSGI__FN void ssgi__plan_sentence(ssgi_plan *plan, float error)
 {
     static const char *const method[] = { "nothing", "hsao", "ssdo", "s3ho", "dss", "fields" };
