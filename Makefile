@@ -318,7 +318,7 @@ glsl-out glsl-in: build/library
 	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }
 	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
 
-TESTS = main t others $(addprefix test_,math trace files models seeds library text twins pipeline light vectors field casters \
+TESTS = main t others $(addprefix test_,math trace files models seeds library text twins pipeline light coefficients field occluders \
         steps surfels plan papers cost stability build)
 
 TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model \

@@ -1,4 +1,4 @@
-/* ssgi.h - v0.3 - screen-space illumination: the CPU maths. C99, no dependencies. Public domain or MIT: end of file.
+/* ssgi.h - v0.4 - screen-space illumination: the CPU maths. C99, no dependencies. Public domain or MIT: end of file.
 
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION
                                         #include "ssgi.h"
@@ -11,7 +11,7 @@
       const char *why = "";
       if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 1280, 720, &why) != SSGI_OK) puts(why);
       float p[3];
-      ssgi_view_position(&view, 640.5f, 360.5f, ssgi_view_depth(&view, 0.75f), p);   // a depth texel, in view space
+      ssgi_view_position(p, &view, 640.5f, 360.5f, ssgi_view_depth(&view, 0.75f));   // a depth texel, in view space
       printf("%g %g %g, a pixel is %g wide there\n", p[0], p[1], p[2], ssgi_pixel_footprint(&view, -p[2]));
 
    CONVENTIONS  (given once; every comment relies on them)
@@ -67,7 +67,7 @@
 #include <stdint.h>
 
 #define SSGI_VERSION_MAJOR 0
-#define SSGI_VERSION_MINOR 3
+#define SSGI_VERSION_MINOR 4
 #define SSGI_VERSION (10000 * SSGI_VERSION_MAJOR + 100 * SSGI_VERSION_MINOR)
 
 /* With SSGI_STATIC a compiler would warn of every function that a file does not call, hence the attribute. */
@@ -84,6 +84,10 @@ extern "C" {
 #endif
 
 /* ==== >>types ================================================================================================== */
+
+/* The last enumerator of enum types that are read from you. It makes every int a value of the type, so that a bad one
+   may be read, and refused; and the type as wide as an int. */
+#define SSGI_FORCE (-0x7fffffff - 1)
 
 typedef enum ssgi_result {
     SSGI_OK = 0,
@@ -113,12 +117,12 @@ typedef struct ssgi_view {
 
 /* Decodes the projection matrix that GL got. It may be perspective or orthographic, with any window depth (normal,
    reversed, infinite far plane), off-centre (sub-pixel jitter, stereo), with y up or down, with an oblique near plane
-   (planar reflections: desc.oblique of ssgi_gl.h), right-handed or left-handed.
+   (planar reflections: desc.input.oblique of ssgi_gl.h), right-handed or left-handed.
    If it is left-handed, your camera looks along +z, and view space here is yours with z negated. (An orthographic
    projection is taken for left-handed where a right-handed camera would have all of its depth range behind the eye.)
-   Negate z of the vectors that you give in view space (lights; for normals there is desc.left_handed) and the third row
-   (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation included. Vectors that come back have z negated
-   likewise.
+   Negate z of the vectors that you give in view space (lights; for normals there is desc.input.left_handed) and the
+   third row (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation included. Vectors that come back have
+   z negated likewise.
      projection     [limit: w row (0,0,-1,0), (0,0,1,0) or (0,0,0,1) up to a common factor; x and y do not mix]
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
      width, height  [units: pixels] [limit: 1..65536] of the frame that the projection fills
@@ -136,8 +140,8 @@ SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pi
 /* ssgi_view_position gives the view-space point that is seen at a pixel position (centres at .5) at a view depth;
    ssgi_view_project gives the pixel position of a view-space point, with its depth [limit: > 0 when perspective] in
    out[2]. GLSL twins: ssgi_position, ssgi_project. */
-SSGI_DEF void ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
-SSGI_DEF void ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
+SSGI_DEF void ssgi_view_position(float out[3], const ssgi_view *view, float pixel_x, float pixel_y, float view_depth);
+SSGI_DEF void ssgi_view_project(float out[3], const ssgi_view *view, const float point[3]);
 
 /* View depth of the near plane that the projection implies [units: view]; for an oblique plane, its least view depth in
    the frame. */
@@ -165,7 +169,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
 /* Default displacements, i modulo 4: left, right, above, behind. If the main camera is two radii from the centre, the
    extra cameras are as far from the centre. They are turned about it by 60 degrees to the left or right and 20 up (0,
    1), by 75 up (2), and to the far side and 50 up (3). */
-SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
+SSGI_DEF void ssgi_extra_displacement(float out[3], int i);
 
 /* ==== >>bias =================================================================================================== */
 
@@ -231,7 +235,7 @@ SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
 /* The i-th point of the R2 sequence in [0,1)^2, which steps by powers of the plastic number. The points are evenly
    spread after any count, so that the count need not be known. */
-SSGI_DEF void ssgi_r2(uint32_t i, float out[2]);
+SSGI_DEF void ssgi_r2(float out[2], uint32_t i);
 
 /* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
      sets       [limit: 1..4096] independent sets, to be interleaved over pixels
@@ -254,19 +258,19 @@ enum {
 };
 
 /* Makes sample sets as ssgi_kernel does, with directions of a kind [limit: SSGI_DIRECTIONS_COSINE ..]; the lengths are
-   the same. desc.kernel of ssgi_gl.h takes COSINE, or UNIFORM with desc.uniform. */
+   the same. desc.gather.kernel of ssgi_gl.h takes COSINE, or UNIFORM with desc.gather.uniform. */
 SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples, const char **why);
 
-/* A tile of noise that is repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. With desc.noise
-   NOISE_TEXTURE, passes of ssgi_gl.h read z and w of it, as RGBA32F or, up to 1024 sets, as RGBA16F; x and y are for
-   shaders that turn their own directions, as the paper's does.
+/* A tile of noise that is repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. With
+   desc.gather.noise NOISE_TEXTURE, passes of ssgi_gl.h read z and w of it, as RGBA32F or, up to 1024 sets, as RGBA16F;
+   x and y are for shaders that turn their own directions, as the paper's does.
      size         [limit: 1..64] texels of a side
      sets         [limit: 1.., a divisor of size * size] each set is at equally many texels, with
-                  turn = (set + 0.5)/sets, by which desc.kernel chooses a row and other passes turn their directions.
-                  With size * size sets there are as many turns as texels. Every window of w x h texels, w h = sets, w
-                  and h as equal as size allows, has every set once: a filter of that width sums over all sets. Size 4
-                  with 16 sets gives the 4 x 4 sets of [SSDO09, S3HO12]. Neighbours have unlike turns; copies of a set
-                  lie as far apart as such windows let them
+                  turn = (set + 0.5)/sets, by which desc.gather.kernel chooses a row and other passes turn their
+                  directions. With size * size sets there are as many turns as texels. Every window of w x h texels, w h
+                  = sets, w and h as equal as size allows, has every set once: a filter of that width sums over all
+                  sets. Size 4 with 16 sets gives the 4 x 4 sets of [SSDO09, S3HO12]. Neighbours have unlike turns;
+                  copies of a set lie as far apart as such windows let them
      directions   [limit: 1..1024] N_d of [HSAO08 4.1.2]: a = 2 pi turn/directions, in [0, 2 pi/directions)
    b, in [-0.5, 0.5], moves the steps. Its values are the middles of size * size strata, once each, decorrelated from
    the turn. (The paper's range (-1,1) spans two steps, to no use.) The same input gives the same tile. */
@@ -347,8 +351,8 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 
 /* The octahedral map lays directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z. Decoding
    gives a unit vector: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
-SSGI_DEF void ssgi_octahedral_encode(const float direction[3], float out[2]);
-SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3]);
+SSGI_DEF void ssgi_octahedral_encode(float out[2], const float direction[3]);
+SSGI_DEF void ssgi_octahedral_decode(float out[3], const float e[2]);
 
 /* An environment seen through a lobe about every direction, as an octahedral map: out[3 * (y * size + x) + c] is at
    e = (x + 0.5, y + 0.5) / size * 2 - 1.
@@ -470,8 +474,8 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
 /* Finds the hit with the smallest t in tmin < t < tmax. Returns 1 with *hit filled, or 0 with *hit untouched. The
    direction may have any length, which is the unit of t. tmin below 0 counts as 0. A ray that is not finite, beyond
    1e12, or without direction hits nothing. */
-SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
-                                float tmax, ssgi_hit *hit);
+SSGI_DEF int ssgi_trace_closest(ssgi_hit *hit, const ssgi_trace *trace, const float origin[3], const float direction[3],
+                                float tmin, float tmax);
 
 /* Returns 1 if there is any hit in tmin < t < tmax, else 0. It stops at the first hit that it finds. */
 SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
@@ -540,12 +544,13 @@ typedef struct ssgi_surfel {
 
 /* ssgi_surfel_desc.overhang: how a triangle shrinks before surfels are placed in it, so that discs of radius r keep off
    its edges. */
-enum {
+typedef enum ssgi_overhang {
     SSGI_OVERHANG_INCENTRE = 0, /* about the centre of the inscribed circle by 1 - r / the circle's radius, at least
                                    1/4: discs end at the edges if they fit into the triangle */
-    SSGI_OVERHANG_CENTROID      /* as published, corners move by r toward the centroid, which leaves half of the
+    SSGI_OVERHANG_CENTROID,     /* as published, corners move by r toward the centroid, which leaves half of the
                                    overhang; they move 0.9 of the way at most, or slivers would turn over [DSS14 3.1] */
-};
+    SSGI_OVERHANG_FORCE = SSGI_FORCE
+} ssgi_overhang;
 
 /* How surfels are made. Zero is the default everywhere. */
 typedef struct ssgi_surfel_desc {
@@ -563,7 +568,7 @@ typedef struct ssgi_surfel_desc {
     /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum: the radius of occlusion,
        for instance */
     float max_distance;
-    int overhang; /* SSGI_OVERHANG_INCENTRE .. */
+    ssgi_overhang overhang;
 } ssgi_surfel_desc;
 
 /* The triangles that become surfels. */
@@ -642,7 +647,7 @@ typedef struct ssgi_splat {
 
 enum { SSGI_SPLAT_LEVELS = 7 };
 
-/* Texels along x and y of one level in the shuffled layout: the frame's size, rounded up to multiples of
+/* Texels along x and y of one level in the interleaved layout: the frame's size, rounded up to multiples of
    2^(levels - 1). The levels lie below each other in one texture of size[0] x (levels * size[1]) texels.
      width, height   [limit: 1..65536]
      levels          [limit: 1..7] */
@@ -694,7 +699,7 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
 SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine);
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
-/* The same occlusion as a look-up table [AOF05 section 4.2], for desc.cap_table of ssgi_gl.h or for your shaders:
+/* The same occlusion as a look-up table [AOF05 section 4.2], for desc.input.cap_table of ssgi_gl.h or for your shaders:
    out[y * size + x] is the occlusion of solid angle 4 pi x / (size - 1) and cosine 2 y / (size - 1) - 1. Values stand
    at the texels' centres: u = (solid_angle / (4 pi) * (size - 1) + 0.5) / size, v = ((cosine + 1) / 2 * (size - 1) +
    0.5) / size.
@@ -824,8 +829,8 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
    the share of the cap that is covered. ssgi_cap_light gives the irradiance of an environment that the cap takes away.
    Returns the point's distance from the centre over the hull's. No argument may be NULL; a point that is not finite
    counts as the centre. */
-SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
-                              float *fill);
+SSGI_DEF float ssgi_field_cap(float *solid_angle, float axis[3], float *fill, const ssgi_field *field,
+                              const float point[3]);
 
 /* Saves a field as the bytes of a file, the same on every machine. Returns their number, 0 for no field; writes them if
    out is not NULL and capacity suffices. */
@@ -845,7 +850,8 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
    predictions; a calibration improves them most.
 
       ssgi_plan_scene s = { 0 };                                       a number left 0 is not known
-      s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;   s.thickness = SSGI_PLAN_SLABS;
+      s.wanted = SSGI_PLAN_WANTED_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;
+      s.thickness = SSGI_PLAN_THICKNESS_SLABS;
       ssgi_survey_of(&s.survey, hsao, best, solid, hsao_slabs, pixels, NULL);     pictures of hsao
       ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, hsao_slabs, 3000, 64, radius, NULL);
       ssgi_plan plan;
@@ -853,23 +859,33 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
       ssgi_gl_plan(&desc, &plan, NULL);                                of ssgi_gl.h: sets a desc                   */
 
 enum {
-    SSGI_PLAN_VISIBILITY = 0, /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
-    SSGI_PLAN_LIGHT,          /* irradiance from an environment and lights in its harmonics. RMSE over its mean */
-    SSGI_PLAN_BOUNCE,         /* and one diffuse bounce within the radius. RMSE of both together over their mean */
-    SSGI_PLAN_OBJECTS,        /* ambient visibility between rigid objects, at any distance. RMSE of it */
+    SSGI_PLAN_WANTED_VISIBILITY = 0, /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
+    SSGI_PLAN_WANTED_LIGHT,          /* irradiance from an environment and lights in its harmonics. RMSE over its
+                                        mean */
+    SSGI_PLAN_WANTED_BOUNCE,         /* and one diffuse bounce within the radius. RMSE of both together over their
+                                        mean */
+    SSGI_PLAN_WANTED_OBJECTS,        /* ambient visibility between rigid objects, at any distance. RMSE of it */
 };
 
 /* plan.method. When light is wanted, HSAO dims the irradiance of harmonics. */
-enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
+enum {
+    SSGI_PLAN_METHOD_NOTHING = 0,
+    SSGI_PLAN_METHOD_HSAO,
+    SSGI_PLAN_METHOD_SSDO,
+    SSGI_PLAN_METHOD_S3HO,
+    SSGI_PLAN_METHOD_SURFELS,
+    SSGI_PLAN_METHOD_FIELD
+};
 
-/* plan.thickness: desc.thickness of ssgi_gl.h with other numbers; ssgi_gl_plan translates. WIDTH is the default of
-   chains: ssgi_gl_steps draws pass width, and the costs here include it. */
-enum { SSGI_PLAN_WIDTH = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };
+/* plan.thickness: desc.gather.thickness of ssgi_gl.h with other numbers; ssgi_gl_plan translates. WIDTH is the default
+   of chains: ssgi_gl_steps draws pass thickness, and the costs here include it. */
+enum { SSGI_PLAN_THICKNESS_WIDTH = 0, SSGI_PLAN_THICKNESS_SOLID, SSGI_PLAN_THICKNESS_BACK, SSGI_PLAN_THICKNESS_SLABS };
 
 /* plan_scene.device: the device whose costs count. */
 enum {
-    SSGI_PLAN_SOFTWARE = 0, /* llvmpipe's costs, measured */
-    SSGI_PLAN_GPU,          /* an RX 6800's at 1920x1080, modelled from its compiler's instructions, never measured */
+    SSGI_PLAN_DEVICE_SOFTWARE = 0, /* llvmpipe's costs, measured */
+    SSGI_PLAN_DEVICE_GPU,          /* an RX 6800's at 1920x1080, modelled from its compiler's instructions, never
+                                      measured */
 };
 
 /* How pictures of one frame differ, as RMS over the pixels with a surface. */
@@ -883,8 +899,8 @@ typedef struct ssgi_survey {
 /* Makes a survey of full-size pictures of pass HSAO by slices, filtered, all of one radius; each has count floats. A
    pixel that is NaN in any of them is left out: set it NaN where there is no surface (the pass writes 1 there).
      hsao, best    presets BALANCED and BEST with the default thickness, of chains WIDTH
-     solid         preset BALANCED with desc.thickness SOLID
-     slabs         preset BALANCED with desc.thickness SLABS; may be NULL; the others may not */
+     solid         preset BALANCED with desc.gather.thickness SOLID
+     slabs         preset BALANCED with desc.gather.thickness SLABS; may be NULL; the others may not */
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
                                     const float *slabs, size_t count, const char **why);
 
@@ -915,8 +931,8 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
    values of `wanted` for which a member is read. */
 typedef struct ssgi_plan_scene {
     /* the request */
-    int wanted;   /* SSGI_PLAN_VISIBILITY .. */
-    int device;   /* SSGI_PLAN_SOFTWARE .. */
+    int wanted;   /* SSGI_PLAN_WANTED_VISIBILITY .. */
+    int device;   /* SSGI_PLAN_DEVICE_SOFTWARE .. */
     float error;  /* [limit: >= 0] 0: the least error that the budget buys */
     float budget; /* [units: time of an unblurred 16-sample ssao on the device] [limit: >= 0] 0: unlimited */
 
@@ -933,7 +949,7 @@ typedef struct ssgi_plan_scene {
     float albedo;    /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
 
     /* the passes that may be drawn */
-    int thickness;    /* the largest that may be chosen: SSGI_PLAN_WIDTH, _BACK or _SLABS */
+    int thickness;    /* the largest that may be chosen: SSGI_PLAN_THICKNESS_WIDTH, _BACK or _SLABS */
     float depth_pass; /* [units: as budget] [limit: >= 0] cost of one depth-only pass; BACK adds 1 of it, SLABS 3 */
     int history;      /* 1: frames may be averaged: the camera's motion is known, and trails may show */
     double surfels;   /* VISIBILITY: surfels that the triangles become at size 0.015 (ssgi_surfels_predict), over the
@@ -944,10 +960,10 @@ typedef struct ssgi_plan_scene {
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
-    int method; /* SSGI_PLAN_NOTHING .. */
+    int method; /* SSGI_PLAN_METHOD_NOTHING .. */
 
-    /* settings, 0 where the method has none. They are as in ssgi_gl_desc, but thickness is SSGI_PLAN_WIDTH .., and
-       history is as in ssgi_gl_chain, resolution as in ssgi_field_desc, size as in ssgi_surfel_desc */
+    /* settings, 0 where the method has none. They are as in ssgi_gl_desc, but thickness is SSGI_PLAN_THICKNESS_WIDTH
+       .., and history is as in ssgi_gl_chain, resolution as in ssgi_field_desc, size as in ssgi_surfel_desc */
     int thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
     float size;
 
@@ -1225,7 +1241,7 @@ SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float x, float y, float
     return z > 1.0f / SSGI_FAR && z < SSGI_FAR ? z : SSGI_FAR;
 }
 
-SSGI_DEF void ssgi_view_position(const ssgi_view *view, float x, float y, float z, float out[3])
+SSGI_DEF void ssgi_view_position(float out[3], const ssgi_view *view, float x, float y, float z)
 {
     float k = view->orthographic ? 1.0f : z;
     out[0] = (x * view->unproject[0] + view->unproject[2]) * k;
@@ -1233,7 +1249,7 @@ SSGI_DEF void ssgi_view_position(const ssgi_view *view, float x, float y, float 
     out[2] = -z;
 }
 
-SSGI_DEF void ssgi_view_project(const ssgi_view *view, const float p[3], float out[3])
+SSGI_DEF void ssgi_view_project(float out[3], const ssgi_view *view, const float p[3])
 {
     float k = view->orthographic ? 1.0f : 1.0f / -p[2];
     out[2] = -p[2];
@@ -1345,7 +1361,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     return SSGI_OK;
 }
 
-SSGI_DEF void ssgi_extra_displacement(int i, float out[3])
+SSGI_DEF void ssgi_extra_displacement(float out[3], int i)
 {
     static const float all[4][3] = { { -1.62760f, 0.68404f, -1.06031f },
                                      { 1.62760f, 0.68404f, -1.06031f },
@@ -1587,7 +1603,7 @@ SSGI__FN float ssgi__fract(double x)
     return f < 1.0f ? f : 0.0f;
 }
 
-SSGI_DEF void ssgi_r2(uint32_t i, float out[2])
+SSGI_DEF void ssgi_r2(float out[2], uint32_t i)
 {
     out[0] = ssgi__fract(0.5 + 0.75487766624669276005 * (double)i);
     out[1] = ssgi__fract(0.5 + 0.56984029099805326591 * (double)i);
@@ -1597,7 +1613,7 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2])
 SSGI__FN void ssgi__cone_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
 {
     float at[2], z, radius, angle;
-    ssgi_r2((uint32_t)i, at);
+    ssgi_r2(at, (uint32_t)i);
     z = 1.0f - (1.0f - cosine) * ssgi__fract((double)at[0] + shift[0]);
     radius = sqrtf(z < 1.0f ? 1.0f - z * z : 0.0f);
     angle = 6.2831853f * ssgi__fract((double)at[1] + shift[1]);
@@ -2035,7 +2051,7 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 #define SSGI__CELLS_X 96
 #define SSGI__CELLS_Y 48
 
-SSGI_DEF void ssgi_octahedral_encode(const float d[3], float out[2])
+SSGI_DEF void ssgi_octahedral_encode(float out[2], const float d[3])
 {
     const double x = (double)d[0], y = (double)d[1], ax = fabs(x), ay = fabs(y), sum = ax + ay + fabs((double)d[2]),
                  scale = sum > 0.0 ? 1.0 / sum : 0.0;
@@ -2043,7 +2059,7 @@ SSGI_DEF void ssgi_octahedral_encode(const float d[3], float out[2])
     out[1] = (float)(d[2] < 0.0f ? (1.0 - ax * scale) * (y < 0.0 ? -1.0 : 1.0) : y * scale);
 }
 
-SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3])
+SSGI_DEF void ssgi_octahedral_decode(float out[3], const float e[2])
 {
     double n[3] = { (double)e[0], (double)e[1], 0.0 }, t;
     n[2] = 1.0 - fabs(n[0]) - fabs(n[1]);
@@ -2058,7 +2074,7 @@ SSGI__FN void ssgi__octahedral_texel(float out[3], int texel, int size)
 {
     const float e[2] = { (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f,
                          (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f };
-    ssgi_octahedral_decode(e, out);
+    ssgi_octahedral_decode(out, e);
 }
 
 /* The intersection of [a, a + la] and [b, b + lb]. */
@@ -2778,8 +2794,8 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
     return found;
 }
 
-SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
-                                float tmax, ssgi_hit *hit)
+SSGI_DEF int ssgi_trace_closest(ssgi_hit *hit, const ssgi_trace *trace, const float origin[3], const float direction[3],
+                                float tmin, float tmax)
 {
     return ssgi__trace_walk(trace, origin, direction, tmin, tmax, hit);
 }
@@ -2804,7 +2820,7 @@ SSGI__FN double ssgi__trace_occlusion(const ssgi_trace *trace, const float from[
         ssgi_hit hit;
         for (int c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
         if (hard) sum += ssgi_trace_any(trace, from, d, 0.0f, radius);
-        else if (ssgi_trace_closest(trace, from, d, 0.0f, radius, &hit)) sum += 1.0 - (double)(hit.t / radius);
+        else if (ssgi_trace_closest(&hit, trace, from, d, 0.0f, radius)) sum += 1.0 - (double)(hit.t / radius);
     }
     return sum / rays;
 }
@@ -4223,8 +4239,8 @@ SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w
     for (int n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] / 255.0f * f->span[n];
 }
 
-SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
-                              float *fill)
+SSGI_DEF float ssgi_field_cap(float *solid_angle, float axis[3], float *fill, const ssgi_field *field,
+                              const float point[3])
 {
     const float most = 3.14159265f;
     double w[3], v[3];
@@ -4266,7 +4282,7 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
     }
     r = sqrtf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     if (!(r < l.reach)) return 0.0f;
-    hulls = ssgi_field_cap(field, point, &solid_angle, axis, &fill);
+    hulls = ssgi_field_cap(&solid_angle, axis, &fill, field, point);
     a = fill * ssgi_cap_occlusionf(solid_angle, axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2]);
     if (hulls < 1.0f) a = l.inside + (a - l.inside) * powf(hulls, l.power);
     if (r > l.ramp) {
@@ -4479,8 +4495,8 @@ typedef struct ssgi__plan_row {
 /* clang-format off */
 #define SSGI__ROW(wanted, method, thickness, half, directions, steps, bands, history, resolution, size, cost, gpu, \
                   unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant) \
-    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI_PLAN_##thickness, half, directions, steps, bands, history, \
-      resolution, size, { cost, gpu }, \
+    { SSGI_PLAN_WANTED_##wanted, SSGI_PLAN_METHOD_##method, SSGI_PLAN_THICKNESS_##thickness, half, directions, steps, \
+      bands, history, resolution, size, { cost, gpu }, \
       { unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant } }
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
@@ -4606,7 +4622,7 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     term[SSGI__PLAN_COARSER] = square[0] * size * size;
     term[SSGI__PLAN_UNEVEN] = square[0] * uneven;
     term[SSGI__PLAN_LEFT_OUT] = square[0] * left;
-    term[SSGI__PLAN_BOUNCED] = s->wanted == SSGI_PLAN_BOUNCE ? square[0] * albedo * albedo : 0.0;
+    term[SSGI__PLAN_BOUNCED] = s->wanted == SSGI_PLAN_WANTED_BOUNCE ? square[0] * albedo * albedo : 0.0;
     term[SSGI__PLAN_CONSTANT_ERROR] = 1e-4;
 }
 
@@ -4615,12 +4631,12 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
 {
     const int m = row->method;
     if (row->wanted != s->wanted || row->thickness > s->thickness || row->history > s->history) return 0;
-    if (m == SSGI_PLAN_SSDO && !s->map) return 0;
-    if (m == SSGI_PLAN_SURFELS && !(s->surfels > 0.0)) return 0;
-    if (m == SSGI_PLAN_FIELD && s->occluders < 1) return 0;
+    if (m == SSGI_PLAN_METHOD_SSDO && !s->map) return 0;
+    if (m == SSGI_PLAN_METHOD_SURFELS && !(s->surfels > 0.0)) return 0;
+    if (m == SSGI_PLAN_METHOD_FIELD && s->occluders < 1) return 0;
     /* light from everywhere, or nearly so, has no direction: methods that know directions are taken to gain a tenth of
        the uneven term */
-    return row->wanted != SSGI_PLAN_LIGHT || (m != SSGI_PLAN_S3HO && m != SSGI_PLAN_SSDO)
+    return row->wanted != SSGI_PLAN_WANTED_LIGHT || (m != SSGI_PLAN_METHOD_S3HO && m != SSGI_PLAN_METHOD_SSDO)
         || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= SSGI__PLAN_NEGLIGIBLE * (double)s->error;
 }
 
@@ -4628,15 +4644,15 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
    that of the splats' texels with 1 / size^(1/2). */
 SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
-    const int gpu = s->device == SSGI_PLAN_GPU;
+    const int gpu = s->device == SSGI_PLAN_DEVICE_GPU;
     const double finer = row->size > 0.0f ? (double)(SSGI__PLAN_SURFEL / row->size) : 1.0;
     double cost = (double)row->cost[gpu];
-    if (row->thickness >= SSGI_PLAN_BACK)
-        cost += (double)s->depth_pass * (row->thickness == SSGI_PLAN_SLABS ? 3.0 : 1.0);
-    if (row->method == SSGI_PLAN_FIELD)
+    if (row->thickness >= SSGI_PLAN_THICKNESS_BACK)
+        cost += (double)s->depth_pass * (row->thickness == SSGI_PLAN_THICKNESS_SLABS ? 3.0 : 1.0);
+    if (row->method == SSGI_PLAN_METHOD_FIELD)
         cost += (double)ssgi__plan_costs[gpu].occluder * s->occluders
               * (double)(s->coverage > 0.0f ? s->coverage : SSGI__PLAN_COVERAGE);
-    if (row->method == SSGI_PLAN_SURFELS)
+    if (row->method == SSGI_PLAN_METHOD_SURFELS)
         cost += (double)ssgi__plan_costs[gpu].texel * (s->splats > 0.0 ? s->splats : SSGI__PLAN_TEXELS) * sqrt(finer)
               + (double)ssgi__plan_costs[gpu].surfel * s->surfels * finer * finer;
     return (float)fmin(cost, (double)SSGI_FAR);
@@ -4670,7 +4686,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
            && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
                   < SSGI__PLAN_NEGLIGIBLE * (double)s->error)
         --plan->bands;
-    if (row->method != SSGI_PLAN_SURFELS) return 1;
+    if (row->method != SSGI_PLAN_METHOD_SURFELS) return 1;
     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
     plan->levels = 1;
     while (plan->levels < SSGI_SPLAT_LEVELS
@@ -4682,9 +4698,9 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
 {
     SSGI__CHECK(s, "scene: must not be NULL");
-    SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
-                "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
-    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->thickness >= 0 && s->thickness <= SSGI_PLAN_SLABS
+    SSGI__CHECK(s->wanted >= SSGI_PLAN_WANTED_VISIBILITY && s->wanted <= SSGI_PLAN_WANTED_OBJECTS,
+                "scene.wanted: must be SSGI_PLAN_WANTED_VISIBILITY .. SSGI_PLAN_WANTED_OBJECTS");
+    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->thickness >= 0 && s->thickness <= SSGI_PLAN_THICKNESS_SLABS
                     && s->history >= 0 && s->history <= 1 && s->occluders >= 0,
                 "scene.device, .thickness, .history, .occluders: must be 0..1, 0..3, 0..1, 0 or more");
     SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
@@ -4768,19 +4784,98 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 #endif
 #endif /* SSGI_IMPLEMENTATION */
 
-/* From 1.0 on a minor version adds: sources still compile, names, units and meanings of zeros stay; pixels may change.
-   Before that a minor version may rename: its changes are listed here, old -> new.
+/* COMPATIBILITY From 1.0 on a minor version adds: sources still compile, names, units and meanings of zeros stay;
+   pixels may change. Before that a minor version may rename: its changes are listed here, old -> new.
+   Binaries: structs grow and their members move between minor versions, so compile the implementation and all that call
+   it with the same headers; SSGI_VERSION tells which. Of one version every struct of ssgi_gl_desc is made of ints (and
+   two pointers), enumerations are ints by every compiler (SSGI_FORCE), and the block ssgi_frame is the same bytes on
+   every platform. A stored field (ssgi_field_save) names its format, and another format is refused by name. Keys of
+   texts (ssgi_gl_key) and numbers of passes hold for one version: store neither.
 
-   CHANGES since 0.3
-   Pictures of slices: thickness WIDTH is half as much where a probe found the end of a surface;
-   surfaces that steps miss and those beyond the picture are expected to occlude a little; the filter lets less across
-   edges of a hundredth of the radius. NVIDIA's compiler for GL lost a sign in them: they came out too bright there.
-   View depths of 1 / SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing
-   in front of the camera, ssgi_gl_plan an unknown thickness. To ssgi_gl_sent_set a radiance of 1e-30 or less is
-   nothing. Without desc.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: no other step
-   sent its light. Lights of one band bring a quarter to every normal, not all (ssgi_sh_light, desc.lights): a bounce of
-   them was four times too bright. desc.residual holds for desc.lights by bent normals and cones, too. The plan's costs
-   of a GPU are modelled from its compiler's instructions.
+   CHANGES in 0.4, November 2026
+   Names are the field's, once each. Enumerators name their group. ssgi_gl_desc has groups, and its enumerations are
+   types: an enumerator of another group is a warning in C and an error in C++. A desc of zeros still means every
+   default. "old -> new" stands in a line of its own; words behind it follow either: "desc. -> desc.gather. search" says
+   that desc.search has become desc.gather.search. awk and GNU sed apply the table where variables are named as here; a
+   compiler names the rest:
+
+      awk '/^   CHANGES in 0.4/ { on = 1 } /^   CHANGES in 0.3/ { exit }
+           on && $2 == "->" { if (NF == 3) $4 = ""
+                              for (i = 4; i <= NF; ++i) print "s/\\<" $1 $i "\\>/" $3 $i "/g" }' ssgi.h >renames.sed
+      sed -i -f renames.sed yours.c
+
+   SSGI_GL_ -> SSGI_GL_DIALECT_  300ES 310ES 320ES 330 410 450 VULKAN
+   SSGI_GL_ -> SSGI_GL_IO_  ATTRIBUTE CAPTURE CONSTANT OUTPUT PARAM TEXTURE
+   SSGI_GL_ -> SSGI_GL_PRESET_  BALANCED BEST FAST
+   SSGI_GL_ -> SSGI_GL_FILTER_  BILATERAL GAUSSIAN
+   SSGI_GL_ -> SSGI_GL_PASS_  BLUR COMPOSE FIELD HISTORY HSAO LIGHTS S3HO SHADE SMOOTH SPLAT SSAO SSDO SUM SURFELS
+   SSGI_GL_ -> SSGI_GL_QUANTITY_  COEFFICIENTS
+   SSGI_GL_ -> SSGI_GL_STAGE_  FRAGMENT GEOMETRY TESS_CONTROL TESS_EVALUATION VERTEX
+   SSGI_GL_ -> SSGI_GL_SEARCH_  MARCH POINTS SLICES
+   SSGI_GL_ -> SSGI_GL_LIGHT_  POINT SPOT SUN VPL
+   SSGI_PLAN_ -> SSGI_PLAN_THICKNESS_  BACK SLABS SOLID
+   SSGI_PLAN_ -> SSGI_PLAN_WANTED_  BOUNCE LIGHT OBJECTS VISIBILITY
+   SSGI_PLAN_ -> SSGI_PLAN_METHOD_  FIELD HSAO NOTHING S3HO SSDO SURFELS
+   SSGI_PLAN_ -> SSGI_PLAN_DEVICE_  GPU SOFTWARE
+   SSGI_GL_CHANGES -> SSGI_GL_PASS_CHANGE_MASK
+   SSGI_GL_COLOUR -> SSGI_GL_QUANTITY_LIGHT
+   SSGI_GL_GREY -> SSGI_GL_QUANTITY_VISIBILITY
+   SSGI_GL_NEARBY -> SSGI_GL_PASS_CHANGE_SHARE
+   SSGI_GL_SENDERS -> SSGI_GL_PASS_EMITTERS
+   SSGI_GL_SHUFFLE -> SSGI_GL_PASS_INTERLEAVE
+   SSGI_GL_UNSHUFFLE -> SSGI_GL_PASS_DEINTERLEAVE
+   SSGI_GL_WIDTH -> SSGI_GL_PASS_THICKNESS
+   ssgi_add_blocked -> ssgi_add_occluded
+   ssgi_blocked -> ssgi_occlusion_at
+   ssgi_offer_sender -> ssgi_offer_emitter
+   ssgi_point_blocked -> ssgi_point_occlusion
+   ssgi_segment_blocked -> ssgi_segment_occlusion
+   ssgi_sender -> ssgi_emitter
+   ssgi_sender_pixel -> ssgi_emitter_pixel
+   ssgi_sender_place -> ssgi_emitter_place
+   ssgi_sender_texel -> ssgi_emitter_texel
+   chain.vectors -> chain.coefficients
+   frame.thickness -> frame.thickness_limit
+   o_ssgi_changes -> o_ssgi_change_mask
+   o_ssgi_nearby -> o_ssgi_change_share
+   o_ssgi_sender -> o_ssgi_emitter
+   o_ssgi_shuffled -> o_ssgi_interleaved
+   o_ssgi_width -> o_ssgi_thickness
+   t_ssgi_changes -> t_ssgi_change_mask
+   t_ssgi_nearby -> t_ssgi_change_share
+   t_ssgi_senders -> t_ssgi_emitters
+   t_ssgi_shuffled -> t_ssgi_interleaved
+   t_ssgi_view_senders -> t_ssgi_view_emitters
+   t_ssgi_width -> t_ssgi_thickness
+   u_ssgi_thickness -> u_ssgi_thickness_limit
+   desc.filter -> desc.filter.kind
+   desc.colour -> desc.filter.quantity
+   desc.filter_radius -> desc.filter.radius
+   desc.filter_normals -> desc.filter.normals
+   desc. -> desc.input.  orthographic oblique left_handed depth normal world_normals multisampled array motion objects
+   desc. -> desc.input.  cap_table
+   desc. -> desc.gather.  search directions samples steps normal_rays terms spheres noise kernel uniform half thickness
+   desc. -> desc.gather.  layers views view_layers falloff fade range
+   desc. -> desc.light.  environment harmonics bounce two_sided radiance receiver shadow accumulate restore bands packed
+   desc. -> desc.light.  transfer dimmed shaded residual shading lights albedo
+   desc. -> desc.surfel.  effect levels tessellate overhang sends span near_samples enlarge combine axis
+   desc. -> desc.filter.  onto
+   desc. -> desc.text.  dialect lines version fetch
+
+   By hand: desc.hard = 1 -> desc.gather.falloff = SSGI_GL_FALLOFF_NONE, which points refuse. desc.half has words: NONE,
+   FIRST and IN_TURN for 0, 1 and 2. Out parameters come first, now of ssgi_view_position, _view_project,
+   _extra_displacement, _r2, _octahedral_encode, _octahedral_decode, _trace_closest and _field_cap, too. New:
+   ssgi_gl_choice.field, "gather.steps", as sentences name it.
+
+   Pictures of slices: thickness WIDTH is half as much where a probe found the end of a surface; surfaces that steps
+   miss and those beyond the picture are expected to occlude a little; the filter lets less across edges of a hundredth
+   of the radius. NVIDIA's compiler for GL lost a sign in them: they came out too bright there. View depths of 1 /
+   SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing in front of the
+   camera, ssgi_gl_plan an unknown thickness. To ssgi_gl_sent_set a radiance of 1e-30 or less is nothing. Without
+   desc.surfel.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: no other step sent its
+   light. Lights of one band bring a quarter to every normal, not all (ssgi_sh_light, desc.light.lights): a bounce of
+   them was four times too bright. desc.light.residual holds for desc.light.lights by bent normals and cones, too. The
+   plan's costs of a GPU are modelled from its compiler's instructions.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

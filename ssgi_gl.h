@@ -1,4 +1,4 @@
-/* ssgi_gl.h - v0.3 - screen-space illumination: the GLSL of every pass, as text. C99, includes ssgi.h only.
+/* ssgi_gl.h - v0.4 - screen-space illumination: the GLSL of every pass, as text. C99, includes ssgi.h only.
    Licence: end of ssgi.h.
 
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION          (unless ssgi.h is implemented elsewhere)
@@ -9,14 +9,14 @@
 
       // ssgi_gl_steps lists the draws of whole chains, with filter and history: see the README, examples/minimal.c.
       ssgi_gl_desc d = { 0 };                               // every choice at its default; C++: ssgi_gl_desc d = {};
-      d.pass = SSGI_GL_HSAO;
-      size_t length = ssgi_gl_emit(NULL, 0, &d, SSGI_GL_FRAGMENT);       // it works like snprintf
+      d.pass = SSGI_GL_PASS_HSAO;
+      size_t length = ssgi_gl_emit(NULL, 0, &d, SSGI_GL_STAGE_FRAGMENT);       // it works like snprintf
       char *text = (char *)malloc(length + 1);
-      ssgi_gl_emit(text, length + 1, &d, SSGI_GL_FRAGMENT);              // compile this with your own GL ...
+      ssgi_gl_emit(text, length + 1, &d, SSGI_GL_STAGE_FRAGMENT);              // compile this with your own GL ...
       ssgi_gl_io row[SSGI_GL_MAX_IO];
       int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), i;            // ... and bind its inputs and outputs:
       for (i = 0; i < rows; ++i)
-         if (row[i].kind == SSGI_GL_TEXTURE) printf("unit %d: %s, %s\n", row[i].slot, row[i].name, row[i].format);
+         if (row[i].kind == SSGI_GL_IO_TEXTURE) printf("unit %d: %s, %s\n", row[i].slot, row[i].name, row[i].format);
       ssgi_gl_frame frame;                                  // the values of one frame: upload as one uniform buffer
       ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);        // view: an ssgi_view, see ssgi.h; radius 0.5 view units
 
@@ -29,11 +29,11 @@
       textures     a name has the same unit in every variant of a pass. Textures are read by texelFetch at level 0, so
                    wrap modes do not matter, but a texture must be complete: set both of its filters to GL_NEAREST.
                    Under GL's default minifying filter a texture without mip levels reads 0, and under its default
-                   magnifying filter a texture of integers does (pass width writes one), so that visibility is 0 or 1
-                   everywhere. Depth and 32-bit floats need GL_NEAREST in GLES and WebGL. GL_TEXTURE_COMPARE_MODE must
+                   magnifying filter a texture of integers does (pass thickness writes one), so that visibility is 0 or
+                   1 everywhere. Depth and 32-bit floats need GL_NEAREST in GLES and WebGL. GL_TEXTURE_COMPARE_MODE must
                    be GL_NONE. Bind no sampler object to these units: it would override the textures' filters
       targets      a texture that a step reads must not be attached to the framebuffer that the step draws into: with
-                   desc.onto, depth and normals must not be attached beside the picture. In GLES and WebGL
+                   desc.filter.onto, depth and normals must not be attached beside the picture. In GLES and WebGL
                    floating-point targets need EXT_color_buffer_float or, if of 16 bits, EXT_color_buffer_half_float
       uniforms     the block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding)
                    the text holds the slots of ssgi_gl_reflect's rows; in the others set them once by name
@@ -44,43 +44,49 @@
                    ssgi_view_from_projection (ssgi.h)
       This header calls no GL.
 
-   PASSES       ssao     ambient visibility from point samples in the hemisphere [SA07]
-                hsao     ambient visibility from slices through the view direction [TLG23], or from the paper's march
-                         [HSAO08]
-                ssdo     directional occlusion of an environment, one diffuse bounce, or both [SSDO09]
-                s3ho     occlusion as spherical harmonics, to be dotted with light; light that occluders reflect
-                         [S3HO12]
-                lights   irradiance by suns, point lights and virtual point lights, shadowed by shadow maps or by
-                         segments on the screen [SSDO09 4, 5]
-                senders  packs the outgoing radiance, the normal and the depth of surfaces, so that the bounce fetches
-                         one texel a sample
-                shade    shades the coefficients of s3ho: dot product with light, bent normals, cones [S3HO12, SSBN11]
-                field    ambient occlusion by rigid occluders whose fields were baked; blending multiplies them [AOF05]
-                surfels  makes surfels from triangles, or lights the surfels of a buffer; writes into a buffer [DSS14]
-                shuffle, splat           the first interleaves pixels into every level's sub-buffers; the second adds
-                                         up the effects of surfels on them
-                unshuffle, smooth, sum   the first deinterleaves the pixels, the second filters within surfaces, the
-                                         third adds the levels up
-                blur, history            the first filters the other passes' results and preserves edges; the second
-                                         does the same and averages over frames
-                changes, nearby          the first finds occluders that came or went, by their depth, in tiles of 8x8
-                                         pixels; the second finds their share of the surfaces within the radius: the
-                                         larger it is, the fewer frames history averages
-                compose  blends the result onto your picture; pass blur itself blends the visibility that it filters
-                width    writes the view depth and the thickness of visible surfaces, which gathers and lights read:
-                         desc.thickness
+   PASSES       ssao          ambient visibility from point samples in the hemisphere [SA07]
+                hsao          ambient visibility from slices through the view direction [TLG23], or from the paper's
+                              march [HSAO08]
+                ssdo          directional occlusion of an environment, one diffuse bounce, or both [SSDO09]
+                s3ho          occlusion as spherical harmonics, to be dotted with light; light that occluders reflect
+                              [S3HO12]
+                lights        irradiance by suns, point lights and virtual point lights, shadowed by shadow maps or by
+                              segments on the screen [SSDO09 4, 5]
+                emitters      packs the outgoing radiance, the normal and the depth of surfaces, so that the bounce
+                              fetches one texel a sample
+                shade         shades the coefficients of s3ho: dot product with light, bent normals, cones [S3HO12,
+                              SSBN11]
+                field         ambient occlusion by rigid occluders whose fields were baked; blending multiplies them
+                              [AOF05]
+                surfels       makes surfels from triangles, or lights the surfels of a buffer; writes into a buffer
+                              [DSS14]
+                interleave    distributes the pixels to the sub-buffers of every level [DSS14]
+                splat         adds up the effects of surfels on them
+                deinterleave  puts the pixels back in their places
+                smooth        filters each level within surfaces
+                sum           adds the levels up
+                blur          filters the other passes' results, and preserves edges
+                history       does the same, and averages over frames
+                compose       blends the result onto your picture; pass blur itself blends the visibility that it
+                              filters
+                thickness     writes the view depth and the thickness of visible surfaces, which gathers and lights
+                              read: desc.gather.thickness
+                change_mask   finds occluders that came or went, by their depth, in tiles of 8x8 pixels
+                change_share  finds their share of the surfaces within the radius: the larger it is, the fewer frames
+                              history averages
 
    SOURCES      as in ssgi.h, and
                 [SA07]   Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion techniques on GPUs
                 [TLG23]  Therrien, Levesque, Gilet 2023, Screen space indirect lighting with visibility bitmask: slices
                 [HHM18]  Heitz, Hill, McGuire 2018, Combining analytic direct illumination and stochastic shadows:
-                         desc.restore
+                         desc.light.restore
 
    WHICH PASSES ARE DRAWN, IN WHICH ORDER, INTO WHICH TEXTURES is data: ssgi_gl_steps (>>steps; a loop:
    examples/minimal.c). This is left to you:
-      lights       you draw the shadow maps that desc.shadow MAP and FILL read. For lights without a map see desc.shadow
-      s3ho         with chain.vectors the filtered coefficients hold while camera and geometry stay: where the light
-                   alone changed, draw only the steps from shade on
+      lights       you draw the shadow maps that desc.light.shadow MAP and FILL read; of lights without a map
+                   desc.light.shadow tells
+      s3ho         with chain.coefficients the filtered coefficients hold while camera and geometry stay: where the
+                   light alone changed, draw only the steps from shade on
       field        each occluder is a row of t_ssgi_occluders (ssgi_gl_occluder). The result is not filtered. Forward
                    shaders call the function that ssgi_gl_field writes
       history      each frame set frame.phase = ssgi_gl_phase(its number), and call ssgi_gl_frame_history except after a
@@ -130,36 +136,37 @@ extern "C" {
 /* ==== >>desc ====================================================================================================== */
 
 /* desc.pass: see PASSES above. */
-enum {
-    SSGI_GL_SSAO = 0,
-    SSGI_GL_HSAO,
-    SSGI_GL_SSDO,
-    SSGI_GL_S3HO,
-    SSGI_GL_LIGHTS,
-    SSGI_GL_SENDERS,
-    SSGI_GL_SHADE,
-    SSGI_GL_FIELD,
-    SSGI_GL_SURFELS,
-    SSGI_GL_SHUFFLE,
-    SSGI_GL_SPLAT,
-    SSGI_GL_UNSHUFFLE,
-    SSGI_GL_SMOOTH,
-    SSGI_GL_SUM,
-    SSGI_GL_BLUR,
-    SSGI_GL_HISTORY,
-    SSGI_GL_COMPOSE,
-    SSGI_GL_WIDTH,
-    SSGI_GL_CHANGES,
-    SSGI_GL_NEARBY,
+typedef enum ssgi_gl_pass {
+    SSGI_GL_PASS_SSAO = 0,
+    SSGI_GL_PASS_HSAO,
+    SSGI_GL_PASS_SSDO,
+    SSGI_GL_PASS_S3HO,
+    SSGI_GL_PASS_LIGHTS,
+    SSGI_GL_PASS_EMITTERS,
+    SSGI_GL_PASS_SHADE,
+    SSGI_GL_PASS_FIELD,
+    SSGI_GL_PASS_SURFELS,
+    SSGI_GL_PASS_INTERLEAVE,
+    SSGI_GL_PASS_SPLAT,
+    SSGI_GL_PASS_DEINTERLEAVE,
+    SSGI_GL_PASS_SMOOTH,
+    SSGI_GL_PASS_SUM,
+    SSGI_GL_PASS_BLUR,
+    SSGI_GL_PASS_HISTORY,
+    SSGI_GL_PASS_COMPOSE,
+    SSGI_GL_PASS_THICKNESS,
+    SSGI_GL_PASS_CHANGE_MASK,
+    SSGI_GL_PASS_CHANGE_SHARE,
     SSGI_GL_PASSES, /* how many */
-};
+    SSGI_GL_PASS_FORCE = SSGI_FORCE
+} ssgi_gl_pass;
 
-/* desc.dialect: the language of the text.
+/* desc.text.dialect: the language of the text.
    VULKAN: text for SPIR-V, which other tools translate to HLSL, MSL and WGSL.
      bindings    all are in set 0: the uniform blocks ssgi_frame and ssgi_views at bindings 0 and 1, the texture of unit
                  u at 2 + u (ssgi_gl_input.binding): a sampled image, fetched without a sampler, in the layout GENERAL
                  or SHADER_READ_ONLY_OPTIMAL. Its view is of an array where ssgi_gl_input.array says so, even of one
-                 slice, as that of senders. Bindings from 18 on and other sets are yours. Depth is viewed by its depth
+                 slice, as that of emitters. Bindings from 18 on and other sets are yours. Depth is viewed by its depth
                  aspect alone
      formats     ssgi_gl_format has Vulkan's and WebGPU's names
      counts      constants that ssgi_gl_reflect gives an offset other than 0 are specialisation constants of that id
@@ -175,69 +182,76 @@ enum {
      views       the image begins at frame.target in the textures that passes write, and at frame.origin in your
                  textures, as a viewport of an atlas does. ssgi_gl_output.slices is the number of layers of a target;
                  .slice is the layer that is drawn into, by a 2D view of it */
-enum {
-    SSGI_GL_330 = 0,
-    SSGI_GL_410,
-    SSGI_GL_450,
-    SSGI_GL_300ES,
-    SSGI_GL_310ES,
-    SSGI_GL_320ES,
-    SSGI_GL_VULKAN,
+typedef enum ssgi_gl_dialect {
+    SSGI_GL_DIALECT_330 = 0,
+    SSGI_GL_DIALECT_410,
+    SSGI_GL_DIALECT_450,
+    SSGI_GL_DIALECT_300ES,
+    SSGI_GL_DIALECT_310ES,
+    SSGI_GL_DIALECT_320ES,
+    SSGI_GL_DIALECT_VULKAN,
     SSGI_GL_DIALECTS, /* how many */
-};
+    SSGI_GL_DIALECT_FORCE = SSGI_FORCE
+} ssgi_gl_dialect;
 
 /* Stages of ssgi_gl_emit. */
 enum {
-    SSGI_GL_VERTEX = 0,
-    SSGI_GL_FRAGMENT,
-    SSGI_GL_TESS_CONTROL,
-    SSGI_GL_TESS_EVALUATION,
-    SSGI_GL_GEOMETRY,
+    SSGI_GL_STAGE_VERTEX = 0,
+    SSGI_GL_STAGE_FRAGMENT,
+    SSGI_GL_STAGE_TESS_CONTROL,
+    SSGI_GL_STAGE_TESS_EVALUATION,
+    SSGI_GL_STAGE_GEOMETRY,
     SSGI_GL_STAGES, /* how many */
 };
 
-/* desc.depth: the content of the depth texture. Layer 0 of CUSTOM is the visible surface. */
-enum {
+/* desc.input.depth: the content of the depth texture. Layer 0 of CUSTOM is the visible surface. */
+typedef enum ssgi_gl_depth {
     SSGI_GL_DEPTH_WINDOW = 0, /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
     SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background */
-    SSGI_GL_DEPTH_CUSTOM,     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call ssgi_decode */
-};
+    SSGI_GL_DEPTH_CUSTOM,     /* desc.text.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call
+                                 ssgi_decode */
+    SSGI_GL_DEPTH_FORCE = SSGI_FORCE
+} ssgi_gl_depth;
 
-/* desc.normal: source and packing of normals. */
-enum {
+/* desc.input.normal: source and packing of normals. */
+typedef enum ssgi_gl_normal {
     SSGI_GL_NORMAL_SIGNED = 0, /* xyz in [-1,1] (any float or snorm texture), of any length */
     SSGI_GL_NORMAL_UNSIGNED,   /* xyz * 0.5 + 0.5 (unorm texture) */
     SSGI_GL_NORMAL_OCTAHEDRAL, /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
     SSGI_GL_NORMAL_FROM_DEPTH, /* no texture: computed from the nearer depth neighbours, by 4 more fetches */
-    SSGI_GL_NORMAL_CUSTOM,     /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
-};
+    SSGI_GL_NORMAL_CUSTOM,     /* desc.text.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
+    SSGI_GL_NORMAL_FORCE = SSGI_FORCE
+} ssgi_gl_normal;
 
-/* desc.noise: the pattern that decorrelates neighbouring pixels. */
-enum {
+/* desc.gather.noise: the pattern that decorrelates neighbouring pixels. */
+typedef enum ssgi_gl_noise {
     SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise, which suits a filter of 3x3 */
     SSGI_GL_NOISE_TEXTURE,      /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions;
                                    ssgi_noise_tile makes one */
-};
+    SSGI_GL_NOISE_FORCE = SSGI_FORCE
+} ssgi_gl_noise;
 
-/* desc.search: where a gather looks for occluders. */
-enum {
-    SSGI_GL_SLICES = 0, /* planes through the view direction, walked both ways [TLG23] */
-    SSGI_GL_POINTS,     /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
-    SSGI_GL_MARCH,      /* hsao: the paper's deflected ray, with normal rays above it [HSAO08 3.1-3.3] */
-};
+/* desc.gather.search: where a gather looks for occluders. */
+typedef enum ssgi_gl_search {
+    SSGI_GL_SEARCH_SLICES = 0, /* planes through the view direction, walked both ways [TLG23] */
+    SSGI_GL_SEARCH_POINTS,     /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
+    SSGI_GL_SEARCH_MARCH,      /* hsao: the paper's deflected ray, with normal rays above it [HSAO08 3.1-3.3] */
+    SSGI_GL_SEARCH_FORCE = SSGI_FORCE
+} ssgi_gl_search;
 
-/* desc.terms: the terms of the march that count. All but RAYS seek the horizon: with desc.layers or desc.views that of
-   their solids; otherwise visible surfaces have no far side, whatever desc.thickness is. With NORMAL and RAYS
-   normal_rays 0 means 1. */
-enum {
-    SSGI_GL_TERMS_BOTH = 0, /* occlusion below the horizon in closed form, and above it by desc.normal_rays rays */
+/* desc.gather.terms: the terms of the march that count. All but RAYS seek the horizon: with desc.gather.layers or
+   desc.gather.views that of their solids; otherwise visible surfaces have no far side, whatever desc.gather.thickness
+   is. With NORMAL and RAYS normal_rays 0 means 1. */
+typedef enum ssgi_gl_terms {
+    SSGI_GL_TERMS_BOTH = 0, /* occlusion below the horizon in closed form, and above it by normal_rays rays */
     SSGI_GL_TERMS_HORIZON,  /* below the horizon alone, as with normal_rays 0 [HSAO08 fig. 10a] */
     SSGI_GL_TERMS_NORMAL,   /* above the horizon alone: the part that normal rays add [HSAO08 fig. 10b] */
     SSGI_GL_TERMS_RAYS,     /* no horizon: directions x normal_rays rays over the whole hemisphere [HSAO08 fig. 12] */
-};
+    SSGI_GL_TERMS_FORCE = SSGI_FORCE
+} ssgi_gl_terms;
 
-/* desc.thickness: how far visible surfaces reach, away from the viewer.
-     pass width      writes thickness and view depth, which slices read with WIDTH, BACK and SLABS, the others with
+/* desc.gather.thickness: how far visible surfaces reach, away from the viewer.
+     pass thickness      writes thickness and view depth, which slices read with WIDTH, BACK and SLABS, the others with
                      WIDTH, by one fetch instead of t_ssgi_depth's. ssgi_gl_steps draws it once a frame, with the
                      largest thickness of chain.desc and chain.lights. Without ssgi_gl_steps draw it first, with the
                      reader's desc except for the pass
@@ -245,298 +259,354 @@ enum {
                      back face, half as thick. SLABS: the second slab is fetched from t_ssgi_back. All three are at
                      least as thick as 0.02 radii and the spacing of the taps
      points, march   BACK, SLABS: both slabs are fetched from t_ssgi_back. A surface without a back face, and a sheet,
-                     is as thick as frame.thickness, since points would step over thinner ones */
-enum {
+                     is as thick as frame.thickness_limit, since points would step over thinner ones */
+typedef enum ssgi_gl_thickness {
     SSGI_GL_THICKNESS_DEFAULT = 0, /* ssgi_gl_steps with hsao, ssdo, s3ho by slices: WIDTH; all else: CONSTANT */
-    SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness */
+    SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness_limit */
     SSGI_GL_THICKNESS_SOLID,       /* without end */
-    SSGI_GL_THICKNESS_WIDTH,       /* a surface is as thick as it is wide in the picture, at most frame.thickness and
-                                      the radius */
+    SSGI_GL_THICKNESS_WIDTH,       /* a surface is as thick as it is wide in the picture, at most frame.thickness_limit
+                                      and the radius */
     SSGI_GL_THICKNESS_BACK,        /* to the nearest back face: t_ssgi_back, a depth pass with front faces culled */
     SSGI_GL_THICKNESS_SLABS,       /* as BACK, and a second slab from the next front face to its back face: two peeled
                                       passes */
-};
+    SSGI_GL_THICKNESS_FORCE = SSGI_FORCE
+} ssgi_gl_thickness;
 
-/* desc.falloff: an occluder's weight over its distance t. Slices multiply by it; points are distributed by it. */
-enum {
+/* desc.gather.falloff: an occluder's weight over its distance t: slices multiply by it, points are spread by it. */
+typedef enum ssgi_gl_falloff {
     SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius, the paper's */
     SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: needed by a bounce that restores the light that virtual point
                                    lights lose to their clamp (ssgi_gl_light.min_distance = radius) */
-};
+    SSGI_GL_FALLOFF_NONE,       /* 1 up to the radius: each surface within it occludes fully. hsao, splat; ssdo and s3ho
+                                   by slices; points cannot be spread so */
+    SSGI_GL_FALLOFF_FORCE = SSGI_FORCE
+} ssgi_gl_falloff;
 
-/* desc.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer holds at a
+/* desc.gather.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer holds at a
    sample. */
-enum {
+typedef enum ssgi_gl_fade {
     SSGI_GL_FADE_NONE = 0,
     SSGI_GL_FADE_SMOOTH, /* falls from 1 at frame.fade to 0 at the radius */
     SSGI_GL_FADE_LAMBDA, /* 1 / (1 + lambda d), the paper's, which is not 0 at the radius [S3HO12 2.1] */
-};
+    SSGI_GL_FADE_FORCE = SSGI_FORCE
+} ssgi_gl_fade;
 
-/* desc.environment: the source of the environment's light. */
-enum {
+/* desc.light.environment: the source of the environment's light. */
+typedef enum ssgi_gl_environment {
     SSGI_GL_ENVIRONMENT_NONE = 0,
     SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: light of all directions at the cost of the visibility alone */
     SSGI_GL_ENVIRONMENT_MAP, /* a texture in world space, read once a direction: ssgi_environment_map */
-};
+    SSGI_GL_ENVIRONMENT_FORCE = SSGI_FORCE
+} ssgi_gl_environment;
 
-/* desc.bounce: how the light that an occluded direction sends is estimated. */
-enum {
+/* desc.light.bounce: how the light that an occluded direction sends is estimated. */
+typedef enum ssgi_gl_bounce {
     SSGI_GL_BOUNCE_NONE = 0,
-    SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: never above the sender's */
+    SSGI_GL_BOUNCE_SOLID_ANGLE, /* the emitter's radiance over the sample's solid angle: never above the emitter's */
     SSGI_GL_BOUNCE_PATCH,       /* the paper's: a patch of pi r^2/N, clamped at frame.distance_clamp [SSDO09 3] */
-};
+    SSGI_GL_BOUNCE_FORCE = SSGI_FORCE
+} ssgi_gl_bounce;
 
-/* desc.shadow: how a light's visibility is tested. */
-enum {
+/* desc.light.shadow: how a light's visibility is tested. */
+typedef enum ssgi_gl_shadow {
     SSGI_GL_SHADOW_SEGMENT = 0, /* by points, in screen space, on the segment to the light, at most a radius long */
     SSGI_GL_SHADOW_MAP,         /* by your shadow maps, with a bias; lights without a map are unshadowed */
     SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over the length that the bias skips [SSDO09 5]; SEGMENT without a
                                    map */
     SSGI_GL_SHADOW_NONE,
-};
+    SSGI_GL_SHADOW_FORCE = SSGI_FORCE
+} ssgi_gl_shadow;
 
-/* desc.radiance: the radiance that senders send. */
-enum {
+/* desc.light.radiance: the radiance that emitters send. */
+typedef enum ssgi_gl_radiance {
     SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times the light that ssdo, shade or lights wrote */
     SSGI_GL_RADIANCE_DIRECT,    /* your own texture of outgoing radiance */
     SSGI_GL_RADIANCE_BOTH,      /* the sum of both */
     SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone, for s3ho, whose coefficients meet the light later */
-};
+    SSGI_GL_RADIANCE_FORCE = SSGI_FORCE
+} ssgi_gl_radiance;
 
-/* desc.transfer: the light that the coefficients of s3ho hold. From 3 bands on three sets take 6 targets (GLES has
-   4). */
-enum {
+/* desc.light.transfer: the light that the coefficients of s3ho hold. From 3 bands on three sets take 6 targets (GLES
+   has 4). */
+typedef enum ssgi_gl_transfer {
     SSGI_GL_TRANSFER_DIRECT = 0, /* one set: the transfer of unoccluded directions */
     SSGI_GL_TRANSFER_BOTH,       /* a set a channel: DIRECT, and unoccluded light reflected by occluders [S3HO12 2.3] */
     SSGI_GL_TRANSFER_REFLECTED,  /* a set a channel: the light that occluders reflect alone */
-};
+    SSGI_GL_TRANSFER_FORCE = SSGI_FORCE
+} ssgi_gl_transfer;
 
-/* desc.harmonics: the light that coefficients are dotted with. */
-enum {
+/* desc.light.harmonics: the light that coefficients are dotted with. */
+typedef enum ssgi_gl_harmonics {
     SSGI_GL_HARMONICS_FRAME = 0, /* frame.harmonics: the same everywhere */
-    SSGI_GL_HARMONICS_CUSTOM,    /* desc.fetch: vec3 ssgi_custom_harmonic(int i, vec3 position) returns coefficient i
-                                    of the radiance, in the world, at a view-space position, as from a volume of
+    SSGI_GL_HARMONICS_CUSTOM,    /* desc.text.fetch: vec3 ssgi_custom_harmonic(int i, vec3 position) returns coefficient
+                                    i of the radiance, in the world, at a view-space position, as from a volume of
                                     probes [S3HO12 1, 6]. It is called for each i once a pixel, where coefficients are
                                     shaded or unoccluded light is restored */
-};
+    SSGI_GL_HARMONICS_FORCE = SSGI_FORCE
+} ssgi_gl_harmonics;
 
-/* desc.shading: how the coefficients are shaded. */
-enum {
+/* desc.light.shading: how the coefficients are shaded. */
+typedef enum ssgi_gl_shading {
     SSGI_GL_SHADING_HARMONICS = 0, /* dot product with frame.harmonics [S3HO12 2.2] */
     SSGI_GL_SHADING_BENT_NORMAL,   /* ambient visibility times irradiance along the mean unoccluded direction */
     SSGI_GL_SHADING_BENT_CONE,     /* visibility times mean radiance of a cone as wide as those directions [SSBN11] */
     SSGI_GL_SHADING_BENT,          /* no light: the mean direction, view space, unit; cosine of the cone's half-angle */
-};
+    SSGI_GL_SHADING_FORCE = SSGI_FORCE
+} ssgi_gl_shading;
 
-/* desc.objects: the object that a pixel shows, so that no occluder darkens its own pixels. With NONE an occluder
+/* desc.input.objects: the object that a pixel shows, so that no occluder darkens its own pixels. With NONE an occluder
    darkens all pixels in its reach. */
-enum {
+typedef enum ssgi_gl_objects {
     SSGI_GL_OBJECTS_NONE = 0,
     SSGI_GL_OBJECTS_TEXTURE, /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
-    SSGI_GL_OBJECTS_CUSTOM,  /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
-};
+    SSGI_GL_OBJECTS_CUSTOM,  /* desc.text.fetch: uint ssgi_custom_object(ivec2 texel) */
+    SSGI_GL_OBJECTS_FORCE = SSGI_FORCE
+} ssgi_gl_objects;
 
-/* desc.effect: the effect of surfels on pixels. */
-enum {
-    SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
+/* desc.surfel.effect: the effect of surfels on pixels. */
+typedef enum ssgi_gl_effect {
+    SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius, or with falloff
+                                     NONE by 1 */
     SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less the environment's light that surfels occlude */
     SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from the light that surfels send */
     SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
     SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface, by frame.dipole from the light that
                                      surfels receive */
-    SSGI_GL_EFFECT_CUSTOM,        /* your own effect: two functions in desc.fetch */
-};
+    SSGI_GL_EFFECT_CUSTOM,        /* your own effect: two functions in desc.text.fetch */
+    SSGI_GL_EFFECT_FORCE = SSGI_FORCE
+} ssgi_gl_effect;
 
-/* EFFECT_CUSTOM calls these functions of desc.fetch: the paper's getMaxDist and computeEffect [DSS14 section 3.2]. A
-   surfel is a disc of view-space position, unit normal and radius, with the colour that desc.sends gave it.
+/* EFFECT_CUSTOM calls these functions of desc.text.fetch: the paper's getMaxDist and computeEffect [DSS14 section 3.2].
+   A surfel is a disc of view-space position, unit normal and radius, with the colour that desc.surfel.sends gave it.
      float ssgi_custom_reach(vec3 position, vec3 normal, float radius, vec3 colour, float epsilon)
          returns the distance from the surfel's centre beyond which its effect is less than epsilon (frame.epsilon),
          linear in the radius; 0: it has no effect. For a form factor it is radius * sqrt(1.0 / epsilon - 1.0). Level 0
          ends at this distance, each further level at twice the last one's, and all of them at frame.radius
      vec4 ssgi_custom_effect(vec3 position, vec3 normal, float radius, vec3 colour, vec3 P, vec3 n)
          returns in xyz the surfel's effect on the pixel at P, whose unit normal is n; the effects of all surfels are
-         summed. w is its form factor there, by which desc.combine counts surfels behind each other; with 0 the sum
-         stays as it is. Your function decides which side of the surfel counts. It is called for pixels in the
+         summed. w is its form factor there, by which desc.surfel.combine counts surfels behind each other; with 0 the
+         sum stays as it is. Your function decides which side of the surfel counts. It is called for pixels in the
          surfel's shells alone
    The sum is o_ssgi_custom of pass sum. For a disc that occludes v = position - P, d = dot(v, v), w = radius * radius *
    max(dot(v, n), 0.0) * max(-dot(v, normal), 0.0) / (d * (d + radius * radius)). */
 
-/* desc.combine: how the form factors of many surfels are combined. How much surfels hide of each other is not
+/* desc.surfel.combine: how the form factors of many surfels are combined. How much surfels hide of each other is not
    known. */
-enum {
+typedef enum ssgi_gl_combine {
     SSGI_GL_COMBINE_SHARE = 0, /* each surfel takes its share of the part that the others leave: 1 - exp(-sum) */
     SSGI_GL_COMBINE_ADD,       /* they add up, to 1 at most, as published [DSS14 section 3.2], which is darker */
-};
+    SSGI_GL_COMBINE_FORCE = SSGI_FORCE
+} ssgi_gl_combine;
 
-/* desc.sends: the light that surfels send, which ssgi_surfel.colour holds afterwards. */
-enum {
+/* desc.surfel.sends: the light that surfels send, which ssgi_surfel.colour holds afterwards. */
+typedef enum ssgi_gl_sends {
     SSGI_GL_SENDS_COLOUR = 0, /* the colour that they had */
-    SSGI_GL_SENDS_LIGHTS,     /* that colour times irradiance over pi: by t_ssgi_lights, shadowed if desc.shadow is MAP
-                                 or FILL, and by the unoccluded environment if there is desc.environment */
-    SSGI_GL_SENDS_CUSTOM,     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
-};
+    SSGI_GL_SENDS_LIGHTS,     /* that colour times irradiance over pi: by t_ssgi_lights, shadowed if desc.light.shadow
+                                 is MAP or FILL, and by the unoccluded environment if there is desc.light.environment */
+    SSGI_GL_SENDS_CUSTOM,     /* desc.text.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
+    SSGI_GL_SENDS_FORCE = SSGI_FORCE
+} ssgi_gl_sends;
 
-/* desc.colour: the quantity that blur and history filter. */
-enum {
-    SSGI_GL_GREY = 0,     /* ambient visibility */
-    SSGI_GL_COLOUR,       /* light, three channels */
-    SSGI_GL_COEFFICIENTS, /* those of s3ho */
-};
+/* desc.quantity: the quantity that blur and history filter. */
+typedef enum ssgi_gl_quantity {
+    SSGI_GL_QUANTITY_VISIBILITY = 0, /* ambient visibility */
+    SSGI_GL_QUANTITY_LIGHT,          /* light, three channels */
+    SSGI_GL_QUANTITY_COEFFICIENTS,   /* those of s3ho */
+    SSGI_GL_QUANTITY_FORCE = SSGI_FORCE
+} ssgi_gl_quantity;
 
-/* desc.onto: how blending puts ambient visibility onto your picture. Light, times albedo, is added with any value but
-   NONE. */
-enum {
+/* desc.filter.onto: how blending puts ambient visibility onto your picture. Light, times albedo, is added with any
+   value but NONE. */
+typedef enum ssgi_gl_onto {
     SSGI_GL_ONTO_NONE = 0,
     SSGI_GL_ONTO_MULTIPLY,      /* the picture holds linear values, which are multiplied; direct light is dimmed, too */
     SSGI_GL_ONTO_MULTIPLY_SRGB, /* the picture holds encoded values, by the power of 1/2.2 */
     SSGI_GL_ONTO_AMBIENT,       /* the occluded share of t_ssgi_ambient, the picture's ambient part, is subtracted */
-};
+    SSGI_GL_ONTO_FORCE = SSGI_FORCE
+} ssgi_gl_onto;
 
-/* desc.restore: the quantity that history and blur filter instead of light. Unoccluded light is known exactly at every
-   pixel and differs across creases, which a filter would smooth: blur puts it back unfiltered, at full size. */
-enum {
+/* desc.light.restore: the quantity that history and blur filter instead of light. Unoccluded light is known exactly at
+   every pixel and differs across creases, which a filter would smooth: blur puts it back unfiltered, at full size. */
+typedef enum ssgi_gl_restore {
     SSGI_GL_RESTORE_NONE = 0,
     SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [HHM18] */
     SSGI_GL_RESTORE_DIFFERENCE, /* light less unoccluded light: for transfer BOTH, whose light may exceed it */
-};
+    SSGI_GL_RESTORE_FORCE = SSGI_FORCE
+} ssgi_gl_restore;
 
-/* desc.filter: how a neighbour is weighted. */
-enum {
-    SSGI_GL_BILATERAL = 0, /* a box over a tile, weighted by the neighbour's distance to the tangent plane */
-    SSGI_GL_GAUSSIAN,      /* the paper's, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
-};
+/* desc.filter.kind: how a neighbour is weighted. */
+typedef enum ssgi_gl_filter {
+    SSGI_GL_FILTER_BILATERAL = 0, /* a box over a tile, weighted by the neighbour's distance to the tangent plane */
+    SSGI_GL_FILTER_GAUSSIAN,      /* the paper's, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
+    SSGI_GL_FILTER_FORCE = SSGI_FORCE
+} ssgi_gl_filter;
 
-/* Your choices when a program is built. Zero is the default everywhere; counts become literal constants in the text,
-   and a feature that is off leaves no text. A field's comment begins with the passes that look at it, where its heading
-   does not tell; the other passes ignore the field, but it must be in its limits [0..1 where none is told].
-   ssgi_gl_check names a field that is not. */
-typedef struct ssgi_gl_desc {
-    /* ---- the text */
-    int pass;    /* SSGI_GL_SSAO .. */
-    int dialect; /* SSGI_GL_330 .. */
-    int lines;   /* 1: the text has #line directives, so that a compiler's "0:N" is line N of this header */
+/* desc.gather.half: the pixels that a gather writes. Blur or history brings its result to full size. */
+typedef enum ssgi_gl_half {
+    SSGI_GL_HALF_NONE = 0, /* all of them */
+    SSGI_GL_HALF_FIRST,    /* the first pixel of every 2x2, so that the size is half, rounded up */
+    SSGI_GL_HALF_IN_TURN,  /* each of the four in turn, by frame.phase: ssgi_gl_steps sets this before history */
+    SSGI_GL_HALF_FORCE = SSGI_FORCE
+} ssgi_gl_half;
 
-    /* ---- the camera */
+/* Your choices when a program is built: what the groups of ssgi_gl_desc hold. Zero is the default everywhere; counts
+   become literal constants in the text, and a feature that is off leaves no text. A field's comment begins with the
+   passes that look at it, where its group does not tell; the other passes ignore the field, but it must be in its
+   limits [0..1 where none is told]. ssgi_gl_check names a field that is not. Each field is four bytes long. */
+
+/* ---- desc.input: the camera and your textures, the same for all passes of a frame */
+typedef struct ssgi_gl_input_desc {
+    /* the camera */
     int orthographic; /* 1: the camera is orthographic (ssgi_view.orthographic says so) */
     int oblique;      /* DEPTH_WINDOW   1: its near plane may be oblique (ssgi_view.oblique) */
     int left_handed;  /* 1: view-space normals have +z away from the viewer; for all else: ssgi_view_from_projection */
 
-    /* ---- your textures */
-    int depth;         /* SSGI_GL_DEPTH_WINDOW .. */
-    int normal;        /* SSGI_GL_NORMAL_SIGNED .. */
+    /* your textures */
+    ssgi_gl_depth depth;
+    ssgi_gl_normal normal;
     int world_normals; /* 1: the normals are in world space; frame.rotation turns them into view space */
     int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; you resolve the other textures. Sample 0 is
                           read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
     int array;         /* 1: depth, normal, back, albedo, direct, ambient, objects and motion are array textures with a
                           slice a view, as for stereo: frame.slice. The textures that passes write stay 2D */
+    int motion;        /* history, change_mask   1: t_ssgi_motion says where each pixel was, so that objects that move
+                          on their own keep their average; 0: the camera alone moves */
+    ssgi_gl_objects objects; /* field */
+    int cap_table;           /* field   0: a cap's occlusion is computed in closed form; 1: it is read from t_ssgi_cap,
+                                your ssgi_cap_table, as published [AOF05 4.2], by 4 more fetches; ssgi_cap_table states
+                                its error */
+} ssgi_gl_input_desc;
 
-    /* ---- gathers, which are ssao, hsao, ssdo, s3ho: where they look. Pass lights tests points as they do */
-    int search;      /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao always has points */
-    int directions;  /* slices, march   [limit: 0..32] [default: slices 1, march 6]  the paper's N_d; a slice has two
-                        directions */
-    int samples;     /* points   [limit: 0..64] [default: 16; lights 8]  directions; in lights points on a segment */
-    int steps;       /* [limit: 0..64] [default: 6; points 1]  steps along each direction, N_s; of the points along
-                        a direction the first occluded one counts */
-    int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
-    int terms;       /* hsao by march   SSGI_GL_TERMS_BOTH .. */
-    int spheres;     /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the ray,
-                        a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
-    int noise;       /* SSGI_GL_NOISE_GRADIENT .. */
-    int kernel;      /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by noise */
-    int uniform;     /* points of gathers   1: directions are spread evenly, as published, and each is weighted by
-                        2 cos (those in a texture, too); 0: they are spread by the cosine and weigh the same, which errs
-                        less */
-    int half; /* gathers, shade   [limit: 0..2]  1: they write one pixel of every 2x2, rounded up; 2: each of the four
-                        in turn, by frame.phase: ssgi_gl_steps sets 2 before history. blur, history   the size of their
-                        input, from which they go to full size */
+/* ---- desc.gather: where ssao, hsao, ssdo and s3ho look for occluders, and what an occluder is. Pass lights tests
+   points as they do */
+typedef struct ssgi_gl_gather_desc {
+    /* where they look */
+    ssgi_gl_search search; /* hsao, ssdo, s3ho; ssao always has points */
+    int directions;        /* slices, march   [limit: 0..32] [default: slices 1, march 6]  the paper's N_d; a slice has
+                              two directions */
+    int samples;         /* points   [limit: 0..64] [default: 16; lights 8]  directions; lights: points on a segment */
+    int steps;           /* [limit: 0..64] [default: 6; points 1]  steps along each direction, N_s; of the points along
+                            a direction the first occluded one counts */
+    int normal_rays;     /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
+    ssgi_gl_terms terms; /* hsao by march */
+    int spheres;         /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the
+                            ray, a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
+    ssgi_gl_noise noise;
+    int kernel;        /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by noise */
+    int uniform;       /* points of gathers   1: directions are spread evenly, as published, and each is weighted by
+                          2 cos (those in a texture, too); 0: they are spread by the cosine and weigh the same, which
+                          errs less */
+    ssgi_gl_half half; /* gathers, shade; blur, history: how their input was written, from which they go to full size */
 
-    /* ---- gathers, lights: the occluders */
-    int thickness;   /* SSGI_GL_THICKNESS_DEFAULT .. */
-    int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: space is solid from each odd
-                        one to the next; an odd last one is as thick as thickness says, CONSTANT or SOLID */
-    int views;       /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if any camera sees it
-                        in front of its depth, and occluded if none does and one finds it inside a solid */
-    int view_layers; /* all but slices   [limit: 0..8] [default: 1]  depth layers of each extra camera */
-    int falloff;     /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
-    int fade;        /* points   SSGI_GL_FADE_NONE .. */
-    int range;       /* points   1: surfaces beyond the radius or below the receiver's plane do not occlude
-                        [S3HO12 2.1] */
-    int hard;        /* hsao, splat; ssdo, s3ho by slices   1: no attenuation: each surface within the radius occludes
-                        fully */
+    /* the occluders: gathers and lights */
+    ssgi_gl_thickness thickness;
+    int layers;              /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: space is solid from
+                                each odd one to the next; an odd last one is as thick as thickness says, CONSTANT or
+                                SOLID */
+    int views;               /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if any camera
+                                sees it in front of its depth, and occluded if none does and one finds it inside a
+                                solid */
+    int view_layers;         /* all but slices   [limit: 0..8] [default: 1]  depth layers of each extra camera */
+    ssgi_gl_falloff falloff; /* points, slices, march, splat */
+    ssgi_gl_fade fade;       /* points */
+    int range;               /* points   1: surfaces beyond the radius or below the receiver's plane do not occlude
+                                [S3HO12 2.1] */
+} ssgi_gl_gather_desc;
 
-    /* ---- light: ssdo, lights, senders */
-    int environment; /* ssdo, blur, history, surfels, splat   SSGI_GL_ENVIRONMENT_NONE .. */
-    int harmonics;   /* ssdo with SH, s3ho shaded, shade and blur by HARMONICS   SSGI_GL_HARMONICS_FRAME .. */
-    int bounce;      /* ssdo   SSGI_GL_BOUNCE_NONE ..; environment and bounce must not both be NONE. With both, two
-                        targets are written from one visibility. compose   1: adds t_ssgi_bounce */
-    int two_sided;   /* ssdo, s3ho   1: senders shine from both sides; 0: from their visible side, while in slices
-                        the other side sends 0.35 of its radiance. splat   1: surfels occlude from both sides, for
-                        sheets */
-    int radiance;    /* senders   SSGI_GL_RADIANCE_LIGHT .. */
-    int receiver;    /* ssdo, lights, senders   [limit: 0..7, below layers]  the depth layer that is lit, so that hidden
-                        surfaces send, too */
-    int shadow;      /* lights, surfels, splat   SSGI_GL_SHADOW_SEGMENT .. */
-    int accumulate;  /* lights   1: adds to t_ssgi_light, which an earlier pass of this frame wrote */
-    int restore;     /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; with any other value
-                        o_ssgi_light is not light until blur or history has drawn with this desc and colour = 1. A
-                        bounce alone is not restored */
+/* ---- desc.light: the light of ssdo, lights and emitters, and the coefficients of s3ho, shade and their blur */
+typedef struct ssgi_gl_light_desc {
+    ssgi_gl_environment environment; /* ssdo, blur, history, surfels, splat */
+    ssgi_gl_harmonics harmonics;     /* ssdo with SH, s3ho shaded, shade and blur by HARMONICS */
+    ssgi_gl_bounce bounce;           /* ssdo   environment and bounce must not both be NONE. With both, two targets are
+                                        written from one visibility. compose   any but NONE: adds t_ssgi_bounce */
+    int two_sided;                   /* ssdo, s3ho   1: emitters shine from both sides; 0: from their visible side,
+                                        while in slices the other side emits 0.35 of its radiance. splat   1: surfels
+                                        occlude from both sides, for sheets */
+    ssgi_gl_radiance radiance;       /* emitters */
+    int receiver;                    /* ssdo, lights, emitters   [limit: 0..7, below layers]  the depth layer that is
+                                        lit, so that hidden surfaces emit, too */
+    ssgi_gl_shadow shadow;           /* lights, surfels, splat */
+    int accumulate;                  /* lights   1: adds to t_ssgi_light, which an earlier pass of this frame wrote */
+    ssgi_gl_restore restore;         /* ssdo, s3ho shaded, shade, history, blur   with any value but NONE o_ssgi_light
+                                        is not light until blur or history has drawn with this desc and filter.quantity
+                                        LIGHT. A bounce alone is not restored */
 
-    /* ---- coefficients: s3ho, shade, blur of them */
-    int bands;    /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2 coefficients; bent
-                     normals need 2 bands */
-    int packed;   /* 0: up to four targets of four floats each; 1: up to two of RGBA32UI a set, of eight halves each */
-    int transfer; /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing is
-                     restored, since REFLECTED has no unoccluded light */
-    int dimmed;   /* s3ho with a transfer, of one layer   1: a sender reflects the light that the last frame's
-                     coefficients let through to it, and the light that reached it from other senders:
-                     t_ssgi_last_red0 .., three filtered sets of BOTH, full size. 0: it reflects its open lobe
-                     [S3HO12 2.3] */
-    int shaded;   /* s3ho   1: the pass writes no coefficients, but shades them with desc.harmonics at once; shade is
-                     not drawn */
-    int residual; /* s3ho shaded, ssdo with SH, shade, transfer not REFLECTED   1: adds ambient visibility
-                     times the residual of unoccluded irradiance (ssgi_sh_residual). With bent normals and cones, whose
-                     environment is exact, the residual of `lights` alone. 0: two bands give a lamp's light to surfaces
-                     that are turned away from it, which errs more than no occlusion */
-    int shading;  /* shade   SSGI_GL_SHADING_HARMONICS .. */
-    int lights;   /* shade   1: adds rows of t_ssgi_lights as harmonics, which the coefficients alone occlude; a POINT
-                     is a sphere of radius min_distance */
-    int albedo;   /* shade   1: the pass writes outgoing radiance; 0: irradiance over pi */
+    /* coefficients */
+    int bands;                 /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2
+                                  coefficients; bent normals need 2 bands */
+    int packed;                /* 0: up to four targets of four floats each; 1: up to two of RGBA32UI a set, of eight
+                                  halves each */
+    ssgi_gl_transfer transfer; /* three sets must be packed. blur, history   REFLECTED: nothing is restored, since
+                                  REFLECTED has no unoccluded light */
+    int dimmed;                /* s3ho with a transfer, of one layer   1: an emitter reflects the light that the last
+                                  frame's coefficients let through to it, and the light that reached it from other
+                                  emitters: t_ssgi_last_red0 .., three filtered sets of BOTH, full size. 0: it reflects
+                                  its open lobe [S3HO12 2.3] */
+    int shaded;                /* s3ho   1: the pass writes no coefficients, but shades them with light.harmonics at
+                                  once; shade is not drawn */
+    int residual;              /* s3ho shaded, ssdo with SH, shade, transfer not REFLECTED   1: adds ambient visibility
+                                  times the residual of unoccluded irradiance (ssgi_sh_residual). With bent normals and
+                                  cones, whose environment is exact, the residual of `lights` alone. 0: two bands give a
+                                  lamp's light to surfaces that are turned away from it, which errs more than no
+                                  occlusion */
+    ssgi_gl_shading shading;   /* shade */
+    int lights;                /* shade   1: adds rows of t_ssgi_lights as harmonics, which the coefficients alone
+                                  occlude; a POINT is a sphere of radius min_distance */
+    int albedo;                /* shade   1: the pass writes outgoing radiance; 0: irradiance over pi */
+} ssgi_gl_light_desc;
 
-    /* ---- fields */
-    int objects;   /* field   SSGI_GL_OBJECTS_NONE .. */
-    int cap_table; /* field   0: a cap's occlusion is computed in closed form; 1: it is read from t_ssgi_cap, your
-                      ssgi_cap_table, as published [AOF05 4.2], by 4 more fetches; ssgi_cap_table states its error */
+/* ---- desc.surfel: surfels, interleave, splat, deinterleave, smooth, sum */
+typedef struct ssgi_gl_surfel_desc {
+    ssgi_gl_effect effect;   /* splat, deinterleave, smooth, sum */
+    int levels;              /* [limit: 0..7] [default: 5]  each level doubles the reach, and has twice the smoothing
+                                taps of the level before */
+    int tessellate;          /* surfels, splat   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
+                                310es */
+    ssgi_overhang overhang;  /* surfels, splat when tessellate   how triangles shrink, as in ssgi_surfel_desc
+                                (ssgi.h) */
+    ssgi_gl_sends sends;     /* surfels, splat when tessellate */
+    int span;                /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
+                                nearer surfaces are left to slices, farther and hidden ones to surfels; 0: all to
+                                surfels */
+    int near_samples;        /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii;
+                                0, 1: its centre alone, as published, which finds half of the true effect at 1/3 radius
+                                from a wall */
+    int enlarge;             /* splat, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they
+                                count 4^l times. Wider ones bring up to a third less than the surfels that they stand
+                                for, where epsilon is 0.1 */
+    ssgi_gl_combine combine; /* sum, but SCATTER */
+    int axis;                /* smooth   0: along x; 1: along y */
+} ssgi_gl_surfel_desc;
 
-    /* ---- surfels: surfels, shuffle, splat, unshuffle, smooth, sum */
-    int effect;       /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
-    int levels;       /* [limit: 0..7] [default: 5]  each level doubles the reach, and has twice the smoothing taps of
-                         the level before */
-    int tessellate;   /* surfels, splat   0: surfels come from a buffer; 1: from patches: not in 330, 300es, 310es */
-    int overhang;     /* surfels, splat when tessellate   how triangles shrink, as in ssgi_surfel_desc (ssgi.h) */
-    int sends;        /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  nearer
-                         surfaces are left to slices, farther and hidden ones to surfels; 0: all to surfels */
-    int near_samples; /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1: its
-                         centre alone, as published, which finds half of its effect at 1/3 radius from a wall */
-    int enlarge;      /* splat, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they count
-                         4^l times. Wider ones bring up to a third less than the surfels that they stand for, where
-                         epsilon is 0.1 */
-    int combine;      /* sum, but SCATTER   SSGI_GL_COMBINE_SHARE .. */
-    int axis;         /* smooth   0: along x; 1: along y */
+/* ---- desc.filter.kind: blur and history, smooth, and the way onto your picture */
+typedef struct ssgi_gl_filter_desc {
+    ssgi_gl_quantity quantity; /* blur alone filters coefficients, as history averages the light of shade */
+    ssgi_gl_filter kind;       /* blur, history: choice "filter" */
+    int radius;                /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size
+                                  when gather.half: 1 is 3x3. Choice "filter_radius" */
+    int normals;               /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch
+                                  each. Choice "filter_normals" */
+    ssgi_gl_onto onto;         /* blur of ambient visibility, compose */
+} ssgi_gl_filter_desc;
 
-    /* ---- filters: blur, history, compose */
-    int colour;         /* SSGI_GL_GREY ..; blur alone filters coefficients, as history averages the light of shade */
-    int filter;         /* blur, history   SSGI_GL_BILATERAL .. */
-    int filter_radius;  /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when
-                           half: 1 is 3x3 */
-    int filter_normals; /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch each */
-    int motion;         /* history, changes   1: t_ssgi_motion says where each pixel was, so that objects that move on
-                           their own keep their average; 0: the camera alone moves */
-    int onto;           /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE .. */
-
-    /* ---- your own text */
+/* ---- desc.text: the language of the text, and your own lines in it */
+typedef struct ssgi_gl_text_desc {
+    ssgi_gl_dialect dialect;
+    int lines;           /* 1: the text has #line directives, so that a compiler's "0:N" is line N of this header */
     const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: ours */
     const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
+} ssgi_gl_text_desc;
+
+/* One pass, and your choices for it. Groups that it does not look at may hold anything within their limits, so that one
+   desc serves a chain. */
+typedef struct ssgi_gl_desc {
+    ssgi_gl_pass pass;
+    ssgi_gl_input_desc input;
+    ssgi_gl_gather_desc gather;
+    ssgi_gl_light_desc light;
+    ssgi_gl_surfel_desc surfel;
+    ssgi_gl_filter_desc filter;
+    ssgi_gl_text_desc text;
 } ssgi_gl_desc;
 
 /* Measured settings: the points of the README's chart. ssgi_gl_preset sets the fields that trade cost for accuracy in
@@ -547,9 +617,9 @@ typedef struct ssgi_gl_desc {
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
-   All other fields stay, desc.thickness, too: set BACK or SLABS where you can draw those passes. Passes without such
-   settings are left as they are. Bad input leaves desc as it is. */
-enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
+   All other fields stay, desc.gather.thickness, too: set BACK or SLABS where you can draw those passes. Passes without
+   such settings are left as they are. Bad input leaves desc as it is. */
+enum { SSGI_GL_PRESET_FAST, SSGI_GL_PRESET_BALANCED, SSGI_GL_PRESET_BEST };
 
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
@@ -560,12 +630,14 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
    plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
-/* SSGI_OK, or SSGI_BAD_ARGUMENT and a sentence on the wrong field and its limits ("desc.steps: must be 0..64"). */
+/* SSGI_OK, or SSGI_BAD_ARGUMENT and a sentence on the wrong field and its limits ("desc.gather.steps: must be
+   0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 
-/* A field of ssgi_gl_desc that is an int: all but version and fetch. */
+/* A field of ssgi_gl_desc: all but version and fetch. */
 typedef struct ssgi_gl_choice {
-    const char *name;     /* "search" */
+    const char *name;     /* "search": no two fields have the same */
+    const char *field;    /* "gather.search" */
     const char *values;   /* an enum's words in order from 0, blanks between: "SLICES POINTS MARCH"; of others "" */
     const char *sentence; /* its limits; of an enum with the prefix that turns the words into enumerators */
     size_t offset;        /* bytes into ssgi_gl_desc */
@@ -588,8 +660,8 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
    desc gives the same bytes. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
-/* A number for caches of programs. It is equal when the choices that reach the text are equal (texts in desc.version
-   and desc.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
+/* A number for caches of programs. It is equal when the choices that reach the text are equal (texts in
+   desc.text.version and desc.text.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
 /* Writes the GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
@@ -613,7 +685,14 @@ SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* "330", "vulkan"; NULL
 /* ==== >>io ======================================================================================================== */
 
 /* ssgi_gl_io.kind. PARAM: a member of a uniform block. CAPTURE: a varying for transform feedback. */
-enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT, SSGI_GL_ATTRIBUTE, SSGI_GL_CAPTURE };
+enum {
+    SSGI_GL_IO_TEXTURE,
+    SSGI_GL_IO_PARAM,
+    SSGI_GL_IO_OUTPUT,
+    SSGI_GL_IO_CONSTANT,
+    SSGI_GL_IO_ATTRIBUTE,
+    SSGI_GL_IO_CAPTURE
+};
 
 /* One input or output of a pass: its declaration in the text is printed from this row. */
 typedef struct ssgi_gl_io {
@@ -645,28 +724,29 @@ typedef struct ssgi_gl_chain {
     /* ---- the passes */
     ssgi_gl_desc desc;   /* pass SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT. The passes around it are drawn with its
                             choices, too: SSDO with an environment and a bounce draws that light, then its bounce; S3HO
-                            with a transfer draws its senders first; SPLAT by LIGHT with a bounce then draws the light
+                            with a transfer draws its emitters first; SPLAT by LIGHT with a bounce then draws the light
                             that surfels send */
     ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc. Another pass:
                             none */
     int width, height;   /* [units: pixels] [limit: 1..16384]  of the image: ssgi_gl_frame.size */
 
     /* ---- the filter */
-    int blur;       /* 1: gathered visibility and light are filtered within surfaces */
-    int history;    /* 1: they are also averaged over frames, at full size: pass history in place of blur. Needs
+    int blur;         /* 1: gathered visibility and light are filtered within surfaces */
+    int history;      /* 1: they are also averaged over frames, at full size: pass history in place of blur. Needs
                        blur = 1 */
-    int vectors;    /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is filtered */
-    int unsmoothed; /* splat   1: levels are added unfiltered */
+    int coefficients; /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is
+                            filtered */
+    int unsmoothed;   /* splat   1: levels are added unfiltered */
 
-    /* ---- the senders */
-    int reuse;  /* ssdo   1: senders send the last frame's light, so that one gather does light and bounce */
+    /* ---- the emitters */
+    int reuse;  /* ssdo   1: emitters send the last frame's light, so that one gather does light and bounce */
     int vpls;   /* ssdo   1: pass lights adds virtual point lights to the bounce, and the bounce restores the light that
                    their clamp removes */
-    int direct; /* 1: senders send your own radiance, too (t_ssgi_direct) */
+    int direct; /* 1: emitters send your own radiance, too (t_ssgi_direct) */
 
     /* ---- surfels */
     int surfels;    /* splat   1: pass surfels writes the surfels of this frame: lit, or from patches */
-    int hidden_sky; /* splat   1: desc.environment, unoccluded, lights the surfels that the picture does not show.
+    int hidden_sky; /* splat   1: desc.light.environment, unoccluded, lights the surfels that the picture does not show.
                        LIGHT without span always has it light all surfels */
 
     /* ---- targets */
@@ -723,7 +803,8 @@ typedef struct ssgi_gl_input {
     int width, height;            /* the size of the steps' texture; of yours the least size that is needed */
 } ssgi_gl_input;
 
-/* ssgi_gl_output.result. A chain has one texture of LIGHT, or of BOUNCE, or both; with desc.onto it has neither. */
+/* ssgi_gl_output.result. A chain has one texture of LIGHT, or of BOUNCE, or both; with desc.filter.onto it has
+   neither. */
 enum {
     SSGI_GL_RESULT_NONE = 0,
     SSGI_GL_RESULT_LIGHT, /* light, ambient visibility or bent normals */
@@ -773,7 +854,7 @@ typedef struct ssgi_gl_step {
 
 /* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0.
    A bad chain returns 0, and why says the reason. Clear the steps' textures to 0 when you make them, and again when the
-   size changes; the texts stay, since none depends on the size. With desc.onto the last step draws onto your
+   size changes; the texts stay, since none depends on the size. With desc.filter.onto the last step draws onto your
    picture. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
@@ -807,18 +888,18 @@ typedef struct ssgi_gl_frame {
     /* ---- the image */
     int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
     int32_t size[2];   /* [units: pixels]  of the image. With a margin it is larger than the part that is shown: scissor
-                          the passes (but width, senders, and those that light senders) to the inner rectangle and the
+                          the passes (but width, emitters, and those that light emitters) to the inner rectangle and the
                           texels that their filters read */
     int32_t target[2]; /* [units: texels]  first texel of the image in the textures that passes write; half of it in
                           half size */
 
     /* ---- gathers */
-    float radius;         /* [units: view] [limit: > 0]  distance of the farthest occluder */
-    float offset;         /* [units: half pixels] [default: 1.5]  lift of receivers along their normals, so that nearest
+    float radius; /* [units: view] [limit: > 0]  distance of the farthest occluder */
+    float offset; /* [units: half pixels] [default: 1.5]  lift of receivers along their normals, so that nearest
                              fetches of their planes stay below them: not of slices */
-    float thickness;      /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces: with
-                             desc.thickness CONSTANT; with WIDTH the most; with BACK and SLABS by points where there is
-                             no back face. 1 radius suits ssao, 0.5 march, 0.4 light */
+    float thickness_limit; /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces: with
+                             desc.gather.thickness CONSTANT; with WIDTH the most; with BACK and SLABS by points where
+                             there is no back face. 1 radius suits ssao, 0.5 march, 0.4 light */
     float phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
     float fade;           /* [units: view] [default: 0.3 radii]  distance at which occluders begin to fade; at the
                              radius: they do not */
@@ -828,11 +909,11 @@ typedef struct ssgi_gl_frame {
     float max_slope;      /* [default: 20]  shadow maps: their bias grows with the slope, tan of light against normal,
                              up to this slope */
     int32_t lights;       /* how many rows of t_ssgi_lights are read */
-    float lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
+    float lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.gather.fade LAMBDA */
 
     /* ---- the world */
     float rotation[12];  /* world to view, 3 columns padded to 4, for all inputs in the world; identity by default */
-    float harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded, unless desc.harmonics is CUSTOM:
+    float harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.light.shaded, unless desc.light.harmonics is CUSTOM:
                             ssgi_gl_harmonics_set; black by default */
 
     /* ---- surfels, and fields */
@@ -852,11 +933,12 @@ typedef struct ssgi_gl_frame {
     float history;       /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  how many frames are averaged; 0:
                             the average begins anew */
     int32_t level[2];    /* surfels   [units: texels]  size of one level: ssgi_splat_size */
-    float window[4];     /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
+    float window[4];     /* desc.light.lights: ssgi_sh_window of 4 bands, or of as many as desc.light.bands; Hann's by
+                            default */
     float last_to[16];   /* history: view space to the last frame's pixels (times depth when perspective) and depth */
     float last_from[16]; /* and back: ssgi_gl_frame_history */
-    float oblique[2];    /* desc.oblique: from ssgi_view */
-    int32_t slice;       /* desc.array: the layer of your array textures */
+    float oblique[2];    /* desc.input.oblique: from ssgi_view */
+    int32_t slice;       /* desc.input.array: the layer of your array textures */
     int32_t unused;      /* fills the block's last 16 bytes */
 } ssgi_gl_frame;
 
@@ -873,13 +955,13 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
                                            const char **why);
 
 /* frame.phase of frame number k, in [0,1), which spreads the noise of any few frames in a row evenly. The last 2 of its
-   24 bits are k's, by which passes tell the pixel that is gathered (desc.half 2). */
+   24 bits are k's, by which passes tell the pixel that is gathered (desc.gather.half 2). */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
 /* Sets the members that surfels are made with, except desc->overhang, which the text has: ssgi_gl_desc.overhang. Draw
    the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
      view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
-     levels         desc.levels [limit: 1..7]
+     levels         desc.surfel.levels [limit: 1..7]
      mesh_to_view   as source.to_view; NULL: frame->mesh stays as it is */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
                                          int levels, const float *mesh_to_view, const char **why);
@@ -895,9 +977,9 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
                                            const float *world_to_view, const char **why);
 
-/* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Their hardware depths are slices of one
-   array texture, t_ssgi_views: layer j of camera v is slice v * view_layers + j, from texel 0,0 on. A camera may use a
-   part of its slice. */
+/* The extra cameras (desc.gather.views): the uniform block "ssgi_views", binding 1. Their hardware depths are slices of
+   one array texture, t_ssgi_views: layer j of camera v is slice v * view_layers + j, from texel 0,0 on. A camera may
+   use a part of its slice. */
 typedef struct ssgi_gl_views {
     float to[4][16];    /* view space to x, y (pixels, times z if perspective), that camera's depth z, 1; columns */
     float from[4][16];  /* and back */
@@ -912,18 +994,18 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
                                        const float main_world_to_view[16], const float extra_world_to_view[16],
                                        const char **why);
 
-/* ssgi_gl_light.kind. With desc.shadow MAP or FILL a SPOT lights only surfaces within its map: six of them are a point
-   light with a cube of maps. */
-enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
+/* ssgi_gl_light.kind. With desc.light.shadow MAP or FILL a SPOT lights only surfaces within its map: six of them are a
+   point light with a cube of maps. */
+enum { SSGI_GL_LIGHT_SUN = 0, SSGI_GL_LIGHT_POINT, SSGI_GL_LIGHT_SPOT, SSGI_GL_LIGHT_VPL };
 
 /* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. A light whose members are zeros
    from patch on has no shadow map. */
 typedef struct ssgi_gl_light {
     float at[3];        /* view space. SUN: unit vector to the light; otherwise the light's position */
-    float kind;         /* SSGI_GL_SUN .. */
+    float kind;         /* SSGI_GL_LIGHT_SUN .. */
     float colour[3];    /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: this along its normal */
     float min_distance; /* clamp of the distance in 1/d^2. SUN: how many of the following rows are the same sun, each
-                           with a wider map (desc.shadow MAP or FILL) */
+                           with a wider map (desc.light.shadow MAP or FILL) */
     float normal[3];    /* VPL: unit normal; its intensity falls off by the cosine from this direction */
 
     /* ---- the shadow map: ssgi_gl_light_map */
@@ -958,14 +1040,14 @@ typedef struct ssgi_gl_occluder {
     float low[8], span[8], resolution; /* those of ssgi_field */
     float slice;                       /* slice of t_ssgi_fields */
     float baked_reach;                 /* ssgi_field.reach */
-    float object;                      /* its number for desc.objects; 0: none */
+    float object;                      /* its number for desc.input.objects; 0: none */
 } ssgi_gl_occluder;
 
 /* Sets an occluder to its present place.
      limits        NULL: ssgi_field_limits_of
      slice         [limit: 0..2047] of t_ssgi_fields; fields smaller than its slices stand in their lower corner
      mesh_to_view  [limit: rotation, translation, uniform scale; may mirror] from the bake's coordinates to the pass's
-     object        [limit: 0..16777215] its number for desc.objects; 0: none */
+     object        [limit: 0..16777215] its number for desc.input.objects; 0: none */
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
                                           const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
                                           int object, const char **why);
@@ -992,7 +1074,7 @@ extern "C" {
    Lines of #if, #elif, #else and #endif name fields of the desc, and "// #if .." at the end of a line guards that line:
    the emitter resolves them, and none reaches the text. The emitter keeps an entry if its name occurs in an entry that
    it keeps and that stands further down; >>passes names main_*. Entries of one name exclude each other. Your textures
-   are fetched at ", p + u_ssgi_origin, 0": where they are arrays (desc.array) the emitter puts the slice in. */
+   are fetched at ", p + u_ssgi_origin, 0": where they are arrays (desc.input.array) the emitter puts the slice in. */
 typedef struct ssgi_gl__code {
     const char *name;
     int line;
@@ -1057,15 +1139,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_measured_origin", __LINE__ + 1,
-    "ivec2 ssgi_measured_origin() { // where the picture begins in t_ssgi_width, in pixels\n"
+    "ivec2 ssgi_measured_origin() { // where the picture begins in t_ssgi_thickness, in pixels\n"
     "    return u_ssgi_target & -2;\n"
     "}\n" },
 
 { "ssgi_measured_texel", __LINE__ + 1,
-    "// View depth of pixel p, which is counted from texel 0,0, as pass width wrote it: the last 6 bits are the\n"
+    "// View depth of pixel p, which is counted from texel 0,0, as pass thickness wrote it: the last 6 bits are the\n"
     "// thickness of its surface in radii / 63.\n"
     "uint ssgi_measured_texel(ivec2 p) {\n"
-    "    uvec4 m = texelFetch(t_ssgi_width, p >> 1, 0);\n"
+    "    uvec4 m = texelFetch(t_ssgi_thickness, p >> 1, 0);\n"
     "    m.xy = (p.y & 1) == 0 ? m.xy : m.zw;\n"
     "    return (p.x & 1) == 0 ? m.x : m.y;\n"
     "}\n" },
@@ -1290,12 +1372,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n"
     "}\n" },
 
-/* ---- Pass senders packs a surface into 64 bits, so that a sample fetches it at once. Radiance is m * 2^(e - 24), with
-   9 bits of m a channel and 5 of e. View depth has 6 bits of its float's exponent, from 2^-20 on, and 14 of its
+/* ---- Pass emitters packs a surface into 64 bits, so that a sample fetches it at once. Radiance is m * 2^(e - 24),
+   with 9 bits of m a channel and 5 of e. View depth has 6 bits of its float's exponent, from 2^-20 on, and 14 of its
    mantissa. The normal has 6 bits of each octahedral coordinate. */
 
 { "ssgi_unpack_radiance", __LINE__ + 1,
-    "vec3 ssgi_unpack_radiance(uint u) { // the radiance that pass senders packed\n"
+    "vec3 ssgi_unpack_radiance(uint u) { // the radiance that pass emitters packed\n"
     "    vec3 m = vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u));\n"
     "    return m * uintBitsToFloat(((u >> 27u) + 103u) << 23u);\n"
     "}\n" },
@@ -1351,8 +1433,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_thickness", __LINE__ + 1,
     "float ssgi_thickness() { // constant thickness of visible surfaces\n"
     "    // A short segment must not hit a surface that floats far in front of it.\n"
-    "    return min(u_ssgi_thickness, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
-    "    return u_ssgi_thickness; // #if pass != LIGHTS\n"
+    "    return min(u_ssgi_thickness_limit, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
+    "    return u_ssgi_thickness_limit; // #if pass != LIGHTS\n"
     "}\n" },
 
 { "SSGI_SHEET", __LINE__ + 1,
@@ -1379,7 +1461,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return min(ssgi_closed(front, back) ? back - front : width, u_ssgi_radius);\n"
     "}\n" },
 
-/* ---- pass width: a surface is taken to be as thick as it is wide in the picture. From the first pixel of each 2x2
+/* ---- pass thickness: a surface is taken to be as thick as it is wide in the picture. From the first pixel of each 2x2
    ssgi_run goes left, right, down and up to where the surface drops away; the width is the shorter of the two sums. A
    run reaches half the radius, or SSGI_LONGEST where that is more. If a probe finds its end, the surface ended between
    that probe and the last one, which stood half as far: the half counts, so that thin things are not taken for too
@@ -1439,7 +1521,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ((floatBitsToUint(z) + 32u) & 0xffffffc0u) | uvec4(width * 63.0 + 0.5);\n"
     "}\n" },
 
-{ "main_width", __LINE__ + 1,
+{ "main_thickness", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel;\n"
     "    vec4 z = vec4(ssgi_depth(p), ssgi_depth(p + ivec2(1, 0)), ssgi_depth(p + ivec2(0, 1)), ssgi_depth(p + 1));\n"
@@ -1455,10 +1537,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec4 off = vec4(0.0, ssgi_above_plane(plane, vec2(1.0, 0.0), z.y),\n"
     "            ssgi_above_plane(plane, vec2(0.0, 1.0), z.z), ssgi_above_plane(plane, vec2(1.0), z.w));\n"
     "        bvec4 same = lessThan(abs(off), vec4(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
-    "        width = mix(width, vec4(min(min(x, y) * footprint, u_ssgi_thickness)), same);\n"
+    "        width = mix(width, vec4(min(min(x, y) * footprint, u_ssgi_thickness_limit)), same);\n"
     "    }\n"
     "    width = ssgi_slab_widths(p, z, width); // #if thickness > WIDTH\n"
-    "    o_ssgi_width = ssgi_pack_measured(z, clamp(width / u_ssgi_radius, SSGI_THINNEST, 1.0));\n"
+    "    o_ssgi_thickness = ssgi_pack_measured(z, clamp(width / u_ssgi_radius, SSGI_THINNEST, 1.0));\n"
     "}\n" },
 
 /* ---- the receiver, and the occluder of a sample */
@@ -1477,20 +1559,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_position(vec2(p) + 0.5, z);\n"
     "}\n" },
 
-{ "ssgi_sender", __LINE__ + 1,
-    "vec4 ssgi_sender; // of a sample's occluder: radiance to the receiver, and distance from the sample\n" },
+{ "ssgi_emitter", __LINE__ + 1,
+    "vec4 ssgi_emitter; // of a sample's occluder: radiance to the receiver, and distance from the sample\n" },
 
-{ "ssgi_sender_place", __LINE__ + 1,
-    "uint ssgi_sender_place; // the packed normal of that occluder\n" },
+{ "ssgi_emitter_place", __LINE__ + 1,
+    "uint ssgi_emitter_place; // the packed normal of that occluder\n" },
 
-{ "ssgi_sender_pixel", __LINE__ + 1,
-    "ivec2 ssgi_sender_pixel; // the pixel that shows it\n" },
+{ "ssgi_emitter_pixel", __LINE__ + 1,
+    "ivec2 ssgi_emitter_pixel; // the pixel that shows it\n" },
 
-{ "ssgi_sender_texel", __LINE__ + 1,
+{ "ssgi_emitter_texel", __LINE__ + 1,
     "// the surface that layer j of camera v has at a pixel: its radiance; its normal and view depth\n"
-    "uvec2 ssgi_sender_texel(int v, ivec2 p, int j) {\n"
-    "    if (v >= 0) return texelFetch(t_ssgi_view_senders, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy; // #if views\n"
-    "    return texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, j), 0).xy;\n"
+    "uvec2 ssgi_emitter_texel(int v, ivec2 p, int j) {\n"
+    "    if (v >= 0) return texelFetch(t_ssgi_view_emitters, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy; // #if views\n"
+    "    return texelFetch(t_ssgi_emitters, ivec3(p + u_ssgi_target, j), 0).xy;\n"
     "}\n" },
 
 { "ssgi_radiance_from", __LINE__ + 1,
@@ -1543,14 +1625,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_way", __LINE__ + 1,
     "vec3 ssgi_way; // from the receiver to the sample\n" },
 
-{ "ssgi_offer_sender", __LINE__ + 1,
+{ "ssgi_offer_emitter", __LINE__ + 1,
     "// keeps the surface that is closest to the segment from the receiver to the sample\n"
-    "void ssgi_offer_sender(uvec2 s, vec3 Q) {\n"
+    "void ssgi_offer_emitter(uvec2 s, vec3 Q) {\n"
     "    vec3 L = ssgi_radiance_from(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
-    "    if (gap >= ssgi_sender.w || L == vec3(0.0)) return;\n"
-    "    ssgi_sender = vec4(L, gap);\n"
-    "    ssgi_sender_place = s.y; // #if transfer\n"
+    "    if (gap >= ssgi_emitter.w || L == vec3(0.0)) return;\n"
+    "    ssgi_emitter = vec4(L, gap);\n"
+    "    ssgi_emitter_place = s.y; // #if transfer\n"
     "}\n" },
 
 { "ssgi_rising", __LINE__ + 1,
@@ -1573,14 +1655,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_solid", __LINE__ + 1,
     "struct ssgi_solid { // view depths of a solid's front and back, two layers of a pixel; SSGI_FAR: there is none\n"
     "    float front, back;\n"
-    "    uvec2 front_sender, back_sender; // #if bounce\n"
+    "    uvec2 front_emitter, back_emitter; // #if bounce\n"
     "};\n" },
 
 { "ssgi_solid_at", __LINE__ + 1,
     "ssgi_solid ssgi_solid_at(int v, ivec2 p, int j, int layers) {\n"
     "#if bounce\n"
-    "    uvec2 a = ssgi_sender_texel(v, p, j);\n"
-    "    uvec2 b = j + 1 < layers ? ssgi_sender_texel(v, p, j + 1) : uvec2(0xffffffffu);\n"
+    "    uvec2 a = ssgi_emitter_texel(v, p, j);\n"
+    "    uvec2 b = j + 1 < layers ? ssgi_emitter_texel(v, p, j + 1) : uvec2(0xffffffffu);\n"
     "    return ssgi_solid(ssgi_unpack_depth(a.y), ssgi_unpack_depth(b.y), a, b);\n"
     "#else\n"
     "    return ssgi_solid(ssgi_surface(v, p, j), j + 1 < layers ? ssgi_surface(v, p, j + 1) : SSGI_FAR);\n"
@@ -1591,8 +1673,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// how much the solid that holds depth s at a pixel of camera v counts\n"
     "float ssgi_solid_occludes(ssgi_solid a, int v, ivec2 p, float s) {\n"
     "    ssgi_offer_rise(ssgi_point(v, p, a.front)); // #if pass == HSAO && terms != RAYS\n"
-    "    ssgi_offer_sender(a.front_sender, ssgi_point(v, p, a.front)); // #if bounce\n"
-    "    if (a.back < SSGI_FAR) ssgi_offer_sender(a.back_sender, ssgi_point(v, p, a.back)); // #if bounce\n"
+    "    ssgi_offer_emitter(a.front_emitter, ssgi_point(v, p, a.front)); // #if bounce\n"
+    "    if (a.back < SSGI_FAR) ssgi_offer_emitter(a.back_emitter, ssgi_point(v, p, a.back)); // #if bounce\n"
     "    return ssgi_fade_weight(ssgi_point(v, p, s - a.front < a.back - s ? a.front : a.back)); // #if fade || range\n"
     "    return 1.0; // #if !(fade || range)\n"
     "}\n" },
@@ -1626,11 +1708,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_occupancy(v, p, q.z, SSGI_VIEW_LAYERS, u_ssgi_view_size[v].z * unit);\n"
     "}\n" },
 
-{ "ssgi_blocked", __LINE__ + 1,
+{ "ssgi_occlusion_at", __LINE__ + 1,
     "#if layers > 1 || views\n"
-    "float ssgi_blocked(vec3 S) { // how much the solid counts that S is in; 0: it is in none\n"
+    "float ssgi_occlusion_at(vec3 S) { // how much the solid counts that S is in; 0: it is in none\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
-    "    ssgi_sender = vec4(0.0, 0.0, 0.0, SSGI_FAR); // #if bounce\n"
+    "    ssgi_emitter = vec4(0.0, 0.0, 0.0, SSGI_FAR); // #if bounce\n"
     "    ssgi_way = S - ssgi_P; // #if bounce\n"
     "    float found = S.z < 0.0 && ssgi_inside(p) ? ssgi_occupancy(-1, p, -S.z, SSGI_LAYERS, 0.0) : 0.0;\n"
     "#if views\n"
@@ -1644,12 +1726,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_sending_depth", __LINE__ + 1,
-    "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel; its surface becomes ssgi_sender\n"
-    "    uvec2 s = ssgi_sender_texel(-1, p, 0);\n"
+    "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel; its surface becomes ssgi_emitter\n"
+    "    uvec2 s = ssgi_emitter_texel(-1, p, 0);\n"
     "    float z = ssgi_unpack_depth(s.y);\n"
-    "    ssgi_sender.xyz = ssgi_radiance_from(s, ssgi_point(-1, p, z));\n"
-    "    ssgi_sender_place = s.y; // #if transfer && !dimmed\n"
-    "    ssgi_sender_pixel = p; // #if dimmed\n"
+    "    ssgi_emitter.xyz = ssgi_radiance_from(s, ssgi_point(-1, p, z));\n"
+    "    ssgi_emitter_place = s.y; // #if transfer && !dimmed\n"
+    "    ssgi_emitter_pixel = p; // #if dimmed\n"
     "    return z;\n"
     "}\n" },
 
@@ -1668,17 +1750,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if thickness == SLABS\n"
     "    bool second = !first && s > back.y && s < end_.y;\n"
     "    if (second) z = back.y;\n"
-    "    if (second) ssgi_sender.xyz = vec3(0.0); // its radiance is unknown // #if bounce\n"
+    "    if (second) ssgi_emitter.xyz = vec3(0.0); // its radiance is unknown // #if bounce\n"
     "    return first || second;\n"
     "#else\n"
     "    return first;\n"
     "#endif\n"
     "}\n" },
 
-{ "ssgi_blocked", __LINE__ + 1,
+{ "ssgi_occlusion_at", __LINE__ + 1,
     "#if !(layers > 1 || views)\n"
     "// How much the surface counts that S is in, behind its front; 0: it is in none, off screen, or behind the eye.\n"
-    "float ssgi_blocked(vec3 S) {\n"
+    "float ssgi_occlusion_at(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    float z = ssgi_depth(p); // #if !bounce\n"
     "    float z = ssgi_sending_depth(p); // #if bounce\n"
@@ -1981,7 +2063,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n"
     "#endif\n" },
 
-/* ==== >>light: lights, senders, shading of coefficients ========================================================= */
+/* ==== >>light: lights, emitters, shading of coefficients ========================================================= */
 
 { "SSGI_SUN", __LINE__ + 1,
     "const float SSGI_SUN = 0.5; // a light whose kind is below this is a sun\n" },
@@ -2012,10 +2094,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return s;\n"
     "}\n" },
 
-{ "ssgi_segment_blocked", __LINE__ + 1,
+{ "ssgi_segment_occlusion", __LINE__ + 1,
     "#if shadow == SEGMENT || shadow == FILL\n"
     "// 1 if any point of the segment from P to light i is occluded; ssgi_shadow explains contact\n"
-    "float ssgi_segment_blocked(int i, vec3 P, vec3 n, ssgi_light s, float contact, float xi) {\n"
+    "float ssgi_segment_occlusion(int i, vec3 P, vec3 n, ssgi_light s, float contact, float xi) {\n"
     "    float reach = s.at.w > SSGI_SUN ? min(u_ssgi_radius, s.distance) : u_ssgi_radius;\n"
     "    if (contact >= 0.0) reach = min(reach, contact); // #if shadow == FILL\n"
     "    // The map decides on distances below a pixel. // #if shadow == FILL\n"
@@ -2026,7 +2108,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (contact >= 0.0) start = ssgi_lift(start, n); // #if shadow == FILL\n"
     "    xi = fract(xi + 0.61803399 * float(i)); // the golden ratio gives every light another offset\n"
     "    for (int k = 0; k < SSGI_SAMPLES; ++k)\n"
-    "        if (ssgi_blocked(start + along * ((float(k + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
+    "        if (ssgi_occlusion_at(start + along * ((float(k + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
     "    return 0.0;\n"
     "}\n"
     "#endif\n" },
@@ -2056,7 +2138,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_lit", __LINE__ + 1,
-    "// irradiance of P by the lights of t_ssgi_lights, with shadows as desc.shadow says\n"
+    "// irradiance of P by the lights of t_ssgi_lights, with shadows as desc.light.shadow says\n"
     "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
     "    vec3 sum = vec3(0.0);\n"
     "    for (int i = 0; i < u_ssgi_lights; ++i) {\n"
@@ -2071,7 +2153,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        i += wider;\n"
     "        if (shadow > 0.0) continue;\n"
     "#endif\n"
-    "        g *= 1.0 - ssgi_segment_blocked(i, P, n, s, contact, xi); // #if shadow == SEGMENT || shadow == FILL\n"
+    "        g *= 1.0 - ssgi_segment_occlusion(i, P, n, s, contact, xi); // #if shadow == SEGMENT || shadow == FILL\n"
     "        sum += s.colour.xyz * g;\n"
     "    }\n"
     "    return sum;\n"
@@ -2102,18 +2184,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if !receiver\n"
     "}\n" },
 
-{ "main_senders", __LINE__ + 1,
+{ "main_emitters", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_receiver_depth(p);\n"
-    "    o_ssgi_sender = uvec2(0u, 0xffffffffu);\n"
+    "    o_ssgi_emitter = uvec2(0u, 0xffffffffu);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 sum = ssgi_albedo(p); // #if radiance != DIRECT\n"
     "    vec3 sum = vec3(0.0); // #if radiance == DIRECT\n"
     "    sum *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if radiance == LIGHT || radiance == BOTH\n"
     "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz; // #if radiance == DIRECT || radiance == BOTH\n"
     "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
-    "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n"
+    "    o_ssgi_emitter = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n"
     "}\n" },
 
 { "ssgi_bent", __LINE__ + 1,
@@ -2193,7 +2275,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_encode_for_filter", __LINE__ + 1,
-    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 n) { // the form of the light that desc.restore has written\n"
+    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 n) { // the form that desc.light.restore has written\n"
     "    return max(light, 0.0); // #if !restore\n"
     "    return clamp(light / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
     "    return light - ssgi_open_light(P, n); // #if restore == DIFFERENCE\n"
@@ -2267,9 +2349,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_attenuation", __LINE__ + 1,
     "float ssgi_attenuation(float d) { // an occluder's weight at a distance in radii [HSAO08 3.5]\n"
-    "    return d < 1.0 ? 1.0 : 0.0; // #if hard\n"
-    "    return clamp(1.0 - d, 0.0, 1.0); // #if !hard && falloff == LINEAR\n"
-    "    return clamp(1.0 - d * d, 0.0, 1.0); // #if !hard && falloff == SQUARE\n"
+    "    return d < 1.0 ? 1.0 : 0.0; // #if falloff == NONE\n"
+    "    return clamp(1.0 - d, 0.0, 1.0); // #if falloff == LINEAR\n"
+    "    return clamp(1.0 - d * d, 0.0, 1.0); // #if falloff == SQUARE\n"
     "}\n" },
 
 /* ---- points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]; the distribution of lengths attenuates */
@@ -2305,42 +2387,42 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_point_blocked", __LINE__ + 1,
+{ "ssgi_point_occlusion", __LINE__ + 1,
     "// occlusion of the points of direction i, which is about the normal, +z\n"
-    "float ssgi_point_blocked(ssgi_points s, int i, out vec3 direction) {\n"
+    "float ssgi_point_occlusion(ssgi_points s, int i, out vec3 direction) {\n"
     "    vec4 k = texelFetch(t_ssgi_kernel, ivec2(i, s.row), 0); // #if kernel\n"
     "    vec4 k = SSGI_KERNEL[i]; // #if !kernel\n"
     "    direction = k.xyz;\n"
     "    float t = fract(k.w + s.offset);\n"
     "#if steps > 1\n"
     "    vec3 way = s.basis * k.xyz * u_ssgi_radius;\n"
-    "    float blocked = 0.0;\n"
-    "    for (int j = 0; j < SSGI_STEPS && blocked <= 0.0; ++j)\n"
-    "        blocked = ssgi_blocked(s.start + way * ssgi_length((float(j) + t) / float(SSGI_STEPS)));\n"
-    "    return blocked;\n"
+    "    float occlusion = 0.0;\n"
+    "    for (int j = 0; j < SSGI_STEPS && occlusion <= 0.0; ++j)\n"
+    "        occlusion = ssgi_occlusion_at(s.start + way * ssgi_length((float(j) + t) / float(SSGI_STEPS)));\n"
+    "    return occlusion;\n"
     "#else\n"
-    "    return ssgi_blocked(s.start + s.basis * k.xyz * (u_ssgi_radius * ssgi_length(t)));\n"
+    "    return ssgi_occlusion_at(s.start + s.basis * k.xyz * (u_ssgi_radius * ssgi_length(t)));\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_add_bounce", __LINE__ + 1,
     "#if pass == SSDO\n"
-    "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float blocked) {\n"
+    "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
     "    // A patch of pi r^2/N wants uniform directions, so the pdf divides. // #if bounce == PATCH && !uniform\n"
     "    // Each patch has pi r^2/N, so the weight by the cosine goes. // #if bounce == PATCH && uniform\n"
-    "    blocked *= 0.5 / max(direction.z, 0.05); // #if bounce == PATCH && !uniform\n"
-    "    blocked *= 0.5 / direction.z; // #if bounce == PATCH && uniform\n"
-    "    sums.bounce += ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES));\n"
+    "    occlusion *= 0.5 / max(direction.z, 0.05); // #if bounce == PATCH && !uniform\n"
+    "    occlusion *= 0.5 / direction.z; // #if bounce == PATCH && uniform\n"
+    "    sums.bounce += ssgi_emitter.xyz * (occlusion / float(SSGI_SAMPLES));\n"
     "}\n"
     "#endif\n" },
 
 { "ssgi_add_bounce", __LINE__ + 1,
     "#if pass == S3HO\n"
-    "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float blocked) {\n"
-    "    vec3 albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES));\n"
-    "    vec3 o = ssgi_unpack_normal(ssgi_sender_place); // #if !dimmed\n"
-    "    if (blocked > 0.0) ssgi_reflected(sums.bounce, o, basis * direction, albedo); // #if !dimmed\n"
-    "    if (blocked > 0.0) ssgi_reflected(sums.bounce, ssgi_sender_pixel, albedo); // #if dimmed\n"
+    "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
+    "    vec3 albedo = ssgi_emitter.xyz * (occlusion / float(SSGI_SAMPLES));\n"
+    "    vec3 o = ssgi_unpack_normal(ssgi_emitter_place); // #if !dimmed\n"
+    "    if (occlusion > 0.0) ssgi_reflected(sums.bounce, o, basis * direction, albedo); // #if !dimmed\n"
+    "    if (occlusion > 0.0) ssgi_reflected(sums.bounce, ssgi_emitter_pixel, albedo); // #if dimmed\n"
     "}\n"
     "#endif\n" },
 
@@ -2352,16 +2434,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    mat3 world = transpose(u_ssgi_rotation) * s.basis; // #if environment == MAP\n"
     "    vec3 direction, light = vec3(0.0);\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
-    "        float blocked = ssgi_point_blocked(s, i, direction);\n"
+    "        float occlusion = ssgi_point_occlusion(s, i, direction);\n"
     "        float weight = 2.0 * direction.z; // 2 pi/N steradians, over the cosine's integral, pi // #if uniform\n"
-    "        blocked *= weight; // #if uniform\n"
-    "        sums.all += blocked / float(SSGI_SAMPLES); // #if pass == SSAO || pass == HSAO\n"
-    "        float less = blocked * (-SSGI_PI / float(SSGI_SAMPLES)); // #if environment == SH\n"
+    "        occlusion *= weight; // #if uniform\n"
+    "        sums.all += occlusion / float(SSGI_SAMPLES); // #if pass == SSAO || pass == HSAO\n"
+    "        float less = occlusion * (-SSGI_PI / float(SSGI_SAMPLES)); // #if environment == SH\n"
     "        ssgi_sh_add(sums.lobe, ssgi_sh_basis(direction), less); // #if environment == SH\n"
     "        vec3 L = ssgi_environment(world * direction); // #if environment == MAP\n"
-    "        light += L, sums.dark += L * blocked; // #if environment == MAP && !uniform\n"
-    "        light += L * weight, sums.dark += L * blocked; // #if environment == MAP && uniform\n"
-    "        ssgi_add_bounce(sums, direction, s.basis, blocked); // #if bounce\n"
+    "        light += L, sums.dark += L * occlusion; // #if environment == MAP && !uniform\n"
+    "        light += L * weight, sums.dark += L * occlusion; // #if environment == MAP && uniform\n"
+    "        ssgi_add_bounce(sums, direction, s.basis, occlusion); // #if bounce\n"
     "    }\n"
     "    sums.dark /= max(light, 1e-30); // #if environment == MAP\n"
     "    ssgi_sh_turn(sums.lobe, s.basis); // #if environment == SH\n"
@@ -2371,7 +2453,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_map_light", __LINE__ + 1,
     "#if search == POINTS\n"
-    "// light of the environment in the form that desc.restore wants; where nothing occludes it is exact\n"
+    "// light of the environment in the form that desc.light.restore wants; where nothing occludes it is exact\n"
     "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) {\n"
     "    return (1.0 - dark) * ssgi_open_light(P, n); // #if !restore\n"
     "    return 1.0 - dark; // #if restore == RATIO\n"
@@ -2386,7 +2468,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
     "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
     "        float d = (float(i) + xi) / float(SSGI_STEPS);\n"
-    "        if (ssgi_blocked(start + direction * (u_ssgi_radius * d)) > 0.0) return ssgi_attenuation(d);\n"
+    "        if (ssgi_occlusion_at(start + direction * (u_ssgi_radius * d)) > 0.0) return ssgi_attenuation(d);\n"
     "    }\n"
     "    return 0.0;\n"
     "}\n" },
@@ -2404,7 +2486,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if layers > 1 || views\n"
     "        ssgi_rise = ssgi_rising(t, u_ssgi_radius, r.x, 0.0); // #if !spheres\n"
     "        ssgi_rise = ssgi_rising(t, grown, r.x, 0.0); // #if spheres\n"
-    "        if (ssgi_blocked(Q) > 0.0) {\n"
+    "        if (ssgi_occlusion_at(Q) > 0.0) {\n"
     "            float H = ssgi_rise.sine, l = ssgi_rise.away;\n"
     "            if (H > r.x) {\n"
     "#else\n"
@@ -2460,10 +2542,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ---- The walk: slices are planes through the view direction, and each side of one is walked from near to far [TLG23].
    A side has 32 sectors of equal cosine-weighted measure. The surface of a tap occludes the sectors that this tap is
-   the first to cover, attenuated by its distance; it is as thick as desc.thickness says. Taps of one surface join: they
-   also cover the sectors between them, at their mean distance. The normal over the length l of its projection
-   makes dot(d, n) the height over the tangent plane within the slice, which is exactly 0 on a plane, wherever texels
-   lie. Most taps lie in the tangent plane or below it, so an arc is worked out only if a tap or the last one rises. */
+   the first to cover, attenuated by its distance; it is as thick as desc.gather.thickness says. Taps of one surface
+   join: they also cover the sectors between them, at their mean distance. The normal over the length l of its
+   projection makes dot(d, n) the height over the tangent plane within the slice, which is exactly 0 on a plane,
+   wherever texels lie. Most taps lie in the tangent plane or below it, so an arc is worked out only if a tap or the
+   last one rises. */
 
 /* [DSS14 section 3.1] */
 { "ssgi_surfel_radius", __LINE__ + 1,
@@ -2571,7 +2654,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float open; // the arc of a side, but for the part that the lean adds to one and takes from the other\n"
     "    float width; // length of the normal's projection\n"
     "    float rounded, least; // the most that rounding moves a point; squared distances have least added\n"
-    "    float grain; // the unit of thickness in pass width, in view units\n"
+    "    float grain; // the unit of thickness in pass thickness, in view units\n"
     "};\n" },
 
 { "ssgi_slice_of", __LINE__ + 1,
@@ -2733,9 +2816,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    w.toward += elevation * (inversesqrt(max(dot(elevation, elevation), 1e-12)) * share);\n"
     "}\n" },
 
-{ "ssgi_add_blocked", __LINE__ + 1,
+{ "ssgi_add_occluded", __LINE__ + 1,
     "// Adds the light that a side occludes; environment or harmonics are evaluated once, in the mean direction.\n"
-    "void ssgi_add_blocked(inout ssgi_sums sums, ssgi_slice s, vec3 V, ssgi_walked w, float way, float share) {\n"
+    "void ssgi_add_occluded(inout ssgi_sums sums, ssgi_slice s, vec3 V, ssgi_walked w, float way, float share) {\n"
     "    vec2 e = vec2(way * w.toward.x, w.toward.y), lean = 2.0 * s.lean; // along the tangent plane, up\n"
     "    vec3 to = s.along * dot(e, lean.yx) + V * (e.y * lean.y - e.x * lean.x);\n"
     "    to *= inversesqrt(max(dot(to, to), 1e-24));\n"
@@ -2748,7 +2831,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Adds the light that the surface at pixel q, at an offset d, sends, and that of the second slab behind it, by\n"
     "// their shares. Edge-on, within the rounding of its normal, a surface sends nothing.\n"
     "void ssgi_add_sent(inout ssgi_sums sums, ivec2 q, vec3 d, float share, float second) {\n"
-    "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
+    "    uvec2 s = texelFetch(t_ssgi_emitters, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 o = ssgi_unpack_normal(s.y);\n"
     "    float facing = -dot(o, d), edge = 0.03 * length(d); // #if !two_sided\n"
     "    share *= facing > edge ? 1.0 : facing < -edge ? SSGI_UNSEEN : 0.0; // #if !two_sided\n"
@@ -2791,7 +2874,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// covers the sectors that a tap blocks; those that were free, attenuated\n"
     "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
     "    float end_ = t.z + t.width + 0.5 * ssgi_between(gap); // #if thickness > SOLID\n"
-    "    float end_ = t.z + u_ssgi_thickness; // #if thickness == CONSTANT\n"
+    "    float end_ = t.z + u_ssgi_thickness_limit; // #if thickness == CONSTANT\n"
     "    float fresh = 0.0, low = 0.0, high = 0.0, l = t.distance;\n"
     "    vec2 back = ssgi_on_ray(s, e, t.k, end_);\n"
     "    float ll = ssgi_squared(s, back);\n"
@@ -2899,8 +2982,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_expect(sums, a, wa);\n"
     "    ssgi_expect(sums, b, wb);\n"
     "    sums.all += wa.share * a.share + wb.share * b.share; // #if pass == HSAO\n"
-    "    ssgi_add_blocked(sums, s, ssgi_toward(P), wa, 1.0, a.share); // #if environment\n"
-    "    ssgi_add_blocked(sums, s, ssgi_toward(P), wb, -1.0, b.share); // #if environment\n"
+    "    ssgi_add_occluded(sums, s, ssgi_toward(P), wa, 1.0, a.share); // #if environment\n"
+    "    ssgi_add_occluded(sums, s, ssgi_toward(P), wb, -1.0, b.share); // #if environment\n"
     "}\n" },
 
 { "ssgi_gather", __LINE__ + 1,
@@ -2925,7 +3008,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_map_light", __LINE__ + 1,
     "#if search == SLICES\n"
-    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) { // the environment's light in the form of desc.restore\n"
+    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) { // the environment's light in the form of desc.light.restore\n"
     "    return max(ssgi_open_light(P, n) - dark, 0.0); // #if !restore\n"
     "    return clamp(1.0 - dark / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
     "    return -dark; // #if restore == DIFFERENCE\n"
@@ -3307,23 +3390,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. */
 
-{ "main_shuffle", __LINE__ + 1,
+{ "main_interleave", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
     "    q.y -= l * u_ssgi_level.y;\n"
     "    ivec2 across = (u_ssgi_size + mask) >> l, sub = q / across, block = q - sub * across;\n"
     "    ivec2 p = (block << l) | ((sub ^ ssgi_interleave(block, mask)) & mask);\n"
-    "    o_ssgi_shuffled = uvec4(floatBitsToUint(vec3(SSGI_FAR)), 0u);\n"
+    "    o_ssgi_interleaved = uvec4(floatBitsToUint(vec3(SSGI_FAR)), 0u);\n"
     "    if (max(sub.x, sub.y) > mask || !ssgi_inside(p)) return; // the size need not be a multiple\n"
     "    float z = ssgi_depth(p);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    ivec2 e = ivec2(round(ssgi_octahedral(ssgi_normal(p, P)) * 32767.0));\n"
-    "    o_ssgi_shuffled = uvec4(floatBitsToUint(P), (uint(e.x + 32768) << 16) | uint(e.y + 32768));\n"
+    "    o_ssgi_interleaved = uvec4(floatBitsToUint(P), (uint(e.x + 32768) << 16) | uint(e.y + 32768));\n"
     "}\n" },
 
-{ "main_unshuffle", __LINE__ + 1,
+{ "main_deinterleave", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
@@ -3347,7 +3430,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w); // #if span\n"
     "#if span && effect == BOUNCE\n"
     "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(at.xyz)) > 0.0) // it is as lit as visible surfaces\n"
-    "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, 0), 0).x);\n"
+    "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_emitters, ivec3(p + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
     "    float most = 1.0; // #if effect < BOUNCE\n"
     "    float most = max(sent.x, max(sent.y, sent.z)) / u_ssgi_sent; // #if effect > LIGHT && effect != CUSTOM\n"
@@ -3447,7 +3530,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "flat in float v_ssgi_end;\n"
     "flat in float v_ssgi_seen; // #if span\n"
     "void main() {\n"
-    "    uvec4 t = texelFetch(t_ssgi_shuffled, ivec2(gl_FragCoord.xy), 0);\n"
+    "    uvec4 t = texelFetch(t_ssgi_interleaved, ivec2(gl_FragCoord.xy), 0);\n"
     "    vec3 P = uintBitsToFloat(t.xyz), v = v_ssgi_at.xyz - P;\n"
     "    float dd = dot(v, v);\n"
     "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
@@ -3460,7 +3543,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_P = P, ssgi_gloss = 0.0; // #if effect == SPECULAR\n"
     "    float area = v_ssgi_turned.w * rr * away, form = ssgi_form(v, n, v_ssgi_turned.xyz, rr) * area;\n"
     "    if (!(form > 0.0)) discard;\n"
-    "    form *= max(1.0 - sqrt(dd) / u_ssgi_radius, 0.0); // #if effect == OCCLUSION && !hard\n"
+    "    form *= max(1.0 - sqrt(dd) / u_ssgi_radius, 0.0); // #if effect == OCCLUSION && falloff != NONE\n"
     "    o_ssgi_levels = form; // #if effect == OCCLUSION\n"
     "    o_ssgi_levels = ssgi_effect(v_ssgi_sent.xyz, v, form, area); // #if effect != OCCLUSION\n"
     "}\n" },
@@ -3470,7 +3553,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
     "void main() {\n"
-    "    vec3 P = uintBitsToFloat(texelFetch(t_ssgi_shuffled, ivec2(gl_FragCoord.xy), 0).xyz);\n"
+    "    vec3 P = uintBitsToFloat(texelFetch(t_ssgi_interleaved, ivec2(gl_FragCoord.xy), 0).xyz);\n"
     "    vec3 v = v_ssgi_at.xyz - P;\n"
     "    float dd = dot(v, v);\n"
     "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
@@ -3487,7 +3570,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
     "void main() {\n"
-    "    uvec4 t = texelFetch(t_ssgi_shuffled, ivec2(gl_FragCoord.xy), 0);\n"
+    "    uvec4 t = texelFetch(t_ssgi_interleaved, ivec2(gl_FragCoord.xy), 0);\n"
     "    vec3 P = uintBitsToFloat(t.xyz), m = v_ssgi_turned.xyz, v = v_ssgi_at.xyz - P;\n"
     "    float dd = dot(v, v), r = sqrt(v_ssgi_at.w);\n"
     "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
@@ -3590,28 +3673,28 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 P, n;\n"
     "    vec4 plane; // its unit of height is a 100th of the radius plus a pixel // #if filter == BILATERAL\n"
     "    float z, footprint;\n"
-    "    vec4 now; // its own texel // #if !half && colour != COEFFICIENTS\n"
+    "    vec4 now; // its own texel // #if !half && quantity != COEFFICIENTS\n"
     "    bool settled; // it has an average over frames // #if pass == HISTORY\n"
     "};\n" },
 
 { "ssgi_texel", __LINE__ + 1,
     "// light or visibility, and view depth, as the pass before wrote them\n"
     "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
-    "    return texelFetch(t, q, 0); // #if colour == COLOUR\n"
-    "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n"
+    "    return texelFetch(t, q, 0); // #if quantity == LIGHT\n"
+    "    return texelFetch(t, q, 0).xxxy; // #if quantity == VISIBILITY\n"
     "}\n" },
 
 { "ssgi_now", __LINE__ + 1,
     "vec4 ssgi_now(ivec2 q) { // light or visibility of this frame\n"
-    "    return ssgi_texel(t_ssgi_light, q); // #if colour == COLOUR\n"
-    "    return ssgi_texel(t_ssgi_ao, q); // #if colour == GREY\n"
+    "    return ssgi_texel(t_ssgi_light, q); // #if quantity == LIGHT\n"
+    "    return ssgi_texel(t_ssgi_ao, q); // #if quantity == VISIBILITY\n"
     "}\n" },
 
 { "ssgi_blurred_at", __LINE__ + 1,
     "ssgi_blurred ssgi_blurred_at(ivec2 p) {\n"
     "    ssgi_blurred c;\n"
-    "    c.now = ssgi_now(p + u_ssgi_target), c.z = c.now.w; // #if !half && colour != COEFFICIENTS\n"
-    "    c.z = ssgi_depth(p); // #if half || colour == COEFFICIENTS\n"
+    "    c.now = ssgi_now(p + u_ssgi_target), c.z = c.now.w; // #if !half && quantity != COEFFICIENTS\n"
+    "    c.z = ssgi_depth(p); // #if half || quantity == COEFFICIENTS\n"
     "    c.P = ssgi_position(vec2(p) + 0.5, c.z), c.footprint = ssgi_footprint(c.z);\n"
     "    c.n = ssgi_normal(p, c.P); // #if filter == BILATERAL || restore || pass == HISTORY\n"
     "    c.plane = ssgi_plane(c.P, c.n) / (0.01 * u_ssgi_radius + c.footprint); // #if filter == BILATERAL\n"
@@ -3671,8 +3754,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_grey", __LINE__ + 1,
     "float ssgi_grey(vec4 t) {\n"
-    "    return dot(t.xyz, vec3(0.2126, 0.7152, 0.0722)); // #if colour == COLOUR\n"
-    "    return t.x; // #if colour == GREY\n"
+    "    return dot(t.xyz, vec3(0.2126, 0.7152, 0.0722)); // #if quantity == LIGHT\n"
+    "    return t.x; // #if quantity == VISIBILITY\n"
     "}\n" },
 
 { "ssgi_filtered", __LINE__ + 1,
@@ -3863,8 +3946,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_kept_at", __LINE__ + 1,
     "ssgi_kept ssgi_kept_at(ivec2 q) { // the averages that the last frame kept\n"
     "    vec4 t = texelFetch(t_ssgi_history, q + u_ssgi_target, 0);\n"
-    "    return ssgi_kept(t, texelFetch(t_ssgi_means, q + u_ssgi_target, 0).xy); // #if colour == COLOUR\n"
-    "    return ssgi_kept(t.xxxy, t.zw); // #if colour == GREY\n"
+    "    return ssgi_kept(t, texelFetch(t_ssgi_means, q + u_ssgi_target, 0).xy); // #if quantity == LIGHT\n"
+    "    return ssgi_kept(t.xxxy, t.zw); // #if quantity == VISIBILITY\n"
     "}\n" },
 
 { "ssgi_last", __LINE__ + 1,
@@ -3945,7 +4028,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_frames", __LINE__ + 1,
     "float ssgi_frames(ivec2 p, ssgi_last last) { // how many frames are averaged, this one among them\n"
-    "    float changed = texelFetch(t_ssgi_nearby, p / 8 + u_ssgi_target / 8, 0).x;\n"
+    "    float changed = texelFetch(t_ssgi_change_share, p / 8 + u_ssgi_target / 8, 0).x;\n"
     "    if (last.moves) changed = 0.0; // most of the change is its own motion, which is followed // #if motion\n"
     "    float most = max(u_ssgi_history / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
     "    most = min(most, 1.0 + SSGI_CHANGED / max(changed, 1e-9));\n"
@@ -3963,13 +4046,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 average = vec4(mix(last.kept.light.xyz, now.xyz, 1.0 / frames), now.w);\n"
     "    float mean = ssgi_grey(average), by = clamp(mean, quick - drift, quick + drift) - mean;\n"
     "    frames = max(frames * (1.0 - SSGI_FORGOTTEN * min(abs(by) / drift, 1.0)), 1.0);\n"
-    "#if colour == COLOUR && restore != DIFFERENCE\n"
+    "#if quantity == LIGHT && restore != DIFFERENCE\n"
     "    bool scales = mean > 0.0 && by < 2.0 * mean;\n"
     "    if (!scales) return ssgi_kept(now, vec2(v, 1.0));\n"
     "    average.xyz = max(average.xyz * (1.0 + by / mean), 0.0);\n"
     "#else\n"
     "    average.xyz += by;\n"
-    "    average.xyz = clamp(average.xyz, 0.0, 1.0); // #if colour == GREY\n"
+    "    average.xyz = clamp(average.xyz, 0.0, 1.0); // #if quantity == VISIBILITY\n"
     "#endif\n"
     "    return ssgi_kept(average, vec2(quick, frames));\n"
     "}\n" },
@@ -3983,14 +4066,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    c.settled = frames >= SSGI_SETTLED || c.z >= SSGI_FAR; // background needs no filter\n"
     "    ssgi_filtered f = ssgi_filter(p, c);\n"
     "    vec4 now = vec4(f.light.xyz / f.light.w, c.z);\n"
-    "    float open = 1.0; // #if colour == GREY\n"
-    "    float open = 0.0; // #if colour == COLOUR\n"
+    "    float open = 1.0; // #if quantity == VISIBILITY\n"
+    "    float open = 0.0; // #if quantity == LIGHT\n"
     "    ssgi_kept kept = ssgi_kept(vec4(vec3(open), c.z), vec2(open, 1.0));\n"
     "    if (c.z < SSGI_FAR && f.light.w > 0.0 && ssgi_finite(now)) {\n"
     "        kept = ssgi_averaged(now, ssgi_deviation(f, ssgi_grey(now)), frames, last);\n"
     "    }\n"
-    "    o_ssgi_ao = vec4(kept.light.xw, kept.means); // #if colour == GREY\n"
-    "#if colour == COLOUR\n"
+    "    o_ssgi_ao = vec4(kept.light.xw, kept.means); // #if quantity == VISIBILITY\n"
+    "#if quantity == LIGHT\n"
     "    o_ssgi_history = kept.light; // #if restore\n"
     "    o_ssgi_light = kept.light;\n"
     "    if (c.z < SSGI_FAR) o_ssgi_light.xyz = ssgi_restored(kept.light.xyz, c); // #if restore\n"
@@ -3998,8 +4081,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- changes, nearby: these passes tell history which surfaces came or went within the radius. An average that holds
-   an occluder's shadow is worth nothing once the occluder has gone; a moving camera alone changes nothing. */
+/* ---- change_mask, change_share: these passes tell history which surfaces came or went within the radius. An average
+   that holds an occluder's shadow is worth nothing once the occluder has gone; a moving camera alone changes
+   nothing. */
 
 { "ssgi_depth_last", __LINE__ + 1,
     "float ssgi_depth_last(ivec2 q) {\n"
@@ -4075,9 +4159,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* The places where depths differ are found first, since they are few: the loop over them ends at once elsewhere. */
-{ "main_changes", __LINE__ + 1,
+{ "main_change_mask", __LINE__ + 1,
     "void main() {\n"
-    "    vec4 changes = vec4(0.0, SSGI_FAR, 0.0, 0.0);\n"
+    "    vec4 mask = vec4(0.0, SSGI_FAR, 0.0, 0.0);\n"
     "    uint differ = 0u;\n"
     "    bool moves = false; // #if motion\n"
     "    for (int k = 0; k < 16; ++k) {\n"
@@ -4090,14 +4174,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if ((differ >> uint(k) & 1u) == 0u) continue;\n"
     "        ivec2 q = ssgi_tested(k);\n"
     "        float z = ssgi_change(q, ssgi_pixel_was(q));\n"
-    "        if (z > 0.0) changes = vec4(changes.x + 1.0 / 16.0, min(changes.y, z), max(changes.z, z), 0.0);\n"
+    "        if (z > 0.0) mask = vec4(mask.x + 1.0 / 16.0, min(mask.y, z), max(mask.z, z), 0.0);\n"
     "    }\n"
-    "    if (!moves && changes.x < SSGI_APPEARED) changes.x = 0.0; // #if motion\n"
-    "    o_ssgi_changes = changes;\n"
+    "    if (!moves && mask.x < SSGI_APPEARED) mask.x = 0.0; // #if motion\n"
+    "    o_ssgi_change_mask = mask;\n"
     "}\n" },
 
 /* Seven tiles on a side are read, farther apart where the radius reaches beyond them. */
-{ "main_nearby", __LINE__ + 1,
+{ "main_change_share", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 tile = ssgi_tile(), tiles = (u_ssgi_size + 7) / 8;\n"
     "    float nearest = SSGI_FAR, farthest = 0.0, share = 0.0;\n"
@@ -4112,10 +4196,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            vec2 o = round(apart * vec2(x, y));\n"
     "            ivec2 q = tile + ivec2(o);\n"
     "            if (max(abs(o.x), abs(o.y)) > reach + 1.0 || clamp(q, ivec2(0), tiles - 1) != q) continue;\n"
-    "            vec4 c = texelFetch(t_ssgi_changes, q + u_ssgi_target / 8, 0);\n"
+    "            vec4 c = texelFetch(t_ssgi_change_mask, q + u_ssgi_target / 8, 0);\n"
     "            if (c.y < farthest + u_ssgi_radius && c.z > nearest - u_ssgi_radius) share += c.x;\n"
     "        }\n"
-    "    o_ssgi_nearby = min(share * apart * apart / max(4.0 * reach * reach, 1.0), 1.0);\n"
+    "    o_ssgi_change_share = min(share * apart * apart / max(4.0 * reach * reach, 1.0), 1.0);\n"
     "}\n" },
 
 { "main_triangle", __LINE__ + 1,
@@ -4133,26 +4217,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    of captures, count up in this order. */
 typedef struct ssgi_gl__row {
     const char *when;
-    size_t bytes; /* of a member; 1: a texture of yours, which desc.array makes an array */
+    size_t bytes; /* of a member; 1: a texture of yours, which desc.input.array makes an array */
     ssgi_gl_io io;
 } ssgi_gl__row;
 
 /* clang-format off */
 #define SSGI_GL__ROW_CONSTANT(name, of) \
-    { NULL, 0, { "SSGI_" #name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "" } }
+    { NULL, 0, { "SSGI_" #name, SSGI_GL_IO_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "" } }
 #define SSGI_GL__ROW_MEMBER(block, prefix, of, member, type, units) \
-    { NULL, sizeof ((of *)0)->member, { prefix #member, SSGI_GL_PARAM, type, block, offsetof(of, member), units } }
+    { NULL, sizeof ((of *)0)->member, { prefix #member, SSGI_GL_IO_PARAM, type, block, offsetof(of, member), units } }
 #define SSGI_GL__ROW_FRAME(member, type, units) \
     SSGI_GL__ROW_MEMBER(0, "u_ssgi_", ssgi_gl_frame, member, type, units)
 #define SSGI_GL__ROW_VIEWS(member, type, units) \
     SSGI_GL__ROW_MEMBER(1, "u_ssgi_view_", ssgi_gl_views, member, type, units)
 #define SSGI_GL__ROW_TEXTURE(name, unit, when, type, is) \
-    { when, 0, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
+    { when, 0, { "t_ssgi_" name, SSGI_GL_IO_TEXTURE, type, unit, 0, is } }
 #define SSGI_GL__ROW_YOURS(name, unit, when, type, is) \
-    { when, 1, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
-#define SSGI_GL__ROW_OUTPUT(name, when, type, is) { when, 0, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, is } }
-#define SSGI_GL__ROW_ATTRIBUTE(name, type, is)    { NULL, 0, { "a_ssgi_" name, SSGI_GL_ATTRIBUTE, type, 0, 0, is } }
-#define SSGI_GL__ROW_CAPTURE(name, type, is)      { NULL, 0, { "v_ssgi_" name, SSGI_GL_CAPTURE, type, 0, 0, is } }
+    { when, 1, { "t_ssgi_" name, SSGI_GL_IO_TEXTURE, type, unit, 0, is } }
+#define SSGI_GL__ROW_OUTPUT(name, when, type, is) { when, 0, { "o_ssgi_" name, SSGI_GL_IO_OUTPUT, type, 0, 0, is } }
+#define SSGI_GL__ROW_ATTRIBUTE(name, type, is)    { NULL, 0, { "a_ssgi_" name, SSGI_GL_IO_ATTRIBUTE, type, 0, 0, is } }
+#define SSGI_GL__ROW_CAPTURE(name, type, is)      { NULL, 0, { "v_ssgi_" name, SSGI_GL_IO_CAPTURE, type, 0, 0, is } }
 
 /* A texture and an output of one name: s3ho writes them, shade and blur read them. */
 #define SSGI_GL__ROWS_FLOATS(name, unit, is) \
@@ -4166,19 +4250,19 @@ typedef struct ssgi_gl__row {
 #define SSGI_GL__HDR "RGBA32F or RGBA16F"
 
 static const ssgi_gl__row ssgi_gl__rows[] = {
-    SSGI_GL__ROW_CONSTANT(SAMPLES, samples),
-    SSGI_GL__ROW_CONSTANT(DIRECTIONS, directions),
-    SSGI_GL__ROW_CONSTANT(STEPS, steps),
-    SSGI_GL__ROW_CONSTANT(NORMAL_RAYS, normal_rays),
-    SSGI_GL__ROW_CONSTANT(LAYERS, layers),
-    SSGI_GL__ROW_CONSTANT(VIEWS, views),
-    SSGI_GL__ROW_CONSTANT(VIEW_LAYERS, view_layers),
-    SSGI_GL__ROW_CONSTANT(RECEIVER, receiver),
-    SSGI_GL__ROW_CONSTANT(LEVELS, levels),
-    SSGI_GL__ROW_CONSTANT(NEAR_SAMPLES, near_samples),
-    SSGI_GL__ROW_CONSTANT(AXIS, axis),
-    SSGI_GL__ROW_CONSTANT(FILTER_RADIUS, filter_radius),
-    SSGI_GL__ROW_CONSTANT(SPAN, span),
+    SSGI_GL__ROW_CONSTANT(SAMPLES, gather.samples),
+    SSGI_GL__ROW_CONSTANT(DIRECTIONS, gather.directions),
+    SSGI_GL__ROW_CONSTANT(STEPS, gather.steps),
+    SSGI_GL__ROW_CONSTANT(NORMAL_RAYS, gather.normal_rays),
+    SSGI_GL__ROW_CONSTANT(LAYERS, gather.layers),
+    SSGI_GL__ROW_CONSTANT(VIEWS, gather.views),
+    SSGI_GL__ROW_CONSTANT(VIEW_LAYERS, gather.view_layers),
+    SSGI_GL__ROW_CONSTANT(RECEIVER, light.receiver),
+    SSGI_GL__ROW_CONSTANT(LEVELS, surfel.levels),
+    SSGI_GL__ROW_CONSTANT(NEAR_SAMPLES, surfel.near_samples),
+    SSGI_GL__ROW_CONSTANT(AXIS, surfel.axis),
+    SSGI_GL__ROW_CONSTANT(FILTER_RADIUS, filter.radius),
+    SSGI_GL__ROW_CONSTANT(SPAN, surfel.span),
 
     SSGI_GL__ROW_FRAME(project, "vec4", "pixels per view xy / depth; pixels"),
     SSGI_GL__ROW_FRAME(unproject, "vec4", "view xy / depth per pixel"),
@@ -4188,7 +4272,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(target, "ivec2", "texels"),
     SSGI_GL__ROW_FRAME(radius, "float", "view units"),
     SSGI_GL__ROW_FRAME(offset, "float", "half pixels"),
-    SSGI_GL__ROW_FRAME(thickness, "float", "view units"),
+    SSGI_GL__ROW_FRAME(thickness_limit, "float", "view units"),
     SSGI_GL__ROW_FRAME(phase, "float", "turns"),
     SSGI_GL__ROW_FRAME(fade, "float", "view units"),
     SSGI_GL__ROW_FRAME(distance_clamp, "float", "radii"),
@@ -4223,22 +4307,22 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_YOURS("depth", 0, "!multisampled", "sampler2D",
                        "hardware depth (any, compare mode off) or R32F view depth, NEAREST"),
     SSGI_GL__ROW_YOURS("normal", 1, "!receiver && !multisampled", "sampler2D",
-                       "RGBA16F, RGB10_A2, RG16F .. as desc.normal says, NEAREST"),
+                       "RGBA16F, RGB10_A2, RG16F .. as desc.input.normal says, NEAREST"),
     SSGI_GL__ROW_TEXTURE("depth", 0, "multisampled", "sampler2DMS", "hardware depth or R32F view depth: sample 0"),
-    SSGI_GL__ROW_TEXTURE("normal", 1, "multisampled", "sampler2DMS", "RGBA16F .. as desc.normal says: sample 0"),
+    SSGI_GL__ROW_TEXTURE("normal", 1, "multisampled", "sampler2DMS", "RGBA16F .. as desc.input.normal says: sample 0"),
     SSGI_GL__ROW_TEXTURE("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
     SSGI_GL__ROW_TEXTURE("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
     SSGI_GL__ROW_TEXTURE("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
     SSGI_GL__ROW_TEXTURE("views", 4, NULL, "sampler2DArray",
                          "hardware depth, slice camera * view_layers + layer, NEAREST"),
-    SSGI_GL__ROW_TEXTURE("senders", 5, NULL, "usampler2DArray", "RG32UI: of pass senders, a slice a layer, NEAREST"),
-    SSGI_GL__ROW_TEXTURE("view_senders", 6, NULL, "usampler2DArray",
+    SSGI_GL__ROW_TEXTURE("emitters", 5, NULL, "usampler2DArray", "RG32UI: of pass emitters, a slice a layer, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("view_emitters", 6, NULL, "usampler2DArray",
                          "RG32UI: slice camera * view_layers + layer, NEAREST"),
     SSGI_GL__ROW_TEXTURE("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
     SSGI_GL__ROW_TEXTURE("environment", 8, NULL, "sampler2D",
                          "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
     SSGI_GL__ROW_TEXTURE("irradiance", 9, NULL, "sampler2DArray",
-                         "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with desc.residual "
+                         "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with desc.light.residual "
                          "ssgi_sh_residual's map; for cones k of n ssgi_environment_cone, cosine k/n"),
     SSGI_GL__ROW_TEXTURE("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
     SSGI_GL__ROW_TEXTURE("shadow", 11, NULL, "sampler2D",
@@ -4256,23 +4340,23 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                        "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest back face; next front face behind "
                        "it; next back face behind that"),
     SSGI_GL__ROW_TEXTURE("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
-    SSGI_GL__ROW_TEXTURE("width", 2, NULL, "usampler2D", "RGBA32UI, half size, NEAREST: of pass width"),
+    SSGI_GL__ROW_TEXTURE("thickness", 2, NULL, "usampler2D", "RGBA32UI, half size, NEAREST: of pass thickness"),
     SSGI_GL__ROW_YOURS("objects", 3, NULL, "usampler2D",
                        "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
     SSGI_GL__ROW_TEXTURE("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
     SSGI_GL__ROW_TEXTURE("cap", 5, NULL, "sampler2D", "R32F or R16F, any size, NEAREST: ssgi_cap_table"),
-    SSGI_GL__ROW_TEXTURE("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: of pass shuffle"),
+    SSGI_GL__ROW_TEXTURE("interleaved", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: of pass interleave"),
     SSGI_GL__ROW_TEXTURE("levels", 3, NULL, "sampler2D",
-                         "of pass splat, unshuffle or smooth, in this order, NEAREST"),
+                         "of pass splat, deinterleave or smooth, in this order, NEAREST"),
     SSGI_GL__ROW_TEXTURE("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: of pass ssao, hsao or history"),
     SSGI_GL__ROW_TEXTURE("history", 2, NULL, "sampler2D",
                          "this pass's output for the last frame, NEAREST: o_ssgi_ao; o_ssgi_light, or with "
-                         "desc.restore o_ssgi_history"),
+                         "desc.light.restore o_ssgi_history"),
     SSGI_GL__ROW_TEXTURE("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
-    SSGI_GL__ROW_TEXTURE("changes", 3, NULL, "sampler2D",
-                         SSGI_GL__HDR ", an eighth of the size, NEAREST: of pass changes"),
-    SSGI_GL__ROW_TEXTURE("nearby", 5, NULL, "sampler2D",
-                         "R32F or R16F, an eighth of the size, NEAREST: of pass nearby"),
+    SSGI_GL__ROW_TEXTURE("change_mask", 3, NULL, "sampler2D",
+                         SSGI_GL__HDR ", an eighth of the size, NEAREST: of pass change_mask"),
+    SSGI_GL__ROW_TEXTURE("change_share", 5, NULL, "sampler2D",
+                         "R32F or R16F, an eighth of the size, NEAREST: of pass change_share"),
     SSGI_GL__ROW_YOURS("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
     SSGI_GL__ROW_OUTPUT("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
@@ -4290,19 +4374,19 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_OUTPUT("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
     SSGI_GL__ROW_OUTPUT("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
     SSGI_GL__ROW_OUTPUT("custom", NULL, "vec4", SSGI_GL__HDR ": the sum of your effect, view depth"),
-    SSGI_GL__ROW_OUTPUT("sender", NULL, "uvec2",
+    SSGI_GL__ROW_OUTPUT("emitter", NULL, "uvec2",
                         "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent "
                         "and 14, octahedral view-space normal as 6 6"),
-    SSGI_GL__ROW_OUTPUT("width", NULL, "uvec4",
+    SSGI_GL__ROW_OUTPUT("thickness", NULL, "uvec4",
                         "RGBA32UI: of each pixel of a 2x2 view depth; its last 6 bits are thickness in radii / 63"),
-    SSGI_GL__ROW_OUTPUT("changes", NULL, "vec4",
+    SSGI_GL__ROW_OUTPUT("change_mask", NULL, "vec4",
                         SSGI_GL__HDR ": of 8x8 pixels the share where an occluder came or went; the least and the "
                         "greatest view depth of these"),
-    SSGI_GL__ROW_OUTPUT("nearby", NULL, "float",
+    SSGI_GL__ROW_OUTPUT("change_share", NULL, "float",
                         "R32F or R16F: of all surfaces within the radius of 8x8 pixels, the share that came or went"),
     SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",
                         "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
-    SSGI_GL__ROW_OUTPUT("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
+    SSGI_GL__ROW_OUTPUT("interleaved", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
     SSGI_GL__ROW_OUTPUT("levels", "effect == OCCLUSION", "float",
                         "R32F, or R16F that loses values below 1/2000: form factors"),
     SSGI_GL__ROW_OUTPUT("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": effects of surfels, form factors"),
@@ -4351,13 +4435,13 @@ enum {
 
 enum {
     SSGI_GL__SEARCH_NONE = 0, /* it gathers nothing */
-    SSGI_GL__SEARCH_POINTS,   /* it has points, whatever desc.search says */
-    SSGI_GL__SEARCH_CHOSEN    /* desc.search chooses */
+    SSGI_GL__SEARCH_POINTS,   /* it has points, whatever desc.gather.search says */
+    SSGI_GL__SEARCH_CHOSEN    /* desc.gather.search chooses */
 };
 
 enum {
-    SSGI_GL__THICKNESS_NONE = 0, /* it does not look at desc.thickness */
-    SSGI_GL__THICKNESS_READ,     /* its occluders are as thick as desc.thickness says */
+    SSGI_GL__THICKNESS_NONE = 0, /* it does not look at desc.gather.thickness */
+    SSGI_GL__THICKNESS_READ,     /* its occluders are as thick as desc.gather.thickness says */
     SSGI_GL__THICKNESS_MEASURED  /* it measures the thickness that the others read */
 };
 
@@ -4365,7 +4449,7 @@ enum {
     SSGI_GL__PRESET_NONE = 0, /* nothing in it trades cost for accuracy */
     SSGI_GL__PRESET_SSAO,     /* this and those below number the rows of ssgi_gl__presets */
     SSGI_GL__PRESET_LIGHTS,
-    SSGI_GL__PRESET_SEARCH /* the preset of desc.search, so that a desc also serves the passes around its own */
+    SSGI_GL__PRESET_SEARCH /* the preset of desc.gather.search, so that a desc also serves the passes around its own */
 };
 
 enum {
@@ -4373,7 +4457,7 @@ enum {
     SSGI_GL__SIZE_HALF = SSGI_GL_SIZE_HALF,
     SSGI_GL__SIZE_LEVELS = SSGI_GL_SIZE_LEVELS,
     SSGI_GL__SIZE_TILES = SSGI_GL_SIZE_TILES,
-    SSGI_GL__SIZE_CHOSEN /* half where desc.half says so, else full */
+    SSGI_GL__SIZE_CHOSEN /* half where desc.gather.half says so, else full */
 };
 
 enum {
@@ -4385,7 +4469,7 @@ enum {
 };
 
 enum {
-    SSGI_GL__BLEND_ONTO = 0, /* as desc.onto says; off where the pass does not look at it */
+    SSGI_GL__BLEND_ONTO = 0, /* as desc.filter.onto says; off where the pass does not look at it */
     SSGI_GL__BLEND_MULTIPLY,
     SSGI_GL__BLEND_ADD
 };
@@ -4410,11 +4494,11 @@ typedef struct ssgi_gl__pass {
 
 /* clang-format off */
 #define SSGI_GL__PASS(pass, name, chain, search, thickness, preset, size, draw, blend, texture) \
-    SSGI_GL_##pass, name, SSGI_GL__CHAIN_##chain, SSGI_GL__SEARCH_##search, SSGI_GL__THICKNESS_##thickness, \
+    SSGI_GL_PASS_##pass, name, SSGI_GL__CHAIN_##chain, SSGI_GL__SEARCH_##search, SSGI_GL__THICKNESS_##thickness, \
     SSGI_GL__PRESET_##preset, SSGI_GL__SIZE_##size, SSGI_GL__DRAW_##draw, SSGI_GL__BLEND_##blend, \
     SSGI_GL__TEXTURE_##texture
 
-/* The main functions of the other stages, by the column draw; second, with desc.tessellate. */
+/* The main functions of the other stages, by the column draw; second, with desc.surfel.tessellate. */
 static const char *const ssgi_gl__stages[SSGI_GL__DRAWS][2][SSGI_GL_STAGES] = {
     { { "main_triangle", NULL, NULL, NULL, NULL }, { "main_triangle", NULL, NULL, NULL, NULL } },
     { { "main_occluder", NULL, NULL, NULL, NULL }, { "main_occluder", NULL, NULL, NULL, NULL } },
@@ -4436,8 +4520,8 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
         { "shaded", "main_s3ho_shaded" } } },
     { SSGI_GL__PASS(LIGHTS, "lights",   NONE, POINTS, READ,     LIGHTS, FULL,   IMAGE,   ONTO,     NEW),
       { { NULL, "main_lights" } } },
-    { SSGI_GL__PASS(SENDERS, "senders", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     SLICE),
-      { { NULL, "main_senders" } } },
+    { SSGI_GL__PASS(EMITTERS, "emitters", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     SLICE),
+      { { NULL, "main_emitters" } } },
     { SSGI_GL__PASS(SHADE, "shade", NONE,     NONE,   NONE,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
       { { "shading != BENT", "main_shade" },
         { "shading == BENT", "main_bent" } } },
@@ -4445,14 +4529,14 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
       { { NULL, "main_field" } } },
     { SSGI_GL__PASS(SURFELS, "surfels", NONE, NONE,   NONE,     NONE,   FULL,   SURFELS, ONTO,     NEW),
       { { NULL, "main_nothing" } } },
-    { SSGI_GL__PASS(SHUFFLE, "shuffle", NONE, NONE,   NONE,     NONE,   LEVELS, IMAGE,   ONTO,     NEW),
-      { { NULL, "main_shuffle" } } },
+    { SSGI_GL__PASS(INTERLEAVE, "interleave", NONE, NONE,   NONE,     NONE,   LEVELS, IMAGE,   ONTO,     NEW),
+      { { NULL, "main_interleave" } } },
     { SSGI_GL__PASS(SPLAT, "splat", OWN,      NONE,   NONE,     NONE,   LEVELS, SPLATS,  ADD,      NEW),
       { { "effect < SCATTER", "main_splat" },
         { "effect == SCATTER", "main_splat_scatter" },
         { "effect == CUSTOM", "main_splat_custom" } } },
-    { SSGI_GL__PASS(UNSHUFFLE, "unshuffle", NONE, NONE, NONE,   NONE,   LEVELS, IMAGE,   ONTO,     NEW),
-      { { NULL, "main_unshuffle" } } },
+    { SSGI_GL__PASS(DEINTERLEAVE, "deinterleave", NONE, NONE, NONE,   NONE,   LEVELS, IMAGE,   ONTO,     NEW),
+      { { NULL, "main_deinterleave" } } },
     { SSGI_GL__PASS(SMOOTH, "smooth", NONE,   NONE,   NONE,     NONE,   LEVELS, IMAGE,   ONTO,     NEW),
       { { NULL, "main_smooth" } } },
     { SSGI_GL__PASS(SUM, "sum",     NONE,     NONE,   NONE,     NONE,   FULL,   IMAGE,   ONTO,     NEW),
@@ -4460,20 +4544,20 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
         { "effect == LIGHT", "main_sum_light" },
         { "effect > LIGHT", "main_sum_sent" } } },
     { SSGI_GL__PASS(BLUR, "blur",   NONE,     NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     NEW),
-      { { "colour == GREY", "main_blur_grey" },
-        { "colour == COLOUR", "main_blur_light" },
-        { "colour == COEFFICIENTS", "main_blur_coefficients" } } },
+      { { "quantity == VISIBILITY", "main_blur_grey" },
+        { "quantity == LIGHT", "main_blur_light" },
+        { "quantity == COEFFICIENTS", "main_blur_coefficients" } } },
     { SSGI_GL__PASS(HISTORY, "history", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     KEPT),
       { { NULL, "main_history" } } },
     { SSGI_GL__PASS(COMPOSE, "compose", NONE, NONE,   NONE,     NONE,   FULL,   IMAGE,   ONTO,     NEW),
-      { { "colour == GREY", "main_compose_grey" },
-        { "colour != GREY", "main_compose_light" } } },
-    { SSGI_GL__PASS(WIDTH, "width", NONE,     NONE,   MEASURED, NONE,   HALF,   IMAGE,   ONTO,     NEW),
-      { { NULL, "main_width" } } },
-    { SSGI_GL__PASS(CHANGES, "changes", NONE, NONE,   NONE,     NONE,   TILES,  IMAGE,   ONTO,     NEW),
-      { { NULL, "main_changes" } } },
-    { SSGI_GL__PASS(NEARBY, "nearby", NONE,   NONE,   NONE,     NONE,   TILES,  IMAGE,   ONTO,     NEW),
-      { { NULL, "main_nearby" } } }
+      { { "quantity == VISIBILITY", "main_compose_grey" },
+        { "quantity != VISIBILITY", "main_compose_light" } } },
+    { SSGI_GL__PASS(THICKNESS, "thickness", NONE,     NONE,   MEASURED, NONE,   HALF,   IMAGE,   ONTO,     NEW),
+      { { NULL, "main_thickness" } } },
+    { SSGI_GL__PASS(CHANGE_MASK, "change_mask", NONE, NONE,   NONE,     NONE,   TILES,  IMAGE,   ONTO,     NEW),
+      { { NULL, "main_change_mask" } } },
+    { SSGI_GL__PASS(CHANGE_SHARE, "change_share", NONE,   NONE,   NONE,     NONE,   TILES,  IMAGE,   ONTO,     NEW),
+      { { NULL, "main_change_share" } } }
 };
 
 /* clang-format on */
@@ -4484,6 +4568,8 @@ enum {
     SSGI_GL__VARIANTS = (int)(sizeof ssgi_gl__passes->variant / sizeof *ssgi_gl__passes->variant)
 };
 
+/* With -fshort-enums, too: SSGI_FORCE keeps each enumeration as wide as an int. */
+typedef char ssgi_gl__enums_are_ints[sizeof(ssgi_gl_pass) == sizeof(int) ? 1 : -1];
 typedef char ssgi_gl__every_pass_has_a_row[sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes == SSGI_GL_PASSES ? 1 : -1];
 
 /* The row of a pass; NULL where there is no such pass. */
@@ -4517,96 +4603,92 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
     } while (0)
 
 /* One row a field, in the struct's order; names and words are those of #if lines, too. COUNT: 0 .. most. SWITCH: 0 or
-   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. WORDS: the same with a prefix of its own. */
+   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. */
 /* clang-format off */
-#define SSGI_GL__FIELD_COUNT(field, most) \
-    { #field, "", "desc." #field ": must be 0.." #most, offsetof(ssgi_gl_desc, field), most }
-#define SSGI_GL__FIELD_SWITCH(field) \
-    { #field, "", "desc." #field ": must be 0 or 1", offsetof(ssgi_gl_desc, field), 1 }
-#define SSGI_GL__FIELD_WORDS(field, last, prefix, words) \
-    { #field, words, "desc." #field ": must be " prefix "_ and one of " words, offsetof(ssgi_gl_desc, field), last }
-#define SSGI_GL__FIELD_ENUM(field, KIND, LAST, words) \
-    SSGI_GL__FIELD_WORDS(field, SSGI_GL_##KIND##_##LAST, "SSGI_GL_" #KIND, words)
+#define SSGI_GL__FIELD(field, name, most, limits, words) \
+    { #name, #field, words, "desc." #field ": " limits words, offsetof(ssgi_gl_desc, field), most }
+#define SSGI_GL__COUNT(group, name, most) SSGI_GL__FIELD(group.name, name, most, "must be 0.." #most, "")
+#define SSGI_GL__SWITCH(group, name) SSGI_GL__FIELD(group.name, name, 1, "must be 0 or 1", "")
+#define SSGI_GL__ENUM(group, name, KIND, LAST, words) \
+    SSGI_GL__FIELD(group.name, name, SSGI_GL_##KIND##_##LAST, "must be SSGI_GL_" #KIND "_ and one of ", words)
 /* clang-format on */
 
 static const ssgi_gl_choice ssgi_gl__fields[] = {
-    SSGI_GL__FIELD_WORDS(pass, SSGI_GL_PASSES - 1, "SSGI_GL",
-                         "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE SPLAT UNSHUFFLE SMOOTH SUM "
-                         "BLUR HISTORY COMPOSE WIDTH CHANGES NEARBY"),
-    SSGI_GL__FIELD_WORDS(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
-    SSGI_GL__FIELD_SWITCH(lines),
+    SSGI_GL__FIELD(pass, pass, SSGI_GL_PASSES - 1, "must be SSGI_GL_PASS_ and one of ",
+                   "SSAO HSAO SSDO S3HO LIGHTS EMITTERS SHADE FIELD SURFELS INTERLEAVE SPLAT DEINTERLEAVE SMOOTH SUM "
+                   "BLUR HISTORY COMPOSE THICKNESS CHANGE_MASK CHANGE_SHARE"),
 
-    SSGI_GL__FIELD_SWITCH(orthographic),
-    SSGI_GL__FIELD_SWITCH(oblique),
-    SSGI_GL__FIELD_SWITCH(left_handed),
+    SSGI_GL__SWITCH(input, orthographic),
+    SSGI_GL__SWITCH(input, oblique),
+    SSGI_GL__SWITCH(input, left_handed),
+    SSGI_GL__ENUM(input, depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM"),
+    SSGI_GL__ENUM(input, normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
+    SSGI_GL__SWITCH(input, world_normals),
+    SSGI_GL__SWITCH(input, multisampled),
+    SSGI_GL__SWITCH(input, array),
+    SSGI_GL__SWITCH(input, motion),
+    SSGI_GL__ENUM(input, objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
+    SSGI_GL__SWITCH(input, cap_table),
 
-    SSGI_GL__FIELD_ENUM(depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM"),
-    SSGI_GL__FIELD_ENUM(normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
-    SSGI_GL__FIELD_SWITCH(world_normals),
-    SSGI_GL__FIELD_SWITCH(multisampled),
-    SSGI_GL__FIELD_SWITCH(array),
+    SSGI_GL__ENUM(gather, search, SEARCH, MARCH, "SLICES POINTS MARCH"),
+    SSGI_GL__COUNT(gather, directions, 32),
+    SSGI_GL__COUNT(gather, samples, 64),
+    SSGI_GL__COUNT(gather, steps, 64),
+    SSGI_GL__COUNT(gather, normal_rays, 8),
+    SSGI_GL__ENUM(gather, terms, TERMS, RAYS, "BOTH HORIZON NORMAL RAYS"),
+    SSGI_GL__SWITCH(gather, spheres),
+    SSGI_GL__ENUM(gather, noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
+    SSGI_GL__SWITCH(gather, kernel),
+    SSGI_GL__SWITCH(gather, uniform),
+    SSGI_GL__ENUM(gather, half, HALF, IN_TURN, "NONE FIRST IN_TURN"),
+    SSGI_GL__ENUM(gather, thickness, THICKNESS, SLABS, "DEFAULT CONSTANT SOLID WIDTH BACK SLABS"),
+    SSGI_GL__COUNT(gather, layers, 8),
+    SSGI_GL__COUNT(gather, views, 4),
+    SSGI_GL__COUNT(gather, view_layers, 8),
+    SSGI_GL__ENUM(gather, falloff, FALLOFF, NONE, "LINEAR SQUARE NONE"),
+    SSGI_GL__ENUM(gather, fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"),
+    SSGI_GL__SWITCH(gather, range),
 
-    SSGI_GL__FIELD_WORDS(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"),
-    SSGI_GL__FIELD_COUNT(directions, 32),
-    SSGI_GL__FIELD_COUNT(samples, 64),
-    SSGI_GL__FIELD_COUNT(steps, 64),
-    SSGI_GL__FIELD_COUNT(normal_rays, 8),
-    SSGI_GL__FIELD_ENUM(terms, TERMS, RAYS, "BOTH HORIZON NORMAL RAYS"),
-    SSGI_GL__FIELD_SWITCH(spheres),
-    SSGI_GL__FIELD_ENUM(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
-    SSGI_GL__FIELD_SWITCH(kernel),
-    SSGI_GL__FIELD_SWITCH(uniform),
-    SSGI_GL__FIELD_COUNT(half, 2),
+    SSGI_GL__ENUM(light, environment, ENVIRONMENT, MAP, "NONE SH MAP"),
+    SSGI_GL__ENUM(light, harmonics, HARMONICS, CUSTOM, "FRAME CUSTOM"),
+    SSGI_GL__ENUM(light, bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH"),
+    SSGI_GL__SWITCH(light, two_sided),
+    SSGI_GL__ENUM(light, radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO"),
+    SSGI_GL__COUNT(light, receiver, 7),
+    SSGI_GL__ENUM(light, shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE"),
+    SSGI_GL__SWITCH(light, accumulate),
+    SSGI_GL__ENUM(light, restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE"),
+    SSGI_GL__COUNT(light, bands, 4),
+    SSGI_GL__SWITCH(light, packed),
+    SSGI_GL__ENUM(light, transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"),
+    SSGI_GL__SWITCH(light, dimmed),
+    SSGI_GL__SWITCH(light, shaded),
+    SSGI_GL__SWITCH(light, residual),
+    SSGI_GL__ENUM(light, shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
+    SSGI_GL__SWITCH(light, lights),
+    SSGI_GL__SWITCH(light, albedo),
 
-    SSGI_GL__FIELD_ENUM(thickness, THICKNESS, SLABS, "DEFAULT CONSTANT SOLID WIDTH BACK SLABS"),
-    SSGI_GL__FIELD_COUNT(layers, 8),
-    SSGI_GL__FIELD_COUNT(views, 4),
-    SSGI_GL__FIELD_COUNT(view_layers, 8),
-    SSGI_GL__FIELD_ENUM(falloff, FALLOFF, SQUARE, "LINEAR SQUARE"),
-    SSGI_GL__FIELD_ENUM(fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"),
-    SSGI_GL__FIELD_SWITCH(range),
-    SSGI_GL__FIELD_SWITCH(hard),
+    SSGI_GL__ENUM(surfel, effect, EFFECT, CUSTOM, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER CUSTOM"),
+    SSGI_GL__COUNT(surfel, levels, 7),
+    SSGI_GL__SWITCH(surfel, tessellate),
+    SSGI_GL__FIELD(surfel.overhang, overhang, SSGI_OVERHANG_CENTROID, "must be SSGI_OVERHANG_ and one of ",
+                   "INCENTRE CENTROID"),
+    SSGI_GL__ENUM(surfel, sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"),
+    SSGI_GL__COUNT(surfel, span, 64),
+    SSGI_GL__COUNT(surfel, near_samples, 16),
+    SSGI_GL__SWITCH(surfel, enlarge),
+    SSGI_GL__ENUM(surfel, combine, COMBINE, ADD, "SHARE ADD"),
+    SSGI_GL__SWITCH(surfel, axis),
 
-    SSGI_GL__FIELD_ENUM(environment, ENVIRONMENT, MAP, "NONE SH MAP"),
-    SSGI_GL__FIELD_ENUM(harmonics, HARMONICS, CUSTOM, "FRAME CUSTOM"),
-    SSGI_GL__FIELD_ENUM(bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH"),
-    SSGI_GL__FIELD_SWITCH(two_sided),
-    SSGI_GL__FIELD_ENUM(radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO"),
-    SSGI_GL__FIELD_COUNT(receiver, 7),
-    SSGI_GL__FIELD_ENUM(shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE"),
-    SSGI_GL__FIELD_SWITCH(accumulate),
-    SSGI_GL__FIELD_ENUM(restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE"),
+    SSGI_GL__ENUM(filter, quantity, QUANTITY, COEFFICIENTS, "VISIBILITY LIGHT COEFFICIENTS"),
+    SSGI_GL__FIELD(filter.kind, filter, SSGI_GL_FILTER_GAUSSIAN, "must be SSGI_GL_FILTER_ and one of ",
+                   "BILATERAL GAUSSIAN"),
+    SSGI_GL__FIELD(filter.radius, filter_radius, 4, "must be 0..4", ""),
+    SSGI_GL__FIELD(filter.normals, filter_normals, 1, "must be 0 or 1", ""),
+    SSGI_GL__ENUM(filter, onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT"),
 
-    SSGI_GL__FIELD_COUNT(bands, 4),
-    SSGI_GL__FIELD_SWITCH(packed),
-    SSGI_GL__FIELD_ENUM(transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"),
-    SSGI_GL__FIELD_SWITCH(dimmed),
-    SSGI_GL__FIELD_SWITCH(shaded),
-    SSGI_GL__FIELD_SWITCH(residual),
-    SSGI_GL__FIELD_ENUM(shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
-    SSGI_GL__FIELD_SWITCH(lights),
-    SSGI_GL__FIELD_SWITCH(albedo),
-
-    SSGI_GL__FIELD_ENUM(objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
-    SSGI_GL__FIELD_SWITCH(cap_table),
-
-    SSGI_GL__FIELD_ENUM(effect, EFFECT, CUSTOM, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER CUSTOM"),
-    SSGI_GL__FIELD_COUNT(levels, 7),
-    SSGI_GL__FIELD_SWITCH(tessellate),
-    SSGI_GL__FIELD_WORDS(overhang, SSGI_OVERHANG_CENTROID, "SSGI_OVERHANG", "INCENTRE CENTROID"),
-    SSGI_GL__FIELD_ENUM(sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"),
-    SSGI_GL__FIELD_COUNT(span, 64),
-    SSGI_GL__FIELD_COUNT(near_samples, 16),
-    SSGI_GL__FIELD_SWITCH(enlarge),
-    SSGI_GL__FIELD_ENUM(combine, COMBINE, ADD, "SHARE ADD"),
-    SSGI_GL__FIELD_SWITCH(axis),
-
-    SSGI_GL__FIELD_WORDS(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
-    SSGI_GL__FIELD_WORDS(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"),
-    SSGI_GL__FIELD_COUNT(filter_radius, 4),
-    SSGI_GL__FIELD_SWITCH(filter_normals),
-    SSGI_GL__FIELD_SWITCH(motion),
-    SSGI_GL__FIELD_ENUM(onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT")
+    SSGI_GL__ENUM(text, dialect, DIALECT, VULKAN, "330 410 450 300ES 310ES 320ES VULKAN"),
+    SSGI_GL__SWITCH(text, lines)
 };
 
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
@@ -4645,46 +4727,54 @@ static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d) { return !whe
 /* Choices that do not go together: a condition as in #if lines, and the sentence of the error. */
 #define SSGI_GL__SLICED "searches && search == SLICES && "
 static const char *const ssgi_gl__rules[][2] = {
-    { "pass == HSAO && search == POINTS", "desc.search: hsao is SSGI_GL_SLICES or _MARCH; points are ssao's" },
+    { "pass == HSAO && search == POINTS",
+      "desc.gather.search: hsao is SSGI_GL_SEARCH_SLICES or _MARCH; points are ssao's" },
+    { "falloff == NONE && (pass == SSAO || ((pass == SSDO || pass == S3HO) && search == POINTS))",
+      "desc.gather.falloff: points are distributed by it: SSGI_GL_FALLOFF_LINEAR or _SQUARE" },
     { "(pass == SSDO || pass == S3HO) && search == MARCH",
-      "desc.search: only hsao marches; ssdo and s3ho are SSGI_GL_SLICES or _POINTS" },
+      "desc.gather.search: only hsao marches; ssdo and s3ho are SSGI_GL_SEARCH_SLICES or _POINTS" },
     { "pass == HSAO && search == SLICES && normal_rays",
-      "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon" },
+      "desc.gather.normal_rays: only SSGI_GL_SEARCH_MARCH has them; slices see above the horizon" },
     { SSGI_GL__SLICED "layers > 1",
-      "desc.layers: slices read visible surfaces and their slabs (desc.thickness); hidden layers "
-      "need SSGI_GL_POINTS or _MARCH" },
+      "desc.gather.layers: slices read visible surfaces and their slabs (desc.gather.thickness); hidden layers "
+      "need SSGI_GL_SEARCH_POINTS or _MARCH" },
     { SSGI_GL__SLICED "views",
-      "desc.views: slices read visible surfaces and their slabs (desc.thickness); extra cameras need "
-      "SSGI_GL_POINTS or _MARCH" },
+      "desc.gather.views: slices read visible surfaces and their slabs (desc.gather.thickness); extra cameras need "
+      "SSGI_GL_SEARCH_POINTS or _MARCH" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
-      "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE" },
+      "desc.light.bounce: patches are those of SSGI_GL_SEARCH_POINTS; slices have SOLID_ANGLE" },
     { "thickness > SOLID && reads_thickness && (layers > 1 || views)",
-      "desc.thickness: widths and back faces are those of one layer and camera; layers and views want "
+      "desc.gather.thickness: widths and back faces are those of one layer and camera; layers and views want "
       "SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
-    { "world_normals && normal == FROM_DEPTH", "desc.world_normals: normals from depth are in view space" },
+    { "world_normals && normal == FROM_DEPTH", "desc.input.world_normals: normals from depth are in view space" },
     { "half && (pass == BLUR || pass == HISTORY) && filter == GAUSSIAN",
-      "desc.filter: only SSGI_GL_BILATERAL brings half size to full" },
-    { "(pass == HISTORY || pass == CHANGES) && colour == COEFFICIENTS",
-      "desc.colour: history has SSGI_GL_GREY and _COLOUR; coefficients are shaded first" },
-    { "pass == SSDO && !environment && !bounce", "desc.environment: ssdo needs an environment, a bounce or both" },
-    { "transfer && !packed && ((pass == S3HO && !shaded) || pass == SHADE || (pass == BLUR && colour == COEFFICIENTS))",
-      "desc.packed: three sets of coefficients need it: there are fewer targets than floats" },
+      "desc.filter.kind: only SSGI_GL_FILTER_BILATERAL brings half size to full" },
+    { "(pass == HISTORY || pass == CHANGE_MASK) && quantity == COEFFICIENTS",
+      "desc.filter.quantity: history has SSGI_GL_QUANTITY_VISIBILITY and _LIGHT; coefficients are shaded first" },
+    { "pass == SSDO && !environment && !bounce",
+      "desc.light.environment: ssdo needs an environment, a bounce or both" },
+    { "transfer && !packed && ((pass == S3HO && !shaded) || pass == SHADE || "
+      "(pass == BLUR && quantity == COEFFICIENTS))",
+      "desc.light.packed: three sets of coefficients need it: there are fewer targets than floats" },
     { "pass == SHADE && shading && (bands == 1 || transfer)",
-      "desc.shading: a mean direction needs one set of coefficients (desc.transfer), of 2 bands or more" },
+      "desc.light.shading: a mean direction needs one set of coefficients (desc.light.transfer), of 2 bands or more" },
     { "restore == RATIO && transfer == BOTH && (pass == SHADE || (pass == S3HO && shaded))",
-      "desc.restore: reflected light may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
+      "desc.light.restore: reflected light may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
     { "pass == S3HO && transfer && dimmed && (layers > 1 || views)",
-      "desc.dimmed: the last frame's coefficients are of visible surfaces: not with desc.layers or .views" },
+      "desc.light.dimmed: the last frame's coefficients are of visible surfaces: not with desc.gather.layers or "
+      ".views" },
     { "harmonics == CUSTOM && residual",
-      "desc.residual: is of frame.harmonics' light: SSGI_GL_HARMONICS_CUSTOM has none" },
+      "desc.light.residual: is of frame.harmonics' light: SSGI_GL_HARMONICS_CUSTOM has none" },
     { "multisampled && (dialect == 300ES || array || receiver)",
-      "desc.multisampled: not in SSGI_GL_300ES, nor with desc.array or desc.receiver: resolve to plain textures" },
-    { "array && (layers > 1 || receiver)", "desc.array: hidden layers (desc.layers, .receiver) are slices themselves" },
-    { "receiver && normal == FROM_DEPTH", "desc.receiver: hidden layers need their normals" },
+      "desc.input.multisampled: not in SSGI_GL_DIALECT_300ES, nor with desc.input.array or desc.light.receiver: "
+      "resolve to plain textures" },
+    { "array && (layers > 1 || receiver)",
+      "desc.input.array: hidden layers (desc.gather.layers, .receiver) are slices themselves" },
+    { "receiver && normal == FROM_DEPTH", "desc.light.receiver: hidden layers need their normals" },
     { "pass == SURFELS && dialect == VULKAN",
-      "desc.pass: surfels needs transform feedback; for SSGI_GL_VULKAN ssgi_surfels makes them on the CPU" },
+      "desc.pass: surfels needs transform feedback; for SSGI_GL_DIALECT_VULKAN ssgi_surfels makes them on the CPU" },
     { "tessellate && (pass == SURFELS || pass == SPLAT) && dialect != 410 && dialect != 450 && dialect < 320ES",
-      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450, _320ES or _VULKAN" }
+      "desc.surfel.tessellate: needs tessellation shaders: SSGI_GL_DIALECT_410, _450, _320ES or _VULKAN" }
 };
 
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
@@ -4696,12 +4786,13 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
     }
     for (size_t i = 0; i < sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules; ++i)
         SSGI_GL__CHECK(!ssgi_gl__holds(ssgi_gl__rules[i][0], desc), ssgi_gl__rules[i][1]);
-    SSGI_GL__CHECK(!desc->receiver || desc->receiver < desc->layers, "desc.receiver: must be below desc.layers");
-    SSGI_GL__CHECK(desc->fetch
+    SSGI_GL__CHECK(!desc->light.receiver || desc->light.receiver < desc->gather.layers,
+                   "desc.light.receiver: must be below desc.gather.layers");
+    SSGI_GL__CHECK(desc->text.fetch
                        || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
                                           "sends == CUSTOM || effect == CUSTOM || harmonics == CUSTOM",
                                           desc),
-                   "desc.fetch: must hold those that are CUSTOM of ssgi_custom_depth, _normal, _object, _surfel, "
+                   "desc.text.fetch: must hold those that are CUSTOM of ssgi_custom_depth, _normal, _object, _surfel, "
                    "_effect and _reach, _harmonic");
     return SSGI_OK;
 }
@@ -4717,9 +4808,9 @@ typedef struct ssgi_gl__preset {
     int fades; /* 1: range, and fade SMOOTH */
 } ssgi_gl__preset;
 
-/* By the passes' column preset, from SSGI_GL__PRESET_SSAO on; those of SSGI_GL__PRESET_SEARCH by desc.search. */
+/* By the passes' column preset, from SSGI_GL__PRESET_SSAO on; those of SSGI_GL__PRESET_SEARCH by desc.gather.search. */
 /* clang-format off */
-static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_BEST + 1] = {
+static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_PRESET_BEST + 1] = {
     /* half, samples, directions, steps, normal_rays, fades */
     { { 0,  8, 0,  1, 0, 0 },       /* ssao: FAST */
       { 0, 16, 0,  1, 0, 0 },       /*       BALANCED */
@@ -4743,52 +4834,55 @@ static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_BEST + 1] = {
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
 {
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
-    SSGI_GL__CHECK(preset >= 0 && preset <= SSGI_GL_BEST, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
-    const int of = ssgi_gl__pass_of(desc->pass)->preset, search = of == SSGI_GL__PRESET_SEARCH ? desc->search : 0;
+    SSGI_GL__CHECK(preset >= 0 && preset <= SSGI_GL_PRESET_BEST,
+                   "preset: must be SSGI_GL_PRESET_FAST, _BALANCED or _BEST");
+    const int of = ssgi_gl__pass_of(desc->pass)->preset,
+              search = of == SSGI_GL__PRESET_SEARCH ? desc->gather.search : 0;
     if (of == SSGI_GL__PRESET_NONE) return SSGI_OK;
     const ssgi_gl__preset *const set = &ssgi_gl__presets[of - SSGI_GL__PRESET_SSAO + search][preset];
-    desc->half = set->half;
-    desc->steps = set->steps;
+    desc->gather.half = set->half ? SSGI_GL_HALF_FIRST : SSGI_GL_HALF_NONE;
+    desc->gather.steps = set->steps;
     if (set->samples) {
-        desc->samples = set->samples;
-        desc->range = set->fades;
-        desc->fade = set->fades ? SSGI_GL_FADE_SMOOTH : SSGI_GL_FADE_NONE;
+        desc->gather.samples = set->samples;
+        desc->gather.range = set->fades;
+        desc->gather.fade = set->fades ? SSGI_GL_FADE_SMOOTH : SSGI_GL_FADE_NONE;
     } else {
-        desc->directions = set->directions;
-        desc->normal_rays = set->normal_rays;
+        desc->gather.directions = set->directions;
+        desc->gather.normal_rays = set->normal_rays;
     }
-    if (desc->pass == SSGI_GL_SSDO && desc->environment) desc->restore = SSGI_GL_RESTORE_RATIO;
-    desc->filter = SSGI_GL_BILATERAL;
-    desc->filter_radius = 1;
-    desc->noise = SSGI_GL_NOISE_GRADIENT;
+    if (desc->pass == SSGI_GL_PASS_SSDO && desc->light.environment) desc->light.restore = SSGI_GL_RESTORE_RATIO;
+    desc->filter.kind = SSGI_GL_FILTER_BILATERAL;
+    desc->filter.radius = 1;
+    desc->gather.noise = SSGI_GL_NOISE_GRADIENT;
     return SSGI_OK;
 }
 
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why)
 {
-    static const int passes[] = { 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_SPLAT, SSGI_GL_FIELD };
-    static const int thickness[] = { SSGI_GL_THICKNESS_DEFAULT, SSGI_GL_THICKNESS_SOLID, SSGI_GL_THICKNESS_BACK,
-                                     SSGI_GL_THICKNESS_SLABS };
+    static const ssgi_gl_pass passes[] = { SSGI_GL_PASS_SSAO, SSGI_GL_PASS_HSAO,  SSGI_GL_PASS_SSDO,
+                                           SSGI_GL_PASS_S3HO, SSGI_GL_PASS_SPLAT, SSGI_GL_PASS_FIELD };
+    static const ssgi_gl_thickness thickness[] = { SSGI_GL_THICKNESS_DEFAULT, SSGI_GL_THICKNESS_SOLID,
+                                                   SSGI_GL_THICKNESS_BACK, SSGI_GL_THICKNESS_SLABS };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
-    SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_NOTHING && plan->method <= SSGI_PLAN_FIELD,
+    SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_METHOD_NOTHING && plan->method <= SSGI_PLAN_METHOD_FIELD,
                    "plan: must not be NULL, and of something");
-    SSGI_GL__CHECK(plan->thickness >= SSGI_PLAN_WIDTH && plan->thickness <= SSGI_PLAN_SLABS,
-                   "plan.thickness: must be SSGI_PLAN_WIDTH, _SOLID, _BACK or _SLABS");
+    SSGI_GL__CHECK(plan->thickness >= SSGI_PLAN_THICKNESS_WIDTH && plan->thickness <= SSGI_PLAN_THICKNESS_SLABS,
+                   "plan.thickness: must be SSGI_PLAN_THICKNESS_WIDTH, _SOLID, _BACK or _SLABS");
     ssgi_gl_desc d = *desc;
     d.pass = passes[plan->method];
-    d.search = SSGI_GL_SLICES;
-    if (d.pass == SSGI_GL_SSDO && !d.environment) d.environment = SSGI_GL_ENVIRONMENT_MAP;
-    SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_BALANCED, why));
-    d.half = plan->half;
-    d.directions = plan->directions;
-    d.steps = plan->steps;
-    d.thickness = thickness[plan->thickness];
-    d.bands = plan->bands;
-    d.levels = plan->levels;
-    d.filter_radius = plan->filter_radius;
-    if (d.pass == SSGI_GL_S3HO) {
-        d.shaded = d.residual = 1;
-        d.restore = d.transfer ? SSGI_GL_RESTORE_DIFFERENCE : SSGI_GL_RESTORE_RATIO;
+    d.gather.search = SSGI_GL_SEARCH_SLICES;
+    if (d.pass == SSGI_GL_PASS_SSDO && !d.light.environment) d.light.environment = SSGI_GL_ENVIRONMENT_MAP;
+    SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_PRESET_BALANCED, why));
+    d.gather.half = plan->half ? SSGI_GL_HALF_FIRST : SSGI_GL_HALF_NONE;
+    d.gather.directions = plan->directions;
+    d.gather.steps = plan->steps;
+    d.gather.thickness = thickness[plan->thickness];
+    d.light.bands = plan->bands;
+    d.surfel.levels = plan->levels;
+    d.filter.radius = plan->filter_radius;
+    if (d.pass == SSGI_GL_PASS_S3HO) {
+        d.light.shaded = d.light.residual = 1;
+        d.light.restore = d.light.transfer ? SSGI_GL_RESTORE_DIFFERENCE : SSGI_GL_RESTORE_RATIO;
     }
     SSGI_GL__TRY(ssgi_gl_check(&d, why));
     *desc = d;
@@ -4797,7 +4891,7 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
 
 static int ssgi_gl__slices(const ssgi_gl_desc *d)
 {
-    return ssgi_gl__pass_of(d->pass)->search == SSGI_GL__SEARCH_CHOSEN && d->search == SSGI_GL_SLICES;
+    return ssgi_gl__pass_of(d->pass)->search == SSGI_GL__SEARCH_CHOSEN && d->gather.search == SSGI_GL_SEARCH_SLICES;
 }
 
 /* So that #if lines need not ask for the pass, s3ho has a bounce where it has a transfer, and an environment SH where
@@ -4806,60 +4900,75 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 {
     ssgi_gl_desc d = *desc;
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(d.pass);
-    const int pass = d.pass, ssdo = pass == SSGI_GL_SSDO, s3ho = pass == SSGI_GL_S3HO, shade = pass == SSGI_GL_SHADE;
-    const int points = pass == SSGI_GL_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_BLUR, splat = pass == SSGI_GL_SPLAT;
-    const int surfels = pass == SSGI_GL_SURFELS || splat, reads = shade || (blur && d.colour == SSGI_GL_COEFFICIENTS);
+    const int pass = d.pass, ssdo = pass == SSGI_GL_PASS_SSDO, s3ho = pass == SSGI_GL_PASS_S3HO,
+              shade = pass == SSGI_GL_PASS_SHADE;
+    const int points = pass == SSGI_GL_PASS_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_PASS_BLUR,
+              splat = pass == SSGI_GL_PASS_SPLAT;
+    const int surfels = pass == SSGI_GL_PASS_SURFELS || splat,
+              reads = shade || (blur && d.filter.quantity == SSGI_GL_QUANTITY_COEFFICIENTS);
     const int slices = ssgi_gl__slices(&d);
-    const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
-    const int averages = blur || pass == SSGI_GL_HISTORY, measures = row->thickness == SSGI_GL__THICKNESS_MEASURED;
-    const int restores = averages && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce)
-                      && d.transfer != SSGI_GL_TRANSFER_REFLECTED;
-    if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : 16;
-    if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
-    if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
-    if (row->search == SSGI_GL__SEARCH_POINTS) d.search = SSGI_GL_POINTS;
-    if (pass == SSGI_GL_HSAO && !slices) d.falloff = SSGI_GL_FALLOFF_LINEAR;
-    else d.terms = d.spheres = 0;
-    if (d.terms == SSGI_GL_TERMS_HORIZON) d.terms = d.normal_rays = 0;
-    if (d.terms && !d.normal_rays) d.normal_rays = 1;
-    if (d.terms == SSGI_GL_TERMS_RAYS) d.spheres = 0;
-    if (!d.filter_radius) d.filter_radius = d.filter == SSGI_GL_GAUSSIAN ? 2 : 1;
-    if (!d.bands) d.bands = ssdo ? 3 : 4;
-    if (!d.levels) d.levels = 5;
-    if (!d.layers) d.layers = 1;
-    if (!d.view_layers) d.view_layers = 1;
-    if (row->size != SSGI_GL__SIZE_CHOSEN && !averages) d.half = row->size == SSGI_GL__SIZE_HALF;
-    if (!d.thickness) d.thickness = measures ? SSGI_GL_THICKNESS_WIDTH : SSGI_GL_THICKNESS_CONSTANT;
-    if (d.thickness == SSGI_GL_THICKNESS_BACK && slices) d.thickness = SSGI_GL_THICKNESS_WIDTH; /* width reads them */
-    if (!ssdo && pass != SSGI_GL_LIGHTS && pass != SSGI_GL_SENDERS) d.receiver = 0;
-    if (!points || slices) d.fade = d.range = d.uniform = 0;
-    if (!s3ho && !reads) d.transfer = 0;
-    if (pass == SSGI_GL_COMPOSE) d.onto = d.onto ? d.onto : SSGI_GL_ONTO_MULTIPLY;
-    else if (!blur || d.colour != SSGI_GL_GREY) d.onto = SSGI_GL_ONTO_NONE;
-    if (!ssdo && pass != SSGI_GL_COMPOSE)
-        d.bounce = s3ho && d.transfer ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
-    if (s3ho) d.environment = reflected ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_SH;
-    else if (!ssdo && !surfels && !restores) d.environment = SSGI_GL_ENVIRONMENT_NONE;
-    if (!(shade || (restores && !d.shaded))) d.shading = 0;
-    if (reflected || d.shading == SSGI_GL_SHADING_BENT
-        || !(ssdo ? d.environment : restores || shade || (s3ho && d.shaded)))
-        d.restore = 0;
-    if (!(shade || (restores && !d.shaded)) || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
-    if (reflected || (d.shading && !d.lights) || d.environment == SSGI_GL_ENVIRONMENT_MAP
-        || !(shade || restores || (s3ho && d.shaded) || (ssdo && d.environment)))
-        d.residual = 0;
-    if (!s3ho || !d.transfer) d.dimmed = 0;
-    if (d.shading || d.environment == SSGI_GL_ENVIRONMENT_MAP
-        || !(shade || (s3ho && d.shaded) || (ssdo && d.environment) || (averages && d.restore)))
-        d.harmonics = SSGI_GL_HARMONICS_FRAME;
-    if (d.shading && !d.lights && d.bands > 2) d.bands = 2; /* a mean direction needs two bands */
-    if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
-    if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
-    if (!slices && ((!splat && pass != SSGI_GL_SUM) || d.effect > SSGI_GL_EFFECT_BOUNCE)) d.span = 0;
-    if (splat && !(d.tessellate && d.effect > SSGI_GL_EFFECT_LIGHT)) d.sends = SSGI_GL_SENDS_COLOUR;
-    if (!surfels || !d.tessellate) d.overhang = SSGI_OVERHANG_INCENTRE;
-    if (!splat || d.effect == SSGI_GL_EFFECT_SCATTER) d.enlarge = 0;
-    if (pass != SSGI_GL_SUM || d.effect == SSGI_GL_EFFECT_SCATTER) d.combine = SSGI_GL_COMBINE_SHARE;
+    const int reflected = (s3ho || reads) && d.light.transfer == SSGI_GL_TRANSFER_REFLECTED;
+    const int averages = blur || pass == SSGI_GL_PASS_HISTORY, measures = row->thickness == SSGI_GL__THICKNESS_MEASURED;
+    const int restores = averages && d.filter.quantity == SSGI_GL_QUANTITY_LIGHT && d.light.restore
+                      && (d.light.environment || !d.light.bounce) && d.light.transfer != SSGI_GL_TRANSFER_REFLECTED;
+    if (!d.gather.samples) d.gather.samples = pass == SSGI_GL_PASS_LIGHTS ? 8 : 16;
+    if (!d.gather.directions) d.gather.directions = d.gather.search == SSGI_GL_SEARCH_MARCH ? 6 : 1;
+    if (!d.gather.steps) d.gather.steps = pass == SSGI_GL_PASS_HSAO || slices ? 6 : 1;
+    if (row->search == SSGI_GL__SEARCH_POINTS) d.gather.search = SSGI_GL_SEARCH_POINTS;
+    if (pass != SSGI_GL_PASS_HSAO || slices) {
+        d.gather.terms = SSGI_GL_TERMS_BOTH;
+        d.gather.spheres = 0;
+    } else if (d.gather.falloff == SSGI_GL_FALLOFF_SQUARE) d.gather.falloff = SSGI_GL_FALLOFF_LINEAR;
+    if (d.gather.terms == SSGI_GL_TERMS_HORIZON) {
+        d.gather.terms = SSGI_GL_TERMS_BOTH;
+        d.gather.normal_rays = 0;
+    }
+    if (d.gather.terms && !d.gather.normal_rays) d.gather.normal_rays = 1;
+    if (d.gather.terms == SSGI_GL_TERMS_RAYS) d.gather.spheres = 0;
+    if (!d.filter.radius) d.filter.radius = d.filter.kind == SSGI_GL_FILTER_GAUSSIAN ? 2 : 1;
+    if (!d.light.bands) d.light.bands = ssdo ? 3 : 4;
+    if (!d.surfel.levels) d.surfel.levels = 5;
+    if (!d.gather.layers) d.gather.layers = 1;
+    if (!d.gather.view_layers) d.gather.view_layers = 1;
+    if (row->size != SSGI_GL__SIZE_CHOSEN && !averages)
+        d.gather.half = row->size == SSGI_GL__SIZE_HALF ? SSGI_GL_HALF_FIRST : SSGI_GL_HALF_NONE;
+    if (!d.gather.thickness) d.gather.thickness = measures ? SSGI_GL_THICKNESS_WIDTH : SSGI_GL_THICKNESS_CONSTANT;
+    if (d.gather.thickness == SSGI_GL_THICKNESS_BACK && slices) /* pass thickness reads the back faces */
+        d.gather.thickness = SSGI_GL_THICKNESS_WIDTH;
+    if (!ssdo && pass != SSGI_GL_PASS_LIGHTS && pass != SSGI_GL_PASS_EMITTERS) d.light.receiver = 0;
+    if (!points || slices) {
+        d.gather.fade = SSGI_GL_FADE_NONE;
+        d.gather.range = d.gather.uniform = 0;
+    }
+    if (!s3ho && !reads) d.light.transfer = SSGI_GL_TRANSFER_DIRECT;
+    if (pass == SSGI_GL_PASS_COMPOSE) d.filter.onto = d.filter.onto ? d.filter.onto : SSGI_GL_ONTO_MULTIPLY;
+    else if (!blur || d.filter.quantity != SSGI_GL_QUANTITY_VISIBILITY) d.filter.onto = SSGI_GL_ONTO_NONE;
+    if (!ssdo && pass != SSGI_GL_PASS_COMPOSE)
+        d.light.bounce = s3ho && d.light.transfer ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
+    if (s3ho) d.light.environment = reflected ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_SH;
+    else if (!ssdo && !surfels && !restores) d.light.environment = SSGI_GL_ENVIRONMENT_NONE;
+    if (!(shade || (restores && !d.light.shaded))) d.light.shading = SSGI_GL_SHADING_HARMONICS;
+    if (reflected || d.light.shading == SSGI_GL_SHADING_BENT
+        || !(restores || shade || (ssdo && d.light.environment) || (s3ho && d.light.shaded)))
+        d.light.restore = SSGI_GL_RESTORE_NONE;
+    if (!(shade || (restores && !d.light.shaded)) || d.light.shading == SSGI_GL_SHADING_BENT) d.light.lights = 0;
+    if (reflected || (d.light.shading && !d.light.lights) || d.light.environment == SSGI_GL_ENVIRONMENT_MAP
+        || !(shade || restores || (s3ho && d.light.shaded) || (ssdo && d.light.environment)))
+        d.light.residual = 0;
+    if (!s3ho || !d.light.transfer) d.light.dimmed = 0;
+    if (d.light.shading || d.light.environment == SSGI_GL_ENVIRONMENT_MAP
+        || !(shade || (s3ho && d.light.shaded) || (ssdo && d.light.environment) || (averages && d.light.restore)))
+        d.light.harmonics = SSGI_GL_HARMONICS_FRAME;
+    if (d.light.shading && !d.light.lights && d.light.bands > 2) /* a mean direction needs two bands */
+        d.light.bands = 2;
+    if (surfels && d.light.shadow == SSGI_GL_SHADOW_FILL) d.light.shadow = SSGI_GL_SHADOW_MAP;
+    if (surfels && d.light.shadow == SSGI_GL_SHADOW_SEGMENT) d.light.shadow = SSGI_GL_SHADOW_NONE;
+    if (!slices && ((!splat && pass != SSGI_GL_PASS_SUM) || d.surfel.effect > SSGI_GL_EFFECT_BOUNCE)) d.surfel.span = 0;
+    if (splat && !(d.surfel.tessellate && d.surfel.effect > SSGI_GL_EFFECT_LIGHT))
+        d.surfel.sends = SSGI_GL_SENDS_COLOUR;
+    if (!surfels || !d.surfel.tessellate) d.surfel.overhang = SSGI_OVERHANG_INCENTRE;
+    if (!splat || d.surfel.effect == SSGI_GL_EFFECT_SCATTER) d.surfel.enlarge = 0;
+    if (pass != SSGI_GL_PASS_SUM || d.surfel.effect == SSGI_GL_EFFECT_SCATTER) d.surfel.combine = SSGI_GL_COMBINE_SHARE;
     return d;
 }
 
@@ -5001,7 +5110,7 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 
 /* ---- linking: a kept line keeps the entries that it names */
 /* A hash table, with open addresses. It is never full: a kept line names entries, rows and a few functions of
-   desc.fetch, and all of these together leave slots empty, else the second line does not compile. */
+   desc.text.fetch, and all of these together leave slots empty, else the second line does not compile. */
 enum { SSGI_GL__SLOTS = 1024 };
 
 typedef char ssgi_gl__slots_suffice[SSGI_GL__CODES + SSGI_GL__ROWS < SSGI_GL__SLOTS / 2 ? 1 : -1];
@@ -5009,7 +5118,7 @@ typedef char ssgi_gl__slots_suffice[SSGI_GL__CODES + SSGI_GL__ROWS < SSGI_GL__SL
 typedef struct ssgi_gl__names {
     const char *at[SSGI_GL__SLOTS];
     unsigned char length[SSGI_GL__SLOTS];
-    unsigned char custom; /* 1: a function of desc.fetch is named */
+    unsigned char custom; /* 1: a function of desc.text.fetch is named */
 } ssgi_gl__names;
 
 /* Whether a name is in the table; `add` puts it there, if it was not. */
@@ -5048,14 +5157,14 @@ static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 
 typedef struct ssgi_gl__stage {
     unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS]; /* 1: kept */
-    unsigned char fetch;                                    /* 1: desc.fetch is read; 2: and calls ssgi_decode */
+    unsigned char fetch;                                    /* 1: desc.text.fetch is read; 2: and calls ssgi_decode */
 } ssgi_gl__stage;
 
 /* Goes from the last function to the first, and keeps each that the roots or a kept function name; then the rows that
    these name. */
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
 {
-    const int decodes = d->fetch && strstr(d->fetch, "ssgi_decode");
+    const int decodes = d->text.fetch && strstr(d->text.fetch, "ssgi_decode");
     ssgi_gl__names names;
     size_t n;
     memset(stage, 0, sizeof *stage);
@@ -5072,7 +5181,7 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
     for (int i = SSGI_GL__ROWS - 1; i >= 0; --i) {
         const ssgi_gl__row *row = &ssgi_gl__rows[i];
         stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0) && ssgi_gl__holds(row->when, d);
-        if (d->array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_slice", 12, 1);
+        if (d->input.array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_slice", 12, 1);
     }
     stage->fetch = (unsigned char)(names.custom << decodes);
 }
@@ -5093,8 +5202,8 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(p->d.pass);
     const ssgi_gl__variant *variant = row->variant;
     while (!ssgi_gl__holds(variant->when, &p->d)) ++variant;
-    memcpy(p->mains, ssgi_gl__stages[row->draw][p->d.tessellate], sizeof p->mains);
-    p->mains[SSGI_GL_FRAGMENT] = variant->main;
+    memcpy(p->mains, ssgi_gl__stages[row->draw][p->d.surfel.tessellate], sizeof p->mains);
+    p->mains[SSGI_GL_STAGE_FRAGMENT] = variant->main;
     if (stage < SSGI_GL_STAGES && !p->mains[stage]) return 0;
     for (int i = 0; i < SSGI_GL_STAGES; ++i)
         if (p->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->mains[i]);
@@ -5111,7 +5220,7 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
                                             { "sampler2D", "texture2D" },
                                             { "usampler2DArray", "utexture2DArray" },
                                             { "sampler2DMS", "texture2DMS" } };
-    for (size_t i = 0; i < sizeof words / sizeof *words && dialect == SSGI_GL_VULKAN; ++i)
+    for (size_t i = 0; i < sizeof words / sizeof *words && dialect == SSGI_GL_DIALECT_VULKAN; ++i)
         if (!strncmp(words[i][0], word, length) && !words[i][0][length]) return words[i][1];
     return word;
 }
@@ -5120,8 +5229,8 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
 static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
 {
     static const char *const counts[] = { "SSGI_DIRECTIONS", "SSGI_STEPS", "SSGI_SAMPLES" };
-    const size_t most = d->kernel || d->pass == SSGI_GL_LIGHTS ? 3 : 2;
-    for (size_t i = 0; i < most && d->dialect == SSGI_GL_VULKAN; ++i)
+    const size_t most = d->gather.kernel || d->pass == SSGI_GL_PASS_LIGHTS ? 3 : 2;
+    for (size_t i = 0; i < most && d->text.dialect == SSGI_GL_DIALECT_VULKAN; ++i)
         if (!strcmp(counts[i], name)) return i + 1;
     return 0;
 }
@@ -5130,24 +5239,25 @@ static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
    reads any. Returns how many there are. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
 {
-    int n = 0, next[SSGI_GL_CAPTURE + 1] = { 0 }, block[2] = { 0 };
+    int n = 0, next[SSGI_GL_IO_CAPTURE + 1] = { 0 }, block[2] = { 0 };
     for (int i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
-        if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
+        if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_IO_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
     for (int i = 0; i < SSGI_GL__ROWS; ++i) {
         ssgi_gl_io io = ssgi_gl__rows[i].io;
         int used = 0;
         for (int s = 0; s < SSGI_GL_STAGES; ++s) used |= p->stage[s].row[i];
         if (!used) continue;
-        if (io.kind == SSGI_GL_CONSTANT) {
+        if (io.kind == SSGI_GL_IO_CONSTANT) {
             io.slot = ssgi_gl__get(&p->d, io.offset);
             io.offset = ssgi_gl__constant_id(&p->d, io.name);
-        } else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = next[io.kind]++;
-        else if (io.kind == SSGI_GL_TEXTURE && ssgi_gl__rows[i].bytes && p->d.array)
+        } else if (io.kind != SSGI_GL_IO_PARAM && io.kind != SSGI_GL_IO_TEXTURE) io.slot = next[io.kind]++;
+        else if (io.kind == SSGI_GL_IO_TEXTURE && ssgi_gl__rows[i].bytes && p->d.input.array)
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
-        if (io.kind == SSGI_GL_CAPTURE && p->mains[SSGI_GL_GEOMETRY] && stage >= SSGI_GL_GEOMETRY)
+        if (io.kind == SSGI_GL_IO_CAPTURE && p->mains[SSGI_GL_STAGE_GEOMETRY] && stage >= SSGI_GL_STAGE_GEOMETRY)
             continue; /* between stages: the outputs of the last one are captured */
-        if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_PARAM ? block[io.slot] : p->stage[stage].row[i])) continue;
-        io.type = ssgi_gl__word_of(p->d.dialect, io.type, strlen(io.type));
+        if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_IO_PARAM ? block[io.slot] : p->stage[stage].row[i]))
+            continue;
+        io.type = ssgi_gl__word_of(p->d.text.dialect, io.type, strlen(io.type));
         if (n++ < capacity) out[n - 1] = io;
     }
     return n;
@@ -5204,7 +5314,7 @@ static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, 
     size_t at = 0;
     int gaps = 0, k;
     for (int i = 0; i < n; ++i) {
-        if (io[i].kind != SSGI_GL_PARAM || io[i].slot != block) continue;
+        if (io[i].kind != SSGI_GL_IO_PARAM || io[i].slot != block) continue;
         if (!at && !gaps) {
             ssgi_gl__print(t, set ? "layout(std140, %sbinding = %d) uniform " : "layout(std140) uniform ", set, block);
             ssgi_gl__print(t, "%s {\n", block ? "ssgi_views" : "ssgi_frame");
@@ -5243,7 +5353,7 @@ static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, 
     if (between) ssgi_gl__print(t, "layout(location = %d) ", (*at)++);
     for (; s < end; s += length) {
         for (length = 1; ssgi_gl__letter(*s) && s + length < end && ssgi_gl__letter(s[length]);) ++length;
-        word = ssgi_gl__word_of(SSGI_GL_VULKAN, s, length);
+        word = ssgi_gl__word_of(SSGI_GL_DIALECT_VULKAN, s, length);
         if (*s == ';') between = 0;
         if (between && *s == ',') {
             ssgi_gl__print(t, "; layout(location = %d) ", (*at)++);
@@ -5252,14 +5362,14 @@ static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, 
     }
 }
 
-/* A line of a kept function; where your textures are arrays (desc.array) it fetches them from a slice. */
+/* A line of a kept function; where your textures are arrays (desc.input.array) it fetches them from a slice. */
 static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t length, const ssgi_gl_desc *d, int place[2])
 {
     static const char flat[] = ", p + u_ssgi_origin"; /* a slice is put in where ", 0" follows */
-    const char *yours = d->array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
+    const char *yours = d->input.array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
     for (;;) {
         const size_t part = yours && yours < line + length ? (size_t)(yours - line) : length;
-        if (d->dialect == SSGI_GL_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
+        if (d->text.dialect == SSGI_GL_DIALECT_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
         else ssgi_gl__put(t, line, part);
         if (part == length) break;
         ssgi_gl__print(t, ", ivec3(p + u_ssgi_origin, u_ssgi_slice)");
@@ -5282,11 +5392,12 @@ static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, 
         if (!stage->code[i]) continue;
         ssgi_gl__print(t, "\n");
         while ((line = ssgi_gl__next(&r, &n)) != NULL) {
-            if (d->lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
+            if (d->text.lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
             last = r.line;
             ssgi_gl__print_line(t, line, n, d, place);
         }
-        if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL")) ssgi_gl__print_kernel(t, d->samples, d->uniform);
+        if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL"))
+            ssgi_gl__print_kernel(t, d->gather.samples, d->gather.uniform);
     }
 }
 
@@ -5294,8 +5405,8 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
 {
     static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* by ssgi_gl_io.kind */
     const ssgi_gl_desc *d = &p->d;
-    const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->dialect];
-    const char *version = d->version ? d->version : dialect->version;
+    const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->text.dialect];
+    const char *version = d->text.version ? d->text.version : dialect->version;
     ssgi_gl_io io[SSGI_GL_MAX_IO];
     const int n = ssgi_gl__collect(p, stage, io, SSGI_GL_MAX_IO);
     int samples = 0;
@@ -5304,22 +5415,23 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     for (int i = 0; i < n; ++i) samples |= !strcmp(io[i].type, "sampler2DMS");
     if (*dialect->head == 'p' && samples) ssgi_gl__print(t, "precision highp sampler2DMS;\n");
     for (int i = 0; i < n; ++i)
-        if (io[i].kind == SSGI_GL_CONSTANT) {
+        if (io[i].kind == SSGI_GL_IO_CONSTANT) {
             if (io[i].offset) ssgi_gl__print(t, "layout(constant_id = %d) ", (int)io[i].offset);
             ssgi_gl__print(t, "const int %s = %d;\n", io[i].name, io[i].slot);
         }
     for (int block = 0; block < 2; ++block) ssgi_gl__print_block(t, io, n, block, dialect->set);
     for (int i = 0; i < n; ++i) {
         const int kind = io[i].kind;
-        if (kind == SSGI_GL_PARAM || kind == SSGI_GL_CONSTANT) continue;
-        if (kind == SSGI_GL_OUTPUT || kind == SSGI_GL_ATTRIBUTE || (kind == SSGI_GL_CAPTURE && dialect->textures))
+        if (kind == SSGI_GL_IO_PARAM || kind == SSGI_GL_IO_CONSTANT) continue;
+        if (kind == SSGI_GL_IO_OUTPUT || kind == SSGI_GL_IO_ATTRIBUTE
+            || (kind == SSGI_GL_IO_CAPTURE && dialect->textures))
             ssgi_gl__print(t, "layout(location = %d) ", io[i].slot);
-        else if (kind == SSGI_GL_TEXTURE && dialect->set)
+        else if (kind == SSGI_GL_IO_TEXTURE && dialect->set)
             ssgi_gl__print(t, "layout(%sbinding = %d) ", dialect->set, io[i].slot + dialect->textures);
         ssgi_gl__print(t, "%s %s %s; // %s\n", words[kind], io[i].type, io[i].name, io[i].format);
     }
     if (p->stage[stage].fetch > 1) ssgi_gl__print(t, "\nfloat ssgi_decode(float d);\n");
-    if (d->fetch && p->stage[stage].fetch) ssgi_gl__print(t, "\n%s\n", d->fetch);
+    if (d->text.fetch && p->stage[stage].fetch) ssgi_gl__print(t, "\n%s\n", d->text.fetch);
     ssgi_gl__print_codes(t, &p->stage[stage], d);
 }
 
@@ -5343,13 +5455,13 @@ static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc 
 {
     ssgi_gl__stage stage;
     ssgi_gl__text t = { out, capacity, 0, 0 };
-    const ssgi_gl__dialect *const in = &ssgi_gl__dialects[d->dialect];
+    const ssgi_gl__dialect *const in = &ssgi_gl__dialects[d->text.dialect];
     ssgi_gl__link(&stage, d, roots);
     for (int i = 0; i < SSGI_GL__ROWS; ++i)
         if (stage.row[i]) {
             const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
             if (in->textures) ssgi_gl__print(&t, "layout(%sbinding = %d) ", in->set, io->slot + in->textures);
-            ssgi_gl__print(&t, "uniform highp %s ", ssgi_gl__word_of(d->dialect, io->type, strlen(io->type)));
+            ssgi_gl__print(&t, "uniform highp %s ", ssgi_gl__word_of(d->text.dialect, io->type, strlen(io->type)));
             ssgi_gl__print(&t, "%s; // %s\n", io->name, io->format);
         }
     ssgi_gl__print_codes(&t, &stage, d);
@@ -5361,7 +5473,7 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
     ssgi_gl_desc d;
     if (bands < 1 || bands > 4 || (!out && capacity)) return 0;
     memset(&d, 0, sizeof d);
-    d.bands = bands;
+    d.light.bands = bands;
     return ssgi_gl__functions(out, capacity, &d, "SSGI_COSINE ssgi_sh_zonal ssgi_sh_add ssgi_sh_dot ssgi_sh_turn");
 }
 
@@ -5370,8 +5482,8 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
     ssgi_gl_desc d;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
     d = *desc;
-    d.pass = SSGI_GL_FIELD;
-    d.lines = 0;
+    d.pass = SSGI_GL_PASS_FIELD;
+    d.text.lines = 0;
     return ssgi_gl__functions(out, capacity, &d, "ssgi_field_visibility");
 }
 
@@ -5386,7 +5498,7 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
 SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i)
 {
     int k = 0, n = 0;
-    while (k < SSGI_GL__ROWS && (ssgi_gl__rows[k].io.kind != SSGI_GL_PARAM || n++ != i)) ++k;
+    while (k < SSGI_GL__ROWS && (ssgi_gl__rows[k].io.kind != SSGI_GL_IO_PARAM || n++ != i)) ++k;
     return k < SSGI_GL__ROWS ? &ssgi_gl__rows[k].io : NULL;
 }
 
@@ -5447,7 +5559,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     f.near_depth = ssgi_view_near(view);
     f.radius = radius;
     f.offset = 1.5f;
-    f.thickness = 0.6f * radius;
+    f.thickness_limit = 0.6f * radius;
     f.fade = 0.3f * radius;
     f.distance_clamp = 0.25f;
     f.gain = f.sent = 1.0f;
@@ -5854,13 +5966,17 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
     const int single = *out->type == 'f', whole = *out->type == 'u';
     const int coefficients = last >= '0' && last <= '3'; /* o_ssgi_sh0 .., red0 ..: whole where they are packed */
-    const int gles = d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN; /* does not blend 32-bit floats */
+    const int gles = d->text.dialect >= SSGI_GL_DIALECT_300ES && d->text.dialect < SSGI_GL_DIALECT_VULKAN; /* does not
+                                                                                                              blend
+                                                                                                              32-bit
+                                                                                                              floats */
     const int blended = ssgi_gl__pass_of(d->pass)->blend != SSGI_GL__BLEND_ONTO;
     const int wide = chain->precise > coefficients && !(blended && gles);
     int channels = single ? SSGI_GL__R : size == '2' ? SSGI_GL__RG : SSGI_GL__RGBA;
     /* coefficients that do not fill their last texture: 1 in the first, the 9th in the second or third */
-    if (coefficients && (d->bands == 1 || (d->bands == 3 && last == (whole ? '1' : '2')))) channels = SSGI_GL__R;
-    if (coefficients && whole && d->bands == 2) channels = SSGI_GL__RG;
+    if (coefficients && (d->light.bands == 1 || (d->light.bands == 3 && last == (whole ? '1' : '2'))))
+        channels = SSGI_GL__R;
+    if (coefficients && whole && d->light.bands == 2) channels = SSGI_GL__RG;
     if (single && !wide && !strncmp(out->format, "R8", 2)) return &ssgi_gl__r8; /* its row says that a byte holds it */
     return &ssgi_gl__formats[channels][whole ? SSGI_GL__UINT : wide ? SSGI_GL__FLOAT : SSGI_GL__HALF];
 }
@@ -5869,16 +5985,16 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
 static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
 {
     const int column = ssgi_gl__pass_of(d->pass)->size;
-    const int size = column != SSGI_GL__SIZE_CHOSEN ? column : d->half ? SSGI_GL__SIZE_HALF : SSGI_GL__SIZE_FULL;
+    const int size = column != SSGI_GL__SIZE_CHOSEN ? column : d->gather.half ? SSGI_GL__SIZE_HALF : SSGI_GL__SIZE_FULL;
     const int part = size == SSGI_GL__SIZE_TILES ? 8 : size == SSGI_GL__SIZE_HALF ? 2 : 1;
     s->size = size;
     s->width = (chain->width + part - 1) / part;
     s->height = (chain->height + part - 1) / part;
     if (size == SSGI_GL__SIZE_LEVELS) {
         int level[2] = { 0, 0 };
-        ssgi_splat_size(level, chain->width, chain->height, d->levels, NULL);
+        ssgi_splat_size(level, chain->width, chain->height, d->surfel.levels, NULL);
         s->width = level[0];
-        s->height = level[1] * d->levels;
+        s->height = level[1] * d->surfel.levels;
     }
 }
 
@@ -5890,16 +6006,17 @@ static void ssgi_gl__step_draw(ssgi_gl_step *s, const ssgi_gl_desc *d)
     static const unsigned subtract[3] = { SSGI_GL__FUNC_REVERSE_SUBTRACT, SSGI_GL__ONE, SSGI_GL__ONE };
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(d->pass);
     const int surfels = row->draw == SSGI_GL__DRAW_SURFELS, splats = row->draw == SSGI_GL__DRAW_SPLATS;
-    const int patches = d->tessellate && (surfels || splats), grey = d->colour == SSGI_GL_GREY;
+    const int patches = d->surfel.tessellate && (surfels || splats),
+              grey = d->filter.quantity == SSGI_GL_QUANTITY_VISIBILITY;
     const int blend = row->blend;
     s->primitive = patches ? SSGI_GL__PATCHES : surfels ? SSGI_GL__POINTS : SSGI_GL__TRIANGLES;
-    s->vertices = patches || surfels ? 0 : splats ? 6 * d->levels : row->draw == SSGI_GL__DRAW_FIELDS ? 6 : 3;
+    s->vertices = patches || surfels ? 0 : splats ? 6 * d->surfel.levels : row->draw == SSGI_GL__DRAW_FIELDS ? 6 : 3;
     s->instances = row->draw == SSGI_GL__DRAW_IMAGE || (surfels && !patches);
     s->clear = blend != SSGI_GL__BLEND_ONTO;
     s->clear_to = (float)(blend == SSGI_GL__BLEND_MULTIPLY); /* that which changes nothing */
-    if (blend == SSGI_GL__BLEND_ADD || (d->onto && !grey)) memcpy(s->blend, add, sizeof add);
-    else if (d->onto == SSGI_GL_ONTO_AMBIENT) memcpy(s->blend, subtract, sizeof subtract);
-    else if (blend == SSGI_GL__BLEND_MULTIPLY || d->onto) memcpy(s->blend, multiply, sizeof multiply);
+    if (blend == SSGI_GL__BLEND_ADD || (d->filter.onto && !grey)) memcpy(s->blend, add, sizeof add);
+    else if (d->filter.onto == SSGI_GL_ONTO_AMBIENT) memcpy(s->blend, subtract, sizeof subtract);
+    else if (blend == SSGI_GL__BLEND_MULTIPLY || d->filter.onto) memcpy(s->blend, multiply, sizeof multiply);
 }
 
 /* A texture that a step reads: yours, or the one that was last written under that name. */
@@ -5915,15 +6032,15 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
     in->array = end == 'y';        /* sampler2DArray */
     in->multisampled = end == 'S'; /* sampler2DMS */
     in->integer = *row->type == 'u';
-    in->binding = row->slot + ssgi_gl__dialects[SSGI_GL_VULKAN].textures;
+    in->binding = row->slot + ssgi_gl__dialects[SSGI_GL_DIALECT_VULKAN].textures;
     in->target = in->array        ? SSGI_GL__TEXTURE_2D_ARRAY
                : in->multisampled ? SSGI_GL__TEXTURE_2D_MULTISAMPLE
                                   : SSGI_GL__TEXTURE_2D;
     if (m < SSGI_GL_YOURS) {
         in->texture = -1;
         in->meaning = m;
-        if (d->receiver && m == SSGI_GL_YOUR_NORMAL) in->meaning = SSGI_GL_YOUR_LAYER_NORMALS;
-        if (d->receiver && m == SSGI_GL_YOUR_ALBEDO) in->meaning = SSGI_GL_YOUR_LAYER_ALBEDOS;
+        if (d->light.receiver && m == SSGI_GL_YOUR_NORMAL) in->meaning = SSGI_GL_YOUR_LAYER_NORMALS;
+        if (d->light.receiver && m == SSGI_GL_YOUR_ALBEDO) in->meaning = SSGI_GL_YOUR_LAYER_ALBEDOS;
         if (m != SSGI_GL_YOUR_VIEWS && m <= SSGI_GL_YOUR_ALBEDO && !s->frame) {
             in->width = b->chain->width;
             in->height = b->chain->height;
@@ -5934,9 +6051,11 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
     in->last = ssgi_gl__pass_of(d->pass)->texture == SSGI_GL__TEXTURE_KEPT
             && (!strcmp(name, "history") || !strcmp(name, "means"));
     /* Pass history reads its own outputs of the last frame, which get the next numbers: of colour o_ssgi_means before
-       o_ssgi_light, with desc.restore o_ssgi_history before both. Of other inputs -1: a later step writes them. */
-    in->texture = !in->last ? *ssgi_gl__texture(b, name)
-                            : b->textures + (d->colour && !strcmp(name, d->restore ? "means" : "history"));
+       o_ssgi_light, with desc.light.restore o_ssgi_history before both. Of other inputs -1: a later step writes
+       them. */
+    in->texture = !in->last
+                    ? *ssgi_gl__texture(b, name)
+                    : b->textures + (d->filter.quantity && !strcmp(name, d->light.restore ? "means" : "history"));
 }
 
 static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_gl_desc *d, const ssgi_gl_io *row)
@@ -5944,11 +6063,11 @@ static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_
     ssgi_gl_output *out = &s->output[s->outputs++];
     const int texture = ssgi_gl__pass_of(d->pass)->texture;
     out->name = row->name;
-    out->format = d->onto ? NULL : ssgi_gl__format(b->chain, d, row);
-    out->kept = texture == SSGI_GL__TEXTURE_KEPT && !(d->restore && !strcmp(row->name, "o_ssgi_light"));
+    out->format = d->filter.onto ? NULL : ssgi_gl__format(b->chain, d, row);
+    out->kept = texture == SSGI_GL__TEXTURE_KEPT && !(d->light.restore && !strcmp(row->name, "o_ssgi_light"));
     if (texture == SSGI_GL__TEXTURE_SLICE) return; /* ssgi_gl__send numbers it */
-    out->texture = d->onto ? -1 : b->textures++;
-    b->picture |= d->onto != SSGI_GL_ONTO_NONE;
+    out->texture = d->filter.onto ? -1 : b->textures++;
+    b->picture |= d->filter.onto != SSGI_GL_ONTO_NONE;
     *ssgi_gl__texture(b, row->name + strlen("o_ssgi_")) = out->texture;
     if (out->kept && b->depth < 0 && strcmp(row->name, "o_ssgi_means")) b->depth = out->texture;
 }
@@ -5966,28 +6085,28 @@ static ssgi_gl_step *ssgi_gl__append(ssgi_gl__build *b, const ssgi_gl_desc *desc
     ssgi_gl__step_size(s, b->chain, &d);
     ssgi_gl__step_draw(s, &d);
     for (int i = 0; i < rows; ++i) { /* textures come before the outputs of their names */
-        if (row[i].kind == SSGI_GL_TEXTURE) ssgi_gl__step_input(b, s, &d, &row[i]);
-        if (row[i].kind == SSGI_GL_OUTPUT) ssgi_gl__step_output(b, s, &d, &row[i]);
+        if (row[i].kind == SSGI_GL_IO_TEXTURE) ssgi_gl__step_input(b, s, &d, &row[i]);
+        if (row[i].kind == SSGI_GL_IO_OUTPUT) ssgi_gl__step_output(b, s, &d, &row[i]);
     }
     return s;
 }
 
-/* Adds pass width, with the largest thickness of the chain: it is drawn once, whatever reads it. */
-static void ssgi_gl__width(ssgi_gl__build *b, const ssgi_gl_desc *desc)
+/* Adds pass thickness, with the largest thickness of the chain: it is drawn once, whatever reads it. */
+static void ssgi_gl__add_thickness(ssgi_gl__build *b, const ssgi_gl_desc *desc)
 {
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     ssgi_gl_desc d = *desc;
-    if (b->chain->lights.thickness > d.thickness) d.thickness = b->chain->lights.thickness;
-    if (b->chain->desc.thickness > d.thickness) d.thickness = b->chain->desc.thickness;
-    d.pass = SSGI_GL_WIDTH;
+    if (b->chain->lights.gather.thickness > d.gather.thickness) d.gather.thickness = b->chain->lights.gather.thickness;
+    if (b->chain->desc.gather.thickness > d.gather.thickness) d.gather.thickness = b->chain->desc.gather.thickness;
+    d.pass = SSGI_GL_PASS_THICKNESS;
     ssgi_gl__append(b, &d, row, ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), 0);
 }
 
-/* Adds passes changes and nearby, which tell history where occluders came and went. They are drawn once, before the
-   first step that reads them. */
-static void ssgi_gl__changes(ssgi_gl__build *b, const ssgi_gl_desc *desc)
+/* Adds passes change_mask and change_share, which tell history where occluders came and went. They are drawn once,
+   before the first step that reads them. */
+static void ssgi_gl__add_change_mask(ssgi_gl__build *b, const ssgi_gl_desc *desc)
 {
-    static const int passes[2] = { SSGI_GL_CHANGES, SSGI_GL_NEARBY };
+    static const ssgi_gl_pass passes[2] = { SSGI_GL_PASS_CHANGE_MASK, SSGI_GL_PASS_CHANGE_SHARE };
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     ssgi_gl_desc d = *desc;
     for (int i = 0; i < 2; ++i) {
@@ -5996,8 +6115,9 @@ static void ssgi_gl__changes(ssgi_gl__build *b, const ssgi_gl_desc *desc)
     }
 }
 
-/* Adds a step, and before it pass width, or changes and nearby, if it is the first that reads their outputs. */
-static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
+/* Adds a step, and before it pass thickness, or change_mask and change_share, if it is the first that reads their
+   outputs. */
+static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, ssgi_gl_pass pass, int frame)
 {
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     ssgi_gl_desc d = *desc;
@@ -6008,8 +6128,10 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
     }
     const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
     for (int i = 0; i < rows; ++i) {
-        if (!strcmp(row[i].name, "t_ssgi_width") && *ssgi_gl__texture(b, "width") < 0) ssgi_gl__width(b, &d);
-        if (!strcmp(row[i].name, "t_ssgi_nearby") && *ssgi_gl__texture(b, "nearby") < 0) ssgi_gl__changes(b, &d);
+        if (!strcmp(row[i].name, "t_ssgi_thickness") && *ssgi_gl__texture(b, "thickness") < 0)
+            ssgi_gl__add_thickness(b, &d);
+        if (!strcmp(row[i].name, "t_ssgi_change_share") && *ssgi_gl__texture(b, "change_share") < 0)
+            ssgi_gl__add_change_mask(b, &d);
     }
     return ssgi_gl__append(b, &d, row, rows, frame);
 }
@@ -6021,11 +6143,11 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
     const int grey = !strcmp(name, "ao");
     int *const held = ssgi_gl__texture(b, grey ? "ao" : "light");
     ssgi_gl_desc d = *of;
-    d.colour = grey ? SSGI_GL_GREY : SSGI_GL_COLOUR;
-    d.filter_normals |= !strcmp(name, "bounce"); /* it differs across creases, and nothing restores it */
+    d.filter.quantity = grey ? SSGI_GL_QUANTITY_VISIBILITY : SSGI_GL_QUANTITY_LIGHT;
+    d.filter.normals |= !strcmp(name, "bounce"); /* it differs across creases, and nothing restores it */
     *held = *ssgi_gl__texture(b, name);
-    if (b->chain->history) ssgi_gl__add(b, &d, SSGI_GL_HISTORY, 0);
-    else if (b->chain->blur) ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
+    if (b->chain->history) ssgi_gl__add(b, &d, SSGI_GL_PASS_HISTORY, 0);
+    else if (b->chain->blur) ssgi_gl__add(b, &d, SSGI_GL_PASS_BLUR, 0);
     return b->picture ? -1 : *held;
 }
 
@@ -6033,41 +6155,45 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
 static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame)
 {
     ssgi_gl_desc d = *lights;
-    if (d.pass != SSGI_GL_LIGHTS) return light;
-    d.accumulate = light >= 0;
+    if (d.pass != SSGI_GL_PASS_LIGHTS) return light;
+    d.light.accumulate = light >= 0;
     *ssgi_gl__texture(b, "light") = light;
-    return ssgi_gl__add(b, &d, SSGI_GL_LIGHTS, frame)->output[0].texture;
+    return ssgi_gl__add(b, &d, SSGI_GL_PASS_LIGHTS, frame)->output[0].texture;
 }
 
 /* The desc for a depth layer as an extra camera sees it; camera -1: the main one. */
 static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer)
 {
     ssgi_gl_desc d = *desc;
-    d.receiver = layer;
+    d.light.receiver = layer;
     if (camera < 0 && !layer) return d;
-    d.normal = SSGI_GL_NORMAL_SIGNED;                     /* depth has those of visible surfaces */
-    if (d.pass != SSGI_GL_LIGHTS) d.half = d.restore = 0; /* nothing filters it */
+    d.input.normal = SSGI_GL_NORMAL_SIGNED; /* depth has those of visible surfaces */
+    if (d.pass != SSGI_GL_PASS_LIGHTS) {    /* nothing filters it */
+        d.gather.half = SSGI_GL_HALF_NONE;
+        d.light.restore = SSGI_GL_RESTORE_NONE;
+    }
     if (camera < 0) return d;
-    d.views = d.orthographic = d.depth = 0; /* hardware depth */
-    d.layers = b->chain->desc.view_layers;
+    d.gather.views = d.input.orthographic = 0;
+    d.input.depth = SSGI_GL_DEPTH_WINDOW;
+    d.gather.layers = b->chain->desc.gather.view_layers;
     /* widths and back faces are the main camera's */
-    if (d.thickness > SSGI_GL_THICKNESS_SOLID) d.thickness = SSGI_GL_THICKNESS_CONSTANT;
+    if (d.gather.thickness > SSGI_GL_THICKNESS_SOLID) d.gather.thickness = SSGI_GL_THICKNESS_CONSTANT;
     return d;
 }
 
-static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance)
+static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, ssgi_gl_radiance radiance)
 {
     const ssgi_gl_desc *const of = &b->chain->desc;
-    const int layers = camera < 0 ? of->layers : of->view_layers, slices = layers ? layers : 1;
+    const int layers = camera < 0 ? of->gather.layers : of->gather.view_layers, slices = layers ? layers : 1;
     ssgi_gl_desc d = ssgi_gl__seen_by(b, of, camera, layer);
-    int *held = ssgi_gl__texture(b, camera < 0 ? "senders" : "view_senders");
+    int *held = ssgi_gl__texture(b, camera < 0 ? "emitters" : "view_emitters");
     ssgi_gl_output *out;
-    d.radiance = radiance;
-    d.world_normals |= camera >= 0; /* that camera's view space to yours */
-    out = ssgi_gl__add(b, &d, SSGI_GL_SENDERS, camera < 0 ? 0 : 2 + 2 * camera)->output;
+    d.light.radiance = radiance;
+    d.input.world_normals |= camera >= 0; /* that camera's view space to yours */
+    out = ssgi_gl__add(b, &d, SSGI_GL_PASS_EMITTERS, camera < 0 ? 0 : 2 + 2 * camera)->output;
     if (*held < 0) *held = b->textures++;
     out->texture = *held;
-    out->slices = camera < 0 ? slices : of->views * slices;
+    out->slices = camera < 0 ? slices : of->gather.views * slices;
     out->slice = camera < 0 ? layer : camera * slices + layer;
 }
 
@@ -6078,57 +6204,58 @@ static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer)
     const int frame = camera < 0 ? 0 : 1 + 2 * camera;
     ssgi_gl_desc d = ssgi_gl__seen_by(b, &b->chain->desc, camera, layer);
     int light = -1;
-    d.bounce = SSGI_GL_BOUNCE_NONE;
-    if (d.environment) light = ssgi_gl__add(b, &d, SSGI_GL_SSDO, frame)->output[0].texture;
-    if (d.environment && camera < 0 && !layer) light = ssgi_gl__filter(b, &d, "light");
+    d.light.bounce = SSGI_GL_BOUNCE_NONE;
+    if (d.light.environment) light = ssgi_gl__add(b, &d, SSGI_GL_PASS_SSDO, frame)->output[0].texture;
+    if (d.light.environment && camera < 0 && !layer) light = ssgi_gl__filter(b, &d, "light");
     return ssgi_gl__light(b, &lights, light, frame);
 }
 
-/* Senders that the picture does not show: lit in their own camera's picture, or behind the first layer. */
+/* Emitters that the picture does not show: lit in their own camera's picture, or behind the first layer. */
 static void ssgi_gl__hidden(ssgi_gl__build *b)
 {
     const ssgi_gl_desc *d = &b->chain->desc;
-    const int view_layers = d->view_layers ? d->view_layers : 1, albedo = d->pass == SSGI_GL_S3HO;
-    const int first = d->views * view_layers, last = first + (d->layers ? d->layers - 1 : 0);
+    const int view_layers = d->gather.view_layers ? d->gather.view_layers : 1, albedo = d->pass == SSGI_GL_PASS_S3HO;
+    const int first = d->gather.views * view_layers, last = first + (d->gather.layers ? d->gather.layers - 1 : 0);
     for (int k = 0; k < last; ++k) {
         const int camera = k < first ? k / view_layers : -1, layer = k < first ? k % view_layers : last - k;
         if (albedo || ssgi_gl__direct(b, camera, layer) >= 0)
             ssgi_gl__send(b, camera, layer, albedo ? SSGI_GL_RADIANCE_ALBEDO : SSGI_GL_RADIANCE_LIGHT);
         else if (b->chain->direct)
-            b->why = "chain.direct: is of visible surfaces; hidden senders (desc.layers, views) need "
-                     "desc.environment or chain.lights";
+            b->why = "chain.direct: is of visible surfaces; hidden emitters (desc.gather.layers, views) need "
+                     "desc.light.environment or chain.lights";
     }
 }
 
 static void ssgi_gl__ssdo(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
-    const int both = chain->direct ? SSGI_GL_RADIANCE_BOTH : SSGI_GL_RADIANCE_LIGHT;
+    const ssgi_gl_radiance both = chain->direct ? SSGI_GL_RADIANCE_BOTH : SSGI_GL_RADIANCE_LIGHT;
     ssgi_gl_desc d = chain->desc;
-    d.environment = SSGI_GL_ENVIRONMENT_NONE;
-    if (d.bounce) ssgi_gl__hidden(b);
-    if (chain->reuse && chain->desc.environment && d.bounce) {
+    d.light.environment = SSGI_GL_ENVIRONMENT_NONE;
+    if (d.light.bounce) ssgi_gl__hidden(b);
+    if (chain->reuse && chain->desc.light.environment && d.light.bounce) {
         *ssgi_gl__texture(b, "light") = -1;
         ssgi_gl__send(b, -1, 0, both);
-        ssgi_gl__add(b, &chain->desc, SSGI_GL_SSDO, 0);
+        ssgi_gl__add(b, &chain->desc, SSGI_GL_PASS_SSDO, 0);
         b->light = ssgi_gl__filter(b, &chain->desc, "light");
         b->bounce = ssgi_gl__filter(b, &d, "bounce");
         b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
         return;
     }
     b->light = ssgi_gl__direct(b, -1, 0);
-    if (d.bounce && (b->light >= 0 || chain->direct)) {
+    if (d.light.bounce && (b->light >= 0 || chain->direct)) {
         if (chain->vpls) { /* just the falloff that they lack, of single points */
-            d.falloff = SSGI_GL_FALLOFF_SQUARE;
-            d.fade = d.range = 0;
-            if (d.search == SSGI_GL_POINTS) {
-                d.samples = (d.samples ? d.samples : 16) * (d.steps ? d.steps : 1);
-                if (d.samples > 64) d.samples = 64;
-                d.steps = 1;
+            d.gather.falloff = SSGI_GL_FALLOFF_SQUARE;
+            d.gather.fade = SSGI_GL_FADE_NONE;
+            d.gather.range = 0;
+            if (d.gather.search == SSGI_GL_SEARCH_POINTS) {
+                d.gather.samples = (d.gather.samples ? d.gather.samples : 16) * (d.gather.steps ? d.gather.steps : 1);
+                if (d.gather.samples > 64) d.gather.samples = 64;
+                d.gather.steps = 1;
             }
         }
         ssgi_gl__send(b, -1, 0, b->light < 0 ? SSGI_GL_RADIANCE_DIRECT : both);
-        ssgi_gl__add(b, &d, SSGI_GL_SSDO, 0);
+        ssgi_gl__add(b, &d, SSGI_GL_PASS_SSDO, 0);
         b->bounce = ssgi_gl__filter(b, &d, "bounce");
     }
     if (chain->vpls) b->bounce = ssgi_gl__light(b, &chain->lights, b->bounce, 9);
@@ -6138,68 +6265,74 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b)
 static int ssgi_gl__directions_alone(const ssgi_gl_chain *chain)
 {
     const ssgi_gl_desc *const d = &chain->desc;
-    return d->pass == SSGI_GL_S3HO && d->shading == SSGI_GL_SHADING_BENT && (chain->vectors || !d->shaded);
+    return d->pass == SSGI_GL_PASS_S3HO && d->light.shading == SSGI_GL_SHADING_BENT
+        && (chain->coefficients || !d->light.shaded);
 }
 
 static void ssgi_gl__s3ho(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
-    d.environment = SSGI_GL_ENVIRONMENT_SH;
-    if (chain->vectors) d.shaded = d.restore = 0;
-    if (d.transfer) {
+    d.light.environment = SSGI_GL_ENVIRONMENT_SH;
+    if (chain->coefficients) {
+        d.light.shaded = 0;
+        d.light.restore = SSGI_GL_RESTORE_NONE;
+    }
+    if (d.light.transfer) {
         ssgi_gl__hidden(b);
         ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_ALBEDO);
     }
-    ssgi_gl__add(b, &d, SSGI_GL_S3HO, 0);
-    if (chain->vectors && chain->blur) {
-        d.colour = SSGI_GL_COEFFICIENTS;
-        ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
-        d.half = 0;
+    ssgi_gl__add(b, &d, SSGI_GL_PASS_S3HO, 0);
+    if (chain->coefficients && chain->blur) {
+        d.filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS;
+        ssgi_gl__add(b, &d, SSGI_GL_PASS_BLUR, 0);
+        d.gather.half = SSGI_GL_HALF_NONE;
     }
-    if (!d.shaded) ssgi_gl__add(b, &d, SSGI_GL_SHADE, 0);
+    if (!d.light.shaded) ssgi_gl__add(b, &d, SSGI_GL_PASS_SHADE, 0);
     if (ssgi_gl__directions_alone(chain)) {
         b->light = *ssgi_gl__texture(b, "bent");
         return;
     }
-    b->light = chain->vectors ? *ssgi_gl__texture(b, "light") : ssgi_gl__filter(b, &d, "light");
+    b->light = chain->coefficients ? *ssgi_gl__texture(b, "light") : ssgi_gl__filter(b, &d, "light");
     b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
 }
 
-/* One effect of surfels, and of slices near by (desc.span). light: the texture of the light on visible surfaces, -1:
-   there is none. Returns the texture that holds the effect. */
-static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light)
+/* One effect of surfels, and of slices near by (desc.surfel.span). light: the texture of the light on visible surfaces,
+   -1: there is none. Returns the texture that holds the effect. */
+static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_effect effect, int light)
 {
     const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
     ssgi_gl_desc d = *of, slices = d;
-    d.effect = effect;
-    if (effect > SSGI_GL_EFFECT_BOUNCE || (bounce && light < 0)) d.span = 0;
-    if (effect < SSGI_GL_EFFECT_BOUNCE) d.sends = SSGI_GL_SENDS_COLOUR;
-    if (d.span) {
-        slices.directions = 2;
-        slices.steps = 4;
-        slices.hard |= lit; /* light does not fade */
-        slices.search = SSGI_GL_SLICES;
-        slices.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
-        slices.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
-        slices.restore = SSGI_GL_RESTORE_RATIO; /* sum multiplies by it */
+    d.surfel.effect = effect;
+    if (effect > SSGI_GL_EFFECT_BOUNCE || (bounce && light < 0)) d.surfel.span = 0;
+    if (effect < SSGI_GL_EFFECT_BOUNCE) d.surfel.sends = SSGI_GL_SENDS_COLOUR;
+    if (d.surfel.span) {
+        slices.gather.directions = 2;
+        slices.gather.steps = 4;
+        if (lit) slices.gather.falloff = SSGI_GL_FALLOFF_NONE; /* light does not fade */
+        slices.gather.search = SSGI_GL_SEARCH_SLICES;
+        slices.light.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
+        slices.light.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
+        slices.light.restore = SSGI_GL_RESTORE_RATIO; /* sum multiplies by it */
         *ssgi_gl__texture(b, "light") = light;
         if (bounce) ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_LIGHT);
-        ssgi_gl__add(b, &slices, lit ? SSGI_GL_SSDO : SSGI_GL_HSAO, 0);
+        ssgi_gl__add(b, &slices, lit ? SSGI_GL_PASS_SSDO : SSGI_GL_PASS_HSAO, 0);
         if (bounce) *ssgi_gl__texture(b, "light") = *ssgi_gl__texture(b, "bounce");
-        slices.environment = slices.bounce = slices.restore = 0;
-        slices.colour = lit ? SSGI_GL_COLOUR : SSGI_GL_GREY;
-        slices.filter_radius = 1;
-        slices.filter_normals = bounce;
-        slices.onto = SSGI_GL_ONTO_NONE; /* sum reads it */
-        ssgi_gl__add(b, &slices, SSGI_GL_BLUR, 0);
+        slices.light.environment = SSGI_GL_ENVIRONMENT_NONE;
+        slices.light.bounce = SSGI_GL_BOUNCE_NONE;
+        slices.light.restore = SSGI_GL_RESTORE_NONE;
+        slices.filter.quantity = lit ? SSGI_GL_QUANTITY_LIGHT : SSGI_GL_QUANTITY_VISIBILITY;
+        slices.filter.radius = 1;
+        slices.filter.normals = bounce;
+        slices.filter.onto = SSGI_GL_ONTO_NONE; /* sum reads it */
+        ssgi_gl__add(b, &slices, SSGI_GL_PASS_BLUR, 0);
     }
-    ssgi_gl__add(b, &d, SSGI_GL_SPLAT, 0);
-    ssgi_gl__add(b, &d, SSGI_GL_UNSHUFFLE, 0);
-    for (d.axis = 0; d.axis < 2 && d.levels != 1 && !b->chain->unsmoothed; ++d.axis)
-        ssgi_gl__add(b, &d, SSGI_GL_SMOOTH, 0);
-    d.axis = 0;
-    return ssgi_gl__add(b, &d, SSGI_GL_SUM, 0)->output[0].texture;
+    ssgi_gl__add(b, &d, SSGI_GL_PASS_SPLAT, 0);
+    ssgi_gl__add(b, &d, SSGI_GL_PASS_DEINTERLEAVE, 0);
+    for (d.surfel.axis = 0; d.surfel.axis < 2 && d.surfel.levels != 1 && !b->chain->unsmoothed; ++d.surfel.axis)
+        ssgi_gl__add(b, &d, SSGI_GL_PASS_SMOOTH, 0);
+    d.surfel.axis = 0;
+    return ssgi_gl__add(b, &d, SSGI_GL_PASS_SUM, 0)->output[0].texture;
 }
 
 static void ssgi_gl__deep(ssgi_gl__build *b)
@@ -6207,37 +6340,39 @@ static void ssgi_gl__deep(ssgi_gl__build *b)
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
     /* without slices nothing else sends the environment's light */
-    if (!chain->hidden_sky && (d.span || d.effect != SSGI_GL_EFFECT_LIGHT)) d.environment = SSGI_GL_ENVIRONMENT_NONE;
-    if (chain->surfels) ssgi_gl__add(b, &d, SSGI_GL_SURFELS, 0);
-    if (chain->surfels) d.tessellate = 0;
-    ssgi_gl__add(b, &d, SSGI_GL_SHUFFLE, 0);
-    if (d.effect != SSGI_GL_EFFECT_LIGHT || chain->desc.environment) b->light = ssgi_gl__splat(b, &d, d.effect, -1);
-    if (d.effect != SSGI_GL_EFFECT_LIGHT) return;
+    if (!chain->hidden_sky && (d.surfel.span || d.surfel.effect != SSGI_GL_EFFECT_LIGHT))
+        d.light.environment = SSGI_GL_ENVIRONMENT_NONE;
+    if (chain->surfels) ssgi_gl__add(b, &d, SSGI_GL_PASS_SURFELS, 0);
+    if (chain->surfels) d.surfel.tessellate = 0;
+    ssgi_gl__add(b, &d, SSGI_GL_PASS_INTERLEAVE, 0);
+    if (d.surfel.effect != SSGI_GL_EFFECT_LIGHT || chain->desc.light.environment)
+        b->light = ssgi_gl__splat(b, &d, d.surfel.effect, -1);
+    if (d.surfel.effect != SSGI_GL_EFFECT_LIGHT) return;
     b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
-    if (chain->desc.bounce) b->bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, b->light);
+    if (chain->desc.light.bounce) b->bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, b->light);
 }
 
 /* A sentence on a part that a chain lacks, or on parts that do not go together; NULL: the chain is sound. */
 static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
 {
     if (!chain) return "chain: must not be NULL";
-    const int pass = chain->desc.pass, lit = chain->lights.pass == SSGI_GL_LIGHTS;
+    const int pass = chain->desc.pass, lit = chain->lights.pass == SSGI_GL_PASS_LIGHTS;
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(pass);
     if (!row || row->chain == SSGI_GL__CHAIN_NONE)
-        return "chain.desc.pass: must be SSGI_GL_SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT";
+        return "chain.desc.pass: must be SSGI_GL_PASS_SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT";
     if (chain->width < 1 || chain->width > 16384 || chain->height < 1 || chain->height > 16384)
         return "chain.width, height: must be 1..16384";
     if (chain->history && !chain->blur) return "chain.history: filters its average: needs blur = 1";
-    if (chain->history && chain->vectors && pass == SSGI_GL_S3HO)
-        return "chain.history: averages light, not coefficients: needs vectors = 0";
-    if (pass == SSGI_GL_S3HO && chain->desc.transfer && chain->desc.dimmed
-        && (chain->desc.transfer != SSGI_GL_TRANSFER_BOTH || !chain->vectors || !chain->blur))
-        return "chain.desc.dimmed: reads the last frame's filtered coefficients: needs "
-               "SSGI_GL_TRANSFER_BOTH, vectors = 1 and blur = 1";
+    if (chain->history && chain->coefficients && pass == SSGI_GL_PASS_S3HO)
+        return "chain.history: averages light, not coefficients: needs coefficients = 0";
+    if (pass == SSGI_GL_PASS_S3HO && chain->desc.light.transfer && chain->desc.light.dimmed
+        && (chain->desc.light.transfer != SSGI_GL_TRANSFER_BOTH || !chain->coefficients || !chain->blur))
+        return "chain.desc.light.dimmed: reads the last frame's filtered coefficients: needs "
+               "SSGI_GL_TRANSFER_BOTH, coefficients = 1 and blur = 1";
     if (ssgi_gl__directions_alone(chain)
-        && (lit || chain->history || chain->desc.onto || (chain->blur && !chain->vectors)))
-        return "chain.desc.shading: SSGI_GL_SHADING_BENT is not light: lights, history and onto need another shading, "
-               "blur needs vectors = 1";
+        && (lit || chain->history || chain->desc.filter.onto || (chain->blur && !chain->coefficients)))
+        return "chain.desc.light.shading: SSGI_GL_SHADING_BENT is not light: lights, history and onto need another "
+               "shading, blur needs coefficients = 1";
     return NULL;
 }
 
@@ -6246,28 +6381,28 @@ static void ssgi_gl__compose(ssgi_gl__build *b)
 {
     ssgi_gl_desc d = b->chain->desc;
     const int grey = b->light >= 0 && b->light == *ssgi_gl__texture(b, "ao");
-    if (!d.onto || b->picture) return;
+    if (!d.filter.onto || b->picture) return;
     if (!grey && ssgi_gl__pass_of(d.pass)->chain != SSGI_GL__CHAIN_OWN) {
-        b->why = "chain.desc.onto: this pass writes neither ambient visibility nor light";
+        b->why = "chain.desc.filter.onto: this pass writes neither ambient visibility nor light";
         return;
     }
-    d.colour = grey ? SSGI_GL_GREY : SSGI_GL_COLOUR;
-    d.bounce = b->light >= 0 && b->bounce >= 0;
+    d.filter.quantity = grey ? SSGI_GL_QUANTITY_VISIBILITY : SSGI_GL_QUANTITY_LIGHT;
+    d.light.bounce = b->light >= 0 && b->bounce >= 0 ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
     *ssgi_gl__texture(b, "light") = b->light < 0 ? b->bounce : b->light;
     *ssgi_gl__texture(b, "bounce") = b->bounce;
-    ssgi_gl__add(b, &d, SSGI_GL_COMPOSE, 0);
+    ssgi_gl__add(b, &d, SSGI_GL_PASS_COMPOSE, 0);
 }
 
 static void ssgi_gl__build_chain(ssgi_gl__build *b)
 {
     const ssgi_gl_desc *const d = &b->chain->desc;
-    if (d->pass == SSGI_GL_SSDO) ssgi_gl__ssdo(b);
-    else if (d->pass == SSGI_GL_S3HO) ssgi_gl__s3ho(b);
-    else if (d->pass == SSGI_GL_SPLAT) ssgi_gl__deep(b);
+    if (d->pass == SSGI_GL_PASS_SSDO) ssgi_gl__ssdo(b);
+    else if (d->pass == SSGI_GL_PASS_S3HO) ssgi_gl__s3ho(b);
+    else if (d->pass == SSGI_GL_PASS_SPLAT) ssgi_gl__deep(b);
     else b->light = ssgi_gl__add(b, d, d->pass, 0)->output[0].texture;
     if (ssgi_gl__pass_of(d->pass)->chain == SSGI_GL__CHAIN_FILTERED) b->light = ssgi_gl__filter(b, d, "ao");
     if (!b->why && b->light < 0 && b->bounce < 0 && !b->picture)
-        b->why = "chain: nothing lights it: desc.environment, lights, or direct";
+        b->why = "chain: nothing lights it: desc.light.environment, lights, or direct";
     if (!b->why) ssgi_gl__compose(b);
 }
 
@@ -6275,7 +6410,8 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b)
    may read layers and cameras, which have no widths. */
 static void ssgi_gl__thickness(ssgi_gl_desc *d)
 {
-    if (d->thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__slices(d)) d->thickness = SSGI_GL_THICKNESS_WIDTH;
+    if (d->gather.thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__slices(d))
+        d->gather.thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
 /* The texture of an input that no step before it writes: the last frame's light, depth, or coefficients of a name. */
@@ -6296,12 +6432,15 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         return 0;
     }
     own = *chain;
-    if (own.desc.pass != SSGI_GL_S3HO) /* fields of s3ho and shade that blur looks at, too */
-        own.desc.transfer = own.desc.shaded = own.desc.shading = own.desc.lights = 0;
+    if (own.desc.pass != SSGI_GL_PASS_S3HO) { /* fields of s3ho and shade that blur looks at, too */
+        own.desc.light.transfer = SSGI_GL_TRANSFER_DIRECT;
+        own.desc.light.shading = SSGI_GL_SHADING_HARMONICS;
+        own.desc.light.shaded = own.desc.light.lights = 0;
+    }
     ssgi_gl__thickness(&own.desc);
-    if (own.history && own.desc.half) own.desc.half = 2;                      /* so that frames bring all four pixels */
-    if (own.desc.pass == SSGI_GL_SSDO && !own.desc.bands) own.desc.bands = 3; /* blur's default is 4 */
-    for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {      /* checks all, then writes */
+    if (own.history && own.desc.gather.half) own.desc.gather.half = SSGI_GL_HALF_IN_TURN; /* frames bring all four */
+    if (own.desc.pass == SSGI_GL_PASS_SSDO && !own.desc.light.bands) own.desc.light.bands = 3; /* blur's default is 4 */
+    for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) { /* checks all, then writes */
         memset(&b, 0, sizeof b);
         b.chain = &own;
         b.steps = steps;

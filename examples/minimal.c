@@ -84,7 +84,7 @@ int main(void)
 {
     static unsigned char pixels[W * H];
     const float g = 2.365f, projection[16] = { g * H / W, 0, 0, 0, 0, g, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2002f, 0 };
-    ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_HSAO }, .width = W, .height = H, .blur = 1 };
+    ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_PASS_HSAO }, .width = W, .height = H, .blur = 1 };
     GLuint name, yours[SSGI_GL_YOURS];
     ssgi_view view;
     ssgi_gl_frame frame;
@@ -95,7 +95,7 @@ int main(void)
     glUniformMatrix4fv(glGetUniformLocation(program(boxes_vs, boxes_fs), "projection"), 1, GL_FALSE, projection);
     glViewport(0, 0, W, H), glEnable(GL_DEPTH_TEST), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 36, 40), glDisable(GL_DEPTH_TEST);
-    ssgi_gl_preset(&chain.desc, SSGI_GL_BALANCED, NULL);
+    ssgi_gl_preset(&chain.desc, SSGI_GL_PRESET_BALANCED, NULL);
     ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, W, H, NULL);
     ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);                           /* radius: 0.5 units of the scene */
     draw(&chain, &frame, yours);

@@ -156,7 +156,7 @@ static int put_texts(const options *o, const ssgi_gl_desc *d, int number, const 
 /* ---- a run as a chain -------------------------------------------------------------------------------------------- */
 
 /* Those that an embedder would draw. */
-static int is_captured(const kit_pass *p) { return !p->aside && p->desc.pass != SSGI_GL_SURFELS; }
+static int is_captured(const kit_pass *p) { return !p->aside && p->desc.pass != SSGI_GL_PASS_SURFELS; }
 
 static GLuint written(const kit_pass *p, int output)
 {
@@ -188,7 +188,7 @@ static ssgi_gl_step step_of(const kit_pass *p)
 {
     ssgi_gl_step s = *p->step;
     s.desc = p->desc;
-    s.desc.dialect = SSGI_GL_VULKAN;
+    s.desc.text.dialect = SSGI_GL_DIALECT_VULKAN;
     for (int k = 0; k < s.outputs; ++k) s.output[k].texture = number_of(all.made, written(p, k));
     for (int k = 0; k < s.inputs; ++k) {
         if (s.input[k].meaning >= 0) continue;
@@ -210,8 +210,8 @@ static int put_chain(const options *o, const kit_run *run, int pass, kit_error *
     for (int i = 0; i < run->passes; ++i) {
         const kit_pass *p = &run->pass[i];
         if (p->box[2]) return kit_fail(err, "margin: only whole pictures are captured");
-        if (p->desc.views || p->desc.tessellate)
-            return kit_fail(err, "%s: is not captured", p->desc.views ? "views" : "way=direct, way=capture");
+        if (p->desc.gather.views || p->desc.surfel.tessellate)
+            return kit_fail(err, "%s: is not captured", p->desc.gather.views ? "views" : "way=direct, way=capture");
         if (!is_captured(p)) continue;
         steps[count] = step_of(p);
         if (put_texts(o, &steps[count].desc, count, files[count], err)) return -1;

@@ -53,19 +53,20 @@ static void restored(const ssgi_gl_step *step, int i)
 {
     const ssgi_gl_desc blur = ssgi_gl_resolve(&step[i].desc);
     int texture = step[i].input[0].texture;
-    if (blur.pass != SSGI_GL_BLUR || blur.colour != SSGI_GL_COLOUR) return;
+    if (blur.pass != SSGI_GL_PASS_BLUR || blur.filter.quantity != SSGI_GL_QUANTITY_LIGHT) return;
     for (int k = 0; k < step[i].inputs; ++k)
         if (!strcmp(step[i].input[k].name, "t_ssgi_light")) texture = step[i].input[k].texture;
     for (int j = i - 1; j >= 0; --j)
         for (int o = 0; o < step[j].outputs; ++o) {
             const ssgi_gl_desc wrote = ssgi_gl_resolve(&step[j].desc);
-            if (step[j].output[o].texture != texture || wrote.pass == SSGI_GL_HISTORY) continue;
+            if (step[j].output[o].texture != texture || wrote.pass == SSGI_GL_PASS_HISTORY) continue;
             const int bounce = !strcmp(step[j].output[o].name, "o_ssgi_bounce");
-            MUST(blur.restore == (bounce ? SSGI_GL_RESTORE_NONE : wrote.restore));
-            const int map = blur.environment == SSGI_GL_ENVIRONMENT_MAP;
-            MUST(!blur.restore || (map == (wrote.environment == SSGI_GL_ENVIRONMENT_MAP)
-                                   && blur.shading == wrote.shading && blur.residual == wrote.residual
-                                   && blur.lights == wrote.lights && (map || blur.bands == wrote.bands)));
+            MUST(blur.light.restore == (bounce ? SSGI_GL_RESTORE_NONE : wrote.light.restore));
+            const int map = blur.light.environment == SSGI_GL_ENVIRONMENT_MAP;
+            MUST(!blur.light.restore
+                 || (map == (wrote.light.environment == SSGI_GL_ENVIRONMENT_MAP)
+                     && blur.light.shading == wrote.light.shading && blur.light.residual == wrote.light.residual
+                     && blur.light.lights == wrote.light.lights && (map || blur.light.bands == wrote.light.bands)));
             return;
         }
 }
@@ -78,7 +79,7 @@ static void fill(ssgi_gl_desc *d, const uint8_t *data)
         const int value = data[i];
         memcpy((char *)d + ssgi_gl__fields[i].offset, &value, sizeof value);
     }
-    d->fetch = " ";
+    d->text.fetch = " ";
 }
 
 /* A chain of two descs and flags: either refused with a sentence, or every step can be drawn and there is one result,
@@ -108,7 +109,7 @@ static void chains(const uint8_t *data)
         MUST(ssgi_gl_check(&step[i].desc, NULL) == SSGI_OK && step[i].width > 0 && step[i].height > 0);
         if (room == n) inputs(step, n, i);
         /* surfels multiply by what slices keep of light: nothing is put back */
-        if (room == n && chain.desc.pass != SSGI_GL_SPLAT) restored(step, i);
+        if (room == n && chain.desc.pass != SSGI_GL_PASS_SPLAT) restored(step, i);
         for (int k = 0; k < step[i].outputs; ++k) {
             const ssgi_gl_output *o = &step[i].output[k];
             MUST(o->format ? o->texture >= 0 : o->texture == -1 && i == n - 1);
@@ -117,7 +118,7 @@ static void chains(const uint8_t *data)
         }
     }
     if (room == n)
-        MUST(results[1] <= 1 && results[2] <= 1 && results[1] + results[2] > 0 && pictures == !!chain.desc.onto);
+        MUST(results[1] <= 1 && results[2] <= 1 && results[1] + results[2] > 0 && pictures == !!chain.desc.filter.onto);
     free(step);
 }
 
@@ -141,14 +142,14 @@ static void descs(const uint8_t *data, size_t size)
     if (size > (size_t)FIELDS + 2) {
         memcpy(version, data + FIELDS, size - FIELDS < CODE ? size - FIELDS : CODE);
         memcpy(fetch, data + size - (size < CODE ? size : CODE), size < CODE ? size : CODE);
-        if (data[FIELDS] & 1) d.version = version;
-        if (data[FIELDS] & 2) d.fetch = fetch;
+        if (data[FIELDS] & 1) d.text.version = version;
+        if (data[FIELDS] & 2) d.text.fetch = fetch;
     }
     ssgi_gl_desc tuned = d;
     if (ssgi_gl_preset(&tuned, (int)(sum % 4), NULL) == SSGI_OK) MUST(ssgi_gl_check(&tuned, NULL) == SSGI_OK);
     if (ssgi_gl_check(&d, &why) != SSGI_OK) {
         MUST(why && !strncmp(why, "desc", 4));
-        MUST(!ssgi_gl_emit(text, sizeof text, &d, SSGI_GL_FRAGMENT) && !ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO)
+        MUST(!ssgi_gl_emit(text, sizeof text, &d, SSGI_GL_STAGE_FRAGMENT) && !ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO)
              && !ssgi_gl_key(&d));
         return;
     }
@@ -230,8 +231,8 @@ static void pictures(const float *f, size_t count)
         for (int i = 0; i < many && count >= 9; ++i)
             MUST(all_finite(vpl[i].position, 3) && all_finite(vpl[i].normal, 3) && all_finite(vpl[i].intensity, 3));
     for (size_t i = 0; i + 3 <= count; i += 3) {
-        ssgi_octahedral_encode(f + i, e);
-        ssgi_octahedral_decode(e, d);
+        ssgi_octahedral_encode(e, f + i);
+        ssgi_octahedral_decode(d, e);
         if (all_finite(f + i, 3))
             MUST(fabsf(e[0]) <= 1.0f && fabsf(e[1]) <= 1.0f
                  && fabsf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1.0f) < 1e-5f);
@@ -247,7 +248,7 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
     ssgi_gl_views views;
     ssgi_gl_light light;
     const char *why = NULL;
-    ssgi_extra_displacement((int)(count % 4), displacement);
+    ssgi_extra_displacement(displacement, (int)(count % 4));
     for (int k = 0; k < 2; ++k) {                          /* hardly ever rigid; always, but for its translation */
         if (ssgi_extra_camera(to, projection, k ? turn : f, f + 3, last[5], k && count % 2 ? displacement : last, &why)
             != SSGI_OK)
@@ -400,7 +401,7 @@ static void plans(const float *f, size_t count, const uint8_t *data, size_t size
                        count / 4, NULL) != SSGI_OK)
         abort();
     if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK)
-        MUST(plan.method >= SSGI_PLAN_NOTHING && plan.method <= SSGI_PLAN_FIELD && !isnan(plan.error)
+        MUST(plan.method >= SSGI_PLAN_METHOD_NOTHING && plan.method <= SSGI_PLAN_METHOD_FIELD && !isnan(plan.error)
              && plan.cost >= 0.0f && plan.levels <= SSGI_SPLAT_LEVELS && strlen(plan.why) > 8
              && strlen(plan.why) < sizeof plan.why - 1);
     else MUST(!strncmp(why, "scene.", 6) && !memcmp(&plan, &was, sizeof plan));
@@ -421,8 +422,8 @@ static void floats(const float *f, size_t count)
             for (size_t i = 0; i < count; ++i) {
                 float p[3], z = ssgi_view_depth(&view, f[i]);
                 MUST(z > 0.0f && z <= SSGI_FAR);
-                ssgi_view_position(&view, f[i], f[count - 1 - i], z, p);
-                ssgi_view_project(&view, p, p);
+                ssgi_view_position(p, &view, f[i], f[count - 1 - i], z);
+                ssgi_view_project(p, &view, p);
                 MUST(ssgi_pixel_footprint(&view, z) >= 0.0f);
                 MUST(isfinite(ssgi_shadow_bias(ssgi_shadow_patch(f[i], z, (int)i), f[i], z, (int)i & 1)));
             }
@@ -437,7 +438,7 @@ static void floats(const float *f, size_t count)
         MUST(ssgi_trace_visibility(seen, &trace, f, f + 3, 1, 0.0f, 4, 1, NULL) == SSGI_OK
              && ssgi_trace_visibility(seen + 1, &trace, f, f + 3, 1, 2.0f, 4, 0, NULL) == SSGI_OK && seen[0] >= 0.0f
              && seen[0] <= 1.0f && seen[1] >= 0.0f && seen[1] <= 1.0f);
-        if (!ssgi_trace_closest(&trace, f, f + 3, 0.0f, 1e30f, &hit)) continue;
+        if (!ssgi_trace_closest(&hit, &trace, f, f + 3, 0.0f, 1e30f)) continue;
         MUST(hit.triangle < i && hit.t > 0.0f && hit.u >= 0.0f && hit.v >= 0.0f && hit.u + hit.v <= 1.00001f
              && ssgi_trace_any(&trace, f, f + 3, 0.0f, 1e30f));
     }
@@ -469,11 +470,12 @@ static uint8_t legal(size_t field, uint32_t *state)
 /* A chain most of whose fields have their default. */
 static void random_chain(uint8_t bytes[CHAIN], uint32_t *state)
 {
-    static const uint8_t passes[] = { SSGI_GL_SSAO, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_SSDO, SSGI_GL_SSDO,
-                                      SSGI_GL_S3HO, SSGI_GL_S3HO, SSGI_GL_FIELD, SSGI_GL_SPLAT, SSGI_GL_SPLAT };
+    static const uint8_t passes[] = { SSGI_GL_PASS_SSAO,  SSGI_GL_PASS_HSAO, SSGI_GL_PASS_SSDO, SSGI_GL_PASS_SSDO,
+                                      SSGI_GL_PASS_SSDO,  SSGI_GL_PASS_S3HO, SSGI_GL_PASS_S3HO, SSGI_GL_PASS_FIELD,
+                                      SSGI_GL_PASS_SPLAT, SSGI_GL_PASS_SPLAT };
     for (size_t k = 0; k < 2 * FIELDS; ++k) bytes[k] = next(state) % 3 ? 0 : legal(k % FIELDS, state);
     bytes[0] = passes[next(state) % sizeof passes];        /* pass is the first field */
-    bytes[FIELDS] = next(state) % 2 ? SSGI_GL_LIGHTS : 0;
+    bytes[FIELDS] = next(state) % 2 ? SSGI_GL_PASS_LIGHTS : 0;
     for (size_t k = 2 * FIELDS; k < CHAIN; ++k) bytes[k] = next(state) % 2;
     for (size_t k = CHAIN - 2; k < CHAIN; ++k) bytes[k] = (uint8_t)next(state);
 }

@@ -124,7 +124,7 @@
 #define LIGHT (1 << 3)
 #define SHADE 0
 #define SHADOW 1
-#define SENDERS 3
+#define EMITTERS 3
 #define SURFELS 0
 #define FIELD 1
 #define FIELDS 9

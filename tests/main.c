@@ -11,8 +11,8 @@
 /* long ones first: the last to end is then a short one */
 static const struct { const char *name; void (*run)(void);
 } groups[] = { { "build", test_build }, { "text", test_text }, { "stability", test_stability },
-               { "pipeline", test_pipeline }, { "light", test_light }, { "vectors", test_vectors },
-               { "surfels", test_surfels }, { "casters", test_casters }, { "trace", test_trace },
+               { "pipeline", test_pipeline }, { "light", test_light }, { "coefficients", test_coefficients },
+               { "surfels", test_surfels }, { "occluders", test_occluders }, { "trace", test_trace },
                { "field", test_field }, { "files", test_files }, { "steps", test_steps }, { "plan", test_plan },
                { "math", test_math }, { "twins", test_twins }, { "models", test_models }, { "seeds", test_seeds },
                { "library", test_library }, { "papers", test_papers }, { "cost", test_cost } };

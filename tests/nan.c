@@ -190,7 +190,7 @@ static void extremes(void)
                && !strncmp(why, "projection: ", 12),
            "a projection that shows nothing is taken");
 
-    many.wanted = SSGI_PLAN_OBJECTS;
+    many.wanted = SSGI_PLAN_WANTED_OBJECTS;
     many.occluders = 2000000000;
     many.coverage = many.calibration.unoccluded = 3e38f;
     many.calibration.known = 1;
@@ -199,7 +199,7 @@ static void extremes(void)
                "a plan's cost or error is larger than SSGI_FAR");
     expect(ssgi_plan_make(&planned, &many, &why) == SSGI_OK, "many occluders cannot be planned for");
     for (size_t i = 0; i < sizeof thickness / sizeof *thickness; ++i) {
-        planned.method = SSGI_PLAN_HSAO;
+        planned.method = SSGI_PLAN_METHOD_HSAO;
         planned.thickness = thickness[i];
         expect(ssgi_gl_plan(&desc, &planned, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, "plan.thickness: ", 16),
                "a plan of another thickness is taken");

@@ -28,25 +28,27 @@ int main(void)
             ssgi_gl_desc d = { 0 };
             ssgi_gl_chain chain = { 0 };
             d.pass = pass;
-            d.dialect = SSGI_GL_450;
-            d.half = k & 1;
-            d.thickness = k & 1 ? SSGI_GL_THICKNESS_SLABS : SSGI_GL_THICKNESS_DEFAULT;
-            d.tessellate = k >> 1 & 1;
-            d.search = !(k & 4) ? SSGI_GL_SLICES : pass == SSGI_GL_HSAO ? SSGI_GL_MARCH : SSGI_GL_POINTS;
-            d.environment = SSGI_GL_ENVIRONMENT_SH;
-            d.bounce = k >> 3 & 1 ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
-            d.effect = k >> 4 & 1 ? SSGI_GL_EFFECT_LIGHT : SSGI_GL_EFFECT_OCCLUSION;
-            d.onto = k >> 5 & 1 ? SSGI_GL_ONTO_MULTIPLY : SSGI_GL_ONTO_NONE;
+            d.text.dialect = SSGI_GL_DIALECT_450;
+            d.gather.half = k & 1;
+            d.gather.thickness = k & 1 ? SSGI_GL_THICKNESS_SLABS : SSGI_GL_THICKNESS_DEFAULT;
+            d.surfel.tessellate = k >> 1 & 1;
+            d.gather.search = !(k & 4)                  ? SSGI_GL_SEARCH_SLICES
+                            : pass == SSGI_GL_PASS_HSAO ? SSGI_GL_SEARCH_MARCH
+                                                        : SSGI_GL_SEARCH_POINTS;
+            d.light.environment = SSGI_GL_ENVIRONMENT_SH;
+            d.light.bounce = k >> 3 & 1 ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
+            d.surfel.effect = k >> 4 & 1 ? SSGI_GL_EFFECT_LIGHT : SSGI_GL_EFFECT_OCCLUSION;
+            d.filter.onto = k >> 5 & 1 ? SSGI_GL_ONTO_MULTIPLY : SSGI_GL_ONTO_NONE;
             chain.desc = d;
-            chain.lights.pass = d.bounce ? SSGI_GL_LIGHTS : SSGI_GL_BLUR;
+            chain.lights.pass = d.light.bounce ? SSGI_GL_PASS_LIGHTS : SSGI_GL_PASS_BLUR;
             chain.blur = 1;
-            chain.history = chain.surfels = d.tessellate;
+            chain.history = chain.surfels = d.surfel.tessellate;
             chain.width = 640;
             chain.height = 360;
             printf("%s %d: %llx", ssgi_gl_pass_name(pass), k, (unsigned long long)ssgi_gl_key(&d));
             print_steps(&chain);
-            ssgi_gl_preset(&d, SSGI_GL_FAST, NULL);
-            printf("; %d %d %d %d\n", d.half, d.steps, d.directions, d.samples);
+            ssgi_gl_preset(&d, SSGI_GL_PRESET_FAST, NULL);
+            printf("; %d %d %d %d\n", d.gather.half, d.gather.steps, d.gather.directions, d.gather.samples);
         }
     return 0;
 }

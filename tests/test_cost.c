@@ -210,7 +210,7 @@ static void shares_recorded(void)
     };
     const csv shares = { NULL, cells, 6, 6 };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        const ssgi_gl_desc d = { .half = cases[i].half, .steps = cases[i].steps };
+        const ssgi_gl_desc d = { .gather.half = cases[i].half, .gather.steps = cases[i].steps };
         const double share = share_recorded(&shares, cases[i].body, &d, &tiles[cases[i].tile]);
         CHECK(share == cases[i].share, "case %zu: %g, not %g", i, share, cases[i].share);
     }
@@ -229,24 +229,27 @@ static void shares_recorded(void)
 /* A line that has been written otherwise must be written so in share.c, too: else all of its body would count. */
 static void texts_have_bodies(void)
 {
-    static const struct { ssgi_gl_desc desc; int count, body[4]; } cases[] = {
-        { { .pass = SSGI_GL_HSAO }, 1, { COVER } },
-        { { .pass = SSGI_GL_HSAO, .thickness = SSGI_GL_THICKNESS_SOLID }, 1, { COVER_SOLID } },
-        { { .pass = SSGI_GL_HSAO, .thickness = SSGI_GL_THICKNESS_SLABS }, 2, { COVER, SECOND } },
-        { { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE, .thickness = SSGI_GL_THICKNESS_SLABS }, 3,
-          { COVER, SECOND, SENT } },
-        { { .pass = SSGI_GL_S3HO, .transfer = SSGI_GL_TRANSFER_BOTH, .packed = 1 }, 2,
-          { COVER, SENT } },
-        { { .pass = SSGI_GL_HISTORY }, 1, { UNSETTLED } },
-        { { .pass = SSGI_GL_CHANGES }, 1, { CHANGED } },
-        { { .pass = SSGI_GL_BLUR }, 0, { 0 } }
-    };
+    static const struct { ssgi_gl_desc desc; int count, body[4];
+    } cases[] = { { { .pass = SSGI_GL_PASS_HSAO }, 1, { COVER } },
+                  { { .pass = SSGI_GL_PASS_HSAO, .gather.thickness = SSGI_GL_THICKNESS_SOLID }, 1, { COVER_SOLID } },
+                  { { .pass = SSGI_GL_PASS_HSAO, .gather.thickness = SSGI_GL_THICKNESS_SLABS }, 2, { COVER, SECOND } },
+                  { { .pass = SSGI_GL_PASS_SSDO,
+                      .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE,
+                      .gather.thickness = SSGI_GL_THICKNESS_SLABS },
+                    3,
+                    { COVER, SECOND, SENT } },
+                  { { .pass = SSGI_GL_PASS_S3HO, .light.transfer = SSGI_GL_TRANSFER_BOTH, .light.packed = 1 },
+                    2,
+                    { COVER, SENT } },
+                  { { .pass = SSGI_GL_PASS_HISTORY }, 1, { UNSETTLED } },
+                  { { .pass = SSGI_GL_PASS_CHANGE_MASK }, 1, { CHANGED } },
+                  { { .pass = SSGI_GL_PASS_BLUR }, 0, { 0 } } };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        const size_t length = ssgi_gl_emit(NULL, 0, &cases[i].desc, SSGI_GL_FRAGMENT);
+        const size_t length = ssgi_gl_emit(NULL, 0, &cases[i].desc, SSGI_GL_STAGE_FRAGMENT);
         char *text = malloc(length + 1);
         int of[BODIES];
         if (!text) return;
-        ssgi_gl_emit(text, length + 1, &cases[i].desc, SSGI_GL_FRAGMENT);
+        ssgi_gl_emit(text, length + 1, &cases[i].desc, SSGI_GL_STAGE_FRAGMENT);
         const int count = bodies_of(of, text);
         CHECK(count == cases[i].count && !memcmp(of, cases[i].body, (size_t)count * sizeof *of),
               "%s, case %zu: %d bodies, the first %s", ssgi_gl_pass_name(cases[i].desc.pass), i, count,

@@ -695,8 +695,8 @@ static void reported_errors(void)
         direction(n);
         if (dot(n, w) > 0.5) for (int k = 0; k < 3; ++k) n[k] = -n[k];
         const double hull = (double)f.radius
-                            / (double)ssgi_field_cap(&f, point_at(f.centre, (double)f.radius, w), &solid_angle, axis,
-                                                     &fill),
+                          / (double)ssgi_field_cap(&solid_angle, axis, &fill, &f,
+                                                   point_at(f.centre, (double)f.radius, w)),
                      r = hull * pow((double)f.reach / hull, uniform(0, 1));
         const float *p = point_at(f.centre, r, w);
         error[i] = fabs(seen(&f, p, n) - traced(&trace, p, n));
@@ -770,7 +770,7 @@ static void own_rays(void)
         float solid_angle, axis[3], fill;
         const double r = exp(uniform(0.2, 1.5)), exact = 2 * PI * (1 - sqrt(1 - 1 / (r * r)));
         direction(w);
-        ssgi_field_cap(&porous, point_at(NULL, r, w), &solid_angle, axis, &fill);
+        ssgi_field_cap(&solid_angle, axis, &fill, &porous, point_at(NULL, r, w));
         worst = fmax(worst, fabs((double)fill - 0.5));
         wrong = fmax(wrong, fabs((double)solid_angle / exact - 1));
     }
@@ -879,7 +879,7 @@ static void unfiltered(void)
                     values[j] = normalise(exact + 1);
                 }
                 ssgi__field_fit(q, radii, values, 8, PI);
-                ssgi_field_cap(&f, point_at(NULL, 1.8, w), &solid_angle, axis, &fill);
+                ssgi_field_cap(&solid_angle, axis, &fill, &f, point_at(NULL, 1.8, w));
                 const double h = (double)solid_angle / (2 * PI), one = 1 / quadratic(q, (1.8 - hull) / (reach - hull));
                 error[n] = fmax(error[n], fabs((double)fill * PI * h * (2 - h) - one) / PI);
             }
@@ -936,7 +936,7 @@ static void filtered(void)
             }
             want -= weight;
         }
-        ssgi_field_cap(&f, point_at(f.centre, 1.5, p), &angle, axis, &fill);
+        ssgi_field_cap(&angle, axis, &fill, &f, point_at(f.centre, 1.5, p));
         worst = fmax(worst, fabs((double)fill - want));
     }
     CHECK(worst < 0.51 / 255 * (double)f.span[7] && fabs((double)f.span[7] / (open * bell[0] * bell[0]) - 1) < 1e-4,
@@ -1122,7 +1122,7 @@ static void hulls(void)
             const double exact = leaves(shapes[i], w);
             const double off =
                 exact / (double)f.radius
-                * fabs(1 / (double)ssgi_field_cap(&f, point_at(NULL, exact, w), &solid_angle, axis, &fill) - 1);
+                * fabs(1 / (double)ssgi_field_cap(&solid_angle, axis, &fill, &f, point_at(NULL, exact, w)) - 1);
             if (i && largest[1] > 0.9 * largest[0]) creases = fmax(creases, off);
             else worst = fmax(worst, off);
         }
@@ -1326,7 +1326,7 @@ static void borders(void)
             w[k][(a + 2) % 3] = along;
             normalise(w[k]);
             o[k] = seen(&f, point_at(f.centre, r, w[k]), n);
-            hull[k] = ssgi_field_cap(&f, point_at(f.centre, r, w[k]), &solid_angle[k], axis[k], &fill[k]);
+            hull[k] = ssgi_field_cap(&solid_angle[k], axis[k], &fill[k], &f, point_at(f.centre, r, w[k]));
             lower = fmin(lower, o[k]);
             upper = fmax(upper, o[k]);
         }
@@ -1355,7 +1355,7 @@ static void limits(void)
         direction(w);
         direction(n);
         for (int k = 0; k < 3; ++k) normal[k] = (float)n[k];
-        const double hull = 1 / (double)ssgi_field_cap(&f, point_at(f.centre, 1, w), &solid_angle, axis, &fill);
+        const double hull = 1 / (double)ssgi_field_cap(&solid_angle, axis, &fill, &f, point_at(f.centre, 1, w));
 #define AT(r) (double)ssgi_field_occlusion(&f, &ramp, point_at(f.centre, r, w), normal)
         for (int k = 1; k < 4; ++k) {                    /* from ramp to reach, 1 - smoothstep */
             const double t = k / 4.0;
@@ -1378,7 +1378,7 @@ static void limits(void)
         float p[3] = { 1, 2, 0 }, normal[3] = { 0, 0, 1 }, solid_angle, axis[3], fill;
         *(k < 3 ? &p[k] : &normal[k - 3]) = odd[i];
         const float a = ssgi_field_occlusion(&f, NULL, p, normal),
-                    hull = ssgi_field_cap(&f, p, &solid_angle, axis, &fill);
+                    hull = ssgi_field_cap(&solid_angle, axis, &fill, &f, p);
         CHECK(a >= 0 && a <= 1 && (isfinite(odd[i]) || a == 0), "%g in %d: occlusion %g", (double)odd[i], k, (double)a);
         CHECK(isfinite(solid_angle) && isfinite(axis[0] + axis[1] + axis[2]) && isfinite(fill) && isfinite(hull),
               "%g in %d: cap %g, axis %g %g %g, %g hulls", (double)odd[i], k, (double)solid_angle, (double)axis[0],

@@ -1450,7 +1450,7 @@ static void object_numbers(void)
         ssgi_hit hit;
         float from[3], to[3];
         kit_camera_ray(&s.camera, i % 160, 89 - i / 160, from, to);
-        const uint32_t is = ssgi_trace_closest(&trace, from, to, 0, INFINITY, &hit) ? s.mesh.object[hit.triangle] : 0;
+        const uint32_t is = ssgi_trace_closest(&hit, &trace, from, to, 0, INFINITY) ? s.mesh.object[hit.triangle] : 0;
         other += is != number[i];
         empty += !is;
     }

@@ -22,7 +22,7 @@ static int condition(const char *s, const char *end)
             compared = 0;
         } else if (n) {
             field = ssgi_gl__field_named(s, n);
-            if (!field && ssgi_gl__column(s, n, SSGI_GL_SSAO) < 0) return 0;
+            if (!field && ssgi_gl__column(s, n, SSGI_GL_PASS_SSAO) < 0) return 0;
             ++terms;
         } else {
             while (k < 9 && strncmp(s, signs[k], strlen(signs[k]))) ++k;
@@ -97,8 +97,8 @@ static int code_named(const char *name, size_t n, int before)      /* the last o
     return -1;
 }
 
-/* Marks what is named; every name must be an entry before this one, a row, a function of desc.fetch, or a varying that
-   this one declares. */
+/* Marks what is named; every name must be an entry before this one, a row, a function of desc.text.fetch, or a varying
+   that this one declares. */
 static void names(void)
 {
     static char reached[CODES], named[ROWS];
@@ -170,7 +170,7 @@ static void names(void)
     }
     for (int r = 1; r < ROWS; ++r) {
         const ssgi_gl_io *a = &ssgi_gl__rows[r - 1].io, *b = &ssgi_gl__rows[r].io;
-        CHECK(a->kind != SSGI_GL_PARAM || b->kind != SSGI_GL_PARAM || a->slot != b->slot || a->offset < b->offset,
+        CHECK(a->kind != SSGI_GL_IO_PARAM || b->kind != SSGI_GL_IO_PARAM || a->slot != b->slot || a->offset < b->offset,
               "rows of a block are not in the order of its struct: %s, %s", a->name, b->name);
     }
 }
@@ -183,20 +183,20 @@ static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
 /* What other languages go by: the tables leave nothing of the structs out, and what zeros mean gives the same text. */
 static void reflection(void)
 {
-    const size_t ints = offsetof(ssgi_gl_desc, version) / sizeof(int);
+    const size_t ints = offsetof(ssgi_gl_desc, text.version) / sizeof(int);
     const ssgi_gl_choice *c, *k;
     char seen[sizeof(ssgi_gl_desc) / sizeof(int)] = { 0 };
     size_t count = 0, end[2] = { 0, 0 };
     int resolved = 0;
     for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i, ++count)
         CHECK(c->offset % sizeof(int) == 0 && c->offset / sizeof(int) < ints && !seen[c->offset / sizeof(int)]++,
-              "desc.%s is there twice, or out of place", c->name);
-    CHECK((count == ints || (count == ints - 1 && ints % 2 == 0))           /* a gap before pointers */
+              "desc.%s is there twice, or out of place", c->field);
+    CHECK((count == ints || count == ints - 1)                              /* a gap before pointers */
               && !ssgi_gl_choice_at(-1) && !ssgi_gl_choice_at(1 << 30),
           "%zu fields of %zu ints", count, ints);
     for (int i = 0; i < ROWS; ++i) {
         const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
-        if (io->kind != SSGI_GL_PARAM) continue;
+        if (io->kind != SSGI_GL_IO_PARAM) continue;
         CHECK(io->offset == end[io->slot], "%s is at %zu, the one before ends at %zu", io->name, io->offset,
               end[io->slot]);
         end[io->slot] = io->offset + ssgi_gl__rows[i].bytes;
@@ -211,8 +211,8 @@ static void reflection(void)
                 ssgi_gl_desc d, r, again;
                 memset(&d, 0, sizeof d);
                 d.pass = pass;
-                d.environment = pass == SSGI_GL_SSDO ? SSGI_GL_ENVIRONMENT_SH : 0;
-                d.fetch = "float ssgi_custom_depth(ivec2 texel, int layer) { return 1.0; }";
+                d.light.environment = pass == SSGI_GL_PASS_SSDO ? SSGI_GL_ENVIRONMENT_SH : 0;
+                d.text.fetch = "float ssgi_custom_depth(ivec2 texel, int layer) { return 1.0; }";
                 set(&d, k, k->most);
                 set(&d, c, c->most);
                 if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;

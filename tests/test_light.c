@@ -1,4 +1,4 @@
-/* test_light.c - ssdo, lights and senders through the whole of GL: furnace (of s3ho too), closed forms, layers, extra
+/* test_light.c - ssdo, lights and emitters through the whole of GL: furnace (of s3ho too), closed forms, layers, extra
    cameras, shadows, virtual lights. */
 #include "t.h"
 #include "frames.h"
@@ -90,15 +90,18 @@ double mean(const kit_image *image, const char *name)
 
 /* ---- furnace ----------------------------------------------------------------------------------------------------- */
 
-/* Makes every surface of a run send 1 from now on: copies of its senders, with that radiance, in place of them. */
+/* Makes every surface of a run send 1 from now on: copies of its emitters, with that radiance, in place of them. */
 static int shine(kit_run *run)
 {
     const ssgi_gl_desc *d = NULL;                                              /* of the last gather */
     for (int i = 0; i < run->passes; ++i)
-        if (run->pass[i].desc.pass == SSGI_GL_SSDO || run->pass[i].desc.pass == SSGI_GL_S3HO) d = &run->pass[i].desc;
+        if (run->pass[i].desc.pass == SSGI_GL_PASS_SSDO || run->pass[i].desc.pass == SSGI_GL_PASS_S3HO)
+            d = &run->pass[i].desc;
     const struct { const char *array; int width, height, slices;
-    } held[2] = { { "t_ssgi_senders", run->gbuffer->viewport[2], run->gbuffer->viewport[3], d->layers ? d->layers : 1 },
-                  { "t_ssgi_view_senders", run->view[0].width, run->view[0].height, d->views * d->view_layers } };
+    } held[2] = { { "t_ssgi_emitters", run->gbuffer->viewport[2], run->gbuffer->viewport[3],
+                    d->gather.layers ? d->gather.layers : 1 },
+                  { "t_ssgi_view_emitters", run->view[0].width, run->view[0].height,
+                    d->gather.views * d->gather.view_layers } };
     const uint32_t one = 256u | 256u << 9 | 256u << 18 | 16u << 27;            /* 256 * 2^-8, three times */
     kit_run_update(run);
     kit_run_draw(run, 0);
@@ -108,7 +111,7 @@ static int shine(kit_run *run)
         for (int s = 0; s < held[k].slices; ++s)
             if (!CHECK(!kit_texture_slice_read(kit_run_input(run, held[k].array, 0), s, held[k].width,
                                                held[k].height, 2, (float *)(word + 2 * texels * (size_t)s)),
-                       "senders cannot be read"))
+                       "emitters cannot be read"))
                 return 0;
         for (size_t i = 0; i < texels * (size_t)held[k].slices; ++i) word[2 * i] = one;
         if (held[k].slices)
@@ -135,7 +138,8 @@ static void furnace(void)
                 { "ssdo-points", "room", "reuse=1,two_sided=1,fade=smooth,steps=2", EXACT },
                 { "ssdo-points", "room", "reuse=1,two_sided=1,uniform=1,sets=16,noise=texture", EXACT },
                 { "ssdo-points", "columns", "reuse=1,two_sided=1,layers=2,views=2", EXACT },
-                { "ssdo-points", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,behind=solid", EXACT },
+                { "ssdo-points", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,thickness=solid",
+                  EXACT },
                 { "ssdo-points", "room", "reuse=1,two_sided=0", ONE_SIDED },
                 { "ssdo-points", "columns", "reuse=1,two_sided=0,layers=2,views=2", ONE_SIDED },
                 { "ssdo-points", "room", "two_sided=1", TWICE },
@@ -148,20 +152,20 @@ static void furnace(void)
                 { "s3ho-points", "room", "two_sided=0", ONE_SIDED },
                 { "s3ho-points", "room", "two_sided=1,indirect=apart", TWICE },
                 { "s3ho-points", "columns", "two_sided=1,indirect=apart,layers=2,views=2", TWICE },
-                { "s3ho-points", "room", "two_sided=1,filtered=vectors", HALVES },
-                { "s3ho-points", "columns", "two_sided=1,filtered=vectors,bands=3,blur=1", HALVES },
+                { "s3ho-points", "room", "two_sided=1,filtered=coefficients", HALVES },
+                { "s3ho-points", "columns", "two_sided=1,filtered=coefficients,bands=3,blur=1", HALVES },
                 { "ssdo", "room", "reuse=1,two_sided=1", EXACT },
                 { "ssdo", "room", "reuse=1,two_sided=1,environment=sh,directions=3,falloff=square", EXACT },
-                { "ssdo", "columns", "reuse=1,two_sided=1,behind=back", EXACT },
-                { "ssdo", "columns", "reuse=1,two_sided=1,behind=slabs", ONE_SIDED },
+                { "ssdo", "columns", "reuse=1,two_sided=1,thickness=back", EXACT },
+                { "ssdo", "columns", "reuse=1,two_sided=1,thickness=slabs", ONE_SIDED },
                 { "ssdo", "room", "reuse=1,two_sided=0", ONE_SIDED },
                 { "ssdo", "room", "reuse=1,two_sided=1,half=1,blur=1,filter_normals=1", EXACT },
                 { "s3ho", "room", "two_sided=1,bands=1", EXACT },
-                { "s3ho", "columns", "two_sided=1,bands=2,behind=solid", EXACT },
-                { "s3ho", "room", "two_sided=1,bands=3,behind=back", EXACT },
+                { "s3ho", "columns", "two_sided=1,bands=2,thickness=solid", EXACT },
+                { "s3ho", "room", "two_sided=1,bands=3,thickness=back", EXACT },
                 { "s3ho", "room", "two_sided=1", EXACT },
                 { "s3ho", "columns", "two_sided=0", ONE_SIDED },
-                { "s3ho", "room", "two_sided=1,filtered=vectors,bands=3,half=1,blur=1", HALVES } };
+                { "s3ho", "room", "two_sided=1,filtered=coefficients,bands=3,half=1,blur=1", HALVES } };
     static const float uniform[3] = { 3.5449077f, 3.5449077f, 3.5449077f };
     static const int allowed[KINDS] = { 0, SMALL_W * SMALL_H, 33 * SMALL_W * SMALL_H / 10000, 0 };
     double worst[KINDS] = { 0 };
@@ -267,7 +271,7 @@ static void open_planes(void)
             turn(&run, &g[k]);
             for (int j = 0; j < 9; ++j) run.frame.rotation[j / 3 * 4 + j % 3] = view[k][j / 3 * 4 + j % 3];
             ssgi_gl_harmonics_set(&run.frame, run.harmonics, 3, view[k], NULL);
-            run.frame.radius = run.frame.thickness = k & 1 ? 0.5f : 0.1f;
+            run.frame.radius = run.frame.thickness_limit = k & 1 ? 0.5f : 0.1f;
             if (!drawn(&out, &run)) return;
             for (int c = 0; c < 3; ++c) {
                 double least = 1e9, most = 0;
@@ -342,7 +346,7 @@ static void corner_darkens(void)
     for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "bounce=none,samples=64,behind=solid,%s", row[m].set);
+        snprintf(set, sizeof set, "bounce=none,samples=64,thickness=solid,%s", row[m].set);
         if (!begin(&run, &g[0], "ssdo-points", set, 1, NULL, &l)) return;
         for (int i = 0; i < 3; ++i) {
             const double o = 1 - row_of(&run, &g[i], row_at(at[i]), 8),
@@ -362,14 +366,14 @@ static void slices_leave_planes_open(void)
 {
     static const struct { const char *method, *set; double off;
     } row[] = { { "ssdo", "bounce=none", 1e-5 },
-                { "ssdo", "bounce=none,behind=slabs,half=1,blur=1", 1e-5 },
-                { "ssdo", "bounce=none,environment=sh,behind=back", 1e-5 },
-                { "ssdo", "bounce=none,behind=solid,directions=3", 1e-5 },
+                { "ssdo", "bounce=none,thickness=slabs,half=1,blur=1", 1e-5 },
+                { "ssdo", "bounce=none,environment=sh,thickness=back", 1e-5 },
+                { "ssdo", "bounce=none,thickness=solid,directions=3", 1e-5 },
                 { "s3ho", "indirect=none", 1e-5 },
-                { "s3ho", "indirect=none,residual=1,bands=2,behind=back", 1e-5 },
-                { "s3ho", "indirect=none,bands=1,store=float,filtered=vectors", 1e-5 },
-                { "s3ho", "indirect=none,bands=3,store=packed,filtered=vectors,behind=slabs", 2e-3 },
-                { "ssbn", "store=float,behind=solid", 1e-5 },
+                { "s3ho", "indirect=none,residual=1,bands=2,thickness=back", 1e-5 },
+                { "s3ho", "indirect=none,bands=1,store=float,filtered=coefficients", 1e-5 },
+                { "s3ho", "indirect=none,bands=3,store=packed,filtered=coefficients,thickness=slabs", 2e-3 },
+                { "ssbn", "store=float,thickness=solid", 1e-5 },
                 { "ssbn", "store=float,cone=normal,half=1,blur=1", 1e-5 } };
     static const double tilts[3] = { 0, 60, 85 };
     kit_lighting l;
@@ -428,7 +432,7 @@ static void creases_stay(void)
                 { "ssdo", "environment=sh,", 0.003, 0 },
                 { "ssdo-best", "", 0.003, 0 },
                 { "ssdo-points", "half=1,", 0.003, 0 },
-                { "ssdo", "behind=slabs,restore=difference,", 0.003, 0 },
+                { "ssdo", "thickness=slabs,restore=difference,", 0.003, 0 },
                 { "ssdo", "restore=none,", 1, 0.005 },
                 { "s3ho", "residual=1,", 0.003, 0 },
                 { "s3ho", "residual=1,bands=2,indirect=joint,", 0.003, 0 },
@@ -487,7 +491,7 @@ static void slices_know_directions(void)
         const char *method, *set;
     } row[] = { { "ssdo", "bounce=none,environment=sh,bands=2" },
                 { "s3ho", "indirect=none,bands=2" },
-                { "s3ho", "indirect=none,bands=4,behind=solid" } };
+                { "s3ho", "indirect=none,bands=4,thickness=solid" } };
     const double r = sqrt(0.5), c = 0.25;
     double worst = 0;
     kit_lighting l;
@@ -580,7 +584,7 @@ static void corner_bounces(void)
         kit_run run;
         char set[96];
         double found[3];
-        snprintf(set, sizeof set, "behind=solid,%s", row[m].set);
+        snprintf(set, sizeof set, "thickness=solid,%s", row[m].set);
         if (!begin(&run, &g[0], strstr(row[m].set, "samples") ? "ssdo-points" : "ssdo", set, 1, NULL, &dark)) return;
         for (int i = 0; i < 3; ++i) {
             found[i] = row_of(&run, &g[i], row_at(at[i]), 64);
@@ -641,7 +645,7 @@ static void layers_count(void)
         kit_gbuffer g;
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "bounce=none,samples=64,layers=%d,behind=%s,thickness=%.6f", row[m].layers,
+        snprintf(set, sizeof set, "bounce=none,samples=64,layers=%d,thickness=%s,thickness_limit=%.6f", row[m].layers,
                  row[m].ends ? "constant" : "solid", reach * sqrt(2));
         if (!slab(&g, c, row[m].thickness, gap, row[m].layers) || !begin(&run, &g, "ssdo-points", set, 1, NULL, &l))
             return;
@@ -679,8 +683,8 @@ static void cameras_know_more(void)
         double error[2] = { 0 }, bias[2] = { 0 };
         int n = 0;
         if (!see(&scene, &g, "plane", row[m].added, 1, &above, W, H)) return;
-        if (!lit(&blind, &g, "ssdo-points", "bounce=none,behind=solid", row[m].radius, &scene, &l)
-            || !lit(&knowing, &g, "ssdo-points", "bounce=none,behind=solid,views=3,view_layers=2", row[m].radius,
+        if (!lit(&blind, &g, "ssdo-points", "bounce=none,thickness=solid", row[m].radius, &scene, &l)
+            || !lit(&knowing, &g, "ssdo-points", "bounce=none,thickness=solid,views=3,view_layers=2", row[m].radius,
                     &scene, &l)
             || !TRY(kit_truth_ao(&truth, &scene, &scene.camera, row[m].radius, KIT_ATTENUATION_LINEAR, 64, 1, &err)))
             return;
@@ -768,13 +772,13 @@ static void backs_are_dark(void)
     for (int i = 0; i < 3 * W * H; ++i) full.data[7 * W * H + i] = 1;
     if (!TRY(kit_gbuffer_from_frame(&shining, &full, &above, &err))) return;
     for (int both = 0; both < 2; ++both) {
-        if (!lit(&out, &shining, "ssdo-points", both ? "behind=solid,two_sided=1" : "behind=solid,two_sided=0", 0.4f,
-                 NULL, &dark))
+        if (!lit(&out, &shining, "ssdo-points", both ? "thickness=solid,two_sided=1" : "thickness=solid,two_sided=0",
+                 0.4f, NULL, &dark))
             return;
         sum[both] = mean(&out, "bounce.G");
         kit_image_free(&out);
     }
-    CHECK(sum[0] == 0 && sum[1] > 0.03, "a back sends %.5f when senders are one-sided, %.5f when they are two-sided",
+    CHECK(sum[0] == 0 && sum[1] > 0.03, "a back sends %.5f when emitters are one-sided, %.5f when they are two-sided",
           sum[0], sum[1]);
     t_note("one-sided %.5f, two-sided %.5f", sum[0], sum[1]);
     kit_image_free(&frame);
@@ -784,8 +788,8 @@ static void backs_are_dark(void)
     kit_scene_free(&scene);
 }
 
-/* One pixel of a shining plane turned to look along it, as slivers at thin edges are: all senders are edge-on, whatever
-   the rounding of their normals. */
+/* One pixel of a shining plane turned to look along it, as slivers at thin edges are: all emitters are edge-on,
+   whatever the rounding of their normals. */
 static void edge_on_is_dark(void)
 {
     const kit_lighting dark = { .lights = 0 };
@@ -806,7 +810,7 @@ static void edge_on_is_dark(void)
         worst = fmax(worst, (double)kit_image_channel(&out, "bounce.G")[middle]);
         kit_image_free(&frame); kit_image_free(&out); kit_gbuffer_free(&g);
     }
-    CHECK(worst < 0.01, "a receiver in the plane of its senders gets %.3f", worst);
+    CHECK(worst < 0.01, "a receiver in the plane of its emitters gets %.3f", worst);
 }
 
 /* ---- units ------------------------------------------------------------------------------------------------------- */
@@ -821,7 +825,7 @@ static void units_do_not_matter(void)
                 { "ssdo-points", "bounce=solid-angle,shadows=segment,views=2,layers=2,fade=smooth" },
                 { "ssdo-points", "bounce=none,environment=none" },
                 { "s3ho-points", "layers=2,views=2,fade=lambda,range=1" },
-                { "s3ho-points", "filtered=vectors,indirect=apart,blur=1,half=1" },
+                { "s3ho-points", "filtered=coefficients,indirect=apart,blur=1,half=1" },
                 { "ssbn-points", "lights=shadowed,fade=lambda" } };
     /* powers of two change no digit; the others round samples at edges to either side */
     static const float scales[5] = { 1, 0.125f, 8, 0.1f, 10 };
@@ -928,11 +932,11 @@ static float *blockers_new(const kit_scene *scene, const kit_light *sun)
         return NULL;
     for (int i = 0; i < width * height; ++i) {
         float o[3], d[3];
-        ssgi_hit hit, blocker;
+        ssgi_hit hit, occluder;
         kit_camera_ray(&scene->camera, i % width, i / width, o, d);
-        if (!ssgi_trace_closest(&trace, o, d, 0, INFINITY, &hit)) continue;
+        if (!ssgi_trace_closest(&hit, &trace, o, d, 0, INFINITY)) continue;
         for (int k = 0; k < 3; ++k) o[k] += d[k] * (hit.t - 1e-4f);
-        if (ssgi_trace_closest(&trace, o, sun->at, 0, INFINITY, &blocker)) distance[i] = blocker.t;
+        if (ssgi_trace_closest(&occluder, &trace, o, sun->at, 0, INFINITY)) distance[i] = occluder.t;
     }
     free(memory);
     return distance;
@@ -1082,7 +1086,7 @@ static void margins(void)
         { "ssdo", "directions=1,steps=3,half=1,bounce=none", 4 },
         { "ssdo", "directions=1,steps=3,half=0,reuse=1", -1 },
         { "s3ho", "directions=1,steps=3,bands=2,half=1", -1 },
-        { "s3ho-points", "samples=4,steps=1,bands=2,filtered=vectors,indirect=apart,blur=2", -1 },
+        { "s3ho-points", "samples=4,steps=1,bands=2,filtered=coefficients,indirect=apart,blur=2", -1 },
         { "ssbn", "directions=1,steps=3,half=0,blur=0", 0 } };
     const kit_camera camera = { { 4.55f, 1.75f, 4.25f }, { 1.35f, 0.85f, 0.85f }, { 0, 1, 0 }, 0, 3, 0.1f, 12, 67, 49,
                                 { 3, -2 }, KIT_DEPTH_NORMAL };
@@ -1116,8 +1120,9 @@ static void margins(void)
                 off += memcmp(inner.data + (c * 49 + y) * 67, kit_image_channel(&whole, inner.name[c])
                               + (y + expected) * whole.width + expected, 67 * sizeof(float)) != 0;
         CHECK(!off, "%s %s: %d rows are not those of a larger picture", m.name, rows[r].set, off);
-        const kit_pass *p = &run.pass[run.pass[0].desc.pass == SSGI_GL_WIDTH];     /* widths are of all that is seen */
-        const int half = p->desc.half ? 2 : 1, drawn_columns = half * p->box[2];
+        const kit_pass *p =
+            &run.pass[run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS]; /* widths are of all that is seen */
+        const int half = p->desc.gather.half ? 2 : 1, drawn_columns = half * p->box[2];
         CHECK(rows[r].rim < 0 ? !p->box[2] : abs(drawn_columns - 67 - 2 * rows[r].rim) < half, "%s %s: its first pass "
               "draws %d columns", m.name, rows[r].set, drawn_columns);
         for (int i = 0; i < run.passes; ++i) shown += run.pass[i].box[2] == 67 && run.pass[i].box[3] == 49;
@@ -1146,8 +1151,8 @@ void test_light(void)
     RUN("two layers see through behind a slab, an odd last one is solid or ends", layers_count);
     RUN("extra cameras add what the picture lacks, and take back what it gets wrong", cameras_know_more);
     RUN("a segment ends at its light", segments_end_at_lights);
-    RUN("a sender seen from behind is dark, unless both sides shine", backs_are_dark);
-    RUN("a sender seen edge-on is dark", edge_on_is_dark);
+    RUN("an emitter seen from behind is dark, unless both sides shine", backs_are_dark);
+    RUN("an emitter seen edge-on is dark", edge_on_is_dark);
     RUN("units do not matter", units_do_not_matter);
     RUN("with a margin the picture is the middle of a larger one, drawn alone", margins);
     RUN("a plane does not shadow itself in a map", planes_do_not_shadow_themselves);

@@ -92,8 +92,8 @@ static void views(void)
         for (int k = 0; k < 2000; ++k) {
             const float pixel[2] = { uniform(-100, 2020), uniform(-100, 1180) }, z = expf(uniform(-3, 8));
             float p[3], back[3];
-            ssgi_view_position(&view, pixel[0], pixel[1], z, p);
-            ssgi_view_project(&view, p, back);
+            ssgi_view_position(p, &view, pixel[0], pixel[1], z);
+            ssgi_view_project(back, &view, p);
             for (int c = 0; c < 2; ++c) {
                 const double w = (double)m[11] * (double)p[2] + (double)m[15],
                              clip =
@@ -204,7 +204,7 @@ static void engines_views(void)
         for (int k = 0; k < 2000; ++k) {
             const float pixel[2] = { uniform(0, 1920), uniform(0, 1080) }, z = expf(uniform(-1, 5));
             float p[3];
-            ssgi_view_position(&right, pixel[0], pixel[1], z, p);
+            ssgi_view_position(p, &right, pixel[0], pixel[1], z);
             const double w = (double)m[11] * (double)p[2] + (double)m[15],
                          clip = (double)m[2] * (double)p[0] + (double)m[6] * (double)p[1]
                                 + (double)m[10] * (double)p[2] + (double)m[14],
@@ -293,7 +293,7 @@ static void extra_cameras(void)
             float extreme[3] = { centre[0], centre[1], centre[2] };
             extreme[i / 2] += i & 1 ? -radius : radius;
             through(view, extreme, 1, p);
-            ssgi_view_project(&v, p, pixel);
+            ssgi_view_project(pixel, &v, p);
             CHECK(pixel[0] > -0.1f && pixel[0] < 1000.1f && pixel[1] > -0.1f && pixel[1] < 1000.1f
                       && (double)pixel[2] > near_plane * 0.999 && (double)pixel[2] < far_plane * 1.001,
                   "extreme point %d at %g %g, depth %g", i, (double)pixel[0], (double)pixel[1], (double)pixel[2]);
@@ -301,7 +301,7 @@ static void extra_cameras(void)
         /* where the view's right edge touches the sphere */
         const float touch[3] = { radius * sqrtf(1 - 1 / (far_away * far_away)), 0,
                                  -(far_away - 1 / far_away) * radius };
-        ssgi_view_project(&v, touch, pixel);
+        ssgi_view_project(pixel, &v, touch);
         CHECK(fabsf(pixel[0] - 1000) < 0.1f, "the sphere's outline at %g, not at the edge", (double)pixel[0]);
     }
     /* eye (0,0,2), two radii away */
@@ -310,7 +310,7 @@ static void extra_cameras(void)
     static const double angles[4][2] = { { -60, 20 }, { 60, 20 }, { 0, 75 }, { 180, 50 } };      /* to the side, up */
     float view[16], clip[16], d[3];
     for (int i = 0; i < 4; ++i) {
-        ssgi_extra_displacement(i, d);
+        ssgi_extra_displacement(d, i);
         ssgi_extra_camera(view, clip, main_view, origin, 1, d, NULL);
         const double side = angles[i][0] * PI / 180, up = angles[i][1] * PI / 180,
                      turned[3] = { 2 * sin(side) * cos(up), 2 * sin(up), 2 * cos(side) * cos(up) };
@@ -510,7 +510,7 @@ static void evenness(void)
         }
         for (int i = 0; i < n; ++i) {
             float q[2];
-            ssgi_r2((uint32_t)i, q);
+            ssgi_r2(q, (uint32_t)i);
             p[i][0] = (double)q[0];
             p[i][1] = (double)q[1];
         }
@@ -933,13 +933,13 @@ static void octahedral(void)
         }
         length = sqrt(dot(d, d));
         for (int i = 0; i < 3; ++i) d[i] = (float)((double)d[i] / length);
-        ssgi_octahedral_encode(d, e);
-        ssgi_octahedral_decode(e, back);
+        ssgi_octahedral_encode(e, d);
+        ssgi_octahedral_decode(back, e);
         CHECK(fabsf(e[0]) <= 1 && fabsf(e[1]) <= 1 && dot(d, back) > 1 - 1e-6 && fabs(dot(back, back) - 1) < 1e-6,
               "%g %g %g to %g %g to %g %g %g", (double)d[0], (double)d[1], (double)d[2], (double)e[0], (double)e[1],
               (double)back[0], (double)back[1], (double)back[2]);
         e[0] = uniform(-1, 1); e[1] = uniform(-1, 1);
-        ssgi_octahedral_decode(e, back);                 /* the GLSL twin, word for word */
+        ssgi_octahedral_decode(back, e);                 /* the GLSL twin, word for word */
         n[0] = (double)e[0]; n[1] = (double)e[1]; n[2] = 1 - fabs(n[0]) - fabs(n[1]);
         fold = fmax(-n[2], 0);
         for (int i = 0; i < 2; ++i) n[i] += n[i] >= 0 ? -fold : fold;
@@ -949,7 +949,7 @@ static void octahedral(void)
     }
     const float zero[3] = { 0, 0, 0 };
     float e[2] = { 7, 7 };
-    ssgi_octahedral_encode(zero, e);
+    ssgi_octahedral_encode(e, zero);
     CHECK(e[0] == 0.0f && e[1] == 0.0f, "no direction: %g %g", (double)e[0], (double)e[1]);
 }
 
@@ -959,7 +959,7 @@ static double map_texel(float d[3], int size, int at)    /* its solid angle, up 
                          ((float)(at / size) + 0.5f) / (float)size * 2 - 1 };
     const double x = fabs((double)e[0]), y = fabs((double)e[1]), z = 1 - x - y, xx = z < 0 ? 1 - y : x,
                  yy = z < 0 ? 1 - x : y;
-    ssgi_octahedral_decode(e, d);
+    ssgi_octahedral_decode(d, e);
     return pow(xx * xx + yy * yy + z * z, -1.5);
 }
 
@@ -1280,7 +1280,7 @@ static void lacking(void)
                 for (int i = 0; i < SIDE * SIDE; ++i) {
                     const float e[2] = { (2 * (float)(i % SIDE) + 1) / SIDE - 1,
                                          (2 * (float)(i / SIDE) + 1) / SIDE - 1 };
-                    ssgi_octahedral_decode(e, n);
+                    ssgi_octahedral_decode(n, e);
                     ssgi_sh_basis(basis, bands, n);
                     for (int c = 0; c < 3; ++c) {
                         const double sky =

@@ -19,9 +19,9 @@ static const struct {
                 { "hsao-fast", "steps=33" },
                 { "hsao-best", "steps=33" },
                 { "hsao-march", "steps=33" },
-                { "hsao-march", "steps=33,normal_rays=2,behind=solid" },
-                { "ssao", "samples=33,normal=depth,behind=solid" },
-                { "hsao", "steps=33,normal=depth,behind=constant" } };
+                { "hsao-march", "steps=33,normal_rays=2,thickness=solid" },
+                { "ssao", "samples=33,normal=depth,thickness=solid" },
+                { "hsao", "steps=33,normal=depth,thickness=constant" } };
 enum { METHODS = (int)(sizeof methods / sizeof methods[0]) };
 
 static uint32_t random_state;
@@ -126,8 +126,8 @@ static int fit(kit_run *run, kit_gbuffer *g, float radius, int beyond)
     if (beyond) { run->frame.target[0] = 8; run->frame.target[1] = 6; }
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
-        const int width = p->desc.pass == SSGI_GL_WIDTH, blur = p->desc.pass == SSGI_GL_BLUR;
-        const int by = width || (p->desc.half && !blur) ? 2 : 1;
+        const int width = p->desc.pass == SSGI_GL_PASS_THICKNESS, blur = p->desc.pass == SSGI_GL_PASS_BLUR;
+        const int by = width || (p->desc.gather.half && !blur) ? 2 : 1;
         p->width = (g->viewport[2] + by - 1) / by + beyond;
         p->height = (g->viewport[3] + by - 1) / by + beyond;
         glBindTexture(GL_TEXTURE_2D, p->target[0]);
@@ -201,20 +201,20 @@ static void planes_stay_bright(void)
 {
     static const struct { const char *method, *set; double most;
     } row[] = { { "ssao", "", 1e-3 },
-                { "ssao", "behind=solid,blur=0", 1e-3 },
+                { "ssao", "thickness=solid,blur=0", 1e-3 },
                 { "hsao", "", 1e-5 },
                 { "hsao-fast", "", 1e-5 },
                 { "hsao-best", "blur=0", 1e-5 },
-                { "hsao-best", "hard=1,blur=0", 1e-5 },
-                { "hsao", "behind=solid", 1e-5 },
-                { "hsao", "behind=back", 1e-5 },
-                { "hsao-best", "behind=slabs,blur=0", 1e-5 },
-                { "hsao-fast", "behind=slabs", 1e-5 },
+                { "hsao-best", "falloff=none,blur=0", 1e-5 },
+                { "hsao", "thickness=solid", 1e-5 },
+                { "hsao", "thickness=back", 1e-5 },
+                { "hsao-best", "thickness=slabs,blur=0", 1e-5 },
+                { "hsao-fast", "thickness=slabs", 1e-5 },
                 { "hsao-march", "normal_rays=0,blur=0", 1e-5 },
-                { "hsao-march", "normal_rays=2,behind=solid,blur=0", 1e-3 },
+                { "hsao-march", "normal_rays=2,thickness=solid,blur=0", 1e-3 },
                 { "ssao", "normal=depth", 1e-3 },
                 { "hsao-best", "normal=depth,blur=0", 1e-5 },
-                { "hsao-march", "normal=depth,normal_rays=2,behind=solid,blur=0", 1e-3 } };
+                { "hsao-march", "normal=depth,normal_rays=2,thickness=solid,blur=0", 1e-3 } };
     enum { ROWS = (int)(sizeof row / sizeof row[0]), TURNS = 3, PLANES = 15 };
     static const double tilts[] = { 0, 30, 60, 75, 85 }, turns[TURNS] = { 0, 90, 217 };
     kit_gbuffer g[PLANES];
@@ -233,7 +233,7 @@ static void planes_stay_bright(void)
             for (int i = 0; i < PLANES; ++i) {
                 double worst = 0;
                 turn(&run, &g[i]);
-                run.frame.radius = run.frame.thickness = i % 2 ? 0.5f : 0.1f;
+                run.frame.radius = run.frame.thickness_limit = i % 2 ? 0.5f : 0.1f;
                 run.frame.phase = (float)i / PLANES;
                 if (!draw(&out, &run)) continue;
                 for (int k = 0; k < out.width * out.height; ++k) {
@@ -343,8 +343,8 @@ static void corner_converges(void)
                                              { 0.018299, 0.035325, 0.054697, 0.063784 } } };
     static const struct { const char *method, *set; double (*truth)(double); double bound;
     } row[] = { { "hsao-best", "directions=8,steps=48,blur=0", linear_corner, 0.002 },
-                { "hsao-best", "directions=8,steps=48,hard=1,blur=0", hard_corner, 0.01 },
-                { "ssao", "samples=64,behind=solid,blur=0", linear_corner, 0.004 } };
+                { "hsao-best", "directions=8,steps=48,falloff=none,blur=0", hard_corner, 0.01 },
+                { "ssao", "samples=64,thickness=solid,blur=0", linear_corner, 0.004 } };
     kit_gbuffer g[4];
     kit_run run;
     double worst = 0, scaled[2] = { 0 };
@@ -354,7 +354,8 @@ static void corner_converges(void)
     for (int s = 0; s < 8; ++s) {
         char set[96];
         const int steps = 6 << s % 4, hard = s / 4;
-        snprintf(set, sizeof set, "directions=32,normal_rays=0,blur=0,noise=texture,steps=%d,hard=%d", steps, hard);
+        snprintf(set, sizeof set, "directions=32,normal_rays=0,blur=0,noise=texture,steps=%d,falloff=%s", steps,
+                 hard ? "none" : "linear");
         if (!start(&run, &g[0], "hsao-march", set, 1)) return;
         glBindTexture(GL_TEXTURE_2D, run.noise);           /* steps not jittered, 16 * 32 directions */
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 16, 1, 0, GL_RGBA, GL_FLOAT, tile);
@@ -372,7 +373,7 @@ static void corner_converges(void)
     }
     t_note("march: %.4f off the exact march, %.2f/steps off the truth, hard %.2f/steps", worst, scaled[0], scaled[1]);
     if (!start(&run, &g[0], "hsao-march",
-               "directions=32,normal_rays=0,blur=0,noise=texture,steps=24,hard=1,spheres=1", 1))
+               "directions=32,normal_rays=0,blur=0,noise=texture,steps=24,falloff=none,spheres=1", 1))
         return;
     glBindTexture(GL_TEXTURE_2D, run.noise);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 16, 1, 0, GL_RGBA, GL_FLOAT, tile);
@@ -486,8 +487,8 @@ static void terms_of_the_march(void)
         kit_gbuffer g;
         kit_run run;
         char set[160];
-        snprintf(set, sizeof set, "directions=32,normal_rays=8,steps=48,hard=1,blur=0,offset=0,behind=solid,%s",
-                 row[i].set);
+        snprintf(set, sizeof set,
+                 "directions=32,normal_rays=8,steps=48,falloff=none,blur=0,offset=0,thickness=solid,%s", row[i].set);
         if (!pit(&g, row[i].lid, row[i].wall) || !start(&run, &g, "hsao-march", set, 1)) return;
         o[i] = at_centre(&run, PIT / 2, PIT / 2 - 1);    /* the frame's first row is the top */
         CHECK(o[i] >= row[i].least - 1e-6 && o[i] <= row[i].most + 1e-6, "%s%s%s: %.4f, not in %g..%g", row[i].set,
@@ -528,9 +529,11 @@ static void horizon_of_another_camera(void)
         }
         if (!TRY(kit_gbuffer_from_frame(&narrow, &frame, &camera, &err))
             || !TRY(kit_method_find(&method, "hsao-march", &err))
-            || !TRY(kit_method_set(&method,
-                                   "directions=32,normal_rays=0,steps=48,hard=1,blur=0,offset=0,behind=solid,views=1,"
-                                   "view_size=160", &err))
+            || !TRY(kit_method_set(
+                &method,
+                "directions=32,normal_rays=0,steps=48,falloff=none,blur=0,offset=0,thickness=solid,views=1,"
+                "view_size=160",
+                &err))
             || !TRY(kit_run_open(&run, &narrow, &method, 1, &with, &err)) || !view_of(&view, &wide.camera))
             return;
         kit_camera_matrices(&wide.camera, world, projection);
@@ -629,7 +632,7 @@ static void plates_cover_what_they_cover(void)
         kit_gbuffer g;
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "directions=8,steps=48,blur=0,behind=%s", row[i].behind);
+        snprintf(set, sizeof set, "directions=8,steps=48,blur=0,thickness=%s", row[i].behind);
         if (!over_floor(&g, row[i].plates) || !start(&run, &g, "hsao-best", set, 1)) return;
         const double o = 1 - row_of(&run, &g, HIGH / 2, 4), want = truth[row[i].plates - 1];
         CHECK(row[i].knows == (fabs(o - want) < 0.0045), "%d plates, %s: %.4f, truth %.4f", row[i].plates, set, o,
@@ -674,9 +677,9 @@ static void back_faces_are_drawn(void)
             double z[4] = { 0 };
             int next = 1;
             ssgi_hit hit;
-            ssgi_view_position(&view, (float)(i % 160) + 0.5f, 89.5f - (float)(i / 160), 1, p);
+            ssgi_view_position(p, &view, (float)(i % 160) + 0.5f, 89.5f - (float)(i / 160), 1);
             for (int k = 0; k < 3; ++k) d[k] = world[4 * k] * p[0] + world[4 * k + 1] * p[1] + world[4 * k + 2] * p[2];
-            while (next < 4 && ssgi_trace_closest(&trace, g.camera.eye, d, t, 1e6f, &hit)) {
+            while (next < 4 && ssgi_trace_closest(&hit, &trace, g.camera.eye, d, t, 1e6f)) {
                 const float *c = scene.mesh.position + 9 * hit.triangle;
                 double a[3], b[3], face = 0;
                 for (int k = 0; k < 3; ++k) {
@@ -716,8 +719,8 @@ static void back_faces_are_drawn(void)
     }
 }
 
-/* A wall that few taps see is as dark as it is to many, and by what these are expected to miss, a share of what is free:
-   what stands between two taps of it lies, on the mean, between their distances. */
+/* A wall that few taps see is as dark as it is to many. Few taps miss an expected share of the free directions: an
+   occluder between two taps lies, on the mean, between their distances. */
 static void taps_of_a_wall_are_joined(void)
 {
     static const char *const behind[] = { "solid", "constant", "back", "slabs" };
@@ -732,7 +735,7 @@ static void taps_of_a_wall_are_joined(void)
     for (int i = 0; i < 4; ++i) {
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "directions=2,steps=8,blur=0,behind=%s", behind[i]);
+        snprintf(set, sizeof set, "directions=2,steps=8,blur=0,thickness=%s", behind[i]);
         if (!start(&run, &g, "hsao-best", set, 1)) return;
         off[i] = 1 - row_of(&run, &g, row_at(c), 32) - linear_corner(c);
         CHECK(off[i] > 0.013 && off[i] < 0.023, "%s: %+.4f off %.4f", set, off[i], linear_corner(c));
@@ -757,7 +760,7 @@ static void same_picture(void)
     };
     static const struct {
         const char *method, *set;
-    } alike[] = { { "ssao", "noise=texture,behind=solid" },
+    } alike[] = { { "ssao", "noise=texture,thickness=solid" },
                   { "hsao", "noise=texture" },
                   { "hsao-best", "noise=texture" },
                   { "hsao-march", "noise=texture" } };
@@ -859,7 +862,7 @@ enum { ENGINE_W = 240, ENGINE_H = 136, ENGINE = ENGINE_W * ENGINE_H };
 static const ssgi_gl_desc *gather_of(const kit_run *run)
 {
     int i = 0;
-    while (run->pass[i].desc.pass == SSGI_GL_WIDTH) ++i;
+    while (run->pass[i].desc.pass == SSGI_GL_PASS_THICKNESS) ++i;
     return &run->pass[i].desc;
 }
 
@@ -873,7 +876,7 @@ static int otherwise(kit_image *out, kit_run *run, kit_gbuffer *g, ssgi_gl_desc 
         kit_pass *p = &run->pass[i];
         was[i] = p->program;
         d.pass = p->desc.pass;
-        if (d.pass == SSGI_GL_BLUR) continue;
+        if (d.pass == SSGI_GL_PASS_BLUR) continue;
         p->program = kit_pass_program(&d, &err);
         ok = ok && TRY(!p->program);
     }
@@ -977,7 +980,7 @@ static void what_engines_have(void)
     for (int i = 0; i < 4 * ENGINE; ++i) flat_[i] = i % 4 == 2 ? -n[i] : n[i];
     other.normal = kit_texture(ENGINE_W, ENGINE_H, GL_RGBA32F, flat_);
     d = *gather_of(&run);
-    d.left_handed = 1;
+    d.input.left_handed = 1;
     if (!otherwise(&got, &run, &other, d, scene.radius, 0)) return;
     CHECK(!apart(&want, &got, 0, 0), "left-handed: %d pixels differ", apart(&want, &got, 0, 0));
     kit_image_free(&got);
@@ -992,7 +995,7 @@ static void what_engines_have(void)
 
     if (sampled(texture, &g)) {
         d = *gather_of(&run);
-        d.multisampled = 1;
+        d.input.multisampled = 1;
         if (!otherwise(&got, &run, &g, d, scene.radius, 0)) return;
         CHECK(!apart(&want, &got, 0, 0), "multisampled: %d pixels differ", apart(&want, &got, 0, 0));
         kit_image_free(&got);
@@ -1008,15 +1011,15 @@ static void what_engines_have(void)
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture[i]);
     }
     d = *gather_of(&run);
-    d.array = 1;
+    d.input.array = 1;
     if (!otherwise(&got, &run, &g, d, scene.radius, 1)) return;
     CHECK(!apart(&want, &got, 0, 0), "a slice: %d pixels differ", apart(&want, &got, 0, 0));
     kit_image_free(&got);
     glDeleteTextures(2, texture);
 
     d = *gather_of(&run);
-    d.depth = SSGI_GL_DEPTH_CUSTOM;                        /* its sampler is at unit 0, where depth is */
-    d.fetch = "uniform sampler2D my_depth;\nfloat ssgi_custom_depth(ivec2 texel, int layer) {\n"
+    d.input.depth = SSGI_GL_DEPTH_CUSTOM;                        /* its sampler is at unit 0, where depth is */
+    d.text.fetch = "uniform sampler2D my_depth;\nfloat ssgi_custom_depth(ivec2 texel, int layer) {\n"
               "    return ssgi_decode(texelFetch(my_depth, texel, layer).x);\n}";
     if (!otherwise(&got, &run, &g, d, scene.radius, 0)) return;
     CHECK(!apart(&want, &got, 0, 0), "decoded by a text of one's own: %d pixels differ", apart(&want, &got, 0, 0));
@@ -1036,7 +1039,7 @@ static void what_engines_have(void)
     CHECK(!beyond, "%d pixels are outside of the oblique frustum", beyond);
     other.depth = kit_texture(ENGINE_W, ENGINE_H, GL_DEPTH_COMPONENT32F, m);
     d = *gather_of(&run);
-    d.oblique = 1;
+    d.input.oblique = 1;
     if (!otherwise(&got, &run, &other, d, scene.radius, 0)) return;
     t_note("oblique: RMSE %.1e, %d pixels by more than 1/255", difference(&want, &got, 0, 0, 0),
            apart(&want, &got, 1 / 255.0f, 0));
@@ -1058,8 +1061,8 @@ static void what_engines_have(void)
     for (int k = 0; k < 2; ++k) {
         kit_image straight;
         d = *gather_of(&run);
-        d.thickness = SSGI_GL_THICKNESS_CONSTANT;          /* widths begin at a 2x2's lower left, which is another */
-        if (k) d.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+        d.gather.thickness = SSGI_GL_THICKNESS_CONSTANT; /* widths begin at a 2x2's lower left, which is another */
+        if (k) d.input.normal = SSGI_GL_NORMAL_FROM_DEPTH;
         if (!otherwise(&straight, &run, &g, d, scene.radius, 0) || !otherwise(&got, &run, &other, d, scene.radius, 0))
             return;
         t_note("upside down%s: %d pixels differ, by more than 1/255 %d", k ? ", normals from depth" : "",
@@ -1089,11 +1092,12 @@ static int wrong(const kit_run *run, const float *nothing)
     for (int i = 0; i < run->passes; ++i) {
         const kit_pass *p = &run->pass[i];
         float v[160 * 90];
-        if (p->desc.pass == SSGI_GL_WIDTH) continue;
+        if (p->desc.pass == SSGI_GL_PASS_THICKNESS) continue;
         if (p->width * p->height > 160 * 90 || kit_texture_read(p->target[0], p->width, p->height, 1, v)) return -1;
         for (int k = 0; k < p->width * p->height; ++k)
             n += !(v[k] >= 0 && v[k] <= 1 + 2.4e-7f)
-                 || (nothing && (p->desc.pass == SSGI_GL_BLUR || !p->desc.half) && !(nothing[k] > 0) && v[k] < 1);
+              || (nothing && (p->desc.pass == SSGI_GL_PASS_BLUR || !p->desc.gather.half) && !(nothing[k] > 0)
+                  && v[k] < 1);
     }
     return n;
 }
@@ -1153,13 +1157,13 @@ static void radii_do_not_matter(void)
     for (int m = 0; m < METHODS; ++m) {
         /* Points lifted by most of a pixel stand behind a silhouette beside them, and what is solid blocks them at any
            radius: a limit of ssao and of normal rays. All else sees nothing. */
-        const int allowed = strstr(methods[m].set, "behind=solid") ? 160 * 90 / 10 : 0;
+        const int allowed = strstr(methods[m].set, "thickness=solid") ? 160 * 90 / 10 : 0;
         int dark = 0;
         if (!start(&run, &g, methods[m].method, methods[m].set, 1e-6f) || !draw(&out, &run)) return;
         for (int i = 0; i < out.width * out.height; ++i) dark += !(out.data[i] >= 1 - 1e-6f);
         CHECK(dark <= allowed, "%s %s, tiny radius: %d pixels are not 1", methods[m].method, methods[m].set, dark);
         kit_image_free(&out);
-        run.frame.radius = run.frame.thickness = 1e6f;
+        run.frame.radius = run.frame.thickness_limit = 1e6f;
         kit_run_update(&run);
         kit_run_draw(&run, 0);
         CHECK(!wrong(&run, NULL), "%s %s, huge radius: %d pixels are wrong", methods[m].method, methods[m].set,
@@ -1268,7 +1272,7 @@ static void near_the_truth(void)
 static void widths_are_measured(void)
 {
     enum { W = 96, H = 64, POST = 20, ACROSS = 12, POLE = 45 };
-    static const char *const sets[] = { "behind=width", "behind=back" };
+    static const char *const sets[] = { "thickness=width", "thickness=back" };
     static float depth[W * H], back[W * H], normal[4 * W * H];
     static uint32_t got[W * H];
     const kit_camera c = looking_along_z(W, H, 1);         /* 2 units high: a pixel is 1/32 */
@@ -1285,10 +1289,10 @@ static void widths_are_measured(void)
         kit_run run;
         int bad[4] = { 0 };
         if (!start(&run, &g, "hsao", sets[m], radius)) return;
-        run.frame.thickness = radius;
+        run.frame.thickness_limit = radius;
         kit_run_update(&run);
         kit_run_draw(&run, 0);
-        if (!CHECK(run.pass[0].desc.pass == SSGI_GL_WIDTH, "%s: the first pass is another", sets[m])) return;
+        if (!CHECK(run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS, "%s: the first pass is another", sets[m])) return;
         glBindFramebuffer(GL_FRAMEBUFFER, run.pass[0].framebuffer);
         glReadPixels(0, 0, W / 2, H / 2, GL_RGBA_INTEGER, GL_UNSIGNED_INT, got);
         for (int y = 8; y < H - 8; ++y)
@@ -1317,7 +1321,7 @@ static void widths_are_measured(void)
 static void wrong_winding(void)
 {
     enum { W = 160, H = 90 };
-    static const char *const sets[3] = { "behind=width", "behind=back", "behind=slabs" };
+    static const char *const sets[3] = { "thickness=width", "thickness=back", "thickness=slabs" };
     kit_scene scene;
     kit_gbuffer g;
     kit_image truth, out;
@@ -1359,8 +1363,8 @@ static void plates_in_perspective(void)
     static const box thin[3] = { { { -1.4f, 0.35f, -0.5f }, { -0.6f, 0.37f, 0.6f } },
                                    { { 0.6f, 0.35f, -0.5f }, { 1.4f, 0.37f, 0.6f } },
                                    { { -0.5f, 0.2f, -1.3f }, { 0.5f, 0.22f, -0.9f } } };
-    static const struct { const char *set; double share; } row[] = { { "behind=back", 0.045 },
-                                                                     { "behind=slabs", 0.045 } };
+    static const struct { const char *set; double share; } row[] = { { "thickness=back", 0.045 },
+                                                                     { "thickness=slabs", 0.045 } };
     const kit_camera camera = { { 0, 1.6f, 2.2f }, { 0, 0.2f, 0 }, { 0, 1, 0 }, 42, 0, 0.1f, 20, W, H, { 0 },
                                 KIT_DEPTH_NORMAL };
     kit_scene scene;
@@ -1412,11 +1416,11 @@ static void fetches_are_counted(void)
     };
     static const struct {
         int pass, search, rays, behind, normal;
-    } row[] = { { SSGI_GL_SSAO, 0, 0, 0, SSGI_GL_NORMAL_CUSTOM },
-                { SSGI_GL_HSAO, SSGI_GL_SLICES, 0, 1, SSGI_GL_NORMAL_CUSTOM },
-                { SSGI_GL_HSAO, SSGI_GL_SLICES, 0, 0, SSGI_GL_NORMAL_FROM_DEPTH },
-                { SSGI_GL_HSAO, SSGI_GL_MARCH, 0, 1, SSGI_GL_NORMAL_CUSTOM },
-                { SSGI_GL_HSAO, SSGI_GL_MARCH, 2, 1, SSGI_GL_NORMAL_CUSTOM } };
+    } row[] = { { SSGI_GL_PASS_SSAO, 0, 0, 0, SSGI_GL_NORMAL_CUSTOM },
+                { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, 0, 1, SSGI_GL_NORMAL_CUSTOM },
+                { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, 0, 0, SSGI_GL_NORMAL_FROM_DEPTH },
+                { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH, 0, 1, SSGI_GL_NORMAL_CUSTOM },
+                { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH, 2, 1, SSGI_GL_NORMAL_CUSTOM } };
     const kit_camera c = looking_along_z(W, H, 0);
     uint32_t count[W * H];
     ssgi_view view;
@@ -1437,15 +1441,15 @@ static void fetches_are_counted(void)
     glViewport(0, 0, W, H);
     for (int i = 0; i < 10; ++i) {
         ssgi_gl_desc d = { 0 };
-        d.dialect = SSGI_GL_450;
-        d.depth = SSGI_GL_DEPTH_CUSTOM;
-        d.fetch = fetch[i & 1];
+        d.text.dialect = SSGI_GL_DIALECT_450;
+        d.input.depth = SSGI_GL_DEPTH_CUSTOM;
+        d.text.fetch = fetch[i & 1];
         d.pass = row[i / 2].pass;
-        d.search = row[i / 2].search;
-        d.normal_rays = row[i / 2].rays;
-        d.thickness = row[i / 2].behind;
-        d.normal = row[i / 2].normal;
-        d.directions = 3;
+        d.gather.search = row[i / 2].search;
+        d.gather.normal_rays = row[i / 2].rays;
+        d.gather.thickness = row[i / 2].behind;
+        d.input.normal = row[i / 2].normal;
+        d.gather.directions = 3;
         const GLuint program = kit_pass_program(&d, &err);
         const uint32_t told = (uint32_t)kit_fetches(&d);
         uint32_t least = ~0u, most = 0;
@@ -1509,7 +1513,7 @@ static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[
     }
     if ((!run->passes && !start(run, &g, "ssao", set, 0.5f)) || !fit(run, &g, 0.5f, 0)) return 1;
     kit_pass *p = &run->pass[0];
-    const int step = p->desc.half ? 2 : 1;
+    const int step = p->desc.gather.half ? 2 : 1;
     glBindTexture(GL_TEXTURE_2D, p->target[0]);
     for (int y = 0; y < p->height; ++y)
         for (int x = 0; x < p->width; ++x) {
@@ -1604,7 +1608,7 @@ static void history_is_quiet(void)
     enum { FIRST = 100 };                                  /* frame of the second sixteen */
     static const struct { const char *method, *set; double share; } kept[] = {
         { "hsao-fast", "history=1", 0.4 }, { "hsao", "half=0,history=1", 0.25 }, { "ssdo-fast", "history=1", 0.68 },
-        { "s3ho-fast", "history=1", 0.52 }, { "hsao-fast", "behind=slabs,history=1", 0.4 },
+        { "s3ho-fast", "history=1", 0.52 }, { "hsao-fast", "thickness=slabs,history=1", 0.4 },
         { "hsao-march", "views=1,directions=2,steps=4,history=1", 0.4 } };
     kit_lighting lighting = { .lights = 0 };
     kit_scene scene;
@@ -1774,8 +1778,8 @@ static void hostile_history(void)
         if (!seen_as(&run, &g, &scene, &lighting, 64, lit ? "ssdo-fast" : "hsao-fast",
                      lit ? "bounce=none,history=1" : "history=1"))
             return;
-        kit_pass *const p = pass_of(&run, SSGI_GL_HISTORY);
-        GLuint *const changes = read_as(pass_of(&run, SSGI_GL_CHANGES), names[0]);
+        kit_pass *const p = pass_of(&run, SSGI_GL_PASS_HISTORY);
+        GLuint *const changes = read_as(pass_of(&run, SSGI_GL_PASS_CHANGE_MASK), names[0]);
         float *const texels = malloc(4 * (size_t)(p->width * p->height) * sizeof *texels);
         kit_run_draw(&run, 0);
         for (unsigned f = 1; f < 104; ++f) {
@@ -1856,7 +1860,7 @@ static void poisoned_history(void)
         if (!TRY(kit_gbuffer_from_scene(&g, &scene, &c, NULL, &err))) return;
         g.motion = kit_texture(g.width, g.height, GL_RG32F, NULL);             /* nothing moves */
         if (!opened_on(&run, &g, &scene, &lighting, kept[m].method, kept[m].set)) return;
-        kit_pass *const p = pass_of(&run, SSGI_GL_HISTORY);
+        kit_pass *const p = pass_of(&run, SSGI_GL_PASS_HISTORY);
         for (int i = -1; i < (int)(sizeof poison / sizeof *poison); ++i) {      /* -1: none, to compare with */
             const char *const of = i < 0 ? NULL : poison[i].name ? poison[i].name : strcmp(kept[m].method, "hsao-fast")
                                  ? "t_ssgi_light" : "t_ssgi_ao";

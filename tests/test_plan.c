@@ -21,10 +21,10 @@ static void follows(void)
     const float left[3] = { -1, 0.6f, 0.3f }, right[3] = { 1, 0.6f, 0.3f }, pink[3] = { 3.3f, 0.9f, 1.9f },
                 turquoise[3] = { 0.5f, 2.3f, 2.2f };
     float sh[48] = { 0 };
-    ssgi_plan_scene s = { .wanted = SSGI_PLAN_LIGHT,
+    ssgi_plan_scene s = { .wanted = SSGI_PLAN_WANTED_LIGHT,
                           .screen_radius = 0.2f,
                           .calibration = { 1, 0.15f, 0.045f, 0.04f },
-                          .thickness = SSGI_PLAN_SLABS,
+                          .thickness = SSGI_PLAN_THICKNESS_SLABS,
                           .surfels = 0.2,
                           .map = 1 };
     ssgi_plan p;
@@ -35,7 +35,7 @@ static void follows(void)
           (double)s.energy[3]);
     for (s.error = 0.046f; s.error < 0.16f; s.error += 0.01f) {
         p = made(&s);
-        CHECK(p.meets && !p.bands && (p.method == SSGI_PLAN_HSAO || p.method == SSGI_PLAN_NOTHING),
+        CHECK(p.meets && !p.bands && (p.method == SSGI_PLAN_METHOD_HSAO || p.method == SSGI_PLAN_METHOD_NOTHING),
               "under a constant sky, for %g: %s", (double)s.error, p.why);
     }
     memset(sh, 0, sizeof sh);
@@ -47,9 +47,9 @@ static void follows(void)
     int bands = 0;
     for (s.error = 0.106f; s.error < 0.125f; s.error += 0.004f) {
         p = made(&s);
-        CHECK(!p.meets || p.method == SSGI_PLAN_HSAO || (p.method == SSGI_PLAN_S3HO && p.bands > 1),
+        CHECK(!p.meets || p.method == SSGI_PLAN_METHOD_HSAO || (p.method == SSGI_PLAN_METHOD_S3HO && p.bands > 1),
               "under two lights, for %g: %s, %d bands", (double)s.error, p.why, p.bands);
-        bands += p.meets && p.method == SSGI_PLAN_S3HO;
+        bands += p.meets && p.method == SSGI_PLAN_METHOD_S3HO;
     }
     CHECK(bands >= 2, "under two lights harmonics are taken %d times", bands);
 
@@ -58,40 +58,44 @@ static void follows(void)
     s.calibration = (ssgi_calibration){ 1, 0.15f, 0.07f, 0.03f };
     s.map = 1;
     for (s.wanted = 0; s.wanted < 3; ++s.wanted)
-        for (int given = 0; given <= SSGI_PLAN_SLABS; ++given)
+        for (int given = 0; given <= SSGI_PLAN_THICKNESS_SLABS; ++given)
             for (s.error = 0.01f; s.error < 0.2f; s.error *= 1.3f) {
                 s.thickness = given;
                 p = made(&s);
-                CHECK(p.thickness <= given && !p.history && p.method != SSGI_PLAN_SURFELS,
+                CHECK(p.thickness <= given && !p.history && p.method != SSGI_PLAN_METHOD_SURFELS,
                       "%d given, %g of %d: %s", given, (double)s.error, s.wanted, p.why);
             }
     /* Slabs are bought where they are what helps, unless depth passes are dear; the nearest is told where nothing
        meets the error. */
-    s.wanted = SSGI_PLAN_VISIBILITY;
-    s.thickness = SSGI_PLAN_SLABS;
+    s.wanted = SSGI_PLAN_WANTED_VISIBILITY;
+    s.thickness = SSGI_PLAN_THICKNESS_SLABS;
     s.error = 0.035f;
     p = made(&s);
-    CHECK(p.meets && p.thickness == SSGI_PLAN_SLABS && !strncmp(p.why, "hsao, slabs: errs by 0.0", 24), "%s", p.why);
+    CHECK(p.meets && p.thickness == SSGI_PLAN_THICKNESS_SLABS && !strncmp(p.why, "hsao, slabs: errs by 0.0", 24), "%s",
+          p.why);
     s.depth_pass = 1000;
     s.surfels = 0.3;
     const float before = p.cost;
     p = made(&s);
-    CHECK(p.method == SSGI_PLAN_SURFELS && p.cost > before, "slabs at a thousand a pass: %s", p.why);
+    CHECK(p.method == SSGI_PLAN_METHOD_SURFELS && p.cost > before, "slabs at a thousand a pass: %s", p.why);
     s.surfels = 3;
     ssgi_plan more = made(&s);
-    CHECK(more.method != SSGI_PLAN_SURFELS || more.cost > p.cost + 10, "more surfels cost %g after %g",
+    CHECK(more.method != SSGI_PLAN_METHOD_SURFELS || more.cost > p.cost + 10, "more surfels cost %g after %g",
           (double)more.cost, (double)p.cost);
     s = (ssgi_plan_scene){ .calibration = { 1, 0.15f, 0.07f, 0.03f }, .error = 0.001f };
     p = made(&s);
-    CHECK(!p.meets && p.method == SSGI_PLAN_HSAO && !strncmp(p.why, "cannot be met: 0.0010; the nearest: hsao", 40),
+    CHECK(!p.meets && p.method == SSGI_PLAN_METHOD_HSAO
+              && !strncmp(p.why, "cannot be met: 0.0010; the nearest: hsao", 40),
           "0.001 of hsao: %s", p.why);
 
     /* Budgets are kept, more of them never errs more; a smaller error never costs less; costs grow with splats and
        occluders. */
-    s = (ssgi_plan_scene){
-        .calibration = { 1, 0.15f, 0.05f, 0.04f }, .thickness = SSGI_PLAN_SLABS, .history = 1, .surfels = 0.2,
-        .occluders = 10, .map = 1
-    };
+    s = (ssgi_plan_scene){ .calibration = { 1, 0.15f, 0.05f, 0.04f },
+                           .thickness = SSGI_PLAN_THICKNESS_SLABS,
+                           .history = 1,
+                           .surfels = 0.2,
+                           .occluders = 10,
+                           .map = 1 };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted) {
         float last = 1e9f, cost = 0;
         s.error = 0;
@@ -123,23 +127,30 @@ static void follows(void)
    row's. */
 static void by_hand(void)
 {
-    static const ssgi_plan_scene dim = { .wanted = SSGI_PLAN_VISIBILITY, .calibration = { 1, 0.02f, 0.001f, 0.0005f } },
-                                 hidden = { .wanted = SSGI_PLAN_VISIBILITY, .calibration = { 1, 0.15f, 0.05f, 0.04f },
-                                            .surfels = 0.2, .splats = 250, .screen_radius = 0.15f },
-                                 lit = { .wanted = SSGI_PLAN_LIGHT, .calibration = { 1, 0.01f, 0.005f, 0.004f },
-                                         .energy = { 1, 0.5f, 0.25f, 0.25f }, .map = 1 },
-                                 bounced = { .wanted = SSGI_PLAN_BOUNCE, .calibration = { 1, 0.01f, 0.005f, 0.004f },
+    static const ssgi_plan_scene dim = { .wanted = SSGI_PLAN_WANTED_VISIBILITY,
+                                         .calibration = { 1, 0.02f, 0.001f, 0.0005f } },
+                                 hidden = { .wanted = SSGI_PLAN_WANTED_VISIBILITY,
+                                            .calibration = { 1, 0.15f, 0.05f, 0.04f },
+                                            .surfels = 0.2,
+                                            .splats = 250,
+                                            .screen_radius = 0.15f },
+                                 lit = { .wanted = SSGI_PLAN_WANTED_LIGHT,
+                                         .calibration = { 1, 0.01f, 0.005f, 0.004f },
+                                         .energy = { 1, 0.5f, 0.25f, 0.25f },
+                                         .map = 1 },
+                                 bounced = { .wanted = SSGI_PLAN_WANTED_BOUNCE,
+                                             .calibration = { 1, 0.01f, 0.005f, 0.004f },
                                              .energy = { 1, 0.5f, 0.25f, 0.25f } };
     const struct { const ssgi_plan_scene *scene; int method, half, directions, bands; float size; double error, cost;
     } row[] = {
         /* nothing 0.006, hsao 0.78 */
-        { &dim, SSGI_PLAN_HSAO, 0, 2, 0, 0, 0.0017832555, 4.45 },
+        { &dim, SSGI_PLAN_METHOD_HSAO, 0, 2, 0, 0, 0.0017832555, 4.45 },
         /* slabs 0.7, coarse 0.07 */
-        { &hidden, SSGI_PLAN_SURFELS, 0, 0, 0, 0.03f, 0.037881393, 39.034271 },
+        { &hidden, SSGI_PLAN_METHOD_SURFELS, 0, 0, 0, 0.03f, 0.037881393, 39.034271 },
         /* nothing 0.028, hsao 0.72 */
-        { &lit, SSGI_PLAN_SSDO, 1, 2, 0, 0, 0.0045607015, 2.28 },
+        { &lit, SSGI_PLAN_METHOD_SSDO, 1, 2, 0, 0, 0.0045607015, 2.28 },
         /* nothing 0.28, hsao 0.13, uneven 0.033, constant 0.84 */
-        { &bounced, SSGI_PLAN_S3HO, 1, 2, 4, 0, 0.010888067, 3.69 },
+        { &bounced, SSGI_PLAN_METHOD_S3HO, 1, 2, 4, 0, 0.010888067, 3.69 },
     };
     for (size_t k = 0; k < sizeof row / sizeof row[0]; ++k) {
         int met = 0;
@@ -160,12 +171,14 @@ static void by_hand(void)
        3.59 * 0.02^2 of nothing with slabs, 1e-6 + 1.17 * 0.1^2 + 3.98 * 0.02^2 without. A calibration without slabs
        scales what the survey, or the guess of 0.003 that is hsao's too, says of them. */
     static const float passes[4] = { 0, 0, 1, 3 }, slabs[2] = { 0, 0.03f };
-    ssgi_plan_scene s = { .thickness = SSGI_PLAN_SLABS, .history = 1, .occluders = 10, .coverage = 0.5f, .map = 1 };
+    ssgi_plan_scene s = {
+        .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .occluders = 10, .coverage = 0.5f, .map = 1
+    };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
             ssgi_plan p[3];
             for (int k = 0; k < 3; ++k) {
-                s.device = k == 1 ? SSGI_PLAN_GPU : SSGI_PLAN_SOFTWARE;
+                s.device = k == 1 ? SSGI_PLAN_DEVICE_GPU : SSGI_PLAN_DEVICE_SOFTWARE;
                 s.depth_pass = k == 2 ? 2 : 0;
                 p[k].method = -1;
                 ssgi_plan_choice(&p[k], i, &s);
@@ -173,9 +186,9 @@ static void by_hand(void)
             if (p[0].method < 0) continue;
             CHECK(fabsf(p[2].cost - p[0].cost - 2 * passes[p[0].thickness]) < 1e-5f, "choice %d: depth passes cost %g",
                   i, (double)(p[2].cost - p[0].cost));
-            CHECK(p[0].method == SSGI_PLAN_NOTHING || fabsf(p[1].cost / p[0].cost - 1) > 0.01f,
+            CHECK(p[0].method == SSGI_PLAN_METHOD_NOTHING || fabsf(p[1].cost / p[0].cost - 1) > 0.01f,
                   "choice %d: %g in either column", i, (double)p[0].cost);
-            CHECK(p[0].method != SSGI_PLAN_FIELD
+            CHECK(p[0].method != SSGI_PLAN_METHOD_FIELD
                       || (fabsf(p[0].cost - 3.81f) < 1e-4f && fabsf(p[1].cost - 1.55f) < 1e-4f),
                   "fields over 5 frames' pixels cost %g, %g", (double)p[0].cost, (double)p[1].cost);
         }
@@ -186,10 +199,11 @@ static void by_hand(void)
         CHECK(ssgi_plan_choice(&p, 0, &s) && fabs((double)p.error - (k ? 0.119737 : 0.115295)) < 1e-5,
               "a survey %s slabs: nothing errs by %g", k ? "with" : "without", (double)p.error);
     }
-    s = (ssgi_plan_scene){ .calibration = { 1, 0.1f, 0.04f, 0 }, .thickness = SSGI_PLAN_SLABS };
+    s = (ssgi_plan_scene){ .calibration = { 1, 0.1f, 0.04f, 0 }, .thickness = SSGI_PLAN_THICKNESS_SLABS };
     for (int i = 0, met = 0; i < SSGI_PLAN_CHOICES; ++i) {
         ssgi_plan p;
-        if (!ssgi_plan_choice(&p, i, &s) || p.thickness != SSGI_PLAN_SLABS || p.directions != 2 || !p.half) continue;
+        if (!ssgi_plan_choice(&p, i, &s) || p.thickness != SSGI_PLAN_THICKNESS_SLABS || p.directions != 2 || !p.half)
+            continue;
         CHECK(!met++ && fabsf(p.error - 0.04f) < 1e-6f, "slabs that were not calibrated err by %g", (double)p.error);
     }
 }
@@ -232,7 +246,7 @@ static void refused(void)
               && ssgi_survey_of(&survey, &pixel, &pixel, NULL, NULL, 1, NULL) == SSGI_BAD_ARGUMENT
               && !memcmp(&survey, &none, sizeof none),
           "a bad survey is taken");
-    ssgi_gl_desc desc = { .depth = SSGI_GL_DEPTH_LINEAR }, kept = desc;
+    ssgi_gl_desc desc = { .input.depth = SSGI_GL_DEPTH_LINEAR }, kept = desc;
     memset(&plan, 0, sizeof plan);
     CHECK(ssgi_gl_plan(&desc, &plan, NULL) == SSGI_BAD_ARGUMENT && ssgi_gl_plan(&desc, NULL, NULL) == SSGI_BAD_ARGUMENT
               && !memcmp(&desc, &kept, sizeof desc),
@@ -242,27 +256,30 @@ static void refused(void)
 /* Every choice becomes a desc that is good, and a method of the kit with the same settings. */
 static void drawable(void)
 {
-    static const int thickness[] = { [SSGI_PLAN_WIDTH] = SSGI_GL_THICKNESS_DEFAULT,
-                                     [SSGI_PLAN_SOLID] = SSGI_GL_THICKNESS_SOLID,
-                                     [SSGI_PLAN_BACK] = SSGI_GL_THICKNESS_BACK,
-                                     [SSGI_PLAN_SLABS] = SSGI_GL_THICKNESS_SLABS };
-    ssgi_plan_scene s = { .thickness = SSGI_PLAN_SLABS, .history = 1, .surfels = 1, .occluders = 1, .map = 1 };
+    static const int thickness[] = { [SSGI_PLAN_THICKNESS_WIDTH] = SSGI_GL_THICKNESS_DEFAULT,
+                                     [SSGI_PLAN_THICKNESS_SOLID] = SSGI_GL_THICKNESS_SOLID,
+                                     [SSGI_PLAN_THICKNESS_BACK] = SSGI_GL_THICKNESS_BACK,
+                                     [SSGI_PLAN_THICKNESS_SLABS] = SSGI_GL_THICKNESS_SLABS };
+    ssgi_plan_scene s = {
+        .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .surfels = 1, .occluders = 1, .map = 1
+    };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
-            ssgi_gl_desc desc = { .depth = SSGI_GL_DEPTH_LINEAR };
+            ssgi_gl_desc desc = { .input.depth = SSGI_GL_DEPTH_LINEAR };
             const char *why = "";
             kit_method m;
             kit_error err = { "" };
             ssgi_plan p;
-            if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_NOTHING) continue;
-            CHECK(ssgi_gl_plan(&desc, &p, &why) == SSGI_OK && desc.depth == SSGI_GL_DEPTH_LINEAR
-                      && desc.steps == p.steps && desc.thickness == thickness[p.thickness] && desc.half == p.half,
+            if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_METHOD_NOTHING) continue;
+            CHECK(ssgi_gl_plan(&desc, &p, &why) == SSGI_OK && desc.input.depth == SSGI_GL_DEPTH_LINEAR
+                      && desc.gather.steps == p.steps && desc.gather.thickness == thickness[p.thickness]
+                      && desc.gather.half == p.half,
                   "choice %d: %s", i, why);
             CHECK(!kit_plan_method(&m, &p, s.wanted, &err), "choice %d: %s", i, err.text);
-            CHECK(p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD
+            CHECK(p.method == SSGI_PLAN_METHOD_SURFELS || p.method == SSGI_PLAN_METHOD_FIELD
                       || m.set.steps == p.steps,
                   "choice %d: %d steps", i, m.set.steps);
-            CHECK(p.method != SSGI_PLAN_SSDO || (m.set.bounce > 0) == (s.wanted == SSGI_PLAN_BOUNCE),
+            CHECK(p.method != SSGI_PLAN_METHOD_SSDO || (m.set.bounce > 0) == (s.wanted == SSGI_PLAN_WANTED_BOUNCE),
                   "choice %d: its bounce", i);
         }
 }
@@ -296,7 +313,7 @@ static void measured(void)
         const kit_world world = { &scene, NULL };
         CHECK(!kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err) && !kit_gbuffer_read(&frame, &g, &err),
               "%s", err.text);
-        CHECK(!kit_plan_numbers(&s, &g, &world, scene.radius, SSGI_PLAN_VISIBILITY, &err), "%s", err.text);
+        CHECK(!kit_plan_numbers(&s, &g, &world, scene.radius, SSGI_PLAN_WANTED_VISIBILITY, &err), "%s", err.text);
         if (!k)
             CHECK(s.survey.occlusion < 2e-3f && s.survey.slabs < 2e-3f && s.calibration.unoccluded < 1e-3f,
                   "a plane occludes by %g, and errs by %g", (double)s.survey.occlusion,

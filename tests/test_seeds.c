@@ -55,7 +55,7 @@ static void seen(const kit_scene *s, double *share, double *reach)
     ssgi_trace_build(&trace, memory, size, s->mesh.position, 12, NULL, s->mesh.triangles, NULL);
     for (int i = 0; i < ACROSS * DOWN; ++i) {
         kit_camera_ray(&c, i % ACROSS, i / ACROSS, origin, way);
-        if (!ssgi_trace_closest(&trace, origin, way, c.znear, 1e12f, &hit)) continue;
+        if (!ssgi_trace_closest(&hit, &trace, origin, way, c.znear, 1e12f)) continue;
         depth[hits++] = hit.t * (way[0] * ahead[0] + way[1] * ahead[1] + way[2] * ahead[2]) / l;
     }
     free(memory);
@@ -368,7 +368,7 @@ static void subjects_sound(void)
         CHECK(method, "%s: %s", u->name, err.text);
         CHECK(method && m.lit == quantities[u->quantity].lit, "%s: %s is not what %s draws", u->name,
               quantities[u->quantity].word, u->method);
-        CHECK(m.set.behind < SSGI_GL_THICKNESS_BACK || u->view == SLABS, "%s: its frame has no back faces", u->name);
+        CHECK(m.set.thickness < SSGI_GL_THICKNESS_BACK || u->view == SLABS, "%s: its frame has no back faces", u->name);
         for (int k = 0; k < i; ++k) {
             const int same = !strcmp(subjects[k].name, u->name);
             CHECK(!same || (k + (u->quantity - subjects[k].quantity) == i && !strcmp(subjects[k].method, u->method)

@@ -106,9 +106,9 @@ static void draw_step(host *h, const ssgi_gl_frame *frame, int i)
         glBlendFunc(s->blend[1], s->blend[2]);
     }
     glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &was);
-    if (s->desc.pass == SSGI_GL_SPLAT && h->array) glBindVertexArray(h->array);
+    if (s->desc.pass == SSGI_GL_PASS_SPLAT && h->array) glBindVertexArray(h->array);
     glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances ? s->instances
-                          : s->desc.pass == SSGI_GL_SPLAT ? h->surfels : h->occluders);
+                          : s->desc.pass == SSGI_GL_PASS_SPLAT ? h->surfels : h->occluders);
     glBindVertexArray((GLuint)was);
     glDisable(GL_BLEND);
     for (int k = 0; k < s->outputs && s->output[k].kept; ++k) {         /* the two change places */
@@ -146,11 +146,11 @@ static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
     for (int i = 0; i < run->passes; ++i) {
         const ssgi_gl_desc *d = &run->pass[i].desc;
         if (d->pass == pass && chain.desc.pass < 0) chain.desc = *d;
-        if (d->pass == pass && d->bounce) chain.desc.bounce = d->bounce;
-        if (d->pass == SSGI_GL_LIGHTS) chain.lights = *d;
+        if (d->pass == pass && d->light.bounce) chain.desc.light.bounce = d->light.bounce;
+        if (d->pass == SSGI_GL_PASS_LIGHTS) chain.lights = *d;
         h->yours[SSGI_GL_YOUR_LIGHTS] = run->pass[i].lights;
-        if (d->pass == SSGI_GL_FIELD) h->yours[SSGI_GL_YOUR_OCCLUDERS] = run->pass[i].lights;
-        chain.blur |= d->pass == SSGI_GL_BLUR && pass != SSGI_GL_SPLAT;
+        if (d->pass == SSGI_GL_PASS_FIELD) h->yours[SSGI_GL_YOUR_OCCLUDERS] = run->pass[i].lights;
+        chain.blur |= d->pass == SSGI_GL_PASS_BLUR && pass != SSGI_GL_PASS_SPLAT;
     }
     h->yours[SSGI_GL_YOUR_DEPTH] = g->depth;
     h->yours[SSGI_GL_YOUR_NORMAL] = g->normal;
@@ -169,11 +169,11 @@ static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
 
 /* es: in a context of GLES as well */
 static const struct { const char *method, *set; int pass, lit, es; } methods[] = {
-    { "ssao", "", SSGI_GL_SSAO, 0, 0 }, { "hsao", "", SSGI_GL_HSAO, 0, 1 },
-    { "hsao-march", "blur=0", SSGI_GL_HSAO, 0, 0 }, { "ssdo", "environment=sh", SSGI_GL_SSDO, 1, 0 },
-    { "ssdo", "shadows=map", SSGI_GL_SSDO, 1, 1 }, { "s3ho", "indirect=none", SSGI_GL_S3HO, 1, 0 },
-    { "aof", "occluders=all,resolution=4,rays=16,cap_table=32", SSGI_GL_FIELD, 0, 1 },
-    { "dss", "size=0.05", SSGI_GL_SPLAT, 0, 1 }
+    { "ssao", "", SSGI_GL_PASS_SSAO, 0, 0 }, { "hsao", "", SSGI_GL_PASS_HSAO, 0, 1 },
+    { "hsao-march", "blur=0", SSGI_GL_PASS_HSAO, 0, 0 }, { "ssdo", "environment=sh", SSGI_GL_PASS_SSDO, 1, 0 },
+    { "ssdo", "shadows=map", SSGI_GL_PASS_SSDO, 1, 1 }, { "s3ho", "indirect=none", SSGI_GL_PASS_S3HO, 1, 0 },
+    { "aof", "occluders=all,resolution=4,rays=16,cap_table=32", SSGI_GL_PASS_FIELD, 0, 1 },
+    { "dss", "size=0.05", SSGI_GL_PASS_SPLAT, 0, 1 }
 };
 enum { METHODS = (int)(sizeof methods / sizeof *methods) };
 
@@ -238,7 +238,7 @@ static void every_method(void)
             }
         }
         /* what surfels add up depends on the order that blending takes */
-        CHECK(worst <= (methods[m].pass == SSGI_GL_SPLAT ? 1e-4 : 0), "%s %s: %s: off by %g", context,
+        CHECK(worst <= (methods[m].pass == SSGI_GL_PASS_SPLAT ? 1e-4 : 0), "%s %s: %s: off by %g", context,
               methods[m].method, methods[m].set, worst);
         shut(&h);
         kit_run_close(&run);
@@ -315,15 +315,15 @@ static void onto_a_picture(void)
             const ssgi_gl_chain was = chain;
             double worst = 0;
             memset(&h, 0, sizeof h);
-            chain = chain_of(&h, &run, SSGI_GL_HSAO);
-            chain.desc.onto = onto;
+            chain = chain_of(&h, &run, SSGI_GL_PASS_HSAO);
+            chain.desc.filter.onto = onto;
             chain.blur = blur;
-            if (!blur) chain.desc.half = 0;
+            if (!blur) chain.desc.gather.half = 0;
             h.picture = keep(&h, kit_texture(W, H, GL_RGBA32F, half));
             h.yours[SSGI_GL_YOUR_AMBIENT] = keep(&h, kit_texture(W, H, GL_RGBA32F, quarter));
             if (!opened(&h, &chain)) return;
             draw(&h, &run.frame);
-            CHECK(h.step[h.steps - 1].desc.pass == (blur ? SSGI_GL_BLUR : SSGI_GL_COMPOSE)
+            CHECK(h.step[h.steps - 1].desc.pass == (blur ? SSGI_GL_PASS_BLUR : SSGI_GL_PASS_COMPOSE)
                       && h.step[h.steps - 1].output[0].texture == -1, "onto %d: the last step is another", onto);
             if (!TRY(kit_texture_read(h.picture, W, H, 4, got))) return;
             const GLuint gathered = h.made[h.step[h.steps - 2].output[0].texture][0];
@@ -346,37 +346,76 @@ static void onto_a_picture(void)
 static void refusals(void)
 {
     enum { BENT = SSGI_GL_SHADING_BENT, ONTO = SSGI_GL_ONTO_MULTIPLY };
-    static const struct { const char *names; ssgi_gl_chain chain; } row[] = {
-        { "chain.desc.pass", { .desc = { .pass = SSGI_GL_BLUR }, .width = 8, .height = 8 } },
-        { "chain.width, height", { .desc = { .pass = SSGI_GL_HSAO }, .width = 0, .height = 8 } },
-        { "chain.history", { .desc = { .pass = SSGI_GL_S3HO }, .width = 8, .height = 8, .blur = 1, .history = 1,
-                             .vectors = 1 } },
-        { "chain.history: filters", { .desc = { .pass = SSGI_GL_HSAO }, .width = 8, .height = 8, .history = 1 } },
-        { "chain: nothing lights", { .desc = { .pass = SSGI_GL_SSDO, .bounce = 1 }, .width = 8, .height = 8 } },
-        { "chain: nothing lights", { .desc = { .pass = SSGI_GL_SSDO, .bounce = 1, .onto = ONTO }, .width = 8,
-                                     .height = 8 } },
-        { "chain: nothing lights", { .desc = { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT }, .width = 8,
-                                     .height = 8 } },
-        { "chain.direct", { .desc = { .pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .bounce = 1, .views = 1 },
-                            .width = 8, .height = 8, .direct = 1 } },
-        { "chain.direct", { .desc = { .pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .bounce = 1, .layers = 2 },
-                            .width = 8, .height = 8, .direct = 1 } },
-        { "chain.desc.shading", { .desc = { .pass = SSGI_GL_S3HO, .shading = BENT }, .width = 8, .height = 8,
-                                  .blur = 1 } },
-        { "chain.desc.shading", { .desc = { .pass = SSGI_GL_S3HO, .shading = BENT }, .width = 8, .height = 8,
-                                  .blur = 1, .history = 1, .vectors = 0 } },
-        { "chain.desc.shading", { .desc = { .pass = SSGI_GL_S3HO, .shading = BENT, .onto = ONTO }, .width = 8,
-                                  .height = 8 } },
-        { "chain.desc.shading", { .desc = { .pass = SSGI_GL_S3HO, .shading = BENT }, .width = 8, .height = 8,
-                                  .lights = { .pass = SSGI_GL_LIGHTS } } },
-        { "chain.desc.dimmed", { .desc = { .pass = SSGI_GL_S3HO, .packed = 1, .transfer = 1, .dimmed = 1 }, .width = 8,
-                                 .height = 8, .vectors = 1 } },
-        { "chain.desc.dimmed", { .desc = { .pass = SSGI_GL_S3HO, .packed = 1, .transfer = 1, .dimmed = 1 }, .width = 8,
-                                 .height = 8, .blur = 1 } },
-        { "chain.desc.dimmed", { .desc = { .pass = SSGI_GL_S3HO, .packed = 1, .transfer = 2, .dimmed = 1 }, .width = 8,
-                                 .height = 8, .blur = 1, .vectors = 1 } },
-        { "desc.steps", { .desc = { .pass = SSGI_GL_HSAO, .steps = 65 }, .width = 8, .height = 8 } },
-        { "desc.packed", { .desc = { .pass = SSGI_GL_S3HO, .transfer = 1 }, .width = 8, .height = 8 } }
+    static const struct { const char *names; ssgi_gl_chain chain;
+    } row[] = {
+        { "chain.desc.pass", { .desc = { .pass = SSGI_GL_PASS_BLUR }, .width = 8, .height = 8 } },
+        { "chain.width, height", { .desc = { .pass = SSGI_GL_PASS_HSAO }, .width = 0, .height = 8 } },
+        { "chain.history",
+          { .desc = { .pass = SSGI_GL_PASS_S3HO },
+            .width = 8,
+            .height = 8,
+            .blur = 1,
+            .history = 1,
+            .coefficients = 1 } },
+        { "chain.history: filters", { .desc = { .pass = SSGI_GL_PASS_HSAO }, .width = 8, .height = 8, .history = 1 } },
+        { "chain: nothing lights",
+          { .desc = { .pass = SSGI_GL_PASS_SSDO, .light.bounce = 1 }, .width = 8, .height = 8 } },
+        { "chain: nothing lights",
+          { .desc = { .pass = SSGI_GL_PASS_SSDO, .light.bounce = 1, .filter.onto = ONTO }, .width = 8, .height = 8 } },
+        { "chain: nothing lights",
+          { .desc = { .pass = SSGI_GL_PASS_SPLAT, .surfel.effect = SSGI_GL_EFFECT_LIGHT }, .width = 8, .height = 8 } },
+        { "chain.direct",
+          { .desc = { .pass = SSGI_GL_PASS_SSDO,
+                      .gather.search = SSGI_GL_SEARCH_POINTS,
+                      .light.bounce = 1,
+                      .gather.views = 1 },
+            .width = 8,
+            .height = 8,
+            .direct = 1 } },
+        { "chain.direct",
+          { .desc = { .pass = SSGI_GL_PASS_SSDO,
+                      .gather.search = SSGI_GL_SEARCH_POINTS,
+                      .light.bounce = 1,
+                      .gather.layers = 2 },
+            .width = 8,
+            .height = 8,
+            .direct = 1 } },
+        { "chain.desc.light.shading",
+          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = BENT }, .width = 8, .height = 8, .blur = 1 } },
+        { "chain.desc.light.shading",
+          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = BENT },
+            .width = 8,
+            .height = 8,
+            .blur = 1,
+            .history = 1,
+            .coefficients = 0 } },
+        { "chain.desc.light.shading",
+          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = BENT, .filter.onto = ONTO },
+            .width = 8,
+            .height = 8 } },
+        { "chain.desc.light.shading",
+          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = BENT },
+            .width = 8,
+            .height = 8,
+            .lights = { .pass = SSGI_GL_PASS_LIGHTS } } },
+        { "chain.desc.light.dimmed",
+          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.packed = 1, .light.transfer = 1, .light.dimmed = 1 },
+            .width = 8,
+            .height = 8,
+            .coefficients = 1 } },
+        { "chain.desc.light.dimmed",
+          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.packed = 1, .light.transfer = 1, .light.dimmed = 1 },
+            .width = 8,
+            .height = 8,
+            .blur = 1 } },
+        { "chain.desc.light.dimmed",
+          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.packed = 1, .light.transfer = 2, .light.dimmed = 1 },
+            .width = 8,
+            .height = 8,
+            .blur = 1,
+            .coefficients = 1 } },
+        { "desc.gather.steps", { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.steps = 65 }, .width = 8, .height = 8 } },
+        { "desc.light.packed", { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.transfer = 1 }, .width = 8, .height = 8 } }
     };
     ssgi_gl_step step, was;
     memset(&step, 7, sizeof step);
@@ -394,23 +433,33 @@ static void refusals(void)
    costs as many fetches with it as without. */
 static void widths(void)
 {
-    static const struct { int at, thickness; ssgi_gl_chain chain; } row[] = {
-        { 0, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_HSAO } } },
-        { 0, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_S3HO }, .vectors = 1, .blur = 1 } },
-        { 0, SSGI_GL_THICKNESS_SLABS, { .desc = { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP,
-                                                  .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE,
-                                                  .thickness = SSGI_GL_THICKNESS_SLABS }, .blur = 1 } },
-        { 1, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
-                                        .direct = 1 } },
-        { 0, SSGI_GL_THICKNESS_BACK, { .desc = { .pass = SSGI_GL_HSAO, .thickness = SSGI_GL_THICKNESS_BACK } } },
-        { -1, 0, { .desc = { .pass = SSGI_GL_HSAO, .thickness = SSGI_GL_THICKNESS_CONSTANT } } },
-        { -1, 0, { .desc = { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .layers = 2 } } },
-        { -1, 0, { .desc = { .pass = SSGI_GL_SSAO } } },
-        { -1, 0, { .desc = { .pass = SSGI_GL_SSAO, .thickness = SSGI_GL_THICKNESS_BACK } } },
-        { -1, 0, { .desc = { .pass = SSGI_GL_SPLAT, .span = 4 } } },
-        { 0, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_SSAO, .thickness = SSGI_GL_THICKNESS_WIDTH } } },
+    static const struct { int at, thickness; ssgi_gl_chain chain;
+    } row[] = {
+        { 0, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_PASS_HSAO } } },
+        { 0, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_PASS_S3HO }, .coefficients = 1, .blur = 1 } },
+        { 0,
+          SSGI_GL_THICKNESS_SLABS,
+          { .desc = { .pass = SSGI_GL_PASS_SSDO,
+                      .light.environment = SSGI_GL_ENVIRONMENT_MAP,
+                      .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE,
+                      .gather.thickness = SSGI_GL_THICKNESS_SLABS },
+            .blur = 1 } },
+        { 1,
+          SSGI_GL_THICKNESS_WIDTH,
+          { .desc = { .pass = SSGI_GL_PASS_SSDO, .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE }, .direct = 1 } },
+        { 0,
+          SSGI_GL_THICKNESS_BACK,
+          { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.thickness = SSGI_GL_THICKNESS_BACK } } },
+        { -1, 0, { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.thickness = SSGI_GL_THICKNESS_CONSTANT } } },
+        { -1, 0, { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.search = SSGI_GL_SEARCH_MARCH, .gather.layers = 2 } } },
+        { -1, 0, { .desc = { .pass = SSGI_GL_PASS_SSAO } } },
+        { -1, 0, { .desc = { .pass = SSGI_GL_PASS_SSAO, .gather.thickness = SSGI_GL_THICKNESS_BACK } } },
+        { -1, 0, { .desc = { .pass = SSGI_GL_PASS_SPLAT, .surfel.span = 4 } } },
+        { 0,
+          SSGI_GL_THICKNESS_WIDTH,
+          { .desc = { .pass = SSGI_GL_PASS_SSAO, .gather.thickness = SSGI_GL_THICKNESS_WIDTH } } },
     };
-    const ssgi_gl_desc alone = { .pass = SSGI_GL_HSAO }, resolved = ssgi_gl_resolve(&alone);
+    const ssgi_gl_desc alone = { .pass = SSGI_GL_PASS_HSAO }, resolved = ssgi_gl_resolve(&alone);
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
         ssgi_gl_step step[STEPS];
         ssgi_gl_chain chain = row[i].chain;
@@ -420,33 +469,38 @@ static void widths(void)
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
         if (!CHECK(n > 0, "%d: %s", i, why)) continue;
         for (int k = n - 1; k >= 0; --k) {
-            if (step[k].desc.pass != SSGI_GL_WIDTH) continue;
+            if (step[k].desc.pass != SSGI_GL_PASS_THICKNESS) continue;
             at = k;
             ++times;
         }
-        CHECK(at == row[i].at && times == (at >= 0) && (at < 0 || step[at].desc.thickness == row[i].thickness),
-              "%d: step %d, %d of them, thickness %d", i, at, times, at < 0 ? 0 : step[at].desc.thickness);
+        CHECK(at == row[i].at && times == (at >= 0) && (at < 0 || step[at].desc.gather.thickness == row[i].thickness),
+              "%d: step %d, %d of them, thickness %d", i, at, times, at < 0 ? 0 : step[at].desc.gather.thickness);
     }
     for (int thickness = SSGI_GL_THICKNESS_WIDTH; thickness <= SSGI_GL_THICKNESS_SLABS; ++thickness) {
         ssgi_gl_step step[STEPS];
-        const ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .views = 1,
-                                                .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
-                                      .lights = { .pass = SSGI_GL_LIGHTS, .thickness = thickness },
-                                      .width = 8, .height = 8 };
+        const ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_PASS_SSDO,
+                                                .gather.search = SSGI_GL_SEARCH_POINTS,
+                                                .gather.views = 1,
+                                                .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
+                                      .lights = { .pass = SSGI_GL_PASS_LIGHTS, .gather.thickness = thickness },
+                                      .width = 8,
+                                      .height = 8 };
         const char *why = "";
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
         int others = 0, wide = 0;
         CHECK(n > 0, "lights by thickness %d: %s", thickness, why);
         for (int k = 0; k < n; ++k) {
             others += step[k].frame > 0;
-            wide += step[k].frame > 0 && step[k].desc.thickness > SSGI_GL_THICKNESS_SOLID;
+            wide += step[k].frame > 0 && step[k].desc.gather.thickness > SSGI_GL_THICKNESS_SOLID;
         }
         CHECK(others && !wide, "%d of %d steps of another camera read what the main one sees", wide, others);
     }
-    CHECK(resolved.thickness == SSGI_GL_THICKNESS_CONSTANT, "a text alone has thickness %d", resolved.thickness);
-    ssgi_gl_desc constant = { .pass = SSGI_GL_HSAO, .half = 1, .directions = 2, .steps = 8 }, wide = constant;
-    const ssgi_gl_desc pass = { .pass = SSGI_GL_WIDTH };
-    wide.thickness = SSGI_GL_THICKNESS_WIDTH;
+    CHECK(resolved.gather.thickness == SSGI_GL_THICKNESS_CONSTANT, "a text alone has thickness %d",
+          resolved.gather.thickness);
+    ssgi_gl_desc constant = { .pass = SSGI_GL_PASS_HSAO, .gather.half = 1, .gather.directions = 2, .gather.steps = 8 },
+                 wide = constant;
+    const ssgi_gl_desc pass = { .pass = SSGI_GL_PASS_THICKNESS };
+    wide.gather.thickness = SSGI_GL_THICKNESS_WIDTH;
     CHECK(kit_fetches(&wide) == kit_fetches(&constant) && kit_fetches(&pass) == 25,
           "%d fetches with widths, %d without; %d in their pass", kit_fetches(&wide), kit_fetches(&constant),
           kit_fetches(&pass));
@@ -455,12 +509,18 @@ static void widths(void)
 /* The formats that steps give are among those that the rows of their outputs name; precise ones are wider. */
 static void formats(void)
 {
-    static const ssgi_gl_desc descs[] = {
-        { .pass = SSGI_GL_SSAO }, { .pass = SSGI_GL_HSAO, .half = 1 }, { .pass = SSGI_GL_FIELD },
-        { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
-        { .pass = SSGI_GL_S3HO, .bands = 1 }, { .pass = SSGI_GL_S3HO, .packed = 1, .bands = 3 },
-        { .pass = SSGI_GL_SPLAT }, { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT,
-                                     .environment = SSGI_GL_ENVIRONMENT_MAP } };
+    static const ssgi_gl_desc descs[] = { { .pass = SSGI_GL_PASS_SSAO },
+                                          { .pass = SSGI_GL_PASS_HSAO, .gather.half = 1 },
+                                          { .pass = SSGI_GL_PASS_FIELD },
+                                          { .pass = SSGI_GL_PASS_SSDO,
+                                            .light.environment = SSGI_GL_ENVIRONMENT_MAP,
+                                            .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
+                                          { .pass = SSGI_GL_PASS_S3HO, .light.bands = 1 },
+                                          { .pass = SSGI_GL_PASS_S3HO, .light.packed = 1, .light.bands = 3 },
+                                          { .pass = SSGI_GL_PASS_SPLAT },
+                                          { .pass = SSGI_GL_PASS_SPLAT,
+                                            .surfel.effect = SSGI_GL_EFFECT_LIGHT,
+                                            .light.environment = SSGI_GL_ENVIRONMENT_MAP } };
     for (int i = 0; i < (int)(sizeof descs / sizeof *descs); ++i) {
         ssgi_gl_step step[STEPS];
         const ssgi_gl_chain chain = { .desc = descs[i], .blur = 1, .width = 64, .height = 36 };
@@ -472,7 +532,7 @@ static void formats(void)
             const int rows = ssgi_gl_reflect(&step[k].desc, row, SSGI_GL_MAX_IO);
             for (int o = 0; o < step[k].outputs; ++o)
                 for (int r = 0; r < rows; ++r)
-                    if (row[r].kind == SSGI_GL_OUTPUT && !strcmp(row[r].name, step[k].output[o].name))
+                    if (row[r].kind == SSGI_GL_IO_OUTPUT && !strcmp(row[r].name, step[k].output[o].name))
                         CHECK(strstr(row[r].format, step[k].output[o].format->name), "%s: %s is %s, its row says %s",
                               ssgi_gl_pass_name(step[k].desc.pass), row[r].name, step[k].output[o].format->name,
                               row[r].format);
@@ -483,20 +543,37 @@ static void formats(void)
 /* What the last step of a chain brings, by its output's name, and whether that is its result or your picture. */
 static void results(void)
 {
-    static const struct { const char *output; int steps; ssgi_gl_chain chain; } row[] = {
-        { "o_ssgi_bent", 3, { .desc = { .pass = SSGI_GL_S3HO, .shading = SSGI_GL_SHADING_BENT }, .width = 8,
-                              .height = 8 } },
-        { "o_ssgi_bent", 4, { .desc = { .pass = SSGI_GL_S3HO, .shading = SSGI_GL_SHADING_BENT }, .width = 8,
-                              .height = 8, .blur = 1, .vectors = 1 } },
-        { "o_ssgi_light", 3, { .desc = { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH }, .width = 8,
-                               .height = 8, .blur = 1 } },
-        { "o_ssgi_picture", 9, { .desc = { .pass = SSGI_GL_SPLAT, .span = 4, .levels = 2,
-                                           .onto = SSGI_GL_ONTO_MULTIPLY }, .width = 8, .height = 8 } },
+    static const struct { const char *output; int steps; ssgi_gl_chain chain;
+    } row[] = {
+        { "o_ssgi_bent",
+          3,
+          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = SSGI_GL_SHADING_BENT }, .width = 8, .height = 8 } },
+        { "o_ssgi_bent",
+          4,
+          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = SSGI_GL_SHADING_BENT },
+            .width = 8,
+            .height = 8,
+            .blur = 1,
+            .coefficients = 1 } },
+        { "o_ssgi_light",
+          3,
+          { .desc = { .pass = SSGI_GL_PASS_SSDO, .light.environment = SSGI_GL_ENVIRONMENT_SH },
+            .width = 8,
+            .height = 8,
+            .blur = 1 } },
+        { "o_ssgi_picture",
+          9,
+          { .desc = { .pass = SSGI_GL_PASS_SPLAT,
+                      .surfel.span = 4,
+                      .surfel.levels = 2,
+                      .filter.onto = SSGI_GL_ONTO_MULTIPLY },
+            .width = 8,
+            .height = 8 } },
     };
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
         ssgi_gl_step step[STEPS];
         const char *why = "";
-        const int n = ssgi_gl_steps(step, STEPS, &row[i].chain, &why), picture = row[i].chain.desc.onto != 0;
+        const int n = ssgi_gl_steps(step, STEPS, &row[i].chain, &why), picture = row[i].chain.desc.filter.onto != 0;
         if (!CHECK(n == row[i].steps, "%d: %d steps: %s", i, n, why)) continue;
         const ssgi_gl_output *last = step[n - 1].output;
         CHECK(!strcmp(last->name, row[i].output) && picture == (last->texture < 0)
@@ -526,23 +603,23 @@ static void any_desc(ssgi_gl_desc *d)
         const int value = below(4) ? 0 : (int)below((uint32_t)c->most + 1);
         memcpy((char *)d + c->offset, &value, sizeof value);
     }
-    d->dialect = SSGI_GL_450;
-    d->fetch = T_FETCH;
+    d->text.dialect = SSGI_GL_DIALECT_450;
+    d->text.fetch = T_FETCH;
 }
 
 static ssgi_gl_chain any_chain(void)
 {
-    static const int passes[] = { SSGI_GL_SSAO, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_FIELD,
-                                  SSGI_GL_SPLAT };
+    static const int passes[] = { SSGI_GL_PASS_SSAO, SSGI_GL_PASS_HSAO,  SSGI_GL_PASS_SSDO,
+                                  SSGI_GL_PASS_S3HO, SSGI_GL_PASS_FIELD, SSGI_GL_PASS_SPLAT };
     ssgi_gl_chain chain;
     memset(&chain, 0, sizeof chain);
     any_desc(&chain.desc);
     any_desc(&chain.lights);
     chain.desc.pass = passes[below(6)];
-    chain.lights.pass = below(2) ? SSGI_GL_LIGHTS : SSGI_GL_SSAO;
+    chain.lights.pass = below(2) ? SSGI_GL_PASS_LIGHTS : SSGI_GL_PASS_SSAO;
     chain.width = 1 + (int)below(24);
     chain.height = 1 + (int)below(24);
-    int *const flags[] = { &chain.blur, &chain.history, &chain.vectors, &chain.reuse, &chain.vpls, &chain.direct,
+    int *const flags[] = { &chain.blur, &chain.history, &chain.coefficients, &chain.reuse, &chain.vpls, &chain.direct,
                            &chain.hidden_sky, &chain.unsmoothed, &chain.precise };
     for (size_t i = 0; i < sizeof flags / sizeof *flags; ++i) *flags[i] = (int)below(2);
     return chain;
@@ -620,7 +697,7 @@ void test_steps(void)
             RUN("what is bound wrong is named before it is drawn", wrong_things);
             RUN("ambient visibility stands on a picture", onto_a_picture);
             RUN("a chain that cannot be drawn is refused", refusals);
-            RUN("pass width is drawn once, where slices read it, and costs a tap nothing", widths);
+            RUN("pass thickness is drawn once, where slices read it, and costs a tap nothing", widths);
             RUN("formats of targets are those that rows name", formats);
             RUN("every chain ends with its result, or on the picture", results);
             RUN("chains by chance are refused, or draw without an error", random_chains);

@@ -548,7 +548,7 @@ static void bounds(void)
                 p[1 - i / 500] = centre[1 - i / 500];
             }
             if (-p[2] < front) continue;
-            ssgi_view_project(&view, p, out);
+            ssgi_view_project(out, &view, p);
             for (int x = 0; x < 2; ++x) { low[x] = fminf(low[x], out[x]); high[x] = fmaxf(high[x], out[x]); }
         }
         for (int x = 0; x < 2; ++x) {
@@ -1035,8 +1035,8 @@ static int seen(const deep *d, int i, float p[3], float n[3])
     const size_t pixels = (size_t)d->frame.width * (size_t)d->frame.height;
     const float z = d->frame.data[i];
     if (!(z > 0)) return 0;
-    ssgi_view_position(&d->view, (float)(i % d->frame.width) + 0.5f,
-                       (float)(d->frame.height - 1 - i / d->frame.width) + 0.5f, z, p);
+    ssgi_view_position(p, &d->view, (float)(i % d->frame.width) + 0.5f,
+                       (float)(d->frame.height - 1 - i / d->frame.width) + 0.5f, z);
     for (size_t k = 0; k < 3; ++k) n[k] = d->frame.data[(k + 1) * pixels + (size_t)i];
     return 1;
 }
@@ -1128,7 +1128,7 @@ static void three_ways(void)
 }
 
 /* Every pixel once in every level, in the texel of its block, by chance. */
-static void shuffled(void)
+static void interleaving(void)
 {
     enum { SW = 53, SH = 37, LEVELS = 5 };
     deep d;
@@ -1138,7 +1138,7 @@ static void shuffled(void)
     const int wide = d.run.frame.level[0], high = d.run.frame.level[1];
     float *texel = malloc((size_t)(4 * wide * high * LEVELS) * sizeof *texel);
     if (!CHECK(wide == 64 && high == 48, "%d x %d", wide, high)
-        || !CHECK(!kit_texture_read(kit_run_input(&d.run, "t_ssgi_shuffled", 0), wide, high * LEVELS, 4, texel),
+        || !CHECK(!kit_texture_read(kit_run_input(&d.run, "t_ssgi_interleaved", 0), wide, high * LEVELS, 4, texel),
                   "it cannot be read"))
         return;
     for (int i = 0; i < SW * SH; ++i) surfaces += d.frame.data[i] > 0;
@@ -1152,7 +1152,7 @@ static void shuffled(void)
                 const int block[2] = { x % across[0], y % across[1] }, sub[2] = { x / across[0], y / across[1] };
                 float at[3];
                 if (p[0] > 1e17f) continue;
-                ssgi_view_project(&d.view, p, at);
+                ssgi_view_project(at, &d.view, p);
                 const int px = (int)floorf(at[0]), py = (int)floorf(at[1]);
                 if (px < 0 || px >= SW || py < 0 || py >= SH) { ++wrong; continue; }
                 wrong += px >> l != block[0] || py >> l != block[1] || sub[0] >> l || sub[1] >> l || met[py][px]++
@@ -1189,9 +1189,9 @@ static double hidden(const deep *d, const ssgi_surfel *s, size_t count, int leve
 static void as_brute_force(void)
 {
     static const struct { const char *set; int levels, orthographic, hard; float radius;
-    } row[] = { { "levels=1,hard=1,smooth=0,size=0.05,epsilon=0.02,near_samples=1,span=0", 1, 0, 1, 0 },
+    } row[] = { { "levels=1,falloff=none,smooth=0,size=0.05,epsilon=0.02,near_samples=1,span=0", 1, 0, 1, 0 },
                 { "levels=1,smooth=0,size=0.05,epsilon=0.05,near_samples=1,span=0", 1, 1, 0, 0.4f },
-                { "levels=4,hard=1,smooth=0,size=0.05,epsilon=0.02,near_samples=1,span=0", 4, 0, 1, 0 },
+                { "levels=4,falloff=none,smooth=0,size=0.05,epsilon=0.02,near_samples=1,span=0", 4, 0, 1, 0 },
                 { "levels=4,smooth=1,size=0.04,epsilon=0.02,near_samples=1,span=0", 4, 0, 0, 0.6f },
                 { "levels=3,smooth=0,size=0.04,epsilon=0.02,near_samples=1,span=0,way=direct", 3, 1, 0, 0.6f } };
     for (int m = 0; m < COUNT(row); ++m) {
@@ -1375,7 +1375,7 @@ static void unseen(void)
                          { 11, -5 },
                          m ? KIT_DEPTH_REVERSED : KIT_DEPTH_INFINITE };
         if (!dive(&d, "plane", &block, 1, &c, 96, 54, "dss",
-                  "levels=1,hard=1,smooth=0,epsilon=0.003,near_samples=1,span=0,near_depth=0", 0, NULL))
+                  "levels=1,falloff=none,smooth=0,epsilon=0.003,near_samples=1,span=0,near_depth=0", 0, NULL))
             return;
         const struct { const char *where; ssgi_surfel s; double least;
         } row[] = { { "off screen", placed(&d, -2.6f, 0.7f, 0, 0.8f, -0.6f, 0, 0.3f, 0), 0.002 },
@@ -1388,7 +1388,7 @@ static void unseen(void)
             kit_image out;
             double worst = 0, sum = 0;
             float at[3];
-            ssgi_view_project(&d.view, s.position, at);
+            ssgi_view_project(at, &d.view, s.position);
             const int x = (int)floorf(at[0]), y = 53 - (int)floorf(at[1]),
                       inside = -s.position[2] > 0.1f && x >= 0 && x < 96 && y >= 0 && y < 54;
             if (k < 2) CHECK(!inside, "%s: it is not", row[k].where);
@@ -1427,7 +1427,7 @@ static void shells_of(int enlarge)
     deep d;
     int wrong = 0, blocks[4] = { 0 }, missed = 0, hits[4] = { 0 };
     double bias[4] = { 0 };
-    snprintf(set, sizeof set, "levels=4,hard=1,smooth=0,epsilon=0.05,near_samples=1,span=0,enlarge=%d", enlarge);
+    snprintf(set, sizeof set, "levels=4,falloff=none,smooth=0,epsilon=0.05,near_samples=1,span=0,enlarge=%d", enlarge);
     if (!dive(&d, "plane", NULL, 0, NULL, 160, 90, "dss", set, 0, NULL)) return;
     for (int k = 0; k < 4; ++k) {
         static unsigned char met[90][160], level[90][160];
@@ -1496,7 +1496,8 @@ static void overlap(void)
         deep d;
         kit_image out;
         double worst = 0, most = 0;
-        snprintf(set, sizeof set, "levels=1,hard=1,smooth=0,near_samples=1,span=0,combine=%s", added ? "add" : "share");
+        snprintf(set, sizeof set, "levels=1,falloff=none,smooth=0,near_samples=1,span=0,combine=%s",
+                 added ? "add" : "share");
         if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", set, 0, NULL)) return;
         const ssgi_surfel s[3] = { placed(&d, 0, 0.4f, 0, 0, -1, 0, 0.6f, 0),
                                    placed(&d, 0, 0.3f, 0, 0, -1, 0, 0.5f, 0.5f),
@@ -1545,7 +1546,7 @@ static void custom(void)
         kit_image out[2];
         kit_method m;
         double worst = 0, dark = 0;
-        snprintf(set[0], sizeof set[0], "size=0.04,hard=1,near_samples=1,span=0,%s", sets[k % COUNT(sets)]);
+        snprintf(set[0], sizeof set[0], "size=0.04,falloff=none,near_samples=1,span=0,%s", sets[k % COUNT(sets)]);
         snprintf(set[1], sizeof set[1], "size=0.04,shadows=none,near_samples=1,%s", sets[k % COUNT(sets)]);
         if (!dive(&d[0], "boxes", NULL, 0, NULL, 96, 54, "dss", set[0], 0.6f, NULL) || !drawn(&out[0], &d[0].run)
             || !dive(&d[1], "boxes", NULL, 0, NULL, 96, 54, "dss-gloss", set[1], 0.6f, &l))
@@ -1627,7 +1628,7 @@ static void near_samples(void)
         deep d;
         kit_image out;
         int n = 0;
-        snprintf(set, sizeof set, "levels=1,hard=1,smooth=0,epsilon=0.01,near_samples=%d,span=0", 1 << 2 * m);
+        snprintf(set, sizeof set, "levels=1,falloff=none,smooth=0,epsilon=0.01,near_samples=%d,span=0", 1 << 2 * m);
         if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", set, 0, NULL)) return;
         const ssgi_surfel s = placed(&d, 0, 0.2f, 0, 0.6f, -0.8f, 0, 0.3f, 0);
         for (int i = 0; i < 4000; ++i) {
@@ -1777,16 +1778,19 @@ static void sent_by_one(void)
         { "a sun", { .at = { 0, 0.6f, 0.8f } }, 0.8, 0 },
         { "a sun behind", { .at = { 0, 0.6f, -0.8f } }, 0, 0 },
         { "a sun of which a wider map follows", { .at = { 0, 0.6f, 0.8f }, .min_distance = 1 }, 0, 0 },
-        { "a point", { .kind = SSGI_GL_POINT, .at = { SIDE } }, 0.8 / 25, 0 },
-        { "a near point", { .kind = SSGI_GL_POINT, .at = { 1, 2, -4.9f }, .min_distance = 0.5f }, 4, 0 },
-        { "a virtual point", { .kind = SSGI_GL_VPL, .at = { SIDE }, .normal = { 0, -1, 0 } }, 0.8 * 0.6 / 25, 0 },
-        { "a virtual point that faces away", { .kind = SSGI_GL_VPL, .at = { SIDE }, .normal = { 0, 1, 0 } }, 0, 0 },
-        { "a spot without a map", { .kind = SSGI_GL_SPOT, .at = { SIDE } }, 0.8 / 25, 0 },
-        { "a spot", { .kind = SSGI_GL_SPOT, .at = { SIDE }, MAP(7.9f, 0.1f, 4) }, 0.8 / 25, 0 },
-        { "beyond its map's right", { .kind = SSGI_GL_SPOT, .at = { SIDE }, MAP(8.1f, 1, 4) }, 0, 0 },
-        { "beyond its left", { .kind = SSGI_GL_SPOT, .at = { SIDE }, MAP(-0.1f, 1, 4) }, 0, 0 },
-        { "beyond its top", { .kind = SSGI_GL_SPOT, .at = { SIDE }, MAP(1, 8.1f, 4) }, 0, 0 },
-        { "beyond its bottom", { .kind = SSGI_GL_SPOT, .at = { SIDE }, MAP(1, -0.1f, 4) }, 0, 0 },
+        { "a point", { .kind = SSGI_GL_LIGHT_POINT, .at = { SIDE } }, 0.8 / 25, 0 },
+        { "a near point", { .kind = SSGI_GL_LIGHT_POINT, .at = { 1, 2, -4.9f }, .min_distance = 0.5f }, 4, 0 },
+        { "a virtual point", { .kind = SSGI_GL_LIGHT_VPL, .at = { SIDE }, .normal = { 0, -1, 0 } }, 0.8 * 0.6 / 25, 0 },
+        { "a virtual point that faces away",
+          { .kind = SSGI_GL_LIGHT_VPL, .at = { SIDE }, .normal = { 0, 1, 0 } },
+          0,
+          0 },
+        { "a spot without a map", { .kind = SSGI_GL_LIGHT_SPOT, .at = { SIDE } }, 0.8 / 25, 0 },
+        { "a spot", { .kind = SSGI_GL_LIGHT_SPOT, .at = { SIDE }, MAP(7.9f, 0.1f, 4) }, 0.8 / 25, 0 },
+        { "beyond its map's right", { .kind = SSGI_GL_LIGHT_SPOT, .at = { SIDE }, MAP(8.1f, 1, 4) }, 0, 0 },
+        { "beyond its left", { .kind = SSGI_GL_LIGHT_SPOT, .at = { SIDE }, MAP(-0.1f, 1, 4) }, 0, 0 },
+        { "beyond its top", { .kind = SSGI_GL_LIGHT_SPOT, .at = { SIDE }, MAP(1, 8.1f, 4) }, 0, 0 },
+        { "beyond its bottom", { .kind = SSGI_GL_LIGHT_SPOT, .at = { SIDE }, MAP(1, -0.1f, 4) }, 0, 0 },
         { "a sun with a map", { .at = { 0, 0.6f, 0.8f }, MAP(9, 9, 4) }, 0.8, 0 },
         { "a sun and the sky", { .at = { 0, 0.6f, 0.8f } }, 0.8, 1 },
         { "the sky", { .at = { 0, 0, -1 } }, 0, 1 },
@@ -1902,7 +1906,7 @@ void test_surfels(void)
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("the real tessellator places the same points, all 64 levels", real_tessellator);
     RUN("tessellation shaders make the CPU's surfels; three ways give one picture", three_ways);
-    RUN("shuffling deals every pixel out once a level", shuffled);
+    RUN("interleaving deals every pixel out once a level", interleaving);
     RUN("splats are what brute force over all surfels is", as_brute_force);
     RUN("each pixel is what brute force over its own sub-buffers is", as_sub_buffers);
     RUN("surfels beside the picture, behind the eye, hidden and across the near plane darken what they face", unseen);

@@ -19,27 +19,27 @@
 typedef struct choice { const char *name; size_t offset; int count, first, step; } choice;
 #define CHOICE(field, count, first, step) { #field, offsetof(ssgi_gl_desc, field), count, first, step }
 static const choice choices[] = {
-    CHOICE(orthographic, 2, 0, 1),  CHOICE(depth, 3, 0, 1),    CHOICE(normal, 5, 0, 1),
-    CHOICE(world_normals, 2, 0, 1), CHOICE(noise, 2, 0, 1),    CHOICE(steps, 2, 1, 2),
-    CHOICE(normal_rays, 2, 0, 2),   CHOICE(hard, 2, 0, 1),     CHOICE(thickness, 6, 0, 1),
-    CHOICE(terms, 4, 0, 1),         CHOICE(spheres, 2, 0, 1),
-    CHOICE(falloff, 2, 0, 1),       CHOICE(kernel, 2, 0, 1),   CHOICE(fade, 3, 0, 1),
-    CHOICE(uniform, 2, 0, 1),       CHOICE(range, 2, 0, 1),    CHOICE(layers, 3, 1, 1),
-    CHOICE(views, 2, 0, 2),
-    CHOICE(view_layers, 2, 1, 1),   CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1),
-    CHOICE(bounce, 3, 0, 1),        CHOICE(bands, 4, 1, 1),    CHOICE(packed, 2, 0, 1),
-    CHOICE(transfer, 3, 0, 1),      CHOICE(shaded, 2, 0, 1),   CHOICE(shading, 4, 0, 1),
-    CHOICE(dimmed, 2, 0, 1),        CHOICE(harmonics, 2, 0, 1),
-    CHOICE(lights, 2, 0, 1),        CHOICE(albedo, 2, 0, 1),   CHOICE(residual, 2, 0, 1),
-    CHOICE(two_sided, 2, 0, 1),     CHOICE(shadow, 4, 0, 1),   CHOICE(accumulate, 2, 0, 1),
-    CHOICE(radiance, 4, 0, 1),      CHOICE(objects, 3, 0, 1),  CHOICE(half, 3, 0, 1),
-    CHOICE(colour, 3, 0, 1),        CHOICE(filter, 2, 0, 1),   CHOICE(filter_normals, 2, 0, 1),
-    CHOICE(effect, 6, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
-    CHOICE(overhang, 2, 0, 1),      CHOICE(enlarge, 2, 0, 1),  CHOICE(combine, 2, 0, 1),
-    CHOICE(axis, 2, 0, 1),          CHOICE(restore, 3, 0, 1),  CHOICE(span, 2, 0, 4),
-    CHOICE(motion, 2, 0, 1),        CHOICE(left_handed, 2, 0, 1), CHOICE(oblique, 2, 0, 1),
-    CHOICE(multisampled, 2, 0, 1),  CHOICE(array, 2, 0, 1),    CHOICE(onto, 4, 0, 1),
-    CHOICE(cap_table, 2, 0, 1)
+    CHOICE(input.orthographic, 2, 0, 1),  CHOICE(input.depth, 3, 0, 1),    CHOICE(input.normal, 5, 0, 1),
+    CHOICE(input.world_normals, 2, 0, 1), CHOICE(gather.noise, 2, 0, 1),    CHOICE(gather.steps, 2, 1, 2),
+    CHOICE(gather.normal_rays, 2, 0, 2),   CHOICE(gather.thickness, 6, 0, 1),
+    CHOICE(gather.terms, 4, 0, 1),         CHOICE(gather.spheres, 2, 0, 1),
+    CHOICE(gather.falloff, 3, 0, 1),       CHOICE(gather.kernel, 2, 0, 1),   CHOICE(gather.fade, 3, 0, 1),
+    CHOICE(gather.uniform, 2, 0, 1),       CHOICE(gather.range, 2, 0, 1),    CHOICE(gather.layers, 3, 1, 1),
+    CHOICE(gather.views, 2, 0, 2),
+    CHOICE(gather.view_layers, 2, 1, 1),   CHOICE(light.receiver, 2, 0, 1), CHOICE(light.environment, 3, 0, 1),
+    CHOICE(light.bounce, 3, 0, 1),        CHOICE(light.bands, 4, 1, 1),    CHOICE(light.packed, 2, 0, 1),
+    CHOICE(light.transfer, 3, 0, 1),      CHOICE(light.shaded, 2, 0, 1),   CHOICE(light.shading, 4, 0, 1),
+    CHOICE(light.dimmed, 2, 0, 1),        CHOICE(light.harmonics, 2, 0, 1),
+    CHOICE(light.lights, 2, 0, 1),        CHOICE(light.albedo, 2, 0, 1),   CHOICE(light.residual, 2, 0, 1),
+    CHOICE(light.two_sided, 2, 0, 1),     CHOICE(light.shadow, 4, 0, 1),   CHOICE(light.accumulate, 2, 0, 1),
+    CHOICE(light.radiance, 4, 0, 1),      CHOICE(input.objects, 3, 0, 1),  CHOICE(gather.half, 3, 0, 1),
+    CHOICE(filter.quantity, 3, 0, 1),        CHOICE(filter.kind, 2, 0, 1),   CHOICE(filter.normals, 2, 0, 1),
+    CHOICE(surfel.effect, 6, 0, 1),        CHOICE(surfel.sends, 3, 0, 1),    CHOICE(surfel.near_samples, 2, 1, 3),
+    CHOICE(surfel.overhang, 2, 0, 1),      CHOICE(surfel.enlarge, 2, 0, 1),  CHOICE(surfel.combine, 2, 0, 1),
+    CHOICE(surfel.axis, 2, 0, 1),          CHOICE(light.restore, 3, 0, 1),  CHOICE(surfel.span, 2, 0, 4),
+    CHOICE(input.motion, 2, 0, 1),        CHOICE(input.left_handed, 2, 0, 1), CHOICE(input.oblique, 2, 0, 1),
+    CHOICE(input.multisampled, 2, 0, 1),  CHOICE(input.array, 2, 0, 1),    CHOICE(filter.onto, 4, 0, 1),
+    CHOICE(input.cap_table, 2, 0, 1)
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
@@ -77,10 +77,10 @@ static const char *describe(const ssgi_gl_desc *d)
 {
     static _Thread_local char text[1000];
     size_t n = (size_t)snprintf(text, sizeof text, "%s%s%s %s", ssgi_gl_pass_name(d->pass),
-                                d->search == SSGI_GL_MARCH    ? " march"
-                                : d->search == SSGI_GL_POINTS ? " points"
+                                d->gather.search == SSGI_GL_SEARCH_MARCH    ? " march"
+                                : d->gather.search == SSGI_GL_SEARCH_POINTS ? " points"
                                                               : "",
-                                d->tessellate ? " tessellated" : "", ssgi_gl_dialect_name(d->dialect));
+                                d->surfel.tessellate ? " tessellated" : "", ssgi_gl_dialect_name(d->text.dialect));
     for (int k = 0; k < CHOICES; ++k)
         if (get(d, choices[k].offset) != choices[k].first)
             n += (size_t)snprintf(text + n, sizeof text - n, ", %s %d", choices[k].name, get(d, choices[k].offset));
@@ -90,10 +90,10 @@ static const char *describe(const ssgi_gl_desc *d)
 /* The stages of a pass, a bit each. */
 static int stages_of(const ssgi_gl_desc *d)
 {
-    const int tessellated = d->tessellate && (d->pass == SSGI_GL_SURFELS || d->pass == SSGI_GL_SPLAT);
-    return 1 << SSGI_GL_VERTEX | 1 << SSGI_GL_FRAGMENT
-           | (tessellated ? 1 << SSGI_GL_TESS_CONTROL | 1 << SSGI_GL_TESS_EVALUATION : 0)
-           | (tessellated && d->pass == SSGI_GL_SPLAT ? 1 << SSGI_GL_GEOMETRY : 0);
+    const int tessellated = d->surfel.tessellate && (d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_SPLAT);
+    return 1 << SSGI_GL_STAGE_VERTEX | 1 << SSGI_GL_STAGE_FRAGMENT
+           | (tessellated ? 1 << SSGI_GL_STAGE_TESS_CONTROL | 1 << SSGI_GL_STAGE_TESS_EVALUATION : 0)
+           | (tessellated && d->pass == SSGI_GL_PASS_SPLAT ? 1 << SSGI_GL_STAGE_GEOMETRY : 0);
 }
 
 /* The text of a stage, "" of one that the pass does not have. */
@@ -108,7 +108,7 @@ static const char *emit(char *text, const ssgi_gl_desc *d, int stage)
 /* Is the vertex stage more than a triangle? */
 static int has_vertices(const ssgi_gl_desc *d)
 {
-    return d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SURFELS || d->pass == SSGI_GL_SPLAT;
+    return d->pass == SSGI_GL_PASS_FIELD || d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_SPLAT;
 }
 
 static uint64_t hash_of(const char *text, size_t n)
@@ -227,16 +227,19 @@ static void make_variants(void)
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int way = 0; way < 3; ++way) {               /* searches, tessellators: where they change the plain text */
             ssgi_gl_desc d = { .pass = pass,
-                               .search = way == 1 ? (pass == SSGI_GL_HSAO ? SSGI_GL_MARCH : SSGI_GL_POINTS) : 0,
-                               .tessellate = way == 2,
-                               .dialect = way == 2 ? SSGI_GL_410 : SSGI_GL_330,
-                               .samples = 4,
-                               .directions = 2,
-                               .fetch = T_FETCH };
+                               .gather.search = way == 1 ? (pass == SSGI_GL_PASS_HSAO ? SSGI_GL_SEARCH_MARCH
+                                                                                      : SSGI_GL_SEARCH_POINTS)
+                                                         : 0,
+                               .surfel.tessellate = way == 2,
+                               .text.dialect = way == 2 ? SSGI_GL_DIALECT_410 : SSGI_GL_DIALECT_330,
+                               .gather.samples = 4,
+                               .gather.directions = 2,
+                               .text.fetch = T_FETCH };
             for (int k = 0; k < CHOICES; ++k) set(&d, choices[k].offset, choices[k].first);
-            d.environment = pass == SSGI_GL_SSDO ? SSGI_GL_ENVIRONMENT_SH : 0;     /* else it is refused: no key */
+            d.light.environment = pass == SSGI_GL_PASS_SSDO ? SSGI_GL_ENVIRONMENT_SH
+                                                            : 0; /* else it is refused: no key */
             ssgi_gl_desc other = d;
-            other.search = other.tessellate = 0;
+            other.gather.search = other.surfel.tessellate = 0;
             if (!way || ssgi_gl_key(&d) != ssgi_gl_key(&other)) shape[shapes++] = d;
         }
     for (int t = 0; t < shapes; ++t) {
@@ -296,7 +299,10 @@ static struct { ssgi_gl_desc desc; int stage, fresh; } spoken[3 * MOST + 200];
 static int texts;
 static struct { int texts, linked, vulkan, read; char problem[1000]; } glslang;
 
-static int is_es(const ssgi_gl_desc *d) { return d->dialect >= SSGI_GL_300ES && d->dialect <= SSGI_GL_320ES; }
+static int is_es(const ssgi_gl_desc *d)
+{
+    return d->text.dialect >= SSGI_GL_DIALECT_300ES && d->text.dialect <= SSGI_GL_DIALECT_320ES;
+}
 
 /* The text of a stage; PROGRAM: of all, one after the other; TOOLBOX: of ssgi_gl_field, whatever the pass, in a
    fragment shader that calls it. */
@@ -305,10 +311,10 @@ static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
     if (stage == PROGRAM)
         for (int s = 0, at = 0; s < SSGI_GL_STAGES; ++s) at += (int)strlen(emit(text + at, d, s));
     if (stage != TOOLBOX) return stage == PROGRAM ? text : emit(text, d, stage);
-    size_t n = strcspn(emit(text, d, SSGI_GL_VERTEX), "\n") + 1;      /* the version */
+    size_t n = strcspn(emit(text, d, SSGI_GL_STAGE_VERTEX), "\n") + 1;      /* the version */
     n += (size_t)snprintf(text + n, TEXT - n, "%s",
                           is_es(d)                       ? "precision highp float;\nprecision highp int;\n"
-                          : d->dialect == SSGI_GL_VULKAN ? EXTENSION
+                          : d->text.dialect == SSGI_GL_DIALECT_VULKAN ? EXTENSION
                                                          : "");
     n += ssgi_gl_field(text + n, TEXT - n, d);
     snprintf(text + n, TEXT - n,
@@ -342,23 +348,23 @@ static void speak(void)
     static uint64_t seen[1 << 10];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     int interfaces = 0;
-    for (int i = 0; i < SSGI_GL_DIALECTS; ++i, ++texts) spoken[texts].desc.dialect = i;
+    for (int i = 0; i < SSGI_GL_DIALECTS; ++i, ++texts) spoken[texts].desc.text.dialect = i;
     for (int i = 0, last = -1; i < 3 * variants; ++i) {
         ssgi_gl_desc d = variant[i / 3];
         const int first = i / 3, way = i % 3;
-        d.lines = first % 8 == 0;
+        d.text.lines = first % 8 == 0;
         for (int k = 0; k < 3; ++k) {
-            d.dialect = way == 2 ? SSGI_GL_VULKAN : way * 3 + (first + k) % 3;
+            d.text.dialect = way == 2 ? SSGI_GL_DIALECT_VULKAN : way * 3 + (first + k) % 3;
             if (ssgi_gl_check(&d, NULL) == SSGI_OK) break;
         }
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* surfels for Vulkan */
-        const int at = texts++, is = 4 * d.pass + d.search + (d.tessellate ? 3 : 0);
+        const int at = texts++, is = 4 * d.pass + d.gather.search + (d.surfel.tessellate ? 3 : 0);
         spoken[at].desc = d;
         spoken[at].fresh = way == 2 && is != last;
-        spoken[at].stage = has_vertices(&d) || spoken[at].fresh ? PROGRAM : SSGI_GL_FRAGMENT;
+        spoken[at].stage = has_vertices(&d) || spoken[at].fresh ? PROGRAM : SSGI_GL_STAGE_FRAGMENT;
         if (way == 2) last = is;
         if (!has_vertices(&d)) continue;
-        uint64_t hash = (uint64_t)(2 * d.pass + d.tessellate);
+        uint64_t hash = (uint64_t)(2 * d.pass + d.surfel.tessellate);
         for (int k = 0, v = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); k < v; ++k)
             hash =
                 (hash ^ hash_of(row[k].name, strlen(row[k].name)) ^ (uint64_t)row[k].kind << 56) * 0x9e3779b97f4a7c15u;
@@ -370,7 +376,7 @@ static void speak(void)
     }
     each_once();
     for (int i = 0; i < SSGI_GL_DIALECTS; ++i, ++texts) {
-        const ssgi_gl_desc d = { .dialect = i };
+        const ssgi_gl_desc d = { .text.dialect = i };
         spoken[texts].desc = d;
         spoken[texts].stage = TOOLBOX;
     }
@@ -388,7 +394,8 @@ static void *glslang_run(void *folder)
     int passed = 1;
     for (int first = 0; first < texts && passed; first += BATCH) {
         for (int i = first; i < first + BATCH && i < texts; ++i, ++glslang.texts) {
-            const int program = spoken[i].stage == PROGRAM, vulkan = spoken[i].desc.dialect == SSGI_GL_VULKAN;
+            const int program = spoken[i].stage == PROGRAM,
+                      vulkan = spoken[i].desc.text.dialect == SSGI_GL_DIALECT_VULKAN;
             for (int stage = program ? 0 : spoken[i].stage; stage < (program ? SSGI_GL_STAGES : spoken[i].stage + 1);
                  ++stage) {
                 const size_t n = strlen(source_of(text, &spoken[i].desc, stage));
@@ -443,7 +450,7 @@ static GLuint linked(const ssgi_gl_desc *d)
         stages += *source[stages] != 0;
     }
     for (int i = 0, rows = ssgi_gl_reflect(d, row, SSGI_GL_MAX_IO); i < rows; ++i)
-        if (row[i].kind == SSGI_GL_CAPTURE
+        if (row[i].kind == SSGI_GL_IO_CAPTURE
             && CHECK(row[i].slot == keeps && keeps < 3, "%s: %s is at %d of what is kept", describe(d), row[i].name,
                      row[i].slot))
             kept[keeps++] = row[i].name;
@@ -466,7 +473,7 @@ static int compiles(const ssgi_gl_desc *d, int stage)
         return program != 0;
     }
     const char *source = source_of(text, d, stage);
-    GLuint shader = glCreateShader(stage == SSGI_GL_VERTEX ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
+    GLuint shader = glCreateShader(stage == SSGI_GL_STAGE_VERTEX ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
     glShaderSource(shader, 1, &source, NULL);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
@@ -496,7 +503,7 @@ static void compilers(void)
         if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
         if (version[0] * 10 + version[1] < 32 && !desktop) break;
         for (int i = 0, bad = 0; i < texts && bad < 3; ++i) {
-            if (is_es(&spoken[i].desc) != es || spoken[i].desc.dialect == SSGI_GL_VULKAN) continue;
+            if (is_es(&spoken[i].desc) != es || spoken[i].desc.text.dialect == SSGI_GL_DIALECT_VULKAN) continue;
             bad += !compiles(&spoken[i].desc, spoken[i].stage);
             ++tried;
         }
@@ -519,29 +526,32 @@ static void compilers(void)
 static size_t any_text(int k, char *out, size_t capacity)
 {
     static const ssgi_gl_desc descs[] = {
-        { .samples = 3 },
-        { .pass = SSGI_GL_SSDO,
-          .search = SSGI_GL_POINTS,
-          .dialect = SSGI_GL_320ES,
-          .samples = 2,
-          .environment = SSGI_GL_ENVIRONMENT_SH,
-          .bounce = SSGI_GL_BOUNCE_PATCH,
-          .views = 1 },
-        { .pass = SSGI_GL_HSAO, .thickness = SSGI_GL_THICKNESS_SLABS, .dialect = SSGI_GL_310ES, .lines = 1 },
-        { .pass = SSGI_GL_HSAO,
-          .search = SSGI_GL_MARCH,
-          .normal_rays = 2,
-          .noise = SSGI_GL_NOISE_TEXTURE,
-          .version = "#version 430",
-          .fetch = "// mine" },
-        { .pass = SSGI_GL_SHADE, .lights = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH },
-        { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_TEXTURE, .lines = 1 },
-        { .pass = SSGI_GL_SPLAT,
-          .dialect = SSGI_GL_VULKAN,
-          .tessellate = 1,
-          .sends = SSGI_GL_SENDS_CUSTOM,
-          .effect = SSGI_GL_EFFECT_BOUNCE,
-          .fetch = "// mine" }
+        { .gather.samples = 3 },
+        { .pass = SSGI_GL_PASS_SSDO,
+          .gather.search = SSGI_GL_SEARCH_POINTS,
+          .text.dialect = SSGI_GL_DIALECT_320ES,
+          .gather.samples = 2,
+          .light.environment = SSGI_GL_ENVIRONMENT_SH,
+          .light.bounce = SSGI_GL_BOUNCE_PATCH,
+          .gather.views = 1 },
+        { .pass = SSGI_GL_PASS_HSAO,
+          .gather.thickness = SSGI_GL_THICKNESS_SLABS,
+          .text.dialect = SSGI_GL_DIALECT_310ES,
+          .text.lines = 1 },
+        { .pass = SSGI_GL_PASS_HSAO,
+          .gather.search = SSGI_GL_SEARCH_MARCH,
+          .gather.normal_rays = 2,
+          .gather.noise = SSGI_GL_NOISE_TEXTURE,
+          .text.version = "#version 430",
+          .text.fetch = "// mine" },
+        { .pass = SSGI_GL_PASS_SHADE, .light.lights = 1, .light.packed = 1, .light.transfer = SSGI_GL_TRANSFER_BOTH },
+        { .pass = SSGI_GL_PASS_FIELD, .input.objects = SSGI_GL_OBJECTS_TEXTURE, .text.lines = 1 },
+        { .pass = SSGI_GL_PASS_SPLAT,
+          .text.dialect = SSGI_GL_DIALECT_VULKAN,
+          .surfel.tessellate = 1,
+          .surfel.sends = SSGI_GL_SENDS_CUSTOM,
+          .surfel.effect = SSGI_GL_EFFECT_BOUNCE,
+          .text.fetch = "// mine" }
     };
     const int stages = (int)(sizeof descs / sizeof descs[0]) * SSGI_GL_STAGES;
     if (k == stages) return ssgi_gl_field(out, capacity, &descs[5]);
@@ -552,7 +562,7 @@ static size_t any_text(int k, char *out, size_t capacity)
 static void law(void)
 {
     static char full[TEXT], part[TEXT], clean[TEXT];
-    const ssgi_gl_desc fine = { 0 }, bad = { .steps = 65 };
+    const ssgi_gl_desc fine = { 0 }, bad = { .gather.steps = 65 };
     size_t n;
     int there = 0;
     memset(clean, 0x5a, sizeof clean);
@@ -585,19 +595,20 @@ static void same_bytes(void)
     static const char *const names[] = { "de_DE.UTF-8", "de_DE.utf8",  "de_DE",      "fr_FR.UTF-8",
                                          "fr_FR.utf8",  "nl_NL.UTF-8", "it_IT.UTF-8" };
     const char *with = NULL;
-    ssgi_gl_desc a = { .version = "#version 330 core\n", .fetch = T_FETCH }, b = a;   /* ssao: the kernel's numbers */
+    ssgi_gl_desc a = { .text.version = "#version 330 core\n", .text.fetch = T_FETCH },
+                 b = a; /* ssao: the kernel's numbers */
     char version[] = "#version 330 core\n", fetch[] = T_FETCH;
-    b.version = version;
-    b.fetch = fetch;
-    emit(one, &a, SSGI_GL_FRAGMENT);
-    CHECK(!strcmp(one, emit(two, &b, SSGI_GL_FRAGMENT)) && ssgi_gl_key(&a) == ssgi_gl_key(&b),
+    b.text.version = version;
+    b.text.fetch = fetch;
+    emit(one, &a, SSGI_GL_STAGE_FRAGMENT);
+    CHECK(!strcmp(one, emit(two, &b, SSGI_GL_STAGE_FRAGMENT)) && ssgi_gl_key(&a) == ssgi_gl_key(&b),
           "equal strings at another place change the text or the key");
     for (size_t i = 0; i < sizeof names / sizeof names[0] && !with; ++i)
         if (setlocale(LC_ALL, names[i])) with = names[i];
     if (with) {
         snprintf(two, sizeof two, "%.1f", 0.5);
         CHECK(two[1] == ',', "locale %s has no decimal comma", with);
-        CHECK(!strcmp(one, emit(two, &a, SSGI_GL_FRAGMENT)), "another text under locale %s", with);
+        CHECK(!strcmp(one, emit(two, &a, SSGI_GL_STAGE_FRAGMENT)), "another text under locale %s", with);
         setlocale(LC_ALL, "C");
     }
     t_note(with ? "locale tried: %s" : "no locale with a decimal comma is installed: %s not tried",
@@ -627,9 +638,9 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
     const char *end = strstr(text, "\n\n"), *line = strchr(text, '\n') + 1,
                *outside =
                    "uniform \0layout(binding\0layout(std140\0layout(location\0const int \0out vec4 o_\0in vec4 a_\0";
-    int es = is_es(d), vulkan = d->dialect == SSGI_GL_VULKAN,
-        bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES, block = -1, last = -1, precisions = 0,
-        multisampled = 0;
+    int es = is_es(d), vulkan = d->text.dialect == SSGI_GL_DIALECT_VULKAN,
+        bindings = d->text.dialect == SSGI_GL_DIALECT_450 || d->text.dialect >= SSGI_GL_DIALECT_310ES, block = -1,
+        last = -1, precisions = 0, multisampled = 0;
     uint64_t found = 0;
     size_t offset = 0;
     if (!CHECK(end, "%s: no end of the declarations", describe(d))) return 0;
@@ -656,7 +667,7 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
             if (!strncmp(name, "u_ssgi_gap", 10) && array) strcat(type, array);
             size = std140(type, &align);
             offset = (offset + align - 1) / align * align;
-            io.kind = SSGI_GL_PARAM;
+            io.kind = SSGI_GL_IO_PARAM;
             io.slot = block;
             io.offset = offset;
             offset += size;
@@ -665,17 +676,17 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
                    || (vulkan
                        && sscanf(line, "layout(constant_id = %zu) const int %63s = %d;", &io.offset, name, &io.slot)
                               == 3)) {
-            io.kind = SSGI_GL_CONSTANT;
+            io.kind = SSGI_GL_IO_CONSTANT;
             strcpy(type, "int");
         } else if (sscanf(line, "layout(location = %d) %9s %31s %63[^;]; // %299[^\n]", &io.slot, begin, type, name,
                           format)
                    == 5) {
             if (vulkan && *name == 'v') continue;          /* between stages */
-            io.kind = strcmp(begin, "in") ? SSGI_GL_OUTPUT : SSGI_GL_ATTRIBUTE;
+            io.kind = strcmp(begin, "in") ? SSGI_GL_IO_OUTPUT : SSGI_GL_IO_ATTRIBUTE;
         }
         else if (sscanf(line, "out %31s %63[^;]; // %299[^\n]", type, name, format) == 3) {
-            if (d->pass == SSGI_GL_SPLAT) continue;        /* it goes to the next stage, nothing keeps it */
-            io.kind = SSGI_GL_CAPTURE;
+            if (d->pass == SSGI_GL_PASS_SPLAT) continue;        /* it goes to the next stage, nothing keeps it */
+            io.kind = SSGI_GL_IO_CAPTURE;
         } else if (vulkan ? sscanf(line, "layout(set = 0, binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot,
                                    type, name, format)
                                 == 4
@@ -684,16 +695,16 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
                                     == 4
                               : sscanf(line, "%63s %31s %63[^;]; // %299[^\n]", begin, type, name, format) == 4
                                     && !strcmp(begin, "uniform")) {
-            io.kind = SSGI_GL_TEXTURE;
+            io.kind = SSGI_GL_IO_TEXTURE;
             if (vulkan) io.slot -= 2;
         }
         multisampled |= !strcmp(type, "sampler2DMS");
         int at = 0;
         while (at < rows && (found >> at & 1 || (has_vertices(d) && strcmp(row[at].name, name)))) ++at;
-        int same =
-            at < rows && row[at].kind == io.kind && !strcmp(row[at].name, name) && !strcmp(row[at].type, type)
-            && !strcmp(row[at].format, format) && row[at].offset == io.offset
-            && (row[at].slot == io.slot || (io.kind == SSGI_GL_TEXTURE && !bindings) || io.kind == SSGI_GL_CAPTURE);
+        int same = at < rows && row[at].kind == io.kind && !strcmp(row[at].name, name) && !strcmp(row[at].type, type)
+                && !strcmp(row[at].format, format) && row[at].offset == io.offset
+                && (row[at].slot == io.slot || (io.kind == SSGI_GL_IO_TEXTURE && !bindings)
+                    || io.kind == SSGI_GL_IO_CAPTURE);
         if (!CHECK(same, "%s: \"%.*s\" is not row %d, %s", describe(d), (int)strcspn(line, "\n"), line, at,
                    at < rows ? row[at].name : "none"))
             return 0;
@@ -721,7 +732,7 @@ static int ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
         const GLuint block = glGetUniformBlockIndex(program, blocks[b].name);
         GLint size = 0, binding = -1;
         int wanted = 0;
-        for (int i = 0; i < rows; ++i) wanted |= row[i].kind == SSGI_GL_PARAM && row[i].slot == b;
+        for (int i = 0; i < rows; ++i) wanted |= row[i].kind == SSGI_GL_IO_PARAM && row[i].slot == b;
         CHECK((block != GL_INVALID_INDEX) == wanted, "%s: %s is %s", describe(d), blocks[b].name,
               wanted ? "missing" : "there");
         if (block == GL_INVALID_INDEX) continue;
@@ -733,17 +744,19 @@ static int ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
     for (int i = 0; i < rows; ++i) {
         GLuint index = GL_INVALID_INDEX;
         GLint value = -1, want = row[i].slot;
-        if (row[i].kind == SSGI_GL_CONSTANT || row[i].kind == SSGI_GL_ATTRIBUTE || row[i].kind == SSGI_GL_CAPTURE)
+        if (row[i].kind == SSGI_GL_IO_CONSTANT || row[i].kind == SSGI_GL_IO_ATTRIBUTE
+            || row[i].kind == SSGI_GL_IO_CAPTURE)
             continue;
-        if (row[i].kind == SSGI_GL_PARAM) {
+        if (row[i].kind == SSGI_GL_IO_PARAM) {
             want = (GLint)row[i].offset;
             glGetUniformIndices(program, 1, &row[i].name, &index);
             if (index != GL_INVALID_INDEX) glGetActiveUniformsiv(program, 1, &index, GL_UNIFORM_OFFSET, &value);
-        } else if (row[i].kind == SSGI_GL_OUTPUT) value = glGetFragDataLocation(program, row[i].name);
+        } else if (row[i].kind == SSGI_GL_IO_OUTPUT) value = glGetFragDataLocation(program, row[i].name);
         else if (glGetUniformLocation(program, row[i].name) >= 0)
             glGetUniformiv(program, glGetUniformLocation(program, row[i].name), &value);
         /* light of one band is the same for all normals, as GL's compilers find out */
-        if (value < 0 && ssgi_gl_resolve(d).bands == 1 && row[i].kind == SSGI_GL_TEXTURE && row[i].slot < 2) continue;
+        if (value < 0 && ssgi_gl_resolve(d).light.bands == 1 && row[i].kind == SSGI_GL_IO_TEXTURE && row[i].slot < 2)
+            continue;
         CHECK(value == want, "%s: %s is at %d for GL, the row says %d", describe(d), row[i].name, value, want);
     }
     glDeleteProgram(program);
@@ -756,7 +769,7 @@ static void check_units(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
     static struct { const char *name; int slot; } units[SSGI_GL_PASSES][64];
     int taken = 0;
     for (int k = 0, u = 0; k < rows; ++k, u = 0) {
-        if (row[k].kind != SSGI_GL_TEXTURE) continue;
+        if (row[k].kind != SSGI_GL_IO_TEXTURE) continue;
         while (units[d->pass][u].name && strcmp(units[d->pass][u].name, row[k].name)) ++u;
         if (!units[d->pass][u].name) { units[d->pass][u].name = row[k].name; units[d->pass][u].slot = row[k].slot; }
         CHECK(row[k].slot == units[d->pass][u].slot && row[k].slot >= 0 && row[k].slot < 16
@@ -775,15 +788,15 @@ static void reflection(void)
     int asked = 0, pairs = 0, read_back = 0;
     for (int i = 0; i < variants * SSGI_GL_DIALECTS; ++i) {
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
-        d.dialect = i % SSGI_GL_DIALECTS;
+        d.text.dialect = i % SSGI_GL_DIALECTS;
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* no tessellation there */
         const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), before = pairs;
         uint64_t params[2] = { 0, 0 }, once = 0, twice = 0;
         check_units(&d, row, rows);
-        for (int k = 0, slots[SSGI_GL_CAPTURE + 1] = { 0 }; k < rows; ++k) {
-            if (row[k].kind == SSGI_GL_PARAM) params[row[k].slot] |= (uint64_t)1 << k;
-            CHECK(row[k].kind == SSGI_GL_PARAM || row[k].kind == SSGI_GL_CONSTANT || row[k].kind == SSGI_GL_TEXTURE
-                      || row[k].slot == slots[row[k].kind],
+        for (int k = 0, slots[SSGI_GL_IO_CAPTURE + 1] = { 0 }; k < rows; ++k) {
+            if (row[k].kind == SSGI_GL_IO_PARAM) params[row[k].slot] |= (uint64_t)1 << k;
+            CHECK(row[k].kind == SSGI_GL_IO_PARAM || row[k].kind == SSGI_GL_IO_CONSTANT
+                      || row[k].kind == SSGI_GL_IO_TEXTURE || row[k].slot == slots[row[k].kind],
                   "%s: %s is at %d, not at %d", describe(&d), row[k].name, row[k].slot, slots[row[k].kind]);
             ++slots[row[k].kind];
         }
@@ -803,7 +816,7 @@ static void reflection(void)
         if (!CHECK(once == ((uint64_t)1 << rows) - 1 && !twice,
                    "%s: of %d rows the stages declare %" PRIx64 ", twice %" PRIx64, describe(&d), rows, once, twice))
             break;
-        if (d.dialect != SSGI_GL_450 || !desktop) continue;
+        if (d.text.dialect != SSGI_GL_DIALECT_450 || !desktop) continue;
         uint64_t last = (uint64_t)d.pass;
         for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
             /* GL is asked where two lines are together first */
@@ -826,25 +839,31 @@ static void reflection(void)
     t_note("%d texts read back, %d linked for %d different pairs of lines", read_back, asked, pairs);
     /* what s3ho writes is what blur reads, in order, name, type and format */
     for (int k = 0; k < 4 * 2 * 3; ++k) {
-        ssgi_gl_desc d = { .pass = SSGI_GL_S3HO, .bands = 1 + k % 4, .packed = k / 4 % 2, .transfer = k / 8 }, blur = d;
-        blur.pass = SSGI_GL_BLUR;
-        blur.colour = SSGI_GL_COEFFICIENTS;
-        const int targets = d.packed ? (d.transfer ? 3 : 1) * (d.bands > 2 ? 2 : 1) : d.bands < 3 ? 1 : d.bands;
+        ssgi_gl_desc d = { .pass = SSGI_GL_PASS_S3HO,
+                           .light.bands = 1 + k % 4,
+                           .light.packed = k / 4 % 2,
+                           .light.transfer = k / 8 },
+                     blur = d;
+        blur.pass = SSGI_GL_PASS_BLUR;
+        blur.filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS;
+        const int targets = d.light.packed    ? (d.light.transfer ? 3 : 1) * (d.light.bands > 2 ? 2 : 1)
+                          : d.light.bands < 3 ? 1
+                                              : d.light.bands;
         const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), reads = ssgi_gl_reflect(&blur, read, SSGI_GL_MAX_IO);
         int written = 0, found = 0;
         for (int i = 0, b = 0; i < rows; ++i) {
-            if (row[i].kind != SSGI_GL_OUTPUT) continue;
+            if (row[i].kind != SSGI_GL_IO_OUTPUT) continue;
             while (b < reads && strcmp(read[b].name + 1, row[i].name + 1)) ++b;
-            found += b < reads && read[b].kind == SSGI_GL_TEXTURE && !strcmp(read[b].format, row[i].format)
-                     && !strcmp(read[b].type, d.packed ? "usampler2D" : "sampler2D")
-                     && !strcmp(row[i].type, d.packed ? "uvec4" : "vec4") && row[i].slot == written;
+            found += b < reads && read[b].kind == SSGI_GL_IO_TEXTURE && !strcmp(read[b].format, row[i].format)
+                     && !strcmp(read[b].type, d.light.packed ? "usampler2D" : "sampler2D")
+                     && !strcmp(row[i].type, d.light.packed ? "uvec4" : "vec4") && row[i].slot == written;
             ++written;
         }
-        CHECK(d.transfer && !d.packed ? !rows && !reads : written == targets && found == targets,
-              "%d bands, packed %d, transfer %d: %d targets, %d of them read", d.bands, d.packed, d.transfer, written,
-              found);
+        CHECK(d.light.transfer && !d.light.packed ? !rows && !reads : written == targets && found == targets,
+              "%d bands, packed %d, transfer %d: %d targets, %d of them read", d.light.bands, d.light.packed,
+              d.light.transfer, written, found);
     }
-    emit(text[0], variant, SSGI_GL_VERTEX);
+    emit(text[0], variant, SSGI_GL_STAGE_VERTEX);
     CHECK(!strstr(text[0], "ssgi") && !strstr(text[0], "uniform") && !strstr(text[0], "layout"),
           "the vertex stage declares something");
     CHECK(!ssgi_gl_reflect(NULL, row, 1) && !ssgi_gl_reflect(variant, NULL, 1) && ssgi_gl_reflect(variant, NULL, 0) > 0,
@@ -921,16 +940,17 @@ static void bindings(void)
     int tried = 0, told = 0;
     for (int i = 0; i <= variants; ++i) {
         /* in the order of the pipeline; the last is of fields alone */
-        static const int order[SSGI_GL_STAGES] = { SSGI_GL_VERTEX, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION,
-                                                   SSGI_GL_GEOMETRY, SSGI_GL_FRAGMENT };
+        static const int order[SSGI_GL_STAGES] = { SSGI_GL_STAGE_VERTEX, SSGI_GL_STAGE_TESS_CONTROL,
+                                                   SSGI_GL_STAGE_TESS_EVALUATION, SSGI_GL_STAGE_GEOMETRY,
+                                                   SSGI_GL_STAGE_FRAGMENT };
         static places p;
         ssgi_gl_desc d = variant[i < variants ? i : 0];
         int before = -1, rows, blocks[2] = { 0, 0 }, textures = 0;
-        d.dialect = SSGI_GL_VULKAN;
+        d.text.dialect = SSGI_GL_DIALECT_VULKAN;
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* surfels */
         memset(&p, 0, sizeof p);
         if (i == variants) {
-            d.cap_table = 1;
+            d.input.cap_table = 1;
             CHECK(read_places(&p, source_of(text, &d, TOOLBOX), &d, TOOLBOX, -1) && p.count == 3
                       && !strcmp(p.bound[4], "t_ssgi_occluders") && !strcmp(p.bound[6], "t_ssgi_fields")
                       && !strcmp(p.bound[7], "t_ssgi_cap"),
@@ -945,12 +965,12 @@ static void bindings(void)
         rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
         for (int k = 0; k < rows; ++k) {
             const int kind = row[k].kind;
-            const char *wanted = kind == SSGI_GL_TEXTURE ? row[k].name : row[k].slot ? "ssgi_views" : "ssgi_frame";
-            if (kind != SSGI_GL_TEXTURE && kind != SSGI_GL_PARAM) continue;
-            if (!CHECK(!strcmp(p.bound[row[k].slot + (kind == SSGI_GL_TEXTURE ? 2 : 0)], wanted),
+            const char *wanted = kind == SSGI_GL_IO_TEXTURE ? row[k].name : row[k].slot ? "ssgi_views" : "ssgi_frame";
+            if (kind != SSGI_GL_IO_TEXTURE && kind != SSGI_GL_IO_PARAM) continue;
+            if (!CHECK(!strcmp(p.bound[row[k].slot + (kind == SSGI_GL_IO_TEXTURE ? 2 : 0)], wanted),
                        "%s: %s of slot %d is not where that leads", describe(&d), wanted, row[k].slot))
                 return;
-            if (kind == SSGI_GL_TEXTURE) ++textures; else blocks[row[k].slot] = 1;
+            if (kind == SSGI_GL_IO_TEXTURE) ++textures; else blocks[row[k].slot] = 1;
         }
         CHECK(p.count == textures + blocks[0] + blocks[1], "%s: %d bindings for %d textures and %d blocks",
               describe(&d), p.count, textures, blocks[0] + blocks[1]);
@@ -973,20 +993,23 @@ static int has_place(const char *text, const char *what, int number)
 /* examples/tools/glsl/translate.sh: in every language every texture is at its binding, and vertex stages turn y. */
 static void translated(void)
 {
-    static const struct { const char *ending, *texture, *turned, *has; } into[] = {
-        { "wgsl", "@group(0) @binding(%d) var t_ssgi_", "gl_Position.y = -(",
-          "test -s build/tint/twgsl.wasm && command -v node || ! echo tint: make glsl WGSL=1 brings it" },
-        { "hlsl", "register(t%d);", "gl_Position.y = -",
-          "command -v spirv-cross || ! echo spirv-cross: apt-get install spirv-cross" },
-        { "msl", "[[texture(%d)]]", "gl_Position.y = -",
-          "command -v spirv-cross || ! echo spirv-cross: apt-get install spirv-cross" }
-    };
-    static const ssgi_gl_desc descs[] = {
-        { .pass = SSGI_GL_HSAO },
-        { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
-        { .pass = SSGI_GL_S3HO }, { .pass = SSGI_GL_BLUR }, { .pass = SSGI_GL_HISTORY }, { .pass = SSGI_GL_FIELD },
-        { .pass = SSGI_GL_SPLAT }
-    };
+    static const struct { const char *ending, *texture, *turned, *has;
+    } into[] = { { "wgsl", "@group(0) @binding(%d) var t_ssgi_", "gl_Position.y = -(",
+                   "test -s build/tint/twgsl.wasm && command -v node || ! echo tint: make glsl WGSL=1 brings it" },
+                 { "hlsl", "register(t%d);", "gl_Position.y = -",
+                   "command -v spirv-cross || ! echo spirv-cross: apt-get install spirv-cross" },
+                 { "msl", "[[texture(%d)]]", "gl_Position.y = -",
+                   "command -v spirv-cross || ! echo spirv-cross: apt-get install spirv-cross" } };
+
+    static const ssgi_gl_desc descs[] = { { .pass = SSGI_GL_PASS_HSAO },
+                                          { .pass = SSGI_GL_PASS_SSDO,
+                                            .light.environment = SSGI_GL_ENVIRONMENT_MAP,
+                                            .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
+                                          { .pass = SSGI_GL_PASS_S3HO },
+                                          { .pass = SSGI_GL_PASS_BLUR },
+                                          { .pass = SSGI_GL_PASS_HISTORY },
+                                          { .pass = SSGI_GL_PASS_FIELD },
+                                          { .pass = SSGI_GL_PASS_SPLAT } };
     enum { DESCS = (int)(sizeof descs / sizeof descs[0]) };
     static char text[TEXT];
     char folder[] = "/tmp/ssgi-text-XXXXXX", path[300], line[400], to[40] = "";
@@ -995,9 +1018,9 @@ static void translated(void)
     if (!CHECK(mkdtemp(folder), "no folder in /tmp")) return;
     for (int i = 0; i < 2 * DESCS; ++i) {
         ssgi_gl_desc d = descs[i / 2];
-        d.dialect = SSGI_GL_VULKAN;
+        d.text.dialect = SSGI_GL_DIALECT_VULKAN;
         snprintf(path, sizeof path, "%s/%s.vulkan.%s", folder, ssgi_gl_pass_name(d.pass), i % 2 ? "frag" : "vert");
-        emit(text, &d, i % 2 ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX);
+        emit(text, &d, i % 2 ? SSGI_GL_STAGE_FRAGMENT : SSGI_GL_STAGE_VERTEX);
         CHECK(!kit_file_write(path, text, strlen(text), NULL), "%s cannot be written", path);
     }
     for (int k = 0; k < 3; ++k) {
@@ -1020,14 +1043,14 @@ static void translated(void)
             ssgi_gl_desc d = descs[i / 2];
             char *got;
             size_t size;
-            d.dialect = SSGI_GL_VULKAN;
+            d.text.dialect = SSGI_GL_DIALECT_VULKAN;
             snprintf(path, sizeof path, "%s/%s.vulkan.%s.%s", folder, ssgi_gl_pass_name(d.pass),
                      i % 2 ? "frag" : "vert", into[k].ending);
             if (!CHECK(!kit_file_read(&got, &size, path, NULL), "%s is missing", path)) continue;
             CHECK(i % 2 || strstr(got, into[k].turned), "%s: y is not turned", path);
-            emit(text, &d, i % 2 ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX);
+            emit(text, &d, i % 2 ? SSGI_GL_STAGE_FRAGMENT : SSGI_GL_STAGE_VERTEX);
             for (int r = 0, rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); r < rows; ++r) {
-                if (row[r].kind != SSGI_GL_TEXTURE || !strstr(text, row[r].name)) continue;
+                if (row[r].kind != SSGI_GL_IO_TEXTURE || !strstr(text, row[r].name)) continue;
                 CHECK(has_place(got, into[k].texture, row[r].slot + 2), "%s: nothing at the place of %s", path,
                       row[r].name);
                 ++textures;
@@ -1128,10 +1151,11 @@ static void closed(void)
     random_state = 3;
     for (int i = 0; i < 2 * variants + EACH * shapes && bad < 5; ++i) {
         ssgi_gl_desc d = i < 2 * variants ? variant[i / 2] : drawn(i % shapes);
-        const int dialect = d.dialect;
+        const int dialect = d.text.dialect;
         /* where one has what the other lacks */
-        d.dialect = i < 2 * variants ? i & 1 ? SSGI_GL_450 : SSGI_GL_410 : i / shapes % SSGI_GL_DIALECTS;
-        if (ssgi_gl_check(&d, NULL) != SSGI_OK) d.dialect = dialect;
+        d.text.dialect = i < 2 * variants ? i & 1 ? SSGI_GL_DIALECT_450 : SSGI_GL_DIALECT_410
+                                          : i / shapes % SSGI_GL_DIALECTS;
+        if (ssgi_gl_check(&d, NULL) != SSGI_OK) d.text.dialect = dialect;
         bad += !is_closed(&d);
         ++tried;
     }
@@ -1149,12 +1173,12 @@ static void toolboxes(void)
         memset(&defined, 0, sizeof defined);
         memset(&used, 0, sizeof used);
         read_names(&defined, &used, source_of(text, &d, TOOLBOX));
-        d.pass = SSGI_GL_FIELD;
+        d.pass = SSGI_GL_PASS_FIELD;
         char *first = strstr(text, "\n\n"), *last = strstr(text, "\n// ambient visibility that all occluders");
         CHECK(!memcmp(&defined, &used, sizeof used), "%s: its functions alone declare other names than they use",
               describe(&d));
         if (CHECK(first && last, "%s: no functions", describe(&d))) *last = 0;
-        CHECK(!last || strstr(emit(whole, &d, SSGI_GL_FRAGMENT), first), "%s: its functions alone are others",
+        CHECK(!last || strstr(emit(whole, &d, SSGI_GL_STAGE_FRAGMENT), first), "%s: its functions alone are others",
               describe(&d));
     }
 }
@@ -1243,7 +1267,7 @@ static void lint(void)
             end = line + strcspn(line, "\n");
             const int before = lines.count;
             place_of(&lines, hash_of(line, (size_t)(end - line)));
-            if (lines.count > before) lint_line(line, end, spoken[i].desc.dialect == SSGI_GL_VULKAN);
+            if (lines.count > before) lint_line(line, end, spoken[i].desc.text.dialect == SSGI_GL_DIALECT_VULKAN);
             if (!*end) break;
         }
         while (((*c >= ' ' && *c < 127) || *c == '\n') && !(c[0] == '_' && c[1] == '_')
@@ -1264,20 +1288,71 @@ static void lint(void)
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
 static const struct { const char *start; size_t offset; int most;
 } ints[] = { /* all of a desc */
-             INT(pass, 19),         INT(dialect, 6),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
-             INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 2),  INT(directions, 32),
-             INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(thickness, 5),   INT(falloff, 1),
-             INT(uniform, 1),
-             INT(kernel, 1),        INT(fade, 2),          INT(range, 1),          INT(layers, 8),  INT(views, 4),
-             INT(view_layers, 8),   INT(receiver, 7),      INT(environment, 2),    INT(bounce, 2),  INT(bands, 4),
-             INT(packed, 1),        INT(transfer, 2),      INT(shaded, 1),         INT(shading, 3), INT(lights, 1),
-             INT(albedo, 1),        INT(residual, 1),      INT(two_sided, 1),      INT(shadow, 3),  INT(accumulate, 1),
-             INT(radiance, 3),      INT(objects, 2),       INT(effect, 5),         INT(levels, 7),  INT(tessellate, 1),
-             INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 2),    INT(colour, 2),
-             INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1),   INT(restore, 2),
-             INT(span, 64),         INT(motion, 1),        INT(left_handed, 1),    INT(oblique, 1), INT(array, 1),
-              INT(multisampled, 1),  INT(onto, 3),          INT(cap_table, 1),      INT(dimmed, 1),  INT(harmonics, 1),
-              INT(terms, 3),         INT(spheres, 1),       INT(overhang, 1),       INT(enlarge, 1), INT(combine, 1)
+             INT(pass, 19),
+             INT(text.dialect, 6),
+             INT(input.orthographic, 1),
+             INT(input.depth, 2),
+             INT(input.normal, 4),
+             INT(input.world_normals, 1),
+             INT(gather.noise, 1),
+             INT(gather.samples, 64),
+             INT(gather.search, 2),
+             INT(gather.directions, 32),
+             INT(gather.steps, 64),
+             INT(gather.normal_rays, 8),
+             INT(gather.thickness, 5),
+             INT(gather.falloff, 2),
+             INT(gather.uniform, 1),
+             INT(gather.kernel, 1),
+             INT(gather.fade, 2),
+             INT(gather.range, 1),
+             INT(gather.layers, 8),
+             INT(gather.views, 4),
+             INT(gather.view_layers, 8),
+             INT(light.receiver, 7),
+             INT(light.environment, 2),
+             INT(light.bounce, 2),
+             INT(light.bands, 4),
+             INT(light.packed, 1),
+             INT(light.transfer, 2),
+             INT(light.shaded, 1),
+             INT(light.shading, 3),
+             INT(light.lights, 1),
+             INT(light.albedo, 1),
+             INT(light.residual, 1),
+             INT(light.two_sided, 1),
+             INT(light.shadow, 3),
+             INT(light.accumulate, 1),
+             INT(light.radiance, 3),
+             INT(input.objects, 2),
+             INT(surfel.effect, 5),
+             INT(surfel.levels, 7),
+             INT(surfel.tessellate, 1),
+             INT(surfel.sends, 2),
+             INT(surfel.near_samples, 16),
+             INT(surfel.axis, 1),
+             INT(gather.half, 2),
+             INT(filter.quantity, 2),
+             INT(filter.kind, 1),
+             INT(filter.radius, 4),
+             INT(filter.normals, 1),
+             INT(text.lines, 1),
+             INT(light.restore, 2),
+             INT(surfel.span, 64),
+             INT(input.motion, 1),
+             INT(input.left_handed, 1),
+             INT(input.oblique, 1),
+             INT(input.array, 1),
+             INT(input.multisampled, 1),
+             INT(filter.onto, 3),
+             INT(input.cap_table, 1),
+             INT(light.dimmed, 1),
+             INT(light.harmonics, 1),
+             INT(gather.terms, 3),
+             INT(gather.spheres, 1),
+             INT(surfel.overhang, 1),
+             INT(surfel.enlarge, 1),
+             INT(surfel.combine, 1)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -1285,75 +1360,122 @@ static void sentences(void)
 {
     static const struct { const char *start; ssgi_gl_desc desc;
     } rules[] = {
-        { "desc.normal_rays:", { .pass = SSGI_GL_HSAO, .normal_rays = 1 } },
-        { "desc.world_normals:", { .normal = SSGI_GL_NORMAL_FROM_DEPTH, .world_normals = 1 } },
-        { "desc.search:", { .pass = SSGI_GL_HSAO, .search = SSGI_GL_POINTS } },
-        { "desc.search:", { .pass = SSGI_GL_S3HO, .search = SSGI_GL_MARCH } },
-        { "desc.layers:", { .pass = SSGI_GL_S3HO, .layers = 2 } },
-        { "desc.views:", { .pass = SSGI_GL_SSDO, .environment = 1, .views = 1 } },
-        { "desc.bounce:", { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_PATCH } },
-        { NULL, { .pass = SSGI_GL_SSAO, .search = SSGI_GL_MARCH, .views = 1 } },
-        { "desc.thickness:", { .layers = 2, .thickness = SSGI_GL_THICKNESS_BACK } },
-        { "desc.thickness:", { .pass = SSGI_GL_LIGHTS, .views = 1, .thickness = SSGI_GL_THICKNESS_SLABS } },
-        { NULL, { .pass = SSGI_GL_SENDERS, .layers = 2, .thickness = SSGI_GL_THICKNESS_BACK } },
-        { "desc.colour:", { .pass = SSGI_GL_HISTORY, .colour = SSGI_GL_COEFFICIENTS } },
-        { "desc.filter:", { .pass = SSGI_GL_BLUR, .half = 1, .filter = SSGI_GL_GAUSSIAN } },
-        { "desc.environment:", { .pass = SSGI_GL_SSDO } },
-        { "desc.colour:", { .pass = SSGI_GL_HISTORY, .colour = SSGI_GL_COEFFICIENTS } },
-        { "desc.restore:", { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 1, .restore = SSGI_GL_RESTORE_RATIO } },
-        { NULL, { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 1, .restore = SSGI_GL_RESTORE_DIFFERENCE } },
-        { "desc.receiver:", { .pass = SSGI_GL_LIGHTS, .receiver = 1 } },
-        { "desc.receiver:", { .pass = SSGI_GL_SENDERS, .layers = 3, .receiver = 3 } },
-        { "desc.receiver:",
-          { .pass = SSGI_GL_LIGHTS, .layers = 2, .receiver = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH } },
-        { "desc.multisampled:", { .multisampled = 1, .dialect = SSGI_GL_300ES } },
-        { "desc.multisampled:", { .multisampled = 1, .array = 1 } },
-        { "desc.multisampled:", { .pass = SSGI_GL_SENDERS, .multisampled = 1, .layers = 2, .receiver = 1 } },
-        { NULL, { .multisampled = 1, .dialect = SSGI_GL_310ES } },
-        { "desc.array:", { .layers = 2, .array = 1 } },
-        { "desc.fetch:", { .depth = SSGI_GL_DEPTH_CUSTOM } },
-        { "desc.fetch:", { .normal = SSGI_GL_NORMAL_CUSTOM } },
-        { "desc.fetch:", { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_CUSTOM } },
-        { "desc.fetch:", { .pass = SSGI_GL_SHADE, .harmonics = SSGI_GL_HARMONICS_CUSTOM } },
-        { "desc.residual:",
-          { .pass = SSGI_GL_SHADE, .residual = 1, .harmonics = SSGI_GL_HARMONICS_CUSTOM, .fetch = T_FETCH } },
-        { "desc.dimmed:", { .pass = SSGI_GL_S3HO, .search = 1, .packed = 1, .transfer = 1, .dimmed = 1, .layers = 2 } },
-        { "desc.dimmed:", { .pass = SSGI_GL_S3HO, .search = 1, .packed = 1, .transfer = 2, .dimmed = 1, .views = 1 } },
-        { NULL, { .pass = SSGI_GL_S3HO, .search = 1, .dimmed = 1, .layers = 2 } },
-        { "desc.packed:", { .pass = SSGI_GL_S3HO, .transfer = 1 } },
-        { "desc.packed:", { .pass = SSGI_GL_SHADE, .transfer = 2 } },
-        { "desc.packed:", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .transfer = 1 } },
-        { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 1 } },
-        { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .transfer = 1 } },
-        { "desc.fetch:", { .pass = SSGI_GL_SURFELS, .sends = SSGI_GL_SENDS_CUSTOM } },
-        { "desc.fetch:", { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_CUSTOM } },
-        { "desc.tessellate:", { .pass = SSGI_GL_SURFELS, .tessellate = 1 } },
-        { "desc.tessellate:", { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_310ES } },
-        { "desc.pass:", { .pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_VULKAN } },
-        { "desc.pass:", { .pass = SSGI_GL_SURFELS, .tessellate = 1, .dialect = SSGI_GL_VULKAN } },
+        { "desc.gather.normal_rays:", { .pass = SSGI_GL_PASS_HSAO, .gather.normal_rays = 1 } },
+        { "desc.input.world_normals:", { .input.normal = SSGI_GL_NORMAL_FROM_DEPTH, .input.world_normals = 1 } },
+        { "desc.gather.search:", { .pass = SSGI_GL_PASS_HSAO, .gather.search = SSGI_GL_SEARCH_POINTS } },
+        { "desc.gather.search:", { .pass = SSGI_GL_PASS_S3HO, .gather.search = SSGI_GL_SEARCH_MARCH } },
+        { "desc.gather.layers:", { .pass = SSGI_GL_PASS_S3HO, .gather.layers = 2 } },
+        { "desc.gather.views:", { .pass = SSGI_GL_PASS_SSDO, .light.environment = 1, .gather.views = 1 } },
+        { "desc.light.bounce:", { .pass = SSGI_GL_PASS_SSDO, .light.bounce = SSGI_GL_BOUNCE_PATCH } },
+        { NULL, { .pass = SSGI_GL_PASS_SSAO, .gather.search = SSGI_GL_SEARCH_MARCH, .gather.views = 1 } },
+        { "desc.gather.thickness:", { .gather.layers = 2, .gather.thickness = SSGI_GL_THICKNESS_BACK } },
+        { "desc.gather.thickness:",
+          { .pass = SSGI_GL_PASS_LIGHTS, .gather.views = 1, .gather.thickness = SSGI_GL_THICKNESS_SLABS } },
+        { NULL, { .pass = SSGI_GL_PASS_EMITTERS, .gather.layers = 2, .gather.thickness = SSGI_GL_THICKNESS_BACK } },
+        { "desc.gather.falloff:", { .gather.falloff = SSGI_GL_FALLOFF_NONE } },
+        { "desc.gather.falloff:",
+          { .pass = SSGI_GL_PASS_S3HO,
+            .gather.search = SSGI_GL_SEARCH_POINTS,
+            .gather.falloff = SSGI_GL_FALLOFF_NONE } },
+        { NULL, { .pass = SSGI_GL_PASS_S3HO, .gather.falloff = SSGI_GL_FALLOFF_NONE } },
+        { "desc.filter.quantity:", { .pass = SSGI_GL_PASS_HISTORY, .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS } },
+        { "desc.filter.kind:",
+          { .pass = SSGI_GL_PASS_BLUR, .gather.half = 1, .filter.kind = SSGI_GL_FILTER_GAUSSIAN } },
+        { "desc.light.environment:", { .pass = SSGI_GL_PASS_SSDO } },
+        { "desc.filter.quantity:", { .pass = SSGI_GL_PASS_HISTORY, .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS } },
+        { "desc.light.restore:",
+          { .pass = SSGI_GL_PASS_SHADE,
+            .light.packed = 1,
+            .light.transfer = 1,
+            .light.restore = SSGI_GL_RESTORE_RATIO } },
+        { NULL,
+          { .pass = SSGI_GL_PASS_SHADE,
+            .light.packed = 1,
+            .light.transfer = 1,
+            .light.restore = SSGI_GL_RESTORE_DIFFERENCE } },
+        { "desc.light.receiver:", { .pass = SSGI_GL_PASS_LIGHTS, .light.receiver = 1 } },
+        { "desc.light.receiver:", { .pass = SSGI_GL_PASS_EMITTERS, .gather.layers = 3, .light.receiver = 3 } },
+        { "desc.light.receiver:",
+          { .pass = SSGI_GL_PASS_LIGHTS,
+            .gather.layers = 2,
+            .light.receiver = 1,
+            .input.normal = SSGI_GL_NORMAL_FROM_DEPTH } },
+        { "desc.input.multisampled:", { .input.multisampled = 1, .text.dialect = SSGI_GL_DIALECT_300ES } },
+        { "desc.input.multisampled:", { .input.multisampled = 1, .input.array = 1 } },
+        { "desc.input.multisampled:",
+          { .pass = SSGI_GL_PASS_EMITTERS, .input.multisampled = 1, .gather.layers = 2, .light.receiver = 1 } },
+        { NULL, { .input.multisampled = 1, .text.dialect = SSGI_GL_DIALECT_310ES } },
+        { "desc.input.array:", { .gather.layers = 2, .input.array = 1 } },
+        { "desc.text.fetch:", { .input.depth = SSGI_GL_DEPTH_CUSTOM } },
+        { "desc.text.fetch:", { .input.normal = SSGI_GL_NORMAL_CUSTOM } },
+        { "desc.text.fetch:", { .pass = SSGI_GL_PASS_FIELD, .input.objects = SSGI_GL_OBJECTS_CUSTOM } },
+        { "desc.text.fetch:", { .pass = SSGI_GL_PASS_SHADE, .light.harmonics = SSGI_GL_HARMONICS_CUSTOM } },
+        { "desc.light.residual:",
+          { .pass = SSGI_GL_PASS_SHADE,
+            .light.residual = 1,
+            .light.harmonics = SSGI_GL_HARMONICS_CUSTOM,
+            .text.fetch = T_FETCH } },
+        { "desc.light.dimmed:",
+          { .pass = SSGI_GL_PASS_S3HO,
+            .gather.search = 1,
+            .light.packed = 1,
+            .light.transfer = 1,
+            .light.dimmed = 1,
+            .gather.layers = 2 } },
+        { "desc.light.dimmed:",
+          { .pass = SSGI_GL_PASS_S3HO,
+            .gather.search = 1,
+            .light.packed = 1,
+            .light.transfer = 2,
+            .light.dimmed = 1,
+            .gather.views = 1 } },
+        { NULL, { .pass = SSGI_GL_PASS_S3HO, .gather.search = 1, .light.dimmed = 1, .gather.layers = 2 } },
+        { "desc.light.packed:", { .pass = SSGI_GL_PASS_S3HO, .light.transfer = 1 } },
+        { "desc.light.packed:", { .pass = SSGI_GL_PASS_SHADE, .light.transfer = 2 } },
+        { "desc.light.packed:",
+          { .pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS, .light.transfer = 1 } },
+        { "desc.light.shading:", { .pass = SSGI_GL_PASS_SHADE, .light.shading = 1, .light.bands = 1 } },
+        { "desc.light.shading:",
+          { .pass = SSGI_GL_PASS_SHADE, .light.shading = 3, .light.packed = 1, .light.transfer = 1 } },
+        { "desc.text.fetch:", { .pass = SSGI_GL_PASS_SURFELS, .surfel.sends = SSGI_GL_SENDS_CUSTOM } },
+        { "desc.text.fetch:", { .pass = SSGI_GL_PASS_SPLAT, .surfel.effect = SSGI_GL_EFFECT_CUSTOM } },
+        { "desc.surfel.tessellate:", { .pass = SSGI_GL_PASS_SURFELS, .surfel.tessellate = 1 } },
+        { "desc.surfel.tessellate:",
+          { .pass = SSGI_GL_PASS_SPLAT, .surfel.tessellate = 1, .text.dialect = SSGI_GL_DIALECT_310ES } },
+        { "desc.pass:", { .pass = SSGI_GL_PASS_SURFELS, .text.dialect = SSGI_GL_DIALECT_VULKAN } },
+        { "desc.pass:",
+          { .pass = SSGI_GL_PASS_SURFELS, .surfel.tessellate = 1, .text.dialect = SSGI_GL_DIALECT_VULKAN } },
         /* and these are none: what is not kept has as many vectors as it likes, what a pass does not look at is no
            matter */
-        { NULL, { .pass = SSGI_GL_S3HO, .transfer = 1, .shaded = 1 } },
-        { NULL, { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR, .transfer = 1, .shading = 1, .bands = 1 } },
-        { NULL, { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_320ES } },
-        { NULL, { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_VULKAN } },
-        { NULL, { .pass = SSGI_GL_SUM, .tessellate = 1 } },
-        { NULL, { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 2 } },
-        { NULL, { .pass = SSGI_GL_SHADE, .bands = 1, .packed = 1, .transfer = 2 } }
+        { NULL, { .pass = SSGI_GL_PASS_S3HO, .light.transfer = 1, .light.shaded = 1 } },
+        { NULL,
+          { .pass = SSGI_GL_PASS_BLUR,
+            .filter.quantity = SSGI_GL_QUANTITY_LIGHT,
+            .light.transfer = 1,
+            .light.shading = 1,
+            .light.bands = 1 } },
+        { NULL, { .pass = SSGI_GL_PASS_SPLAT, .surfel.tessellate = 1, .text.dialect = SSGI_GL_DIALECT_320ES } },
+        { NULL, { .pass = SSGI_GL_PASS_SPLAT, .surfel.tessellate = 1, .text.dialect = SSGI_GL_DIALECT_VULKAN } },
+        { NULL, { .pass = SSGI_GL_PASS_SUM, .surfel.tessellate = 1 } },
+        { NULL, { .pass = SSGI_GL_PASS_SHADE, .light.shading = 1, .light.bands = 2 } },
+        { NULL, { .pass = SSGI_GL_PASS_SHADE, .light.bands = 1, .light.packed = 1, .light.transfer = 2 } }
     };
     const char *why = "";
     CHECK(ssgi_gl_check(NULL, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "desc:"), "NULL: %s", why);
     for (size_t i = 0; i < INTS; ++i)
         for (int k = 0; k < 4; ++k) {
             const int value[4] = { -1, ints[i].most + 1, INT32_MIN, INT32_MAX };
-            ssgi_gl_desc d = { .search = SSGI_GL_POINTS,
-                               .layers = 8,
-                               .environment = SSGI_GL_ENVIRONMENT_SH,
-                               .fetch = T_FETCH },
+            ssgi_gl_desc d = { .gather.search = SSGI_GL_SEARCH_POINTS,
+                               .gather.layers = 8,
+                               .light.environment = SSGI_GL_ENVIRONMENT_SH,
+                               .text.fetch = T_FETCH },
                          was;
-            if (ints[i].offset == offsetof(ssgi_gl_desc, environment)) d.pass = SSGI_GL_SSDO;
-            if (ints[i].offset == offsetof(ssgi_gl_desc, thickness) || ints[i].offset == offsetof(ssgi_gl_desc, array))
-                d.layers = 0;
+            if (ints[i].offset == offsetof(ssgi_gl_desc, light.environment)) d.pass = SSGI_GL_PASS_SSDO;
+            if (ints[i].offset == offsetof(ssgi_gl_desc, gather.falloff)) /* points have no NONE */
+                d = (ssgi_gl_desc){ .pass = SSGI_GL_PASS_SPLAT };
+            if (ints[i].offset == offsetof(ssgi_gl_desc, gather.thickness)
+                || ints[i].offset == offsetof(ssgi_gl_desc, input.array))
+                d.gather.layers = 0;
             set(&d, ints[i].offset, ints[i].most);
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "%s %d is refused: %s", ints[i].start, ints[i].most, why);
             set(&d, ints[i].offset, value[k]);
@@ -1363,7 +1485,7 @@ static void sentences(void)
                   "%s %d: \"%s\"", ints[i].start, value[k], why);
             was = d;
             why = "";
-            CHECK(ssgi_gl_preset(&d, SSGI_GL_BEST, &why) == SSGI_BAD_ARGUMENT && NAMES(why, ints[i].start)
+            CHECK(ssgi_gl_preset(&d, SSGI_GL_PRESET_BEST, &why) == SSGI_BAD_ARGUMENT && NAMES(why, ints[i].start)
                       && !memcmp(&d, &was, sizeof d),
                   "preset: \"%s\"", why);
         }
@@ -1404,7 +1526,7 @@ static void sentences(void)
               "radius %g: %s", (double)radii[i], why);
     CHECK(!memcmp(&frame, &was, sizeof frame), "a refused frame was written to");
     CHECK(ssgi_gl_frame_init(&frame, &view, 0.5f, NULL) == SSGI_OK && frame.radius == 0.5f
-              && frame.thickness == 0.6f * 0.5f && frame.offset == 1.5f && frame.phase == 0.0f
+              && frame.thickness_limit == 0.6f * 0.5f && frame.offset == 1.5f && frame.phase == 0.0f
               && frame.fade == 0.3f * 0.5f && frame.distance_clamp == 0.25f && frame.gain == 1.0f
               && frame.max_slope == 20.0f && !frame.lights && frame.lambda == 4.0f && frame.window[0] == 1.0f
               && fabsf(frame.window[1] - 0.8535534f) < 1e-6f && fabsf(frame.window[3] - 0.1464466f) < 1e-6f
@@ -1423,95 +1545,123 @@ static void defaults(void)
 #define ROW(fetches, plain, more) { { LIST plain }, { LIST plain, LIST more }, fetches }
     static const struct { ssgi_gl_desc plain, whole; int fetches;
     } rows[] = {
-        ROW(2 + 16, (.pass = SSGI_GL_SSAO), (.samples = 16, .steps = 1, .layers = 1, .view_layers = 1)),
-        ROW(2 + 6 * 2, (.pass = SSGI_GL_HSAO), (.directions = 1, .steps = 6)),
-        ROW(2 + 4 * 2 * 2, (.pass = SSGI_GL_HSAO, .steps = 4, .thickness = SSGI_GL_THICKNESS_SLABS), (.directions = 1)),
-        ROW(2 + 16 * 2, (.pass = SSGI_GL_SSAO, .thickness = SSGI_GL_THICKNESS_BACK), (.samples = 16)),
-        ROW(2 + 6 * 6 * (2 + 2), (.pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 1, .views = 1),
-            (.directions = 6, .steps = 6, .view_layers = 1)),
-        ROW(2 + 6 * 6 * 3, (.pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .terms = SSGI_GL_TERMS_RAYS, .layers = 3),
-            (.normal_rays = 1, .spheres = 1)),
-        { { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .layers = 2 },
-          { .pass = SSGI_GL_HSAO,
-            .search = SSGI_GL_MARCH,
-            .layers = 2,
-            .terms = SSGI_GL_TERMS_HORIZON,
-            .normal_rays = 2 },
+        ROW(2 + 16, (.pass = SSGI_GL_PASS_SSAO),
+            (.gather.samples = 16, .gather.steps = 1, .gather.layers = 1, .gather.view_layers = 1)),
+        ROW(2 + 6 * 2, (.pass = SSGI_GL_PASS_HSAO), (.gather.directions = 1, .gather.steps = 6)),
+        ROW(2 + 4 * 2 * 2, (.pass = SSGI_GL_PASS_HSAO, .gather.steps = 4, .gather.thickness = SSGI_GL_THICKNESS_SLABS),
+            (.gather.directions = 1)),
+        ROW(2 + 16 * 2, (.pass = SSGI_GL_PASS_SSAO, .gather.thickness = SSGI_GL_THICKNESS_BACK),
+            (.gather.samples = 16)),
+        ROW(2 + 6 * 6 * (2 + 2),
+            (.pass = SSGI_GL_PASS_HSAO, .gather.search = SSGI_GL_SEARCH_MARCH, .gather.normal_rays = 1,
+             .gather.views = 1),
+            (.gather.directions = 6, .gather.steps = 6, .gather.view_layers = 1)),
+        ROW(2 + 6 * 6 * 3,
+            (.pass = SSGI_GL_PASS_HSAO, .gather.search = SSGI_GL_SEARCH_MARCH, .gather.terms = SSGI_GL_TERMS_RAYS,
+             .gather.layers = 3),
+            (.gather.normal_rays = 1, .gather.spheres = 1)),
+        { { .pass = SSGI_GL_PASS_HSAO, .gather.search = SSGI_GL_SEARCH_MARCH, .gather.layers = 2 },
+          { .pass = SSGI_GL_PASS_HSAO,
+            .gather.search = SSGI_GL_SEARCH_MARCH,
+            .gather.layers = 2,
+            .gather.terms = SSGI_GL_TERMS_HORIZON,
+            .gather.normal_rays = 2 },
           2 + 6 * 6 * 2 },
-        ROW(2 + 6 * 2, (.pass = SSGI_GL_HSAO), (.terms = SSGI_GL_TERMS_RAYS, .spheres = 1)),
-        ROW(2 + 16 * 2 + 4, (.pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .environment = SSGI_GL_ENVIRONMENT_MAP),
-            (.samples = 16, .steps = 1, .layers = 1)),
+        ROW(2 + 6 * 2, (.pass = SSGI_GL_PASS_HSAO), (.gather.terms = SSGI_GL_TERMS_RAYS, .gather.spheres = 1)),
+        ROW(2 + 16 * 2 + 4,
+            (.pass = SSGI_GL_PASS_SSDO, .gather.search = SSGI_GL_SEARCH_POINTS,
+             .light.environment = SSGI_GL_ENVIRONMENT_MAP),
+            (.gather.samples = 16, .gather.steps = 1, .gather.layers = 1)),
         ROW(3 + 16 * (2 * (2 + 2 * 3) + 1),
-            (.pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .bounce = SSGI_GL_BOUNCE_PATCH, .kernel = 1, .layers = 2,
-             .views = 2, .view_layers = 3, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE),
-            (.samples = 16)),
-        ROW(2 + 3 + 8, (.pass = SSGI_GL_LIGHTS), (.samples = 8, .layers = 1)),
-        ROW(2 + 3 + 6 + 8 + 1, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL, .accumulate = 1),
-            (.samples = 8)),
-        ROW(2 + 3, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_NONE),
-            (.samples = 64, .noise = SSGI_GL_NOISE_TEXTURE, .thickness = SSGI_GL_THICKNESS_SOLID)),
-        ROW(2 + 2 + 1, (.pass = SSGI_GL_SENDERS, .radiance = SSGI_GL_RADIANCE_BOTH), (.layers = 1)),
-        ROW(2 + 16, (.pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .environment = SSGI_GL_ENVIRONMENT_SH),
-            (.bands = 3)),
-        ROW(2 + 16, (.pass = SSGI_GL_S3HO, .search = SSGI_GL_POINTS),
-            (.samples = 16, .steps = 1, .layers = 1, .bands = 4)),
+            (.pass = SSGI_GL_PASS_SSDO, .gather.search = SSGI_GL_SEARCH_POINTS, .light.bounce = SSGI_GL_BOUNCE_PATCH,
+             .gather.kernel = 1, .gather.layers = 2, .gather.views = 2, .gather.view_layers = 3, .gather.steps = 2,
+             .gather.noise = SSGI_GL_NOISE_TEXTURE),
+            (.gather.samples = 16)),
+        ROW(2 + 3 + 8, (.pass = SSGI_GL_PASS_LIGHTS), (.gather.samples = 8, .gather.layers = 1)),
+        ROW(2 + 3 + 6 + 8 + 1,
+            (.pass = SSGI_GL_PASS_LIGHTS, .light.shadow = SSGI_GL_SHADOW_FILL, .light.accumulate = 1),
+            (.gather.samples = 8)),
+        ROW(2 + 3, (.pass = SSGI_GL_PASS_LIGHTS, .light.shadow = SSGI_GL_SHADOW_NONE),
+            (.gather.samples = 64, .gather.noise = SSGI_GL_NOISE_TEXTURE, .gather.thickness = SSGI_GL_THICKNESS_SOLID)),
+        ROW(2 + 2 + 1, (.pass = SSGI_GL_PASS_EMITTERS, .light.radiance = SSGI_GL_RADIANCE_BOTH), (.gather.layers = 1)),
+        ROW(2 + 16,
+            (.pass = SSGI_GL_PASS_SSDO, .gather.search = SSGI_GL_SEARCH_POINTS,
+             .light.environment = SSGI_GL_ENVIRONMENT_SH),
+            (.light.bands = 3)),
+        ROW(2 + 16, (.pass = SSGI_GL_PASS_S3HO, .gather.search = SSGI_GL_SEARCH_POINTS),
+            (.gather.samples = 16, .gather.steps = 1, .gather.layers = 1, .light.bands = 4)),
         ROW(3 + 16 * (2 * (3 + 2) + 1),
-            (.pass = SSGI_GL_S3HO, .search = SSGI_GL_POINTS, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3,
-             .views = 1, .view_layers = 2, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE),
-            (.samples = 16)),
-        ROW(2 + 16 + 4, (.pass = SSGI_GL_S3HO, .search = SSGI_GL_POINTS, .shaded = 1, .residual = 1), (.bands = 4)),
-        ROW(1 + 4, (.pass = SSGI_GL_SHADE), (.bands = 4)),
-        ROW(2 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .residual = 1, .lights = 1), (.bands = 4)),
-        ROW(1 + 1 + 3, (.pass = SSGI_GL_SHADE, .bands = 2, .lights = 1), (.samples = 1)),
-        { { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 1, .albedo = 1 },
-          { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 2, .albedo = 1, .bands = 4 },
+            (.pass = SSGI_GL_PASS_S3HO, .gather.search = SSGI_GL_SEARCH_POINTS, .light.transfer = 1, .light.packed = 1,
+             .gather.kernel = 1, .gather.layers = 3, .gather.views = 1, .gather.view_layers = 2, .gather.steps = 2,
+             .gather.noise = SSGI_GL_NOISE_TEXTURE),
+            (.gather.samples = 16)),
+        ROW(2 + 16 + 4,
+            (.pass = SSGI_GL_PASS_S3HO, .gather.search = SSGI_GL_SEARCH_POINTS, .light.shaded = 1, .light.residual = 1),
+            (.light.bands = 4)),
+        ROW(1 + 4, (.pass = SSGI_GL_PASS_SHADE), (.light.bands = 4)),
+        ROW(2 + 4 + 4 + 3, (.pass = SSGI_GL_PASS_SHADE, .light.residual = 1, .light.lights = 1), (.light.bands = 4)),
+        ROW(1 + 1 + 3, (.pass = SSGI_GL_PASS_SHADE, .light.bands = 2, .light.lights = 1), (.gather.samples = 1)),
+        { { .pass = SSGI_GL_PASS_SHADE, .light.packed = 1, .light.transfer = 1, .light.albedo = 1 },
+          { .pass = SSGI_GL_PASS_SHADE, .light.packed = 1, .light.transfer = 2, .light.albedo = 1, .light.bands = 4 },
           1 + 6 + 1 },
-        ROW(1 + 1 + 8, (.pass = SSGI_GL_SHADE, .shading = 2), (.bands = 2)),
-        ROW(1 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .shading = 1, .lights = 1), (.bands = 4)),
-        { { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .lights = 1, .albedo = 1 },
-          { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .bands = 3 },
+        ROW(1 + 1 + 8, (.pass = SSGI_GL_PASS_SHADE, .light.shading = 2), (.light.bands = 2)),
+        ROW(1 + 4 + 4 + 3, (.pass = SSGI_GL_PASS_SHADE, .light.shading = 1, .light.lights = 1), (.light.bands = 4)),
+        { { .pass = SSGI_GL_PASS_SHADE, .light.shading = 3, .light.packed = 1, .light.lights = 1, .light.albedo = 1 },
+          { .pass = SSGI_GL_PASS_SHADE, .light.shading = 3, .light.packed = 1, .light.bands = 3 },
           1 + 1 },
-        ROW(2 + 4, (.pass = SSGI_GL_FIELD), (.samples = 64, .layers = 8, .half = 1)),
-        ROW(5 + 4 + 1, (.pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_TEXTURE, .normal = SSGI_GL_NORMAL_FROM_DEPTH),
-            (.half = 1)),
-        ROW(2 + 4 + 4, (.pass = SSGI_GL_FIELD, .cap_table = 1), (.half = 1)),
-        ROW(0, (.pass = SSGI_GL_SURFELS),
-            (.shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_MAP, .effect = SSGI_GL_EFFECT_BOUNCE)),
+        ROW(2 + 4, (.pass = SSGI_GL_PASS_FIELD), (.gather.samples = 64, .gather.layers = 8, .gather.half = 1)),
+        ROW(5 + 4 + 1,
+            (.pass = SSGI_GL_PASS_FIELD, .input.objects = SSGI_GL_OBJECTS_TEXTURE,
+             .input.normal = SSGI_GL_NORMAL_FROM_DEPTH),
+            (.gather.half = 1)),
+        ROW(2 + 4 + 4, (.pass = SSGI_GL_PASS_FIELD, .input.cap_table = 1), (.gather.half = 1)),
+        ROW(0, (.pass = SSGI_GL_PASS_SURFELS),
+            (.light.shadow = SSGI_GL_SHADOW_MAP, .light.environment = SSGI_GL_ENVIRONMENT_MAP,
+             .surfel.effect = SSGI_GL_EFFECT_BOUNCE)),
         ROW(3 + 6 + 4,
-            (.pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1, .sends = SSGI_GL_SENDS_LIGHTS,
-             .shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_SH),
-            (.half = 1)),
-        ROW(5, (.pass = SSGI_GL_SHUFFLE, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.levels = 5)),
-        ROW(1, (.pass = SSGI_GL_SPLAT), (.levels = 5, .near_samples = 1, .sends = SSGI_GL_SENDS_LIGHTS)),
-        ROW(1 + 1, (.pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT), (.levels = 5, .hard = 1)),
-        ROW(1, (.pass = SSGI_GL_UNSHUFFLE, .effect = SSGI_GL_EFFECT_SCATTER), (.levels = 7)),
-        ROW(2 + 1 + 16 * 2, (.pass = SSGI_GL_SMOOTH), (.levels = 5)),
+            (.pass = SSGI_GL_PASS_SURFELS, .text.dialect = SSGI_GL_DIALECT_410, .surfel.tessellate = 1,
+             .surfel.sends = SSGI_GL_SENDS_LIGHTS, .light.shadow = SSGI_GL_SHADOW_MAP,
+             .light.environment = SSGI_GL_ENVIRONMENT_SH),
+            (.gather.half = 1)),
+        ROW(5, (.pass = SSGI_GL_PASS_INTERLEAVE, .input.normal = SSGI_GL_NORMAL_FROM_DEPTH), (.surfel.levels = 5)),
+        ROW(1, (.pass = SSGI_GL_PASS_SPLAT),
+            (.surfel.levels = 5, .surfel.near_samples = 1, .surfel.sends = SSGI_GL_SENDS_LIGHTS)),
+        ROW(1 + 1, (.pass = SSGI_GL_PASS_SPLAT, .surfel.effect = SSGI_GL_EFFECT_LIGHT),
+            (.surfel.levels = 5, .gather.falloff = SSGI_GL_FALLOFF_NONE)),
+        ROW(1, (.pass = SSGI_GL_PASS_DEINTERLEAVE, .surfel.effect = SSGI_GL_EFFECT_SCATTER), (.surfel.levels = 7)),
+        ROW(2 + 1 + 16 * 2, (.pass = SSGI_GL_PASS_SMOOTH), (.surfel.levels = 5)),
         ROW(5 + 1 + 2 * (1 + 1 + 4),
-            (.pass = SSGI_GL_SMOOTH, .levels = 2, .filter_normals = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH),
-            (.near_samples = 1)),
-        ROW(1 + 5, (.pass = SSGI_GL_SUM), (.levels = 5)),
-        ROW(2 + 3 + 4, (.pass = SSGI_GL_SUM, .levels = 3, .effect = SSGI_GL_EFFECT_LIGHT), (.axis = 1)),
-        ROW(2 + 4 + 8 * 5, (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS), (.bands = 4, .filter_radius = 1)),
+            (.pass = SSGI_GL_PASS_SMOOTH, .surfel.levels = 2, .filter.normals = 1,
+             .input.normal = SSGI_GL_NORMAL_FROM_DEPTH),
+            (.surfel.near_samples = 1)),
+        ROW(1 + 5, (.pass = SSGI_GL_PASS_SUM), (.surfel.levels = 5)),
+        ROW(2 + 3 + 4, (.pass = SSGI_GL_PASS_SUM, .surfel.levels = 3, .surfel.effect = SSGI_GL_EFFECT_LIGHT),
+            (.surfel.axis = 1)),
+        ROW(2 + 4 + 8 * 5, (.pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS),
+            (.light.bands = 4, .filter.radius = 1)),
         ROW(2 + 9 * (1 + 3 + 1),
-            (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .half = 1, .bands = 3, .filter_normals = 1),
-            (.filter_radius = 1)),
-        { { .pass = SSGI_GL_BLUR,
-            .colour = SSGI_GL_COEFFICIENTS,
-            .packed = 1,
-            .transfer = 2,
-            .filter = SSGI_GL_GAUSSIAN },
-          { .pass = SSGI_GL_BLUR,
-            .colour = SSGI_GL_COEFFICIENTS,
-            .packed = 1,
-            .transfer = 1,
-            .filter = SSGI_GL_GAUSSIAN,
-            .filter_radius = 2 },
+            (.pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS, .gather.half = 1,
+             .light.bands = 3, .filter.normals = 1),
+            (.filter.radius = 1)),
+        { { .pass = SSGI_GL_PASS_BLUR,
+            .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS,
+            .light.packed = 1,
+            .light.transfer = 2,
+            .filter.kind = SSGI_GL_FILTER_GAUSSIAN },
+          { .pass = SSGI_GL_PASS_BLUR,
+            .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS,
+            .light.packed = 1,
+            .light.transfer = 1,
+            .filter.kind = SSGI_GL_FILTER_GAUSSIAN,
+            .filter.radius = 2 },
           1 + 6 + 24 * 7 },
-        ROW(1 + 9, (.pass = SSGI_GL_BLUR), (.filter_radius = 1)),
+        ROW(1 + 9, (.pass = SSGI_GL_PASS_BLUR), (.filter.radius = 1)),
         ROW(9 + 1 + 4,
-            (.pass = SSGI_GL_BLUR, .colour = 1, .restore = 1, .environment = SSGI_GL_ENVIRONMENT_MAP),
-            (.filter_radius = 1)),
-        ROW(25, (.pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN), (.filter_radius = 2))
+            (.pass = SSGI_GL_PASS_BLUR, .filter.quantity = 1, .light.restore = 1,
+             .light.environment = SSGI_GL_ENVIRONMENT_MAP),
+            (.filter.radius = 1)),
+        ROW(25, (.pass = SSGI_GL_PASS_BLUR, .filter.quantity = 1, .filter.kind = SSGI_GL_FILTER_GAUSSIAN),
+            (.filter.radius = 2))
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         CHECK(ssgi_gl_key(&rows[i].plain) == ssgi_gl_key(&rows[i].whole),
@@ -1532,7 +1682,7 @@ static void fuzz(void)
     int accepted = 0, emitted = 0;
     random_state = 7;
     for (int i = 0; i < TRIES; ++i) {
-        ssgi_gl_desc d = { .fetch = i & 2 ? T_FETCH : NULL, .version = i & 4 ? "" : NULL };
+        ssgi_gl_desc d = { .text.fetch = i & 2 ? T_FETCH : NULL, .text.version = i & 4 ? "" : NULL };
         int broken = uniform(0, 1) < 0.5f;
         const char *why = NULL;
         for (int k = 0; k < INTS; ++k) set(&d, ints[k].offset, (int)uniform(0, (float)ints[k].most + 0.999f));
@@ -1552,8 +1702,8 @@ static void fuzz(void)
             stages |= (n > 0) << stage;
             there |= (!bad && (stages_of(&d) >> stage & 1)) << stage;
             whole &= !n
-                     || (n > (stage == SSGI_GL_VERTEX                                  ? 150
-                              : d.pass == SSGI_GL_SURFELS && stage == SSGI_GL_FRAGMENT ? 60
+                     || (n > (stage == SSGI_GL_STAGE_VERTEX                                  ? 150
+                              : d.pass == SSGI_GL_PASS_SURFELS && stage == SSGI_GL_STAGE_FRAGMENT ? 60
                                                                                        : 500)
                          && n < TEXT && strlen(text) == n);
         }
@@ -1574,33 +1724,33 @@ static void speed(void)
 {
     enum { RUNS = 400 };
     static char text[TEXT];
-    static const ssgi_gl_desc descs[] = { { .samples = 64 },
-                                          { .pass = SSGI_GL_HSAO },
-                                          { .pass = SSGI_GL_BLUR },
-                                          { .pass = SSGI_GL_SSDO,
-                                            .search = SSGI_GL_POINTS,
-                                            .environment = SSGI_GL_ENVIRONMENT_MAP,
-                                            .bounce = SSGI_GL_BOUNCE_PATCH,
-                                            .layers = 2,
-                                            .views = 2,
-                                            .fade = 1,
-                                            .samples = 64 },
-                                          { .pass = SSGI_GL_S3HO,
-                                            .search = SSGI_GL_POINTS,
-                                            .transfer = SSGI_GL_TRANSFER_BOTH,
-                                            .packed = 1,
-                                            .layers = 2,
-                                            .views = 2,
-                                            .fade = 2,
-                                            .range = 1,
-                                            .samples = 64 } };
+    static const ssgi_gl_desc descs[] = { { .gather.samples = 64 },
+                                          { .pass = SSGI_GL_PASS_HSAO },
+                                          { .pass = SSGI_GL_PASS_BLUR },
+                                          { .pass = SSGI_GL_PASS_SSDO,
+                                            .gather.search = SSGI_GL_SEARCH_POINTS,
+                                            .light.environment = SSGI_GL_ENVIRONMENT_MAP,
+                                            .light.bounce = SSGI_GL_BOUNCE_PATCH,
+                                            .gather.layers = 2,
+                                            .gather.views = 2,
+                                            .gather.fade = 1,
+                                            .gather.samples = 64 },
+                                          { .pass = SSGI_GL_PASS_S3HO,
+                                            .gather.search = SSGI_GL_SEARCH_POINTS,
+                                            .light.transfer = SSGI_GL_TRANSFER_BOTH,
+                                            .light.packed = 1,
+                                            .gather.layers = 2,
+                                            .gather.views = 2,
+                                            .gather.fade = 2,
+                                            .gather.range = 1,
+                                            .gather.samples = 64 } };
     double times[5];
     uint64_t sum = 0;
     for (int k = 0; k < 5; ++k) {
         double best[2] = { 1, 1 };
         for (int i = 0; i < RUNS; ++i) {
             const double began = kit_seconds();
-            const size_t n = ssgi_gl_emit(text, TEXT, &descs[k], SSGI_GL_FRAGMENT);
+            const size_t n = ssgi_gl_emit(text, TEXT, &descs[k], SSGI_GL_STAGE_FRAGMENT);
             const double made = kit_seconds();
             sum += hash_of(text, n);
             best[0] = fmin(best[0], made - began);
@@ -1635,30 +1785,37 @@ static const char *const unvaried[][2] = {
     { "lines", "every eighth text" }, { "samples", "a constant" }, { "directions", "a constant" },
     { "levels", "a constant" }, { "filter_radius", "a constant" } };
 
-/* Every int of the struct, as the header has it, is in the library's table and in both of this file. */
+/* Every field of the struct's groups, as the header has it, is in the library's table and in both of this file. */
 static void every_field(void)
 {
-    char *header, name[64];
+    char *header, name[64], type[64], group[64] = "", field[160], end_ = 0;
     size_t size;
-    int found = 0;
+    int found = 1; /* desc.pass */
     if (!CHECK(!kit_file_read(&header, &size, "ssgi_gl.h", NULL), "ssgi_gl.h cannot be read")) return;
-    const char *at = strstr(header, "typedef struct ssgi_gl_desc {"), *end = at ? strstr(at, "} ssgi_gl_desc;") : NULL;
+    const char *at = strstr(header, "/* ---- desc."), *end = at ? strstr(at, "} ssgi_gl_desc;") : NULL;
     for (; end && (at = strchr(at, '\n')) != NULL && at++ < end;) {
-        const ssgi_gl_choice *field = NULL, *c;
+        const ssgi_gl_choice *row = NULL, *c;
         int in_ints = 0, in_choices = 0;
-        if (sscanf(at, " int %63[a-z_];", name) != 1) continue;
+        if (sscanf(at, "typedef struct ssgi_gl_%63[a-z_] {", group) == 1) continue;
+        if (!strncmp(at, "} ", 2)) *group = 0;
+        if (!*group || !strcmp(group, "desc") || sscanf(at, " %63[a-z_] %63[a-z_]%c", type, name, &end_) != 3
+            || end_ != ';' || (strcmp(type, "int") && strncmp(type, "ssgi_", 5))) continue;
+        snprintf(field, sizeof field, "%.*s.%s", (int)(strlen(group) - strlen("_desc")), group, name);
         ++found;
-        for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i) if (!strcmp(c->name, name)) field = c;
-        if (!CHECK(field, "desc.%s is not in ssgi_gl__fields (ssgi_gl.h, >>desc): no check, no #if, no key knows it",
-                   name))
+        for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i) if (!strcmp(c->field, field)) row = c;
+        if (!CHECK(row, "desc.%s is not in ssgi_gl__fields (ssgi_gl.h, >>desc): no check, no #if, no key knows it",
+                   field))
             continue;
+        CHECK((!strncmp(type, "ssgi_", 5)) == (*row->values != 0), "desc.%s: an enum has words, a number has none",
+              field);
         for (int i = 0; i < INTS; ++i)
-            in_ints |= ints[i].offset == field->offset && ints[i].most == field->most;
-        for (int i = 0; i < CHOICES; ++i) in_choices |= choices[i].offset == field->offset;
-        for (size_t i = 0; i < sizeof unvaried / sizeof *unvaried; ++i) in_choices |= !strcmp(unvaried[i][0], name);
-        CHECK(in_ints, "desc.%s: add INT(%s, %d) to ints (tests/test_text.c, >>sentences)", name, name, field->most);
+            in_ints |= ints[i].offset == row->offset && ints[i].most == row->most;
+        for (int i = 0; i < CHOICES; ++i) in_choices |= choices[i].offset == row->offset;
+        for (size_t i = 0; i < sizeof unvaried / sizeof *unvaried; ++i)
+            in_choices |= !strcmp(unvaried[i][0], row->name);
+        CHECK(in_ints, "desc.%s: add INT(%s, %d) to ints (tests/test_text.c, >>sentences)", field, field, row->most);
         CHECK(in_choices, "desc.%s: no text is compiled with it: add CHOICE(%s, ..) to choices (tests/test_text.c, "
-              ">>variants) and to those of glsl-text's choices.c, then make golden", name, name);
+              ">>variants) and to those of glsl-text's choices.c, then make golden", field, field);
     }
     free(header);
     CHECK(found == INTS, "%d fields in the header, %d in ints (tests/test_text.c, >>sentences)", found, INTS);
@@ -1673,7 +1830,7 @@ static void every_line(void)
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     for (int i = 0; i < texts + 4; ++i) {
         if (i >= texts) ssgi_gl_sh(text, sizeof text, i - texts + 1);
-        else if (spoken[i].desc.dialect != SSGI_GL_VULKAN || spoken[i].desc.tessellate)
+        else if (spoken[i].desc.text.dialect != SSGI_GL_DIALECT_VULKAN || spoken[i].desc.surfel.tessellate)
             source_of(text, &spoken[i].desc, spoken[i].stage);
         else continue;
         for (const char *line = text, *end; *line; line = end + (*end != 0)) {
@@ -1721,7 +1878,7 @@ static char *document(const char *name)
 static int begins_a_chain(int pass)
 {
     const ssgi_gl_chain none = { .desc = { .pass = SSGI_GL_PASSES }, .width = 64, .height = 36 };
-    const ssgi_gl_chain chain = { .desc = { .pass = pass, .environment = SSGI_GL_ENVIRONMENT_SH },
+    const ssgi_gl_chain chain = { .desc = { .pass = pass, .light.environment = SSGI_GL_ENVIRONMENT_SH },
                                   .width = 64,
                                   .height = 36 };
     const char *why = "", *sentence = "";
@@ -1739,20 +1896,27 @@ static int begins_a_chain(int pass)
 static uint64_t drawn_passes(void)
 {
     static const ssgi_gl_desc descs[] = {
-        { .pass = SSGI_GL_SSAO }, { .pass = SSGI_GL_HSAO }, { .pass = SSGI_GL_HSAO, .onto = SSGI_GL_ONTO_MULTIPLY },
-        { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
-        { .pass = SSGI_GL_S3HO }, { .pass = SSGI_GL_FIELD }, { .pass = SSGI_GL_SPLAT },
-        { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT, .onto = SSGI_GL_ONTO_MULTIPLY } };
+        { .pass = SSGI_GL_PASS_SSAO },
+        { .pass = SSGI_GL_PASS_HSAO },
+        { .pass = SSGI_GL_PASS_HSAO, .filter.onto = SSGI_GL_ONTO_MULTIPLY },
+        { .pass = SSGI_GL_PASS_SSDO,
+          .light.environment = SSGI_GL_ENVIRONMENT_MAP,
+          .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
+        { .pass = SSGI_GL_PASS_S3HO },
+        { .pass = SSGI_GL_PASS_FIELD },
+        { .pass = SSGI_GL_PASS_SPLAT },
+        { .pass = SSGI_GL_PASS_SPLAT, .surfel.effect = SSGI_GL_EFFECT_LIGHT, .filter.onto = SSGI_GL_ONTO_MULTIPLY }
+    };
     uint64_t passes = 0;
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass) passes |= (uint64_t)begins_a_chain(pass) << pass;
     for (size_t i = 0; i < sizeof descs / sizeof *descs; ++i)
         for (int flags = 0; flags < 8; ++flags) {
             static ssgi_gl_step step[128];
             ssgi_gl_chain chain = { .desc = descs[i], .width = 64, .height = 36 };
-            chain.desc.dialect = SSGI_GL_450;
+            chain.desc.text.dialect = SSGI_GL_DIALECT_450;
             chain.blur = flags & 1;
             chain.history = flags >> 1 & 1;
-            chain.lights.pass = flags & 4 ? SSGI_GL_LIGHTS : 0;
+            chain.lights.pass = flags & 4 ? SSGI_GL_PASS_LIGHTS : 0;
             const int n = ssgi_gl_steps(step, 128, &chain, NULL);
             for (int k = 0; k < n && k < 128; ++k) passes |= (uint64_t)1 << step[k].desc.pass;
         }
@@ -1772,8 +1936,10 @@ static void every_pass(void)
         CHECK(strstr(passes, start), "%s: PASSES.md has no section on it: add it to variants of glsl-text's choices.c, "
               "then make passes", name);
         /* surfels fills a buffer of yours, once */
-        CHECK(drawn_ >> pass & 1 || pass == SSGI_GL_SURFELS, "%s: ssgi_gl_steps never draws it: ssgi_gl.h, >>steps, "
-              "and a chain that asks for it in drawn_passes (tests/test_text.c)", name);
+        CHECK(drawn_ >> pass & 1 || pass == SSGI_GL_PASS_SURFELS,
+              "%s: ssgi_gl_steps never draws it: ssgi_gl.h, >>steps, "
+              "and a chain that asks for it in drawn_passes (tests/test_text.c)",
+              name);
         snprintf(start, sizeof start, "\n| `%s` | ", name);
         row = strstr(contributing, start);
         if (!CHECK(row, "%s: examples/docs/CONTRIBUTING.md has no row on it in its table of passes and test groups",

@@ -93,7 +93,7 @@ static void against_brute_force(void)
             if (wide > (double)tmin - 1e-4 && wide < (double)tmax + 1e-4) possible = fmin(possible, wide);
         }
         ssgi_hit hit = { -1, -1, -1, 0 };
-        const int found = ssgi_trace_closest(&trace, o, d, tmin, tmax, &hit),
+        const int found = ssgi_trace_closest(&hit, &trace, o, d, tmin, tmax),
                   any = ssgi_trace_any(&trace, o, d, tmin, tmax);
         CHECK(found == any, "ray %d: closest says %d, any says %d", r, found, any);
         CHECK(found || sure > 1e29, "ray %d: the hit at %g was missed", r, sure);
@@ -143,12 +143,12 @@ static void deep_trees(void)
     float tmin = 0;
     int counted = 0;
     ssgi_hit hit;
-    while (counted <= SHELLS && ssgi_trace_closest(&trace, o, forth, tmin, 1e11f, &hit)) {
+    while (counted <= SHELLS && ssgi_trace_closest(&hit, &trace, o, forth, tmin, 1e11f)) {
         tmin = hit.t;
         ++counted;
     }
     CHECK(counted == SHELLS, "%d of %d shells were hit one after the other", counted, SHELLS);
-    CHECK(ssgi_trace_closest(&trace, o, back, 0, 2, &hit) && hit.t == 1.0f, "coincident triangles: not hit at 1");
+    CHECK(ssgi_trace_closest(&hit, &trace, o, back, 0, 2) && hit.t == 1.0f, "coincident triangles: not hit at 1");
     free(memory);
     for (int i = 0; i < 9 * SAME; ++i) soup[i] = NAN;
     if (build(&trace, &memory, soup, SAME))

@@ -115,7 +115,7 @@ static void cameras(void)
         }
         at[3] = 1;
         for (int k = 0; k < 3; ++k) q[k] = row_of(picture, k, at, &lost);
-        ssgi_view_project(&view, spot, seen);
+        ssgi_view_project(seen, &view, spot);
         for (int k = 0; k < 3; ++k) {
             const double want = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]), got = row_of(v.to[slot], k, q, &lost);
             CHECK(fabs(got - want) <= lost + 4e-7 * fabs(want), "to, %s, row %d: %.9g, ssgi_view_project says %.9g",
@@ -242,7 +242,7 @@ static float *const ins = &in[0][0], *const outs = &out[0][0];    /* the same, f
 
 static ssgi_gl_views probed;               /* extra cameras that probes see, */
 static GLuint probed_layers;               /* and what these see */
-static GLuint probed_width;                /* what pass width wrote, at its unit */
+static GLuint probed_width;                /* Pass thickness wrote it, at its unit. */
 
 /* A text up to its main, and a main that makes o of inputs: in to out. X(k): texel k of the pixel's four of the input,
    a: its own; Y(k): the same of maps, which all textures of the text read too. */
@@ -252,7 +252,7 @@ static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, GLuin
                                        GL_NONE, GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT7 };
     static const GLenum stages[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
     static char triangle[TEXT];
-    const ssgi_gl_desc plain = { .dialect = dialect };
+    const ssgi_gl_desc plain = { .text.dialect = dialect };
     const char *const source[2] = { triangle, text };
     kit_error err = { "" };
     char *end = strstr(text, "void main");
@@ -266,7 +266,7 @@ static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, GLuin
              "k)\n#define Y(k) AT(t_maps, k)\n"
              "void main()\n{\n    ivec2 texel = ivec2(gl_FragCoord.xy);\n    vec4 a = X(texel.x & 3);\n    %s\n}\n",
              statements);
-    ssgi_gl_emit(triangle, TEXT, &plain, SSGI_GL_VERTEX);
+    ssgi_gl_emit(triangle, TEXT, &plain, SSGI_GL_STAGE_VERTEX);
     program = kit_program(source, stages, 2, &err);
     if (!CHECK(program, "%s: %s", statements, err.text)) return 0;
     glGenBuffers(2, block);
@@ -303,9 +303,9 @@ static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, GLuin
 static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, GLuint maps, const char *statements)
 {
     static char text[TEXT];
-    const size_t n = ssgi_gl_emit(text, TEXT, d, SSGI_GL_FRAGMENT);
+    const size_t n = ssgi_gl_emit(text, TEXT, d, SSGI_GL_STAGE_FRAGMENT);
     return CHECK(n && n < TEXT, "%s: a text of %zu characters", ssgi_gl_pass_name(d->pass), n)
-           && probe_text(text, d->dialect, frame, maps, statements);
+           && probe_text(text, d->text.dialect, frame, maps, statements);
 }
 
 #define NEAR(got, want, within, what) \
@@ -325,12 +325,12 @@ static void twin_views(void)
         float m[16] = { 1.3f,           0, 0, 0, 0, k & 1 ? -2.1f : 2.1f, 0, 0, 0.07f, -0.03f, (float)z[k][0], -1, 0, 0,
                         (float)z[k][1], 0 };
         int ortho = k >= 4, clip = k == 1 || k == 2 || k == 5 ? SSGI_CLIP_ZERO : SSGI_CLIP_GL;
-        ssgi_gl_desc d = { .dialect = SSGI_GL_450, .orthographic = ortho }, mapped = d;
+        ssgi_gl_desc d = { .text.dialect = SSGI_GL_DIALECT_450, .input.orthographic = ortho }, mapped = d;
         ssgi_gl_frame frame;
         ssgi_view view;
         const char *why = "";
-        mapped.pass = SSGI_GL_LIGHTS;
-        mapped.shadow = SSGI_GL_SHADOW_MAP;
+        mapped.pass = SSGI_GL_PASS_LIGHTS;
+        mapped.light.shadow = SSGI_GL_SHADOW_MAP;
         if (ortho) { m[8] = m[9] = m[11] = 0; m[12] = 0.07f; m[13] = -0.03f; m[15] = 1; }
         if (!CHECK(ssgi_view_from_projection(&view, m, clip, 1280, 720, &why) == SSGI_OK
                        && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK,
@@ -355,7 +355,7 @@ static void twin_views(void)
             /* a rounding of the sum's terms */
             double lost = 1.2e-7 * (fabs((double)view.depth[0]) + fabs((double)view.depth[1]));
             float p[3];
-            ssgi_view_position(&view, in[i][1], in[i][2], in[i][3], p);
+            ssgi_view_position(p, &view, in[i][1], in[i][2], in[i][3]);
             if (depth >= 1e17)
                 CHECK(out[i][0] >= 1e17f, "ssgi_decode(%.9g), layout %d: %g, in C %g", (double)in[i][0], k,
                       (double)out[i][0], depth);
@@ -374,14 +374,14 @@ static void twin_views(void)
             if (depth >= 1e17f) CHECK(out[i][0] >= 1e17f && out[i][0] <= SSGI_FAR, "ssgi_view_depth(%g): %g",
                                       (double)in[i][0], (double)out[i][0]);
         }
-        for (int i = 0; i < MANY; ++i) ssgi_view_position(&view, in[i][1], in[i][2], in[i][3], in[i]);
+        for (int i = 0; i < MANY; ++i) ssgi_view_position(in[i], &view, in[i][1], in[i][2], in[i][3]);
         if (!probe(&d, &frame, 0,
                    "o = vec4(ssgi_project(a.xyz), ssgi_footprint(a.w), ssgi_lift(vec3(0.0, 0.0, -a.w), vec3(1.0, 0.0, "
                    "0.0)).x);"))
             break;
         for (int i = 0; i < MANY; ++i) {
             float p[3];
-            ssgi_view_project(&view, in[i], p);
+            ssgi_view_project(p, &view, in[i]);
             NEAR(out[i][0], p[0], 4e-7 * (fabs((double)p[0]) + 2 * fabs((double)view.project[2])), "ssgi_project.x");
             NEAR(out[i][1], p[1], 4e-7 * (fabs((double)p[1]) + 2 * fabs((double)view.project[3])), "ssgi_project.y");
             NEAR(out[i][2], ssgi_pixel_footprint(&view, in[i][3]), 2e-7f * out[i][2], "ssgi_footprint");
@@ -401,7 +401,7 @@ static void twin_noise_and_kernel(void)
         in[i][2] = (float)(i % SIDE);
         in[i][3] = (float)(i / SIDE);
     }
-    ssgi_gl_desc d = { .dialect = SSGI_GL_450, .samples = 64 };
+    ssgi_gl_desc d = { .text.dialect = SSGI_GL_DIALECT_450, .gather.samples = 64 };
     ssgi_kernel(kernel, 1, 64, NULL);
     if (probe(&d, &frame, 0, "o = vec4(ssgi_noise(ivec2(a.xy)), ssgi_noise(ivec2(a.zw)));"))
         for (int i = 0; i < MANY; ++i)
@@ -419,7 +419,7 @@ static void twin_noise_and_kernel(void)
     if (probe(&d, &frame, 0, "o = SSGI_KERNEL[(texel.y * 64 + texel.x) % 64];"))
         for (int i = 0; i < MANY; ++i)
             for (int c = 0; c < 4; ++c) NEAR(out[i][c], kernel[4 * (i % 64) + c], 1.2e-7, "SSGI_KERNEL");
-    d.uniform = 1;
+    d.gather.uniform = 1;
     ssgi_directions(kernel, SSGI_DIRECTIONS_UNIFORM, 1, 64, NULL);
     if (probe(&d, &frame, 0, "o = SSGI_KERNEL[(texel.y * 64 + texel.x) % 64];"))
         for (int i = 0; i < MANY; ++i)
@@ -433,7 +433,7 @@ static void twin_normals(void)
     ssgi_gl_frame frame;
     for (int world = 0; world < 2; ++world)
         for (int how = SSGI_GL_NORMAL_SIGNED; how <= SSGI_GL_NORMAL_OCTAHEDRAL; ++how) {
-            ssgi_gl_desc d = { .dialect = SSGI_GL_450, .normal = how, .world_normals = world };
+            ssgi_gl_desc d = { .text.dialect = SSGI_GL_DIALECT_450, .input.normal = how, .input.world_normals = world };
             const float turn[12] = { c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0 };      /* columns: x goes to (c, s, 0) */
             memset(&frame, 0, sizeof frame);
             memcpy(frame.rotation, turn, sizeof turn);
@@ -474,7 +474,7 @@ static double arc(double top, double g)
 
 static void twin_arc(void)
 {
-    ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450 };
+    ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HSAO, .text.dialect = SSGI_GL_DIALECT_450 };
     ssgi_gl_frame frame;
     double worst = 0;
     memset(&frame, 0, sizeof frame);
@@ -504,7 +504,7 @@ static void twin_arc(void)
     t_note("worst error of a horizon's occlusion: %.1e", worst);
 }
 
-/* What senders wrote, read back as its format says: 9 9 9 bits and an exponent of 5; 6 bits of exponent and 14; two of
+/* What emitters wrote, read back as its format says: 9 9 9 bits and an exponent of 5; 6 bits of exponent and 14; two of
    6. */
 static void unpack(const float halves[4], float rgb[3], float *z)
 {
@@ -514,12 +514,14 @@ static void unpack(const float halves[4], float rgb[3], float *z)
     *z = ldexpf(1 + (float)(b >> 12 & 0x3fff) / 16384, (int)(b >> 26) - 20);
 }
 
-static void twin_senders(void)
+static void twin_emitters(void)
 {
     static float rgbz[MANY][4], way[MANY][3];
-    const ssgi_gl_desc pack = { .pass = SSGI_GL_SENDERS, .dialect = SSGI_GL_450 }, read = {
-        .pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .dialect = SSGI_GL_450, .bounce = SSGI_GL_BOUNCE_PATCH
-    };
+    const ssgi_gl_desc pack = { .pass = SSGI_GL_PASS_EMITTERS, .text.dialect = SSGI_GL_DIALECT_450 },
+                       read = { .pass = SSGI_GL_PASS_SSDO,
+                                .gather.search = SSGI_GL_SEARCH_POINTS,
+                                .text.dialect = SSGI_GL_DIALECT_450,
+                                .light.bounce = SSGI_GL_BOUNCE_PATCH };
     ssgi_gl_frame frame;
     double worst = 0;
     memset(&frame, 0, sizeof frame);
@@ -567,18 +569,19 @@ static void twin_senders(void)
         const double cosine = (x * (double)way[i][0] + y * (double)way[i][1] + z * (double)way[i][2])
                               / sqrt(x * x + y * y + z * z),
                      degrees = acos(fmin(cosine, 1)) * 57.29577951;
-        CHECK(degrees <= 4, "a sender's normal is off by %.2f degrees", degrees);
+        CHECK(degrees <= 4, "an emitter's normal is off by %.2f degrees", degrees);
         NEAR(out[i][3], SSGI_FAR, 0, "the view depth of nothing");
         worst = fmax(worst, degrees);
     }
-    t_note("a sender's normal is off by %.2f degrees at most", worst);
+    t_note("an emitter's normal is off by %.2f degrees at most", worst);
 }
 
 /* Octahedral maps, and the point that an extra camera shows: the third of them, so that the block's strides matter. */
 static void twin_views_of_others(void)
 {
-    const ssgi_gl_desc d = { .dialect = SSGI_GL_450, .fade = 1, .views = 3 },
-                       map = { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_450, .environment = SSGI_GL_ENVIRONMENT_MAP };
+    const ssgi_gl_desc d = { .text.dialect = SSGI_GL_DIALECT_450, .gather.fade = 1, .gather.views = 3 }, map = {
+        .pass = SSGI_GL_PASS_SSDO, .text.dialect = SSGI_GL_DIALECT_450, .light.environment = SSGI_GL_ENVIRONMENT_MAP
+    };
     ssgi_gl_frame frame;
     memset(&frame, 0, sizeof frame);
     random_state = 11;
@@ -613,7 +616,7 @@ static void twin_views_of_others(void)
     if (!probe(&map, &frame, 0, "o = vec4(ssgi_octahedral(a.xyz), 0.0, 0.0);")) return;
     for (int i = 0; i < MANY; ++i) {
         float e[2];
-        ssgi_octahedral_encode(in[i], e);
+        ssgi_octahedral_encode(e, in[i]);
         for (int c = 0; c < 2; ++c) NEAR(out[i][c], e[c], 4e-7, "ssgi_octahedral");
     }
 }
@@ -660,7 +663,7 @@ static void twin_harmonics(void)
                  "int w = texel.x & 3; ssgi_sh s = given(X(0), X(1), X(2), X(3)), y = given(Y(0), Y(1), Y(2), Y(3)); "
                  "%s o = %s;",
                  calls[what], words[bands - 1]);
-        if (!probe_text(text, es ? SSGI_GL_300ES : SSGI_GL_330, &frame, map, body)) return;
+        if (!probe_text(text, es ? SSGI_GL_DIALECT_300ES : SSGI_GL_DIALECT_330, &frame, map, body)) return;
         for (int i = 0; i < MANY / 4; ++i) {
             const float *x = &ins[16 * i], *y = &others[16 * i], *got = &outs[16 * i];
             float want[16] = { 0 };
@@ -702,7 +705,8 @@ static double value_of(int half)
    that have not. */
 static void twin_halves(void)
 {
-    static const int dialects[] = { SSGI_GL_330, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES };
+    static const int dialects[] = { SSGI_GL_DIALECT_330, SSGI_GL_DIALECT_410, SSGI_GL_DIALECT_450,
+                                    SSGI_GL_DIALECT_300ES };
     static const float odd[] = {
         0,     -0.0f,         65504,         65519,         65520,         65536,         1e9f,
         1e30f, 5.9604645e-8f, 2.9802322e-8f, 2.9802326e-8f, 6.0975552e-5f, 6.1035156e-5f, 6.1005358e-5f,
@@ -710,9 +714,10 @@ static void twin_halves(void)
     };
     const ssgi_gl_frame frame = { .radius = 1 };
     for (int k = 0; k < 4; ++k) {
-        const ssgi_gl_desc d = {
-            .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .packed = 1, .dialect = dialects[k]
-        };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_BLUR,
+                                 .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS,
+                                 .light.packed = 1,
+                                 .text.dialect = dialects[k] };
         for (int round = 0; round < 4; ++round) {
             for (int i = 0; i < 4 * MANY; ++i) ins[i] = (float)(4 * MANY * round + i);
             if (!probe(&d, &frame, 0,
@@ -740,7 +745,7 @@ static void twin_halves(void)
             const float x = ins[i];
             const int got = (int)outs[i];
             CHECK(got == half_of(x), "ssgi_pack_half(%.9g), %s: 0x%04x, to nearest even 0x%04x", (double)x,
-                  ssgi_gl_dialect_name(d.dialect), (unsigned)got, (unsigned)half_of(x));
+                  ssgi_gl_dialect_name(d.text.dialect), (unsigned)got, (unsigned)half_of(x));
         }
     }
 }
@@ -761,14 +766,18 @@ static int facing(ssgi_view *view, ssgi_gl_frame *frame, float radius)
    exact union of the intervals. A span ends the arcs' shares at 2.5, from half of it on. */
 static void twin_sectors(void)
 {
-    static const struct { int dialect, span; } row[] = { { SSGI_GL_330, 0 }, { SSGI_GL_450, 0 }, { SSGI_GL_450, 1 } };
+    static const struct {
+        int dialect, span;
+    } row[] = { { SSGI_GL_DIALECT_330, 0 }, { SSGI_GL_DIALECT_450, 0 }, { SSGI_GL_DIALECT_450, 1 } };
     static const double share[2][4] = { { 1, 0.75, 0.5, 0.25 }, { 1, 0.75, 0.4 * 0.5, 0 } };   /* by distance, near */
     static float noise[MANY];
     ssgi_gl_frame frame;
     memset(&frame, 0, sizeof frame);
     frame.radius = 4;
     for (size_t v = 0; v < sizeof row / sizeof *row; ++v) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = row[v].dialect, .span = row[v].span };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HSAO,
+                                 .text.dialect = row[v].dialect,
+                                 .surfel.span = row[v].span };
         double sum = 0, exact = 0;
         char statements[400];
         random_state = 31;
@@ -806,9 +815,9 @@ static void twin_sectors(void)
             sum += (double)out[i][2] / 32;
         }
         CHECK(fabs(sum - exact) < 0.002 * MANY / 4, "%s: a mean of %.4f of the sectors, of the intervals %.4f",
-              ssgi_gl_dialect_name(d.dialect), 4 * sum / MANY, 4 * exact / MANY);
-        if (!d.span)
-            t_note("%s: a mean of %.4f of the sectors, of the intervals %.4f", ssgi_gl_dialect_name(d.dialect),
+              ssgi_gl_dialect_name(d.text.dialect), 4 * sum / MANY, 4 * exact / MANY);
+        if (!d.surfel.span)
+            t_note("%s: a mean of %.4f of the sectors, of the intervals %.4f", ssgi_gl_dialect_name(d.text.dialect),
                    4 * sum / MANY, 4 * exact / MANY);
     }
 }
@@ -817,11 +826,13 @@ static void twin_sectors(void)
    what has no back, the thickness. */
 static void twin_deep(void)
 {
-    const ssgi_gl_desc d = { .pass = SSGI_GL_SSAO, .dialect = SSGI_GL_450, .thickness = SSGI_GL_THICKNESS_BACK };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SSAO,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .gather.thickness = SSGI_GL_THICKNESS_BACK };
     ssgi_gl_frame frame;
     memset(&frame, 0, sizeof frame);
     frame.radius = 0.5f;
-    frame.thickness = 0.3f;
+    frame.thickness_limit = 0.3f;
     random_state = 37;
     for (int i = 0; i < MANY; ++i) {
         const float z = powf(10, uniform(-1, 3)),
@@ -858,14 +869,14 @@ static void slices_limits(void)
                 { 20, 0.7, 0, 1, 1 } };
     static float map[MANY][4];
     const int centre = SIDE / 2 * SIDE + SIDE / 2;
-    ssgi_gl_desc d = { .pass = SSGI_GL_HSAO,
-                       .dialect = SSGI_GL_450,
-                       .directions = 1,
-                       .steps = 1,
-                       .hard = 1,
-                       .orthographic = 1,
-                       .depth = SSGI_GL_DEPTH_LINEAR,
-                       .thickness = SSGI_GL_THICKNESS_SOLID };
+    ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HSAO,
+                       .text.dialect = SSGI_GL_DIALECT_450,
+                       .gather.directions = 1,
+                       .gather.steps = 1,
+                       .gather.falloff = SSGI_GL_FALLOFF_NONE,
+                       .input.orthographic = 1,
+                       .input.depth = SSGI_GL_DEPTH_LINEAR,
+                       .gather.thickness = SSGI_GL_THICKNESS_SOLID };
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 3.512f)) return;
@@ -883,7 +894,7 @@ static void slices_limits(void)
         in[centre][1] = (float)cos(tilt);
         /* its square of the radius or the span: 4.3 pixels. Sectors are rounded up but for 1e-5 */
         in[centre][2] = row[k].span ? 0.414937f : 0.276624f;
-        d.span = row[k].span;
+        d.surfel.span = row[k].span;
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
         const int went = probe(&d, &frame, texture,
                                "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel)); mat3 m = "
@@ -912,15 +923,21 @@ static void steep_taps_are_not_joined(void)
     static float map[MANY][4];
     const int centre = SIDE / 2 * SIDE + SIDE / 2;
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .directions = 1, .steps = 4, .hard = 1,
-                                 .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR, .span = row[k].span };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HSAO,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .gather.directions = 1,
+                                 .gather.steps = 4,
+                                 .gather.falloff = SSGI_GL_FALLOFF_NONE,
+                                 .input.orthographic = 1,
+                                 .input.depth = SSGI_GL_DEPTH_LINEAR,
+                                 .surfel.span = row[k].span };
         const double high = (double)row[k].height, hidden = 32 * high * high / (high * high + 0.5625 * 0.5625);
         /* 64 pixels a side, of which the picture has half */
         const double want = expected(hidden, 32 - hidden, 4, (SIDE / 2 - 0.501) / 64) / 32;
         ssgi_gl_frame frame;
         ssgi_view view;
         if (!facing(&view, &frame, row[k].radius)) return;
-        frame.thickness = 1e-4f;
+        frame.thickness_limit = 1e-4f;
         frame.surfel[0] = 4;
         for (int i = 0; i < MANY; ++i) {                       /* taps: 1, 9, 25 pixels aside, and none */
             const int aside = abs(i % SIDE - SIDE / 2);
@@ -943,7 +960,9 @@ static void backs_lie_on_their_rays(void)
 {
     random_state = 61;
     for (int flat_ = 0; flat_ < 2; ++flat_) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .orthographic = flat_ };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HSAO,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .input.orthographic = flat_ };
         const ssgi_gl_frame frame = { .radius = 1, .project = { 100, 100 }, .unproject = { 0.01f, 0.01f } };
         /* the receiver and the slice's turn; its normal and the thickness; the tap, along the slice and to the eye */
         for (int i = 0; i < MANY; i += 4) {
@@ -1000,7 +1019,7 @@ static void backs_lie_on_their_rays(void)
     }
 }
 
-/* What pass width would write of view depths in x, were all as thick as the radius. */
+/* What pass thickness would write of view depths in x, were all as thick as the radius. */
 static GLuint as_thick_as_the_radius(const float (*map)[4])
 {
     static uint32_t packed[MANY];
@@ -1024,14 +1043,20 @@ static void what_covers_nothing(void)
     static float map[MANY][4];
     const int centre = SIDE / 2 * SIDE + SIDE / 2;
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .directions = 1, .steps = 2, .hard = 1,
-                                 .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR, .thickness = row[k].thickness };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HSAO,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .gather.directions = 1,
+                                 .gather.steps = 2,
+                                 .gather.falloff = SSGI_GL_FALLOFF_NONE,
+                                 .input.orthographic = 1,
+                                 .input.depth = SSGI_GL_DEPTH_LINEAR,
+                                 .gather.thickness = row[k].thickness };
         const double tilt = row[k].tilt * 0.017453292519943;
         ssgi_gl_frame frame;
         ssgi_view view;
         float covered[2];
         if (!facing(&view, &frame, 2)) return;
-        frame.thickness = 2;
+        frame.thickness_limit = 2;
         in[centre][0] = (float)sin(tilt);
         in[centre][1] = (float)cos(tilt);
         for (int pole = 0; pole < 2; ++pole) {
@@ -1118,7 +1143,7 @@ static double side_walked(double *where, const walk *w, const int *p, const doub
         const float *tap = w->map[inside ? y * SIDE + x : 0];
         double z[4] = { (double)tap[0], 0, (double)tap[1], 0 }, Q[3], at[4][3], e[4][2], L[4];
         const double width = (double)tap[3] * R / 63 + 0.5 * gap;
-        z[1] = z[0] + (w->thickness == SSGI_GL_THICKNESS_CONSTANT ? (double)w->frame->thickness : width);
+        z[1] = z[0] + (w->thickness == SSGI_GL_THICKNESS_CONSTANT ? (double)w->frame->thickness_limit : width);
         if (z[2] <= 0) z[2] = 1e18;
         z[3] = z[2] + fmax(fmin(tap[2] > tap[1] ? (double)(tap[2] - tap[1]) : (double)tap[3] * R / 63, R), 2 * gap);
         for (int i = 0; i < 4; ++i) {               /* front, back, second front, its back: along and up */
@@ -1181,16 +1206,21 @@ static void walks_by_vectors(void)
     for (int k = 0; k < 8; ++k) {
         static const int thick[4] = { SSGI_GL_THICKNESS_SOLID, SSGI_GL_THICKNESS_CONSTANT, SSGI_GL_THICKNESS_WIDTH,
                                       SSGI_GL_THICKNESS_SLABS };
-        ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .directions = SLICES, .steps = STEPS,
-                           .orthographic = k & 1, .depth = SSGI_GL_DEPTH_LINEAR, .thickness = thick[k / 2] };
+        ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HSAO,
+                           .text.dialect = SSGI_GL_DIALECT_450,
+                           .gather.directions = SLICES,
+                           .gather.steps = STEPS,
+                           .input.orthographic = k & 1,
+                           .input.depth = SSGI_GL_DEPTH_LINEAR,
+                           .gather.thickness = thick[k / 2] };
         ssgi_gl_frame frame;
         ssgi_view view;
         const char *why = "";
-        const walk w = { &frame, (const float (*)[4])map, k & 1, d.thickness, STEPS };
+        const walk w = { &frame, (const float (*)[4])map, k & 1, d.gather.thickness, STEPS };
         if (!CHECK(ssgi_view_from_projection(&view, m[k & 1], SSGI_CLIP_GL, SIDE, SIDE, &why) == SSGI_OK
                        && ssgi_gl_frame_init(&frame, &view, 1.5f, &why) == SSGI_OK, "%s", why))
             return;
-        frame.thickness = 0.3f;
+        frame.thickness_limit = 0.3f;
         random_state = 71 + (uint32_t)k;
         for (int i = 0; i < MANY; ++i) {                   /* a slope with blocks, a step down, holes */
             const int x = i % SIDE, y = i / SIDE, block = (x / 6 * 7 + y / 9 * 5) % 4;
@@ -1207,7 +1237,7 @@ static void walks_by_vectors(void)
             memcpy(&bits, &deep, sizeof bits);
             bits = (bits + 32) & ~63u;
             packed[4 * (y / 2 * SIDE / 2 + x / 2) + 2 * (y & 1) + (x & 1)] = bits | (uint32_t)map[i][3];
-            memcpy(&seen[i][0], &bits, sizeof bits);       /* as pass width rounds it */
+            memcpy(&seen[i][0], &bits, sizeof bits);       /* as pass thickness rounds it */
             memcpy(&seen[i][1], &map[i][1], 3 * sizeof map[i][1]);
         }
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
@@ -1216,8 +1246,8 @@ static void walks_by_vectors(void)
              "ssgi_sums s = ssgi_gather(texel, ssgi_position(vec2(texel) + 0.5, z), a.xyz, xi);"
         int went = probe(&d, &frame, texture, WALK "o = vec4(s.all);");
         for (int i = 0; i < MANY; ++i) blocked[i] = out[i][0];
-        d.pass = SSGI_GL_SSDO;
-        d.environment = SSGI_GL_ENVIRONMENT_SH;
+        d.pass = SSGI_GL_PASS_SSDO;
+        d.light.environment = SSGI_GL_ENVIRONMENT_SH;
         went = went && probe(&d, &frame, texture,
                              WALK "o = (ssgi_sh_zonal(SSGI_COSINE, a.xyz).a - s.lobe.a) / SSGI_PI;");
 #undef WALK
@@ -1225,7 +1255,7 @@ static void walks_by_vectors(void)
         glDeleteTextures(1, &probed_width);
         probed_width = 0;
         if (!went) return;
-        if (d.thickness > SSGI_GL_THICKNESS_SOLID) memcpy(map, seen, sizeof map);
+        if (d.gather.thickness > SSGI_GL_THICKNESS_SOLID) memcpy(map, seen, sizeof map);
         int off = 0, many = 0, astray = 0;
         double bias = 0, mean = 0;
         for (int i = 0; i < MANY; ++i) {
@@ -1277,12 +1307,13 @@ static void walks_by_vectors(void)
         /* how far a texel is off its slice is taken at the receiver's depth */
         CHECK(off < many * (k & 1 ? 0.004 : 0.06) && fabs(bias) < many * 0.0004 && mean > many * 0.2,
               "%s, thickness %d: %d of %d pixels are off by more than 0.002, by %g on the mean",
-              k & 1 ? "orthographic" : "perspective", d.thickness, off, many, bias / many);
+              k & 1 ? "orthographic" : "perspective", d.gather.thickness, off, many, bias / many);
         /* of what lies behind a hole solids keep an elevation, which rounding decides */
         CHECK(astray < 3 * many * (k & 1 ? 0.015 : 0.06), "%s, thickness %d: of light %d of %d components are",
-              k & 1 ? "orthographic" : "perspective", d.thickness, astray, 3 * many);
+              k & 1 ? "orthographic" : "perspective", d.gather.thickness, astray, 3 * many);
         t_note("%s, thickness %d: %.4f blocked, by %.6f less; off by over 0.002: %d of %d, %d of light",
-               k & 1 ? "orthographic" : "perspective", d.thickness, mean / many, -bias / many, off, many, astray);
+               k & 1 ? "orthographic" : "perspective", d.gather.thickness, mean / many, -bias / many, off, many,
+               astray);
     }
 }
 
@@ -1295,7 +1326,9 @@ static void shadow_slack(void)
     static const struct { float depth, scale; int flat; double slack; } row[] = {
         { 1000, 1, 1, 0.0200003 }, { 1, 1000, 1, 3.2e-4 }, { 10, 10, 0, 5e-4 }, { 1, 500, 0, 1.7e-4 } };
     static float map[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_LIGHTS, .dialect = SSGI_GL_450, .shadow = SSGI_GL_SHADOW_MAP };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_LIGHTS,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .light.shadow = SSGI_GL_SHADOW_MAP };
     ssgi_gl_frame frame = { .radius = 1, .max_slope = 20 };
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
         const float light[5][4] = { { 1, 0, 0, 0 },
@@ -1332,7 +1365,9 @@ static void shadow_slack(void)
 static void shadow_bias(void)
 {
     static float map[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_LIGHTS, .dialect = SSGI_GL_450, .shadow = SSGI_GL_SHADOW_MAP };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_LIGHTS,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .light.shadow = SSGI_GL_SHADOW_MAP };
     ssgi_gl_frame frame = { .radius = 1, .max_slope = 6 };
     for (int k = 0; k < 10; ++k) {
         const int flat_ = k & 1, tilt = k / 2;
@@ -1375,10 +1410,11 @@ static void view_slack(void)
     static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
                        still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
     static float map[MANY][4], wall[MANY];
-    const ssgi_gl_desc d = {
-        .dialect = SSGI_GL_450, .views = 1, .samples = 4, .depth = SSGI_GL_DEPTH_LINEAR,
-        .thickness = SSGI_GL_THICKNESS_SOLID
-    };
+    const ssgi_gl_desc d = { .text.dialect = SSGI_GL_DIALECT_450,
+                             .gather.views = 1,
+                             .gather.samples = 4,
+                             .input.depth = SSGI_GL_DEPTH_LINEAR,
+                             .gather.thickness = SSGI_GL_THICKNESS_SOLID };
     ssgi_view view;
     ssgi_gl_frame frame;
     const char *why = "";
@@ -1392,11 +1428,11 @@ static void view_slack(void)
         const float z = 1.5f + 0.6f * (float)i / MANY;
         map[i][0] = 1;
         wall[i] = (0.5f - view.depth[0]) / view.depth[1];
-        ssgi_view_position(&view, 5.5f + (float)(i % 50), 9.5f + (float)(i / 97), z, in[i]);
+        ssgi_view_position(in[i], &view, 5.5f + (float)(i % 50), 9.5f + (float)(i / 97), z);
     }
     GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
     probed_layers = kit_texture_array(SIDE, SIDE, 1, GL_R32F, wall);
-    if (probe(&d, &frame, texture, "o = vec4(ssgi_blocked(a.xyz));"))
+    if (probe(&d, &frame, texture, "o = vec4(ssgi_occlusion_at(a.xyz));"))
         for (int i = 0; i < MANY; ++i) {
             const double z = -(double)in[i][2], from = 2 / (1 + 2.0 / 32);
             if (fabs(z - from) > 1e-3)
@@ -1430,7 +1466,7 @@ static int pass_drawn(float *result, int output, int components, int width, int 
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, block);
     glUseProgram(program);
     for (int i = 0, rows = ssgi_gl_reflect(d, row, SSGI_GL_MAX_IO); i < rows; ++i)
-        for (int k = 0; k < count && row[i].kind == SSGI_GL_TEXTURE; ++k)
+        for (int k = 0; k < count && row[i].kind == SSGI_GL_IO_TEXTURE; ++k)
             if (!strcmp(row[i].name, textures[k].name)) {
                 glActiveTexture(GL_TEXTURE0 + (GLenum)row[i].slot);
                 glBindTexture(strstr(row[i].type, "Array") ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, textures[k].texture);
@@ -1476,12 +1512,12 @@ static void smooth_weights(void)
                          { "t_ssgi_depth", grey(SIDE, SIDE, 5, -1, 0) },
                          { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, normal[0]) } };
     for (int axis = 0; axis < 2; ++axis) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_SMOOTH,
-                                 .dialect = SSGI_GL_450,
-                                 .levels = LEVELS,
-                                 .axis = axis,
-                                 .orthographic = 1,
-                                 .depth = SSGI_GL_DEPTH_LINEAR };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SMOOTH,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .surfel.levels = LEVELS,
+                                 .surfel.axis = axis,
+                                 .input.orthographic = 1,
+                                 .input.depth = SSGI_GL_DEPTH_LINEAR };
         if (!pass_drawn(got, 0, 1, SIDE, LEVELS * SIDE, &d, &frame, t, 3)) return;
         for (int l = 0; l < LEVELS; ++l)
             for (int k = -8; k <= 8; ++k) {
@@ -1499,9 +1535,11 @@ static void smooth_weights(void)
 static void gaussian_weights(void)
 {
     static float got[MANY], ao[MANY][2];
-    const ssgi_gl_desc d = {
-        .pass = SSGI_GL_BLUR, .dialect = SSGI_GL_450, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2, .orthographic = 1
-    };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_BLUR,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .filter.kind = SSGI_GL_FILTER_GAUSSIAN,
+                             .filter.radius = 2,
+                             .input.orthographic = 1 };
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
@@ -1517,7 +1555,7 @@ static void gaussian_weights(void)
     glDeleteTextures(1, &t.texture);
 }
 
-/* A sender that shows its unseen side sends 0.35 of what is seen of it, edge-on nothing; a second slab behind it
+/* An emitter that shows its unseen side sends 0.35 of what is seen of it, edge-on nothing; a second slab behind it
    half; what shines from both sides all. */
 static void unseen_sides(void)
 {
@@ -1526,17 +1564,19 @@ static void unseen_sides(void)
         { { 1, 0, -0.04f }, { 1, 1, 1 } },      { { 1, 0, 0.04f }, { 0.35f, 0.35f, 1 } },
         { { 0, 1, -0.02f }, { 0, 0, 1 } },      { { 0, -1, 0.02f }, { 0, 0, 1 } } };
     enum { ROWS = (int)(sizeof row / sizeof row[0]) };
-    static uint32_t sender[MANY][2];
+    static uint32_t emitter[MANY][2];
     const float share = 0.125f, second = 0.25f;
     for (int i = 0; i < MANY; ++i) {
-        sender[i][0] = 256u | 128u << 9 | 64u << 18 | 16u << 27;           /* 1, 1/2, 1/4 */
-        sender[i][1] = 32u | 32u << 6;
+        emitter[i][0] = 256u | 128u << 9 | 64u << 18 | 16u << 27;           /* 1, 1/2, 1/4 */
+        emitter[i][1] = 32u | 32u << 6;
     }
-    probed_layers = kit_texture_array(SIDE, SIDE, 1, GL_RG32UI, (const float *)(const void *)sender);
+    probed_layers = kit_texture_array(SIDE, SIDE, 1, GL_RG32UI, (const float *)(const void *)emitter);
     for (int kind = 0; kind < 3; ++kind) {     /* plain, slabs, both sides */
-        const ssgi_gl_desc d = { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_450, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE,
-                                 .thickness = kind == 1 ? SSGI_GL_THICKNESS_SLABS : SSGI_GL_THICKNESS_SOLID,
-                                 .two_sided = kind == 2 };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SSDO,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE,
+                                 .gather.thickness = kind == 1 ? SSGI_GL_THICKNESS_SLABS : SSGI_GL_THICKNESS_SOLID,
+                                 .light.two_sided = kind == 2 };
         const ssgi_gl_frame frame = { .radius = 1 };
         memset(in, 0, sizeof in);
         for (int i = 0; i < ROWS; ++i) memcpy(in[i], row[i].d, sizeof row[i].d);
@@ -1562,13 +1602,15 @@ static void points_over_a_disc(void)
     const ssgi_gl_frame frame = { .radius = 1 };
     random_state = 47;
     for (int k = 0; k < 3; ++k) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_SPLAT, .dialect = SSGI_GL_450, .near_samples = points[k] };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SPLAT,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .surfel.near_samples = points[k] };
         for (int i = 0; i < MANY; ++i) { in[i][0] = uniform(0.1f, 2); in[i][1] = powf(10, uniform(-2, 1)); }
-        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_FRAGMENT);
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_FRAGMENT);
         char *const rest = strstr(text, "flat in");
         if (rest) *rest = 0;
         if (!CHECK(rest, "no varyings")
-            || !probe_text(text, d.dialect, &frame, 0,
+            || !probe_text(text, d.text.dialect, &frame, 0,
                            "o = vec4(ssgi_form(vec3(0.0, 0.0, a.x), vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, -1.0), a.y));"))
             return;
         for (int i = 0; i < MANY; ++i) {
@@ -1593,9 +1635,14 @@ static void slices_see_surfels(void)
         { 0.06f, 0.001f, 5.1f, -1, 0 },  { 0.06f, -10, 0.3f, 1, 1 },      { 0.06f, -9.39f, 0.3f, 1, 0 } };
     static const float own[3] = { 0.75f, 1, 2 };
     static float got[MANY][4];
-    static uint32_t texel[MANY][4], sender[MANY][2];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_SPLAT, .dialect = SSGI_GL_450, .orthographic = 1, .levels = 1, .span = 8,
-                             .effect = SSGI_GL_EFFECT_BOUNCE, .depth = SSGI_GL_DEPTH_LINEAR };
+    static uint32_t texel[MANY][4], emitter[MANY][2];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SPLAT,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .input.orthographic = 1,
+                             .surfel.levels = 1,
+                             .surfel.span = 8,
+                             .surfel.effect = SSGI_GL_EFFECT_BOUNCE,
+                             .input.depth = SSGI_GL_DEPTH_LINEAR };
     const double span = 8 * 0.25;
     GLuint array, buffer;
     GLint was;
@@ -1609,7 +1656,7 @@ static void slices_see_surfels(void)
         glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(ssgi_surfel), (const void *)(size_t)(16 * i));
         glVertexAttribDivisor(i, 1);                           /* the same at each corner */
     }
-    for (int i = 0; i < MANY; ++i) sender[i][0] = 256u | 128u << 9 | 64u << 18 | 16u << 27;      /* 1, 1/2, 1/4 */
+    for (int i = 0; i < MANY; ++i) emitter[i][0] = 256u | 128u << 9 | 64u << 18 | 16u << 27;      /* 1, 1/2, 1/4 */
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
         const ssgi_surfel surfel = { .position = { row[k].x, 0.03f, row[k].z }, .radius = row[k].radius,
                                      .normal = { 0, 0, row[k].toward }, .colour = { own[0], own[1], own[2] } };
@@ -1625,9 +1672,9 @@ static void slices_see_surfels(void)
             texel[i][3] = row[k].toward < 0 ? 0x80008000u : 0xffffffffu;       /* +z, -z */
         }
         const given t[3] = {
-            { "t_ssgi_shuffled", kit_texture(SIDE, SIDE, GL_RGBA32UI, (const float *)(const void *)texel) },
+            { "t_ssgi_interleaved", kit_texture(SIDE, SIDE, GL_RGBA32UI, (const float *)(const void *)texel) },
             { "t_ssgi_depth", grey(2 * SIDE, SIDE, 50, SIDE * SIDE + SIDE / 2, 10) },
-            { "t_ssgi_senders", kit_texture_array(SIDE, SIDE, 1, GL_RG32UI, (const float *)(const void *)sender) } };
+            { "t_ssgi_emitters", kit_texture_array(SIDE, SIDE, 1, GL_RG32UI, (const float *)(const void *)emitter) } };
         glBufferData(GL_ARRAY_BUFFER, sizeof surfel, &surfel, GL_STATIC_DRAW);
         if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 3)) return;
         for (int i = 0; i < MANY; ++i) {                       /* of its rectangle the lower half is drawn */
@@ -1655,7 +1702,9 @@ static void twin_spheres(void)
     static char text[TEXT];
     random_state = 41;
     for (int k = 0; k < 8; ++k) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_FIELD, .dialect = SSGI_GL_450, .orthographic = k & 1 };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_FIELD,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .input.orthographic = k & 1 };
         const char *why = "";
         ssgi_gl_frame frame;
         ssgi_view view;
@@ -1669,10 +1718,11 @@ static void twin_spheres(void)
                         s[4] = { uniform(-4, 4), uniform(-4, 4), -uniform(-2, 6), r };
             memcpy(in[i], s, sizeof s);
         }
-        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_VERTEX);
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_VERTEX);
         char *const rest = strstr(text, "flat out");
         if (rest) *rest = 0;
-        if (!CHECK(rest, "no vertex stage") || !probe_text(text, d.dialect, &frame, 0, "o = ssgi_sphere(a);")) return;
+        if (!CHECK(rest, "no vertex stage") || !probe_text(text, d.text.dialect, &frame, 0, "o = ssgi_sphere(a);"))
+            return;
         for (int i = 0; i < MANY; ++i) {
             float b[4] = { 0, 0, 0, 0 }, got[4];
             const int is = ssgi__sphere_bounds(b, &view, in[i], in[i][3], frame.near_depth);
@@ -1697,7 +1747,10 @@ static void twin_parts(void)
     static char text[TEXT];
     random_state = 43;
     for (int k = 0; k < 2; ++k) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1, .orthographic = k };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SURFELS,
+                                 .text.dialect = SSGI_GL_DIALECT_410,
+                                 .surfel.tessellate = 1,
+                                 .input.orthographic = k };
         const char *why = "";
         ssgi_gl_frame frame;
         ssgi_view view;
@@ -1711,10 +1764,10 @@ static void twin_parts(void)
             for (int c = 0; c < 3; ++c) in[i][c] = uniform(-1, 2) * (i & 1 ? 1 : 0.3f);
             in[i][3] = powf(10, uniform(-3, 0.5f));
         }
-        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_TESS_CONTROL);
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_TESS_CONTROL);
         char *const rest = strstr(text, "layout(vertices");
         if (rest) *rest = 0;
-        if (!CHECK(rest, "no tessellator") || !probe_text(text, SSGI_GL_410, &frame, 0,
+        if (!CHECK(rest, "no tessellator") || !probe_text(text, SSGI_GL_DIALECT_410, &frame, 0,
                                                           "o = vec4(ssgi_parts(a.xyz, a.w));"))
             return;
         for (int i = 0; i < MANY; ++i) {
@@ -1742,8 +1795,11 @@ static void twin_tessellation(void)
     static char text[TEXT];
     random_state = 53;
     for (int k = 0; k < 4; ++k) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1,
-                                 .orthographic = k & 1, .overhang = k / 2 };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SURFELS,
+                                 .text.dialect = SSGI_GL_DIALECT_410,
+                                 .surfel.tessellate = 1,
+                                 .input.orthographic = k & 1,
+                                 .surfel.overhang = k / 2 };
         const ssgi_surfel_desc made = { .size = 0.02f, .overhang = k / 2 };
         const char *why = "";
         ssgi_gl_frame frame;
@@ -1752,7 +1808,7 @@ static void twin_tessellation(void)
                        && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK
                        && ssgi_gl_surfels_set(&frame, &view, &made, 5, NULL, &why) == SSGI_OK, "%s", why))
             return;
-        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_TESS_CONTROL);
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_TESS_CONTROL);
         char *const rest = strstr(text, "layout(vertices");
         if (!CHECK(rest, "no tessellator")) return;
         *rest = 0;
@@ -1760,7 +1816,7 @@ static void twin_tessellation(void)
             const float v[4] = { powf(10, uniform(-1, 4)), uniform(-2, 9), (float)(1 + i % 64), 0 };
             memcpy(in[i], v, sizeof v);
         }
-        if (!probe_text(text, SSGI_GL_410, &frame, 0,
+        if (!probe_text(text, SSGI_GL_DIALECT_410, &frame, 0,
                         "o = vec4(ssgi_tess_level(a.x), ssgi_surfel_radius(a.y), ssgi_tess_count(int(a.z)), 0.0);"))
             return;
         for (int i = 0; i < MANY; ++i) {
@@ -1775,9 +1831,9 @@ static void twin_tessellation(void)
             const float v[4] = { uniform(0.2f, 3), uniform(0.1f, 2), powf(10, uniform(-2, 0.5f)), (float)(i % 3) };
             memcpy(in[i], v, sizeof v);
         }
-        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_TESS_CONTROL);
+        ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_TESS_CONTROL);
         *rest = 0;
-        if (!probe_text(text, SSGI_GL_410, &frame, 0,
+        if (!probe_text(text, SSGI_GL_DIALECT_410, &frame, 0,
                         "vec3 at[3] = vec3[3](vec3(0.0, 0.0, -1.0), vec3(a.x, 0.0, -1.0), vec3(0.4, a.y, -1.0));"
                         "o = vec4(ssgi_inset(at, int(a.w), a.z, 0.5 * a.x * a.y), 0.0);"))
             return;
@@ -1812,11 +1868,11 @@ static void history_lies_between(void)
 {
     static float map[MANY][4];
     static const float moved[] = { 0, 0.005f, 0.25f, 0.5f, 0.8f };
-    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY,
-                             .dialect = SSGI_GL_450,
-                             .orthographic = 1,
-                             .normal = SSGI_GL_NORMAL_CUSTOM,
-                             .fetch = FACING };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HISTORY,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .input.orthographic = 1,
+                             .input.normal = SSGI_GL_NORMAL_CUSTOM,
+                             .text.fetch = FACING };
     for (int i = 0; i < MANY; ++i) {                       /* value, depth, frames */
         const float texel[4] = { (float)(i % SIDE + 2 * (i / SIDE)), 10, 0.5f, 5 };
         memcpy(map[i], texel, sizeof texel);
@@ -1864,8 +1920,12 @@ static void history_counts_on(void)
         { 33.1f, 0, 0, 0, 5, 1 },   { 0, 0.01f, 0, 0, 5, 2 },  { 0, 1, 0, 0, 5, 1.01 },     { 0, 1, 0, 0.45f, 5, 1.01 },
         { 0, 1, 0, 0.55f, 5, 6 },   { 0, 1, 0, 2, 5, 6 } };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1,
-                                 .motion = cases[k].own > 0, .normal = SSGI_GL_NORMAL_CUSTOM, .fetch = FACING };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HISTORY,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .input.orthographic = 1,
+                                 .input.motion = cases[k].own > 0,
+                                 .input.normal = SSGI_GL_NORMAL_CUSTOM,
+                                 .text.fetch = FACING };
         ssgi_gl_frame frame;
         ssgi_view view;
         if (!follows_itself(&view, &frame, cases[k].alone ? 0.01f : 1, cases[k].by / 16)) return;
@@ -1878,9 +1938,9 @@ static void history_counts_on(void)
         }
         const given t[4] = { { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, now[0]) },
                              { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) },
-                             { "t_ssgi_nearby", filled(cases[k].nearby) },
+                             { "t_ssgi_change_share", filled(cases[k].nearby) },
                              { "t_ssgi_motion", kit_texture(SIDE, SIDE, GL_RG32F, went[0]) } };
-        if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 3 + d.motion)) return;
+        if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 3 + d.input.motion)) return;
         CHECK(fabs((double)got[centre][3] - cases[k].frames) < 1e-3
                   && (!cases[k].alone || got[centre + 3 * SIDE + 3][3] == 1),
               "case %zu: %g frames, of none %g", k, (double)got[centre][3], (double)got[centre + 3 * SIDE + 3][3]);
@@ -1903,8 +1963,12 @@ static void history_keeps_its_plane(void)
         const int moved = (int)row[k].own;
         char fetch[100];
         snprintf(fetch, sizeof fetch, "vec3 ssgi_custom_normal(ivec2 texel) { return vec3(%s); }\n", row[k].normal);
-        const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1, .motion = 1,
-                                 .normal = SSGI_GL_NORMAL_CUSTOM, .fetch = fetch };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HISTORY,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .input.orthographic = 1,
+                                 .input.motion = 1,
+                                 .input.normal = SSGI_GL_NORMAL_CUSTOM,
+                                 .text.fetch = fetch };
         ssgi_gl_frame frame;
         ssgi_view view;
         float before[16];
@@ -1924,7 +1988,7 @@ static void history_keeps_its_plane(void)
         }
         const given t[4] = { { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, now[0]) },
                              { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) },
-                             { "t_ssgi_nearby", filled(0) },
+                             { "t_ssgi_change_share", filled(0) },
                              { "t_ssgi_motion", kit_texture(SIDE, SIDE, GL_RG32F, went[0]) } };
         if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 4)) return;
         for (int i = 0; i < MANY - (moved + 1) * SIDE; ++i) {  /* it moved up by so many rows */
@@ -1948,9 +2012,12 @@ static void history_follows(void)
     int held = 0, pulled = 0, neither = 0, anew = 0;
     random_state = 67;
     for (int colour = 0; colour < 2; ++colour) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1,
-                                 .colour = colour ? SSGI_GL_COLOUR : SSGI_GL_GREY, .normal = SSGI_GL_NORMAL_CUSTOM,
-                                 .fetch = FACING };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HISTORY,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .input.orthographic = 1,
+                                 .filter.quantity = colour ? SSGI_GL_QUANTITY_LIGHT : SSGI_GL_QUANTITY_VISIBILITY,
+                                 .input.normal = SSGI_GL_NORMAL_CUSTOM,
+                                 .text.fetch = FACING };
         ssgi_gl_frame frame;
         ssgi_view view;
         if (!follows_itself(&view, &frame, 1, 0)) return;
@@ -1968,7 +2035,7 @@ static void history_follows(void)
         }
         const given t[4] = { { colour ? "t_ssgi_light" : "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RGBA32F, now[0]) },
                              { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) },
-                             { "t_ssgi_nearby", filled(0) },
+                             { "t_ssgi_change_share", filled(0) },
                              { "t_ssgi_means", kit_texture(SIDE, SIDE, GL_RG32F, means[0]) } };
         if (!pass_drawn(light[0], colour, 4, SIDE, SIDE, &d, &frame, t, 3 + colour)
             || (colour && !pass_drawn(kept[0], 0, 4, SIDE, SIDE, &d, &frame, t, 4)))
@@ -2023,9 +2090,13 @@ static void changes_are_counted(void)
         { 1, 0, 3, 7, 1, 0, 0, 9, 0, 8 / 16.0 },
         { 1, 0, 6, 6, 1, 0, 0, 9, 4 / 16.0, 9 / 16.0 } };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_CHANGES, .dialect = SSGI_GL_450, .orthographic = 1,
-                                 .depth = SSGI_GL_DEPTH_LINEAR, .motion = cases[k].motion,
-                                 .normal = SSGI_GL_NORMAL_CUSTOM, .fetch = FACING };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_CHANGE_MASK,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .input.orthographic = 1,
+                                 .input.depth = SSGI_GL_DEPTH_LINEAR,
+                                 .input.motion = cases[k].motion,
+                                 .input.normal = SSGI_GL_NORMAL_CUSTOM,
+                                 .text.fetch = FACING };
         ssgi_gl_frame frame;
         ssgi_view view;
         if (!follows_itself(&view, &frame, 1, cases[k].by / 16)) return;
@@ -2056,8 +2127,10 @@ static void changes_are_nearby(void)
 {
     enum { TILES = SIDE / 8, AT = TILES / 2 };
     static float changes[TILES * TILES][4], got[TILES * TILES];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_NEARBY, .dialect = SSGI_GL_450, .orthographic = 1,
-                             .depth = SSGI_GL_DEPTH_LINEAR };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_CHANGE_SHARE,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .input.orthographic = 1,
+                             .input.depth = SSGI_GL_DEPTH_LINEAR };
     const struct { float radius, depth; int tiles, apart; double share; } cases[] = {
         { 1, 9.5f, 3, 1, 1 / 16.0 }, { 1, 8.9f, 0, 1, 0 }, { 1, 11.1f, 0, 1, 0 }, { 3, 9.5f, 7, 2, 4 / 144.0 },
         { 0.5f, 9.7f, 2, 1, 1 / 4.0 } };
@@ -2069,7 +2142,7 @@ static void changes_are_nearby(void)
         for (int i = 0; i < TILES * TILES; ++i) changes[i][1] = 1e18f;
         memcpy(changes[AT * TILES + AT], changed, sizeof changed);
         const given t[2] = { { "t_ssgi_depth", filled(10) },
-                             { "t_ssgi_changes", kit_texture(TILES, TILES, GL_RGBA32F, changes[0]) } };
+                             { "t_ssgi_change_mask", kit_texture(TILES, TILES, GL_RGBA32F, changes[0]) } };
         if (!pass_drawn(got, 0, 1, TILES, TILES, &d, &frame, t, 2)) return;
         for (int i = 0; i < TILES * TILES; ++i) {
             const int x = abs(i % TILES - AT), y = abs(i / TILES - AT);
@@ -2085,11 +2158,11 @@ static void changes_are_nearby(void)
 static void history_spreads(void)
 {
     static float map[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY,
-                             .dialect = SSGI_GL_450,
-                             .orthographic = 1,
-                             .normal = SSGI_GL_NORMAL_CUSTOM,
-                             .fetch = FACING };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HISTORY,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .input.orthographic = 1,
+                             .input.normal = SSGI_GL_NORMAL_CUSTOM,
+                             .text.fetch = FACING };
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
@@ -2121,9 +2194,14 @@ static void history_spreads(void)
 static void history_spreads_half_size(void)
 {
     static float map[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_HISTORY, .dialect = SSGI_GL_450, .orthographic = 1, .half = 1,
-                             .depth = SSGI_GL_DEPTH_CUSTOM, .normal = SSGI_GL_NORMAL_CUSTOM,
-                             .fetch = FACING "float ssgi_custom_depth(ivec2 texel, int layer) { return 10.0; }\n" };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HISTORY,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .input.orthographic = 1,
+                             .gather.half = 1,
+                             .input.depth = SSGI_GL_DEPTH_CUSTOM,
+                             .input.normal = SSGI_GL_NORMAL_CUSTOM,
+                             .text.fetch = FACING
+                             "float ssgi_custom_depth(ivec2 texel, int layer) { return 10.0; }\n" };
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
@@ -2167,7 +2245,9 @@ static void history_spreads_half_size(void)
    the image stay beyond. */
 static void pixels_take_turns(void)
 {
-    const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .half = 2, .dialect = SSGI_GL_450, .orthographic = 1 };
+    const ssgi_gl_desc d = {
+        .pass = SSGI_GL_PASS_HSAO, .gather.half = 2, .text.dialect = SSGI_GL_DIALECT_450, .input.orthographic = 1
+    };
     int drawn[4][4] = { { 0 } };
     for (uint32_t k = 0; k < 64; ++k) {
         ssgi_gl_frame frame;
@@ -2240,7 +2320,7 @@ void test_twins(void)
     RUN("depth, position, projection, footprint and offset as in C", twin_views);
     RUN("noise and kernel as in C", twin_noise_and_kernel);
     RUN("normals of every encoding and frame come back", twin_normals);
-    RUN("what senders pack comes back, as its format says", twin_senders);
+    RUN("what emitters pack comes back, as its format says", twin_emitters);
     RUN("an extra camera's points and the octahedral map as in C", twin_views_of_others);
     RUN("harmonics of one to four bands in both languages as in C", twin_harmonics);
     RUN("halves, where the language has them and where it has not", twin_halves);
@@ -2258,7 +2338,7 @@ void test_twins(void)
     RUN("an extra camera knows what is open two pixels before its surfaces", view_slack);
     RUN("smooth averages 2^l pixels, whose ends share a weight", smooth_weights);
     RUN("the Gaussian filter has its radius' deviation", gaussian_weights);
-    RUN("of a sender's unseen side counts 0.35, edge-on nothing, of a second slab half", unseen_sides);
+    RUN("of an emitter's unseen side counts 0.35, edge-on nothing, of a second slab half", unseen_sides);
     RUN("several points over a disc stand in the middles of equal rings", points_over_a_disc);
     RUN("slices see surfels within two radii of the picture's depth, and have the near share of them",
         slices_see_surfels);

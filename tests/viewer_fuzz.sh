@@ -107,7 +107,7 @@ option_value() {    # of an option, good or bad, into $picked; 1 if it has none
     pick own own own own own own own any
     case $picked$1 in
     own--method | own--right) pick ssao hsao hsao-march ssdo ssdo-points s3ho ssbn dss dss-lit aof truth ;;
-    own--set) pick behind=slabs behind=back,half=0 normal=depth history=0 history=1,history=0 margin=1 layers=2 \
+    own--set) pick thickness=slabs thickness=back,half=0 normal=depth history=0 history=1,history=0 margin=1 layers=2 \
                    steps=0 steps=1e9 bogus=1 = , half history= ;;
     own--light) pick sun:1,1,1,1,1,1 sun:0,0,0,1,1,1 point:0,2,0,1,1,1 point:1,2 sun:nan,0,1,1,1,1 lamp ;;
     own--env-turn | own--env-strength | own--fovy | own--ortho-height | own--orbit) pick 0 1 45 -20 1e9 nan 1e-30 x ;;

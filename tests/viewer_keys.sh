@@ -42,7 +42,7 @@ ask
 methods=$(build/render --list | sed '/^settings/,$d' | awk '{ print $1 }')
 press bracketleft radius 'b < a && b > 0.85 * a' smaller
 press bracketright radius 'b > a' larger
-press b set 'a !~ /behind/ && b ~ /behind=constant/' 'what is behind'
+press b set 'a !~ /behind/ && b ~ /thickness=constant/' 'what is behind'
 press d set 'b ~ /normal=depth/' 'normals of depth'
 press t set 'a ~ /history=1/ && b !~ /history/' 'history off'
 ask t
@@ -226,7 +226,7 @@ for m in $methods; do
 done
 again 'a model, its light and an object elsewhere' 0.001 yard.obj --ground --method ssdo --camera $place --up 0.1,1,0 \
     --fovy 50 --env street --env-turn 77 --env-strength 2.5 --light sun:1,2,3,1,0.8,0.6 --light point:0,2,0,3,2,1 \
-    --slide 0.4,0,0.3 --radius 0.7 --set behind=slabs,bounce=none --size 240x136 --frames 9
+    --slide 0.4,0,0.3 --radius 0.7 --set thickness=slabs,bounce=none --size 240x136 --frames 9
 again 'an orthographic view' 0.001 casters --method s3ho --ortho-height 9 --size 240x136 --frames 3
 again 'visibility alone' 0.001 casters --method hsao --colours 0 --set history=0 --size 240x136
 again 'a scene with its own light' 0.001 random:streets:3 --method ssdo --size 240x136 --frames 2

@@ -1,5 +1,5 @@
 /* web-hostile.mjs - what the page and the loader are given that is wrong: addresses, models, arguments. For web.mjs. */
-import { behinds, halves, methods, normals, presets, settings, views } from '../examples/web/settings.mjs';
+import { halves, methods, normals, presets, settings, thicknesses, views } from '../examples/web/settings.mjs';
 import { skies } from '../examples/web/sky.mjs';
 
 /* ---- addresses */
@@ -42,8 +42,8 @@ export function unsound(set, { scenes, sky = false, side, pixels }) {
     const words = { scene: scenes, sky: [...Object.keys(skies), ...(sky ? ['file'] : [])], view: views,
                     a: Object.keys(methods),
                     b: [...Object.keys(methods), 'truth', 'off'], p: Object.keys(presets), q: Object.keys(presets),
-                    behind: Object.keys(behinds), normals: Object.keys(normals), half: Object.keys(halves) };
-    const ranges = { radius: [-2, 2], thickness: [-1, 2], split: [0, 1], azimuth: [-180, 180], height: [0, 90],
+                    thickness: Object.keys(thicknesses), normals: Object.keys(normals), half: Object.keys(halves) };
+    const ranges = { radius: [-2, 2], thickness_limit: [-1, 2], split: [0, 1], azimuth: [-180, 180], height: [0, 90],
                      strength: [0, 4], exposure: [-3, 3], effect: [0, 3], slices: [0, 32], steps: [0, 32],
                      filter: [-1, 4], surfel: [0, 6], levels: [0, 7], field: [0, 64], reach: [0.1, 1] };
     const flags = ['sun', 'history', 'bounce', 'truth', 'moves', 'circle'], cam = set.cam.split(',').map(Number);

@@ -54,7 +54,7 @@ await run('ssgi.mjs names what is wrong with an argument', async () => {
 
 const limits = { scenes: ['room', 'bunny', 'cornell'], side: 4096, pixels: 1920 * 1080 };
 await run('any address is read: sound settings, a sentence for what cannot be had', () => {
-    const before = read('a=s3ho&p=FAST&sky=white&size=640x360&cam=1,2,3,4,5,6&radius=1&thickness=1', limits).set;
+    const before = read('a=s3ho&p=FAST&sky=white&size=640x360&cam=1,2,3,4,5,6&radius=1&thickness_limit=1', limits).set;
     let sentences = 0;
     for (const hash of hashes(4000, 1)) {
         const { set, wrong } = read(hash, limits, before), again = read(write(set), limits);
@@ -82,7 +82,7 @@ await run('any address is read: sound settings, a sentence for what cannot be ha
         ['scene=file', 'scene=file: must be opened again: a model of your own is in no address'],
         ['cam=1,2,3,1,2,3', 'cam=1,2,3,1,2,3: must be six numbers, an eye and a target elsewhere, -1e9 to 1e9'],
         ['radius=3', 'radius=3: must be a number from -2 to 2'],
-        ['thickness=-2', 'thickness=-2: must be a number from 0 to 2, or -1 for the method\'s own'],
+        ['thickness_limit=-2', 'thickness_limit=-2: must be a number from 0 to 2, or -1 for the method\'s own'],
         ['sun=yes', 'sun=yes: must be 0 or 1'], ['constructor=1', 'constructor: there is no such setting']]) {
         const { set, wrong } = read(hash, limits, before), [name] = hash.split('=');
         check(wrong.length === 1 && wrong[0] === wanted, `${hash}: ${wrong}`);
@@ -173,10 +173,10 @@ const out = 'build/web-test';
 /* Both draw the scene: at silhouettes rasterisers differ by a pixel here and there, which fine scenes have many of. */
 for (const [scene, hash, words] of [
     ['casters', 'a=hsao', ['hsao']], ['casters', 'a=hsao&p=BEST', ['hsao-best']], ['casters', 'a=ssao', ['ssao']],
-    ['casters', 'a=march', ['hsao-march']], ['casters', 'a=hsao&behind=BACK', ['hsao', '--set', 'behind=back']],
-    ['casters', 'a=hsao&behind=SLABS', ['hsao', '--set', 'behind=slabs']],
-    ['casters', 'a=hsao&slices=3&steps=7&half=0&filter=2',
-     ['hsao', '--set', 'directions=3,steps=7,half=0,blur=2']],
+    ['casters', 'a=march', ['hsao-march']], ['casters', 'a=hsao&thickness=BACK', ['hsao', '--set', 'thickness=back']],
+    ['casters', 'a=hsao&thickness=SLABS', ['hsao', '--set', 'thickness=slabs']],
+    ['casters', 'a=hsao&slices=3&steps=7&half=NONE&filter=2',
+     ['hsao', '--set', 'directions=3,steps=7,half=none,blur=2']],
     ['plates', 'a=hsao&p=FAST', ['hsao-fast']]])
     await run(`ambient visibility is build/render's: ${scene}, ${words.join(' ')}`, async () => {
         render(scene, '--method', ...words, '--size', '480x270', '--out', `${out}/ao.png`);
@@ -340,10 +340,10 @@ await run('every method, side, view and choice is drawn', async () => {
     const drawn = [];
     for (const hash of ['a=none', 'a=ssdo&b=points&view=ambient', 'a=s3ho&b=march&p=FAST', 
                         'a=ssdo&bounce=1&history=1&b=s3ho&q=BEST',
-                        'a=ssao&b=hsao&behind=SOLID&history=1', 'a=ssdo&shadow=FILL&bounce=1&b=s3ho&history=1',
-                        'a=ssdo&behind=BACK&normals=FROM_DEPTH&sky=windows&sun=0',
+                        'a=ssao&b=hsao&thickness=SOLID&history=1', 'a=ssdo&shadow=FILL&bounce=1&b=s3ho&history=1',
+                        'a=ssdo&thickness=BACK&normals=FROM_DEPTH&sky=windows&sun=0',
                         'scene=cornell&view=difference&b=ssao&sky=white',
-                        'scene=bunny&a=hsao&radius=1&thickness=1.5']) {
+                        'scene=bunny&a=hsao&radius=1&thickness_limit=1.5']) {
         await go(`size=320x180&${hash}`);
         const notice = await page.$eval('#notice', p => (p.hidden ? '' : p.textContent));
         check(!notice, `${hash}: ${notice}`);
@@ -353,15 +353,15 @@ await run('every method, side, view and choice is drawn', async () => {
 });
 
 await run('the address carries the settings', async () => {
-    await go('scene=cornell&a=ssdo&p=BEST&b=truth&radius=0.5&behind=SOLID&size=320x180&cam=0,2.745,9,0,2.7,0');
+    await go('scene=cornell&a=ssdo&p=BEST&b=truth&radius=0.5&thickness=SOLID&size=320x180&cam=0,2.745,9,0,2.7,0');
     await rest(400);
     const { hash, selected } = await page.evaluate(() => {
         const { elements } = document.getElementById('panel');
         return { hash: location.hash,
-                 selected: ['scene', 'a', 'p', 'b', 'behind'].map(name => elements[name].value).join() };
+                 selected: ['scene', 'a', 'p', 'b', 'thickness'].map(name => elements[name].value).join() };
     });
     check(selected === 'cornell,ssdo,BEST,truth,SOLID', selected);
-    for (const part of ['scene=cornell', 'a=ssdo', 'p=BEST', 'b=truth', 'radius=0.5', 'behind=SOLID',
+    for (const part of ['scene=cornell', 'a=ssdo', 'p=BEST', 'b=truth', 'radius=0.5', 'thickness=SOLID',
                         'cam=0,2.745,9,0,2.7,0'])
         check(hash.includes(part), `${hash} lacks ${part}`);
 });
@@ -745,16 +745,16 @@ for (const [width, height] of [[1280, 800], [390, 844]])
             ['sky', 'windows', 'picture'], ['view', 'ambient', 'picture'], ['radius', 0, 'picture'],
             ['slices', 4, ({ chain }) => chain.desc.directions === 4],
             ['steps', 3, ({ chain }) => chain.desc.steps === 3],
-            ['half', '0', ({ chain }) => !chain.desc.half],
+            ['half', 'NONE', ({ chain }) => chain.desc.half === 'NONE'],
             ['filter', 3, ({ chain }) => chain.desc.filter_radius === 3],
             ['filter', 0, ({ chain, steps }) => !chain.blur && !steps.includes('BLUR')],
-            ['half', '1', ({ chain, steps }) => chain.desc.half && steps.includes('BLUR')],
-            ['behind', 'SLABS', ({ chain }) => chain.desc.thickness === 'SLABS'],
-            ['thickness', 1.7, ({ set }) => set.thickness === 1.7],
+            ['half', 'FIRST', ({ chain, steps }) => chain.desc.half === 'FIRST' && steps.includes('BLUR')],
+            ['thickness', 'SLABS', ({ chain }) => chain.desc.thickness === 'SLABS'],
+            ['thickness_limit', 1.7, ({ set }) => set.thickness_limit === 1.7],
             ['normals', 'FROM_DEPTH', ({ chain }) => chain.desc.normal === 'FROM_DEPTH'],
             ['p', 'BEST', ({ chain }) => chain.desc.steps === 3],
             ['history', true, ({ steps }) => steps.includes('HISTORY')],
-            ['a', 'dss', ({ chain, steps }) => chain.desc.pass === 'SPLAT' && steps.includes('SHUFFLE')],
+            ['a', 'dss', ({ chain, steps }) => chain.desc.pass === 'SPLAT' && steps.includes('INTERLEAVE')],
             ['levels', 3, ({ chain }) => chain.desc.levels === 3],
             ['surfel', 6, 'picture'],
             ['field', 8, ({ set }) => set.field === 8],
@@ -923,9 +923,9 @@ const sunMain = `static const float to[3] = { 0, 0, 1 }, white[3] = { 1, 1, 1 };
         printf("%s", wrong);`;
 await run('the C lines compile, and make the chain that is drawn', async () => {
     const page = await open('size=160x90&history=0'), made = [];
-    for (const hash of ['a=hsao', 'a=hsao&history=1&slices=3&steps=7&half=0&filter=2&behind=SLABS', 'a=ssao&p=BEST',
-                        'a=ssdo&bounce=1&history=1', 'a=march&filter=0&half=0', 'a=s3ho&history=1', 'a=s3ho&p=FAST',
-                        'a=points&behind=BACK&normals=FROM_DEPTH', 'a=dss&levels=3', 'a=aof&p=FAST&reach=0.5',
+    for (const hash of ['a=hsao', 'a=hsao&history=1&slices=3&steps=7&half=NONE&filter=2&thickness=SLABS', 'a=ssao&p=BEST',
+                        'a=ssdo&bounce=1&history=1', 'a=march&filter=0&half=NONE', 'a=s3ho&history=1', 'a=s3ho&p=FAST',
+                        'a=points&thickness=BACK&normals=FROM_DEPTH', 'a=dss&levels=3', 'a=aof&p=FAST&reach=0.5',
                         'a=ssdo&shadow=FILL']) {
         await page.evaluate(h => page.go(h), `size=160x90&history=0&b=off&${hash}`);
         const { code, chain, list, given } = await page.evaluate(() => ({ code: page.code(0), ...page.chain(0) }));
@@ -950,7 +950,7 @@ int main(void)
     if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 160, 90, &why) != SSGI_OK
         || make_frame(&frame, &view, unit${history ? ', NULL, unit, 0' : ''}${bands ? ', coefficients' : ''}, &why)
            != SSGI_OK) printf("%s", why);
-    printf("%g %g\\n", (double)frame.radius, (double)frame.thickness);
+    printf("%g %g\\n", (double)frame.radius, (double)frame.thickness_limit);
     return 0;
 }
 #define SSGI_IMPLEMENTATION
@@ -962,9 +962,9 @@ int main(void)
         execFileSync('gcc', ['-std=c99', '-Wall', '-Wextra', '-Wpedantic', '-Wconversion', '-Wshadow', '-Werror', '-I.',
                              `${out}/lines.c`, '-lm', '-o', `${out}/lines`], { stdio: ['ignore', 'ignore', 'pipe'] });
         const told = execFileSync(`${out}/lines`, { encoding: 'utf8' }).trim().split(' ');
-        const [radius, thickness] = told.splice(-2).map(Number), near = (a, b) => Math.abs(a - b) < 1e-4 * b;
+        const [radius, limit] = told.splice(-2).map(Number), near = (a, b) => Math.abs(a - b) < 1e-4 * b;
         check(told.join(' ') === list.join(' '), `${hash}: ${told.join(' ')}\n${list.join(' ')}`);
-        check(near(radius, given[0]) && near(thickness, given[1]), `${hash}: ${radius}, ${thickness}: ${given}`);
+        check(near(radius, given[0]) && near(limit, given[1]), `${hash}: ${radius}, ${limit}: ${given}`);
         made.push(told.length);
     }
     await page.close();

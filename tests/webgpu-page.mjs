@@ -66,8 +66,8 @@ else {
         'the sun through its shadow map, on the screen': [`${small}&a=ssdo&shadow=FILL&b=s3ho`,
                                                           `${small}&a=ssdo&shadow=SEGMENT&bounce=1`],
         'history': ['size=320x180&a=hsao&b=s3ho'],
-        'two slabs, back faces': [`${small}&behind=SLABS&b=ssdo`, `${small}&behind=BACK&scene=casters`],
-        'normals from depth, numbers of one\'s own': [`${small}&normals=FROM_DEPTH&slices=3&steps=4&half=1&filter=3`]
+        'two slabs, back faces': [`${small}&thickness=SLABS&b=ssdo`, `${small}&thickness=BACK&scene=casters`],
+        'normals from depth, numbers of one\'s own': [`${small}&normals=FROM_DEPTH&slices=3&steps=4&half=FIRST&filter=3`]
     }))
         await run(`WebGPU draws what WebGL 2 does: ${what}`, async () => {
             for (const hash of hashes) {

@@ -41,10 +41,10 @@ struct Occlusion {
     {
         static char text[2][32768];
         ssgi_gl_chain chain = {};
-        chain.desc.pass = SSGI_GL_HSAO;
-        ssgi_gl_preset(&chain.desc, SSGI_GL_BALANCED, nullptr);
-        chain.desc.normal = SSGI_GL_NORMAL_FROM_DEPTH;
-        chain.desc.onto = SSGI_GL_ONTO_MULTIPLY;
+        chain.desc.pass = SSGI_GL_PASS_HSAO;
+        ssgi_gl_preset(&chain.desc, SSGI_GL_PRESET_BALANCED, nullptr);
+        chain.desc.input.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+        chain.desc.filter.onto = SSGI_GL_ONTO_MULTIPLY;
         chain.blur = 1;
         chain.width = W, chain.height = H;
         steps = ssgi_gl_steps(step, STEPS, &chain, nullptr);
@@ -53,7 +53,7 @@ struct Occlusion {
         for (int i = 0; i < steps; ++i) {
             const ssgi_gl_output &to = step[i].output[0];       /* one each; the last one's is the picture */
             for (int s = 0; s < 2; ++s) ssgi_gl_emit(text[s], sizeof text[s], &step[i].desc, s);
-            glUseProgram(program[i] = program_of(text[SSGI_GL_VERTEX], text[SSGI_GL_FRAGMENT]));
+            glUseProgram(program[i] = program_of(text[SSGI_GL_STAGE_VERTEX], text[SSGI_GL_STAGE_FRAGMENT]));
             for (int k = 0; k < step[i].inputs; ++k)
                 glUniform1i(glGetUniformLocation(program[i], step[i].input[k].name), step[i].input[k].unit);
             glUniformBlockBinding(program[i], glGetUniformBlockIndex(program[i], "ssgi_frame"), 0);

@@ -59,10 +59,10 @@ def text(desc, stage):
 
 
 chain, view, frame = c.new('ssgi_gl_chain *'), c.new('ssgi_view *'), c.new('ssgi_gl_frame *')
-setattr(chain.desc, 'pass', ssgi.SSGI_GL_HSAO)  # a word of Python's
-chain.desc.normal = ssgi.SSGI_GL_NORMAL_FROM_DEPTH
+setattr(chain.desc, 'pass', ssgi.SSGI_GL_PASS_HSAO)  # a word of Python's
+chain.desc.input.normal = ssgi.SSGI_GL_NORMAL_FROM_DEPTH
 chain.width, chain.height, chain.blur = WIDTH, HEIGHT, 1
-right(ssgi.ssgi_gl_preset(c.addressof(chain.desc), ssgi.SSGI_GL_BALANCED, why) == ssgi.SSGI_OK)
+right(ssgi.ssgi_gl_preset(c.addressof(chain.desc), ssgi.SSGI_GL_PRESET_BALANCED, why) == ssgi.SSGI_OK)
 right(ssgi.ssgi_view_from_projection(view, projection, ssgi.SSGI_CLIP_GL, WIDTH, HEIGHT, why) == ssgi.SSGI_OK)
 right(ssgi.ssgi_gl_frame_init(frame, view, RADIUS, why) == ssgi.SSGI_OK)
 steps = c.new('ssgi_gl_step[]', right(ssgi.ssgi_gl_steps(c.NULL, 0, chain, why)))
@@ -73,8 +73,8 @@ gl.buffer(c.buffer(frame)).bind_to_uniform_block(0)
 gl.enable_only(gl.NOTHING)
 for step in steps:
     desc = c.addressof(step.desc)
-    program = gl.program(vertex_shader=text(desc, ssgi.SSGI_GL_VERTEX),
-                         fragment_shader=text(desc, ssgi.SSGI_GL_FRAGMENT))
+    program = gl.program(vertex_shader=text(desc, ssgi.SSGI_GL_STAGE_VERTEX),
+                         fragment_shader=text(desc, ssgi.SSGI_GL_STAGE_FRAGMENT))
     program['ssgi_frame'].binding = 0
     for to in step.output[0:step.outputs]:
         name = c.string(to.format.name).decode()  # RG16F: two of f2; RGBA32UI: four of u4; R8: one of f1

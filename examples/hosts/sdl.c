@@ -18,11 +18,13 @@ static GLuint program[8], framebuffer[8], texture[8], block, yours[SSGI_GL_YOURS
 static const char *resize(int width, int height)
 {
     static char text[2][32768];
-    const ssgi_gl_desc desc = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_300ES, .onto = SSGI_GL_ONTO_AMBIENT };
+    const ssgi_gl_desc desc = { .pass = SSGI_GL_PASS_HSAO,
+                                .text.dialect = SSGI_GL_DIALECT_300ES,
+                                .filter.onto = SSGI_GL_ONTO_AMBIENT };
     ssgi_gl_chain chain = { .desc = desc, .blur = 1, .width = width, .height = height };
     const char *why = "";
-    chain.desc.normal = SSGI_GL_NORMAL_FROM_DEPTH;
-    if (ssgi_gl_preset(&chain.desc, SSGI_GL_BALANCED, &why)) return why;
+    chain.desc.input.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+    if (ssgi_gl_preset(&chain.desc, SSGI_GL_PRESET_BALANCED, &why)) return why;
     if (!(steps = ssgi_gl_steps(step, 8, &chain, &why))) return why;
     if (!block) glGenBuffers(1, &block), glGenTextures(8, texture), glGenFramebuffers(8, framebuffer);
     for (int i = 0; i < steps; ++i) {
@@ -39,7 +41,7 @@ static const char *resize(int width, int height)
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return "no 16-bit float targets";
         if (program[i]) continue;
         for (int k = 0; k < 2; ++k) ssgi_gl_emit(text[k], sizeof text[k], &step[i].desc, k);
-        glUseProgram(program[i] = boxes_program("", text[SSGI_GL_VERTEX], text[SSGI_GL_FRAGMENT]));
+        glUseProgram(program[i] = boxes_program("", text[SSGI_GL_STAGE_VERTEX], text[SSGI_GL_STAGE_FRAGMENT]));
         glUniformBlockBinding(program[i], glGetUniformBlockIndex(program[i], "ssgi_frame"), 0);
         for (int k = 0; k < step[i].inputs; ++k)
             glUniform1i(glGetUniformLocation(program[i], step[i].input[k].name), step[i].input[k].unit);

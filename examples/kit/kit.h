@@ -323,7 +323,7 @@ void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], flo
 /* the point in the world that such a pixel shows at a view depth */
 void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth, float point[3]);
 
-/* weight of a blocker at distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2; 0 beyond R */
+/* weight of a occluder at distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2; 0 beyond R */
 enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE };
 
 /* Ray-traced ambient visibility of every pixel (channel Y; 1 where nothing is seen): primary ray through the pixel's

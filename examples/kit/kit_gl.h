@@ -230,11 +230,11 @@ GLuint kit_field_atlas(const ssgi_field *const *field, int count);
 
 /* What --set chooses, resolved: a member a key, of the same name; --list tells what each one means to its method. A
    method that lacks a key has 0 there. Choices are numbers, in the order of their words: these, or the library's
-   (SSGI_GL_THICKNESS_ .. of behind, SSGI_GL_SHADOW_ .. of shadows, SSGI_SH_WINDOW_ .. of window). */
+   (SSGI_GL_THICKNESS_ .. of thickness, SSGI_GL_SHADOW_ .. of shadows, SSGI_SH_WINDOW_ .. of window). */
 enum { KIT_ENVIRONMENT_MAP, KIT_ENVIRONMENT_SH, KIT_ENVIRONMENT_NONE };
 enum { KIT_STORE_HALF, KIT_STORE_PACKED, KIT_STORE_FLOAT };
 enum { KIT_INDIRECT_NONE, KIT_INDIRECT_JOINT, KIT_INDIRECT_APART };
-enum { KIT_FILTERED_VECTORS, KIT_FILTERED_LIGHT };
+enum { KIT_FILTERED_COEFFICIENTS, KIT_FILTERED_LIGHT };
 enum { KIT_LIGHTS_HARMONICS, KIT_LIGHTS_SHADOWED };
 enum { KIT_OCCLUDERS_SOLID, KIT_OCCLUDERS_ALL };
 enum { KIT_WAY_CPU, KIT_WAY_CAPTURE, KIT_WAY_DIRECT };
@@ -245,8 +245,8 @@ typedef struct kit_settings {
     int    layers, views, view_layers, view_size;
     double margin;                         /* radii */
     /* what occludes there, and how much of it */
-    int    behind, hard, falloff, fade, normal, left_handed;
-    double thickness, fade_from, lambda;   /* radii, radii, per radius */
+    int    thickness, falloff, fade, normal, left_handed;
+    double thickness_limit, fade_from, lambda;   /* radii, radii, per radius */
     /* filters */
     int    blur, filter, filter_normals, restore, history;
     /* light */
@@ -267,7 +267,7 @@ typedef struct kit_settings {
    else a number in [least, most]. */
 typedef struct kit_setting {
     const char *key, *about;
-    const char *choices;                   /* "slices march": words for 0, 1 ..; NULL = a number */
+    const char *choices;                   /* "SLICES MARCH": words for 0, 1 .., of any case; NULL = a number */
     double      value, least, most;        /* value: what the method has, at first the default */
     int         whole;                     /* takes whole numbers only */
 } kit_setting;
@@ -275,7 +275,7 @@ typedef struct kit_setting {
 typedef struct kit_method {
     const char  *name, *about;
     int          number;                   /* of kit_method_at */
-    int          pass, effect;             /* SSGI_GL_SSAO ..; of surfels SSGI_GL_EFFECT_OCCLUSION .. */
+    int          pass, effect;             /* SSGI_GL_PASS_SSAO ..; of surfels SSGI_GL_EFFECT_OCCLUSION .. */
     int          lit;                      /* 0: writes ambient visibility Y */
     int          between;                  /* 1: of other objects alone: its truth is kit_truth_objects */
     const char  *custom;                   /* methods of surfels: GLSL for SSGI_GL_EFFECT_CUSTOM in place of theirs */
@@ -288,6 +288,8 @@ int  kit_method_find(kit_method *method, const char *name, kit_error *err);
 /* "key=value"; several separated by commas. On failure nothing has changed. */
 int  kit_method_set(kit_method *method, const char *text, kit_error *err);
 int  kit_method_setting(kit_setting *setting, const kit_method *method, int i);    /* its i-th; 0 past the last */
+/* The word of a setting's number, in small letters, as kit_method_set takes it. Returns its length. */
+size_t kit_setting_word(char *out, size_t size, const kit_setting *setting, int number);
 /* The settings that are not the method's defaults, as kit_method_set takes them; "" = none. */
 void kit_method_text(char *text, size_t size, const kit_method *method);
 ssgi_field_desc kit_method_field(const kit_method *method);    /* what aof's settings ask of a bake */
@@ -371,7 +373,7 @@ typedef struct kit_run {
 /* Peels the G-buffer as far as the method asks, when the world has a scene. Setting margin: the radius times it, as
    projected at the median depth along the picture's border, rounded up to a multiple of 4 pixels (so that half size's
    pixels and tiles of noise lie as without), at most a quarter of the picture's shorter side. A larger G-buffer is
-   drawn, and the frame's size is its; a scissor keeps passes to the picture and what filters reach, all but senders of
+   drawn, and the frame's size is its; a scissor keeps passes to the picture and what filters reach, all but emitters of
    light and what these are lit by. */
 int kit_run_open(kit_run *run, kit_gbuffer *gbuffer, const kit_method *method, float radius, const kit_world *world,
                  kit_error *err);

@@ -62,7 +62,7 @@ int       kit_add_steps(kit_making *m, const ssgi_gl_chain *chain, int aside, GL
 
 /* The G-buffer that a method's margin asks for, in place of *g. pixels: its width, -1: to be measured. */
 int       kit_add_margin(kit_making *m, kit_gbuffer **g, float radius, int pixels);
-/* With a margin: what each pass draws. The result's: the picture; what a filter reads: as far as it reaches; senders,
+/* With a margin: what each pass draws. The result's: the picture; what a filter reads: as far as it reaches; emitters,
    and what they are lit by: all of what is seen. */
 void      kit_limit_passes(kit_run *run);
 

@@ -69,7 +69,7 @@ void   kit_around(const float n[3], float x, float y, float z, float d[3]);
 void   kit_cosine_direction(const float n[3], const float at[2], float d[3]);
 /* How much the nearest hit within radius takes from a direction, [0,1]; hit: where it is, NULL if that does not
    matter */
-double kit_blocked(const kit_ambient *a, const float origin[3], const float d[3], ssgi_hit *hit);
+double kit_occluded(const kit_ambient *a, const float origin[3], const float d[3], ssgi_hit *hit);
 /* Off the surface at p along the unit vector lift, by some ten times the rounding of points as far from the origin of
    coordinates as magnitude. */
 void   kit_lift_off(const float p[3], float magnitude, const float lift[3], float origin[3]);

@@ -101,13 +101,13 @@ static void know(measured *row, int count)
 {
     for (int i = 0; i < count; ++i) {
         const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
-        const int balanced = r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 10;
+        const int balanced = r->method == SSGI_PLAN_METHOD_HSAO && r->half && r->directions == 2 && r->steps == 10;
         for (int k = 0; k < count; ++k) {
             ssgi_calibration *c = &row[k].scene.calibration;
             if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
-            if (r->method == SSGI_PLAN_NOTHING) c->unoccluded = (float)row[i].error;
+            if (r->method == SSGI_PLAN_METHOD_NOTHING) c->unoccluded = (float)row[i].error;
             if (balanced && !r->thickness) c->hsao = (float)row[i].error;
-            if (balanced && r->thickness == SSGI_PLAN_SLABS) c->slabs = (float)row[i].error;
+            if (balanced && r->thickness == SSGI_PLAN_THICKNESS_SLABS) c->slabs = (float)row[i].error;
         }
     }
 }
@@ -124,7 +124,7 @@ static void fit_splats(int count, double base[2])
         for (int i = 0; i < count; ++i) {
             const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
             const double larger = r->size > 0 ? 0.015 / (double)r->size : 0;
-            if (r->method != SSGI_PLAN_SURFELS) continue;
+            if (r->method != SSGI_PLAN_METHOD_SURFELS) continue;
             equations[n].square = row[i].cost[c];
             equations[n].term[0] = 1;
             equations[n].term[1] = row[i].scene.splats * sqrt(larger);
@@ -207,8 +207,8 @@ static int equations_of(double costs[2][MOST_ROWS], int *timed, int c, int count
         equations[n].square = row[i].error * row[i].error;
         ssgi__plan_terms(equations[n].term, r, &row[i].scene);
         /* a row's error follows the calibration of its own thickness model */
-        if (!r->thickness && r->method != SSGI_PLAN_SURFELS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
-        if (r->thickness == SSGI_PLAN_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
+        if (!r->thickness && r->method != SSGI_PLAN_METHOD_SURFELS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
+        if (r->thickness == SSGI_PLAN_THICKNESS_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
         ++n;
     }
     return n;
@@ -219,9 +219,9 @@ static double cost_of(double *costs, int n, const ssgi__plan_row *r, int column,
 {
     qsort(costs, (size_t)n, sizeof *costs, by_value);
     return column && gpu > 0                    ? gpu
-           : r->method == SSGI_PLAN_SURFELS && base > 0
+           : r->method == SSGI_PLAN_METHOD_SURFELS && base > 0
                                                 ? floor(10 * base + 0.5) / 10
-           : r->method == SSGI_PLAN_FIELD || !n ? (double)r->cost[column]
+           : r->method == SSGI_PLAN_METHOD_FIELD || !n ? (double)r->cost[column]
                                                 : costs[n / 2];
 }
 

@@ -59,17 +59,14 @@ static void next_value(viewer *v, const char *name)
         return;
     }
     const int next = (int)s.value + 1 > (int)s.most ? (int)s.least : (int)s.value + 1;
-    const char *word = s.choices;
-    for (int k = 0; word && k < next; ++k) word += strcspn(word, " ") + 1;
-    if (word) snprintf(text, sizeof text, "%s=%.*s", name, (int)strcspn(word, " "), word);
-    else snprintf(text, sizeof text, "%s=%d", name, next);
+    snprintf(text, sizeof text, "%s=%d", name, next);       /* a choice takes the number of its word, too */
     wish_both(v, text);
 }
 
-static void behind(viewer *v, int shift)
+static void thickness(viewer *v, int shift)
 {
     (void)shift;
-    next_value(v, "behind");
+    next_value(v, "thickness");
 }
 
 static void normals(viewer *v, int shift)
@@ -392,7 +389,7 @@ const key keys[] = { { GLFW_KEY_M, "m M", "next method: left, right half", next_
                      { GLFW_KEY_E, "e", "error to the truth", error },
                      { GLFW_KEY_LEFT_BRACKET, "[", "smaller radius", less_radius },
                      { GLFW_KEY_RIGHT_BRACKET, "]", "larger radius", more_radius },
-                     { GLFW_KEY_B, "b", "what is behind surfaces (behind=)", behind },
+                     { GLFW_KEY_B, "b", "the thickness of surfaces (thickness=)", thickness },
                      { GLFW_KEY_D, "d", "normals: given, of depth (normal=)", normals },
                      { GLFW_KEY_T, "t", "history on, off (history=)", history },
                      { GLFW_KEY_C, "c", "visibility: on colours, alone", colours },

@@ -11,16 +11,17 @@ export const lightsOf = (set, name) => !!methods[name]?.light && set.sun && set.
 /* own: with the numbers that replace the preset's. */
 export function chainAs(ssgi, set, name, preset, own, { dialect, width, height, precise }) {
     const { desc } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
-    const d = ssgi.preset({ ...desc, dialect, normal: set.normals, thickness: set.behind }, preset);
+    const d = ssgi.preset({ ...desc, dialect, normal: set.normals, thickness: set.thickness }, preset);
     if (methods[name].desc.restore) d.restore = methods[name].desc.restore;
     if (bounce) d.bounce = 'SOLID_ANGLE';
     if (set.moves && set.history) d.motion = 1;
     if (own && set.slices) d[countOf(d)] = set.slices;
     if (own && set.steps && ssgi.resolve(d).steps) d.steps = set.steps;
-    if (own && set.half !== 'preset') d.half = +set.half;
+    if (own && set.half !== 'preset') d.half = set.half;
     if (own && set.filter > 0) d.filter_radius = set.filter;
+    const halved = d.half && d.half !== 'NONE';
     /* half size becomes whole, light is restored, and frames are averaged where it is filtered */
-    const blur = +!(own && set.filter === 0 && !d.half && !d.restore && !set.history);
+    const blur = +!(own && set.filter === 0 && !halved && !d.restore && !set.history);
     const lit = lightsOf(set, name), lights = { pass: 'LIGHTS', dialect, normal: set.normals, thickness: 'CONSTANT',
                                                 shadow: set.shadow };
     return { desc: d, ...(lit && { lights }), width, height, blur, history: +set.history,

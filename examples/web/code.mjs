@@ -4,9 +4,9 @@
 /* [field, C] of what is not 0 in a desc. */
 function fieldsOf(ssgi, desc) {
     return ssgi.choices.filter(({ name, values }) => name === 'pass' || (desc[name] && desc[name] !== values[0]))
-        .map(({ name, sentence }) => {
+        .map(({ name, field, sentence }) => {
             const [, prefix] = /must be (\w+_) and one of/.exec(sentence) ?? [], value = desc[name];
-            return [name, typeof value === 'string' ? prefix + value : String(Number(value))];
+            return [field, typeof value === 'string' ? prefix + value : String(Number(value))];
         });
 }
 
@@ -23,17 +23,17 @@ function stepsLines(ssgi, { desc, width, height, ...members }) {
         'static int make_steps(ssgi_gl_step steps[STEPS], int width, int height, const char **why)',
         '{',
         '    ssgi_gl_chain chain = { 0 };',
-        ...fieldsOf(ssgi, desc).map(([name, value]) => `    chain.desc.${name} = ${value};`),
+        ...fieldsOf(ssgi, desc).map(([field, value]) => `    chain.desc.${field} = ${value};`),
         '    chain.width = width;',
         '    chain.height = height;',
-        ...(lights ? fieldsOf(ssgi, lights).map(([name, value]) => `    chain.lights.${name} = ${value};`) : []),
+        ...(lights ? fieldsOf(ssgi, lights).map(([field, value]) => `    chain.lights.${field} = ${value};`) : []),
         ...rest.map(([name, value]) => `    chain.${name} = ${Number(value)};`),
         '    return ssgi_gl_steps(steps, STEPS, &chain, why);',
         '}'
     ];
 }
 
-function frameLines({ history, desc, lights }, { radius, thickness, bands, surfels }) {
+function frameLines({ history, desc, lights }, { radius, thickness_limit, bands, surfels }) {
     const parameters = [
         'ssgi_gl_frame *frame, const ssgi_view *view, const float world_to_view[16],',
         ...(history ? ['const ssgi_view *last_view, const float last_world_to_view[16], uint32_t number,'] : []),
@@ -46,7 +46,7 @@ function frameLines({ history, desc, lights }, { radius, thickness, bands, surfe
         `static ssgi_result make_frame(${parameters.join(`\n${' '.repeat(30)}`)}`,
         '{',
         `    if (ssgi_gl_frame_init(frame, view, ${float(radius)}, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;`,
-        `    frame->thickness = ${float(thickness)};`,
+        `    frame->thickness_limit = ${float(thickness_limit)};`,
         '    for (int i = 0; i < 12; ++i)',
         '        if (i % 4 < 3) frame->rotation[i] = world_to_view[i];',
         ...(lights ? ['    frame->lights = 1;'] : []),
@@ -131,7 +131,7 @@ const sunLines = () => [
     '                            const ssgi_view *map, const float world_to_view[16], const float world_to_sun[16],',
     '                            const char **why)',
     '{',
-    '    static const ssgi_gl_light none; /* SSGI_GL_SUN is 0 */',
+    '    static const ssgi_gl_light none; /* SSGI_GL_LIGHT_SUN is 0 */',
     '    *row = none;',
     '    for (int i = 0; i < 3; ++i) {',
     '        for (int k = 0; k < 3; ++k) row->at[i] += world_to_view[4 * k + i] * to_sun[k];',
@@ -142,8 +142,8 @@ const sunLines = () => [
     ''
 ];
 
-/* Functions that compile as they stand. chain: as Ssgi.steps takes it. given: { radius, thickness: in units of the
-   view, bands: of the harmonics that the frame has, or 0, title: what it is, surfels, fields: how they are made }. */
+/* Functions that compile as they stand. chain: as Ssgi.steps takes it. given: { radius, thickness_limit: in
+   units of the view, bands: of the harmonics that the frame has, or 0, title, surfels, fields: how they are made }. */
 export function cLines(ssgi, chain, given) {
     const { surfels, fields, radius } = given;
     return [`/* ${given.title} */`, '#include "ssgi_gl.h"', ...(surfels || fields ? ['#include <stdlib.h>'] : []), '',

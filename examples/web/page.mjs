@@ -1,6 +1,6 @@
 /* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in steps.mjs. */
 import { load } from './ssgi.mjs';
-import { behinds, defaults, halves, methods, normals, presets, read, settings, shadows, sizes, views, write }
+import { defaults, halves, methods, normals, presets, read, settings, shadows, sizes, thicknesses, views, write }
     from './settings.mjs';
 import { chainAs, countOf, lightsOf } from './chain.mjs';
 import { skies, equirect } from './sky.mjs';
@@ -47,7 +47,8 @@ function writeAddress() {
     addressed = setTimeout(() => history.replaceState(null, '', '#' + write(set)), 250);
 }
 const radius = () => stage.info.radius * 2 ** set.radius;
-const thickness = method => set.thickness < 0 ? methods[method]?.thickness ?? 0.6 : set.thickness;
+const thicknessLimit = method =>
+    set.thickness_limit < 0 ? methods[method]?.thickness_limit ?? 0.6 : set.thickness_limit;
 const wantsTruth = () => set.truth || set.b === 'truth' || set.view === 'difference';
 const moving = () => set.moves || set.circle;
 /* Whether the sun is in what a side's chain writes, and so in the truth of it. */
@@ -64,7 +65,7 @@ function toPanel() {
         const value = set[control.name];
         if (control.type === 'checkbox') control.checked = value;
         else if (control.type === 'radio') control.checked = control.value === value;
-        else if (control.name === 'thickness') control.value = thickness(set.a);
+        else if (control.name === 'thickness_limit') control.value = thicknessLimit(set.a);
         else if (control.name === 'size') showSize(control, value);
         else if (control.name === 'slices') control.value = is?.[countOf(is)] ?? 0;
         else if (control.name === 'steps') control.value = is?.steps ?? 0;
@@ -77,7 +78,7 @@ function toPanel() {
     const output = name => panel.elements[name].parentElement.querySelector('output');
     const write = (name, text) => { output(name).textContent = text; };
     if (stage.info) write('radius', +radius().toPrecision(2));
-    write('thickness', `${thickness(set.a).toFixed(2)} R`);
+    write('thickness_limit', `${thicknessLimit(set.a).toFixed(2)} R`);
     for (const name of ['slices', 'steps', 'filter', 'levels', 'field']) write(name, panel.elements[name].value);
     write('surfel', `${panel.elements.surfel.value} %`);
     write('reach', `${set.reach.toFixed(2)} ×`);
@@ -96,9 +97,9 @@ function toPanel() {
     on('.of-field', module === 'fields');
     on('.of-sun', set.sun);
     on('.of-lights', set.sun && [set.a, set.b].some(m => methods[m]?.light));
-    on('.of-thickness', set.behind !== 'SOLID');
+    on('.of-thickness', set.thickness !== 'SOLID');
     on('.of-bounce', [set.a, set.b].some(m => methods[m]?.desc?.pass === 'SSDO'));
-    if (is) $('slices-field').textContent = `desc.${countOf(is)}`;
+    if (is) $('slices-field').textContent = `desc.gather.${countOf(is)}`;
     panel.elements.truth.checked = wantsTruth();
     panel.elements.truth.disabled = wantsTruth() && !set.truth;
     $('own').hidden = !method(set.a) || !(module ? made.size !== methods[set.a].presets[set.p].size
@@ -441,8 +442,8 @@ function codeOf(i) {
     const { chain } = side.run, { desc } = chain, method = methods[side.name].title;
     const bands = desc.environment === 'SH' ? desc.bands || (desc.pass === 'SSDO' ? 3 : 4) : 0;
     const made = { [methods[side.name].module]: setOf(side.name, i ? set.q : set.p, set, !i) };
-    return cLines(ssgi, chain, { radius: radius(), thickness: thickness(side.name) * radius(), bands, ...made,
-                                 title: `${method} of "${stage.info.title}", as the page shows it` });
+    return cLines(ssgi, chain, { radius: radius(), thickness_limit: thicknessLimit(side.name) * radius(), bands,
+                                 ...made, title: `${method} of "${stage.info.title}", as the page shows it` });
 }
 
 /* Until its programs are linked what was shown stays: true. */
@@ -482,7 +483,7 @@ function view() {
 
 function frameOf(side, now) {
     const frame = ssgi.frame(now.made, radius()), { desc } = side.run.chain, v = now.toView;
-    frame.thickness[0] = thickness(side.name) * radius();
+    frame.thickness_limit[0] = thicknessLimit(side.name) * radius();
     for (let column = 0; column < 3; ++column)
         for (let row = 0; row < 3; ++row) frame.rotation[4 * column + row] = v[4 * column + row];
     if (side.run.chain.lights) frame.lights[0] = 1;
@@ -588,7 +589,7 @@ function aboutOf(i, name, preset, now) {
 }
 
 /* Layers of back faces that are read. */
-const backs = () => (set.behind === 'SLABS' ? 3 : +(set.behind === 'BACK'));
+const backs = () => (set.thickness === 'SLABS' ? 3 : +(set.thickness === 'BACK'));
 const gbuffer = () => (gpu ? gpu.draw(stage, backs(), size) : stage.draw(backs()));
 
 /* Pictures whose mean is shown at rest. The truth is of one place in each pixel. */
@@ -946,7 +947,7 @@ function glslTexts() {
 }
 function chainShown(i) {
     const { name, run: { chain, steps } } = sides[i];
-    return { chain, steps: steps.map(step => step.desc.pass), given: [radius(), thickness(name) * radius()],
+    return { chain, steps: steps.map(step => step.desc.pass), given: [radius(), thicknessLimit(name) * radius()],
              list: steps.map(step => `${step.desc.pass.toLowerCase()}:${step.width}x${step.height}:${
                  ssgi.key(step.desc)}`) };
 }
@@ -1082,7 +1083,7 @@ async function start() {
     options(panel.elements.a, named);
     options(panel.elements.b, [['off', 'the same'], ...named, ['truth', 'truth, ray-traced']]);
     for (const name of ['p', 'q']) options(panel.elements[name], Object.entries(presets));
-    options(panel.elements.behind, Object.entries(behinds));
+    options(panel.elements.thickness, Object.entries(thicknesses));
     options(panel.elements.half, Object.entries(halves));
     options(panel.elements.shadow, Object.entries(shadows));
     makers = new Makers({ gl, drawer, ssgi, loading }, remade);

@@ -6,15 +6,15 @@ import { skies } from './sky.mjs';
 export const methods = {
     __proto__: null,
     none: { title: 'no occlusion' },
-    ssao: { title: 'SSAO', desc: { pass: 'SSAO' }, thickness: 1 },
-    hsao: { title: 'HSAO', desc: { pass: 'HSAO' }, thickness: 0.6 },
-    march: { title: 'HSAO, march', desc: { pass: 'HSAO', search: 'MARCH' }, thickness: 0.5 },
-    ssdo: { title: 'SSDO', desc: { pass: 'SSDO', environment: 'MAP' }, thickness: 0.4, light: true },
-    points: { title: 'SSDO, points', desc: { pass: 'SSDO', search: 'POINTS', environment: 'MAP' }, thickness: 1,
+    ssao: { title: 'SSAO', desc: { pass: 'SSAO' }, thickness_limit: 1 },
+    hsao: { title: 'HSAO', desc: { pass: 'HSAO' }, thickness_limit: 0.6 },
+    march: { title: 'HSAO, march', desc: { pass: 'HSAO', search: 'MARCH' }, thickness_limit: 0.5 },
+    ssdo: { title: 'SSDO', desc: { pass: 'SSDO', environment: 'MAP' }, thickness_limit: 0.4, light: true },
+    points: { title: 'SSDO, points', desc: { pass: 'SSDO', search: 'POINTS', environment: 'MAP' }, thickness_limit: 1,
               light: true },
     s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1,
-                                   restore: 'RATIO' }, thickness: 0.4, light: true },
-    dss: { title: 'Deep screen space', desc: { pass: 'SPLAT', near_samples: 4, span: 4 }, thickness: 0.6,
+                                   restore: 'RATIO' }, thickness_limit: 0.4, light: true },
+    dss: { title: 'Deep screen space', desc: { pass: 'SPLAT', near_samples: 4, span: 4 }, thickness_limit: 0.6,
            module: 'surfels', presets: {         /* rows of FIGURES.md, each costs more */
                FAST: { size: 0.06, levels: 5, epsilon: 0.1 },
                BALANCED: { size: 0.03, levels: 5, epsilon: 0.1 },
@@ -26,11 +26,11 @@ export const methods = {
 };
 export const presets = { __proto__: null, FAST: 'fast', BALANCED: 'balanced', BEST: 'best' };
 export const views = ['lit', 'ambient', 'difference'];
-export const behinds = { __proto__: null, DEFAULT: 'as thick as wide', CONSTANT: 'constant', SOLID: 'unlimited',
-                         BACK: 'to the back face', SLABS: 'two slabs, peeled' };
+export const thicknesses = { __proto__: null, DEFAULT: 'as thick as wide', CONSTANT: 'constant',
+                             SOLID: 'unlimited', BACK: 'to the back face', SLABS: 'two slabs, peeled' };
 export const shadows = { __proto__: null, HOST: 'by three.js, beside the chain', MAP: 'mapped',
                          FILL: 'mapped, the bias filled', SEGMENT: 'on the screen', NONE: 'none' };
-export const halves = { __proto__: null, preset: 'as the preset', '1': 'half size', '0': 'full size' };
+export const halves = { __proto__: null, preset: 'as the preset', FIRST: 'half size', NONE: 'full size' };
 export const normals = { __proto__: null, SIGNED: 'of the G-buffer', FROM_DEPTH: 'from depth' };
 export const sizes = ['480x270', '640x360', '960x540', '1280x720', '1920x1080'];
 
@@ -124,8 +124,8 @@ export const settings = {
     field: count(4, 64, 0),
     reach: number(1, 0.1, 1),
     half: word('preset', Object.keys(halves)),
-    behind: word('DEFAULT', Object.keys(behinds)),
-    thickness: number(-1, 0, 2, -1, ', or -1 for the method\'s own'),
+    thickness: word('DEFAULT', Object.keys(thicknesses)),
+    thickness_limit: number(-1, 0, 2, -1, ', or -1 for the method\'s own'),
     normals: word('SIGNED', Object.keys(normals)),
     history: flag(true),
     bounce: flag(false),
@@ -138,7 +138,15 @@ export const settings = {
 };
 export const defaults = Object.fromEntries(Object.entries(settings).map(([name, { initial }]) => [name, initial]));
 
-/* What of an address a sentence repeats. */
+/* [name, value] in an address made before 0.4, as it is called now. */
+function renamed(name, text) {
+    if (name === 'behind') return ['thickness', text];
+    if (name === 'thickness' && text.trim() && !Number.isNaN(Number(text))) return ['thickness_limit', text];
+    if (name === 'half' && (text === '0' || text === '1')) return ['half', text === '1' ? 'FIRST' : 'NONE'];
+    return [name, text];
+}
+
+/* The part of an address that a sentence repeats. */
 function quoted(text) {
     const all = [...text.replace(/\p{Cc}|\p{Cs}/gu, '\ufffd')];
     return all.length > 40 ? `${all.slice(0, 40).join('')}…` : all.join('');
@@ -148,7 +156,8 @@ function quoted(text) {
    after its #; of a name that is repeated the last counts. limits: { scenes: names, side, pixels: of a picture } */
 export function read(hash, limits, before = defaults) {
     const set = { ...defaults }, wrong = [];
-    for (const [name, text] of new URLSearchParams(hash)) {
+    for (const pair of new URLSearchParams(hash)) {
+        const [name, text] = renamed(...pair);
         const setting = settings[name], value = setting?.read(text, limits);
         if (value !== undefined) { set[name] = value; continue; }
         if (setting) set[name] = before[name];

@@ -34,19 +34,19 @@ static double texel_of(double *texels, GLuint texture, GLenum target)
 static double row_bytes(const kit_run *run, const kit_pass *p, const ssgi_gl_io *io)
 {
     const kit_gbuffer *g = p->gbuffer;
-    const int in = io->kind == SSGI_GL_TEXTURE;
+    const int in = io->kind == SSGI_GL_IO_TEXTURE;
     double texels;
-    if (!in && (io->kind != SSGI_GL_OUTPUT || !p->framebuffer)) return 0;
+    if (!in && (io->kind != SSGI_GL_IO_OUTPUT || !p->framebuffer)) return 0;
     /* without targets of its own it draws into a slice */
     const GLuint texture = in ? kit_pass_texture(run, p, io->name) : p->target[0] ? p->target[io->slot] : p->slices;
     if (!texture) return 0;
     /* of the G-buffer's farther layers */
-    const int slices = texture == g->layer_depth ? p->desc.layers - 1
+    const int slices = texture == g->layer_depth ? p->desc.gather.layers - 1
                                                  : texture == g->layer_normal || texture == g->layer_albedo;
     const double texel =
         texel_of(&texels, texture, in ? kit_target_of(io) : p->target[0] ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY);
     if (slices) texels *= (double)slices / (g->layers - 1);
-    if (!in) texels = p->desc.pass == SSGI_GL_SPLAT ? 2 * run->splat_pixels : kit_pass_pixels(p);
+    if (!in) texels = p->desc.pass == SSGI_GL_PASS_SPLAT ? 2 * run->splat_pixels : kit_pass_pixels(p);
     return texel * texels;
 }
 
@@ -56,7 +56,7 @@ static double pass_bytes(const kit_run *run, const kit_pass *p)
     if (p->aside) return 0;
     if (!glGetTexLevelParameteriv) return (double)NAN;
     for (int k = 0; k < p->rows; ++k) bytes += row_bytes(run, p, &p->io[k]);
-    if (p->desc.pass == SSGI_GL_SPLAT || p->capture) bytes += (double)run->surfels * sizeof(ssgi_surfel);
+    if (p->desc.pass == SSGI_GL_PASS_SPLAT || p->capture) bytes += (double)run->surfels * sizeof(ssgi_surfel);
     return bytes;
 }
 
@@ -64,7 +64,7 @@ static double pass_bytes(const kit_run *run, const kit_pass *p)
 static double texels_of(const kit_run *run, const kit_pass *p)
 {
     if (p->aside || !p->step->outputs) return 0;
-    return p->desc.pass == SSGI_GL_SPLAT ? run->splat_pixels : kit_pass_pixels(p);
+    return p->desc.pass == SSGI_GL_PASS_SPLAT ? run->splat_pixels : kit_pass_pixels(p);
 }
 
 kit_cost kit_pass_cost(const kit_run *run, const kit_pass *p)

@@ -8,14 +8,15 @@ GLuint kit_pass_texture(const kit_run *run, const kit_pass *p, const char *name)
     const struct { const char *name; GLuint texture;
     } table[] = { { "depth", p->gbuffer->depth },
                   { "layers", p->gbuffer->layer_depth },
-                  { "back", p->desc.thickness == SSGI_GL_THICKNESS_SLABS ? p->gbuffer->slabs : p->gbuffer->back },
+                  { "back",
+                    p->desc.gather.thickness == SSGI_GL_THICKNESS_SLABS ? p->gbuffer->slabs : p->gbuffer->back },
                   { "views", run->view_depth },
-                  { "normal", p->desc.receiver ? p->gbuffer->layer_normal
-                              : run->normal    ? run->normal
-                                               : p->gbuffer->normal },
-                  { "albedo", p->desc.receiver     ? p->gbuffer->layer_albedo
-                              : p->gbuffer->albedo ? p->gbuffer->albedo
-                                                   : run->grey },
+                  { "normal", p->desc.light.receiver ? p->gbuffer->layer_normal
+                              : run->normal          ? run->normal
+                                                     : p->gbuffer->normal },
+                  { "albedo", p->desc.light.receiver ? p->gbuffer->layer_albedo
+                              : p->gbuffer->albedo   ? p->gbuffer->albedo
+                                                     : run->grey },
                   { "direct", p->gbuffer->direct },
                   { "noise", run->noise },
                   { "kernel", run->kernel },
@@ -84,7 +85,7 @@ static void draw_surfels(kit_run *run, const kit_pass *p)
         if (counted) glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, run->query);
         glBeginTransformFeedback(GL_POINTS);
     }
-    if (p->desc.tessellate) draw_patches(p);
+    if (p->desc.surfel.tessellate) draw_patches(p);
     else if (capture) glDrawArrays(GL_POINTS, 0, (GLsizei)run->surfels);
     else glDrawArraysInstanced(p->step->primitive, 0, p->step->vertices, (GLsizei)run->surfels);
     if (capture) {
@@ -103,7 +104,7 @@ static void draw_surfels(kit_run *run, const kit_pass *p)
 static void bind_inputs(const kit_run *run, const kit_pass *p)
 {
     for (int k = 0; k < p->rows; ++k)
-        if (p->io[k].kind == SSGI_GL_TEXTURE) {
+        if (p->io[k].kind == SSGI_GL_IO_TEXTURE) {
             glActiveTexture(GL_TEXTURE0 + (GLenum)p->io[k].slot);
             glBindTexture(kit_target_of(&p->io[k]), kit_pass_texture(run, p, p->io[k].name));
         }

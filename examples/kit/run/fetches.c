@@ -370,8 +370,8 @@ static long reach_of(const ssgi_gl_desc *desc)
     ssgi_gl_desc sum = *desc;
     char *text, *at;
     long levels = 1;
-    sum.pass = SSGI_GL_SUM;
-    text = text_of(&sum, SSGI_GL_FRAGMENT);
+    sum.pass = SSGI_GL_PASS_SUM;
+    text = text_of(&sum, SSGI_GL_STAGE_FRAGMENT);
     if (text && (at = strstr(text, line)) != NULL) levels = strtol(at + strlen(line), NULL, 10);
     free(text);
     return 1L << (levels - 1) >> 1;
@@ -379,8 +379,8 @@ static long reach_of(const ssgi_gl_desc *desc)
 
 static int counted(const ssgi_gl_desc *desc, int operations)
 {
-    const int stage = desc->pass != SSGI_GL_SURFELS ? SSGI_GL_FRAGMENT
-                    : desc->tessellate ? SSGI_GL_TESS_EVALUATION : SSGI_GL_VERTEX;
+    const int stage = desc->pass != SSGI_GL_PASS_SURFELS ? SSGI_GL_STAGE_FRAGMENT
+                    : desc->surfel.tessellate ? SSGI_GL_STAGE_TESS_EVALUATION : SSGI_GL_STAGE_VERTEX;
     walk *w = calloc(1, sizeof *w);
     char *text = text_of(desc, stage);
     double cost = 0;
@@ -388,7 +388,7 @@ static int counted(const ssgi_gl_desc *desc, int operations)
         int end;
         w->operations = operations;
         learn_text(w);
-        if (desc->pass == SSGI_GL_SMOOTH) learn(w, (token){ "reach", 5 }, (value){ 1, reach_of(desc), 0 });
+        if (desc->pass == SSGI_GL_PASS_SMOOTH) learn(w, (token){ "reach", 5 }, (value){ 1, reach_of(desc), 0 });
         for (int k = 0; k < w->functions; ++k)
             if (same(w->function[k].id, (token){ "main", 4 })) {
                 const flow f = statement(w, w->function[k].body, &end);
@@ -408,7 +408,7 @@ static int kept_count(const ssgi_gl_desc *desc, int operations)
     static struct { uint64_t key; int count; } kept[KEPT];
     static int next;
     uint64_t key = kit_hash(kit_hash(KIT_HASH, desc, sizeof *desc), &operations, sizeof operations);
-    if (desc->fetch) key = kit_hash(key, desc->fetch, strlen(desc->fetch));
+    if (desc->text.fetch) key = kit_hash(key, desc->text.fetch, strlen(desc->text.fetch));
     for (int i = 0; i < KEPT; ++i) if (kept[i].key == key) return kept[i].count;
     const int count = counted(desc, operations);
     kept[next].key = key;

@@ -61,7 +61,7 @@ int kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
 int kit_run_keeps(const kit_run *run)
 {
     int kept = 0;
-    for (int i = 0; i < run->passes; ++i) kept |= run->pass[i].desc.pass == SSGI_GL_HISTORY;
+    for (int i = 0; i < run->passes; ++i) kept |= run->pass[i].desc.pass == SSGI_GL_PASS_HISTORY;
     return kept;
 }
 

@@ -103,7 +103,7 @@ static int sun(kit_placed_light *out, const float at[3], const float colour[3], 
     for (int i = 0; i < rows; ++i) {
         memcpy(out[i].light.at, at, sizeof out[i].light.at);
         memcpy(out[i].light.colour, colour, sizeof out[i].light.colour);
-        out[i].light.kind = SSGI_GL_SUN;
+        out[i].light.kind = SSGI_GL_LIGHT_SUN;
     }
     return rows;
 }
@@ -119,7 +119,7 @@ static int place_light(kit_placed_light *out, const kit_light *w, const kit_scen
         kit_placed_light *l = &out[f];
         memcpy(l->light.at, w->at, sizeof l->light.at);
         memcpy(l->light.colour, w->colour, sizeof l->light.colour);
-        l->light.kind = scene ? SSGI_GL_SPOT : SSGI_GL_POINT;
+        l->light.kind = scene ? SSGI_GL_LIGHT_SPOT : SSGI_GL_LIGHT_POINT;
         l->mapped = scene != NULL;
         look(&l->camera, w->at, face[f], 90, 0, 1e-3f * seen->all.radius, extent, size);
     }
@@ -172,7 +172,7 @@ static int place_vpls(kit_placed_light *out, const kit_making *m, const kit_sigh
         memcpy(l->light.at, found[i].position, sizeof l->light.at);
         memcpy(l->light.normal, found[i].normal, sizeof l->light.normal);
         memcpy(l->light.colour, found[i].intensity, sizeof l->light.colour);
-        l->light.kind = SSGI_GL_VPL;
+        l->light.kind = SSGI_GL_LIGHT_VPL;
         l->light.min_distance = m->run->frame.radius;
         l->mapped = mapped;
         look(&l->camera, found[i].position, found[i].normal, 150, 0, 2e-3f * seen->all.radius, extent, size);
@@ -186,7 +186,8 @@ kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sight *seen, in
     const kit_lighting *lighting = m->world->lighting;
     const kit_scene *scene = m->world->scene;
     const int suns = m->set->suns, vpls = m->set->vpls,
-              mapped = scene && (m->lights.shadow == SSGI_GL_SHADOW_MAP || m->lights.shadow == SSGI_GL_SHADOW_FILL);
+              mapped = scene
+                    && (m->lights.light.shadow == SSGI_GL_SHADOW_MAP || m->lights.light.shadow == SSGI_GL_SHADOW_FILL);
     const kit_scene *shadows = mapped ? scene : NULL;
     const size_t room = (size_t)(6 * lighting->lights + suns + vpls + 1);
     int size = m->set->shadow_size, n = 0, added = 0;
@@ -319,9 +320,9 @@ int kit_add_environment(kit_making *m)
 {
     enum { SIZE = 64, OPEN = 32, CONES = 8 };
     const kit_image *env = &m->world->lighting->env;
-    const int s3ho = m->gather.pass == SSGI_GL_S3HO, cones = s3ho && m->gather.shading,
-              mapped = !s3ho && m->gather.environment == SSGI_GL_ENVIRONMENT_MAP;
-    const int slices = m->gather.shading == SSGI_GL_SHADING_BENT_CONE ? CONES : 1, open_too = mapped || cones;
+    const int s3ho = m->gather.pass == SSGI_GL_PASS_S3HO, cones = s3ho && m->gather.light.shading,
+              mapped = !s3ho && m->gather.light.environment == SSGI_GL_ENVIRONMENT_MAP;
+    const int slices = m->gather.light.shading == SSGI_GL_SHADING_BENT_CONE ? CONES : 1, open_too = mapped || cones;
     kit_run *run = m->run;
     const char *why = "out of memory";
     float *map = malloc(3 * SIZE * SIZE * sizeof *map), *four = malloc(4 * SIZE * SIZE * sizeof *four),
@@ -329,14 +330,15 @@ int kit_add_environment(kit_making *m)
     int failed;
     run->equirect = kit_env_interleaved(env);
     failed = !map || !four || !open || !run->equirect;
-    if (!failed && (s3ho ? !cones : m->gather.environment == SSGI_GL_ENVIRONMENT_SH))
-        failed = ssgi_sh_project_equirect(run->harmonics, m->gather.bands, run->equirect, env->width, env->height, &why)
-                 != SSGI_OK;
+    if (!failed && (s3ho ? !cones : m->gather.light.environment == SSGI_GL_ENVIRONMENT_SH))
+        failed = ssgi_sh_project_equirect(run->harmonics, m->gather.light.bands, run->equirect, env->width, env->height,
+                                          &why)
+              != SSGI_OK;
     if (!failed && mapped)
         failed = kit_environment_of(map, SIZE, run->equirect, env,
-                                    m->gather.samples ? (float)(2 * KIT_PI / m->gather.samples)
-                                    : m->gather.directions
-                                        ? (float)(0.75 * KIT_PI / m->gather.directions)
+                                    m->gather.gather.samples ? (float)(2 * KIT_PI / m->gather.gather.samples)
+                                    : m->gather.gather.directions
+                                        ? (float)(0.75 * KIT_PI / m->gather.gather.directions)
                                         : (float)KIT_PI * run->frame.epsilon /* of surfels at the end of a shell */,
                                     0, &why)
                      != SSGI_OK

@@ -62,7 +62,7 @@ static void rims_of(const kit_run *run, int rim[KIT_MAX_PASSES])
     for (int i = 0; i < run->passes; ++i) {
         const kit_pass *p = &run->pass[i];
         const int result = draws(p, run->light) || draws(p, run->bounce) || draws(p, run->joint);
-        const int all = !p->target[0] || p->gbuffer != run->gbuffer || p->desc.pass == SSGI_GL_WIDTH
+        const int all = !p->target[0] || p->gbuffer != run->gbuffer || p->desc.pass == SSGI_GL_PASS_THICKNESS
                      || p->step->size == SSGI_GL_SIZE_TILES;
         rim[i] = all ? ALL : result ? 0 : -1;
     }
@@ -70,8 +70,8 @@ static void rims_of(const kit_run *run, int rim[KIT_MAX_PASSES])
         changed = 0;
         for (int j = 0; j < run->passes; ++j) {
             const kit_pass *p = &run->pass[j];
-            const int filters = p->desc.pass == SSGI_GL_BLUR || p->desc.pass == SSGI_GL_HISTORY;
-            const int reach = rim[j] + (filters ? 2 * p->desc.filter_radius + 2 : 0);
+            const int filters = p->desc.pass == SSGI_GL_PASS_BLUR || p->desc.pass == SSGI_GL_PASS_HISTORY;
+            const int reach = rim[j] + (filters ? 2 * p->desc.filter.radius + 2 : 0);
             const int wanted = reach < ALL ? reach : ALL;
             for (int i = 0; i < run->passes && rim[j] >= 0; ++i) {
                 int read = 0;

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-int kit_dialect(void) { return kit_gl_is_es() ? SSGI_GL_300ES : SSGI_GL_330; }
+int kit_dialect(void) { return kit_gl_is_es() ? SSGI_GL_DIALECT_300ES : SSGI_GL_DIALECT_330; }
 
 /* The stages of a pass as a program, linked without captures; 0 on failure. */
 static GLuint link_stages(const ssgi_gl_desc *desc, kit_error *err)
@@ -36,7 +36,7 @@ static int link_captures(GLuint program, const ssgi_gl_desc *desc, const ssgi_gl
     const char *captured[3];
     GLint linked = 0;
     int captures = 0;
-    for (int i = 0; i < rows; ++i) if (io[i].kind == SSGI_GL_CAPTURE) captured[captures++] = io[i].name;
+    for (int i = 0; i < rows; ++i) if (io[i].kind == SSGI_GL_IO_CAPTURE) captured[captures++] = io[i].name;
     if (!captures) return 0;
     glTransformFeedbackVaryings(program, captures, captured, GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(program);
@@ -50,7 +50,7 @@ void kit_pass_bind(GLuint program, const ssgi_gl_io *io, int rows)
 {
     glUseProgram(program);
     for (int i = 0; i < rows; ++i)
-        if (io[i].kind == SSGI_GL_TEXTURE) glUniform1i(glGetUniformLocation(program, io[i].name), io[i].slot);
+        if (io[i].kind == SSGI_GL_IO_TEXTURE) glUniform1i(glGetUniformLocation(program, io[i].name), io[i].slot);
     for (GLuint k = 0; k < 2; ++k) {
         const GLuint block = glGetUniformBlockIndex(program, k ? "ssgi_views" : "ssgi_frame");
         if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, k);
@@ -94,7 +94,7 @@ ssgi_gl_chain kit_chain(const kit_making *m)
     ssgi_gl_chain chain;
     memset(&chain, 0, sizeof chain);
     chain.desc = m->gather;
-    chain.desc.motion = m->kept && m->run->gbuffer->motion;
+    chain.desc.input.motion = m->kept && m->run->gbuffer->motion;
     chain.width = m->run->gbuffer->viewport[2];
     chain.height = m->run->gbuffer->viewport[3];
     chain.blur = m->blurred > 0;
@@ -174,7 +174,7 @@ static int add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textures[], 
     ++run->passes;
     if (!step->outputs) return 0;
     if (add_targets(m, p, textures)) return -1;
-    if (step->desc.pass != SSGI_GL_SPLAT && !aside)
+    if (step->desc.pass != SSGI_GL_PASS_SPLAT && !aside)
         run->fetches += kit_fetches(&step->desc) * (double)p->width * p->height
                         / ((double)run->frame.size[0] * run->frame.size[1]);
     return 0;
@@ -207,7 +207,7 @@ int kit_add_steps(kit_making *m, const ssgi_gl_chain *chain, int aside, GLuint *
     else ssgi_gl_steps(step, count, chain, NULL);
     /* parts are told apart by passes that embedders would not draw; lights are drawn all the same */
     for (int i = 0; i < count && !failed; ++i)
-        failed = add_pass(m, &step[i], textures, aside && step[i].desc.pass != SSGI_GL_LIGHTS);
+        failed = add_pass(m, &step[i], textures, aside && step[i].desc.pass != SSGI_GL_PASS_LIGHTS);
     for (int i = first; i < run->passes; ++i)
         for (int o = 0; o < KIT_HISTORIES; ++o)
             if (run->pass[i].last[o]) last[run->pass[i].step->output[o].texture] = run->pass[i].last[o];

@@ -10,8 +10,8 @@ enum { PLACES = 8000, PLACE_RAYS = 64, LIGHT_PLACES = 3000, LIGHT_RAYS = 768 };
 
 /* What a plan is made from: ambient visibility of four kinds; slabs where the scene or the frame has them. */
 enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
-static const char *const pictures[PICTURES][2] = { { "hsao", "behind=width" }, { "hsao-best", "behind=width" },
-                                                   { "hsao", "behind=solid" }, { "hsao", "behind=slabs" } };
+static const char *const pictures[PICTURES][2] = { { "hsao", "thickness=width" }, { "hsao-best", "thickness=width" },
+                                                   { "hsao", "thickness=solid" }, { "hsao", "thickness=slabs" } };
 
 /* Pixels without a surface are left out. */
 static int survey_of(ssgi_survey *survey, kit_image picture[PICTURES], int count, const float *z, kit_error *err)
@@ -55,7 +55,7 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
         if (!(z[at] > 0)) continue;
         /* not from depth, whose rounding is more than a small radius far away */
         kit_camera_ray(camera, x, y, origin, ray);
-        if (!ssgi_trace_closest(&trace, origin, ray, 0, 1e12f, &hit)) continue;
+        if (!ssgi_trace_closest(&hit, &trace, origin, ray, 0, 1e12f)) continue;
         for (int k = 0; k < 3; ++k) places[3 * count + (size_t)k] = origin[k] + hit.t * ray[k];
         for (int k = 0; k < 3; ++k)
             places[3 * (PLACES + count) + (size_t)k] =
@@ -93,13 +93,13 @@ double kit_plan_error(const kit_image *picture, const kit_image *truth, const ki
     static const char *const names[2][3] = { { "irradiance.R", "irradiance.G", "irradiance.B" },
                                              { "bounce.R", "bounce.G", "bounce.B" } };
     const float *z = kit_image_channel(frame, "Z");
-    const int lit = wanted == SSGI_PLAN_LIGHT || wanted == SSGI_PLAN_BOUNCE;
+    const int lit = wanted == SSGI_PLAN_WANTED_LIGHT || wanted == SSGI_PLAN_WANTED_BOUNCE;
     double square = 0, mean = 0;
     size_t count = 0;
     for (int c = 0; c < (lit ? 3 : 1); ++c) {
         const float *a = kit_image_channel(picture, lit ? names[0][c] : "Y"),
                     *b = kit_image_channel(truth, lit ? names[0][c] : "Y");
-        const float *more_a = wanted == SSGI_PLAN_BOUNCE ? kit_image_channel(picture, names[1][c]) : NULL,
+        const float *more_a = wanted == SSGI_PLAN_WANTED_BOUNCE ? kit_image_channel(picture, names[1][c]) : NULL,
                     *more_b = more_a ? kit_image_channel(truth, names[1][c]) : NULL;
         for (int i = 0; i < truth->width * truth->height; ++i) {
             if (!(z[i] > 0) || isnan(b[i])) continue;
@@ -136,7 +136,7 @@ static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame
     kit_image truth, lit, open, direct;
     if (light_of(&open, &direct, g, world, radius, err)
         || kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR,
-                         wanted == SSGI_PLAN_BOUNCE, LIGHT_RAYS, stride, err))
+                         wanted == SSGI_PLAN_WANTED_BOUNCE, LIGHT_RAYS, stride, err))
         return -1;
     for (int k = 0; k < 3; ++k) {
         if (kit_image_new(&lit, frame->width, frame->height, "Y", err)) return -1;
@@ -189,7 +189,7 @@ static int objects_of(ssgi_plan_scene *s, const kit_image *frame, const kit_gbuf
         || kit_image_new(&none, frame->width, frame->height, "Y", err))
         return -1;
     for (int i = 0; i < frame->width * frame->height; ++i) none.data[i] = 1;
-    s->calibration.unoccluded = (float)kit_plan_error(&none, &truth, frame, SSGI_PLAN_OBJECTS);
+    s->calibration.unoccluded = (float)kit_plan_error(&none, &truth, frame, SSGI_PLAN_WANTED_OBJECTS);
     s->calibration.known = 1;
     kit_image_free(&truth);
     kit_image_free(&none);
@@ -207,7 +207,9 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     size_t seen = 0;
     memset(s, 0, sizeof *s);
     s->wanted = wanted;
-    s->thickness = slabs ? SSGI_PLAN_SLABS : g->back ? SSGI_PLAN_BACK : SSGI_PLAN_WIDTH;
+    s->thickness = slabs   ? SSGI_PLAN_THICKNESS_SLABS
+                       : g->back ? SSGI_PLAN_THICKNESS_BACK
+                                 : SSGI_PLAN_THICKNESS_WIDTH;
     for (int k = 0; k < count; ++k)
         if (kit_run_picture(&picture[k], g, &dark, pictures[k][0], pictures[k][1], radius, err)) return -1;
     if (kit_gbuffer_read(&frame, g, err)) return -1;
@@ -223,13 +225,13 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     s->albedo = (float)fmin(1, albedo / fmax(1, (double)seen));
     s->map = world->lighting && world->lighting->env.data;
     int failed = survey_of(&s->survey, picture, count, z, err);
-    if (!failed && world->scene && wanted == SSGI_PLAN_VISIBILITY)
+    if (!failed && world->scene && wanted == SSGI_PLAN_WANTED_VISIBILITY)
         failed = calibrate_visibility(&s->calibration, &frame, picture, world->scene, &g->camera, radius, err);
-    else if (!failed && world->scene && wanted != SSGI_PLAN_OBJECTS && world->lighting)
+    else if (!failed && world->scene && wanted != SSGI_PLAN_WANTED_OBJECTS && world->lighting)
         failed = calibrate_light(&s->calibration, &frame, picture, g, world, radius, wanted, err);
     for (int i = 0; world->scene && i < world->scene->objects; ++i)
         s->occluders += world->scene->object[i].casts > 0;
-    if (!failed && world->scene && wanted == SSGI_PLAN_OBJECTS)
+    if (!failed && world->scene && wanted == SSGI_PLAN_WANTED_OBJECTS)
         failed = objects_of(s, &frame, g, world->scene, err);
     for (int k = 0; k < count; ++k) kit_image_free(&picture[k]);
     kit_image_free(&frame);
@@ -250,12 +252,12 @@ const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
     for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i)
         if (asked[i].value >= asked[i].least)
             n += (size_t)snprintf(set + n, 256 - n, "%s%s=%d", n ? "," : "", asked[i].key, asked[i].value);
-    if (p->method == SSGI_PLAN_HSAO || p->method == SSGI_PLAN_SSDO || p->method == SSGI_PLAN_S3HO)
-        n += (size_t)snprintf(set + n, 256 - n, ",behind=%s", behind[p->thickness]);
-    if (p->method == SSGI_PLAN_SURFELS) n += (size_t)snprintf(set + n, 256 - n, ",size=%g", (double)p->size);
-    if (wanted == SSGI_PLAN_BOUNCE && p->method == SSGI_PLAN_SSDO) snprintf(set + n, 256 - n, ",reuse=1");
-    if (wanted != SSGI_PLAN_BOUNCE && (p->method == SSGI_PLAN_SSDO || p->method == SSGI_PLAN_S3HO))
-        snprintf(set + n, 256 - n, p->method == SSGI_PLAN_SSDO ? ",bounce=none" : ",indirect=none");
+    if (p->method == SSGI_PLAN_METHOD_HSAO || p->method == SSGI_PLAN_METHOD_SSDO || p->method == SSGI_PLAN_METHOD_S3HO)
+        n += (size_t)snprintf(set + n, 256 - n, ",thickness=%s", behind[p->thickness]);
+    if (p->method == SSGI_PLAN_METHOD_SURFELS) n += (size_t)snprintf(set + n, 256 - n, ",size=%g", (double)p->size);
+    if (wanted == SSGI_PLAN_WANTED_BOUNCE && p->method == SSGI_PLAN_METHOD_SSDO) snprintf(set + n, 256 - n, ",reuse=1");
+    if (wanted != SSGI_PLAN_WANTED_BOUNCE && (p->method == SSGI_PLAN_METHOD_SSDO || p->method == SSGI_PLAN_METHOD_S3HO))
+        snprintf(set + n, 256 - n, p->method == SSGI_PLAN_METHOD_SSDO ? ",bounce=none" : ",indirect=none");
     return names[p->method];
 }
 

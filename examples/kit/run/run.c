@@ -8,17 +8,18 @@ static int ask_gbuffer(const kit_making *m, kit_gbuffer *g)
 {
     const kit_scene *scene = m->world->scene;
     const ssgi_gl_desc *gather = &m->gather;
-    const int two = gather->thickness == SSGI_GL_THICKNESS_SLABS;
-    if (gather->half && !m->blurred)
+    const int two = gather->gather.thickness == SSGI_GL_THICKNESS_SLABS;
+    if (gather->gather.half && !m->blurred)
         return kit_fail(m->err, "--set half=1: needs blur=1 or more, which brings it to full size");
-    if (gather->layers > g->layers && !scene)
-        return kit_fail(m->err, "--set layers=%d: the frame has %d", gather->layers, g->layers);
-    if (gather->views && !scene)
-        return kit_fail(m->err, "--set views=%d: a frame has one camera; extra ones need a scene", gather->views);
-    if (gather->layers > g->layers && kit_gbuffer_peel(g, scene, gather->layers, m->err)) return -1;
-    if (gather->thickness < SSGI_GL_THICKNESS_BACK || (two ? g->slabs : g->back)) return 0;
+    if (gather->gather.layers > g->layers && !scene)
+        return kit_fail(m->err, "--set layers=%d: the frame has %d", gather->gather.layers, g->layers);
+    if (gather->gather.views && !scene)
+        return kit_fail(m->err, "--set views=%d: a frame has one camera; extra ones need a scene",
+                        gather->gather.views);
+    if (gather->gather.layers > g->layers && kit_gbuffer_peel(g, scene, gather->gather.layers, m->err)) return -1;
+    if (gather->gather.thickness < SSGI_GL_THICKNESS_BACK || (two ? g->slabs : g->back)) return 0;
     if (!scene)
-        return kit_fail(m->err, "--set behind=%s: the frame has no channel %s", two ? "slabs" : "back",
+        return kit_fail(m->err, "--set thickness=%s: the frame has no channel %s", two ? "slabs" : "back",
                         g->back ? "front2.Z" : "back.Z");
     return kit_gbuffer_slabs(g, scene, 1 + two, m->err);
 }
@@ -28,7 +29,7 @@ static int open_visibility(kit_making *m, const float picture[16])
 {
     kit_sight seen = { .point = NULL };
     const ssgi_gl_chain chain = kit_chain(m);
-    const int failed = m->gather.views
+    const int failed = m->gather.gather.views
                     && (kit_seen(m->run->gbuffer, &seen, m->err) || kit_add_views(m, picture, &seen.middle));
     free(seen.point);
     return failed ? -1 : kit_add_steps(m, &chain, 0, &m->run->light, NULL);
@@ -36,11 +37,11 @@ static int open_visibility(kit_making *m, const float picture[16])
 
 static void add_kernel(kit_making *m)
 {
-    const int sets = m->set->sets, samples = m->gather.samples;
+    const int sets = m->set->sets, samples = m->gather.gather.samples;
     float *kernel = malloc(4 * (size_t)(sets * samples) * sizeof *kernel);
     if (kernel)
-        ssgi_directions(kernel, m->gather.uniform ? SSGI_DIRECTIONS_UNIFORM : SSGI_DIRECTIONS_COSINE, sets, samples,
-                        NULL);
+        ssgi_directions(kernel, m->gather.gather.uniform ? SSGI_DIRECTIONS_UNIFORM : SSGI_DIRECTIONS_COSINE, sets,
+                        samples, NULL);
     m->run->kernel = kit_keep(m->run, kernel ? kit_texture(samples, sets, GL_RGBA32F, kernel) : 0);
     free(kernel);
 }
@@ -49,7 +50,7 @@ static void add_kernel(kit_making *m)
 static void add_noise(kit_making *m)
 {
     static float tile[4 * 64 * 64];
-    const int sets = m->gather.kernel ? m->set->sets : 16;
+    const int sets = m->gather.gather.kernel ? m->set->sets : 16;
     int size = 4;
     while (size < 64 && size * size % sets) ++size;
     if (ssgi_noise_tile(tile, size, sets, 1, NULL) != SSGI_OK) ssgi_noise_tile(tile, size = 4, 16, 1, NULL);
@@ -87,23 +88,23 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     run->lit = m->method->lit;
     run->frame.origin[0] = g->viewport[0];
     run->frame.origin[1] = g->viewport[1];
-    m->gather.dialect = kit_dialect();
-    m->gather.orthographic = view.orthographic;
-    m->gather.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
+    m->gather.text.dialect = kit_dialect();
+    m->gather.input.orthographic = view.orthographic;
+    m->gather.input.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
     if (kit_settings_apply(m, radius) || ask_gbuffer(m, g)) return -1;
     kit_camera_matrices(&g->camera, picture, projection);
-    const int failed = m->gather.pass == SSGI_GL_SPLAT   ? kit_open_deep(m, &view, picture)
-                       : m->gather.pass == SSGI_GL_FIELD ? kit_open_field(m, picture)
+    const int failed = m->gather.pass == SSGI_GL_PASS_SPLAT   ? kit_open_deep(m, &view, picture)
+                       : m->gather.pass == SSGI_GL_PASS_FIELD ? kit_open_field(m, picture)
                        : run->lit                        ? kit_open_lit(m, picture)
                                                          : open_visibility(m, picture);
     if (failed) return -1;
-    if (m->gather.kernel) add_kernel(m);
-    if (m->gather.noise == SSGI_GL_NOISE_TEXTURE) add_noise(m);
+    if (m->gather.gather.kernel) add_kernel(m);
+    if (m->gather.gather.noise == SSGI_GL_NOISE_TEXTURE) add_noise(m);
     kit_limit_passes(run);
     run->bytes = kit_run_bytes(run);
     glGenBuffers(KIT_FRAMES, run->block);
     kit_run_update(run);
-    /* a last frame to reuse; of senders' own frames a second bounce */
+    /* a last frame to reuse; of emitters' own frames a second bounce */
     for (int i = 0; i < 2 && (m->set->reuse || m->set->dimmed); ++i) kit_run_draw(run, 0);
     return 0;
 }

@@ -1,5 +1,6 @@
 /* settings.c - the table of methods and of their settings. Declared in kit_gl.h. */
 #include "kit/kit_run.h"
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,6 +22,10 @@ typedef struct row { kit_setting setting; size_t member; int where; size_t offse
 #define FRAMED(field) offsetof(ssgi_gl_frame, field)
 #define WHOLE(member) _Generic(((const kit_settings *)0)->member, int: 1, double: 0)
 /* choices: words, NULL for a number */
+/* A row whose words and limits are those of a field of ssgi_gl_desc. COUNT: 0, which is the library's default, is not
+   taken, so that costs can be counted. */
+#define OF(name, key, field, where, value, about)    ROW(name, key, about, NULL, value, 0, 0, where, DESC(field))
+#define COUNT(name, key, field, where, value, about) ROW(name, key, about, NULL, value, 1, 0, where, DESC(field))
 #define ROW(name, key, about, choices, value, least, most, where, offset) \
     static const row name = { { #key, about, choices, value, least, most, WHOLE(key) }, \
                               offsetof(kit_settings, key), where, offset };
@@ -28,81 +33,76 @@ typedef struct row { kit_setting setting; size_t member; int where; size_t offse
 ROW(noise_row, noise, "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, PLAN, 0)
 ROW(normal_row, normal, "normals from the G-buffer, or from depth alone, as where a frame has none",
     "gbuffer depth", 0, 0, 1, PLAN, 0)
-ROW(left_handed_row, left_handed, "1: as an engine gives them whose camera looks along +z: projection and normals",
-    NULL, 0, 0, 1, GATHER, DESC(left_handed))
+OF(left_handed_row, left_handed, input.left_handed, GATHER, 0, "1: as an engine gives them whose camera looks along "
+    "+z: projection and normals")
 #define THICKNESS(name, value) \
-    ROW(name, thickness, "thickness of visible surfaces, constant or the most of a width, in radii", \
-        NULL, value, 0, 100, SCALED, FRAMED(thickness))
-THICKNESS(thickness_row, 1)
+    ROW(name, thickness_limit, "thickness of visible surfaces, constant or the most of a width, in radii", \
+        NULL, value, 0, 100, SCALED, FRAMED(thickness_limit))
+THICKNESS(limit_row, 1)
 THICKNESS(slice_thick_row, 0.6)
 THICKNESS(lit_thick_row, 0.4)
 THICKNESS(half_thick_row, 0.5)
 THICKNESS(most_thick_row, 0.7)
-ROW(behind_row, behind, "thickness of what is seen: width for slices, else constant; constant; unlimited; as thick as "
-    "wide in the picture; to the back face; two slabs",
-    "auto constant solid width back slabs", 0, 0, 5, GATHER, DESC(thickness))
-ROW(half_row, half, "1: one pixel of every 2x2, brought to full size by the filter",
-    NULL, 0, 0, 1, GATHER, DESC(half))
-ROW(hard_row, hard, "1: no attenuation by distance", NULL, 0, 0, 1, GATHER, DESC(hard))
+OF(thickness_row, thickness, gather.thickness, GATHER, 0, "of visible surfaces: width for slices, else constant; "
+    "constant; unlimited; as thick as wide in the picture; to the back face; two slabs")
+OF(half_row, half, gather.half, GATHER, 0,
+   "the pixels that are gathered, brought to full size by the filter: all, one of every 2x2, or each of the four in "
+   "turn")
 ROW(offset_row, offset, "lift of the receiver along its normal, in half pixels",
     NULL, 1.5, 0, 100, FRAME, FRAMED(offset))
 ROW(blur_row, blur, "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, PLAN, 0)
-ROW(filter_row, filter, "kind of filter", "bilateral gaussian", 0, 0, 1, GATHER, DESC(filter))
-ROW(compare_row, filter_normals, "1: the filter compares normals too", NULL, 0, 0, 1, GATHER, DESC(filter_normals))
-ROW(restore_row, restore, "the filter smooths light, its ratio to unoccluded light, or its difference from it",
-    "none ratio difference", 1, 0, 2, GATHER, DESC(restore))
-ROW(vector_restore_row, restore,
-    "the filter smooths light, its ratio to unoccluded light, or its difference from it (joint: always this)",
-    "none ratio difference", 1, 0, 2, GATHER, DESC(restore))
+OF(filter_row, filter, filter.kind, GATHER, 0, "kind of filter")
+OF(compare_row, filter_normals, filter.normals, GATHER, 0, "1: the filter compares normals too")
+OF(restore_row, restore, light.restore, GATHER, 1, "the filter smooths light, its ratio to unoccluded light, or its "
+    "difference from it")
+OF(vector_restore_row, restore, light.restore, GATHER, 1, "the filter smooths light, its ratio to unoccluded light, "
+    "or its difference from it (joint: always this)")
 ROW(phase_row, phase, "offset of the noise", NULL, 0, 0, 1, FRAME, FRAMED(phase))
-ROW(layers_row, layers, "peeled depth layers; closed solids only",
-    NULL, 1, 1, KIT_MAX_LAYERS, GATHER | LIGHTS, DESC(layers))
-ROW(views_row, views, "extra cameras; closed solids only", NULL, 0, 0, 4, GATHER | LIGHTS, DESC(views))
-ROW(view_layers_row, view_layers, "depth layers of each extra camera",
-    NULL, 1, 1, KIT_MAX_LAYERS, GATHER | LIGHTS, DESC(view_layers))
+COUNT(layers_row, layers, gather.layers, GATHER | LIGHTS, 1, "peeled depth layers; closed solids only")
+OF(views_row, views, gather.views, GATHER | LIGHTS, 0, "extra cameras; closed solids only")
+COUNT(view_layers_row, view_layers, gather.view_layers, GATHER | LIGHTS, 1, "depth layers of each extra camera")
 ROW(view_size_row, view_size, "pixels of an extra camera's side", NULL, 256, 16, 4096, PLAN, 0)
 
 ROW(history_row, history, "1: averaged over frames, at full size; the first frame is as without it",
     NULL, 0, 0, 1, PLAN, 0)
 ROW(margin_row, margin, "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, PLAN, 0)
-ROW(samples_row, samples, "directions per pixel", NULL, 16, 1, 64, GATHER, DESC(samples))
-ROW(march_row, steps, "points along a direction; the first occluded one counts: of many that is near the receiver, "
-    "and with behind=solid all that has a surface before it is dark, to a hard edge at the radius",
-    NULL, 1, 1, 64, GATHER, DESC(steps))
-ROW(falloff_row, falloff, "weight of an occluder at distance t: 1 - t/radius, or 1 - (t/radius)^2",
-    "linear square", 0, 0, 1, GATHER, DESC(falloff))
-ROW(fade_row, fade, "weight of an occluder by the distance of the surface in the depth buffer; none: what is "
-    "far sends as if it were at the point, and a bounce may err more than none",
-    "none smooth lambda", 0, 0, 2, GATHER, DESC(fade))
+COUNT(samples_row, samples, gather.samples, GATHER, 16, "directions per pixel")
+COUNT(march_row, steps, gather.steps, GATHER, 1,
+      "points along a direction; the first occluded one counts: of many "
+      "that is near the receiver, and with thickness=solid all that has a surface before it is dark, to a hard edge at "
+      "the "
+      "radius")
+OF(falloff_row, falloff, gather.falloff, GATHER, 0, "weight of an occluder at distance t: 1 - t/radius, 1 - "
+    "(t/radius)^2, or 1 up to the radius (not of points)")
+OF(fade_row, fade, gather.fade, GATHER, 0, "weight of an occluder by the distance of the surface in the depth buffer; "
+    "none: what is far sends as if it were at the point, and a bounce may err more than none")
 ROW(lambda_row, lambda, "of that fade, per radius: larger is weaker", NULL, 4, 0, 1000, FRAME, FRAMED(lambda))
-ROW(range_row, range, "1: ignore surfaces beyond the radius or below the receiver's plane",
-    NULL, 0, 0, 1, GATHER, DESC(range))
+OF(range_row, range, gather.range, GATHER, 0, "1: ignore surfaces beyond the radius or below the receiver's plane")
 ROW(fade_from_row, fade_from, "where smooth fading begins, in radii", NULL, 0.3, 0, 1, SCALED, FRAMED(fade))
 ROW(sets_row, sets, "sets of directions in a texture, one per pixel; 0 = one set, rotated", NULL, 0, 0, 256, PLAN, 0)
-ROW(uniform_row, uniform, "1: directions evenly spread and weighted by the cosine, as published; 0: spread by it",
-    NULL, 0, 0, 1, GATHER, DESC(uniform))
-ROW(slices_row, directions, "slices, two directions each", NULL, 1, 1, 32, GATHER, DESC(directions))
-ROW(dirs_row, directions, "N_d: directions in the tangent plane", NULL, 6, 1, 32, GATHER, DESC(directions))
-ROW(steps_row, steps, "N_s: steps per direction", NULL, 6, 1, 64, GATHER, DESC(steps))
-ROW(rays_row, normal_rays, "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, GATHER, DESC(normal_rays))
-ROW(terms_row, terms, "horizon and normal rays; either alone; rays over the whole hemisphere, without a horizon",
-    "both horizon normal rays", 0, 0, 3, GATHER, DESC(terms))
-ROW(spheres_row, spheres, "1: the horizon rises only to what lies within a sphere that grows with the ray",
-    NULL, 0, 0, 1, GATHER, DESC(spheres))
+OF(uniform_row, uniform, gather.uniform, GATHER, 0, "1: directions evenly spread and weighted by the cosine, as "
+    "published; 0: spread by it")
+COUNT(slices_row, directions, gather.directions, GATHER, 1, "slices, two directions each")
+COUNT(dirs_row, directions, gather.directions, GATHER, 6, "N_d: directions in the tangent plane")
+COUNT(steps_row, steps, gather.steps, GATHER, 6, "N_s: steps per direction")
+OF(rays_row, normal_rays, gather.normal_rays, GATHER, 0, "N_n: rays above the horizon, per direction")
+OF(terms_row, terms, gather.terms, GATHER, 0, "horizon and normal rays; either alone; rays over the whole hemisphere, "
+    "without a horizon")
+OF(spheres_row, spheres, gather.spheres, GATHER, 0, "1: the horizon rises only to what lies within a sphere that "
+    "grows with the ray")
 
 ROW(environment_row, environment, "how --env is used", "map sh none", 0, 0, 2, PLAN, 0)
-ROW(bounce_row, bounce, "one diffuse bounce, by which estimator; patch, as published, errs on `room` by 2.5 of "
-    "the mean, none by 2.2",
-    "none solid-angle patch", 1, 0, 2, GATHER, DESC(bounce))
-ROW(reuse_row, reuse, "1: senders use the last frame's light, so that one gather does both", NULL, 0, 0, 1, PLAN, 0)
-ROW(two_sided_row, two_sided, "1: senders are two-sided", NULL, 0, 0, 1, GATHER, DESC(two_sided))
+OF(bounce_row, bounce, light.bounce, GATHER, 1, "one diffuse bounce, by which estimator; patch, as published, errs on "
+    "`room` by 2.5 of the mean, none by 2.2")
+ROW(reuse_row, reuse, "1: emitters use the last frame's light, so that one gather does both", NULL, 0, 0, 1, PLAN, 0)
+OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-sided")
 ROW(distance_clamp_row, distance_clamp, "clamp of the distance to a patch, in radii",
     NULL, 0.25, 0, 100, FRAME, FRAMED(distance_clamp))
 ROW(gain_row, gain, "area of patches, times pi r^2/N", NULL, 1, 0, 1000, FRAME, FRAMED(gain))
-ROW(shadows_row, shadows, "of --light: screen-space segments, maps, maps with segments over their bias",
-    "segment map fill none", 2, 0, 3, LIGHTS, DESC(shadow))
-ROW(shadows_d_row, shadows, "of --light: maps or none", "segment map fill none", 1, 0, 3, LIGHTS, DESC(shadow))
-ROW(points_row, points, "on a segment toward a light", NULL, 8, 1, 64, LIGHTS, DESC(samples))
+OF(shadows_row, shadows, light.shadow, LIGHTS, 2, "of --light: screen-space segments, maps, maps with segments over "
+    "their bias")
+OF(shadows_d_row, shadows, light.shadow, LIGHTS, 1, "of --light: maps or none")
+COUNT(points_row, points, gather.samples, LIGHTS, 8, "on a segment toward a light")
 ROW(solid_row, solid, "1: shadows: unlimited thickness", NULL, 0, 0, 1, PLAN, 0)
 ROW(max_slope_row, max_slope, "largest slope that the shadow maps' bias follows",
     NULL, 20, 0, 1000, FRAME, FRAMED(max_slope))
@@ -112,25 +112,23 @@ ROW(suns_row, suns, "the environment as directional lights with shadow maps; 0: 
 ROW(vpls_row, vpls, "virtual point lights of the first --light: the bounce beyond the radius",
     NULL, 0, 0, 4096, PLAN, 0)
 
-ROW(bands_row, bands, "of spherical harmonics: 1, 4, 9 or 16 coefficients", NULL, 4, 1, 4, GATHER, DESC(bands))
-ROW(few_bands_row, bands, "environment=sh: of spherical harmonics", NULL, 3, 1, 4, GATHER, DESC(bands))
+COUNT(bands_row, bands, light.bands, GATHER, 4, "of spherical harmonics: 1, 4, 9 or 16 coefficients")
+COUNT(few_bands_row, bands, light.bands, GATHER, 3, "environment=sh: of spherical harmonics")
 ROW(store_row, store, "coefficients as halves, halves packed into integers, or floats",
     "half packed float", 0, 0, 2, PLAN, 0)
 ROW(packed_row, store, "coefficients that are filtered or meet lamps: halves, packed halves, floats; joint: packed",
     "half packed float", 1, 0, 2, PLAN, 0)
 ROW(indirect_row, indirect, "one bounce: none, in the gather of the occlusion, in its own",
     "none joint apart", 1, 0, 2, PLAN, 0)
-ROW(dimmed_row, dimmed, "1: senders reflect what the last frame let through to them, not all of it: several bounces",
-    NULL, 0, 0, 1, GATHER, DESC(dimmed))
-ROW(filtered_row, filtered, "what is filtered", "vectors light", 1, 0, 1, PLAN, 0)
-ROW(residual_row, residual, "1: unoccluded irradiance is exact, harmonics give the occlusion alone; 0: one band lights "
-    "all normals alike, which errs more than no occlusion",
-    NULL, 1, 0, 1, GATHER, DESC(residual))
-ROW(lamp_residual_row, residual, "lights=harmonics: 1: unoccluded light is exact, harmonics give the occlusion alone",
-    NULL, 1, 0, 1, GATHER, DESC(residual))
-ROW(sh_residual_row, residual, "environment=sh: 1: unoccluded irradiance is exact, harmonics give the occlusion alone; "
-    "0: one band lights all normals alike, which errs more than no occlusion",
-    NULL, 1, 0, 1, GATHER, DESC(residual))
+OF(dimmed_row, dimmed, light.dimmed, GATHER, 0, "1: emitters reflect what the last frame let through to them, not all "
+    "of it: several bounces")
+ROW(filtered_row, filtered, "what is filtered", "coefficients light", 1, 0, 1, PLAN, 0)
+OF(residual_row, residual, light.residual, GATHER, 1, "1: unoccluded irradiance is exact, harmonics give the "
+    "occlusion alone; 0: one band lights all normals alike, which errs more than no occlusion")
+OF(lamp_residual_row, residual, light.residual, GATHER, 1, "lights=harmonics: 1: unoccluded light is exact, harmonics "
+    "give the occlusion alone")
+OF(sh_residual_row, residual, light.residual, GATHER, 1, "environment=sh: 1: unoccluded irradiance is exact, "
+    "harmonics give the occlusion alone; 0: one band lights all normals alike, which errs more than no occlusion")
 ROW(window_row, window, "of lights as harmonics", "none hann positive", 1, 0, 2, PLAN, 0)
 ROW(lights_row, lights, "--light as harmonics, or by maps and segments, without a bounce",
     "harmonics shadowed", 0, 0, 1, PLAN, 0)
@@ -163,14 +161,14 @@ ROW(epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
     NULL, 0.1, 1e-6, 1, FRAME, FRAMED(epsilon))
 ROW(deep_epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
     NULL, 0.02, 1e-6, 1, FRAME, FRAMED(epsilon))
-ROW(deep_levels_row, levels, "each doubles the reach", NULL, 7, 1, SSGI_SPLAT_LEVELS, GATHER, DESC(levels))
-ROW(levels_row, levels, "each doubles the reach", NULL, 5, 1, SSGI_SPLAT_LEVELS, GATHER, DESC(levels))
+COUNT(deep_levels_row, levels, surfel.levels, GATHER, 7, "each doubles the reach")
+COUNT(levels_row, levels, surfel.levels, GATHER, 5, "each doubles the reach")
 ROW(way_row, way, "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once",
     "cpu capture direct", 0, 0, 2, PLAN, 0)
-ROW(near_row, near_samples, "points over a surfel for pixels within 4 of its radii; 1: its centre",
-    NULL, 4, 1, 16, GATHER, DESC(near_samples))
-ROW(span_row, span, "what is nearer than so many surfel radii is left to slices, all else to surfels",
-    NULL, 4, 0, 64, GATHER, DESC(span))
+COUNT(near_row, near_samples, surfel.near_samples, GATHER, 4, "points over a surfel for pixels within 4 of its radii; "
+    "1: its centre")
+OF(span_row, span, surfel.span, GATHER, 4, "what is nearer than so many surfel radii is left to slices, all else to "
+    "surfels")
 ROW(hidden_sky_row, sky, "1: --env lights surfels that the picture does not show, too, unoccluded; span=0: always, all",
     NULL, 0, 0, 1, PLAN, 0)
 ROW(sent_row, bounce, "one diffuse bounce of surfels; none: directional occlusion alone",
@@ -178,21 +176,19 @@ ROW(sent_row, bounce, "one diffuse bounce of surfels; none: directional occlusio
 ROW(offscreen_growth_row, offscreen_growth, "radius added per distance outside the frustum", NULL, 0.1, 0, 1, PLAN, 0)
 ROW(near_depth_row, near_depth, "splats end at: 1: the frame's minimum depth, 0: the near plane",
     NULL, 1, 0, 1, PLAN, 0)
-ROW(both_row, two_sided, "1: surfels have two sides, as sheets and leaves want it",
-    NULL, 0, 0, 1, GATHER, DESC(two_sided))
+OF(both_row, two_sided, light.two_sided, GATHER, 0, "1: surfels have two sides, as sheets and leaves want it")
 ROW(keep_small_row, keep_small, "1: every triangle keeps a surfel; 0: small ones are thinned", NULL, 0, 0, 1, PLAN, 0)
 ROW(each_row, keep_small, "1: every triangle keeps a surfel; 0: small ones are thinned, visibly",
     NULL, 1, 0, 1, PLAN, 0)
 ROW(splits_row, splits, "largest number of parts of a large triangle's edge", NULL, 8, 1, 32, PLAN, 0)
-ROW(overhang_row, overhang, "triangles shrink about their incentre, or as published their corners move to the centroid",
-    "incentre centroid", 0, 0, 1, GATHER, DESC(overhang))
-ROW(enlarge_row, enlarge, "surfels of level l 1: are 2^l times as wide, as published; 0: count 4^l times",
-    NULL, 0, 0, 1, GATHER, DESC(enlarge))
-ROW(combine_row, combine, "form factors share what is left, 1 - exp(-sum), or as published add up, to 1 at most",
-    "share add", 0, 0, 1, GATHER, DESC(combine))
+OF(overhang_row, overhang, surfel.overhang, GATHER, 0, "triangles shrink about their incentre, or as published their "
+    "corners move to the centroid")
+OF(enlarge_row, enlarge, surfel.enlarge, GATHER, 0, "surfels of level l 1: are 2^l times as wide, as published; 0: "
+    "count 4^l times")
+OF(combine_row, combine, surfel.combine, GATHER, 0, "form factors share what is left, 1 - exp(-sum), or as published "
+    "add up, to 1 at most")
 ROW(smooth_row, smooth, "0: levels are added unfiltered", NULL, 1, 0, 1, PLAN, 0)
-ROW(likeness_row, filter_normals, "1: the smoothing compares normals too",
-    NULL, 0, 0, 1, GATHER, DESC(filter_normals))
+OF(likeness_row, filter_normals, filter.normals, GATHER, 0, "1: the smoothing compares normals too")
 ROW(exponent_row, exponent, "of the lobe", NULL, 32, 0, 10000, FRAME, FRAMED(exponent))
 ROW(sky_row, sky, "1: --env lights surfels too, unoccluded", NULL, 1, 0, 1, PLAN, 0)
 ROW(material_row, material, "published scattering constants",
@@ -217,111 +213,84 @@ typedef struct plan {
         int i; \
     }))
 #define SLICES \
-    SETTINGS(&slices_row, &steps_row, &half_row, &behind_row, &slice_thick_row, &hard_row, &normal_row, &noise_row, \
-             &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row, &left_handed_row)
+    SETTINGS(&slices_row, &steps_row, &half_row, &thickness_row, &slice_thick_row, &falloff_row, &normal_row, \
+             &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row, \
+             &left_handed_row)
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define POINTS \
     &samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, \
-        &range_row, &half_row, &behind_row, &most_thick_row, &offset_row, DEEP
-#define WALK &slices_row, &steps_row, &falloff_row, &half_row, &behind_row, &lit_thick_row, &offset_row
+        &range_row, &half_row, &thickness_row, &most_thick_row, &offset_row, DEEP
+#define WALK &slices_row, &steps_row, &falloff_row, &half_row, &thickness_row, &lit_thick_row, &offset_row
 #define SSDO(...) \
     SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, \
              &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, \
              &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, \
              &compare_row, &margin_row, &history_row)
-#define VECTORS(store, lights, ...) \
+#define COEFFICIENTS(store, lights, ...) \
     __VA_ARGS__, store, &filtered_row, &window_row, lights, &shadows_row, &points_row, &solid_row, \
         &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \
         &vector_restore_row, &compare_row, &margin_row, &history_row
 #define S3HO(...) \
     SETTINGS(&bands_row, &indirect_row, &dimmed_row, &residual_row, &two_sided_row, \
-             VECTORS(&packed_row, &lights_row, __VA_ARGS__))
-#define SSBN(...) SETTINGS(&cone_row, &lamp_residual_row, VECTORS(&store_row, &shadowed_row, __VA_ARGS__))
+             COEFFICIENTS(&packed_row, &lights_row, __VA_ARGS__))
+#define SSBN(...) SETTINGS(&cone_row, &lamp_residual_row, COEFFICIENTS(&store_row, &shadowed_row, __VA_ARGS__))
 #define SURFELS(every, epsilon, levels, ...) \
     SETTINGS(&size_row, epsilon, levels, &way_row, &splits_row, &overhang_row, &offscreen_growth_row, every, \
              &near_depth_row, &near_row, &both_row, &smooth_row, &likeness_row, &normal_row, __VA_ARGS__)
 #define PUBLISHED &enlarge_row, &combine_row
 #define LIT_SURFELS &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
-    { "ssao",
-      "point samples in the hemisphere",
-      SSGI_GL_SSAO,
-      0,
-      SSGI_GL_BALANCED,
+    { "ssao", "point samples in the hemisphere", SSGI_GL_PASS_SSAO, 0, SSGI_GL_PRESET_BALANCED,
       SETTINGS(&samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row,
-               &range_row, &half_row, &behind_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row,
+               &range_row, &half_row, &thickness_row, &limit_row, &offset_row, DEEP, &normal_row, &noise_row,
                &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row) },
-    { "hsao", "slices through the view direction, sectors occluded from near to far", SSGI_GL_HSAO, SSGI_GL_SLICES,
-      SSGI_GL_BALANCED, SLICES },
-    { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
-    { "hsao-best", "the same, full size, more taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BEST, SLICES },
-    { "hsao-history", "the same for frames: half size, one slice of many taps, averaged over frames", SSGI_GL_HSAO,
-      SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
-    { "hsao-march",
-      "the paper's horizon march and normal rays",
-      SSGI_GL_HSAO,
-      SSGI_GL_MARCH,
-      SSGI_GL_BALANCED,
-      SETTINGS(&dirs_row, &steps_row, &rays_row, &terms_row, &spheres_row, &half_row, &behind_row, &half_thick_row,
-               &hard_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row,
-               &margin_row, &history_row) },
-    { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, SSGI_GL_SLICES,
-      SSGI_GL_BALANCED, SSDO(WALK) },
-    { "ssdo-fast", "the same, fewer taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_FAST, SSDO(WALK) },
-    { "ssdo-best", "the same, full size, more taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BEST,
+    { "hsao", "slices through the view direction, sectors occluded from near to far", SSGI_GL_PASS_HSAO,
+      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SLICES },
+    { "hsao-fast", "the same, fewer taps", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SLICES },
+    { "hsao-best", "the same, full size, more taps", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
+      SLICES },
+    { "hsao-history", "the same for frames: half size, one slice of many taps, averaged over frames", SSGI_GL_PASS_HSAO,
+      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SLICES },
+    { "hsao-march", "the paper's horizon march and normal rays", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH,
+      SSGI_GL_PRESET_BALANCED,
+      SETTINGS(&dirs_row, &steps_row, &rays_row, &terms_row, &spheres_row, &half_row, &thickness_row, &half_thick_row,
+               &falloff_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row,
+               &compare_row, &margin_row, &history_row) },
+    { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_PASS_SSDO,
+      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SSDO(WALK) },
+    { "ssdo-fast", "the same, fewer taps", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SSDO(WALK) },
+    { "ssdo-best", "the same, full size, more taps", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
       SSDO(WALK) },
-    { "ssdo-points", "the same by the paper's points along directions", SSGI_GL_SSDO, SSGI_GL_POINTS, SSGI_GL_BALANCED,
-      SSDO(POINTS) },
+    { "ssdo-points", "the same by the paper's points along directions", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_POINTS,
+      SSGI_GL_PRESET_BALANCED, SSDO(POINTS) },
     { "ssdo-bounce", "the same, all for the bounce: one slice of many taps, two slabs, the last frame's light",
-      SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SSDO(WALK) },
-    { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO,
-      SSGI_GL_SLICES, SSGI_GL_BALANCED, S3HO(WALK) },
-    { "s3ho-fast", "the same, fewer taps", SSGI_GL_S3HO, SSGI_GL_SLICES, SSGI_GL_FAST, S3HO(WALK) },
-    { "s3ho-best", "the same, full size, more taps", SSGI_GL_S3HO, SSGI_GL_SLICES, SSGI_GL_BEST, S3HO(WALK) },
-    { "s3ho-points", "the same by the paper's points along directions", SSGI_GL_S3HO, SSGI_GL_POINTS, SSGI_GL_BALANCED,
-      S3HO(POINTS) },
-    { "ssbn",
-      "bent normals and cones, looked up in --env filtered beforehand",
-      SSGI_GL_S3HO,
-      SSGI_GL_SLICES,
-      SSGI_GL_BALANCED,
-      SSBN(WALK) },
-    { "ssbn-points",
-      "the same by points along directions",
-      SSGI_GL_S3HO,
-      SSGI_GL_POINTS,
-      SSGI_GL_BALANCED,
-      SSBN(POINTS) },
-    { "dss",
-      "deep screen space: surfels of all triangles, on screen or not, splatted: occlusion",
-      SSGI_GL_SPLAT,
-      SSGI_GL_EFFECT_OCCLUSION,
-      SSGI_GL_BALANCED,
-      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &hard_row, PUBLISHED, &span_row) },
-    { "dss-lit",
-      "the same: directional occlusion of --env, --light with shadow maps, one bounce",
-      SSGI_GL_SPLAT,
-      SSGI_GL_EFFECT_LIGHT,
-      SSGI_GL_BALANCED,
+      SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SSDO(WALK) },
+    { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_PASS_S3HO,
+      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, S3HO(WALK) },
+    { "s3ho-fast", "the same, fewer taps", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, S3HO(WALK) },
+    { "s3ho-best", "the same, full size, more taps", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
+      S3HO(WALK) },
+    { "s3ho-points", "the same by the paper's points along directions", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS,
+      SSGI_GL_PRESET_BALANCED, S3HO(POINTS) },
+    { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_PASS_S3HO,
+      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SSBN(WALK) },
+    { "ssbn-points", "the same by points along directions", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS,
+      SSGI_GL_PRESET_BALANCED, SSBN(POINTS) },
+    { "dss", "deep screen space: surfels of all triangles, on screen or not, splatted: occlusion", SSGI_GL_PASS_SPLAT,
+      SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_BALANCED,
+      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &falloff_row, PUBLISHED, &span_row) },
+    { "dss-lit", "the same: directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_PASS_SPLAT,
+      SSGI_GL_EFFECT_LIGHT, SSGI_GL_PRESET_BALANCED,
       SURFELS(&keep_small_row, &epsilon_row, &levels_row, &sent_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED,
               &span_row) },
-    { "dss-gloss",
-      "the same: one specular bounce; irradiance: radiance of the lobe",
-      SSGI_GL_SPLAT,
-      SSGI_GL_EFFECT_SPECULAR,
-      SSGI_GL_BALANCED,
+    { "dss-gloss", "the same: one specular bounce; irradiance: radiance of the lobe", SSGI_GL_PASS_SPLAT,
+      SSGI_GL_EFFECT_SPECULAR, SSGI_GL_PRESET_BALANCED,
       SURFELS(&keep_small_row, &epsilon_row, &levels_row, &sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
-    { "dss-scatter",
-      "the same: multiple scattering under surfaces; irradiance: radiance that leaves them",
-      SSGI_GL_SPLAT,
-      SSGI_GL_EFFECT_SCATTER,
-      SSGI_GL_BALANCED,
+    { "dss-scatter", "the same: multiple scattering under surfaces; irradiance: radiance that leaves them",
+      SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_PRESET_BALANCED,
       SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row, &unit_row) },
-    { "aof",
-      "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius",
-      SSGI_GL_FIELD,
-      0,
-      SSGI_GL_BALANCED,
+    { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius",
+      SSGI_GL_PASS_FIELD, 0, SSGI_GL_PRESET_BALANCED,
       SETTINGS(&resolution_row, &radii_row, &rays_a_row, &unfiltered_row, &reach_row, &ramp_row, &inside_row,
                &power_row, &own_row, &occluders_row, &normal_row, &cap_table_row) }
 };
@@ -329,8 +298,21 @@ enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 /* Settings of methods that are not all the preset's. */
 static const char *const instead[][2] = {
     { "hsao-history", "directions=1,steps=12,half=1,history=1" },
-    { "ssdo-bounce", "directions=1,steps=16,behind=slabs,reuse=1" }
+    { "ssdo-bounce", "directions=1,steps=16,thickness=slabs,reuse=1" }
 };
+
+/* A row's setting, with the words and limits of the desc's field that it sets, if it sets one. */
+static kit_setting setting_of(const row *w)
+{
+    kit_setting s = w->setting;
+    const ssgi_gl_choice *c;
+    for (int i = 0; w->where & (GATHER | LIGHTS) && (c = ssgi_gl_choice_at(i)) != NULL; ++i) {
+        if (c->offset != w->offset) continue;
+        s.choices = *c->values ? c->values : NULL;
+        s.most = c->most;
+    }
+    return s;
+}
 
 static double value_of(const kit_settings *set, const row *w)
 {
@@ -348,7 +330,7 @@ int kit_method_setting(kit_setting *setting, const kit_method *method, int i)
 {
     const plan *of = &plans[method->number];
     if (i < 0 || i >= of->count) return 0;
-    *setting = of->rows[i]->setting;
+    *setting = setting_of(of->rows[i]);
     setting->value = value_of(&method->set, of->rows[i]);
     return 1;
 }
@@ -363,20 +345,21 @@ int kit_method_at(kit_method *method, int i)
     m.about = plans[i].about;
     m.number = i;
     m.pass = plans[i].pass;
-    m.effect = m.pass == SSGI_GL_SPLAT ? plans[i].search : SSGI_GL_EFFECT_OCCLUSION;
-    m.between = m.pass == SSGI_GL_FIELD;
-    m.lit = m.pass == SSGI_GL_SSDO || m.pass == SSGI_GL_S3HO || m.effect != SSGI_GL_EFFECT_OCCLUSION;
+    m.effect = m.pass == SSGI_GL_PASS_SPLAT ? plans[i].search : SSGI_GL_EFFECT_OCCLUSION;
+    m.between = m.pass == SSGI_GL_PASS_FIELD;
+    m.lit = m.pass == SSGI_GL_PASS_SSDO || m.pass == SSGI_GL_PASS_S3HO || m.effect != SSGI_GL_EFFECT_OCCLUSION;
     memset(&desc, 0, sizeof desc);
     desc.pass = plans[i].pass;
-    if (plans[i].pass == SSGI_GL_SPLAT) desc.effect = plans[i].search; else desc.search = plans[i].search;
-    desc.environment = m.lit ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
+    if (plans[i].pass == SSGI_GL_PASS_SPLAT) desc.surfel.effect = plans[i].search;
+    else desc.gather.search = plans[i].search;
+    desc.light.environment = m.lit ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
     ssgi_gl_preset(&desc, plans[i].preset, NULL);
     for (int k = 0; k < plans[i].count; ++k) {              /* what the preset sets, the setting starts from */
         const row *w = plans[i].rows[k];
         int value = 0;
         if (w->where & GATHER) memcpy(&value, (const char *)&desc + w->offset, sizeof value);
         set_value(&m.set, w, value ? value : w->setting.value);
-        if (w == &blur_row) m.set.blur = desc.filter_radius;
+        if (w == &blur_row) m.set.blur = desc.filter.radius;
     }
     for (size_t k = 0; k < sizeof instead / sizeof *instead; ++k)
         if (!strcmp(m.name, instead[k][0]) && kit_method_set(&m, instead[k][1], NULL)) return 0;
@@ -395,21 +378,38 @@ int kit_method_find(kit_method *method, const char *name, kit_error *err)
     return kit_fail(err, "--method %s: there is none of that name (%s)", name, names);
 }
 
-static const char *const renamed[][2] = {
-    { "thin", "behind" }, { "exact", "residual" }, { "aside", "offscreen_growth" }, { "every", "keep_small" },
-    { "closely", "near_samples" }, { "front", "near_depth" }, { "nearest", "distance_clamp" },
-    { "steepest", "max_slope" }, { "casters", "occluders" }
-};
+static const char *const renamed[][2] = { { "thin", "thickness" },     { "hard", "falloff" },
+                                          { "exact", "residual" },     { "aside", "offscreen_growth" },
+                                          { "every", "keep_small" },   { "closely", "near_samples" },
+                                          { "front", "near_depth" },   { "nearest", "distance_clamp" },
+                                          { "steepest", "max_slope" }, { "casters", "occluders" } };
 
-/* The number of a word among a setting's; -1: it has no such word. */
+/* The number of a word among a setting's, whatever its case, with - for _; or the number as it stands. -1: it has no
+   such word. */
 static int choice_of(const char *words, const char *value)
 {
-    for (int k = 0; *words; ++k) {
+    int k = 0;
+    for (; *words; ++k) {
         const size_t n = strcspn(words, " ");
-        if (strlen(value) == n && !strncmp(words, value, n)) return k;
+        size_t i = 0;
+        while (i < n && (tolower(words[i]) == value[i] || (words[i] == '_' && value[i] == '-'))) ++i;
+        if (i == n && !value[n]) return k;
         words += n + (words[n] ? 1 : 0);
     }
-    return -1;
+    return *value >= '0' && *value < '0' + k && !value[1] ? *value - '0' : -1;
+}
+
+size_t kit_setting_word(char *out, size_t size, const kit_setting *s, int number)
+{
+    const char *word = s->choices;
+    size_t n = 0;
+    for (int k = 0; k < number && *word; ++k) {
+        word += strcspn(word, " ");
+        word += *word == ' ';
+    }
+    for (; word[n] && word[n] != ' ' && n + 1 < size; ++n) out[n] = (char)tolower(word[n]);
+    if (size) out[n] = 0;
+    return n;
 }
 
 /* The value that a setting's text means. */
@@ -417,8 +417,13 @@ static int parse_value(double *out, const kit_setting *s, const char *text, kit_
 {
     char *end;
     if (s->choices) {
+        char words[256] = "", *end_ = words;
         *out = choice_of(s->choices, text);
-        return *out < 0 ? kit_fail(err, "--set %s=%s: must be one of: %s", s->key, text, s->choices) : 0;
+        for (int k = 0; k <= (int)s->most && *out < 0; ++k) {
+            if (k) *end_++ = ' ';
+            end_ += kit_setting_word(end_, sizeof words - 1 - (size_t)(end_ - words), s, k);
+        }
+        return *out < 0 ? kit_fail(err, "--set %s=%s: must be one of: %s", s->key, text, words) : 0;
     }
     *out = strtod(text, &end);
     if (end == text || *end || !(*out >= s->least && *out <= s->most) || (s->whole && *out != floor(*out)))
@@ -437,10 +442,14 @@ static int set_one(kit_method *m, const char *text, size_t length, kit_error *er
     value = strchr(key, '=');
     if (!value) return kit_fail(err, "--set %s: must be key=value", key);
     *value++ = 0;
+    const char *name = strcmp(key, "behind") ? key : "thickness";
+    if (name != key)
+        fputs("--set behind: the setting is thickness since version 0.4; behind is taken until 1.0\n", stderr);
     for (int i = 0; i < of->count; ++i) {
         double v;
-        if (strcmp(of->rows[i]->setting.key, key)) continue;
-        if (parse_value(&v, &of->rows[i]->setting, value, err)) return -1;
+        const kit_setting s = setting_of(of->rows[i]);
+        if (strcmp(s.key, name)) continue;
+        if (parse_value(&v, &s, value, err)) return -1;
         set_value(&m->set, of->rows[i], v);
         return 0;
     }
@@ -471,15 +480,13 @@ void kit_method_text(char *text, size_t size, const kit_method *method)
     kit_method_at(&plain, method->number);
     *text = 0;
     for (int i = 0; i < of->count && used < size; ++i) {
-        const kit_setting *s = &of->rows[i]->setting;
+        const kit_setting s = setting_of(of->rows[i]);
         const double value = value_of(&method->set, of->rows[i]);
-        const char *word = s->choices;
         if (value == value_of(&plain.set, of->rows[i])) continue;
-        for (int k = 0; word && k < (int)value; ++k) word += strcspn(word, " ") + 1;
-        used += (size_t)snprintf(text + used, size - used, "%s%s=", used ? "," : "", s->key);
+        used += (size_t)snprintf(text + used, size - used, "%s%s=", used ? "," : "", s.key);
         if (used >= size) break;
-        used += (size_t)(word ? snprintf(text + used, size - used, "%.*s", (int)strcspn(word, " "), word)
-                              : snprintf(text + used, size - used, "%.17g", value));
+        used += s.choices ? kit_setting_word(text + used, size - used, &s, (int)value)
+                          : (size_t)snprintf(text + used, size - used, "%.17g", value);
     }
 }
 
@@ -502,16 +509,16 @@ static int check_combination(const kit_making *m)
     const kit_settings *set = m->set;
     if (m->kept && !set->blur)
         return kit_fail(m->err, "--set history=1: filters its average; it needs blur=1 or more");
-    if (m->kept && m->gather.pass == SSGI_GL_S3HO && set->filtered != KIT_FILTERED_LIGHT)
+    if (m->kept && m->gather.pass == SSGI_GL_PASS_S3HO && set->filtered != KIT_FILTERED_LIGHT)
         return kit_fail(m->err, "--set history=1: averages light, not coefficients; it needs filtered=light");
     if (set->indirect == KIT_INDIRECT_JOINT && set->store != KIT_STORE_PACKED)
         return kit_fail(m->err, "--set store=%s: one gather with the bounce packs its coefficients: it needs "
                                 "indirect=none or apart", set->store == KIT_STORE_FLOAT ? "float" : "half");
     if (set->dimmed
-        && (set->indirect != KIT_INDIRECT_JOINT || set->filtered != KIT_FILTERED_VECTORS || !set->blur
+        && (set->indirect != KIT_INDIRECT_JOINT || set->filtered != KIT_FILTERED_COEFFICIENTS || !set->blur
             || set->margin > 0))
         return kit_fail(m->err, "--set dimmed=1: reads the last frame's filtered coefficients: it needs "
-                                "indirect=joint, filtered=vectors, blur=1 or more and margin=0");
+                                "indirect=joint, filtered=coefficients, blur=1 or more and margin=0");
     return 0;
 }
 
@@ -521,13 +528,13 @@ int kit_settings_apply(kit_making *m, float radius)
     const kit_settings *set = m->set;
     ssgi_gl_desc *to[2] = { &m->gather, &m->lights };
     m->gather.pass = of->pass;
-    if (of->pass == SSGI_GL_SPLAT) m->gather.effect = of->search; else m->gather.search = of->search;
+    if (of->pass == SSGI_GL_PASS_SPLAT) m->gather.surfel.effect = of->search; else m->gather.gather.search = of->search;
     if (m->method->custom) {
-        m->gather.effect = SSGI_GL_EFFECT_CUSTOM;
-        m->gather.fetch = m->method->custom;
+        m->gather.surfel.effect = SSGI_GL_EFFECT_CUSTOM;
+        m->gather.text.fetch = m->method->custom;
     }
     m->lights = m->gather;
-    m->lights.pass = SSGI_GL_LIGHTS;
+    m->lights.pass = SSGI_GL_PASS_LIGHTS;
     for (int i = 0; i < of->count; ++i) {
         const row *w = of->rows[i];
         const double v = value_of(set, w);
@@ -539,18 +546,19 @@ int kit_settings_apply(kit_making *m, float radius)
     m->blurred = set->blur;
     m->kept = set->history;
     if (check_combination(m)) return -1;
-    m->gather.filter_radius = set->blur;
-    m->gather.noise = m->lights.noise = set->noise;
-    m->gather.kernel = set->sets > 0;
-    m->lights.thickness = set->solid ? SSGI_GL_THICKNESS_SOLID : SSGI_GL_THICKNESS_CONSTANT;
-    if (m->gather.pass == SSGI_GL_S3HO) {
-        if (!m->gather.bands) {            /* bent normals */
-            m->gather.bands = 2;
-            m->gather.shading = set->cone ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
+    m->gather.filter.radius = set->blur;
+    m->gather.gather.noise = m->lights.gather.noise = set->noise;
+    m->gather.gather.kernel = set->sets > 0;
+    m->lights.gather.thickness = set->solid ? SSGI_GL_THICKNESS_SOLID : SSGI_GL_THICKNESS_CONSTANT;
+    if (m->gather.pass == SSGI_GL_PASS_S3HO) {
+        if (!m->gather.light.bands) {            /* bent normals */
+            m->gather.light.bands = 2;
+            m->gather.light.shading = set->cone ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
         }
-        m->gather.packed = set->store == KIT_STORE_PACKED;
-        if (set->lights == KIT_LIGHTS_HARMONICS) m->lights.shadow = SSGI_GL_SHADOW_NONE;
+        m->gather.light.packed = set->store == KIT_STORE_PACKED;
+        if (set->lights == KIT_LIGHTS_HARMONICS) m->lights.light.shadow = SSGI_GL_SHADOW_NONE;
     }
-    if (set->normal || !m->run->gbuffer->normal) m->gather.normal = m->lights.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+    if (set->normal || !m->run->gbuffer->normal)
+        m->gather.input.normal = m->lights.input.normal = SSGI_GL_NORMAL_FROM_DEPTH;
     return 0;
 }

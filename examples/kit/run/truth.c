@@ -2,7 +2,7 @@
 #include "kit/kit_run.h"
 #include <math.h>
 
-/* Deep screen space, whose blockers and senders count whole within the radius. */
+/* Deep screen space, whose occluders and emitters count whole within the radius. */
 static int trace_deep(kit_image *out, const kit_method *m, const kit_scene *scene, const kit_camera *camera,
                       const kit_lighting *lighting, float radius, int rays, int stride, kit_error *err)
 {
@@ -38,6 +38,6 @@ int kit_method_truth(kit_image *out, const kit_method *m, const kit_scene *scene
 
 int kit_method_attenuation(const kit_method *m)
 {
-    static const int falloffs[] = { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_SQUARE };
-    return m->set.hard ? KIT_ATTENUATION_NONE : falloffs[m->set.falloff];
+    static const int falloffs[] = { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_SQUARE, KIT_ATTENUATION_NONE };
+    return falloffs[m->set.falloff];
 }

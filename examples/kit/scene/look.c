@@ -101,7 +101,7 @@ static double occluded(const viewer *v, const float at[3], const double n[3], fl
         double d[3] = { n[0] + r * cos(a), n[1] + y, n[2] + r * sin(a) };
         kit_unit(d);
         const float way[3] = { (float)d[0], (float)d[1], (float)d[2] };
-        if (ssgi_trace_closest(v->trace, from, way, 0, radius, &hit)) sum += 1 - (double)(hit.t / radius);
+        if (ssgi_trace_closest(&hit, v->trace, from, way, 0, radius)) sum += 1 - (double)(hit.t / radius);
     }
     return sum / AROUND;
 }
@@ -134,7 +134,7 @@ static shown look_through(const viewer *v, const kit_camera *c)
         float origin[3], direction[3];
         ssgi_hit hit;
         ray_of(c, (2 * (k % ACROSS) + 1.0) / ACROSS - 1, 1 - (2 * (k / ACROSS) + 1.0) / DOWN, origin, direction);
-        if (!ssgi_trace_closest(v->trace, origin, direction, c->znear, 1e6f, &hit)) continue;
+        if (!ssgi_trace_closest(&hit, v->trace, origin, direction, c->znear, 1e6f)) continue;
         backs += facing(normal[hits], &v->scene->mesh, hit.triangle, direction);
         for (int i = 0; i < 3; i++) place[hits][i] = origin[i] + hit.t * direction[i];
         object[hits] = v->scene->mesh.object[hit.triangle];

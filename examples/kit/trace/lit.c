@@ -170,7 +170,7 @@ static void add_lamps(const kit_truth *job, const kit_place *at, uint32_t seed, 
         const double cosine = kit_facing(at->n, d) / KIT_PI,
                      flat = sqrt((double)d[0] * (double)d[0] + (double)d[2] * (double)d[2]);
         if (!(cosine > 0)) continue;
-        const double weight = (1 - kit_blocked(&job->ambient, at->origin, d, NULL)) * cosine * texel * flat;
+        const double weight = (1 - kit_occluded(&job->ambient, at->origin, d, NULL)) * cosine * texel * flat;
         for (int c = 0; c < 3; ++c) sum[c] += weight * (double)l->rgb[c];
     }
 }
@@ -226,14 +226,15 @@ void kit_gather(const kit_truth *job, const kit_place *at, uint32_t seed, uint32
         ssgi_hit hit;
         kit_ambient_point(a, first + r, seed, u);
         kit_cosine_direction(at->n, u, d);
-        const double weight = kit_blocked(a, at->origin, d, bounce ? &hit : NULL);
+        const double weight = kit_occluded(a, at->origin, d, bounce ? &hit : NULL);
         add_env(job, at->n, d, 1 - weight, rays, irradiance);
         if (bounce && weight > 0) add_sent(job, &hit, d, r, seed, weight, rays[0], bounce);
     }
     for (uint32_t r = 0; r < (uint32_t)rays[1]; ++r) {
         kit_ambient_point(a, first + r, env_seed, u);
         env_direction(job, u, d);
-        if (kit_facing(at->n, d) > 0) add_env(job, at->n, d, 1 - kit_blocked(a, at->origin, d, NULL), rays, irradiance);
+        if (kit_facing(at->n, d) > 0)
+            add_env(job, at->n, d, 1 - kit_occluded(a, at->origin, d, NULL), rays, irradiance);
     }
     for (int i = 0; i < job->lighting->lights; ++i) add_light(job, at, &job->lighting->light[i], irradiance);
 }
@@ -301,7 +302,7 @@ static void gloss_pixel(const kit_truth *job, uint32_t pixel, const kit_place *a
         const double z = pow((double)u[0], 1 / (job->exponent + 1)), flat = sqrt(fmax(0, 1 - z * z)),
                      turn = 2 * KIT_PI * (double)u[1];
         kit_around(mirrored, (float)(flat * cos(turn)), (float)(flat * sin(turn)), (float)z, d);
-        const double weight = kit_facing(at->n, d) > 0 ? kit_blocked(a, at->origin, d, &hit) : 0;
+        const double weight = kit_facing(at->n, d) > 0 ? kit_occluded(a, at->origin, d, &hit) : 0;
         if (weight > 0) add_sent(job, &hit, d, r, seed, weight, a->rays, sum);
     }
     for (int c = 0; c < 3; ++c) {

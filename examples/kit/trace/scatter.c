@@ -25,7 +25,7 @@ static void scatter_place(void *context, int block)
     for (size_t i = first; i < end; ++i) {
         static const int none[2] = { 0, 0 };
         float u[2];
-        ssgi_r2((uint32_t)i, u);
+        ssgi_r2(u, (uint32_t)i);
         const float root = sqrtf(u[0]);
         const ssgi_hit hit = { .triangle = (uint32_t)kit_pick(s->area, (int)mesh->triangles,
                                                           (float)(((double)i + 0.5) / (double)s->samples)),

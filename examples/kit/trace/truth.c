@@ -58,23 +58,23 @@ void kit_cosine_direction(const float n[3], const float at[2], float d[3])
 
 static uint32_t object_of(const kit_mesh *mesh, uint32_t triangle) { return mesh->object ? mesh->object[triangle] : 0; }
 
-static int blocked_by_others(const kit_ambient *a, const float origin[3], const float d[3])
+static int occluded_by_others(const kit_ambient *a, const float origin[3], const float d[3])
 {
     ssgi_hit hit = { 0 };
-    while (ssgi_trace_closest(&a->trace, origin, d, hit.t, a->radius, &hit)) {
+    while (ssgi_trace_closest(&hit, &a->trace, origin, d, hit.t, a->radius)) {
         const uint32_t number = object_of(&a->others->mesh, hit.triangle);
         if (number && number != a->own && a->others->object[number - 1].casts) return 1;
     }
     return 0;
 }
 
-double kit_blocked(const kit_ambient *a, const float origin[3], const float d[3], ssgi_hit *hit)
+double kit_occluded(const kit_ambient *a, const float origin[3], const float d[3], ssgi_hit *hit)
 {
     ssgi_hit nearest;
-    if (a->others) return blocked_by_others(a, origin, d);
+    if (a->others) return occluded_by_others(a, origin, d);
     if (a->attenuation == KIT_ATTENUATION_NONE && !hit) return ssgi_trace_any(&a->trace, origin, d, 0, a->radius);
     if (!hit) hit = &nearest;
-    if (!ssgi_trace_closest(&a->trace, origin, d, 0, a->radius, hit)) return 0;
+    if (!ssgi_trace_closest(hit, &a->trace, origin, d, 0, a->radius)) return 0;
     const double t = (double)(hit->t / a->radius);
     switch (a->attenuation) {
     case KIT_ATTENUATION_NONE:   return 1;
@@ -96,7 +96,7 @@ float kit_ambient_at(const kit_ambient *a, uint32_t pixel, const float origin[3]
         float at[2], d[3];
         kit_ambient_point(a, r, seed, at);
         kit_cosine_direction(n, at, d);
-        sum += kit_blocked(a, origin, d, NULL);
+        sum += kit_occluded(a, origin, d, NULL);
     }
     return (float)(1 - sum / a->rays);
 }
@@ -158,7 +158,7 @@ static int truth_primary(const kit_truth *job, int x, int y, kit_place *at)
     const float last = job->camera.depth == KIT_DEPTH_INFINITE && job->camera.fovy > 0
                            ? 1e30f
                            : (float)((double)job->camera.zfar / slant);
-    if (!ssgi_trace_closest(&job->ambient.trace, origin, direction, first, last, &hit)) return 0;
+    if (!ssgi_trace_closest(&hit, &job->ambient.trace, origin, direction, first, last)) return 0;
     kit_place_of(job->mesh, &hit, direction, at);
     return 1;
 }

@@ -13,14 +13,14 @@ static int count;
 
 int plan_choose(plan_costs *costs, int only, kit_error *err)
 {
-    ssgi_plan_scene s = { .thickness = SSGI_PLAN_SLABS, .history = 1, .map = 1 };
+    ssgi_plan_scene s = { .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .map = 1 };
     count = 0;
     for (s.wanted = 0; s.wanted < 3; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
             char set[256];
             ssgi_plan p;
             if (only >= 0 && i != only) continue;
-            if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_NOTHING) continue;
+            if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_METHOD_NOTHING) continue;
             all[count].number = i;
             all[count].rounds = 0;
             if (kit_plan_method(&all[count].method, &p, s.wanted, err)) return -1;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 static const char *const more[][2] = { { "ssao", "samples=32" },  { "hsao", "normal=depth" },
-                                       { "hsao", "behind=back" }, { "hsao", "behind=slabs" },
+                                       { "hsao", "thickness=back" }, { "hsao", "thickness=slabs" },
                                        { "hsao", "history=1" },   { "ssdo", "bounce=none" },
                                        { "ssdo", "reuse=1" } };
 /* what a machine without a GPU has time for */
@@ -133,7 +133,7 @@ int rows_time(timing *t, const kit_method *method, const place *p, double second
 /* What the scene's back faces take, where a row asks for them; anew: the first was of a cold program. */
 static void time_slabs(timing *t, const kit_method *m, const place *p)
 {
-    const int behind = m->set.behind, two = behind == SSGI_GL_THICKNESS_SLABS;
+    const int behind = m->set.thickness, two = behind == SSGI_GL_THICKNESS_SLABS;
     if (behind < SSGI_GL_THICKNESS_BACK || kit_gbuffer_slabs(p->gbuffer, p->scene, 1 + two, NULL)) return;
     t->slabs = t->rounds > 1 ? fmin(t->slabs, p->gbuffer->slab_ms[two]) : p->gbuffer->slab_ms[two];
 }

@@ -35,21 +35,21 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
     { "hsao, half size", "hsao",       "directions=6,steps=6",                1 },
     { "hsao, 16 frames", "hsao-fast",  "history=1",                           1 },
     { "hsao, 16 frames", "hsao-history", "",                                  1 },
-    { "hsao, 16 frames", "hsao-history", "behind=slabs",                      0 },
+    { "hsao, 16 frames", "hsao-history", "thickness=slabs",                      0 },
     { "hsao, 16 frames", "hsao",       "history=1",                           0 },
     { "hsao, full size", "hsao-best",  "directions=1,steps=4",                1 },
     { "hsao, full size", "hsao-best",  "directions=1,steps=6",                1 },
     { "hsao, full size", "hsao-best",  "directions=2,steps=6",                0 },
     { "hsao, full size", "hsao-best",  "",                                    1 },
     { "hsao, full size", "hsao-best",  "directions=4,steps=6,blur=2",         1 },
-    { "hsao, constant",  "hsao",       "behind=constant",                     1 },
-    { "hsao, constant",  "hsao-best",  "behind=constant",                     0 },
-    { "hsao, solid",     "hsao",       "behind=solid",                        1 },
-    { "hsao, back faces", "hsao",      "behind=back",                         1 },
-    { "hsao, back faces", "hsao-best", "behind=back",                         0 },
-    { "hsao, two slabs", "hsao-fast",  "behind=slabs",                        0 },
-    { "hsao, two slabs", "hsao",       "behind=slabs",                        1 },
-    { "hsao, two slabs", "hsao-best",  "behind=slabs",                        1 },
+    { "hsao, constant",  "hsao",       "thickness=constant",                     1 },
+    { "hsao, constant",  "hsao-best",  "thickness=constant",                     0 },
+    { "hsao, solid",     "hsao",       "thickness=solid",                        1 },
+    { "hsao, back faces", "hsao",      "thickness=back",                         1 },
+    { "hsao, back faces", "hsao-best", "thickness=back",                         0 },
+    { "hsao, two slabs", "hsao-fast",  "thickness=slabs",                        0 },
+    { "hsao, two slabs", "hsao",       "thickness=slabs",                        1 },
+    { "hsao, two slabs", "hsao-best",  "thickness=slabs",                        1 },
     { "hsao-march",      "hsao-march", "",                                    1 },
     { "march, 2 layers", "hsao-march", "layers=2",                            1 },
     { "march, 4 cameras", "hsao-march", "directions=4,steps=6,views=4",       0 },
@@ -105,7 +105,7 @@ static int make_plan(stage *s, kit_error *err)
 {
     const kit_world world = { &s->scene, NULL };
     ssgi_plan_scene numbers;
-    if (kit_plan_numbers(&numbers, &s->gbuffer, &world, s->radius, SSGI_PLAN_VISIBILITY, err)) return -1;
+    if (kit_plan_numbers(&numbers, &s->gbuffer, &world, s->radius, SSGI_PLAN_WANTED_VISIBILITY, err)) return -1;
     numbers.error = DEMO_ERROR;
     numbers.budget = 20;
     return ssgi_plan_make(&shown.plan, &numbers, NULL) == SSGI_OK ? 0 : kit_fail(err, "%s: has no plan", s->name);
@@ -123,9 +123,9 @@ int ao_demo_measure(stage *s, const options *o, kit_error *err)
         if (pictures_save(&s->truth, "Y", 0, o->out, "truth", i ? ".exr" : ".png", err)) return -1;
     if (make_plan(s, err)) return -1;
     memcpy(entries, demo_entries, sizeof demo_entries);
-    const char *method = kit_plan_text(shown.settings, &shown.plan, SSGI_PLAN_VISIBILITY);
+    const char *method = kit_plan_text(shown.settings, &shown.plan, SSGI_PLAN_WANTED_VISIBILITY);
     entries[DEMO_ENTRIES - 1] = (entry){ "planned", method, shown.settings, 1 };
-    shown.count = shown.plan.method == SSGI_PLAN_NOTHING ? DEMO_ENTRIES - 1 : DEMO_ENTRIES;
+    shown.count = shown.plan.method == SSGI_PLAN_METHOD_NOTHING ? DEMO_ENTRIES - 1 : DEMO_ENTRIES;
     return measure_entries(shown.row, s, entries, shown.count, DEMO_ROUNDS, 0, shown.picture, err)
                    || save_legend(o->out, err)
                ? -1

@@ -38,7 +38,7 @@ static char *cost_text(const ssgi_gl_desc *d, int at)
 static ssgi_gl_desc cost_desc(int v, int c)
 {
     ssgi_gl_desc d = variants[v].desc;
-    d.dialect = SSGI_GL_450;
+    d.text.dialect = SSGI_GL_DIALECT_450;
     return with_choice(d, c);
 }
 
@@ -69,7 +69,7 @@ static int cost_stage(tally *costs, int *n, int *texts, int v, int c, int at, ki
 {
     const ssgi_gl_desc d = cost_desc(v, c);
     ssgi_gl_desc base = cost_desc(v, 0);
-    base.fetch = d.fetch;                          /* the caller's text is in every text, read or not */
+    base.text.fetch = d.text.fetch;                          /* the caller's text is in every text, read or not */
     char *text = cost_text(&d, at), *was = c ? cost_text(&base, at) : NULL;
     int written = 0;
     if (text && !(was && !strcmp(text, was))) written = cost_add(costs, (*n)++, v, c, at, text, err);
@@ -86,7 +86,8 @@ static int costs_write(tally *costs, int *texts, kit_error *err)
     int n = 0;
     *texts = 0;
     for (int v = 0; v < variants_count; ++v) {
-        const int pass = variants[v].desc.pass, first = pass == SSGI_GL_SURFELS || pass == SSGI_GL_SPLAT ? 0 : 1;
+        const int pass = variants[v].desc.pass,
+                  first = pass == SSGI_GL_PASS_SURFELS || pass == SSGI_GL_PASS_SPLAT ? 0 : 1;
         for (int c = 0; c < choices_count; ++c)
             for (int at = first; at < SSGI_GL_STAGES && n < MOST_COSTS; ++at)
                 if (cost_stage(costs, &n, texts, v, c, at, err)) return -1;
@@ -203,8 +204,8 @@ static void cost_html(FILE *f, const tally *k, const tally *base)
     char title[64];
     cost_title(title, k->variant);
     fprintf(f, "<tr%s><td>%s<td>%s%s", k->choice ? "" : " class=\"first\"", k->choice ? "" : title,
-            k->choice ? choices[k->choice].name : "defaults", k->stage == SSGI_GL_FRAGMENT ? "" : ", ");
-    if (k->stage != SSGI_GL_FRAGMENT) fputs(stage_endings[k->stage], f);
+            k->choice ? choices[k->choice].name : "defaults", k->stage == SSGI_GL_STAGE_FRAGMENT ? "" : ", ");
+    if (k->stage != SSGI_GL_STAGE_FRAGMENT) fputs(stage_endings[k->stage], f);
     fprintf(f, "<td>%d<td>", k->instructions);
     if (base) fprintf(f, "%+d", k->instructions - base->instructions);
     fprintf(f, "<td>%d<td>%d<td>%d<td>%d\n", k->fetches, k->texels, k->branches, k->loops);

@@ -56,9 +56,9 @@ static const entry deep_entries[] = {       /* rows of one label make one curve;
     { "slices",              "ssdo-fast", "",                                       0 },
     { "slices",              "ssdo", "",                                            1 },
     { "slices",              "ssdo-best", "",                                       1 },
-    { "slices, solid",       "ssdo", "behind=solid",                                0 },
-    { "slices, back faces",  "ssdo", "behind=back",                                 1 },
-    { "slices, two slabs",   "ssdo", "behind=slabs",                                1 },
+    { "slices, solid",       "ssdo", "thickness=solid",                                0 },
+    { "slices, back faces",  "ssdo", "thickness=back",                                 1 },
+    { "slices, two slabs",   "ssdo", "thickness=slabs",                                1 },
     { "slices, for a bounce", "ssdo-bounce", "",                                    1 },
     { "slices, for a bounce", "ssdo-bounce", "margin=0.25",                         1 },
     { "1 layer",             "ssdo-points", "",                                     1 },
@@ -73,14 +73,14 @@ static const entry deep_entries[] = {       /* rows of one label make one curve;
 };
 static const entry extension_entries[] = {
     { "slices",                              "ssdo", "",                               1 },
-    { "slices, back faces",                  "ssdo", "behind=back",                    1 },
-    { "slices, two slabs",                   "ssdo", "behind=slabs",                   1 },
+    { "slices, back faces",                  "ssdo", "thickness=back",                    1 },
+    { "slices, two slabs",                   "ssdo", "thickness=slabs",                   1 },
     { "1 layer",                             "ssdo-points", "",                        1 },
     { "2 layers",                            "ssdo-points", "layers=2",                       1 },
     { "4 layers",                            "ssdo-points", "layers=4",                       1 },
     { "4 cameras",                           "ssdo-points", "views=4",                        1 },
     { "harmonics, slices",                   "s3ho", "",                               1 },
-    { "harmonics, two slabs",                "s3ho", "behind=slabs",                   1 },
+    { "harmonics, two slabs",                "s3ho", "thickness=slabs",                   1 },
     { "slices, a margin",                    "ssdo", "margin=0.25",                    1 },
     { "slices, for a bounce",                "ssdo-bounce", "",                        1 },
     { "slices, for a bounce, a margin",      "ssdo-bounce", "margin=0.25",             1 }
@@ -124,10 +124,10 @@ static const entry vector_entries[] = {
     { "3 bands", "s3ho-points", "bands=3,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
     { "4 bands", "s3ho-points", "bands=4,samples=16,steps=1,indirect=none,blur=0," PLAIN, 1 },
     { "4 bands", "s3ho-points", "bands=4,samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
-    { "4 bands, stored, then met", "s3ho-points", "samples=16,steps=2,indirect=none,filtered=vectors,blur=0," PLAIN,
-      1 },
+    { "4 bands, stored, then met", "s3ho-points",
+      "samples=16,steps=2,indirect=none,filtered=coefficients,blur=0," PLAIN, 1 },
     { "4 bands, stored packed", "s3ho-points",
-      "samples=16,steps=2,indirect=none,filtered=vectors,store=packed,blur=0," PLAIN, 1 },
+      "samples=16,steps=2,indirect=none,filtered=coefficients,store=packed,blur=0," PLAIN, 1 },
     { "4 bands, bounce in one", "s3ho-points", "samples=16,steps=2,indirect=joint,blur=0," PLAIN, 1 },
     { "4 bands, bounce apart", "s3ho-points", "samples=16,steps=2,indirect=apart,blur=0," PLAIN, 0 }
 };
@@ -189,7 +189,7 @@ static const lit_table lit_tables[] = {
       0 },
     { "Under a high-contrast probe",
       "White blocks in a dim room with coloured windows and lamps, no bounce, no filter. Hue, in degrees: the mean "
-      "angle between rgb vectors, weighted by the truth's luminance; and of that, what blockers keep 5 % or more of "
+      "angle between rgb vectors, weighted by the truth's luminance; and of that, what occluders keep 5 % or more of "
       "the light from.",
       SCENE("blocks-probe", "blocks", &probe_alone), WITH_COUNT(probe_entries), OF_SPLIT, 1 }
 };

@@ -37,21 +37,21 @@ static const entry pair_entries[] = {
     { "ssdo-fast, 16 frames",        "ssdo-fast", "bounce=none,history=1",           0 },
     { "ssdo",                        "ssdo",      "bounce=none",                     1 },
     { "ssdo, light filtered",        "ssdo",      "bounce=none,restore=none",        1 },
-    { "ssdo, slabs",                 "ssdo",      "bounce=none,behind=slabs",        1 },
+    { "ssdo, slabs",                 "ssdo",      "bounce=none,thickness=slabs",        1 },
     { "ssdo-best",                   "ssdo-best", "bounce=none",                     0 },
-    { "ssdo-best, slabs",            "ssdo-best", "bounce=none,behind=slabs",        0 },
+    { "ssdo-best, slabs",            "ssdo-best", "bounce=none,thickness=slabs",        0 },
     { "ssdo, points",                "ssdo-points", "bounce=none",                   0 },
     { "s3ho-fast",                   "s3ho-fast", "indirect=none",                   0 },
     { "s3ho-fast, 16 frames",        "s3ho-fast", "indirect=none,history=1",         0 },
     { "s3ho",                        "s3ho",      "indirect=none",                   1 },
     { "s3ho, as published",          "s3ho",      "indirect=none,residual=0",        0 },
-    { "s3ho, slabs",                 "s3ho",      "indirect=none,behind=slabs",      0 },
+    { "s3ho, slabs",                 "s3ho",      "indirect=none,thickness=slabs",      0 },
     { "s3ho-best",                   "s3ho-best", "indirect=none",                   0 },
     { "ssbn",                        "ssbn",      "",                                1 },
-    { "ssbn, slabs",                 "ssbn",      "behind=slabs",                    0 },
+    { "ssbn, slabs",                 "ssbn",      "thickness=slabs",                    0 },
     { "hsao-fast times irradiance",  "hsao-fast", "",                                0 },
     { "hsao times irradiance",       "hsao",      "",                                1 },
-    { "hsao, slabs, times irradiance", "hsao",    "behind=slabs",                    0 }
+    { "hsao, slabs, times irradiance", "hsao",    "thickness=slabs",                    0 }
 };
 enum { SCENES = COUNT(scenes), PROBES = COUNT(probes), PAIRS = SCENES * PROBES, BESIDE = 3 };
 static const char scalar_label[] = PAIRS_SCALAR, open_label[] = "no occlusion", noise_label[] = PAIRS_NOISE;

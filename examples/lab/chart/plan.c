@@ -75,7 +75,7 @@ static void verdict_add(verdict *v, const judged *j)
         v->told += !j->plan.meets;
     }
     if (j->best < 0 || j->taken < 0) return;
-    const int needed = j->cheapest.method != SSGI_PLAN_NOTHING;
+    const int needed = j->cheapest.method != SSGI_PLAN_METHOD_NOTHING;
     ++v->pairs;
     v->good += j->good;
     v->within += j->within;

@@ -128,7 +128,7 @@ static int planned_draw(kit_image *out, double *time, double *model, stage *s, c
     kit_method m;
     kit_run run;
     *time = *model = 0;
-    if (p->method == SSGI_PLAN_NOTHING) {
+    if (p->method == SSGI_PLAN_METHOD_NOTHING) {
         if (kit_image_new(out, s->frame.width, s->frame.height, "Y", err)) return -1;
         for (int i = 0; i < out->width * out->height; ++i) out->data[i] = 1;
         return s->lit ? stage_dim(out, s, err) : 0;
@@ -161,7 +161,8 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
     memset(r, 0, sizeof *r);
     snprintf(r->name, sizeof r->name, "%s", name);
     r->timed = timed;
-    if (wanted != SSGI_PLAN_OBJECTS && kit_plan_numbers(&r->captured, &s->gbuffer, &frame, s->radius, wanted, err))
+    if (wanted != SSGI_PLAN_WANTED_OBJECTS
+        && kit_plan_numbers(&r->captured, &s->gbuffer, &frame, s->radius, wanted, err))
         return -1;
     if (kit_plan_numbers(&r->numbers, &s->gbuffer, &world, s->radius, wanted, err)) return -1;
     r->numbers.history = r->captured.history = 1;
@@ -170,7 +171,7 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         r->error[i] = r->cost[i] = r->model[i] = (double)NAN;
         if (!ssgi_plan_choice(&p, i, &r->numbers)) continue;
-        const int time = timed || p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD;
+        const int time = timed || p.method == SSGI_PLAN_METHOD_SURFELS || p.method == SSGI_PLAN_METHOD_FIELD;
         if (planned_draw(&picture, &r->cost[i], &r->model[i], s, &p, wanted, &fixed, time, err)) return -1;
         r->model[i] /= model_of(&fixed);
         r->error[i] = kit_plan_error(&picture, truth, &s->frame, wanted);
@@ -184,19 +185,21 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
 static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error *err)
 {
     const plan_view *p = &planned_views[k];
-    const int is_lit = wanted == SSGI_PLAN_LIGHT || wanted == SSGI_PLAN_BOUNCE, white = !p->fits && k % 5 == 0;
-    const int turn = (p->fits ? k : k + 1) + (wanted == SSGI_PLAN_BOUNCE); /* each view has another light */
+    const int is_lit = wanted == SSGI_PLAN_WANTED_LIGHT || wanted == SSGI_PLAN_WANTED_BOUNCE,
+              white = !p->fits && k % 5 == 0;
+    const int turn = (p->fits ? k : k + 1) + (wanted == SSGI_PLAN_WANTED_BOUNCE); /* each view has another light */
     const char *const light = planned_lights[white ? 3 : turn % 3];
     const int suns = !strcmp(light, "suns");
-    const lit of_light = {
-        .env = suns ? "white" : light, .bounce = wanted == SSGI_PLAN_BOUNCE, .rays = quick ? 128 : 384, .exposure = 1
-    };
+    const lit of_light = { .env = suns ? "white" : light,
+                           .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE,
+                           .rays = quick ? 128 : 384,
+                           .exposure = 1 };
     char name[64];
     stage s;
     kit_image truth;
     const int there = planned_open(&s, p, is_lit ? &of_light : NULL, suns, err);
     if (there <= 0) return there;
-    s.between = wanted == SSGI_PLAN_OBJECTS;
+    s.between = wanted == SSGI_PLAN_WANTED_OBJECTS;
     if (stage_trace(&truth, &s,
                     is_lit  ? of_light.rays
                     : quick ? 64
@@ -217,7 +220,7 @@ int planned_views_measure(planned_row *rows, int *count, int fits, int quick, ki
         const plan_view *p = &planned_views[k];
         if (p->fits != fits || (quick && ++shown % 3 != 1)) continue;
         for (int wanted = 0, there = 1; wanted < (p->objects ? 4 : 3) && there; ++wanted) {
-            const int is_lit = wanted == SSGI_PLAN_LIGHT || wanted == SSGI_PLAN_BOUNCE;
+            const int is_lit = wanted == SSGI_PLAN_WANTED_LIGHT || wanted == SSGI_PLAN_WANTED_BOUNCE;
             if (is_lit && quick && shown % 2) continue;
             there = planned_view(&rows[*count], k, wanted, quick, err);
             if (there < 0) return -1;
@@ -235,8 +238,8 @@ enum { SEED_WANTED = 3 }; /* visibility, light, bounce */
 
 static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
 {
-    const int is_lit = wanted != SSGI_PLAN_VISIBILITY;
-    lit of_light = { .bounce = wanted == SSGI_PLAN_BOUNCE, .rays = 384, .exposure = 1 };
+    const int is_lit = wanted != SSGI_PLAN_WANTED_VISIBILITY;
+    lit of_light = { .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE, .rays = 384, .exposure = 1 };
     char name[32];
     const view v = { .name = name, .path = name, .lit = is_lit ? &of_light : NULL };
     kit_image truth;
@@ -315,7 +318,7 @@ void planned_smooth(planned_row *rows, int count)
             const double by = pass && n ? kit_median(ratio, n) : 1;
             for (int i = 0; i < count; ++i) {
                 if (!(rows[i].cost[c] > 0) || !ssgi_plan_choice(&p, c, &rows[i].numbers)
-                    || p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD)
+                    || p.method == SSGI_PLAN_METHOD_SURFELS || p.method == SSGI_PLAN_METHOD_FIELD)
                     continue;
                 if (pass) rows[i].cost[c] = by * (double)p.cost;
                 else if (rows[i].timed) ratio[n++] = rows[i].cost[c] / (double)p.cost;

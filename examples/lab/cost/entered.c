@@ -21,10 +21,10 @@ static const drawn all[] = {
     { "hsao-best", "", ONCE, { COVER }, 1 },
     { "ssdo", "bounce=none", ONCE, { COVER }, 1 },
     { "s3ho", "", ONCE, { COVER }, 1 },
-    { "hsao", "behind=solid", ONCE, { COVER_SOLID }, 1 },
-    { "hsao", "behind=slabs", ONCE, { SECOND }, 1 },
-    { "hsao-fast", "behind=slabs", ONCE, { SECOND }, 1 },
-    { "hsao-best", "behind=slabs", ONCE, { SECOND }, 1 },
+    { "hsao", "thickness=solid", ONCE, { COVER_SOLID }, 1 },
+    { "hsao", "thickness=slabs", ONCE, { SECOND }, 1 },
+    { "hsao-fast", "thickness=slabs", ONCE, { SECOND }, 1 },
+    { "hsao-best", "thickness=slabs", ONCE, { SECOND }, 1 },
     { "ssdo", "", ONCE, { SENT }, 1 },
     { "ssdo-fast", "", ONCE, { SENT }, 1 },
     { "ssdo-best", "", ONCE, { SENT }, 1 },
@@ -64,7 +64,7 @@ static char *telling(const char *text, const body *b, const kit_pass *p, kit_err
 static GLuint program_of(const kit_pass *p, const body *b, const char *fragment, kit_error *err)
 {
     static const GLenum stages[] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
-    char *text = telling(fragment, b, p, err), *vertex = text_of(&p->desc, SSGI_GL_VERTEX);
+    char *text = telling(fragment, b, p, err), *vertex = text_of(&p->desc, SSGI_GL_STAGE_VERTEX);
     const uint64_t key = text ? kit_hash(KIT_HASH, text, strlen(text)) : 0;
     GLuint program = text ? kit_program_kept(key) : 0;
     if (text && vertex && !program) {
@@ -81,7 +81,7 @@ static kit_pass *pass_of(kit_run *run, const body *b, GLuint *program, kit_error
 {
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
-        char *text = text_of(&p->desc, SSGI_GL_FRAGMENT);
+        char *text = text_of(&p->desc, SSGI_GL_STAGE_FRAGMENT);
         const int has = text && strstr(text, b->line);
         *program = has ? program_of(p, b, text, err) : 0;
         free(text);
@@ -98,14 +98,14 @@ static found results[DRAWN][2][SEEDS];
 
 static int read(found *f, const kit_pass *p, const body *b, kit_error *err)
 {
-    const int gathered = p->desc.directions * p->desc.steps, times = b->times ? b->times : 2 * gathered;
+    const int gathered = p->desc.gather.directions * p->desc.gather.steps, times = b->times ? b->times : 2 * gathered;
     told *texel = malloc((size_t)p->width * (size_t)p->height * sizeof *texel);
     const int failed = !texel || (b->times ? times : gathered) > MOST_BITS ||
                        kit_texture_read(p->target[0], p->width, p->height, 2, texel->entered);
     for (int t = 0; t < TILES && !failed; ++t)
         f->share[t] = share_of(texel, p->width, p->height, &tiles[t], times, &f->waves[t]);
-    f->half = p->desc.half > 0;
-    f->steps = p->desc.steps;
+    f->half = p->desc.gather.half > 0;
+    f->steps = p->desc.gather.steps;
     free(texel);
     return failed ? kit_fail(err, "what texels tell cannot be read, or is more than %d bits", MOST_BITS) : 0;
 }

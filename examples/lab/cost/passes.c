@@ -60,7 +60,7 @@ static int bytes_of_yours(const ssgi_gl_input *in, const ssgi_gl_desc *d)
         [SSGI_GL_YOUR_LAYER_ALBEDOS] = 4, [SSGI_GL_YOUR_DIRECT] = 8, [SSGI_GL_YOUR_SHADOW] = 4,
         [SSGI_GL_YOUR_OBJECTS] = 2, [SSGI_GL_YOUR_MOTION] = 4, [SSGI_GL_YOUR_AMBIENT] = 8
     };
-    if (in->meaning == SSGI_GL_YOUR_BACK && d->thickness == SSGI_GL_THICKNESS_SLABS) return 8;
+    if (in->meaning == SSGI_GL_YOUR_BACK && d->gather.thickness == SSGI_GL_THICKNESS_SLABS) return 8;
     return bytes[in->meaning];
 }
 
@@ -81,7 +81,7 @@ static void add_pass(cost_chain *c, int program, const ssgi_gl_step *steps, int 
     cost_pass *p = &c->pass[c->passes++];
     const double texels = (double)s->width * s->height;
     *p = (cost_pass) { .name = ssgi_gl_pass_name(s->desc.pass), .program = program, .width = s->width,
-                       .height = s->height, .vertices = s->desc.pass == SSGI_GL_SPLAT ? s->vertices : 0 };
+                       .height = s->height, .vertices = s->desc.pass == SSGI_GL_PASS_SPLAT ? s->vertices : 0 };
     for (int i = 0; i < s->inputs; ++i) {
         const ssgi_gl_input *in = &s->input[i];
         p->bytes_in += in->meaning >= 0 ? (double)WIDTH * HEIGHT * bytes_of_yours(in, &s->desc)
@@ -135,7 +135,7 @@ int work_add(work *w, const char *name, const ssgi_gl_chain *chain, kit_error *e
         const int *size = sizes[(i + 2) % SIZES];
         described.width = size[0];
         described.height = size[1];
-        const int count = chain_steps(steps, &described, SSGI_GL_VULKAN, &c->lacks);
+        const int count = chain_steps(steps, &described, SSGI_GL_DIALECT_VULKAN, &c->lacks);
         if (!count) return 0;
         if (count > MOST_PASSES) return kit_fail(err, "%s: has more than %d passes", name, MOST_PASSES);
         c->targets[(i + 2) % SIZES] = target_bytes(steps, count);
@@ -184,7 +184,7 @@ int work_add_file(work *w, const char *path, kit_error *err)
 /* ---- compiling and counting -------------------------------------------------------------------------------------- */
 
 const assumed assumptions[] = {
-    { "changes", { 16, 0 }, "of the 16 places of a tile all have changed, or none" },
+    { "change_mask", { 16, 0 }, "of the 16 places of a tile all have changed, or none" },
     { "lights", { 1, 1 }, "there is one light" },
     { "smooth", { 7, 7 }, "the mean of five levels" }
 };

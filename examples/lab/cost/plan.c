@@ -11,13 +11,13 @@ static int chain_of(ssgi_gl_chain *chain, const ssgi_plan *plan, int wanted, kit
 {
     const char *why = "";
     memset(chain, 0, sizeof *chain);
-    if (wanted == SSGI_PLAN_BOUNCE && plan->method == SSGI_PLAN_S3HO) {
-        chain->desc.transfer = SSGI_GL_TRANSFER_BOTH;
-        chain->desc.packed = 1;
+    if (wanted == SSGI_PLAN_WANTED_BOUNCE && plan->method == SSGI_PLAN_METHOD_S3HO) {
+        chain->desc.light.transfer = SSGI_GL_TRANSFER_BOTH;
+        chain->desc.light.packed = 1;
     }
     if (ssgi_gl_plan(&chain->desc, plan, &why) != SSGI_OK) return kit_fail(err, "%s", why);
-    if (wanted == SSGI_PLAN_BOUNCE && plan->method == SSGI_PLAN_SSDO) {
-        chain->desc.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE;
+    if (wanted == SSGI_PLAN_WANTED_BOUNCE && plan->method == SSGI_PLAN_METHOD_SSDO) {
+        chain->desc.light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE;
         chain->reuse = 1;
     }
     chain->blur = plan->filter_radius > 0;
@@ -27,14 +27,14 @@ static int chain_of(ssgi_gl_chain *chain, const ssgi_plan *plan, int wanted, kit
 
 int plan_add(work *w, kit_error *err)
 {
-    ssgi_plan_scene s = { .thickness = SSGI_PLAN_SLABS, .history = 1, .map = 1 };
+    ssgi_plan_scene s = { .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .map = 1 };
     if (work_add_chain(w, "ssao,balanced,samples=16,blur=0", err)) return -1;
-    for (s.wanted = 0; s.wanted < SSGI_PLAN_OBJECTS; ++s.wanted)
+    for (s.wanted = 0; s.wanted < SSGI_PLAN_WANTED_OBJECTS; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
             ssgi_gl_chain chain;
             ssgi_plan p;
             char name[16];
-            if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_NOTHING) continue;
+            if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_METHOD_NOTHING) continue;
             snprintf(name, sizeof name, "%d", i);
             choice[w->chains] = i;
             if (chain_of(&chain, &p, s.wanted, err) || work_add(w, name, &chain, err)) return -1;

@@ -114,7 +114,7 @@ static void scenes_table(const markdown *m, const scenes *s, int peers, const ch
 /* Which of ours stand beside others' passes. */
 static int beside(const csv *c, int row)
 {
-    static const char *const of[][2] = { { "hsao-fast", "" }, { "hsao", "" }, { "hsao", "behind=slabs" },
+    static const char *const of[][2] = { { "hsao-fast", "" }, { "hsao", "" }, { "hsao", "thickness=slabs" },
         { "hsao-history", "" } };
     for (size_t k = 0; k < sizeof of / sizeof *of; ++k)
         if (!strcmp(csv_text(c, row, "method"), of[k][0]) && !strcmp(csv_text(c, row, "settings"), of[k][1])) return 1;

@@ -43,9 +43,9 @@ static const struct shown { const char *key, *head; int digits, sign, still, whe
     { "sum_of_two",        "a+b",         3, 0, 0, 0 },
     { "between",           "between",     3, 0, 0, 0 },
     { "share_surfels",     "surfels, share", 2, 0, 1, 1 },
-    { "share_shuffle",     "shuffle",     2, 0, 0, 1 },
+    { "share_interleave",     "interleave",     2, 0, 0, 1 },
     { "share_splat",       "splat",       2, 0, 0, 1 },
-    { "share_unshuffle",   "unshuffle",   2, 0, 0, 1 },
+    { "share_deinterleave",   "deinterleave",   2, 0, 0, 1 },
     { "share_smooth",      "smooth",      2, 0, 0, 1 },
     { "share_sum",         "sum",         2, 0, 0, 1 },
     { "varies",            "varies",      4, 0, 0, 0 },
@@ -107,7 +107,7 @@ static const struct { const char *file, *scene, *label, *title, *about; } titles
     { "lit", "blocks-probe", "", "`blocks` under a high-contrast probe: error, its bias and its noise, hue",
       "Two points a direction, no bounce, no filter. Bias error: of the mean over 8 phases of the noise; noise: "
       "deviation over them. "
-      "Hue in shade:\nmean angle of rgb to the truth's, degrees, where blockers keep off 5 % of the light or more." },
+      "Hue in shade:\nmean angle of rgb to the truth's, degrees, where occluders keep off 5 % of the light or more." },
     { "aof", "ball-on-ground", "field", "What resolution buys: a ball on a ground", "" },
     { "aof", "cube-on-ground", "field", "What resolution buys: a cube on a ground", "" },
     { "aof", "bunny-on-floor", "field", "What resolution buys: the bunny on a floor", "" },

@@ -23,7 +23,7 @@ static void count_surfels(row *r, const kit_run *run)
     r->figure[SPLATS] = run->splat_pixels / ((double)run->gbuffer->viewport[2] * run->gbuffer->viewport[3]);
     for (int k = 0; k < STAGES; ++k) r->figure[STAGE + k] = 0;
     for (int i = 0; i < run->passes; ++i) {
-        const int at = run->pass[i].desc.pass - SSGI_GL_SURFELS;
+        const int at = run->pass[i].desc.pass - SSGI_GL_PASS_SURFELS;
         r->figure[STAGE + (at >= 0 && at < STAGES - 1 ? at : STAGES - 1)] += run->pass[i].ms / all;
     }
 }

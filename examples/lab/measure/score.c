@@ -62,7 +62,7 @@ int score_named(row *r, const stage *s, const char *label, const kit_image *pict
 
 enum { NOISE_RAYS = 4 };
 
-/* Against NOISE_RAYS times its rays at every ninth or tenth pixel, one of the truth's, which begin with the truth's own.
+/* Against NOISE_RAYS times its rays at every ninth or tenth pixel, one of the truth's; they begin with the truth's own.
    So the difference is smaller than the error, by sqrt(1 - 1 / NOISE_RAYS) for independent rays. */
 int score_noise(row *r, const stage *s, const char *label, kit_error *err)
 {
@@ -136,11 +136,11 @@ static double variance(const sums *t, size_t k)
     return t->differs ? fmax(0, t->squares[k] / t->drawn - mean * mean) * t->drawn / (t->drawn - 1) : 0;
 }
 
-/* open: the light without blockers; visibility has none. */
+/* open: the light without occluders; visibility has none. */
 static void errors_add(errors *e, const sums *t, size_t i, const float *const *truth, const float *const *open)
 {
     static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };
-    double of[2] = { 0, 0 }, product = 0, bright = 0, unblocked = 0, turned = 0;
+    double of[2] = { 0, 0 }, product = 0, bright = 0, unoccluded = 0, turned = 0;
     for (size_t c = 3; c < t->channels; ++c) {
         e->bounce += (double)truth[c][i];
         e->bounce_noise += variance(t, c * t->pixels + i);
@@ -154,11 +154,11 @@ static void errors_add(errors *e, const sums *t, size_t i, const float *const *t
         of[1] += should * should;
         product += is * should;
         if (open[c]) bright += luminance[c] * should;
-        if (open[c]) unblocked += luminance[c] * (double)open[c][i];
+        if (open[c]) unoccluded += luminance[c] * (double)open[c][i];
         e->values += 1;
     }
     if (of[0] > 0 && of[1] > 0) turned = acos(fmin(1, product / sqrt(of[0] * of[1])));
-    for (int k = 0; k < (bright < 0.95 * unblocked ? 2 : 1); ++k) {
+    for (int k = 0; k < (bright < 0.95 * unoccluded ? 2 : 1); ++k) {
         e->hue[k] += bright * turned;
         e->weight[k] += bright;
     }

@@ -153,7 +153,7 @@ static double transfer_of(const oracle *o, int i, double lobe[MOST], double tran
         ssgi_hit hit;
         float d[3], w[3];
         oracle_ray(d, (uint32_t)i, r, q->n);
-        if (!ssgi_trace_closest(&o->trace, q->lifted, d, 0, o->radius, &hit)) continue;
+        if (!ssgi_trace_closest(&hit, &o->trace, q->lifted, d, 0, o->radius)) continue;
         const double blocked = (1 - (double)(hit.t / o->radius)) / ORACLE_RAYS;
         to_world(o, d, w);
         ssgi_sh_basis(basis, BANDS, w);
@@ -232,7 +232,7 @@ static const struct { const char *name, *method, *set; } pictures[] = {
     { "s3ho at full size, ratio filtered", "s3ho", "indirect=none,half=0,restore=ratio" },
     { "the same, difference", "s3ho", "indirect=none,half=0,restore=difference" },
     { "the same, light", "s3ho", "indirect=none,half=0,restore=none" },
-    { "the same, vectors", "s3ho", "indirect=none,half=0,filtered=vectors" },
+    { "the same, coefficients", "s3ho", "indirect=none,half=0,filtered=coefficients" },
     { "ssbn at full size, ratio filtered", "ssbn", "half=0,restore=ratio" },
     { "the same, light", "ssbn", "half=0,restore=none" },
     { "s3ho", "s3ho", "indirect=none" },

@@ -68,7 +68,7 @@ static void along(const job *j, int discs, const float from[3], const float d[3]
     const ssgi_trace *trace = discs ? &j->discs : &j->o->trace;
     ssgi_hit hit = { 0 };
     *nearest = *all = 0;
-    while (ssgi_trace_closest(trace, from, d, hit.t, j->o->radius, &hit)) {
+    while (ssgi_trace_closest(&hit, trace, from, d, hit.t, j->o->radius)) {
         const double weight = 1 - (double)(hit.t / j->o->radius);
         float n[3], e[3], f[3];
         if (discs) memcpy(n, j->surfel[hit.triangle / FAN].normal, sizeof n);
@@ -92,7 +92,7 @@ static void trace_pixel(const job *j, int i)
         float d[3];
         double nearest, all;
         oracle_ray(d, (uint32_t)i, r, q->n);
-        if (ssgi_trace_closest(&j->o->trace, q->lifted, d, 0, j->o->radius, &hit))
+        if (ssgi_trace_closest(&hit, &j->o->trace, q->lifted, d, 0, j->o->radius))
             seen += 1 - (double)(hit.t / j->o->radius);
         along(j, 0, q->lifted, d, &nearest, &all);
         sum[0] += all;

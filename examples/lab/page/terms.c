@@ -41,7 +41,7 @@ void terms_light(FILE *f)
           "shadows; and of light that was reflected once before. The bias after each is the mean difference, over "
           "the same mean. No gain, no fit.\n"
           "<dt>time, of light<dd>As above: all passes of a frame, among them the lights' shadows and the light of "
-          "hidden senders. Not in it: drawing the G-buffer, its farther layers, extra cameras' G-buffers and shadow "
+          "hidden emitters. Not in it: drawing the G-buffer, its farther layers, extra cameras' G-buffers and shadow "
           "maps.\n"
           "<dt>truth, of light<dd>The environment and the bounce are weighted by 1 &minus; t/radius of the nearest "
           "hit, as the methods take them; lights are shadowed by the whole scene, "
@@ -52,7 +52,7 @@ void terms_light(FILE *f)
           "it in the mean picture is taken off the bias error): the squares of both add up to that of the irradiance's "
           "error. All over the truth's mean. Hue: the angle between the red, green and blue of the mean picture's "
           "irradiance and the truth's, "
-          "its mean over the pixels weighted by the truth's luminance; and over those that blockers keep 5 % or more "
+          "its mean over the pixels weighted by the truth's luminance; and over those that occluders keep 5 % or more "
           "of their light from.\n</dl>\n",
           f);
 }

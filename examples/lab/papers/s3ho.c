@@ -6,7 +6,7 @@
 #define SSAO_OF(n)  .method = "ssao", .settings = "samples=" #n TWO_STEPS
 #define S3HO_OF(n)  .method = "s3ho-points", .settings = "samples=" #n ",indirect=none,residual=0" TWO_STEPS
 #define STORED(n)   .method = "s3ho-points", \
-                    .settings = "samples=" #n ",indirect=none,residual=0,filtered=vectors,store=packed" TWO_STEPS
+                    .settings = "samples=" #n ",indirect=none,residual=0,filtered=coefficients,store=packed" TWO_STEPS
 #define SSDO_OF(n)  .method = "ssdo-points", .settings = "samples=" #n ",bounce=none" TWO_STEPS
 #define SSBN_OF(n)  .method = "ssbn-points", .settings = "samples=" #n TWO_STEPS
 /* as published: directions evenly spread in a tile of 4x4 sets */
@@ -63,11 +63,11 @@ static const sheet time_sheet = {
 /* as published; then the library's directions, unfiltered: rows own .. own + 2 */
 #define PUBLISHED(n, own) \
     { .what = "S3HO, " #n " samples", .method = "s3ho-points", .ours = own, \
-      .settings = "samples=" #n ",indirect=none,residual=0,filtered=vectors,store=packed" FILTERED }, \
+      .settings = "samples=" #n ",indirect=none,residual=0,filtered=coefficients,store=packed" FILTERED }, \
     { .what = "SSDO, " #n " samples", .method = "ssdo-points", .ours = own + 1, \
       .settings = "samples=" #n ",bounce=none" FILTERED }, \
     { .what = "SSBN, " #n " samples", .method = "ssbn-points", .ours = own + 2, \
-      .settings = "samples=" #n ",filtered=vectors" FILTERED }
+      .settings = "samples=" #n ",filtered=coefficients" FILTERED }
 #define UNFILTERED(n) \
     { .what = "S3HO, " #n ", by the cosine, unfiltered", S3HO_OF(n) }, \
     { .what = "SSDO, " #n ", by the cosine, unfiltered", SSDO_OF(n) }, \

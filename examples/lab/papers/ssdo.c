@@ -291,7 +291,7 @@ static const paper_row faithful_rows[] = {
       .note = "not in the figure" },
     { .what = "N = 8", .method = "ssdo-points", .settings = PATCHES BLURRED ",samples=8" },
     { .what = "N = 4 of 4 points each", .method = "ssdo-points", .settings = PATCHES BLURRED ",samples=4,steps=4",
-      .note = "not in the paper: more directions find a sender, each with a patch of the same area" }
+      .note = "not in the paper: more directions find an emitter, each with a patch of the same area" }
 };
 static const claim faithful_claims[] = {
     { "Directional occlusion is faithfully reproduced", SIMILAR(0, 0), NULL },
@@ -337,7 +337,7 @@ static const sheet *const sheets[] = { &time_sheet, &segment_sheet, &camera_shee
 static const absent none[] = {
     { "Figures 1, 3", "scenes that are not free to use; README.md has pictures of directional occlusion and a bounce" },
     { "Figures 2, 5, 8", "diagrams" },
-    { "Figure 4", "a bounce that fades as its sender is hidden; `make stability` slides a box behind a screen" }
+    { "Figure 4", "a bounce that fades as its emitter is hidden; `make stability` slides a box behind a screen" }
 };
 const paper ssdo_paper = { "SSDO09",
     "Ritschel, Grosch, Seidel 2009, Approximating dynamic global illumination in image space", WITH_COUNT(sheets),

@@ -104,7 +104,7 @@ static int measure_entry(quiet *q, int i, kit_error *err)
     char text[320];
     kit_method m;
     if (kit_method_find(&m, l->method, err) || draw(&picture, q, l->method, l->settings, err)) return -1;
-    if (m.pass == SSGI_GL_HSAO && !m.set.normal_rays) {        /* slices */
+    if (m.pass == SSGI_GL_PASS_HSAO && !m.set.normal_rays) {        /* slices */
         snprintf(text, sizeof text, "%s%sdirections=%d", l->settings, *l->settings ? "," : "", CONVERGED);
         if (draw(&converged, q, l->method, text, err) || walk_whole(q, l->method, l->settings, err)) return -1;
         reference[NOISE] = &converged;
@@ -164,7 +164,7 @@ static const char *cell_of(const char *at, int n)
 /* Of the chain that an entry is, as the table of make cost has it; weighed, of 1920x1080. */
 static double ms_of(const line *l, const char *table)
 {
-    static const char *const more[][2] = { { "", "" }, { "behind=slabs", "-slabs" }, { "behind=back", "-back" },
+    static const char *const more[][2] = { { "", "" }, { "thickness=slabs", "-slabs" }, { "thickness=back", "-back" },
                                            { "normal=depth", "-depth" } };
     const char *head = strstr(table, "| chain | "), *column = head ? strstr(head, "| " DEVICE ", ms |") : NULL;
     char name[96] = "";
@@ -328,7 +328,7 @@ static int add_entry(quiet *q, const char *text, kit_error *err)
 static int parse(quiet *q, int argc, char **argv, kit_error *err)
 {
     static const char *const presets[] = { "hsao-fast", "hsao", "hsao:directions=3", "hsao-history", "hsao-best",
-                                           "hsao:behind=slabs", "ssao" };
+                                           "hsao:thickness=slabs", "ssao" };
     char end;
     *q = (quiet){ .scene = "spheres", .out = "build/quiet.csv", .width = 960, .height = 540, .rays = RAYS };
     for (int i = 1; i < argc; ++i) {

@@ -88,7 +88,7 @@ static int traced(double v[LINE_POINTS], const kit_mesh *table, kit_error *err)
         v[k] = 0;
         for (int i = 0; i < LINE_RAYS; ++i) {
             float u[2];
-            ssgi_r2((uint32_t)i, u);
+            ssgi_r2(u, (uint32_t)i);
             const float s = sqrtf(u[0]),
                         d[3] = { s * cosf(6.2831853f * u[1]), sqrtf(1 - u[0]), s * sinf(6.2831853f * u[1]) };
             v[k] += ssgi_trace_any(&trace, p, d, 0, HUGE_VALF) / (double)LINE_RAYS;

@@ -11,7 +11,7 @@ const swept sweeps_method[] = {
     { "ssao",       "ssao",       "",                             SCREEN,         3840 },
     { "hsao-fast",  "hsao-fast",  "",                             SCREEN,         3840 },
     { "hsao",       "hsao",       "",                             SCREEN,         3840 },
-    { "hsao-back",  "hsao",       "behind=back",                  THIN,           3840 },
+    { "hsao-back",  "hsao",       "thickness=back",                  THIN,           3840 },
     { "hsao-best",  "hsao-best",  "",                             SCREEN,         3840 },
     { "hsao-march", "hsao-march", "",                             SCREEN,         1920 },
     { "ssdo",       "ssdo",       "bounce=none",                  LIGHT | TURNED, 1920 },

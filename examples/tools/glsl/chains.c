@@ -33,7 +33,7 @@ const chain_named chain_names[] = {
     { "s3ho", "s3ho,balanced,shaded=1,residual=1,restore=RATIO", "light as harmonics" },
     { "s3ho-best", "s3ho,best,shaded=1,residual=1,restore=RATIO", "light as harmonics" },
     { "s3ho-bounce", "s3ho,balanced,shaded=1,transfer=BOTH,packed=1,restore=DIFFERENCE", "light and one bounce of it" },
-    { "s3ho-vectors", "s3ho,balanced,packed=1,residual=1,vectors=1", "coefficients, filtered, then shaded" },
+    { "s3ho-coefficients", "s3ho,balanced,packed=1,residual=1,coefficients=1", "coefficients, filtered, then shaded" },
     { "ssbn", "s3ho,balanced,bands=2,shading=BENT_CONE", "bent normals and cones" },
     { "aof", "field", "occlusion by baked fields" },
     { "dss", "splat", "occlusion by surfels" },
@@ -48,14 +48,17 @@ const int chain_names_count = (int)(sizeof chain_names / sizeof chain_names[0]);
 
 /* ---- members of a chain ------------------------------------------------------------------------------------------ */
 
-static const struct { const char *name; size_t offset; int most; } members[] = {
-    { "blur", offsetof(ssgi_gl_chain, blur), 1 },       { "history", offsetof(ssgi_gl_chain, history), 1 },
-    { "vectors", offsetof(ssgi_gl_chain, vectors), 1 }, { "unsmoothed", offsetof(ssgi_gl_chain, unsmoothed), 1 },
-    { "reuse", offsetof(ssgi_gl_chain, reuse), 1 },     { "vpls", offsetof(ssgi_gl_chain, vpls), 1 },
-    { "direct", offsetof(ssgi_gl_chain, direct), 1 },   { "surfels", offsetof(ssgi_gl_chain, surfels), 1 },
-    { "hidden_sky", offsetof(ssgi_gl_chain, hidden_sky), 1 },
-    { "precise", offsetof(ssgi_gl_chain, precise), 2 }
-};
+static const struct { const char *name; size_t offset; int most;
+} members[] = { { "blur", offsetof(ssgi_gl_chain, blur), 1 },
+                { "history", offsetof(ssgi_gl_chain, history), 1 },
+                { "coefficients", offsetof(ssgi_gl_chain, coefficients), 1 },
+                { "unsmoothed", offsetof(ssgi_gl_chain, unsmoothed), 1 },
+                { "reuse", offsetof(ssgi_gl_chain, reuse), 1 },
+                { "vpls", offsetof(ssgi_gl_chain, vpls), 1 },
+                { "direct", offsetof(ssgi_gl_chain, direct), 1 },
+                { "surfels", offsetof(ssgi_gl_chain, surfels), 1 },
+                { "hidden_sky", offsetof(ssgi_gl_chain, hidden_sky), 1 },
+                { "precise", offsetof(ssgi_gl_chain, precise), 2 } };
 enum { MEMBERS = (int)(sizeof members / sizeof members[0]) };
 
 const char *chain_member(const ssgi_gl_chain *chain, int i, int *value)
@@ -119,11 +122,11 @@ static int set(ssgi_gl_chain *to, const char *chain, const char *item, kit_error
         return 0;
     }
     if (!strncmp(item, lights, prefix)) {
-        to->lights.pass = SSGI_GL_LIGHTS;
+        to->lights.pass = SSGI_GL_PASS_LIGHTS;
         return set_field(&to->lights, chain, item + prefix, length - prefix, value, err);
     }
-    if (same_word("lights", item, length) && to->desc.pass != SSGI_GL_S3HO) {
-        to->lights.pass = value_of("", value) == 1 ? SSGI_GL_LIGHTS : 0;
+    if (same_word("lights", item, length) && to->desc.pass != SSGI_GL_PASS_S3HO) {
+        to->lights.pass = value_of("", value) == 1 ? SSGI_GL_PASS_LIGHTS : 0;
         return 0;
     }
     return set_field(&to->desc, chain, item, length, value, err);
@@ -183,12 +186,12 @@ int chain_parse(ssgi_gl_chain *chain, const char *text, kit_error *err)
                              "--chains lists", text);
     const int preset = take_word(&items, preset_of);
     if (set_all(&c, text, items, err)) return -1;
-    if (c.desc.pass == SSGI_GL_SSDO && !c.desc.environment && !c.desc.bounce)
-        c.desc.environment = SSGI_GL_ENVIRONMENT_MAP;
+    if (c.desc.pass == SSGI_GL_PASS_SSDO && !c.desc.light.environment && !c.desc.light.bounce)
+        c.desc.light.environment = SSGI_GL_ENVIRONMENT_MAP;
     if (preset < 0) { *chain = c; return 0; }
     if (ssgi_gl_preset(&c.desc, preset, &why) != SSGI_OK || ssgi_gl_preset(&c.lights, preset, &why) != SSGI_OK)
         return kit_fail(err, "--chain %s: %s", text, why);
-    if (c.lights.pass != SSGI_GL_LIGHTS) memset(&c.lights, 0, sizeof c.lights);
+    if (c.lights.pass != SSGI_GL_PASS_LIGHTS) memset(&c.lights, 0, sizeof c.lights);
     if (set_all(&c, text, items, err)) return -1;           /* what is given stands over what the preset sets */
     *chain = c;
     return 0;
@@ -198,7 +201,7 @@ int chain_steps(ssgi_gl_step steps[MOST_STEPS], const ssgi_gl_chain *chain, int 
 {
     ssgi_gl_chain c = *chain;
     const char *why = "";
-    c.desc.dialect = c.lights.dialect = dialect;
+    c.desc.text.dialect = c.lights.text.dialect = dialect;
     const int count = ssgi_gl_steps(NULL, 0, &c, &why);
     if (!count) return kit_fail(err, "%s", why), 0;
     if (count > MOST_STEPS) return kit_fail(err, "it has more than %d steps", MOST_STEPS), 0;

@@ -65,7 +65,7 @@ static char *text_of(const ssgi_gl_desc *d, int kind, size_t *n)
 {
     const int alone = kind == SSGI_GL_STAGES;
     *n = !alone                     ? ssgi_gl_emit(NULL, 0, d, kind)
-         : d->pass == SSGI_GL_FIELD ? ssgi_gl_field(NULL, 0, d)
+         : d->pass == SSGI_GL_PASS_FIELD ? ssgi_gl_field(NULL, 0, d)
                                     : 0;
     char *text = *n ? malloc(*n + 1) : NULL;
     if (text && alone) ssgi_gl_field(text, *n + 1, d);
@@ -78,8 +78,8 @@ static char *text_of(const ssgi_gl_desc *d, int kind, size_t *n)
 static int write_text(const char *folder, const ssgi_gl_desc *d, int kind, const char *stem, const char *more,
                       const char **name)
 {
-    const int named = kind < SSGI_GL_STAGES || d->dialect == SSGI_GL_VULKAN;
-    uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(named ? d->dialect : 0)) * 8 + (uint64_t)kind;
+    const int named = kind < SSGI_GL_STAGES || d->text.dialect == SSGI_GL_DIALECT_VULKAN;
+    uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(named ? d->text.dialect : 0)) * 8 + (uint64_t)kind;
     size_t n;
     char path[1024], *text = text_of(d, kind, &n);
     int i = 0;
@@ -91,7 +91,7 @@ static int write_text(const char *folder, const ssgi_gl_desc *d, int kind, const
     if (text && i < files) { free(text); return 0; }
     seen[files++] = key;
     snprintf(file_name[i], sizeof file_name[i], "%s%s%s%s.%s", stem, named ? "." : "",
-             named ? ssgi_gl_dialect_name(d->dialect) : "", more, endings[kind]);
+             named ? ssgi_gl_dialect_name(d->text.dialect) : "", more, endings[kind]);
     snprintf(path, sizeof path, "%s/%s", folder, file_name[i]);
     return write_file(path, text, n);
 }
@@ -104,7 +104,7 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
     snprintf(more, sizeof more, "%s%s%s%s", *first ? "." : "", first, *second ? "." : "", second);
     for (int kind = 0; kind <= SSGI_GL_STAGES; ++kind)
         if (write_text(folder, d, kind, ssgi_gl_pass_name(d->pass), more, &together[kind])) return -1;
-    if (together[SSGI_GL_FRAGMENT]) manifest_variant(d, together);
+    if (together[SSGI_GL_STAGE_FRAGMENT]) manifest_variant(d, together);
     if (together[SSGI_GL_STAGES]) manifest_functions(together[SSGI_GL_STAGES]);
     return 0;
 }
@@ -207,65 +207,84 @@ static void add_tag(const char *word, const char *comment, const char *end, cons
     if (at && at < end) add("%s %.*s", word, (int)strcspn(at + strlen(tag), "]"), at + strlen(tag));
 }
 
-/* The enumerators from the one that a comment names on, to the end of its enum; as in "SSGI_GL_BILATERAL,
-   SSGI_GL_GAUSSIAN" or "SSGI_GL_SSAO ..". */
-static void add_names(const char *header, const char *comment, const char *end)
+/* Where the header's comment of a field begins, and at *end where it ends; NULL where the field has none. A field is
+   "gather.steps" or "text.version", or "gather" for the group itself. */
+static const char *comment_of(const char *header, const char *field, const char **end)
 {
-    char first[80] = "enum {\n    "; /* as make format leaves it */
-    const char *name = strstr(comment, "SSGI_"), *at;
-    const size_t length = name && name < end ? strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
-    const char *between = ", ";
-    if (!length || length > 64) return;
-    strncat(first, name, length);
-    at = strstr(header, first);
-    if (!at) return;
-    for (at += strlen("enum {"); *at && *at != '}';) {
-        const size_t n = strspn(at, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
-        if (!strncmp(at, "/*", 2)) { at = strstr(at, "*/"); if (!at) return; at += 2; continue; }
-        if (!strncmp(at, "SSGI_", 5) && strncmp(at, "SSGI_GL_PASSES", n)
-            && strncmp(at, "SSGI_GL_DIALECTS", n)) {
-            add("%s`%.*s`", between, (int)n, at);
-            between = " ";
-        }
-        at += n ? n : 1;
+    const char *const dot = strchr(field, '.');
+    char mark[96];
+    snprintf(mark, sizeof mark, dot ? "typedef struct ssgi_gl_%.*s_desc {" : "/* ---- desc.%.*s: ",
+             (int)(dot ? dot - field : (int)strlen(field)), field);
+    const char *at = strstr(header, mark), *stop = at ? strchr(at, dot ? '}' : '\n') : NULL;
+    if (at && !dot) at += strlen(mark);
+    if (at && dot) {
+        snprintf(mark, sizeof mark, "%s;", dot + 1);
+        for (at = strstr(at, mark); at && !strchr(" *", at[-1]); at = strstr(at + 1, mark)) {}
+        const char *next = at ? strchr(at + strlen(mark), ';') : NULL;
+        at = at && at < stop ? strstr(at, "/*") : NULL;
+        if (!at || at > stop || (next && next < at)) return NULL;
+        at += 2;
+    }
+    *end = at ? strstr(at, "*/") : NULL;
+    return *end ? at : NULL;
+}
+
+static void add_comment(const char *comment, const char *stop)
+{
+    const char *limit = strstr(comment, "[limit: "), *value = strstr(comment, "[default: ");
+    for (const char *c = comment; c < stop; ++c) {
+        if (c == limit || c == value) c = strchr(c, ']');
+        else if (c > comment && !strncmp(c, "   ", 3) && c[3] != ' ' && c[-1] != ' ' && c[-1] != ']') add(": ");
+        else add("%c", *c);
     }
 }
 
-/* The fields of ssgi_gl_desc, from the header's text: name, values, default, what the comment says. */
+static void add_field(const char *header, const char *field, const ssgi_gl_choice *c)
+{
+    const char *stop, *comment = comment_of(header, field, &stop);
+    add("`%s`", field);
+    if (comment) add_tag(",", comment, stop, "[limit: ");
+    const char *const prefix = c && *c->values ? strstr(c->sentence, "SSGI_") : NULL;
+    for (const char *word = prefix ? c->values : ""; *word;) {
+        const int n = (int)strcspn(word, " ");
+        add("%s`%.*s%.*s`", word == c->values ? ", " : " ", (int)strcspn(prefix, " "), prefix, n, word);
+        word += n + (word[n] == ' ');
+    }
+    if (comment) add_tag(", default", comment, stop, "[default: ");
+    if (comment) {
+        add(": ");
+        add_comment(comment, stop);
+    }
+    print_item();
+}
+
+/* The fields of ssgi_gl_desc by their groups: name, values, default, and the header's comment. */
 static int print_fields(const char *path, kit_error *err)
 {
-    char *header;
-    const char *at, *end;
+    const ssgi_gl_choice *c;
+    char *header, group[32] = "";
     size_t size;
     if (kit_file_read(&header, &size, path, err)) return -1;
-    at = strstr(header, "typedef struct ssgi_gl_desc {");
-    end = at ? strstr(at, "} ssgi_gl_desc;") : NULL;
-    if (!end) {
-        free(header);
-        return kit_fail(err, "%s: has no ssgi_gl_desc", path);
-    }
     puts("\n## Fields of `ssgi_gl_desc`\n\n0 is each field's default, and means what follows `default` where that "
-         "is there.\n");
-    while ((at = strchr(at, '\n')) != NULL && ++at < end) {
-        const char *comment = strstr(at, "/*"), *stop = comment ? strstr(comment, "*/") : NULL,
-            *semicolon = strchr(at, ';'), *name = semicolon;
-        if (!semicolon || !stop || semicolon > comment || comment > end) continue;
-        while (name[-1] != ' ' && name[-1] != '*') --name;
-        add("`%.*s`", (int)(semicolon - name), name);
-        add_tag(",", comment, stop, "[limit: ");
-        add_names(header, comment, stop);
-        add_tag(", default", comment, stop, "[default: ");
-        add(":");
-        const char *limit = strstr(comment, "[limit: "), *value = strstr(comment, "[default: ");
-        for (const char *c = comment + 2; c < stop; ++c) {
-            if (c == limit || c == value) c = strchr(c, ']');
-            else if (!strncmp(c, "SSGI_", 5)) c += strspn(c, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_,. ;") - 1;
-            else if (c > comment + 2 && !strncmp(c, "   ", 3) && c[3] != ' ' && c[-1] != ' ' && c[-1] != ']') add(": ");
-            else add("%c", *c);
+         "is there. The last part of a field's\nname is that of `ssgi_gl_choice_at` and of JavaScript's descs, but "
+         "`filter.kind`, `.radius` and `.normals` are `filter`,\n`filter_radius` and `filter_normals` there.\n");
+    for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i) {
+        const size_t n = strcspn(c->field, ".");
+        if (c->field[n] && (strncmp(group, c->field, n) || group[n])) {
+            const char *stop, *about;
+            snprintf(group, sizeof group, "%.*s", (int)n, c->field);
+            about = comment_of(header, group, &stop);
+            printf("\n### `%s`%s", group, about ? ": " : "");
+            for (const char *at = about; at && at < stop && strncmp(at, " */", 3); ++at) {
+                if (*at == '\n') at += strspn(at, "\n ") - 1;
+                putchar(*at == '\n' || *at == ' ' ? ' ' : *at);
+            }
+            puts("\n");
         }
-        print_item();
-        at = stop;
+        add_field(header, c->field, c);
     }
+    add_field(header, "text.version", NULL);
+    add_field(header, "text.fetch", NULL);
     free(header);
     return 0;
 }
@@ -274,9 +293,9 @@ static int print_fields(const char *path, kit_error *err)
 static void print_passes(void)
 {
     static const char *const words[3] = { "reads", "per frame", "writes" };
-    static const int kinds[3][2] = { { SSGI_GL_TEXTURE, SSGI_GL_ATTRIBUTE },
-                                     { SSGI_GL_PARAM, SSGI_GL_PARAM },
-                                     { SSGI_GL_OUTPUT, SSGI_GL_CAPTURE } };
+    static const int kinds[3][2] = { { SSGI_GL_IO_TEXTURE, SSGI_GL_IO_ATTRIBUTE },
+                                     { SSGI_GL_IO_PARAM, SSGI_GL_IO_PARAM },
+                                     { SSGI_GL_IO_OUTPUT, SSGI_GL_IO_CAPTURE } };
     puts("# Passes\n\nMade by `make passes`. `ssgi_gl_reflect` returns these rows for your variant, with formats, "
          "slots, and offsets in\n`ssgi_gl_frame`; the declarations in the text are printed from them. Fetches: the "
          "most that a pixel (of `surfels`: a\nsurfel) takes at default counts, as the text has it.");
@@ -303,8 +322,8 @@ static ssgi_gl_desc variant_of(int pass, int dialect, int a, int b)
     ssgi_gl_desc d;
     memset(&d, 0, sizeof d);
     d.pass = pass;
-    d.dialect = dialect;
-    if (pass == SSGI_GL_SSDO) d.environment = SSGI_GL_ENVIRONMENT_MAP;
+    d.text.dialect = dialect;
+    if (pass == SSGI_GL_PASS_SSDO) d.light.environment = SSGI_GL_ENVIRONMENT_MAP;
     return with_choice(with_choice(d, b), a);
 }
 
@@ -325,7 +344,7 @@ static size_t emit_field(char *out, size_t capacity, const ssgi_gl_desc *d, int 
 static size_t emit_sh(char *out, size_t capacity, const ssgi_gl_desc *d, int stage)
 {
     (void)stage;
-    return ssgi_gl_sh(out, capacity, d->bands);
+    return ssgi_gl_sh(out, capacity, d->light.bands);
 }
 
 static void print_golden(void)
@@ -338,11 +357,11 @@ static void print_golden(void)
                 uint64_t hash = basis;
                 for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect) {
                     const ssgi_gl_desc d = variant_of(pass, dialect, a, 0);
-                    uint64_t *of = dialect == SSGI_GL_VULKAN ? &vulkan : &hash;
+                    uint64_t *of = dialect == SSGI_GL_DIALECT_VULKAN ? &vulkan : &hash;
                     *of = hash_of(*of, ssgi_gl_emit, &d, stage);
                 }
                 for (int b = 1; b < a; ++b) {
-                    const ssgi_gl_desc d = variant_of(pass, SSGI_GL_450, a, b);
+                    const ssgi_gl_desc d = variant_of(pass, SSGI_GL_DIALECT_450, a, b);
                     pairs = hash_of(pairs, ssgi_gl_emit, &d, stage);
                 }
                 if (hash != basis && hash != plain)
@@ -355,17 +374,17 @@ static void print_golden(void)
             if (vulkan != basis)
                 printf("%016llx %s.vulkan.%s\n", (unsigned long long)vulkan, ssgi_gl_pass_name(pass), endings[stage]);
         }
-    const ssgi_gl_desc vulkan = variant_of(SSGI_GL_FIELD, SSGI_GL_VULKAN, 0, 0);
+    const ssgi_gl_desc vulkan = variant_of(SSGI_GL_PASS_FIELD, SSGI_GL_DIALECT_VULKAN, 0, 0);
     printf("%016llx field.vulkan.glsl\n", (unsigned long long)hash_of(basis, emit_field, &vulkan, 0));
     for (int a = 0; a < choices_count; ++a) {
-        const ssgi_gl_desc d = variant_of(SSGI_GL_FIELD, SSGI_GL_450, a, 0),
-                           plain = variant_of(SSGI_GL_FIELD, SSGI_GL_450, 0, 0);
+        const ssgi_gl_desc d = variant_of(SSGI_GL_PASS_FIELD, SSGI_GL_DIALECT_450, a, 0),
+                           plain = variant_of(SSGI_GL_PASS_FIELD, SSGI_GL_DIALECT_450, 0, 0);
         const uint64_t hash = hash_of(basis, emit_field, &d, 0);
         if (!a || hash != hash_of(basis, emit_field, &plain, 0))
             printf("%016llx field.%s%sglsl\n", (unsigned long long)hash, choices[a].name, a ? "." : "");
     }
     for (int bands = 1; bands <= 4; ++bands) {
-        const ssgi_gl_desc d = { .bands = bands };
+        const ssgi_gl_desc d = { .light.bands = bands };
         printf("%016llx sh%d.glsl\n", (unsigned long long)hash_of(basis, emit_sh, &d, 0), bands);
     }
 }
@@ -400,7 +419,7 @@ static int do_chains(int argc, char **argv, kit_error *err)
         }
         while (k < 4 && strcmp(a + 2, translated[k])) ++k;
         if (k < 4 && targets < 4) target[targets++] = translated[k];
-        const int dialect = k < 4 ? SSGI_GL_VULKAN : dialect_named(a + 2);
+        const int dialect = k < 4 ? SSGI_GL_DIALECT_VULKAN : dialect_named(a + 2);
         if (dialect < 0) return kit_fail(err, "%s: must be --330 .. --vulkan, --spv, --wgsl, --hlsl or --msl", a);
         dialects[dialect] = languages = 1;
     }
@@ -437,7 +456,7 @@ static int write_all(const char *folder, int alone, kit_error *err)
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
             for (int a = 0; a < choices_count; ++a)
-                for (int b = 0; b <= (dialect == SSGI_GL_450 ? a : 0); ++b) {
+                for (int b = 0; b <= (dialect == SSGI_GL_DIALECT_450 ? a : 0); ++b) {
                     const ssgi_gl_desc d = variant_of(pass, dialect, a, b);
                     if (alone >= 0 && alone != dialect) continue;
                     if (write_texts(folder, &d, choices[a].name, choices[b].name)) return -1;

@@ -18,7 +18,8 @@ const char render_usage[] =
     "  MODEL                 OBJ, glTF, GLB, PLY, FBX or what else Assimp reads (without libassimp-dev: OBJ alone)\n"
     "  --gbuffer F.exr       a captured frame: Z (view depth > 0), perhaps N.X N.Y N.Z (view space; without them\n"
     "                        normals are of the depth, normal=depth), albedo.R .., direct.R .., farther depth layers\n"
-    "                        layer1.Z ..; back.Z, front2.Z, back2.Z (behind=). Its header's camera and radius are the\n"
+    "                        layer1.Z ..; back.Z, front2.Z, back2.Z (thickness=). Its header's camera and radius are "
+    "the\n"
     "                        defaults of --camera with --up, of --fovy or --ortho-height, and of --radius: files of\n"
     "                        --save-gbuffer have them, and those that examples/tools/capture/capture.py makes of a\n"
     "                        depth buffer and its projection\n"
@@ -120,7 +121,7 @@ static int take_plan(options *o, const char *name, const char *text, kit_error *
 
 int render_plans_light(const options *o)
 {
-    return o->planned - 1 == SSGI_PLAN_LIGHT || o->planned - 1 == SSGI_PLAN_BOUNCE;
+    return o->planned - 1 == SSGI_PLAN_WANTED_LIGHT || o->planned - 1 == SSGI_PLAN_WANTED_BOUNCE;
 }
 
 /* The number that a text begins with, of digits alone; 0: there is none, or it is above most. */
@@ -294,7 +295,7 @@ static int check_source(const options *o, kit_error *err)
         return kit_fail(err, "--%s: needs --env", o->backdrop    ? "backdrop"
                                                   : o->turn != 0 ? "env-turn"
                                                                  : "env-strength");
-    if (o->planned - 1 == SSGI_PLAN_OBJECTS && o->gbuffer)
+    if (o->planned - 1 == SSGI_PLAN_WANTED_OBJECTS && o->gbuffer)
         return kit_fail(err, "--plan objects: needs a scene; a frame has no objects to bake");
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
     if (o->gbuffer && o->truth)
@@ -371,13 +372,13 @@ int render_parse(options *o, int argc, char **argv, kit_error *err)
 /* The words that a setting takes, the default one in brackets. */
 static void list_words(char *out, size_t size, const kit_setting *s)
 {
-    const char *word = s->choices;
     size_t used = 0;
-    for (int k = 0; *word && used < size; ++k) {
-        const int n = (int)strcspn(word, " "), ours = k == (int)s->value;
-        used += (size_t)snprintf(out + used, size - used, "%s%s%.*s%s", k ? " " : "", ours ? "[" : "", n, word,
+    for (int k = 0; k <= (int)s->most && used < size; ++k) {
+        char word[64];
+        const int ours = k == (int)s->value;
+        kit_setting_word(word, sizeof word, s, k);
+        used += (size_t)snprintf(out + used, size - used, "%s%s%s%s", k ? " " : "", ours ? "[" : "", word,
                                  ours ? "]" : "");
-        word += n + (word[n] == ' ');
     }
 }
 

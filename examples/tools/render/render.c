@@ -168,7 +168,7 @@ static int plan_it(job *j, kit_error *err)
     if (ssgi_plan_make(&j->plan, &numbers, &why) != SSGI_OK) return kit_fail(err, "%s", why);
     j->r.plan = &j->plan;
     if (!o->json) printf("%s; cost %.2f\n", j->plan.why, (double)j->plan.cost);
-    if (j->plan.method == SSGI_PLAN_NOTHING) {
+    if (j->plan.method == SSGI_PLAN_METHOD_NOTHING) {
         if (kit_image_new(picture, j->gbuffer.viewport[2], j->gbuffer.viewport[3], "Y", err)) return -1;
         for (int i = 0; i < picture->width * picture->height; ++i) picture->data[i] = 1;
     } else if (kit_plan_method(&j->method, &j->plan, o->planned - 1, err)) return -1;

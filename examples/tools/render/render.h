@@ -23,7 +23,7 @@ typedef struct options {
     int         sets, truth, floor;        /* rays; 0: not asked */
     double      radius;                    /* 0: the scene's own, or a guess */
     int         guess;                     /* 1: by its mesh's maxima of y */
-    int         planned;                   /* SSGI_PLAN_VISIBILITY .. and 1; 0: not asked */
+    int         planned;                   /* SSGI_PLAN_WANTED_VISIBILITY .. and 1; 0: not asked */
     double      plan[2];                   /* error, budget */
     /* what comes out */
     const char *out, *score, *save, *listed;

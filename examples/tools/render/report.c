@@ -193,7 +193,7 @@ void render_report(const options *o, const kit_method *m, const result *r, doubl
 {
     const char *what = o->truth                                          ? "truth"
                        : o->floor                                        ? "floor"
-                       : r->plan && r->plan->method == SSGI_PLAN_NOTHING ? "nothing"
+                       : r->plan && r->plan->method == SSGI_PLAN_METHOD_NOTHING ? "nothing"
                                                                          : m->name;
     if (o->json) report_json(o, m, what, r, radius); else report_text(o, what, r);
 }

@@ -4,8 +4,8 @@
 export type Stage = 'vert' | 'frag' | 'tesc' | 'tese' | 'geom';
 export type Preset = 'FAST' | 'BALANCED' | 'BEST';
 
-/** ssgi_gl_choice: a field of a desc, 0 .. most */
-export interface Choice { name: string; offset: number; most: number; values: string[]; sentence: string; }
+/** ssgi_gl_choice: a field of a desc, 0 .. most. field: in C, as "gather.steps" */
+export interface Choice { name: string; field: string; offset: number; most: number; values: string[]; sentence: string; }
 
 /** ssgi_gl_io: what a program reads or writes */
 export interface Row {
@@ -25,7 +25,7 @@ export type Frame = { buffer: ArrayBuffer } & { [member: string]: Float32Array |
 /** ssgi_gl_chain: what is drawn for a desc. What is left out is 0 */
 export interface Chain {
   desc: Desc; lights?: Desc; width: number; height: number;
-  blur?: number; history?: number; vectors?: number; reuse?: number; vpls?: number; direct?: number;
+  blur?: number; history?: number; coefficients?: number; reuse?: number; vpls?: number; direct?: number;
   surfels?: number; hidden_sky?: number; unsmoothed?: number; precise?: number;
 }
 

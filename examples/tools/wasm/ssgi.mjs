@@ -6,13 +6,13 @@
       gl.shaderSource(shader, ssgi.text(desc, 'frag'));      // and 'vert'
       for (const row of ssgi.rows(desc)) ..                  // { name: 't_ssgi_depth', kind: 'TEXTURE', slot: 0, .. }
       const view = ssgi.view(projection, width, height);     // projection: 16 numbers, as GL has them
-      const frame = ssgi.frame(view, 0.5);                   // frame.thickness[0] = 0.2; ..
+      const frame = ssgi.frame(view, 0.5);                   // frame.thickness_limit[0] = 0.2; ..
       gl.bufferSubData(gl.UNIFORM_BUFFER, 0, frame.buffer);  // the block "ssgi_frame"
       for (const step of ssgi.steps({ desc, width, height, blur: 1 })) ..    // what is drawn, in order
 
-   A desc is an object of the fields of ssgi_gl_desc (ssgi_gl.h; ssgi.choices lists them), enums by their words: the C
-   name less its prefix. What is wrong with an argument is thrown as an Error of one sentence: the library's, or where
-   it cannot look (types, lengths, memory) one from here. */
+   A desc is a flat object of the fields of ssgi_gl_desc (ssgi_gl.h), by the names that ssgi.choices lists, which need no
+   group: steps is gather.steps. Enums go by their words: the C name less its prefix. A wrong argument throws an Error
+   of one sentence: the library's, or where the library cannot look (types, lengths, memory) one from here. */
 
 const stages = ['vert', 'frag', 'tesc', 'tese', 'geom'];
 const kinds = ['TEXTURE', 'PARAM', 'OUTPUT', 'CONSTANT', 'ATTRIBUTE', 'CAPTURE'];
@@ -111,8 +111,8 @@ export class Ssgi {
         this.#strings = { version: this.#at['ssgi_gl_desc.version'], fetch: this.#at['ssgi_gl_desc.fetch'] };
         this.version = `${this.#at.major}.${this.#at.minor}`;
         this.choices = this.#list(exports.ssgi_gl_choice_at, c => ({
-            name: this.#string(this.#int(c + choice.name)), offset: this.#int(c + choice.offset),
-            most: this.#int(c + choice.most),
+            name: this.#string(this.#int(c + choice.name)), field: this.#string(this.#int(c + choice.field)),
+            offset: this.#int(c + choice.offset), most: this.#int(c + choice.most),
             values: this.#string(this.#int(c + choice.values)).split(' ').filter(Boolean),
             sentence: this.#string(this.#int(c + choice.sentence)) }));
         this.members = this.#list(exports.ssgi_gl_member_at, row => this.#row(row));
@@ -355,7 +355,7 @@ export class Ssgi {
             },
             closest: (origin, direction, tmin, tmax) => {
                 send(origin, direction, tmin, tmax);
-                if (!this.#c.ssgi_trace_closest(trace, ray, ray + 12, tmin, tmax, hit)) return null;
+                if (!this.#c.ssgi_trace_closest(hit, trace, ray, ray + 12, tmin, tmax)) return null;
                 const at = hit >> 2;
                 return { t: floats[at], u: floats[at + 1], v: floats[at + 2], triangle: ints[at + 3] };
             }

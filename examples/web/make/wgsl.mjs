@@ -8,7 +8,7 @@ import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'no
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chainAs } from '../chain.mjs';
-import { behinds, defaults, halves, methods, normals, presets, shadows } from '../settings.mjs';
+import { defaults, halves, methods, normals, presets, shadows, thicknesses } from '../settings.mjs';
 import { bare, keyOf } from '../webgpu-steps.mjs';
 
 const [wasm, loader, folder, to] = process.argv.slice(2);
@@ -19,7 +19,8 @@ const translate = join(dirname(fileURLToPath(import.meta.url)), '../../tools/gls
 const every = {
     name: Object.keys(methods).filter(name => methods[name].desc && !methods[name].module),
     preset: Object.keys(presets),
-    behind: Object.keys(behinds), normals: Object.keys(normals), half: Object.keys(halves), filter: [-1, 0, 1, 2, 3, 4],
+    thickness: Object.keys(thicknesses), normals: Object.keys(normals), half: Object.keys(halves),
+    filter: [-1, 0, 1, 2, 3, 4],
     history: [false, true], moves: [false, true], bounce: [false, true], sun: [false, true], precise: [0, 1]
 };
 /* The sun's own pass, and what it changes of those about it, which are of the others' defaults. */

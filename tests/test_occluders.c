@@ -1,4 +1,4 @@
-/* test_casters.c - fields of occluders through the whole of GL: the shader against the CPU, pictures against closed
+/* test_occluders.c - fields of occluders through the whole of GL: the shader against the CPU, pictures against closed
    forms and truth, what one draw covers, how occluders combine. */
 #include "t.h"
 #include "frames.h"
@@ -57,7 +57,7 @@ static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expressio
     if (!CHECK(program != 0, "%s", err.text)) return 0;
     unit[2] = kit_texture(64, 64, GL_RGBA32F, first);
     unit[3] = kit_texture(64, 64, GL_RGBA32F, second);
-    if (desc->cap_table) unit[4] = textures[2];
+    if (desc->input.cap_table) unit[4] = textures[2];
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
@@ -88,7 +88,7 @@ static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expressio
 static void caps(void)
 {
     static float at[4 * POINTS], out[POINTS];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_FIELD };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_FIELD };
     const GLuint none[2] = { 0, 0 };
     double worst = 0;
     for (int i = 0; i < POINTS; ++i) {         /* a grid with both ends, and small caps */
@@ -103,7 +103,7 @@ static void caps(void)
     t_note("off by at most %.1e", worst);
     /* by a table: beyond both ends, too */
     static float table[48 * 48];
-    const ssgi_gl_desc of_table = { .pass = SSGI_GL_FIELD, .cap_table = 1 };
+    const ssgi_gl_desc of_table = { .pass = SSGI_GL_PASS_FIELD, .input.cap_table = 1 };
     ssgi_cap_table(table, 48, NULL);
     const GLuint texture[3] = { 0, 0, kit_texture(48, 48, GL_R32F, table) };
     for (int i = 0; i < POINTS; ++i) {
@@ -140,7 +140,7 @@ static void same_as_on_the_cpu(void)
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
     for (int m = 0; m < 4; ++m) {
         const ssgi_field *f[2] = { field_of(&scene, 3 + m, 8), field_of(&scene, 12, 5) };
-        const ssgi_gl_desc d = { .pass = SSGI_GL_FIELD };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_FIELD };
         ssgi_gl_occluder occluder[2];
         GLuint textures[2];
         float to[2][16];
@@ -675,7 +675,7 @@ static void mesh_kept(void)
     kit_scene_free(&scene);
 }
 
-void test_casters(void)
+void test_occluders(void)
 {
     RUN("what was never opened can be closed, with no context", closing_nothing);
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;

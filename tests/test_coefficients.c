@@ -1,5 +1,5 @@
-/* test_vectors.c - s3ho and ssbn through the whole of GL: vectors and light against closed forms, lamps, storage, the
-   filter, bent normals, range, fading, truth. */
+/* test_coefficients.c - s3ho and ssbn through the whole of GL: coefficients and light against closed forms, lamps,
+   storage, the filter, bent normals, range, fading, truth. */
 #include "t.h"
 #include "frames.h"
 
@@ -55,10 +55,10 @@ static float half_value(uint32_t h)
 }
 
 /* The vectors that a pass of 4 bands wrote, one a pixel, however they are stored. To be freed; NULL on failure. */
-static float *vectors_new(const kit_run *run, int pass)
+static float *coefficients_new(const kit_run *run, int pass)
 {
     const kit_pass *p = &run->pass[pass];
-    const size_t texels = (size_t)p->width * (size_t)p->height, per = p->desc.packed ? 8 : 4;
+    const size_t texels = (size_t)p->width * (size_t)p->height, per = p->desc.light.packed ? 8 : 4;
     float *out = malloc(16 * texels * sizeof *out), *texel = malloc(4 * texels * sizeof *texel);
     int ok = out && texel;
     for (size_t t = 0; t < 16 / per && ok; ++t) {
@@ -101,10 +101,10 @@ static void open_planes(void)
     static const struct {
         const char *set;
         int bands, read, orthographic;
-    } row[] = { { "filtered=vectors", 4, 1, 0 },          { "filtered=vectors,sets=16,steps=4", 4, 1, 0 },
-                { "filtered=vectors,layers=2", 4, 1, 1 }, { "filtered=light", 4, 0, 0 },
-                { "filtered=vectors", 3, 0, 1 },          { "filtered=light", 2, 0, 0 },
-                { "filtered=vectors", 1, 0, 0 } };
+    } row[] = { { "filtered=coefficients", 4, 1, 0 },          { "filtered=coefficients,sets=16,steps=4", 4, 1, 0 },
+                { "filtered=coefficients,layers=2", 4, 1, 1 }, { "filtered=light", 4, 0, 0 },
+                { "filtered=coefficients", 3, 0, 1 },          { "filtered=light", 2, 0, 0 },
+                { "filtered=coefficients", 1, 0, 0 } };
     static const double tilts[] = { 0, 30, 60, 75 };
     double worst[3] = { 0 };
     float light[48];
@@ -133,9 +133,9 @@ static void open_planes(void)
                 || (!k && !begin(&run, &g[0], "s3ho-points", set, 0.5f, NULL, &dark)))
                 return;
             turn(&run, &g[k]);
-            run.frame.radius = run.frame.thickness = k & 1 ? 0.5f : 0.1f;
+            run.frame.radius = run.frame.thickness_limit = k & 1 ? 0.5f : 0.1f;
             ssgi_gl_harmonics_set(&run.frame, light, row[m].bands, view, NULL);
-            if (!drawn(&out, &run) || (row[m].read && !(vector = vectors_new(&run, 0)))) return;
+            if (!drawn(&out, &run) || (row[m].read && !(vector = coefficients_new(&run, 0)))) return;
             for (int p = 0; p < W * H; ++p) {
                 if (!flat(&frame, p % W, p / W)) continue;
                 for (int i = 0; i < 16 && row[m].read; ++i)
@@ -159,7 +159,7 @@ static void open_planes(void)
 
 /* ---- the corner -------------------------------------------------------------------------------------------------- */
 
-/* All radii: where the wall begins and ends, what fading does with a blocker at distance d. */
+/* All radii: where the wall begins and ends, what fading does with a occluder at distance d. */
 typedef struct wall { double c, end; int steps; double (*weight)(double d); } wall;
 static double whole(double d)  { (void)d; return 1; }
 static double smooth(double d) { const double t = fmin(1, fmax(0, (d - 0.5) / 0.5)); return 1 - t * t * (3 - 2 * t); }
@@ -195,13 +195,13 @@ static void wall_vector(double v[16], const wall *w, const double n[3], const do
 }
 
 /* Draws the middle columns of a row, and what a filter needs around them; reads them from the targets of a pass.
-   Senders are drawn whole. */
+   Emitters are drawn whole. */
 static int strip(float *out, kit_run *run, int row, int pass, int targets)
 {
     const int passes = run->passes;
     float *texel = malloc((size_t)WIDE * (size_t)(row + 1) * 4 * sizeof *texel);
     int ok = texel != NULL;
-    for (run->passes = 0; run->pass[run->passes].desc.pass == SSGI_GL_SENDERS; ++run->passes) {}
+    for (run->passes = 0; run->pass[run->passes].desc.pass == SSGI_GL_PASS_EMITTERS; ++run->passes) {}
     kit_run_update(run);
     kit_run_draw(run, 0);
     run->passes = passes;
@@ -263,7 +263,8 @@ static void walls_block(void)
         kit_gbuffer g;
         kit_run run;
         char set[128];
-        snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,behind=solid,samples=64,%s", row[m].set);
+        snprintf(set, sizeof set, "indirect=none,filtered=coefficients,store=float,thickness=solid,samples=64,%s",
+                 row[m].set);
         corner_planes(plane, w->c, 0);
         for (int i = 0; i < 3; ++i) along[i] = -plane[1][i];
         wall_vector(v, w, plane[0], along);
@@ -280,7 +281,7 @@ static void walls_block(void)
     t_note("a coefficient is off by %.4f at most", worst);
 }
 
-/* A wall sends what its albedo makes of light from all sides, as far as it blocks the floor; normals of senders have 6
+/* A wall sends what its albedo makes of light from all sides, as far as it blocks the floor; normals of emitters have 6
    bits. */
 static void walls_reflect(void)
 {
@@ -308,7 +309,7 @@ static void walls_reflect(void)
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "behind=solid,samples=64,fade=lambda,lambda=2,%s", sets[m]);
+        snprintf(set, sizeof set, "thickness=solid,samples=64,fade=lambda,lambda=2,%s", sets[m]);
         if (!begin(&run, &g, "s3ho-points", set, 1, NULL, &dark)) return;
         ssgi_gl_harmonics_set(&run.frame, light, 4, NULL, NULL);
         int last = 0;                                   /* what draws the bounce */
@@ -363,7 +364,7 @@ static void leave_lobes(const kit_run *run, int pass, const kit_image *frame, in
 
 /* What a wall and the back of a room let through to each other by way of the last frame: as much as by open lobes where
    those were left, nothing where nothing was, each surface on its own. Normals along axes are exact in 6 bits. */
-static void senders_are_dimmed(void)
+static void emitters_are_dimmed(void)
 {
     static const double planes[2][4] = { { 1, 0, 0, -0.5 }, { 0, 0, 1, -4 } };
     static const char *const methods[2] = { "s3ho-points", "s3ho" };
@@ -379,17 +380,17 @@ static void senders_are_dimmed(void)
         kit_run run;
         for (int k = 0, pass; k < 6; ++k) {
             char set[96];
-            snprintf(set, sizeof set, "indirect=%s,store=packed,filtered=vectors,blur=1,dimmed=%d,%s",
+            snprintf(set, sizeof set, "indirect=%s,store=packed,filtered=coefficients,blur=1,dimmed=%d,%s",
                      k == 1 ? "none" : "joint", k > 1, m ? "steps=6" : "samples=8");
             if (k < 3 && !begin(&run, &g, methods[m], set, 1, NULL, &dark)) return;
-            for (pass = 0; run.pass[pass].desc.pass != SSGI_GL_S3HO; ++pass) {}
+            for (pass = 0; run.pass[pass].desc.pass != SSGI_GL_PASS_S3HO; ++pass) {}
             const int passes = run.passes;
             if (k > 1) leave_lobes(&run, pass, &frame, k - 2);
             run.passes = pass + 1;
             kit_run_update(&run);
             kit_run_draw(&run, 0);
             run.passes = passes;
-            if (!(vector[k] = vectors_new(&run, pass))) return;
+            if (!(vector[k] = coefficients_new(&run, pass))) return;
             if (k < 2 || k == 5) kit_run_close(&run);
         }
         for (int i = 0; i < 16 * W * H; ++i) {
@@ -408,10 +409,15 @@ static void senders_are_dimmed(void)
 /* What a chain's gather reads of the last frame is what its filter wrote. */
 static void filtered_sets_are_left(void)
 {
-    const ssgi_gl_chain chain = {
-        .desc = { .pass = SSGI_GL_S3HO, .half = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH, .dimmed = 1 },
-        .width = 64, .height = 48, .blur = 1, .vectors = 1
-    };
+    const ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_PASS_S3HO,
+                                            .gather.half = 1,
+                                            .light.packed = 1,
+                                            .light.transfer = SSGI_GL_TRANSFER_BOTH,
+                                            .light.dimmed = 1 },
+                                  .width = 64,
+                                  .height = 48,
+                                  .blur = 1,
+                                  .coefficients = 1 };
     static ssgi_gl_step step[8];
     const int count = ssgi_gl_steps(step, 8, &chain, NULL);
     int read = 0;
@@ -419,7 +425,7 @@ static void filtered_sets_are_left(void)
         for (int k = 0; k < step[i].inputs; ++k) {
             const ssgi_gl_input *in = &step[i].input[k];
             for (int m = i + 1; m < count && !strncmp(in->name, "t_ssgi_last_", 12); ++m)
-                for (int o = 0; o < step[m].outputs && step[m].desc.pass == SSGI_GL_BLUR; ++o)
+                for (int o = 0; o < step[m].outputs && step[m].desc.pass == SSGI_GL_PASS_BLUR; ++o)
                     read += in->texture == step[m].output[o].texture && in->last && in->width == 64 && in->height == 48
                          && !strcmp(in->name + strlen("t_ssgi_last_"), step[m].output[o].name + strlen("o_ssgi_"))
                          && in->format == step[m].output[o].format;
@@ -451,8 +457,10 @@ static void range_is_checked(void)
             double v = 0;
             kit_gbuffer g;
             char set[128];
-            snprintf(set, sizeof set,
-                     "range=%d,indirect=none,filtered=vectors,store=float,bands=1,behind=solid,samples=64,offset=0", m);
+            snprintf(
+                set, sizeof set,
+                "range=%d,indirect=none,filtered=coefficients,store=float,bands=1,thickness=solid,samples=64,offset=0",
+                m);
             for (int i = 0; i < WIDTH * HEIGHT; ++i)
                 if (i % WIDTH >= EDGE) frame.data[i] = (float)(4 - row[k].high * radius);
             if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)) ||
@@ -500,12 +508,13 @@ static void depths_without_squares(void)
         }
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
             || (!row
-                && !begin(&run, &g, "s3ho", "indirect=none,store=float,filtered=vectors,half=0", 0.5f, NULL, &dark)))
+                && !begin(&run, &g, "s3ho", "indirect=none,store=float,filtered=coefficients,half=0", 0.5f, NULL,
+                          &dark)))
             return;
         turn(&run, &g);
         kit_run_update(&run);
         kit_run_draw(&run, 0);
-        float *vector = vectors_new(&run, run.pass[0].desc.pass == SSGI_GL_WIDTH);
+        float *vector = coefficients_new(&run, run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS);
         if (!vector) return;
         for (int i = 0; i < 16 * W * H; ++i) wrong += !(fabsf(vector[i]) < 3.55f); /* 2 sqrt(pi): all of light's */
         CHECK(!wrong, "row %d: %d coefficients are not finite, or beyond all light", row, wrong);
@@ -529,7 +538,7 @@ static void ssdo_agrees(void)
 {
     static const struct { const char *method, *set;
     } row[3] = { { "ssdo-points", "bounce=none,environment=sh" },
-                 { "s3ho-points", "indirect=none,store=float,filtered=vectors" },
+                 { "s3ho-points", "indirect=none,store=float,filtered=coefficients" },
                  { "s3ho-points", "indirect=none,filtered=light" } };
     static const float at[3] = { 0.5f, 0.7f, 0.4f }, colour[3] = { 3, 2, 1 };
     float light[27] = { 0 }, view[16], projection[16];
@@ -583,9 +592,10 @@ static void lamps_light_what_faces_them(void)
                         back[3] = { 0.0588235, 0, 0.0204082 };
     static const struct {
         double kind, distance, radius;
-    } row[] = {
-        { SSGI_GL_SUN, 1, 0 }, { SSGI_GL_POINT, 0.7, 0 }, { SSGI_GL_POINT, 1.6, 0.8 }, { SSGI_GL_POINT, 0.5, 0.49 }
-    };
+    } row[] = { { SSGI_GL_LIGHT_SUN, 1, 0 },
+                { SSGI_GL_LIGHT_POINT, 0.7, 0 },
+                { SSGI_GL_LIGHT_POINT, 1.6, 0.8 },
+                { SSGI_GL_LIGHT_POINT, 0.5, 0.49 } };
     const kit_camera c = looking_along_z(WIDTH, HEIGHT, 1);
     float P[3];
     double worst = 0;
@@ -654,7 +664,7 @@ static void suns_are_lamps(void)
     kit_camera_matrices(&g.camera, view, projection);
     ssgi_sh_light(light, 4, w->at, sines[1], w->colour, SSGI_SH_WINDOW_NONE, NULL);
     for (int m = 0; m < 2; ++m) {
-        ssgi_gl_light lamp = { .kind = m ? SSGI_GL_POINT : SSGI_GL_SUN, .min_distance = FAR * sines[m] };
+        ssgi_gl_light lamp = { .kind = m ? SSGI_GL_LIGHT_POINT : SSGI_GL_LIGHT_SUN, .min_distance = FAR * sines[m] };
         kit_image out, other, sent;
         kit_run run;
         if (!begin(&run, &g, "s3ho-points", "indirect=none,window=none,filtered=light", scene.radius, &scene, &sun))
@@ -666,12 +676,12 @@ static void suns_are_lamps(void)
             lamp.colour[i] = (m ? (float)FAR * FAR : 1) * w->colour[i];
             for (int j = 0; j < 3; ++j) lamp.at[i] += (m ? FAR : 1) * view[4 * j + i] * w->at[j];
         }
-        if (!begin(&run, &g, "s3ho-points", "indirect=none,window=none,filtered=vectors,store=float", scene.radius,
+        if (!begin(&run, &g, "s3ho-points", "indirect=none,window=none,filtered=coefficients,store=float", scene.radius,
                    &scene, &point))
             return;
         run.pass[1].lights = kit_texture(8, 1, GL_RGBA32F, lamp.at);
         if (!drawn(&other, &run)) return;
-        run.pass[1].desc.albedo = 1;
+        run.pass[1].desc.light.albedo = 1;
         if (!remade(&run, 1) || !drawn(&sent, &run)) return;
         off[m] = apart(&out, "irradiance.R", &other, "irradiance.R");
         off[2] = fmax(off[2], apart(&sent, "irradiance.R", &other, "R"));
@@ -685,7 +695,7 @@ static void suns_are_lamps(void)
     kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
-/* With desc.residual an open plane gets what it should of suns and point lights, in any bands, filtered before or
+/* With desc.light.residual an open plane gets what it should of suns and point lights, in any bands, filtered before or
    after, whatever the window; so it does by bent cones, under a black sky and under none. */
 static void open_is_exact(void)
 {
@@ -702,7 +712,7 @@ static void open_is_exact(void)
         snprintf(set, sizeof set, "indirect=none,bands=%d,", bands);
         snprintf(set + (cones ? 0 : strlen(set)), sizeof set - 32,
                  "residual=1,lights=harmonics,window=%s,store=float,filtered=%s", k % 3 ? "hann" : "none",
-                 k % 2 ? "light" : "vectors");
+                 k % 2 ? "light" : "coefficients");
         if (!lighten(&l, NULL, lights[k % 4]) || !see(&scene, &g, "plane", NULL, 0, NULL, W, H)
             || (k >= 20 && !TRY(kit_image_new(&l.env, 16, 8, "R,G,B", &err)))
             || !lit(&out, &g, cones ? "ssbn-points" : "s3ho-points", set, scene.radius, &scene, &l))
@@ -763,15 +773,15 @@ static void storage_rounds(void)
         for (int s = 0; s < STORES; ++s) {
             kit_run run;
             char set[96];
-            snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=%s,bands=%d,blur=%d", stores[s],
+            snprintf(set, sizeof set, "indirect=none,filtered=coefficients,store=%s,bands=%d,blur=%d", stores[s],
                      k < 1 ? 4 : 5 - k, k == 1 ? 2 : 0);
             if (!begin(&run, &g, "s3ho-points", set, scene.radius, &scene, &l)) return;
             for (int i = 0; i < run.passes && s == ITSELF && !kit_gl_is_es(); ++i) {
-                run.pass[i].desc.dialect = SSGI_GL_450;
+                run.pass[i].desc.text.dialect = SSGI_GL_DIALECT_450;
                 if (!remade(&run, i)) return;
             }
             ssgi_gl_harmonics_set(&run.frame, light, k < 1 ? 4 : 5 - k, NULL, NULL);
-            if (!drawn(&out[s], &run) || (k < 2 && !(v[s] = vectors_new(&run, k)))) return;
+            if (!drawn(&out[s], &run) || (k < 2 && !(v[s] = coefficients_new(&run, k)))) return;
             kit_run_close(&run);
             worst[s][2] = fmax(worst[s][2], apart(&out[0], "irradiance.R", &out[s], "irradiance.R"));
             /* in units of the last place; with a filter of the largest coefficient's */
@@ -823,7 +833,7 @@ static void order_does_not_matter(void)
         kit_image out[2];
         for (int k = 0; k < 2; ++k) {
             char set[96];
-            snprintf(set, sizeof set, "%s,restore=none,filtered=%s", row[m].set, k ? "vectors" : "light");
+            snprintf(set, sizeof set, "%s,restore=none,filtered=%s", row[m].set, k ? "coefficients" : "light");
             if (!lit(&out[k], &g, "s3ho-points", set, scene.radius, &scene, &l)) return;
         }
         const double off = fmax(apart(&out[0], "irradiance.R", &out[1], "irradiance.R"),
@@ -848,7 +858,8 @@ static void filter_averages_tiles(void)
         float v[16 * COLUMNS];
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "samples=16,indirect=none,filtered=vectors,store=float,behind=solid,noise=texture,%s",
+        snprintf(set, sizeof set,
+                 "samples=16,indirect=none,filtered=coefficients,store=float,thickness=solid,noise=texture,%s",
                  sets[m]);
         if (!begin(&run, &g, "s3ho-points", set, 1, NULL, &dark) || !strip(v, &run, row_at(0.25), m > 0, 4)) return;
         for (int i = 16; i < 16 * COLUMNS; ++i) spread[m] = fmax(spread[m], fabs((double)v[i] - (double)v[i % 16]));
@@ -878,9 +889,9 @@ static void filter_keeps_edges(void)
         kit_image out;
         float *v;
         char set[96];
-        snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,behind=constant,%s", sets[m]);
+        snprintf(set, sizeof set, "indirect=none,filtered=coefficients,store=float,thickness=constant,%s", sets[m]);
         if (!begin(&run, &g, "s3ho-points", set, 0.1f, NULL, &dark) || !drawn(&out, &run)
-            || !(v = vectors_new(&run, 1)))
+            || !(v = coefficients_new(&run, 1)))
             return;
         for (int i = 0; i < 16 * W * H; ++i)
             worst = fmax(worst, fabs((double)v[i] - open[i / 16 % W >= W / 2][i % 16]));
@@ -897,7 +908,7 @@ static void filter_keeps_edges(void)
 /* Lets the last pass of an ssbn show its mean directions in place of light. */
 static int show_bent(kit_run *run)
 {
-    run->pass[run->passes - 1].desc.shading = SSGI_GL_SHADING_BENT;
+    run->pass[run->passes - 1].desc.light.shading = SSGI_GL_SHADING_BENT;
     return remade(run, run->passes - 1);
 }
 
@@ -933,7 +944,7 @@ static void cones_are_found(void)
             /* a texel's centre, or over an edge */
             const float e[2] = { x ? (float)(2 * x + 1) / SIZE - 1 : -1, y || !x ? (float)(2 * y + 1) / SIZE - 1 : -1 };
             float d[3];
-            ssgi_octahedral_decode(e, d);
+            ssgi_octahedral_decode(d, e);
             vector[4 * i] = (float)(free_ * sqrt(pi) / 2);
             for (int j = 0; j < 3; ++j)
                 vector[4 * i + 1 + j] = (float)((1 - cosine * cosine * cosine) * sqrt(pi / 3) * (double)d[(j + 1) % 3]);
@@ -1029,7 +1040,7 @@ static void bent_normals_bend(void)
         wall_vector(v, &w, both[0], along);
         if (!slab(&g, w.c, 9, 0, 1)
             || !begin(&run, &g, "ssbn-points",
-                      "filtered=vectors,store=float,behind=solid,noise=texture,blur=4,samples=64", 1, NULL, &l)
+                      "filtered=coefficients,store=float,thickness=solid,noise=texture,blur=4,samples=64", 1, NULL, &l)
             || !strip_mean(light, &run, &g, row_at(w.c), 4, 2, 1) || !show_bent(&run)
             || !strip(texel, &run, row_at(w.c), 2, 1))
             return;
@@ -1069,9 +1080,10 @@ static void same_picture(void)
         ALIKE = 3
     };
     static const struct { const char *method, *set;
-    } alike[ALIKE] = { { "s3ho-points", "noise=texture,behind=solid" },
-                       { "s3ho-points", "noise=texture,indirect=none,filtered=vectors,half=1,blur=2,store=packed" },
-                       { "ssbn-points", "noise=texture,lights=shadowed,blur=1,filtered=vectors" } };
+    } alike[ALIKE] = { { "s3ho-points", "noise=texture,thickness=solid" },
+                       { "s3ho-points",
+                         "noise=texture,indirect=none,filtered=coefficients,half=1,blur=2,store=packed" },
+                       { "ssbn-points", "noise=texture,lights=shadowed,blur=1,filtered=coefficients" } };
     static const char *const names[WAYS] = { "",           "normal depth",           "infinite far plane",
                                              "view depth", "inside larger textures", "shifted" };
     static const int margin[4] = { 8, 4, 12, 16 };
@@ -1123,7 +1135,7 @@ static void same_picture(void)
 static void targets_have_room(void)
 {
     enum { BEYOND = 20 };
-    static const char *const sets[3] = { "store=float,indirect=none,filtered=vectors,half=1,blur=2",
+    static const char *const sets[3] = { "store=float,indirect=none,filtered=coefficients,half=1,blur=2",
                                          "indirect=joint,filtered=light,blur=1",
                                          "indirect=joint,filtered=light,half=1,blur=2" };
     kit_scene scene;
@@ -1141,19 +1153,20 @@ static void targets_have_room(void)
         for (int i = 0; i < 4 * (W + BEYOND) * (H + BEYOND); ++i) texel[i] = 7;
         for (int i = 0; i < run.passes; ++i) {
             kit_pass *p = &run.pass[i];
-            const int vectors = p->desc.pass == SSGI_GL_S3HO && !p->desc.shaded, packed = vectors && p->desc.packed;
+            const int vectors = p->desc.pass == SSGI_GL_PASS_S3HO && !p->desc.light.shaded,
+                      packed = vectors && p->desc.light.packed;
             p->width += BEYOND; p->height += BEYOND;
             for (int t = 0; t < KIT_MAX_TARGETS && p->target[t]; ++t) {
                 glBindTexture(GL_TEXTURE_2D, p->target[t]);
                 glTexImage2D(GL_TEXTURE_2D, 0, packed ? GL_RGBA32UI : GL_RGBA32F, p->width, p->height, 0,
                              packed ? GL_RGBA_INTEGER : GL_RGBA, packed ? GL_UNSIGNED_INT : GL_FLOAT, texel);
             }
-            if (p->desc.pass == SSGI_GL_SENDERS) {
-                const GLuint senders = run.texture[run.textures++] =
+            if (p->desc.pass == SSGI_GL_PASS_EMITTERS) {
+                const GLuint emitters = run.texture[run.textures++] =
                     kit_texture_array(p->width, p->height, 1, GL_RG32UI, texel);
-                kit_run_input(&run, "t_ssgi_senders", senders);
+                kit_run_input(&run, "t_ssgi_emitters", emitters);
                 glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
-                glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, senders, 0, 0);
+                glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, emitters, 0, 0);
             }
         }
         kit_run_update(&run);
@@ -1269,7 +1282,8 @@ static void storage_is_kept_or_refused(void)
         kit_image out[3];
         for (int s = 0; s < 3; ++s) {
             char set[96];
-            snprintf(set, sizeof set, "filtered=vectors,indirect=%s,store=%s", indirect ? "apart" : "none", stores[s]);
+            snprintf(set, sizeof set, "filtered=coefficients,indirect=%s,store=%s", indirect ? "apart" : "none",
+                     stores[s]);
             if (!by_default(&out[s], &g, "s3ho", set, &scene, &l, NULL)) return;
             for (int t = 0; t < s; ++t)
                 CHECK(apart(&out[s], "irradiance.R", &out[t], "irradiance.R") > 0, "indirect=%s: %s is as %s",
@@ -1342,7 +1356,7 @@ static void light_varies(void)
     } row[] = { { "ssdo-points", "bounce=none,environment=sh", 3 },
                 { "ssdo", "bounce=none,environment=sh,blur=1,restore=ratio,bands=1", 1 },
                 { "s3ho-points", "indirect=joint,filtered=light,blur=1,restore=difference", 4 },
-                { "s3ho-points", "indirect=none,filtered=vectors,bands=2", 2 } };
+                { "s3ho-points", "indirect=none,filtered=coefficients,bands=2", 2 } };
     float light[48], view[16], projection[16];
     kit_scene scene;
     kit_gbuffer g;
@@ -1359,8 +1373,8 @@ static void light_varies(void)
             if (!begin(&run, &g, row[m].method, row[m].set, scene.radius, &scene, &l)) return;
             hook(mine[k], sizeof mine[k], light, row[m].bands * row[m].bands, k);
             for (int i = 0; i < run.passes && k; ++i) {
-                run.pass[i].desc.harmonics = SSGI_GL_HARMONICS_CUSTOM;
-                run.pass[i].desc.fetch = mine[k];
+                run.pass[i].desc.light.harmonics = SSGI_GL_HARMONICS_CUSTOM;
+                run.pass[i].desc.text.fetch = mine[k];
                 if (!remade(&run, i)) return;
             }
             if (!k) ssgi_gl_harmonics_set(&run.frame, light, row[m].bands, view, NULL);
@@ -1422,13 +1436,13 @@ static void near_the_truth(void)
     kit_image_free(&truth); kit_image_free(&open); kit_image_free(&l.env); kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
-void test_vectors(void)
+void test_coefficients(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("an open plane's vector is the cosine lobe, and its light what that makes of it", open_planes);
     RUN("a wall's vector is its expectation, whatever the samples, layers and fading", walls_block);
     RUN("a wall reflects its own lobe, times its albedo", walls_reflect);
-    RUN("senders reflect what the last frame let through to them", senders_are_dimmed);
+    RUN("emitters reflect what the last frame let through to them", emitters_are_dimmed);
     RUN("what a gather reads of the last frame is what its filter wrote", filtered_sets_are_left);
     RUN("what is seen beyond the radius blocks nothing when the range is checked", range_is_checked);
     RUN("depths whose squares are no floats leave no NaN", depths_without_squares);
