@@ -2356,7 +2356,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ---- points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]; the distribution of lengths attenuates */
 
-{ "SSGI_KERNEL", __LINE__ + 1,
+{ "SSGI_KERNEL_TABLE", __LINE__ + 1,
     "// of ssgi_kernel: xyz are cosine-weighted directions about +z, w is a length // #if !uniform\n"
     "// of ssgi_directions: xyz are spread evenly over the hemisphere about +z, w is a length // #if uniform\n" },
 
@@ -2391,7 +2391,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// occlusion of the points of direction i, which is about the normal, +z\n"
     "float ssgi_point_occlusion(ssgi_points s, int i, out vec3 direction) {\n"
     "    vec4 k = texelFetch(t_ssgi_kernel, ivec2(i, s.row), 0); // #if kernel\n"
-    "    vec4 k = SSGI_KERNEL[i]; // #if !kernel\n"
+    "    vec4 k = SSGI_KERNEL_TABLE[i]; // #if !kernel\n"
     "    direction = k.xyz;\n"
     "    float t = fract(k.w + s.offset);\n"
     "#if steps > 1\n"
@@ -5337,7 +5337,7 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples, int uniform)
 {
     float k[4 * 64];
     ssgi_directions(k, uniform ? SSGI_DIRECTIONS_UNIFORM : SSGI_DIRECTIONS_COSINE, 1, samples, NULL);
-    ssgi_gl__print(t, "const vec4 SSGI_KERNEL[%d] = vec4[%d](", samples, samples);
+    ssgi_gl__print(t, "const vec4 SSGI_KERNEL_TABLE[%d] = vec4[%d](", samples, samples);
     for (int i = 0; i < 4 * samples; i += 4)
         ssgi_gl__print(t, "%s\n    vec4(%f, %f, %f, %f)", i ? "," : "", (double)k[i], (double)k[i + 1],
                        (double)k[i + 2], (double)k[i + 3]);
@@ -5396,7 +5396,7 @@ static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, 
             last = r.line;
             ssgi_gl__print_line(t, line, n, d, place);
         }
-        if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL"))
+        if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL_TABLE"))
             ssgi_gl__print_kernel(t, d->gather.samples, d->gather.uniform);
     }
 }

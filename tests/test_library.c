@@ -153,7 +153,7 @@ static void names(void)
                 s += n - 1;
             }
         }
-        CHECK((defines || !strcmp(c->name, "SSGI_KERNEL")) && !others, "%s: its text defines %s", c->name,
+        CHECK((defines || !strcmp(c->name, "SSGI_KERNEL_TABLE")) && !others, "%s: its text defines %s", c->name,
               defines ? "something else, too" : "something else");
     }
     for (int r = 0; r < ROWS; ++r)         /* the emitter names one itself: see >>library */

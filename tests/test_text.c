@@ -1843,7 +1843,7 @@ static void every_line(void)
     }
     for (int i = 0; i < SSGI_GL__CODES; ++i) {
         const ssgi_gl__code *c = &ssgi_gl__library[i];
-        if (!strcmp(c->name, "SSGI_KERNEL")) continue;     /* its numbers are printed */
+        if (!strcmp(c->name, "SSGI_KERNEL_TABLE")) continue;     /* its numbers are printed */
         for (const char *line = c->text, *end; *line; line = end + 1) {
             end = strchr(line, '\n');
             const char *guard = memchr(line, '#', (size_t)(end - line));

@@ -416,14 +416,14 @@ static void twin_noise_and_kernel(void)
                 CHECK(out[i][2 * k] >= 0 && out[i][2 * k] < 1 && out[i][2 * k + 1] >= 0 && out[i][2 * k + 1] < 1,
                       "ssgi_noise(%g, %g) leaves [0,1)", x, y);
             }
-    if (probe(&d, &frame, 0, "o = SSGI_KERNEL[(texel.y * 64 + texel.x) % 64];"))
+    if (probe(&d, &frame, 0, "o = SSGI_KERNEL_TABLE[(texel.y * 64 + texel.x) % 64];"))
         for (int i = 0; i < MANY; ++i)
-            for (int c = 0; c < 4; ++c) NEAR(out[i][c], kernel[4 * (i % 64) + c], 1.2e-7, "SSGI_KERNEL");
+            for (int c = 0; c < 4; ++c) NEAR(out[i][c], kernel[4 * (i % 64) + c], 1.2e-7, "SSGI_KERNEL_TABLE");
     d.gather.uniform = 1;
     ssgi_directions(kernel, SSGI_DIRECTIONS_UNIFORM, 1, 64, NULL);
-    if (probe(&d, &frame, 0, "o = SSGI_KERNEL[(texel.y * 64 + texel.x) % 64];"))
+    if (probe(&d, &frame, 0, "o = SSGI_KERNEL_TABLE[(texel.y * 64 + texel.x) % 64];"))
         for (int i = 0; i < MANY; ++i)
-            for (int c = 0; c < 4; ++c) NEAR(out[i][c], kernel[4 * (i % 64) + c], 1.2e-7, "SSGI_KERNEL, uniform");
+            for (int c = 0; c < 4; ++c) NEAR(out[i][c], kernel[4 * (i % 64) + c], 1.2e-7, "SSGI_KERNEL_TABLE, uniform");
 }
 
 static void twin_normals(void)
