@@ -1071,12 +1071,15 @@ extern "C" {
 /* ==== >>library ===================================================================================================
 
    Entries are whole functions, in the order in which GLSL wants them; constants, structs and globals are entries too.
-   Lines of #if, #elif, #else and #endif name fields of the desc, and "// #if .." at the end of a line guards that line:
-   the emitter resolves them, and none reaches the text. The emitter keeps an entry if its name occurs in an entry that
-   it keeps and that stands further down; >>passes names main_*. Entries of one name exclude each other. Your textures
-   are fetched at ", p + u_ssgi_origin, 0": where they are arrays (desc.input.array) the emitter puts the slice in. */
+   The emitter keeps an entry if its name occurs in an entry that it keeps and that stands further down (>>passes names
+   main_*), and if the condition `when` holds (NULL: always): entries of one name are alternatives, and exclude each
+   other. Conditions, of #if and #elif lines, too, are GLSL's. They name fields of the desc as macros, SSGI_THICKNESS
+   for desc.gather.thickness, and their values, SSGI_THICKNESS_SLABS for SSGI_GL_THICKNESS_SLABS. The emitter resolves
+   these lines, and none reaches the text. Your textures are fetched at ", p + u_ssgi_origin, 0": where they are arrays
+   (desc.input.array) the emitter puts the slice in. make glsl-out DIR=d writes the library as files that glslang and
+   editors read, make glsl-in DIR=d reads them back. */
 typedef struct ssgi_gl__code {
-    const char *name;
+    const char *name, *when;
     int line;
     const char *text;
 } ssgi_gl__code;
@@ -1085,65 +1088,72 @@ typedef struct ssgi_gl__code {
 static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>fetch: depth, position, normal, noise, environment ====================================================== */
 
-{ "SSGI_FAR", __LINE__ + 1,
+{ "SSGI_FAR", NULL, __LINE__ + 1,
     "const float SSGI_FAR = 1e18; // view depth of background\n" },
 
-{ "SSGI_NEAR", __LINE__ + 1,
+{ "SSGI_NEAR", NULL, __LINE__ + 1,
     "const float SSGI_NEAR = 1e-18; // nearer surfaces count as background: the square of their depth is 0\n" },
 
-{ "SSGI_PI", __LINE__ + 1,
+{ "SSGI_PI", NULL, __LINE__ + 1,
     "const float SSGI_PI = 3.14159265;\n" },
 
-{ "SSGI_OVER_PI", __LINE__ + 1,
+{ "SSGI_OVER_PI", NULL, __LINE__ + 1,
     "const float SSGI_OVER_PI = 0.31830989;\n" },
 
-{ "ssgi_inside", __LINE__ + 1,
+{ "ssgi_inside", NULL, __LINE__ + 1,
     "bool ssgi_inside(ivec2 p) {\n"
     "    return all(lessThan(uvec2(p), uvec2(u_ssgi_size))); // uint(-1) is large\n"
     "}\n" },
 
-{ "ssgi_gathered_texel", __LINE__ + 1,
+{ "ssgi_gathered_texel", NULL, __LINE__ + 1,
     "ivec2 ssgi_gathered_texel() { // this texel's place in the image that gathers write\n"
-    "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 2; // #if half\n"
-    "    return ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
+    "#if SSGI_HALF\n"
+    "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 2;\n"
+    "#else\n"
+    "    return ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "#endif\n"
     "}\n" },
 
 /* The last bits of the phase say which: ssgi_gl_phase. */
-{ "ssgi_turn", __LINE__ + 1,
+{ "ssgi_turn", NULL, __LINE__ + 1,
     "ivec2 ssgi_turn() { // which pixel of every 2x2 has its turn\n"
     "    int turn = int(16777216.0 * u_ssgi_phase);\n"
     "    return ivec2(turn, turn + (turn >> 1)) & 1;\n"
     "}\n" },
 
-{ "ssgi_gathered", __LINE__ + 1,
+{ "ssgi_gathered", NULL, __LINE__ + 1,
     "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of that image stands for\n"
-    "#if half == 2\n"
+    "#if SSGI_HALF == SSGI_HALF_IN_TURN\n"
     "    return min(2 * texel + ssgi_turn(), max(u_ssgi_size - 1, 2 * texel)); // texels beyond the image stay there\n"
+    "#elif SSGI_HALF\n"
+    "    return 2 * texel; // the first pixel of every 2x2\n"
     "#else\n"
-    "    return 2 * texel; // the first pixel of every 2x2 // #if half\n"
-    "    return texel; // #if !half\n"
+    "    return texel;\n"
     "#endif\n"
     "}\n" },
 
-{ "ssgi_decode", __LINE__ + 1,
+{ "ssgi_decode", NULL, __LINE__ + 1,
     "float ssgi_decode(float d) {\n"
-    "    float z = u_ssgi_decode.x + u_ssgi_decode.y * d; // #if orthographic\n"
-    "    float z = 1.0 / (u_ssgi_decode.x + u_ssgi_decode.y * d); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    float z = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
+    "#else\n"
+    "    float z = 1.0 / (u_ssgi_decode.x + u_ssgi_decode.y * d);\n"
+    "#endif\n"
     "    return d != u_ssgi_decode.z && z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR;\n"
     "}\n" },
 
-{ "ssgi_unskew", __LINE__ + 1,
+{ "ssgi_unskew", NULL, __LINE__ + 1,
     "// the window depth that the pixel would have if the near plane were not oblique, as u_ssgi_decode takes it\n"
     "float ssgi_unskew(float d, ivec2 p) {\n"
     "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n"
     "}\n" },
 
-{ "ssgi_measured_origin", __LINE__ + 1,
+{ "ssgi_measured_origin", NULL, __LINE__ + 1,
     "ivec2 ssgi_measured_origin() { // where the picture begins in t_ssgi_thickness, in pixels\n"
     "    return u_ssgi_target & -2;\n"
     "}\n" },
 
-{ "ssgi_measured_texel", __LINE__ + 1,
+{ "ssgi_measured_texel", NULL, __LINE__ + 1,
     "// View depth of pixel p, which is counted from texel 0,0, as pass thickness wrote it: the last 6 bits are the\n"
     "// thickness of its surface in radii / 63.\n"
     "uint ssgi_measured_texel(ivec2 p) {\n"
@@ -1152,103 +1162,142 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return (p.x & 1) == 0 ? m.x : m.y;\n"
     "}\n" },
 
-{ "ssgi_measured", __LINE__ + 1,
+{ "ssgi_measured", NULL, __LINE__ + 1,
     "uint ssgi_measured(ivec2 p) {\n"
     "    return ssgi_measured_texel(p + ssgi_measured_origin());\n"
     "}\n" },
 
-{ "ssgi_measured_depth", __LINE__ + 1,
+{ "ssgi_measured_depth", NULL, __LINE__ + 1,
     "float ssgi_measured_depth(uint m) {\n"
     "    float z = uintBitsToFloat(m & 0xffffffc0u);\n"
     "    return z > 0.0 ? z : SSGI_FAR; // fetches beyond the picture give 0\n"
     "}\n" },
 
-{ "ssgi_depth", __LINE__ + 1,
-    "#if reads_thickness && (thickness == WIDTH || (thickness > WIDTH && search == SLICES))\n"
+{ "ssgi_depth", "SSGI_MEASURED", __LINE__ + 1,
     "float ssgi_depth(ivec2 p) { // view depth at a pixel\n"
     "    return ssgi_measured_depth(ssgi_measured(p));\n"
-    "}\n"
-    "#endif\n" },
-
-{ "ssgi_depth", __LINE__ + 1,
-    "#if !(reads_thickness && (thickness == WIDTH || (thickness > WIDTH && search == SLICES)))\n"
-    "float ssgi_depth(ivec2 p) { // view depth at a pixel\n"
-    "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x); // #if depth == WINDOW && !oblique\n"
-    "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x; // #if depth == LINEAR || !depth && oblique\n"
-    "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0); // #if depth == CUSTOM\n"
-    "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
-    "    return z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
-    "}\n"
-    "#endif\n" },
-
-{ "ssgi_layer", __LINE__ + 1,
-    "float ssgi_layer(ivec2 p, int j) { // view depth of a hidden layer, 1 .., at a pixel\n"
-    "    float z = texelFetch(t_ssgi_layers, ivec3(p + u_ssgi_origin, j - 1), 0).x; // #if depth != CUSTOM\n"
-    "    float z = ssgi_custom_depth(p + u_ssgi_origin, j); // #if depth == CUSTOM\n"
-    "    return ssgi_decode(z); // #if depth == WINDOW && !oblique\n"
-    "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
-    "    return z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
     "}\n" },
 
-{ "ssgi_slabs", __LINE__ + 1,
+{ "ssgi_depth", "!SSGI_MEASURED", __LINE__ + 1,
+    "float ssgi_depth(ivec2 p) { // view depth at a pixel\n"
+    "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && !SSGI_OBLIQUE\n"
+    "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x);\n"
+    "#elif SSGI_DEPTH == SSGI_DEPTH_LINEAR || !SSGI_DEPTH && SSGI_OBLIQUE\n"
+    "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x;\n"
+    "#else\n"
+    "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0);\n"
+    "#endif\n"
+    "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && SSGI_OBLIQUE\n"
+    "    return ssgi_decode(ssgi_unskew(z, p));\n"
+    "#elif SSGI_DEPTH != SSGI_DEPTH_WINDOW\n"
+    "    return z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_layer", NULL, __LINE__ + 1,
+    "float ssgi_layer(ivec2 p, int j) { // view depth of a hidden layer, 1 .., at a pixel\n"
+    "#if SSGI_DEPTH != SSGI_DEPTH_CUSTOM\n"
+    "    float z = texelFetch(t_ssgi_layers, ivec3(p + u_ssgi_origin, j - 1), 0).x;\n"
+    "#else\n"
+    "    float z = ssgi_custom_depth(p + u_ssgi_origin, j);\n"
+    "#endif\n"
+    "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && !SSGI_OBLIQUE\n"
+    "    return ssgi_decode(z);\n"
+    "#elif SSGI_DEPTH == SSGI_DEPTH_WINDOW && SSGI_OBLIQUE\n"
+    "    return ssgi_decode(ssgi_unskew(z, p));\n"
+    "#else\n"
+    "    return z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
     "// view depths of the back face nearest behind the visible surface, of the next front face, of its back face\n"
     "vec3 ssgi_slabs(ivec2 p) {\n"
-    "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0); // #if thickness == BACK\n"
-    "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if thickness == SLABS\n"
-    "    z = vec3(ssgi_unskew(z.x, p), ssgi_unskew(z.y, p), ssgi_unskew(z.z, p)); // #if depth == WINDOW && oblique\n"
-    "    return vec3(ssgi_decode(z.x), ssgi_decode(z.y), ssgi_decode(z.z)); // #if depth == WINDOW\n"
-    "    return min(mix(vec3(SSGI_FAR), z, greaterThan(z, vec3(0.0))), SSGI_FAR); // #if depth != WINDOW\n"
+    "#if SSGI_THICKNESS == SSGI_THICKNESS_BACK\n"
+    "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0);\n"
+    "#else\n"
+    "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz;\n"
+    "#endif\n"
+    "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && SSGI_OBLIQUE\n"
+    "    z = vec3(ssgi_unskew(z.x, p), ssgi_unskew(z.y, p), ssgi_unskew(z.z, p));\n"
+    "#endif\n"
+    "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW\n"
+    "    return vec3(ssgi_decode(z.x), ssgi_decode(z.y), ssgi_decode(z.z));\n"
+    "#else\n"
+    "    return min(mix(vec3(SSGI_FAR), z, greaterThan(z, vec3(0.0))), SSGI_FAR);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_position", __LINE__ + 1,
+{ "ssgi_position", NULL, __LINE__ + 1,
     "// the view-space point seen at a pixel position, at a view depth\n"
     "vec3 ssgi_position(vec2 pixel, float z) {\n"
-    "    return vec3(pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw, -z); // #if orthographic\n"
-    "    return vec3((pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw) * z, -z); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return vec3(pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw, -z);\n"
+    "#else\n"
+    "    return vec3((pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw) * z, -z);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_project", __LINE__ + 1,
+{ "ssgi_project", NULL, __LINE__ + 1,
     "vec2 ssgi_project(vec3 P) { // pixel position of a view-space point, P.z < 0\n"
-    "    return P.xy * u_ssgi_project.xy + u_ssgi_project.zw; // #if orthographic\n"
-    "    return P.xy * (u_ssgi_project.xy / -P.z) + u_ssgi_project.zw; // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return P.xy * u_ssgi_project.xy + u_ssgi_project.zw;\n"
+    "#else\n"
+    "    return P.xy * (u_ssgi_project.xy / -P.z) + u_ssgi_project.zw;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_footprint", __LINE__ + 1,
+{ "ssgi_footprint", NULL, __LINE__ + 1,
     "float ssgi_footprint(float z) { // width of a pixel at a view depth\n"
-    "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)); // #if orthographic\n"
-    "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)) * z; // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y));\n"
+    "#else\n"
+    "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)) * z;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_plane", __LINE__ + 1,
+{ "ssgi_plane", NULL, __LINE__ + 1,
     "vec4 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P in the form that ssgi_above_plane takes\n"
-    "    return vec4(n.xy * u_ssgi_unproject.xy, -n.z, -n.z * P.z); // #if orthographic\n"
-    "    return vec4(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z, -dot(n, P)); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return vec4(n.xy * u_ssgi_unproject.xy, -n.z, -n.z * P.z);\n"
+    "#else\n"
+    "    return vec4(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z, -dot(n, P));\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_above_plane", __LINE__ + 1,
+{ "ssgi_above_plane", NULL, __LINE__ + 1,
     "// how high a point stands above that plane: it is seen o pixels from P at view depth z\n"
     "float ssgi_above_plane(vec4 k, vec2 o, float z) {\n"
-    "    return k.x * o.x + (k.y * o.y + (k.z * z + k.w)); // #if orthographic\n"
-    "    return (k.x * o.x + (k.y * o.y + k.z)) * z + k.w; // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return k.x * o.x + (k.y * o.y + (k.z * z + k.w));\n"
+    "#else\n"
+    "    return (k.x * o.x + (k.y * o.y + k.z)) * z + k.w;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_screen", __LINE__ + 1,
+{ "ssgi_screen", NULL, __LINE__ + 1,
     "// how many pixels a small step from P along t covers, per unit of length\n"
     "vec2 ssgi_screen(vec3 P, vec3 t) {\n"
-    "    return t.xy * u_ssgi_project.xy; // #if orthographic\n"
-    "    return (t.xy - P.xy * (t.z / P.z)) * (u_ssgi_project.xy / -P.z); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return t.xy * u_ssgi_project.xy;\n"
+    "#else\n"
+    "    return (t.xy - P.xy * (t.z / P.z)) * (u_ssgi_project.xy / -P.z);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_toward", __LINE__ + 1,
+{ "ssgi_toward", NULL, __LINE__ + 1,
     "vec3 ssgi_toward(vec3 P) { // unit vector to the eye\n"
-    "    return vec3(0.0, 0.0, 1.0); // #if orthographic\n"
-    "    return P * -inversesqrt(dot(P, P)); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return vec3(0.0, 0.0, 1.0);\n"
+    "#else\n"
+    "    return P * -inversesqrt(dot(P, P));\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_sphere", __LINE__ + 1,
+{ "ssgi_sphere", NULL, __LINE__ + 1,
     "// pixel bounds of a sphere's part beyond the near depth; they are empty where no part is\n"
     "vec4 ssgi_sphere(vec4 at) {\n"
-    "#if orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
     "    if (at.w - at.z <= u_ssgi_near_depth) return vec4(0.0);\n"
     "    float off = max(u_ssgi_near_depth + at.z, 0.0), r = sqrt(max(at.w * at.w - off * off, 0.0));\n"
     "    vec4 p = vec4(at.xy - r, at.xy + r) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
@@ -1269,40 +1318,48 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n"
     "}\n" },
 
-{ "ssgi_octahedral", __LINE__ + 1,
+{ "ssgi_octahedral", NULL, __LINE__ + 1,
     "vec2 ssgi_octahedral(vec3 d) { // where a direction lies on the square of the octahedral map, [-1,1]\n"
     "    vec2 e = d.xy / (abs(d.x) + abs(d.y) + abs(d.z));\n"
     "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n"
     "}\n" },
 
-{ "ssgi_octahedral_decode", __LINE__ + 1,
+{ "ssgi_octahedral_decode", NULL, __LINE__ + 1,
     "vec3 ssgi_octahedral_decode(vec2 e) { // the direction of a point of that square; its length is not 1\n"
     "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
     "    float t = max(-n.z, 0.0);\n"
     "    return vec3(n.x + (n.x >= 0.0 ? -t : t), n.y + (n.y >= 0.0 ? -t : t), n.z);\n"
     "}\n" },
 
-{ "ssgi_unit", __LINE__ + 1,
+{ "ssgi_unit", NULL, __LINE__ + 1,
     "vec3 ssgi_unit(vec3 n) { // a unit normal whatever the texture held\n"
     "    float l = dot(n, n);\n"
     "    return l > 1e-12 && l < 1e12 ? n * inversesqrt(l) : vec3(0.0, 0.0, 1.0);\n"
     "}\n" },
 
-{ "ssgi_normal_texel", __LINE__ + 1,
+{ "ssgi_normal_texel", NULL, __LINE__ + 1,
     "vec4 ssgi_normal_texel(ivec2 p) {\n"
-    "    return texelFetch(t_ssgi_normal, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0); // #if receiver\n"
-    "    return texelFetch(t_ssgi_normal, p + u_ssgi_origin, 0); // #if !receiver\n"
+    "#if SSGI_RECEIVER\n"
+    "    return texelFetch(t_ssgi_normal, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0);\n"
+    "#else\n"
+    "    return texelFetch(t_ssgi_normal, p + u_ssgi_origin, 0);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_raw_normal", __LINE__ + 1,
+{ "ssgi_raw_normal", "SSGI_NORMAL != SSGI_NORMAL_FROM_DEPTH", __LINE__ + 1,
     "vec3 ssgi_raw_normal(ivec2 p) {\n"
-    "    return ssgi_normal_texel(p).xyz; // #if normal == SIGNED\n"
-    "    return ssgi_normal_texel(p).xyz * 2.0 - 1.0; // #if normal == UNSIGNED\n"
-    "    return ssgi_octahedral_decode(ssgi_normal_texel(p).xy); // #if normal == OCTAHEDRAL\n"
-    "    return ssgi_custom_normal(p + u_ssgi_origin); // #if normal == CUSTOM\n"
+    "#if SSGI_NORMAL == SSGI_NORMAL_SIGNED\n"
+    "    return ssgi_normal_texel(p).xyz;\n"
+    "#elif SSGI_NORMAL == SSGI_NORMAL_UNSIGNED\n"
+    "    return ssgi_normal_texel(p).xyz * 2.0 - 1.0;\n"
+    "#elif SSGI_NORMAL == SSGI_NORMAL_OCTAHEDRAL\n"
+    "    return ssgi_octahedral_decode(ssgi_normal_texel(p).xy);\n"
+    "#elif SSGI_NORMAL == SSGI_NORMAL_CUSTOM\n"
+    "    return ssgi_custom_normal(p + u_ssgi_origin);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_tangent", __LINE__ + 1,
+{ "ssgi_tangent", NULL, __LINE__ + 1,
     "// The tangent along +step: the difference to that neighbour of the two whose depth is closer to the pixel's.\n"
     "vec3 ssgi_tangent(ivec2 p, vec3 P, ivec2 step_) {\n"
     "    float a = ssgi_inside(p + step_) ? ssgi_depth(p + step_) : SSGI_FAR;\n"
@@ -1311,26 +1368,29 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return abs(A.z) < abs(B.z) ? A : B;\n"
     "}\n" },
 
-{ "ssgi_normal", __LINE__ + 1,
-    "#if normal == FROM_DEPTH\n"
+{ "ssgi_normal", "SSGI_NORMAL == SSGI_NORMAL_FROM_DEPTH", __LINE__ + 1,
     "// unit view-space normal at a pixel whose point is P, facing the viewer\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "    vec3 x = ssgi_tangent(p, P, ivec2(1, 0)), y = ssgi_tangent(p, P, ivec2(0, 1));\n"
     "    vec3 n = ssgi_unit(cross(x * inversesqrt(dot(x, x) + 1e-30), y * inversesqrt(dot(y, y) + 1e-30)));\n"
     "    return dot(n, ssgi_toward(P)) < 0.0 ? -n : n;\n"
-    "}\n"
-    "#else\n"
+    "}\n" },
+
+{ "ssgi_normal", "SSGI_NORMAL != SSGI_NORMAL_FROM_DEPTH", __LINE__ + 1,
     "// unit view-space normal at a pixel whose point is P\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
-    "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p)); // #if world_normals\n"
-    "    return ssgi_unit(ssgi_raw_normal(p) * vec3(1.0, 1.0, -1.0)); // #if left_handed && !world_normals\n"
-    "    return ssgi_unit(ssgi_raw_normal(p)); // #if !left_handed && !world_normals\n"
-    "}\n"
-    "#endif\n" },
+    "#if SSGI_WORLD_NORMALS\n"
+    "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p));\n"
+    "#elif SSGI_LEFT_HANDED && !SSGI_WORLD_NORMALS\n"
+    "    return ssgi_unit(ssgi_raw_normal(p) * vec3(1.0, 1.0, -1.0));\n"
+    "#else\n"
+    "    return ssgi_unit(ssgi_raw_normal(p));\n"
+    "#endif\n"
+    "}\n" },
 
-{ "ssgi_noise", __LINE__ + 1,
+{ "ssgi_noise", NULL, __LINE__ + 1,
     "vec2 ssgi_noise(ivec2 p) { // in [0,1): x turns the directions, y offsets the steps\n"
-    "#if noise == GRADIENT\n"
+    "#if SSGI_NOISE == SSGI_NOISE_GRADIENT\n"
     "    // x is interleaved gradient noise, which spreads evenly over every 3x3 block; y is the R2 sequence.\n"
     "    float gradient = 52.9829189 * fract(dot(vec2(p), vec2(0.06711056, 0.00583715)));\n"
     "    vec2 xi = vec2(gradient, dot(vec2(p), vec2(0.75487767, 0.56984029)));\n"
@@ -1341,19 +1401,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return fract(xi + u_ssgi_phase);\n"
     "}\n" },
 
-{ "ssgi_basis", __LINE__ + 1,
+{ "ssgi_basis", NULL, __LINE__ + 1,
     "mat3 ssgi_basis(vec3 n) { // any rotation that takes +z to unit n [Duff et al. 2017]\n"
     "    float s = n.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;\n"
     "    return mat3(1.0 + s * n.x * n.x * a, s * b, -s * n.x, b, s + n.y * n.y * a, -n.y, n);\n"
     "}\n" },
 
-{ "ssgi_environment", __LINE__ + 1,
+{ "ssgi_environment", NULL, __LINE__ + 1,
     "vec3 ssgi_environment(vec3 d) { // radiance that arrives from about a direction in the world\n"
     "    ivec2 size = textureSize(t_ssgi_environment, 0), p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
     "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n"
     "}\n" },
 
-{ "ssgi_irradiance_texel", __LINE__ + 1,
+{ "ssgi_irradiance_texel", NULL, __LINE__ + 1,
     "vec3 ssgi_irradiance_texel(ivec2 p, ivec2 last, int slice) {\n"
     "    // Beyond an edge the octahedral square continues as its mirror image.\n"
     "    if (p.x < 0 || p.x > last.x) p = ivec2(clamp(p.x, 0, last.x), last.y - p.y);\n"
@@ -1361,7 +1421,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n"
     "}\n" },
 
-{ "ssgi_irradiance_map", __LINE__ + 1,
+{ "ssgi_irradiance_map", NULL, __LINE__ + 1,
     "// Unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it; bilinear.\n"
     "vec3 ssgi_irradiance_map(vec3 n, int slice) {\n"
     "    ivec2 last = textureSize(t_ssgi_irradiance, 0).xy - 1;\n"
@@ -1376,23 +1436,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    with 9 bits of m a channel and 5 of e. View depth has 6 bits of its float's exponent, from 2^-20 on, and 14 of its
    mantissa. The normal has 6 bits of each octahedral coordinate. */
 
-{ "ssgi_unpack_radiance", __LINE__ + 1,
+{ "ssgi_unpack_radiance", NULL, __LINE__ + 1,
     "vec3 ssgi_unpack_radiance(uint u) { // the radiance that pass emitters packed\n"
     "    vec3 m = vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u));\n"
     "    return m * uintBitsToFloat(((u >> 27u) + 103u) << 23u);\n"
     "}\n" },
 
-{ "ssgi_unpack_depth", __LINE__ + 1,
+{ "ssgi_unpack_depth", NULL, __LINE__ + 1,
     "float ssgi_unpack_depth(uint u) { // the view depth\n"
     "    return u < 0xfffff000u ? uintBitsToFloat(((u >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n"
     "}\n" },
 
-{ "ssgi_unpack_normal", __LINE__ + 1,
+{ "ssgi_unpack_normal", NULL, __LINE__ + 1,
     "vec3 ssgi_unpack_normal(uint u) { // the normal's direction; its length is not 1\n"
     "    return ssgi_octahedral_decode((vec2(float(u & 63u), float((u >> 6u) & 63u)) - 32.0) / 31.0);\n"
     "}\n" },
 
-{ "ssgi_pack_radiance", __LINE__ + 1,
+{ "ssgi_pack_radiance", NULL, __LINE__ + 1,
     "// radiance in [0, 65408] as three mantissas of 9 bits and one exponent\n"
     "uint ssgi_pack_radiance(vec3 c) {\n"
     "    c = clamp(c, 0.0, 65408.0);\n"
@@ -1403,7 +1463,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return m.x | (m.y << 9u) | (m.z << 18u) | (e << 27u);\n"
     "}\n" },
 
-{ "ssgi_pack_place", __LINE__ + 1,
+{ "ssgi_pack_place", NULL, __LINE__ + 1,
     "// A view depth in [1e-6, 1e13] keeps 3e-5 of itself, a normal is kept to 4 degrees.\n"
     "uint ssgi_pack_place(float z, vec3 n) {\n"
     "    uvec2 e = uvec2(round(ssgi_octahedral(n) * 31.0) + 32.0);\n"
@@ -1413,41 +1473,47 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>visibility: is this point behind a surface, and which one =============================================== */
 
-{ "ssgi_lift", __LINE__ + 1,
+{ "ssgi_lift", NULL, __LINE__ + 1,
     "// The receiver is lifted, so that its own plane, fetched at whole pixels, stays below it [HSAO08 eq. 13].\n"
     "vec3 ssgi_lift(vec3 P, vec3 n) {\n"
     "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
     "}\n" },
 
-{ "ssgi_segment_length", __LINE__ + 1,
+{ "ssgi_segment_length", NULL, __LINE__ + 1,
     "float ssgi_segment_length; // of the segment that pass lights tests, in view units\n" },
 
-{ "ssgi_measured_width", __LINE__ + 1,
+{ "ssgi_measured_width", NULL, __LINE__ + 1,
     "// thickness of the visible surface in view units, from the bits of ssgi_measured\n"
     "float ssgi_measured_width(uint m) {\n"
     "    float width = float(m & 63u) * (u_ssgi_radius / 63.0);\n"
-    "    return min(width, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
-    "    return width; // #if pass != LIGHTS\n"
+    "#if SSGI_PASS == SSGI_PASS_LIGHTS\n"
+    "    return min(width, 2.0 * ssgi_segment_length);\n"
+    "#else\n"
+    "    return width;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_thickness", __LINE__ + 1,
+{ "ssgi_thickness", NULL, __LINE__ + 1,
     "float ssgi_thickness() { // constant thickness of visible surfaces\n"
     "    // A short segment must not hit a surface that floats far in front of it.\n"
-    "    return min(u_ssgi_thickness_limit, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
-    "    return u_ssgi_thickness_limit; // #if pass != LIGHTS\n"
+    "#if SSGI_PASS == SSGI_PASS_LIGHTS\n"
+    "    return min(u_ssgi_thickness_limit, 2.0 * ssgi_segment_length);\n"
+    "#else\n"
+    "    return u_ssgi_thickness_limit;\n"
+    "#endif\n"
     "}\n" },
 
-{ "SSGI_SHEET", __LINE__ + 1,
+{ "SSGI_SHEET", NULL, __LINE__ + 1,
     "// A back face that is closer behind the front than this share of its depth is the front itself: half floats\n"
     "// round that much.\n"
     "const float SSGI_SHEET = 0.0005;\n" },
 
-{ "ssgi_closed", __LINE__ + 1,
+{ "ssgi_closed", NULL, __LINE__ + 1,
     "bool ssgi_closed(float front, float back) { // whether a back face stands behind a front\n"
     "    return back > front * (1.0 + SSGI_SHEET) && back < SSGI_FAR;\n"
     "}\n" },
 
-{ "ssgi_slab_thickness", __LINE__ + 1,
+{ "ssgi_slab_thickness", NULL, __LINE__ + 1,
     "// Thickness of the slabs that begin at z, within least .. radius. Sheets, which show their back face, and\n"
     "// surfaces without one have ssgi_thickness(), since points would step over thinner ones.\n"
     "vec2 ssgi_slab_thickness(vec2 z, vec2 back, vec2 least) {\n"
@@ -1455,7 +1521,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return max(min(mix(vec2(ssgi_thickness()), back - z, closed), u_ssgi_radius), least);\n"
     "}\n" },
 
-{ "ssgi_second_thickness", __LINE__ + 1,
+{ "ssgi_second_thickness", NULL, __LINE__ + 1,
     "// A second slab reaches to its back face, or is as thick as the visible surface; at most a radius.\n"
     "float ssgi_second_thickness(float front, float back, float width) {\n"
     "    return min(ssgi_closed(front, back) ? back - front : width, u_ssgi_radius);\n"
@@ -1468,19 +1534,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    thick, and more steps do not darken the surfaces behind them. A run that finds no end counts as a radius. The other
    three pixels share the width if they lie in the first one's plane, and have SSGI_OTHER if they do not. */
 
-{ "SSGI_THINNEST", __LINE__ + 1,
+{ "SSGI_THINNEST", NULL, __LINE__ + 1,
     "const float SSGI_THINNEST = 0.02; // the least thickness, of the radius\n" },
 
-{ "SSGI_OTHER", __LINE__ + 1,
+{ "SSGI_OTHER", NULL, __LINE__ + 1,
     "const float SSGI_OTHER = 0.1; // of the radius: thickness of pixels whose 2x2 begins on another surface\n" },
 
-{ "SSGI_LIFTED", __LINE__ + 1,
+{ "SSGI_LIFTED", NULL, __LINE__ + 1,
     "const float SSGI_LIFTED = 0.05; // of the radius: a surface goes on while it leaves its tangent plane by less\n" },
 
-{ "SSGI_LONGEST", __LINE__ + 1,
+{ "SSGI_LONGEST", NULL, __LINE__ + 1,
     "const float SSGI_LONGEST = 32.0; // pixels that a run reaches at least\n" },
 
-{ "ssgi_end", __LINE__ + 1,
+{ "ssgi_end", NULL, __LINE__ + 1,
     "// Whether the surface at P ends o pixels away: -1 it drops below the tangent plane there, away from the viewer,\n"
     "// or nothing is seen; 1 another surface rises above the plane, or the picture ends; 0 it goes on.\n"
     "int ssgi_end(ivec2 p, ivec2 o, vec3 P, vec4 plane, float slack) {\n"
@@ -1490,7 +1556,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return h > slack ? 1 : 0;\n"
     "}\n" },
 
-{ "ssgi_run", __LINE__ + 1,
+{ "ssgi_run", NULL, __LINE__ + 1,
     "// How many pixels the surface at P goes on along a direction of the picture until it drops away. Where another\n"
     "// surface rises above it, and at the picture's edge, its end is hidden, and counts as not found.\n"
     "float ssgi_run(ivec2 p, ivec2 way, vec3 P, vec4 plane, float footprint, float pixels) {\n"
@@ -1503,7 +1569,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return run;\n"
     "}\n" },
 
-{ "ssgi_slab_widths", __LINE__ + 1,
+{ "ssgi_slab_widths", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
     "// Of a 2x2, pixels with a back face are as thick as that is far; others keep their width, but for sheets,\n"
     "// which show their back face and have half of it.\n"
     "vec4 ssgi_slab_widths(ivec2 p, vec4 z, vec4 width) {\n"
@@ -1514,14 +1580,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return width;\n"
     "}\n" },
 
-{ "ssgi_pack_measured", __LINE__ + 1,
+{ "ssgi_pack_measured", NULL, __LINE__ + 1,
     "// a view depth, which loses 4e-6 of itself, and a thickness in [0, 1] of the radius\n"
     "uvec4 ssgi_pack_measured(vec4 z, vec4 width) {\n"
     "    z = mix(z, vec4(2.0 * SSGI_FAR), greaterThanEqual(z, vec4(SSGI_FAR)));\n"
     "    return ((floatBitsToUint(z) + 32u) & 0xffffffc0u) | uvec4(width * 63.0 + 0.5);\n"
     "}\n" },
 
-{ "main_thickness", __LINE__ + 1,
+{ "main_thickness", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel;\n"
     "    vec4 z = vec4(ssgi_depth(p), ssgi_depth(p + ivec2(1, 0)), ssgi_depth(p + ivec2(0, 1)), ssgi_depth(p + 1));\n"
@@ -1539,128 +1605,147 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        bvec4 same = lessThan(abs(off), vec4(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
     "        width = mix(width, vec4(min(min(x, y) * footprint, u_ssgi_thickness_limit)), same);\n"
     "    }\n"
-    "    width = ssgi_slab_widths(p, z, width); // #if thickness > WIDTH\n"
+    "#if SSGI_THICKNESS > SSGI_THICKNESS_WIDTH\n"
+    "    width = ssgi_slab_widths(p, z, width);\n"
+    "#endif\n"
     "    o_ssgi_thickness = ssgi_pack_measured(z, clamp(width / u_ssgi_radius, SSGI_THINNEST, 1.0));\n"
     "}\n" },
 
 /* ---- the receiver, and the occluder of a sample */
 
-{ "ssgi_P", __LINE__ + 1,
+{ "ssgi_P", NULL, __LINE__ + 1,
     "vec3 ssgi_P; // the receiver\n" },
 
-{ "ssgi_n", __LINE__ + 1,
+{ "ssgi_n", NULL, __LINE__ + 1,
     "vec3 ssgi_n; // its normal\n" },
 
-{ "ssgi_point", __LINE__ + 1,
+{ "ssgi_point", NULL, __LINE__ + 1,
     "// the view-space point of a pixel and depth of camera v; -1 is the main one\n"
     "vec3 ssgi_point(int v, ivec2 p, float z) {\n"
-    "    float unit = u_ssgi_view_decode[max(v, 0)].w > 0.0 ? 1.0 : z; // #if views\n"
-    "    if (v >= 0) return (u_ssgi_view_from[v] * vec4((vec2(p) + 0.5) * unit, z, 1.0)).xyz; // #if views\n"
+    "#if SSGI_VIEWS\n"
+    "    float unit = u_ssgi_view_decode[max(v, 0)].w > 0.0 ? 1.0 : z;\n"
+    "    if (v >= 0) return (u_ssgi_view_from[v] * vec4((vec2(p) + 0.5) * unit, z, 1.0)).xyz;\n"
+    "#endif\n"
     "    return ssgi_position(vec2(p) + 0.5, z);\n"
     "}\n" },
 
-{ "ssgi_emitter", __LINE__ + 1,
+{ "ssgi_emitter", NULL, __LINE__ + 1,
     "vec4 ssgi_emitter; // of a sample's occluder: radiance to the receiver, and distance from the sample\n" },
 
-{ "ssgi_emitter_place", __LINE__ + 1,
+{ "ssgi_emitter_place", NULL, __LINE__ + 1,
     "uint ssgi_emitter_place; // the packed normal of that occluder\n" },
 
-{ "ssgi_emitter_pixel", __LINE__ + 1,
+{ "ssgi_emitter_pixel", NULL, __LINE__ + 1,
     "ivec2 ssgi_emitter_pixel; // the pixel that shows it\n" },
 
-{ "ssgi_emitter_texel", __LINE__ + 1,
+{ "ssgi_emitter_texel", NULL, __LINE__ + 1,
     "// the surface that layer j of camera v has at a pixel: its radiance; its normal and view depth\n"
     "uvec2 ssgi_emitter_texel(int v, ivec2 p, int j) {\n"
-    "    if (v >= 0) return texelFetch(t_ssgi_view_emitters, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy; // #if views\n"
+    "#if SSGI_VIEWS\n"
+    "    if (v >= 0) return texelFetch(t_ssgi_view_emitters, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy;\n"
+    "#endif\n"
     "    return texelFetch(t_ssgi_emitters, ivec3(p + u_ssgi_target, j), 0).xy;\n"
     "}\n" },
 
-{ "ssgi_radiance_from", __LINE__ + 1,
-    "#if bounce != PATCH\n"
+{ "ssgi_radiance_from", "SSGI_BOUNCE != SSGI_BOUNCE_PATCH", __LINE__ + 1,
     "vec3 ssgi_radiance_from(uvec2 s, vec3 Q) { // radiance that the receiver gets from a surface at Q\n"
-    "    if (!(dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0)) return vec3(0.0); // #if !two_sided\n"
+    "#if !SSGI_TWO_SIDED\n"
+    "    if (!(dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0)) return vec3(0.0);\n"
+    "#endif\n"
     "    return ssgi_unpack_radiance(s.x);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_radiance_from", __LINE__ + 1,
-    "#if bounce == PATCH\n"
+{ "ssgi_radiance_from", "SSGI_BOUNCE == SSGI_BOUNCE_PATCH", __LINE__ + 1,
     "// Radiance that the receiver gets from a patch of area pi r^2 / N at Q [SSDO09 3], without the factor pi / N.\n"
     "vec3 ssgi_radiance_from(uvec2 s, vec3 Q) {\n"
     "    vec3 d = ssgi_P - Q;\n"
     "    float dd = max(dot(d, d), 1e-30), area = u_ssgi_radius * u_ssgi_radius * u_ssgi_gain;\n"
     "    float receives = -dot(ssgi_n, d), sends = dot(normalize(ssgi_unpack_normal(s.y)), d);\n"
-    "    sends = abs(sends); // #if two_sided\n"
+    "#if SSGI_TWO_SIDED\n"
+    "    sends = abs(sends);\n"
+    "#endif\n"
     "    float least = u_ssgi_distance_clamp * u_ssgi_radius;\n"
     "    float form = area * max(receives, 0.0) * max(sends, 0.0) / (dd * max(dd, least * least));\n"
     "    return ssgi_unpack_radiance(s.x) * form;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_fade_weight", __LINE__ + 1,
+{ "ssgi_fade_weight", NULL, __LINE__ + 1,
     "float ssgi_fade_weight(vec3 Q) { // how much an occluder counts that the depth buffer has at Q\n"
     "    vec3 d = Q - ssgi_P;\n"
     "    float t = length(d) / u_ssgi_radius, weight = 1.0;\n"
-    "    if (t > 1.0 || dot(d, ssgi_n) <= 0.0) return 0.0; // #if range\n"
-    "    weight -= smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, t * u_ssgi_radius); // #if fade == SMOOTH\n"
-    "    weight /= 1.0 + u_ssgi_lambda * t; // #if fade == LAMBDA\n"
+    "#if SSGI_RANGE\n"
+    "    if (t > 1.0 || dot(d, ssgi_n) <= 0.0) return 0.0;\n"
+    "#endif\n"
+    "#if SSGI_FADE == SSGI_FADE_SMOOTH\n"
+    "    weight -= smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, t * u_ssgi_radius);\n"
+    "#elif SSGI_FADE == SSGI_FADE_LAMBDA\n"
+    "    weight /= 1.0 + u_ssgi_lambda * t;\n"
+    "#endif\n"
     "    return max(weight, 1e-6); // not 0, which would mean that nothing occludes\n"
     "}\n" },
 
-{ "ssgi_view_depth", __LINE__ + 1,
+{ "ssgi_view_depth", NULL, __LINE__ + 1,
     "// view depth of a depth texel; decode holds ssgi_view.depth[0], [1], the clear depth, and 1 if orthographic\n"
     "float ssgi_view_depth(vec4 decode, float d) {\n"
     "    float w = decode.x + decode.y * d, z = decode.w > 0.0 ? w : 1.0 / w;\n"
     "    return d != decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
     "}\n" },
 
-{ "ssgi_surface", __LINE__ + 1,
+{ "ssgi_surface", NULL, __LINE__ + 1,
     "float ssgi_surface(int v, ivec2 p, int j) { // view depth of camera v's layer j at p\n"
-    "    ivec3 at = ivec3(p, v * SSGI_VIEW_LAYERS + j); // #if views\n"
-    "    if (v >= 0) return ssgi_view_depth(u_ssgi_view_decode[v], texelFetch(t_ssgi_views, at, 0).x); // #if views\n"
-    "    if (j > 0) return ssgi_layer(p, j); // #if layers > 1\n"
+    "#if SSGI_VIEWS\n"
+    "    ivec3 at = ivec3(p, v * SSGI_VIEW_LAYERS + j);\n"
+    "    if (v >= 0) return ssgi_view_depth(u_ssgi_view_decode[v], texelFetch(t_ssgi_views, at, 0).x);\n"
+    "#endif\n"
+    "#if SSGI_LAYERS > 1\n"
+    "    if (j > 0) return ssgi_layer(p, j);\n"
+    "#endif\n"
     "    return ssgi_depth(p);\n"
     "}\n" },
 
-{ "ssgi_way", __LINE__ + 1,
+{ "ssgi_way", NULL, __LINE__ + 1,
     "vec3 ssgi_way; // from the receiver to the sample\n" },
 
-{ "ssgi_offer_emitter", __LINE__ + 1,
+{ "ssgi_offer_emitter", NULL, __LINE__ + 1,
     "// keeps the surface that is closest to the segment from the receiver to the sample\n"
     "void ssgi_offer_emitter(uvec2 s, vec3 Q) {\n"
     "    vec3 L = ssgi_radiance_from(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
     "    if (gap >= ssgi_emitter.w || L == vec3(0.0)) return;\n"
     "    ssgi_emitter = vec4(L, gap);\n"
-    "    ssgi_emitter_place = s.y; // #if transfer\n"
+    "#if SSGI_TRANSFER\n"
+    "    ssgi_emitter_place = s.y;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_rising", __LINE__ + 1,
+{ "ssgi_rising", NULL, __LINE__ + 1,
     "struct ssgi_rising { // a horizon, which occluders along a ray raise\n"
     "    vec3 tangent; // the ray's direction in the tangent plane\n"
     "    float within; // farther occluders do not count\n"
     "    float sine, away; // sine of the horizon's elevation; distance of the occluder that raised it last\n"
     "};\n" },
 
-{ "ssgi_rise", __LINE__ + 1,
+{ "ssgi_rise", NULL, __LINE__ + 1,
     "ssgi_rising ssgi_rise;\n" },
 
-{ "ssgi_offer_rise", __LINE__ + 1,
+{ "ssgi_offer_rise", NULL, __LINE__ + 1,
     "void ssgi_offer_rise(vec3 I) { // raises the horizon to the front of a solid\n"
     "    vec3 d = I - ssgi_P;\n"
     "    float x = dot(d, ssgi_rise.tangent), y = dot(d, ssgi_n), l = length(d), H = y * inversesqrt(x * x + y * y);\n"
     "    if (x > 0.0 && l < ssgi_rise.within && H > ssgi_rise.sine) ssgi_rise.sine = H, ssgi_rise.away = l;\n"
     "}\n" },
 
-{ "ssgi_solid", __LINE__ + 1,
+{ "ssgi_solid", NULL, __LINE__ + 1,
     "struct ssgi_solid { // view depths of a solid's front and back, two layers of a pixel; SSGI_FAR: there is none\n"
     "    float front, back;\n"
-    "    uvec2 front_emitter, back_emitter; // #if bounce\n"
+    "#if SSGI_BOUNCE\n"
+    "    uvec2 front_emitter, back_emitter;\n"
+    "#endif\n"
     "};\n" },
 
-{ "ssgi_solid_at", __LINE__ + 1,
+{ "ssgi_solid_at", NULL, __LINE__ + 1,
     "ssgi_solid ssgi_solid_at(int v, ivec2 p, int j, int layers) {\n"
-    "#if bounce\n"
+    "#if SSGI_BOUNCE\n"
     "    uvec2 a = ssgi_emitter_texel(v, p, j);\n"
     "    uvec2 b = j + 1 < layers ? ssgi_emitter_texel(v, p, j + 1) : uvec2(0xffffffffu);\n"
     "    return ssgi_solid(ssgi_unpack_depth(a.y), ssgi_unpack_depth(b.y), a, b);\n"
@@ -1669,17 +1754,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_solid_occludes", __LINE__ + 1,
+{ "ssgi_solid_occludes", NULL, __LINE__ + 1,
     "// how much the solid that holds depth s at a pixel of camera v counts\n"
     "float ssgi_solid_occludes(ssgi_solid a, int v, ivec2 p, float s) {\n"
-    "    ssgi_offer_rise(ssgi_point(v, p, a.front)); // #if pass == HSAO && terms != RAYS\n"
-    "    ssgi_offer_emitter(a.front_emitter, ssgi_point(v, p, a.front)); // #if bounce\n"
-    "    if (a.back < SSGI_FAR) ssgi_offer_emitter(a.back_emitter, ssgi_point(v, p, a.back)); // #if bounce\n"
-    "    return ssgi_fade_weight(ssgi_point(v, p, s - a.front < a.back - s ? a.front : a.back)); // #if fade || range\n"
-    "    return 1.0; // #if !(fade || range)\n"
+    "#if SSGI_PASS == SSGI_PASS_HSAO && SSGI_TERMS != SSGI_TERMS_RAYS\n"
+    "    ssgi_offer_rise(ssgi_point(v, p, a.front));\n"
+    "#endif\n"
+    "#if SSGI_BOUNCE\n"
+    "    ssgi_offer_emitter(a.front_emitter, ssgi_point(v, p, a.front));\n"
+    "    if (a.back < SSGI_FAR) ssgi_offer_emitter(a.back_emitter, ssgi_point(v, p, a.back));\n"
+    "#endif\n"
+    "#if SSGI_FADE || SSGI_RANGE\n"
+    "    return ssgi_fade_weight(ssgi_point(v, p, s - a.front < a.back - s ? a.front : a.back));\n"
+    "#else\n"
+    "    return 1.0;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_occupancy", __LINE__ + 1,
+{ "ssgi_occupancy", NULL, __LINE__ + 1,
     "// Where depth s lies at a pixel of camera v. Above 0: inside a solid, which reaches from an odd layer to the\n"
     "// next; -1: before the visible surface by more than the slack; 0: that is unknown.\n"
     "float ssgi_occupancy(int v, ivec2 p, float s, int layers, float slack) {\n"
@@ -1689,7 +1781,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int j = 0; j < layers; j += 2) {\n"
     "        ssgi_solid a = ssgi_solid_at(v, p, j, layers);\n"
     "        float back = a.back;\n"
-    "        if (a.back >= SSGI_FAR) back = a.front + ssgi_thickness(); // #if thickness != SOLID\n"
+    "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
+    "        if (a.back >= SSGI_FAR) back = a.front + ssgi_thickness();\n"
+    "#endif\n"
     "        if (!known && s <= a.front - slack) found = -1.0;\n"
     "        if (!known && s > a.front && s < back) found = ssgi_solid_occludes(a, v, p, s);\n"
     "        // Within the slack before a surface it is unknown, too.\n"
@@ -1698,7 +1792,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return found;\n"
     "}\n" },
 
-{ "ssgi_occupancy_of_view", __LINE__ + 1,
+{ "ssgi_occupancy_of_view", NULL, __LINE__ + 1,
     "// where S lies as extra camera v sees it, as ssgi_occupancy says; 0 out of its picture\n"
     "float ssgi_occupancy_of_view(int v, vec3 S) {\n"
     "    vec3 q = (u_ssgi_view_to[v] * vec4(S, 1.0)).xyz;\n"
@@ -1708,103 +1802,129 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_occupancy(v, p, q.z, SSGI_VIEW_LAYERS, u_ssgi_view_size[v].z * unit);\n"
     "}\n" },
 
-{ "ssgi_occlusion_at", __LINE__ + 1,
-    "#if layers > 1 || views\n"
+{ "ssgi_occlusion_at", "SSGI_LAYERS > 1 || SSGI_VIEWS", __LINE__ + 1,
     "float ssgi_occlusion_at(vec3 S) { // how much the solid counts that S is in; 0: it is in none\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
-    "    ssgi_emitter = vec4(0.0, 0.0, 0.0, SSGI_FAR); // #if bounce\n"
-    "    ssgi_way = S - ssgi_P; // #if bounce\n"
+    "#if SSGI_BOUNCE\n"
+    "    ssgi_emitter = vec4(0.0, 0.0, 0.0, SSGI_FAR);\n"
+    "    ssgi_way = S - ssgi_P;\n"
+    "#endif\n"
     "    float found = S.z < 0.0 && ssgi_inside(p) ? ssgi_occupancy(-1, p, -S.z, SSGI_LAYERS, 0.0) : 0.0;\n"
-    "#if views\n"
+    "#if SSGI_VIEWS\n"
     "    for (int v = 0; v < SSGI_VIEWS; ++v) { // one camera that sees S unoccluded outvotes all others\n"
     "        float known = ssgi_occupancy_of_view(v, S);\n"
     "        found = min(found, known) < 0.0 ? -1.0 : max(found, known);\n"
     "    }\n"
     "#endif\n"
     "    return max(found, 0.0);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_sending_depth", __LINE__ + 1,
+{ "ssgi_sending_depth", NULL, __LINE__ + 1,
     "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel; its surface becomes ssgi_emitter\n"
     "    uvec2 s = ssgi_emitter_texel(-1, p, 0);\n"
     "    float z = ssgi_unpack_depth(s.y);\n"
     "    ssgi_emitter.xyz = ssgi_radiance_from(s, ssgi_point(-1, p, z));\n"
-    "    ssgi_emitter_place = s.y; // #if transfer && !dimmed\n"
-    "    ssgi_emitter_pixel = p; // #if dimmed\n"
+    "#if SSGI_TRANSFER && !SSGI_DIMMED\n"
+    "    ssgi_emitter_place = s.y;\n"
+    "#elif SSGI_DIMMED\n"
+    "    ssgi_emitter_pixel = p;\n"
+    "#endif\n"
     "    return z;\n"
     "}\n" },
 
-{ "ssgi_thickness_at", __LINE__ + 1,
+{ "ssgi_thickness_at", NULL, __LINE__ + 1,
     "float ssgi_thickness_at(ivec2 p, float z) { // thickness of the visible surface at depth z: a pixel at least\n"
     "    return max(ssgi_measured_width(ssgi_measured(p)), ssgi_footprint(z));\n"
     "}\n" },
 
-{ "ssgi_in_slabs", __LINE__ + 1,
+{ "ssgi_in_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
     "// Whether depth s lies in a pixel's first slab, which begins at z, or in its second, whose front z becomes.\n"
     "bool ssgi_in_slabs(ivec2 p, float s, inout float z) {\n"
     "    vec3 back = ssgi_slabs(p);\n"
     "    vec2 front = vec2(z, back.y);\n"
     "    vec2 end_ = front + ssgi_slab_thickness(front, back.xz, vec2(ssgi_footprint(z)));\n"
     "    bool first = s > z && s < end_.x;\n"
-    "#if thickness == SLABS\n"
+    "#if SSGI_THICKNESS == SSGI_THICKNESS_SLABS\n"
     "    bool second = !first && s > back.y && s < end_.y;\n"
     "    if (second) z = back.y;\n"
-    "    if (second) ssgi_emitter.xyz = vec3(0.0); // its radiance is unknown // #if bounce\n"
+    "#if SSGI_BOUNCE\n"
+    "    if (second) ssgi_emitter.xyz = vec3(0.0); // its radiance is unknown\n"
+    "#endif\n"
     "    return first || second;\n"
     "#else\n"
     "    return first;\n"
     "#endif\n"
     "}\n" },
 
-{ "ssgi_occlusion_at", __LINE__ + 1,
-    "#if !(layers > 1 || views)\n"
+{ "ssgi_occlusion_at", "!(SSGI_LAYERS > 1 || SSGI_VIEWS)", __LINE__ + 1,
     "// How much the surface counts that S is in, behind its front; 0: it is in none, off screen, or behind the eye.\n"
     "float ssgi_occlusion_at(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
-    "    float z = ssgi_depth(p); // #if !bounce\n"
-    "    float z = ssgi_sending_depth(p); // #if bounce\n"
-    "    bool found = -S.z > z; // #if thickness == SOLID\n"
+    "#if !SSGI_BOUNCE\n"
+    "    float z = ssgi_depth(p);\n"
+    "#else\n"
+    "    float z = ssgi_sending_depth(p);\n"
+    "#endif\n"
+    "#if SSGI_THICKNESS == SSGI_THICKNESS_SOLID\n"
+    "    bool found = -S.z > z;\n"
+    "#endif\n"
     "    bool seen = ssgi_inside(p); // not behind &&, where compilers read the uniforms anew for every point\n"
-    "    float end_ = z + ssgi_thickness(); // #if thickness == CONSTANT\n"
-    "    float end_ = z + ssgi_thickness_at(p, z); // #if thickness == WIDTH\n"
-    "    bool found = -S.z > z && -S.z < end_; // #if thickness == CONSTANT || thickness == WIDTH\n"
-    "    bool found = ssgi_in_slabs(p, -S.z, z); // #if thickness > WIDTH\n"
+    "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
+    "    float end_ = z + ssgi_thickness();\n"
+    "#elif SSGI_THICKNESS == SSGI_THICKNESS_WIDTH\n"
+    "    float end_ = z + ssgi_thickness_at(p, z);\n"
+    "#endif\n"
+    "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT || SSGI_THICKNESS == SSGI_THICKNESS_WIDTH\n"
+    "    bool found = -S.z > z && -S.z < end_;\n"
+    "#elif SSGI_THICKNESS > SSGI_THICKNESS_WIDTH\n"
+    "    bool found = ssgi_in_slabs(p, -S.z, z);\n"
+    "#endif\n"
     "    return S.z < 0.0 && seen && found\n"
-    "        ? ssgi_fade_weight(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
-    "        ? 1.0 : 0.0; // #if !(fade || range)\n"
-    "}\n"
-    "#endif\n" },
+    "#if SSGI_FADE || SSGI_RANGE\n"
+    "        ? ssgi_fade_weight(ssgi_point(-1, p, z)) : 0.0;\n"
+    "#else\n"
+    "        ? 1.0 : 0.0;\n"
+    "#endif\n"
+    "}\n" },
 
 /* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
 
 /* Coefficient 4w + k is lane k of word w: a, b, c, d. Lanes beyond the bands are 0. Twins in C: >>sh of ssgi.h. */
 
-{ "ssgi_sh", __LINE__ + 1,
+{ "ssgi_sh", NULL, __LINE__ + 1,
     "struct ssgi_sh { // lane k of word w holds coefficient 4w + k\n"
     "    vec4 a;\n"
-    "    vec4 b, c; // #if bands > 2\n"
-    "    vec4 d; // #if bands > 3\n"
+    "#if SSGI_BANDS > 2\n"
+    "    vec4 b, c;\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 3\n"
+    "    vec4 d;\n"
+    "#endif\n"
     "};\n" },
 
-{ "ssgi_coefficients", __LINE__ + 1,
-    "struct ssgi_coefficients { ssgi_sh c[3]; }; // #if transfer\n"
-    "struct ssgi_coefficients { ssgi_sh c[1]; }; // #if !transfer\n" },
+{ "ssgi_coefficients", NULL, __LINE__ + 1,
+    "#if SSGI_TRANSFER\n"
+    "struct ssgi_coefficients { ssgi_sh c[3]; };\n"
+    "#else\n"
+    "struct ssgi_coefficients { ssgi_sh c[1]; };\n"
+    "#endif\n" },
 
-{ "ssgi_sh_basis", __LINE__ + 1,
+{ "ssgi_sh_basis", NULL, __LINE__ + 1,
     "// Real spherical harmonics of a unit direction in the order l*l + l + m, without the Condon-Shortley sign.\n"
     "ssgi_sh ssgi_sh_basis(vec3 n) {\n"
     "    ssgi_sh y;\n"
     "    y.a = vec4(0.28209479, 0.0, 0.0, 0.0);\n"
-    "    y.a.yzw = 0.48860251 * n.yzx; // #if bands > 1\n"
-    "#if bands > 2\n"
+    "#if SSGI_BANDS > 1\n"
+    "    y.a.yzw = 0.48860251 * n.yzx;\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 2\n"
     "    float zz = n.z * n.z;\n"
     "    vec3 m = n.xyz * n.yzx;\n"
     "    vec2 q = n.xy * n.xy;\n"
     "    y.b = vec4(1.09254843 * m.xy, 0.94617470 * zz - 0.31539157, 1.09254843 * m.z);\n"
     "    y.c = vec4(0.54627422 * (q.x - q.y), 0.0, 0.0, 0.0);\n"
     "#endif\n"
-    "#if bands > 3\n"
+    "#if SSGI_BANDS > 3\n"
     "    float five = 2.28522901 * zz - 0.45704580;\n"
     "    y.c.yzw = vec3(0.59004359 * n.y * (3.0 * q.x - q.y), 2.89061144 * m.x * n.z, n.y * five);\n"
     "    y.d = vec4(n.z * (1.86588166 * zz - 1.11952900), n.x * five, 1.44530572 * n.z * (q.x - q.y),\n"
@@ -1813,50 +1933,62 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return y;\n"
     "}\n" },
 
-{ "SSGI_SH_AMBIENT", __LINE__ + 1,
+{ "SSGI_SH_AMBIENT", NULL, __LINE__ + 1,
     "const float SSGI_SH_AMBIENT = 1.12837917; // times coefficient 0 it is ambient visibility: 2 / sqrt(pi)\n" },
 
-{ "SSGI_COSINE", __LINE__ + 1,
+{ "SSGI_COSINE", NULL, __LINE__ + 1,
     "// zonal harmonics of the clamped cosine\n"
     "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0);\n" },
 
-{ "ssgi_sh_zonal", __LINE__ + 1,
+{ "ssgi_sh_zonal", NULL, __LINE__ + 1,
     "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n) { // a lobe about n; zonal has one lane for each band\n"
     "    ssgi_sh y = ssgi_sh_basis(n);\n"
     "    zonal *= vec4(3.54490770, 2.04665341, 1.58533092, 1.33984917);\n"
     "    y.a *= zonal.xyyy;\n"
-    "    y.b *= zonal.z, y.c *= zonal.zwww; // #if bands > 2\n"
-    "    y.d *= zonal.w; // #if bands > 3\n"
+    "#if SSGI_BANDS > 2\n"
+    "    y.b *= zonal.z, y.c *= zonal.zwww;\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 3\n"
+    "    y.d *= zonal.w;\n"
+    "#endif\n"
     "    return y;\n"
     "}\n" },
 
-{ "ssgi_sh_add", __LINE__ + 1,
+{ "ssgi_sh_add", NULL, __LINE__ + 1,
     "void ssgi_sh_add(inout ssgi_sh s, ssgi_sh y, float w) {\n"
     "    s.a += y.a * w;\n"
-    "    s.b += y.b * w, s.c += y.c * w; // #if bands > 2\n"
-    "    s.d += y.d * w; // #if bands > 3\n"
+    "#if SSGI_BANDS > 2\n"
+    "    s.b += y.b * w, s.c += y.c * w;\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 3\n"
+    "    s.d += y.d * w;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_sh_dot", __LINE__ + 1,
+{ "ssgi_sh_dot", NULL, __LINE__ + 1,
     "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) { // the integral of the product of two functions\n"
     "    float s = dot(x.a, y.a);\n"
-    "    s += dot(x.b, y.b) + dot(x.c, y.c); // #if bands > 2\n"
-    "    s += dot(x.d, y.d); // #if bands > 3\n"
+    "#if SSGI_BANDS > 2\n"
+    "    s += dot(x.b, y.b) + dot(x.c, y.c);\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 3\n"
+    "    s += dot(x.d, y.d);\n"
+    "#endif\n"
     "    return s;\n"
     "}\n" },
 
-{ "ssgi_sh_complex", __LINE__ + 1,
+{ "ssgi_sh_complex", NULL, __LINE__ + 1,
     "vec2 ssgi_sh_complex(vec2 a, vec2 b) {\n"
     "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n"
     "}\n" },
 
-{ "ssgi_sh_about_z", __LINE__ + 1,
+{ "ssgi_sh_about_z", "SSGI_BANDS > 2", __LINE__ + 1,
     "// turns the bands from the third on about z by the angle whose cosine and sine are u\n"
     "void ssgi_sh_about_z(inout ssgi_sh s, vec2 u) {\n"
     "    vec2 uu = ssgi_sh_complex(u, u), t = ssgi_sh_complex(vec2(s.c.x, s.b.x), uu);\n"
     "    s.b.wy = ssgi_sh_complex(s.b.wy, u);\n"
     "    s.c.x = t.x, s.b.x = t.y;\n"
-    "#if bands > 3\n"
+    "#if SSGI_BANDS > 3\n"
     "    vec2 one = ssgi_sh_complex(vec2(s.d.y, s.c.w), u), two = ssgi_sh_complex(vec2(s.d.z, s.c.z), uu);\n"
     "    vec2 three = ssgi_sh_complex(vec2(s.d.w, s.c.y), ssgi_sh_complex(uu, u));\n"
     "    s.d.yzw = vec3(one.x, two.x, three.x);\n"
@@ -1864,13 +1996,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_sh_quarter", __LINE__ + 1,
+{ "ssgi_sh_quarter", "SSGI_BANDS > 2", __LINE__ + 1,
     "// turns those bands about x by a quarter, forth (1) or back (-1)\n"
     "void ssgi_sh_quarter(inout ssgi_sh s, float way) {\n"
     "    float q = s.c.x;\n"
     "    s.c.x = 0.5 * q - 0.86602540 * s.b.z;\n"
     "    s.b = vec4(-way * s.b.w, -s.b.y, -0.5 * s.b.z - 0.86602540 * q, way * s.b.x);\n"
-    "#if bands > 3\n"
+    "#if SSGI_BANDS > 3\n"
     "    vec4 o = vec4(s.c.y, s.c.w, s.d.x, s.d.z);\n"
     "    s.c.yzw = vec3(way * (0.79056942 * o.z - 0.61237244 * o.w), -s.c.z,\n"
     "                   way * (0.61237244 * o.z + 0.79056942 * o.w));\n"
@@ -1879,11 +2011,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_sh_turn", __LINE__ + 1,
+{ "ssgi_sh_turn", NULL, __LINE__ + 1,
     "// turns a function by a rotation R: R n gets the value that n had\n"
     "void ssgi_sh_turn(inout ssgi_sh s, mat3 R) {\n"
-    "    s.a.yzw = (R * s.a.wyz).yzx; // #if bands > 1\n"
-    "#if bands > 2\n"
+    "#if SSGI_BANDS > 1\n"
+    "    s.a.yzw = (R * s.a.wyz).yzx;\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 2\n"
     "    // R = Rz(phi) Ry(theta) Rz(psi), and Ry is Rz between two quarters about x. Near a pole only phi + psi or\n"
     "    // phi - psi is defined (gimbal lock), so psi comes from that sum.\n"
     "    float m = dot(R[2].xy, R[2].xy);\n"
@@ -1898,11 +2032,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_pack_half", __LINE__ + 1,
+{ "ssgi_pack_half", NULL, __LINE__ + 1,
     "uint ssgi_pack_half(vec2 v) {\n"
     "    v = clamp(v, -65504.0, 65504.0);\n"
-    "    return packHalf2x16(v); // #if dialect != 330 && dialect != 410\n"
-    "#if dialect == 330 || dialect == 410\n"
+    "#if SSGI_DIALECT != SSGI_DIALECT_330 && SSGI_DIALECT != SSGI_DIALECT_410\n"
+    "    return packHalf2x16(v);\n"
+    "#endif\n"
+    "#if SSGI_DIALECT == SSGI_DIALECT_330 || SSGI_DIALECT == SSGI_DIALECT_410\n"
     "    uvec2 u = floatBitsToUint(v), a = u & 0x7fffffffu; // these languages lack it; this rounds to nearest even\n"
     "    uvec2 h = (a - 0x38000000u + 0xfffu + ((a >> 13u) & 1u)) >> 13u;\n"
     "    uvec2 small = floatBitsToUint(uintBitsToFloat(a) + 0.5) - 0x3f000000u; // this sum rounds below 2^-14\n"
@@ -1911,10 +2047,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_unpack_half", __LINE__ + 1,
+{ "ssgi_unpack_half", NULL, __LINE__ + 1,
     "vec2 ssgi_unpack_half(uint u) {\n"
-    "    return unpackHalf2x16(u); // #if dialect != 330 && dialect != 410\n"
-    "#if dialect == 330 || dialect == 410\n"
+    "#if SSGI_DIALECT != SSGI_DIALECT_330 && SSGI_DIALECT != SSGI_DIALECT_410\n"
+    "    return unpackHalf2x16(u);\n"
+    "#endif\n"
+    "#if SSGI_DIALECT == SSGI_DIALECT_330 || SSGI_DIALECT == SSGI_DIALECT_410\n"
     "    uvec2 h = uvec2(u & 0xffffu, u >> 16u), e = h & 0x7c00u;\n"
     "    vec2 v = uintBitsToFloat(((h & 0x7fffu) << 13u) + 0x38000000u), small = vec2(h & 0x3ffu) * 5.9604645e-8;\n"
     "    v = vec2(e.x == 0u ? small.x : v.x, e.y == 0u ? small.y : v.y);\n"
@@ -1922,166 +2060,207 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_unpack", __LINE__ + 1,
+{ "ssgi_unpack", NULL, __LINE__ + 1,
     "ssgi_sh ssgi_unpack(uvec4 u, uvec4 v) {\n"
     "    ssgi_sh s;\n"
     "    s.a = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y));\n"
-    "    s.b = vec4(ssgi_unpack_half(u.z), ssgi_unpack_half(u.w)); // #if bands > 2\n"
-    "    s.c = vec4(ssgi_unpack_half(v.x), ssgi_unpack_half(v.y)); // #if bands > 2\n"
-    "    s.d = vec4(ssgi_unpack_half(v.z), ssgi_unpack_half(v.w)); // #if bands > 3\n"
+    "#if SSGI_BANDS > 2\n"
+    "    s.b = vec4(ssgi_unpack_half(u.z), ssgi_unpack_half(u.w));\n"
+    "    s.c = vec4(ssgi_unpack_half(v.x), ssgi_unpack_half(v.y));\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 3\n"
+    "    s.d = vec4(ssgi_unpack_half(v.z), ssgi_unpack_half(v.w));\n"
+    "#endif\n"
     "    return s;\n"
     "}\n" },
 
-{ "ssgi_load", __LINE__ + 1,
+{ "ssgi_load", NULL, __LINE__ + 1,
     "ssgi_coefficients ssgi_load(ivec2 p) { // the coefficients that pass s3ho wrote at a texel of its targets\n"
     "    ssgi_coefficients v;\n"
-    "#if transfer\n"
-    "    uvec4 red = uvec4(0u), green = red, blue = red; // #if bands < 3\n"
-    "    uvec4 red = texelFetch(t_ssgi_red1, p, 0), green = texelFetch(t_ssgi_green1, p, 0); // #if bands > 2\n"
-    "    uvec4 blue = texelFetch(t_ssgi_blue1, p, 0); // #if bands > 2\n"
+    "#if SSGI_TRANSFER\n"
+    "#if SSGI_BANDS < 3\n"
+    "    uvec4 red = uvec4(0u), green = red, blue = red;\n"
+    "#else\n"
+    "    uvec4 red = texelFetch(t_ssgi_red1, p, 0), green = texelFetch(t_ssgi_green1, p, 0);\n"
+    "    uvec4 blue = texelFetch(t_ssgi_blue1, p, 0);\n"
+    "#endif\n"
     "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_red0, p, 0), red);\n"
     "    v.c[1] = ssgi_unpack(texelFetch(t_ssgi_green0, p, 0), green);\n"
     "    v.c[2] = ssgi_unpack(texelFetch(t_ssgi_blue0, p, 0), blue);\n"
-    "#elif packed\n"
-    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, p, 0), uvec4(0u)); // #if bands < 3\n"
-    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, p, 0), texelFetch(t_ssgi_sh1, p, 0)); // #if bands > 2\n"
+    "#elif SSGI_PACKED\n"
+    "#if SSGI_BANDS < 3\n"
+    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, p, 0), uvec4(0u));\n"
     "#else\n"
-    "    v.c[0].a = vec4(texelFetch(t_ssgi_sh0, p, 0).x, 0.0, 0.0, 0.0); // #if bands == 1\n"
-    "    v.c[0].a = texelFetch(t_ssgi_sh0, p, 0); // #if bands != 1\n"
-    "    v.c[0].b = texelFetch(t_ssgi_sh1, p, 0); // #if bands > 2\n"
-    "    v.c[0].c = vec4(texelFetch(t_ssgi_sh2, p, 0).x, 0.0, 0.0, 0.0); // #if bands == 3\n"
-    "    v.c[0].c = texelFetch(t_ssgi_sh2, p, 0); // #if bands == 4\n"
-    "    v.c[0].d = texelFetch(t_ssgi_sh3, p, 0); // #if bands == 4\n"
+    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, p, 0), texelFetch(t_ssgi_sh1, p, 0));\n"
+    "#endif\n"
+    "#else\n"
+    "#if SSGI_BANDS == 1\n"
+    "    v.c[0].a = vec4(texelFetch(t_ssgi_sh0, p, 0).x, 0.0, 0.0, 0.0);\n"
+    "#else\n"
+    "    v.c[0].a = texelFetch(t_ssgi_sh0, p, 0);\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 2\n"
+    "    v.c[0].b = texelFetch(t_ssgi_sh1, p, 0);\n"
+    "#endif\n"
+    "#if SSGI_BANDS == 3\n"
+    "    v.c[0].c = vec4(texelFetch(t_ssgi_sh2, p, 0).x, 0.0, 0.0, 0.0);\n"
+    "#elif SSGI_BANDS == 4\n"
+    "    v.c[0].c = texelFetch(t_ssgi_sh2, p, 0);\n"
+    "    v.c[0].d = texelFetch(t_ssgi_sh3, p, 0);\n"
+    "#endif\n"
     "#endif\n"
     "    return v;\n"
     "}\n" },
 
-{ "ssgi_load_last", __LINE__ + 1,
+{ "ssgi_load_last", "SSGI_TRANSFER", __LINE__ + 1,
     "ssgi_coefficients ssgi_load_last(ivec2 p) { // the filtered coefficients of the last frame, three sets\n"
     "    ssgi_coefficients v;\n"
-    "    uvec4 red = uvec4(0u), green = red, blue = red; // #if bands < 3\n"
-    "    uvec4 red = texelFetch(t_ssgi_last_red1, p, 0); // #if bands > 2\n"
-    "    uvec4 green = texelFetch(t_ssgi_last_green1, p, 0); // #if bands > 2\n"
-    "    uvec4 blue = texelFetch(t_ssgi_last_blue1, p, 0); // #if bands > 2\n"
+    "#if SSGI_BANDS < 3\n"
+    "    uvec4 red = uvec4(0u), green = red, blue = red;\n"
+    "#else\n"
+    "    uvec4 red = texelFetch(t_ssgi_last_red1, p, 0);\n"
+    "    uvec4 green = texelFetch(t_ssgi_last_green1, p, 0);\n"
+    "    uvec4 blue = texelFetch(t_ssgi_last_blue1, p, 0);\n"
+    "#endif\n"
     "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_last_red0, p, 0), red);\n"
     "    v.c[1] = ssgi_unpack(texelFetch(t_ssgi_last_green0, p, 0), green);\n"
     "    v.c[2] = ssgi_unpack(texelFetch(t_ssgi_last_blue0, p, 0), blue);\n"
     "    return v;\n"
     "}\n" },
 
-{ "ssgi_pack_first", __LINE__ + 1,
+{ "ssgi_pack_first", NULL, __LINE__ + 1,
     "uvec4 ssgi_pack_first(ssgi_sh s) { // packs coefficients 0..7\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), ssgi_pack_half(s.a.zw), 0u, 0u);\n"
-    "    u.zw = uvec2(ssgi_pack_half(s.b.xy), ssgi_pack_half(s.b.zw)); // #if bands > 2\n"
+    "#if SSGI_BANDS > 2\n"
+    "    u.zw = uvec2(ssgi_pack_half(s.b.xy), ssgi_pack_half(s.b.zw));\n"
+    "#endif\n"
     "    return u;\n"
     "}\n" },
 
-{ "ssgi_pack_more", __LINE__ + 1,
+{ "ssgi_pack_more", "SSGI_BANDS > 2", __LINE__ + 1,
     "uvec4 ssgi_pack_more(ssgi_sh s) { // packs coefficients 8..15\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.c.xy), 0u, 0u, 0u);\n"
-    "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw)); // #if bands > 3\n"
+    "#if SSGI_BANDS > 3\n"
+    "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw));\n"
+    "#endif\n"
     "    return u;\n"
     "}\n" },
 
-{ "ssgi_store", __LINE__ + 1,
+{ "ssgi_store", "SSGI_PACKED || !SSGI_TRANSFER", __LINE__ + 1,
     "void ssgi_store(ssgi_coefficients v) {\n"
-    "#if transfer\n"
+    "#if SSGI_TRANSFER\n"
     "    o_ssgi_red0 = ssgi_pack_first(v.c[0]), o_ssgi_green0 = ssgi_pack_first(v.c[1]);\n"
     "    o_ssgi_blue0 = ssgi_pack_first(v.c[2]);\n"
-    "    o_ssgi_red1 = ssgi_pack_more(v.c[0]), o_ssgi_green1 = ssgi_pack_more(v.c[1]); // #if bands > 2\n"
-    "    o_ssgi_blue1 = ssgi_pack_more(v.c[2]); // #if bands > 2\n"
-    "#elif packed\n"
+    "#if SSGI_BANDS > 2\n"
+    "    o_ssgi_red1 = ssgi_pack_more(v.c[0]), o_ssgi_green1 = ssgi_pack_more(v.c[1]);\n"
+    "    o_ssgi_blue1 = ssgi_pack_more(v.c[2]);\n"
+    "#endif\n"
+    "#elif SSGI_PACKED\n"
     "    o_ssgi_sh0 = ssgi_pack_first(v.c[0]);\n"
-    "    o_ssgi_sh1 = ssgi_pack_more(v.c[0]); // #if bands > 2\n"
+    "#if SSGI_BANDS > 2\n"
+    "    o_ssgi_sh1 = ssgi_pack_more(v.c[0]);\n"
+    "#endif\n"
     "#else\n"
     "    o_ssgi_sh0 = v.c[0].a;\n"
-    "    o_ssgi_sh1 = v.c[0].b, o_ssgi_sh2 = v.c[0].c; // #if bands > 2\n"
-    "    o_ssgi_sh3 = v.c[0].d; // #if bands > 3\n"
+    "#if SSGI_BANDS > 2\n"
+    "    o_ssgi_sh1 = v.c[0].b, o_ssgi_sh2 = v.c[0].c;\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 3\n"
+    "    o_ssgi_sh3 = v.c[0].d;\n"
+    "#endif\n"
     "#endif\n"
     "}\n" },
 
-{ "ssgi_coefficients_none", __LINE__ + 1,
+{ "ssgi_coefficients_none", NULL, __LINE__ + 1,
     "ssgi_coefficients ssgi_coefficients_none() {\n"
     "    ssgi_coefficients v;\n"
     "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n"
     "    return v;\n"
     "}\n" },
 
-{ "ssgi_ambient", __LINE__ + 1,
+{ "ssgi_ambient", NULL, __LINE__ + 1,
     "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility, which is coefficient 0 but for a factor\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
-    "    a -= vec3(v.c[0].a.y, v.c[1].a.y, v.c[2].a.y); // #if transfer == BOTH && bands == 1\n"
+    "#if SSGI_TRANSFER == SSGI_TRANSFER_BOTH && SSGI_BANDS == 1\n"
+    "    a -= vec3(v.c[0].a.y, v.c[1].a.y, v.c[2].a.y);\n"
+    "#endif\n"
     "    return clamp(a * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
     "}\n" },
 
-{ "ssgi_incoming", __LINE__ + 1,
-    "#if harmonics == FRAME\n"
+{ "ssgi_incoming", "SSGI_HARMONICS == SSGI_HARMONICS_FRAME", __LINE__ + 1,
     "float ssgi_incoming(int c, ssgi_sh s) { // channel c of the irradiance that visibility s lets in [S3HO12 eq. 3]\n"
     "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
-    "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c); // #if bands > 2\n"
-    "    e += dot(u_ssgi_harmonics[9 + c], s.d); // #if bands > 3\n"
+    "#if SSGI_BANDS > 2\n"
+    "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c);\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 3\n"
+    "    e += dot(u_ssgi_harmonics[9 + c], s.d);\n"
+    "#endif\n"
     "    return e;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_irradiance", __LINE__ + 1,
-    "#if harmonics == FRAME\n"
+{ "ssgi_irradiance", "SSGI_HARMONICS == SSGI_HARMONICS_FRAME", __LINE__ + 1,
     "// irradiance over pi of a surface with normal n\n"
     "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
     "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
     "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * SSGI_OVER_PI;\n"
-    "    e += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) * ssgi_ambient(v); // #if residual\n"
+    "#if SSGI_RESIDUAL\n"
+    "    e += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) * ssgi_ambient(v);\n"
+    "#endif\n"
     "    return e;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_lit_at", __LINE__ + 1,
+{ "ssgi_lit_at", NULL, __LINE__ + 1,
     "vec3 ssgi_lit_at; // the place that your harmonics are asked about\n" },
 
-{ "ssgi_incoming", __LINE__ + 1,
-    "#if harmonics == CUSTOM\n"
+{ "ssgi_incoming", "SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM", __LINE__ + 1,
     "// Irradiance by your coefficients i to i + count - 1: each channel's transfer has a lane for each of them.\n"
     "vec3 ssgi_incoming(int i, int count, vec4 r, vec4 g, vec4 b) {\n"
     "    vec3 e = vec3(0.0);\n"
     "    for (int k = 0; k < count; ++k) e += ssgi_custom_harmonic(i + k, ssgi_lit_at) * vec3(r[k], g[k], b[k]);\n"
     "    return e;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_irradiance", __LINE__ + 1,
-    "#if harmonics == CUSTOM\n"
+{ "ssgi_irradiance", "SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM", __LINE__ + 1,
     "// Irradiance over pi by your harmonics. They are in world space, so the transfer is turned there.\n"
     "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_turn(v.c[c], transpose(u_ssgi_rotation));\n"
     "    ssgi_sh r = v.c[0], g = v.c[1 % v.c.length()], b = v.c[2 % v.c.length()];\n"
-    "    vec3 e = ssgi_incoming(0, 1, r.a, g.a, b.a); // #if bands == 1\n"
-    "    vec3 e = ssgi_incoming(0, 4, r.a, g.a, b.a); // #if bands > 1\n"
-    "    e += ssgi_incoming(4, 4, r.b, g.b, b.b); // #if bands > 2\n"
-    "    e += ssgi_incoming(8, 1, r.c, g.c, b.c); // #if bands == 3\n"
-    "    e += ssgi_incoming(8, 4, r.c, g.c, b.c) + ssgi_incoming(12, 4, r.d, g.d, b.d); // #if bands == 4\n"
+    "#if SSGI_BANDS == 1\n"
+    "    vec3 e = ssgi_incoming(0, 1, r.a, g.a, b.a);\n"
+    "#elif SSGI_BANDS > 1\n"
+    "    vec3 e = ssgi_incoming(0, 4, r.a, g.a, b.a);\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 2\n"
+    "    e += ssgi_incoming(4, 4, r.b, g.b, b.b);\n"
+    "#endif\n"
+    "#if SSGI_BANDS == 3\n"
+    "    e += ssgi_incoming(8, 1, r.c, g.c, b.c);\n"
+    "#elif SSGI_BANDS == 4\n"
+    "    e += ssgi_incoming(8, 4, r.c, g.c, b.c) + ssgi_incoming(12, 4, r.d, g.d, b.d);\n"
+    "#endif\n"
     "    return e * SSGI_OVER_PI;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
 /* ==== >>light: lights, emitters, shading of coefficients ========================================================= */
 
-{ "SSGI_SUN", __LINE__ + 1,
+{ "SSGI_SUN", NULL, __LINE__ + 1,
     "const float SSGI_SUN = 0.5; // a light whose kind is below this is a sun\n" },
 
-{ "SSGI_POINT", __LINE__ + 1,
+{ "SSGI_POINT", NULL, __LINE__ + 1,
     "const float SSGI_POINT = 1.5;\n" },
 
-{ "SSGI_SPOT", __LINE__ + 1,
+{ "SSGI_SPOT", NULL, __LINE__ + 1,
     "const float SSGI_SPOT = 2.5;\n" },
 
-{ "ssgi_light", __LINE__ + 1,
+{ "ssgi_light", NULL, __LINE__ + 1,
     "struct ssgi_light { // how a row of t_ssgi_lights shines on a point\n"
     "    vec4 at, colour, facing;\n"
     "    vec3 way; // unit vector to the light\n"
     "    float distance, falloff; // falloff is all that dims it but the receiver's cosine\n"
     "};\n" },
 
-{ "ssgi_light_at", __LINE__ + 1,
+{ "ssgi_light_at", NULL, __LINE__ + 1,
     "ssgi_light ssgi_light_at(int i, vec3 P) {\n"
     "    ssgi_light s;\n"
     "    s.at = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
@@ -2094,26 +2273,30 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return s;\n"
     "}\n" },
 
-{ "ssgi_segment_occlusion", __LINE__ + 1,
-    "#if shadow == SEGMENT || shadow == FILL\n"
+{ "ssgi_segment_occlusion", "SSGI_SHADOW == SSGI_SHADOW_SEGMENT || SSGI_SHADOW == SSGI_SHADOW_FILL", __LINE__ + 1,
     "// 1 if any point of the segment from P to light i is occluded; ssgi_shadow explains contact\n"
     "float ssgi_segment_occlusion(int i, vec3 P, vec3 n, ssgi_light s, float contact, float xi) {\n"
     "    float reach = s.at.w > SSGI_SUN ? min(u_ssgi_radius, s.distance) : u_ssgi_radius;\n"
-    "    if (contact >= 0.0) reach = min(reach, contact); // #if shadow == FILL\n"
-    "    // The map decides on distances below a pixel. // #if shadow == FILL\n"
-    "    if (contact >= 0.0 && contact < ssgi_footprint(-P.z)) reach = 0.0; // #if shadow == FILL\n"
-    "    ssgi_segment_length = reach; // #if thickness != SOLID\n"
+    "#if SSGI_SHADOW == SSGI_SHADOW_FILL\n"
+    "    if (contact >= 0.0) reach = min(reach, contact);\n"
+    "    // The map decides on distances below a pixel.\n"
+    "    if (contact >= 0.0 && contact < ssgi_footprint(-P.z)) reach = 0.0;\n"
+    "#endif\n"
+    "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
+    "    ssgi_segment_length = reach;\n"
+    "#endif\n"
     "    vec3 start = ssgi_lift(P, n), along = s.way * reach;\n"
-    "    // Short segments stay near the surfaces of a crease, whose depth whole pixels round. // #if shadow == FILL\n"
-    "    if (contact >= 0.0) start = ssgi_lift(start, n); // #if shadow == FILL\n"
+    "#if SSGI_SHADOW == SSGI_SHADOW_FILL\n"
+    "    // Short segments stay near the surfaces of a crease, whose depth whole pixels round.\n"
+    "    if (contact >= 0.0) start = ssgi_lift(start, n);\n"
+    "#endif\n"
     "    xi = fract(xi + 0.61803399 * float(i)); // the golden ratio gives every light another offset\n"
     "    for (int k = 0; k < SSGI_SAMPLES; ++k)\n"
     "        if (ssgi_occlusion_at(start + along * ((float(k + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
     "    return 0.0;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_shadow", __LINE__ + 1,
+{ "ssgi_shadow", NULL, __LINE__ + 1,
     "// 1 where the map of light i shadows P. The map's texels are taken to lie below the surface by\n"
     "// the bias that keeps a plane from shadowing itself: half a texel's diagonal times the plane's slope against\n"
     "// the map. contact returns how far along the ray to the light the map may see the plane itself, or an occluder\n"
@@ -2137,7 +2320,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return q.z - bias - slack > z ? 1.0 : 0.0;\n"
     "}\n" },
 
-{ "ssgi_lit", __LINE__ + 1,
+{ "ssgi_lit", NULL, __LINE__ + 1,
     "// irradiance of P by the lights of t_ssgi_lights, with shadows as desc.light.shadow says\n"
     "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
     "    vec3 sum = vec3(0.0);\n"
@@ -2145,60 +2328,82 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_light s = ssgi_light_at(i, P);\n"
     "        float cosine = dot(n, s.way), g = s.falloff * cosine;\n"
     "        if (cosine <= 0.0 || g <= 0.0) continue;\n"
-    "        float contact = -1.0; // #if shadow == SEGMENT\n"
-    "#if shadow == MAP || shadow == FILL\n"
+    "#if SSGI_SHADOW == SSGI_SHADOW_SEGMENT\n"
+    "        float contact = -1.0;\n"
+    "#endif\n"
+    "#if SSGI_SHADOW == SSGI_SHADOW_MAP || SSGI_SHADOW == SSGI_SHADOW_FILL\n"
     "        float contact, shadow = ssgi_shadow(i, P, n, s, cosine, contact);\n"
     "        int wider = s.at.w < SSGI_SUN ? int(s.colour.w) : 0; // how many rows of this sun follow\n"
     "        if (contact < 0.0 && (wider > 0 || (s.at.w > SSGI_POINT && s.at.w < SSGI_SPOT))) continue;\n"
     "        i += wider;\n"
     "        if (shadow > 0.0) continue;\n"
     "#endif\n"
-    "        g *= 1.0 - ssgi_segment_occlusion(i, P, n, s, contact, xi); // #if shadow == SEGMENT || shadow == FILL\n"
+    "#if SSGI_SHADOW == SSGI_SHADOW_SEGMENT || SSGI_SHADOW == SSGI_SHADOW_FILL\n"
+    "        g *= 1.0 - ssgi_segment_occlusion(i, P, n, s, contact, xi);\n"
+    "#endif\n"
     "        sum += s.colour.xyz * g;\n"
     "    }\n"
     "    return sum;\n"
     "}\n" },
 
-{ "ssgi_receiver_depth", __LINE__ + 1,
+{ "ssgi_receiver_depth", NULL, __LINE__ + 1,
     "float ssgi_receiver_depth(ivec2 p) { // view depth of the layer that receives light\n"
-    "    return ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
-    "    return ssgi_depth(p); // #if !receiver\n"
+    "#if SSGI_RECEIVER\n"
+    "    return ssgi_layer(p, SSGI_RECEIVER);\n"
+    "#else\n"
+    "    return ssgi_depth(p);\n"
+    "#endif\n"
     "}\n" },
 
-{ "main_lights", __LINE__ + 1,
+{ "main_lights", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_receiver_depth(p);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "    float xi = ssgi_noise(p).y; // #if shadow == SEGMENT || shadow == FILL\n"
-    "    float xi = 0.0; // #if shadow != SEGMENT && shadow != FILL\n"
+    "#if SSGI_SHADOW == SSGI_SHADOW_SEGMENT || SSGI_SHADOW == SSGI_SHADOW_FILL\n"
+    "    float xi = ssgi_noise(p).y;\n"
+    "#else\n"
+    "    float xi = 0.0;\n"
+    "#endif\n"
     "    o_ssgi_light.xyz = ssgi_lit(P, n, xi) * SSGI_OVER_PI;\n"
-    "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if accumulate\n"
+    "#if SSGI_ACCUMULATE\n"
+    "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_albedo", __LINE__ + 1,
+{ "ssgi_albedo", NULL, __LINE__ + 1,
     "vec3 ssgi_albedo(ivec2 p) { // albedo of the layer that receives light\n"
-    "    return texelFetch(t_ssgi_albedo, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz; // #if receiver\n"
-    "    return texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if !receiver\n"
+    "#if SSGI_RECEIVER\n"
+    "    return texelFetch(t_ssgi_albedo, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz;\n"
+    "#else\n"
+    "    return texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz;\n"
+    "#endif\n"
     "}\n" },
 
-{ "main_emitters", __LINE__ + 1,
+{ "main_emitters", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_receiver_depth(p);\n"
     "    o_ssgi_emitter = uvec2(0u, 0xffffffffu);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 sum = ssgi_albedo(p); // #if radiance != DIRECT\n"
-    "    vec3 sum = vec3(0.0); // #if radiance == DIRECT\n"
-    "    sum *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if radiance == LIGHT || radiance == BOTH\n"
-    "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz; // #if radiance == DIRECT || radiance == BOTH\n"
+    "#if SSGI_RADIANCE != SSGI_RADIANCE_DIRECT\n"
+    "    vec3 sum = ssgi_albedo(p);\n"
+    "#else\n"
+    "    vec3 sum = vec3(0.0);\n"
+    "#endif\n"
+    "#if SSGI_RADIANCE == SSGI_RADIANCE_LIGHT || SSGI_RADIANCE == SSGI_RADIANCE_BOTH\n"
+    "    sum *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
+    "#endif\n"
+    "#if SSGI_RADIANCE == SSGI_RADIANCE_DIRECT || SSGI_RADIANCE == SSGI_RADIANCE_BOTH\n"
+    "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz;\n"
+    "#endif\n"
     "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
     "    o_ssgi_emitter = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n"
     "}\n" },
 
-{ "ssgi_bent", __LINE__ + 1,
+{ "ssgi_bent", NULL, __LINE__ + 1,
     "// The mean unoccluded direction, which is 2/3 sqrt(3/pi) of band 1, and the cosine c of the half-angle of the\n"
     "// cone that spreads as much: its cosine-weighted directions have a mean of length 2/3 (1 + c + c^2) / (1 + c)\n"
     "// [SSBN11].\n"
@@ -2208,7 +2413,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec4(l > 1e-6 ? mean / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
     "}\n" },
 
-{ "ssgi_light_harmonics", __LINE__ + 1,
+{ "ssgi_light_harmonics", NULL, __LINE__ + 1,
     "// Irradiance by a light whose cap is projected onto harmonics and windowed. It is normalised, so that an\n"
     "// unoccluded surface that faces the light receives its full irradiance [S3HO12 2.2, normalised]. One band knows\n"
     "// no normals: every surface receives the mean over all of them.\n"
@@ -2218,54 +2423,62 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // These are the means of the Legendre polynomials over the cap.\n"
     "    vec4 w = vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
     "    w *= u_ssgi_window;\n"
-    "    float open = 1.0; // #if bands == 1\n"
-    "    float open = 0.25 * w.x; // #if bands > 1\n"
-    "    open += 0.5 * w.y; // #if bands > 1\n"
-    "    open += 0.3125 * w.z; // #if bands > 2\n"
+    "#if SSGI_BANDS == 1\n"
+    "    float open = 1.0;\n"
+    "#elif SSGI_BANDS > 1\n"
+    "    float open = 0.25 * w.x;\n"
+    "    open += 0.5 * w.y;\n"
+    "#endif\n"
+    "#if SSGI_BANDS > 2\n"
+    "    open += 0.3125 * w.z;\n"
+    "#endif\n"
     "    ssgi_sh y = ssgi_sh_zonal(w * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), s.way);\n"
     "    vec3 e;\n"
     "    for (int k = 0; k < 3; ++k) e[k] = ssgi_sh_dot(y, v.c[k % v.c.length()]) / open;\n"
-    "    float lost = max(dot(n, s.way), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open; // #if residual\n"
-    "    e += ssgi_ambient(v) * lost; // #if residual\n"
+    "#if SSGI_RESIDUAL\n"
+    "    float lost = max(dot(n, s.way), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open;\n"
+    "    e += ssgi_ambient(v) * lost;\n"
+    "#endif\n"
     "    return s.colour.xyz * e * s.falloff;\n"
     "}\n" },
 
-{ "ssgi_shade", __LINE__ + 1,
-    "#if shading == HARMONICS\n"
+{ "ssgi_shade", "SSGI_SHADING == SSGI_SHADING_HARMONICS", __LINE__ + 1,
     "vec3 ssgi_shade(ssgi_coefficients v, vec3 n) { // irradiance over pi by frame.harmonics\n"
     "    return ssgi_irradiance(v, n);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_shade", __LINE__ + 1,
-    "#if shading != HARMONICS\n"
+{ "ssgi_shade", "SSGI_SHADING != SSGI_SHADING_HARMONICS", __LINE__ + 1,
     "vec3 ssgi_shade(ssgi_coefficients v, vec3 n) { // irradiance over pi along the mean unoccluded direction\n"
     "    float visibility = clamp(v.c[0].a.x * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
     "    vec4 bent = ssgi_bent(v.c[0]);\n"
     "    vec3 axis = transpose(u_ssgi_rotation) * bent.xyz;\n"
-    "    return visibility * ssgi_irradiance_map(axis, 0); // #if shading == BENT_NORMAL\n"
-    "#if shading == BENT_CONE\n"
+    "#if SSGI_SHADING == SSGI_SHADING_BENT_NORMAL\n"
+    "    return visibility * ssgi_irradiance_map(axis, 0);\n"
+    "#else\n"
     "    int last = textureSize(t_ssgi_irradiance, 0).z - 1;\n"
     "    float slice = min(bent.w * float(last + 1), float(last));\n"
     "    vec3 narrow = ssgi_irradiance_map(axis, min(int(slice) + 1, last));\n"
     "    return visibility * mix(ssgi_irradiance_map(axis, int(slice)), narrow, fract(slice));\n"
     "#endif\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_shaded", __LINE__ + 1,
+{ "ssgi_shaded", NULL, __LINE__ + 1,
     "// irradiance over pi that a receiver with these coefficients gets from all lights\n"
     "vec3 ssgi_shaded(ssgi_coefficients v, vec3 P, vec3 n) {\n"
-    "    ssgi_lit_at = P; // #if harmonics == CUSTOM\n"
+    "#if SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM\n"
+    "    ssgi_lit_at = P;\n"
+    "#endif\n"
     "    vec3 sum = ssgi_shade(v, n);\n"
-    "    for (int i = 0; i < u_ssgi_lights; ++i) // #if lights\n"
-    "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * SSGI_OVER_PI; // #if lights\n"
+    "#if SSGI_LIGHTS\n"
+    "    for (int i = 0; i < u_ssgi_lights; ++i)\n"
+    "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * SSGI_OVER_PI;\n"
+    "#endif\n"
     "    return sum;\n"
     "}\n" },
 
-{ "ssgi_open_light", __LINE__ + 1,
+{ "ssgi_open_light", NULL, __LINE__ + 1,
     "vec3 ssgi_open_light(vec3 P, vec3 n) { // unoccluded irradiance over pi\n"
-    "#if environment == MAP\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
     "    return ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0);\n"
     "#else\n"
     "    ssgi_coefficients v;\n"
@@ -2274,28 +2487,37 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_encode_for_filter", __LINE__ + 1,
+{ "ssgi_encode_for_filter", NULL, __LINE__ + 1,
     "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 n) { // the form that desc.light.restore has written\n"
-    "    return max(light, 0.0); // #if !restore\n"
-    "    return clamp(light / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
-    "    return light - ssgi_open_light(P, n); // #if restore == DIFFERENCE\n"
+    "#if !SSGI_RESTORE\n"
+    "    return max(light, 0.0);\n"
+    "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
+    "    return clamp(light / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0);\n"
+    "#else\n"
+    "    return light - ssgi_open_light(P, n);\n"
+    "#endif\n"
     "}\n" },
 
-{ "main_shade", __LINE__ + 1,
+{ "main_shade", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ssgi_gathered(ssgi_gathered_texel());\n"
     "    float z = ssgi_depth(p);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "    vec3 n = ssgi_normal(p, P); // #if residual || restore && (bands > 1 || shading)\n"
-    "    vec3 n = vec3(0.0); // coefficients need no normal // #if !(residual || restore && (bands > 1 || shading))\n"
+    "#if SSGI_RESIDUAL || SSGI_RESTORE && (SSGI_BANDS > 1 || SSGI_SHADING)\n"
+    "    vec3 n = ssgi_normal(p, P);\n"
+    "#else\n"
+    "    vec3 n = vec3(0.0); // coefficients need no normal\n"
+    "#endif\n"
     "    vec3 light = ssgi_shaded(ssgi_load(ivec2(gl_FragCoord.xy)), P, n);\n"
     "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, n);\n"
-    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if albedo\n"
+    "#if SSGI_ALBEDO\n"
+    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz;\n"
+    "#endif\n"
     "}\n" },
 
-{ "main_bent", __LINE__ + 1,
+{ "main_bent", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ssgi_gathered(ssgi_gathered_texel());\n"
     "    float z = ssgi_depth(p);\n"
@@ -2304,81 +2526,117 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>gather: sampling around a pixel ========================================================================= */
 
-{ "ssgi_sums", __LINE__ + 1,
+{ "ssgi_sums", NULL, __LINE__ + 1,
     "struct ssgi_sums { // occluded shares of the cosine-weighted hemisphere, attenuated\n"
-    "    float all; // #if pass == SSAO || pass == HSAO\n"
-    "    // occluded radiance of the environment, over pi (slices) or over its sum (points) // #if environment == MAP\n"
-    "    vec3 dark; // #if environment == MAP\n"
-    "    ssgi_sh lobe; // the unoccluded part of the cosine lobe // #if environment == SH\n"
-    "    vec3 bounce; // irradiance over pi from occluders // #if pass == SSDO && bounce\n"
-    "    ssgi_coefficients bounce; // cosine lobes of occluders, times their albedo // #if pass == S3HO && bounce\n"
-    "    float found, expected; // shares that found and expected occluders have // #if search == SLICES && bounce\n"
+    "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
+    "    float all;\n"
+    "#endif\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
+    "    // occluded radiance of the environment, over pi (slices) or over its sum (points)\n"
+    "    vec3 dark;\n"
+    "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
+    "    ssgi_sh lobe; // the unoccluded part of the cosine lobe\n"
+    "#endif\n"
+    "#if SSGI_PASS == SSGI_PASS_SSDO && SSGI_BOUNCE\n"
+    "    vec3 bounce; // irradiance over pi from occluders\n"
+    "#elif SSGI_PASS == SSGI_PASS_S3HO && SSGI_BOUNCE\n"
+    "    ssgi_coefficients bounce; // cosine lobes of occluders, times their albedo\n"
+    "#endif\n"
+    "#if SSGI_SEARCH == SSGI_SEARCH_SLICES && SSGI_BOUNCE\n"
+    "    float found, expected; // shares that found and expected occluders have\n"
+    "#endif\n"
     "};\n" },
 
-{ "ssgi_sums_none", __LINE__ + 1,
+{ "ssgi_sums_none", NULL, __LINE__ + 1,
     "ssgi_sums ssgi_sums_none(vec3 n) { // nothing is occluded; n is the axis of the cosine lobe\n"
     "    ssgi_sums sums;\n"
-    "    sums.all = 0.0; // #if pass == SSAO || pass == HSAO\n"
-    "    sums.dark = vec3(0.0); // #if environment == MAP\n"
-    "    sums.lobe = ssgi_sh_zonal(SSGI_COSINE, n); // #if environment == SH\n"
-    "    sums.bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
-    "    sums.bounce = ssgi_coefficients_none(); // #if pass == S3HO && bounce\n"
-    "    sums.found = 1e-6, sums.expected = 0.0; // #if search == SLICES && bounce\n"
+    "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
+    "    sums.all = 0.0;\n"
+    "#endif\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
+    "    sums.dark = vec3(0.0);\n"
+    "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
+    "    sums.lobe = ssgi_sh_zonal(SSGI_COSINE, n);\n"
+    "#endif\n"
+    "#if SSGI_PASS == SSGI_PASS_SSDO && SSGI_BOUNCE\n"
+    "    sums.bounce = vec3(0.0);\n"
+    "#elif SSGI_PASS == SSGI_PASS_S3HO && SSGI_BOUNCE\n"
+    "    sums.bounce = ssgi_coefficients_none();\n"
+    "#endif\n"
+    "#if SSGI_SEARCH == SSGI_SEARCH_SLICES && SSGI_BOUNCE\n"
+    "    sums.found = 1e-6, sums.expected = 0.0;\n"
+    "#endif\n"
     "    return sums;\n"
     "}\n" },
 
-{ "ssgi_reflected", __LINE__ + 1,
-    "#if dimmed\n"
+{ "ssgi_reflected", "SSGI_DIMMED", __LINE__ + 1,
     "// adds the last frame's transfer of the surface at pixel q, times albedo and solid angle [S3HO12 2.3]\n"
     "void ssgi_reflected(inout ssgi_coefficients v, ivec2 q, vec3 albedo) {\n"
     "    ssgi_coefficients y = ssgi_load_last(q + u_ssgi_target);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y.c[c], albedo[c]);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_reflected", __LINE__ + 1,
-    "#if !dimmed\n"
+{ "ssgi_reflected", "!SSGI_DIMMED", __LINE__ + 1,
     "// Adds the cosine lobe of a surface with normal o, seen along w, times albedo and solid angle [S3HO12 eq. 5].\n"
     "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
     "    o = normalize(o);\n"
-    "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
+    "#if SSGI_TWO_SIDED\n"
+    "    if (dot(o, w) > 0.0) o = -o;\n"
+    "#endif\n"
     "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_attenuation", __LINE__ + 1,
+{ "ssgi_attenuation", NULL, __LINE__ + 1,
     "float ssgi_attenuation(float d) { // an occluder's weight at a distance in radii [HSAO08 3.5]\n"
-    "    return d < 1.0 ? 1.0 : 0.0; // #if falloff == NONE\n"
-    "    return clamp(1.0 - d, 0.0, 1.0); // #if falloff == LINEAR\n"
-    "    return clamp(1.0 - d * d, 0.0, 1.0); // #if falloff == SQUARE\n"
+    "#if SSGI_FALLOFF == SSGI_FALLOFF_NONE\n"
+    "    return d < 1.0 ? 1.0 : 0.0;\n"
+    "#elif SSGI_FALLOFF == SSGI_FALLOFF_LINEAR\n"
+    "    return clamp(1.0 - d, 0.0, 1.0);\n"
+    "#else\n"
+    "    return clamp(1.0 - d * d, 0.0, 1.0);\n"
+    "#endif\n"
     "}\n" },
 
 /* ---- points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]; the distribution of lengths attenuates */
 
-{ "SSGI_KERNEL_TABLE", __LINE__ + 1,
-    "// of ssgi_kernel: xyz are cosine-weighted directions about +z, w is a length // #if !uniform\n"
-    "// of ssgi_directions: xyz are spread evenly over the hemisphere about +z, w is a length // #if uniform\n" },
+{ "SSGI_KERNEL_TABLE", NULL, __LINE__ + 1,
+    "#if !SSGI_UNIFORM\n"
+    "// of ssgi_kernel: xyz are cosine-weighted directions about +z, w is a length\n"
+    "#else\n"
+    "// of ssgi_directions: xyz are spread evenly over the hemisphere about +z, w is a length\n"
+    "#endif\n" },
 
-{ "ssgi_length", __LINE__ + 1,
+{ "ssgi_length", NULL, __LINE__ + 1,
     "float ssgi_length(float xi) { // how far a sample lies along its direction, in radii\n"
-    "    return sqrt(xi); // #if falloff == SQUARE\n"
-    "    return xi; // #if falloff != SQUARE\n"
+    "#if SSGI_FALLOFF == SSGI_FALLOFF_SQUARE\n"
+    "    return sqrt(xi);\n"
+    "#else\n"
+    "    return xi;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_points", __LINE__ + 1,
+{ "ssgi_points", NULL, __LINE__ + 1,
     "struct ssgi_points { // a receiver's samples start here, are turned by a basis, and moved along by an offset\n"
     "    vec3 start;\n"
     "    mat3 basis;\n"
     "    float offset;\n"
-    "    int row; // of t_ssgi_kernel, which has a set of directions in each // #if kernel\n"
+    "#if SSGI_KERNEL\n"
+    "    int row; // of t_ssgi_kernel, which has a set of directions in each\n"
+    "#endif\n"
     "};\n" },
 
-{ "ssgi_points_of", __LINE__ + 1,
+{ "ssgi_points_of", NULL, __LINE__ + 1,
     "ssgi_points ssgi_points_of(vec3 P, vec3 n, vec2 xi) {\n"
-    "    ssgi_P = P; // #if fade || range || bounce && (!two_sided || bounce == PATCH || layers > 1 || views)\n"
-    "    ssgi_n = n; // #if range || bounce == PATCH\n"
-    "#if kernel\n"
+    "#if SSGI_FADE || SSGI_RANGE\n"
+    "    ssgi_P = P;\n"
+    "#elif SSGI_BOUNCE && (!SSGI_TWO_SIDED || SSGI_BOUNCE == SSGI_BOUNCE_PATCH || SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
+    "    ssgi_P = P;\n"
+    "#endif\n"
+    "#if SSGI_RANGE || SSGI_BOUNCE == SSGI_BOUNCE_PATCH\n"
+    "    ssgi_n = n;\n"
+    "#endif\n"
+    "#if SSGI_KERNEL\n"
     "    int row = int(xi.x * float(textureSize(t_ssgi_kernel, 0).y));\n"
     "    return ssgi_points(ssgi_lift(P, n), ssgi_basis(n), xi.y, row);\n"
     "#else\n"
@@ -2387,14 +2645,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_point_occlusion", __LINE__ + 1,
+{ "ssgi_point_occlusion", NULL, __LINE__ + 1,
     "// occlusion of the points of direction i, which is about the normal, +z\n"
     "float ssgi_point_occlusion(ssgi_points s, int i, out vec3 direction) {\n"
-    "    vec4 k = texelFetch(t_ssgi_kernel, ivec2(i, s.row), 0); // #if kernel\n"
-    "    vec4 k = SSGI_KERNEL_TABLE[i]; // #if !kernel\n"
+    "#if SSGI_KERNEL\n"
+    "    vec4 k = texelFetch(t_ssgi_kernel, ivec2(i, s.row), 0);\n"
+    "#else\n"
+    "    vec4 k = SSGI_KERNEL_TABLE[i];\n"
+    "#endif\n"
     "    direction = k.xyz;\n"
     "    float t = fract(k.w + s.offset);\n"
-    "#if steps > 1\n"
+    "#if SSGI_STEPS > 1\n"
     "    vec3 way = s.basis * k.xyz * u_ssgi_radius;\n"
     "    float occlusion = 0.0;\n"
     "    for (int j = 0; j < SSGI_STEPS && occlusion <= 0.0; ++j)\n"
@@ -2405,65 +2666,87 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_add_bounce", __LINE__ + 1,
-    "#if pass == SSDO\n"
+{ "ssgi_add_bounce", "SSGI_BOUNCE && SSGI_PASS == SSGI_PASS_SSDO", __LINE__ + 1,
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
-    "    // A patch of pi r^2/N wants uniform directions, so the pdf divides. // #if bounce == PATCH && !uniform\n"
-    "    // Each patch has pi r^2/N, so the weight by the cosine goes. // #if bounce == PATCH && uniform\n"
-    "    occlusion *= 0.5 / max(direction.z, 0.05); // #if bounce == PATCH && !uniform\n"
-    "    occlusion *= 0.5 / direction.z; // #if bounce == PATCH && uniform\n"
+    "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && !SSGI_UNIFORM\n"
+    "    // A patch of pi r^2/N wants uniform directions, so the pdf divides.\n"
+    "#elif SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM\n"
+    "    // Each patch has pi r^2/N, so the weight by the cosine goes.\n"
+    "#endif\n"
+    "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && !SSGI_UNIFORM\n"
+    "    occlusion *= 0.5 / max(direction.z, 0.05);\n"
+    "#elif SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM\n"
+    "    occlusion *= 0.5 / direction.z;\n"
+    "#endif\n"
     "    sums.bounce += ssgi_emitter.xyz * (occlusion / float(SSGI_SAMPLES));\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_add_bounce", __LINE__ + 1,
-    "#if pass == S3HO\n"
+{ "ssgi_add_bounce", "SSGI_BOUNCE && SSGI_PASS == SSGI_PASS_S3HO", __LINE__ + 1,
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
     "    vec3 albedo = ssgi_emitter.xyz * (occlusion / float(SSGI_SAMPLES));\n"
-    "    vec3 o = ssgi_unpack_normal(ssgi_emitter_place); // #if !dimmed\n"
-    "    if (occlusion > 0.0) ssgi_reflected(sums.bounce, o, basis * direction, albedo); // #if !dimmed\n"
-    "    if (occlusion > 0.0) ssgi_reflected(sums.bounce, ssgi_emitter_pixel, albedo); // #if dimmed\n"
-    "}\n"
-    "#endif\n" },
+    "#if !SSGI_DIMMED\n"
+    "    vec3 o = ssgi_unpack_normal(ssgi_emitter_place);\n"
+    "    if (occlusion > 0.0) ssgi_reflected(sums.bounce, o, basis * direction, albedo);\n"
+    "#else\n"
+    "    if (occlusion > 0.0) ssgi_reflected(sums.bounce, ssgi_emitter_pixel, albedo);\n"
+    "#endif\n"
+    "}\n" },
 
-{ "ssgi_gather", __LINE__ + 1,
-    "#if search == POINTS\n"
+{ "ssgi_gather", "SSGI_SEARCH == SSGI_SEARCH_POINTS", __LINE__ + 1,
     "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    ssgi_sums sums = ssgi_sums_none(vec3(0.0, 0.0, 1.0));\n"
     "    ssgi_points s = ssgi_points_of(P, n, xi);\n"
-    "    mat3 world = transpose(u_ssgi_rotation) * s.basis; // #if environment == MAP\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
+    "    mat3 world = transpose(u_ssgi_rotation) * s.basis;\n"
+    "#endif\n"
     "    vec3 direction, light = vec3(0.0);\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
     "        float occlusion = ssgi_point_occlusion(s, i, direction);\n"
-    "        float weight = 2.0 * direction.z; // 2 pi/N steradians, over the cosine's integral, pi // #if uniform\n"
-    "        occlusion *= weight; // #if uniform\n"
-    "        sums.all += occlusion / float(SSGI_SAMPLES); // #if pass == SSAO || pass == HSAO\n"
-    "        float less = occlusion * (-SSGI_PI / float(SSGI_SAMPLES)); // #if environment == SH\n"
-    "        ssgi_sh_add(sums.lobe, ssgi_sh_basis(direction), less); // #if environment == SH\n"
-    "        vec3 L = ssgi_environment(world * direction); // #if environment == MAP\n"
-    "        light += L, sums.dark += L * occlusion; // #if environment == MAP && !uniform\n"
-    "        light += L * weight, sums.dark += L * occlusion; // #if environment == MAP && uniform\n"
-    "        ssgi_add_bounce(sums, direction, s.basis, occlusion); // #if bounce\n"
+    "#if SSGI_UNIFORM\n"
+    "        float weight = 2.0 * direction.z; // 2 pi/N steradians, over the cosine's integral, pi\n"
+    "        occlusion *= weight;\n"
+    "#endif\n"
+    "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
+    "        sums.all += occlusion / float(SSGI_SAMPLES);\n"
+    "#endif\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
+    "        float less = occlusion * (-SSGI_PI / float(SSGI_SAMPLES));\n"
+    "        ssgi_sh_add(sums.lobe, ssgi_sh_basis(direction), less);\n"
+    "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
+    "        vec3 L = ssgi_environment(world * direction);\n"
+    "#endif\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP && !SSGI_UNIFORM\n"
+    "        light += L, sums.dark += L * occlusion;\n"
+    "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP && SSGI_UNIFORM\n"
+    "        light += L * weight, sums.dark += L * occlusion;\n"
+    "#endif\n"
+    "#if SSGI_BOUNCE\n"
+    "        ssgi_add_bounce(sums, direction, s.basis, occlusion);\n"
+    "#endif\n"
     "    }\n"
-    "    sums.dark /= max(light, 1e-30); // #if environment == MAP\n"
-    "    ssgi_sh_turn(sums.lobe, s.basis); // #if environment == SH\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
+    "    sums.dark /= max(light, 1e-30);\n"
+    "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
+    "    ssgi_sh_turn(sums.lobe, s.basis);\n"
+    "#endif\n"
     "    return sums;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_map_light", __LINE__ + 1,
-    "#if search == POINTS\n"
+{ "ssgi_map_light", "SSGI_SEARCH == SSGI_SEARCH_POINTS", __LINE__ + 1,
     "// light of the environment in the form that desc.light.restore wants; where nothing occludes it is exact\n"
     "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) {\n"
-    "    return (1.0 - dark) * ssgi_open_light(P, n); // #if !restore\n"
-    "    return 1.0 - dark; // #if restore == RATIO\n"
-    "    return -dark * ssgi_open_light(P, n); // #if restore == DIFFERENCE\n"
-    "}\n"
-    "#endif\n" },
+    "#if !SSGI_RESTORE\n"
+    "    return (1.0 - dark) * ssgi_open_light(P, n);\n"
+    "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
+    "    return 1.0 - dark;\n"
+    "#else\n"
+    "    return -dark * ssgi_open_light(P, n);\n"
+    "#endif\n"
+    "}\n" },
 
 /* ---- the paper's march [HSAO08 3.1 to 3.3] */
 
-{ "ssgi_ray", __LINE__ + 1,
+{ "ssgi_ray", NULL, __LINE__ + 1,
     "// occlusion along one ray from the lifted receiver, which is the weight of the first occluded step\n"
     "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
     "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
@@ -2473,7 +2756,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return 0.0;\n"
     "}\n" },
 
-{ "ssgi_horizon", __LINE__ + 1,
+{ "ssgi_horizon", NULL, __LINE__ + 1,
     "// Finds the horizon along tangent t by deflecting a ray toward the surface [HSAO08 fig. 4]. H is the sine of\n"
     "// its elevation; the occlusion below it sums the increments of H^2, each attenuated by its own distance.\n"
     "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 n, vec3 t, float beta) {\n"
@@ -2481,11 +2764,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 r = vec2(0.0);\n"
     "    for (int i = 1; i <= SSGI_STEPS; ++i) {\n"
     "        vec3 Q = start + h * (u_ssgi_radius * (float(i) + beta) / float(SSGI_STEPS));\n"
-    "        float ahead = u_ssgi_radius * (float(i + 1) + beta) / float(SSGI_STEPS); // #if spheres\n"
-    "        float grown = min(ahead, u_ssgi_radius); // #if spheres\n"
-    "#if layers > 1 || views\n"
-    "        ssgi_rise = ssgi_rising(t, u_ssgi_radius, r.x, 0.0); // #if !spheres\n"
-    "        ssgi_rise = ssgi_rising(t, grown, r.x, 0.0); // #if spheres\n"
+    "#if SSGI_SPHERES\n"
+    "        float ahead = u_ssgi_radius * (float(i + 1) + beta) / float(SSGI_STEPS);\n"
+    "        float grown = min(ahead, u_ssgi_radius);\n"
+    "#endif\n"
+    "#if SSGI_LAYERS > 1 || SSGI_VIEWS\n"
+    "#if !SSGI_SPHERES\n"
+    "        ssgi_rise = ssgi_rising(t, u_ssgi_radius, r.x, 0.0);\n"
+    "#else\n"
+    "        ssgi_rise = ssgi_rising(t, grown, r.x, 0.0);\n"
+    "#endif\n"
     "        if (ssgi_occlusion_at(Q) > 0.0) {\n"
     "            float H = ssgi_rise.sine, l = ssgi_rise.away;\n"
     "            if (H > r.x) {\n"
@@ -2496,8 +2784,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float z = ssgi_depth(q);\n"
     "        vec3 d = ssgi_position(vec2(q) + 0.5, z) - P;\n"
     "        float x = dot(d, t), y = dot(d, n), l = length(d);\n"
-    "        if (z < -Q.z && l < u_ssgi_radius && x > 0.0) { // #if !spheres\n"
-    "        if (z < -Q.z && l < grown && x > 0.0) { // #if spheres\n"
+    "#if !SSGI_SPHERES\n"
+    "        if (z < -Q.z && l < u_ssgi_radius && x > 0.0) {\n"
+    "#else\n"
+    "        if (z < -Q.z && l < grown && x > 0.0) {\n"
+    "#endif\n"
     "            float H = y * inversesqrt(x * x + y * y);\n"
     "            if (H > r.x) {\n"
     "#endif\n"
@@ -2509,7 +2800,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return r;\n"
     "}\n" },
 
-{ "ssgi_above", __LINE__ + 1,
+{ "ssgi_above", NULL, __LINE__ + 1,
     "// Occlusion above H in direction t, by normal rays that are even over z^2 in [H^2, 1] [HSAO08 3.3, corrected].\n"
     "float ssgi_above(vec3 start, vec3 n, vec3 t, float H, vec2 xi) {\n"
     "    float sum = 0.0;\n"
@@ -2520,25 +2811,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return (1.0 - H * H) * sum / float(SSGI_NORMAL_RAYS);\n"
     "}\n" },
 
-{ "ssgi_gather", __LINE__ + 1,
-    "#if search == MARCH\n"
+{ "ssgi_gather", "SSGI_SEARCH == SSGI_SEARCH_MARCH", __LINE__ + 1,
     "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // horizons of SSGI_DIRECTIONS tangents [HSAO08 eq. 6]\n"
     "    mat3 basis = ssgi_basis(n);\n"
     "    vec3 start = ssgi_lift(P, n);\n"
-    "    ssgi_P = P, ssgi_n = n; // #if terms != RAYS && (layers > 1 || views)\n"
+    "#if SSGI_TERMS != SSGI_TERMS_RAYS && (SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
+    "    ssgi_P = P, ssgi_n = n;\n"
+    "#endif\n"
     "    float sum = 0.0;\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float a = 2.0 * SSGI_PI * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
     "        vec3 t = basis[0] * cos(a) + basis[1] * sin(a);\n"
-    "        vec2 h = ssgi_horizon(P, start, n, t, xi.y - 0.5); // #if terms != RAYS\n"
-    "        vec2 h = vec2(0.0); // #if terms == RAYS\n"
-    "        sum += h.y; // #if !terms\n"
-    "        vec2 u = vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y); // #if normal_rays\n"
-    "        sum += ssgi_above(start, n, t, h.x, u); // #if normal_rays\n"
+    "#if SSGI_TERMS != SSGI_TERMS_RAYS\n"
+    "        vec2 h = ssgi_horizon(P, start, n, t, xi.y - 0.5);\n"
+    "#else\n"
+    "        vec2 h = vec2(0.0);\n"
+    "#endif\n"
+    "#if !SSGI_TERMS\n"
+    "        sum += h.y;\n"
+    "#endif\n"
+    "#if SSGI_NORMAL_RAYS\n"
+    "        vec2 u = vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y);\n"
+    "        sum += ssgi_above(start, n, t, h.x, u);\n"
+    "#endif\n"
     "    }\n"
     "    return ssgi_sums(sum / float(SSGI_DIRECTIONS));\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
 /* ---- The walk: slices are planes through the view direction, and each side of one is walked from near to far [TLG23].
    A side has 32 sectors of equal cosine-weighted measure. The surface of a tap occludes the sectors that this tap is
@@ -2549,16 +2847,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    last one rises. */
 
 /* [DSS14 section 3.1] */
-{ "ssgi_surfel_radius", __LINE__ + 1,
+{ "ssgi_surfel_radius", NULL, __LINE__ + 1,
     "float ssgi_surfel_radius(float depth) {\n"
-    "    return u_ssgi_surfel.x; // #if orthographic\n"
-    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return u_ssgi_surfel.x;\n"
+    "#else\n"
+    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_span", __LINE__ + 1,
+{ "ssgi_span", NULL, __LINE__ + 1,
     "float ssgi_span; // how far slices count before surfels do, in view units\n" },
 
-{ "ssgi_near", __LINE__ + 1,
+{ "ssgi_near", NULL, __LINE__ + 1,
     "float ssgi_near(float d) { // how much slices count at a distance; surfels have the rest\n"
     "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
@@ -2566,46 +2867,48 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* Occlusion of a slice's side from the tangent plane up to an elevation with cosine c is the integral of
    sin x cos(g - x), where g is the signed angle from the view direction to the projected normal:
    cos g / 2 * (1 - c * c) + sin g / 2 * ssgi_arc_odd(c, c * c). */
-{ "ssgi_arc_slope", __LINE__ + 1,
+{ "ssgi_arc_slope", NULL, __LINE__ + 1,
     "float ssgi_arc_slope(float q) {\n"
     "    return 2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q));\n"
     "}\n" },
 
-{ "ssgi_arc_odd", __LINE__ + 1,
+{ "ssgi_arc_odd", NULL, __LINE__ + 1,
     "// acos c - c sin acos c, to 0.0015; q: c * c. 0 at c = 1, and odd about c = 0 but for pi / 2\n"
     "float ssgi_arc_odd(float c, float q) {\n"
     "    return 1.57079633 - c * ssgi_arc_slope(q);\n"
     "}\n" },
 
-{ "SSGI_LEVEL", __LINE__ + 1,
+{ "SSGI_LEVEL", NULL, __LINE__ + 1,
     "const float SSGI_LEVEL = 0.004; // sines of elevation below this count as 0, as 10-bit normals round as much\n" },
 
-{ "SSGI_OVER", __LINE__ + 1,
+{ "SSGI_OVER", NULL, __LINE__ + 1,
     "const float SSGI_OVER = 0.4; // beyond the zenith these do: rounding or a texel off the slice puts taps there\n" },
 
-{ "SSGI_ROUNDED", __LINE__ + 1,
+{ "SSGI_ROUNDED", NULL, __LINE__ + 1,
     "const float SSGI_ROUNDED = 0.005; // of a pixel: places are rounded by less in pictures 8,000 pixels wide\n" },
 
-{ "SSGI_JOINED", __LINE__ + 1,
+{ "SSGI_JOINED", NULL, __LINE__ + 1,
     "const float SSGI_JOINED = 4.0; // with thickness CONSTANT taps are joined up to this slope\n" },
 
-{ "SSGI_UNSEEN", __LINE__ + 1,
+{ "SSGI_UNSEEN", NULL, __LINE__ + 1,
     "const float SSGI_UNSEEN = 0.35; // the hidden side of a surface sends this share of its seen side: measured\n" },
 
-{ "SSGI_SECOND", __LINE__ + 1,
+{ "SSGI_SECOND", NULL, __LINE__ + 1,
     "const float SSGI_SECOND = 0.5; // a second slab sends this share of the visible surface before it: measured\n" },
 
-{ "ssgi_sectors", __LINE__ + 1,
+{ "ssgi_sectors", NULL, __LINE__ + 1,
     "uint ssgi_sectors(float low, float high) { // a bit for each sector from low to high\n"
     "    // 32 shifts by 0, as a shift by 32 is undefined, and subtracts 1: that gives no bit, as the sum wants it.\n"
     "    uint a = uint(low), b = uint(high);\n"
     "    return ((1u << (b & 31u)) - (b >> 5u)) - ((1u << (a & 31u)) - (a >> 5u));\n"
     "}\n" },
 
-{ "ssgi_count", __LINE__ + 1,
+{ "ssgi_count", NULL, __LINE__ + 1,
     "float ssgi_count(uint m) {\n"
-    "    return float(bitCount(m)); // #if dialect != 330 && dialect != 300ES\n"
-    "#if dialect == 330 || dialect == 300ES\n"
+    "#if SSGI_DIALECT != SSGI_DIALECT_330 && SSGI_DIALECT != SSGI_DIALECT_300ES\n"
+    "    return float(bitCount(m));\n"
+    "#endif\n"
+    "#if SSGI_DIALECT == SSGI_DIALECT_330 || SSGI_DIALECT == SSGI_DIALECT_300ES\n"
     "    m -= (m >> 1u) & 0x55555555u;\n"
     "    m = (m & 0x33333333u) + ((m >> 2u) & 0x33333333u);\n"
     "    m = (m + (m >> 4u)) & 0x0f0f0f0fu;\n"
@@ -2613,23 +2916,29 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_walked_origin", __LINE__ + 1,
+{ "ssgi_walked_origin", NULL, __LINE__ + 1,
     "ivec2 ssgi_walked_origin() { // where the picture begins in the texture of depth that slices read\n"
-    "    return ssgi_measured_origin(); // #if thickness > SOLID\n"
-    "    return ivec2(0); // #if thickness < WIDTH\n"
+    "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
+    "    return ssgi_measured_origin();\n"
+    "#else\n"
+    "    return ivec2(0);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_receiver", __LINE__ + 1,
+{ "ssgi_receiver", NULL, __LINE__ + 1,
     "struct ssgi_receiver { // values that its slices share\n"
     "    vec3 P, normal, n; // n is the normal in the basis\n"
     "    mat3 basis; // its z points to the eye\n"
-    "    vec2 unproject; // radii per pixel, at depth 1 // #if !orthographic\n"
-    "    vec2 unproject; // radii per pixel // #if orthographic\n"
+    "#if !SSGI_ORTHOGRAPHIC\n"
+    "    vec2 unproject; // radii per pixel, at depth 1\n"
+    "#else\n"
+    "    vec2 unproject; // radii per pixel\n"
+    "#endif\n"
     "    vec2 across, up; // how many pixels a radius along x and y of the basis is\n"
     "    float ray, rounded; // radii along its ray per unit of view depth; the most that rounding moves a point\n"
     "};\n" },
 
-{ "ssgi_receiver_of", __LINE__ + 1,
+{ "ssgi_receiver_of", NULL, __LINE__ + 1,
     "ssgi_receiver ssgi_receiver_of(vec3 P, vec3 normal) {\n"
     "    ssgi_receiver r;\n"
     "    vec3 V = ssgi_toward(P);\n"
@@ -2637,15 +2946,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    r.P = P, r.normal = normal, r.basis = ssgi_basis(V), r.n = normal * r.basis;\n"
     "    r.unproject = u_ssgi_unproject.xy * per;\n"
     "    r.across = ssgi_screen(P, r.basis[0]) * u_ssgi_radius, r.up = ssgi_screen(P, r.basis[1]) * u_ssgi_radius;\n"
-    "    r.ray = per; // #if orthographic\n"
-    "    r.ray = per / V.z; // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    r.ray = per;\n"
+    "#else\n"
+    "    r.ray = per / V.z;\n"
+    "#endif\n"
     "    r.rounded = max(SSGI_ROUNDED * ssgi_footprint(-P.z) * per, 1e-18);\n"
     "    return r;\n"
     "}\n" },
 
 /* Forms are linear, as that of ssgi_plane. A pixel q sees the point Q at view depth z: dot(Q - P, v) is
    (dot(form.xy, q) + form.z) * z + form.w; without perspective dot(form.xy, q) + form.z * z + form.w. */
-{ "ssgi_slice", __LINE__ + 1,
+{ "ssgi_slice", NULL, __LINE__ + 1,
     "struct ssgi_slice { // lengths in radii\n"
     "    vec3 along; // spans the slice together with the view direction\n"
     "    vec4 x, y; // forms of a point's place along the tangent plane, and of its height within the slice\n"
@@ -2657,7 +2969,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float grain; // the unit of thickness in pass thickness, in view units\n"
     "};\n" },
 
-{ "ssgi_slice_of", __LINE__ + 1,
+{ "ssgi_slice_of", NULL, __LINE__ + 1,
     "// The slice at a turn about the view direction, given as cosine and sine. p is the receiver's pixel, counted as\n"
     "// the pixels of taps are.\n"
     "ssgi_slice ssgi_slice_of(ssgi_receiver r, ivec2 p, vec2 turn) {\n"
@@ -2671,10 +2983,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.x = vec4((along.xy * b - r.basis[2].xy * a) * r.unproject, r.ray * a, r.ray * a * r.P.z);\n"
     "    s.y = vec4(r.normal.xy * per * r.unproject, -r.ray * b, -r.ray * b * r.P.z);\n"
     "    s.off = vec4(across.xy * r.unproject, 0.0, tilt);\n"
-    "    s.off.xy *= -r.P.z; // #if !orthographic\n"
+    "#if !SSGI_ORTHOGRAPHIC\n"
+    "    s.off.xy *= -r.P.z;\n"
+    "#endif\n"
     "    vec2 q = vec2(p);\n"
-    "    s.x.w -= dot(s.x.xy, q), s.y.w -= dot(s.y.xy, q); // #if orthographic\n"
-    "    s.x.z -= dot(s.x.xy, q), s.y.z -= dot(s.y.xy, q); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    s.x.w -= dot(s.x.xy, q), s.y.w -= dot(s.y.xy, q);\n"
+    "#else\n"
+    "    s.x.z -= dot(s.x.xy, q), s.y.z -= dot(s.y.xy, q);\n"
+    "#endif\n"
     "    s.off.z = -dot(s.off.xy, q);\n"
     "    // Rounding puts the receiver's own texel beside the receiver, in any direction. As ten times as much is\n"
     "    // added to its distance, that texel seems to lie in the tangent plane.\n"
@@ -2682,7 +2999,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return s;\n"
     "}\n" },
 
-{ "ssgi_side", __LINE__ + 1,
+{ "ssgi_side", NULL, __LINE__ + 1,
     "struct ssgi_side { // of a slice, from the receiver outwards\n"
     "    vec4 x; // form of a point's place along the tangent plane\n"
     "    float cosg, sing, rest; // half of cos g and of sin g, in sectors; cosg plus the noise that rounds sectors\n"
@@ -2692,7 +3009,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* A side reaches from the tangent plane to where c is -sin g. The slice has the part of that arc which both sides have
    alike: of the whole formula NVIDIA's compiler for GL (driver 580) loses a sign where way is -1. */
-{ "ssgi_side_of", __LINE__ + 1,
+{ "ssgi_side_of", NULL, __LINE__ + 1,
     "// way is 1 for the side along the slice, -1 for the other\n"
     "ssgi_side ssgi_side_of(ssgi_slice s, float way, float noise, float edge) {\n"
     "    ssgi_side e;\n"
@@ -2703,7 +3020,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return e;\n"
     "}\n" },
 
-{ "ssgi_edges", __LINE__ + 1,
+{ "ssgi_edges", NULL, __LINE__ + 1,
     "// How much of the way along pixels, on both sides of p, lies in the picture: a little less, so that rounding\n"
     "// reads no texel beyond.\n"
     "vec2 ssgi_edges(ivec2 p, vec2 pixels) {\n"
@@ -2713,57 +3030,70 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec2(min(ahead.x, ahead.y), min(behind.x, behind.y));\n"
     "}\n" },
 
-{ "ssgi_sector", __LINE__ + 1,
+{ "ssgi_sector", NULL, __LINE__ + 1,
     "// The sector of an elevation with cosine c, whose square is q: at most `most`, and 0 unless it is up.\n"
     "float ssgi_sector(ssgi_side e, float c, float q, bool up, float most) {\n"
     "    float sector = e.rest - e.cosg * q + e.sing * ssgi_arc_odd(c, q);\n"
     "    return up ? clamp(sector, 0.0, most) : 0.0;\n"
     "}\n" },
 
-{ "ssgi_cover_sectors", __LINE__ + 1,
+{ "ssgi_cover_sectors", NULL, __LINE__ + 1,
     "// covers an arc's sectors; returns how many of them were free, attenuated by a distance in radii\n"
     "float ssgi_cover_sectors(inout uint left, uint arc, float d) {\n"
     "    arc &= left;\n"
     "    left ^= arc;\n"
     "    float fresh = ssgi_count(arc);\n"
-    "    fresh *= ssgi_near(d * u_ssgi_radius); // #if span\n"
+    "#if SSGI_SPAN\n"
+    "    fresh *= ssgi_near(d * u_ssgi_radius);\n"
+    "#endif\n"
     "    return fresh * ssgi_attenuation(d);\n"
     "}\n" },
 
-{ "ssgi_tap", __LINE__ + 1,
+{ "ssgi_tap", NULL, __LINE__ + 1,
     "struct ssgi_tap {\n"
     "    ivec2 q; // the pixel\n"
     "    vec2 k; // the forms at that pixel, which ssgi_on_ray takes\n"
     "    float z, distance, h; // its view depth; its distance in radii; the sine of its elevation\n"
     "    bool inside, seen; // it is in the picture; it is within the radius, too\n"
     "    bool beyond, up; // it is past the zenith; it rises above the tangent plane\n"
-    "    float width; // thickness of its surface, view units // #if thickness > SOLID\n"
+    "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
+    "    float width; // thickness of its surface, view units\n"
+    "#endif\n"
     "};\n" },
 
-{ "ssgi_ray_of", __LINE__ + 1,
+{ "ssgi_ray_of", NULL, __LINE__ + 1,
     "vec2 ssgi_ray_of(ssgi_slice s, ssgi_side e, vec2 q) { // both forms at a pixel, without the view depth\n"
-    "    return vec2(dot(e.x.xy, q) + e.x.w, dot(s.y.xy, q) + s.y.w); // #if orthographic\n"
-    "    return vec2(dot(e.x.xy, q) + e.x.z, dot(s.y.xy, q) + s.y.z); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return vec2(dot(e.x.xy, q) + e.x.w, dot(s.y.xy, q) + s.y.w);\n"
+    "#else\n"
+    "    return vec2(dot(e.x.xy, q) + e.x.z, dot(s.y.xy, q) + s.y.z);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_on_ray", __LINE__ + 1,
+{ "ssgi_on_ray", NULL, __LINE__ + 1,
     "vec2 ssgi_on_ray(ssgi_slice s, ssgi_side e, vec2 k, float z) { // place along and height at view depth z\n"
-    "    return k + z * vec2(e.x.z, s.y.z); // #if orthographic\n"
-    "    return k * z + vec2(e.x.w, s.y.w); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return k + z * vec2(e.x.z, s.y.z);\n"
+    "#else\n"
+    "    return k * z + vec2(e.x.w, s.y.w);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_squared", __LINE__ + 1,
+{ "ssgi_squared", NULL, __LINE__ + 1,
     "float ssgi_squared(ssgi_slice s, vec2 d) {\n"
     "    return d.x * d.x + (d.y * d.y + s.least);\n"
     "}\n" },
 
-{ "ssgi_tap_at", __LINE__ + 1,
+{ "ssgi_tap_at", NULL, __LINE__ + 1,
     "ssgi_tap ssgi_tap_at(ssgi_slice s, ssgi_side e, vec2 place, float u) { // u is the share of the radius\n"
     "    ssgi_tap t;\n"
     "    t.q = ivec2(place);\n"
-    "    t.z = ssgi_depth(t.q); // #if thickness < WIDTH\n"
-    "    uint m = ssgi_measured_texel(t.q); // #if thickness > SOLID\n"
-    "    t.z = uintBitsToFloat(m & 0xffffffc0u), t.width = float(m & 63u) * s.grain; // #if thickness > SOLID\n"
+    "#if SSGI_THICKNESS < SSGI_THICKNESS_WIDTH\n"
+    "    t.z = ssgi_depth(t.q);\n"
+    "#else\n"
+    "    uint m = ssgi_measured_texel(t.q);\n"
+    "    t.z = uintBitsToFloat(m & 0xffffffc0u), t.width = float(m & 63u) * s.grain;\n"
+    "#endif\n"
     "    vec2 q = vec2(t.q);\n"
     "    t.k = ssgi_ray_of(s, e, q);\n"
     "    vec2 d = ssgi_on_ray(s, e, t.k, t.z);\n"
@@ -2777,82 +3107,106 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return t;\n"
     "}\n" },
 
-{ "ssgi_cosine", __LINE__ + 1,
+{ "ssgi_cosine", NULL, __LINE__ + 1,
     "float ssgi_cosine(float q, bool beyond) { // the cosine of an elevation from its square\n"
     "    return beyond ? -sqrt(q) : sqrt(q);\n"
     "}\n" },
 
-{ "ssgi_walked", __LINE__ + 1,
+{ "ssgi_walked", NULL, __LINE__ + 1,
     "struct ssgi_walked { // how a side stands after some steps\n"
     "    uint left; // sectors that are free\n"
     "    float distance; // of the last tap, in radii\n"
-    "    float low, high, z; // the last tap's arc and view depth // #if thickness != SOLID\n"
-    "    bool seen, rose; // the last tap was within the radius; it rose // #if thickness != SOLID\n"
-    "    float end_; // view depth at which the last tap's surface ends // #if thickness > SOLID\n"
-    "    float sine; // of the last tap's elevation, negative beyond the zenith // #if environment\n"
+    "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
+    "    float low, high, z; // the last tap's arc and view depth\n"
+    "    bool seen, rose; // the last tap was within the radius; it rose\n"
+    "#endif\n"
+    "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
+    "    float end_; // view depth at which the last tap's surface ends\n"
+    "#endif\n"
+    "#if SSGI_ENVIRONMENT\n"
+    "    float sine; // of the last tap's elevation, negative beyond the zenith\n"
+    "#endif\n"
     "    float share; // how many sectors are occluded, attenuated\n"
-    "    vec2 toward; // sum of cosine and sine of the occluded sectors' elevations // #if environment\n"
+    "#if SSGI_ENVIRONMENT\n"
+    "    vec2 toward; // sum of cosine and sine of the occluded sectors' elevations\n"
+    "#endif\n"
     "};\n" },
 
-{ "ssgi_walked_none", __LINE__ + 1,
+{ "ssgi_walked_none", NULL, __LINE__ + 1,
     "ssgi_walked ssgi_walked_none(float z) {\n"
     "    ssgi_walked w;\n"
     "    w.left = 0xffffffffu, w.distance = 0.0;\n"
-    "    w.low = w.high = 0.0, w.z = z, w.seen = true, w.rose = false; // #if thickness != SOLID\n"
-    "    w.end_ = z; // #if thickness > SOLID\n"
-    "    w.sine = 0.0, w.toward = vec2(0.0); // #if environment\n"
+    "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
+    "    w.low = w.high = 0.0, w.z = z, w.seen = true, w.rose = false;\n"
+    "#endif\n"
+    "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
+    "    w.end_ = z;\n"
+    "#endif\n"
+    "#if SSGI_ENVIRONMENT\n"
+    "    w.sine = 0.0, w.toward = vec2(0.0);\n"
+    "#endif\n"
     "    w.share = 0.0;\n"
     "    return w;\n"
     "}\n" },
 
-{ "ssgi_last_elevation", __LINE__ + 1,
+{ "ssgi_last_elevation", "SSGI_ENVIRONMENT", __LINE__ + 1,
     "vec2 ssgi_last_elevation(ssgi_walked w) { // cosine and sine of the last tap's elevation\n"
     "    return vec2(ssgi_cosine(1.0 - w.sine * w.sine, w.sine < 0.0), abs(w.sine));\n"
     "}\n" },
 
-{ "ssgi_add_elevation", __LINE__ + 1,
+{ "ssgi_add_elevation", "SSGI_ENVIRONMENT", __LINE__ + 1,
     "// adds occluded sectors at an elevation, whose cosine and sine may have any length\n"
     "void ssgi_add_elevation(inout ssgi_walked w, vec2 elevation, float share) {\n"
     "    w.toward += elevation * (inversesqrt(max(dot(elevation, elevation), 1e-12)) * share);\n"
     "}\n" },
 
-{ "ssgi_add_occluded", __LINE__ + 1,
+{ "ssgi_add_occluded", "SSGI_ENVIRONMENT", __LINE__ + 1,
     "// Adds the light that a side occludes; environment or harmonics are evaluated once, in the mean direction.\n"
     "void ssgi_add_occluded(inout ssgi_sums sums, ssgi_slice s, vec3 V, ssgi_walked w, float way, float share) {\n"
     "    vec2 e = vec2(way * w.toward.x, w.toward.y), lean = 2.0 * s.lean; // along the tangent plane, up\n"
     "    vec3 to = s.along * dot(e, lean.yx) + V * (e.y * lean.y - e.x * lean.x);\n"
     "    to *= inversesqrt(max(dot(to, to), 1e-24));\n"
     "    share *= w.share;\n"
-    "    sums.dark += ssgi_environment(transpose(u_ssgi_rotation) * to) * share; // #if environment == MAP\n"
-    "    ssgi_sh_add(sums.lobe, ssgi_sh_basis(to), -SSGI_PI * share); // #if environment == SH\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
+    "    sums.dark += ssgi_environment(transpose(u_ssgi_rotation) * to) * share;\n"
+    "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
+    "    ssgi_sh_add(sums.lobe, ssgi_sh_basis(to), -SSGI_PI * share);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_add_sent", __LINE__ + 1,
+{ "ssgi_add_sent", "SSGI_BOUNCE", __LINE__ + 1,
     "// Adds the light that the surface at pixel q, at an offset d, sends, and that of the second slab behind it, by\n"
     "// their shares. Edge-on, within the rounding of its normal, a surface sends nothing.\n"
     "void ssgi_add_sent(inout ssgi_sums sums, ivec2 q, vec3 d, float share, float second) {\n"
     "    uvec2 s = texelFetch(t_ssgi_emitters, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 o = ssgi_unpack_normal(s.y);\n"
-    "    float facing = -dot(o, d), edge = 0.03 * length(d); // #if !two_sided\n"
-    "    share *= facing > edge ? 1.0 : facing < -edge ? SSGI_UNSEEN : 0.0; // #if !two_sided\n"
-    "    share += SSGI_SECOND * second; // #if thickness == SLABS\n"
-    "    sums.bounce += ssgi_unpack_radiance(s.x) * share; // #if pass == SSDO\n"
-    "    ssgi_reflected(sums.bounce, o, d, ssgi_unpack_radiance(s.x) * share); // #if pass != SSDO && !dimmed\n"
-    "    ssgi_reflected(sums.bounce, q, ssgi_unpack_radiance(s.x) * share); // #if pass != SSDO && dimmed\n"
+    "#if !SSGI_TWO_SIDED\n"
+    "    float facing = -dot(o, d), edge = 0.03 * length(d);\n"
+    "    share *= facing > edge ? 1.0 : facing < -edge ? SSGI_UNSEEN : 0.0;\n"
+    "#endif\n"
+    "#if SSGI_THICKNESS == SSGI_THICKNESS_SLABS\n"
+    "    share += SSGI_SECOND * second;\n"
+    "#endif\n"
+    "#if SSGI_PASS == SSGI_PASS_SSDO\n"
+    "    sums.bounce += ssgi_unpack_radiance(s.x) * share;\n"
+    "#elif !SSGI_DIMMED\n"
+    "    ssgi_reflected(sums.bounce, o, d, ssgi_unpack_radiance(s.x) * share);\n"
+    "#else\n"
+    "    ssgi_reflected(sums.bounce, q, ssgi_unpack_radiance(s.x) * share);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_gap", __LINE__ + 1,
+{ "ssgi_gap", NULL, __LINE__ + 1,
     "struct ssgi_gap { // the greater is the gap between taps, in view units; apart, as GPUs have a maximum of three\n"
     "    float last, first; // from the last tap to this one; from the receiver to the first one\n"
     "};\n" },
 
-{ "ssgi_between", __LINE__ + 1,
+{ "ssgi_between", NULL, __LINE__ + 1,
     "float ssgi_between(ssgi_gap gap) {\n"
     "    return max(gap.last, gap.first);\n"
     "}\n" },
 
-{ "ssgi_cover", __LINE__ + 1,
-    "#if thickness == SOLID\n"
+{ "ssgi_cover", "SSGI_THICKNESS == SSGI_THICKNESS_SOLID", __LINE__ + 1,
     "// covers the sectors that a tap blocks; those that were free, attenuated\n"
     "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
     "    float fresh = 0.0;\n"
@@ -2861,49 +3215,62 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        uint arc = ssgi_sectors(0.0, ssgi_sector(e, c, q, true, 32.0));\n"
     "        fresh = ssgi_cover_sectors(w.left, arc, 0.5 * (t.distance + w.distance));\n"
     "        w.share += fresh;\n"
-    "        ssgi_add_elevation(w, vec2(c, t.h) + ssgi_last_elevation(w), fresh); // #if environment\n"
+    "#if SSGI_ENVIRONMENT\n"
+    "        ssgi_add_elevation(w, vec2(c, t.h) + ssgi_last_elevation(w), fresh);\n"
+    "#endif\n"
     "    }\n"
-    "    w.sine = t.beyond ? -t.h : t.h; // #if environment\n"
+    "#if SSGI_ENVIRONMENT\n"
+    "    w.sine = t.beyond ? -t.h : t.h;\n"
+    "#endif\n"
     "    w.distance = min(t.distance, 1.0);\n"
     "    return fresh;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_cover", __LINE__ + 1,
-    "#if thickness != SOLID\n"
+{ "ssgi_cover", "SSGI_THICKNESS != SSGI_THICKNESS_SOLID", __LINE__ + 1,
     "// covers the sectors that a tap blocks; those that were free, attenuated\n"
     "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
-    "    float end_ = t.z + t.width + 0.5 * ssgi_between(gap); // #if thickness > SOLID\n"
-    "    float end_ = t.z + u_ssgi_thickness_limit; // #if thickness == CONSTANT\n"
+    "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
+    "    float end_ = t.z + t.width + 0.5 * ssgi_between(gap);\n"
+    "#elif SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
+    "    float end_ = t.z + u_ssgi_thickness_limit;\n"
+    "#endif\n"
     "    float fresh = 0.0, low = 0.0, high = 0.0, l = t.distance;\n"
     "    vec2 back = ssgi_on_ray(s, e, t.k, end_);\n"
     "    float ll = ssgi_squared(s, back);\n"
-    "    l = 0.5 * (l + min(l, sqrt(ll))); // #if thickness > SOLID\n"
+    "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
+    "    l = 0.5 * (l + min(l, sqrt(ll)));\n"
+    "#endif\n"
     "    if (t.up || (w.rose && t.seen)) { // else neither this tap rises nor did the last one\n"
     "        float q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
     "        back *= inversesqrt(ll);\n"
     "        high = ssgi_sector(e, c, q, t.up, 32.0);\n"
     "        low = ssgi_sector(e, back.x, back.x * back.x, back.y > SSGI_LEVEL, high);\n"
-    "        float apart = abs(t.z - w.z) / SSGI_JOINED; // #if thickness == CONSTANT\n"
-    "        float apart = max(t.z - w.end_, w.z - end_); // below 0 their depths overlap // #if thickness > SOLID\n"
+    "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
+    "        float apart = abs(t.z - w.z) / SSGI_JOINED;\n"
+    "#elif SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
+    "        float apart = max(t.z - w.end_, w.z - end_); // below 0 their depths overlap\n"
+    "#endif\n"
     "        bool joined = apart < ssgi_between(gap) && t.seen && w.seen;\n"
     "        uint arc = ssgi_sectors(joined ? min(low, w.low) : low, joined ? max(high, w.high) : high);\n"
     "        // The distance of a joined arc is halfway to the last tap, that of another an eighth of the way.\n"
     "        fresh = ssgi_cover_sectors(w.left, arc, mix(min(l, 2.0), min(w.distance, 1.0), joined ? 0.5 : 0.125));\n"
     "        w.share += fresh;\n"
-    "#if environment\n"
+    "#if SSGI_ENVIRONMENT\n"
     "        back = back.y > 0.0 ? back : vec2(1.0, 0.0); // the lower end of the arc\n"
     "        ssgi_add_elevation(w, vec2(c, t.h) + (joined ? ssgi_last_elevation(w) : back), fresh);\n"
     "#endif\n"
     "    }\n"
-    "    w.sine = t.beyond ? -t.h : t.h; // #if environment\n"
-    "    w.end_ = end_; // #if thickness > SOLID\n"
+    "#if SSGI_ENVIRONMENT\n"
+    "    w.sine = t.beyond ? -t.h : t.h;\n"
+    "#endif\n"
+    "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
+    "    w.end_ = end_;\n"
+    "#endif\n"
     "    w.low = low, w.high = high, w.z = t.z, w.seen = t.seen, w.distance = l, w.rose = t.up;\n"
     "    return fresh;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_cover_second", __LINE__ + 1,
+{ "ssgi_cover_second", "SSGI_THICKNESS == SSGI_THICKNESS_SLABS", __LINE__ + 1,
     "// covers the sectors of a second slab behind the tap; returns how many were free, attenuated\n"
     "float ssgi_cover_second(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
     "    vec3 slab = ssgi_slabs(t.q);\n"
@@ -2919,19 +3286,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        l = 0.5 * (l + min(l, back_ll * back_r));\n"
     "        fresh = ssgi_cover_sectors(w.left, ssgi_sectors(low, high), l);\n"
     "        w.share += fresh;\n"
-    "        ssgi_add_elevation(w, front, fresh); // #if environment\n"
+    "#if SSGI_ENVIRONMENT\n"
+    "        ssgi_add_elevation(w, front, fresh);\n"
+    "#endif\n"
     "    }\n"
     "    return fresh;\n"
     "}\n" },
 
-{ "ssgi_step", __LINE__ + 1,
+{ "ssgi_step", NULL, __LINE__ + 1,
     "// one step of a side: its tap occludes sectors, and sends light from them\n"
     "void ssgi_step(inout ssgi_sums sums, ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap,\n"
     "    vec3 P) {\n"
     "    float first = ssgi_cover(s, e, w, t, gap), second = 0.0;\n"
-    "    t.q -= ssgi_walked_origin(); // #if bounce || thickness == SLABS\n"
-    "    second = ssgi_cover_second(s, e, w, t, gap); // #if thickness == SLABS\n"
-    "#if bounce\n"
+    "#if SSGI_BOUNCE || SSGI_THICKNESS == SSGI_THICKNESS_SLABS\n"
+    "    t.q -= ssgi_walked_origin();\n"
+    "#endif\n"
+    "#if SSGI_THICKNESS == SSGI_THICKNESS_SLABS\n"
+    "    second = ssgi_cover_second(s, e, w, t, gap);\n"
+    "#endif\n"
+    "#if SSGI_BOUNCE\n"
     "    if (first + second > 0.0) {\n"
     "        vec3 d = ssgi_position(vec2(t.q) + 0.5, t.z) - P;\n"
     "        ssgi_add_sent(sums, t.q, d, first * e.share, second * e.share);\n"
@@ -2943,28 +3316,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    errs more. For each occluded sector a share of the free ones counts as occluded, too; where no sector is, nothing is
    expected, so that planes stay open. The shares are fitted to the truth of 28 scenes at 1280x720; with 34 steps none
    is missed. Expected occluders send light as the found ones do. */
-{ "ssgi_expect", __LINE__ + 1,
+{ "ssgi_expect", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
     "void ssgi_expect(inout ssgi_sums sums, ssgi_side e, inout ssgi_walked w) { // adds occlusion that a side missed\n"
     "    float missed = max(0.09375 / float(SSGI_STEPS) - 0.0028, 0.0), beyond = max(1.0 - e.edge, 0.0);\n"
     "    float more = missed * w.share + beyond * beyond * min(0.05 * w.share, 0.4);\n"
     "    more = ssgi_count(w.left) * min(more, 1.0);\n"
-    "    sums.found += w.share * e.share, sums.expected += more * e.share; // #if bounce\n"
+    "#if SSGI_BOUNCE\n"
+    "    sums.found += w.share * e.share, sums.expected += more * e.share;\n"
+    "#endif\n"
     "    w.share += more;\n"
     "}\n" },
 
-{ "ssgi_expect_sent", __LINE__ + 1,
+{ "ssgi_expect_sent", "SSGI_BOUNCE && SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
     "void ssgi_expect_sent(inout ssgi_sums sums) { // adds the light that expected occluders send\n"
     "    float more = sums.expected / sums.found;\n"
-    "    sums.bounce *= 1.0 + more; // #if pass == SSDO\n"
-    "    for (int c = 0; c < 3; ++c) ssgi_sh_add(sums.bounce.c[c], sums.bounce.c[c], more); // #if pass == S3HO\n"
+    "#if SSGI_PASS == SSGI_PASS_SSDO\n"
+    "    sums.bounce *= 1.0 + more;\n"
+    "#elif SSGI_PASS == SSGI_PASS_S3HO\n"
+    "    for (int c = 0; c < 3; ++c) ssgi_sh_add(sums.bounce.c[c], sums.bounce.c[c], more);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_walk_slice", __LINE__ + 1,
+{ "ssgi_walk_slice", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
     "// walks both sides of a slice from near to far; a radius along it covers so many pixels in x and y\n"
     "void ssgi_walk_slice(ssgi_slice s, vec3 P, ivec2 p, vec2 pixels, vec2 xi, vec2 noise, inout ssgi_sums sums) {\n"
     "    float unit = 1.0 / float(SSGI_STEPS), reach = u_ssgi_radius;\n"
-    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // of the radius // #if span\n"
-    "    pixels *= share, reach *= share; // #if span\n"
+    "#if SSGI_SPAN\n"
+    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // of the radius\n"
+    "    pixels *= share, reach *= share;\n"
+    "#endif\n"
     "    vec2 edges = ssgi_edges(p, pixels), pixel = vec2(p + ssgi_walked_origin()) + 0.5;\n"
     "    ssgi_side a = ssgi_side_of(s, 1.0, noise.x, edges.x), b = ssgi_side_of(s, -1.0, noise.y, edges.y);\n"
     "    // Taps stand at the squares of even steps, so that the gaps between them grow evenly.\n"
@@ -2981,55 +3361,72 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    ssgi_expect(sums, a, wa);\n"
     "    ssgi_expect(sums, b, wb);\n"
-    "    sums.all += wa.share * a.share + wb.share * b.share; // #if pass == HSAO\n"
-    "    ssgi_add_occluded(sums, s, ssgi_toward(P), wa, 1.0, a.share); // #if environment\n"
-    "    ssgi_add_occluded(sums, s, ssgi_toward(P), wb, -1.0, b.share); // #if environment\n"
+    "#if SSGI_PASS == SSGI_PASS_HSAO\n"
+    "    sums.all += wa.share * a.share + wb.share * b.share;\n"
+    "#endif\n"
+    "#if SSGI_ENVIRONMENT\n"
+    "    ssgi_add_occluded(sums, s, ssgi_toward(P), wa, 1.0, a.share);\n"
+    "    ssgi_add_occluded(sums, s, ssgi_toward(P), wb, -1.0, b.share);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_gather", __LINE__ + 1,
-    "#if search == SLICES\n"
+{ "ssgi_gather", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
     "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    ssgi_sums sums = ssgi_sums_none(n);\n"
-    "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
-    "    ssgi_receiver r = ssgi_receiver_of(P, n); // #if !environment\n"
+    "#if SSGI_SPAN\n"
+    "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z);\n"
+    "#endif\n"
+    "#if !SSGI_ENVIRONMENT\n"
+    "    ssgi_receiver r = ssgi_receiver_of(P, n);\n"
+    "#endif\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float phi = SSGI_PI * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
-    "        ssgi_receiver r = ssgi_receiver_of(P, n); // anew, which keeps registers free // #if environment\n"
+    "#if SSGI_ENVIRONMENT\n"
+    "        ssgi_receiver r = ssgi_receiver_of(P, n); // anew, which keeps registers free\n"
+    "#endif\n"
     "        vec2 turn = vec2(cos(phi), sin(phi));\n"
     "        // This rounds the sectors. It must not depend on the turn or the offset.\n"
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
     "        ssgi_slice s = ssgi_slice_of(r, p + ssgi_walked_origin(), turn);\n"
     "        ssgi_walk_slice(s, P, p, r.across * turn.x + r.up * turn.y, xi, noise, sums);\n"
     "    }\n"
-    "    ssgi_expect_sent(sums); // #if bounce\n"
+    "#if SSGI_BOUNCE\n"
+    "    ssgi_expect_sent(sums);\n"
+    "#endif\n"
     "    return sums;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_map_light", __LINE__ + 1,
-    "#if search == SLICES\n"
+{ "ssgi_map_light", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
     "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) { // the environment's light in the form of desc.light.restore\n"
-    "    return max(ssgi_open_light(P, n) - dark, 0.0); // #if !restore\n"
-    "    return clamp(1.0 - dark / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
-    "    return -dark; // #if restore == DIFFERENCE\n"
-    "}\n"
-    "#endif\n" },
+    "#if !SSGI_RESTORE\n"
+    "    return max(ssgi_open_light(P, n) - dark, 0.0);\n"
+    "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
+    "    return clamp(1.0 - dark / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0);\n"
+    "#else\n"
+    "    return -dark;\n"
+    "#endif\n"
+    "}\n" },
 
 /* ---- the output of a gather */
 
-{ "ssgi_transfer", __LINE__ + 1,
+{ "ssgi_transfer", NULL, __LINE__ + 1,
     "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // its dot with light is irradiance [S3HO12 eq. 2]\n"
-    "    ssgi_coefficients v = ssgi_coefficients_none(); // #if !(pass == S3HO && bounce)\n"
-    "    ssgi_coefficients v = sums.bounce; // #if pass == S3HO && bounce\n"
-    "#if transfer == BOTH && bands == 1\n"
+    "#if !(SSGI_PASS == SSGI_PASS_S3HO && SSGI_BOUNCE)\n"
+    "    ssgi_coefficients v = ssgi_coefficients_none();\n"
+    "#else\n"
+    "    ssgi_coefficients v = sums.bounce;\n"
+    "#endif\n"
+    "#if SSGI_TRANSFER == SSGI_TRANSFER_BOTH && SSGI_BANDS == 1\n"
     "    // One band leaves lane y free, which keeps the reflected part, as that gets no residual.\n"
     "    for (int c = 0; c < 3; ++c) v.c[c].a.y = v.c[c].a.x;\n"
     "#endif\n"
-    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], sums.lobe, 1.0); // #if environment == SH\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
+    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], sums.lobe, 1.0);\n"
+    "#endif\n"
     "    return v;\n"
     "}\n" },
 
-{ "main_occlusion", __LINE__ + 1,
+{ "main_occlusion", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
     "    float z = ssgi_depth(p);\n"
@@ -3039,23 +3436,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_ao = vec2(clamp(1.0 - ssgi_gather(p, P, n, ssgi_noise(texel)).all, 0.0, 1.0), z);\n"
     "}\n" },
 
-{ "main_ssdo", __LINE__ + 1,
+{ "main_ssdo", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
     "    float z = ssgi_receiver_depth(p);\n"
-    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z); // #if environment\n"
-    "    o_ssgi_bounce = vec4(0.0, 0.0, 0.0, z); // #if bounce\n"
+    "#if SSGI_ENVIRONMENT\n"
+    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
+    "#endif\n"
+    "#if SSGI_BOUNCE\n"
+    "    o_ssgi_bounce = vec4(0.0, 0.0, 0.0, z);\n"
+    "#endif\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
     "    ssgi_sums sums = ssgi_gather(p, P, n, ssgi_noise(texel));\n"
-    "    o_ssgi_light.xyz = ssgi_map_light(sums.dark, P, n); // #if environment == MAP\n"
-    "    ssgi_lit_at = P; // #if harmonics == CUSTOM\n"
-    "    vec3 light = ssgi_irradiance(ssgi_transfer(sums), n); // #if environment == SH\n"
-    "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, n); // #if environment == SH\n"
-    "    o_ssgi_bounce.xyz = sums.bounce; // #if bounce\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
+    "    o_ssgi_light.xyz = ssgi_map_light(sums.dark, P, n);\n"
+    "#endif\n"
+    "#if SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM\n"
+    "    ssgi_lit_at = P;\n"
+    "#endif\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
+    "    vec3 light = ssgi_irradiance(ssgi_transfer(sums), n);\n"
+    "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, n);\n"
+    "#endif\n"
+    "#if SSGI_BOUNCE\n"
+    "    o_ssgi_bounce.xyz = sums.bounce;\n"
+    "#endif\n"
     "}\n" },
 
-{ "main_s3ho", __LINE__ + 1,
+{ "main_s3ho", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
     "    float z = ssgi_depth(p);\n"
@@ -3067,7 +3476,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_store(v);\n"
     "}\n" },
 
-{ "main_s3ho_shaded", __LINE__ + 1,
+{ "main_s3ho_shaded", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
     "    float z = ssgi_depth(p);\n"
@@ -3075,19 +3484,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
     "    ssgi_coefficients v = ssgi_transfer(ssgi_gather(p, P, n, ssgi_noise(texel)));\n"
-    "    ssgi_lit_at = P; // #if harmonics == CUSTOM\n"
+    "#if SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM\n"
+    "    ssgi_lit_at = P;\n"
+    "#endif\n"
     "    o_ssgi_light.xyz = ssgi_encode_for_filter(ssgi_irradiance(v, n), P, n);\n"
     "}\n" },
 
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
 
-{ "ssgi_corner", __LINE__ + 1,
+{ "ssgi_corner", NULL, __LINE__ + 1,
     "vec4 ssgi_corner(vec4 bounds, int corner, ivec2 size) {\n"
     "    vec2 at = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
     "    return vec4(at / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
     "}\n" },
 
-{ "main_occluder", __LINE__ + 1,
+{ "main_occluder", NULL, __LINE__ + 1,
     "flat out vec4 v_ssgi_occluder[9]; // the members of ssgi_gl_occluder from to_field on\n"
     "void main() {\n"
     "    // The occluder darkens nothing outside this sphere.\n"
@@ -3097,14 +3508,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    gl_Position = ssgi_corner(bounds, gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID, u_ssgi_size);\n"
     "}\n" },
 
-{ "ssgi_field_texel", __LINE__ + 1,
+{ "ssgi_field_texel", NULL, __LINE__ + 1,
     "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
     "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
     "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
     "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n"
     "}\n" },
 
-{ "ssgi_field_fetch", __LINE__ + 1,
+{ "ssgi_field_fetch", NULL, __LINE__ + 1,
     "// The field's components along w, in [0,1], bilinear with the border; at holds resolution and slice.\n"
     "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
     "    vec3 m = abs(w), s = vec3(vec2(w.z < 0.0 ? -w.x : w.x, -w.y) / m.z, w.z < 0.0 ? 5.0 : 4.0); // s.z: face\n"
@@ -3123,7 +3534,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* [AOF05 eq. 3] */
-{ "ssgi_cap", __LINE__ + 1,
+{ "ssgi_cap", NULL, __LINE__ + 1,
     "// Cosine-weighted occlusion of a spherical cap, at most a hemisphere: k is the cosine of its radius, S the\n"
     "// square of the sine, c the cosine between its axis and the normal.\n"
     "float ssgi_cap(float k, float S, float c) {\n"
@@ -3133,7 +3544,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* [AOF05 section 4.2] */
-{ "ssgi_cap_table", __LINE__ + 1,
+{ "ssgi_cap_table", NULL, __LINE__ + 1,
     "// The same occlusion from your table, bilinear between texels' centres; h is the cap's solid angle over 2 pi.\n"
     "float ssgi_cap_table(float h, float c) {\n"
     "    ivec2 last = textureSize(t_ssgi_cap, 0) - 1;\n"
@@ -3145,7 +3556,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return mix(a, b, at.y);\n"
     "}\n" },
 
-{ "ssgi_field_at", __LINE__ + 1,
+{ "ssgi_field_at", NULL, __LINE__ + 1,
     "// A point in the occluder's space: its direction from the centre, and its distance.\n"
     "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) { // occluder has ssgi_gl_occluder's members from to_field on\n"
     "    vec4 p = vec4(P, 1.0);\n"
@@ -3155,7 +3566,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* [AOF05 algorithm 1] */
-{ "ssgi_field_occlusion", __LINE__ + 1,
+{ "ssgi_field_occlusion", NULL, __LINE__ + 1,
     "// occlusion by an occluder of a surface with unit normal n, in [0,1]\n"
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
     "    vec4 a, b;\n"
@@ -3172,13 +3583,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // The cap has this vector irradiance; fill is the share of it that the occluder covers.\n"
     "    float S = 0.318309886 / max(q, 0.318309886), fill = max(b.w, S);\n"
     "    S /= fill;\n"
-    "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c); // #if !cap_table\n"
-    "    float A = fill * ssgi_cap_table(S / (1.0 + sqrt(max(1.0 - S, 0.0))), c); // #if cap_table\n"
+    "#if !SSGI_CAP_TABLE\n"
+    "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c);\n"
+    "#else\n"
+    "    float A = fill * ssgi_cap_table(S / (1.0 + sqrt(max(1.0 - S, 0.0))), c);\n"
+    "#endif\n"
     "    if (at.w < hull) A = mix(occluder[3].z, A, pow(at.w / hull, occluder[3].w));\n"
     "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n"
     "}\n" },
 
-{ "ssgi_field_visibility", __LINE__ + 1,
+{ "ssgi_field_visibility", NULL, __LINE__ + 1,
     "// ambient visibility that all occluders leave, but for those of the object itself\n"
     "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 n) {\n"
     "    float visibility = 1.0;\n"
@@ -3192,7 +3606,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return visibility;\n"
     "}\n" },
 
-{ "main_field", __LINE__ + 1,
+{ "main_field", NULL, __LINE__ + 1,
     "flat in vec4 v_ssgi_occluder[9];\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
@@ -3200,15 +3614,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    vec4 at = ssgi_field_at(v_ssgi_occluder, P);\n"
     "    if (!(z < SSGI_FAR && at.w < v_ssgi_occluder[3].y)) discard;\n"
-    "    uint object = ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
-    "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects == TEXTURE\n"
-    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // it is the object itself // #if objects\n"
+    "#if SSGI_OBJECTS == SSGI_OBJECTS_CUSTOM\n"
+    "    uint object = ssgi_custom_object(p + u_ssgi_origin);\n"
+    "#elif SSGI_OBJECTS == SSGI_OBJECTS_TEXTURE\n"
+    "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x;\n"
+    "#endif\n"
+    "#if SSGI_OBJECTS\n"
+    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // it is the object itself\n"
+    "#endif\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n"
     "}\n" },
 
 /* ==== >>splat: surfels and their effect on pixels; twins of >>surfels in ssgi.h ================================= */
 
-{ "main_patch", __LINE__ + 1,
+{ "main_patch", NULL, __LINE__ + 1,
     "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
     "out vec2 v_ssgi_part; // which part of splits * splits, and which vertex of it\n"
     "void main() {\n"
@@ -3220,13 +3639,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_part = vec2(gl_InstanceID, gl_VertexID & 16777215);\n"
     "}\n" },
 
-{ "ssgi_tess_count", __LINE__ + 1,
+{ "ssgi_tess_count", NULL, __LINE__ + 1,
     "int ssgi_tess_count(int level) {\n"
     "    int half_ = (level + 1) / 2;\n"
     "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n"
     "}\n" },
 
-{ "ssgi_part_corner", __LINE__ + 1,
+{ "ssgi_part_corner", NULL, __LINE__ + 1,
     "vec3 ssgi_part_corner(int i, int n, int c) { // barycentric weights of corner c of part i of n * n\n"
     "    int row = int(sqrt(float(i) + 0.5)), place = i - row * row, odd = place & 1;\n"
     "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0));\n"
@@ -3234,23 +3653,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec3(n - down, down - across, across) / float(n);\n"
     "}\n" },
 
-{ "ssgi_outside", __LINE__ + 1,
+{ "ssgi_outside", NULL, __LINE__ + 1,
     "float ssgi_outside(vec3 P) { // how far a point is outside the frustum\n"
     "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a;\n"
     "    vec2 low = min(a, b), high = max(a, b);\n"
-    "    vec2 d = max(low - P.xy, P.xy - high); // #if orthographic\n"
-    "    vec2 below = (low * -P.z - P.xy) * inversesqrt(1.0 + low * low); // #if !orthographic\n"
-    "    vec2 d = max(below, (P.xy + high * P.z) * inversesqrt(1.0 + high * high)); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    vec2 d = max(low - P.xy, P.xy - high);\n"
+    "#else\n"
+    "    vec2 below = (low * -P.z - P.xy) * inversesqrt(1.0 + low * low);\n"
+    "    vec2 d = max(below, (P.xy + high * P.z) * inversesqrt(1.0 + high * high));\n"
+    "#endif\n"
     "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n"
     "}\n" },
 
-{ "SSGI_MOST", __LINE__ + 1,
+{ "SSGI_MOST", NULL, __LINE__ + 1,
     "const float SSGI_MOST = 3169.0; // surfels of the tessellator's last level: ssgi_tess_count(64)\n" },
 
-{ "SSGI_WHOLE", __LINE__ + 1,
+{ "SSGI_WHOLE", NULL, __LINE__ + 1,
     "const float SSGI_WHOLE = 1e-5; // a count that is so little above a whole number is rounded down\n" },
 
-{ "ssgi_parts", __LINE__ + 1,
+{ "ssgi_parts", NULL, __LINE__ + 1,
     "// how many parts each edge of a triangle needs beyond level 64, by its corners' view depths and its area\n"
     "int ssgi_parts(vec3 z, float area) {\n"
     "    float low = min(z.x, min(z.y, z.z)), high = max(z.x, max(z.y, z.z));\n"
@@ -3260,12 +3682,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return int(clamp(ceil(sqrt(area / (SSGI_PI * SSGI_MOST * r * r)) - SSGI_WHOLE), 1.0, u_ssgi_surfel.w));\n"
     "}\n" },
 
-{ "ssgi_tess_level", __LINE__ + 1,
+{ "ssgi_tess_level", NULL, __LINE__ + 1,
     "int ssgi_tess_level(float discs) { // the least level that has so many surfels\n"
     "    return discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - SSGI_WHOLE), 64.0)) : 1;\n"
     "}\n" },
 
-{ "ssgi_alive", __LINE__ + 1,
+{ "ssgi_alive", NULL, __LINE__ + 1,
     "// The three surfels of a small triangle are thinned out by chance; a bit each says which stay.\n"
     "int ssgi_alive(uint key, float share) {\n"
     "    int alive = 0;\n"
@@ -3274,27 +3696,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return alive;\n"
     "}\n" },
 
-{ "ssgi_inset", __LINE__ + 1,
-    "#if overhang == INCENTRE\n"
+{ "ssgi_inset", "SSGI_OVERHANG == SSGI_OVERHANG_INCENTRE", __LINE__ + 1,
     "// A corner is scaled about the centre of the inscribed circle, so that discs of radius r end at the edges.\n"
     "vec3 ssgi_inset(vec3 at[3], int corner, float r, float area) {\n"
     "    vec3 edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
     "    float perimeter = edge.x + edge.y + edge.z, inset = max(1.0 - r * perimeter / (2.0 * area), 0.25);\n"
     "    vec3 centre = (edge.x * at[0] + edge.y * at[1] + edge.z * at[2]) / perimeter;\n"
     "    return centre + inset * (at[corner] - centre);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_inset", __LINE__ + 1,
-    "#if overhang == CENTROID\n"
+{ "ssgi_inset", "SSGI_OVERHANG == SSGI_OVERHANG_CENTROID", __LINE__ + 1,
     "// A corner is moved by r toward the centroid, by 0.9 of the way at most.\n"
     "vec3 ssgi_inset(vec3 at[3], int corner, float r, float area) {\n"
     "    vec3 centre = (at[0] + at[1] + at[2]) / 3.0, way = at[corner] - centre;\n"
     "    return centre + max(1.0 - r * inversesqrt(dot(way, way)), 0.1) * way;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "main_levels", __LINE__ + 1,
+{ "main_levels", NULL, __LINE__ + 1,
     "layout(vertices = 3) out;\n"
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
     "in vec2 v_ssgi_part[];\n"
@@ -3330,28 +3748,36 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n"
     "}\n" },
 
-{ "ssgi_scramble", __LINE__ + 1,
+{ "ssgi_scramble", NULL, __LINE__ + 1,
     "uint ssgi_scramble(uint x) { // the output function of PCG [O'Neill 2014]\n"
     "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
     "    return (x >> 22) ^ x;\n"
     "}\n" },
 
-{ "ssgi_hash", __LINE__ + 1,
+{ "ssgi_hash", NULL, __LINE__ + 1,
     "uint ssgi_hash(uint x) {\n"
     "    return ssgi_scramble(x * 747796405u + 2891336453u);\n"
     "}\n" },
 
-{ "ssgi_surfel_sent", __LINE__ + 1,
+{ "ssgi_surfel_sent", NULL, __LINE__ + 1,
     "// the radiance that a surfel sends: its colour times irradiance over pi, unoccluded\n"
     "vec3 ssgi_surfel_sent(vec3 P, vec3 n, vec3 colour) {\n"
-    "    return colour; // #if sends == COLOUR\n"
-    "    return ssgi_custom_surfel(P, n, colour); // #if sends == CUSTOM\n"
-    "    vec3 sum = ssgi_lit(P, n, 0.0) * SSGI_OVER_PI; // #if sends == LIGHTS\n"
-    "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if sends == LIGHTS && environment\n"
-    "    return colour * sum; // #if sends == LIGHTS\n"
+    "#if SSGI_SENDS == SSGI_SENDS_COLOUR\n"
+    "    return colour;\n"
+    "#elif SSGI_SENDS == SSGI_SENDS_CUSTOM\n"
+    "    return ssgi_custom_surfel(P, n, colour);\n"
+    "#else\n"
+    "    vec3 sum = ssgi_lit(P, n, 0.0) * SSGI_OVER_PI;\n"
+    "#endif\n"
+    "#if SSGI_SENDS == SSGI_SENDS_LIGHTS && SSGI_ENVIRONMENT\n"
+    "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0);\n"
+    "#endif\n"
+    "#if SSGI_SENDS == SSGI_SENDS_LIGHTS\n"
+    "    return colour * sum;\n"
+    "#endif\n"
     "}\n" },
 
-{ "main_points", __LINE__ + 1,
+{ "main_points", NULL, __LINE__ + 1,
     "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
     "in vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch in vec4 v_ssgi_patch;\n"
@@ -3372,16 +3798,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, n, colour), 0.0);\n"
     "}\n" },
 
-{ "main_buffer", __LINE__ + 1,
+{ "main_buffer", NULL, __LINE__ + 1,
     "void main() {\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(a_ssgi_surfel0.xyz, a_ssgi_surfel1.xyz, a_ssgi_surfel2.xyz), 0.0);\n"
     "    v_ssgi_surfel0 = a_ssgi_surfel0, v_ssgi_surfel1 = a_ssgi_surfel1;\n"
     "}\n" },
 
-{ "main_nothing", __LINE__ + 1,
+{ "main_nothing", NULL, __LINE__ + 1,
     "void main() {} // Nothing is drawn, but GLES requires a fragment stage.\n" },
 
-{ "ssgi_interleave", __LINE__ + 1,
+{ "ssgi_interleave", NULL, __LINE__ + 1,
     "// The sub-buffer of a pixel in its block is hashed by exclusive or, which is its own inverse.\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint h = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
@@ -3390,7 +3816,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. */
 
-{ "main_interleave", __LINE__ + 1,
+{ "main_interleave", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
@@ -3406,7 +3832,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_interleaved = uvec4(floatBitsToUint(P), (uint(e.x + 32768) << 16) | uint(e.y + 32768));\n"
     "}\n" },
 
-{ "main_deinterleave", __LINE__ + 1,
+{ "main_deinterleave", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
@@ -3414,29 +3840,44 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 sub = (p & mask) ^ ssgi_interleave(block, mask);\n"
     "    if (p.x >= u_ssgi_size.x || p.y >= u_ssgi_size.y) discard;\n"
     "    ivec2 at = sub * across + block + ivec2(0, l * u_ssgi_level.y);\n"
-    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0).x; // #if effect == OCCLUSION\n"
-    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0); // #if effect != OCCLUSION\n"
+    "#if SSGI_EFFECT == SSGI_EFFECT_OCCLUSION\n"
+    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0).x;\n"
+    "#else\n"
+    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0);\n"
+    "#endif\n"
     "}\n" },
 
 /* [DSS14 section 3.2] */
-{ "ssgi_shell", __LINE__ + 1,
+{ "ssgi_shell", NULL, __LINE__ + 1,
     "// the rectangle of one sub-buffer that a surfel covers at a level\n"
     "// position, squared radius; normal, weight; radiance, square of the distance from which on the level counts\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat out float v_ssgi_end; // square of the distance at which the level ends\n"
-    "flat out float v_ssgi_seen; // 1: slices can see the surfel // #if span\n"
+    "#if SSGI_SPAN\n"
+    "flat out float v_ssgi_seen; // 1: slices can see the surfel\n"
+    "#endif\n"
     "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) { // in texels; empty if it covers none\n"
-    "    ivec2 p = ivec2(floor(ssgi_project(at.xyz))); // #if span\n"
-    "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w); // #if span\n"
-    "#if span && effect == BOUNCE\n"
+    "#if SSGI_SPAN\n"
+    "    ivec2 p = ivec2(floor(ssgi_project(at.xyz)));\n"
+    "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w);\n"
+    "#endif\n"
+    "#if SSGI_SPAN && SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
     "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(at.xyz)) > 0.0) // it is as lit as visible surfaces\n"
     "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_emitters, ivec3(p + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
-    "    float most = 1.0; // #if effect < BOUNCE\n"
-    "    float most = max(sent.x, max(sent.y, sent.z)) / u_ssgi_sent; // #if effect > LIGHT && effect != CUSTOM\n"
-    "    most *= 0.5 * (u_ssgi_exponent + 1.0); // the peak of the lobe // #if effect == SPECULAR\n"
-    "    float reach = ssgi_custom_reach(at.xyz, turned.xyz, at.w, sent, u_ssgi_epsilon); // #if effect == CUSTOM\n"
-    "    float reach = at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0)); // #if effect != CUSTOM\n"
+    "#if SSGI_EFFECT < SSGI_EFFECT_BOUNCE\n"
+    "    float most = 1.0;\n"
+    "#elif SSGI_EFFECT > SSGI_EFFECT_LIGHT && SSGI_EFFECT != SSGI_EFFECT_CUSTOM\n"
+    "    float most = max(sent.x, max(sent.y, sent.z)) / u_ssgi_sent;\n"
+    "#endif\n"
+    "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
+    "    most *= 0.5 * (u_ssgi_exponent + 1.0); // the peak of the lobe\n"
+    "#elif SSGI_EFFECT == SSGI_EFFECT_CUSTOM\n"
+    "    float reach = ssgi_custom_reach(at.xyz, turned.xyz, at.w, sent, u_ssgi_epsilon);\n"
+    "#endif\n"
+    "#if SSGI_EFFECT != SSGI_EFFECT_CUSTOM\n"
+    "    float reach = at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0));\n"
+    "#endif\n"
     "    float block = exp2(float(l));\n"
     "    float inner = l > 0 ? reach * 0.5 * block : -1.0, outer = min(reach * block, u_ssgi_radius);\n"
     "    if (!(outer > max(inner, 0.0))) return vec4(0.0);\n"
@@ -3447,7 +3888,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    int mask = (1 << uint(l)) - 1, seed = int(turned.w * 16777216.0);\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
     "    vec2 corner = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
-    "#if enlarge\n"
+    "#if SSGI_ENLARGE\n"
     "    // Of block * block surfels a pixel meets one, which stands for all of them.\n"
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w * block * block);\n"
     "    v_ssgi_turned = vec4(turned.xyz, 1.0);\n"
@@ -3460,14 +3901,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return b + corner.xyxy;\n"
     "}\n" },
 
-{ "main_quad", __LINE__ + 1,
+{ "main_quad", NULL, __LINE__ + 1,
     "void main() {\n"
     "    int corner = gl_VertexID % 6 < 3 ? gl_VertexID % 6 : 6 - gl_VertexID % 6;\n"
     "    vec4 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, gl_VertexID / 6);\n"
     "    gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n"
     "}\n" },
 
-{ "main_strip", __LINE__ + 1,
+{ "main_strip", NULL, __LINE__ + 1,
     "layout(points) in;\n"
     "layout(triangle_strip, max_vertices = 28) out; // 4 for each level\n"
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
@@ -3482,13 +3923,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        }\n"
     "}\n" },
 
-{ "ssgi_gloss", __LINE__ + 1,
+{ "ssgi_gloss", NULL, __LINE__ + 1,
     "float ssgi_gloss; // the form factor of ssgi_form's discs with the specular lobe instead of the cosine\n" },
 
-{ "ssgi_disc", __LINE__ + 1,
+{ "ssgi_disc", NULL, __LINE__ + 1,
     "float ssgi_disc(vec3 v, vec3 n, float rr) {\n"
     "    float dd = max(dot(v, v), 1e-30);\n"
-    "#if effect == SPECULAR\n"
+    "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
     "    float mirrored = max(dot(v, reflect(-ssgi_toward(ssgi_P), n)), 1e-20) * inversesqrt(dd);\n"
     "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent); // over pi, normalised\n"
     "    ssgi_gloss += lobe * inversesqrt(dd) / (dd + rr);\n"
@@ -3496,10 +3937,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n"
     "}\n" },
 
-{ "ssgi_form", __LINE__ + 1,
+{ "ssgi_form", NULL, __LINE__ + 1,
     "// The form factor of a disc with normal m, whose centre is at v, but for its area, weight and cosine.\n"
     "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
-    "#if near_samples > 1\n"
+    "#if SSGI_NEAR_SAMPLES > 1\n"
     "    // Near by, the disc counts as several smaller ones, as a part of it may rise above the horizon although its\n"
     "    // centre does not.\n"
     "    if (dot(v, v) < 16.0 * rr) {\n"
@@ -3511,24 +3952,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            form += ssgi_disc(v + a * o.x + b * o.y, n, rr * part);\n"
     "            turn = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888) * turn; // the golden angle\n"
     "        }\n"
-    "        ssgi_gloss *= part; // #if effect == SPECULAR\n"
+    "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
+    "        ssgi_gloss *= part;\n"
+    "#endif\n"
     "        return form * part;\n"
     "    }\n"
     "#endif\n"
     "    return ssgi_disc(v, n, rr);\n"
     "}\n" },
 
-{ "ssgi_effect", __LINE__ + 1,
+{ "ssgi_effect", NULL, __LINE__ + 1,
     "vec4 ssgi_effect(vec3 sent, vec3 v, float form, float area) { // a surfel's contribution, and its form factor\n"
-    "    return form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * v), 1.0); // #if effect == LIGHT\n"
-    "    return form * vec4(sent, 1.0); // #if effect == BOUNCE\n"
-    "    return vec4(sent * (ssgi_gloss * area), form); // #if effect == SPECULAR\n"
+    "#if SSGI_EFFECT == SSGI_EFFECT_LIGHT\n"
+    "    return form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * v), 1.0);\n"
+    "#elif SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
+    "    return form * vec4(sent, 1.0);\n"
+    "#else\n"
+    "    return vec4(sent * (ssgi_gloss * area), form);\n"
+    "#endif\n"
     "}\n" },
 
-{ "main_splat", __LINE__ + 1,
+{ "main_splat", NULL, __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
-    "flat in float v_ssgi_seen; // #if span\n"
+    "#if SSGI_SPAN\n"
+    "flat in float v_ssgi_seen;\n"
+    "#endif\n"
     "void main() {\n"
     "    uvec4 t = texelFetch(t_ssgi_interleaved, ivec2(gl_FragCoord.xy), 0);\n"
     "    vec3 P = uintBitsToFloat(t.xyz), v = v_ssgi_at.xyz - P;\n"
@@ -3536,20 +3985,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
     "    vec3 n = normalize(ssgi_octahedral_decode((vec2(t.w >> 16, t.w & 65535u) - 32768.0) * (1.0 / 32767.0)));\n"
     "    float away = -dot(v, v_ssgi_turned.xyz), rr = v_ssgi_at.w;\n"
-    "    away = abs(away); // #if two_sided\n"
-    "    if (!(away > 0.0)) discard; // a closed mesh's back would count, too // #if !two_sided\n"
-    "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
-    "    away *= 1.0 - v_ssgi_seen * ssgi_near(sqrt(dd)); // #if span\n"
-    "    ssgi_P = P, ssgi_gloss = 0.0; // #if effect == SPECULAR\n"
+    "#if SSGI_TWO_SIDED\n"
+    "    away = abs(away);\n"
+    "#else\n"
+    "    if (!(away > 0.0)) discard; // a closed mesh's back would count, too\n"
+    "#endif\n"
+    "#if SSGI_SPAN\n"
+    "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z);\n"
+    "    away *= 1.0 - v_ssgi_seen * ssgi_near(sqrt(dd));\n"
+    "#endif\n"
+    "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
+    "    ssgi_P = P, ssgi_gloss = 0.0;\n"
+    "#endif\n"
     "    float area = v_ssgi_turned.w * rr * away, form = ssgi_form(v, n, v_ssgi_turned.xyz, rr) * area;\n"
     "    if (!(form > 0.0)) discard;\n"
-    "    form *= max(1.0 - sqrt(dd) / u_ssgi_radius, 0.0); // #if effect == OCCLUSION && falloff != NONE\n"
-    "    o_ssgi_levels = form; // #if effect == OCCLUSION\n"
-    "    o_ssgi_levels = ssgi_effect(v_ssgi_sent.xyz, v, form, area); // #if effect != OCCLUSION\n"
+    "#if SSGI_EFFECT == SSGI_EFFECT_OCCLUSION && SSGI_FALLOFF != SSGI_FALLOFF_NONE\n"
+    "    form *= max(1.0 - sqrt(dd) / u_ssgi_radius, 0.0);\n"
+    "#endif\n"
+    "#if SSGI_EFFECT == SSGI_EFFECT_OCCLUSION\n"
+    "    o_ssgi_levels = form;\n"
+    "#else\n"
+    "    o_ssgi_levels = ssgi_effect(v_ssgi_sent.xyz, v, form, area);\n"
+    "#endif\n"
     "}\n" },
 
 /* The dipole [JMLH01 section 2.3, DSS14 section 4]. */
-{ "main_splat_scatter", __LINE__ + 1,
+{ "main_splat_scatter", NULL, __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
     "void main() {\n"
@@ -3566,7 +4027,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* ssgi_custom_effect is yours. */
-{ "main_splat_custom", __LINE__ + 1,
+{ "main_splat_custom", NULL, __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
     "void main() {\n"
@@ -3582,7 +4043,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ---- surfels' levels */
 
-{ "main_smooth", __LINE__ + 1,
+{ "main_smooth", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, reach = (1 << l) >> 1;\n"
@@ -3599,33 +4060,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (i == 0 || !ssgi_inside(p + o)) continue;\n"
     "        float d = ssgi_depth(p + o), off = abs(ssgi_above_plane(plane, vec2(o), d)) * near;\n"
     "        float w = max(1.0 - off, 0.0) * (abs(i) == reach ? 0.5 : 1.0);\n"
-    "#if filter_normals\n"
+    "#if SSGI_FILTER_NORMALS\n"
     "        if (w > 0.0) w *= max(dot(n, ssgi_normal(p + o, ssgi_position(vec2(p + o) + 0.5, d))), 0.0);\n"
     "#endif\n"
     "        if (!(w > 0.0) || d >= SSGI_FAR) continue;\n"
     "        sum += w * texelFetch(t_ssgi_levels, q + o, 0), weights += w;\n"
     "    }\n"
-    "    o_ssgi_levels = sum.x / weights; // #if effect == OCCLUSION\n"
-    "    o_ssgi_levels = sum / weights; // #if effect != OCCLUSION\n"
+    "#if SSGI_EFFECT == SSGI_EFFECT_OCCLUSION\n"
+    "    o_ssgi_levels = sum.x / weights;\n"
+    "#else\n"
+    "    o_ssgi_levels = sum / weights;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_saturate_form", __LINE__ + 1,
-    "#if combine == SHARE\n"
+{ "ssgi_saturate_form", "SSGI_COMBINE == SSGI_COMBINE_SHARE", __LINE__ + 1,
     "// Nobody knows which surfels hide which, so each hides its share of the directions that the others leave.\n"
     "float ssgi_saturate_form(float form) {\n"
     "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_saturate_form", __LINE__ + 1,
-    "#if combine == ADD\n"
+{ "ssgi_saturate_form", "SSGI_COMBINE == SSGI_COMBINE_ADD", __LINE__ + 1,
     "// Nobody knows which surfels hide which, so form factors add up, to 1 at most.\n"
     "float ssgi_saturate_form(float form) {\n"
     "    return 1.0 / max(form, 1.0);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_sum_levels", __LINE__ + 1,
+{ "ssgi_sum_levels", NULL, __LINE__ + 1,
     "vec4 ssgi_sum_levels(ivec2 p, float z) {\n"
     "    vec4 sum = vec4(0.0);\n"
     "    for (int l = 0; l < SSGI_LEVELS && z < SSGI_FAR; ++l)\n"
@@ -3633,15 +4093,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return sum;\n"
     "}\n" },
 
-{ "main_sum_occlusion", __LINE__ + 1,
+{ "main_sum_occlusion", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_depth(p), sum = ssgi_sum_levels(p, z).x;\n"
     "    o_ssgi_ao = vec2(1.0 - sum * ssgi_saturate_form(sum), z);\n"
-    "    o_ssgi_ao.x *= texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x; // #if span\n"
+    "#if SSGI_SPAN\n"
+    "    o_ssgi_ao.x *= texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x;\n"
+    "#endif\n"
     "}\n" },
 
-{ "main_sum_light", __LINE__ + 1,
+{ "main_sum_light", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_depth(p);\n"
@@ -3650,134 +4112,186 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 sum = ssgi_sum_levels(p, z);\n"
     "    vec3 n = transpose(u_ssgi_rotation) * ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
     "    o_ssgi_light.xyz = max(ssgi_irradiance_map(n, 0) - sum.xyz * ssgi_saturate_form(sum.w), 0.0);\n"
-    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if span\n"
+    "#if SSGI_SPAN\n"
+    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
+    "#endif\n"
     "}\n" },
 
-{ "main_sum_sent", __LINE__ + 1,
+{ "main_sum_sent", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_depth(p);\n"
     "    vec4 sum = ssgi_sum_levels(p, z);\n"
-    "    sum.xyz *= ssgi_saturate_form(sum.w); // #if effect != SCATTER\n"
-    "    sum += texelFetch(t_ssgi_light, p + u_ssgi_target, 0); // #if span\n"
-    "    o_ssgi_bounce = vec4(sum.xyz, z); // #if effect == BOUNCE\n"
-    "    o_ssgi_specular = vec4(sum.xyz, z); // #if effect == SPECULAR\n"
-    "    o_ssgi_scatter = vec4(sum.xyz, z); // #if effect == SCATTER\n"
-    "    o_ssgi_custom = vec4(sum.xyz, z); // #if effect == CUSTOM\n"
+    "#if SSGI_EFFECT != SSGI_EFFECT_SCATTER\n"
+    "    sum.xyz *= ssgi_saturate_form(sum.w);\n"
+    "#endif\n"
+    "#if SSGI_SPAN\n"
+    "    sum += texelFetch(t_ssgi_light, p + u_ssgi_target, 0);\n"
+    "#endif\n"
+    "#if SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
+    "    o_ssgi_bounce = vec4(sum.xyz, z);\n"
+    "#elif SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
+    "    o_ssgi_specular = vec4(sum.xyz, z);\n"
+    "#elif SSGI_EFFECT == SSGI_EFFECT_SCATTER\n"
+    "    o_ssgi_scatter = vec4(sum.xyz, z);\n"
+    "#elif SSGI_EFFECT == SSGI_EFFECT_CUSTOM\n"
+    "    o_ssgi_custom = vec4(sum.xyz, z);\n"
+    "#endif\n"
     "}\n" },
 
 /* ---- blur takes the mean of a pixel's neighbours on its surface; from half size, that of the texels around it. */
 
-{ "ssgi_blurred", __LINE__ + 1,
+{ "ssgi_blurred", NULL, __LINE__ + 1,
     "struct ssgi_blurred { // the pixel that is filtered\n"
     "    vec3 P, n;\n"
-    "    vec4 plane; // its unit of height is a 100th of the radius plus a pixel // #if filter == BILATERAL\n"
+    "#if SSGI_FILTER == SSGI_FILTER_BILATERAL\n"
+    "    vec4 plane; // its unit of height is a 100th of the radius plus a pixel\n"
+    "#endif\n"
     "    float z, footprint;\n"
-    "    vec4 now; // its own texel // #if !half && quantity != COEFFICIENTS\n"
-    "    bool settled; // it has an average over frames // #if pass == HISTORY\n"
+    "#if !SSGI_HALF && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
+    "    vec4 now; // its own texel\n"
+    "#endif\n"
+    "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "    bool settled; // it has an average over frames\n"
+    "#endif\n"
     "};\n" },
 
-{ "ssgi_texel", __LINE__ + 1,
+{ "ssgi_texel", NULL, __LINE__ + 1,
     "// light or visibility, and view depth, as the pass before wrote them\n"
     "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
-    "    return texelFetch(t, q, 0); // #if quantity == LIGHT\n"
-    "    return texelFetch(t, q, 0).xxxy; // #if quantity == VISIBILITY\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
+    "    return texelFetch(t, q, 0);\n"
+    "#else\n"
+    "    return texelFetch(t, q, 0).xxxy;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_now", __LINE__ + 1,
+{ "ssgi_now", NULL, __LINE__ + 1,
     "vec4 ssgi_now(ivec2 q) { // light or visibility of this frame\n"
-    "    return ssgi_texel(t_ssgi_light, q); // #if quantity == LIGHT\n"
-    "    return ssgi_texel(t_ssgi_ao, q); // #if quantity == VISIBILITY\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
+    "    return ssgi_texel(t_ssgi_light, q);\n"
+    "#else\n"
+    "    return ssgi_texel(t_ssgi_ao, q);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_blurred_at", __LINE__ + 1,
+{ "ssgi_blurred_at", NULL, __LINE__ + 1,
     "ssgi_blurred ssgi_blurred_at(ivec2 p) {\n"
     "    ssgi_blurred c;\n"
-    "    c.now = ssgi_now(p + u_ssgi_target), c.z = c.now.w; // #if !half && quantity != COEFFICIENTS\n"
-    "    c.z = ssgi_depth(p); // #if half || quantity == COEFFICIENTS\n"
+    "#if !SSGI_HALF && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
+    "    c.now = ssgi_now(p + u_ssgi_target), c.z = c.now.w;\n"
+    "#else\n"
+    "    c.z = ssgi_depth(p);\n"
+    "#endif\n"
     "    c.P = ssgi_position(vec2(p) + 0.5, c.z), c.footprint = ssgi_footprint(c.z);\n"
-    "    c.n = ssgi_normal(p, c.P); // #if filter == BILATERAL || restore || pass == HISTORY\n"
-    "    c.plane = ssgi_plane(c.P, c.n) / (0.01 * u_ssgi_radius + c.footprint); // #if filter == BILATERAL\n"
+    "#if SSGI_FILTER == SSGI_FILTER_BILATERAL || SSGI_RESTORE || SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "    c.n = ssgi_normal(p, c.P);\n"
+    "#endif\n"
+    "#if SSGI_FILTER == SSGI_FILTER_BILATERAL\n"
+    "    c.plane = ssgi_plane(c.P, c.n) / (0.01 * u_ssgi_radius + c.footprint);\n"
+    "#endif\n"
     "    return c;\n"
     "}\n" },
 
-{ "ssgi_neighbour", __LINE__ + 1,
+{ "ssgi_neighbour", NULL, __LINE__ + 1,
     "struct ssgi_neighbour { // a neighbour of the pixel that is filtered\n"
     "    ivec2 at, q; // its texel; its pixel\n"
     "    vec2 o; // how many pixels away it is\n"
     "};\n" },
 
-{ "ssgi_neighbour_at", __LINE__ + 1,
+{ "ssgi_neighbour_at", NULL, __LINE__ + 1,
     "ssgi_neighbour ssgi_neighbour_at(ivec2 p, int x, int y) {\n"
-    "    ivec2 h = (p >> 1) + ivec2(x, y), q = ssgi_gathered(h); // #if half\n"
-    "    return ssgi_neighbour(h + (u_ssgi_target >> 1), q, vec2(q - p)); // #if half == 2\n"
-    "    return ssgi_neighbour(h + (u_ssgi_target >> 1), q, vec2(2 * x, 2 * y) - vec2(p & 1)); // #if half == 1\n"
-    "    return ssgi_neighbour(p + ivec2(x, y) + u_ssgi_target, p + ivec2(x, y), vec2(x, y)); // #if !half\n"
+    "#if SSGI_HALF\n"
+    "    ivec2 h = (p >> 1) + ivec2(x, y), q = ssgi_gathered(h);\n"
+    "#endif\n"
+    "#if SSGI_HALF == SSGI_HALF_IN_TURN\n"
+    "    return ssgi_neighbour(h + (u_ssgi_target >> 1), q, vec2(q - p));\n"
+    "#elif SSGI_HALF == SSGI_HALF_FIRST\n"
+    "    return ssgi_neighbour(h + (u_ssgi_target >> 1), q, vec2(2 * x, 2 * y) - vec2(p & 1));\n"
+    "#else\n"
+    "    return ssgi_neighbour(p + ivec2(x, y) + u_ssgi_target, p + ivec2(x, y), vec2(x, y));\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_blur_weight", __LINE__ + 1,
-    "#if filter == GAUSSIAN\n"
+{ "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_GAUSSIAN", __LINE__ + 1,
     "// A Gaussian over the difference of depth, which may be a pixel's footprint [HSAO08 4.1.3].\n"
     "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
     "    float variance = 0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25;\n"
     "    return exp(-0.5 * dot(t.o, t.o) / variance) * c.footprint / (c.footprint + abs(z - c.z));\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_blur_weight", __LINE__ + 1,
-    "#if filter == BILATERAL\n"
+{ "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
     "// A box over a tile of noise, in which a neighbour counts the less the farther it is off the plane.\n"
     "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
     "    float off = ssgi_above_plane(c.plane, t.o, z);\n"
-    "#if half\n"
+    "#if SSGI_HALF\n"
     "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(t.o);\n"
     "    // The weight is never 0, so that the tap closest to the plane wins if none lies on it.\n"
-    "    float w = tent.x * tent.y / (0.1 + off * off); // #if pass != HISTORY\n"
-    "    float w = tent.x * tent.y / (0.02 + off * off); // #if pass == HISTORY\n"
-    "    if (c.settled) w *= 12.0 + tent.x * tent.y; // nearest most: frames average, too // #if pass == HISTORY\n"
+    "#if SSGI_PASS != SSGI_PASS_HISTORY\n"
+    "    float w = tent.x * tent.y / (0.1 + off * off);\n"
+    "#endif\n"
+    "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "    float w = tent.x * tent.y / (0.02 + off * off);\n"
+    "    if (c.settled) w *= 12.0 + tent.x * tent.y; // nearest most: frames average, too\n"
+    "#endif\n"
     "#else\n"
     "    float w = max(1.02 / (1.0 + 50.0 * off * off) - 0.02, 0.0); // 0 from one unit off the plane on\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
     "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.y) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
     "#endif\n"
-    "    w *= max(dot(c.n, ssgi_normal(t.q, ssgi_position(vec2(t.q) + 0.5, z))), 1e-3); // #if filter_normals\n"
+    "#if SSGI_FILTER_NORMALS\n"
+    "    w *= max(dot(c.n, ssgi_normal(t.q, ssgi_position(vec2(t.q) + 0.5, z))), 1e-3);\n"
+    "#endif\n"
     "    return w;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_onto", __LINE__ + 1,
+{ "ssgi_onto", "SSGI_ONTO", __LINE__ + 1,
     "vec4 ssgi_onto(ivec2 p, float ao) { // the colour that is blended onto your picture\n"
-    "    return vec4((1.0 - ao) * texelFetch(t_ssgi_ambient, p + u_ssgi_origin, 0).xyz, 0.0); // #if onto == AMBIENT\n"
-    "    return vec4(vec3(pow(ao, 1.0 / 2.2)), 1.0); // #if onto == MULTIPLY_SRGB\n"
-    "    return vec4(vec3(ao), 1.0); // #if onto == MULTIPLY\n"
+    "#if SSGI_ONTO == SSGI_ONTO_AMBIENT\n"
+    "    return vec4((1.0 - ao) * texelFetch(t_ssgi_ambient, p + u_ssgi_origin, 0).xyz, 0.0);\n"
+    "#elif SSGI_ONTO == SSGI_ONTO_MULTIPLY_SRGB\n"
+    "    return vec4(vec3(pow(ao, 1.0 / 2.2)), 1.0);\n"
+    "#else\n"
+    "    return vec4(vec3(ao), 1.0);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_grey", __LINE__ + 1,
+{ "ssgi_grey", NULL, __LINE__ + 1,
     "float ssgi_grey(vec4 t) {\n"
-    "    return dot(t.xyz, vec3(0.2126, 0.7152, 0.0722)); // #if quantity == LIGHT\n"
-    "    return t.x; // #if quantity == VISIBILITY\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
+    "    return dot(t.xyz, vec3(0.2126, 0.7152, 0.0722));\n"
+    "#else\n"
+    "    return t.x;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_filtered", __LINE__ + 1,
+{ "ssgi_filtered", NULL, __LINE__ + 1,
     "struct ssgi_filtered { // sums over a pixel and its neighbours\n"
     "    vec4 light; // xyz: light or visibility, times weight; w: weights\n"
-    "    vec2 spread; // squares of the former, times weight; squares of weights // #if pass == HISTORY\n"
+    "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "    vec2 spread; // squares of the former, times weight; squares of weights\n"
+    "#endif\n"
     "};\n" },
 
-{ "ssgi_filtered_none", __LINE__ + 1,
+{ "ssgi_filtered_none", NULL, __LINE__ + 1,
     "ssgi_filtered ssgi_filtered_none() {\n"
-    "    return ssgi_filtered(vec4(0.0), vec2(0.0)); // #if pass == HISTORY\n"
-    "    return ssgi_filtered(vec4(0.0)); // #if pass != HISTORY\n"
+    "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "    return ssgi_filtered(vec4(0.0), vec2(0.0));\n"
+    "#else\n"
+    "    return ssgi_filtered(vec4(0.0));\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_filtered_add", __LINE__ + 1,
+{ "ssgi_filtered_add", NULL, __LINE__ + 1,
     "void ssgi_filtered_add(inout ssgi_filtered f, vec4 t, float w) {\n"
     "    f.light += vec4(t.xyz, 1.0) * w;\n"
-    "    float v = ssgi_grey(t); // #if pass == HISTORY\n"
-    "    f.spread += vec2(v * v, w) * w; // #if pass == HISTORY\n"
+    "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "    float v = ssgi_grey(t);\n"
+    "    f.spread += vec2(v * v, w) * w;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_filter_tap", __LINE__ + 1,
+{ "ssgi_filter_tap", NULL, __LINE__ + 1,
     "void ssgi_filter_tap(inout ssgi_filtered f, ivec2 p, ssgi_blurred c, ivec2 o) {\n"
     "    ssgi_neighbour t = ssgi_neighbour_at(p, o.x, o.y);\n"
     "    vec4 s = ssgi_now(t.at);\n"
@@ -3785,61 +4299,77 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (ssgi_inside(t.q) && s.w < SSGI_FAR) ssgi_filtered_add(f, s, ssgi_blur_weight(c, t, s.w));\n"
     "}\n" },
 
-{ "ssgi_filter", __LINE__ + 1,
-    "#if pass != HISTORY\n"
+{ "ssgi_filter", "SSGI_PASS != SSGI_PASS_HISTORY && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
     "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over p and the pixels around it\n"
     "    ssgi_filtered f = ssgi_filtered_none();\n"
-    "    ssgi_filtered_add(f, c.now, 1.0); // #if !half\n"
+    "#if !SSGI_HALF\n"
+    "    ssgi_filtered_add(f, c.now, 1.0);\n"
+    "#endif\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
     "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
-    "            if (x == 0 && y == 0) continue; // #if !half\n"
+    "#if !SSGI_HALF\n"
+    "            if (x == 0 && y == 0) continue;\n"
+    "#endif\n"
     "            ssgi_filter_tap(f, p, c, ivec2(x, y));\n"
     "        }\n"
     "    return f;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
 /* Frames average, too: where a pixel has some, the four texels next to it suffice. */
-{ "ssgi_filter", __LINE__ + 1,
-    "#if pass == HISTORY\n"
+{ "ssgi_filter", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
     "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over the texels around p, or next to it\n"
     "    ssgi_filtered f = ssgi_filtered_none();\n"
-    "    ssgi_filtered_add(f, c.now, 1.0); // #if !half\n"
-    "    ivec2 next = (p & 1) - 1; // #if half\n"
+    "#if !SSGI_HALF\n"
+    "    ssgi_filtered_add(f, c.now, 1.0);\n"
+    "#else\n"
+    "    ivec2 next = (p & 1) - 1;\n"
+    "#endif\n"
     "    for (int k = 0; k < 4; ++k) {\n"
-    "        ssgi_filter_tap(f, p, c, next + ivec2(k & 1, k >> 1)); // #if half\n"
-    "        ssgi_filter_tap(f, p, c, ivec2((k & 1) * (k - 2), ((k + 1) & 1) * (k - 1))); // #if !half\n"
+    "#if SSGI_HALF\n"
+    "        ssgi_filter_tap(f, p, c, next + ivec2(k & 1, k >> 1));\n"
+    "#else\n"
+    "        ssgi_filter_tap(f, p, c, ivec2((k & 1) * (k - 2), ((k + 1) & 1) * (k - 1)));\n"
+    "#endif\n"
     "    }\n"
     "    const int side = 2 * SSGI_FILTER_RADIUS + 1;\n"
     "    int more = c.settled ? 0 : side * side;\n"
     "    for (int k = 0; k < more; ++k) {\n"
     "        ivec2 o = ivec2(k % side, k / side) - SSGI_FILTER_RADIUS;\n"
-    "        if (((o.x - next.x) | (o.y - next.y)) >> 1 == 0) continue; // #if half\n"
-    "        if (abs(o.x) + abs(o.y) < 2) continue; // #if !half\n"
+    "#if SSGI_HALF\n"
+    "        if (((o.x - next.x) | (o.y - next.y)) >> 1 == 0) continue;\n"
+    "#else\n"
+    "        if (abs(o.x) + abs(o.y) < 2) continue;\n"
+    "#endif\n"
     "        ssgi_filter_tap(f, p, c, o);\n"
     "    }\n"
     "    return f;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "main_blur_grey", __LINE__ + 1,
+{ "main_blur_grey", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    ssgi_blurred c = ssgi_blurred_at(p);\n"
     "    ssgi_filtered f = ssgi_filter(p, c);\n"
     "    float ao = c.z < SSGI_FAR && f.light.w > 0.0 ? f.light.x / f.light.w : 1.0;\n"
-    "    o_ssgi_picture = ssgi_onto(p, ao); // #if onto\n"
-    "    o_ssgi_ao = ao; // #if !onto\n"
+    "#if SSGI_ONTO\n"
+    "    o_ssgi_picture = ssgi_onto(p, ao);\n"
+    "#else\n"
+    "    o_ssgi_ao = ao;\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_restored", __LINE__ + 1,
+{ "ssgi_restored", NULL, __LINE__ + 1,
     "vec3 ssgi_restored(vec3 light, ssgi_blurred c) { // the light itself from the form that was filtered\n"
-    "    return light; // #if !restore\n"
-    "    return light * ssgi_open_light(c.P, c.n); // #if restore == RATIO\n"
-    "    return max(light + ssgi_open_light(c.P, c.n), 0.0); // #if restore == DIFFERENCE\n"
+    "#if !SSGI_RESTORE\n"
+    "    return light;\n"
+    "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
+    "    return light * ssgi_open_light(c.P, c.n);\n"
+    "#else\n"
+    "    return max(light + ssgi_open_light(c.P, c.n), 0.0);\n"
+    "#endif\n"
     "}\n" },
 
-{ "main_blur_light", __LINE__ + 1,
+{ "main_blur_light", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    ssgi_blurred c = ssgi_blurred_at(p);\n"
@@ -3848,17 +4378,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light.xyz = c.z < SSGI_FAR ? ssgi_restored(o_ssgi_light.xyz, c) : vec3(0.0);\n"
     "}\n" },
 
-{ "main_blur_coefficients", __LINE__ + 1,
+{ "main_blur_coefficients", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    ssgi_coefficients sum = ssgi_coefficients_none(); // #if half\n"
-    "    ssgi_coefficients sum = ssgi_load(p + u_ssgi_target); // #if !half\n"
-    "    float weights = 0.0; // #if half\n"
-    "    float weights = 1.0; // #if !half\n"
+    "#if SSGI_HALF\n"
+    "    ssgi_coefficients sum = ssgi_coefficients_none();\n"
+    "#else\n"
+    "    ssgi_coefficients sum = ssgi_load(p + u_ssgi_target);\n"
+    "#endif\n"
+    "#if SSGI_HALF\n"
+    "    float weights = 0.0;\n"
+    "#else\n"
+    "    float weights = 1.0;\n"
+    "#endif\n"
     "    ssgi_blurred c = ssgi_blurred_at(p);\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
     "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
-    "            if (x == 0 && y == 0) continue; // #if !half\n"
+    "#if !SSGI_HALF\n"
+    "            if (x == 0 && y == 0) continue;\n"
+    "#endif\n"
     "            ssgi_neighbour t = ssgi_neighbour_at(p, x, y);\n"
     "            float d = ssgi_depth(t.q), w = ssgi_blur_weight(c, t, d);\n"
     "            if (!ssgi_inside(t.q) || d >= SSGI_FAR || w <= 0.0) continue;\n"
@@ -3873,17 +4411,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ---- compose */
 
-{ "main_compose_grey", __LINE__ + 1,
+{ "main_compose_grey", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    o_ssgi_picture = ssgi_onto(p, texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x);\n"
     "}\n" },
 
-{ "main_compose_light", __LINE__ + 1,
+{ "main_compose_light", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    vec3 light = texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
-    "    light += texelFetch(t_ssgi_bounce, p + u_ssgi_target, 0).xyz; // #if bounce\n"
+    "#if SSGI_BOUNCE\n"
+    "    light += texelFetch(t_ssgi_bounce, p + u_ssgi_target, 0).xyz;\n"
+    "#endif\n"
     "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz, 0.0);\n"
     "}\n" },
 
@@ -3893,92 +4433,101 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* How far quick may be from this frame's filtered value: 0.7 of the neighbours' deviation, which is three to five times
    the noise of a filtered value, so that a greater difference is a change; and 2 % of the value, for neighbours without
    a deviation. */
-{ "SSGI_JUMP", __LINE__ + 1,
+{ "SSGI_JUMP", NULL, __LINE__ + 1,
     "const vec2 SSGI_JUMP = vec2(0.7, 0.02);\n" },
 
 /* How far the mean over all frames may be from quick: by the noise of a filtered value, which is a quarter to a seventh
    of the deviation; and by 0.5 % of the mean, about a step of 8 bits. */
-{ "SSGI_DRIFT", __LINE__ + 1,
+{ "SSGI_DRIFT", NULL, __LINE__ + 1,
     "const vec2 SSGI_DRIFT = vec2(0.2, 0.005);\n" },
 
 /* The share of the frames that is forgotten where the mean had to follow by a drift or more: of 16 frames two stay. */
-{ "SSGI_FORGOTTEN", __LINE__ + 1,
+{ "SSGI_FORGOTTEN", NULL, __LINE__ + 1,
     "const float SSGI_FORGOTTEN = 0.85;\n" },
 
 /* Interpolation blurs once a frame, so that fewer frames are kept the more it blurs: of 16 frames 10.7 where a place
    lies midway between two pixels, 8 amid four. */
-{ "SSGI_BLURRED", __LINE__ + 1,
+{ "SSGI_BLURRED", NULL, __LINE__ + 1,
     "const float SSGI_BLURRED = 2.0;\n" },
 
 /* The share of all surfaces within the radius whose change leaves one frame beside this one. */
-{ "SSGI_CHANGED", __LINE__ + 1,
+{ "SSGI_CHANGED", NULL, __LINE__ + 1,
     "const float SSGI_CHANGED = 0.01;\n" },
 
 /* From so many frames on the filter needs no more than the four texels next to a pixel. */
-{ "SSGI_SETTLED", __LINE__ + 1,
+{ "SSGI_SETTLED", NULL, __LINE__ + 1,
     "const float SSGI_SETTLED = 3.0;\n" },
 
 /* Where motion vectors say that nothing moves, fewer changed depths of a tile than this share are edges that pixels
    sample otherwise than in the last frame, such as leaves'. */
-{ "SSGI_APPEARED", __LINE__ + 1,
+{ "SSGI_APPEARED", NULL, __LINE__ + 1,
     "const float SSGI_APPEARED = 0.25;\n" },
 
-{ "ssgi_finite", __LINE__ + 1,
+{ "ssgi_finite", NULL, __LINE__ + 1,
     "// Neither NaN nor more than 1e9. The bits decide, since compilers turn !(a < b) into a >= b.\n"
     "bool ssgi_finite(vec4 v) {\n"
     "    return all(lessThan(floatBitsToUint(v) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n"
     "}\n" },
 
-{ "ssgi_reproject", __LINE__ + 1,
+{ "ssgi_reproject", NULL, __LINE__ + 1,
     "// the pixel and depth that P had in the last frame\n"
     "vec3 ssgi_reproject(vec3 P) {\n"
     "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
-    "    return P; // #if orthographic\n"
-    "    return vec3(P.xy / max(P.z, 1e-30), P.z); // #if !orthographic\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return P;\n"
+    "#else\n"
+    "    return vec3(P.xy / max(P.z, 1e-30), P.z);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_kept", __LINE__ + 1,
+{ "ssgi_kept", NULL, __LINE__ + 1,
     "struct ssgi_kept { // the averages that a pixel keeps over frames\n"
     "    vec4 light; // light or visibility, and view depth\n"
     "    vec2 means; // x: the mean over three frames, in grey; y: how many frames light averages\n"
     "};\n" },
 
-{ "ssgi_kept_at", __LINE__ + 1,
+{ "ssgi_kept_at", NULL, __LINE__ + 1,
     "ssgi_kept ssgi_kept_at(ivec2 q) { // the averages that the last frame kept\n"
     "    vec4 t = texelFetch(t_ssgi_history, q + u_ssgi_target, 0);\n"
-    "    return ssgi_kept(t, texelFetch(t_ssgi_means, q + u_ssgi_target, 0).xy); // #if quantity == LIGHT\n"
-    "    return ssgi_kept(t.xxxy, t.zw); // #if quantity == VISIBILITY\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
+    "    return ssgi_kept(t, texelFetch(t_ssgi_means, q + u_ssgi_target, 0).xy);\n"
+    "#else\n"
+    "    return ssgi_kept(t.xxxy, t.zw);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_last", __LINE__ + 1,
+{ "ssgi_last", NULL, __LINE__ + 1,
     "struct ssgi_last { // this surface as the last frame has it\n"
     "    float known; // weight of the texels that show it; 0 if it is below 0.25\n"
     "    float blurred; // how much interpolation blurs it, 0 .. 0.5\n"
-    "    bool moves; // it moves on its own, not by the camera alone // #if motion\n"
+    "#if SSGI_MOTION\n"
+    "    bool moves; // it moves on its own, not by the camera alone\n"
+    "#endif\n"
     "    ssgi_kept kept;\n"
     "};\n" },
 
-{ "ssgi_last_none", __LINE__ + 1,
+{ "ssgi_last_none", NULL, __LINE__ + 1,
     "ssgi_last ssgi_last_none() {\n"
-    "    return ssgi_last(0.0, 0.0, false, ssgi_kept(vec4(0.0), vec2(0.0))); // #if motion\n"
-    "    return ssgi_last(0.0, 0.0, ssgi_kept(vec4(0.0), vec2(0.0))); // #if !motion\n"
+    "#if SSGI_MOTION\n"
+    "    return ssgi_last(0.0, 0.0, false, ssgi_kept(vec4(0.0), vec2(0.0)));\n"
+    "#else\n"
+    "    return ssgi_last(0.0, 0.0, ssgi_kept(vec4(0.0), vec2(0.0)));\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_own_motion", __LINE__ + 1,
-    "#if motion\n"
+{ "ssgi_own_motion", "SSGI_MOTION", __LINE__ + 1,
     "vec2 ssgi_own_motion(ivec2 p, vec2 was) { // its own motion in pixels; by the camera's alone it was at `was`\n"
     "    return vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy - was;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n" },
 
-{ "ssgi_moves", __LINE__ + 1,
+{ "ssgi_moves", NULL, __LINE__ + 1,
     "bool ssgi_moves(vec2 own) {\n"
     "    return dot(own, own) > 0.25;\n"
     "}\n" },
 
 /* A texel shows P's plane if it is within the slack of it: half a footprint and a thousandth of the depth, which the
    rounding of 16-bit depths takes. A hundredth of a texel decides nothing: the nearest texel alone does. */
-{ "ssgi_last_of", __LINE__ + 1,
+{ "ssgi_last_of", NULL, __LINE__ + 1,
     "// Reprojects P and interpolates between those of the last frame's four texels around it that show P's plane.\n"
     "ssgi_last ssgi_last_of(ivec2 p, vec3 P, vec3 n) {\n"
     "    ssgi_last none = ssgi_last_none(), sum = none;\n"
@@ -3988,7 +4537,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 plane = vec4(n, 0.0) * u_ssgi_last_from; // for pixels and depths of the last frame\n"
     "    plane.w -= dot(n, P);\n"
     "    float slack = 0.5 * footprint - 0.001 * P.z;\n"
-    "#if motion\n"
+    "#if SSGI_MOTION\n"
     "    vec2 own = ssgi_own_motion(p, at);\n"
     "    slack += max(length(own) - 0.5, 0.0) * footprint; // its depth may have changed by that\n"
     "    at += own;\n"
@@ -4002,8 +4551,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int k = 0; k < 4; ++k) {\n"
     "        ivec2 corner = ivec2(k & 1, k >> 1), q = clamp(ivec2(low) + corner, ivec2(0), u_ssgi_size - 1);\n"
     "        ssgi_kept t = ssgi_kept_at(q);\n"
-    "        vec4 Q = vec4((vec2(q) + 0.5) * t.light.w, t.light.w, 1.0); // #if !orthographic\n"
-    "        vec4 Q = vec4(vec2(q) + 0.5, t.light.w, 1.0); // #if orthographic\n"
+    "#if !SSGI_ORTHOGRAPHIC\n"
+    "        vec4 Q = vec4((vec2(q) + 0.5) * t.light.w, t.light.w, 1.0);\n"
+    "#else\n"
+    "        vec4 Q = vec4(vec2(q) + 0.5, t.light.w, 1.0);\n"
+    "#endif\n"
     "        vec2 share = mix(1.0 - part, part, vec2(corner));\n"
     "        float w = share.x * share.y;\n"
     "        if (!(abs(dot(plane, Q)) < slack && t.means.y >= 1.0 && w > 0.0)) continue;\n"
@@ -4017,25 +4569,30 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The deviation of few neighbours says little, so it is taken to be larger, and a tenth of the mean is added. All
    neighbours count as 9 of equal weight; those of half size, whose weights fall off, as 7. */
-{ "ssgi_deviation", __LINE__ + 1,
+{ "ssgi_deviation", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
     "float ssgi_deviation(ssgi_filtered f, float mean) {\n"
-    "    float few = 9.0 * f.spread.y / (f.light.w * f.light.w); // #if !half\n"
-    "    float few = 7.0 * f.spread.y / (f.light.w * f.light.w); // #if half\n"
+    "#if !SSGI_HALF\n"
+    "    float few = 9.0 * f.spread.y / (f.light.w * f.light.w);\n"
+    "#else\n"
+    "    float few = 7.0 * f.spread.y / (f.light.w * f.light.w);\n"
+    "#endif\n"
     "    float variance = max(f.spread.x / f.light.w - mean * mean, 0.0);\n"
     "    variance /= max(1.0 - f.spread.y / (f.light.w * f.light.w), 0.2); // this makes it unbiased\n"
     "    return sqrt((variance + 0.01 * mean * mean * max(few - 1.0, 0.0)) * few);\n"
     "}\n" },
 
-{ "ssgi_frames", __LINE__ + 1,
+{ "ssgi_frames", NULL, __LINE__ + 1,
     "float ssgi_frames(ivec2 p, ssgi_last last) { // how many frames are averaged, this one among them\n"
     "    float changed = texelFetch(t_ssgi_change_share, p / 8 + u_ssgi_target / 8, 0).x;\n"
-    "    if (last.moves) changed = 0.0; // most of the change is its own motion, which is followed // #if motion\n"
+    "#if SSGI_MOTION\n"
+    "    if (last.moves) changed = 0.0; // most of the change is its own motion, which is followed\n"
+    "#endif\n"
     "    float most = max(u_ssgi_history / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
     "    most = min(most, 1.0 + SSGI_CHANGED / max(changed, 1e-9));\n"
     "    return last.known > 0.0 ? min(last.kept.means.y + 1.0, most) : 1.0;\n"
     "}\n" },
 
-{ "ssgi_averaged", __LINE__ + 1,
+{ "ssgi_averaged", NULL, __LINE__ + 1,
     "// Averages this frame with the last ones. Where their mean differs from it by more than noise, it follows.\n"
     "ssgi_kept ssgi_averaged(vec4 now, float deviation, float frames, ssgi_last last) {\n"
     "    float v = ssgi_grey(now);\n"
@@ -4046,18 +4603,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 average = vec4(mix(last.kept.light.xyz, now.xyz, 1.0 / frames), now.w);\n"
     "    float mean = ssgi_grey(average), by = clamp(mean, quick - drift, quick + drift) - mean;\n"
     "    frames = max(frames * (1.0 - SSGI_FORGOTTEN * min(abs(by) / drift, 1.0)), 1.0);\n"
-    "#if quantity == LIGHT && restore != DIFFERENCE\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT && SSGI_RESTORE != SSGI_RESTORE_DIFFERENCE\n"
     "    bool scales = mean > 0.0 && by < 2.0 * mean;\n"
     "    if (!scales) return ssgi_kept(now, vec2(v, 1.0));\n"
     "    average.xyz = max(average.xyz * (1.0 + by / mean), 0.0);\n"
     "#else\n"
     "    average.xyz += by;\n"
-    "    average.xyz = clamp(average.xyz, 0.0, 1.0); // #if quantity == VISIBILITY\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY\n"
+    "    average.xyz = clamp(average.xyz, 0.0, 1.0);\n"
+    "#endif\n"
     "#endif\n"
     "    return ssgi_kept(average, vec2(quick, frames));\n"
     "}\n" },
 
-{ "main_history", __LINE__ + 1,
+{ "main_history", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    ssgi_blurred c = ssgi_blurred_at(p);\n"
@@ -4066,17 +4625,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    c.settled = frames >= SSGI_SETTLED || c.z >= SSGI_FAR; // background needs no filter\n"
     "    ssgi_filtered f = ssgi_filter(p, c);\n"
     "    vec4 now = vec4(f.light.xyz / f.light.w, c.z);\n"
-    "    float open = 1.0; // #if quantity == VISIBILITY\n"
-    "    float open = 0.0; // #if quantity == LIGHT\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY\n"
+    "    float open = 1.0;\n"
+    "#elif SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
+    "    float open = 0.0;\n"
+    "#endif\n"
     "    ssgi_kept kept = ssgi_kept(vec4(vec3(open), c.z), vec2(open, 1.0));\n"
     "    if (c.z < SSGI_FAR && f.light.w > 0.0 && ssgi_finite(now)) {\n"
     "        kept = ssgi_averaged(now, ssgi_deviation(f, ssgi_grey(now)), frames, last);\n"
     "    }\n"
-    "    o_ssgi_ao = vec4(kept.light.xw, kept.means); // #if quantity == VISIBILITY\n"
-    "#if quantity == LIGHT\n"
-    "    o_ssgi_history = kept.light; // #if restore\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY\n"
+    "    o_ssgi_ao = vec4(kept.light.xw, kept.means);\n"
+    "#endif\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
+    "#if SSGI_RESTORE\n"
+    "    o_ssgi_history = kept.light;\n"
+    "#endif\n"
     "    o_ssgi_light = kept.light;\n"
-    "    if (c.z < SSGI_FAR) o_ssgi_light.xyz = ssgi_restored(kept.light.xyz, c); // #if restore\n"
+    "#if SSGI_RESTORE\n"
+    "    if (c.z < SSGI_FAR) o_ssgi_light.xyz = ssgi_restored(kept.light.xyz, c);\n"
+    "#endif\n"
     "    o_ssgi_means = kept.means;\n"
     "#endif\n"
     "}\n" },
@@ -4085,7 +4653,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    that holds an occluder's shadow is worth nothing once the occluder has gone; a moving camera alone changes
    nothing. */
 
-{ "ssgi_depth_last", __LINE__ + 1,
+{ "ssgi_depth_last", NULL, __LINE__ + 1,
     "float ssgi_depth_last(ivec2 q) {\n"
     "    float z = ssgi_texel(t_ssgi_history, clamp(q, ivec2(0), u_ssgi_size - 1) + u_ssgi_target).w;\n"
     "    return z < SSGI_FAR ? z : SSGI_FAR; // background in 16 bits is infinity or NaN\n"
@@ -4093,7 +4661,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* A place that is a 50th of a pixel beside a pixel counts as that pixel, so that an object that moved by a pixel is
    noticed while the camera stands still. */
-{ "ssgi_nearest", __LINE__ + 1,
+{ "ssgi_nearest", NULL, __LINE__ + 1,
     "// Finds the pixel of least depth among the four that a place lies between, in the last frame or in this: its\n"
     "// place and its depth.\n"
     "vec3 ssgi_nearest(vec2 at, bool last) {\n"
@@ -4106,17 +4674,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return nearest;\n"
     "}\n" },
 
-{ "ssgi_within", __LINE__ + 1,
+{ "ssgi_within", NULL, __LINE__ + 1,
     "bool ssgi_within(vec2 at) { // whether a place is in the picture; whole numbers are centres of pixels\n"
     "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(u_ssgi_size) - 0.5));\n"
     "}\n" },
 
-{ "ssgi_slack", __LINE__ + 1,
+{ "ssgi_slack", NULL, __LINE__ + 1,
     "float ssgi_slack(float z) { // depths of one surface differ by less from frame to frame\n"
     "    return ssgi_footprint(z) + 0.002 * z;\n"
     "}\n" },
 
-{ "ssgi_depth_differs", __LINE__ + 1,
+{ "ssgi_depth_differs", NULL, __LINE__ + 1,
     "// Whether the last frame had another depth where a point was, which is seldom so.\n"
     "bool ssgi_depth_differs(vec3 was) {\n"
     "    float z = ssgi_depth_last(ivec2(floor(was.xy)));\n"
@@ -4127,12 +4695,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    frame's surface went if it would stand in front of the one that is seen now, at the place where it would be now. A
    nearer surface that hides or bares it as the camera moves counts for neither. To stand in front means to be off the
    plane, too, as depths on a steep surface differ from pixel to pixel. */
-{ "ssgi_change", __LINE__ + 1,
+{ "ssgi_change", NULL, __LINE__ + 1,
     "float ssgi_change(ivec2 q, vec3 was) { // view depth of the surface that came or went at a pixel; 0: none\n"
     "    vec3 E = ssgi_nearest(was.xy - 0.5, true);\n"
     "    bool came = E.z > was.z;\n"
     "    E.xy += 0.5;\n"
-    "    E.xy *= E.z; // #if !orthographic\n"
+    "#if !SSGI_ORTHOGRAPHIC\n"
+    "    E.xy *= E.z;\n"
+    "#endif\n"
     "    E = (u_ssgi_last_from * vec4(E, 1.0)).xyz;\n"
     "    vec2 at = ssgi_project(E) - 0.5;\n"
     "    if (!came && !ssgi_within(at)) return 0.0;\n"
@@ -4143,32 +4713,36 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return off && apart.z > slack ? (came ? seen.z : -E.z) : 0.0;\n"
     "}\n" },
 
-{ "ssgi_tile", __LINE__ + 1,
+{ "ssgi_tile", NULL, __LINE__ + 1,
     "ivec2 ssgi_tile() { // this tile of 8x8 pixels\n"
     "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 8;\n"
     "}\n" },
 
-{ "ssgi_tested", __LINE__ + 1,
+{ "ssgi_tested", NULL, __LINE__ + 1,
     "ivec2 ssgi_tested(int k) { // one pixel of each 2x2 of a tile, another one in each frame\n"
     "    return min(8 * ssgi_tile() + 2 * ivec2(k & 3, k >> 2) + ssgi_turn(), u_ssgi_size - 1);\n"
     "}\n" },
 
-{ "ssgi_pixel_was", __LINE__ + 1,
+{ "ssgi_pixel_was", NULL, __LINE__ + 1,
     "vec3 ssgi_pixel_was(ivec2 q) { // where a pixel's point was in the last frame, unless it moved on its own\n"
     "    return ssgi_reproject(ssgi_position(vec2(q) + 0.5, ssgi_depth(q)));\n"
     "}\n" },
 
 /* The places where depths differ are found first, since they are few: the loop over them ends at once elsewhere. */
-{ "main_change_mask", __LINE__ + 1,
+{ "main_change_mask", NULL, __LINE__ + 1,
     "void main() {\n"
     "    vec4 mask = vec4(0.0, SSGI_FAR, 0.0, 0.0);\n"
     "    uint differ = 0u;\n"
-    "    bool moves = false; // #if motion\n"
+    "#if SSGI_MOTION\n"
+    "    bool moves = false;\n"
+    "#endif\n"
     "    for (int k = 0; k < 16; ++k) {\n"
     "        ivec2 q = ssgi_tested(k);\n"
     "        vec3 was = ssgi_pixel_was(q);\n"
     "        if (ssgi_depth_differs(was)) differ |= 1u << uint(k);\n"
-    "        if (ssgi_moves(ssgi_own_motion(q, was.xy))) moves = true; // #if motion\n"
+    "#if SSGI_MOTION\n"
+    "        if (ssgi_moves(ssgi_own_motion(q, was.xy))) moves = true;\n"
+    "#endif\n"
     "    }\n"
     "    for (int k = 0; differ >> uint(k) != 0u; ++k) {\n"
     "        if ((differ >> uint(k) & 1u) == 0u) continue;\n"
@@ -4176,12 +4750,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float z = ssgi_change(q, ssgi_pixel_was(q));\n"
     "        if (z > 0.0) mask = vec4(mask.x + 1.0 / 16.0, min(mask.y, z), max(mask.z, z), 0.0);\n"
     "    }\n"
-    "    if (!moves && mask.x < SSGI_APPEARED) mask.x = 0.0; // #if motion\n"
+    "#if SSGI_MOTION\n"
+    "    if (!moves && mask.x < SSGI_APPEARED) mask.x = 0.0;\n"
+    "#endif\n"
     "    o_ssgi_change_mask = mask;\n"
     "}\n" },
 
 /* Seven tiles on a side are read, farther apart where the radius reaches beyond them. */
-{ "main_change_share", __LINE__ + 1,
+{ "main_change_share", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 tile = ssgi_tile(), tiles = (u_ssgi_size + 7) / 8;\n"
     "    float nearest = SSGI_FAR, farthest = 0.0, share = 0.0;\n"
@@ -4202,7 +4778,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_change_share = min(share * apart * apart / max(4.0 * reach * reach, 1.0), 1.0);\n"
     "}\n" },
 
-{ "main_triangle", __LINE__ + 1,
+{ "main_triangle", NULL, __LINE__ + 1,
     "void main() { // one triangle that covers the viewport\n"
     "    gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0);\n"
     "}\n" },
@@ -4974,8 +5550,9 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 
 /* ==== >>emit (implementation) ===================================================================================== */
 
-/* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, numbers, and two columns of
-   the pass's row. A function reads from *s on and leaves *s behind the part that it has read. */
+/* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, numbers, and facts of the
+   pass. Tables of C have "shading == BENT", GLSL has "SSGI_SHADING == SSGI_SHADING_BENT". A function reads from *s on
+   and leaves *s behind the part that it has read. */
 
 static int ssgi_gl__letter(char c)
 {
@@ -4991,23 +5568,37 @@ static size_t ssgi_gl__word(const char **s)
     return n;
 }
 
-static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length)
+/* Is a word `name`, or its macro, SSGI_NAME? */
+static int ssgi_gl__is(const char *name, const char *word, size_t length)
+{
+    size_t i = 0;
+    if (length > 5 && !memcmp(word, "SSGI_", 5)) {
+        word += 5;
+        length -= 5;
+    }
+    while (i < length && name[i] && (name[i] == word[i] || (name[i] != '_' && name[i] - 'a' == word[i] - 'A'))) ++i;
+    return i == length && !name[i];
+}
+
+static const ssgi_gl_choice *ssgi_gl__field_named(const char *word, size_t length)
 {
     for (int i = 0; i < SSGI_GL__FIELDS; ++i)
-        if (*ssgi_gl__fields[i].name == *name && !strncmp(ssgi_gl__fields[i].name, name, length)
-            && !ssgi_gl__fields[i].name[length])
-            return &ssgi_gl__fields[i];
+        if (ssgi_gl__is(ssgi_gl__fields[i].name, word, length)) return &ssgi_gl__fields[i];
     return NULL;
 }
 
-/* Conditions also name columns of the pass's row: whether one is set. -1: there is no such name. */
-static int ssgi_gl__column(const char *name, size_t length, int pass)
+/* Facts of the pass that conditions name, too. -1: there is no such name. */
+static int ssgi_gl__fact(const char *word, size_t length, const ssgi_gl_desc *d)
 {
-    static const char *const names[2] = { "searches", "reads_thickness" };
-    const ssgi_gl__pass *const row = ssgi_gl__pass_of(pass);
-    const int set[2] = { row->search == SSGI_GL__SEARCH_CHOSEN, row->thickness == SSGI_GL__THICKNESS_READ };
-    for (int i = 0; i < 2; ++i)
-        if (!strncmp(names[i], name, length) && !names[i][length]) return set[i];
+    static const char *const names[3] = { "searches", "reads_thickness", "measured" };
+    const ssgi_gl__pass *const row = ssgi_gl__pass_of(d->pass);
+    const int searches = row->search == SSGI_GL__SEARCH_CHOSEN, reads = row->thickness == SSGI_GL__THICKNESS_READ;
+    /* Its depths are those of t_ssgi_thickness. */
+    const int measured = reads && d->gather.thickness >= SSGI_GL_THICKNESS_WIDTH
+                      && (d->gather.thickness == SSGI_GL_THICKNESS_WIDTH || d->gather.search == SSGI_GL_SEARCH_SLICES);
+    const int facts[3] = { searches, reads, measured };
+    for (int i = 0; i < 3; ++i)
+        if (ssgi_gl__is(names[i], word, length)) return facts[i];
     return -1;
 }
 
@@ -5015,8 +5606,13 @@ static int ssgi_gl__column(const char *name, size_t length, int pass)
 static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length)
 {
     const char *s = field->values;
+    const size_t group = 6 + strlen(field->name); /* of SSGI_FIELD_ */
     size_t n;
     int value = 0;
+    if (length > group && !memcmp(name, "SSGI_", 5)) {
+        name += group;
+        length -= group;
+    }
     for (; (n = ssgi_gl__word(&s)) != 0; ++value, s += n)
         if (n == length && !memcmp(s, name, n)) return value;
     for (value = 0; length && *name >= '0' && *name <= '9'; --length) value = 10 * value + *name++ - '0';
@@ -5038,11 +5634,11 @@ static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
         return inner;
     }
     const ssgi_gl_choice *field = ssgi_gl__field_named(*s, n);
-    const int column = field ? 0 : ssgi_gl__column(*s, n, d->pass);
+    const int fact = field ? 0 : ssgi_gl__fact(*s, n, d);
     *s += n;
     ssgi_gl__word(s);
     const char sign = **s;
-    if (!field) return column > 0;
+    if (!field) return fact > 0;
     const int value = ssgi_gl__get(d, field->offset);
     if (sign != '=' && sign != '!' && sign != '<' && sign != '>') return value != 0;
     *s += (*s)[1] == '=' ? 2 : 1;
@@ -5075,22 +5671,16 @@ typedef struct ssgi_gl__reader {
     char state[8]; /* of each of them: '+' kept, '-' not yet, '.' no more */
 } ssgi_gl__reader;
 
-/* The next line that is kept, without its newline and guard; NULL after the last. */
+/* The next line that is kept, without its newline; NULL after the last. */
 static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 {
     while (*r->at) {
-        const char *line = r->at, *end = strchr(line, '\n'), *guard, *s;
+        const char *line = r->at, *end = strchr(line, '\n'), *s;
         char *state = &r->state[r->depth ? r->depth - 1 : 0];
         r->at = end + 1;
         ++r->line;
         if (*line != '#') {
             if (r->depth && *state != '+') continue;
-            guard = (const char *)memchr(line, '#', (size_t)(end - line));
-            if (guard) { /* ".. // #if" */
-                s = guard + 3;
-                if (!ssgi_gl__any(&s, r->d)) continue;
-                end = guard - 4;
-            }
             *length = (size_t)(end - line);
             return line;
         }
@@ -5175,7 +5765,7 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
         ssgi_gl__reader r = { code->text, d, code->line - 1, 0, { 0 } };
         const char *line;
         if (names.custom && decodes) ssgi_gl__named(&names, "ssgi_decode", 11, 1);
-        if (!ssgi_gl__named(&names, code->name, strlen(code->name), 0)) continue;
+        if (!ssgi_gl__named(&names, code->name, strlen(code->name), 0) || !ssgi_gl__holds(code->when, d)) continue;
         for (; (line = ssgi_gl__next(&r, &n)) != NULL; stage->code[i] = 1) ssgi_gl__scan(&names, line, line + n);
     }
     for (int i = SSGI_GL__ROWS - 1; i >= 0; --i) {

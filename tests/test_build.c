@@ -454,12 +454,12 @@ static void installs(void)
     }
 }
 
-/* The library of GLSL as files: back it is the same header, to the byte; an edit arrives; what is broken is refused by
-   name and leaves the header as it was. */
+/* The library of GLSL as files: Khronos' compiler takes each as it stands, and by every command in its head; back it is
+   the same header, to the byte; an edit arrives; a broken file is refused by name and leaves the header as it was. */
 static void library_as_files(void)
 {
     static const struct { const char *edit, *says; } broken[] = {
-        { "sed -i '0,/^#endif$/{/^#endif$/d}' glsl/visibility.glsl", "not in pairs" },
+        { "sed -i '/^..@@ the room/,/^#endif$/{/^#endif$/d}' glsl/visibility.glsl", "not in pairs" },
         { "echo '// mine' >glsl/mine.glsl", "mine.glsl: is no room" },
         { "rm glsl/fetch.glsl", "fetch.glsl" },
         { "printf %%s '//@ ssgi_x' >>glsl/fetch.glsl", "fetch.glsl: is no text that ends its last line" },
@@ -469,6 +469,18 @@ static void library_as_files(void)
                  "cp ssgi_gl.h edited.h && '%s/build/library' out edited.h glsl && "
                  "'%s/build/library' in edited.h glsl && cmp ssgi_gl.h edited.h",
                  t_root, t_root), "%s", text);
+    CHECK(
+        !shell(
+            text, sizeof text,
+            "cd glsl && sed -n 's|^//  *glslangValidator|run|p' *.glsl >../heads.sh && test $(wc -l <../heads.sh) -gt "
+            "%s "
+            "&& echo 'run -l -S frag -Dmain_ssdo -DSSGI_PASS=2 -DSSGI_SEARCH=0 -DSSGI_ENVIRONMENT=1 -DSSGI_BANDS=2 "
+            "-DSSGI_BOUNCE=1 -DSSGI_THICKNESS=5 -DSSGI_ORTHOGRAPHIC=1 -DSSGI_HALF=2 gather.glsl' >>../heads.sh && sed "
+            "'1irun() { glslangValidator \"$@\" >../said || { echo \"$@\"; cat ../said; }; }' ../heads.sh | sh "
+            ">../all; cat "
+            "../all; test ! -s ../all%s",
+            "40", ""),
+        "a room is no GLSL: %s", text);
     CHECK(!shell(text, sizeof text,
                  "sed -i 's/SSGI_UNSEEN = [0-9.]*/SSGI_UNSEEN = 0.5/' glsl/*.glsl && "
                  "'%s/build/library' in edited.h glsl && diff ssgi_gl.h edited.h | "

@@ -6,10 +6,12 @@
 
 enum { CODES = SSGI_GL__CODES, ROWS = SSGI_GL__ROWS };
 
-/* Does a condition hold nothing but fields, columns of the passes' table, signs, and after a comparison a value of its
-   field? Passes have no order: they are equal or not. Returns 1 if it does. */
-static int condition(const char *s, const char *end)
+/* Does a condition hold nothing but fields, facts of the pass, signs, and after a comparison a value of its field? In
+   GLSL all are macros, SSGI_FIELD and SSGI_FIELD_VALUE. Passes have no order: they are equal or not. Returns 1 if it
+   does. */
+static int condition(const char *s, const char *end, int glsl)
 {
+    static const ssgi_gl_desc none;
     static const char *const signs[] = { "&&", "||", "==", "!=", "<", ">", "!", "(", ")" };
     const ssgi_gl_choice *field = NULL;
     int compared = 0, terms = 0;
@@ -17,12 +19,16 @@ static int condition(const char *s, const char *end)
         size_t n = 0, k = 0;
         if (*s == ' ') { ++s; continue; }
         while (s + n < end && ssgi_gl__letter(s[n])) ++n;
+        const int macro = n > 5 && !strncmp(s, "SSGI_", 5);
         if (n && compared) {
+            const size_t group = field && macro ? strlen(field->name) : 0;
             if (!field || ssgi_gl__value(field, s, n) < 0 || ssgi_gl__value(field, s, n) > field->most) return 0;
+            if (*field->values ? macro != glsl : macro) return 0;
+            if (macro && (n < group + 7 || s[5 + group] != '_' || !ssgi_gl__is(field->name, s, 5 + group))) return 0;
             compared = 0;
         } else if (n) {
             field = ssgi_gl__field_named(s, n);
-            if (!field && ssgi_gl__column(s, n, SSGI_GL_PASS_SSAO) < 0) return 0;
+            if (macro != glsl || (!field && ssgi_gl__fact(s, n, &none) < 0)) return 0;
             ++terms;
         } else {
             while (k < 9 && strncmp(s, signs[k], strlen(signs[k]))) ++k;
@@ -50,31 +56,28 @@ static void conditions(void)
             const char *mark = memchr(line, '#', (size_t)(end - line)), *from = NULL;
             const int length = (int)(end - line);
             if (!mark) continue;
-            if (mark > line)
-                from = CHECK(mark - line > 4 && !strncmp(mark - 4, " // #if ", 8), "%s: no guard: %.*s", c->name,
-                             length, line)
-                           ? mark + 3
-                           : NULL;
-            else if (!strncmp(line, "#if ", 4)) { from = line + 4; ++depth; }
+            if (!strncmp(line, "#if ", 4)) { from = line + 4; ++depth; }
             else if (!strncmp(line, "#elif ", 6)) from = line + 6;
             else if (!strncmp(line, "#endif\n", 7)) --depth;
             else CHECK(!strncmp(line, "#else\n", 6), "%s: no directive: %.*s", c->name, length, line);
             CHECK(depth >= 0 && depth <= (int)sizeof((ssgi_gl__reader *)0)->state
-                      && (depth || mark > line || line[1] == 'e'),
+                      && (depth || line[1] == 'e'),
                   "%s: depth %d: %.*s", c->name, depth, length, line);
-            if (from) CHECK(condition(from, end), "%s: names no field, or no value of it: %.*s", c->name, length, line);
+            if (from)
+                CHECK(condition(from, end, 1), "%s: names no field, or no value of it: %.*s", c->name, length, line);
             count += from != NULL;
         }
         CHECK(!depth, "%s: %d #endif are missing", c->name, depth);
+        CHECK(!c->when || condition(c->when, c->when + strlen(c->when), 1), "%s: when %s", c->name, c->when);
     }
     for (int i = 0; i < ROWS; ++i) {
         const char *when = ssgi_gl__rows[i].when;
-        CHECK(!when || condition(when, when + strlen(when)), "row %s: %s", ssgi_gl__rows[i].io.name, when);
+        CHECK(!when || condition(when, when + strlen(when), 0), "row %s: %s", ssgi_gl__rows[i].io.name, when);
     }
     for (int i = 0; i < SSGI_GL_PASSES * SSGI_GL__VARIANTS; ++i) {
         const ssgi_gl__pass *row = &ssgi_gl__passes[i / SSGI_GL__VARIANTS];
         const char *when = row->variant[i % SSGI_GL__VARIANTS].when;
-        CHECK(!when || condition(when, when + strlen(when)), "pass %s: %s", row->name, when);
+        CHECK(!when || condition(when, when + strlen(when), 0), "pass %s: %s", row->name, when);
     }
     for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
         const ssgi_gl_choice *f = &ssgi_gl__fields[i];
@@ -84,9 +87,19 @@ static void conditions(void)
               "desc.%s has %d values with names and a limit of %d (ssgi_gl.h, >>desc, ssgi_gl__fields)", f->name, words,
               f->most);
     }
-    CHECK(!condition("thn", "thn" + 3) && !condition("search == SLICE ", "search == SLICE " + 15)
-              && !condition("thin &&", "thin &&" + 2) && !condition("pass < SSDO", "pass < SSDO" + 11),
-          "a condition that is none is taken");
+    static const struct { const char *text; int glsl;
+    } none[] = { { "thn", 0 },
+                 { "search == SLICE", 0 },
+                 { "half ==", 0 },
+                 { "pass < SSDO", 0 },
+                 { "half", 1 },
+                 { "SSGI_HALF", 0 },
+                 { "SSGI_FADE == SSGI_FALLOFF_NONE", 1 },
+                 { "SSGI_FADE == NONE", 1 },
+                 { "SSGI_THN", 1 },
+                 { "SSGI_FADE ==", 1 } };
+    for (size_t i = 0; i < sizeof none / sizeof *none; ++i)
+        CHECK(!condition(none[i].text, none[i].text + strlen(none[i].text), none[i].glsl), "%s is taken", none[i].text);
     t_note("%d conditions in %d entries", count, CODES);
 }
 

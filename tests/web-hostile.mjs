@@ -199,7 +199,7 @@ export function calls({ load, Ssgi }, ssgi) {
         [() => ssgi.text(JSON.parse('{"pass":"HSAO","__proto__":1}')), 'desc.__proto__: there is no such field'],
         [() => ssgi.text({ ...hsao, toString: '1' }), 'desc.toString: there is no such field'],
         ...[NaN, Infinity, 1.5, 2 ** 32, '4', 4n, null, undefined, {}, [], Symbol('four')].map(steps =>
-            [() => ssgi.text({ ...hsao, steps }), 'desc.steps: must be 0..64']),
+            [() => ssgi.text({ ...hsao, steps }), 'desc.gather.steps: must be 0..64']),
         [() => ssgi.text({ pass: 'constructor' }), /^desc\.pass: must be /],
         [() => ssgi.text({ ...hsao, version: 5 }), 'desc.version: must be a string, without a NUL'],
         [() => ssgi.text({ ...hsao, fetch: 'a\0b' }), 'desc.fetch: must be a string, without a NUL'],
