@@ -173,6 +173,13 @@ SSGI_DEF void ssgi_extra_displacement(float out[3], int i);
 
 /* ==== >>bias =================================================================================================== */
 
+/* >>bias in use (compiled and run by tests/test_build.c)
+
+      float lift = 1.5f * ssgi_normal_offset(&view, 3.0f);             // of a receiver at view depth 3, by its normal
+      float patch = ssgi_shadow_patch(3.0f, 0.8f, 1024);               // the width of a texel of a spot's map there
+      float bias = ssgi_shadow_bias(patch, 0.5f, 2.0f * patch, SSGI_BIAS_SAFE); // from 60 degrees off
+      printf("lift %g, bias %g\n", lift, bias);   */
+
 /* The formulas take NaN and floats below 0 as 0, and floats above SSGI_FAR as SSGI_FAR. Their results are finite. */
 
 /* The distance by which a receiver is lifted along its normal, so that nearest fetches of its own plane stay below it:
@@ -228,6 +235,13 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
 
 /* ==== >>kernel ================================================================================================= */
 
+/* >>kernel in use (compiled and run by tests/test_build.c)
+
+      float set[4 * 16], tile[4 * 4 * 4], up = 0.0f;                   // 16 samples; a tile of 4x4 texels of noise
+      if (ssgi_kernel(set, 1, 16, &why) != SSGI_OK || ssgi_noise_tile(tile, 4, 16, 16, &why) != SSGI_OK) puts(why);
+      for (int i = 0; i < 16; ++i) up += set[4 * i + 2] / 16.0f;       // directions about +z; [4 * i + 3] is a length
+      printf("mean height %g, first turn %g\n", up, tile[3]);           // 2/3, since the cosine is in the density   */
+
 /* The radical inverse (van der Corput) reflects the digits of i in a base about the radix point. It is in [0,1), and 0
    for a base below 2. Halton points have the inverses in bases 2, 3 .. as coordinates; Hammersley points have i/n and
    the inverse in base 2. */
@@ -277,6 +291,16 @@ SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples
 SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directions, const char **why);
 
 /* ==== >>sh ===================================================================================================== */
+
+/* >>sh in use (compiled and run by tests/test_build.c)
+
+      float image[3 * 64 * 32], light[3 * 9], basis[9], normal[3] = { 0, 0, 1 }, irradiance = 0.0f;
+      for (int i = 0; i < 3 * 64 * 32; ++i) image[i] = 1.0f;           // an environment that is white all around
+      if (ssgi_sh_project_equirect(light, 3, image, 64, 32, &why) != SSGI_OK) puts(why);
+      ssgi_sh_basis(basis, 3, normal);
+      for (int l = 0; l < 3; ++l)                                      // red light that falls on a surface facing +z
+         for (int i = l * l; i < (l + 1) * (l + 1); ++i) irradiance += ssgi_sh_cosine(l) * basis[i] * light[3 * i];
+      printf("irradiance %g\n", irradiance);                           // pi; 3.1408, since texels have a size   */
 
 /* Real spherical harmonics are orthonormal, with function m = -l..l of band l at l*l + l + m. They have no
    Condon-Shortley sign: band 1 is +y, +z, +x times 0.4886. GLSL twins of basis, zonal and rotate: ssgi_gl_sh in
@@ -501,6 +525,14 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
 
 /* ==== >>tessellate ============================================================================================= */
 
+/* >>tessellate in use (compiled and run by tests/test_build.c)
+
+      double area = 2.0;                                               // of a triangle, to be tiled by discs
+      int level = ssgi_tess_level(area, 0.1), points = ssgi_tess_count(level);
+      float *uvw = (float *)malloc(sizeof *uvw * 3 * (size_t)points);  // their places in it
+      if (ssgi_tess_points(uvw, level, &why) != SSGI_OK) puts(why);
+      printf("level %d: %d discs of radius %g\n", level, points, ssgi_tess_radius(area, points));   */
+
 /* The number of points that tessellation hardware makes of a triangle whose levels are all `level`, with equal spacing,
    in point mode [DSS14 section 3.1]: (3/4) i^2 + (3/2) i + 1 at an even level i, 3 ceil(i/2)^2 at an odd one: 3, 7, 12,
    19 .. 3169. It is 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
@@ -689,6 +721,13 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 
 /* ==== >>cap ==================================================================================================== */
+
+/* >>cap in use (compiled and run by tests/test_build.c)
+
+      double share = ssgi_cap_occlusion(1.0, 0.5);                     // of a cap of 1 sr, 60 degrees off the normal
+      float table[32 * 32];                                            // the same for all, to be a texture
+      if (ssgi_cap_table(table, 32, &why) != SSGI_OK) puts(why);
+      printf("it takes %g of the light\n", share);   */
 
 /* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that the cap takes, in closed
    form [AOF05 eq. 3, whose formula the paper leaves out].
@@ -3216,34 +3255,6 @@ SSGI__FN ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
-                                  const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
-{
-    ssgi__surfel_maker m;
-    ssgi__patch whole, p;
-    size_t n = 0;
-    SSGI__TRY(ssgi__surfel_open(&m, desc, view, source, why));
-    SSGI__THERE(count);
-    SSGI__CHECK(out || !capacity, "out: must not be NULL when capacity is not 0");
-    for (size_t t = 0; t < source->triangles; ++t) {
-        const int splits = ssgi__surfel_triangle(&whole, &m, t) ? ssgi__surfel_splits(&whole, &m, m.desc.splits) : 0;
-        for (int part = 0; part < splits * splits; ++part) {
-            if (!ssgi__surfel_part(&p, &m, &whole, splits, part)) continue;
-            if (n >= capacity) {
-                n += (size_t)p.count;
-                continue;
-            }
-            for (ssgi__tess_point at = { p.level, 0, -1, { 0, 0, 0 } }; ssgi__tess_next(&at);) {
-                if (p.level == 1 && !(p.alive >> at.i & 1)) continue;
-                if (n < capacity) ssgi__surfel_point(&out[n], &m, &p, &at);
-                ++n;
-            }
-        }
-    }
-    *count = n;
-    return SSGI_OK;
-}
-
 typedef struct ssgi__divider {
     ssgi__surfel_maker maker;
     float *out;
@@ -3304,6 +3315,34 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
         ssgi__surfel_divide(&d, v, 0);
     }
     *count = d.count;
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
+                                  const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
+{
+    ssgi__surfel_maker m;
+    ssgi__patch whole, p;
+    size_t n = 0;
+    SSGI__TRY(ssgi__surfel_open(&m, desc, view, source, why));
+    SSGI__THERE(count);
+    SSGI__CHECK(out || !capacity, "out: must not be NULL when capacity is not 0");
+    for (size_t t = 0; t < source->triangles; ++t) {
+        const int splits = ssgi__surfel_triangle(&whole, &m, t) ? ssgi__surfel_splits(&whole, &m, m.desc.splits) : 0;
+        for (int part = 0; part < splits * splits; ++part) {
+            if (!ssgi__surfel_part(&p, &m, &whole, splits, part)) continue;
+            if (n >= capacity) {
+                n += (size_t)p.count;
+                continue;
+            }
+            for (ssgi__tess_point at = { p.level, 0, -1, { 0, 0, 0 } }; ssgi__tess_next(&at);) {
+                if (p.level == 1 && !(p.alive >> at.i & 1)) continue;
+                if (n < capacity) ssgi__surfel_point(&out[n], &m, &p, &at);
+                ++n;
+            }
+        }
+    }
+    *count = n;
     return SSGI_OK;
 }
 
@@ -4239,6 +4278,27 @@ SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w
     for (int n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] / 255.0f * f->span[n];
 }
 
+SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
+                                    const float normal[3])
+{
+    const ssgi_field_limits l = limits ? *limits : ssgi_field_limits_of(field);
+    float solid_angle, fill, axis[3], d[3], hulls, r, a;
+    for (int k = 0; k < 3; ++k) {
+        if (!ssgi__finite(point[k]) || !ssgi__finite(normal[k])) return 0.0f;
+        d[k] = point[k] - field->centre[k];
+    }
+    r = sqrtf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    if (!(r < l.reach)) return 0.0f;
+    hulls = ssgi_field_cap(&solid_angle, axis, &fill, field, point);
+    a = fill * ssgi_cap_occlusionf(solid_angle, axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2]);
+    if (hulls < 1.0f) a = l.inside + (a - l.inside) * powf(hulls, l.power);
+    if (r > l.ramp) {
+        const float t = (r - l.ramp) / (l.reach - l.ramp);
+        a *= 1.0f - t * t * (3.0f - 2.0f * t);
+    }
+    return a > 0.0f ? a < 1.0f ? a : 1.0f : 0.0f;
+}
+
 SSGI_DEF float ssgi_field_cap(float *solid_angle, float axis[3], float *fill, const ssgi_field *field,
                               const float point[3])
 {
@@ -4269,27 +4329,6 @@ SSGI_DEF float ssgi_field_cap(float *solid_angle, float axis[3], float *fill, co
         for (int k = 0; k < 3; ++k) v[k] = -w[k];
     ssgi__floats(axis, v);
     return r / hull;
-}
-
-SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
-                                    const float normal[3])
-{
-    const ssgi_field_limits l = limits ? *limits : ssgi_field_limits_of(field);
-    float solid_angle, fill, axis[3], d[3], hulls, r, a;
-    for (int k = 0; k < 3; ++k) {
-        if (!ssgi__finite(point[k]) || !ssgi__finite(normal[k])) return 0.0f;
-        d[k] = point[k] - field->centre[k];
-    }
-    r = sqrtf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    if (!(r < l.reach)) return 0.0f;
-    hulls = ssgi_field_cap(&solid_angle, axis, &fill, field, point);
-    a = fill * ssgi_cap_occlusionf(solid_angle, axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2]);
-    if (hulls < 1.0f) a = l.inside + (a - l.inside) * powf(hulls, l.power);
-    if (r > l.ramp) {
-        const float t = (r - l.ramp) / (l.reach - l.ramp);
-        a *= 1.0f - t * t * (3.0f - 2.0f * t);
-    }
-    return a > 0.0f ? a < 1.0f ? a : 1.0f : 0.0f;
 }
 
 /* ---- files: 32-bit words, lowest byte first: magic number, version, resolution, radii; the field's other numbers as
@@ -4493,59 +4532,76 @@ typedef struct ssgi__plan_row {
 } ssgi__plan_row;
 
 /* clang-format off */
-#define SSGI__ROW(wanted, method, thickness, half, directions, steps, bands, history, resolution, size, cost, gpu, \
-                  unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant) \
-    { SSGI_PLAN_WANTED_##wanted, SSGI_PLAN_METHOD_##method, SSGI_PLAN_THICKNESS_##thickness, half, directions, steps, \
+#define SSGI__P(wanted, method, thickness, half, directions, steps, bands, history, resolution, size, cost, gpu, \
+                unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant) \
+    { SSGI__PLAN_##wanted, SSGI_PLAN_METHOD_##method, SSGI_PLAN_THICKNESS_##thickness, half, directions, steps, \
       bands, history, resolution, size, { cost, gpu }, \
       { unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant } }
 
+enum {
+    SSGI__PLAN_V = SSGI_PLAN_WANTED_VISIBILITY,
+    SSGI__PLAN_L = SSGI_PLAN_WANTED_LIGHT,
+    SSGI__PLAN_B = SSGI_PLAN_WANTED_BOUNCE,
+    SSGI__PLAN_O = SSGI_PLAN_WANTED_OBJECTS
+};
+
+/* make fit prints the rows. NOTHING is no ambient occlusion; E, hsao, slabs and the columns behind are weights of the
+   terms above. */
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
-    SSGI__ROW(VISIBILITY, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.21f, 1.12f, .022f, 1.13f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 8, 0, 0, 0, 0, 1.3f, 1.23f, .012f, 1.11f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 1.78f, 1.99f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 1, 12, 0, 1, 0, 0, 1.77f, 2.37f, 0, .96f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 0, 1, 10, 0, 0, 0, 0, 2.69f, 3.27f, .009f, .84f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 0, 2, 10, 0, 0, 0, 0, 4.45f, 5.75f, .006f, .78f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 1, 8, 0, 0, 0, 0, 1.33f, 1.31f, .021f, .5f, .64f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 2, 10, 0, 0, 0, 0, 1.83f, 2.08f, .007f, .45f, .58f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 8, 0, 0, 0, 0, 1.77f, 1.58f, .011f, 0, 1.13f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 2, 10, 0, 0, 0, 0, 2.84f, 2.61f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 2.43f, 2.81f, 0, 0, .96f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 1, 10, 0, 0, 0, 0, 4.76f, 4.3f, .003f, 0, .83f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 2, 10, 0, 0, 0, 0, 7.52f, 7.62f, 0, 0, .78f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 3, 12, 0, 0, 0, 0, 12.1f, 12.8f, 0, 0, .75f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, SURFELS, WIDTH, 0, 0, 0, 0, 0, 0, 0.03f, 6.8f, 3.1f, 0, 0, .7f, .07f, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, SURFELS, WIDTH, 0, 0, 0, 0, 0, 0, 0.015f, 6.8f, 3.1f, .003f, 0, .64f, .13f, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.23f, 1.12f, .051f, .99f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 1.78f, 1.99f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 2, 10, 0, 0, 0, 0, 2.77f, 2.61f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 2.46f, 2.81f, 0, 0, .97f, 0, 0, .002f, 0, 0, .11f),
-    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 1, 6, 4, 0, 0, 0, 1.83f, 1.5f, .087f, .77f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 2, 10, 2, 0, 0, 0, 2.23f, 2.44f, .02f, .84f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, WIDTH, 1, 2, 10, 4, 0, 0, 0, 2.57f, 2.54f, .029f, .72f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, SLABS, 1, 2, 10, 4, 0, 0, 0, 3.52f, 3.36f, .036f, 0, .66f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, SLABS, 0, 2, 10, 4, 0, 0, 0, 8.94f, 10.2f, .039f, 0, .49f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.56f, 1.43f, .078f, .79f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 2.28f, 2.46f, .028f, .72f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 12, 0, 0, 0, 0, 2.58f, 2.27f, .038f, 0, .78f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 2, 10, 0, 0, 0, 0, 3.28f, 3.11f, .03f, 0, .67f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 8.15f, 9.09f, .031f, 0, .51f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 6, 0, 1, 0, 0, 2.69f, 2.83f, .045f, 0, .74f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, HSAO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 1.21f, 1.12f, .058f, .95f, 0, 0, 0, 0, 0, 0, 1.12f),
-    SSGI__ROW(BOUNCE, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 1.82f, 1.99f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, WIDTH, 1, 1, 6, 4, 0, 0, 0, 2.69f, 2.25f, .37f, .12f, 0, 0, 0, .054f, 0, 0, 1.3f),
-    SSGI__ROW(BOUNCE, S3HO, WIDTH, 1, 2, 10, 4, 0, 0, 0, 3.69f, 3.65f, .28f, .13f, 0, 0, 0, .033f, 0, 0, .84f),
-    SSGI__ROW(BOUNCE, S3HO, SLABS, 1, 2, 10, 4, 0, 0, 0, 4.39f, 4.33f, .28f, 0, .085f, 0, 0, .031f, 0, 0, 1.17f),
-    SSGI__ROW(BOUNCE, SSDO, WIDTH, 1, 1, 6, 0, 0, 0, 0, 3.24f, 2.79f, .37f, .071f, 0, 0, 0, .027f, 0, 0, 1.32f),
-    SSGI__ROW(BOUNCE, SSDO, WIDTH, 1, 2, 10, 0, 0, 0, 0, 4.27f, 4.04f, .31f, .033f, 0, 0, 0, .019f, 0, 0, 1.26f),
-    SSGI__ROW(BOUNCE, SSDO, SLABS, 1, 2, 10, 0, 0, 0, 0, 5.07f, 4.7f, .29f, 0, 0, 0, 0, .017f, 0, 0, 1.66f),
-    SSGI__ROW(BOUNCE, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 11.3f, 11.5f, .23f, 0, .019f, 0, 0, .017f, 0, 0, 1.1f),
-    SSGI__ROW(OBJECTS, NOTHING, WIDTH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, WIDTH, 0, 0, 0, 0, 0, 4, 0, .06f, .05f, .016f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, WIDTH, 0, 0, 0, 0, 0, 8, 0, .06f, .05f, .012f, 0, 0, 0, 0, 0, 0, 0, .45f)
+  /*                  thickness
+                      |      half
+                      |      |  directions
+                      |      |  |  steps
+                      |      |  |  |   bands
+                      |      |  |  |   |  history                                         coarse          left out
+          for         |      |  |  |   |  |  resolution                                   |     coarser   |  bounced
+          |  method   |      |  |  |   |  |  |  size   CPU    GPU    E      hsao   slabs  |     |  uneven |  |  1e-4 */
+  SSGI__P(V, NOTHING, WIDTH, 0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    WIDTH, 1, 1, 6,  0, 0, 0, 0,     1.21f, 1.12f, .022f, 1.13f, 0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    WIDTH, 1, 1, 8,  0, 0, 0, 0,     1.3f,  1.23f, .012f, 1.11f, 0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    WIDTH, 1, 2, 10, 0, 0, 0, 0,     1.78f, 1.99f, 0,     1.0f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    WIDTH, 1, 1, 12, 0, 1, 0, 0,     1.77f, 2.37f, 0,     .96f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    WIDTH, 0, 1, 10, 0, 0, 0, 0,     2.69f, 3.27f, .009f, .84f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    WIDTH, 0, 2, 10, 0, 0, 0, 0,     4.45f, 5.75f, .006f, .78f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    BACK,  1, 1, 8,  0, 0, 0, 0,     1.33f, 1.31f, .021f, .5f,   .64f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    BACK,  1, 2, 10, 0, 0, 0, 0,     1.83f, 2.08f, .007f, .45f,  .58f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    SLABS, 1, 1, 8,  0, 0, 0, 0,     1.77f, 1.58f, .011f, 0,     1.13f, 0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    SLABS, 1, 2, 10, 0, 0, 0, 0,     2.84f, 2.61f, 0,     0,     1.0f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    SLABS, 1, 1, 12, 0, 1, 0, 0,     2.43f, 2.81f, 0,     0,     .96f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    SLABS, 0, 1, 10, 0, 0, 0, 0,     4.76f, 4.3f,  .003f, 0,     .83f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    SLABS, 0, 2, 10, 0, 0, 0, 0,     7.52f, 7.62f, 0,     0,     .78f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(V, HSAO,    SLABS, 0, 3, 12, 0, 0, 0, 0,     12.1f, 12.8f, 0,     0,     .75f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(V, SURFELS, WIDTH, 0, 0, 0,  0, 0, 0, .03f,  6.8f,  3.1f,  0,     0,     .7f,   .07f, 0, 0,     0, 0, 0),
+  SSGI__P(V, SURFELS, WIDTH, 0, 0, 0,  0, 0, 0, .015f, 6.8f,  3.1f,  .003f, 0,     .64f,  .13f, 0, 0,     0, 0, 0),
+  SSGI__P(L, NOTHING, WIDTH, 0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(L, HSAO,    WIDTH, 1, 1, 6,  0, 0, 0, 0,     1.23f, 1.12f, .051f, .99f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(L, HSAO,    WIDTH, 1, 2, 10, 0, 0, 0, 0,     1.78f, 1.99f, 0,     1.0f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(L, HSAO,    SLABS, 1, 2, 10, 0, 0, 0, 0,     2.77f, 2.61f, 0,     0,     1.0f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(L, HSAO,    SLABS, 1, 1, 12, 0, 1, 0, 0,     2.46f, 2.81f, 0,     0,     .97f,  0,    0, .002f, 0, 0, .11f),
+  SSGI__P(L, S3HO,    WIDTH, 1, 1, 6,  4, 0, 0, 0,     1.83f, 1.5f,  .087f, .77f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(L, S3HO,    WIDTH, 1, 2, 10, 2, 0, 0, 0,     2.23f, 2.44f, .02f,  .84f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(L, S3HO,    WIDTH, 1, 2, 10, 4, 0, 0, 0,     2.57f, 2.54f, .029f, .72f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(L, S3HO,    SLABS, 1, 2, 10, 4, 0, 0, 0,     3.52f, 3.36f, .036f, 0,     .66f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(L, S3HO,    SLABS, 0, 2, 10, 4, 0, 0, 0,     8.94f, 10.2f, .039f, 0,     .49f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(L, SSDO,    WIDTH, 1, 1, 6,  0, 0, 0, 0,     1.56f, 1.43f, .078f, .79f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(L, SSDO,    WIDTH, 1, 2, 10, 0, 0, 0, 0,     2.28f, 2.46f, .028f, .72f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(L, SSDO,    SLABS, 1, 1, 12, 0, 0, 0, 0,     2.58f, 2.27f, .038f, 0,     .78f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(L, SSDO,    SLABS, 1, 2, 10, 0, 0, 0, 0,     3.28f, 3.11f, .03f,  0,     .67f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(L, SSDO,    SLABS, 0, 2, 10, 0, 0, 0, 0,     8.15f, 9.09f, .031f, 0,     .51f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(L, SSDO,    SLABS, 1, 1, 6,  0, 1, 0, 0,     2.69f, 2.83f, .045f, 0,     .74f,  0,    0, 0,     0, 0, 0),
+  SSGI__P(B, NOTHING, WIDTH, 0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(B, HSAO,    WIDTH, 1, 1, 6,  0, 0, 0, 0,     1.21f, 1.12f, .058f, .95f,  0,     0,    0, 0,     0, 0, 1.12f),
+  SSGI__P(B, HSAO,    WIDTH, 1, 2, 10, 0, 0, 0, 0,     1.82f, 1.99f, 0,     1.0f,  0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(B, S3HO,    WIDTH, 1, 1, 6,  4, 0, 0, 0,     2.69f, 2.25f, .37f,  .12f,  0,     0,    0, .054f, 0, 0, 1.3f),
+  SSGI__P(B, S3HO,    WIDTH, 1, 2, 10, 4, 0, 0, 0,     3.69f, 3.65f, .28f,  .13f,  0,     0,    0, .033f, 0, 0, .84f),
+  SSGI__P(B, S3HO,    SLABS, 1, 2, 10, 4, 0, 0, 0,     4.39f, 4.33f, .28f,  0,     .085f, 0,    0, .031f, 0, 0, 1.17f),
+  SSGI__P(B, SSDO,    WIDTH, 1, 1, 6,  0, 0, 0, 0,     3.24f, 2.79f, .37f,  .071f, 0,     0,    0, .027f, 0, 0, 1.32f),
+  SSGI__P(B, SSDO,    WIDTH, 1, 2, 10, 0, 0, 0, 0,     4.27f, 4.04f, .31f,  .033f, 0,     0,    0, .019f, 0, 0, 1.26f),
+  SSGI__P(B, SSDO,    SLABS, 1, 2, 10, 0, 0, 0, 0,     5.07f, 4.7f,  .29f,  0,     0,     0,    0, .017f, 0, 0, 1.66f),
+  SSGI__P(B, SSDO,    SLABS, 0, 2, 10, 0, 0, 0, 0,     11.3f, 11.5f, .23f,  0,     .019f, 0,    0, .017f, 0, 0, 1.1f),
+  SSGI__P(O, NOTHING, WIDTH, 0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(O, FIELD,   WIDTH, 0, 0, 0,  0, 0, 4, 0,     .06f,  .05f,  .016f, 0,     0,     0,    0, 0,     0, 0, 0),
+  SSGI__P(O, FIELD,   WIDTH, 0, 0, 0,  0, 0, 8, 0,     .06f,  .05f,  .012f, 0,     0,     0,    0, 0,     0, 0, .45f)
 };
 /* clang-format on */
 
@@ -4658,43 +4714,6 @@ SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene 
     return (float)fmin(cost, (double)SSGI_FAR);
 }
 
-SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
-{
-    const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
-    const float *energy;
-    double term[SSGI__PLAN_TERMS], square = 0.0;
-    if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
-    ssgi__plan_terms(term, row, s);
-    if (!ssgi__plan_fits(row, s, term)) return 0;
-    memset(plan, 0, sizeof *plan);
-    plan->method = row->method;
-    plan->thickness = row->thickness;
-    plan->half = row->half;
-    plan->directions = row->directions;
-    plan->steps = row->steps;
-    plan->bands = row->bands;
-    plan->history = row->history;
-    plan->filter_radius = row->directions > 0;
-    plan->resolution = row->resolution;
-    plan->size = row->size;
-    for (int k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
-    plan->error = (float)fmin(sqrt(square), (double)SSGI_FAR);
-    plan->cost = ssgi__plan_cost(row, s);
-    /* bands whose energy is negligible are left out; a band is taken to matter by 0.02 of its share of the energy */
-    energy = ssgi__plan_energy(s);
-    while (plan->bands > 1
-           && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
-                  < SSGI__PLAN_NEGLIGIBLE * (double)s->error)
-        --plan->bands;
-    if (row->method != SSGI_PLAN_METHOD_SURFELS) return 1;
-    /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
-    plan->levels = 1;
-    while (plan->levels < SSGI_SPLAT_LEVELS
-           && (double)row->size * 1.5 * (1 << (plan->levels - 1)) < ssgi__plan_radius(s))
-        ++plan->levels;
-    return 1;
-}
-
 SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
 {
     SSGI__CHECK(s, "scene: must not be NULL");
@@ -4777,6 +4796,43 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     ssgi__plan_sentence(&best, s->error);
     *plan = best;
     return SSGI_OK;
+}
+
+SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
+{
+    const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
+    const float *energy;
+    double term[SSGI__PLAN_TERMS], square = 0.0;
+    if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
+    ssgi__plan_terms(term, row, s);
+    if (!ssgi__plan_fits(row, s, term)) return 0;
+    memset(plan, 0, sizeof *plan);
+    plan->method = row->method;
+    plan->thickness = row->thickness;
+    plan->half = row->half;
+    plan->directions = row->directions;
+    plan->steps = row->steps;
+    plan->bands = row->bands;
+    plan->history = row->history;
+    plan->filter_radius = row->directions > 0;
+    plan->resolution = row->resolution;
+    plan->size = row->size;
+    for (int k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
+    plan->error = (float)fmin(sqrt(square), (double)SSGI_FAR);
+    plan->cost = ssgi__plan_cost(row, s);
+    /* bands whose energy is negligible are left out; a band is taken to matter by 0.02 of its share of the energy */
+    energy = ssgi__plan_energy(s);
+    while (plan->bands > 1
+           && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
+                  < SSGI__PLAN_NEGLIGIBLE * (double)s->error)
+        --plan->bands;
+    if (row->method != SSGI_PLAN_METHOD_SURFELS) return 1;
+    /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
+    plan->levels = 1;
+    while (plan->levels < SSGI_SPLAT_LEVELS
+           && (double)row->size * 1.5 * (1 << (plan->levels - 1)) < ssgi__plan_radius(s))
+        ++plan->levels;
+    return 1;
 }
 
 #ifdef __cplusplus

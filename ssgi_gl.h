@@ -106,7 +106,7 @@
       >>library    GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
       >>rows       the table of inputs and outputs
       >>passes     the table of passes: main functions, size, primitive, blending
-      and the implementations of >>desc, >>emit (with >>io), >>frame, >>steps
+      and the implementations of >>desc, >>emit, >>io, >>steps, >>frame
 
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its row in >>passes, its
                 outputs in >>rows. An accumulator: a member of ssgi_sums, a line where taps are added to it, an output
@@ -609,27 +609,6 @@ typedef struct ssgi_gl_desc {
     ssgi_gl_text_desc text;
 } ssgi_gl_desc;
 
-/* Measured settings: the points of the README's chart. ssgi_gl_preset sets the fields that trade cost for accuracy in
-   desc->pass with desc->search, and in its filter, so that the same desc serves blur: half, directions or samples,
-   steps, normal_rays, noise, filter, filter_radius; range and fade of points; for ssdo with an environment restore
-   RATIO, without which blur would smooth creases.
-     slices        FAST half size 1x6, BALANCED half 2x10, BEST full 2x10 (slices x steps)
-     march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
-     points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
-     ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
-   All other fields stay, desc.gather.thickness, too: set BACK or SLABS where you can draw those passes. Passes without
-   such settings are left as they are. Bad input leaves desc as it is. */
-enum { SSGI_GL_PRESET_FAST, SSGI_GL_PRESET_BALANCED, SSGI_GL_PRESET_BEST };
-
-SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
-
-/* Writes a plan of ssgi_plan_make (ssgi.h) into a desc: the pass that does most of the work (of surfels and fields the
-   pass that draws them), with its settings and the filter's; the other fields stay. ssdo and s3ho get restore; s3ho
-   gets shaded and residual; ssdo without an environment gets MAP; thickness is the plan's: where the plan draws no back
-   faces it is DEFAULT, which in chains is WIDTH. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and
-   plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
-SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
-
 /* SSGI_OK, or SSGI_BAD_ARGUMENT and a sentence on the wrong field and its limits ("desc.gather.steps: must be
    0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
@@ -646,6 +625,27 @@ typedef struct ssgi_gl_choice {
 
 /* The i-th field; NULL past the last. */
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
+
+/* Measured settings: the points of the README's chart. ssgi_gl_preset sets the fields that trade cost for accuracy in
+   desc->pass with desc->gather.search, and in its filter, so that the same desc serves blur: half, directions or
+   samples, steps, normal_rays and noise of desc->gather, kind and radius of desc->filter; range and fade of points; for
+   ssdo with an environment light.restore RATIO, without which blur would smooth creases.
+     slices        FAST half size 1x6, BALANCED half 2x10, BEST full 2x10 (slices x steps)
+     march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
+     points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
+     ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
+   All other fields stay, desc.gather.thickness, too: set BACK or SLABS where you can draw those passes. Passes without
+   such settings are left as they are. Bad input leaves desc as it is. */
+enum { SSGI_GL_PRESET_FAST, SSGI_GL_PRESET_BALANCED, SSGI_GL_PRESET_BEST };
+
+SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
+
+/* Writes a plan of ssgi_plan_make (ssgi.h) into a desc: the pass that does most of the work (of surfels and fields the
+   pass that draws them), with its settings and the filter's; the other fields stay. ssdo and s3ho get restore; s3ho
+   gets shaded and residual; ssdo without an environment gets MAP; thickness is the plan's: where the plan draws no back
+   faces it is DEFAULT, which in chains is WIDTH. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and
+   plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
+SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
 /* Returns desc with its pass's defaults in place, and with 0 in fields that the pass does not look at. Both descs have
    the same text.
@@ -6040,6 +6040,17 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
     return ssgi_gl__end(&t);
 }
 
+SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
+{
+    ssgi_gl__program p;
+    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* FNV-1a over the very texts */
+    if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
+    ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
+    for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
+        if (p.mains[stage]) ssgi_gl__write(&t, &p, stage);
+    return t.hash;
+}
+
 /* Functions alone, and the samplers that they read. */
 static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots)
 {
@@ -6077,6 +6088,19 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
     return ssgi_gl__functions(out, capacity, &d, "ssgi_field_visibility");
 }
 
+SSGI_DEF const char *ssgi_gl_pass_name(int pass)
+{
+    const ssgi_gl__pass *const row = ssgi_gl__pass_of(pass);
+    return row ? row->name : NULL;
+}
+
+SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
+{
+    return dialect >= 0 && dialect < SSGI_GL_DIALECTS ? ssgi_gl__dialects[dialect].name : NULL;
+}
+
+/* ==== >>io (implementation) ======================================================================================= */
+
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity)
 {
     ssgi_gl__program p;
@@ -6090,378 +6114,6 @@ SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i)
     int k = 0, n = 0;
     while (k < SSGI_GL__ROWS && (ssgi_gl__rows[k].io.kind != SSGI_GL_IO_PARAM || n++ != i)) ++k;
     return k < SSGI_GL__ROWS ? &ssgi_gl__rows[k].io : NULL;
-}
-
-SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
-{
-    ssgi_gl__program p;
-    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* FNV-1a over the very texts */
-    if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
-    ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
-    for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
-        if (p.mains[stage]) ssgi_gl__write(&t, &p, stage);
-    return t.hash;
-}
-
-SSGI_DEF const char *ssgi_gl_pass_name(int pass)
-{
-    const ssgi_gl__pass *const row = ssgi_gl__pass_of(pass);
-    return row ? row->name : NULL;
-}
-
-SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
-{
-    return dialect >= 0 && dialect < SSGI_GL_DIALECTS ? ssgi_gl__dialects[dialect].name : NULL;
-}
-
-/* ==== >>frame (implementation) ==================================================================================== */
-
-/* Whether all are finite and none is larger than `most` [limit: >= 0], by the bits, which -ffast-math leaves. */
-static int ssgi_gl__within(const float *v, int count, float most)
-{
-    uint32_t limit, bits;
-    memcpy(&limit, &most, sizeof limit);
-    for (; count > 0; ++v, --count) {
-        memcpy(&bits, v, sizeof bits);
-        if ((bits & 0x7fffffffu) > limit) return 0;
-    }
-    return 1;
-}
-
-static int ssgi_gl__above(float x) { return ssgi_gl__within(&x, 1, SSGI_FAR) && x > 0.0f; }
-
-#define SSGI_GL__MATRIX(m) SSGI_GL__CHECK(ssgi_gl__within(m, 16, SSGI_FAR), #m ": must be finite")
-
-SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why)
-{
-    ssgi_gl_frame f;
-    SSGI_GL__THERE(frame);
-    SSGI_GL__VIEW(view);
-    SSGI_GL__CHECK(ssgi_gl__above(radius), "radius: must be > 0 and finite");
-    memset(&f, 0, sizeof f);
-    memcpy(f.project, view->project, sizeof f.project);
-    memcpy(f.unproject, view->unproject, sizeof f.unproject);
-    memcpy(f.decode, view->depth, sizeof view->depth);
-    f.decode[2] = view->clear;
-    memcpy(f.oblique, view->oblique, sizeof f.oblique);
-    f.size[0] = view->width;
-    f.size[1] = view->height;
-    f.near_depth = ssgi_view_near(view);
-    f.radius = radius;
-    f.offset = 1.5f;
-    f.thickness_limit = 0.6f * radius;
-    f.fade = 0.3f * radius;
-    f.distance_clamp = 0.25f;
-    f.gain = f.sent = 1.0f;
-    f.max_slope = 20.0f;
-    f.lambda = 4.0f;
-    ssgi_sh_window(f.window, 4, SSGI_SH_WINDOW_HANN);
-    for (int i = 0; i < 3; ++i) f.rotation[5 * i] = f.mesh[5 * i] = 1.0f;
-    f.mesh[15] = 1.0f;
-    f.epsilon = 0.1f;
-    f.exponent = 32.0f;
-    *frame = f;
-    return SSGI_OK;
-}
-
-SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
-                                         int levels, const float *mesh_to_view, const char **why)
-{
-    float scale[4];
-    int size[2] = { 0, 0 };
-    SSGI_GL__THERE(frame);
-    if (mesh_to_view) SSGI_GL__MATRIX(mesh_to_view);
-    SSGI_GL__TRY(ssgi_surfel_scale(scale, desc, view, why));
-    SSGI_GL__TRY(ssgi_splat_size(size, view->width, view->height, levels, why));
-    memcpy(frame->surfel, scale, sizeof scale);
-    frame->keep_small = (float)desc->keep_small;
-    memcpy(frame->level, size, sizeof size);
-    if (mesh_to_view) memcpy(frame->mesh, mesh_to_view, sizeof frame->mesh);
-    return SSGI_OK;
-}
-
-/* Irradiance over pi of a surfel by a light of colour 1, without occlusion; the light's kind as >>light of the library
-   tells it apart. */
-static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
-{
-    const int sun = l->kind < 0.5f;
-    const int vpl = l->kind > 2.5f;
-    const int spot = l->kind > 1.5f && !vpl;
-    const double least = (double)l->min_distance * (double)l->min_distance;
-    double to[3], q[3], d = 0.0, facing = 0.0, from = 0.0; /* q: the surfel in the light's map */
-    for (int c = 0; c < 3; ++c) {
-        to[c] = (double)l->at[c] - (sun ? 0.0 : (double)s->position[c]);
-        d += to[c] * to[c];
-        facing += to[c] * (double)s->normal[c];
-        from -= to[c] * (double)l->normal[c];
-        q[c] = (double)l->map[c][3];
-        for (int k = 0; k < 3; ++k) q[c] += (double)l->map[c][k] * (double)s->position[k];
-    }
-    if (!(d > 0.0) || !(facing > 0.0)) return 0.0;
-    if (sun && l->min_distance > 0.0f) return 0.0; /* the row of its widest map counts */
-    if (spot && l->tile[2] > 0.0f
-        && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
-             && q[1] < q[2] * (double)l->tile[3]))
-        return 0.0;
-    if (vpl) facing *= from > 0.0 ? from / sqrt(d) : 0.0;
-    facing /= sqrt(d) * 3.14159265358979;
-    return sun ? facing : facing / (d > least ? d : least);
-}
-
-/* The largest component of the radiance that a surfel sends; 0 where it is 1e-30 or less, as texts divide by
-   frame.sent. */
-static double ssgi_gl__sent_by(const ssgi_surfel *s, const ssgi_gl_light *lights, int light_count, const float *sky)
-{
-    double light[3] = { 0.0, 0.0, 0.0 }, sent = 0.0;
-    for (int c = 0; sky && c < 3; ++c) light[c] = (double)sky[c];
-    for (int k = 0; k < light_count; ++k) {
-        const double share = ssgi_gl__light_on(s, &lights[k]);
-        for (int c = 0; c < 3; ++c) light[c] += share * (double)lights[k].colour[c];
-    }
-    for (int c = 0; c < 3; ++c) {
-        light[c] *= (double)s->colour[c];
-        sent = light[c] > sent ? light[c] : sent;
-    }
-    return sent > 1e-30 && sent < (double)SSGI_FAR ? sent : 0.0;
-}
-
-SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
-                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
-                                      const char **why)
-{
-    enum { bins = 256 }; /* of radiances below the most, each 1/8 of an octave: down to 2^-32 of it */
-
-    const double octave = 8.0; /* bins */
-    double sum[bins] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
-    int b;
-    SSGI_GL__THERE(frame);
-    SSGI_GL__CHECK(surfels || !count, "surfels: must not be NULL when there are any");
-    SSGI_GL__CHECK(lights || light_count <= 0, "lights: must not be NULL when there are any");
-    SSGI_GL__CHECK(light_count >= 0, "light_count: must be 0 or more");
-    SSGI_GL__CHECK(!sky || (ssgi_gl__within(sky, 3, SSGI_FAR) && sky[0] >= 0.0f && sky[1] >= 0.0f && sky[2] >= 0.0f),
-                   "sky: must be 0 or more and finite");
-    for (size_t i = 0; i < count; ++i) /* position to colour */
-        SSGI_GL__CHECK(ssgi_gl__within((const float *)&surfels[i], 11, SSGI_FAR), "surfels: must be finite");
-    for (int k = 0; k < light_count; ++k)
-        SSGI_GL__CHECK(ssgi_gl__within((const float *)&lights[k], (int)(sizeof *lights / sizeof(float)), 1e30f),
-                       "lights: must be finite");
-    for (size_t i = 0; i < count; ++i) {
-        const double sent = ssgi_gl__sent_by(&surfels[i], lights, light_count, sky);
-        most = sent > most ? sent : most;
-    }
-    for (size_t i = 0; i < count; ++i) {
-        const double sent = ssgi_gl__sent_by(&surfels[i], lights, light_count, sky);
-        const double flux = sent * (double)surfels[i].radius * (double)surfels[i].radius;
-        if (!(sent > 0.0)) continue;
-        b = (int)(octave * log2(most / sent));
-        sum[b < bins ? b : bins - 1] += flux;
-        all += flux;
-    }
-    /* the median, within its bin by the share of the bin that it takes */
-    for (b = 0; b < bins && below + sum[b] < 0.5 * all; ++b) below += sum[b];
-    if (all > 0.0 && b < bins)
-        frame->sent = (float)(most * exp2(-(b + 1 - (below + sum[b] - 0.5 * all) / sum[b]) / octave));
-    return SSGI_OK;
-}
-
-SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why)
-{
-    float scaled[16] = { 0 };
-    SSGI_GL__CHECK(frame && dipole, "frame, dipole: must not be NULL");
-    SSGI_GL__CHECK(ssgi_gl__above(unit), "unit: must be > 0 and finite");
-    for (int c = 0; c < 3; ++c) {
-        scaled[c] = (float)dipole->z_r[c] * unit;
-        scaled[4 + c] = (float)dipole->z_v[c] * unit;
-        scaled[8 + c] = (float)dipole->sigma_tr[c] / unit;
-        scaled[12 + c] = 0.25f * (float)dipole->albedo[c]; /* pi r^2 over 4 pi */
-    }
-    SSGI_GL__CHECK(ssgi_gl__within(scaled, 16, SSGI_FAR), "dipole: must be finite, also times and over unit");
-    memcpy(frame->dipole, scaled, sizeof scaled);
-    return SSGI_OK;
-}
-
-SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
-                                           const float *world_to_view, const char **why)
-{
-    float turned[48] = { 0 };
-    SSGI_GL__THERE(frame);
-    SSGI_GL__THERE(coefficients);
-    SSGI_GL__CHECK(bands >= 1 && bands <= 4, "bands: must be 1..4");
-    SSGI_GL__CHECK(ssgi_gl__within(coefficients, 3 * bands * bands, 1e30f), "coefficients: must be finite");
-    if (world_to_view) SSGI_GL__MATRIX(world_to_view);
-    memcpy(turned, coefficients, 3 * (size_t)(bands * bands) * sizeof *turned);
-    if (world_to_view) ssgi_sh_rotate(turned, bands, turned, 3, world_to_view);
-    for (int i = 0; i < 48; ++i) frame->harmonics[12 * (i / 12) + 4 * (i % 3) + i / 3 % 4] = turned[i];
-    return SSGI_OK;
-}
-
-/* Of two rigid world-to-view matrices: a after the inverse of b. */
-static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
-{
-    memset(out, 0, 16 * sizeof *out);
-    for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r)
-            for (int k = 0; k < 3; ++k) out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
-    for (int r = 0; r < 3; ++r) {
-        out[12 + r] = (double)a[12 + r];
-        for (int c = 0; c < 3; ++c) out[12 + r] -= out[4 * c + r] * (double)b[12 + c];
-    }
-}
-
-/* Column-major: a point of the main camera's view space to x, y (pixels, times depth when perspective), view depth, 1
-   of another camera; and back. */
-static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
-                                      const float *other, const char **why)
-{
-    double m[16], b[16];
-    SSGI_GL__VIEW(view);
-    SSGI_GL__CHECK(main_view, "main_world_to_view: must not be NULL");
-    SSGI_GL__CHECK(ssgi_gl__within(main_view, 16, SSGI_FAR) && ssgi_gl__within(other, 16, SSGI_FAR),
-                   "main_world_to_view: both matrices must be finite");
-    ssgi_gl__relative(m, other, main_view);
-    ssgi_gl__relative(b, main_view, other);
-    for (int c = 0; c < 4; ++c) {
-        const double z = -m[4 * c + 2], unit = view->orthographic ? (c == 3 ? 1.0 : 0.0) : z;
-        to[4 * c + 0] = (float)((double)view->project[0] * m[4 * c + 0] + (double)view->project[2] * unit);
-        to[4 * c + 1] = (float)((double)view->project[1] * m[4 * c + 1] + (double)view->project[3] * unit);
-        to[4 * c + 2] = (float)z;
-        to[4 * c + 3] = c == 3 ? 1.0f : 0.0f;
-    }
-    for (int r = 0; r < 4; ++r) { /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
-        const double shift = b[r] * (double)view->unproject[2] + b[4 + r] * (double)view->unproject[3];
-        from[r] = (float)(b[r] * (double)view->unproject[0]);
-        from[4 + r] = (float)(b[4 + r] * (double)view->unproject[1]);
-        from[8 + r] = (float)((view->orthographic ? 0.0 : shift) - b[8 + r]);
-        from[12 + r] = (float)((view->orthographic ? shift : 0.0) + b[12 + r]);
-    }
-    return SSGI_OK;
-}
-
-static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
-{
-    memcpy(decode, view->depth, sizeof view->depth);
-    decode[2] = view->clear;
-    decode[3] = (float)view->orthographic;
-}
-
-#define SSGI_GL__STRAIGHT(view) \
-    SSGI_GL__CHECK(!(view) || ((view)->oblique[0] == 0.0f && (view)->oblique[1] == 0.0f), \
-                   "view: its near plane must not be oblique; only the picture's may be")
-
-SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
-                                       const float main_world_to_view[16], const float extra_world_to_view[16],
-                                       const char **why)
-{
-    SSGI_GL__THERE(views);
-    SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
-    SSGI_GL__THERE(extra_world_to_view);
-    SSGI_GL__STRAIGHT(view);
-    SSGI_GL__TRY(ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view, why));
-    ssgi_gl__decode(views->decode[i], view);
-    const float size[4] = { (float)view->width, (float)view->height, 2.0f * ssgi_pixel_footprint(view, 1.0f), 0.0f };
-    memcpy(views->size[i], size, sizeof size);
-    return SSGI_OK;
-}
-
-SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
-                                           const float main_world_to_view[16], const float last_world_to_view[16],
-                                           const char **why)
-{
-    float to[16], from[16];
-    SSGI_GL__THERE(frame);
-    SSGI_GL__THERE(last_world_to_view);
-    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, last_world_to_view, why));
-    SSGI_GL__CHECK(view->width == frame->size[0] && view->height == frame->size[1],
-                   "view: must have this frame's size; a history of another size is none");
-    memcpy(frame->last_to, to, sizeof to);
-    memcpy(frame->last_from, from, sizeof from);
-    frame->history = 16.0f;
-    return SSGI_OK;
-}
-
-SSGI_DEF float ssgi_gl_phase(uint32_t k)
-{
-    /* Every four frames in a row have each quarter of the phases; from four to four they move by a quarter of the
-       golden ratio's fraction, and a quarter, so that each of the four spreads as that does. */
-    static const uint32_t quarter[4] = { 0, 2, 1, 3 };
-    const uint32_t phase = (k >> 2) * 1737350767u + (quarter[k & 3] << 30);
-    return (float)((phase >> 8 & ~3u) | (k & 3)) / 16777216.0f;
-}
-
-SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
-                                       const float main_world_to_view[16], const float light_world_to_view[16],
-                                       const char **why)
-{
-    float to[16], from[16];
-    SSGI_GL__THERE(light);
-    SSGI_GL__CHECK(x >= 0 && y >= 0, "x: the tile must lie in the atlas, x and y >= 0");
-    SSGI_GL__THERE(light_world_to_view);
-    SSGI_GL__STRAIGHT(view);
-    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view, why));
-    for (int i = 0; i < 12; ++i) light->map[i / 4][i % 4] = to[4 * (i % 4) + i / 4];
-    light->patch = ssgi_pixel_footprint(view, 1.0f);
-    ssgi_gl__decode(light->decode, view);
-    const float tile[4] = { (float)x, (float)y, (float)view->width, (float)view->height };
-    memcpy(light->tile, tile, sizeof tile);
-    return SSGI_OK;
-}
-
-SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
-                                          const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
-                                          int object, const char **why)
-{
-    ssgi_field_limits l;
-    ssgi_gl_occluder c;
-    double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 };
-    const float *m = mesh_to_view;
-    SSGI_GL__THERE(occluder);
-    SSGI_GL__CHECK(field && field->texels && field->resolution >= 2,
-                   "field: must come from ssgi_field_bake or ssgi_field_load");
-    SSGI_GL__THERE(mesh_to_view);
-    SSGI_GL__CHECK(slice >= 0 && slice <= 2047, "slice: must be 0..2047");
-    SSGI_GL__CHECK(object >= 0 && object <= 16777215, "object: must be 0..16777215");
-    l = limits ? *limits : ssgi_field_limits_of(field);
-    SSGI_GL__CHECK(ssgi_gl__within(&l.ramp, 1, SSGI_FAR) && ssgi_gl__within(&l.reach, 1, SSGI_FAR)
-                       && ssgi_gl__within(&l.inside, 1, SSGI_FAR),
-                   "limits: must be finite");
-    SSGI_GL__CHECK(l.ramp >= 0.0f && l.ramp < l.reach && l.reach <= field->reach * 1.000001f,
-                   "limits.reach: must be above limits.ramp >= 0, and at most field->reach");
-    SSGI_GL__CHECK(l.inside >= 0.0f && l.inside <= 1.0f, "limits.inside: must be 0..1");
-    SSGI_GL__CHECK(ssgi_gl__above(l.power), "limits.power: must be above 0 and finite");
-    SSGI_GL__MATRIX(mesh_to_view);
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) {
-            square[i] += (double)m[4 * i + k] * (double)m[4 * i + k];
-            across[i] += (double)m[4 * i + k] * (double)m[4 * ((i + 1) % 3) + k];
-        }
-    for (int i = 0; i < 3; ++i)
-        SSGI_GL__CHECK(square[i] > 1e-30 && square[i] < 1.002 * square[0] && square[i] > 0.998 * square[0]
-                           && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0],
-                       "mesh_to_view: must be a rotation, a translation and a uniform scale");
-    memset(&c, 0, sizeof c);
-    for (int i = 0; i < 3; ++i) { /* the inverse: transposed over the squared scale */
-        double shift = -(double)field->centre[i];
-        c.at[i] = m[12 + i];
-        for (int k = 0; k < 3; ++k) {
-            c.at[i] += m[4 * k + i] * field->centre[k];
-            c.to_field[i][k] = (float)((double)m[4 * i + k] / square[0]);
-            shift -= (double)m[4 * i + k] / square[0] * (double)m[12 + k];
-        }
-        c.to_field[i][3] = (float)shift;
-    }
-    c.radius = l.reach * sqrtf((float)square[0]);
-    c.ramp = l.ramp;
-    c.reach = l.reach;
-    c.inside = l.inside;
-    c.power = l.power;
-    memcpy(c.low, field->low, sizeof c.low);
-    memcpy(c.span, field->span, sizeof c.span);
-    c.resolution = (float)field->resolution;
-    c.slice = (float)slice;
-    c.baked_reach = field->reach;
-    c.object = (float)object;
-    *occluder = c;
-    return SSGI_OK;
 }
 
 /* ==== >>steps (implementation) ==================================================================================== */
@@ -7105,6 +6757,356 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
         if (wrong) ssgi_gl__print(&t, "%s: %s: %s", ssgi_gl_pass_name(step->desc.pass), o->name, wrong);
     }
     return ssgi_gl__end(&t);
+}
+
+/* ==== >>frame (implementation) ==================================================================================== */
+
+/* Whether all are finite and none is larger than `most` [limit: >= 0], by the bits, which -ffast-math leaves. */
+static int ssgi_gl__within(const float *v, int count, float most)
+{
+    uint32_t limit, bits;
+    memcpy(&limit, &most, sizeof limit);
+    for (; count > 0; ++v, --count) {
+        memcpy(&bits, v, sizeof bits);
+        if ((bits & 0x7fffffffu) > limit) return 0;
+    }
+    return 1;
+}
+
+static int ssgi_gl__above(float x) { return ssgi_gl__within(&x, 1, SSGI_FAR) && x > 0.0f; }
+
+#define SSGI_GL__MATRIX(m) SSGI_GL__CHECK(ssgi_gl__within(m, 16, SSGI_FAR), #m ": must be finite")
+
+/* Of two rigid world-to-view matrices: a after the inverse of b. */
+static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
+{
+    memset(out, 0, 16 * sizeof *out);
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            for (int k = 0; k < 3; ++k) out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
+    for (int r = 0; r < 3; ++r) {
+        out[12 + r] = (double)a[12 + r];
+        for (int c = 0; c < 3; ++c) out[12 + r] -= out[4 * c + r] * (double)b[12 + c];
+    }
+}
+
+/* Column-major: a point of the main camera's view space to x, y (pixels, times depth when perspective), view depth, 1
+   of another camera; and back. */
+static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
+                                      const float *other, const char **why)
+{
+    double m[16], b[16];
+    SSGI_GL__VIEW(view);
+    SSGI_GL__CHECK(main_view, "main_world_to_view: must not be NULL");
+    SSGI_GL__CHECK(ssgi_gl__within(main_view, 16, SSGI_FAR) && ssgi_gl__within(other, 16, SSGI_FAR),
+                   "main_world_to_view: both matrices must be finite");
+    ssgi_gl__relative(m, other, main_view);
+    ssgi_gl__relative(b, main_view, other);
+    for (int c = 0; c < 4; ++c) {
+        const double z = -m[4 * c + 2], unit = view->orthographic ? (c == 3 ? 1.0 : 0.0) : z;
+        to[4 * c + 0] = (float)((double)view->project[0] * m[4 * c + 0] + (double)view->project[2] * unit);
+        to[4 * c + 1] = (float)((double)view->project[1] * m[4 * c + 1] + (double)view->project[3] * unit);
+        to[4 * c + 2] = (float)z;
+        to[4 * c + 3] = c == 3 ? 1.0f : 0.0f;
+    }
+    for (int r = 0; r < 4; ++r) { /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
+        const double shift = b[r] * (double)view->unproject[2] + b[4 + r] * (double)view->unproject[3];
+        from[r] = (float)(b[r] * (double)view->unproject[0]);
+        from[4 + r] = (float)(b[4 + r] * (double)view->unproject[1]);
+        from[8 + r] = (float)((view->orthographic ? 0.0 : shift) - b[8 + r]);
+        from[12 + r] = (float)((view->orthographic ? shift : 0.0) + b[12 + r]);
+    }
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why)
+{
+    ssgi_gl_frame f;
+    SSGI_GL__THERE(frame);
+    SSGI_GL__VIEW(view);
+    SSGI_GL__CHECK(ssgi_gl__above(radius), "radius: must be > 0 and finite");
+    memset(&f, 0, sizeof f);
+    memcpy(f.project, view->project, sizeof f.project);
+    memcpy(f.unproject, view->unproject, sizeof f.unproject);
+    memcpy(f.decode, view->depth, sizeof view->depth);
+    f.decode[2] = view->clear;
+    memcpy(f.oblique, view->oblique, sizeof f.oblique);
+    f.size[0] = view->width;
+    f.size[1] = view->height;
+    f.near_depth = ssgi_view_near(view);
+    f.radius = radius;
+    f.offset = 1.5f;
+    f.thickness_limit = 0.6f * radius;
+    f.fade = 0.3f * radius;
+    f.distance_clamp = 0.25f;
+    f.gain = f.sent = 1.0f;
+    f.max_slope = 20.0f;
+    f.lambda = 4.0f;
+    ssgi_sh_window(f.window, 4, SSGI_SH_WINDOW_HANN);
+    for (int i = 0; i < 3; ++i) f.rotation[5 * i] = f.mesh[5 * i] = 1.0f;
+    f.mesh[15] = 1.0f;
+    f.epsilon = 0.1f;
+    f.exponent = 32.0f;
+    *frame = f;
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
+                                           const float main_world_to_view[16], const float last_world_to_view[16],
+                                           const char **why)
+{
+    float to[16], from[16];
+    SSGI_GL__THERE(frame);
+    SSGI_GL__THERE(last_world_to_view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, last_world_to_view, why));
+    SSGI_GL__CHECK(view->width == frame->size[0] && view->height == frame->size[1],
+                   "view: must have this frame's size; a history of another size is none");
+    memcpy(frame->last_to, to, sizeof to);
+    memcpy(frame->last_from, from, sizeof from);
+    frame->history = 16.0f;
+    return SSGI_OK;
+}
+
+SSGI_DEF float ssgi_gl_phase(uint32_t k)
+{
+    /* Every four frames in a row have each quarter of the phases; from four to four they move by a quarter of the
+       golden ratio's fraction, and a quarter, so that each of the four spreads as that does. */
+    static const uint32_t quarter[4] = { 0, 2, 1, 3 };
+    const uint32_t phase = (k >> 2) * 1737350767u + (quarter[k & 3] << 30);
+    return (float)((phase >> 8 & ~3u) | (k & 3)) / 16777216.0f;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
+                                         int levels, const float *mesh_to_view, const char **why)
+{
+    float scale[4];
+    int size[2] = { 0, 0 };
+    SSGI_GL__THERE(frame);
+    if (mesh_to_view) SSGI_GL__MATRIX(mesh_to_view);
+    SSGI_GL__TRY(ssgi_surfel_scale(scale, desc, view, why));
+    SSGI_GL__TRY(ssgi_splat_size(size, view->width, view->height, levels, why));
+    memcpy(frame->surfel, scale, sizeof scale);
+    frame->keep_small = (float)desc->keep_small;
+    memcpy(frame->level, size, sizeof size);
+    if (mesh_to_view) memcpy(frame->mesh, mesh_to_view, sizeof frame->mesh);
+    return SSGI_OK;
+}
+
+/* Irradiance over pi of a surfel by a light of colour 1, without occlusion; the light's kind as >>light of the library
+   tells it apart. */
+static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
+{
+    const int sun = l->kind < 0.5f;
+    const int vpl = l->kind > 2.5f;
+    const int spot = l->kind > 1.5f && !vpl;
+    const double least = (double)l->min_distance * (double)l->min_distance;
+    double to[3], q[3], d = 0.0, facing = 0.0, from = 0.0; /* q: the surfel in the light's map */
+    for (int c = 0; c < 3; ++c) {
+        to[c] = (double)l->at[c] - (sun ? 0.0 : (double)s->position[c]);
+        d += to[c] * to[c];
+        facing += to[c] * (double)s->normal[c];
+        from -= to[c] * (double)l->normal[c];
+        q[c] = (double)l->map[c][3];
+        for (int k = 0; k < 3; ++k) q[c] += (double)l->map[c][k] * (double)s->position[k];
+    }
+    if (!(d > 0.0) || !(facing > 0.0)) return 0.0;
+    if (sun && l->min_distance > 0.0f) return 0.0; /* the row of its widest map counts */
+    if (spot && l->tile[2] > 0.0f
+        && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
+             && q[1] < q[2] * (double)l->tile[3]))
+        return 0.0;
+    if (vpl) facing *= from > 0.0 ? from / sqrt(d) : 0.0;
+    facing /= sqrt(d) * 3.14159265358979;
+    return sun ? facing : facing / (d > least ? d : least);
+}
+
+/* The largest component of the radiance that a surfel sends; 0 where it is 1e-30 or less, as texts divide by
+   frame.sent. */
+static double ssgi_gl__sent_by(const ssgi_surfel *s, const ssgi_gl_light *lights, int light_count, const float *sky)
+{
+    double light[3] = { 0.0, 0.0, 0.0 }, sent = 0.0;
+    for (int c = 0; sky && c < 3; ++c) light[c] = (double)sky[c];
+    for (int k = 0; k < light_count; ++k) {
+        const double share = ssgi_gl__light_on(s, &lights[k]);
+        for (int c = 0; c < 3; ++c) light[c] += share * (double)lights[k].colour[c];
+    }
+    for (int c = 0; c < 3; ++c) {
+        light[c] *= (double)s->colour[c];
+        sent = light[c] > sent ? light[c] : sent;
+    }
+    return sent > 1e-30 && sent < (double)SSGI_FAR ? sent : 0.0;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why)
+{
+    float scaled[16] = { 0 };
+    SSGI_GL__CHECK(frame && dipole, "frame, dipole: must not be NULL");
+    SSGI_GL__CHECK(ssgi_gl__above(unit), "unit: must be > 0 and finite");
+    for (int c = 0; c < 3; ++c) {
+        scaled[c] = (float)dipole->z_r[c] * unit;
+        scaled[4 + c] = (float)dipole->z_v[c] * unit;
+        scaled[8 + c] = (float)dipole->sigma_tr[c] / unit;
+        scaled[12 + c] = 0.25f * (float)dipole->albedo[c]; /* pi r^2 over 4 pi */
+    }
+    SSGI_GL__CHECK(ssgi_gl__within(scaled, 16, SSGI_FAR), "dipole: must be finite, also times and over unit");
+    memcpy(frame->dipole, scaled, sizeof scaled);
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
+                                           const float *world_to_view, const char **why)
+{
+    float turned[48] = { 0 };
+    SSGI_GL__THERE(frame);
+    SSGI_GL__THERE(coefficients);
+    SSGI_GL__CHECK(bands >= 1 && bands <= 4, "bands: must be 1..4");
+    SSGI_GL__CHECK(ssgi_gl__within(coefficients, 3 * bands * bands, 1e30f), "coefficients: must be finite");
+    if (world_to_view) SSGI_GL__MATRIX(world_to_view);
+    memcpy(turned, coefficients, 3 * (size_t)(bands * bands) * sizeof *turned);
+    if (world_to_view) ssgi_sh_rotate(turned, bands, turned, 3, world_to_view);
+    for (int i = 0; i < 48; ++i) frame->harmonics[12 * (i / 12) + 4 * (i % 3) + i / 3 % 4] = turned[i];
+    return SSGI_OK;
+}
+
+static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
+{
+    memcpy(decode, view->depth, sizeof view->depth);
+    decode[2] = view->clear;
+    decode[3] = (float)view->orthographic;
+}
+
+#define SSGI_GL__STRAIGHT(view) \
+    SSGI_GL__CHECK(!(view) || ((view)->oblique[0] == 0.0f && (view)->oblique[1] == 0.0f), \
+                   "view: its near plane must not be oblique; only the picture's may be")
+
+SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
+                                       const float main_world_to_view[16], const float extra_world_to_view[16],
+                                       const char **why)
+{
+    SSGI_GL__THERE(views);
+    SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
+    SSGI_GL__THERE(extra_world_to_view);
+    SSGI_GL__STRAIGHT(view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view, why));
+    ssgi_gl__decode(views->decode[i], view);
+    const float size[4] = { (float)view->width, (float)view->height, 2.0f * ssgi_pixel_footprint(view, 1.0f), 0.0f };
+    memcpy(views->size[i], size, sizeof size);
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
+                                       const float main_world_to_view[16], const float light_world_to_view[16],
+                                       const char **why)
+{
+    float to[16], from[16];
+    SSGI_GL__THERE(light);
+    SSGI_GL__CHECK(x >= 0 && y >= 0, "x: the tile must lie in the atlas, x and y >= 0");
+    SSGI_GL__THERE(light_world_to_view);
+    SSGI_GL__STRAIGHT(view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view, why));
+    for (int i = 0; i < 12; ++i) light->map[i / 4][i % 4] = to[4 * (i % 4) + i / 4];
+    light->patch = ssgi_pixel_footprint(view, 1.0f);
+    ssgi_gl__decode(light->decode, view);
+    const float tile[4] = { (float)x, (float)y, (float)view->width, (float)view->height };
+    memcpy(light->tile, tile, sizeof tile);
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
+                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
+                                      const char **why)
+{
+    enum { bins = 256 }; /* of radiances below the most, each 1/8 of an octave: down to 2^-32 of it */
+
+    const double octave = 8.0; /* bins */
+    double sum[bins] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
+    int b;
+    SSGI_GL__THERE(frame);
+    SSGI_GL__CHECK(surfels || !count, "surfels: must not be NULL when there are any");
+    SSGI_GL__CHECK(lights || light_count <= 0, "lights: must not be NULL when there are any");
+    SSGI_GL__CHECK(light_count >= 0, "light_count: must be 0 or more");
+    SSGI_GL__CHECK(!sky || (ssgi_gl__within(sky, 3, SSGI_FAR) && sky[0] >= 0.0f && sky[1] >= 0.0f && sky[2] >= 0.0f),
+                   "sky: must be 0 or more and finite");
+    for (size_t i = 0; i < count; ++i) /* position to colour */
+        SSGI_GL__CHECK(ssgi_gl__within((const float *)&surfels[i], 11, SSGI_FAR), "surfels: must be finite");
+    for (int k = 0; k < light_count; ++k)
+        SSGI_GL__CHECK(ssgi_gl__within((const float *)&lights[k], (int)(sizeof *lights / sizeof(float)), 1e30f),
+                       "lights: must be finite");
+    for (size_t i = 0; i < count; ++i) {
+        const double sent = ssgi_gl__sent_by(&surfels[i], lights, light_count, sky);
+        most = sent > most ? sent : most;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const double sent = ssgi_gl__sent_by(&surfels[i], lights, light_count, sky);
+        const double flux = sent * (double)surfels[i].radius * (double)surfels[i].radius;
+        if (!(sent > 0.0)) continue;
+        b = (int)(octave * log2(most / sent));
+        sum[b < bins ? b : bins - 1] += flux;
+        all += flux;
+    }
+    /* the median, within its bin by the share of the bin that it takes */
+    for (b = 0; b < bins && below + sum[b] < 0.5 * all; ++b) below += sum[b];
+    if (all > 0.0 && b < bins)
+        frame->sent = (float)(most * exp2(-(b + 1 - (below + sum[b] - 0.5 * all) / sum[b]) / octave));
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
+                                          const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
+                                          int object, const char **why)
+{
+    ssgi_field_limits l;
+    ssgi_gl_occluder c;
+    double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 };
+    const float *m = mesh_to_view;
+    SSGI_GL__THERE(occluder);
+    SSGI_GL__CHECK(field && field->texels && field->resolution >= 2,
+                   "field: must come from ssgi_field_bake or ssgi_field_load");
+    SSGI_GL__THERE(mesh_to_view);
+    SSGI_GL__CHECK(slice >= 0 && slice <= 2047, "slice: must be 0..2047");
+    SSGI_GL__CHECK(object >= 0 && object <= 16777215, "object: must be 0..16777215");
+    l = limits ? *limits : ssgi_field_limits_of(field);
+    SSGI_GL__CHECK(ssgi_gl__within(&l.ramp, 1, SSGI_FAR) && ssgi_gl__within(&l.reach, 1, SSGI_FAR)
+                       && ssgi_gl__within(&l.inside, 1, SSGI_FAR),
+                   "limits: must be finite");
+    SSGI_GL__CHECK(l.ramp >= 0.0f && l.ramp < l.reach && l.reach <= field->reach * 1.000001f,
+                   "limits.reach: must be above limits.ramp >= 0, and at most field->reach");
+    SSGI_GL__CHECK(l.inside >= 0.0f && l.inside <= 1.0f, "limits.inside: must be 0..1");
+    SSGI_GL__CHECK(ssgi_gl__above(l.power), "limits.power: must be above 0 and finite");
+    SSGI_GL__MATRIX(mesh_to_view);
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) {
+            square[i] += (double)m[4 * i + k] * (double)m[4 * i + k];
+            across[i] += (double)m[4 * i + k] * (double)m[4 * ((i + 1) % 3) + k];
+        }
+    for (int i = 0; i < 3; ++i)
+        SSGI_GL__CHECK(square[i] > 1e-30 && square[i] < 1.002 * square[0] && square[i] > 0.998 * square[0]
+                           && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0],
+                       "mesh_to_view: must be a rotation, a translation and a uniform scale");
+    memset(&c, 0, sizeof c);
+    for (int i = 0; i < 3; ++i) { /* the inverse: transposed over the squared scale */
+        double shift = -(double)field->centre[i];
+        c.at[i] = m[12 + i];
+        for (int k = 0; k < 3; ++k) {
+            c.at[i] += m[4 * k + i] * field->centre[k];
+            c.to_field[i][k] = (float)((double)m[4 * i + k] / square[0]);
+            shift -= (double)m[4 * i + k] / square[0] * (double)m[12 + k];
+        }
+        c.to_field[i][3] = (float)shift;
+    }
+    c.radius = l.reach * sqrtf((float)square[0]);
+    c.ramp = l.ramp;
+    c.reach = l.reach;
+    c.inside = l.inside;
+    c.power = l.power;
+    memcpy(c.low, field->low, sizeof c.low);
+    memcpy(c.span, field->span, sizeof c.span);
+    c.resolution = (float)field->resolution;
+    c.slice = (float)slice;
+    c.baked_reach = field->reach;
+    c.object = (float)object;
+    *occluder = c;
+    return SSGI_OK;
 }
 
 #ifdef __cplusplus

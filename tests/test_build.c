@@ -335,14 +335,27 @@ static void documentation(void)
                                     "\"ssgi_gl.h\"\n#include <stdio.h>\n#include <stdlib.h>\nint main(void) {\n";
     static const char *const view = "    float m[16] = { 1,0,0,0, 0,1,0,0, 0,0,-1,-1, 0,0,-1,0 }; ssgi_view view; "
                                     "ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, 64, 64, NULL);\n";
-    char text[4000], both[2000];
+    static const char *const used[][2] = {
+        { "bias",
+          "\n    (void)why; return !(lift > 0.06f && lift < 0.08f && bias > patch && bias < 1.3f * patch); }\n" },
+        { "kernel", "\n    (void)view; return !(up > 0.666f && up < 0.668f); }\n" },
+        { "sh", "\n    (void)view; return !(irradiance > 3.140f && irradiance < 3.142f); }\n" },
+        { "tessellate", "\n    (void)view; free(uvw); return !(level == 9 && points == 75); }\n" },
+        { "cap", "\n    (void)view; return !(share > 0.1 && share < 0.2 && table[0] == 0 && table[1023] == 1); }\n" }
+    };
+    char text[4000], both[2000], mark[40];
     int status = snippet("ssgi.h", "   QUICK USE", "   CONVENTIONS", head, "    return 0;\n}\n", text, sizeof text);
     CHECK(!status && strstr(text, "a pixel is"), "ssgi.h's usage: %s", text);
     snprintf(both, sizeof both, "%s%s", head, view);
     status = snippet("ssgi_gl.h", "   QUICK USE", "   HOW A PASS", both,
                      "    free(text); return frame.radius != 0.5f;\n}\n", text, sizeof text);
     CHECK(!status && strstr(text, "unit 0: t_ssgi_depth"), "ssgi_gl.h's usage: %s", text);
-    strcat(both, "    const char *why;\n");
+    strcat(both, "    const char *why = \"\";\n");
+    for (size_t i = 0; i < sizeof used / sizeof *used; ++i) {
+        snprintf(mark, sizeof mark, "/* >>%s in use", used[i][0]);
+        status = snippet("ssgi.h", mark, "*/", both, used[i][1], text, sizeof text);
+        CHECK(!status, "ssgi.h's usage of >>%s: %s", used[i][0], text);
+    }
     status = snippet("README.md", "<!-- usage -->\n```c", "```\n<!-- /usage -->", both,
                      "    return !(count == 3 && length && frame.radius == 0.5f);\n}\n", text, sizeof text);
     CHECK(!status, "README.md's usage: %s", text);
@@ -1359,14 +1372,14 @@ static void bench_fits(const char *plan)
     CHECK(!shell(text, sizeof text,
                  "'%s/build/fit' /dev/null 2>/dev/null >was.txt && "
                  "'%s/build/fit' /dev/null b/plan-software.csv 2>/dev/null >is.txt; diff was.txt is.txt | "
-                 "grep -c '^[<>]'; grep -c SSGI__ROW is.txt; sed -n 4p was.txt; "
-                 "sed -n 4p is.txt; sed -n '/SSGI__ROW(VIS/,/^};/p' ssgi.h | grep SSGI__ROW | diff - was.txt",
+                 "grep -c '^[<>]'; grep -c SSGI__P is.txt; sed -n 4p was.txt; "
+                 "sed -n 4p is.txt; grep '^  SSGI__P(' ssgi.h | diff - was.txt",
                  t_root, t_root),
           "fit of no rows does not print ssgi.h's table: %s", text);
     if (!CHECK(!strncmp(text, "2\n", 2) && sscanf(text, "2\n%d\n%299[^\n]\n%299[^\n]", &choice, was, is) == 3
                && choice == SSGI_PLAN_CHOICES, "fit: %s", text))
         return;
-    const char *const costs = "    SSGI__ROW(VISIBILITY, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, %lff, %lff";
+    const char *const costs = "  SSGI__P(V, HSAO, WIDTH, 1, 2, 10, 0, 0, 0, 0, %lff, %lff";
     CHECK(sscanf(was, costs, &before[0], &before[1]) == 2 && sscanf(is, costs, &after[0], &after[1]) == 2
           && after[0] == before[0] && fabs(after[1] / cost - 1) < 0.05, "measured %g: %s became %s", cost, was, is);
 }

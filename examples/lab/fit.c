@@ -65,12 +65,13 @@ static double solve(double x[MOST_TERMS], const equation *rows, int count, int t
 }
 
 /* ", 0.12f": at most three decimals, as C has them. */
-static void literal(double v)
+static void literal(double v, int width, const char *end)
 {
-    char text[32];
+    char text[32], padded[40];
     size_t n = (size_t)snprintf(text, sizeof text, "%.*f", v < 0.1 ? 3 : v < 10 ? 2 : 1, v);
     while (n > 3 && text[n - 1] == '0' && text[n - 2] != '.') text[--n] = 0;
-    printf(v > 0 ? ", %sf" : ", 0", text + (*text == '0'));
+    snprintf(padded, sizeof padded, v > 0 ? "%sf%s" : "0%.0s%s", text + (*text == '0'), end);
+    printf("%-*s", *end == ',' ? width + 2 : 0, padded);
 }
 
 /* A line of plan-fit.csv. */
@@ -230,7 +231,7 @@ static void print_choice(int c, int count, const double base[2], double gpu)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
                              *const method[] = { "NOTHING", "HSAO", "SSDO", "S3HO", "SURFELS", "FIELD" },
-                             *const behind[] = { "WIDTH", "SOLID", "BACK", "SLABS" };
+                             *const thickness[] = { "WIDTH", "SOLID", "BACK", "SLABS" };
     static double costs[2][MOST_ROWS];
     const ssgi__plan_row *r = &ssgi__plan_rows[c];
     double x[MOST_TERMS];
@@ -238,12 +239,14 @@ static void print_choice(int c, int count, const double base[2], double gpu)
     const int n = equations_of(costs, &timed, c, count);
     const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
     for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
-    printf("    SSGI__ROW(%s, %s, %s, %d, %d, %d, %d, %d, %d, ", wanted[r->wanted], method[r->method],
-           behind[r->thickness], r->half, r->directions, r->steps, r->bands, r->history, r->resolution);
-    printf(r->size > 0 ? "%gf" : "%g", (double)r->size);
-    for (int k = 0; k < 2; ++k) literal(cost_of(costs[k], timed, r, k, base[k], gpu));
-    for (int k = 0; k < MOST_TERMS; ++k) literal(x[k] < 1e-3 ? 0 : x[k]);
-    puts(c + 1 < SSGI_PLAN_CHOICES ? ")," : ")");
+    printf("  SSGI__P(%c, %s,%*s %s,%*s %d, %d, %d,%*s %d, %d, %d, ", wanted[r->wanted][0], method[r->method],
+           7 - (int)strlen(method[r->method]), "", thickness[r->thickness], 5 - (int)strlen(thickness[r->thickness]), "",
+           r->half, r->directions, r->steps, r->steps < 10, "", r->bands, r->history, r->resolution);
+    literal((double)r->size, 5, ",");
+    for (int k = 0; k < 2; ++k) literal(cost_of(costs[k], timed, r, k, base[k], gpu), 5, ",");
+    for (int k = 0; k < MOST_TERMS; ++k)
+        literal(x[k] < 1e-3 ? 0 : x[k], "555415115"[k] - '0', k + 1 < MOST_TERMS ? "," : ")");
+    puts(c + 1 < SSGI_PLAN_CHOICES ? "," : "");
     fprintf(stderr, "choice %d: %d rows, spread %.3f\n", c, n, spread);
 }
 
