@@ -340,14 +340,14 @@ tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(G
       $(AGAINST:%=build/examples/%.o)
 	@sh tests/tree.sh $(sort $^)
 
-# make test ONLY="math text" runs those groups, make test PASS=blur those that draw that pass: only the programs that
-# their files name are built.
-GROUPS_OF = $(shell sed -n 's/^| `$(1)` | \([a-z ]*\) |$$/\1/p' examples/docs/CONTRIBUTING.md)
+# make test ONLY="math text" runs those groups, make test PASS=blur those that name that pass (SSGI_GL_PASS_BLUR): only
+# the programs that their files name are built.
+GROUPS_OF = $(shell sh tests/groups.sh $(1))
 ASKED     = $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
 PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text figures starve fuzz-files library bench fit)
 NAMED_IN  = $(filter $(PROGRAMS),$(shell grep -oh 'build/[a-z-]*' $(1:%=tests/test_%.c) /dev/null 2>/dev/null))
 test: build/test $(if $(strip $(ASKED)),$(sort $(call NAMED_IN,$(ASKED))),tree $(PROGRAMS))
-	$(if $(PASS),$(if $(call GROUPS_OF,$(PASS)),,$(error PASS=$(PASS): examples/docs/CONTRIBUTING.md has no such pass)))
+	$(if $(PASS),$(if $(call GROUPS_OF,$(PASS)),,$(error PASS=$(PASS): no group of tests names it)))
 	build/test $(ASKED)
 
 # In place. Another version of clang-format lays out otherwise, so that only 14 is taken; tables that it would break

@@ -6623,8 +6623,10 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
     if (!chain) return "chain: must not be NULL";
     const int pass = chain->desc.pass, lit = chain->lights.pass == SSGI_GL_PASS_LIGHTS;
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(pass);
-    if (!row || row->chain == SSGI_GL__CHAIN_NONE)
-        return "chain.desc.pass: must be SSGI_GL_PASS_SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT";
+    if (!row) return ssgi_gl__fields[0].sentence;
+    if (row->chain == SSGI_GL__CHAIN_NONE)
+        return "chain.desc.pass: must be a pass with a result of its own, as SSGI_GL_PASS_HSAO is: this one is a step "
+               "that ssgi_gl_steps adds where a chain needs it";
     if (chain->width < 1 || chain->width > 16384 || chain->height < 1 || chain->height > 16384)
         return "chain.width, height: must be 1..16384";
     if (chain->history && !chain->blur) return "chain.history: filters its average: needs blur = 1";

@@ -95,6 +95,7 @@ static double apart(const kit_image *a, const char *channel, const kit_image *b,
 
 /* ---- open planes ------------------------------------------------------------------------------------------------- */
 
+/* SSGI_GL_PASS_SHADE makes the light of the vectors that are read here. */
 static void open_planes(void)
 {
     enum { PLANES = 8 };

@@ -1127,7 +1127,7 @@ static void three_ways(void)
     }
 }
 
-/* Every pixel once in every level, in the texel of its block, by chance. */
+/* SSGI_GL_PASS_INTERLEAVE: every pixel once in every level, in the texel of its block, by chance. */
 static void interleaving(void)
 {
     enum { SW = 53, SH = 37, LEVELS = 5 };
@@ -1264,8 +1264,8 @@ static double interleaved(const deep *d, const ssgi_surfel *s, int x, int y, con
     return (double)form_factor(&wide, p, n) * fade * (enlarge ? 1 : 1 << 2 * l);
 }
 
-/* Every pixel of a picture that is not smoothed is the sum over the surfels of its own sub-buffers, as published and by
-   weights: not only the mean is. */
+/* SSGI_GL_PASS_SPLAT, _DEINTERLEAVE and _SUM: every pixel of a picture that is not smoothed is the sum over the surfels
+   of its own sub-buffers, as published and by weights: not only the mean is. */
 static void as_sub_buffers(void)
 {
     for (int m = 0; m < 2; ++m) {

@@ -37,9 +37,10 @@ static char *cost_text(const ssgi_gl_desc *d, int at)
 
 static ssgi_gl_desc cost_desc(int v, int c)
 {
-    ssgi_gl_desc d = variants[v].desc;
-    d.text.dialect = SSGI_GL_DIALECT_450;
-    return with_choice(d, c);
+    variant of;
+    variant_at(&of, v);
+    of.desc.text.dialect = SSGI_GL_DIALECT_450;
+    return with_choice(of.desc, c);
 }
 
 /* The text's file is COSTS/HASH.STAGE, its SPIR-V's that and .spv. */
@@ -85,8 +86,9 @@ static int costs_write(tally *costs, int *texts, kit_error *err)
 {
     int n = 0;
     *texts = 0;
-    for (int v = 0; v < variants_count; ++v) {
-        const int pass = variants[v].desc.pass,
+    variant of;
+    for (int v = 0; variant_at(&of, v); ++v) {
+        const int pass = of.desc.pass,
                   first = pass == SSGI_GL_PASS_SURFELS || pass == SSGI_GL_PASS_SPLAT ? 0 : 1;
         for (int c = 0; c < choices_count; ++c)
             for (int at = first; at < SSGI_GL_STAGES && n < MOST_COSTS; ++at)
@@ -192,18 +194,11 @@ static int costs_waiting(FILE *f, int v)
 
 /* ---- >>writing --------------------------------------------------------------------------------------------------- */
 
-static void cost_title(char out[64], int v)          /* without Markdown's marks */
-{
-    size_t n = 0;
-    for (const char *c = variants[v].title; *c && n < 63; ++c) if (*c != '`') out[n++] = *c;
-    out[n] = 0;
-}
-
 static void cost_html(FILE *f, const tally *k, const tally *base)
 {
-    char title[64];
-    cost_title(title, k->variant);
-    fprintf(f, "<tr%s><td>%s<td>%s%s", k->choice ? "" : " class=\"first\"", k->choice ? "" : title,
+    variant of;
+    variant_at(&of, k->variant);
+    fprintf(f, "<tr%s><td>%s<td>%s%s", k->choice ? "" : " class=\"first\"", k->choice ? "" : of.title,
             k->choice ? choices[k->choice].name : "defaults", k->stage == SSGI_GL_STAGE_FRAGMENT ? "" : ", ");
     if (k->stage != SSGI_GL_STAGE_FRAGMENT) fputs(stage_endings[k->stage], f);
     fprintf(f, "<td>%d<td>", k->instructions);
@@ -248,10 +243,9 @@ static void waiting_html(FILE *html)
           "set alone, and the text stayed the same byte for byte, because it waits for one of those in "
           "brackets.</p>\n<dl>\n",
           html);
-    for (int v = 0; v < variants_count; ++v) {
-        char title[64];
-        cost_title(title, v);
-        fprintf(html, "<dt>%s<dd>", title);
+    variant of;
+    for (int v = 0; variant_at(&of, v); ++v) {
+        fprintf(html, "<dt>%s<dd>", of.title);
         if (!costs_waiting(html, v)) fputs("nothing waits", html);
         fputc('\n', html);
     }
@@ -264,10 +258,10 @@ static int costs_csv(const tally *costs, int count, const char *out, kit_error *
     if (page_open(&csv, err)) return -1;
     fputs("pass,choice,stage,instructions,fetch_instructions,texels_a_pixel,branches,loops\n", csv.file);
     for (const tally *k = costs; k < costs + count; ++k) {
-        char title[64];
-        cost_title(title, k->variant);
-        fprintf(csv.file, "\"%s\",\"%s\",%s,%d,%d,%d,%d,%d\n", title, choices[k->choice].name, stage_endings[k->stage],
-                k->instructions, k->fetches, k->texels, k->branches, k->loops);
+        variant of;
+        variant_at(&of, k->variant);
+        fprintf(csv.file, "\"%s\",\"%s\",%s,%d,%d,%d,%d,%d\n", of.title, choices[k->choice].name,
+                stage_endings[k->stage], k->instructions, k->fetches, k->texels, k->branches, k->loops);
     }
     return page_close(&csv, out, "costs.csv", err);
 }

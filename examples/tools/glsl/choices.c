@@ -1,6 +1,7 @@
 /* choices.c - the passes, and the choices that change their text, one at a time. Declared in choices.h. */
 #include "tools/glsl/choices.h"
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 #define CUSTOM \
@@ -113,51 +114,47 @@ const choice choices[] = { { "", 0, 0 },
                            CHOICE("array", input.array, 1) };
 const int choices_count = (int)(sizeof choices / sizeof choices[0]);
 
-const variant variants[] = {
-    { "`ssao`", { .pass = SSGI_GL_PASS_SSAO } },
-    { "`hsao`, slices", { .pass = SSGI_GL_PASS_HSAO } },
-    { "`hsao`, march", { .pass = SSGI_GL_PASS_HSAO, .gather.search = SSGI_GL_SEARCH_MARCH } },
-    { "`ssdo`, map", { .pass = SSGI_GL_PASS_SSDO, .light.environment = SSGI_GL_ENVIRONMENT_MAP } },
-    { "`ssdo`, sh", { .pass = SSGI_GL_PASS_SSDO, .light.environment = SSGI_GL_ENVIRONMENT_SH } },
-    { "`ssdo`, bounce", { .pass = SSGI_GL_PASS_SSDO, .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE } },
-    { "`s3ho`", { .pass = SSGI_GL_PASS_S3HO } },
-    { "`s3ho`, transfer, packed",
+/* Sections of PASSES.md beside the plain one that each pass has. */
+typedef struct section { const char *which; ssgi_gl_desc desc; } section;
+static const section sections[] = {
+    { "march", { .pass = SSGI_GL_PASS_HSAO, .gather.search = SSGI_GL_SEARCH_MARCH } },
+    { "map", { .pass = SSGI_GL_PASS_SSDO, .light.environment = SSGI_GL_ENVIRONMENT_MAP } },
+    { "sh", { .pass = SSGI_GL_PASS_SSDO, .light.environment = SSGI_GL_ENVIRONMENT_SH } },
+    { "bounce", { .pass = SSGI_GL_PASS_SSDO, .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE } },
+    { "transfer, packed",
       { .pass = SSGI_GL_PASS_S3HO, .light.transfer = SSGI_GL_TRANSFER_BOTH, .light.packed = 1 } },
-    { "`s3ho`, transfer, packed, dimmed",
+    { "transfer, packed, dimmed",
       { .pass = SSGI_GL_PASS_S3HO, .light.transfer = SSGI_GL_TRANSFER_BOTH, .light.packed = 1, .light.dimmed = 1 } },
-    { "`s3ho`, shaded", { .pass = SSGI_GL_PASS_S3HO, .light.shaded = 1 } },
-    { "`lights`", { .pass = SSGI_GL_PASS_LIGHTS } },
-    { "`lights`, maps", { .pass = SSGI_GL_PASS_LIGHTS, .light.shadow = SSGI_GL_SHADOW_FILL } },
-    { "`emitters`", { .pass = SSGI_GL_PASS_EMITTERS } },
-    { "`shade`", { .pass = SSGI_GL_PASS_SHADE } },
-    { "`shade`, packed, lights", { .pass = SSGI_GL_PASS_SHADE, .light.packed = 1, .light.lights = 1 } },
-    { "`shade`, bent cone", { .pass = SSGI_GL_PASS_SHADE, .light.shading = SSGI_GL_SHADING_BENT_CONE } },
-    { "`field`", { .pass = SSGI_GL_PASS_FIELD } },
-    { "`field`, objects", { .pass = SSGI_GL_PASS_FIELD, .input.objects = SSGI_GL_OBJECTS_TEXTURE } },
-    { "`field`, cap table", { .pass = SSGI_GL_PASS_FIELD, .input.cap_table = 1 } },
-    { "`surfels`, from triangles",
+    { "shaded", { .pass = SSGI_GL_PASS_S3HO, .light.shaded = 1 } },
+    { "maps", { .pass = SSGI_GL_PASS_LIGHTS, .light.shadow = SSGI_GL_SHADOW_FILL } },
+    { "packed, lights", { .pass = SSGI_GL_PASS_SHADE, .light.packed = 1, .light.lights = 1 } },
+    { "bent cone", { .pass = SSGI_GL_PASS_SHADE, .light.shading = SSGI_GL_SHADING_BENT_CONE } },
+    { "objects", { .pass = SSGI_GL_PASS_FIELD, .input.objects = SSGI_GL_OBJECTS_TEXTURE } },
+    { "cap table", { .pass = SSGI_GL_PASS_FIELD, .input.cap_table = 1 } },
+    { "from triangles",
       { .pass = SSGI_GL_PASS_SURFELS, .text.dialect = SSGI_GL_DIALECT_410, .surfel.tessellate = 1 } },
-    { "`surfels`, lit", { .pass = SSGI_GL_PASS_SURFELS, .surfel.sends = SSGI_GL_SENDS_LIGHTS } },
-    { "`interleave`", { .pass = SSGI_GL_PASS_INTERLEAVE } },
-    { "`splat`, occlusion", { .pass = SSGI_GL_PASS_SPLAT } },
-    { "`splat`, light", { .pass = SSGI_GL_PASS_SPLAT, .surfel.effect = SSGI_GL_EFFECT_LIGHT } },
-    { "`deinterleave`", { .pass = SSGI_GL_PASS_DEINTERLEAVE } },
-    { "`smooth`", { .pass = SSGI_GL_PASS_SMOOTH } },
-    { "`sum`", { .pass = SSGI_GL_PASS_SUM } },
-    { "`blur`", { .pass = SSGI_GL_PASS_BLUR } },
-    { "`blur`, light", { .pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_LIGHT } },
-    { "`blur`, coefficients", { .pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS } },
-    { "`history`", { .pass = SSGI_GL_PASS_HISTORY } },
-    { "`history`, light", { .pass = SSGI_GL_PASS_HISTORY, .filter.quantity = SSGI_GL_QUANTITY_LIGHT } },
-    { "`history`, motion", { .pass = SSGI_GL_PASS_HISTORY, .input.motion = 1 } },
-    { "`change_mask`", { .pass = SSGI_GL_PASS_CHANGE_MASK } },
-    { "`change_mask`, light", { .pass = SSGI_GL_PASS_CHANGE_MASK, .filter.quantity = SSGI_GL_QUANTITY_LIGHT } },
-    { "`change_mask`, motion", { .pass = SSGI_GL_PASS_CHANGE_MASK, .input.motion = 1 } },
-    { "`change_share`", { .pass = SSGI_GL_PASS_CHANGE_SHARE } },
-    { "`compose`", { .pass = SSGI_GL_PASS_COMPOSE } },
-    { "`thickness`", { .pass = SSGI_GL_PASS_THICKNESS } }
+    { "lit", { .pass = SSGI_GL_PASS_SURFELS, .surfel.sends = SSGI_GL_SENDS_LIGHTS } },
+    { "light", { .pass = SSGI_GL_PASS_SPLAT, .surfel.effect = SSGI_GL_EFFECT_LIGHT } },
+    { "light", { .pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_LIGHT } },
+    { "coefficients", { .pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS } },
+    { "light", { .pass = SSGI_GL_PASS_HISTORY, .filter.quantity = SSGI_GL_QUANTITY_LIGHT } },
+    { "motion", { .pass = SSGI_GL_PASS_HISTORY, .input.motion = 1 } },
+    { "light", { .pass = SSGI_GL_PASS_CHANGE_MASK, .filter.quantity = SSGI_GL_QUANTITY_LIGHT } },
+    { "motion", { .pass = SSGI_GL_PASS_CHANGE_MASK, .input.motion = 1 } }
 };
-const int variants_count = (int)(sizeof variants / sizeof variants[0]);
+
+int variant_at(variant *v, int i)
+{
+    for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
+        for (int k = -1; k < (int)(sizeof sections / sizeof *sections); ++k) {
+            const section of = k < 0 ? (section){ "", { .pass = pass } } : sections[k];
+            if ((int)of.desc.pass != pass || ssgi_gl_check(&of.desc, NULL) != SSGI_OK || i--) continue;
+            snprintf(v->title, sizeof v->title, "%s%s%s", ssgi_gl_pass_name(pass), *of.which ? ", " : "", of.which);
+            v->desc = of.desc;
+            return 1;
+        }
+    return 0;
+}
 
 ssgi_gl_desc with_choice(ssgi_gl_desc d, int c)
 {

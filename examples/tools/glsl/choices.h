@@ -5,11 +5,11 @@
 #include "ssgi_gl.h"
 
 typedef struct choice { const char *name; size_t offset; int value; } choice;
-typedef struct variant { const char *title; ssgi_gl_desc desc; } variant;
+typedef struct variant { char title[48]; ssgi_gl_desc desc; } variant;     /* "hsao, march" */
 enum { MOST_CHOICES = 128 };
 extern const choice choices[];     /* the first is none */
-extern const variant variants[];
-extern const int choices_count, variants_count;
+extern const int choices_count;
+int variant_at(variant *v, int i);                   /* 0: there are fewer. By pass, first the plain one */
 ssgi_gl_desc with_choice(ssgi_gl_desc d, int c);     /* with choice c too; 0 is none */
 
 #endif

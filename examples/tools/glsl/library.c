@@ -203,8 +203,9 @@ static int desc_of(ssgi_gl_desc *desc, const char *main_)
 {
     static struct { ssgi_gl_desc desc; int stage; char known; } found[CODES];
     const int at = code_of(main_);
-    for (int i = 0; i < variants_count * choices_count && at >= 0 && !found[at].known; ++i) {
-        const ssgi_gl_desc d = with_choice(variants[i / choices_count].desc, i % choices_count);
+    variant v;
+    for (int i = 0; at >= 0 && !found[at].known && variant_at(&v, i / choices_count); ++i) {
+        const ssgi_gl_desc d = with_choice(v.desc, i % choices_count);
         ssgi_gl__program p;
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;
         ssgi_gl__link_all(&p, &d, SSGI_GL_STAGES);
