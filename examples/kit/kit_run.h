@@ -25,7 +25,7 @@ typedef struct kit_making {
     const kit_method   *method;
     const kit_settings *set;                           /* the method's */
     const kit_world    *world;                         /* its lighting is never NULL */
-    ssgi_gl_desc        gather, lights;                /* of the pass that the method is named for, and of lights */
+    ssgi_gl_desc        desc, lights;                  /* of the pass that the method is named for, and of lights */
     int                 blurred, kept;                 /* kept: averaged over frames */
     /* lights, as the picture's camera and the extra ones have them; 0 = none */
     GLuint              rows[1 + KIT_MAX_VIEWS];
@@ -34,7 +34,7 @@ typedef struct kit_making {
 
 /* ---- >>settings */
 
-/* The method's pass and settings, over what the passes' descs have in common (m->gather): the descs, and what of the
+/* The method's pass and settings, over what the passes' descs have in common (m->desc): the descs, and what of the
    frame they set. */
 int       kit_settings_apply(kit_making *m, float radius);
 

@@ -117,10 +117,10 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
     kit_sight seen;
     int count;
     kit_rotation_of(run->frame.rotation, picture, NULL);
-    m->gather.light.environment = SSGI_GL_ENVIRONMENT_MAP;
+    m->desc.light.environment = SSGI_GL_ENVIRONMENT_MAP;
     if (env->data && kit_add_environment(m)) return -1;
     /* The picture's own surfels have the picture's light; without slices ssgi_gl_steps lights all of them. */
-    if (!env->data || !m->set->sky) m->gather.light.environment = SSGI_GL_ENVIRONMENT_NONE;
+    if (!env->data || !m->set->sky) m->desc.light.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (kit_seen(run->gbuffer, &seen, m->err)) return -1;
     kit_placed_light *placed = kit_placed_lights_new(m, &seen, &count, &s->lamps);
     free(seen.point);
@@ -132,8 +132,8 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
     s->rows = kit_lights_seen(placed, 0, s->lamps, picture);
     free(placed);
     run->frame.lights = s->lamps;
-    m->gather.light.shadow = m->lights.light.shadow;
-    m->gather.surfel.sends = SSGI_GL_SENDS_LIGHTS;
+    m->desc.light.shadow = m->lights.light.shadow;
+    m->desc.surfel.sends = SSGI_GL_SENDS_LIGHTS;
     return failed;
 }
 
@@ -141,10 +141,10 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
 static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const float picture[16])
 {
     const kit_image *env = &m->world->lighting->env;
-    const int scatter = m->gather.surfel.effect == SSGI_GL_EFFECT_SCATTER;
+    const int scatter = m->desc.surfel.effect == SSGI_GL_EFFECT_SCATTER;
     kit_run *run = m->run;
     const ssgi_splat splat = { .epsilon = run->frame.epsilon, .max_distance = s->desc.max_distance,
-                               .levels = m->gather.surfel.levels, .near_depth = run->frame.near_depth };
+                               .levels = m->desc.surfel.levels, .near_depth = run->frame.near_depth };
     ssgi_surfel_cost cost;
     const char *why = "out of memory";
     float sky[3] = { 0, 0, 0 };
@@ -164,13 +164,13 @@ static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const 
           || ssgi_surfels(s->surfel, run->surfels, &run->surfels, &s->desc, view, &source, &why) != SSGI_OK
           || ssgi_surfels_predict(&cost, &s->desc, &splat, view, &source, &why) != SSGI_OK;
     if (!failed && m->run->lit) {
-        if (env->data && (m->gather.light.environment || m->gather.surfel.effect == SSGI_GL_EFFECT_LIGHT))
+        if (env->data && (m->desc.light.environment || m->desc.surfel.effect == SSGI_GL_EFFECT_LIGHT))
             mean_of(sky, env);
         failed = !s->rows || ssgi_gl_sent_set(&run->frame, s->surfel, run->surfels, s->rows, s->lamps, sky, &why)
                                  != SSGI_OK;
     }
     if (failed) return kit_fail(m->err, "surfels: %s", why);
-    for (int l = 0; l < m->gather.surfel.levels; ++l) s->pixels += cost.pixels[l];
+    for (int l = 0; l < m->desc.surfel.levels; ++l) s->pixels += cost.pixels[l];
     return 0;
 }
 
@@ -191,10 +191,10 @@ static ssgi_gl_chain chain_of(const kit_making *m, const surfels *s)
     ssgi_gl_chain chain = kit_chain(m);
     chain.blur = chain.history = 0;
     chain.desc.surfel.tessellate = way != KIT_WAY_CPU;
-    chain.desc.light.bounce = m->gather.surfel.effect == SSGI_GL_EFFECT_LIGHT && m->set->bounce;
+    chain.desc.light.bounce = m->desc.surfel.effect == SSGI_GL_EFFECT_LIGHT && m->set->bounce;
     chain.desc.light.environment =
         lit && m->world->lighting->env.data ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
-    chain.hidden_sky = m->gather.light.environment != SSGI_GL_ENVIRONMENT_NONE;
+    chain.hidden_sky = m->desc.light.environment != SSGI_GL_ENVIRONMENT_NONE;
     chain.unsmoothed = !m->set->smooth;
     /* surfels come out of a pass: from patches, or lit */
     chain.surfels = way == KIT_WAY_CAPTURE || (lit && way == KIT_WAY_CPU);
@@ -238,7 +238,7 @@ static int add_surfel_passes(kit_making *m, surfels *s, const ssgi_view *view, c
     run->fetches += run->splat_pixels / ((double)view->width * view->height);
     add_buffers(run, s, m->set->way);
     const ssgi_gl_chain chain = chain_of(m, s);
-    if (m->gather.surfel.effect == SSGI_GL_EFFECT_SCATTER) add_dipole(m);
+    if (m->desc.surfel.effect == SSGI_GL_EFFECT_SCATTER) add_dipole(m);
     if (run->lit && !run->gbuffer->albedo) kit_add_grey(m);
     if (kit_add_steps(m, &chain, 0, &run->light, &run->bounce)) return -1;
     connect_buffers(run, s, m->set->way, chain.surfels);
@@ -260,7 +260,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene",
                         m->method->name);
     if (set->way && !glPatchParameteri) return kit_fail(m->err, "--set way: %s has no tessellation", kit_gl_name());
-    if (ssgi_gl_surfels_set(&run->frame, view, &s.desc, m->gather.surfel.levels, picture, &why) != SSGI_OK)
+    if (ssgi_gl_surfels_set(&run->frame, view, &s.desc, m->desc.surfel.levels, picture, &why) != SSGI_OK)
         return kit_fail(m->err, "%s", why);
     if (set->near_depth && nearest_of(&run->frame.near_depth, run->gbuffer, m->err)) return -1;
     const int failed = add_surfel_passes(m, &s, view, picture);

@@ -320,9 +320,9 @@ int kit_add_environment(kit_making *m)
 {
     enum { SIZE = 64, OPEN = 32, CONES = 8 };
     const kit_image *env = &m->world->lighting->env;
-    const int s3ho = m->gather.pass == SSGI_GL_PASS_S3HO, cones = s3ho && m->gather.light.shading,
-              mapped = !s3ho && m->gather.light.environment == SSGI_GL_ENVIRONMENT_MAP;
-    const int slices = m->gather.light.shading == SSGI_GL_SHADING_BENT_CONE ? CONES : 1, open_too = mapped || cones;
+    const int s3ho = m->desc.pass == SSGI_GL_PASS_S3HO, cones = s3ho && m->desc.light.shading,
+              mapped = !s3ho && m->desc.light.environment == SSGI_GL_ENVIRONMENT_MAP;
+    const int slices = m->desc.light.shading == SSGI_GL_SHADING_BENT_CONE ? CONES : 1, open_too = mapped || cones;
     kit_run *run = m->run;
     const char *why = "out of memory";
     float *map = malloc(3 * SIZE * SIZE * sizeof *map), *four = malloc(4 * SIZE * SIZE * sizeof *four),
@@ -330,15 +330,15 @@ int kit_add_environment(kit_making *m)
     int failed;
     run->equirect = kit_env_interleaved(env);
     failed = !map || !four || !open || !run->equirect;
-    if (!failed && (s3ho ? !cones : m->gather.light.environment == SSGI_GL_ENVIRONMENT_SH))
-        failed = ssgi_sh_project_equirect(run->harmonics, m->gather.light.bands, run->equirect, env->width, env->height,
+    if (!failed && (s3ho ? !cones : m->desc.light.environment == SSGI_GL_ENVIRONMENT_SH))
+        failed = ssgi_sh_project_equirect(run->harmonics, m->desc.light.bands, run->equirect, env->width, env->height,
                                           &why)
               != SSGI_OK;
     if (!failed && mapped)
         failed = kit_environment_of(map, SIZE, run->equirect, env,
-                                    m->gather.gather.samples ? (float)(2 * KIT_PI / m->gather.gather.samples)
-                                    : m->gather.gather.directions
-                                        ? (float)(0.75 * KIT_PI / m->gather.gather.directions)
+                                    m->desc.gather.samples ? (float)(2 * KIT_PI / m->desc.gather.samples)
+                                    : m->desc.gather.directions
+                                        ? (float)(0.75 * KIT_PI / m->desc.gather.directions)
                                         : (float)KIT_PI * run->frame.epsilon /* of surfels at the end of a shell */,
                                     0, &why)
                      != SSGI_OK

@@ -14,7 +14,7 @@ static int add_residual(kit_making *m, const ssgi_sun *suns, int count)
     const int failed =
         !map || !four
         || (env->data && kit_environment_of(map, OPEN, run->equirect, env, 0, 0, &why) != SSGI_OK)
-        || ssgi_sh_residual(map, OPEN, run->harmonics, m->gather.light.bands, suns, count, &why) != SSGI_OK
+        || ssgi_sh_residual(map, OPEN, run->harmonics, m->desc.light.bands, suns, count, &why) != SSGI_OK
         || !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, kit_rgba(four, map, OPEN))));
     free(map);
     free(four);
@@ -25,14 +25,14 @@ static int add_residual(kit_making *m, const ssgi_sun *suns, int count)
    the front; and what all of those harmonics lack. */
 static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
 {
-    const int window = m->set->window, bands = m->gather.light.bands;
+    const int window = m->set->window, bands = m->desc.light.bands;
     kit_run *run = m->run;
     const char *why = "";
     ssgi_sun suns[KIT_MAX_LIGHTS];
     int left = 0, n = 0, failed = 0;
     for (int i = 0; i < *count && !failed; ++i) {
         const ssgi_gl_light *l = &placed[i].light;
-        if (l->kind > 0 || m->gather.light.shading) { placed[left++] = placed[i]; continue; }
+        if (l->kind > 0 || m->desc.light.shading) { placed[left++] = placed[i]; continue; }
         memcpy(suns[n].direction, l->at, sizeof suns[n].direction);
         memcpy(suns[n].irradiance, l->colour, sizeof suns[n].irradiance);
         failed = ssgi_sh_light(run->harmonics, bands, l->at, 0, suns[n++].irradiance, window, &why) != SSGI_OK;
@@ -41,7 +41,7 @@ static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
     memset(run->frame.window, 0, sizeof run->frame.window);
     ssgi_sh_window(run->frame.window, bands, window);
     if (failed) return kit_fail(m->err, "harmonics: %s", why);
-    return m->gather.light.residual && !m->gather.light.shading ? add_residual(m, suns, n) : 0;
+    return m->desc.light.residual && !m->desc.light.shading ? add_residual(m, suns, n) : 0;
 }
 
 /* s3ho: indirect: 0 no bounce, 1 in one gather with the occlusion, 2 in one of its own. What one gather does is told
@@ -106,7 +106,7 @@ static int add_sources(kit_making *m, const kit_placed_light *placed, int direct
                        const kit_sphere *middle)
 {
     kit_run *run = m->run;
-    if (m->gather.gather.views && kit_add_views(m, picture, middle)) return -1;
+    if (m->desc.gather.views && kit_add_views(m, picture, middle)) return -1;
     if (kit_add_atlas(m, placed, count)) return -1;
     for (int v = -1; v < run->views && direct; ++v) {
         float to[16], projection[16];
@@ -124,16 +124,16 @@ int kit_open_lit(kit_making *m, const float picture[16])
     const kit_image *env = &m->world->lighting->env;
     kit_run *run = m->run;
     kit_gbuffer *g = run->gbuffer;
-    const int s3ho = m->gather.pass == SSGI_GL_PASS_S3HO, harmonics = s3ho && set->lights == KIT_LIGHTS_HARMONICS;
+    const int s3ho = m->desc.pass == SSGI_GL_PASS_S3HO, harmonics = s3ho && set->lights == KIT_LIGHTS_HARMONICS;
     int count = 0, direct = 0, failed = 0;
     kit_sight seen;
     if (s3ho && set->indirect && g->direct)
         return kit_fail(m->err, "method %s: its bounce is of --env and --light alone, the frame's direct.R .. would be "
                                 "left out: take ssdo, or --set indirect=none", m->method->name);
-    if (!env->data) m->gather.light.shading = SSGI_GL_SHADING_HARMONICS;
-    m->gather.light.environment = env->data && !set->suns ? environments[set->environment] : SSGI_GL_ENVIRONMENT_NONE;
-    if (s3ho) m->gather.light.environment = SSGI_GL_ENVIRONMENT_SH;
-    if (!m->blurred || !m->gather.light.environment) m->gather.light.restore = 0;
+    if (!env->data) m->desc.light.shading = SSGI_GL_SHADING_HARMONICS;
+    m->desc.light.environment = env->data && !set->suns ? environments[set->environment] : SSGI_GL_ENVIRONMENT_NONE;
+    if (s3ho) m->desc.light.environment = SSGI_GL_ENVIRONMENT_SH;
+    if (!m->blurred || !m->desc.light.environment) m->desc.light.restore = 0;
     if (env->data && kit_add_environment(m)) return -1;
     kit_rotation_of(run->frame.rotation, picture, NULL);
     if (kit_seen(g, &seen, m->err)) return -1;
@@ -144,11 +144,11 @@ int kit_open_lit(kit_making *m, const float picture[16])
         int lobes = harmonics ? direct : 0;
         failed = add_harmonics(m, placed, &lobes);
         if (harmonics) count = direct = lobes;
-        m->gather.light.lights = lobes > 0;
+        m->desc.light.lights = lobes > 0;
     }
-    if (m->gather.light.residual && !s3ho && m->gather.light.environment == SSGI_GL_ENVIRONMENT_SH)
+    if (m->desc.light.residual && !s3ho && m->desc.light.environment == SSGI_GL_ENVIRONMENT_SH)
         failed = add_residual(m, NULL, 0);
-    ssgi_gl_harmonics_set(&run->frame, run->harmonics, m->gather.light.bands, picture, NULL);
+    ssgi_gl_harmonics_set(&run->frame, run->harmonics, m->desc.light.bands, picture, NULL);
     run->frame.lights = direct;
     failed = failed || add_sources(m, placed, direct, count, picture, &seen.middle);
     if (!failed && !g->albedo) kit_add_grey(m);

@@ -79,7 +79,7 @@ static int add_cap_table(kit_making *m)
     const int size = m->set->cap_table;
     const char *why = "out of memory";
     if (!size) return 0;
-    m->gather.input.cap_table = 1;
+    m->desc.input.cap_table = 1;
     float *table = malloc((size_t)size * (size_t)size * sizeof *table);
     if (table && ssgi_cap_table(table, size, &why) == SSGI_OK)
         m->run->cap = kit_keep(m->run, kit_texture(size, size, GL_R32F, table));
@@ -94,7 +94,7 @@ int kit_open_field(kit_making *m, const float picture[16])
     int failed;
     if (!scene) return kit_fail(m->err, "method aof: a frame has no objects to bake; it needs a scene");
     if (add_cap_table(m)) return -1;
-    if (!m->set->own && m->run->gbuffer->object) m->gather.input.objects = SSGI_GL_OBJECTS_TEXTURE;
+    if (!m->set->own && m->run->gbuffer->object) m->desc.input.objects = SSGI_GL_OBJECTS_TEXTURE;
     all.field = malloc((size_t)(scene->shapes + 1) * sizeof *all.field);
     all.rows = calloc((size_t)(scene->objects + 1), sizeof *all.rows);
     failed = all.field && all.rows ? add_occluders(m, &all, picture)

@@ -93,7 +93,7 @@ ssgi_gl_chain kit_chain(const kit_making *m)
 {
     ssgi_gl_chain chain;
     memset(&chain, 0, sizeof chain);
-    chain.desc = m->gather;
+    chain.desc = m->desc;
     chain.desc.input.motion = m->kept && m->run->gbuffer->motion;
     chain.width = m->run->gbuffer->viewport[2];
     chain.height = m->run->gbuffer->viewport[3];

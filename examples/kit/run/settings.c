@@ -509,7 +509,7 @@ static int check_combination(const kit_making *m)
     const kit_settings *set = m->set;
     if (m->kept && !set->blur)
         return kit_fail(m->err, "--set history=1: filters its average; it needs blur=1 or more");
-    if (m->kept && m->gather.pass == SSGI_GL_PASS_S3HO && set->filtered != KIT_FILTERED_LIGHT)
+    if (m->kept && m->desc.pass == SSGI_GL_PASS_S3HO && set->filtered != KIT_FILTERED_LIGHT)
         return kit_fail(m->err, "--set history=1: averages light, not coefficients; it needs filtered=light");
     if (set->indirect == KIT_INDIRECT_JOINT && set->store != KIT_STORE_PACKED)
         return kit_fail(m->err, "--set store=%s: one gather with the bounce packs its coefficients: it needs "
@@ -526,14 +526,14 @@ int kit_settings_apply(kit_making *m, float radius)
 {
     const plan *of = &plans[m->method->number];
     const kit_settings *set = m->set;
-    ssgi_gl_desc *to[2] = { &m->gather, &m->lights };
-    m->gather.pass = of->pass;
-    if (of->pass == SSGI_GL_PASS_SPLAT) m->gather.surfel.effect = of->search; else m->gather.gather.search = of->search;
+    ssgi_gl_desc *to[2] = { &m->desc, &m->lights };
+    m->desc.pass = of->pass;
+    if (of->pass == SSGI_GL_PASS_SPLAT) m->desc.surfel.effect = of->search; else m->desc.gather.search = of->search;
     if (m->method->custom) {
-        m->gather.surfel.effect = SSGI_GL_EFFECT_CUSTOM;
-        m->gather.text.fetch = m->method->custom;
+        m->desc.surfel.effect = SSGI_GL_EFFECT_CUSTOM;
+        m->desc.text.fetch = m->method->custom;
     }
-    m->lights = m->gather;
+    m->lights = m->desc;
     m->lights.pass = SSGI_GL_PASS_LIGHTS;
     for (int i = 0; i < of->count; ++i) {
         const row *w = of->rows[i];
@@ -546,19 +546,19 @@ int kit_settings_apply(kit_making *m, float radius)
     m->blurred = set->blur;
     m->kept = set->history;
     if (check_combination(m)) return -1;
-    m->gather.filter.radius = set->blur;
-    m->gather.gather.noise = m->lights.gather.noise = set->noise;
-    m->gather.gather.kernel = set->sets > 0;
+    m->desc.filter.radius = set->blur;
+    m->desc.gather.noise = m->lights.gather.noise = set->noise;
+    m->desc.gather.kernel = set->sets > 0;
     m->lights.gather.thickness = set->solid ? SSGI_GL_THICKNESS_SOLID : SSGI_GL_THICKNESS_CONSTANT;
-    if (m->gather.pass == SSGI_GL_PASS_S3HO) {
-        if (!m->gather.light.bands) {            /* bent normals */
-            m->gather.light.bands = 2;
-            m->gather.light.shading = set->cone ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
+    if (m->desc.pass == SSGI_GL_PASS_S3HO) {
+        if (!m->desc.light.bands) {            /* bent normals */
+            m->desc.light.bands = 2;
+            m->desc.light.shading = set->cone ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
         }
-        m->gather.light.packed = set->store == KIT_STORE_PACKED;
+        m->desc.light.packed = set->store == KIT_STORE_PACKED;
         if (set->lights == KIT_LIGHTS_HARMONICS) m->lights.light.shadow = SSGI_GL_SHADOW_NONE;
     }
     if (set->normal || !m->run->gbuffer->normal)
-        m->gather.input.normal = m->lights.input.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+        m->desc.input.normal = m->lights.input.normal = SSGI_GL_NORMAL_FROM_DEPTH;
     return 0;
 }

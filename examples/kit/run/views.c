@@ -120,7 +120,7 @@ static void extra_frames(kit_making *m, int v, const ssgi_view *view, const floa
     frame.fade = run->frame.fade;
     frame.max_slope = run->frame.max_slope;
     frame.lights = run->frame.lights;
-    ssgi_gl_harmonics_set(&frame, run->harmonics, m->gather.light.bands, to, NULL);
+    ssgi_gl_harmonics_set(&frame, run->harmonics, m->desc.light.bands, to, NULL);
     kit_rotation_of(frame.rotation, to, NULL);
     run->extra[2 * v] = frame;
     kit_rotation_of(frame.rotation, picture, to);
@@ -132,7 +132,7 @@ static int add_view(kit_making *m, int v, const float picture[16], const kit_sph
 {
     kit_run *run = m->run;
     kit_gbuffer *g = &run->view[v];
-    const int size = m->set->view_size, layers = m->gather.gather.view_layers;
+    const int size = m->set->view_size, layers = m->desc.gather.view_layers;
     const size_t texels = (size_t)size * (size_t)size;
     kit_camera c = run->gbuffer->camera;
     float to[16], projection[16];
@@ -158,15 +158,15 @@ static int add_view(kit_making *m, int v, const float picture[16], const kit_sph
 int kit_add_views(kit_making *m, const float picture[16], const kit_sphere *about)
 {
     kit_run *run = m->run;
-    const int size = m->set->view_size, layers = m->gather.gather.view_layers;
+    const int size = m->set->view_size, layers = m->desc.gather.view_layers;
     const size_t texels = (size_t)size * (size_t)size * (size_t)layers;
-    float *depth = malloc(texels * (size_t)m->gather.gather.views * sizeof *depth);
-    int failed = depth ? 0 : kit_fail(m->err, "no memory for %d extra cameras", m->gather.gather.views);
-    for (int v = 0; v < m->gather.gather.views && !failed; ++v)
+    float *depth = malloc(texels * (size_t)m->desc.gather.views * sizeof *depth);
+    int failed = depth ? 0 : kit_fail(m->err, "no memory for %d extra cameras", m->desc.gather.views);
+    for (int v = 0; v < m->desc.gather.views && !failed; ++v)
         failed = add_view(m, v, picture, about, depth + texels * (size_t)v);
     if (!failed)
         run->view_depth =
-            kit_keep(run, kit_texture_array(size, size, m->gather.gather.views * layers, GL_DEPTH_COMPONENT32F, depth));
+            kit_keep(run, kit_texture_array(size, size, m->desc.gather.views * layers, GL_DEPTH_COMPONENT32F, depth));
     free(depth);
     return failed ? -1 : 0;
 }
