@@ -312,7 +312,7 @@ npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@echo 'build/npm: ssgi $(VERSION)'
 
 # The GLSL of ssgi_gl.h as files, for an editor: make glsl-out DIR=d writes them, make glsl-in DIR=d reads them back.
-build/library: build/examples/tools/glsl/library.o build/examples/tools/glsl/choices.o build/kit/util.o
+build/library: build/examples/tools/glsl/library.o build/examples/tools/glsl/choices.o build/kit/util.o $(LIBRARY:%=build/kit/%)
 	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
 glsl-out glsl-in: build/library
 	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }

@@ -1174,7 +1174,8 @@ static void toolboxes(void)
         memset(&used, 0, sizeof used);
         read_names(&defined, &used, source_of(text, &d, TOOLBOX));
         d.pass = SSGI_GL_PASS_FIELD;
-        char *first = strstr(text, "\n\n"), *last = strstr(text, "\n// ambient visibility that all occluders");
+        char *first = strstr(text, "\n\n"), *last = strstr(text, " ssgi_field_visibility(");
+        while (last && memcmp(last, "\n}\n", 3) != 0) last = last > text ? last - 1 : 0; /* its comment is its own */
         CHECK(!memcmp(&defined, &used, sizeof used), "%s: its functions alone declare other names than they use",
               describe(&d));
         if (CHECK(first && last, "%s: no functions", describe(&d))) *last = 0;

@@ -33,8 +33,8 @@ typedef struct row { kit_setting setting; size_t member; int where; size_t offse
 ROW(noise_row, noise, "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, PLAN, 0)
 ROW(normal_row, normal, "normals from the G-buffer, or from depth alone, as where a frame has none",
     "gbuffer depth", 0, 0, 1, PLAN, 0)
-OF(left_handed_row, left_handed, input.left_handed, GATHER, 0, "1: as an engine gives them whose camera looks along "
-    "+z: projection and normals")
+OF(left_handed_row, left_handed, input.left_handed, GATHER, 0, "1: projection and normals are given as by an engine "
+    "whose camera looks along +z")
 #define THICKNESS(name, value) \
     ROW(name, thickness_limit, "thickness of visible surfaces, constant or the most of a width, in radii", \
         NULL, value, 0, 100, SCALED, FRAMED(thickness_limit))
@@ -43,8 +43,8 @@ THICKNESS(slice_thick_row, 0.6)
 THICKNESS(lit_thick_row, 0.4)
 THICKNESS(half_thick_row, 0.5)
 THICKNESS(most_thick_row, 0.7)
-OF(thickness_row, thickness, gather.thickness, GATHER, 0, "of visible surfaces: width for slices, else constant; "
-    "constant; unlimited; as thick as wide in the picture; to the back face; two slabs")
+OF(thickness_row, thickness, gather.thickness, GATHER, 0, "how thick visible surfaces are: as width for slices, "
+    "else as constant; thickness_limit; unlimited; as thick as wide in the picture; to the back face; two slabs")
 OF(half_row, half, gather.half, GATHER, 0,
    "the pixels that are gathered, brought to full size by the filter: all, one of every 2x2, or each of the four in "
    "turn")
@@ -75,20 +75,21 @@ COUNT(march_row, steps, gather.steps, GATHER, 1,
 OF(falloff_row, falloff, gather.falloff, GATHER, 0, "weight of an occluder at distance t: 1 - t/radius, 1 - "
     "(t/radius)^2, or 1 up to the radius (not of points)")
 OF(fade_row, fade, gather.fade, GATHER, 0, "weight of an occluder by the distance of the surface in the depth buffer; "
-    "none: what is far sends as if it were at the point, and a bounce may err more than none")
-ROW(lambda_row, lambda, "of that fade, per radius: larger is weaker", NULL, 4, 0, 1000, FRAME, FRAMED(lambda))
+    "none: a far surface sends as if it were at the point, and a bounce may err more than none")
+ROW(lambda_row, lambda, "how fast that fade is, per radius: a larger one leaves less", NULL, 4, 0, 1000, FRAME,
+    FRAMED(lambda))
 OF(range_row, range, gather.range, GATHER, 0, "1: ignore surfaces beyond the radius or below the receiver's plane")
 ROW(fade_from_row, fade_from, "where smooth fading begins, in radii", NULL, 0.3, 0, 1, SCALED, FRAMED(fade))
 ROW(sets_row, sets, "sets of directions in a texture, one per pixel; 0 = one set, rotated", NULL, 0, 0, 256, PLAN, 0)
-OF(uniform_row, uniform, gather.uniform, GATHER, 0, "1: directions evenly spread and weighted by the cosine, as "
-    "published; 0: spread by it")
+OF(uniform_row, uniform, gather.uniform, GATHER, 0, "1: directions are spread evenly and weighted by the "
+    "cosine, as published; 0: they are spread by it")
 COUNT(slices_row, directions, gather.directions, GATHER, 1, "slices, two directions each")
 COUNT(dirs_row, directions, gather.directions, GATHER, 6, "N_d: directions in the tangent plane")
 COUNT(steps_row, steps, gather.steps, GATHER, 6, "N_s: steps per direction")
 OF(rays_row, normal_rays, gather.normal_rays, GATHER, 0, "N_n: rays above the horizon, per direction")
 OF(terms_row, terms, gather.terms, GATHER, 0, "horizon and normal rays; either alone; rays over the whole hemisphere, "
     "without a horizon")
-OF(spheres_row, spheres, gather.spheres, GATHER, 0, "1: the horizon rises only to what lies within a sphere that "
+OF(spheres_row, spheres, gather.spheres, GATHER, 0, "1: the horizon rises only to surfaces within a sphere that "
     "grows with the ray")
 
 ROW(environment_row, environment, "how --env is used", "map sh none", 0, 0, 2, PLAN, 0)
@@ -99,10 +100,10 @@ OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-si
 ROW(distance_clamp_row, distance_clamp, "clamp of the distance to a patch, in radii",
     NULL, 0.25, 0, 100, FRAME, FRAMED(distance_clamp))
 ROW(gain_row, gain, "area of patches, times pi r^2/N", NULL, 1, 0, 1000, FRAME, FRAMED(gain))
-OF(shadows_row, shadows, light.shadow, LIGHTS, 2, "of --light: screen-space segments, maps, maps with segments over "
-    "their bias")
-OF(shadows_d_row, shadows, light.shadow, LIGHTS, 1, "of --light: maps or none")
-COUNT(points_row, points, gather.samples, LIGHTS, 8, "on a segment toward a light")
+OF(shadows_row, shadows, light.shadow, LIGHTS, 2, "shadows of --light: by screen-space segments, maps, maps with "
+    "segments over their bias")
+OF(shadows_d_row, shadows, light.shadow, LIGHTS, 1, "shadows of --light: by maps, or none")
+COUNT(points_row, points, gather.samples, LIGHTS, 8, "points on a segment toward a light")
 ROW(solid_row, solid, "1: shadows: unlimited thickness", NULL, 0, 0, 1, PLAN, 0)
 ROW(max_slope_row, max_slope, "largest slope that the shadow maps' bias follows",
     NULL, 20, 0, 1000, FRAME, FRAMED(max_slope))
@@ -112,24 +113,24 @@ ROW(suns_row, suns, "the environment as directional lights with shadow maps; 0: 
 ROW(vpls_row, vpls, "virtual point lights of the first --light: the bounce beyond the radius",
     NULL, 0, 0, 4096, PLAN, 0)
 
-COUNT(bands_row, bands, light.bands, GATHER, 4, "of spherical harmonics: 1, 4, 9 or 16 coefficients")
-COUNT(few_bands_row, bands, light.bands, GATHER, 3, "environment=sh: of spherical harmonics")
+COUNT(bands_row, bands, light.bands, GATHER, 4, "bands of spherical harmonics: 1, 4, 9 or 16 coefficients")
+COUNT(few_bands_row, bands, light.bands, GATHER, 3, "environment=sh: bands of spherical harmonics")
 ROW(store_row, store, "coefficients as halves, halves packed into integers, or floats",
     "half packed float", 0, 0, 2, PLAN, 0)
 ROW(packed_row, store, "coefficients that are filtered or meet lamps: halves, packed halves, floats; joint: packed",
     "half packed float", 1, 0, 2, PLAN, 0)
 ROW(indirect_row, indirect, "one bounce: none, in the gather of the occlusion, in its own",
     "none joint apart", 1, 0, 2, PLAN, 0)
-OF(dimmed_row, dimmed, light.dimmed, GATHER, 0, "1: emitters reflect what the last frame let through to them, not all "
-    "of it: several bounces")
-ROW(filtered_row, filtered, "what is filtered", "coefficients light", 1, 0, 1, PLAN, 0)
+OF(dimmed_row, dimmed, light.dimmed, GATHER, 0, "1: emitters reflect the light that the last frame let through to "
+    "them, not all of it: several bounces")
+ROW(filtered_row, filtered, "the filter smooths these", "coefficients light", 1, 0, 1, PLAN, 0)
 OF(residual_row, residual, light.residual, GATHER, 1, "1: unoccluded irradiance is exact, harmonics give the "
     "occlusion alone; 0: one band lights all normals alike, which errs more than no occlusion")
 OF(lamp_residual_row, residual, light.residual, GATHER, 1, "lights=harmonics: 1: unoccluded light is exact, harmonics "
     "give the occlusion alone")
 OF(sh_residual_row, residual, light.residual, GATHER, 1, "environment=sh: 1: unoccluded irradiance is exact, "
     "harmonics give the occlusion alone; 0: one band lights all normals alike, which errs more than no occlusion")
-ROW(window_row, window, "of lights as harmonics", "none hann positive", 1, 0, 2, PLAN, 0)
+ROW(window_row, window, "window over the harmonics of lights", "none hann positive", 1, 0, 2, PLAN, 0)
 ROW(lights_row, lights, "--light as harmonics, or by maps and segments, without a bounce",
     "harmonics shadowed", 0, 0, 1, PLAN, 0)
 /* Where two endless walls meet, a surface of one has the coefficients pi/2 sqrt(1/(4 pi)) and sqrt(3/(4 pi)) times pi/3
@@ -144,7 +145,7 @@ ROW(cone_row, cone, "environment over the cone of unoccluded directions, or irra
 
 ROW(resolution_row, resolution, "texels along a side of a field's cube map", NULL, 16, 2, 128, PLAN, 0)
 ROW(radii_row, radii, "distances sampled along each direction", NULL, 12, 4, 64, PLAN, 0)
-ROW(rays_a_row, rays, "a sample of the bake", NULL, 128, 16, 65536, PLAN, 0)
+ROW(rays_a_row, rays, "rays a sample of the bake", NULL, 128, 16, 65536, PLAN, 0)
 ROW(unfiltered_row, unfiltered, "1: a bake without the doubled resolution and the Gaussian", NULL, 0, 0, 1, PLAN, 0)
 ROW(reach_row, reach, "influence of occluders, in radii of their bounding spheres", NULL, 8, 1.5, 64, PLAN, 0)
 ROW(ramp_row, ramp, "start of their fade, as a share of the reach", NULL, 0.75, 0, 0.99, PLAN, 0)
@@ -161,14 +162,14 @@ ROW(epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
     NULL, 0.1, 1e-6, 1, FRAME, FRAMED(epsilon))
 ROW(deep_epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
     NULL, 0.02, 1e-6, 1, FRAME, FRAMED(epsilon))
-COUNT(deep_levels_row, levels, surfel.levels, GATHER, 7, "each doubles the reach")
-COUNT(levels_row, levels, surfel.levels, GATHER, 5, "each doubles the reach")
+COUNT(deep_levels_row, levels, surfel.levels, GATHER, 7, "levels of sub-buffers: each doubles the reach")
+COUNT(levels_row, levels, surfel.levels, GATHER, 5, "levels of sub-buffers: each doubles the reach")
 ROW(way_row, way, "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once",
     "cpu capture direct", 0, 0, 2, PLAN, 0)
 COUNT(near_row, near_samples, surfel.near_samples, GATHER, 4, "points over a surfel for pixels within 4 of its radii; "
-    "1: its centre")
-OF(span_row, span, surfel.span, GATHER, 4, "what is nearer than so many surfel radii is left to slices, all else to "
-    "surfels")
+    "1: its centre alone")
+OF(span_row, span, surfel.span, GATHER, 4, "surfaces nearer than so many surfel radii are left to slices, all others "
+    "to surfels")
 ROW(hidden_sky_row, sky, "1: --env lights surfels that the picture does not show, too, unoccluded; span=0: always, all",
     NULL, 0, 0, 1, PLAN, 0)
 ROW(sent_row, bounce, "one diffuse bounce of surfels; none: directional occlusion alone",
@@ -185,11 +186,11 @@ OF(overhang_row, overhang, surfel.overhang, GATHER, 0, "triangles shrink about t
     "corners move to the centroid")
 OF(enlarge_row, enlarge, surfel.enlarge, GATHER, 0, "surfels of level l 1: are 2^l times as wide, as published; 0: "
     "count 4^l times")
-OF(combine_row, combine, surfel.combine, GATHER, 0, "form factors share what is left, 1 - exp(-sum), or as published "
-    "add up, to 1 at most")
+OF(combine_row, combine, surfel.combine, GATHER, 0, "form factors share the directions that are left, 1 - exp(-sum); "
+    "or, as published, add up, to 1 at most")
 ROW(smooth_row, smooth, "0: levels are added unfiltered", NULL, 1, 0, 1, PLAN, 0)
 OF(likeness_row, filter_normals, filter.normals, GATHER, 0, "1: the smoothing compares normals too")
-ROW(exponent_row, exponent, "of the lobe", NULL, 32, 0, 10000, FRAME, FRAMED(exponent))
+ROW(exponent_row, exponent, "exponent of the lobe", NULL, 32, 0, 10000, FRAME, FRAMED(exponent))
 ROW(sky_row, sky, "1: --env lights surfels too, unoccluded", NULL, 1, 0, 1, PLAN, 0)
 ROW(material_row, material, "published scattering constants",
     "apple chicken1 chicken2 cream ketchup marble potato skimmilk skin1 skin2 spectralon wholemilk",
@@ -198,7 +199,7 @@ ROW(unit_row, unit, "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, PLAN, 
 
 enum { MAX_SETTINGS = 48 };
 
-/* A method; search: what it searches by, of surfels their effect. */
+/* A method; search: by slices, points or the march; of surfels: their effect. */
 typedef struct plan {
     const char *name, *about;
     int         pass, search, preset;
@@ -246,10 +247,10 @@ static const plan plans[] = {
                &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row) },
     { "hsao", "slices through the view direction, sectors occluded from near to far", SSGI_GL_PASS_HSAO,
       SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SLICES },
-    { "hsao-fast", "the same, fewer taps", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SLICES },
-    { "hsao-best", "the same, full size, more taps", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
+    { "hsao-fast", "hsao with fewer taps", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SLICES },
+    { "hsao-best", "hsao at full size, more taps", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
       SLICES },
-    { "hsao-history", "the same for frames: half size, one slice of many taps, averaged over frames", SSGI_GL_PASS_HSAO,
+    { "hsao-history", "hsao for frames, which it averages: half size, one slice of many taps", SSGI_GL_PASS_HSAO,
       SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SLICES },
     { "hsao-march", "the paper's horizon march and normal rays", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH,
       SSGI_GL_PRESET_BALANCED,
@@ -258,35 +259,35 @@ static const plan plans[] = {
                &compare_row, &margin_row, &history_row) },
     { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_PASS_SSDO,
       SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SSDO(WALK) },
-    { "ssdo-fast", "the same, fewer taps", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SSDO(WALK) },
-    { "ssdo-best", "the same, full size, more taps", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
+    { "ssdo-fast", "ssdo with fewer taps", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SSDO(WALK) },
+    { "ssdo-best", "ssdo at full size, more taps", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
       SSDO(WALK) },
-    { "ssdo-points", "the same by the paper's points along directions", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_POINTS,
+    { "ssdo-points", "ssdo by the paper's points along directions", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_POINTS,
       SSGI_GL_PRESET_BALANCED, SSDO(POINTS) },
-    { "ssdo-bounce", "the same, all for the bounce: one slice of many taps, two slabs, the last frame's light",
+    { "ssdo-bounce", "ssdo that spends all on the bounce: one slice of many taps, two slabs, the last frame's light",
       SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SSDO(WALK) },
     { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_PASS_S3HO,
       SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, S3HO(WALK) },
-    { "s3ho-fast", "the same, fewer taps", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, S3HO(WALK) },
-    { "s3ho-best", "the same, full size, more taps", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
+    { "s3ho-fast", "s3ho with fewer taps", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, S3HO(WALK) },
+    { "s3ho-best", "s3ho at full size, more taps", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
       S3HO(WALK) },
-    { "s3ho-points", "the same by the paper's points along directions", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS,
+    { "s3ho-points", "s3ho by the paper's points along directions", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS,
       SSGI_GL_PRESET_BALANCED, S3HO(POINTS) },
     { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_PASS_S3HO,
       SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SSBN(WALK) },
-    { "ssbn-points", "the same by points along directions", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS,
+    { "ssbn-points", "ssbn by points along directions", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS,
       SSGI_GL_PRESET_BALANCED, SSBN(POINTS) },
     { "dss", "deep screen space: surfels of all triangles, on screen or not, splatted: occlusion", SSGI_GL_PASS_SPLAT,
       SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_BALANCED,
       SURFELS(&keep_small_row, &epsilon_row, &levels_row, &falloff_row, PUBLISHED, &span_row) },
-    { "dss-lit", "the same: directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_PASS_SPLAT,
+    { "dss-lit", "dss as directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_PASS_SPLAT,
       SSGI_GL_EFFECT_LIGHT, SSGI_GL_PRESET_BALANCED,
       SURFELS(&keep_small_row, &epsilon_row, &levels_row, &sent_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED,
               &span_row) },
-    { "dss-gloss", "the same: one specular bounce; irradiance: radiance of the lobe", SSGI_GL_PASS_SPLAT,
+    { "dss-gloss", "dss as one specular bounce; irradiance: radiance of the lobe", SSGI_GL_PASS_SPLAT,
       SSGI_GL_EFFECT_SPECULAR, SSGI_GL_PRESET_BALANCED,
       SURFELS(&keep_small_row, &epsilon_row, &levels_row, &sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
-    { "dss-scatter", "the same: multiple scattering under surfaces; irradiance: radiance that leaves them",
+    { "dss-scatter", "dss as multiple scattering under surfaces; irradiance: radiance that leaves them",
       SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_PRESET_BALANCED,
       SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row, &unit_row) },
     { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius",
