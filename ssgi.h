@@ -309,8 +309,8 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
    ssgi_gl.h. */
 #define SSGI_SH_MAX_BANDS 6
 
-/* Writes the basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that
-   many]. */
+/* Writes the basis at a unit direction: bands^2 values
+   [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
 /* Returns the factor of band l from radiance to irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 where l is not
@@ -336,8 +336,8 @@ enum {
     SSGI_SH_WINDOW_POSITIVE, /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
 };
 
-/* Writes the factors of a window: `bands` floats, of which the first is 1 [limit: bands as ssgi_sh_basis; a window out
-   of range is NONE]. */
+/* Writes the factors of a window: `bands` floats, of which the first is 1
+   [limit: bands as ssgi_sh_basis; a window out of range is NONE]. */
 SSGI_DEF void ssgi_sh_window(float *out, int bands, int window);
 
 /* Turns a function about +z to a unit direction. zonal[l] is its coefficient at l*l + l; its other coefficients are 0.
@@ -1051,7 +1051,7 @@ extern "C" {
 
 #define SSGI__PI 3.14159265358979323846
 
-/* A private function. Inlined they would cost code and compile time only: those that gain by it are plain static. */
+/* Marks a private function. Inlining would cost code and compile time; functions that gain by it are plain static. */
 #ifdef __GNUC__
 #define SSGI__FN static __attribute__((noinline))
 #else
@@ -3515,7 +3515,7 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 
 /* ==== >>cap (implementation) =================================================================================== */
 
-/* The integral of the clamped cosine over a cap [AOF05 eq. 3], by the two arcs that bound its part above the
+/* Integrates the clamped cosine over a cap [AOF05 eq. 3], by the two arcs that bound the cap's part above the
    horizon. */
 SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine)
 {
