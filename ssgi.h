@@ -959,8 +959,8 @@ typedef struct ssgi_calibration {
 
 /* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
    renderer would have to do so.) The rays' variance is removed by comparing two halves, so that 64 rays suffice. 3000
-   points spread over the frame, 0.2 million rays, give the error over all pixels of the frame to 3 to 6 % in half of 27
-   views, and to 10 % in nine of ten.
+   points spread over the frame, 0.2 million rays, give the error over all pixels of the frame within 3 to 6 % in half
+   of 27 views, and within 10 % in nine of ten.
      position, normal   of each point, in the trace's space; normals unit, toward the viewer. Take positions from
                         tracing the pixels' rays: those from depth are too coarse far away
      hsao, slabs        ambient visibility in the frame at each point, by the settings of ssgi_calibration; a value that
