@@ -86,7 +86,7 @@ extern "C" {
 /* ==== >>types ================================================================================================== */
 
 /* The last enumerator of enum types that are read from you. It makes every int a value of the type, so that a bad one
-   may be read, and refused; and the type as wide as an int. */
+   may be read and refused, and it makes the type as wide as an int. */
 #define SSGI_FORCE (-0x7fffffff - 1)
 
 typedef enum ssgi_result {
@@ -130,8 +130,8 @@ typedef struct ssgi_view {
 SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width,
                                                int height, const char **why);
 
-/* View depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth of 1 /
-   SSGI_FAR or less, or infinity) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use
+/* Returns the view depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth
+   of 1 / SSGI_FAR or less, or of SSGI_FAR or more) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use
    ssgi_view_depth_at, whose pixel is a position, with texel centres at .5. GLSL twin: ssgi_decode. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
@@ -143,14 +143,15 @@ SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pi
 SSGI_DEF void ssgi_view_position(float out[3], const ssgi_view *view, float pixel_x, float pixel_y, float view_depth);
 SSGI_DEF void ssgi_view_project(float out[3], const ssgi_view *view, const float point[3]);
 
-/* View depth of the near plane that the projection implies [units: view]; for an oblique plane, its least view depth in
-   the frame. */
+/* Returns the view depth of the near plane that the projection implies [units: view]; for an oblique plane, its least
+   view depth in the frame. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 
-/* Size of a pixel [units: view] on a surface that faces the viewer at this view depth: the larger of its two sides. */
+/* Returns the size of a pixel [units: view] on a surface that faces the viewer at this view depth: the larger of the
+   pixel's two sides. */
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
-/* An extra camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
+/* Makes an extra camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
    radius * displacement and looks at centre.
      main_world_to_view  [limit: rigid: rotation and translation; z may be negated]
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
@@ -158,17 +159,17 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
      world_to_view       its up direction is the main camera's, or, where it looks along that, the main camera's forward
                          direction. If it stands at the centre, it looks as the main camera does. It is mirrored if the
                          main camera is (left-handed)
-     projection          GL clip, square, symmetric; encloses the sphere, at most 100 degrees wide. The near plane is at
-                         0.02 radii, so close because a solid that it cuts looks empty; the far plane is behind the
-                         sphere
+     projection          GL clip, square, symmetric; encloses the sphere, or is 100 degrees wide where that would take
+                         more. The near plane is at 0.02 radii, so close because a solid that it cuts looks empty; the
+                         far plane is behind the sphere
    The outputs may be the inputs. */
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
 
-/* Default displacements, i modulo 4: left, right, above, behind. If the main camera is two radii from the centre, the
-   extra cameras are as far from the centre. They are turned about it by 60 degrees to the left or right and 20 up (0,
-   1), by 75 up (2), and to the far side and 50 up (3). */
+/* Writes default displacement i modulo 4: left, right, above, behind. If the main camera is two radii from the centre,
+   the extra cameras are as far from the centre. They are turned about it by 60 degrees to the left or right and 20 up
+   (0, 1), by 75 up (2), and to the far side and 50 up (3). */
 SSGI_DEF void ssgi_extra_displacement(float out[3], int i);
 
 /* ==== >>bias =================================================================================================== */
@@ -182,31 +183,32 @@ SSGI_DEF void ssgi_extra_displacement(float out[3], int i);
 
 /* The formulas take NaN and floats below 0 as 0, and floats above SSGI_FAR as SSGI_FAR. Their results are finite. */
 
-/* The distance by which a receiver is lifted along its normal, so that nearest fetches of its own plane stay below it:
-   z/(f res) [HSAO08 eq. 13]; for instance 0.00802 at z = 10 for 60 degrees, f = 1/tan(30 degrees), over 720 pixels. It
-   is half of ssgi_pixel_footprint, since NDC spans 2; where the two sides of a pixel are unequal, the larger one
-   counts. With an orthographic projection it is the same at any depth.
-     view_depth   [units: view] positive: GL's negative z would count as 0, and the receiver would not be lifted
-   The result is in 0..SSGI_FAR, and 0 for NaN. GLSL twin: ssgi_lift, which lifts by frame.offset such distances, 1.5 by
-   default, since the corners of a pixel need sqrt(2). */
+/* Returns the distance by which a receiver is lifted along its normal, so that nearest fetches of its own plane stay
+   below it: z/(f res) [HSAO08 eq. 13]; for instance 0.00802 at z = 10 for 60 degrees, f = 1/tan(30 degrees), over 720
+   pixels. It is half of ssgi_pixel_footprint, since NDC spans 2; where the two sides of a pixel are unequal, the larger
+   one counts. With an orthographic projection it is the same at any depth.
+     view_depth   [units: view] positive: GL's negative z and NaN count as 0, and the receiver would not be lifted
+   The result is in 0..SSGI_FAR. GLSL twin: ssgi_lift, which lifts by frame.offset such distances, 1.5 by default, since
+   the corners of a pixel need sqrt(2). */
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 
-/* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2)/resolution [SSDO09 section 5].
+/* Returns the width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2)/resolution [SSDO09
+   section 5].
      depth        [units: view] z, along the spot's axis, not the distance from the light
      full_angle   [units: rad] [limit: 0..3.14, clamped] of the spot, from edge to edge
      resolution   [units: texels] [limit: 1 or more, less counts as 1] along that edge
    ssgi_gl_light.patch holds this width for depth 1. */
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
 
-/* A bias takes half of one length of the shadow map's texel: */
+/* The length of the shadow map's texel of which a bias takes half. */
 enum {
-    SSGI_BIAS_SAFE = 0,  /* its diagonal: patch/sqrt(2) tan(alpha), which slopes in any direction need */
-    SSGI_BIAS_PUBLISHED, /* its side: patch/2 tan(alpha) [SSDO09 section 5], which suffices for slopes along a side
+    SSGI_BIAS_SAFE = 0,  /* the diagonal: patch/sqrt(2) tan(alpha), which slopes in any direction need */
+    SSGI_BIAS_PUBLISHED, /* the side: patch/2 tan(alpha) [SSDO09 section 5], which suffices for slopes along a side
                             alone: a plane that slopes along the diagonal shadows itself */
 };
 
-/* The bias of a shadow map is the distance by which a texel has to be moved below its surface, along the map's axis, so
-   that a plane does not shadow itself.
+/* Returns the bias of a shadow map: the distance by which a texel has to be moved below its surface, along the map's
+   axis, so that a plane does not shadow itself.
      patch    [units: view] width of the texel on a surface that faces the light: ssgi_shadow_patch
      cosine   [limit: 0..1, clamped] of alpha, between the surface's normal and the direction to the light
      most     [units: view] at least 0: a larger bias is cut to it. It is also the bias at 90 degrees, where tan(alpha)
@@ -216,7 +218,7 @@ enum {
    plane's slope against the map is tan(alpha). Elsewhere ssgi_shadow takes the slope itself. */
 SSGI_DEF float ssgi_shadow_bias(float patch, float cosine, float most, int kind);
 
-/* A radius to begin with: "for a closed polygonal model .. the average distance between two local maxima in the
+/* Guesses a radius to begin with: "for a closed polygonal model .. the average distance between two local maxima in the
    geometry" [SSDO09 section 7.2]. A vertex is a maximum if no edge leads up from it and one leads down; a level part
    counts once, at its vertex of least x (then y, z). *radius is the mean distance from a maximum to the nearest other,
    over 1024 maxima at most, evenly chosen. With fewer than two maxima (a sphere, a plane) it is a tenth of the diagonal
@@ -225,7 +227,7 @@ SSGI_DEF float ssgi_shadow_bias(float patch, float cosine, float most, int kind)
      maxima          how many were found; may be NULL
      position, stride_bytes, index, triangles   as in ssgi_trace_build [limit: 1..2^28 triangles]. Vertices at one place
                      are one. Triangles with a coordinate that is not finite or beyond +-1e12 are left out; if no others
-                     remain, position is SSGI_BAD_ARGUMENT
+                     remain, or all lie in one point, position is SSGI_BAD_ARGUMENT
      up              heights are along it [limit: finite, not 0]; NULL: they are distances from the middle of the bounds
      work            [limit: words >= 9 * triangles, else SSGI_TOO_SMALL] not needed later
    Heights that differ by less than 1e-6 of the diagonal are equal. O(n log n). */
@@ -242,16 +244,16 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
       for (int i = 0; i < 16; ++i) up += set[4 * i + 2] / 16.0f;       // directions about +z; [4 * i + 3] is a length
       printf("mean height %g, first turn %g\n", up, tile[3]);           // 2/3, since the cosine is in the density   */
 
-/* The radical inverse (van der Corput) reflects the digits of i in a base about the radix point. It is in [0,1), and 0
-   for a base below 2. Halton points have the inverses in bases 2, 3 .. as coordinates; Hammersley points have i/n and
-   the inverse in base 2. */
+/* Returns the radical inverse of i (van der Corput), whose digits in a base are reflected about the radix point. It is
+   in [0,1), and 0 for a base below 2. Halton points have the inverses in bases 2, 3 .. as coordinates; Hammersley
+   points have i/n and the inverse in base 2. */
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
-/* The i-th point of the R2 sequence in [0,1)^2, which steps by powers of the plastic number. The points are evenly
-   spread after any count, so that the count need not be known. */
+/* Writes the i-th point of the R2 sequence in [0,1)^2, which steps by powers of the plastic number. The points are
+   evenly spread after any count, so that the count need not be known. */
 SSGI_DEF void ssgi_r2(float out[2], uint32_t i);
 
-/* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
+/* Makes sample sets: out[4 * (set * samples + i)] = x, y, z, length.
      sets       [limit: 1..4096] independent sets, to be interleaved over pixels
      samples    [limit: 1..4096] of each
      xyz        unit directions on the hemisphere about +z, density cos/pi, so that every sample counts 1/n;
@@ -261,8 +263,8 @@ SSGI_DEF void ssgi_r2(float out[2], uint32_t i);
    [SSDO09 section 3; sets that integrate an unoccluded constant exactly: see examples/docs/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
-/* How directions are spread. Heights are the middles of equal strata of each set, so that sums of them over a set are
-   exact. */
+/* How directions are spread. Heights, for COSINE their squares, are the middles of equal strata of each set, so that
+   sums of them over a set are exact. */
 enum {
     SSGI_DIRECTIONS_COSINE = 0, /* the hemisphere about +z, density cos/pi, as in ssgi_kernel. Each counts 1/n */
     SSGI_DIRECTIONS_UNIFORM,    /* the hemisphere, evenly, as published [SSDO09 section 3, S3HO12 2.1]: each sample
@@ -275,7 +277,7 @@ enum {
    the same. desc.gather.kernel of ssgi_gl.h takes COSINE, or UNIFORM with desc.gather.uniform. */
 SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples, const char **why);
 
-/* A tile of noise that is repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. With
+/* Makes a tile of noise, to be repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. With
    desc.gather.noise NOISE_TEXTURE, passes of ssgi_gl.h read z and w of it, as RGBA32F or, up to 1024 sets, as RGBA16F;
    x and y are for shaders that turn their own directions, as the paper's does.
      size         [limit: 1..64] texels of a side
@@ -307,13 +309,15 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
    ssgi_gl.h. */
 #define SSGI_SH_MAX_BANDS 6
 
-/* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
+/* Writes the basis at a unit direction: bands^2 values
+   [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
-/* Factor of band l from radiance to irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 where l is not 0..5. */
+/* Returns the factor of band l from radiance to irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 where l is not
+   0..5. */
 SSGI_DEF float ssgi_sh_cosine(int l);
 
-/* Radiance projected onto the basis: out[3*i + c], 3 * bands^2 floats. Values that are not finite count as 0.
+/* Projects radiance onto the basis: out[3*i + c], 3 * bands^2 floats. Values that are not finite count as 0.
      bands          [limit: 1..SSGI_SH_MAX_BANDS]
      width, height  [limit: 1..65536]
      faces          six faces of GL's cube map, in its order and orientation (+x -x +y -y +z -z), each size^2 rgb
@@ -332,7 +336,7 @@ enum {
     SSGI_SH_WINDOW_POSITIVE, /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
 };
 
-/* The factors of a window are `bands` floats, of which the first is 1
+/* Writes the factors of a window: `bands` floats, of which the first is 1
    [limit: bands as ssgi_sh_basis; a window out of range is NONE]. */
 SSGI_DEF void ssgi_sh_window(float *out, int bands, int window);
 
@@ -348,8 +352,8 @@ SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const flo
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels,
                              const float *world_to_view);
 
-/* Energy of each band, bands floats: out[l] is the sum of squares of the band's coefficients, [channels * i + c], over
-   m and channels. A coefficient that is not finite makes its band's energy not finite.
+/* Writes the energy of each band, bands floats: out[l] is the sum of squares of the band's coefficients, [channels * i
+   + c], over m and channels. A coefficient that is not finite makes its band's energy not finite.
      bands, channels    [limit: bands as ssgi_sh_basis; channels below 1 give zeros] */
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
@@ -378,8 +382,8 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 SSGI_DEF void ssgi_octahedral_encode(float out[2], const float direction[3]);
 SSGI_DEF void ssgi_octahedral_decode(float out[3], const float e[2]);
 
-/* An environment seen through a lobe about every direction, as an octahedral map: out[3 * (y * size + x) + c] is at
-   e = (x + 0.5, y + 0.5) / size * 2 - 1.
+/* Averages an environment over a lobe about every direction, as an octahedral map: out[3 * (y * size + x) + c] is at e
+   = (x + 0.5, y + 0.5) / size * 2 - 1.
      size           [limit: 8..256]
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
      solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above 0: the average
@@ -392,9 +396,9 @@ SSGI_DEF void ssgi_octahedral_decode(float out[3], const float e[2]);
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why);
 
-/* The same map over cones: it holds the mean radiance within the cone about every direction, weighted by the cosine to
-   the cone's axis. A bent cone's light [SSBN11] is then one look-up in a texture array, whose slice k of n holds the
-   cones of cosine k/n.
+/* Makes the same map over cones: it holds the mean radiance within the cone about every direction, weighted by the
+   cosine to the cone's axis. A bent cone's light [SSBN11] is then one look-up in a texture array, whose slice k of n
+   holds the cones of cosine k/n.
      cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi
    The rim is a ramp as wide as a cell, 3.75 degrees, to either side; below cosine 0.07 it is narrower, so that it ends
    before 90 degrees. */
@@ -406,8 +410,8 @@ typedef struct ssgi_sun {
     float irradiance[3]; /* on a surface that faces it */
 } ssgi_sun;
 
-/* An environment as directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance is
-   halved, along its wider side, until there are count. A sun lies at its region's centre of luminance and carries
+/* Replaces an environment by directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance
+   is halved, along its wider side, until there are count. A sun lies at its region's centre of luminance and carries
    all of its light: irradiances sum to the integral of radiance over the sphere.
      count          [limit: 1..1024] any, not only powers of two; suns beyond the number of texels are dark, at +y
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
@@ -415,8 +419,8 @@ typedef struct ssgi_sun {
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
                                            const char **why);
 
-/* The residual of unoccluded irradiance is the part of it that a few bands lack. Dimmed by ambient visibility and added
-   to the light from the coefficients, the residual makes unoccluded surfaces exact.
+/* Adds the residual of unoccluded irradiance, the part of it that a few bands lack, to a map. Dimmed by ambient
+   visibility and added to the light from the coefficients, the residual makes unoccluded surfaces exact.
      map                 +=  (irradiance of the suns - irradiance reconstructed from the coefficients) / pi. On entry it
                          holds the environment's map: ssgi_environment_map, solid_angle 0; zeros without an environment
      size                [limit: 8..256] of the map
@@ -533,20 +537,20 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
       if (ssgi_tess_points(uvw, level, &why) != SSGI_OK) puts(why);
       printf("level %d: %d discs of radius %g\n", level, points, ssgi_tess_radius(area, points));   */
 
-/* The number of points that tessellation hardware makes of a triangle whose levels are all `level`, with equal spacing,
-   in point mode [DSS14 section 3.1]: (3/4) i^2 + (3/2) i + 1 at an even level i, 3 ceil(i/2)^2 at an odd one: 3, 7, 12,
-   19 .. 3169. It is 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
+/* Returns the number of points that tessellation hardware makes of a triangle whose levels are all `level`, with equal
+   spacing, in point mode [DSS14 section 3.1]: (3/4) i^2 + (3/2) i + 1 at an even level i, 3 ceil(i/2)^2 at an odd one:
+   3, 7, 12, 19 .. 3169. It is 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
 SSGI_DEF int ssgi_tess_count(int level);
 
-/* The points of a level as gl_TessCoord has them, but for the rounding of GPUs (2e-5). Their order is the library's
-   own: in rings from the edges inwards, each ring from a corner around.
+/* Writes the points of a level as gl_TessCoord has them, but for the rounding of GPUs (2e-5). Their order is the
+   library's own: in rings from the edges inwards, each ring from a corner around.
      uvw      barycentric coordinates, 3 a point; they sum to 1 [limit: 3 * ssgi_tess_count(level) floats]
      level    [limit: 1..64] */
 SSGI_DEF ssgi_result ssgi_tess_points(float *uvw, int level, const char **why);
 
-/* The least level, 1..64, whose points are as many as the discs of a radius that together have the triangle's area:
-   ceil(sqrt((4 K - 1) / 3) - 1) with K = area / (pi radius^2) discs [DSS14 section 3.1]. It is 1 for 3 discs or fewer,
-   where the formula has no level, and 64 for more than 3169 discs, which need the triangle split
+/* Returns the least level, 1..64, that has a point for each of the discs of a radius that together have the triangle's
+   area: ceil(sqrt((4 K - 1) / 3) - 1) with K = area / (pi radius^2) discs [DSS14 section 3.1]. It is 1 for 3 discs or
+   fewer, where the formula has no level, and 64 for more than 3169 discs, which need the triangle split
    (ssgi_surfel_desc.splits). The formula is that of even levels. Odd levels have a quarter of a point fewer, so that
    level 1 suffices for up to 3.25 discs, and 12.1 discs get 12 points.
      area     [units: view^2] 0 or below: level 1
@@ -554,8 +558,8 @@ SSGI_DEF ssgi_result ssgi_tess_points(float *uvw, int level, const char **why);
    It is 1 where either is not a finite float. GLSL twin: ssgi_tess_level, which takes the number of discs. */
 SSGI_DEF int ssgi_tess_level(double area, double radius);
 
-/* The radius at which `count` discs together have the triangle's area: sqrt(area / (pi count)) [DSS14 section 3.1]. It
-   is 0 where area or count is not above 0 or not a finite float.
+/* Returns the radius at which `count` discs together have the triangle's area: sqrt(area / (pi count)) [DSS14 section
+   3.1]. It is 0 where area or count is not above 0 or not a finite float.
      count    ssgi_tess_count of the level, or this number times the share of the triangle's points that stay */
 SSGI_DEF double ssgi_tess_radius(double area, double count);
 
@@ -569,7 +573,7 @@ SSGI_DEF double ssgi_tess_radius(double area, double count);
 typedef struct ssgi_surfel {
     float position[3], radius; /* view space */
     float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers: on level l the lowest l bits of seed
-                                  2^24 choose the column, and the bits above the lowest 8 choose the row */
+                                  2^24 choose the column, and the l bits above the lowest 8 choose the row */
     float colour[3], unused;   /* the source's colour until lit; then the radiance that leaves it for a bounce, the
                                   irradiance that it receives for scattering; not read for occlusion */
 } ssgi_surfel;
@@ -614,49 +618,50 @@ typedef struct ssgi_surfel_source {
     float to_view[16]; /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
 
-/* Radius of a surfel at a view depth [DSS14 section 3.1]: size tan(alpha/2) (|depth - near| + near), where alpha is the
-   vertical angle of view. It is half of `size` image heights on the screen; behind the near plane surfels grow again.
-   With an orthographic projection it is half of `size` image heights everywhere. It is 0 where size is not above 0, and
-   for arguments that are not finite floats.
+/* Returns the radius of a surfel at a view depth [DSS14 section 3.1]: size tan(alpha/2) (|depth - near| + near), where
+   alpha is the vertical angle of view. It is half of `size` image heights on the screen; behind the near plane surfels
+   grow again. With an orthographic projection it is half of `size` image heights everywhere. It is 0 where size is not
+   above 0, and for arguments that are not finite floats.
      size     [units: image heights] s: ssgi_surfel_desc.size, whose default 0.015 is not put in
      depth    [units: view] of the triangle's centroid; below 0 behind the eye
    GLSL twin: ssgi_surfel_radius. */
 SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth);
 
-/* Form factor of a disc, to be multiplied by the cosines at both ends: r^2 / (d^2 + r^2) [DSS14 section 4; Wallace,
-   Elmquist, Haines 1989]. It is exact on the disc's axis, and too low beside the axis when near: on a parallel receiver
-   it is 0.93 .50 .07 of the exact form factor at 15, 45 and 75 degrees from one radius away, .97 .73 .49 from two, .99
-   .91 .84 from four. It is 0 where radius is not above 0, and for arguments that are not finite floats.
+/* Returns the form factor of a disc, to be multiplied by the cosines at both ends: r^2 / (d^2 + r^2) [DSS14 section 4;
+   Wallace, Elmquist, Haines 1989]. It is exact on the disc's axis, and too low beside the axis when near: on a parallel
+   receiver it is 0.93 .50 .07 of the exact form factor at 15, 45 and 75 degrees from one radius away, .97 .73 .49 from
+   two, .99 .91 .84 from four. It is 0 where radius is not above 0, and for arguments that are not finite floats.
      radius, distance   [units: view] the distance is that to the disc's centre */
 SSGI_DEF double ssgi_surfel_form_factor(double radius, double distance);
 
-/* Distance at which the contribution of a surfel has fallen to epsilon: radius sqrt(brightest / epsilon - 1), linear in
-   the radius. It is the paper's getMaxDist [DSS14 sections 3.2, 4]. It is 0 where brightest is epsilon or less or
-   radius is not above 0, and for arguments that are not finite floats; it is SSGI_FAR where epsilon is 0 or below.
+/* Returns the distance at which the contribution of a surfel has fallen to epsilon: radius sqrt(brightest / epsilon -
+   1), linear in the radius. It is the paper's getMaxDist [DSS14 sections 3.2, 4]. It is 0 where radius or brightest is
+   not above 0, where brightest is epsilon or less, and for arguments that are not finite floats; else it is SSGI_FAR
+   where epsilon is 0 or below.
      brightest   the largest component of the radiance that the surfel sends; 1 for occlusion
-     epsilon     the least contribution that the surfel is drawn for: ssgi_gl_frame.epsilon */
+     epsilon     the contribution at which level 0 of the surfel ends: ssgi_gl_frame.epsilon */
 SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon);
 
-/* The distances d that a level is drawn for, shell[0] < d <= shell[1] [DSS14 section 3.2]: level 0 those up to reach,
-   level l > 0 those from reach 2^(l-1) to reach 2^l. Each distance up to the last level's end is in one shell (d = 0 in
-   that of level 0). Both ends are `most` where the level lies beyond `most`, and 0 where a length is not above 0 or not
-   a finite float.
+/* Writes the distances d that a level is drawn for, shell[0] < d <= shell[1] [DSS14 section 3.2]: level 0 those up to
+   reach, level l > 0 those from reach 2^(l-1) to reach 2^l. Each distance up to the last level's end is in one shell (d
+   = 0 in that of level 0). Both ends are `most` where the level lies beyond `most`, and 0 where a length is not above 0
+   or not a finite float.
      reach    [units: view] ssgi_surfel_reach
      level    below 0 as 0, above 64 as 64
      most     [units: view] ssgi_splat.max_distance; SSGI_FAR: unlimited */
 SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double most);
 
-/* The numbers of ssgi_gl_frame.surfel, with defaults in place: radius per view depth (orthographic: radius), view depth
-   of the near plane, offscreen_growth, splits. */
+/* Writes the numbers of ssgi_gl_frame.surfel, with defaults in place: radius per view depth (orthographic: radius),
+   view depth of the near plane, offscreen_growth, splits. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const char **why);
 
 /* Subdivides triangles that need more than desc->splits parts an edge, such as a ground that reaches the horizon, into
-   four, recursively, at most ten times, and drops triangles farther outside the frustum than desc->max_distance. The
-   other triangles stay unchanged, in their order.
-     out      27 floats a triangle: position, normal, colour of each corner in mesh space (normal 0 0 0 where
-              source->normal is NULL). They are usable as a source of ssgi_surfels and as patches
-     count    how many triangles there are; at most `capacity` of them are written */
+   four, recursively, at most ten times. Drops triangles farther outside the frustum than desc->max_distance, without
+   area, or with corners that are not finite or beyond SSGI_FAR. The others stay unchanged, in their order.
+     out      27 floats a triangle: position, normal, colour of each corner in mesh space (normal 0 0 0, colour 1 1 1
+              where the source's are NULL). They are usable as a source of ssgi_surfels and as patches
+     count    how many triangles result; at most `capacity` of them are written */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -670,7 +675,7 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 
 /* How surfels are splatted: ssgi_gl_frame has epsilon, radius and near_depth. */
 typedef struct ssgi_splat {
-    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] form factor below which a level ends */
+    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] form factor at the end of level 0 */
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
     float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent, over ssgi_gl_frame.sent */
     float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
@@ -679,7 +684,7 @@ typedef struct ssgi_splat {
 
 enum { SSGI_SPLAT_LEVELS = 7 };
 
-/* Texels along x and y of one level in the interleaved layout: the frame's size, rounded up to multiples of
+/* Writes the texels along x and y of one level in the interleaved layout: the frame's size, rounded up to multiples of
    2^(levels - 1). The levels lie below each other in one texture of size[0] x (levels * size[1]) texels.
      width, height   [limit: 1..65536]
      levels          [limit: 1..7] */
@@ -687,8 +692,8 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
 
 /* The cost of a frame before anything is drawn. */
 typedef struct ssgi_surfel_cost {
-    size_t surfels;                   /* how many */
-    int splits;                       /* parts of an edge that triangles need; ssgi_surfel_desc.splits limits them */
+    size_t surfels;                   /* number of surfels */
+    int splits;                       /* most parts of an edge that a triangle needs, also beyond desc->splits */
     double pixels[SSGI_SPLAT_LEVELS]; /* texels that the splats of each level cover, each overlap counted */
 } ssgi_surfel_cost;
 
@@ -716,8 +721,8 @@ typedef struct ssgi_dipole {
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why);
 
-/* Diffuse reflectance R_d [units: 1/length^2] at a distance [limit: >= 0]; 0 for a channel outside 0..2, and for a
-   distance that is not a finite float. */
+/* Returns the diffuse reflectance R_d [units: 1/length^2] at a distance [limit: >= 0]; 0 for a channel outside 0..2,
+   and for a distance that is not a finite float. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 
 /* ==== >>cap ==================================================================================================== */
@@ -729,28 +734,28 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
       if (ssgi_cap_table(table, 32, &why) != SSGI_OK) puts(why);
       printf("it takes %g of the light\n", share);   */
 
-/* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that the cap takes, in closed
-   form [AOF05 eq. 3, whose formula the paper leaves out].
+/* Returns the occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that the cap takes,
+   in closed form [AOF05 eq. 3, whose formula the paper leaves out].
      solid_angle  [units: sr] [limit: 0..4 pi, clamped]
      cosine       of the angle between the cap's axis and the surface's normal [limit: -1..1, clamped]
-   Arguments that are not finite count as 0. The result is in [0,1] and monotone in both arguments, with an absolute
-   error of 1e-12, as a float of 1e-7. GLSL twin: ssgi_cap. */
+   Arguments that are not finite count as 0. The result is in [0,1] and monotone in both arguments. Its absolute error
+   is 1e-12, as a float 1e-7. GLSL twin: ssgi_cap. */
 SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine);
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
-/* The same occlusion as a look-up table [AOF05 section 4.2], for desc.input.cap_table of ssgi_gl.h or for your shaders:
-   out[y * size + x] is the occlusion of solid angle 4 pi x / (size - 1) and cosine 2 y / (size - 1) - 1. Values stand
-   at the texels' centres: u = (solid_angle / (4 pi) * (size - 1) + 0.5) / size, v = ((cosine + 1) / 2 * (size - 1) +
-   0.5) / size.
+/* Writes the same occlusion as a look-up table [AOF05 section 4.2], for desc.input.cap_table of ssgi_gl.h or for your
+   shaders: out[y * size + x] is the occlusion of solid angle 4 pi x / (size - 1) and cosine 2 y / (size - 1) - 1.
+   Values stand at the texels' centres: u = (solid_angle / (4 pi) * (size - 1) + 0.5) / size, v = ((cosine + 1) / 2 *
+   (size - 1) + 0.5) / size.
      out    size * size floats
      size   [limit: 2..4096] largest error of the bilinear value: 2.9e-3 at 32, 1.4e-3 at 64, 6.6e-4 at 128; 8 bits
             a texel add 2e-3 */
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
 
-/* Irradiance from the part of an environment within a cap [AOF05 section 6]: pi times the cap's occlusion, times the
-   environment's radiance there, averaged by the cosine over 256 directions of the cap. With the cap of ssgi_field_cap
-   it is the irradiance that an occluder takes away: subtract fill times it from unoccluded irradiance. With the rest of
-   the sphere (4 pi - solid_angle, -axis), the inverse cap, it is the irradiance that remains.
+/* Writes the irradiance from the part of an environment within a cap [AOF05 section 6]: pi times the cap's occlusion,
+   times the environment's radiance there, averaged by the cosine over 256 directions of the cap. With the cap of
+   ssgi_field_cap it is the irradiance that an occluder takes away: subtract fill times it from unoccluded irradiance.
+   With the rest of the sphere (4 pi - solid_angle, -axis), the inverse cap, it is the irradiance that remains.
      coefficients   [3*i + c] of radiance: ssgi_sh_project_equirect
      bands          [limit: 1..SSGI_SH_MAX_BANDS]
      solid_angle    [units: sr] [limit: finite; clamped to 0..4 pi]
@@ -797,8 +802,8 @@ typedef struct ssgi_field_desc {
     /* Your threads: it calls job(context, i) for every i in [0, count) and returns when all are done. NULL: one by
        one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
-    /* It is called now and then on the caller's thread, with done in [0,1]. If it returns other than 0, the bake gives
-       up with SSGI_CANCELLED. */
+    /* It is called now and then on the caller's thread, with done in [0,1]. If it returns other than 0 before done is
+       1, the bake gives up with SSGI_CANCELLED. */
     int (*progress)(void *user, float done);
     void *user; /* handed to all these functions; hit and sample must be reentrant if parallel has threads */
 } ssgi_field_desc;
@@ -808,8 +813,8 @@ typedef struct ssgi_field_desc {
 typedef struct ssgi_field {
     /* The cube map, to be uploaded as RG32UI: (resolution + 2) x 6 (resolution + 2) texels, with the faces below each
        other in GL's order, each within a border of one texel from its neighbours. Two words a texel hold eight
-       components of 8 bits, lowest first: three logarithms of the distance function; the hull's distance; x y z of the
-       characteristic centre; the covered share of the cap. */
+       components of 8 bits, lowest first: three logarithms to base 2, of the distance function; the hull's distance; x
+       y z of the characteristic centre, from `centre`; the covered share of the cap. */
     const uint32_t *texels;
     int resolution; /* texels along a side of a face, without the border */
     int radii;      /* distances that were sampled along each direction */
@@ -834,10 +839,11 @@ typedef struct ssgi_field_limits {
     float inside, power;
 } ssgi_field_limits;
 
-/* Bytes of a field's texels; 0 for a bad resolution [limit: 2..128]. */
+/* Returns the bytes of a field's texels; 0 for a bad resolution [limit: 2..128]. */
 SSGI_DEF size_t ssgi_field_size(int resolution);
 
-/* Bytes of a bake's work memory, which is not needed later: 59 a triangle + 960 resolution^2; 0 for bad arguments. */
+/* Returns the bytes of a bake's work memory, which is not needed later: about 59 a triangle + 960 resolution^2; 0 for
+   bad arguments. */
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
 /* Bakes a field: samples directions at twice the resolution, by rays or from desc.sample, fits each texel, and reduces
@@ -854,20 +860,20 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
                                      const uint32_t *index, size_t triangles, const char **why);
 
-/* Limits to start from: a ramp over the last quarter of the reach, inside as measured, power 1. */
+/* Returns limits to start from: a ramp over the last quarter of the reach, inside as measured, power 1. */
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 
-/* Occlusion of a point by the occluder: it is in [0,1], 0 from the reach on, and finite whatever the input. Multiply
-   ambient light by 1 - occlusion, once for each occluder. GLSL twin: ssgi_field_occlusion.
+/* Returns the occlusion of a point by the occluder. It is in [0,1], 0 from the reach on, and 0 where a coordinate is
+   not finite. Multiply ambient light by 1 - occlusion, once for each occluder. GLSL twin: ssgi_field_occlusion.
      limits           NULL: ssgi_field_limits_of
      point, normal    in the occluder's coordinates; the normal unit */
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
                                     const float normal[3]);
 
-/* The cap itself; for points in the hull, the cap at the hull: its solid angle [units: sr], its unit axis, and in *fill
-   the share of the cap that is covered. ssgi_cap_light gives the irradiance of an environment that the cap takes away.
-   Returns the point's distance from the centre over the hull's. No argument may be NULL; a point that is not finite
-   counts as the centre. */
+/* Writes the cap itself: its solid angle [units: sr], its unit axis, from the point to the occluder, and the share of
+   the cap that is covered. In the hull it is the cap at the hull; beyond the field's reach solid_angle and fill stay as
+   there. ssgi_cap_light gives the irradiance of an environment that the cap takes away. Returns the point's distance
+   from the centre over the hull's. No argument may be NULL; a coordinate that is not finite counts as the centre's. */
 SSGI_DEF float ssgi_field_cap(float *solid_angle, float axis[3], float *fill, const ssgi_field *field,
                               const float point[3]);
 
@@ -899,14 +905,14 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 
 enum {
     SSGI_PLAN_WANTED_VISIBILITY = 0, /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
-    SSGI_PLAN_WANTED_LIGHT,          /* irradiance from an environment and lights in its harmonics. RMSE over its
-                                        mean */
-    SSGI_PLAN_WANTED_BOUNCE,         /* and one diffuse bounce within the radius. RMSE of both together over their
-                                        mean */
-    SSGI_PLAN_WANTED_OBJECTS,        /* ambient visibility between rigid objects, at any distance. RMSE of it */
+    SSGI_PLAN_WANTED_LIGHT,          /* irradiance from an environment and lights in its harmonics. Errors: RMSE over
+                                        its mean */
+    SSGI_PLAN_WANTED_BOUNCE,         /* that irradiance and one diffuse bounce within the radius. Errors: RMSE of their
+                                        sum over its mean */
+    SSGI_PLAN_WANTED_OBJECTS,        /* ambient visibility between rigid objects, at any distance. Errors: RMSE of it */
 };
 
-/* plan.method. When light is wanted, HSAO dims the irradiance of harmonics. */
+/* The values of plan.method. When light is wanted, HSAO dims the irradiance of harmonics. */
 enum {
     SSGI_PLAN_METHOD_NOTHING = 0,
     SSGI_PLAN_METHOD_HSAO,
@@ -916,11 +922,11 @@ enum {
     SSGI_PLAN_METHOD_FIELD
 };
 
-/* plan.thickness: desc.gather.thickness of ssgi_gl.h with other numbers; ssgi_gl_plan translates. WIDTH is the default
-   of chains: ssgi_gl_steps draws pass thickness, and the costs here include it. */
+/* The values of plan.thickness: desc.gather.thickness of ssgi_gl.h with other numbers; ssgi_gl_plan translates. WIDTH
+   is the default of chains: ssgi_gl_steps draws pass thickness, and the costs here include it. */
 enum { SSGI_PLAN_THICKNESS_WIDTH = 0, SSGI_PLAN_THICKNESS_SOLID, SSGI_PLAN_THICKNESS_BACK, SSGI_PLAN_THICKNESS_SLABS };
 
-/* plan_scene.device: the device whose costs count. */
+/* The values of plan_scene.device: the device whose costs count. */
 enum {
     SSGI_PLAN_DEVICE_SOFTWARE = 0, /* llvmpipe's costs, measured */
     SSGI_PLAN_DEVICE_GPU,          /* an RX 6800's at 1920x1080, modelled from its compiler's instructions, never
@@ -929,10 +935,10 @@ enum {
 
 /* How pictures of one frame differ, as RMS over the pixels with a surface. */
 typedef struct ssgi_survey {
-    float occlusion; /* of 1 - visibility, by slabs where they are drawn; 0: no survey */
-    float detail;    /* of best - hsao */
-    float solid;     /* of solid - hsao */
-    float slabs;     /* of slabs - hsao; 0: not drawn */
+    float occlusion; /* RMS of 1 - visibility, by slabs where they are drawn; 0: no survey */
+    float detail;    /* RMS of best - hsao */
+    float solid;     /* RMS of solid - hsao */
+    float slabs;     /* RMS of slabs - hsao; 0: not drawn */
 } ssgi_survey;
 
 /* Makes a survey of full-size pictures of pass HSAO by slices, filtered, all of one radius; each has count floats. A
@@ -946,21 +952,21 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, cons
 /* Errors against ray-traced truth, in the measure of plan_scene.wanted. */
 typedef struct ssgi_calibration {
     int known;        /* 0: no calibration */
-    float unoccluded; /* of no occlusion at all */
-    float hsao;       /* of slices at the preset BALANCED, thickness WIDTH; where light is wanted, times the light */
-    float slabs;      /* the same with thickness SLABS; 0: not known */
+    float unoccluded; /* error of no occlusion at all */
+    float hsao;       /* error of slices at the preset BALANCED, thickness WIDTH; if light is wanted, times the light */
+    float slabs;      /* error of such slices with thickness SLABS; 0: not known */
 } ssgi_calibration;
 
 /* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
    renderer would have to do so.) The rays' variance is removed by comparing two halves, so that 64 rays suffice. 3000
-   points spread over the frame, 0.2 million rays, give the error over all pixels of the frame to 3 to 6 % in half of 27
-   views, and to 10 % in nine of ten.
+   points spread over the frame, 0.2 million rays, give the error over all pixels of the frame within 3 to 6 % in half
+   of 27 views, and within 10 % in nine of ten.
      position, normal   of each point, in the trace's space; normals unit, toward the viewer. Take positions from
                         tracing the pixels' rays: those from depth are too coarse far away
-     hsao, slabs        ambient visibility in the frame at each point, by the settings of ssgi_calibration; slabs may be
-                        NULL
+     hsao, slabs        ambient visibility in the frame at each point, by the settings of ssgi_calibration; a value that
+                        is not finite counts as 1; slabs may be NULL
      count              [limit: > 0] points
-     rays               [limit: 2..65536]
+     rays               [limit: 2..65536] a point
      radius             [limit: > 0, finite] */
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
                                          const float *normal, const float *hsao, const float *slabs, size_t count,
@@ -982,8 +988,8 @@ typedef struct ssgi_plan_scene {
     ssgi_calibration calibration; /* OBJECTS: only unoccluded is read */
 
     /* the light */
-    float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: those of a clear sky, 1 : 0.42 :
-                        0.13 : 0.18 */
+    float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; where the first is 0, those of a clear
+                        sky, 1 : 0.42 : 0.13 : 0.18 */
     int map;         /* LIGHT, BOUNCE: 1: there is also an image of the environment, which ssdo looks up */
     float albedo;    /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
 
@@ -1017,9 +1023,10 @@ typedef struct ssgi_plan {
    be met". Bad input gives SSGI_BAD_ARGUMENT and leaves the plan untouched. It is a pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
-/* Choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked), and an
-   empty `why`. Returns 1 with *plan filled; 0 with *plan untouched past the last choice, for NULL, or where the choice
-   does not serve scene->wanted or needs a part that the scene does not give. */
+/* Writes choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked),
+   meets 0 and an empty `why`. Returns 1 with *plan filled; 0 with *plan untouched past the last choice, for NULL, or
+   where the choice does not serve scene->wanted, needs a part that the scene does not give, or would gain too little by
+   the light's directions. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 
 enum { SSGI_PLAN_CHOICES = 46 };
@@ -1044,7 +1051,7 @@ extern "C" {
 
 #define SSGI__PI 3.14159265358979323846
 
-/* A private function. Inlined they would cost code and compile time only: those that gain by it are plain static. */
+/* Marks a private function. Inlining would cost code and compile time; functions that gain by it are plain static. */
 #ifdef __GNUC__
 #define SSGI__FN static __attribute__((noinline))
 #else
@@ -1088,7 +1095,7 @@ SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
         if (r_ != SSGI_OK) return r_; \
     } while (0)
 
-/* By the bits: -ffast-math lets a compiler assume that x - x == 0. */
+/* Whether x is finite. The bits tell, as -ffast-math lets a compiler assume that x - x == 0. */
 static int ssgi__finite(float x)
 {
     uint32_t bits;
@@ -1107,7 +1114,7 @@ SSGI__FN int ssgi__finites(const float *v, int count)
     return count == 0;
 }
 
-/* Whether all values are finite and 0 or more. */
+/* Whether all values are finite and 0 or more (v must not be NULL). */
 SSGI__FN int ssgi__positive(const float *v, int count)
 {
     while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) {
@@ -1128,7 +1135,7 @@ SSGI__FN int ssgi__zero_or(float x, float least, float most)
     return ssgi__within(x, 0.0f, 0.0f) || ssgi__within(x, least, most);
 }
 
-/* A radiance or flux is 0 if it is not finite; it is clamped so that sums over any image stay finite. */
+/* Returns a radiance or flux clamped to least..1e24, so that sums over any image stay finite; 0 if it is not finite. */
 static double ssgi__light(float x, float least)
 {
     return ssgi__finite(x) ? (double)(x < least ? least : x > 1e24f ? 1e24f : x) : 0.0;
@@ -1136,7 +1143,7 @@ static double ssgi__light(float x, float least)
 
 static double ssgi__luminance(const double rgb[3]) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-/* Multiplies a radiance by a weight. Returns the luminance of the product. */
+/* Writes a radiance, clamped by ssgi__light, times a weight. Returns the luminance of the product. */
 SSGI__FN double ssgi__light3(double out[3], const float *rgb, float least, double weight)
 {
     for (int c = 0; c < 3; ++c) out[c] = weight * ssgi__light(rgb[c], least);
@@ -1160,7 +1167,7 @@ SSGI__FN void ssgi__cross(double out[3], const double a[3], const double b[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* a + s b */
+/* Writes a + s b. */
 SSGI__FN void ssgi__along(double out[3], const double a[3], double s, const double b[3])
 {
     for (int i = 0; i < 3; ++i) out[i] = a[i] + s * b[i];
@@ -1176,7 +1183,7 @@ SSGI__FN void ssgi__floats(float out[3], const double v[3])
     for (int i = 0; i < 3; ++i) out[i] = (float)v[i];
 }
 
-/* Returns the length that v had; a zero vector stays 0. */
+/* Makes v a unit vector and returns the length that it had. A zero vector stays 0. */
 SSGI__FN double ssgi__normalise(double v[3])
 {
     const double length = sqrt(ssgi__dot(v, v));
@@ -1184,7 +1191,7 @@ SSGI__FN double ssgi__normalise(double v[3])
     return length;
 }
 
-/* Two axes perpendicular to a unit vector, which is the third axis. */
+/* Writes two axes perpendicular to a unit vector, and the vector itself as the third axis. */
 SSGI__FN void ssgi__axes(float axes[3][3], const double axis[3])
 {
     double side[3] = { 0.0, 0.0, 0.0 }, up[3];
@@ -1200,7 +1207,7 @@ SSGI__FN void ssgi__axes(float axes[3][3], const double axis[3])
     ssgi__floats(axes[2], axis);
 }
 
-/* The unit vector at a height and an azimuth. */
+/* Writes the unit vector at a height z and an azimuth. */
 SSGI__FN void ssgi__polar(double w[3], double z, double angle)
 {
     const double r = sqrt(1.0 - z * z);
@@ -1312,8 +1319,8 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
     return ssgi__max(x, y) * (view->orthographic ? 1.0f : z);
 }
 
-/* Distance of a view-space point outside the frustum, 0 inside. It is the largest distance beyond a side plane or the
-   near plane. The far plane does not count. */
+/* Returns the distance of a view-space point outside the frustum, 0 inside. It is the largest distance beyond a side
+   plane or the near plane. The far plane does not count. */
 SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
 {
     const double z = -point[2];
@@ -1331,7 +1338,7 @@ SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
     return most;
 }
 
-/* The rotation of the main camera's matrix, with one axis in each row. */
+/* Writes the rotation of the main camera's matrix, with one axis in each row, or refuses a matrix that is not rigid. */
 SSGI__FN ssgi_result ssgi__main_axes(double axis[3][3], const float main_world_to_view[16], const char **why)
 {
     SSGI__CHECK(ssgi__finites(main_world_to_view, 16), "main_world_to_view: must be finite");
@@ -1360,8 +1367,8 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
     SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be there and finite");
 
-    /* z looks away from the centre; x is perpendicular to the main camera's y, or, where that is z, to its forward
-       axis */
+    /* the new z axis points away from the centre; the new x axis is perpendicular to it and to the main camera's y
+       axis, or, where that is the new z axis, to the main camera's z axis */
     for (int k = 0; k < 3; ++k) { /* the main eye stands at minus the translation, in its own axes */
         for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
@@ -1411,7 +1418,7 @@ SSGI_DEF void ssgi_extra_displacement(float out[3], int i)
 
 /* ==== >>bias (implementation) ================================================================================== */
 
-/* Clamps to 0..SSGI_FAR; NaN counts as 0. */
+/* Returns x clamped to 0..SSGI_FAR; NaN counts as 0. */
 SSGI__FN float ssgi__clamped_length(float x)
 {
     uint32_t bits;
@@ -1446,15 +1453,15 @@ typedef struct ssgi__peaks {
     const char *position;
     size_t stride;
     const uint32_t *index;
-    uint32_t *corner; /* of each vertex: a corner at it */
-    uint32_t *vertex; /* of each corner */
-    uint32_t *part;   /* of each vertex: another of its level part, or itself; with SSGI__UP, SSGI__DOWN */
+    uint32_t *corner; /* for each vertex a corner, 3 * triangle + k, that lies there */
+    uint32_t *vertex; /* for each corner its vertex */
+    uint32_t *part;   /* for each vertex an earlier vertex of its level part, or itself; with SSGI__UP, SSGI__DOWN */
     double up[3], middle[3];
-    int along; /* heights are along up; 0: from the middle */
+    int along; /* 1: heights are along up; 0: they are distances from middle */
 } ssgi__peaks;
 
 #define SSGI__UP 0x80000000u   /* an edge leads up from the part */
-#define SSGI__DOWN 0x40000000u /* an edge leads down from it */
+#define SSGI__DOWN 0x40000000u /* an edge leads down from the part */
 #define SSGI__PART 0x3fffffffu
 
 SSGI__FN void ssgi__peaks_at(double p[3], const ssgi__peaks *m, uint32_t corner)
@@ -1514,7 +1521,7 @@ SSGI__FN double ssgi__peaks_height(const ssgi__peaks *m, uint32_t vertex)
     return m->along ? ssgi__dot(p, m->up) : sqrt(ssgi__dot(p, p));
 }
 
-/* The first vertex of a level part. */
+/* Returns the first vertex of a vertex's level part. Shortens the way to it for later calls. */
 SSGI__FN uint32_t ssgi__peaks_part(const ssgi__peaks *m, uint32_t vertex)
 {
     while ((m->part[vertex] & SSGI__PART) != vertex) {
@@ -1542,7 +1549,8 @@ SSGI__FN void ssgi__peaks_edge(const ssgi__peaks *m, uint32_t a, uint32_t b, dou
     }
 }
 
-/* Mean distance from the given vertices, which are the maxima, to the nearest other maximum. */
+/* Returns the mean distance from a maximum to the nearest other, over every step-th of the given vertices, which are
+   the maxima. */
 SSGI__FN double ssgi__peaks_spacing(const ssgi__peaks *m, const uint32_t *vertex, size_t count)
 {
     const size_t step = (count + 1023) / 1024;
@@ -1625,7 +1633,7 @@ SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i)
     return ssgi__min((float)r, 1.0f - FLT_EPSILON / 2); /* as 0.99999999 rounds up to 1 */
 }
 
-/* The hash of PCG [O'Neill 2014]. */
+/* Returns the hash of PCG [O'Neill 2014]. */
 SSGI__FN uint32_t ssgi__hash(uint32_t x)
 {
     x = x * 747796405u + 2891336453u;
@@ -1633,7 +1641,7 @@ SSGI__FN uint32_t ssgi__hash(uint32_t x)
     return (x >> 22) ^ x;
 }
 
-/* A pseudo-random share of a turn, in [0,1). */
+/* Returns a pseudo-random share of a turn, in [0,1). */
 SSGI__FN double ssgi__turn(uint32_t seed) { return (double)ssgi__hash(seed) / 4294967296.0; }
 
 SSGI__FN float ssgi__fract(double x)
@@ -1648,7 +1656,8 @@ SSGI_DEF void ssgi_r2(float out[2], uint32_t i)
     out[1] = ssgi__fract(0.5 + 0.56984029099805326591 * (double)i);
 }
 
-/* Ray i of a stratified cone about axes[2]. Directions are uniform over the cone and moved by `shift`. */
+/* Writes the direction of ray i in a cone about axes[2]. The rays are spread evenly over the cone; `shift`, in [0,1)^2,
+   moves all of them, so that sets of rays differ. */
 SSGI__FN void ssgi__cone_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
 {
     float at[2], z, radius, angle;
@@ -1675,8 +1684,8 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
     return ssgi_directions(out, SSGI_DIRECTIONS_COSINE, sets, samples, why);
 }
 
-/* The height of a direction and its distance from the z axis, where a share u of all directions lies between it and
-   +z. */
+/* Writes the height of a direction and its distance from the z axis, where a share u of all directions lies between it
+   and +z. */
 SSGI__FN void ssgi__directions_at(double out[2], int kind, double u)
 {
     const double most = kind == SSGI_DIRECTIONS_SPHERE ? 2.0 : 1.0;
@@ -1719,8 +1728,8 @@ typedef struct ssgi__block {
     int w, h, shift;
 } ssgi__block;
 
-/* Least squared distance between a texel and the copies of the texel at x, y from it, as the block repeats over the
-   plane. */
+/* Returns the least squared distance between a texel and the copies of the texel at x, y from it, as the block repeats
+   over the plane. */
 SSGI__FN int ssgi__block_distance(const ssgi__block *b, int x, int y)
 {
     int least = 1 << 30;
@@ -1734,7 +1743,7 @@ SSGI__FN int ssgi__block_distance(const ssgi__block *b, int x, int y)
     return least;
 }
 
-/* The squarest block that a tile can be made of, and the shift by which its copies lie farthest apart. */
+/* Returns the squarest block that a tile can be made of, with the shift by which its copies lie farthest apart. */
 SSGI__FN ssgi__block ssgi__block_of(int size, int sets)
 {
     ssgi__block b = { sets, 1, 0 }, tried;
@@ -1751,9 +1760,9 @@ SSGI__FN ssgi__block ssgi__block_of(int size, int sets)
     return b;
 }
 
-/* Numbers the texels of the block at 0, 0. Each next number goes where the influence of the numbered texels is least;
-   it falls with 1/distance^4 and is in whole numbers, which floats add without rounding. out[4 * (y * size + x) + 3] is
-   the number, out[.. + 2] the influence. */
+/* Numbers the texels of the block at 0, 0. Each next number goes where the influence of the numbered texels is least. A
+   texel's influence falls with 1/distance^4 and is a whole number, as floats add those without rounding. out[4 * (y *
+   size + x) + 3] is the number, out[.. + 2] the influence. */
 SSGI__FN void ssgi__block_order(float *out, int size, const ssgi__block *b)
 {
     const int texels = b->w * b->h;
@@ -1810,8 +1819,8 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
 
 #define SSGI__SH_MOST (SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS)
 
-/* Function m of band l is norm * Q_lm(z) * Re or Im (x + iy)^|m|, where Q_lm sin^m is the associated Legendre function
-   without its sign. Q follows by the recurrence in l. */
+/* Writes the basis at a unit direction. Function m of band l is norm * Q_lm(z) * Re or Im (x + iy)^|m|, where Q_lm
+   sin^m is the associated Legendre function without its sign. Q follows by the recurrence in l. */
 SSGI__FN void ssgi__sh_basis(double *out, int bands, const double d[3])
 {
     /* sqrt((2l+1) (l-m)! / (4 pi (l+m)!)), times sqrt(2) for m > 0, at l (l+1)/2 + m */
@@ -1859,8 +1868,8 @@ SSGI_DEF float ssgi_sh_cosine(int l)
     return l >= 0 && l < 5 ? a[l] : 0.0f;
 }
 
-/* Sine and cosine of the angle from +y of a row, which is `at` rows from the top. Returns the solid angle of a texel
-   there. */
+/* Writes the sine and the cosine of a row's angle from +y; the row is `at` rows from the top. Returns the solid angle
+   of a texel there. */
 SSGI__FN double ssgi__equirect_row(double polar[2], double at, int width, int height)
 {
     polar[0] = sin(SSGI__PI * at / height);
@@ -1868,6 +1877,7 @@ SSGI__FN double ssgi__equirect_row(double polar[2], double at, int width, int he
     return 4.0 * SSGI__PI / width * polar[0] * sin(0.5 * SSGI__PI / height);
 }
 
+/* Writes the direction that is `at` columns from the left edge, in a row with this sine and cosine. */
 SSGI__FN void ssgi__equirect(double direction[3], const double polar[2], double at, int width)
 {
     const double longitude = SSGI__PI * (1.0 - 2.0 * at / width);
@@ -1883,6 +1893,7 @@ SSGI__FN ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height,
     return SSGI_OK;
 }
 
+/* Adds the light of a texel, whose solid angle is the weight, to coefficients. */
 SSGI__FN void ssgi__sh_add(double *sum, int bands, const double direction[3], const float *rgb, double weight)
 {
     double basis[SSGI__SH_MOST], light[3];
@@ -1916,10 +1927,10 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
     return SSGI_OK;
 }
 
-/* Solid angle of the rectangle from (0,0) to (x,y) at distance 1. */
+/* Returns the solid angle of the rectangle from (0,0) to (x,y) at distance 1, negative where x y is. */
 SSGI__FN double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
 
-/* The direction of a place on a face, with s and t in [-1,1], by OpenGL 4.6, table 8.19. */
+/* Writes the unit direction of a place on a face, with s and t in [-1,1], by OpenGL 4.6, table 8.19. */
 SSGI__FN void ssgi__cube_direction(double out[3], int face, double s, double t)
 {
     static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 },
@@ -2041,8 +2052,8 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
         }
 }
 
-/* A cap's factors for the bands are the means of the Legendre polynomials over [cosine, 1]. They have a recurrence of
-   their own, as differences of polynomials would cancel near cosine 1. */
+/* Writes a cap's factors for all bands: the means of the Legendre polynomials over [cosine, 1]. They have a recurrence
+   of their own, as differences of polynomials would cancel near cosine 1. */
 SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 {
     mean[0] = 1.0;
@@ -2108,7 +2119,7 @@ SSGI_DEF void ssgi_octahedral_decode(float out[3], const float e[2])
     ssgi__floats(out, n);
 }
 
-/* The direction of texel number `texel` of a map. */
+/* Writes the unit direction of texel number `texel` of an octahedral map. */
 SSGI__FN void ssgi__octahedral_texel(float out[3], int texel, int size)
 {
     const float e[2] = { (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f,
@@ -2116,7 +2127,7 @@ SSGI__FN void ssgi__octahedral_texel(float out[3], int texel, int size)
     ssgi_octahedral_decode(out, e);
 }
 
-/* The intersection of [a, a + la] and [b, b + lb]. */
+/* Writes the intersection of [a, a + la] and [b, b + lb]. */
 SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
 {
     *begin = a > b ? a : b;
@@ -2150,8 +2161,8 @@ SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3
 }
 
 /* Averages the environment about every direction of an octahedral map. The weight of a cell is 0 up to the cosine
-   `least`. Beyond it is exp(kappa (cosine - 1)), or with kappa 0 the cosine times a ramp that rises by `slope` from
-   `least` to 1. */
+   `least`. Beyond, it is exp(kappa (cosine - 1)), or with kappa 0 the cosine times a ramp, slope (cosine - least) but
+   at most 1. */
 SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa,
                                              float least, float slope, const char **why)
 {
@@ -2225,7 +2236,8 @@ typedef struct ssgi__region {
 
 #define SSGI__REGION_BINS 256
 
-/* Luminance times solid angle of a region's lines across an axis, with 2^shift lines in each bin. */
+/* Sums luminance times solid angle over a region's lines, which are columns (axis 0) or rows (1), with 2^shift lines in
+   each bin. */
 SSGI__FN void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
                                 const float *rgb, int width, int height)
 {
@@ -2269,6 +2281,7 @@ SSGI__FN void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const
     region->energy = before;
 }
 
+/* Makes the sun of a region. */
 SSGI__FN void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float *rgb, int width, int height)
 {
     double total[3] = { 0, 0, 0 }, mean[3] = { 0, 0, 0 }, polar[2], d[3], light[3], energy = 0.0;
@@ -2283,7 +2296,7 @@ SSGI__FN void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float
             ssgi__along(mean, mean, luminance, d);
         }
     }
-    if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* dark, or constant */
+    if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* dark, or as bright on all sides */
         ssgi__equirect_row(polar, 0.5 * (r->lower[1] + r->upper[1]), width, height);
         ssgi__equirect(mean, polar, 0.5 * (r->lower[0] + r->upper[0]), width);
     }
@@ -2479,6 +2492,7 @@ static const float *ssgi__trace_corner(const ssgi__trace_job *job, uint32_t tria
     return (const float *)(const void *)(job->position + (job->index ? (size_t)job->index[k] : k) * job->stride);
 }
 
+/* Fills an item with a triangle's bounds. Returns 0 if the triangle has no area, or is not finite or too far out. */
 SSGI__FN int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, ssgi__trace_item *item)
 {
     const float *a = ssgi__trace_corner(job, triangle, 0), *b = ssgi__trace_corner(job, triangle, 1),
@@ -2503,6 +2517,7 @@ SSGI__FN void ssgi__trace_grow(float lower[3], float upper[3], const float l[3],
     }
 }
 
+/* Sets the bounds of a range from its items. */
 SSGI__FN void ssgi__trace_bound(const ssgi__trace_item *items, ssgi__trace_range *range)
 {
     for (int i = 0; i < 3; i++) {
@@ -2523,7 +2538,7 @@ static float ssgi__trace_area(const float lower[3], const float upper[3])
     return x * y + y * z + z * x;
 }
 
-/* Puts the items with the smallest centres along an axis into the first `want` of `count` places [Hoare 1961]. */
+/* Moves the `want` of `count` items whose centres along an axis are smallest to the front [Hoare 1961]. */
 SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t want, int axis)
 {
     int64_t lower = 0, upper = (int64_t)count - 1, goal = (int64_t)want;
@@ -2597,6 +2612,8 @@ SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_rang
     }
 }
 
+/* Makes a node of a range, with all below it, and returns its number. The widest child is split until there are four,
+   or until each child fits into a leaf. */
 SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_range *whole)
 {
     ssgi__trace_range range[4];
@@ -2707,10 +2724,10 @@ static int ssgi__trace_ray_set(ssgi__trace_ray *ray, const float origin[3], cons
     return 1;
 }
 
-/* weight[c][k] is the unnormalised barycentric weight of corner c of triangle k; where outside[k] is above 0, the ray's
-   line misses the triangle. The corners are sheared so that the ray is the z axis; a weight's sign is then exact for
-   the sheared corners, which triangles share, so that neither edges nor corners leave gaps [Woop, Benthin, Wald
-   2013]. */
+/* Writes to weight[c][k] the unnormalised barycentric weight of corner c of triangle k; where outside[k] is above 0,
+   the ray's line misses the triangle. The corners are sheared so that the ray is the z axis; a weight's sign is then
+   exact for the sheared corners, which triangles share, so that neither edges nor corners leave gaps [Woop, Benthin,
+   Wald 2013]. */
 static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float weight[3][4],
                                   float outside[4])
 {
@@ -2732,8 +2749,8 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
     }
 }
 
-/* The t at which the ray meets the plane of triangle k, -1 if the ray is parallel to it. It is computed in double, for
-   small details on large triangles. */
+/* Returns the t at which the ray meets the plane of triangle k, -1 if the ray is parallel to it. It is computed in
+   double, for small details on large triangles. */
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
 {
     double e[3], f[3], facing = 0.0, height = 0.0;
@@ -2773,8 +2790,8 @@ static int ssgi__trace_leaf(const ssgi__trace_block *block, const ssgi__trace_ra
     return found;
 }
 
-/* The t at which the ray enters and leaves the boxes of a node's children, within tmin .. tmax. It misses a box where
-   enter > leave. */
+/* Writes the t at which the ray enters and leaves the boxes of a node's children, within tmin .. tmax. The ray misses a
+   box where enter > leave. */
 static void ssgi__trace_boxes(const ssgi__trace_node *node, const ssgi__trace_ray *ray, float tmin, float tmax,
                               float enter[4], float leave[4])
 {
@@ -2793,7 +2810,8 @@ static void ssgi__trace_boxes(const ssgi__trace_node *node, const ssgi__trace_ra
     }
 }
 
-/* Walks the tree from near to far. With `hit` NULL it returns at the first hit that it finds. */
+/* Walks the tree from near to far, for the closest hit. With `hit` NULL it takes any order and ends at the first hit
+   that it finds. Returns 1 if there is a hit, else 0. */
 SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                               float tmax, ssgi_hit *hit)
 {
@@ -2845,7 +2863,8 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
     return ssgi__trace_walk(trace, origin, direction, tmin, tmax, NULL);
 }
 
-/* Cosine-weighted occlusion of a point whose normal is axes[2], by stratified rays that are turned by seed. */
+/* Returns the cosine-weighted occlusion of a point whose normal is axes[2], by stratified rays; the seed turns them.
+   `hard` is as in ssgi_trace_visibility. */
 SSGI__FN double ssgi__trace_occlusion(const ssgi_trace *trace, const float from[3], float axes[3][3], float radius,
                                       int rays, int hard, uint32_t seed)
 {
@@ -2864,7 +2883,7 @@ SSGI__FN double ssgi__trace_occlusion(const ssgi_trace *trace, const float from[
     return sum / rays;
 }
 
-/* The largest coordinate in a trace, of either sign. */
+/* Returns the largest absolute value of a coordinate in a trace. */
 SSGI__FN float ssgi__trace_extent(const ssgi_trace *trace)
 {
     const ssgi__trace_node *root = (const ssgi__trace_node *)trace->nodes;
@@ -2875,7 +2894,7 @@ SSGI__FN float ssgi__trace_extent(const ssgi_trace *trace)
     return most;
 }
 
-/* A number for a point, by the bits of its coordinates; 0 and -0 give the same number. */
+/* Returns a number for a point, by the bits of its coordinates; 0 and -0 give the same number. */
 SSGI__FN uint32_t ssgi__trace_seed(const float p[3])
 {
     uint32_t seed = 0, bits;
@@ -2949,6 +2968,7 @@ SSGI__FN int ssgi__tess_next(ssgi__tess_point *p)
     return 1;
 }
 
+/* Writes a point's barycentric coordinates. */
 SSGI__FN void ssgi__tess_weights(double w[3], const ssgi__tess_point *p)
 {
     for (int k = 0; k < 3; ++k) w[k] = (2.0 * p->ring / 3.0 + p->place[k]) / p->level;
@@ -2984,7 +3004,8 @@ SSGI_DEF double ssgi_tess_radius(double area, double count)
 
 /* ==== >>surfels (implementation) =============================================================================== */
 
-/* scale[0]: radius per view depth (orthographic: radius) of a size; scale[1]: view depth of the near plane. */
+/* Writes to scale[0] the radius per view depth (orthographic: the radius) of surfels of a size, to scale[1] the view
+   depth of the near plane. */
 SSGI__FN void ssgi__surfel_scale(double scale[2], const ssgi_view *view, double size)
 {
     scale[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
@@ -3024,7 +3045,7 @@ SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double
     shell[1] = finite ? fmin(ldexp(reach, l), most) : 0.0;
 }
 
-/* The makings of surfels; a patch is a triangle or a part of one. */
+/* The arguments that surfels are made from, and numbers derived from them. A patch is a triangle or a part of one. */
 typedef struct ssgi__surfel_maker {
     const ssgi_view *view;
     const ssgi_surfel_source *source;
@@ -3035,7 +3056,7 @@ typedef struct ssgi__surfel_maker {
 typedef struct ssgi__patch {
     double at[3][3], normal[3][3], colour[3][3];
     double face[3], area, radius; /* face: the triangle's own unit normal, by the turn of its corners */
-    int level, alive, count;      /* alive: bits of a triangle's three points at level 1; count: of surfels */
+    int level, alive, count;      /* alive: a bit for each of the three points of level 1 that stays; count: surfels */
     uint32_t key;
 } ssgi__patch;
 
@@ -3078,7 +3099,8 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
-/* The smallest surfel radius in a patch: at the depth in its range that is nearest to the near plane. */
+/* Returns the smallest surfel radius in a patch, which is that at the patch's depth nearest to the near plane. A patch
+   that reaches in front of the eye, but not as far as the near plane, gets the radius at the near plane. */
 SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_maker *m)
 {
     double low = 1e300, high = -1e300;
@@ -3090,7 +3112,8 @@ SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_mak
     return ssgi__surfel_radius(m->scale, m->view->orthographic, low);
 }
 
-/* The centroid and the largest distance of a corner from it. Returns the centroid's distance outside the frustum. */
+/* Writes the centroid and the largest distance of a corner from it. Returns the centroid's distance outside the
+   frustum. */
 SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3],
                                      double *extent)
 {
@@ -3105,6 +3128,7 @@ SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_ma
     return ssgi__view_aside(m->view, middle);
 }
 
+/* Returns the number of parts, 1..most, into which each edge of a triangle is split. */
 SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m, int most)
 {
     const double r = ssgi__surfel_finest(whole, m),
@@ -3112,12 +3136,13 @@ SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_ma
     return n < 1.0 ? 1 : n < most ? (int)n : most;
 }
 
+/* Writes the weighted sum of three vectors, one at each corner. */
 SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
 {
     for (int i = 0; i < 3; ++i) out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
-/* Shrinks a patch, so that discs keep off its edges. GLSL twin: ssgi_inset. */
+/* Shrinks a patch, so that discs keep off its edges: ssgi_overhang. GLSL twin: ssgi_inset. */
 SSGI__FN void ssgi__surfel_inset(ssgi__patch *p, int overhang)
 {
     double weight[3], d[3], centre[3] = { 0.0, 0.0, 0.0 }, sum = 0.0;
@@ -3174,7 +3199,7 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     return 1;
 }
 
-/* The surfel at a point of the patch's level. GLSL twin: main_points. */
+/* Makes the surfel at a point of the patch's level. GLSL twin: main_points. */
 SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p,
                                  const ssgi__tess_point *point)
 {
@@ -3195,6 +3220,7 @@ SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, 
     out->unused = 0.0f;
 }
 
+/* Checks a desc and the view, and copies the desc with its defaults in place. */
 SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const char **why)
 {
@@ -3229,6 +3255,8 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
     return SSGI_OK;
 }
 
+/* Checks the arguments and fills a maker. The matrix of normals is the cofactors of to_view's, so that normals stay
+   perpendicular under any scale; `side` is -1 where to_view mirrors. */
 SSGI__FN ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const ssgi_surfel_source *source, const char **why)
 {
@@ -3261,6 +3289,7 @@ typedef struct ssgi__divider {
     size_t capacity, count;
 } ssgi__divider;
 
+/* Writes a triangle of 27 floats as it is, or in four parts if it is too large, recursively: ssgi_surfels_divide. */
 SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
 {
     const ssgi__surfel_maker *m = &d->maker;
@@ -3346,9 +3375,9 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
     return SSGI_OK;
 }
 
-/* The pixels that the part of a sphere deeper than front (> 0 when perspective) covers, as bounds x0, y0, x1, y1,
-   clipped to the frame, exact in each axis [Mara, McGuire 2013]. Returns 0 if it covers none, with bounds untouched.
-   GLSL twin: ssgi_sphere. */
+/* Writes the bounds x0, y0, x1, y1 of the pixels that the part of a sphere deeper than front (> 0 when perspective)
+   covers, clipped to the frame, exact in each axis [Mara, McGuire 2013]. Returns 0 if it covers none, with bounds
+   untouched. GLSL twin: ssgi_sphere. */
 SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius,
                                  float front)
 {
@@ -3361,7 +3390,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
         const double x = (double)centre[axis], off = x * x + z * z - r * r, t = off > 0.0 ? sqrt(off) : 0.0;
         double end[2];
         for (int side = 0; side < 2; ++side) {
-            const double e = side ? r : -r, depth = z * t - x * e; /* that of the point of tangency, times |c|^2 / t */
+            const double e = side ? r : -r, depth = z * t - x * e; /* depth of the point of tangency, times |c|^2 / t */
             /* where the sphere meets the front */
             const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);
             double slope = z < begin ? cut : x + e;
@@ -3379,6 +3408,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
     return 1;
 }
 
+/* Checks a splat and copies it with its defaults in place. */
 SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
 {
     SSGI__THERE2(splat, view);
@@ -3407,6 +3437,7 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
     return SSGI_OK;
 }
 
+/* Adds to each level's pixels the texels that `count` surfels of this centre and radius cover. */
 SSGI__FN void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view,
                                  const float centre[3], double radius, double brightest, double count)
 {
@@ -3484,7 +3515,7 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 
 /* ==== >>cap (implementation) =================================================================================== */
 
-/* The integral of the clamped cosine over a cap [AOF05 eq. 3], by the two arcs that bound its part above the
+/* Integrates the clamped cosine over a cap [AOF05 eq. 3], by the two arcs that bound the cap's part above the
    horizon. */
 SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine)
 {
@@ -3565,8 +3596,7 @@ SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int
 /* ---- samples */
 
 /* Samples an occluder from a point, by rays within acos(cosine) of a unit axis; `hit` NULL: by ssgi_trace_any.
-     out         the solid angle that is hit; its vector irradiance, which is the integral of the directions that are
-                 hit
+     out         the solid angle of the directions that are hit, and their integral, the vector irradiance
      occlusion   of four receivers with these normals, or NULL */
 SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
                                  int (*hit)(void *, const float *, const float *), void *user, const float point[3],
@@ -3614,17 +3644,18 @@ SSGI__FN void ssgi__field_equation(double a[3][3], double b[3], const double d[3
     ssgi__along(b, b, r, d);
 }
 
-/* Levenberg and Marquardt's descent over three unknowns goes on until the error is at most `stop`. f gives the error
-   and, where a is not NULL, adds the normal equations of the error: J J^T to a, -J residual to b. An error that is not
-   below the last one, NaN included, is a step too far. */
+/* The samples along a direction w, to which a curve or a centre is fitted. */
 typedef struct ssgi__field_data {
-    const double *radii, *values, *w;
-    int count, chord;
-    double most;
+    const double *radii, *values, *w; /* values: one a radius for a curve, unit vectors of three for a centre */
+    int count, chord;                 /* chord: which error of a centre, see ssgi__field_centre_error */
+    double most;                      /* the bound of a curve */
 } ssgi__field_data;
 
 typedef double (*ssgi__field_error)(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3]);
 
+/* Moves the three unknowns u by Levenberg and Marquardt's descent until the error is at most `stop` or falls no more,
+   and returns the error. f gives the error and, where a is not NULL, adds the normal equations of the error: J J^T to
+   a, -J residual to b. An error that is not below the last one, NaN included, is a step too far. */
 SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
 {
     double damping = 1e-3, error = f(data, u, NULL, NULL);
@@ -3649,8 +3680,8 @@ SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, s
     return error;
 }
 
-/* The coefficients q of the unknowns u, such that the polynomial is above m = 1/most on all of [0,1]: q0 = m + e^u0,
-   q2 = m + e^u2, q1 = m - e^((u0 + u2)/2) + e^u1. */
+/* Writes the coefficients q of the unknowns u, such that the polynomial is above m = 1/most on all of [0,1]: q0 = m +
+   e^u0, q2 = m + e^u2, q1 = m - e^((u0 + u2)/2) + e^u1. */
 SSGI__FN void ssgi__field_bernstein(double q[3], const double u[3], double most)
 {
     q[0] = 1.0 / most + exp(u[0]);
@@ -3658,6 +3689,7 @@ SSGI__FN void ssgi__field_bernstein(double q[3], const double u[3], double most)
     q[1] = 1.0 / most - exp(0.5 * (u[0] + u[2])) + exp(u[1]);
 }
 
+/* Returns the sum of squared errors of the curve 1/q of the unknowns u, for ssgi__field_descend. */
 SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3])
 {
     const double first = data->radii[0], length = data->radii[data->count - 1] - first;
@@ -3701,8 +3733,9 @@ SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *
     return error;
 }
 
-/* The error by which directions miss a point c: the sum of squared chords, |unit vector to c - direction|^2, or of (1 -
-   cosine)^2. A point beyond the hull's tangent at the first radius, where directions would flip, is too far. */
+/* Returns the error by which directions miss a point c, for ssgi__field_descend: the sum of squared chords, |unit
+   vector to c - direction|^2, or of (1 - cosine)^2. It is 1e300 for a point beyond the hull's tangent at the first
+   radius, where directions would flip. */
 SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
 {
     double sum = 0.0;
@@ -3727,9 +3760,9 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
     return sum;
 }
 
-/* The characteristic centre c [AOF05 eq. 7, 10]: the point that the directions seen from radius * w point to, or the
-   origin where they do not determine a point. Returns the sum of (1 - cosine)^2, never above that of the origin. Since
-   this error is flat near its least, descent on the chords comes first, and descent on the error then polishes.
+/* Writes the characteristic centre c [AOF05 eq. 7, 10]: the point that the directions seen from radius * w point to, or
+   the origin where they do not determine a point. Returns the sum of (1 - cosine)^2, never above that of the origin.
+   Since this error is flat near its least, descent on the chords comes first, and descent on the error then polishes.
      directions   unit, 3 each; zero vectors do not count
      flat         an error of the origin too small to determine a point */
 SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
@@ -3761,7 +3794,7 @@ typedef struct ssgi__field_occluder {
     double few[SSGI__FIELD_FEW][3], loose;
 } ssgi__field_occluder;
 
-/* The corner that is farthest along n, about the centre. Returns its distance along n. Boxes that end before the
+/* Writes the corner that is farthest along n, from the centre. Returns its distance along n. Boxes that end before the
    farthest corner found so far are not opened. */
 SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double n[3], double out[3])
 {
@@ -3814,6 +3847,7 @@ typedef struct ssgi__field_portal {
     double corner[3][3], normal[3], distance;
 } ssgi__field_portal;
 
+/* Sets the portal's plane from its corners. */
 SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
 {
     double a[3], b[3];
@@ -3824,12 +3858,12 @@ SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
     p->distance = ssgi__dot(p->normal, p->corner[0]);
 }
 
-/* Distance beyond the hull at which samples start, so that none starts inside the mesh. */
+/* Returns the distance beyond the hull at which samples start, so that none starts inside the mesh. */
 SSGI__FN double ssgi__field_slack(const ssgi__field_occluder *m) { return 1e-4 * m->radius; }
 
-/* Distance at which a ray from the centre along w leaves the hull. The portal is at first a face of a small octahedron
-   about the centre, which counts as part of the hull so that even flat occluders have one. The farthest corner along
-   its normal splits it, until none is beyond its plane. */
+/* Returns the distance at which a ray from the centre along w leaves the hull, and in p the portal there. The portal is
+   at first a face of a small octahedron about the centre, which counts as part of the hull so that even flat occluders
+   have one. The farthest corner along its normal splits it, until none is beyond its plane. */
 SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3], ssgi__field_portal *p)
 {
     const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0); /* an odd number of mirrors */
@@ -3863,14 +3897,15 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
     return facing > 1e-9 ? p->distance / facing : m->radius;
 }
 
-/* Direction i of n that are evenly spread over the sphere, in a spiral by the golden angle. */
+/* Writes direction i of n that are evenly spread over the sphere, in a spiral by the golden angle. */
 SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)
 {
     ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
 }
 
-/* Measures the centre, the radius and corners of the hull. The centre is the mean of the farthest corners over all
-   directions: the hull's Steiner point, which is inside. Returns 0 if the occluder has no extent. */
+/* Measures the centre, the radius, corners of the hull, and how far it may lie beyond them. The centre is the mean of
+   the farthest corners over all directions: the hull's Steiner point, which is inside. Returns 0 if the occluder has no
+   extent. */
 SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -3908,9 +3943,9 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
     return 1;
 }
 
-/* A cone from a point outside of the hull that holds all of the occluder: its axis, and the cosine of its half-angle.
-   The cone is about the mean direction to some corners and wider by the distance that the hull may lie beyond them; or
-   it is the half space below the hull's plane. */
+/* Finds a cone from a point outside of the hull that holds all of the occluder. Writes its axis and returns the cosine
+   of its half-angle. The cone is about the mean direction to some corners and wider by the distance that the hull may
+   lie beyond them; or it is the half space below the hull's plane. */
 SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, const double point[3],
                                 const double normal[3])
 {
@@ -3940,11 +3975,12 @@ typedef struct ssgi__field_bake {
     ssgi_field *field;
     int size;             /* of the fine map's faces: twice the field's resolution, or the resolution itself */
     float *fine, *coarse; /* maps of eight components a texel, six faces; the coarse one has the field's resolution */
-    float *error;         /* of validation receivers; reuses fine */
-    int first;
+    float *error;         /* errors of validation receivers; reuses fine */
+    int first;            /* texel of job 0 */
 } ssgi__field_bake;
 
-/* Texel x, y of a face; beyond the edges of the face, a texel of the neighbouring face. */
+/* Returns the number of texel x, y of a face; beyond the edges of the face, that of a texel of the neighbouring
+   face. */
 SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
 {
     if (x < 0 || y < 0 || x >= size || y >= size) {
@@ -3959,7 +3995,8 @@ SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
     return (size_t)(face * size + y) * (size_t)size + (size_t)x;
 }
 
-/* Samples the occluder from the point at r along w from the centre, by rays in the cone that encloses it. */
+/* Samples the occluder from the point at r along w from the centre, by rays in the cone that encloses it, and writes
+   the point. `sum` is `out` of ssgi__field_sample. */
 SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal[4][3], float point[3],
                                const ssgi__field_bake *b, const double w[3], double r, const ssgi__field_portal *portal,
                                int rays, uint32_t seed)
@@ -4041,7 +4078,8 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     out[7] = seen > 0.0 ? (float)(fill / seen) : 1.0f;
 }
 
-/* Makes the coarse map: each texel is a Gaussian mean of 4 x 4 fine texels, with a deviation of one fine texel. */
+/* Makes the coarse map: each texel is a Gaussian mean of 4 x 4 fine texels, with a deviation of one fine texel. A fine
+   map of the field's own resolution is copied. */
 SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
 {
     static const float weight[4] = { 0.13447f, 0.36553f, 0.36553f, 0.13447f };
@@ -4093,8 +4131,8 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
             }
 }
 
-/* A_0: mean occlusion of points in the hull, weighted toward the centre. Where more than 95 % of the rays hit, the mesh
-   encloses the point, which does not count. */
+/* Returns A_0, the mean occlusion of points in the hull, weighted toward the centre. Where more than 95 % of the rays
+   hit, the mesh encloses the point, which does not count. If no point counts, it is 1. */
 SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
     const double up[3] = { 0.0, 0.0, 1.0 }, sphere = 4.0 * SSGI__PI;
@@ -4115,6 +4153,8 @@ SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
     return weight > 0.0 ? (float)(sum / weight) : 1.0f;
 }
 
+/* Measures the field's errors at validation position i, at four receivers, by 1024 rays. Its limits lie beyond the
+   reach, so that nothing fades. */
 SSGI__FN void ssgi__field_held(void *context, int i)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
@@ -4139,6 +4179,7 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     }
 }
 
+/* Runs job(context, i) for every i in [0, count), by the caller's threads if there are any. */
 SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job)(void *, int), void *context)
 {
     if (desc->parallel) desc->parallel(desc->user, count, job, context);
@@ -4146,7 +4187,7 @@ SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job
         for (int i = 0; i < count; ++i) job(context, i);
 }
 
-/* The least error that this share of the validation receivers does not exceed. */
+/* Returns the least error that this share of the validation receivers does not exceed. */
 SSGI__FN float ssgi__field_rank(const ssgi__field_bake *b, double share)
 {
     const int all = 4 * SSGI__FIELD_HELD;
@@ -4166,6 +4207,7 @@ SSGI_DEF size_t ssgi_field_size(int resolution)
     return (size_t)(12 * (resolution + 2) * (resolution + 2)) * sizeof(uint32_t);
 }
 
+/* Returns a copy of a desc, with defaults in place. */
 SSGI__FN ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
 {
     ssgi_field_desc d = *desc;
@@ -4187,7 +4229,7 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     return SSGI_OK;
 }
 
-/* The number of floats that both maps of a bake take; the errors reuse the fine map. */
+/* Returns the number of floats that both maps of a bake take; the errors reuse the fine map. */
 SSGI__FN size_t ssgi__field_floats(int resolution)
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
@@ -4257,7 +4299,7 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
     return l;
 }
 
-/* Fetches a field's components along w, bilinear between texels. */
+/* Fetches a field's eight components along w, bilinear between texels, in their own units. */
 SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
 {
     float at[2];
@@ -4350,7 +4392,7 @@ SSGI__FN uint32_t ssgi__field_get(const unsigned char *in, size_t i)
          | (uint32_t)in[4 * i + 3] << 24;
 }
 
-/* Where a field's floats are, in the order of a file. */
+/* Writes the addresses of a field's floats, in the order of a file. */
 SSGI__FN void ssgi__field_numbers(float *number[SSGI__FIELD_NUMBERS], ssgi_field *f)
 {
     size_t n = 0;
@@ -4365,7 +4407,7 @@ SSGI__FN void ssgi__field_numbers(float *number[SSGI__FIELD_NUMBERS], ssgi_field
     number[n++] = &f->max_error;
 }
 
-/* The FNV-1a hash. */
+/* Returns the FNV-1a hash. */
 SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)
 {
     uint64_t h = 14695981039346656037u;
@@ -4399,7 +4441,7 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     return size;
 }
 
-/* Reads all of a file but its texels. */
+/* Reads and checks all of a file but its texels. */
 SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
 {
     static const char corrupt[] = "file: is corrupt";
@@ -4493,7 +4535,7 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
         ssgi__normalise(along);
         ssgi__axes(axes, along);
         for (int k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
-        for (int k = 0; k < 2; ++k) /* of rays of their own */
+        for (int k = 0; k < 2; ++k) /* each half has rays of its own */
             occlusion[k] = ssgi__trace_occlusion(trace, from, axes, radius, rays / 2, 0,
                                                  (uint32_t)(2 * i) + (uint32_t)k);
         for (int k = 0; k < 3; ++k) {
@@ -4524,8 +4566,8 @@ enum {
     SSGI__PLAN_TERMS           /* number of terms */
 };
 
-/* A choice: the value of `wanted` that it serves, its settings, its costs in software and on a GPU, weights of the
-   terms. */
+/* A choice: the value of `wanted` that it serves, its settings, its costs in software and on a GPU, and the weights of
+   the terms. */
 typedef struct ssgi__plan_row {
     signed char wanted, method, thickness, half, directions, steps, bands, history, resolution;
     float size, cost[2], term[SSGI__PLAN_TERMS];
@@ -4641,8 +4683,9 @@ static const float *ssgi__plan_energy(const ssgi_plan_scene *s)
     return s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
 }
 
-/* Squared errors without occlusion, of hsao, and of hsao with slabs. They come from the calibration, else from the
-   survey, else from a guess. A calibration without slabs scales the error of slabs from the survey or the guess. */
+/* Writes the squared errors without occlusion, of hsao, and of hsao with slabs. They come from the calibration, else
+   from the survey, else from a guess. A calibration without slabs scales the error of slabs from the survey or the
+   guess. */
 SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
 {
     static const double guess[3] = { 0.02, 0.003, 0.003 };
@@ -4659,6 +4702,7 @@ SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
     for (int k = 0; k < (known[2] > 0.0 ? 3 : 2); ++k) square[k] = known[k] * known[k];
 }
 
+/* Writes the terms of a scene for a choice, whose size of surfels and bands some of them depend on. */
 SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const float *energy = ssgi__plan_energy(s);
@@ -4682,7 +4726,8 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     term[SSGI__PLAN_CONSTANT_ERROR] = 1e-4;
 }
 
-/* Whether a scene meets the requirements of a choice, and benefits from the choice. */
+/* Whether a choice serves scene->wanted, needs no part that the scene does not give, and would gain by the light's
+   directions if it knows them. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
     const int m = row->method;
@@ -4696,8 +4741,8 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
         || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= SSGI__PLAN_NEGLIGIBLE * (double)s->error;
 }
 
-/* A choice's own cost, and the costs of depth passes, fields and surfels. The number of surfels goes with 1 / size^2,
-   that of the splats' texels with 1 / size^(1/2). */
+/* Returns a choice's own cost plus the costs of depth passes, fields and surfels. The number of surfels goes with 1 /
+   size^2, that of the splats' texels with 1 / size^(1/2). */
 SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const int gpu = s->device == SSGI_PLAN_DEVICE_GPU;
@@ -4737,14 +4782,15 @@ SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
     return SSGI_OK;
 }
 
+/* Appends a word without its 0 at the end. Returns the place behind it. */
 SSGI__FN char *ssgi__plan_word(char *at, const char *word)
 {
     while (*word) *at++ = *word++;
     return at;
 }
 
-/* Writes an error in 4 decimals. It does so by hand, as there is no stdio.h here, and a locale would choose the decimal
-   point. */
+/* Appends an error in 4 decimals, 9.9999 at most. Returns the place behind it. It does so by hand, as there is no
+   stdio.h here, and a locale would choose the decimal point. */
 SSGI__FN char *ssgi__plan_figure(char *at, float x)
 {
     const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
@@ -4754,8 +4800,8 @@ SSGI__FN char *ssgi__plan_figure(char *at, float x)
     return at;
 }
 
-/* plan->why: "hsao, slabs: errs by 0.0123, the cheapest of all choices within 5 % of 0.0130". The array has room for
-   the longest sentence. */
+/* Writes plan->why: "hsao, slabs: errs by 0.0123, the cheapest of all choices within 5 % of 0.0130". The array has room
+   for the longest sentence. */
 SSGI__FN void ssgi__plan_sentence(ssgi_plan *plan, float error)
 {
     static const char *const method[] = { "nothing", "hsao", "ssdo", "s3ho", "dss", "fields" };

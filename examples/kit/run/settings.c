@@ -36,7 +36,7 @@ ROW(normal_row, normal, "normals from the G-buffer, or from depth alone, as wher
 OF(left_handed_row, left_handed, input.left_handed, GATHER, 0, "1: projection and normals are given as by an engine "
     "whose camera looks along +z")
 #define THICKNESS(name, value) \
-    ROW(name, thickness_limit, "thickness of visible surfaces, constant or the most of a width, in radii", \
+    ROW(name, thickness_limit, "constant thickness of visible surfaces, or the most that a width counts, in radii", \
         NULL, value, 0, 100, SCALED, FRAMED(thickness_limit))
 THICKNESS(limit_row, 1)
 THICKNESS(slice_thick_row, 0.6)
@@ -63,7 +63,7 @@ OF(views_row, views, gather.views, GATHER | LIGHTS, 0, "extra cameras; closed so
 COUNT(view_layers_row, view_layers, gather.view_layers, GATHER | LIGHTS, 1, "depth layers of each extra camera")
 ROW(view_size_row, view_size, "pixels of an extra camera's side", NULL, 256, 16, 4096, PLAN, 0)
 
-ROW(history_row, history, "1: averaged over frames, at full size; the first frame is as without it",
+ROW(history_row, history, "1: frames are averaged, at full size; the first is as without",
     NULL, 0, 0, 1, PLAN, 0)
 ROW(margin_row, margin, "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, PLAN, 0)
 COUNT(samples_row, samples, gather.samples, GATHER, 16, "directions per pixel")
@@ -93,7 +93,7 @@ OF(spheres_row, spheres, gather.spheres, GATHER, 0, "1: the horizon rises only t
     "grows with the ray")
 
 ROW(environment_row, environment, "how --env is used", "map sh none", 0, 0, 2, PLAN, 0)
-OF(bounce_row, bounce, light.bounce, GATHER, 1, "one diffuse bounce, by which estimator; patch, as published, errs on "
+OF(bounce_row, bounce, light.bounce, GATHER, 1, "estimator of one diffuse bounce; patch, as published, errs on "
     "`room` by 2.5 of the mean, none by 2.2")
 ROW(reuse_row, reuse, "1: emitters use the last frame's light, so that one gather does both", NULL, 0, 0, 1, PLAN, 0)
 OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-sided")
@@ -119,7 +119,7 @@ ROW(store_row, store, "coefficients as halves, halves packed into integers, or f
     "half packed float", 0, 0, 2, PLAN, 0)
 ROW(packed_row, store, "coefficients that are filtered or meet lamps: halves, packed halves, floats; joint: packed",
     "half packed float", 1, 0, 2, PLAN, 0)
-ROW(indirect_row, indirect, "one bounce: none, in the gather of the occlusion, in its own",
+ROW(indirect_row, indirect, "one bounce: none, in the gather of the occlusion, in a gather of its own",
     "none joint apart", 1, 0, 2, PLAN, 0)
 OF(dimmed_row, dimmed, light.dimmed, GATHER, 0, "1: emitters reflect the light that the last frame let through to "
     "them, not all of it: several bounces")
@@ -148,11 +148,11 @@ ROW(radii_row, radii, "distances sampled along each direction", NULL, 12, 4, 64,
 ROW(rays_a_row, rays, "rays a sample of the bake", NULL, 128, 16, 65536, PLAN, 0)
 ROW(unfiltered_row, unfiltered, "1: a bake without the doubled resolution and the Gaussian", NULL, 0, 0, 1, PLAN, 0)
 ROW(reach_row, reach, "influence of occluders, in radii of their bounding spheres", NULL, 8, 1.5, 64, PLAN, 0)
-ROW(ramp_row, ramp, "start of their fade, as a share of the reach", NULL, 0.75, 0, 0.99, PLAN, 0)
+ROW(ramp_row, ramp, "where occluders begin to fade, as a share of the reach", NULL, 0.75, 0, 0.99, PLAN, 0)
 ROW(inside_row, inside, "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, PLAN, 0)
-ROW(power_row, power, "p: exponent of the blend toward it", NULL, 1, 0.01, 100, PLAN, 0)
+ROW(power_row, power, "p: exponent of the blend toward A_0", NULL, 1, 0.01, 100, PLAN, 0)
 ROW(own_row, own, "1: occluders occlude themselves too", NULL, 0, 0, 1, PLAN, 0)
-ROW(occluders_row, occluders, "which objects: solid ones that contain no other, or all",
+ROW(occluders_row, occluders, "objects that occlude: solid ones that contain no other, or all",
     "solid all", 0, 0, 1, PLAN, 0)
 ROW(cap_table_row, cap_table, "texels along a side of the table that a cap's occlusion is looked up in, 2 or more; "
     "0: its closed form", NULL, 0, 0, 4096, PLAN, 0)
@@ -175,7 +175,7 @@ ROW(hidden_sky_row, sky, "1: --env lights surfels that the picture does not show
 ROW(sent_row, bounce, "one diffuse bounce of surfels; none: directional occlusion alone",
     "none surfels", 1, 0, 1, PLAN, 0)
 ROW(offscreen_growth_row, offscreen_growth, "radius added per distance outside the frustum", NULL, 0.1, 0, 1, PLAN, 0)
-ROW(near_depth_row, near_depth, "splats end at: 1: the frame's minimum depth, 0: the near plane",
+ROW(near_depth_row, near_depth, "1: splats end at the frame's least view depth; 0: at the near plane",
     NULL, 1, 0, 1, PLAN, 0)
 OF(both_row, two_sided, light.two_sided, GATHER, 0, "1: surfels have two sides, as sheets and leaves want it")
 ROW(keep_small_row, keep_small, "1: every triangle keeps a surfel; 0: small ones are thinned", NULL, 0, 0, 1, PLAN, 0)
