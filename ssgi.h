@@ -4768,9 +4768,9 @@ SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
                     && s->history >= 0 && s->history <= 1 && s->occluders >= 0,
                 "scene.device, .thickness, .history, .occluders: must be 0..1, 0..3, 0..1, 0 or more");
     SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
-                    && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
-                    && ssgi__positive(&s->coverage, 1),
-                "scene.error, .budget, .screen_radius, .albedo, .depth_pass, .coverage: must be finite and 0 or more");
+                    && ssgi__positive(&s->depth_pass, 1) && ssgi__positive(&s->coverage, 1),
+                "scene.error, .budget, .screen_radius, .depth_pass, .coverage: must be finite and 0 or more");
+    SSGI__CHECK(ssgi__within(s->albedo, 0.0f, 1.0f), "scene.albedo: must be 0..1");
     SSGI__CHECK(ssgi__within((float)s->surfels, 0.0f, 1e18f) && ssgi__within((float)s->splats, 0.0f, 1e18f),
                 "scene.surfels, .splats: must be finite and 0 or more");
     SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");

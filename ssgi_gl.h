@@ -1143,7 +1143,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_unskew", NULL, __LINE__ + 1,
-    "// the window depth that the pixel would have if the near plane were not oblique, as u_ssgi_decode takes it\n"
+    "// Returns the window depth that a near plane which is not oblique would give, as u_ssgi_decode takes it.\n"
     "float ssgi_unskew(float d, ivec2 p) {\n"
     "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n"
     "}\n" },
@@ -1211,7 +1211,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// view depths of the back face nearest behind the visible surface, of the next front face, of its back face\n"
+    "// Returns view depths: of the back face nearest behind the visible surface, of the next front face, its back.\n"
     "vec3 ssgi_slabs(ivec2 p) {\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_BACK\n"
     "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0);\n"
@@ -1229,7 +1229,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_position", NULL, __LINE__ + 1,
-    "// the view-space point seen at a pixel position, at a view depth\n"
+    "// Returns the view-space point seen at a pixel position, at a view depth.\n"
     "vec3 ssgi_position(vec2 pixel, float z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return vec3(pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw, -z);\n"
@@ -1266,7 +1266,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_above_plane", NULL, __LINE__ + 1,
-    "// how high a point stands above that plane: it is seen o pixels from P at view depth z\n"
+    "// Returns how high a point stands above that plane: it is seen o pixels from P at view depth z.\n"
     "float ssgi_above_plane(vec4 k, vec2 o, float z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return k.x * o.x + (k.y * o.y + (k.z * z + k.w));\n"
@@ -1276,7 +1276,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_screen", NULL, __LINE__ + 1,
-    "// how many pixels a small step from P along t covers, per unit of length\n"
+    "// Returns how many pixels a small step from P along t covers, per unit of length.\n"
     "vec2 ssgi_screen(vec3 P, vec3 t) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return t.xy * u_ssgi_project.xy;\n"
@@ -1295,7 +1295,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sphere", NULL, __LINE__ + 1,
-    "// pixel bounds of a sphere's part beyond the near depth; they are empty where no part is\n"
+    "// Returns pixel bounds of a sphere's part beyond the near depth; they are empty where no part is.\n"
     "vec4 ssgi_sphere(vec4 at) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    if (at.w - at.z <= u_ssgi_near_depth) return vec4(0.0);\n"
@@ -1369,7 +1369,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_normal", "SSGI_NORMAL == SSGI_NORMAL_FROM_DEPTH", __LINE__ + 1,
-    "// unit view-space normal at a pixel whose point is P, facing the viewer\n"
+    "// Returns the unit view-space normal at a pixel whose point is P, facing the viewer.\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "    vec3 x = ssgi_tangent(p, P, ivec2(1, 0)), y = ssgi_tangent(p, P, ivec2(0, 1));\n"
     "    vec3 n = ssgi_unit(cross(x * inversesqrt(dot(x, x) + 1e-30), y * inversesqrt(dot(y, y) + 1e-30)));\n"
@@ -1377,7 +1377,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_normal", "SSGI_NORMAL != SSGI_NORMAL_FROM_DEPTH", __LINE__ + 1,
-    "// unit view-space normal at a pixel whose point is P\n"
+    "// Returns the unit view-space normal at a pixel whose point is P.\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "#if SSGI_WORLD_NORMALS\n"
     "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p));\n"
@@ -1620,7 +1620,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_n; // the unit normal of the receiver\n" },
 
 { "ssgi_point", NULL, __LINE__ + 1,
-    "// the view-space point of a pixel and depth of camera v; -1 is the main one\n"
+    "// Returns the view-space point of a pixel and depth of camera v; -1 is the main one.\n"
     "vec3 ssgi_point(int v, ivec2 p, float z) {\n"
     "#if SSGI_VIEWS\n"
     "    float unit = u_ssgi_view_decode[max(v, 0)].w > 0.0 ? 1.0 : z;\n"
@@ -1630,7 +1630,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_emitter", NULL, __LINE__ + 1,
-    "// the radiance that the occluder of a sample sends to the receiver; w: its distance from the sample\n"
+    "// This is the radiance that the occluder of a sample sends to the receiver; w: its distance from the sample.\n"
     "vec4 ssgi_emitter;\n" },
 
 { "ssgi_emitter_place", NULL, __LINE__ + 1,
@@ -1640,7 +1640,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ivec2 ssgi_emitter_pixel; // the pixel that shows the occluder of a sample\n" },
 
 { "ssgi_emitter_texel", NULL, __LINE__ + 1,
-    "// the surface that layer j of camera v has at a pixel: its radiance; its normal and view depth\n"
+    "// Returns the surface that layer j of camera v has at a pixel: its radiance; its normal and view depth.\n"
     "uvec2 ssgi_emitter_texel(int v, ivec2 p, int j) {\n"
     "#if SSGI_VIEWS\n"
     "    if (v >= 0) return texelFetch(t_ssgi_view_emitters, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy;\n"
@@ -1686,7 +1686,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_view_depth", NULL, __LINE__ + 1,
-    "// view depth of a depth texel; decode holds ssgi_view.depth[0], [1], the clear depth, and 1 if orthographic\n"
+    "// Returns the view depth of a depth texel. decode: ssgi_view.depth[0], [1], the clear depth, 1 if orthographic.\n"
     "float ssgi_view_depth(vec4 decode, float d) {\n"
     "    float w = decode.x + decode.y * d, z = decode.w > 0.0 ? w : 1.0 / w;\n"
     "    return d != decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
@@ -1708,7 +1708,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_way; // the vector from the receiver to the sample\n" },
 
 { "ssgi_offer_emitter", NULL, __LINE__ + 1,
-    "// keeps the surface that is closest to the segment from the receiver to the sample\n"
+    "// Keeps the surface that is closest to the segment from the receiver to the sample.\n"
     "void ssgi_offer_emitter(uvec2 s, vec3 Q) {\n"
     "    vec3 L = ssgi_radiance_from(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
@@ -1756,7 +1756,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_solid_occludes", NULL, __LINE__ + 1,
-    "// how much the solid that holds depth s at a pixel of camera v counts\n"
+    "// Returns how much the solid that holds depth s at a pixel of camera v counts.\n"
     "float ssgi_solid_occludes(ssgi_solid a, int v, ivec2 p, float s) {\n"
     "#if SSGI_PASS == SSGI_PASS_HSAO && SSGI_TERMS != SSGI_TERMS_RAYS\n"
     "    ssgi_offer_rise(ssgi_point(v, p, a.front));\n"
@@ -1794,7 +1794,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occupancy_of_view", NULL, __LINE__ + 1,
-    "// where S lies as extra camera v sees it, as ssgi_occupancy says; 0 out of its picture\n"
+    "// Returns where S lies as extra camera v sees it, as ssgi_occupancy says; 0 out of its picture.\n"
     "float ssgi_occupancy_of_view(int v, vec3 S) {\n"
     "    vec3 q = (u_ssgi_view_to[v] * vec4(S, 1.0)).xyz;\n"
     "    float unit = u_ssgi_view_decode[v].w > 0.0 ? 1.0 : q.z;\n"
@@ -2530,12 +2530,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>gather: sampling around a pixel ========================================================================= */
 
 { "ssgi_sums", NULL, __LINE__ + 1,
-    "struct ssgi_sums { // All are shares of the cosine-weighted hemisphere, attenuated.\n"
+    "struct ssgi_sums { // shares are of the cosine-weighted hemisphere, attenuated\n"
     "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
-    "    float all;\n"
+    "    float all; // occluded share\n"
     "#endif\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
-    "    // the radiance of the environment that is occluded: over pi (slices), over its sum (points)\n"
+    "    // the environment's occluded irradiance, over pi (slices) or over the unoccluded irradiance (points)\n"
     "    vec3 dark;\n"
     "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
     "    ssgi_sh lobe; // the unoccluded part of the cosine lobe\n"
@@ -2546,7 +2546,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients bounce; // the cosine lobes of the occluders, times their albedo\n"
     "#endif\n"
     "#if SSGI_SEARCH == SSGI_SEARCH_SLICES && SSGI_BOUNCE\n"
-    "    float found, expected; // the shares that found occluders have, and those that are expected\n"
+    "    float found, expected; // shares of the occluders that taps found (never 0) and of those expected\n"
     "#endif\n"
     "};\n" },
 
@@ -2573,14 +2573,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_reflected", "SSGI_DIMMED", __LINE__ + 1,
-    "// adds the last frame's transfer of the surface at pixel q, times albedo and solid angle [S3HO12 2.3]\n"
+    "// Adds the last frame's coefficients of the surface at pixel q, times albedo and share [S3HO12 2.3].\n"
     "void ssgi_reflected(inout ssgi_coefficients v, ivec2 q, vec3 albedo) {\n"
     "    ssgi_coefficients y = ssgi_load_last(q + u_ssgi_target);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y.c[c], albedo[c]);\n"
     "}\n" },
 
 { "ssgi_reflected", "!SSGI_DIMMED", __LINE__ + 1,
-    "// Adds the cosine lobe of a surface with normal o, seen along w, times albedo and solid angle [S3HO12 eq. 5].\n"
+    "// Adds the cosine lobe of a surface with normal o, seen along w, times albedo and share [S3HO12 eq. 5].\n"
     "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
     "    o = normalize(o);\n"
     "#if SSGI_TWO_SIDED\n"
@@ -2591,7 +2591,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_attenuation", NULL, __LINE__ + 1,
-    "float ssgi_attenuation(float d) { // returns the weight of an occluder at d radii [HSAO08 3.5]\n"
+    "float ssgi_attenuation(float d) { // returns an occluder's weight at distance d, in radii [HSAO08 3.5]\n"
     "#if SSGI_FALLOFF == SSGI_FALLOFF_NONE\n"
     "    return d < 1.0 ? 1.0 : 0.0;\n"
     "#elif SSGI_FALLOFF == SSGI_FALLOFF_LINEAR\n"
@@ -2611,7 +2611,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_length", NULL, __LINE__ + 1,
-    "float ssgi_length(float xi) { // how far a sample lies along its direction, in radii\n"
+    "float ssgi_length(float xi) { // returns how far a sample lies along its direction, in radii\n"
     "#if SSGI_FALLOFF == SSGI_FALLOFF_SQUARE\n"
     "    return sqrt(xi);\n"
     "#else\n"
@@ -2620,17 +2620,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_points", NULL, __LINE__ + 1,
-    "struct ssgi_points { // The samples of a receiver begin at start, turned by basis and shifted along by offset.\n"
-    "    vec3 start;\n"
-    "    mat3 basis;\n"
-    "    float offset;\n"
+    "struct ssgi_points { // where samples lie\n"
+    "    vec3 start; // the lifted receiver\n"
+    "    mat3 basis; // takes +z to the normal, after a turn by noise\n"
+    "    float offset; // is added to each length, modulo 1\n"
     "#if SSGI_KERNEL\n"
-    "    int row; // the row of t_ssgi_kernel, each of which is a set of directions\n"
+    "    int row; // row of t_ssgi_kernel, a set of directions\n"
     "#endif\n"
     "};\n" },
 
 { "ssgi_points_of", NULL, __LINE__ + 1,
-    "ssgi_points ssgi_points_of(vec3 P, vec3 n, vec2 xi) {\n"
+    "ssgi_points ssgi_points_of(vec3 P, vec3 n, vec2 xi) { // also sets the receiver\n"
     "#if SSGI_FADE || SSGI_RANGE\n"
     "    ssgi_P = P;\n"
     "#elif SSGI_BOUNCE && (!SSGI_TWO_SIDED || SSGI_BOUNCE == SSGI_BOUNCE_PATCH || SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
@@ -2649,8 +2649,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_point_occlusion", NULL, __LINE__ + 1,
-    "// Returns the occlusion that the points along direction i find. That direction is given back about the normal,\n"
-    "// +z, as the basis takes it.\n"
+    "// Returns how much the first occluded point of direction i counts, or 0. +z of direction is the normal.\n"
     "float ssgi_point_occlusion(ssgi_points s, int i, out vec3 direction) {\n"
     "#if SSGI_KERNEL\n"
     "    vec4 k = texelFetch(t_ssgi_kernel, ivec2(i, s.row), 0);\n"
@@ -2674,12 +2673,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_GRAZING", NULL, __LINE__ + 1,
     "const float SSGI_GRAZING = 0.05; // Smaller cosines count as this one.\n" },
 
+/* Adds the light of the sample's occluder, ssgi_emitter. */
 { "ssgi_add_bounce", "SSGI_BOUNCE && SSGI_PASS == SSGI_PASS_SSDO", __LINE__ + 1,
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && !SSGI_UNIFORM\n"
     "    // A patch of pi r^2/N wants uniform directions, so the pdf divides.\n"
     "#elif SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM\n"
-    "    // Each patch has pi r^2/N, so the weight by the cosine goes.\n"
+    "    // Each patch has pi r^2/N, so the weight 2 cos goes.\n"
     "#endif\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && !SSGI_UNIFORM\n"
     "    occlusion *= 0.5 / max(direction.z, SSGI_GRAZING);\n"
@@ -2741,7 +2741,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_map_light", "SSGI_SEARCH == SSGI_SEARCH_POINTS", __LINE__ + 1,
-    "// Returns the light of the environment in the form of desc.light.restore; where nothing occludes it is exact.\n"
+    "// Returns the environment's light in the form of desc.light.restore; where nothing occludes it is exact.\n"
     "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) {\n"
     "#if !SSGI_RESTORE\n"
     "    return (1.0 - dark) * ssgi_open_light(P, n);\n"
@@ -2755,7 +2755,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- the paper's march [HSAO08 3.1 to 3.3] */
 
 { "ssgi_ray", NULL, __LINE__ + 1,
-    "// Returns the occlusion along one ray from the lifted receiver: the weight of the first occluded step.\n"
+    "// Returns the weight of the first occluded step on a ray from the lifted receiver; 0: no step is occluded.\n"
     "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
     "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
     "        float d = (float(i) + xi) / float(SSGI_STEPS);\n"
@@ -2765,8 +2765,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_horizon", NULL, __LINE__ + 1,
-    "// Finds the horizon along tangent t by deflecting a ray toward the surface [HSAO08 fig. 4]. H is the sine of\n"
-    "// its elevation; the occlusion below it sums the increments of H^2, each attenuated by its own distance.\n"
+    "// Finds the horizon along tangent t by deflecting a ray toward the surface [HSAO08 fig. 4]. Returns H, the\n"
+    "// sine of its elevation, and the occlusion below, which sums the increments of H^2, each attenuated by its own\n"
+    "// distance. beta shifts the steps.\n"
     "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 n, vec3 t, float beta) {\n"
     "    vec3 h = t;\n"
     "    vec2 r = vec2(0.0);\n"
@@ -2809,7 +2810,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_above", NULL, __LINE__ + 1,
-    "// Occlusion above H in direction t, by normal rays that are even over z^2 in [H^2, 1] [HSAO08 3.3, corrected].\n"
+    "// Returns occlusion above H in direction t, by normal rays even over z^2 in [H^2, 1] [HSAO08 3.3, corrected].\n"
     "float ssgi_above(vec3 start, vec3 n, vec3 t, float H, vec2 xi) {\n"
     "    float sum = 0.0;\n"
     "    for (int k = 0; k < SSGI_NORMAL_RAYS; ++k) {\n"
@@ -2820,7 +2821,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gather", "SSGI_SEARCH == SSGI_SEARCH_MARCH", __LINE__ + 1,
-    "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // averages SSGI_DIRECTIONS horizons [HSAO08 eq. 6]\n"
+    "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // averages over tangents [HSAO08 eq. 6]\n"
     "    mat3 basis = ssgi_basis(n);\n"
     "    vec3 start = ssgi_lift(P, n);\n"
     "#if SSGI_TERMS != SSGI_TERMS_RAYS && (SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
@@ -2849,12 +2850,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- The walk: slices are planes through the view direction, and each side of one is walked from near to far [TLG23].
    A side has 32 sectors of equal cosine-weighted measure. The surface of a tap occludes the sectors that this tap is
    the first to cover, attenuated by its distance; it is as thick as desc.gather.thickness says. Taps of one surface
-   join: they also cover the sectors between them, at their mean distance. The normal over the length l of its
-   projection makes dot(d, n) the height over the tangent plane within the slice, which is exactly 0 on a plane,
-   wherever texels lie. Most taps lie in the tangent plane or below it, so an arc is worked out only if a tap or the
-   last one rises. */
+   join: they also cover the sectors between them, at their mean distance. The normal is divided by the length l of its
+   projection onto the slice, so that dot(d, n) is the height above the tangent plane within the slice, exactly 0 on a
+   plane wherever texels lie. Most taps lie in the tangent plane or below it, so an arc is worked out only if a tap or
+   the last one rises. */
 
-/* [DSS14 section 3.1] */
+/* Returns a surfel's radius, view units [DSS14 section 3.1]. */
 { "ssgi_surfel_radius", NULL, __LINE__ + 1,
     "float ssgi_surfel_radius(float depth) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
@@ -2865,23 +2866,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_span", NULL, __LINE__ + 1,
-    "float ssgi_span; // how far slices count before surfels do, in view units\n" },
+    "float ssgi_span; // view units: slices fade out from half of this distance to its end\n" },
 
 { "ssgi_near", NULL, __LINE__ + 1,
-    "float ssgi_near(float d) { // how much slices count at a distance; surfels have the rest\n"
+    "float ssgi_near(float d) { // returns how much slices count at distance d; surfels have the rest\n"
     "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 
 /* Occlusion of a slice's side from the tangent plane up to an elevation with cosine c is the integral of
-   sin x cos(g - x), where g is the signed angle from the view direction to the projected normal:
+   sin x cos(g - x), where x is the angle from the view direction, g the signed angle from it to the projected normal:
    cos g / 2 * (1 - c * c) + sin g / 2 * ssgi_arc_odd(c, c * c). */
 { "ssgi_arc_slope", NULL, __LINE__ + 1,
-    "float ssgi_arc_slope(float q) {\n"
+    "float ssgi_arc_slope(float q) { // fits (pi / 2 - acos c + c sin acos c) / c\n"
     "    return 2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q));\n"
     "}\n" },
 
 { "ssgi_arc_odd", NULL, __LINE__ + 1,
-    "// Returns acos c - c sin acos c to 0.0015; q: c * c. It is 0 at c = 1, and odd about c = 0 but for pi / 2.\n"
+    "// Returns acos c - c sin acos c, to 0.0015; q is c * c. It is 0 at c = 1, and odd in c but for pi / 2.\n"
     "float ssgi_arc_odd(float c, float q) {\n"
     "    return 1.57079633 - c * ssgi_arc_slope(q);\n"
     "}\n" },
@@ -2890,39 +2891,39 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_LEVEL = 0.004; // sines of elevation below this count as 0, as 10-bit normals round as much\n" },
 
 { "SSGI_OVER", NULL, __LINE__ + 1,
-    "const float SSGI_OVER = 0.4; // beyond the zenith these do: rounding or a texel off the slice puts taps there\n" },
+    "const float SSGI_OVER = 0.4; // lower sines beyond the zenith count as 0, as rounding puts taps there\n" },
 
 { "SSGI_ROUNDED", NULL, __LINE__ + 1,
-    "const float SSGI_ROUNDED = 0.005; // of a pixel: places are rounded by less in pictures 8,000 pixels wide\n" },
+    "const float SSGI_ROUNDED = 0.005; // pixels: positions are rounded by less in pictures 8,000 pixels wide\n" },
 
 { "SSGI_JOINED", NULL, __LINE__ + 1,
-    "const float SSGI_JOINED = 4.0; // with thickness CONSTANT taps are joined up to this slope\n" },
+    "const float SSGI_JOINED = 4.0; // with thickness CONSTANT taps join up to this slope of depth\n" },
 
 { "SSGI_UNSEEN", NULL, __LINE__ + 1,
-    "const float SSGI_UNSEEN = 0.35; // the hidden side of a surface sends this share of its seen side: measured\n" },
+    "const float SSGI_UNSEEN = 0.35; // an emitter's hidden side sends this share of its radiance: measured\n" },
 
 { "SSGI_SECOND", NULL, __LINE__ + 1,
-    "const float SSGI_SECOND = 0.5; // a second slab sends this share of the visible surface before it: measured\n" },
+    "const float SSGI_SECOND = 0.5; // a second slab sends this share of the visible surface's light: measured\n" },
 
-/* The share is of the distance. A packed normal is rounded, and without this bound a receiver in an emitter's own plane
-   is lit by that rounding: single bright pixels appeared at thin walls. The bounce of ssdo-bounce errs by .5586 of .01,
-   by .5552 of .03, by .5640 of .1, on 28 scenes by seed at 1280x720. */
+/* The bound is a share of the distance. A packed normal is rounded, and without this bound a receiver in an emitter's
+   own plane is lit by that rounding: single bright pixels appeared at thin walls. The bounce of ssdo-bounce errs by
+   .5586 of .01, by .5552 of .03, by .5640 of .1, on 28 scenes by seed at 1280x720. */
 { "SSGI_EDGE_ON", NULL, __LINE__ + 1,
     "const float SSGI_EDGE_ON = 0.03; // an emitter whose plane passes a receiver this closely sends it nothing\n" },
 
 /* Of .04 hsao-best has an error of .3674, of .125 .3672, of .5 .3695 (scenes: SSGI_STEEP). */
 { "SSGI_APART", NULL, __LINE__ + 1,
-    "const float SSGI_APART = 0.125; // the distance of an arc that is not joined, on the way to the last tap's\n" },
+    "const float SSGI_APART = 0.125; // share of the last tap's distance in that of an arc that is not joined\n" },
 
 { "ssgi_sectors", NULL, __LINE__ + 1,
-    "uint ssgi_sectors(float low, float high) { // sets a bit for each sector from low to high\n"
-    "    // 32 shifts by 0, as a shift by 32 is undefined, and subtracts 1: that gives no bit, as the sum wants it.\n"
+    "uint ssgi_sectors(float low, float high) { // returns a bit for each sector from low to high, 0..32\n"
+    "    // A shift by 32 is undefined. For 32 each term is 1 - 1, which is 2^32 in 32 bits.\n"
     "    uint a = uint(low), b = uint(high);\n"
     "    return ((1u << (b & 31u)) - (b >> 5u)) - ((1u << (a & 31u)) - (a >> 5u));\n"
     "}\n" },
 
 { "ssgi_count", NULL, __LINE__ + 1,
-    "float ssgi_count(uint m) {\n"
+    "float ssgi_count(uint m) { // returns how many bits are set\n"
     "#if SSGI_DIALECT != SSGI_DIALECT_330 && SSGI_DIALECT != SSGI_DIALECT_300ES\n"
     "    return float(bitCount(m));\n"
     "#endif\n"
@@ -2935,7 +2936,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_walked_origin", NULL, __LINE__ + 1,
-    "ivec2 ssgi_walked_origin() { // where the picture begins in the texture of depth that slices read\n"
+    "ivec2 ssgi_walked_origin() { // the picture begins here in the depth that slices read\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    return ssgi_measured_origin();\n"
     "#else\n"
@@ -2945,15 +2946,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_receiver", NULL, __LINE__ + 1,
     "struct ssgi_receiver { // values that its slices share\n"
-    "    vec3 P, normal, n; // the point and normal in view space; n: the normal in the basis\n"
-    "    mat3 basis; // The z of this basis points to the eye.\n"
+    "    vec3 P, normal, n; // n is the normal in the basis\n"
+    "    mat3 basis; // z points to the eye\n"
     "#if !SSGI_ORTHOGRAPHIC\n"
     "    vec2 unproject; // how many radii a pixel is wide at depth 1\n"
     "#else\n"
     "    vec2 unproject; // how many radii a pixel is wide\n"
     "#endif\n"
     "    vec2 across, up; // how many pixels a radius along x and y of the basis is\n"
-    "    float ray, rounded; // the radii of its ray in a unit of view depth; the most that rounding moves a point\n"
+    "    float ray, rounded; // radii along the ray to P per view depth; the most radii that rounding moves a point\n"
     "};\n" },
 
 { "ssgi_receiver_of", NULL, __LINE__ + 1,
@@ -2973,22 +2974,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return r;\n"
     "}\n" },
 
-/* Forms are linear, as that of ssgi_plane. A pixel q sees the point Q at view depth z: dot(Q - P, v) is
-   (dot(form.xy, q) + form.z) * z + form.w; without perspective dot(form.xy, q) + form.z * z + form.w. */
+/* Forms are linear, as that of ssgi_plane. For the point Q that pixel q sees at view depth z, the form of a vector v
+   gives dot(Q - P, v) = (dot(form.xy, q) + form.z) * z + form.w; without perspective dot(form.xy, q) + form.z * z +
+   form.w. */
 { "ssgi_slice", NULL, __LINE__ + 1,
-    "struct ssgi_slice { // Its lengths are in radii.\n"
-    "    vec3 along; // This and the view direction span the slice.\n"
-    "    vec4 x, y; // the forms of a point's place along the tangent plane, and of its height above it\n"
-    "    vec4 off; // dot(xy, q) + z is how far pixel q is off the slice; w is the height that one unit off it has\n"
-    "    vec2 lean; // half of sin g and cos g; g: the angle from the view direction to the projected normal\n"
-    "    float open; // the arc of a side, but for the part that the lean adds to one and takes from the other\n"
-    "    float width; // the length of the normal's projection onto the slice\n"
-    "    float rounded, least; // the most that rounding moves a point; squared distances have least added\n"
-    "    float grain; // the step in which pass thickness stores thickness, in view units\n"
+    "struct ssgi_slice { // lengths in radii\n"
+    "    vec3 along; // spans the slice together with the view direction\n"
+    "    vec4 x, y; // forms of a point's place along the tangent plane, and of its height within the slice\n"
+    "    vec4 off; // dot(xy, q) + z: how far pixel q is off the slice at the depth of P; w: height per unit off it\n"
+    "    vec2 lean; // half of the sine and the cosine of the projected normal's angle from the view direction\n"
+    "    float open; // the measure that both sides have alike; the lean adds to one side and takes from the other\n"
+    "    float width; // length of the normal's projection\n"
+    "    float rounded, least; // the most that rounding moves a point; least is added to squared distances\n"
+    "    float grain; // view units: one step of the thickness that pass thickness wrote\n"
     "};\n" },
 
 { "ssgi_slice_of", NULL, __LINE__ + 1,
-    "// The slice at a turn about the view direction, given as cosine and sine. p is the receiver's pixel, counted as\n"
+    "// Returns the slice at a turn (cosine, sine) about the view direction. p is the receiver's pixel, counted as\n"
     "// the pixels of taps are.\n"
     "ssgi_slice ssgi_slice_of(ssgi_receiver r, ivec2 p, vec2 turn) {\n"
     "    vec3 along = r.basis[0] * turn.x + r.basis[1] * turn.y, across = r.basis[1] * turn.x - r.basis[0] * turn.y;\n"
@@ -3012,23 +3014,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    s.off.z = -dot(s.off.xy, q);\n"
     "    // Rounding puts the receiver's own texel beside the receiver, in any direction. As ten times as much is\n"
-    "    // added to its distance, that texel seems to lie in the tangent plane.\n"
+    "    // added to its distance, the sine of its elevation is 0.1 at most.\n"
     "    s.rounded = r.rounded, s.least = 100.0 * r.rounded * r.rounded, s.grain = u_ssgi_radius / 63.0;\n"
     "    return s;\n"
     "}\n" },
 
 { "ssgi_side", NULL, __LINE__ + 1,
-    "struct ssgi_side { // A slice has two sides, which begin at the receiver.\n"
-    "    vec4 x; // the form of a point's place along the tangent plane\n"
-    "    float cosg, sing, rest; // half of cos g and sin g, in sectors; rest: cosg and the noise that rounds sectors\n"
-    "    float share; // the share of the hemisphere that a sector has\n"
-    "    float edge; // the share of the radius at which the picture ends\n"
+    "struct ssgi_side { // one side of a slice, from the receiver outwards\n"
+    "    vec4 x; // form of a point's place along the tangent plane\n"
+    "    float cosg, sing, rest; // half of cos g and of sin g, in sectors; cosg plus the noise that rounds sectors\n"
+    "    float share; // share of the hemisphere that a sector has\n"
+    "    float edge; // share of the way at which the picture ends\n"
     "};\n" },
 
-/* A side reaches from the tangent plane to where c is -sin g. The slice has the part of that arc which both sides have
-   alike: of the whole formula NVIDIA's compiler for GL (driver 580) loses a sign where way is -1. */
+/* A side reaches from the tangent plane to where c is -sin g. ssgi_slice.open has the part of its measure that both
+   sides have alike: of the whole formula NVIDIA's compiler for GL (driver 580) loses a sign where way is -1. */
 { "ssgi_side_of", NULL, __LINE__ + 1,
-    "// Returns the side along the slice (way 1), or the other (way -1).\n"
+    "// way is 1 for the side toward s.along, -1 for the other; noise rounds its sectors\n"
     "ssgi_side ssgi_side_of(ssgi_slice s, float way, float noise, float edge) {\n"
     "    ssgi_side e;\n"
     "    float a = way * s.lean.x, whole = max(s.open + 1.57079633 * a, 1e-5);\n"
@@ -3039,8 +3041,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_edges", NULL, __LINE__ + 1,
-    "// How much of the way along pixels, on both sides of p, lies in the picture: a little less, so that rounding\n"
-    "// reads no texel beyond.\n"
+    "// Returns the shares of the way along pixels, ahead of p and behind it, that lie in the picture: a little less,\n"
+    "// so that rounding reads no texel beyond.\n"
     "vec2 ssgi_edges(ivec2 p, vec2 pixels) {\n"
     "    vec2 per = 1.0 / (pixels + 1e-9);\n"
     "    vec2 low = (vec2(p) + 0.499) * per, high = (vec2(u_ssgi_size - p) - 0.501) * per;\n"
@@ -3049,7 +3051,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sector", NULL, __LINE__ + 1,
-    "// The sector of an elevation with cosine c, whose square is q: at most `most`, and 0 unless it is up.\n"
+    "// Returns the sector of an elevation with cosine c, whose square is q: at most `most`, and 0 unless it is up.\n"
     "float ssgi_sector(ssgi_side e, float c, float q, bool up, float most) {\n"
     "    float sector = e.rest - e.cosg * q + e.sing * ssgi_arc_odd(c, q);\n"
     "    return up ? clamp(sector, 0.0, most) : 0.0;\n"
@@ -3069,18 +3071,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_tap", NULL, __LINE__ + 1,
     "struct ssgi_tap {\n"
-    "    ivec2 q; // the pixel of the tap\n"
-    "    vec2 k; // the forms at that pixel, which ssgi_on_ray takes\n"
-    "    float z, distance, h; // the view depth of its surface; the distance in radii; the sine of the elevation\n"
-    "    bool inside, seen; // The tap is in the picture; it is within the radius, too.\n"
-    "    bool beyond, up; // It is past the zenith; it rises above the tangent plane.\n"
+    "    ivec2 q; // the texel of depth\n"
+    "    vec2 k; // the forms at that texel, which ssgi_on_ray takes\n"
+    "    float z, distance, h; // view depth; distance in radii; sine of the elevation, at least 0\n"
+    "    bool inside, seen; // the tap is in the picture; it is within the radius, too\n"
+    "    bool beyond, up; // it is past the zenith; it is seen and rises above the tangent plane\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
-    "    float width; // the thickness of its surface, in view units\n"
+    "    float width; // thickness of the surface, view units\n"
     "#endif\n"
     "};\n" },
 
 { "ssgi_ray_of", NULL, __LINE__ + 1,
-    "vec2 ssgi_ray_of(ssgi_slice s, ssgi_side e, vec2 q) { // evaluates both forms at a pixel but for the view depth\n"
+    "vec2 ssgi_ray_of(ssgi_slice s, ssgi_side e, vec2 q) { // returns both forms at a pixel, without the view depth\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return vec2(dot(e.x.xy, q) + e.x.w, dot(s.y.xy, q) + s.y.w);\n"
     "#else\n"
@@ -3098,12 +3100,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_squared", NULL, __LINE__ + 1,
-    "float ssgi_squared(ssgi_slice s, vec2 d) { // returns the squared length of d, and a little, so that it is not 0\n"
+    "float ssgi_squared(ssgi_slice s, vec2 d) { // returns |d|^2, never 0\n"
     "    return d.x * d.x + (d.y * d.y + s.least);\n"
     "}\n" },
 
 { "ssgi_tap_at", NULL, __LINE__ + 1,
-    "ssgi_tap ssgi_tap_at(ssgi_slice s, ssgi_side e, vec2 place, float u) { // u is the share of the radius\n"
+    "ssgi_tap ssgi_tap_at(ssgi_slice s, ssgi_side e, vec2 place, float u) { // u is the share of the way\n"
     "    ssgi_tap t;\n"
     "    t.q = ivec2(place);\n"
     "#if SSGI_THICKNESS < SSGI_THICKNESS_WIDTH\n"
@@ -3115,8 +3117,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 q = vec2(t.q);\n"
     "    t.k = ssgi_ray_of(s, e, q);\n"
     "    vec2 d = ssgi_on_ray(s, e, t.k, t.z);\n"
-    "    // A texel is up to half a pixel off its slice. If that did not count, slices that graze a plane would\n"
-    "    // darken it in dots.\n"
+    "    // A texel is up to half a pixel off its slice. If distances left that out, slices that graze a plane\n"
+    "    // would darken it in dots.\n"
     "    float off = s.off.x * q.x + (s.off.y * q.y + s.off.z), up = d.y - s.off.w * off;\n"
     "    float ll = d.x * d.x + (up * up + (off * off + s.least));\n"
     "    t.distance = sqrt(ll), t.h = clamp(d.y * inversesqrt(ll), 0.0, 1.0);\n"
@@ -3126,32 +3128,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cosine", NULL, __LINE__ + 1,
-    "float ssgi_cosine(float q, bool beyond) { // returns the cosine of an elevation; q: its square\n"
+    "float ssgi_cosine(float q, bool beyond) { // returns the cosine of an elevation from its square\n"
     "    return beyond ? -sqrt(q) : sqrt(q);\n"
     "}\n" },
 
 { "ssgi_walked", NULL, __LINE__ + 1,
-    "struct ssgi_walked { // This is how far the walk along a side has come.\n"
-    "    uint left; // the sectors that are free\n"
-    "    float distance; // the distance of the last tap, in radii\n"
+    "struct ssgi_walked { // the state of a side after some steps\n"
+    "    uint left; // a bit for each sector that is free\n"
+    "    float distance; // distance of the last tap, in radii\n"
     "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
-    "    float low, high, z; // the arc of the last tap, and its view depth\n"
-    "    bool seen, rose; // The last tap was within the radius; it rose.\n"
+    "    float low, high, z; // first and last sector, and view depth, of the last tap\n"
+    "    bool seen, rose; // whether the last tap was within the radius; whether it rose\n"
     "#endif\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    float end_; // the view depth at which the last tap's surface ends\n"
     "#endif\n"
     "#if SSGI_ENVIRONMENT\n"
-    "    float sine; // the sine of the last tap's elevation, negative beyond the zenith\n"
+    "    float sine; // sine of the last tap's elevation, negative beyond the zenith\n"
     "#endif\n"
     "    float share; // how many sectors are occluded, attenuated\n"
     "#if SSGI_ENVIRONMENT\n"
-    "    vec2 toward; // the sums of cosine and of sine of the occluded sectors' elevations\n"
+    "    vec2 toward; // sums of cosine and sine of the occluded sectors' elevations\n"
     "#endif\n"
     "};\n" },
 
 { "ssgi_walked_none", NULL, __LINE__ + 1,
-    "ssgi_walked ssgi_walked_none(float z) { // begins at the receiver, whose view depth is z\n"
+    "ssgi_walked ssgi_walked_none(float z) { // the receiver counts as the last tap\n"
     "    ssgi_walked w;\n"
     "    w.left = 0xffffffffu, w.distance = 0.0;\n"
     "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
@@ -3173,7 +3175,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_add_elevation", "SSGI_ENVIRONMENT", __LINE__ + 1,
-    "// Adds occluded sectors at an elevation. Its cosine and sine may be scaled alike.\n"
+    "// Adds `share` occluded sectors at an elevation, given as cosine and sine times any length.\n"
     "void ssgi_add_elevation(inout ssgi_walked w, vec2 elevation, float share) {\n"
     "    w.toward += elevation * (inversesqrt(max(dot(elevation, elevation), 1e-12)) * share);\n"
     "}\n" },
@@ -3193,8 +3195,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_add_sent", "SSGI_BOUNCE", __LINE__ + 1,
-    "// Adds the light that the surface at pixel q, at an offset d, sends, and that of the second slab behind it, by\n"
-    "// their shares. Edge-on, within the rounding of its normal, a surface sends nothing.\n"
+    "// Adds the light that the surface at pixel q, at an offset d from the receiver, and the second slab behind it\n"
+    "// send, by their shares. Edge-on, within the rounding of its normal, a surface sends nothing.\n"
     "void ssgi_add_sent(inout ssgi_sums sums, ivec2 q, vec3 d, float share, float second) {\n"
     "    uvec2 s = texelFetch(t_ssgi_emitters, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 o = ssgi_unpack_normal(s.y);\n"
@@ -3215,18 +3217,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gap", NULL, __LINE__ + 1,
-    "// The greater is the gap between taps, in view units. Both are kept, as GPUs have a maximum of three.\n"
-    "struct ssgi_gap {\n"
-    "    float last, first; // the way from the last tap to this one; the way from the receiver to the first tap\n"
+    "struct ssgi_gap { // The greater is the gap between taps. Both are kept, as GPUs have a maximum of three.\n"
+    "    float last, first; // view units: from the last tap to this one; from the receiver to the first tap\n"
     "};\n" },
 
 { "ssgi_between", NULL, __LINE__ + 1,
-    "float ssgi_between(ssgi_gap gap) {\n"
+    "float ssgi_between(ssgi_gap gap) { // returns the gap between taps\n"
     "    return max(gap.last, gap.first);\n"
     "}\n" },
 
 { "ssgi_cover", "SSGI_THICKNESS == SSGI_THICKNESS_SOLID", __LINE__ + 1,
-    "// Covers the sectors that a tap occludes, and returns how many of them were free, attenuated.\n"
+    "// Covers the sectors that a tap occludes; returns how many were free, attenuated.\n"
     "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
     "    float fresh = 0.0;\n"
     "    if (t.up) {\n"
@@ -3246,7 +3247,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cover", "SSGI_THICKNESS != SSGI_THICKNESS_SOLID", __LINE__ + 1,
-    "// Covers the sectors that a tap occludes, and returns how many of them were free, attenuated.\n"
+    "// Covers the sectors that a tap occludes; returns how many were free, attenuated.\n"
     "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    float end_ = t.z + t.width + 0.5 * ssgi_between(gap);\n"
@@ -3291,7 +3292,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cover_second", "SSGI_THICKNESS == SSGI_THICKNESS_SLABS", __LINE__ + 1,
-    "// Covers the sectors of a second slab behind the tap, and returns how many were free, attenuated.\n"
+    "// Covers the sectors that the second slab behind a tap occludes; returns how many were free, attenuated.\n"
     "float ssgi_cover_second(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
     "    vec3 slab = ssgi_slabs(t.q);\n"
     "    vec2 front = ssgi_on_ray(s, e, t.k, slab.y);\n"
@@ -3333,17 +3334,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* Steps miss occluders: SSGI_MISSED.x / steps - SSGI_MISSED.y of the free sectors count as occluded for each occluded
-   one. Beyond the picture nobody sees them: SSGI_BEYOND.x of the free sectors count as occluded for each occluded one,
-   and SSGI_BEYOND.y at most. The four numbers are fitted to the truth of 28 scenes by seed at 1280x720 and were judged
-   on 28 others: the change that brought them took the error of hsao on all 56 from .406 to .396. */
+   one. Taps see no occluders beyond the picture: SSGI_BEYOND.x of the free sectors count as occluded for each occluded
+   one, SSGI_BEYOND.y at most, times the square of the share of the way beyond. The four numbers are fitted to the
+   truth of 28 scenes by seed at 1280x720 and were judged on 28 others: the change that brought them took the error
+   of hsao on all 56 from .406 to .396. */
 { "SSGI_MISSED", NULL, __LINE__ + 1,
     "const vec2 SSGI_MISSED = vec2(0.09375, 0.0028); // With 34 steps none is missed.\n" },
 
 { "SSGI_BEYOND", NULL, __LINE__ + 1,
     "const vec2 SSGI_BEYOND = vec2(0.05, 0.4);\n" },
 
-/* Leaving those directions open would err more. Where no sector is occluded nothing is expected, so that planes stay
-   open. Expected occluders send light as the found ones do. */
+/* Leaving the directions that steps miss open would err more. Where no sector is occluded nothing is expected, so that
+   planes stay open. Expected occluders send light as the found ones do. */
 { "ssgi_expect", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
     "void ssgi_expect(inout ssgi_sums sums, ssgi_side e, inout ssgi_walked w) { // adds occlusion that a side missed\n"
     "    float missed = max(SSGI_MISSED.x / float(SSGI_STEPS) - SSGI_MISSED.y, 0.0);\n"
@@ -3414,7 +3416,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_receiver r = ssgi_receiver_of(P, n); // It is made anew, which keeps registers free.\n"
     "#endif\n"
     "        vec2 turn = vec2(cos(phi), sin(phi));\n"
-    "        // This rounds the sectors. It must not depend on the turn or the offset.\n"
+    "        // The noise that rounds the sectors must not correlate with the turn or the offset.\n"
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
     "        ssgi_slice s = ssgi_slice_of(r, p + ssgi_walked_origin(), turn);\n"
     "        ssgi_walk_slice(s, P, p, r.across * turn.x + r.up * turn.y, xi, noise, sums);\n"
@@ -3426,7 +3428,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_map_light", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
-    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) { // returns its light in the form of desc.light.restore\n"
+    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) { // dark is irradiance over pi here\n"
     "#if !SSGI_RESTORE\n"
     "    return max(ssgi_open_light(P, n) - dark, 0.0);\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
@@ -3439,7 +3441,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- the output of a gather */
 
 { "ssgi_transfer", NULL, __LINE__ + 1,
-    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // Its dot product with light is irradiance [S3HO12 eq. 2].\n"
+    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // The dot product with light is irradiance [S3HO12 eq. 2].\n"
     "#if !(SSGI_PASS == SSGI_PASS_S3HO && SSGI_BOUNCE)\n"
     "    ssgi_coefficients v = ssgi_coefficients_none();\n"
     "#else\n"
@@ -3521,6 +3523,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
 
+/* Returns corner 0..3 of a rectangle of pixels in clip space. */
 { "ssgi_corner", NULL, __LINE__ + 1,
     "// Returns the clip position of a corner, 0 .. 3, of a rectangle of pixels.\n"
     "vec4 ssgi_corner(vec4 bounds, int corner, ivec2 size) {\n"
@@ -3539,6 +3542,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_texel", NULL, __LINE__ + 1,
+    "// Adds a texel's eight bytes times a weight.\n"
     "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
     "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
     "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
@@ -3546,7 +3550,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_fetch", NULL, __LINE__ + 1,
-    "// The field's components along w, in [0,1], bilinear with the border; at holds resolution and slice.\n"
+    "// Writes the field's components along w, in [0,1], bilinear with the border; at holds resolution and slice.\n"
     "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
     "    vec3 m = abs(w), s = vec3(vec2(w.z < 0.0 ? -w.x : w.x, -w.y) / m.z, w.z < 0.0 ? 5.0 : 4.0); // s.z: face\n"
     "    if (m.x >= m.y && m.x >= m.z) s = vec3(vec2(w.x < 0.0 ? w.z : -w.z, -w.y) / m.x, w.x < 0.0 ? 1.0 : 0.0);\n"
@@ -3565,8 +3569,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* [AOF05 eq. 3] */
 { "ssgi_cap", NULL, __LINE__ + 1,
-    "// Cosine-weighted occlusion of a spherical cap, at most a hemisphere: k is the cosine of its radius, S the\n"
-    "// square of the sine, c the cosine between its axis and the normal.\n"
+    "// Returns the cosine-weighted occlusion, 0..1, of a spherical cap, at most a hemisphere. k is the cosine of its\n"
+    "// radius, S the square of the sine, c the cosine between its axis and the normal.\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
@@ -3575,7 +3579,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* [AOF05 section 4.2] */
 { "ssgi_cap_table", NULL, __LINE__ + 1,
-    "// The same occlusion from your table, bilinear between texels' centres; h is the cap's solid angle over 2 pi.\n"
+    "// Returns a cap's occlusion from your table, bilinear between texels' centres; h is its solid angle over 2 pi.\n"
     "float ssgi_cap_table(float h, float c) {\n"
     "    ivec2 last = textureSize(t_ssgi_cap, 0) - 1;\n"
     "    vec2 at = clamp(vec2(h, c + 1.0) * 0.5, 0.0, 1.0) * vec2(last);\n"
@@ -3587,9 +3591,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_at", NULL, __LINE__ + 1,
-    "// Returns the direction of P from the occluder's centre, in the occluder's space; w: its distance. occluder\n"
-    "// has ssgi_gl_occluder's members from to_field on.\n"
-    "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) {\n"
+    "// Returns P in the occluder's space: its unit direction from the centre, and its distance.\n"
+    "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) { // occluder has ssgi_gl_occluder's members from to_field on\n"
     "    vec4 p = vec4(P, 1.0);\n"
     "    vec3 w = vec3(dot(occluder[0], p), dot(occluder[1], p), dot(occluder[2], p));\n"
     "    float r = length(w);\n"
@@ -3598,20 +3601,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* [AOF05 algorithm 1] */
 { "ssgi_field_occlusion", NULL, __LINE__ + 1,
-    "// Returns the occlusion, 0 .. 1, of a surface with unit normal n by an occluder.\n"
+    "// Returns the occlusion, in [0,1], of a surface with unit normal n, whose place in the field is at.\n"
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
     "    vec4 a, b;\n"
     "    ssgi_field_fetch(at.xyz, occluder[8].xy, a, b);\n"
     "    a = occluder[4] + occluder[6] * a, b = occluder[5] + occluder[7] * b;\n"
     "    float hull = a.w, r = max(at.w, hull), t = min((r - hull) / (occluder[8].z - hull), 1.0);\n"
     "    a.xyz = exp2(a.xyz);\n"
-    "    a.y -= sqrt(a.x * a.z); // 1/(a quadratic in r), in Bernstein form from the hull to the end\n"
+    "    a.y -= sqrt(a.x * a.z); // q is quadratic in r: Bernstein form from the hull to the end\n"
     "    float q = mix(mix(a.x, a.y, t), mix(a.y, a.z, t), t);\n"
     "    vec3 axis = b.xyz - r * at.xyz;\n"
     "    axis = dot(axis, axis) > 0.0 ? normalize(axis) : -at.xyz;\n"
     "    n = normalize(vec3(dot(occluder[0].xyz, n), dot(occluder[1].xyz, n), dot(occluder[2].xyz, n)));\n"
     "    float c = dot(axis, n);\n"
-    "    // The cap has this vector irradiance; fill is the share of it that the occluder covers.\n"
+    "    // S is 1 / (pi q), the vector irradiance over pi of a cap of which the occluder covers the share fill.\n"
     "    float S = 0.318309886 / max(q, 0.318309886), fill = max(b.w, S);\n"
     "    S /= fill;\n"
     "#if !SSGI_CAP_TABLE\n"
@@ -3660,7 +3663,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_patch", NULL, __LINE__ + 1,
     "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
-    "out vec2 v_ssgi_part; // x: which part of splits * splits; y: which vertex of it\n"
+    "out vec2 v_ssgi_part; // which part of splits * splits; which vertex of the mesh, in 24 bits\n"
     "void main() {\n"
     "    mat3 m = mat3(u_ssgi_mesh);\n"
     "    vec3 x = cross(m[1], m[2]);\n"
@@ -3677,7 +3680,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_part_corner", NULL, __LINE__ + 1,
-    "vec3 ssgi_part_corner(int i, int n, int c) { // returns the barycentric weights of corner c of part i of n * n\n"
+    "vec3 ssgi_part_corner(int i, int n, int c) { // returns barycentric weights of corner c of part i of n * n\n"
     "    int row = int(sqrt(float(i) + 0.5)), place = i - row * row, odd = place & 1;\n"
     "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0));\n"
     "    int across = place / 2 + (odd == 1 ? (c > 0 ? 1 : 0) : (c > 1 ? 1 : 0));\n"
@@ -3685,7 +3688,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_outside", NULL, __LINE__ + 1,
-    "float ssgi_outside(vec3 P) { // how far a point is outside the frustum\n"
+    "float ssgi_outside(vec3 P) { // returns how far a point is outside the frustum; 0 inside\n"
     "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a;\n"
     "    vec2 low = min(a, b), high = max(a, b);\n"
     "#if SSGI_ORTHOGRAPHIC\n"
@@ -3704,7 +3707,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_WHOLE = 1e-5; // a count that is so little above a whole number is rounded down\n" },
 
 { "ssgi_parts", NULL, __LINE__ + 1,
-    "// Returns how many parts each edge of a triangle is split into beyond level 64. z: its corners' view depths.\n"
+    "// Returns how many parts of each edge a triangle needs, 1 if level 64 suffices; z: its corners' view depths.\n"
     "int ssgi_parts(vec3 z, float area) {\n"
     "    float low = min(z.x, min(z.y, z.z)), high = max(z.x, max(z.y, z.z));\n"
     "    float nearest = low > 0.0 ? low : high < 0.0 ? high : 0.0;\n"
@@ -3714,7 +3717,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tess_level", NULL, __LINE__ + 1,
-    "int ssgi_tess_level(float discs) { // the least level that has so many surfels\n"
+    "int ssgi_tess_level(float discs) { // returns the least level, 1..64, that has so many surfels\n"
     "    return discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - SSGI_WHOLE), 64.0)) : 1;\n"
     "}\n" },
 
@@ -3728,7 +3731,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_inset", "SSGI_OVERHANG == SSGI_OVERHANG_INCENTRE", __LINE__ + 1,
-    "// A corner is scaled about the centre of the inscribed circle, so that discs of radius r end at the edges.\n"
+    "// A corner is scaled about the centre of the inscribed circle, by 1/4 at least, so that discs end at the edges.\n"
     "vec3 ssgi_inset(vec3 at[3], int corner, float r, float area) {\n"
     "    vec3 edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
     "    float perimeter = edge.x + edge.y + edge.z, inset = max(1.0 - r * perimeter / (2.0 * area), 0.25);\n"
@@ -3748,7 +3751,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
     "in vec2 v_ssgi_part[];\n"
     "out vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
-    "patch out vec4 v_ssgi_patch; // It holds radius, level, and the key in two halves.\n"
+    "patch out vec4 v_ssgi_patch; // radius, level, key: upper half under the bits of alive, lower half\n"
     "void main() {\n"
     "    vec3 z = -vec3(v_ssgi_position[0].z, v_ssgi_position[1].z, v_ssgi_position[2].z), at[3];\n"
     "    vec3 sides[2] = vec3[2](v_ssgi_position[1] - v_ssgi_position[0], v_ssgi_position[2] - v_ssgi_position[0]);\n"
@@ -3786,12 +3789,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_hash", NULL, __LINE__ + 1,
-    "uint ssgi_hash(uint x) {\n"
+    "uint ssgi_hash(uint x) { // returns the output of a step of PCG\n"
     "    return ssgi_scramble(x * 747796405u + 2891336453u);\n"
     "}\n" },
 
 { "ssgi_surfel_sent", NULL, __LINE__ + 1,
-    "// Returns the radiance that a surfel sends: its colour times irradiance over pi, unoccluded.\n"
+    "// Returns the radiance that a surfel sends, by desc.surfel.sends.\n"
     "vec3 ssgi_surfel_sent(vec3 P, vec3 n, vec3 colour) {\n"
     "#if SSGI_SENDS == SSGI_SENDS_COLOUR\n"
     "    return colour;\n"
@@ -3839,13 +3842,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "void main() {} // Nothing is drawn, but GLES requires a fragment stage.\n" },
 
 { "ssgi_interleave", NULL, __LINE__ + 1,
-    "// The sub-buffer of a pixel in its block is hashed by exclusive or, which is its own inverse.\n"
+    "// Returns a block's hash: exclusive or turns a pixel's place in the block into its sub-buffer, and back.\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint h = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
     "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n"
     "}\n" },
 
-/* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. */
+/* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. Texels hold a
+   position in view space, or SSGI_FAR, and an octahedral normal. */
 
 { "main_interleave", NULL, __LINE__ + 1,
     "void main() {\n"
@@ -3878,9 +3882,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* [DSS14 section 3.2] */
+/* Writes a surfel's shell at level l, and returns its rectangle in the sub-buffer that turned.w picks [DSS14 3.2]. */
 { "ssgi_shell", NULL, __LINE__ + 1,
-    "// the rectangle of one sub-buffer that a surfel covers at a level\n"
     "// position, squared radius; normal, weight; radiance, square of the distance from which on the level counts\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat out float v_ssgi_end; // square of the distance at which the level ends\n"
@@ -3893,7 +3896,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w);\n"
     "#endif\n"
     "#if SSGI_SPAN && SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
-    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(at.xyz)) > 0.0) // it is as lit as visible surfaces\n"
+    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(at.xyz)) > 0.0) // it has the visible surface's light\n"
     "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_emitters, ivec3(p + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
     "#if SSGI_EFFECT < SSGI_EFFECT_BOUNCE\n"
@@ -3945,7 +3948,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
     "void main() {\n"
     "    for (int l = 0; l < SSGI_LEVELS; ++l)\n"
-    "        for (int corner = 0; corner < 4; ++corner) { // after each vertex outputs are undefined\n"
+    "        for (int corner = 0; corner < 4; ++corner) { // anew, as EmitVertex() leaves outputs undefined\n"
     "            vec4 b = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, l);\n"
     "            if (b.x >= b.z) break;\n"
     "            gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n"
@@ -3955,21 +3958,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gloss", NULL, __LINE__ + 1,
-    "float ssgi_gloss; // It is ssgi_form's form factor, with the specular lobe in place of the cosine.\n" },
+    "float ssgi_gloss; // sum of discs' form factors with the specular lobe instead of the cosine\n" },
 
+/* Returns one disc's part of ssgi_form; adds that of ssgi_gloss. */
 { "ssgi_disc", NULL, __LINE__ + 1,
     "float ssgi_disc(vec3 v, vec3 n, float rr) {\n"
     "    float dd = max(dot(v, v), 1e-30);\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
     "    float mirrored = max(dot(v, reflect(-ssgi_toward(ssgi_P), n)), 1e-20) * inversesqrt(dd);\n"
-    "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent); // It is over pi.\n"
+    "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent); // normalised, times pi\n"
     "    ssgi_gloss += lobe * inversesqrt(dd) / (dd + rr);\n"
     "#endif\n"
     "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n"
     "}\n" },
 
 { "ssgi_form", NULL, __LINE__ + 1,
-    "// The form factor of a disc with normal m, whose centre is at v, but for its area, weight and cosine.\n"
+    "// Returns the form factor of a disc with normal m, whose centre is at v, but for its area/pi, weight, cosine.\n"
     "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
     "#if SSGI_NEAR_SAMPLES > 1\n"
     "    // Near by, the disc counts as several smaller ones, as a part of it may rise above the horizon although its\n"
@@ -3993,7 +3997,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_effect", NULL, __LINE__ + 1,
-    "vec4 ssgi_effect(vec3 sent, vec3 v, float form, float area) { // returns its contribution; w: form factor\n"
+    "vec4 ssgi_effect(vec3 sent, vec3 v, float form, float area) { // returns a surfel's contribution; w: form factor\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_LIGHT\n"
     "    return form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * v), 1.0);\n"
     "#elif SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
@@ -4040,7 +4044,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* The dipole [JMLH01 section 2.3, DSS14 section 4]. */
+/* Adds light by the dipole [JMLH01 section 2.3, DSS14 section 4]. */
 { "main_splat_scatter", NULL, __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"

@@ -104,7 +104,7 @@ OF(shadows_row, shadows, light.shadow, LIGHTS, 2, "shadows of --light: by screen
     "segments over their bias")
 OF(shadows_d_row, shadows, light.shadow, LIGHTS, 1, "shadows of --light: by maps, or none")
 COUNT(points_row, points, gather.samples, LIGHTS, 8, "points on a segment toward a light")
-ROW(solid_row, solid, "1: shadows: unlimited thickness", NULL, 0, 0, 1, PLAN, 0)
+ROW(solid_row, solid, "1: shadows take surfaces as unlimited in thickness", NULL, 0, 0, 1, PLAN, 0)
 ROW(max_slope_row, max_slope, "largest slope that the shadow maps' bias follows",
     NULL, 20, 0, 1000, FRAME, FRAMED(max_slope))
 ROW(shadow_row, shadow_size, "texels of a shadow map's side", NULL, 1024, 16, 8192, PLAN, 0)
@@ -184,8 +184,8 @@ ROW(each_row, keep_small, "1: every triangle keeps a surfel; 0: small ones are t
 ROW(splits_row, splits, "largest number of parts of a large triangle's edge", NULL, 8, 1, 32, PLAN, 0)
 OF(overhang_row, overhang, surfel.overhang, GATHER, 0, "triangles shrink about their incentre, or as published their "
     "corners move to the centroid")
-OF(enlarge_row, enlarge, surfel.enlarge, GATHER, 0, "surfels of level l 1: are 2^l times as wide, as published; 0: "
-    "count 4^l times")
+OF(enlarge_row, enlarge, surfel.enlarge, GATHER, 0, "1: surfels of level l are 2^l times as wide, as published; "
+    "0: they count 4^l times")
 OF(combine_row, combine, surfel.combine, GATHER, 0, "form factors share the directions that are left, 1 - exp(-sum); "
     "or, as published, add up, to 1 at most")
 ROW(smooth_row, smooth, "0: levels are added unfiltered", NULL, 1, 0, 1, PLAN, 0)
