@@ -449,7 +449,7 @@ typedef enum ssgi_gl_half {
     SSGI_GL_HALF_FORCE = SSGI_FORCE
 } ssgi_gl_half;
 
-/* Your choices when a program is built: what the groups of ssgi_gl_desc hold. Zero is the default everywhere; counts
+/* The groups of ssgi_gl_desc hold your choices when a program is built. Zero is the default everywhere; counts
    become literal constants in the text, and a feature that is off leaves no text. A field's comment begins with the
    passes that look at it, where its group does not tell; the other passes ignore the field, but it must be in its
    limits [0..1 where none is told]. ssgi_gl_check names a field that is not. Each field is four bytes long. */
