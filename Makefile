@@ -266,6 +266,11 @@ golden: build/glsl-text
 passes: build/glsl-text
 	build/glsl-text --passes ssgi_gl.h >examples/docs/PASSES.md
 
+# Wrong edits of both headers, each with the test that notices it; tests/mutants.py says how. Forty take ten minutes.
+mutants: build/test build/glsl-text
+	@command -v python3 >/dev/null || sh examples/kit/install.sh python3
+	@python3 tests/mutants.py ONLY='$(ONLY)' DRAW='$(DRAW)' SEED='$(SEED)'
+
 # The headers, where pkg-config and CMake's find_package(ssgi) see them under PREFIX.
 PREFIX ?= /usr/local
 VERSION = $(shell sed -n 's/^.define SSGI_VERSION_M[AI][JN]OR //p' ssgi.h | paste -sd.)
@@ -362,8 +367,8 @@ clean:
 	rm -rf build report
 
 .PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability \
-        quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl golden deps unlisted \
-        format clean
+        quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl golden mutants deps \
+        unlisted format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)
