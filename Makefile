@@ -2,12 +2,13 @@
 #
 #   make         everything, into build/          make chart       speed against accuracy, into report/
 #   make demo    the main job, into report/       make stability   where methods fail, into report/
-#   make test    all tests; tree: who calls whom  make peers       what others have, for the chart
+#   make test    the library's tests              make peers       what others have, for the chart
+#   make test-all  those, then examples, page, hosts, Vulkan; tree: who calls whom
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make quiet     what the eye sees as mottling, in bands of pixels, of presets and of others' beside them
 #   make seeds   the chart's part on scenes by seed
 #   make against OLD=HEAD   what this tree draws beside what a revision draws, of every accumulator; METHOD=hsao: a row
-#   make golden    the hashes of those texts that make test compares
+#   make mutants   wrong edits of the headers, each with the test that notices it
 #   make passes    examples/docs/PASSES.md, the table of them
 #   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
 #   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
@@ -258,10 +259,6 @@ glsl: build/glsl-text
 	build/glsl-text build/glsl
 	$(if $(strip $(TRANSLATED)),sh examples/tools/glsl/translate.sh build/glsl $(TRANSLATED))
 
-# A hash of each text, which make test compares: rewritten after a change that is meant to touch them.
-golden: build/glsl-text
-	build/glsl-text --golden >tests/golden.txt
-
 # examples/docs/PASSES.md: what each pass reads and writes, and every choice.
 passes: build/glsl-text
 	build/glsl-text --passes ssgi_gl.h >examples/docs/PASSES.md
@@ -323,12 +320,15 @@ glsl-out glsl-in: build/library
 	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }
 	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
 
-TESTS = main t others $(addprefix test_,math trace files models seeds library text twins pipeline light coefficients field occluders \
-        steps surfels plan papers cost stability build)
-
+# Groups of tests: those of the library are make test, those of the examples follow in make test-all.
+OF_LIBRARY  = build text pipeline light coefficients surfels occluders trace field steps plan math twins library
+OF_EXAMPLES = tools stability files models seeds papers cost
 TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model \
          $(filter-out lab/report,$(REPORT)))
-build/test: $(TESTS:%=build/tests/%.o) $(TESTED:%=build/examples/%.o) $(KIT_O)
+build/test: $(addprefix build/tests/,main.o t.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
+build/test-examples: $(addprefix build/tests/,main.o t.o others.o $(OF_EXAMPLES:%=test_%.o)) \
+                     $(TESTED:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # Pictures are written and read while memory runs out: malloc is this program's own.
@@ -345,15 +345,29 @@ tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(G
       $(AGAINST:%=build/examples/%.o)
 	@sh tests/tree.sh $(sort $^)
 
-# make test ONLY="math text" runs those groups, make test PASS=blur those that name that pass (SSGI_GL_PASS_BLUR): only
-# the programs that their files name are built.
+# make test ONLY="math text" runs those groups, make test PASS=blur those that name that pass (SSGI_GL_PASS_BLUR), of
+# the library and of the examples alike: only the programs that their files name are built.
 GROUPS_OF = $(shell sh tests/groups.sh $(1))
 ASKED     = $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
 PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text figures starve fuzz-files library bench fit)
 NAMED_IN  = $(filter $(PROGRAMS),$(shell grep -oh 'build/[a-z-]*' $(1:%=tests/test_%.c) /dev/null 2>/dev/null))
-test: build/test $(if $(strip $(ASKED)),$(sort $(call NAMED_IN,$(ASKED))),tree $(PROGRAMS))
+RUN      := $(or $(strip $(ASKED)),$(OF_LIBRARY))
+test: $(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test) $(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples) \
+      $(sort $(call NAMED_IN,$(RUN)))
 	$(if $(PASS),$(if $(call GROUPS_OF,$(PASS)),,$(error PASS=$(PASS): no group of tests names it)))
-	build/test $(ASKED)
+	$(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples $(filter $(OF_EXAMPLES),$(RUN)))
+	$(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test $(filter-out $(OF_EXAMPLES),$(RUN)))
+
+# The library, by twice as many texts and four times as many random inputs, then all else: examples, the page, WGSL, hosts, Vulkan, the compiler's count. Each ends with its own
+# "N passed, N failed"; what cannot be had here is skipped by name.
+test-all:
+	T_ALL=1 $(MAKE) test
+	$(MAKE) tree test ONLY='$(OF_EXAMPLES)'
+	$(MAKE) web-test
+	$(MAKE) webgpu-test
+	$(MAKE) hosts-test
+	$(MAKE) vulkan-test
+	$(MAKE) cost-test
 
 # In place. Another version of clang-format lays out otherwise, so that only 14 is taken; tables that it would break
 # stand between clang-format off and on.
@@ -366,8 +380,8 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test tree chart light seeds papers peers stability \
-        quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl golden mutants deps \
+.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers stability \
+        quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl mutants deps \
         unlisted format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).

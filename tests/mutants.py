@@ -176,13 +176,10 @@ def copy_tree(folder):
 
 
 def run(folder, command):
-    environment = dict(os.environ, T_FIRST="1", MAKEFLAGS="")
-    try:
-        done = subprocess.run(command, cwd=folder, shell=True, text=True, errors="replace", stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=LIMIT, env=environment, start_new_session=True)
-        return done.returncode, done.stdout
-    except subprocess.TimeoutExpired:
-        return -1, ""
+    done = subprocess.run("timeout %d %s" % (LIMIT, command), cwd=folder, shell=True, text=True, errors="replace",
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          env=dict(os.environ, T_FIRST="1", MAKEFLAGS=""))
+    return done.returncode, done.stdout
 
 
 def judge(mutant, folder, groups):
@@ -195,7 +192,7 @@ def judge(mutant, folder, groups):
     own = [f for f in os.listdir("tests") if f.startswith("test_") and "own.h" in open("tests/" + f).read()]
     kept = " ".join("-o build/tests/%s.o" % f[:-2] for f in own if f[5:-2] not in groups)
     try:
-        status, said = run(folder, "make -s %s build/test" % kept)
+        status, _ = run(folder, "make -s %s build/test" % kept)
         if status:
             return "caught by the compiler"
         for group in groups:
@@ -218,6 +215,7 @@ def main(arguments):
     mutants, rooms = read_list(), groups_of_rooms()
     only = [int(n) for n in options.get("ONLY", "").split()]
     left = [n for n, m in enumerate(mutants, 1) if (n in only if only else not m["verdict"].startswith("struck:"))]
+    first = open(LIST).readline()
     wanted, lock, began = len(left), threading.Lock(), time.time()
 
     def work(folder):
@@ -232,14 +230,14 @@ def main(arguments):
             m["verdict"] = judge(m, folder, rooms[m["header"], m["room"]])
             with lock:
                 print("%3d %s (%.0f s; %d to go)" % (n, m["verdict"], time.time() - since, len(left)), flush=True)
+                if not only:
+                    write_list(mutants, first)
 
     workers = [threading.Thread(target=work, args=(COPIES + "/" + name,)) for name in ("a", "b")]
     for w in workers:
         w.start()
     for w in workers:
         w.join()
-    if not only:
-        write_list(mutants, open(LIST).readline())
     struck = sum(m["verdict"].startswith("struck:") for m in mutants)
     caught = sum(m["verdict"].startswith("caught") for m in mutants)
     print("%d of %d caught, %d struck; %d tried in %.0f s" % (caught, len(mutants), struck, wanted, time.time() - began))

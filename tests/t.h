@@ -26,27 +26,13 @@ double t_spent(int children);
 extern int t_passed, t_failed;
 extern const char *t_root;                 /* the repository's folder, which is the current one, too */
 
-/* one function a file, called by main.c */
-void test_trace(void);
-void test_files(void);
-void test_models(void);
-void test_seeds(void);
-void test_math(void);
-void test_library(void);
-void test_cost(void);
-void test_text(void);
-void test_twins(void);
-void test_pipeline(void);
-void test_light(void);
-void test_coefficients(void);
-void test_field(void);
-void test_occluders(void);
-void test_surfels(void);
-void test_plan(void);
-void test_papers(void);
-void test_stability(void);
-void test_steps(void);
-void test_build(void);
+/* The groups of tests: test_NAME in a file of its own, called by main.c; long ones first, so that the last to end is a
+   short one. A program has those of the library or those of the examples (Makefile): the others are NULL there. */
+#define T_GROUPS(X) \
+    X(build) X(tools) X(text) X(stability) X(pipeline) X(light) X(coefficients) X(surfels) X(occluders) X(trace) \
+    X(field) X(files) X(steps) X(plan) X(math) X(twins) X(models) X(seeds) X(library) X(papers) X(cost)
+#define T_GROUP(name) __attribute__((weak)) void test_##name(void);
+T_GROUPS(T_GROUP)
 
 /* desc.fetch with every function that a CUSTOM choice asks for. */
 #define T_FETCH \

@@ -933,7 +933,8 @@ static void octahedral(void)
         }
         length = sqrt(dot(d, d));
         for (int i = 0; i < 3; ++i) d[i] = (float)((double)d[i] / length);
-        ssgi_octahedral_encode(e, d);
+        const float size = expf(uniform(-60, 40)), any[3] = { size * d[0], size * d[1], size * d[2] };
+        ssgi_octahedral_encode(e, any);                  /* whatever the length */
         ssgi_octahedral_decode(back, e);
         CHECK(fabsf(e[0]) <= 1 && fabsf(e[1]) <= 1 && dot(d, back) > 1 - 1e-6 && fabs(dot(back, back) - 1) < 1e-6,
               "%g %g %g to %g %g to %g %g %g", (double)d[0], (double)d[1], (double)d[2], (double)e[0], (double)e[1],

@@ -561,6 +561,13 @@ static void results(void)
             .width = 8,
             .height = 8,
             .blur = 1 } },
+        { "o_ssgi_picture", /* of light that no filter puts there */
+          3,
+          { .desc = { .pass = SSGI_GL_PASS_SSDO,
+                      .light.environment = SSGI_GL_ENVIRONMENT_MAP,
+                      .filter.onto = SSGI_GL_ONTO_AMBIENT },
+            .width = 8,
+            .height = 8 } },
         { "o_ssgi_picture",
           9,
           { .desc = { .pass = SSGI_GL_PASS_SPLAT,
@@ -582,6 +589,11 @@ static void results(void)
         for (int k = 0; k < n - 1; ++k)
             for (int o = 0; o < step[k].outputs; ++o)
                 CHECK(step[k].output[o].texture >= 0, "%d: step %d draws onto the picture", i, k);
+        CHECK(!picture || last->texture == -1, "%d: the picture is texture %d", i, last->texture);
+        for (int k = 0; k < n; ++k)
+            for (int m = 0; m < step[k].inputs; ++m)
+                CHECK(step[k].input[m].texture >= -1 && (step[k].input[m].texture >= 0 || step[k].input[m].meaning >= 0),
+                      "%d: step %d reads texture %d", i, k, step[k].input[m].texture);
     }
 }
 

@@ -1008,6 +1008,8 @@ static int begin_deep(deep *d, const char *method, const char *set, float radius
            && TRY(kit_run_open(&d->run, &d->g, &m, radius, &world, &err));
 }
 
+static float normals_by = 1; /* scales the scene's normals, once its G-buffer is drawn */
+
 /* A method of surfels on a built-in scene with boxes. radius 0: no end. */
 static int dive(deep *d, const char *scene, const box *boxes, int count, const kit_camera *camera, int w, int h,
                 const char *method, const char *set, float radius, const kit_lighting *lighting)
@@ -1018,6 +1020,7 @@ static int dive(deep *d, const char *scene, const box *boxes, int count, const k
         || !TRY(kit_gbuffer_read(&d->frame, &d->g, &err)))
         return 0;
     kit_camera_matrices(&d->g.camera, d->world, projection);
+    for (size_t i = 0; i < 9 * (size_t)d->scene.mesh.triangles; ++i) d->scene.mesh.normal[i] *= normals_by;
     return begin_deep(d, method, set, radius > 0 ? radius : 5e17f, lighting);
 }
 
@@ -1080,9 +1083,10 @@ static int by_seed(const void *a, const void *b)
 static void three_ways(void)
 {
     static const char *const ways[] = { "size=0.03,way=cpu", "size=0.03,way=capture", "size=0.03,way=direct" };
-    static const struct { const char *scene, *overhang; int orthographic; } row[2] = {
-        { "boxes", "centroid", 0 }, { "pebbles", "incentre", 1 } };
-    for (int m = 0; m < 2; ++m) {
+    /* normals need not be unit; where one is 0 a surfel has its triangle's own */
+    static const struct { const char *scene, *overhang; int orthographic; float normals; } row[3] = {
+        { "boxes", "centroid", 0, 0.1f }, { "pebbles", "incentre", 1, 1 }, { "boxes", "centroid", 0, 0 } };
+    for (int m = 0; m < 3; ++m) {
         deep d[3];
         kit_image out[3];
         kit_scene scene;
@@ -1094,6 +1098,7 @@ static void three_ways(void)
         for (int k = 0; k < 3; ++k) {
             char set[64];
             snprintf(set, sizeof set, "%s,overhang=%s", ways[k], row[m].overhang);
+            normals_by = row[m].normals;
             if (!dive(&d[k], row[m].scene, NULL, 0, &c, 96, 54, "dss", set, 0.6f, NULL)
                 || !drawn(&out[k], &d[k].run))
                 return;
@@ -1125,6 +1130,7 @@ static void three_ways(void)
                n[1], same, worst, apart(&out[0], &out[1]), apart(&out[0], &out[2]));
         for (int a = 0; a < 3; ++a) { if (a < 2) free(s[a]); kit_image_free(&out[a]); surface(&d[a]); }
     }
+    normals_by = 1;
 }
 
 /* SSGI_GL_PASS_INTERLEAVE: every pixel once in every level, in the texel of its block, by chance. */

@@ -722,7 +722,7 @@ static void threads(void)
 static void solids(void)
 {
     static const struct { const char *name; size_t boxes; } scenes[] = { { "boxes", 4 }, { "blocks", 13 } };
-    for (int k = 0; k < 2; ++k) {
+    for (size_t k = 0; k < sizeof scenes / sizeof *scenes; ++k) {
         kit_scene s;
         kit_image y;
         kit_error err = { "" };

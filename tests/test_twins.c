@@ -312,6 +312,8 @@ static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, GLuint maps,
     CHECK(fabs((double)(got) - (double)(want)) <= (double)(within), "%s at %d: %.9g, in C %.9g", what, i, \
           (double)(got), (double)(want))
 
+static int facing(ssgi_view *view, ssgi_gl_frame *frame, float radius);
+
 static void twin_views(void)
 {
     enum { LAYOUTS = 6 };
@@ -460,6 +462,72 @@ static void twin_normals(void)
                 }
             glDeleteTextures(1, &map);
         }
+}
+
+/* ---- functions of numbers: a row each, GLSL beside what its comment says ----------------------------------------- */
+
+/* From a, in [low,high], the statement makes o; want makes it of the same numbers. */
+typedef struct term {
+    const char *name;
+    ssgi_gl_desc desc;
+    const char *statement;
+    float low, high;
+    void (*want)(double *o, const double *a);
+    double within;
+} term;
+
+static void want_ambient(double *o, const double *a)
+{
+    for (int k = 0; k < 3; ++k) o[k] = fmin(fmax(a[0] * 1.1283791671, 0), 1);
+}
+
+static void want_second_layer(double *o, const double *a)
+{
+    (void)a;
+    for (int k = 0; k < 3; ++k) o[k] = 2;
+}
+
+static void want_way(double *o, const double *a) { for (int k = 0; k < 3; ++k) o[k] = a[3] - a[k]; }
+
+#define LAYERS_OF(pass_, ...) { .pass = SSGI_GL_PASS_##pass_, .gather.layers = 4, .text.dialect = SSGI_GL_DIALECT_450, \
+                                __VA_ARGS__ }
+static const term terms[] = {
+    { "ambient visibility of coefficients",
+      { .pass = SSGI_GL_PASS_SHADE, .light.residual = 1, .text.dialect = SSGI_GL_DIALECT_450 },
+      "ssgi_coefficients v; for (int c = 0; c < v.c.length(); ++c) v.c[c].a = vec4(a.x, 0.0, 0.0, 0.0);"
+      " o = vec4(ssgi_ambient(v), 0.0);",
+      -0.5f, 1.5f, want_ambient, 1e-6 },
+    { "the normal of the layer that receives", LAYERS_OF(LIGHTS, .light.receiver = 2),
+      "o = ssgi_normal_texel(texel);", 0, 1, want_second_layer, 0 },
+    { "the albedo of the layer that receives", LAYERS_OF(EMITTERS, .light.receiver = 2),
+      "o = vec4(ssgi_albedo(texel), 0.0);", 0, 1, want_second_layer, 0 },
+    { "the way to a sample, by which emitters are chosen",
+      LAYERS_OF(SSDO, .gather.search = SSGI_GL_SEARCH_POINTS, .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE),
+      "ssgi_P = a.xyz; float found = ssgi_occlusion_at(vec3(a.w));"
+      " o = vec4(ssgi_way, found);",
+      -2, 2, want_way, 1e-6 },
+};
+
+static void functions_of_numbers(void)
+{
+    static float layer[16 * MANY];
+    ssgi_gl_frame frame;
+    ssgi_view view;
+    if (!facing(&view, &frame, 1)) return;
+    for (int i = 0; i < 16 * MANY; ++i) layer[i] = (float)(i / (4 * MANY) + 1);
+    probed_layers = kit_texture_array(SIDE, SIDE, 4, GL_RGBA32F, layer);
+    for (size_t k = 0; k < sizeof terms / sizeof *terms; ++k) {
+        for (int i = 0; i < 4 * MANY; ++i) ins[i] = uniform(terms[k].low, terms[k].high);
+        if (!probe(&terms[k].desc, &frame, 0, terms[k].statement)) break;
+        for (int i = 0; i < MANY; ++i) {
+            const double a[4] = { (double)in[i][0], (double)in[i][1], (double)in[i][2], (double)in[i][3] };
+            double o[3];
+            terms[k].want(o, a);
+            for (int c = 0; c < 3; ++c) NEAR(out[i][c], o[c], terms[k].within, terms[k].name);
+        }
+    }
+    glDeleteTextures(1, &probed_layers);
+    probed_layers = 0;
 }
 
 /* The integral that the comment of ssgi_arc_slope names, by Simpson's rule. */
@@ -1527,6 +1595,18 @@ static void smooth_weights(void)
                 CHECK(fabs(is - want) < 1e-6, "axis %d, level %d, %d away: %g, not %g", axis, l, k, is, want);
             }
     }
+    /* beside it, 0.7 of how far off a neighbour may be: its weight of a half has 0.3 left */
+    const float off = 0.7f * 2 * ssgi_pixel_footprint(&view, 5);
+    const given beside[3] = { t[0], { "t_ssgi_depth", grey(SIDE, SIDE, 5, 32 * SIDE + 31, 5 - off) }, t[2] };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SMOOTH,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .surfel.levels = LEVELS,
+                             .input.orthographic = 1,
+                             .input.depth = SSGI_GL_DEPTH_LINEAR };
+    if (!pass_drawn(got, 0, 1, SIDE, LEVELS * SIDE, &d, &frame, beside, 3)) return;
+    CHECK(fabs((double)got[MANY + 32 * SIDE + 32] - 1 / 1.65) < 1e-5, "beside a step: %g",
+          (double)got[MANY + 32 * SIDE + 32]);
+    glDeleteTextures(1, &beside[1].texture);
     for (int k = 0; k < 3; ++k) glDeleteTextures(1, &t[k].texture);
 }
 
@@ -2324,6 +2404,7 @@ void test_twins(void)
     RUN("an extra camera's points and the octahedral map as in C", twin_views_of_others);
     RUN("harmonics of one to four bands in both languages as in C", twin_harmonics);
     RUN("halves, where the language has them and where it has not", twin_halves);
+    RUN("functions of numbers are what their comments say", functions_of_numbers);
     RUN("a slice's arc is the integral that it says", twin_arc);
     RUN("sectors are covered once, by the nearest; on the mean as much as intervals are", twin_sectors);
     RUN("slabs are as deep as their back faces say; sheets and open things by the thickness", twin_deep);

@@ -25,11 +25,7 @@
       build/glsl-text --types        the fields of ssgi_gl_desc as TypeScript
 
       build/glsl-text --passes ssgi_gl.h   examples/docs/PASSES.md: what each pass reads and writes, from reflection;
-                                 the fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it
-      build/glsl-text --golden       tests/golden.txt: a hash of the text of each pass and choice in a stage, over all
-                                     dialects of GL, where the choice changes it; "+" is of all pairs of choices in
-                                     450, "vulkan" of all choices in that dialect. make golden rewrites that file: its
-                                     diff shows which variants a change touches */
+                                 the fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it */
 #include "kit/kit_gl.h"
 #include <errno.h>
 #include <spawn.h>
@@ -328,68 +324,6 @@ static ssgi_gl_desc variant_of(int pass, int dialect, int a, int b)
     return with_choice(with_choice(d, b), a);
 }
 
-/* The hash with a text added; unchanged where there is none. */
-static uint64_t hash_of(uint64_t hash, size_t (*emit)(char *, size_t, const ssgi_gl_desc *, int), const ssgi_gl_desc *d,
-                        int stage)
-{
-    static char text[1 << 17];
-    const size_t n = emit(text, sizeof text, d, stage);
-    return n ? kit_hash(hash, text, n + 1 < sizeof text ? n + 1 : sizeof text) : hash;          /* with its end */
-}
-
-static size_t emit_field(char *out, size_t capacity, const ssgi_gl_desc *d, int stage)
-{
-    (void)stage;
-    return ssgi_gl_field(out, capacity, d);
-}
-static size_t emit_sh(char *out, size_t capacity, const ssgi_gl_desc *d, int stage)
-{
-    (void)stage;
-    return ssgi_gl_sh(out, capacity, d->light.bands);
-}
-
-static void print_golden(void)
-{
-    static const uint64_t basis = KIT_HASH;
-    for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
-        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
-            uint64_t plain = 0, pairs = basis, vulkan = basis;
-            for (int a = 0; a < choices_count && !ferror(stdout); ++a) {
-                uint64_t hash = basis;
-                for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect) {
-                    const ssgi_gl_desc d = variant_of(pass, dialect, a, 0);
-                    uint64_t *of = dialect == SSGI_GL_DIALECT_VULKAN ? &vulkan : &hash;
-                    *of = hash_of(*of, ssgi_gl_emit, &d, stage);
-                }
-                for (int b = 1; b < a; ++b) {
-                    const ssgi_gl_desc d = variant_of(pass, SSGI_GL_DIALECT_450, a, b);
-                    pairs = hash_of(pairs, ssgi_gl_emit, &d, stage);
-                }
-                if (hash != basis && hash != plain)
-                    printf("%016llx %s.%s%s%s\n", (unsigned long long)hash, ssgi_gl_pass_name(pass), choices[a].name,
-                           a ? "." : "", endings[stage]);
-                if (!a) plain = hash;
-            }
-            if (pairs != basis)
-                printf("%016llx %s.+.%s\n", (unsigned long long)pairs, ssgi_gl_pass_name(pass), endings[stage]);
-            if (vulkan != basis)
-                printf("%016llx %s.vulkan.%s\n", (unsigned long long)vulkan, ssgi_gl_pass_name(pass), endings[stage]);
-        }
-    const ssgi_gl_desc vulkan = variant_of(SSGI_GL_PASS_FIELD, SSGI_GL_DIALECT_VULKAN, 0, 0);
-    printf("%016llx field.vulkan.glsl\n", (unsigned long long)hash_of(basis, emit_field, &vulkan, 0));
-    for (int a = 0; a < choices_count; ++a) {
-        const ssgi_gl_desc d = variant_of(SSGI_GL_PASS_FIELD, SSGI_GL_DIALECT_450, a, 0),
-                           plain = variant_of(SSGI_GL_PASS_FIELD, SSGI_GL_DIALECT_450, 0, 0);
-        const uint64_t hash = hash_of(basis, emit_field, &d, 0);
-        if (!a || hash != hash_of(basis, emit_field, &plain, 0))
-            printf("%016llx field.%s%sglsl\n", (unsigned long long)hash, choices[a].name, a ? "." : "");
-    }
-    for (int bands = 1; bands <= 4; ++bands) {
-        const ssgi_gl_desc d = { .light.bands = bands };
-        printf("%016llx sh%d.glsl\n", (unsigned long long)hash_of(basis, emit_sh, &d, 0), bands);
-    }
-}
-
 static int fail(const kit_error *err)
 {
     if (*err->text) fprintf(stderr, "glsl-text: %s\n", err->text);
@@ -490,7 +424,6 @@ static int run(int argc, char **argv, kit_error *err)
         return print_fields(argv[2], err);
     }
     if (argc == 2 && !strcmp(argv[1], "--types")) { manifest_types(); return 0; }
-    if (argc == 2 && !strcmp(argv[1], "--golden")) { print_golden(); return 0; }
     if (argc == 2 && !strcmp(argv[1], "--chains")) { list_chains(); return 0; }
     if (argc < 2 || argc > 3 || *argv[1] == '-' || (argc == 3 && dialect_named(argv[2]) < 0)) return 1;
     return write_all(argv[1], argc == 3 ? dialect_named(argv[2]) : -1, err);
@@ -503,7 +436,7 @@ int main(int argc, char **argv)
     const int status = run(argc, argv, &err);
     if (status > 0) {
         fputs("usage: glsl-text FOLDER [DIALECT] | --chain CHAIN .. --LANGUAGE .. FOLDER | --chains |\n"
-              "       --passes ssgi_gl.h | --golden | --types\n", stderr);
+              "       --passes ssgi_gl.h | --types\n", stderr);
         return 2;
     }
     if (!status) kit_streams_close(&err);
