@@ -275,6 +275,11 @@ static void drawable(void)
                       && desc.gather.steps == p.steps && desc.gather.thickness == thickness[p.thickness]
                       && desc.gather.half == p.half,
                   "choice %d: %s", i, why);
+            const int s3ho = desc.pass == SSGI_GL_PASS_S3HO;
+            CHECK(desc.light.shaded == s3ho && desc.light.residual == s3ho
+                      && (!s3ho || (desc.light.restore == SSGI_GL_RESTORE_RATIO && desc.light.bands == p.bands)),
+                  "choice %d: shaded %d, residual %d, restore %d, %d bands", i, desc.light.shaded, desc.light.residual,
+                  desc.light.restore, desc.light.bands);
             CHECK(!kit_plan_method(&m, &p, s.wanted, &err), "choice %d: %s", i, err.text);
             CHECK(p.method == SSGI_PLAN_METHOD_SURFELS || p.method == SSGI_PLAN_METHOD_FIELD
                       || m.set.steps == p.steps,

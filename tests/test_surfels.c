@@ -1084,9 +1084,9 @@ static void three_ways(void)
 {
     static const char *const ways[] = { "size=0.03,way=cpu", "size=0.03,way=capture", "size=0.03,way=direct" };
     /* normals need not be unit; where one is 0 a surfel has its triangle's own */
-    static const struct { const char *scene, *overhang; int orthographic; float normals; } row[3] = {
-        { "boxes", "centroid", 0, 0.1f }, { "pebbles", "incentre", 1, 1 }, { "boxes", "centroid", 0, 0 } };
-    for (int m = 0; m < 3; ++m) {
+    static const struct { const char *scene, *overhang; int orthographic; float normals; } row[2] = {
+        { "boxes", "centroid", 0, 0 }, { "pebbles", "incentre", 1, 0.1f } };
+    for (int m = 0; m < 2; ++m) {
         deep d[3];
         kit_image out[3];
         kit_scene scene;
