@@ -369,8 +369,9 @@ static void bindings(void)
         "print(ffi.sizeof('ssgi_gl_frame'))\n";
     char text[4000];
     write_text("bind.py", script);
+    write_text("whole.c", "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n");
     if (shell(text, sizeof text, "python3 -c 'import cffi'%s%s", "", "")) t_note("cffi is not here: not tried");
-    else CHECK(!shell(text, sizeof text, "gcc -E -P %s ssgi_gl.h >plain.h && gcc -shared -fPIC implementation.c -o "
+    else CHECK(!shell(text, sizeof text, "gcc -E -P %s ssgi_gl.h >plain.h && gcc -shared -fPIC whole.c -o "
                       "libssgi.so %s && python3 bind.py", "'-D__attribute__(x)='", "-lm"), "%s", text);
     if (has("bindgen"))
         CHECK(!shell(text, sizeof text,
@@ -1013,11 +1014,11 @@ static void bench(void)
 
 /* ---- >>make ------------------------------------------------------------------------------------------------------ */
 
-/* How many objects of build/render and build/test make would compile in the copy. */
+/* How many objects of build/render and of both programs of tests make would compile in the copy. */
 static int compiled_again(void)
 {
     char text[200];
-    const int failed = shell(text, sizeof text, "MAKEFLAGS= make -n -C tree build/render build/test >made.txt && "
+    const int failed = shell(text, sizeof text, "MAKEFLAGS= make -n -C tree build/render build/test build/test-examples >made.txt && "
                              "grep -c ' -c .* -o build/.*[.]o$' made.txt || test $? = 1%s%s", "", "");
     return CHECK(!failed, "make -n: %s", text) ? atoi(text) : -1;
 }
