@@ -263,8 +263,8 @@ glsl: build/glsl-text
 passes: build/glsl-text
 	build/glsl-text --passes ssgi_gl.h >examples/docs/PASSES.md
 
-# Wrong edits of both headers, each with the test that notices it; tests/mutants.py says how. Forty take ten minutes.
-mutants: build/test build/glsl-text
+# Wrong edits of both headers, each with the test that notices it; tests/mutants.py says how. Forty take six minutes.
+mutants: build/test
 	@command -v python3 >/dev/null || sh examples/kit/install.sh python3
 	@python3 tests/mutants.py ONLY='$(ONLY)' DRAW='$(DRAW)' SEED='$(SEED)'
 
@@ -314,7 +314,7 @@ npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@echo 'build/npm: ssgi $(VERSION)'
 
 # The GLSL of ssgi_gl.h as files, for an editor: make glsl-out DIR=d writes them, make glsl-in DIR=d reads them back.
-build/library: build/examples/tools/glsl/library.o build/examples/tools/glsl/choices.o build/kit/util.o $(LIBRARY:%=build/kit/%)
+build/library: $(addprefix build/examples/tools/glsl/,library.o choices.o) build/kit/util.o $(LIBRARY:%=build/kit/%)
 	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
 glsl-out glsl-in: build/library
 	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }
@@ -358,8 +358,9 @@ test: $(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test) $(if $(filter $(OF_EX
 	$(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples $(filter $(OF_EXAMPLES),$(RUN)))
 	$(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test $(filter-out $(OF_EXAMPLES),$(RUN)))
 
-# The library, by twice as many texts and four times as many random inputs, then all else: examples, the page, WGSL, hosts, Vulkan, the compiler's count. Each ends with its own
-# "N passed, N failed"; what cannot be had here is skipped by name.
+# The library, by twice as many texts and four times as many random inputs, then all else: examples, the page, WGSL,
+# hosts, Vulkan, the compiler's count. Each ends with its own "N passed, N failed"; a part that needs a program which
+# cannot be had is skipped by name.
 test-all:
 	T_ALL=1 $(MAKE) test
 	$(MAKE) tree test ONLY='$(OF_EXAMPLES)'
@@ -380,8 +381,8 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers stability \
-        quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl mutants deps \
+.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers \
+        stability quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl mutants deps \
         unlisted format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).

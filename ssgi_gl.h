@@ -4737,7 +4737,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return z < SSGI_FAR ? z : SSGI_FAR; // background in 16 bits is infinity or NaN\n"
     "}\n" },
 
-/* So an object that moved by a pixel is noticed while the camera stands still. */
+/* Without it an object that moved by a pixel is not noticed while the camera stands still. */
 { "SSGI_BESIDE", NULL, __LINE__ + 1,
     "const float SSGI_BESIDE = 0.02; // A place that is this close to a pixel, in pixels, counts as that one.\n" },
 
@@ -6335,7 +6335,7 @@ static void ssgi_gl__step_draw(ssgi_gl_step *s, const ssgi_gl_desc *d)
     s->vertices = patches || surfels ? 0 : splats ? 6 * d->surfel.levels : row->draw == SSGI_GL__DRAW_FIELDS ? 6 : 3;
     s->instances = row->draw == SSGI_GL__DRAW_IMAGE || (surfels && !patches);
     s->clear = blend != SSGI_GL__BLEND_ONTO;
-    s->clear_to = (float)(blend == SSGI_GL__BLEND_MULTIPLY); /* This changes nothing. */
+    s->clear_to = (float)(blend == SSGI_GL__BLEND_MULTIPLY); /* Factor 1 and summand 0 change nothing. */
     if (blend == SSGI_GL__BLEND_ADD || (d->filter.onto && !grey)) memcpy(s->blend, add, sizeof add);
     else if (d->filter.onto == SSGI_GL_ONTO_AMBIENT) memcpy(s->blend, subtract, sizeof subtract);
     else if (blend == SSGI_GL__BLEND_MULTIPLY || d->filter.onto) memcpy(s->blend, multiply, sizeof multiply);
@@ -6568,7 +6568,7 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b)
     }
     b->light = ssgi_gl__direct(b, -1, 0);
     if (d.light.bounce && (b->light >= 0 || chain->direct)) {
-        if (chain->vpls) { /* It is just the falloff that virtual lights lack, of single points. */
+        if (chain->vpls) { /* Single points give just the falloff that virtual lights lack. */
             d.gather.falloff = SSGI_GL_FALLOFF_SQUARE;
             d.gather.fade = SSGI_GL_FADE_NONE;
             d.gather.range = 0;

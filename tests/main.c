@@ -76,8 +76,14 @@ int main(int argc, char **argv)
     double all = 0;
     for (int g = 0; g < GROUPS; ++g) {
         wanted[g] = argc < 2 && groups[g].run;
-        for (int i = 1; i < argc; ++i) wanted[g] |= groups[g].run && !strcmp(argv[i], groups[g].name);
         job[g].done = !wanted[g];
+    }
+    for (int i = 1; i < argc; ++i) {
+        int g = 0;
+        while (g < GROUPS && !(groups[g].run && !strcmp(argv[i], groups[g].name))) ++g;
+        if (g == GROUPS) return fprintf(stderr, "test: %s: is no group of this program\n", argv[i]), 2;
+        wanted[g] = 1;
+        job[g].done = 0;
     }
     for (;;) {
         while (next < GROUPS && (running < processors || !running)) {

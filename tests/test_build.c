@@ -1,5 +1,5 @@
-/* test_build.c - what a compiler and a newcomer see of the headers: warnings, linking, the documentation's code, NaN and
-   hostile inputs under sanitizers. */
+/* test_build.c - what a compiler and a newcomer see of the headers: warnings, linking, the documentation's code, NaN
+   and hostile inputs under sanitizers. */
 #include <math.h>
 #include "kit/kit_gl.h"
 #include "shell.h"

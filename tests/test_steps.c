@@ -592,7 +592,8 @@ static void results(void)
         CHECK(!picture || last->texture == -1, "%d: the picture is texture %d", i, last->texture);
         for (int k = 0; k < n; ++k)
             for (int m = 0; m < step[k].inputs; ++m)
-                CHECK(step[k].input[m].texture >= -1 && (step[k].input[m].texture >= 0 || step[k].input[m].meaning >= 0),
+                CHECK(step[k].input[m].texture >= 0
+                          || (step[k].input[m].texture == -1 && step[k].input[m].meaning >= 0),
                       "%d: step %d reads texture %d", i, k, step[k].input[m].texture);
     }
 }

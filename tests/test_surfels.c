@@ -1008,11 +1008,8 @@ static int begin_deep(deep *d, const char *method, const char *set, float radius
            && TRY(kit_run_open(&d->run, &d->g, &m, radius, &world, &err));
 }
 
-static float normals_by = 1; /* scales the scene's normals, once its G-buffer is drawn */
-
-/* A method of surfels on a built-in scene with boxes. radius 0: no end. */
-static int dive(deep *d, const char *scene, const box *boxes, int count, const kit_camera *camera, int w, int h,
-                const char *method, const char *set, float radius, const kit_lighting *lighting)
+/* A built-in scene with boxes, and its G-buffer. */
+static int look(deep *d, const char *scene, const box *boxes, int count, const kit_camera *camera, int w, int h)
 {
     float projection[16];
     memset(d, 0, sizeof *d);
@@ -1020,8 +1017,15 @@ static int dive(deep *d, const char *scene, const box *boxes, int count, const k
         || !TRY(kit_gbuffer_read(&d->frame, &d->g, &err)))
         return 0;
     kit_camera_matrices(&d->g.camera, d->world, projection);
-    for (size_t i = 0; i < 9 * (size_t)d->scene.mesh.triangles; ++i) d->scene.mesh.normal[i] *= normals_by;
-    return begin_deep(d, method, set, radius > 0 ? radius : 5e17f, lighting);
+    return 1;
+}
+
+/* A method of surfels on such a scene. radius 0: no end. */
+static int dive(deep *d, const char *scene, const box *boxes, int count, const kit_camera *camera, int w, int h,
+                const char *method, const char *set, float radius, const kit_lighting *lighting)
+{
+    return look(d, scene, boxes, count, camera, w, h)
+           && begin_deep(d, method, set, radius > 0 ? radius : 5e17f, lighting);
 }
 
 static void surface(deep *d)
@@ -1098,8 +1102,9 @@ static void three_ways(void)
         for (int k = 0; k < 3; ++k) {
             char set[64];
             snprintf(set, sizeof set, "%s,overhang=%s", ways[k], row[m].overhang);
-            normals_by = row[m].normals;
-            if (!dive(&d[k], row[m].scene, NULL, 0, &c, 96, 54, "dss", set, 0.6f, NULL)
+            if (!look(&d[k], row[m].scene, NULL, 0, &c, 96, 54)) return;
+            for (size_t i = 0; i < 9 * d[k].scene.mesh.triangles; ++i) d[k].scene.mesh.normal[i] *= row[m].normals;
+            if (!begin_deep(&d[k], "dss", set, 0.6f, NULL)
                 || !drawn(&out[k], &d[k].run))
                 return;
         }
@@ -1130,7 +1135,6 @@ static void three_ways(void)
                n[1], same, worst, apart(&out[0], &out[1]), apart(&out[0], &out[2]));
         for (int a = 0; a < 3; ++a) { if (a < 2) free(s[a]); kit_image_free(&out[a]); surface(&d[a]); }
     }
-    normals_by = 1;
 }
 
 /* SSGI_GL_PASS_INTERLEAVE: every pixel once in every level, in the texel of its block, by chance. */

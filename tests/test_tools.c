@@ -1018,7 +1018,9 @@ static void bench(void)
 static int compiled_again(void)
 {
     char text[200];
-    const int failed = shell(text, sizeof text, "MAKEFLAGS= make -n -C tree build/render build/test build/test-examples >made.txt && "
+    const int failed = shell(text, sizeof text,
+                             "MAKEFLAGS= make -n -C tree build/render build/test build/test-examples "
+                             ">made.txt && "
                              "grep -c ' -c .* -o build/.*[.]o$' made.txt || test $? = 1%s%s", "", "");
     return CHECK(!failed, "make -n: %s", text) ? atoi(text) : -1;
 }

@@ -312,8 +312,6 @@ static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, GLuint maps,
     CHECK(fabs((double)(got) - (double)(want)) <= (double)(within), "%s at %d: %.9g, in C %.9g", what, i, \
           (double)(got), (double)(want))
 
-static int facing(ssgi_view *view, ssgi_gl_frame *frame, float radius);
-
 static void twin_views(void)
 {
     enum { LAYOUTS = 6 };
@@ -462,72 +460,6 @@ static void twin_normals(void)
                 }
             glDeleteTextures(1, &map);
         }
-}
-
-/* ---- functions of numbers: a row each, GLSL beside what its comment says ----------------------------------------- */
-
-/* From a, in [low,high], the statement makes o; want makes it of the same numbers. */
-typedef struct term {
-    const char *name;
-    ssgi_gl_desc desc;
-    const char *statement;
-    float low, high;
-    void (*want)(double *o, const double *a);
-    double within;
-} term;
-
-static void want_ambient(double *o, const double *a)
-{
-    for (int k = 0; k < 3; ++k) o[k] = fmin(fmax(a[0] * 1.1283791671, 0), 1);
-}
-
-static void want_second_layer(double *o, const double *a)
-{
-    (void)a;
-    for (int k = 0; k < 3; ++k) o[k] = 2;
-}
-
-static void want_way(double *o, const double *a) { for (int k = 0; k < 3; ++k) o[k] = a[3] - a[k]; }
-
-#define LAYERS_OF(pass_, ...) { .pass = SSGI_GL_PASS_##pass_, .gather.layers = 4, .text.dialect = SSGI_GL_DIALECT_450, \
-                                __VA_ARGS__ }
-static const term terms[] = {
-    { "ambient visibility of coefficients",
-      { .pass = SSGI_GL_PASS_SHADE, .light.residual = 1, .text.dialect = SSGI_GL_DIALECT_450 },
-      "ssgi_coefficients v; for (int c = 0; c < v.c.length(); ++c) v.c[c].a = vec4(a.x, 0.0, 0.0, 0.0);"
-      " o = vec4(ssgi_ambient(v), 0.0);",
-      -0.5f, 1.5f, want_ambient, 1e-6 },
-    { "the normal of the layer that receives", LAYERS_OF(LIGHTS, .light.receiver = 2),
-      "o = ssgi_normal_texel(texel);", 0, 1, want_second_layer, 0 },
-    { "the albedo of the layer that receives", LAYERS_OF(EMITTERS, .light.receiver = 2),
-      "o = vec4(ssgi_albedo(texel), 0.0);", 0, 1, want_second_layer, 0 },
-    { "the way to a sample, by which emitters are chosen",
-      LAYERS_OF(SSDO, .gather.search = SSGI_GL_SEARCH_POINTS, .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE),
-      "ssgi_P = a.xyz; float found = ssgi_occlusion_at(vec3(a.w));"
-      " o = vec4(ssgi_way, found);",
-      -2, 2, want_way, 1e-6 },
-};
-
-static void functions_of_numbers(void)
-{
-    static float layer[16 * MANY];
-    ssgi_gl_frame frame;
-    ssgi_view view;
-    if (!facing(&view, &frame, 1)) return;
-    for (int i = 0; i < 16 * MANY; ++i) layer[i] = (float)(i / (4 * MANY) + 1);
-    probed_layers = kit_texture_array(SIDE, SIDE, 4, GL_RGBA32F, layer);
-    for (size_t k = 0; k < sizeof terms / sizeof *terms; ++k) {
-        for (int i = 0; i < 4 * MANY; ++i) ins[i] = uniform(terms[k].low, terms[k].high);
-        if (!probe(&terms[k].desc, &frame, 0, terms[k].statement)) break;
-        for (int i = 0; i < MANY; ++i) {
-            const double a[4] = { (double)in[i][0], (double)in[i][1], (double)in[i][2], (double)in[i][3] };
-            double o[3];
-            terms[k].want(o, a);
-            for (int c = 0; c < 3; ++c) NEAR(out[i][c], o[c], terms[k].within, terms[k].name);
-        }
-    }
-    glDeleteTextures(1, &probed_layers);
-    probed_layers = 0;
 }
 
 /* The integral that the comment of ssgi_arc_slope names, by Simpson's rule. */
@@ -828,6 +760,72 @@ static int facing(ssgi_view *view, ssgi_gl_frame *frame, float radius)
     return CHECK(ssgi_view_from_projection(view, m, SSGI_CLIP_GL, SIDE, SIDE, &why) == SSGI_OK
                      && ssgi_gl_frame_init(frame, view, radius, &why) == SSGI_OK,
                  "%s", why);
+}
+
+/* ---- functions of numbers: a row each, GLSL beside what its comment says ----------------------------------------- */
+
+/* From a, in [low,high], the statement makes o; want makes it of the same numbers. */
+typedef struct term {
+    const char *name;
+    ssgi_gl_desc desc;
+    const char *statement;
+    float low, high;
+    void (*want)(double *o, const double *a);
+    double within;
+} term;
+
+static void want_ambient(double *o, const double *a)
+{
+    for (int k = 0; k < 3; ++k) o[k] = fmin(fmax(a[0] * 1.1283791671, 0), 1);
+}
+
+static void want_second_layer(double *o, const double *a)
+{
+    (void)a;
+    for (int k = 0; k < 3; ++k) o[k] = 2;
+}
+
+static void want_way(double *o, const double *a) { for (int k = 0; k < 3; ++k) o[k] = a[3] - a[k]; }
+
+#define LAYERS_OF(pass_, ...) { .pass = SSGI_GL_PASS_##pass_, .gather.layers = 4, .text.dialect = SSGI_GL_DIALECT_450, \
+                                __VA_ARGS__ }
+static const term terms[] = {
+    { "ambient visibility of coefficients",
+      { .pass = SSGI_GL_PASS_SHADE, .light.residual = 1, .text.dialect = SSGI_GL_DIALECT_450 },
+      "ssgi_coefficients v; for (int c = 0; c < v.c.length(); ++c) v.c[c].a = vec4(a.x, 0.0, 0.0, 0.0);"
+      " o = vec4(ssgi_ambient(v), 0.0);",
+      -0.5f, 1.5f, want_ambient, 1e-6 },
+    { "the normal of the layer that receives", LAYERS_OF(LIGHTS, .light.receiver = 2),
+      "o = ssgi_normal_texel(texel);", 0, 1, want_second_layer, 0 },
+    { "the albedo of the layer that receives", LAYERS_OF(EMITTERS, .light.receiver = 2),
+      "o = vec4(ssgi_albedo(texel), 0.0);", 0, 1, want_second_layer, 0 },
+    { "the way to a sample, by which emitters are chosen",
+      LAYERS_OF(SSDO, .gather.search = SSGI_GL_SEARCH_POINTS, .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE),
+      "ssgi_P = a.xyz; float found = ssgi_occlusion_at(vec3(a.w));"
+      " o = vec4(ssgi_way, found);",
+      -2, 2, want_way, 1e-6 },
+};
+
+static void functions_of_numbers(void)
+{
+    static float layer[16 * MANY];
+    ssgi_gl_frame frame;
+    ssgi_view view;
+    if (!facing(&view, &frame, 1)) return;
+    for (int i = 0; i < 16 * MANY; ++i) layer[i] = (float)(i / (4 * MANY) + 1);
+    probed_layers = kit_texture_array(SIDE, SIDE, 4, GL_RGBA32F, layer);
+    for (size_t k = 0; k < sizeof terms / sizeof *terms; ++k) {
+        for (int i = 0; i < 4 * MANY; ++i) ins[i] = uniform(terms[k].low, terms[k].high);
+        if (!probe(&terms[k].desc, &frame, 0, terms[k].statement)) break;
+        for (int i = 0; i < MANY; ++i) {
+            const double a[4] = { (double)in[i][0], (double)in[i][1], (double)in[i][2], (double)in[i][3] };
+            double o[3];
+            terms[k].want(o, a);
+            for (int c = 0; c < 3; ++c) NEAR(out[i][c], o[c], terms[k].within, terms[k].name);
+        }
+    }
+    glDeleteTextures(1, &probed_layers);
+    probed_layers = 0;
 }
 
 /* Four arcs, from near to far, first come first counted: a bit at a time in C; and on the mean over all roundings the
@@ -1579,13 +1577,13 @@ static void smooth_weights(void)
     const given t[3] = { { "t_ssgi_levels", kit_texture(SIDE, LEVELS * SIDE, GL_R32F, level) },
                          { "t_ssgi_depth", grey(SIDE, SIDE, 5, -1, 0) },
                          { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, normal[0]) } };
-    for (int axis = 0; axis < 2; ++axis) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SMOOTH,
-                                 .text.dialect = SSGI_GL_DIALECT_450,
-                                 .surfel.levels = LEVELS,
-                                 .surfel.axis = axis,
-                                 .input.orthographic = 1,
-                                 .input.depth = SSGI_GL_DEPTH_LINEAR };
+    ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SMOOTH,
+                       .text.dialect = SSGI_GL_DIALECT_450,
+                       .surfel.levels = LEVELS,
+                       .input.orthographic = 1,
+                       .input.depth = SSGI_GL_DEPTH_LINEAR };
+    for (d.surfel.axis = 0; d.surfel.axis < 2; ++d.surfel.axis) {
+        const int axis = d.surfel.axis;
         if (!pass_drawn(got, 0, 1, SIDE, LEVELS * SIDE, &d, &frame, t, 3)) return;
         for (int l = 0; l < LEVELS; ++l)
             for (int k = -8; k <= 8; ++k) {
@@ -1598,11 +1596,7 @@ static void smooth_weights(void)
     /* beside it, 0.7 of how far off a neighbour may be: its weight of a half has 0.3 left */
     const float off = 0.7f * 2 * ssgi_pixel_footprint(&view, 5);
     const given beside[3] = { t[0], { "t_ssgi_depth", grey(SIDE, SIDE, 5, 32 * SIDE + 31, 5 - off) }, t[2] };
-    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SMOOTH,
-                             .text.dialect = SSGI_GL_DIALECT_450,
-                             .surfel.levels = LEVELS,
-                             .input.orthographic = 1,
-                             .input.depth = SSGI_GL_DEPTH_LINEAR };
+    d.surfel.axis = 0;
     if (!pass_drawn(got, 0, 1, SIDE, LEVELS * SIDE, &d, &frame, beside, 3)) return;
     CHECK(fabs((double)got[MANY + 32 * SIDE + 32] - 1 / 1.65) < 1e-5, "beside a step: %g",
           (double)got[MANY + 32 * SIDE + 32]);

@@ -204,18 +204,19 @@ static int desc_of(ssgi_gl_desc *desc, const char *main_)
     static struct { ssgi_gl_desc desc; int stage; char known; } found[CODES];
     const int at = code_of(main_);
     variant v;
-    for (int i = 0; at >= 0 && !found[at].known && variant_at(&v, i / choices_count); ++i) {
-        const ssgi_gl_desc d = with_choice(v.desc, i % choices_count);
-        ssgi_gl__program p;
-        if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;
-        ssgi_gl__link_all(&p, &d, SSGI_GL_STAGES);
-        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
-            if (p.mains[stage] && !strcmp(p.mains[stage], main_)) {
-                found[at].desc = p.d;
-                found[at].stage = stage;
-                found[at].known = 1;
-            }
-    }
+    for (int i = 0; at >= 0 && !found[at].known && variant_at(&v, i); ++i)
+        for (int c = 0; c < choices_count && !found[at].known; ++c) {
+            const ssgi_gl_desc d = with_choice(v.desc, c);
+            ssgi_gl__program p;
+            if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;
+            ssgi_gl__link_all(&p, &d, SSGI_GL_STAGES);
+            for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
+                if (p.mains[stage] && !strcmp(p.mains[stage], main_)) {
+                    found[at].desc = p.d;
+                    found[at].stage = stage;
+                    found[at].known = 1;
+                }
+        }
     if (at < 0 || !found[at].known) return -1;
     *desc = found[at].desc;
     return found[at].stage;
