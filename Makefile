@@ -325,7 +325,7 @@ OF_LIBRARY  = build text pipeline light coefficients surfels occluders trace fie
 OF_EXAMPLES = tools stability files models seeds papers cost
 TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model \
          $(filter-out lab/report,$(REPORT)))
-build/test: $(addprefix build/tests/,main.o t.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
+build/test: $(addprefix build/tests/,main.o t.o frames.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 build/test-examples: $(addprefix build/tests/,main.o t.o others.o $(OF_EXAMPLES:%=test_%.o)) \
                      $(TESTED:%=build/examples/%.o) $(KIT_O)

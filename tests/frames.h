@@ -2,27 +2,21 @@
 #ifndef FRAMES_H
 #define FRAMES_H
 #include "kit/kit_gl.h"
+#include "t.h"
 #include <math.h>
 
-/* Numbers by chance, the same in every run: a sequence a file. */
-static inline float chance(void)           /* [0,1) */
-{
-    static uint32_t state = 1;
-    state = state * 747796405u + 2891336453u;
-    return (float)(((state >> ((state >> 28) + 4)) ^ state) * 277803737u >> 8) / 16777216.0f;
-}
-
+/* A unit vector, evenly over the sphere. */
 static inline void direction(float d[3])
 {
-    const float z = 2 * chance() - 1, r = sqrtf(1 - z * z), a = 6.28318531f * chance();
+    const float z = t_uniform(-1, 1), r = sqrtf(1 - z * z), a = t_uniform(0, 6.28318531f);
     d[0] = r * cosf(a);
     d[1] = r * sinf(a);
     d[2] = z;
 }
 
-/* ---- defined in test_pipeline.c */
-
 kit_camera looking_along_z(int width, int height, int orthographic);
+/* the view of a camera, perhaps upside down */
+int        view_of(ssgi_view *view, const kit_camera *c, int flipped);
 /* The exact picture, channels Z, N.X, N.Y, N.Z and those of more ("" or ",direct.R,..", zero), of the space that planes
    x * n = n[3] enclose, from within. */
 int        planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes, const char *more);
@@ -41,7 +35,7 @@ kit_camera corner_planes(double plane[2][4], double c, double behind);
 double     row_of(kit_run *run, kit_gbuffer *g, int row, int phases);
 double     linear_corner(double c), hard_corner(double c);      /* occlusion at distance c radii */
 
-/* ---- defined in test_light.c; all return whether it went well */
+/* ---- scenes and light; all return whether it went well */
 
 typedef struct box { float lower[3], upper[3]; } box;
 /* env: "white", which is 1 everywhere, or what kit_env_read takes; light: what kit_light_parse takes; NULL = none */

@@ -5,6 +5,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+static uint64_t state;
+void t_seed(uint64_t seed) { state = seed; }
+static uint64_t drawn(void)
+{
+    uint64_t z = state += 0x9e3779b97f4a7c15u;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return z ^ z >> 31;
+}
+uint32_t t_below(uint32_t n)                   { return (uint32_t)((drawn() >> 32) * n >> 32); }
+float    t_uniform(float lower, float upper)   { return lower + (upper - lower) * (float)(drawn() >> 40) / 16777216.0f; }
+double   t_within(double lower, double upper)
+{
+    return lower + (upper - lower) * (double)(drawn() >> 11) / 9007199254740992.0;
+}
+
 int t_passed, t_failed;
 const char *t_root;
 

@@ -1,6 +1,7 @@
 /* t.h - the tests' harness: a test is a function and a sentence; it passes when all its checks hold. */
 #ifndef T_H
 #define T_H
+#include <stdint.h>
 #include <stdio.h>
 #include <sys/resource.h>
 
@@ -22,6 +23,13 @@ void t_run(const char *sentence, void (*test)(void));
 double t_seconds(const struct rusage *spent);
 /* until now by this process, or by those that it started and that have ended */
 double t_spent(int children);
+
+/* Random numbers, the same in every run [SplitMix64, so that those drawn one after another are independent]. A group has
+   a sequence of its own, which t_seed begins anew. */
+void     t_seed(uint64_t seed);
+uint32_t t_below(uint32_t n);                          /* 0 .. n - 1 */
+float    t_uniform(float lower, float upper);          /* [lower, upper) */
+double   t_within(double lower, double upper);         /* the same in double */
 
 extern int t_passed, t_failed;
 extern const char *t_root;                 /* the repository's folder, which is the current one, too */

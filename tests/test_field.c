@@ -17,14 +17,6 @@
 #define PI 3.14159265358979323846
 #define NAMES(why, start) (strncmp(why, start, strlen(start)) == 0)
 
-static uint32_t random_state = 1;
-
-static double uniform(double lower, double upper)
-{
-    random_state = random_state * 1664525u + 1013904223u;
-    return lower + (upper - lower) * (random_state >> 8) / 16777216.0;
-}
-
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 static void cross(double out[3], const double a[3], const double b[3])
@@ -41,7 +33,7 @@ static double normalise(double v[3])
 
 static void direction(double d[3])
 {
-    const double z = uniform(-1, 1), a = uniform(0, 2 * PI), r = sqrt(1 - z * z);
+    const double z = t_within(-1, 1), a = t_within(0, 2 * PI), r = sqrt(1 - z * z);
     d[0] = r * cos(a); d[1] = r * sin(a); d[2] = z;
 }
 
@@ -165,20 +157,20 @@ static void cap_lights(void)
         double a[3], n[3];
         direction(a);
         direction(n);
-        const float o = (float)(i == 7 ? 20 : uniform(0, 4 * PI)), axis[3] = { (float)a[0], (float)a[1], (float)a[2] },
+        const float o = (float)(i == 7 ? 20 : t_within(0, 4 * PI)), axis[3] = { (float)a[0], (float)a[1], (float)a[2] },
                     normal[3] = { 3 * (float)n[0], 3 * (float)n[1], 3 * (float)n[2] };
         const double occlusion = ssgi_cap_occlusion((double)o, dot(a, n));
         CHECK(ssgi_cap_light(out, c, 1, o, axis, normal, &why) == SSGI_OK, "%s", why);
         CHECK(fabs((double)out[0] - 2 * PI * occlusion) < 1e-5 && fabsf(2 * out[1] - out[0]) < 1e-6f && out[2] == 0,
               "constant light: %g %g %g, occlusion %g", (double)out[0], (double)out[1], (double)out[2], occlusion);
     }
-    for (int k = 0; k < BANDS * BANDS; ++k) for (int i = 0; i < 3; ++i) c[3 * k + i] = (float)uniform(-0.3, 0.3);
+    for (int k = 0; k < BANDS * BANDS; ++k) for (int i = 0; i < 3; ++i) c[3 * k + i] = (float)t_within(-0.3, 0.3);
     for (int i = 0; i < 3; ++i) c[i] = 2;
     for (int t = 0; t < 12; ++t) {
         double a[3], n[3], sum[3] = { 0 }, open[3] = { 0 }, w[3];
         direction(a);
         direction(n);
-        const double o = uniform(0.1, 2 * PI), least = 1 - o / (2 * PI);
+        const double o = t_within(0.1, 2 * PI), least = 1 - o / (2 * PI);
         const float axis[3] = { (float)a[0], (float)a[1], (float)a[2] },
                     away[3] = { -axis[0], -axis[1], -axis[2] }, normal[3] = { (float)n[0], (float)n[1], (float)n[2] };
         for (int i = 0; i < STEPS * STEPS; ++i) {
@@ -342,7 +334,7 @@ static void fits(void)
         if (i % 10 == 0) w[2] = 0;
         sample_ray(&s, halves[i % 4], w, count);
         for (int k = 0; k < count; ++k)
-            s.values[k] = i % 5 ? fmin(s.values[k], most) : i % 3 ? uniform(0, most) : uniform(-1, 1) > 0 ? most : 0;
+            s.values[k] = i % 5 ? fmin(s.values[k], most) : i % 3 ? t_within(0, most) : t_within(-1, 1) > 0 ? most : 0;
         const double error = ssgi__field_fit(q, s.radii, s.values, count, most);
         for (int k = 0; k < count; ++k)
             sum +=
@@ -566,7 +558,7 @@ static double apart(const ssgi_field *a, const ssgi_field *b, double scale)
 {
     double most = 0, w[3], n[3];
     for (int i = 0; i < 4000; ++i) {
-        const double r = (double)a->radius * exp(uniform(-1, 2));
+        const double r = (double)a->radius * exp(t_within(-1, 2));
         direction(w);
         direction(n);
         most = fmax(most, fabs(seen(a, point_at(a->centre, r, w), n) - seen(b, point_at(b->centre, r * scale, w), n)));
@@ -661,7 +653,7 @@ static double traced(const ssgi_trace *trace, const float p[3], const double n[3
     normalise(u);
     cross(v, n, u);
     for (int i = 0; i < 1024; ++i) {
-        const double s = (i / 32 + uniform(0, 1)) / 32, a = 2 * PI * (i % 32 + uniform(0, 1)) / 32,
+        const double s = (i / 32 + t_within(0, 1)) / 32, a = 2 * PI * (i % 32 + t_within(0, 1)) / 32,
                      x = sqrt(s) * cos(a), y = sqrt(s) * sin(a), z = sqrt(1 - s);
         const float d[3] = { (float)(x * u[0] + y * v[0] + z * n[0]), (float)(x * u[1] + y * v[1] + z * n[1]),
                              (float)(x * u[2] + y * v[2] + z * n[2]) };
@@ -697,7 +689,7 @@ static void reported_errors(void)
         const double hull = (double)f.radius
                           / (double)ssgi_field_cap(&solid_angle, axis, &fill, &f,
                                                    point_at(f.centre, (double)f.radius, w)),
-                     r = hull * pow((double)f.reach / hull, uniform(0, 1));
+                     r = hull * pow((double)f.reach / hull, t_within(0, 1));
         const float *p = point_at(f.centre, r, w);
         error[i] = fabs(seen(&f, p, n) - traced(&trace, p, n));
     }
@@ -768,7 +760,7 @@ static void own_rays(void)
     for (int i = 0; i < 500; ++i) {                      /* the cap of the whole ball, half covered */
         double w[3];
         float solid_angle, axis[3], fill;
-        const double r = exp(uniform(0.2, 1.5)), exact = 2 * PI * (1 - sqrt(1 - 1 / (r * r)));
+        const double r = exp(t_within(0.2, 1.5)), exact = 2 * PI * (1 - sqrt(1 - 1 / (r * r)));
         direction(w);
         ssgi_field_cap(&solid_angle, axis, &fill, &porous, point_at(NULL, r, w));
         worst = fmax(worst, fabs((double)fill - 0.5));
@@ -1041,7 +1033,7 @@ static int sane(const ssgi_field *f)
         direction(w);
         direction(n);
         const float normal[3] = { (float)n[0], (float)n[1], (float)n[2] },
-                    *p = point_at(f->centre, i ? (double)f->radius * exp(uniform(-3, 3)) : 0, w);
+                    *p = point_at(f->centre, i ? (double)f->radius * exp(t_within(-3, 3)) : 0, w);
         const float a = ssgi_field_occlusion(f, NULL, p, normal);
         ok &= isfinite(a) && a >= 0 && a <= 1;
     }
@@ -1134,7 +1126,7 @@ static void hulls(void)
     const ssgi_field_desc touch = { .resolution = 8, .rays = 64, .hit = box_hit, .user = half };
     const ssgi_field f = baked(0, &touch, shapes[1]);
     for (int k = 0; k < 600; ++k) {                      /* on a face, not near its edges, looking at it */
-        double p[3] = { uniform(-0.7, 0.7), uniform(-0.7, 0.7), uniform(-0.7, 0.7) }, normal[3] = { 0, 0, 0 };
+        double p[3] = { t_within(-0.7, 0.7), t_within(-0.7, 0.7), t_within(-0.7, 0.7) }, normal[3] = { 0, 0, 0 };
         p[k % 3] = k % 2 ? 1 : -1;
         normal[k % 3] = -p[k % 3];
         contact = fmin(contact, seen(&f, point_at(NULL, 1, p), normal));
@@ -1151,9 +1143,9 @@ static mesh *cloud_mesh(void)
     for (int k = 0; k < 400; ++k) {
         double w[3];
         direction(w);
-        const double length = uniform(0.85, 1);
+        const double length = t_within(0.85, 1);
         float *p = m.position + 9 * m.triangles++;
-        for (int i = 0; i < 9; ++i) p[i] = (float)(length * w[i % 3] + uniform(-0.03, 0.03));
+        for (int i = 0; i < 9; ++i) p[i] = (float)(length * w[i % 3] + t_within(-0.03, 0.03));
     }
     return &m;
 }
@@ -1175,7 +1167,7 @@ static void cones(void)
             ssgi__field_portal portal;
             direction(w);
             const double hull = ssgi__field_exit(&o, w, &portal) + ssgi__field_slack(&o);
-            for (int c = 0; c < 3; ++c) at[c] = w[c] * hull * (1 + (i % 4) * uniform(0, 3));
+            for (int c = 0; c < 3; ++c) at[c] = w[c] * hull * (1 + (i % 4) * t_within(0, 3));
             const double cosine = (double)ssgi__field_cone(axis, &o, at, portal.normal);
             for (size_t t = 0; t < 3 * m->triangles; ++t) {
                 double d[3];
@@ -1210,7 +1202,7 @@ static void inside_hulls(void)
     for (int k = 0; k < 2; ++k) add_box(&m, aside[k], half);
     const ssgi_field f = baked(0, &d, &m);
     for (int i = 0; i < POINTS; ++i) {
-        const double r = uniform(0, 1);
+        const double r = t_within(0, 1);
         double w[3], p[3], exit_ = 1e30;
         int enclosed = 0, hits = 0;
         direction(w);
@@ -1315,8 +1307,8 @@ static void borders(void)
     for (int i = 0; i < 6000; ++i) {                     /* across an edge; every fourth close to a corner */
         const int a = i % 3, b = (a + 1) % 3;
         const double sa = i & 8 ? 1 : -1, sb = i & 16 ? 1 : -1,
-                     along = i % 4 ? uniform(-1, 1) : (i & 32 ? 1 : -1) * uniform(0.999, 1.0005),
-                     r = (double)f.radius * exp(uniform(0, 2));
+                     along = i % 4 ? t_within(-1, 1) : (i & 32 ? 1 : -1) * t_within(0.999, 1.0005),
+                     r = (double)f.radius * exp(t_within(0, 2));
         double w[2][3], n[3], o[2];
         float solid_angle[2], axis[2][3], fill[2], hull[2];
         direction(n);
@@ -1455,10 +1447,10 @@ static void files(void)
     CHECK(!loads && place[2][0] == 0x5a5a5a5au && !memcmp(&g, &was, sizeof g) && bytes == 77,
           "%d corrupt files were taken, or outputs changed", loads);
     for (int i = 0; i < 5000; ++i) {                 /* what passes the checksum, mostly in the head */
-        const size_t at = (size_t)uniform(0, i % 4 ? 128 : (double)size - 8), wide = i % 3 ? 1 : 4;
+        const size_t at = (size_t)t_within(0, i % 4 ? 128 : (double)size - 8), wide = i % 3 ? 1 : 4;
         for (size_t k = 0; k < wide && at + k < size - 8; ++k)
             copy[at + k] =
-                i % 2 ? (unsigned char)uniform(0, 256) : copy[at + k] ^ (unsigned char)(1 << (int)uniform(0, 8));
+                i % 2 ? (unsigned char)t_within(0, 256) : copy[at + k] ^ (unsigned char)(1 << (int)t_within(0, 8));
         repair(copy, size);
         if (ssgi_field_load(&g, place[2], sizeof place[2], copy, size, NULL) == SSGI_OK) {
             ++passed;
@@ -1470,7 +1462,7 @@ static void files(void)
                 const float normal[3] = { (float)w[1], (float)w[2], (float)w[0] },
                             a = ssgi_field_occlusion(&g, NULL,
                                                      point_at(g.centre,
-                                                              (double)(k % 2 ? f.radius : g.reach) * uniform(0, 1.2),
+                                                              (double)(k % 2 ? f.radius : g.reach) * t_within(0, 1.2),
                                                               w),
                                                      normal);
                 mad += !(a >= 0 && a <= 1);

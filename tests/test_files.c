@@ -138,14 +138,12 @@ static void exr_chunk_as_large(void)
     kit_image a, b;
     kit_error err = {{0}};
     ImfRgba seen[N];
-    uint32_t random = 1;
     int found = 0;
     kit_image_new(&a, W, H, "R", NULL);
     for (int k = 0; k < 20000 && found < 5; ++k) {
         const int noisy = k % (N + 1);              /* so many pixels; the others are 1/2 */
         for (int i = 0; i < N; ++i) {
-            random = random * 1664525u + 1013904223u;
-            const uint32_t bits = 0x3f000000 | (i < noisy ? random >> 8 : 0);
+            const uint32_t bits = 0x3f000000 | (i < noisy ? t_below(1u << 24) : 0);
             memcpy(&a.data[i], &bits, sizeof bits);
         }
         if (deflated(a.data, sizeof(float) * N) != sizeof(float) * N) continue;
@@ -1103,11 +1101,9 @@ static void ssim(void)
     kit_image_new(&a, 300, 40, "Y", NULL);      /* wider than one strip of columns */
     kit_image_new(&b, 300, 40, "Y", NULL);
     for (int k = 0; k < 3; ++k) {
-        uint32_t random = 1;
         for (int i = 0; i < 300 * 40; ++i) {
-            random = random * 1664525u + 1013904223u;
             a.data[i] = 0.5f + 0.3f * (float)sin(0.1 * (i % 300)) * (float)cos(0.2 * (i / 300));
-            b.data[i] = a.data[i] + 0.05f * (float)k * ((float)(random >> 8) / 8388608.0f - 1);
+            b.data[i] = a.data[i] + 0.05f * (float)k * t_uniform(-1, 1);
         }
         CHECK(!kit_score_channel(&s, &a, &b, "Y", NULL, NULL), "no score");
         CHECK(k ? s.ssim < before - 0.05 : s.ssim == 1, "ssim %.9g after %.9g", s.ssim, before);

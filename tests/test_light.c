@@ -15,31 +15,8 @@ enum { W = 160, H = 90 };
 
 /* ---- pictures ---------------------------------------------------------------------------------------------------- */
 
-int lighten(kit_lighting *l, const char *env, const char *light)
-{
-    memset(l, 0, sizeof *l);
-    if (light && !TRY(kit_light_parse(&l->light[l->lights++], light, &err))) return 0;
-    if (!env) return 1;
-    if (strcmp(env, "white")) return TRY(kit_env_read(&l->env, env, &err));
-    /* of coarser ones harmonics see the rows */
-    if (!TRY(kit_image_new(&l->env, 512, 256, "R,G,B", &err))) return 0;
-    for (int i = 0; i < 3 * 512 * 256; ++i) l->env.data[i] = 1;
-    return 1;
-}
 
-static const float grey[3] = { 0.5f, 0.5f, 0.5f };
 
-int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera,
-        int width, int height)
-{
-    if (!TRY(kit_scene_load(scene, name, 0, &err))) return 0;
-    for (int i = 0; i < count; ++i)
-        if (!TRY(kit_scene_add_box(scene, boxes[i].lower, boxes[i].upper, grey, &err))) return 0;
-    if (camera) scene->camera = *camera;
-    scene->camera.width = width;
-    scene->camera.height = height;
-    return TRY(kit_gbuffer_from_scene(g, scene, &scene->camera, NULL, &err));
-}
 
 /* Straight down on the origin, up in the picture is -z; orthographic, `high` units from bottom to top. */
 static kit_camera from_above(float high)
@@ -48,45 +25,9 @@ static kit_camera from_above(float high)
     return c;
 }
 
-/* 33 samples: loops of up to 32 Mesa unrolls, and is then long at compiling them. */
-int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
-          const kit_lighting *lighting)
-{
-    const kit_world world = { scene, lighting };
-    kit_method m;
-    memset(run, 0, sizeof *run);
-    const char *plain =
-        strstr(method, "-points") ? "blur=0,samples=33,steps=1,range=0,fade=none" : "blur=0,half=0,steps=33";
-    return CHECK(!kit_method_find(&m, method, &err) && !kit_method_set(&m, plain, &err)
-                     && ((strncmp(method, "s3ho", 4) && strncmp(method, "ssdo", 4))
-                         || !kit_method_set(&m, "residual=0", &err))
-                     && !kit_method_set(&m, set, &err) && !kit_run_open(run, g, &m, radius, &world, &err),
-                 "%s %s: %s", method, set, err.text);
-}
 
-int drawn(kit_image *out, kit_run *run)
-{
-    kit_run_update(run);
-    kit_run_draw(run, 0);
-    return TRY(kit_run_read(out, run, &err));
-}
 
-int lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
-        const kit_lighting *lighting)
-{
-    kit_run run;
-    const int ok = begin(&run, g, method, set, radius, scene, lighting) && drawn(out, &run);
-    kit_run_close(&run);
-    return ok;
-}
 
-double mean(const kit_image *image, const char *name)
-{
-    const float *channel = kit_image_channel(image, name);
-    double sum = 0;
-    for (int i = 0; i < image->width * image->height; ++i) sum += (double)channel[i];
-    return sum / (image->width * image->height);
-}
 
 /* ---- furnace ----------------------------------------------------------------------------------------------------- */
 
@@ -599,29 +540,6 @@ static void corner_bounces(void)
 
 /* ---- layers ------------------------------------------------------------------------------------------------------ */
 
-int slab(kit_gbuffer *g, double c, double thickness, double gap, int layers)
-{
-    static const char *const more[3] = {
-        "", ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z",
-        ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z,layer2.Z,layer2.N.X,layer2.N.Y,layer2.N.Z"
-    };
-    double plane[2][4];
-    const kit_camera camera = corner_planes(plane, c, 0);
-    const size_t pixels = (size_t)WIDE * HIGH;
-    kit_image frame, behind;
-    int ok = planes_seen(&frame, &camera, (const double (*)[4])plane, 2, more[layers - 1]);
-    for (int j = 1; j < layers && ok; ++j) {
-        corner_planes(plane, c, j == 1 ? thickness : thickness + gap);
-        ok = planes_seen(&behind, &camera, (const double (*)[4])plane + 1, 1, "");
-        for (size_t i = 0; ok && i < 4 * pixels; ++i)
-            if (frame.data[2 * pixels + i % pixels] < 0)
-                frame.data[4 * pixels * (size_t)j + i] = i < pixels || j == 2 ? behind.data[i] : -behind.data[i];
-        kit_image_free(&behind);
-    }
-    ok = ok && TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
-    kit_image_free(&frame);
-    return ok;
-}
 
 static void layers_count(void)
 {

@@ -8,14 +8,6 @@
 #define PI 3.14159265358979323846
 #define NAMES(why, start) (strncmp(why, start, strlen(start)) == 0)
 
-static uint32_t random_state = 1;
-
-static float uniform(float lower, float upper)
-{
-    random_state = random_state * 1664525u + 1013904223u;
-    return lower + (upper - lower) * (float)(random_state >> 8) * (1.0f / 16777216.0f);
-}
-
 /* ---- >>view ------------------------------------------------------------------------------------------------------ */
 
 typedef struct layout { const char *name; int clip, ortho, reversed; double m10, m14; } layout;
@@ -90,7 +82,7 @@ static void views(void)
             CHECK(ssgi_view_depth(&view, nothing[k]) == SSGI_FAR, "%s: window depth %g gives %g", l.name,
                   (double)nothing[k], (double)ssgi_view_depth(&view, nothing[k]));
         for (int k = 0; k < 2000; ++k) {
-            const float pixel[2] = { uniform(-100, 2020), uniform(-100, 1180) }, z = expf(uniform(-3, 8));
+            const float pixel[2] = { t_uniform(-100, 2020), t_uniform(-100, 1180) }, z = expf(t_uniform(-3, 8));
             float p[3], back[3];
             ssgi_view_position(p, &view, pixel[0], pixel[1], z);
             ssgi_view_project(back, &view, p);
@@ -146,7 +138,7 @@ static void bad_views(void)
 
 static void direction(float d[3])
 {
-    const float z = uniform(-1, 1), a = uniform(0, 6.2831853f), r = sqrtf(1 - z * z);
+    const float z = t_uniform(-1, 1), a = t_uniform(0, 6.2831853f), r = sqrtf(1 - z * z);
     d[0] = r * cosf(a); d[1] = r * sinf(a); d[2] = z;
 }
 
@@ -170,7 +162,7 @@ static void rigid(float m[16], const float z[3])
         m[4 * k + 1] = y[k];
         m[4 * k + 2] = z[k];
         m[4 * k + 3] = 0;
-        m[12 + k] = uniform(-5, 5);
+        m[12 + k] = t_uniform(-5, 5);
     }
     m[15] = 1;
 }
@@ -202,7 +194,7 @@ static void engines_views(void)
                    l.name))
             continue;
         for (int k = 0; k < 2000; ++k) {
-            const float pixel[2] = { uniform(0, 1920), uniform(0, 1080) }, z = expf(uniform(-1, 5));
+            const float pixel[2] = { t_uniform(0, 1920), t_uniform(0, 1080) }, z = expf(t_uniform(-1, 5));
             float p[3];
             ssgi_view_position(p, &right, pixel[0], pixel[1], z);
             const double w = (double)m[11] * (double)p[2] + (double)m[15],
@@ -248,7 +240,7 @@ static void extra_cameras(void)
     for (int t = 0; t < 300; ++t) {
         float z[3], main_view[16], view[16], clip[16], centre[3], offset[3], p[3], q[3], up[3], pixel[3];
         /* 1/sin 50 = 1.305 radii: nearer, the angle is held */
-        const float radius = expf(uniform(-3, 3)), far_away = t % 3 ? uniform(1.35f, 6) : uniform(0.05f, 1.3f);
+        const float radius = expf(t_uniform(-3, 3)), far_away = t % 3 ? t_uniform(1.35f, 6) : t_uniform(0.05f, 1.3f);
         const char *why = "";
         ssgi_view v;
         direction(z);
@@ -256,7 +248,7 @@ static void extra_cameras(void)
         direction(z);                                    /* from the centre to the new eye */
         /* along the main camera's up */
         if (t % 10 == 0) for (int k = 0; k < 3; ++k) z[k] = main_view[4 * k + 1];
-        for (int k = 0; k < 3; ++k) offset[k] = uniform(-3, 3);
+        for (int k = 0; k < 3; ++k) offset[k] = t_uniform(-3, 3);
         /* the eye as main eye + radius * displacement; the centre so that z and the distance come out */
         for (int k = 0; k < 3; ++k) {
             float eye = 0;
@@ -505,7 +497,7 @@ static void evenness(void)
             }
             mean += discrepancy(p, n) / SETS;
             worst = fmax(worst, discrepancy(p, n));
-            for (int i = 0; i < n; ++i) { p[i][0] = (double)uniform(0, 1); p[i][1] = (double)uniform(0, 1); }
+            for (int i = 0; i < n; ++i) { p[i][0] = (double)t_uniform(0, 1); p[i][1] = (double)t_uniform(0, 1); }
             random += discrepancy(p, n) / SETS;
         }
         for (int i = 0; i < n; ++i) {
@@ -553,7 +545,7 @@ static const double ones[3] = { 1, 1, 1 };
 static void smooth(float *rgb, float coefficients[27], int width, int height)
 {
     double d[3];
-    for (int i = 0; i < 27; ++i) coefficients[i] = i < 3 ? uniform(9, 12) : uniform(-1, 1);
+    for (int i = 0; i < 27; ++i) coefficients[i] = i < 3 ? t_uniform(9, 12) : t_uniform(-1, 1);
     for (int i = 0; i < width * height; ++i)
         for (int c = 0; c < 3; ++c) {
             equirect(d, i % width, i / width, width, height);
@@ -882,7 +874,7 @@ static void rotations(void)
         const int bands = 1 + t % 6, channels = t % 4 * 2 - 1;      /* -1 is none */
         float f[5 * MOST], turned[5 * MOST], twice[5 * MOST], at_once[5 * MOST], z[3], d[3], e[3], m[16], m2[16],
             both[16];
-        for (int i = 0; i < 5 * MOST; ++i) { f[i] = uniform(-1, 1); turned[i] = twice[i] = at_once[i] = 7; }
+        for (int i = 0; i < 5 * MOST; ++i) { f[i] = t_uniform(-1, 1); turned[i] = twice[i] = at_once[i] = 7; }
         direction(z); rigid(m, z);
         for (int i = 2; i < 16 && t % 2; i += 4) m[i] = -m[i];     /* mirrored, as left-handed engines' are */
         direction(z); rigid(m2, z);
@@ -933,13 +925,13 @@ static void octahedral(void)
         }
         length = sqrt(dot(d, d));
         for (int i = 0; i < 3; ++i) d[i] = (float)((double)d[i] / length);
-        const float size = expf(uniform(-60, 40)), any[3] = { size * d[0], size * d[1], size * d[2] };
+        const float size = expf(t_uniform(-60, 40)), any[3] = { size * d[0], size * d[1], size * d[2] };
         ssgi_octahedral_encode(e, any);                  /* whatever the length */
         ssgi_octahedral_decode(back, e);
         CHECK(fabsf(e[0]) <= 1 && fabsf(e[1]) <= 1 && dot(d, back) > 1 - 1e-6 && fabs(dot(back, back) - 1) < 1e-6,
               "%g %g %g to %g %g to %g %g %g", (double)d[0], (double)d[1], (double)d[2], (double)e[0], (double)e[1],
               (double)back[0], (double)back[1], (double)back[2]);
-        e[0] = uniform(-1, 1); e[1] = uniform(-1, 1);
+        e[0] = t_uniform(-1, 1); e[1] = t_uniform(-1, 1);
         ssgi_octahedral_decode(back, e);                 /* the GLSL twin, word for word */
         n[0] = (double)e[0]; n[1] = (double)e[1]; n[2] = 1 - fabs(n[0]) - fabs(n[1]);
         fold = fmax(-n[2], 0);
@@ -1091,7 +1083,7 @@ static void sunlight(void)
         double total[3] = { 0, 0, 0 };
         for (int i = 0; i < width * height; ++i)
             for (int c = 0; c < 3; ++c) {
-                rgb[3 * i + c] = uniform(0, 1) * (i % 97 ? 1 : 20);
+                rgb[3 * i + c] = t_uniform(0, 1) * (i % 97 ? 1 : 20);
                 total[c] += (double)rgb[3 * i + c] * equirect(d, i % width, i / width, width, height);
             }
         for (size_t k = 0; k < sizeof counts / sizeof counts[0]; ++k) {
@@ -1115,7 +1107,7 @@ static void sunlight(void)
         }
     }
     for (int t = 0; t < 60; ++t) {                       /* one lit texel: one sun, exactly there */
-        const int width = t % 2 ? 500 : 32, height = 20, at = (int)uniform(0, (float)(width * height)),
+        const int width = t % 2 ? 500 : 32, height = 20, at = (int)t_uniform(0, (float)(width * height)),
                   count = 1 + t % 20;
         const double area = equirect(d, at % width, at / width, width, height);
         int lit = 0;
@@ -1198,7 +1190,7 @@ static void vpls(void)
         position[3 * i] = (float)i;
         direction(normal + 3 * i);
         for (int c = 0; c < 3; ++c)
-            flux[3 * i + c] = i % 3 == 1   ? uniform(0, 1) * (i % 5 ? 1 : 30)
+            flux[3 * i + c] = i % 3 == 1   ? t_uniform(0, 1) * (i % 5 ? 1 : 30)
                               : i % 3 == 0 ? 0
                               : c == 0     ? NAN
                               : c == 1     ? -1

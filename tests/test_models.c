@@ -26,12 +26,6 @@ static const char *in_folder(const char *name)  /* valid until the next call */
 
 /* ---- cost ---------------------------------------------------------------------------------------------------- */
 
-static uint32_t chance(uint32_t *state, uint32_t below)
-{
-    *state = *state * 1664525u + 1013904223u;
-    return (uint32_t)((uint64_t)*state * below >> 32);
-}
-
 static void plain(FILE *obj, FILE *mtl)         /* a grid: what its bytes cost is what bytes may cost */
 {
     enum { SIDE = 120 };
@@ -64,9 +58,8 @@ static void crossed_polygons(FILE *obj, FILE *mtl)
 {
     enum { MOST = 1000, FACES = 20 };
 
-    uint32_t state = 1;
     (void)mtl;
-    for (int i = 0; i < MOST; ++i) fprintf(obj, "v .%u .%u 0\n", chance(&state, 1000000), chance(&state, 1000000));
+    for (int i = 0; i < MOST; ++i) fprintf(obj, "v .%u .%u 0\n", t_below(1000000), t_below(1000000));
     for (int k = 0; k < FACES; ++k) {
         fputc('f', obj);
         for (int i = 1; i <= MOST; ++i) fprintf(obj, " %d", i);

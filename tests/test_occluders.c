@@ -160,7 +160,7 @@ static void same_as_on_the_cpu(void)
             float p[3], n[3];
             direction(p);
             direction(n);
-            const float r = occluder[0].radius * (i % 4 ? powf(chance(), 3) : 0.2f * chance());
+            const float r = occluder[0].radius * (i % 4 ? powf(t_uniform(0, 1), 3) : 0.2f * t_uniform(0, 1));
             for (int k = 0; k < 3; ++k) { first[4 * i + k] = occluder[0].at[k] + r * p[k]; second[4 * i + k] = n[k]; }
             first[4 * i + 3] = second[4 * i + 3] = 0;
             expected[i] = 1;

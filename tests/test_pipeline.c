@@ -24,55 +24,10 @@ static const struct {
                 { "hsao", "steps=33,normal=depth,thickness=constant" } };
 enum { METHODS = (int)(sizeof methods / sizeof methods[0]) };
 
-static uint32_t random_state;
-static uint32_t below(uint32_t n)
-{
-    random_state = random_state * 1664525u + 1013904223u;
-    return (random_state >> 8) % n;
-}
-
 /* ---- pictures ---------------------------------------------------------------------------------------------------- */
 
-kit_camera looking_along_z(int width, int height, int orthographic)
-{
-    kit_camera c = { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, orthographic ? 0 : 45, 2, 0.01f, 1000,
-                     width,       height,       { 0, 0 },    KIT_DEPTH_NORMAL };
-    return c;
-}
 
-static int view_of(ssgi_view *view, const kit_camera *c)
-{
-    float world[16], projection[16];
-    const char *why = "";
-    kit_camera_matrices(c, world, projection);
-    return CHECK(ssgi_view_from_projection(view, projection,
-                                           c->depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, c->width,
-                                           c->height, &why)
-                     == SSGI_OK,
-                 "%s", why);
-}
 
-int planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes, const char *more)
-{
-    ssgi_view view;
-    char names[256];
-    const size_t width = (size_t)c->width, pixels = width * (size_t)c->height;
-    snprintf(names, sizeof names, "Z,N.X,N.Y,N.Z%s", more);
-    if (!view_of(&view, c) || !TRY(kit_image_new(frame, c->width, c->height, names, &err))) return 0;
-    for (size_t at = 0; at < pixels; ++at) {
-        const double x = (double)(at % width) + 0.5, y = (double)((pixels - 1 - at) / width) + 0.5;
-        const double p[2] = { x * (double)view.unproject[0] + (double)view.unproject[2],
-                              y * (double)view.unproject[1] + (double)view.unproject[3] };
-        for (int k = 0; k < planes; ++k) {
-            const double *n = plane[k], across = n[0] * p[0] + n[1] * p[1],
-                         z = c->fovy > 0 ? n[3] / (across - n[2]) : (n[3] - across) / -n[2];
-            if (!(z > 0.01 && z < 500) || (frame->data[at] > 0 && z >= (double)frame->data[at])) continue;
-            frame->data[at] = (float)z;
-            for (size_t i = 0; i < 3; ++i) frame->data[(1 + i) * pixels + at] = (float)n[i];
-        }
-    }
-    return 1;
-}
 
 static int walls(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes)
 {
@@ -95,11 +50,6 @@ static int start(kit_run *run, kit_gbuffer *g, const char *name, const char *set
                  "%s %s: %s", name, set, err.text);
 }
 
-void turn(kit_run *run, kit_gbuffer *g)
-{
-    run->gbuffer = g;
-    for (int i = 0; i < run->passes; ++i) run->pass[i].gbuffer = g;
-}
 
 static int draw(kit_image *out, kit_run *run)
 {
@@ -170,15 +120,6 @@ static double difference(const kit_image *a, const kit_image *b, int dx, int dy,
 
 /* ---- closed forms ------------------------------------------------------------------------------------------------ */
 
-int flat(const kit_image *frame, int x, int y)
-{
-    for (int k = 0; k < 49; ++k) {
-        const int u = x + k % 7 - 3, v = y + k / 7 - 3;
-        if (u < 0 || v < 0 || u >= frame->width || v >= frame->height || !(frame->data[v * frame->width + u] > 0))
-            return 0;
-    }
-    return 1;
-}
 
 /* A plane that is 0.03 deep, before another one that is 0.02 deep. */
 static int floors(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double plane[4])
@@ -254,25 +195,8 @@ static void planes_stay_bright(void)
     CHECK(looked > 2000000, "only %d pixels were looked at", looked);
 }
 
-double linear_corner(double c)
-{
-    const double s = sqrt(1 - c * c);
-    return (acos(c) + c * s - 2 * c * log((1 + s) / c)) / pi;
-}
-double hard_corner(double c)   { return (acos(c) - c * sqrt(1 - c * c)) / pi; }
 
-int row_at(double c) { return SPAN + 16 - (int)(c * SPAN); }
 
-kit_camera corner_planes(double plane[2][4], double c, double behind)
-{
-    kit_camera camera = looking_along_z(WIDE, HIGH, 1);
-    /* view y of the edge */
-    const double r = sqrt(0.5), pixel = r / SPAN, edge = (row_at(c) + 0.5 - 0.5 * HIGH) * pixel + c * r;
-    const double n[2][4] = { { 0, r, r, r * (edge - 4) }, { 0, -r, r, r * (-edge - 4) - behind } };
-    memcpy(plane, n, sizeof n);
-    camera.ortho_height = (float)(HIGH * pixel);
-    return camera;
-}
 
 static int corner(kit_gbuffer *g, double c)
 {
@@ -284,27 +208,6 @@ static int corner(kit_gbuffer *g, double c)
     return ok;
 }
 
-double row_of(kit_run *run, kit_gbuffer *g, int row, int phases)
-{
-    double sum = 0;
-    float line[COLUMNS];
-    turn(run, g);
-    --run->passes;                                         /* what the last pass reads is drawn whole */
-    kit_run_update(run);
-    kit_run_draw(run, 0);
-    ++run->passes;
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(MIDDLE, row, COLUMNS, 1);
-    for (int k = 0; k < phases; ++k) {
-        run->frame.phase = (float)k / (float)phases;
-        kit_run_update(run);
-        kit_run_draw(run, 0);
-        glReadPixels(MIDDLE, row, COLUMNS, 1, GL_RED, GL_FLOAT, line);
-        for (int i = 0; i < COLUMNS; ++i) sum += (double)line[i];
-    }
-    glDisable(GL_SCISSOR_TEST);
-    return sum / (COLUMNS * phases);
-}
 
 /* The march over a floor along x, up to the face of a wall at c that rises without end, from 45 degrees above, radius 1
    [HSAO08 fig. 4]: occlusion along tangents at azimuths evenly spread, as the table of corner_converges has it. */
@@ -534,7 +437,7 @@ static void horizon_of_another_camera(void)
                 "directions=32,normal_rays=0,steps=48,falloff=none,blur=0,offset=0,thickness=solid,views=1,"
                 "view_size=160",
                 &err))
-            || !TRY(kit_run_open(&run, &narrow, &method, 1, &with, &err)) || !view_of(&view, &wide.camera))
+            || !TRY(kit_run_open(&run, &narrow, &method, 1, &with, &err)) || !view_of(&view, &wide.camera, 0))
             return;
         kit_camera_matrices(&wide.camera, world, projection);
         CHECK(ssgi_gl_views_set(&run.cameras, 0, &view, world, world, NULL) == SSGI_OK, "no view");
@@ -670,7 +573,7 @@ static void back_faces_are_drawn(void)
                                   kit_image_channel(&frame, "front2.Z"), kit_image_channel(&frame, "back2.Z") };
         float world[16], projection[16];
         ssgi_view view;
-        if (!CHECK(depth[1] && depth[2] && depth[3], "channels are missing") || !view_of(&view, &g.camera)) return;
+        if (!CHECK(depth[1] && depth[2] && depth[3], "channels are missing") || !view_of(&view, &g.camera, 0)) return;
         kit_camera_matrices(&g.camera, world, projection);
         for (int i = 0; i < 160 * 90; ++i) {
             float p[3], d[3], t = 0;
@@ -970,7 +873,7 @@ static void what_engines_have(void)
         return;
     glBindTexture(GL_TEXTURE_2D, run.noise);               /* upside down noise would be other noise */
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, none);
-    if (!picture(&want, &run, &g, NULL, NULL, scene.radius, 0, 0) || !view_of(&view, &g.camera)
+    if (!picture(&want, &run, &g, NULL, NULL, scene.radius, 0, 0) || !view_of(&view, &g.camera, 0)
         || !TRY(kit_texture_read(g.depth, ENGINE_W, ENGINE_H, 1, z))
         || !TRY(kit_texture_read(g.normal, ENGINE_W, ENGINE_H, 4, n)))
         return;
@@ -1132,9 +1035,9 @@ static void sizes_do_not_matter(void)
         for (int i = 0; i < 30; ++i) {                     /* one program a method, turned to targets of every size */
             c.width = widths[i % 6];
             c.height = heights[i / 6];
-            random_state = (uint32_t)i;
-            for (int k = 0; k < c.width * c.height; ++k) depth[k] = below(4) ? 1 + 0.01f * (float)below(100) : 0;
-            for (int k = 0; k < 4 * c.width * c.height; ++k) normal[k] = 0.01f * (float)below(200) - 1;
+            t_seed((uint32_t)i);
+            for (int k = 0; k < c.width * c.height; ++k) depth[k] = t_below(4) ? 1 + 0.01f * (float)t_below(100) : 0;
+            for (int k = 0; k < 4 * c.width * c.height; ++k) normal[k] = 0.01f * (float)t_below(200) - 1;
             g = raw(&c, 1, GL_R32F, depth, normal);
             if (!fit(&run, &g, 0.5f, 0)) return;
             kit_run_update(&run);
@@ -1196,11 +1099,11 @@ static void garbage_is_survived(void)
         kit_camera c = looking_along_z(W, H, kind[k].orthographic);
         c.depth = kind[k].layout;
         for (int s = 0; s < SEEDS; ++s) {                  /* more and more of it among sound texels */
-            random_state = (uint32_t)s;
+            t_seed((uint32_t)s);
             for (int i = 0; i < W * H; ++i)
-                depth[s][i] = (int)below(SEEDS) <= s ? odd[below(ODD)] : 0.5f + 0.004f * (float)below(100);
+                depth[s][i] = (int)t_below(SEEDS) <= s ? odd[t_below(ODD)] : 0.5f + 0.004f * (float)t_below(100);
             for (int i = 0; i < 4 * W * H; ++i)
-                normal[i] = (int)below(SEEDS) <= s ? odd[below(ODD)] : 0.01f * (float)below(200) - 1;
+                normal[i] = (int)t_below(SEEDS) <= s ? odd[t_below(ODD)] : 0.01f * (float)t_below(200) - 1;
             g[s] = raw(&c, kind[k].linear, kind[k].format, depth[s], normal);
             if (!kind[k].linear)                           /* from here on only: where is something */
                 for (int i = 0; i < W * H; ++i)
@@ -1429,7 +1332,7 @@ static void fetches_are_counted(void)
     GLint blocks = 0;
     glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
     if (blocks < 1) { t_note("not counted: %s has no storage blocks in fragment shaders", kit_gl_name()); return; }
-    if (!view_of(&view, &c) || ssgi_gl_frame_init(&frame, &view, 0.3f, NULL) != SSGI_OK) return;
+    if (!view_of(&view, &c, 0) || ssgi_gl_frame_init(&frame, &view, 0.3f, NULL) != SSGI_OK) return;
     texture = kit_texture(W, H, GL_RG32F, NULL);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -1786,11 +1689,11 @@ static void hostile_history(void)
             GLuint hostile[2] = { 0, 0 }, sound[2];
             kit_image out;
             TRY(kit_run_follow(&run, &run, f, &err));
-            random_state = f;
+            t_seed(f);
             for (int k = 0; k < 1 + lit && f < 101; ++k) { /* visibility has no means of its own */
                 GLuint *const at = read_as(p, names[k]);
                 for (int i = 0; i < 4 * p->width * p->height; ++i)
-                    texels[i] = f < ODD ? odd[f] : below(4) ? odd[below(ODD)] : (float)below(1000) * 0.01f;
+                    texels[i] = f < ODD ? odd[f] : t_below(4) ? odd[t_below(ODD)] : (float)t_below(1000) * 0.01f;
                 sound[k] = *at;
                 *at = hostile[k] = kit_texture(p->width, p->height, GL_RGBA32F, texels);
             }
@@ -1914,7 +1817,7 @@ static void last_frames(void)
     other.shift[0] = 0.3f;
     kit_camera_matrices(&c, now, projection);
     kit_camera_matrices(&other, then, projection);
-    if (!view_of(&view, &c) || !view_of(&last, &other)) return;
+    if (!view_of(&view, &c, 0) || !view_of(&last, &other, 0)) return;
     CHECK(ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK && !(frame.history > 0), "the first has a last one");
     CHECK(ssgi_gl_frame_history(&frame, &last, now, then, &why) == SSGI_OK && frame.history > 1, "%s", why);
     for (int i = 0; i < 8; ++i) {                          /* a point through both cameras, and back */

@@ -329,12 +329,10 @@ static void noise_and_shape(void)
     kit_error err;
     kit_image a, b;
     compared c;
-    uint32_t seed = 1;
     if (!CHECK(!kit_image_new(&a, NOISY, NOISY, "Y", &err) && !kit_image_new(&b, NOISY, NOISY, "Y", &err), "%s",
                err.text)) return;
     for (int i = 0; i < (NOISY + 2) * (NOISY + 2); ++i) {
-        seed = seed * 1664525u + 1013904223u;
-        noise[i / (NOISY + 2)][i % (NOISY + 2)] = (float)(seed >> 8) / (float)(1 << 24) - 0.5f;
+        noise[i / (NOISY + 2)][i % (NOISY + 2)] = t_uniform(-0.5f, 0.5f);
     }
     for (int k = 0; k < 2; ++k) {
         for (int i = 0; i < NOISY * NOISY; ++i) {

@@ -600,20 +600,13 @@ static void results(void)
 
 /* ---- >>chains by chance ------------------------------------------------------------------------------------------ */
 
-static uint32_t below(uint32_t n)
-{
-    static uint32_t state = 7;
-    state = state * 1664525u + 1013904223u;
-    return (state >> 8) % n;
-}
-
 /* A desc most of whose fields have their default. */
 static void any_desc(ssgi_gl_desc *d)
 {
     const ssgi_gl_choice *c;
     memset(d, 0, sizeof *d);
     for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i) {
-        const int value = below(4) ? 0 : (int)below((uint32_t)c->most + 1);
+        const int value = t_below(4) ? 0 : (int)t_below((uint32_t)c->most + 1);
         memcpy((char *)d + c->offset, &value, sizeof value);
     }
     d->text.dialect = SSGI_GL_DIALECT_450;
@@ -628,13 +621,13 @@ static ssgi_gl_chain any_chain(void)
     memset(&chain, 0, sizeof chain);
     any_desc(&chain.desc);
     any_desc(&chain.lights);
-    chain.desc.pass = passes[below(6)];
-    chain.lights.pass = below(2) ? SSGI_GL_PASS_LIGHTS : SSGI_GL_PASS_SSAO;
-    chain.width = 1 + (int)below(24);
-    chain.height = 1 + (int)below(24);
+    chain.desc.pass = passes[t_below(6)];
+    chain.lights.pass = t_below(2) ? SSGI_GL_PASS_LIGHTS : SSGI_GL_PASS_SSAO;
+    chain.width = 1 + (int)t_below(24);
+    chain.height = 1 + (int)t_below(24);
     int *const flags[] = { &chain.blur, &chain.history, &chain.coefficients, &chain.reuse, &chain.vpls, &chain.direct,
                            &chain.hidden_sky, &chain.unsmoothed, &chain.precise };
-    for (size_t i = 0; i < sizeof flags / sizeof *flags; ++i) *flags[i] = (int)below(2);
+    for (size_t i = 0; i < sizeof flags / sizeof *flags; ++i) *flags[i] = (int)t_below(2);
     return chain;
 }
 

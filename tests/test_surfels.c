@@ -22,20 +22,6 @@ static void cross(const float a[3], const float b[3], float out[3])
     for (int k = 0; k < 3; ++k) out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
-/* The view of a camera, flipped upside down if so wished. */
-static int view_of(ssgi_view *view, const kit_camera *c, int flipped)
-{
-    float world[16], projection[16];
-    const char *why = "";
-    kit_camera_matrices(c, world, projection);
-    for (int k = 1; flipped && k < 16; k += 4) projection[k] = -projection[k];
-    return CHECK(ssgi_view_from_projection(view, projection,
-                                           c->depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, c->width,
-                                           c->height, &why)
-                     == SSGI_OK,
-                 "%s", why);
-}
-
 static const float one[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
 
 static ssgi_surfel_source source_of(const float *position, size_t triangles)
@@ -157,12 +143,12 @@ static void areas(void)
     /* one each, of all sizes, before the eye and behind */
     for (int k = 0; k < 40; ++k) {
         const ssgi_surfel_desc d = { .size = 0.03f, .keep_small = 1 };
-        const float extent = powf(10, 2.5f * chance() - 1.5f);
+        const float extent = powf(10, 2.5f * t_uniform(0, 1) - 1.5f);
         ssgi_view view;
         size_t n;
         float u[3], v[3], w[3];
         double area, sum = 0;
-        for (int i = 0; i < 9; ++i) soup[i] = extent * (2 * chance() - 1) - (i % 3 == 2 ? 6 * chance() - 2 : 0);
+        for (int i = 0; i < 9; ++i) soup[i] = extent * (2 * t_uniform(0, 1) - 1) - (i % 3 == 2 ? 6 * t_uniform(0, 1) - 2 : 0);
         for (int i = 0; i < 3; ++i) { u[i] = soup[3 + i] - soup[i]; v[i] = soup[6 + i] - soup[i]; }
         cross(u, v, w);
         area = 0.5 * sqrt(dot(w, w));
@@ -214,10 +200,10 @@ static void slivers(void)
     ssgi_view view;
     if (!view_of(&view, &c, 0)) return;
     for (int t = 0; t < 10000; ++t) {
-        ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * chance()), .keep_small = 1, .splits = 1 };
+        ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * t_uniform(0, 1)), .keep_small = 1, .splits = 1 };
         d.overhang = t & 1 ? SSGI_OVERHANG_CENTROID : SSGI_OVERHANG_INCENTRE;
         float p[9], u[3], v[3], n[3], side[3], across[3], axis[2][3];
-        const float high = powf(10, -3 * chance()), apex = 1.5f * chance() - 0.25f;
+        const float high = powf(10, -3 * t_uniform(0, 1)), apex = 1.5f * t_uniform(0, 1) - 0.25f;
         direction(axis[0]);
         direction(v);
         cross(axis[0], v, axis[1]);
@@ -359,8 +345,8 @@ static void reach_and_shells(void)
     int wrong = 0;
     for (int e = 0; e < 4; ++e)
         for (int k = 0; k < 20; ++k) {
-            const double r = pow(10, 4 * (double)chance() - 2), reach = ssgi_surfel_reach(r, 1, epsilon[e]),
-                         bright = 0.3 + 5 * (double)chance(), far = ssgi_surfel_reach(r, bright, epsilon[e]);
+            const double r = pow(10, 4 * t_within(0, 1) - 2), reach = ssgi_surfel_reach(r, 1, epsilon[e]),
+                         bright = 0.3 + 5 * t_within(0, 1), far = ssgi_surfel_reach(r, bright, epsilon[e]);
             ssgi_surfel s = { .radius = (float)r };
             CHECK(fabs(ssgi_surfel_reach(2 * r, 1, epsilon[e]) / (2 * reach) - 1) < 1e-12, "not linear");
             for (int i = 0; i < 200; ++i) {
@@ -389,8 +375,8 @@ static void reach_and_shells(void)
           "what is too faint reaches somewhere");
     /* level borders too; nothing beyond most */
     for (int k = 0; k < 3000; ++k) {
-        const double reach = 0.1 + (double)chance(), most = k % 3 ? 1e18 : 20 * (double)chance(),
-                     border = ldexp(reach, k % 6), d = k % 5 ? 70 * reach * (double)chance() + 1e-9 : border;
+        const double reach = 0.1 + t_within(0, 1), most = k % 3 ? 1e18 : 20 * t_within(0, 1),
+                     border = ldexp(reach, k % 6), d = k % 5 ? 70 * reach * t_within(0, 1) + 1e-9 : border;
         int in = 0;
         for (int l = 0; l < 7; ++l) {
             double shell[2];
@@ -526,13 +512,13 @@ static void bounds(void)
     for (int k = 0; k < 4000; ++k) {
         const int flipped = k & 1, orthographic = k >> 1 & 1;
         float centre[3], front, low[2] = { 1e9f, 1e9f }, high[2] = { -1e9f, -1e9f };
-        const float r = powf(10, 2 * chance() - 1.3f);
+        const float r = powf(10, 2 * t_uniform(0, 1) - 1.3f);
         c = looking_along_z(160, 90, orthographic);
-        c.shift[0] = 30 * chance();
-        c.shift[1] = -20 * chance();
+        c.shift[0] = 30 * t_uniform(0, 1);
+        c.shift[1] = -20 * t_uniform(0, 1);
         if (!view_of(&view, &c, flipped)) return;
-        for (int i = 0; i < 3; ++i) centre[i] = 4 * chance() - (i == 2 ? 3.5f : 2);
-        front = k % 3 ? 0.05f : 2 * chance() + 0.05f;
+        for (int i = 0; i < 3; ++i) centre[i] = 4 * t_uniform(0, 1) - (i == 2 ? 3.5f : 2);
+        front = k % 3 ? 0.05f : 2 * t_uniform(0, 1) + 0.05f;
         /* circles through the centre hold the extremes, or points at the front; others are for sure */
         for (int i = 0; i < 1200; ++i) {
             const double a = 2 * pi * i / 500;
@@ -1607,8 +1593,8 @@ static void scattering(void)
             || !dive(&d, "plane", NULL, 0, &c, 48, 48, "dss-scatter", set, 0, &l))
             return;
         for (int i = 0; i < ROW * ROW; ++i)
-            s[i] = placed(&d, 0.03f * ((float)(i % ROW) + chance() - ROW / 2), 0,
-                          0.03f * ((float)(i / ROW) + chance() - ROW / 2), 0, 1, 0, (float)(0.03 / sqrt(pi)), chance());
+            s[i] = placed(&d, 0.03f * ((float)(i % ROW) + t_uniform(0, 1) - ROW / 2), 0,
+                          0.03f * ((float)(i / ROW) + t_uniform(0, 1) - ROW / 2), 0, 1, 0, (float)(0.03 / sqrt(pi)), t_uniform(0, 1));
         if (!of_these(&out, &d, s, ROW * ROW)) return;
         ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
         for (int k = 0; k < 3; ++k) {

@@ -55,15 +55,6 @@ static ssgi_gl_desc shape[4 * SSGI_GL_PASSES];            /* the passes; those t
 static int shapes;
 static ssgi_gl_desc variant[MOST];
 static int variants;
-static uint64_t random_state;
-
-static float uniform(float lower, float upper)
-{
-    uint64_t z = random_state += 0x9e3779b97f4a7c15u;      /* SplitMix64: the many choices of a desc are independent */
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return lower + (upper - lower) * (float)(z >> 40) * (1.0f / 16777216.0f);
-}
 
 static int get(const ssgi_gl_desc *d, size_t offset)
 {
@@ -136,7 +127,7 @@ static ssgi_gl_desc drawn(int t)
     for (int tries = 0; tries < 4000; ++tries) {
         for (int k = 0; k < CHOICES; ++k)
             set(&d, choices[k].offset,
-                choices[k].first + choices[k].step * (int)uniform(0, (float)choices[k].count - 0.001f));
+                choices[k].first + choices[k].step * (int)t_uniform(0, (float)choices[k].count - 0.001f));
         if (ssgi_gl_check(&d, NULL) == SSGI_OK) return d;
     }
     CHECK(0, "%s: nothing is accepted", describe(&shape[t]));
@@ -223,7 +214,7 @@ static void make_variants(void)
 {
     /* of a line: which points have it, as a sum of random numbers */
     static uint64_t seen[WORDS * 64];
-    random_state = 1;
+    t_seed(1);
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int way = 0; way < 3; ++way) {               /* searches, tessellators: where they change the plain text */
             ssgi_gl_desc d = { .pass = pass,
@@ -288,7 +279,7 @@ static void make_variants(void)
         }
         for (int i = 0; i < points; ++i) if (adds_line(&pool[i], had)) take_point(&pool[i], had);
         for (int more = getenv("T_ALL") ? variants - before : 0; more > 0 && variants < MOST; --more)
-            variant[variants++] = pool[(int)uniform(0, (float)points - 0.01f)].desc;
+            variant[variants++] = pool[(int)t_uniform(0, (float)points - 0.01f)].desc;
     }
 }
 
@@ -1148,7 +1139,7 @@ static void closed(void)
 {
     enum { EACH = 200 };
     int tried = 0, bad = 0;
-    random_state = 3;
+    t_seed(3);
     for (int i = 0; i < 2 * variants + EACH * shapes && bad < 5; ++i) {
         ssgi_gl_desc d = i < 2 * variants ? variant[i / 2] : drawn(i % shapes);
         const int dialect = d.text.dialect;
@@ -1681,15 +1672,15 @@ static void fuzz(void)
     static char text[TEXT];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     int accepted = 0, emitted = 0;
-    random_state = 7;
+    t_seed(7);
     for (int i = 0; i < TRIES; ++i) {
         ssgi_gl_desc d = { .text.fetch = i & 2 ? T_FETCH : NULL, .text.version = i & 4 ? "" : NULL };
-        int broken = uniform(0, 1) < 0.5f;
+        int broken = t_uniform(0, 1) < 0.5f;
         const char *why = NULL;
-        for (int k = 0; k < INTS; ++k) set(&d, ints[k].offset, (int)uniform(0, (float)ints[k].most + 0.999f));
+        for (int k = 0; k < INTS; ++k) set(&d, ints[k].offset, (int)t_uniform(0, (float)ints[k].most + 0.999f));
         if (broken) {
-            const int k = (int)uniform(0, (float)INTS - 0.01f),
-                      wrong = (int)((uint32_t)uniform(0, 65535) << 16 | (uint32_t)uniform(0, 65535));
+            const int k = (int)t_uniform(0, (float)INTS - 0.01f),
+                      wrong = (int)((uint32_t)t_uniform(0, 65535) << 16 | (uint32_t)t_uniform(0, 65535));
             set(&d, ints[k].offset, wrong >= 0 && wrong <= ints[k].most ? ints[k].most + 1 : wrong);
         }
         ssgi_result r = ssgi_gl_check(&d, &why);

@@ -7,14 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static uint32_t random_state;
-
-static float uniform(float lower, float upper)
-{
-    random_state = random_state * 1664525u + 1013904223u;
-    return lower + (upper - lower) * (float)(random_state >> 8) * (1.0f / 16777216.0f);
-}
-
 static int build(ssgi_trace *trace, void **memory, const float *position, size_t triangles)
 {
     const char *why = "";
@@ -62,12 +54,12 @@ static void against_brute_force(void)
     ssgi_trace trace;
     void *memory;
     int hits = 0;
-    random_state = 1;
+    t_seed(1);
     for (int t = 0; t < SOUP; ++t) {
-        const float size = expf(uniform(-5, 0));
+        const float size = expf(t_uniform(-5, 0));
         for (int k = 0; k < 3; ++k)
             for (int i = 0; i < 3; ++i)
-                soup[t][3 * k + i] = (k ? soup[t][i] : uniform(-1, 1)) + (k ? uniform(-size, size) : 0);
+                soup[t][3 * k + i] = (k ? soup[t][i] : t_uniform(-1, 1)) + (k ? t_uniform(-size, size) : 0);
         if (t % 50 == 1) soup[t][t % 9] = NAN;
         if (t % 50 == 2) soup[t][t % 9] = t & 1 ? INFINITY : -2e12f;
         /* two corners the same */
@@ -75,17 +67,17 @@ static void against_brute_force(void)
         if (t % 50 == 4) for (int i = 0; i < 3; ++i) soup[t][6 + i] = soup[t][i];
         if (t % 50 == 5) memcpy(soup[t], soup[t - 5], sizeof soup[t]);                          /* the same again */
         /* huge, below the rest */
-        if (t % 50 == 6) for (int i = 0; i < 9; ++i) soup[t][i] = i % 3 == 1 ? -1.5f : uniform(-100, 100) * 1e6f;
+        if (t % 50 == 6) for (int i = 0; i < 9; ++i) soup[t][i] = i % 3 == 1 ? -1.5f : t_uniform(-100, 100) * 1e6f;
     }
     if (!build(&trace, &memory, soup[0], SOUP)) return;
     CHECK(trace.skipped == 4 * SOUP / 50, "%u triangles were skipped, %d cannot be hit", trace.skipped, 4 * SOUP / 50);
     for (int r = 0; r < RAYS; ++r) {
         float o[3], d[3];
         for (int i = 0; i < 3; ++i) {
-            o[i] = uniform(-1.4f, 1.4f);
-            d[i] = uniform(-3, 3) * (r % 7 == i ? 0.0f : 1.0f);
+            o[i] = t_uniform(-1.4f, 1.4f);
+            d[i] = t_uniform(-3, 3) * (r % 7 == i ? 0.0f : 1.0f);
         }
-        const float tmax = r % 3 ? uniform(0, 0.5f) : 1e9f, tmin = r % 4 ? 0 : uniform(0, 0.05f);
+        const float tmax = r % 3 ? t_uniform(0, 0.5f) : 1e9f, tmin = r % 4 ? 0 : t_uniform(0, 0.05f);
         double sure = 1e30, possible = 1e30;
         for (int t = 0; t < SOUP; ++t) {
             const double narrow = brute(soup[t], o, d, -1e-3), wide = brute(soup[t], o, d, 1e-3);
@@ -226,13 +218,13 @@ static void no_cracks(void)
     void *memory;
     int missed = 0, shot = 0;
     if (!build(&trace, &memory, mesh.position, mesh.triangles)) return;
-    random_state = 7;
+    t_seed(7);
     for (size_t t = 0; t < mesh.triangles; ++t)
         for (int k = 0; k < 6; ++k, ++shot) {                               /* at corners, and along edges */
             const float *p = mesh.position + 9 * t + 3 * (k % 3), *q = mesh.position + 9 * t + 3 * ((k + 1) % 3);
-            float o[3], d[3], along = k < 3 ? 0 : uniform(0, 1);
+            float o[3], d[3], along = k < 3 ? 0 : t_uniform(0, 1);
             for (int i = 0; i < 3; ++i) {
-                o[i] = middle[i] + uniform(-0.5f, 0.5f);
+                o[i] = middle[i] + t_uniform(-0.5f, 0.5f);
                 d[i] = p[i] + along * (q[i] - p[i]) - o[i];
             }
             missed += !ssgi_trace_any(&trace, o, d, 0, 1e9f);

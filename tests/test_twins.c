@@ -11,16 +11,6 @@
 enum { TEXT = 1 << 16 };
 #define NAMES(sentence, start) (strncmp(sentence, start, strlen(start)) == 0)
 
-static uint64_t random_state;
-
-static float uniform(float lower, float upper)
-{
-    uint64_t z = random_state += 0x9e3779b97f4a7c15u;      /* SplitMix64 */
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return lower + (upper - lower) * (float)(z >> 40) * (1.0f / 16777216.0f);
-}
-
 /* ---- >>cameras: extra ones and those of shadow maps -------------------------------------------------------------- */
 
 /* The rotation that takes +z an angle from it, between two about z: quaternion of sin(angle/2) at one azimuth,
@@ -51,8 +41,8 @@ static void rotation(float m[16], double angle, double a, double b)
 /* Any rigid matrix. */
 static void rigid(float m[16])
 {
-    rotation(m, (double)uniform(0, 3.14f), (double)uniform(0, 6.28f), (double)uniform(0, 6.28f));
-    for (int k = 0; k < 3; ++k) m[12 + k] = uniform(-9, 9);
+    rotation(m, (double)t_uniform(0, 3.14f), (double)t_uniform(0, 6.28f), (double)t_uniform(0, 6.28f));
+    for (int k = 0; k < 3; ++k) m[12 + k] = t_uniform(-9, 9);
 }
 
 /* Row r of a matrix times a point; lost: what may be lost of it, as rigid matrices of floats are not quite. */
@@ -70,7 +60,7 @@ static double row_of(const float m[16], int r, const double p[4], double *lost)
 /* An off-centre camera of 640 x 480; its projection may be anything that a view decodes. */
 static int any_view(ssgi_view *view, int ortho)
 {
-    const float x = uniform(-0.3f, 0.3f), y = uniform(-0.3f, 0.3f), wide = uniform(0.5f, 3), high = uniform(-3, -0.5f);
+    const float x = t_uniform(-0.3f, 0.3f), y = t_uniform(-0.3f, 0.3f), wide = t_uniform(0.5f, 3), high = t_uniform(-3, -0.5f);
     const float m[2][16] = { { wide, 0, 0, 0, 0, high, 0, 0, x, y, -1.002f, -1, 0, 0, -0.2f, 0 },
                              { wide, 0, 0, 0, 0, high, 0, 0, 0, 0, -0.02f, 0, x, y, -1, 1 } };
     const char *why = "";
@@ -81,7 +71,7 @@ static void cameras(void)
 {
     enum { TRIES = 4000 };
     double worst[2] = { 0, 0 };
-    random_state = 5;
+    t_seed(5);
     for (int i = 0; i < TRIES; ++i) {
         const int ortho = i & 1, slot = i / 2 % 4;
         float picture[16], other[16], seen[3];
@@ -89,7 +79,7 @@ static void cameras(void)
         ssgi_gl_views v, was;
         ssgi_gl_light light, bare;
         const char *why = "";
-        double p[4] = { (double)uniform(-5, 5), (double)uniform(-5, 5), -(double)uniform(0.2f, 30), 1 },
+        double p[4] = { (double)t_uniform(-5, 5), (double)t_uniform(-5, 5), -(double)t_uniform(0.2f, 30), 1 },
                q[4] = { 0, 0, 0, 1 }, lost, at[4];
         const float spot[3] = { (float)p[0], (float)p[1], (float)p[2] };
         if (!any_view(&view, ortho)) return;
@@ -341,9 +331,9 @@ static void twin_views(void)
             static const float special[] = { 0, 1, NAN, INFINITY, -INFINITY, 1e38f, -1e38f };
             enum { SPECIAL = (int)(sizeof special / sizeof *special) };
             float a[4] = { i < SPECIAL ? special[i]
-                           : i & 1 ? uniform(0, 1)
-                                   : 1 - powf(10, uniform(-7, 0)),
-                           uniform(-50, 1330), uniform(-50, 770), expf(uniform(-4, 7)) };
+                           : i & 1 ? t_uniform(0, 1)
+                                   : 1 - powf(10, t_uniform(-7, 0)),
+                           t_uniform(-50, 1330), t_uniform(-50, 770), expf(t_uniform(-4, 7)) };
             memcpy(in[i], a, sizeof a);
         }
         if (!probe(&d, &frame, 0, "o = vec4(ssgi_decode(a.x), ssgi_position(a.yz, a.w));")) break;
@@ -438,7 +428,7 @@ static void twin_normals(void)
             memset(&frame, 0, sizeof frame);
             memcpy(frame.rotation, turn, sizeof turn);
             for (int i = 0; i < MANY; ++i) {
-                float z = uniform(-1, 1), a = uniform(0, 6.2831853f), r = sqrtf(1 - z * z), *n = in[i], *e = coded[i];
+                float z = t_uniform(-1, 1), a = t_uniform(0, 6.2831853f), r = sqrtf(1 - z * z), *n = in[i], *e = coded[i];
                 n[0] = i < 6 ? (float)((i == 0) - (i == 1)) : r * cosf(a);      /* the axes too */
                 n[1] = i < 6 ? (float)((i == 2) - (i == 3)) : r * sinf(a);
                 n[2] = i < 6 ? (float)((i == 4) - (i == 5)) : z;
@@ -480,8 +470,8 @@ static void twin_arc(void)
     memset(&frame, 0, sizeof frame);
     /* height over the tangent plane and distance along it: down to the plane, up to the normal */
     for (int i = 0; i < MANY; ++i) {
-        float thin = powf(10, uniform(-12, 0)),
-              a[4] = { i & 1 ? 1 : thin, i & 1 ? thin : 1, uniform(-1.57f, 1.57f), uniform(0.1f, 10) };
+        float thin = powf(10, t_uniform(-12, 0)),
+              a[4] = { i & 1 ? 1 : thin, i & 1 ? thin : 1, t_uniform(-1.57f, 1.57f), t_uniform(0.1f, 10) };
         if (i % 16 == 0) a[i / 16 & 1] = 0;
         memcpy(in[i], a, sizeof a);
     }
@@ -525,17 +515,17 @@ static void twin_emitters(void)
     ssgi_gl_frame frame;
     double worst = 0;
     memset(&frame, 0, sizeof frame);
-    random_state = 9;
+    t_seed(9);
     for (int i = 0; i < MANY; ++i) {
-        const float bright = powf(10, uniform(-7, 5.2f)), a = uniform(0, 6.2831853f), h = uniform(-1, 1);
+        const float bright = powf(10, t_uniform(-7, 5.2f)), a = t_uniform(0, 6.2831853f), h = t_uniform(-1, 1);
         for (int c = 0; c < 3; ++c) {
-            rgbz[i][c] = i % 8 == c ? 0 : bright * uniform(0, 1);
+            rgbz[i][c] = i % 8 == c ? 0 : bright * t_uniform(0, 1);
             way[i][c] = c == 2 ? h : sqrtf(1 - h * h) * (c ? sinf(a) : cosf(a));
         }
         for (int c = 0; c < 3 && i < 6; ++c) way[i][c] = i / 2 == c ? i & 1 ? -1.0f : 1.0f : 0.0f;
         /* where rounding needs the next exponent */
         if (i % 64 == 9) rgbz[i][i / 64 % 3] = ldexpf(511.0f + (float)(i / 192) / 21, i / 64 % 24 - 10);
-        rgbz[i][3] = powf(10, uniform(-6, 13));
+        rgbz[i][3] = powf(10, t_uniform(-6, 13));
     }
     memcpy(in, rgbz, sizeof in);
     if (!probe(&pack, &frame, 0,
@@ -584,7 +574,7 @@ static void twin_views_of_others(void)
     };
     ssgi_gl_frame frame;
     memset(&frame, 0, sizeof frame);
-    random_state = 11;
+    t_seed(11);
     for (int ortho = 0; ortho < 2; ++ortho) {
         float picture[16], other[16];
         ssgi_view view;
@@ -594,9 +584,9 @@ static void twin_views_of_others(void)
         memset(&probed, 0x5a, sizeof probed);
         ssgi_gl_views_set(&probed, 2, &view, picture, other, NULL);
         for (int i = 0; i < MANY; ++i) {
-            in[i][0] = floorf(uniform(0, 640));
-            in[i][1] = floorf(uniform(0, 480));
-            in[i][2] = uniform(0.5f, 30);
+            in[i][0] = floorf(t_uniform(0, 640));
+            in[i][1] = floorf(t_uniform(0, 480));
+            in[i][2] = t_uniform(0.5f, 30);
             in[i][3] = 0;
         }
         if (!probe(&d, &frame, 0, "o = vec4(ssgi_point(2, ivec2(a.xy), a.z), u_ssgi_view_decode[2].x);")) return;
@@ -612,7 +602,7 @@ static void twin_views_of_others(void)
         }
     }
     for (int i = 0; i < MANY; ++i)
-        for (int c = 0; c < 3; ++c) in[i][c] = i < 6 ? (float)((i == 2 * c) - (i == 2 * c + 1)) : uniform(-9, 9);
+        for (int c = 0; c < 3; ++c) in[i][c] = i < 6 ? (float)((i == 2 * c) - (i == 2 * c + 1)) : t_uniform(-9, 9);
     if (!probe(&map, &frame, 0, "o = vec4(ssgi_octahedral(a.xyz), 0.0, 0.0);")) return;
     for (int i = 0; i < MANY; ++i) {
         float e[2];
@@ -638,20 +628,20 @@ static void twin_harmonics(void)
     const ssgi_gl_frame frame = { .radius = 1 };
     const double pi = 3.14159265358979;
     double worst[FUNCTIONS] = { 0 };
-    random_state = 13;
+    t_seed(13);
     for (int k = 0; k < 2 * 4 * FUNCTIONS; ++k) {
         const int es = k & 1, bands = k / 2 % 4 + 1, what = k / 8;
         for (int i = 0; i < 4 * MANY; ++i) {
-            ins[i] = i % 16 < bands * bands || what == ZONAL ? uniform(-1, 1) : 0;
-            others[i] = ins[i] * uniform(-1, 1);
+            ins[i] = i % 16 < bands * bands || what == ZONAL ? t_uniform(-1, 1) : 0;
+            others[i] = ins[i] * t_uniform(-1, 1);
         }
         /* rotations: none, half turns, the axis at a pole and near it, any */
         for (int i = 0; i < MANY / 4 && what < SUMS; ++i) {
-            const double tilt = tilts[i / 2 % 8], a = (double)uniform(0, 6.28f), b = (double)uniform(0, 6.28f);
+            const double tilt = tilts[i / 2 % 8], a = (double)t_uniform(0, 6.28f), b = (double)t_uniform(0, 6.28f);
             if (i < 4) rotation(&others[16 * i], i < 2 ? pi : 0, i & 1 ? pi / 2 : 0, i & 1 ? pi / 2 : 0);
-            else rotation(&others[16 * i], i & 16 ? (double)uniform(0, 3.14159f) : i & 1 ? tilt : pi - tilt, a, b);
+            else rotation(&others[16 * i], i & 16 ? (double)t_uniform(0, 3.14159f) : i & 1 ? tilt : pi - tilt, a, b);
             /* as a product of matrices is rounded */
-            for (int j = 0; j < 11 && i & 32; ++j) others[16 * i + j] += uniform(-1.2e-7f, 1.2e-7f);
+            for (int j = 0; j < 11 && i & 32; ++j) others[16 * i + j] += t_uniform(-1.2e-7f, 1.2e-7f);
         }
         GLuint map = kit_texture(SIDE, SIDE, GL_RGBA32F, others);
         size_t n = (size_t)snprintf(text, sizeof text, "%s", heads[es]);
@@ -728,13 +718,13 @@ static void twin_halves(void)
                 if (((4 * MANY * round + i) & 0x7c00) != 0x7c00)
                     NEAR(outs[i], value_of(4 * MANY * round + i), 0, "ssgi_unpack_half");
         }
-        random_state = 14;
+        t_seed(14);
         /* halves, what lies between two and beside that, anything, the odd ones */
         for (int i = 0; i < 4 * MANY; ++i) {
-            const int h = (int)uniform(0, 0x7bff);
+            const int h = (int)t_uniform(0, 0x7bff);
             const float middle = (float)(0.5 * (value_of(h) + value_of(h + 1)));
             const float x[4] = { (float)value_of(h), middle, nextafterf(middle, i & 4 ? 0.0f : 1e9f),
-                                 powf(10, uniform(-9, 10)) };
+                                 powf(10, t_uniform(-9, 10)) };
             ins[i] = (i < 64 ? odd[i % 16] : x[i & 3]) * (i & 16 ? -1.0f : 1.0f);
         }
         if (!probe(&d, &frame, 0,
@@ -815,7 +805,7 @@ static void functions_of_numbers(void)
     for (int i = 0; i < 16 * MANY; ++i) layer[i] = (float)(i / (4 * MANY) + 1);
     probed_layers = kit_texture_array(SIDE, SIDE, 4, GL_RGBA32F, layer);
     for (size_t k = 0; k < sizeof terms / sizeof *terms; ++k) {
-        for (int i = 0; i < 4 * MANY; ++i) ins[i] = uniform(terms[k].low, terms[k].high);
+        for (int i = 0; i < 4 * MANY; ++i) ins[i] = t_uniform(terms[k].low, terms[k].high);
         if (!probe(&terms[k].desc, &frame, 0, terms[k].statement)) break;
         for (int i = 0; i < MANY; ++i) {
             const double a[4] = { (double)in[i][0], (double)in[i][1], (double)in[i][2], (double)in[i][3] };
@@ -846,10 +836,10 @@ static void twin_sectors(void)
                                  .surfel.span = row[v].span };
         double sum = 0, exact = 0;
         char statements[400];
-        random_state = 31;
+        t_seed(31);
         for (int i = 0; i < MANY; ++i) {
-            const float a = uniform(0, 1), b = uniform(0, 1), whole[4] = { 0, 32, 0, 1 };
-            if (i % 4 == 0) noise[i / 4] = uniform(0, 1);
+            const float a = t_uniform(0, 1), b = t_uniform(0, 1), whole[4] = { 0, 32, 0, 1 };
+            if (i % 4 == 0) noise[i / 4] = t_uniform(0, 1);
             const float n = noise[i / 4], tap[4] = { fminf(a, b) * 32 + n, fmaxf(a, b) * 32 + n, (float)(i % 4), 0 };
             memcpy(in[i], i % 1000 == 3 ? whole : tap, sizeof tap);
         }
@@ -899,12 +889,12 @@ static void twin_deep(void)
     memset(&frame, 0, sizeof frame);
     frame.radius = 0.5f;
     frame.thickness_limit = 0.3f;
-    random_state = 37;
+    t_seed(37);
     for (int i = 0; i < MANY; ++i) {
-        const float z = powf(10, uniform(-1, 3)),
-                    backs[4] = { z * (1 + uniform(0, 0.00048f)), z + uniform(0.0006f * z, 0.0006f * z + 1),
-                                 i & 4 ? 0 : 1e18f, z * uniform(0, 1) },
-                    a[4] = { z, backs[i & 3], uniform(0, 0.2f), 0 };
+        const float z = powf(10, t_uniform(-1, 3)),
+                    backs[4] = { z * (1 + t_uniform(0, 0.00048f)), z + t_uniform(0.0006f * z, 0.0006f * z + 1),
+                                 i & 4 ? 0 : 1e18f, z * t_uniform(0, 1) },
+                    a[4] = { z, backs[i & 3], t_uniform(0, 0.2f), 0 };
         memcpy(in[i], a, sizeof a);
     }
     if (probe(&d, &frame, 0,
@@ -1024,7 +1014,7 @@ static void steep_taps_are_not_joined(void)
    receiver's plane and how high over it that is, and in which sector of its side. */
 static void backs_lie_on_their_rays(void)
 {
-    random_state = 61;
+    t_seed(61);
     for (int flat_ = 0; flat_ < 2; ++flat_) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HSAO,
                                  .text.dialect = SSGI_GL_DIALECT_450,
@@ -1032,9 +1022,9 @@ static void backs_lie_on_their_rays(void)
         const ssgi_gl_frame frame = { .radius = 1, .project = { 100, 100 }, .unproject = { 0.01f, 0.01f } };
         /* the receiver and the slice's turn; its normal and the thickness; the tap, along the slice and to the eye */
         for (int i = 0; i < MANY; i += 4) {
-            const float z = uniform(1, 20), P[4] = { z * uniform(-2, 2), z * uniform(-2, 2), -z, uniform(0, 6.28f) };
-            float n[4] = { uniform(-1, 1), uniform(-1, 1), uniform(0.1f, 1), 0.1f * z * uniform(0, 1) };
-            const float tap[4] = { 0.1f * z * uniform(-1, 1), 0.1f * z * uniform(-1, 1), 0, 0 };
+            const float z = t_uniform(1, 20), P[4] = { z * t_uniform(-2, 2), z * t_uniform(-2, 2), -z, t_uniform(0, 6.28f) };
+            float n[4] = { t_uniform(-1, 1), t_uniform(-1, 1), t_uniform(0.1f, 1), 0.1f * z * t_uniform(0, 1) };
+            const float tap[4] = { 0.1f * z * t_uniform(-1, 1), 0.1f * z * t_uniform(-1, 1), 0, 0 };
             const float l = sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
             for (int c = 0; c < 3; ++c) n[c] /= l;
             memcpy(in[i], P, sizeof P);
@@ -1287,17 +1277,17 @@ static void walks_by_vectors(void)
                        && ssgi_gl_frame_init(&frame, &view, 1.5f, &why) == SSGI_OK, "%s", why))
             return;
         frame.thickness_limit = 0.3f;
-        random_state = 71 + (uint32_t)k;
+        t_seed(71 + (uint32_t)k);
         for (int i = 0; i < MANY; ++i) {                   /* a slope with blocks, a step down, holes */
             const int x = i % SIDE, y = i / SIDE, block = (x / 6 * 7 + y / 9 * 5) % 4;
             const float z = 8 + 0.02f * (float)x - 0.01f * (float)y - 0.4f * (float)block + (x > 40 ? 0.9f : 0);
-            const float a = uniform(0, 6.28f), tilt = uniform(0, 1.5f);
-            const float n[4] = { sinf(tilt) * cosf(a), sinf(tilt) * sinf(a), cosf(tilt), uniform(0, 1) };
+            const float a = t_uniform(0, 6.28f), tilt = t_uniform(0, 1.5f);
+            const float n[4] = { sinf(tilt) * cosf(a), sinf(tilt) * sinf(a), cosf(tilt), t_uniform(0, 1) };
             memcpy(in[i], n, sizeof n);
             map[i][0] = block == 3 && x % 5 == 0 ? 1e18f : z;
-            map[i][1] = x % 3 ? z + uniform(0.1f, 0.5f) : 0;
-            map[i][2] = map[i][1] > 0 && y % 3 ? map[i][1] + uniform(0.1f, 1) : 0;
-            map[i][3] = (float)(1 + (int)uniform(0, 62.9f));
+            map[i][1] = x % 3 ? z + t_uniform(0.1f, 0.5f) : 0;
+            map[i][2] = map[i][1] > 0 && y % 3 ? map[i][1] + t_uniform(0.1f, 1) : 0;
+            map[i][3] = (float)(1 + (int)t_uniform(0, 62.9f));
             uint32_t bits;
             const float deep = map[i][0] < 1e17f ? map[i][0] : 2e18f;
             memcpy(&bits, &deep, sizeof bits);
@@ -1674,12 +1664,12 @@ static void points_over_a_disc(void)
     static const int points[] = { 2, 4, 16 };
     static char text[TEXT];
     const ssgi_gl_frame frame = { .radius = 1 };
-    random_state = 47;
+    t_seed(47);
     for (int k = 0; k < 3; ++k) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SPLAT,
                                  .text.dialect = SSGI_GL_DIALECT_450,
                                  .surfel.near_samples = points[k] };
-        for (int i = 0; i < MANY; ++i) { in[i][0] = uniform(0.1f, 2); in[i][1] = powf(10, uniform(-2, 1)); }
+        for (int i = 0; i < MANY; ++i) { in[i][0] = t_uniform(0.1f, 2); in[i][1] = powf(10, t_uniform(-2, 1)); }
         ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_FRAGMENT);
         char *const rest = strstr(text, "flat in");
         if (rest) *rest = 0;
@@ -1774,7 +1764,7 @@ static void twin_spheres(void)
     static const float m[2][16] = { { 1, 0, 0, 0, 0, -1.5f, 0, 0, 0.1f, 0.2f, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
                                     { 0.5f, 0, 0, 0, 0, 0.7f, 0, 0, 0, 0, -0.02f, 0, 0.1f, -0.2f, -1, 1 } };
     static char text[TEXT];
-    random_state = 41;
+    t_seed(41);
     for (int k = 0; k < 8; ++k) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_FIELD,
                                  .text.dialect = SSGI_GL_DIALECT_450,
@@ -1786,10 +1776,10 @@ static void twin_spheres(void)
         if (!CHECK(ssgi_view_from_projection(&view, m[k & 1], SSGI_CLIP_GL, 640, 480, &why) == SSGI_OK
                        && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK, "%s", why))
             return;
-        frame.near_depth = k < 2 ? frame.near_depth : uniform(0.1f, 2);
+        frame.near_depth = k < 2 ? frame.near_depth : t_uniform(0.1f, 2);
         for (int i = 0; i < MANY; ++i) {
-            const float r = powf(10, uniform(-1, 0.5f)),
-                        s[4] = { uniform(-4, 4), uniform(-4, 4), -uniform(-2, 6), r };
+            const float r = powf(10, t_uniform(-1, 0.5f)),
+                        s[4] = { t_uniform(-4, 4), t_uniform(-4, 4), -t_uniform(-2, 6), r };
             memcpy(in[i], s, sizeof s);
         }
         ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_VERTEX);
@@ -1819,7 +1809,7 @@ static void twin_parts(void)
     static const float m[2][16] = { { 1, 0, 0, 0, 0, 1.5f, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
                                     { 0.5f, 0, 0, 0, 0, 0.7f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
     static char text[TEXT];
-    random_state = 43;
+    t_seed(43);
     for (int k = 0; k < 2; ++k) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SURFELS,
                                  .text.dialect = SSGI_GL_DIALECT_410,
@@ -1835,8 +1825,8 @@ static void twin_parts(void)
         const float scale[4] = { 0.002f, 0.5f, 0, MOST };
         memcpy(frame.surfel, scale, sizeof scale);
         for (int i = 0; i < MANY; ++i) {                   /* view depths, area */
-            for (int c = 0; c < 3; ++c) in[i][c] = uniform(-1, 2) * (i & 1 ? 1 : 0.3f);
-            in[i][3] = powf(10, uniform(-3, 0.5f));
+            for (int c = 0; c < 3; ++c) in[i][c] = t_uniform(-1, 2) * (i & 1 ? 1 : 0.3f);
+            in[i][3] = powf(10, t_uniform(-3, 0.5f));
         }
         ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_TESS_CONTROL);
         char *const rest = strstr(text, "layout(vertices");
@@ -1867,7 +1857,7 @@ static void twin_tessellation(void)
     static const float m[2][16] = { { 1, 0, 0, 0, 0, 1.5f, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
                                     { 0.5f, 0, 0, 0, 0, 0.7f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
     static char text[TEXT];
-    random_state = 53;
+    t_seed(53);
     for (int k = 0; k < 4; ++k) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SURFELS,
                                  .text.dialect = SSGI_GL_DIALECT_410,
@@ -1887,7 +1877,7 @@ static void twin_tessellation(void)
         if (!CHECK(rest, "no tessellator")) return;
         *rest = 0;
         for (int i = 0; i < MANY; ++i) {                   /* discs, view depth, level */
-            const float v[4] = { powf(10, uniform(-1, 4)), uniform(-2, 9), (float)(1 + i % 64), 0 };
+            const float v[4] = { powf(10, t_uniform(-1, 4)), t_uniform(-2, 9), (float)(1 + i % 64), 0 };
             memcpy(in[i], v, sizeof v);
         }
         if (!probe_text(text, SSGI_GL_DIALECT_410, &frame, 0,
@@ -1902,7 +1892,7 @@ static void twin_tessellation(void)
             NEAR(out[i][2], ssgi_tess_count((int)in[i][2]), 0, "ssgi_tess_count");
         }
         for (int i = 0; i < MANY; ++i) {                   /* two corners in the plane of x and y, a radius, which */
-            const float v[4] = { uniform(0.2f, 3), uniform(0.1f, 2), powf(10, uniform(-2, 0.5f)), (float)(i % 3) };
+            const float v[4] = { t_uniform(0.2f, 3), t_uniform(0.1f, 2), powf(10, t_uniform(-2, 0.5f)), (float)(i % 3) };
             memcpy(in[i], v, sizeof v);
         }
         ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_TESS_CONTROL);
@@ -2084,7 +2074,7 @@ static void history_follows(void)
     static float now[MANY][4], last[MANY][4], means[MANY][2], light[MANY][4], kept[MANY][4];
     const double tint[2][3] = { { 1, 1, 1 }, { 2, (1 - 2 * 0.2126) / 0.7152, 0 } };   /* as bright as grey */
     int held = 0, pulled = 0, neither = 0, anew = 0;
-    random_state = 67;
+    t_seed(67);
     for (int colour = 0; colour < 2; ++colour) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HISTORY,
                                  .text.dialect = SSGI_GL_DIALECT_450,
@@ -2097,9 +2087,9 @@ static void history_follows(void)
         if (!follows_itself(&view, &frame, 1, 0)) return;
         for (int i = 0; i < MANY; ++i) {
             const float value = i % SIDE < SIDE / 2 ? 0.5f : (i + i / SIDE) & 1 ? 0.4f : 0.6f,
-                        mean = value + uniform(-0.4f, 0.3f), quick = mean + uniform(-0.1f, 0.1f);
+                        mean = value + t_uniform(-0.4f, 0.3f), quick = mean + t_uniform(-0.1f, 0.1f);
             means[i][0] = quick;
-            means[i][1] = uniform(0, 20);
+            means[i][1] = t_uniform(0, 20);
             for (int c = 0; c < 3; ++c) {
                 now[i][c] = value * (float)tint[colour][c];
                 last[i][c] = mean * (float)tint[colour][c];
@@ -2279,10 +2269,10 @@ static void history_spreads_half_size(void)
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
-    random_state = 71;
+    t_seed(71);
     for (int i = 0; i < MANY; ++i) {                       /* off by up to half of a 100th of the radius and a pixel */
-        map[i][0] = uniform(0.4f, 0.6f);
-        map[i][1] = 10 + uniform(0, 0.5f) * (0.01f + 1.0f / 16) * (float)(i & 1);
+        map[i][0] = t_uniform(0.4f, 0.6f);
+        map[i][1] = 10 + t_uniform(0, 0.5f) * (0.01f + 1.0f / 16) * (float)(i & 1);
     }
     GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
     for (int settled = 0; settled < 2; ++settled) {
@@ -2360,11 +2350,11 @@ static void frame_light(void)
     float c[48], turned[48], m[16];
     const char *why = "";
     memset(&was, 0x5a, sizeof was);
-    random_state = 15;
+    t_seed(15);
     for (int i = 0; i < 64; ++i) {
         const int bands = 1 + i % 4, matrix = i & 4;
         rigid(m);
-        for (int k = 0; k < 48; ++k) c[k] = uniform(-1, 1);
+        for (int k = 0; k < 48; ++k) c[k] = t_uniform(-1, 1);
         memset(turned, 0, sizeof turned);
         ssgi_sh_rotate(turned, bands, c, 3, matrix ? m : NULL);
         frame = was;

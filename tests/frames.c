@@ -1,0 +1,202 @@
+/* frames.c - pictures of known geometry, and runs on them: see frames.h. */
+#include "t.h"
+#include "frames.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979;
+static kit_error err;
+#define TRY(call) CHECK(!(call), "%s", err.text)
+
+kit_camera looking_along_z(int width, int height, int orthographic)
+{
+    kit_camera c = { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, orthographic ? 0 : 45, 2, 0.01f, 1000,
+                     width,       height,       { 0, 0 },    KIT_DEPTH_NORMAL };
+    return c;
+}
+
+int view_of(ssgi_view *view, const kit_camera *c, int flipped)
+{
+    float world[16], projection[16];
+    const char *why = "";
+    kit_camera_matrices(c, world, projection);
+    for (int k = 1; flipped && k < 16; k += 4) projection[k] = -projection[k];
+    return CHECK(ssgi_view_from_projection(view, projection,
+                                           c->depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, c->width,
+                                           c->height, &why)
+                     == SSGI_OK,
+                 "%s", why);
+}
+
+int planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes, const char *more)
+{
+    ssgi_view view;
+    char names[256];
+    const size_t width = (size_t)c->width, pixels = width * (size_t)c->height;
+    snprintf(names, sizeof names, "Z,N.X,N.Y,N.Z%s", more);
+    if (!view_of(&view, c, 0) || !TRY(kit_image_new(frame, c->width, c->height, names, &err))) return 0;
+    for (size_t at = 0; at < pixels; ++at) {
+        const double x = (double)(at % width) + 0.5, y = (double)((pixels - 1 - at) / width) + 0.5;
+        const double p[2] = { x * (double)view.unproject[0] + (double)view.unproject[2],
+                              y * (double)view.unproject[1] + (double)view.unproject[3] };
+        for (int k = 0; k < planes; ++k) {
+            const double *n = plane[k], across = n[0] * p[0] + n[1] * p[1],
+                         z = c->fovy > 0 ? n[3] / (across - n[2]) : (n[3] - across) / -n[2];
+            if (!(z > 0.01 && z < 500) || (frame->data[at] > 0 && z >= (double)frame->data[at])) continue;
+            frame->data[at] = (float)z;
+            for (size_t i = 0; i < 3; ++i) frame->data[(1 + i) * pixels + at] = (float)n[i];
+        }
+    }
+    return 1;
+}
+
+void turn(kit_run *run, kit_gbuffer *g)
+{
+    run->gbuffer = g;
+    for (int i = 0; i < run->passes; ++i) run->pass[i].gbuffer = g;
+}
+
+int flat(const kit_image *frame, int x, int y)
+{
+    for (int k = 0; k < 49; ++k) {
+        const int u = x + k % 7 - 3, v = y + k / 7 - 3;
+        if (u < 0 || v < 0 || u >= frame->width || v >= frame->height || !(frame->data[v * frame->width + u] > 0))
+            return 0;
+    }
+    return 1;
+}
+
+double linear_corner(double c)
+{
+    const double s = sqrt(1 - c * c);
+    return (acos(c) + c * s - 2 * c * log((1 + s) / c)) / pi;
+}
+
+double hard_corner(double c)   { return (acos(c) - c * sqrt(1 - c * c)) / pi; }
+
+int row_at(double c) { return SPAN + 16 - (int)(c * SPAN); }
+
+kit_camera corner_planes(double plane[2][4], double c, double behind)
+{
+    kit_camera camera = looking_along_z(WIDE, HIGH, 1);
+    /* view y of the edge */
+    const double r = sqrt(0.5), pixel = r / SPAN, edge = (row_at(c) + 0.5 - 0.5 * HIGH) * pixel + c * r;
+    const double n[2][4] = { { 0, r, r, r * (edge - 4) }, { 0, -r, r, r * (-edge - 4) - behind } };
+    memcpy(plane, n, sizeof n);
+    camera.ortho_height = (float)(HIGH * pixel);
+    return camera;
+}
+
+double row_of(kit_run *run, kit_gbuffer *g, int row, int phases)
+{
+    double sum = 0;
+    float line[COLUMNS];
+    turn(run, g);
+    --run->passes;                                         /* what the last pass reads is drawn whole */
+    kit_run_update(run);
+    kit_run_draw(run, 0);
+    ++run->passes;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(MIDDLE, row, COLUMNS, 1);
+    for (int k = 0; k < phases; ++k) {
+        run->frame.phase = (float)k / (float)phases;
+        kit_run_update(run);
+        kit_run_draw(run, 0);
+        glReadPixels(MIDDLE, row, COLUMNS, 1, GL_RED, GL_FLOAT, line);
+        for (int i = 0; i < COLUMNS; ++i) sum += (double)line[i];
+    }
+    glDisable(GL_SCISSOR_TEST);
+    return sum / (COLUMNS * phases);
+}
+
+int lighten(kit_lighting *l, const char *env, const char *light)
+{
+    memset(l, 0, sizeof *l);
+    if (light && !TRY(kit_light_parse(&l->light[l->lights++], light, &err))) return 0;
+    if (!env) return 1;
+    if (strcmp(env, "white")) return TRY(kit_env_read(&l->env, env, &err));
+    /* of coarser ones harmonics see the rows */
+    if (!TRY(kit_image_new(&l->env, 512, 256, "R,G,B", &err))) return 0;
+    for (int i = 0; i < 3 * 512 * 256; ++i) l->env.data[i] = 1;
+    return 1;
+}
+
+static const float grey[3] = { 0.5f, 0.5f, 0.5f };
+
+int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera,
+        int width, int height)
+{
+    if (!TRY(kit_scene_load(scene, name, 0, &err))) return 0;
+    for (int i = 0; i < count; ++i)
+        if (!TRY(kit_scene_add_box(scene, boxes[i].lower, boxes[i].upper, grey, &err))) return 0;
+    if (camera) scene->camera = *camera;
+    scene->camera.width = width;
+    scene->camera.height = height;
+    return TRY(kit_gbuffer_from_scene(g, scene, &scene->camera, NULL, &err));
+}
+
+/* 33 samples: loops of up to 32 Mesa unrolls, and is then long at compiling them. */
+int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
+          const kit_lighting *lighting)
+{
+    const kit_world world = { scene, lighting };
+    kit_method m;
+    memset(run, 0, sizeof *run);
+    const char *plain =
+        strstr(method, "-points") ? "blur=0,samples=33,steps=1,range=0,fade=none" : "blur=0,half=0,steps=33";
+    return CHECK(!kit_method_find(&m, method, &err) && !kit_method_set(&m, plain, &err)
+                     && ((strncmp(method, "s3ho", 4) && strncmp(method, "ssdo", 4))
+                         || !kit_method_set(&m, "residual=0", &err))
+                     && !kit_method_set(&m, set, &err) && !kit_run_open(run, g, &m, radius, &world, &err),
+                 "%s %s: %s", method, set, err.text);
+}
+
+int drawn(kit_image *out, kit_run *run)
+{
+    kit_run_update(run);
+    kit_run_draw(run, 0);
+    return TRY(kit_run_read(out, run, &err));
+}
+
+int lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
+        const kit_lighting *lighting)
+{
+    kit_run run;
+    const int ok = begin(&run, g, method, set, radius, scene, lighting) && drawn(out, &run);
+    kit_run_close(&run);
+    return ok;
+}
+
+double mean(const kit_image *image, const char *name)
+{
+    const float *channel = kit_image_channel(image, name);
+    double sum = 0;
+    for (int i = 0; i < image->width * image->height; ++i) sum += (double)channel[i];
+    return sum / (image->width * image->height);
+}
+
+int slab(kit_gbuffer *g, double c, double thickness, double gap, int layers)
+{
+    static const char *const more[3] = {
+        "", ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z",
+        ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z,layer2.Z,layer2.N.X,layer2.N.Y,layer2.N.Z"
+    };
+    double plane[2][4];
+    const kit_camera camera = corner_planes(plane, c, 0);
+    const size_t pixels = (size_t)WIDE * HIGH;
+    kit_image frame, behind;
+    int ok = planes_seen(&frame, &camera, (const double (*)[4])plane, 2, more[layers - 1]);
+    for (int j = 1; j < layers && ok; ++j) {
+        corner_planes(plane, c, j == 1 ? thickness : thickness + gap);
+        ok = planes_seen(&behind, &camera, (const double (*)[4])plane + 1, 1, "");
+        for (size_t i = 0; ok && i < 4 * pixels; ++i)
+            if (frame.data[2 * pixels + i % pixels] < 0)
+                frame.data[4 * pixels * (size_t)j + i] = i < pixels || j == 2 ? behind.data[i] : -behind.data[i];
+        kit_image_free(&behind);
+    }
+    ok = ok && TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
+    kit_image_free(&frame);
+    return ok;
+}
