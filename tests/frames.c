@@ -44,7 +44,7 @@ int planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4],
         for (int k = 0; k < planes; ++k) {
             const double *n = plane[k], across = n[0] * p[0] + n[1] * p[1],
                          z = c->fovy > 0 ? n[3] / (across - n[2]) : (n[3] - across) / -n[2];
-            if (!(z > 0.01 && z < 500) || (frame->data[at] > 0 && z >= (double)frame->data[at])) continue;
+            if (!(z > (double)c->znear && z < 500) || (frame->data[at] > 0 && z >= (double)frame->data[at])) continue;
             frame->data[at] = (float)z;
             for (size_t i = 0; i < 3; ++i) frame->data[(1 + i) * pixels + at] = (float)n[i];
         }

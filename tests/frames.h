@@ -27,7 +27,7 @@ void       turn(kit_run *run, kit_gbuffer *g);                  /* to another G-
    times as many sideways and in front of the wall, where what stands behind it is seen. The floor at distance c from
    the wall is seen through the very centre of row row_at(c). What is drawn is cut to a row of the columns in the
    middle. */
-enum { SPAN = 256, MIDDLE = 364, COLUMNS = 64, WIDE = 2 * MIDDLE + COLUMNS, HIGH = SPAN + 16 + MIDDLE };
+enum { SPAN = 128, MIDDLE = 182, COLUMNS = 64, WIDE = 2 * MIDDLE + COLUMNS, HIGH = SPAN + 16 + MIDDLE };
 int        row_at(double c);
 /* floor, wall; that one moved away by behind */
 kit_camera corner_planes(double plane[2][4], double c, double behind);

@@ -147,96 +147,6 @@ static void furnace(void)
 
 /* ---- open planes ------------------------------------------------------------------------------------------------- */
 
-/* irradiance over pi on surfaces with these normals, three channels each */
-static void cosine_integrals(double (*out)[3], const kit_image *env, const double (*n)[3], int normals)
-{
-    memset(out, 0, (size_t)normals * sizeof *out);
-    for (int y = 0; y < env->height; ++y)
-        for (int x = 0; x < env->width; ++x) {
-            const double area = 2 * pi / env->width * pi / env->height * sin(pi * (y + 0.5) / env->height);
-            float d[3], rgb[3];
-            kit_env_direction(env, x + 0.5, y + 0.5, d);
-            kit_env_radiance(env, d, rgb);
-            for (int i = 0; i < normals; ++i) {
-                const double cosine = (double)d[0] * n[i][0] + (double)d[1] * n[i][1] + (double)d[2] * n[i][2];
-                for (int c = 0; c < 3; ++c) out[i][c] += fmax(0, cosine) * area / pi * (double)rgb[c];
-            }
-        }
-}
-
-static void open_planes(void)
-{
-    enum { PLANES = 16 };
-    /* three bands are as good as they are: their error is of the brightest normal's */
-    static const struct { const char *env, *set; double off;
-    } row[] = { { "white", "environment=map", 1e-5 },       { "white", "environment=sh", 1e-5 },
-                { "sky", "environment=map", 0.01 },         { "sky", "environment=sh", 0.02 },
-                { "sky", "environment=sh,bands=1,residual=1", 0.01 },
-                { "sky", "environment=map,sets=16", 0.01 }, { "sky", "environment=sh,sets=16", 0.02 } };
-    static const double tilts[] = { 0, 30, 60, 75 };
-    static const float targets[4][3] = {
-        { 0, 0, -1 }, { 0.3f, -0.8f, -0.5f }, { 0.9f, 0.2f, 0.4f }, { -0.2f, 0.7f, 0.6f }
-    };
-    kit_gbuffer g[PLANES];
-    kit_image frame[PLANES], out;
-    double world[PLANES][3], truth[PLANES][3];
-    float view[PLANES][16], projection[16];
-    for (int k = 0; k < PLANES; ++k) {
-        const double a = tilts[k % 4] * pi / 180, b = 1 + 0.4 * k,
-                     n[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
-        kit_camera c = looking_along_z(W, H, 0);
-        memcpy(c.target, targets[k / 4], sizeof c.target);
-        kit_camera_matrices(&c, view[k], projection);
-        for (int j = 0; j < 3; ++j)
-            world[k][j] = (double)view[k][4 * j] * n[0][0] + (double)view[k][4 * j + 1] * n[0][1]
-                          + (double)view[k][4 * j + 2] * n[0][2];
-        if (!planes_seen(&frame[k], &c, n, 1, "") || !TRY(kit_gbuffer_from_frame(&g[k], &frame[k], &c, &err))) return;
-    }
-    for (int i = 0; i < (int)(sizeof row / sizeof row[0]); ++i) {
-        const int white = !strcmp(row[i].env, "white"),
-                  bands = strstr(row[i].set, "sh") && !strstr(row[i].set, "residual=1");
-        double worst = 0, noise = 0, brightest[3] = { 0 };
-        kit_lighting l;
-        kit_run run;
-        char set[96];
-        snprintf(set, sizeof set, "bounce=none,%s", row[i].set);
-        if (!lighten(&l, row[i].env, NULL) || !begin(&run, &g[0], "ssdo-points", set, 0.5f, NULL, &l)) return;
-        cosine_integrals(truth, &l.env, (const double (*)[3])world, PLANES);
-        for (int k = 0; k < PLANES; ++k)
-            for (int c = 0; c < 3; ++c) {
-                if (white) truth[k][c] = 1;
-                brightest[c] = fmax(brightest[c], truth[k][c]);
-            }
-        /* a program a row, turned to every plane and camera */
-        for (int k = 0; k < PLANES; ++k) {
-            turn(&run, &g[k]);
-            for (int j = 0; j < 9; ++j) run.frame.rotation[j / 3 * 4 + j % 3] = view[k][j / 3 * 4 + j % 3];
-            ssgi_gl_harmonics_set(&run.frame, run.harmonics, 3, view[k], NULL);
-            run.frame.radius = run.frame.thickness_limit = k & 1 ? 0.5f : 0.1f;
-            if (!drawn(&out, &run)) return;
-            for (int c = 0; c < 3; ++c) {
-                double least = 1e9, most = 0;
-                for (int p = 0; p < W * H; ++p) {
-                    const double v = (double)out.data[(3 + c) * W * H + p];
-                    if (!flat(&frame[k], p % W, p / W)) continue;
-                    least = fmin(least, v);
-                    most = fmax(most, v);
-                }
-                worst =
-                    fmax(worst, fmax(most - truth[k][c], truth[k][c] - least) / (bands ? brightest[c] : truth[k][c]));
-                noise = fmax(noise, (most - least) / truth[k][c]);
-            }
-            kit_image_free(&out);
-        }
-        kit_run_close(&run);
-        kit_image_free(&l.env);
-        CHECK(worst <= row[i].off && noise <= 1e-3, "%s %s: off by %.2e, %.1e from pixel to pixel", row[i].env,
-              row[i].set, worst, noise);
-        t_note("%s %s: off by %.2e, noise %.1e", row[i].env, row[i].set, worst, noise);
-    }
-    for (int k = 0; k < PLANES; ++k) { kit_gbuffer_free(&g[k]); kit_image_free(&frame[k]); }
-}
-
 /* ---- the corner -------------------------------------------------------------------------------------------------- */
 
 static double square_corner(double c)
@@ -299,68 +209,6 @@ static void corner_darkens(void)
     }
     t_note("%.4f off at most", worst);
     for (int i = 0; i < 3; ++i) kit_gbuffer_free(&g[i]);
-    kit_image_free(&l.env);
-}
-
-/* Slices over bare planes: every pixel gets what it gets where nothing is near, whatever collects it. */
-static void slices_leave_planes_open(void)
-{
-    static const struct { const char *method, *set; double off;
-    } row[] = { { "ssdo", "bounce=none", 1e-5 },
-                { "ssdo", "bounce=none,thickness=slabs,half=1,blur=1", 1e-5 },
-                { "ssdo", "bounce=none,environment=sh,thickness=back", 1e-5 },
-                { "ssdo", "bounce=none,thickness=solid,directions=3", 1e-5 },
-                { "s3ho", "indirect=none", 1e-5 },
-                { "s3ho", "indirect=none,residual=1,bands=2,thickness=back", 1e-5 },
-                { "s3ho", "indirect=none,bands=1,store=float,filtered=coefficients", 1e-5 },
-                { "s3ho", "indirect=none,bands=3,store=packed,filtered=coefficients,thickness=slabs", 2e-3 },
-                { "ssbn", "store=float,thickness=solid", 1e-5 },
-                { "ssbn", "store=float,cone=normal,half=1,blur=1", 1e-5 } };
-    static const double tilts[3] = { 0, 60, 85 };
-    kit_lighting l;
-    if (!lighten(&l, "sky", NULL)) return;
-    for (int t = 0; t < 6; ++t) {
-        const double a = tilts[t % 3] * 0.017453292519943,
-                     n[1][4] = { { sin(a) * 0.8, sin(a) * 0.6, cos(a), -cos(a) } };
-        kit_camera c = looking_along_z(81, 45, t > 2);
-        kit_image frame, out, open;
-        kit_gbuffer g;
-        if (!planes_seen(&frame, &c, n, 1, ",back.Z,front2.Z,back2.Z")
-            || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)))
-            return;
-        for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
-            double worst = 0;
-            char points[16];
-            snprintf(points, sizeof points, "%s-points", row[m].method);
-            const char *bands = strstr(row[m].set, "bands="), *exact = strstr(row[m].set, "residual=1"),
-                       *cone = strstr(row[m].set, "cone=normal"), *sh = strstr(row[m].set, "environment=sh");
-            char set[96];
-            snprintf(set, sizeof set, "%s%s%.7s%s%s",
-                     row[m].method[1] == '3'   ? "indirect=none,"
-                     : row[m].method[2] == 'd' ? "bounce=none,"
-                                               : "",
-                     sh ? "environment=sh," : "", bands ? bands : "bands=4", exact ? ",residual=1" : "",
-                     cone ? ",cone=normal" : "");
-            if (row[m].method[1] == 's')
-                snprintf(set, sizeof set, "%s%s", row[m].method[2] == 'd' ? "bounce=none" : "store=float",
-                         sh     ? ",environment=sh"
-                         : cone ? ",cone=normal"
-                                : "");
-            if (!lit(&out, &g, row[m].method, row[m].set, 0.3f, NULL, &l)
-                || !lit(&open, &g, points, set, 1e-6f, NULL, &l))
-                return;
-            for (int i = 0; i < out.width * out.height; ++i)
-                for (int k = 3; k < 6 && flat(&frame, i % out.width, i / out.width); ++k)
-                    worst = fmax(worst, fabs((double)out.data[k * out.width * out.height + i]
-                                             - (double)open.data[k * out.width * out.height + i]));
-            CHECK(worst <= row[m].off, "%s %s: off by %.1e on a plane tilted by %g, %s", row[m].method, row[m].set,
-                  worst, tilts[t % 3], t > 2 ? "orthographic" : "perspective");
-            kit_image_free(&out);
-            kit_image_free(&open);
-        }
-        kit_image_free(&frame);
-        kit_gbuffer_free(&g);
-    }
     kit_image_free(&l.env);
 }
 
@@ -733,63 +581,6 @@ static void edge_on_is_dark(void)
 
 /* ---- units ------------------------------------------------------------------------------------------------------- */
 
-static void units_do_not_matter(void)
-{
-    enum { SMALL_W = 96, SMALL_H = 54 };
-    static const struct {
-        const char *method, *set;
-    } row[] = { { "ssdo-points", "bounce=solid-angle,layers=2" },
-                { "ssdo-points", "bounce=patch,layers=2" },
-                { "ssdo-points", "bounce=solid-angle,shadows=segment,views=2,layers=2,fade=smooth" },
-                { "ssdo-points", "bounce=none,environment=none" },
-                { "s3ho-points", "layers=2,views=2,fade=lambda,range=1" },
-                { "s3ho-points", "filtered=coefficients,indirect=apart,blur=1,half=1" },
-                { "ssbn-points", "lights=shadowed,fade=lambda" } };
-    /* powers of two change no digit; the others round samples at edges to either side */
-    static const float scales[5] = { 1, 0.125f, 8, 0.1f, 10 };
-    double worst[2] = { 0 };
-    kit_lighting l;
-    if (!lighten(&l, "sky", NULL)) return;
-    for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
-        kit_image out[5];
-        double off[5] = { 0 };
-        for (int s = 0; s < 5; ++s) {
-            char light[96];
-            kit_scene scene;
-            kit_gbuffer g;
-            const float f = scales[s];
-            if (!TRY(kit_scene_load(&scene, "cornell", 0, &err))) return;
-            for (size_t i = 0; i < 9 * scene.mesh.triangles; ++i) scene.mesh.position[i] *= f;
-            for (int i = 0; i < 3; ++i) {
-                scene.mesh.lower[i] *= f;
-                scene.mesh.upper[i] *= f;
-                scene.camera.eye[i] *= f;
-                scene.camera.target[i] *= f;
-            }
-            scene.camera.znear *= f; scene.camera.zfar *= f;
-            scene.camera.width = SMALL_W; scene.camera.height = SMALL_H;
-            snprintf(light, sizeof light, "point:0,%.9g,%.9g,%.9g,%.9g,%.9g", (double)(5 * f), (double)(-2.8f * f),
-                     (double)(15 * f * f), (double)(12 * f * f), (double)(9 * f * f));
-            l.lights = 0;
-            if (!TRY(kit_light_parse(&l.light[l.lights++], light, &err))
-                || !TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))
-                || !lit(&out[s], &g, row[m].method, row[m].set, f * scene.radius, &scene, &l))
-                return;
-            for (int i = 0; i < 3 * SMALL_W * SMALL_H; ++i)
-                off[s] += pow((double)out[s].data[i] - (double)out[0].data[i], 2);
-            off[s] = sqrt(off[s] / (3 * SMALL_W * SMALL_H)) / mean(&out[0], "G");
-            kit_gbuffer_free(&g); kit_scene_free(&scene);
-        }
-        CHECK(off[1] <= 1e-4 && off[2] <= 1e-4 && off[3] <= 5e-3 && off[4] <= 5e-3,
-              "%s %s: RMSE %.1e of the mean at 1/8, %.1e at 8, %.1e at 0.1, %.1e at 10", row[m].method, row[m].set,
-              off[1], off[2], off[3], off[4]);
-        for (int s = 1; s < 5; ++s) worst[s > 2] = fmax(worst[s > 2], off[s]);
-        for (int s = 0; s < 5; ++s) kit_image_free(&out[s]);
-    }
-    t_note("RMSE %.1e of the mean at 1/8 and 8, %.1e at 0.1 and 10", worst[0], worst[1]);
-    kit_image_free(&l.env);
-}
-
 /* ---- shadow maps ------------------------------------------------------------------------------------------------- */
 
 /* A sun that shines down -z on a plane whose normal stands this far from it, half to the right and half up: its slope
@@ -1059,9 +850,7 @@ void test_light(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("furnace: in uniform light every pixel gets exactly what comes in", furnace);
-    RUN("open planes get the environment's cosine integral, without noise", open_planes);
     RUN("the corner darkens by its closed forms, for every falloff and number of steps", corner_darkens);
-    RUN("slices leave bare planes open, exactly, whatever they collect", slices_leave_planes_open);
     RUN("creases stay sharp where nothing is occluded, with the default filters", creases_stay);
     RUN("what slices block of light that has a direction is what comes from there", slices_know_directions);
     RUN("the corner's bounce is what each estimator's expectation is", corner_bounces);
@@ -1071,7 +860,6 @@ void test_light(void)
     RUN("a segment ends at its light", segments_end_at_lights);
     RUN("an emitter seen from behind is dark, unless both sides shine", backs_are_dark);
     RUN("an emitter seen edge-on is dark", edge_on_is_dark);
-    RUN("units do not matter", units_do_not_matter);
     RUN("with a margin the picture is the middle of a larger one, drawn alone", margins);
     RUN("a plane does not shadow itself in a map", planes_do_not_shadow_themselves);
     RUN("a sun's maps cover all that is seen", suns_cover_what_is_seen);

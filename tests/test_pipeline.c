@@ -121,83 +121,6 @@ static double difference(const kit_image *a, const kit_image *b, int dx, int dy,
 /* ---- closed forms ------------------------------------------------------------------------------------------------ */
 
 
-/* A plane that is 0.03 deep, before another one that is 0.02 deep. */
-static int floors(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double plane[4])
-{
-    static const double behind[3] = { 0.03, 0.05, 0.07 };
-    const double (*n)[4] = (const double (*)[4])plane;
-    if (!planes_seen(frame, c, n, 1, ",back.Z,front2.Z,back2.Z")) return 0;
-    for (size_t k = 0; k < 3; ++k) {
-        const double farther[4] = { plane[0], plane[1], plane[2], plane[3] - behind[k] };
-        const size_t pixels = (size_t)frame->width * (size_t)frame->height;
-        kit_image other;
-        if (!planes_seen(&other, c, (const double (*)[4])farther, 1, "")) return 0;
-        memcpy(frame->data + (4 + k) * pixels, other.data, pixels * sizeof(float));
-        kit_image_free(&other);
-    }
-    return TRY(kit_gbuffer_from_frame(g, frame, c, &err));
-}
-
-static void planes_stay_bright(void)
-{
-    static const struct { const char *method, *set; double most;
-    } row[] = { { "ssao", "", 1e-3 },
-                { "ssao", "thickness=solid,blur=0", 1e-3 },
-                { "hsao", "", 1e-5 },
-                { "hsao-fast", "", 1e-5 },
-                { "hsao-best", "blur=0", 1e-5 },
-                { "hsao-best", "falloff=none,blur=0", 1e-5 },
-                { "hsao", "thickness=solid", 1e-5 },
-                { "hsao", "thickness=back", 1e-5 },
-                { "hsao-best", "thickness=slabs,blur=0", 1e-5 },
-                { "hsao-fast", "thickness=slabs", 1e-5 },
-                { "hsao-march", "normal_rays=0,blur=0", 1e-5 },
-                { "hsao-march", "normal_rays=2,thickness=solid,blur=0", 1e-3 },
-                { "ssao", "normal=depth", 1e-3 },
-                { "hsao-best", "normal=depth,blur=0", 1e-5 },
-                { "hsao-march", "normal=depth,normal_rays=2,thickness=solid,blur=0", 1e-3 } };
-    enum { ROWS = (int)(sizeof row / sizeof row[0]), TURNS = 3, PLANES = 15 };
-    static const double tilts[] = { 0, 30, 60, 75, 85 }, turns[TURNS] = { 0, 90, 217 };
-    kit_gbuffer g[PLANES];
-    kit_image frame[PLANES], out;
-    kit_run run;
-    int looked = 0;
-    for (int orthographic = 0; orthographic < 2; ++orthographic) {
-        const kit_camera c = looking_along_z(160, 90, orthographic);
-        for (int i = 0; i < PLANES; ++i) {
-            const double a = tilts[i / TURNS] * pi / 180, b = turns[i % TURNS] * pi / 180,
-                         n[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
-            if (!floors(&g[i], &frame[i], &c, n[0])) return;
-        }
-        for (int m = 0; m < ROWS; ++m) {
-            if (!start(&run, &g[0], row[m].method, row[m].set, 0.1f)) continue;
-            for (int i = 0; i < PLANES; ++i) {
-                double worst = 0;
-                turn(&run, &g[i]);
-                run.frame.radius = run.frame.thickness_limit = i % 2 ? 0.5f : 0.1f;
-                run.frame.phase = (float)i / PLANES;
-                if (!draw(&out, &run)) continue;
-                for (int k = 0; k < out.width * out.height; ++k) {
-                    if (!flat(&frame[i], k % out.width, k / out.width)) continue;
-                    if (!(1 - (double)out.data[k] <= worst)) worst = 1 - (double)out.data[k];
-                    ++looked;
-                }
-                CHECK(worst <= row[m].most,
-                      "%s %s, %s: occlusion %.1e on a plane tilted by %g, turned by %g, radius %g", row[m].method,
-                      row[m].set, orthographic ? "orthographic" : "perspective", worst, tilts[i / TURNS],
-                      turns[i % TURNS], (double)run.frame.radius);
-                kit_image_free(&out);
-            }
-            kit_run_close(&run);
-        }
-        for (int i = 0; i < PLANES; ++i) { kit_gbuffer_free(&g[i]); kit_image_free(&frame[i]); }
-    }
-    CHECK(looked > 2000000, "only %d pixels were looked at", looked);
-}
-
-
-
-
 static int corner(kit_gbuffer *g, double c)
 {
     double plane[2][4];
@@ -462,90 +385,6 @@ static void horizon_of_another_camera(void)
 
 /* ---- slabs: plates over a floor, endless sideways, from 45 degrees above ----------------------------------------- */
 
-/* from where to where along the floor, away from the viewer, and over it */
-typedef struct plate { double y[2], h[2]; } plate;
-/* the second one is hidden by the first */
-static const plate plates[2] = { { { 0.2, 0.6 }, { 0.4, 0.5 } }, { { 0.5, 0.8 }, { 0.15, 0.2 } } };
-
-/* Where a line from y, h along dy, dh is in a plate: 1, or 0 if it misses. */
-static int crosses(const plate *p, double y, double h, double dy, double dh, double t[2])
-{
-    const double a = (p->y[0] - y) / dy, b = (p->y[1] - y) / dy, c = (p->h[0] - h) / dh, d = (p->h[1] - h) / dh;
-    t[0] = fmax(fmin(a, b), fmin(c, d));
-    t[1] = fmin(fmax(a, b), fmax(c, d));
-    return t[0] < t[1] && t[0] > 0;
-}
-
-/* Occlusion of the floor at 0, linear within radius 1, by quadrature over the hemisphere. */
-static double plates_truth(int count)
-{
-    enum { N = 1500 };
-    double sum = 0;
-    for (int i = 0; i < N; ++i)
-        for (int k = 0; k < N; ++k) {
-            const double z = sqrt((i + 0.5) / N), across = sqrt(1 - z * z) * cos(2 * pi * (k + 0.5) / N);
-            double t[2], nearest = 1;
-            for (int p = 0; p < count; ++p) if (crosses(&plates[p], 0, 0, across, z, t)) nearest = fmin(nearest, t[0]);
-            sum += 1 - nearest;
-        }
-    return sum / ((double)N * N);
-}
-
-static int over_floor(kit_gbuffer *g, int count)
-{
-    kit_camera camera = looking_along_z(WIDE, HIGH, 1);
-    const double r = sqrt(0.5), pixel = r / SPAN;
-    kit_image frame;
-    camera.ortho_height = (float)(HIGH * pixel);
-    if (!TRY(kit_image_new(&frame, WIDE, HIGH, "Z,N.X,N.Y,N.Z,back.Z,front2.Z,back2.Z", &err))) return 0;
-    for (int row = 0; row < HIGH; ++row) {
-        /* at view depth 1; the floor at 0 is at depth 4 */
-        const double up = (row - HIGH / 2) * pixel, y0 = r * up - 3 * r, h0 = r * up + 3 * r;
-        double v[7] = { 0, 0, r, r, 0, 0, 0 }, t[2], stop[5] = { 0 };
-        int found = 0;
-        for (int p = 0; p < count; ++p) {
-            if (!crosses(&plates[p], y0, h0, r, -r, t)) continue;
-            stop[found++] = 1 + t[0];
-            stop[found++] = 1 + t[1];
-            /* its edge, not its top */
-            if (found == 2 && fabs(y0 + t[0] * r - plates[p].y[0]) < 1e-9) { v[2] = -r; v[3] = r; }
-        }
-        stop[found++] = 1 + h0 / r;
-        v[0] = stop[0];
-        for (int k = 1; k < found && k < 4; ++k) v[3 + k] = stop[k];
-        for (size_t k = 0; k < 7; ++k)
-            for (size_t x = 0; x < WIDE; ++x)
-                frame.data[(k * HIGH + (size_t)(HIGH - 1 - row)) * WIDE + x] = (float)v[k];
-    }
-    const int ok = TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
-    kit_image_free(&frame);
-    return ok;
-}
-
-static void plates_cover_what_they_cover(void)
-{
-    static const struct {
-        const char *behind;
-        int plates, knows;
-    } row[] = { { "back", 1, 1 }, { "slabs", 1, 1 },    { "slabs", 2, 1 },
-                { "back", 2, 0 }, { "constant", 1, 0 }, { "solid", 1, 0 } };
-    double truth[2];
-    for (int i = 0; i < 2; ++i) truth[i] = plates_truth(i + 1);
-    for (size_t i = 0; i < sizeof row / sizeof row[0]; ++i) {
-        kit_gbuffer g;
-        kit_run run;
-        char set[96];
-        snprintf(set, sizeof set, "directions=8,steps=48,blur=0,thickness=%s", row[i].behind);
-        if (!over_floor(&g, row[i].plates) || !start(&run, &g, "hsao-best", set, 1)) return;
-        const double o = 1 - row_of(&run, &g, HIGH / 2, 4), want = truth[row[i].plates - 1];
-        CHECK(row[i].knows == (fabs(o - want) < 0.0045), "%d plates, %s: %.4f, truth %.4f", row[i].plates, set, o,
-              want);
-        t_note("%d plates, %s: %.4f, truth %.4f", row[i].plates, row[i].behind, o, want);
-        kit_run_close(&run);
-        kit_gbuffer_free(&g);
-    }
-}
-
 /* The faces along a pixel's ray, told apart by their winding, are what the kit draws. */
 static void back_faces_are_drawn(void)
 {
@@ -653,109 +492,6 @@ static void taps_of_a_wall_are_joined(void)
 /* ---- the same picture, whatever the camera, the layout and the units --------------------------------------------- */
 
 enum { ROOM_W = 480, ROOM_H = 270 };
-
-static void same_picture(void)
-{
-    enum { NORMAL, REVERSED, INFINITE, LINEAR, INSIDE, SHIFTED, ROLLED, SMALL, LARGE, WAYS };
-    static const char *const names[WAYS] = {
-        "normal depth", "",    "infinite far plane", "view depth", "inside larger textures", "shifted", "rolled",
-        "1/1000",       "1000"
-    };
-    static const struct {
-        const char *method, *set;
-    } alike[] = { { "ssao", "noise=texture,thickness=solid" },
-                  { "hsao", "noise=texture" },
-                  { "hsao-best", "noise=texture" },
-                  { "hsao-march", "noise=texture" } };
-    static const int margin[4] = { 8, 4, 12, 16 };
-    double worst[WAYS] = { 0 };
-    for (int orthographic = 0; orthographic < 2; ++orthographic) {
-        kit_gbuffer g[WAYS];
-        kit_image reference[4], other, frame, turned;
-        kit_run run[2][4] = { 0 };
-        kit_scene scene;
-        /* reversed depth first: the reference, as the most precise; normal depth last */
-        for (int way = REVERSED; way <= WAYS; ++way) {
-            /* multiples of the noise's tile */
-            const int w = way % WAYS, dx = w == SHIFTED ? 16 : 0, dy = w == SHIFTED ? 32 : 0;
-            const float scale = w == SMALL ? 1e-3f : w == LARGE ? 1e3f : 1;
-            if (!load(&scene, ROOM_W, ROOM_H)) return;
-            kit_camera *c = &scene.camera;
-            c->depth = w == NORMAL                      ? KIT_DEPTH_NORMAL
-                       : w == INFINITE && !orthographic ? KIT_DEPTH_INFINITE
-                                                        : KIT_DEPTH_REVERSED;
-            if (orthographic) { c->fovy = 0; c->ortho_height = 3.6f; }
-            c->shift[0] = (float)dx;
-            c->shift[1] = (float)-dy;
-            if (w == ROLLED) {
-                /* what was to the left is up */
-                c->up[0] = c->target[2] - c->eye[2]; c->up[1] = 0; c->up[2] = c->eye[0] - c->target[0];
-                c->width = ROOM_H;
-                c->height = ROOM_W;
-                if (orthographic) c->ortho_height *= (float)ROOM_W / ROOM_H;
-                else c->fovy = (float)(360 / pi * atan(tan((double)c->fovy * pi / 360) * ROOM_W / ROOM_H));
-            }
-            for (size_t i = 0; i < 9 * scene.mesh.triangles; ++i) scene.mesh.position[i] *= scale;
-            for (int i = 0; i < 3; ++i) {
-                c->eye[i] *= scale;
-                c->target[i] *= scale;
-                scene.mesh.lower[i] *= scale;
-                scene.mesh.upper[i] *= scale;
-            }
-            c->znear *= scale; c->zfar *= scale; c->ortho_height *= scale;
-            if (w == LINEAR) {
-                if (!TRY(kit_gbuffer_read(&frame, &g[REVERSED], &err))
-                    || !TRY(kit_gbuffer_from_frame(&g[w], &frame, &g[REVERSED].camera, &err)))
-                    return;
-                kit_image_free(&frame);
-            } else if (!TRY(kit_gbuffer_from_scene(&g[w], &scene, c, w == INSIDE ? margin : NULL, &err))) return;
-            /* what is beside the picture must not matter: something near */
-            if (w == INSIDE) {
-                float beside[ROOM_W + 20];
-                for (int i = 0; i < ROOM_W + 20; ++i) beside[i] = 0.9f;
-                glBindTexture(GL_TEXTURE_2D, g[w].depth);
-                for (int y = 0; y < g[w].height; ++y)
-                    if (y < 4 || y >= 4 + ROOM_H)
-                        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, y, ROOM_W + 20, 1, GL_DEPTH_COMPONENT, GL_FLOAT, beside);
-            }
-            for (int m = 0; m < 4; ++m) {
-                double d, most = 5e-4;
-                /* at half size another pixel of each 2x2 is drawn: another picture */
-                if (w == ROLLED && m == 1) continue;
-                if (!picture(&other, &run[w == LINEAR][m], &g[w], alike[m].method, alike[m].set, scale * scene.radius,
-                             0, w == INSIDE ? 20 : 0))
-                    return;
-                if (w == REVERSED) { reference[m] = other; continue; }
-                if (w == ROLLED) {                                 /* turned back; and no more than noise apart */
-                    if (!TRY(kit_image_new(&turned, ROOM_W, ROOM_H, "Y", &err))) return;
-                    for (int i = 0; i < ROOM_W * ROOM_H; ++i)
-                        turned.data[i] = other.data[i % ROOM_W * ROOM_H + ROOM_H - 1 - i / ROOM_W];
-                    kit_image_free(&other);
-                    other = turned;
-                    if (!picture(&frame, &run[0][m], &g[REVERSED], alike[m].method, alike[m].set, scene.radius, 0.39f,
-                                 0))
-                        return;
-                    most = 1.4 * difference(&reference[m], &frame, 0, 0, 0);
-                    kit_image_free(&frame);
-                }
-                d = difference(&reference[m], &other, dx, dy, w == SHIFTED ? 100 : 0);
-                worst[w] = fmax(worst[w], d);
-                CHECK(d <= most, "%s, %s, %s: RMSE %.5f of reversed depth",
-                      orthographic ? "orthographic" : "perspective", alike[m].method, names[w], d);
-                kit_image_free(&other);
-            }
-            if (w != REVERSED) kit_gbuffer_free(&g[w]);
-            kit_scene_free(&scene);
-        }
-        for (int m = 0; m < 4; ++m) {
-            kit_image_free(&reference[m]);
-            kit_run_close(&run[0][m]);
-            kit_run_close(&run[1][m]);
-        }
-        kit_gbuffer_free(&g[REVERSED]);
-    }
-    for (int w = 0; w < WAYS; ++w) if (w != REVERSED) t_note("%s: RMSE %.1e", names[w], worst[w]);
-}
 
 /* ---- what engines have: the same picture from a left-handed camera, drawn upside down, through an oblique near plane,
    from the first of several samples, from a slice, through a text that decodes by ours --------------------------- */
@@ -1854,15 +1590,11 @@ static void last_frames(void)
 void test_pipeline(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
-    RUN("planes stay bright, tilted and turned, by every method", planes_stay_bright);
     RUN("the corner agrees with its closed forms and with the paper's march", corner_converges);
     RUN("the march's terms, its layers and its spheres are what closed forms say", terms_of_the_march);
     RUN("an extra camera's solids raise the horizon", horizon_of_another_camera);
-    RUN("plates over a floor cover what they cover: one by its back, one behind another as slabs",
-        plates_cover_what_they_cover);
     RUN("taps of a wall are joined: few see it as dark as many", taps_of_a_wall_are_joined);
     RUN("back faces and slabs are what rays meet, and come back from a frame", back_faces_are_drawn);
-    RUN("depth layout, units, shift, roll and place in the textures change nothing", same_picture);
     RUN("what engines have: left-handed, upside down, oblique, sampled, sliced, decoded by a text of one's own",
         what_engines_have);
     RUN("every size of picture gives sound values, and 1 where nothing is", sizes_do_not_matter);

@@ -1,0 +1,664 @@
+/* test_scenes.c - scenes by name whose answer is a closed form or a sum over directions, each seen by several methods;
+   and what must not change a picture, over all methods. */
+#include "t.h"
+#include "frames.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979;
+static kit_error err;
+#define TRY(call) CHECK(!(call), "%s", err.text)
+#define COUNT(table) ((int)(sizeof(table) / sizeof *(table)))
+
+/* A direction by the cosine about +z: sample i of so many squared. */
+static void lobe(double d[3], int i, int side)
+{
+    const double z = sqrt((i / side + 0.5) / side), a = 2 * pi * (i % side + 0.5) / side, r = sqrt(1 - z * z);
+    d[0] = r * cos(a);
+    d[1] = r * sin(a);
+    d[2] = z;
+}
+
+/* ---- bars over a floor, endless sideways, radius 1 --------------------------------------------------------------- */
+
+/* From where to where along the floor, away from the viewer, and over it. */
+typedef struct bar { double y[2], h[2]; } bar;
+/* from: the angle between the view and straight down. upper: how far up the picture goes on from the receiver. */
+typedef struct profile { double from, upper; int bars; bar bar[6]; } profile;
+
+static const profile a_plate = { 45, 9, 1, { { { 0.2, 0.6 }, { 0.4, 0.5 } } } },
+                     a_hidden_plate = { 45, 9, 2, { { { 0.2, 0.6 }, { 0.4, 0.5 } }, { { 0.5, 0.8 }, { 0.15, 0.2 } } } },
+                     two_cards = { 45, 9, 2, { { { 0.15, 0.5 }, { 0.45, 0.46 } }, { { 0.3, 0.7 }, { 0.2, 0.21 } } } },
+                     a_fence = { 0, 9, 6, { { { -0.7, -0.6 }, { 0.3, 0.31 } }, { { -0.5, -0.4 }, { 0.3, 0.31 } },
+                                            { { -0.3, -0.2 }, { 0.3, 0.31 } }, { { 0.2, 0.3 }, { 0.3, 0.31 } },
+                                            { { 0.4, 0.5 }, { 0.3, 0.31 } }, { { 0.6, 0.7 }, { 0.3, 0.31 } } } };
+/* A card that stands out of the picture by less and less: its middle is at 0.354 up from the receiver. */
+#define LEAVING(upper) { 45, upper, 1, { { { 0.1, 0.4 }, { 0.24, 0.26 } } } }
+static const profile leaving[5] = { LEAVING(0.2), LEAVING(0.3), LEAVING(0.4), LEAVING(0.6), LEAVING(9) };
+
+/* Where a line from y, h along dy, dh is in a bar; 0: it misses. edge: whether it enters through a side. */
+static int crosses(const bar *p, double y, double h, double dy, double dh, double t[2], int *edge)
+{
+    const double a = (p->y[0] - y) / dy, b = (p->y[1] - y) / dy, c = (p->h[0] - h) / dh, d = (p->h[1] - h) / dh;
+    t[0] = fmax(fmin(a, b), fmin(c, d));
+    t[1] = fmin(fmax(a, b), fmax(c, d));
+    *edge = fmin(a, b) > fmin(c, d);
+    return t[0] < t[1] && t[0] > 0;
+}
+
+/* The share of directions that bars block, falling off with the distance. Beyond the picture nothing is. */
+static double blocked(const profile *p)
+{
+    enum { N = 500 };
+    const double a = p->from * pi / 180;
+    double sum = 0;
+    for (int i = 0; i < N * N; ++i) {
+        double d[3], t[2], nearest = 1;
+        int side;
+        lobe(d, i, N);
+        for (int k = 0; k < p->bars; ++k)
+            if (crosses(&p->bar[k], 0, 0, d[0], d[2], t, &side) && t[0] * (d[0] * cos(a) + d[2] * sin(a)) < p->upper)
+                nearest = fmin(nearest, t[0]);
+        sum += 1 - nearest;
+    }
+    return sum / ((double)N * N);
+}
+
+/* The picture, the bars of radiance 1; the receiver is seen through the middle of a row, which is returned; 0: failed. */
+static int profile_seen(kit_gbuffer *g, const profile *p)
+{
+    kit_camera camera = looking_along_z(WIDE, HIGH, 1);
+    const double a = p->from * pi / 180 + 1e-6, s = sin(a), c = cos(a), pixel = sqrt(0.5) / SPAN;
+    const int at = p->upper < 9 ? HIGH - 1 - (int)(p->upper / pixel) : HIGH / 2;
+    kit_image frame;
+    camera.ortho_height = (float)(HIGH * pixel);
+    if (!TRY(kit_image_new(&frame, WIDE, HIGH, "Z,N.X,N.Y,N.Z,back.Z,front2.Z,back2.Z,direct.R,direct.G,direct.B",
+                           &err)))
+        return 0;
+    for (int row = 0; row < HIGH; ++row) {
+        /* at view depth 1; the receiver is at depth 4 */
+        const double up = (row - at) * pixel, y = up * c - 3 * s, h = up * s + 3 * c;
+        double v[7] = { 0, 0, s, c, 0, 0, 0 }, t[2], stop[16], light = 0;
+        int found = 0;
+        for (int k = 0; k < p->bars; ++k) {
+            int edge, i = found;
+            if (!crosses(&p->bar[k], y, h, s, -c, t, &edge)) continue;
+            for (; i > 0 && stop[i - 2] > 1 + t[0]; i -= 2) { stop[i] = stop[i - 2]; stop[i + 1] = stop[i - 1]; }
+            stop[i] = 1 + t[0];
+            stop[i + 1] = 1 + t[1];
+            found += 2;
+            if (!i) { v[2] = edge ? -c : s; v[3] = edge ? s : c; }
+            light = 1;
+        }
+        stop[found++] = 1 + h / c;
+        v[0] = stop[0];
+        for (int k = 1; k < found && k < 4; ++k) v[3 + k] = stop[k];
+        for (size_t k = 0; k < 10; ++k)
+            for (size_t x = 0; x < WIDE; ++x)
+                frame.data[(k * HIGH + (size_t)(HIGH - 1 - row)) * WIDE + x] = (float)(k < 7 ? v[k] : light);
+    }
+    const int ok = TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
+    kit_image_free(&frame);
+    return ok ? at : 0;
+}
+
+/* What is beyond the picture is a guess, of at most so much of what is left free on the picture's side of it. */
+static const double expected_beyond = 0.4;
+
+static void bars_cover_what_they_cover(void)
+{
+    enum { AO, LIGHT /* of a white sky */, BOUNCE /* of the bars */, UNSEEN /* what is taken to leave backs */ };
+    static const double of_it[] = { 1, 1, 1, 0.35 };
+    static const char *const seen[] = { "occlusion", "light", "bounce", "bounce" };
+    /* knows 0: the answer must be another, as what is assumed is not so */
+    static const struct { const char *name; const profile *p; const char *set; int sees, knows; } row[] = {
+        { "a plate", &a_plate, "thickness=back", AO, 1 },
+        { "a plate", &a_plate, "thickness=slabs", AO, 1 },
+        { "a plate", &a_plate, "thickness=constant", AO, 0 },
+        { "a plate", &a_plate, "thickness=solid", AO, 0 },
+        { "a plate", &a_plate, "thickness=slabs", LIGHT, 1 },
+        { "a plate that is a double-sided emitter", &a_plate, "thickness=slabs,two_sided=1", BOUNCE, 1 },
+        { "a plate hidden by another", &a_hidden_plate, "thickness=slabs", AO, 1 },
+        { "a plate hidden by another", &a_hidden_plate, "thickness=back", AO, 0 },
+        { "two overlapping cards", &two_cards, "thickness=slabs", AO, 1 },
+        { "two overlapping cards", &two_cards, "thickness=back", AO, 0 },
+        { "two overlapping cards", &two_cards, "thickness=slabs", LIGHT, 1 },
+        { "a fence", &a_fence, "thickness=back", AO, 1 },
+        { "a fence", &a_fence, "thickness=solid", AO, 0 },
+        { "a fence", &a_fence, "thickness=back", LIGHT, 1 },
+        { "a fence of double-sided emitters", &a_fence, "thickness=back,two_sided=1", BOUNCE, 1 },
+        { "a fence of emitters that face away", &a_fence, "thickness=back,two_sided=0", UNSEEN, 1 },
+        { "an emitter beyond the picture", &leaving[0], "thickness=slabs,two_sided=1", BOUNCE, 1 },
+        { "an emitter half in it", &leaving[1], "thickness=slabs,two_sided=1", BOUNCE, 1 },
+        { "an emitter at its edge", &leaving[2], "thickness=slabs,two_sided=1", BOUNCE, 1 },
+        { "an emitter within it", &leaving[3], "thickness=slabs,two_sided=1", BOUNCE, 1 },
+        { "an emitter far within it", &leaving[4], "thickness=slabs,two_sided=1", BOUNCE, 1 } };
+    kit_lighting white;
+    const kit_lighting dark = { .lights = 0 };
+    if (!lighten(&white, "white", NULL)) return;
+    for (int i = 0; i < COUNT(row); ++i) {
+        kit_gbuffer g;
+        kit_run run;
+        char set[128];
+        snprintf(set, sizeof set, "directions=8,steps=48%s,%s", row[i].sees == LIGHT ? ",bounce=none" : "", row[i].set);
+        const int at = profile_seen(&g, row[i].p);
+        if (!at || !begin(&run, &g, row[i].sees == AO ? "hsao-best" : "ssdo", set, 1, NULL,
+                          row[i].sees == LIGHT ? &white : &dark))
+            return;
+        const double got = row_of(&run, &g, at, 4), o = row[i].sees < BOUNCE ? 1 - got : got, within = 0.0035,
+                     truth = of_it[row[i].sees] * blocked(row[i].p), beyond = fmax(0, 1 - row[i].p->upper),
+                     guess = truth > 0 ? 0.5 * expected_beyond * beyond * beyond * (1 - truth) : 0;
+        CHECK(row[i].knows == (o > truth - within && o < truth + within + guess), "%s, %s, %s: %.4f, truth %.4f",
+              row[i].name, set, seen[row[i].sees], o, truth);
+        t_note("%s, %s, %s: %.4f, truth %.4f", row[i].name, row[i].set, seen[row[i].sees], o, truth);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+    }
+    kit_image_free(&white.env);
+}
+
+/* ---- bare planes: nothing occludes, whatever looks for it -------------------------------------------------------- */
+
+/* irradiance over pi on surfaces with these normals, three channels each */
+static void cosine_integrals(double (*out)[3], const kit_image *env, const double (*n)[3], int normals)
+{
+    memset(out, 0, (size_t)normals * sizeof *out);
+    for (int y = 0; y < env->height; ++y)
+        for (int x = 0; x < env->width; ++x) {
+            const double area = 2 * pi / env->width * pi / env->height * sin(pi * (y + 0.5) / env->height);
+            float d[3], rgb[3];
+            kit_env_direction(env, x + 0.5, y + 0.5, d);
+            kit_env_radiance(env, d, rgb);
+            for (int i = 0; i < normals; ++i) {
+                const double cosine = (double)d[0] * n[i][0] + (double)d[1] * n[i][1] + (double)d[2] * n[i][2];
+                for (int c = 0; c < 3; ++c) out[i][c] += fmax(0, cosine) * area / pi * (double)rgb[c];
+            }
+        }
+}
+
+/* A plane that is 0.03 deep, before another one that is 0.02 deep. */
+static int floors(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double plane[4])
+{
+    static const double behind[3] = { 0.03, 0.05, 0.07 };
+    if (!planes_seen(frame, c, (const double (*)[4])plane, 1, ",back.Z,front2.Z,back2.Z")) return 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const double farther[1][4] = { { plane[0], plane[1], plane[2], plane[3] - behind[k] } };
+        const size_t pixels = (size_t)frame->width * (size_t)frame->height;
+        kit_image other;
+        if (!planes_seen(&other, c, farther, 1, "")) return 0;
+        memcpy(frame->data + (4 + k) * pixels, other.data, pixels * sizeof(float));
+        kit_image_free(&other);
+    }
+    return TRY(kit_gbuffer_from_frame(g, frame, c, &err));
+}
+
+/* Planes at many slants, under a sky: every pixel shows what it shows at no radius, which is 1 or, but for what bands
+   lack, the sky's integral. */
+static void planes_stay_open(void)
+{
+    enum { WIDTH = 49, HEIGHT = 27, PIXELS = WIDTH * HEIGHT, PLANES = 4 };
+    /* darkened: the most; truth: off the integral at most, of the brightest plane's */
+    static const struct { const char *method, *set; double darkened, truth; } row[] = {
+        { "ssao", "blur=1", 1e-3, 0 },
+        { "ssao", "thickness=solid,normal=depth", 1e-3, 0 },
+        { "hsao", "half=1,blur=1", 1e-5, 0 },
+        { "hsao-fast", "thickness=slabs,half=1,blur=1", 1e-5, 0 },
+        { "hsao-best", "falloff=none", 1e-5, 0 },
+        { "hsao", "thickness=solid", 1e-5, 0 },
+        { "hsao", "thickness=back", 1e-5, 0 },
+        { "hsao-best", "normal=depth", 1e-5, 0 },
+        { "hsao-march", "normal_rays=0,steps=6", 1e-5, 0 },
+        { "hsao-march", "normal=depth,normal_rays=2,steps=6,thickness=solid", 1e-3, 0 },
+        { "ssdo-points", "bounce=none,environment=map", 1e-3, 0.01 },
+        { "ssdo-points", "bounce=none,environment=map,sets=16", 1e-3, 0.01 },
+        { "ssdo-points", "bounce=none,environment=sh,sets=16", 1e-3, 0.03 },
+        { "ssdo-points", "bounce=none,environment=sh,bands=1,residual=1", 1e-3, 0.01 },
+        { "ssdo", "bounce=none", 1e-5, 0.01 },
+        { "ssdo", "bounce=none,thickness=slabs,half=1,blur=1", 1e-5, 0.01 },
+        { "ssdo", "bounce=none,environment=sh,thickness=back", 1e-5, 0.03 },
+        { "ssdo", "bounce=none,thickness=solid,directions=3", 1e-5, 0.01 },
+        { "s3ho", "indirect=none", 1e-5, 0.03 },
+        { "s3ho", "indirect=none,residual=1,bands=2,thickness=back", 1e-5, 0.01 },
+        { "s3ho", "indirect=none,bands=1,residual=1,store=float,filtered=coefficients", 1e-5, 0.01 },
+        { "s3ho", "indirect=none,bands=3,store=packed,filtered=coefficients,thickness=slabs", 2e-3, 0.03 },
+        { "ssbn", "store=float,thickness=solid", 1e-5, 0.01 },
+        { "ssbn", "store=float,cone=normal,half=1,blur=1", 1e-5, 0.01 } };
+    static const double tilts[PLANES] = { 0, 40, 65, 85 };
+    static const float targets[3][3] = { { 0, 0, -1 }, { 0.3f, -0.8f, -0.5f }, { 0.9f, 0.2f, 0.4f } };
+    kit_lighting sky;
+    double worst[COUNT(row)][2] = { { 0 } };
+    if (!lighten(&sky, "sky", NULL)) return;
+    for (int orthographic = 0; orthographic < 2; ++orthographic) {
+        kit_gbuffer g[PLANES];
+        kit_image frame[PLANES];
+        double world[PLANES][3], truth[PLANES][3], brightest = 0;
+        float view[PLANES][16], projection[16];
+        for (int k = 0; k < PLANES; ++k) {
+            const double a = tilts[k] * pi / 180, b = 1 + 1.7 * k + orthographic,
+                         n[4] = { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) };
+            kit_camera c = looking_along_z(WIDTH, HEIGHT, orthographic);
+            memcpy(c.target, targets[k % 3], sizeof c.target);
+            kit_camera_matrices(&c, view[k], projection);
+            for (int j = 0; j < 3; ++j)
+                world[k][j] = (double)view[k][4 * j] * n[0] + (double)view[k][4 * j + 1] * n[1]
+                              + (double)view[k][4 * j + 2] * n[2];
+            if (!floors(&g[k], &frame[k], &c, n)) return;
+        }
+        cosine_integrals(truth, &sky.env, (const double (*)[3])world, PLANES);
+        for (int k = 0; k < 3 * PLANES; ++k) brightest = fmax(brightest, truth[k / 3][k % 3]);
+        for (int i = 0; i < COUNT(row); ++i) {
+            const int lit_ = row[i].truth > 0, from = lit_ ? 3 : 0, channels = lit_ ? 3 : 1;
+            double *const off = &worst[i][0], *const darkened = &worst[i][1];
+            kit_run run;
+            if (!begin(&run, &g[0], row[i].method, row[i].set, 0.5f, NULL, &sky)) return;
+            for (int k = 0; k < PLANES; ++k) {             /* a program a row, turned to every plane */
+                kit_image out[2];
+                turn(&run, &g[k]);
+                for (int j = 0; j < 9; ++j) run.frame.rotation[j / 3 * 4 + j % 3] = view[k][j / 3 * 4 + j % 3];
+                ssgi_gl_harmonics_set(&run.frame, run.harmonics, 4, view[k], NULL);
+                run.frame.phase = (float)k / PLANES;
+                for (int bare = 0; bare < 2; ++bare) {
+                    run.frame.radius = run.frame.thickness_limit = bare ? 1e-6f : k & 1 ? 0.5f : 0.1f;
+                    if (!drawn(&out[bare], &run)) return;
+                }
+                for (int c = from; c < from + channels; ++c)
+                    for (int p = 0; p < PIXELS; ++p) {
+                        const double v = (double)out[0].data[c * PIXELS + p],
+                                     open = (double)out[1].data[c * PIXELS + p];
+                        if (!flat(&frame[k], p % WIDTH, p / WIDTH)) continue;
+                        *darkened = fmax(*darkened, fabs(v - open));
+                        *off = fmax(*off, lit_ ? fabs(open - truth[k][c - 3]) / brightest : fabs(open - 1));
+                    }
+                kit_image_free(&out[0]);
+                kit_image_free(&out[1]);
+            }
+            kit_run_close(&run);
+            CHECK(*darkened <= row[i].darkened && *off <= fmax(row[i].truth, 1e-6), "%s %s: off by %.1e where it is "
+                  "open, darkened by %.1e", row[i].method, row[i].set, *off, *darkened);
+        }
+        for (int k = 0; k < PLANES; ++k) { kit_gbuffer_free(&g[k]); kit_image_free(&frame[k]); }
+    }
+    for (int i = 0; i < COUNT(row); ++i)
+        t_note("%s %s: off by %.1e, darkened by %.1e", row[i].method, row[i].set, worst[i][0], worst[i][1]);
+    kit_image_free(&sky.env);
+}
+
+/* ---- rooms in perspective: what of their walls lies in the picture ------------------------------------------------ */
+
+/* The eye is at the origin, looking along -z; walls n * x = n[3] enclose what is inside. */
+typedef struct space { double fovy, near; int planes; double plane[5][4]; } space;
+
+/* The share of directions that meet a wall in the picture within the radius, falling off with the distance if so
+   wished, at a point whose normal is n. */
+static double walled(const space *s, const double at[3], const double n[3], double aspect, double radius, int falls)
+{
+    enum { N = 64 };
+    const double up = tan(s->fovy * pi / 360), u[3] = { n[2], n[0], n[1] };      /* axes permuted: n is one of them */
+    const double v[3] = { n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0] };
+    double sum = 0;
+    for (int i = 0; i < N * N; ++i) {
+        double l[3], d[3], q[3], nearest = radius;
+        lobe(l, i, N);
+        for (int k = 0; k < 3; ++k) d[k] = l[0] * u[k] + l[1] * v[k] + l[2] * n[k];
+        for (int p = 0; p < s->planes; ++p) {
+            const double *w = s->plane[p], toward = w[0] * d[0] + w[1] * d[1] + w[2] * d[2],
+                         t = (w[3] - w[0] * at[0] - w[1] * at[1] - w[2] * at[2]) / toward;
+            if (toward < -1e-9 && t > 1e-6) nearest = fmin(nearest, t);
+        }
+        for (int k = 0; k < 3; ++k) q[k] = at[k] + nearest * d[k];
+        if (nearest < radius && -q[2] >= s->near && fabs(q[1]) <= -q[2] * up && fabs(q[0]) <= -q[2] * up * aspect)
+            sum += falls ? 1 - nearest / radius : 1;
+    }
+    return sum / (N * N);
+}
+
+/* A corner of floor and wall through a wide lens, far off its axis; a wall that the near plane cuts; a white room
+   through its open front, and the light of its walls in the dark: what they do not let in they send. Beyond the picture
+   more is expected than nothing, so that it is darker than the sum by up to the last column. */
+static void rooms_are_seen(void)
+{
+    enum { HEIGHT = 48, WIDTH = 2 * HEIGHT, PIXELS = WIDTH * HEIGHT, PHASES = 2, BORDER = 3 };
+    static const space corner = { 100, 0.01, 2, { { 0, 1, 0, -0.6 }, { -1, 0, 0, -1.5 } } },
+                       cut = { 60, 1, 2, { { 0, 1, 0, -0.4 }, { -1, 0, 0, -0.5 } } },
+                       room = { 90, 0.01, 5, { { 0, 1, 0, -0.5 }, { 0, -1, 0, -0.5 }, { 1, 0, 0, -1 },
+                                               { -1, 0, 0, -1 }, { 0, 0, 1, -1.5 } } };
+    enum { ALL, OFF_AXIS, NEAR };
+    static const struct {
+        const char *name;
+        const space *s;
+        const char *method, *set;
+        double radius;
+        int where, sends;
+        double off, darker;
+    } row[] = {
+        { "a corner off the axis", &corner, "hsao-best", "", 0.5, OFF_AXIS, 0, 0.015, 0.012 },
+        { "a corner off the axis", &corner, "ssdo", "bounce=none", 0.5, OFF_AXIS, 0, 0.015, 0.012 },
+        { "a wall across the near plane", &cut, "hsao-best", "", 0.4, NEAR, 0, 0.005, 0.005 },
+        { "a wall across the near plane", &cut, "ssdo", "bounce=none", 0.4, NEAR, 0, 0.005, 0.005 },
+        { "a white room", &room, "hsao-best", "falloff=none", 5, ALL, 0, 0.04, 0.04 },
+        { "a white room", &room, "s3ho", "falloff=none,indirect=none", 5, ALL, 0, 0.04, 0.04 },
+        { "a white room", &room, "ssbn", "falloff=none", 5, ALL, 0, 0.04, 0.04 },
+        { "a white room", &room, "ssdo", "falloff=none,bounce=none", 5, ALL, 0, 0.04, 0.04 },
+        { "a shining room", &room, "ssdo", "falloff=none,two_sided=1", 5, ALL, 1, 0.04, 0.04 } };
+    static double got[HEIGHT][WIDTH];
+    const kit_lighting dark = { .lights = 0 };
+    kit_lighting white;
+    if (!lighten(&white, "white", NULL)) return;
+    for (int i = 0; i < COUNT(row); ++i) {
+        const space *s = row[i].s;
+        const double up = tan(s->fovy * pi / 360);
+        /* ambient visibility, irradiance, or the bounce */
+        const int channel = !strncmp(row[i].method, "hsao", 4) ? 0 : row[i].sends ? 7 : 4;
+        double off = 0, bias = 0, whole = 0;
+        int n = 0;
+        kit_camera c = looking_along_z(WIDTH, HEIGHT, 0);
+        kit_image frame, out;
+        kit_gbuffer g;
+        kit_run run;
+        char set[128];
+        c.fovy = (float)s->fovy;
+        c.znear = (float)s->near;
+        snprintf(set, sizeof set, "thickness=solid,directions=8,steps=48%s%s", *row[i].set ? "," : "", row[i].set);
+        if (!planes_seen(&frame, &c, s->plane, s->planes, row[i].sends ? ",direct.R,direct.G,direct.B" : "")) return;
+        for (int k = 4 * PIXELS; k < 7 * PIXELS && row[i].sends; ++k) frame.data[k] = 1;
+        if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)) || !begin(&run, &g, row[i].method, set,
+            (float)row[i].radius, NULL, row[i].sends ? &dark : &white))
+            return;
+        static double last[HEIGHT][WIDTH];
+        memcpy(last, got, sizeof got);
+        memset(got, 0, sizeof got);
+        for (int phase = 0; phase < PHASES; ++phase) {
+            run.frame.phase = (float)phase / PHASES;
+            if (!drawn(&out, &run)) return;
+            for (int k = 0; k < PIXELS; ++k) {
+                const double v = (double)out.data[channel * PIXELS + k];
+                got[k / WIDTH][k % WIDTH] += (row[i].sends ? 1 - v : v) / PHASES;
+            }
+            kit_image_free(&out);
+        }
+        for (int y = BORDER; y < HEIGHT - BORDER; y += 2)
+            for (int x = BORDER; x < WIDTH - BORDER; x += 3) {
+                const int k = y * WIDTH + x;
+                const double z = (double)frame.data[k],
+                             normal[3] = { (double)frame.data[PIXELS + k], (double)frame.data[2 * PIXELS + k],
+                                           (double)frame.data[3 * PIXELS + k] },
+                             at[3] = { (2 * (x + 0.5) / WIDTH - 1) * up * 2 * z,
+                                       (1 - 2 * (y + 0.5) / HEIGHT) * up * z, -z };
+                int inside = flat(&frame, x, y);
+                for (int p = 0; p < s->planes; ++p) {      /* what is seen through a cut wall is not */
+                    const double *w = s->plane[p];
+                    inside &= w[0] * at[0] + w[1] * at[1] + w[2] * at[2] > w[3] - 1e-3;
+                }
+                if (!inside || (row[i].where == OFF_AXIS && x < WIDTH * 3 / 4)
+                    || (row[i].where == NEAR && z > s->near + row[i].radius))
+                    continue;
+                const double open = 1 - walled(s, at, normal, (double)WIDTH / HEIGHT, row[i].radius,
+                                               !strstr(row[i].set, "falloff=none")), d = got[y][x] - open;
+                if (open > 0.999) continue;
+                off += fabs(d);
+                bias += d;
+                whole = fmax(whole, fabs(got[y][x] - last[y][x]));
+                ++n;
+            }
+        CHECK(n >= 15 && off / n <= row[i].off && bias / n <= 0.003 && -bias / n <= row[i].darker,
+              "%s, %s %s: at %d pixels off by %.4f, bias %+.4f", row[i].name, row[i].method, set, n, off / n, bias / n);
+        CHECK(!row[i].sends || whole < 1e-5, "what walls send is not what they keep out: %.1e apart", whole);
+        t_note("%s, %s %s: at %d pixels off by %.4f, bias %+.4f", row[i].name, row[i].method, row[i].set, n, off / n,
+               bias / n);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+        kit_image_free(&frame);
+    }
+    kit_image_free(&white.env);
+}
+
+/* ---- the same picture, whatever the camera, the layout and the units ---------------------------------------------- */
+
+enum { SEEN_W = 96, SEEN_H = 56, SEEN = SEEN_W * SEEN_H };
+
+/* What is compared: light, or outgoing radiance with the bounce. Settings that are not named are few directions. */
+static const struct { const char *method, *set; } alike[] = {
+    { "ssao", "thickness=solid" },
+    { "hsao", "half=1" },
+    { "hsao-best", "directions=1,steps=8" },
+    { "hsao-march", "directions=2,steps=4" },
+    { "ssdo-points", "bounce=solid-angle,layers=2,samples=8,fade=smooth" },
+    { "ssdo-points", "bounce=patch,samples=8,half=0,shadows=segment,points=4" },
+    { "ssdo", "half=1,shadow_size=64" },
+    { "s3ho", "half=1,bands=2" },
+    { "s3ho-points", "layers=2,fade=lambda,range=1,samples=8" },
+    { "s3ho-points", "indirect=none,filtered=coefficients,half=1,blur=2,store=packed,samples=8" },
+    { "s3ho-points", "filtered=coefficients,indirect=apart,blur=1,half=1,samples=8" },
+    { "ssbn-points", "lights=shadowed,shadow_size=64,blur=1,filtered=coefficients,fade=lambda,samples=8" } };
+
+enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, EIGHTH, EIGHT, TENTH, TEN, ROLLED, WAYS };
+/* most: the share of values that may be apart by over 1 % of the mean: samples that rounding puts beside an edge. Powers
+   of two change no digit of a float. */
+static const struct { const char *name; double scale, most; } way_of[WAYS] = {
+    { "reversed depth", 1, 0 }, { "normal depth", 1, 0.03 }, { "infinite far plane", 1, 0.01 },
+    { "view depth", 1, 0.01 }, { "inside larger textures", 1, 0.01 }, { "shifted", 1, 0.01 },
+    { "1/8", 0.125, 0 }, { "8", 8, 0 }, { "1/10", 0.1, 0.02 }, { "10", 10, 0.02 }, { "rolled", 1, 0 } };
+
+/* The room, under a sky and a lamp, in so many units, by a camera that differs. */
+static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, int orthographic)
+{
+    static const int margin[4] = { 8, 4, 12, 16 };
+    const float scale = (float)way_of[way].scale;
+    char light[160];
+    snprintf(light, sizeof light, "point:%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", 1.5 * (double)scale, 2.2 * (double)scale,
+             2.5 * (double)scale, 4 * (double)(scale * scale), 3 * (double)(scale * scale), 2 * (double)(scale * scale));
+    l->lights = 0;
+    if (!TRY(kit_light_parse(&l->light[l->lights++], light, &err)) || !TRY(kit_scene_load(scene, "room", 0, &err)))
+        return 0;
+    kit_camera *c = &scene->camera;
+    c->width = way == ROLLED ? SEEN_H : SEEN_W;
+    c->height = way == ROLLED ? SEEN_W : SEEN_H;
+    c->depth = way == NORMAL ? KIT_DEPTH_NORMAL : way == ENDLESS && !orthographic ? KIT_DEPTH_INFINITE
+                                                                                  : KIT_DEPTH_REVERSED;
+    if (orthographic) { c->fovy = 0; c->ortho_height = 3.6f; }
+    /* multiples of the noise's tile */
+    if (way == SHIFTED) { c->shift[0] = 16; c->shift[1] = -8; }
+    if (way == ROLLED) {                                   /* what was to the left is up */
+        c->up[0] = c->target[2] - c->eye[2]; c->up[1] = 0; c->up[2] = c->eye[0] - c->target[0];
+        if (orthographic) c->ortho_height *= (float)SEEN_W / SEEN_H;
+        else c->fovy = (float)(360 / pi * atan(tan((double)c->fovy * pi / 360) * SEEN_W / SEEN_H));
+    }
+    for (size_t i = 0; i < 9 * scene->mesh.triangles; ++i) scene->mesh.position[i] *= scale;
+    for (int i = 0; i < 3; ++i) {
+        c->eye[i] *= scale;
+        c->target[i] *= scale;
+        scene->mesh.lower[i] *= scale;
+        scene->mesh.upper[i] *= scale;
+    }
+    c->znear *= scale; c->zfar *= scale; c->ortho_height *= scale;
+    if (!TRY(kit_gbuffer_from_scene(g, scene, c, way == INSIDE ? margin : NULL, &err))) return 0;
+    if (way == LINEAR) {
+        kit_gbuffer window = *g;
+        kit_image frame;
+        if (!TRY(kit_gbuffer_read(&frame, &window, &err))
+            || !TRY(kit_gbuffer_from_frame(g, &frame, &window.camera, &err)))
+            return 0;
+        kit_image_free(&frame);
+        kit_gbuffer_free(&window);
+    }
+    for (int y = 0; y < g->height && way == INSIDE; ++y) {   /* what is beside the picture must not matter */
+        float beside[SEEN_W + 20];
+        for (int i = 0; i < SEEN_W + 20; ++i) beside[i] = 0.9f;
+        glBindTexture(GL_TEXTURE_2D, g->depth);
+        if (y < 4 || y >= 4 + SEEN_H)
+            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, y, SEEN_W + 20, 1, GL_DEPTH_COMPONENT, GL_FLOAT, beside);
+    }
+    return 1;
+}
+
+/* Of the first channels: the share of values that are apart by over 1 % of a's mean, and the RMSE, of that mean. b is so
+   far to the right and below. */
+static double apart(double *rmse, const kit_image *a, const kit_image *b, int dx, int dy, int border)
+{
+    const int channels = a->channels > 1 ? 3 : 1;
+    const double middle = mean(a, a->channels > 1 ? "G" : "Y");
+    double sum = 0;
+    int n = 0, off = 0;
+    for (int c = 0; c < channels; ++c)
+        for (int y = border; y < SEEN_H - border; ++y)
+            for (int x = border; x < SEEN_W - border; ++x, ++n) {
+                const double d = (double)a->data[c * SEEN + y * SEEN_W + x]
+                                 - (double)b->data[c * SEEN + (y + dy) * SEEN_W + x + dx];
+                sum += d * d;
+                off += !(fabs(d) <= 0.01 * middle);
+            }
+    *rmse = sqrt(sum / n) / middle;
+    return (double)off / n;
+}
+
+/* The ways from first to last, beside reversed depth. */
+static void nothing_changes(int first, int last, int projections)
+{
+    double worst[WAYS] = { 0 };
+    kit_lighting l;
+    if (!lighten(&l, NULL, NULL) || !TRY(kit_image_new(&l.env, 16, 8, "R,G,B", &err))) return;
+    for (int i = 0; i < 3 * 128; ++i) l.env.data[i] = 0.5f + (float)(i % 7) / 7 + (float)(i / 16 % 8) / 8;
+    for (int orthographic = 0; orthographic < projections; ++orthographic) {
+        kit_image reference[COUNT(alike)], other, turned;
+        for (int way = 0; way < WAYS; ++way) {
+            if (way != REVERSED && (way < first || way > last)) continue;
+            kit_scene scene;
+            kit_gbuffer g;
+            if (!seen_in(&scene, &g, &l, way, orthographic)) return;
+            const kit_world world = { &scene, &l };
+            for (int m = 0; m < COUNT(alike); ++m) {
+                                const float radius = 0.15f * (float)way_of[way].scale;
+                char set[128];
+                snprintf(set, sizeof set, "noise=texture%s%s", *alike[m].set ? "," : "", alike[m].set);
+                /* at half size another pixel of each 2x2 is drawn: another picture */
+                if (way == ROLLED && strstr(set, "half=1")) continue;
+                /* a frame has no layers; compiling takes most of the time: two kinds of projection for these alone */
+                if ((way == LINEAR && (m % 3 || strstr(set, "layers"))) || (orthographic && m % 6 != 2)) continue;
+                if (!TRY(kit_run_picture(&other, &g, &world, alike[m].method, set, radius, &err))) return;
+                if (way == REVERSED) { reference[m] = other; continue; }
+                double most = way_of[way].most;
+                if (way == ROLLED) {                       /* turned back: no more than noise apart, which another phase tells */
+                    if (!TRY(kit_image_new(&turned, SEEN_W, SEEN_H, other.channels > 1 ? "R,G,B" : "Y", &err))) return;
+                    for (int i = 0; i < turned.channels * SEEN; ++i)
+                        turned.data[i] = other.data[i / SEEN * SEEN + i % SEEN_W * SEEN_H + SEEN_H - 1
+                                                    - i % SEEN / SEEN_W];
+                    snprintf(set + strlen(set), 16, ",phase=0.39");
+                    kit_image again;
+                    if (!TRY(kit_run_picture(&again, &g, &world, alike[m].method, set, radius, &err))) return;
+                    double sum = 0;
+                    for (int i = 0; i < turned.channels * SEEN; ++i)
+                        sum += pow((double)other.data[i] - (double)again.data[i], 2) / (turned.channels * SEEN);
+                    most = 1.4 * sqrt(sum) / mean(&other, turned.channels > 1 ? "G" : "Y");
+                    kit_image_free(&again);
+                    kit_image_free(&other);
+                    other = turned;
+                }
+                const int dx = way == SHIFTED ? 16 : 0, dy = dx / 2, border = 3 * dx / 2;
+                double rmse, share = apart(&rmse, &reference[m], &other, dx, dy, border);
+                if (way == ROLLED) share = rmse;
+                worst[way] = fmax(worst[way], share);
+                CHECK(share <= most, "%s %s, %s, %s: %.4f", alike[m].method, set,
+                      orthographic ? "orthographic" : "perspective", way_of[way].name, share);
+                kit_image_free(&other);
+            }
+            kit_gbuffer_free(&g);
+            kit_scene_free(&scene);
+        }
+        for (int m = orthographic ? 2 : 0; m < COUNT(alike); m += orthographic ? 6 : 1) kit_image_free(&reference[m]);
+    }
+    for (int w = first; w <= last; ++w) t_note("%s: %.4f", way_of[w].name, worst[w]);
+    kit_image_free(&l.env);
+}
+
+static void layouts_do_not_matter(void) { nothing_changes(NORMAL, SHIFTED, 2); }
+static void units_do_not_matter(void)   { nothing_changes(EIGHTH, ROLLED, 1); }
+
+/* Targets that are larger, with the picture at (8, 6) in them; around it is what was there. */
+static void targets_have_room(void)
+{
+    enum { BEYOND = 20, WIDE_ = SEEN_W + BEYOND, HIGH_ = SEEN_H + BEYOND };
+    static const struct { const char *method, *set; } row[] = {
+        { "ssao", "samples=8,blur=2" },
+        { "hsao", "half=1,blur=1" },
+        { "hsao-march", "directions=2,steps=4,blur=1" },
+        { "s3ho-points", "samples=8,store=float,indirect=none,filtered=coefficients,half=1,blur=2" },
+        { "s3ho-points", "samples=8,indirect=joint,filtered=light,blur=1" },
+        { "s3ho", "indirect=joint,filtered=light,half=1,blur=2" } };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_lighting l;
+    double worst = 0;
+    if (!lighten(&l, "white", NULL) || !seen_in(&scene, &g, &l, REVERSED, 0)) return;
+    const kit_world world = { &scene, &l };
+    for (int i = 0; i < COUNT(row); ++i) {
+        kit_method m;
+        kit_run run;
+        kit_image out;
+        int wrong = 0;
+        static uint32_t word[4 * WIDE_ * HIGH_];
+        static float texel[4 * WIDE_ * HIGH_];
+        if (!TRY(kit_method_find(&m, row[i].method, &err)) || !TRY(kit_method_set(&m, row[i].set, &err))
+            || !TRY(kit_run_open(&run, &g, &m, 0.15f, &world, &err)) || !drawn(&out, &run))
+            return;
+        run.frame.target[0] = 8; run.frame.target[1] = 6;
+        for (int k = 0; k < 4 * WIDE_ * HIGH_; ++k) { const float seven = 7; memcpy(&word[k], &seven, sizeof seven); }
+        for (int k = 0; k < run.passes; ++k) {
+            kit_pass *p = &run.pass[k];
+            p->width += BEYOND; p->height += BEYOND;
+            for (int t = 0; t < p->step->outputs; ++t) {
+                const ssgi_gl_format *f = p->step->output[t].format;
+                if (!p->target[t]) {                       /* a slice of emitters */
+                    const GLuint array = run.texture[run.textures++] =
+                        kit_texture_array(p->width, p->height, 1, f->internal, (const float *)word);
+                    kit_run_input(&run, "t_ssgi_emitters", array);
+                    glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
+                    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, 0);
+                    continue;
+                }
+                glBindTexture(GL_TEXTURE_2D, p->target[t]);
+                glTexImage2D(GL_TEXTURE_2D, 0, (GLint)f->internal, p->width, p->height, 0, f->format,
+                             f->type == GL_UNSIGNED_INT ? f->type : GL_FLOAT, word);
+            }
+        }
+        kit_run_update(&run);
+        kit_run_draw(&run, 0);
+        const int channels = out.channels > 1 ? 3 : 1;
+        if (!CHECK(!kit_texture_read(run.bounce ? run.bounce : run.light, WIDE_, HIGH_, channels, texel),
+                   "a target cannot be read"))
+            return;
+        for (int k = 0; k < WIDE_ * HIGH_; ++k) {
+            const int x = k % WIDE_ - 8, y = SEEN_H - 1 - (k / WIDE_ - 6),
+                      inside = x >= 0 && x < SEEN_W && y >= 0 && y < SEEN_H;
+            for (int c = 0; c < channels; ++c) {
+                const float *at = out.data + y * SEEN_W + x;
+                const double truth = !inside ? 7 : channels < 3 ? (double)*at
+                                                                : (double)(at[(3 + c) * SEEN] + at[(6 + c) * SEEN]),
+                             off = fabs((double)texel[channels * k + c] - truth);
+                worst = fmax(worst, off);
+                wrong += !(off <= 2e-5);
+            }
+        }
+        CHECK(!wrong, "%s %s: %d values are wrong, the worst by %.1e", row[i].method, row[i].set, wrong, worst);
+        kit_run_close(&run);
+        kit_image_free(&out);
+    }
+    t_note("%.1e off at most", worst);
+    kit_image_free(&l.env);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
+void test_scenes(void)
+{
+    if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
+    RUN("plates, cards, a fence and emitters over a floor cover and send what they do", bars_cover_what_they_cover);
+    RUN("bare planes at every slant stay open and get the sky's cosine integral, by every method", planes_stay_open);
+    RUN("corners off the axis, a wall across the near plane and a white room are what directions meet",
+        rooms_are_seen);
+    RUN("depth layout, place in the textures and shift change no method's picture", layouts_do_not_matter);
+    RUN("neither do units nor roll", units_do_not_matter);
+    RUN("pictures stand where they should in larger targets", targets_have_room);
+    kit_gl_close();
+}
