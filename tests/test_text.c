@@ -136,7 +136,7 @@ static ssgi_gl_desc drawn(int t)
 
 /* Of a pass: texts drawn, and which of all its lines each has. Lines that are always there together, and those that
    always are or never, count once. */
-enum { DRAWN = 2000, WORDS = 16, LITERALS = 64 * WORDS };
+enum { DRAWN = 1200, WORDS = 16, LITERALS = 64 * WORDS };
 typedef struct point { ssgi_gl_desc desc; uint64_t line[WORDS], literal[WORDS]; int gain; } point;
 static point pool[DRAWN];
 /* pairs of literals that no variant has yet; a literal: 2 * class + whether it is there */
@@ -331,11 +331,22 @@ static void each_once(void)
     texts = kept;
 }
 
-/* Every variant in a desktop dialect and in an ES one, in turn, of those that it may have, and in Vulkan's: each choice
-   meets each other choice, and each dialect. The stages of their own that passes have as one program, and in Vulkan's
+/* Gives a desc a dialect of desktop GL, ES or Vulkan; 0: it has none of that kind, as surfels have not for Vulkan. */
+static int takes(ssgi_gl_desc *d, int way, int turn)
+{
+    for (int k = 0; k < 3; ++k) {
+        d->text.dialect = way == 2 ? SSGI_GL_DIALECT_VULKAN : way * 3 + (turn + k) % 3;
+        if (ssgi_gl_check(d, NULL) == SSGI_OK) return 1;
+    }
+    return 0;
+}
+
+/* Every variant in a desktop dialect, in an ES one or in Vulkan's, in turn, of those that it may have; with T_ALL in all
+   three: each choice meets each other choice, and each dialect. The stages of their own that passes have as one program, and in Vulkan's
    dialect the first of every pass; the others' vertex stage once a dialect; every toolbox in every dialect. */
 static void speak(void)
 {
+    const int everything = getenv("T_ALL") != NULL;
     static uint64_t seen[1 << 10];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     int interfaces = 0;
@@ -343,12 +354,10 @@ static void speak(void)
     for (int i = 0, last = -1; i < 3 * variants; ++i) {
         ssgi_gl_desc d = variant[i / 3];
         const int first = i / 3, way = i % 3;
+        int turn = first % 3;                              /* the kind of dialect whose turn it is, if the desc has it */
+        for (int k = 0; k < 2 && !takes(&d, turn, first); ++k) turn = (turn + 1) % 3;
+        if ((!everything && way != turn) || !takes(&d, way, first)) continue;
         d.text.lines = first % 8 == 0;
-        for (int k = 0; k < 3; ++k) {
-            d.text.dialect = way == 2 ? SSGI_GL_DIALECT_VULKAN : way * 3 + (first + k) % 3;
-            if (ssgi_gl_check(&d, NULL) == SSGI_OK) break;
-        }
-        if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* surfels for Vulkan */
         const int at = texts++, is = 4 * d.pass + d.gather.search + (d.surfel.tessellate ? 3 : 0);
         spoken[at].desc = d;
         spoken[at].fresh = way == 2 && is != last;
@@ -373,7 +382,7 @@ static void speak(void)
     }
 }
 
-/* Many files a call; stages are linked where they are fresh (p, w), as that takes long. For Vulkan (v, w) only those
+/* Many files a call, as a call takes a fifth of a second; with T_ALL stages are linked where they are fresh (p, w). For Vulkan (v, w) only those
    become SPIR-V: glslang links what it is called with, and refuses to link many texts, but reads each first by Vulkan's
    rules, and that is what is looked at. */
 static void *glslang_run(void *folder)
@@ -381,26 +390,28 @@ static void *glslang_run(void *folder)
     enum { BATCH = 512 };
     static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "frag" };
     static char text[TEXT];
+    const int everything = getenv("T_ALL") != NULL;
     char path[1000], line[400], problem[400];
     int passed = 1;
     for (int first = 0; first < texts && passed; first += BATCH) {
         for (int i = first; i < first + BATCH && i < texts; ++i, ++glslang.texts) {
             const int program = spoken[i].stage == PROGRAM,
-                      vulkan = spoken[i].desc.text.dialect == SSGI_GL_DIALECT_VULKAN;
+                      vulkan = spoken[i].desc.text.dialect == SSGI_GL_DIALECT_VULKAN,
+                      links = everything && spoken[i].fresh;
             for (int stage = program ? 0 : spoken[i].stage; stage < (program ? SSGI_GL_STAGES : spoken[i].stage + 1);
                  ++stage) {
                 const size_t n = strlen(source_of(text, &spoken[i].desc, stage));
                 snprintf(path, sizeof path, "%s/%s%d.%s", (char *)folder,
-                         vulkan ? (spoken[i].fresh ? "w" : "v") : (spoken[i].fresh ? "p" : ""), i, endings[stage]);
+                         vulkan ? (links ? "w" : "v") : (links ? "p" : ""), i, endings[stage]);
                 if (n) kit_file_write(path, text, n, NULL);
                 glslang.vulkan += n && vulkan;
             }
-            glslang.linked += spoken[i].fresh;
+            glslang.linked += links;
         }
         snprintf(path, sizeof path,
                  "cd '%s' && ls | grep '^[0-9]' | xargs -r -n 512 -P 2 glslangValidator 2>&1 && "
                  "ls | sed -n 's/^\\(p.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'glslangValidator -l {}.*' 2>&1 && "
-                 "ls | grep '^v' | xargs -r -n 32 -P 2 sh -c 'glslangValidator -V \"$@\" 2>&1 | "
+                 "ls | grep '^v' | xargs -r -n 128 -P 2 sh -c 'glslangValidator -V \"$@\" 2>&1 | "
                  "grep \"^v[0-9]*[.]\\|^ERROR: v[0-9]\"' sh && "
                  "ls | sed -n 's/^\\(w.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'mkdir d{} && cd d{} && "
                  "glslangValidator -V ../{}.*' 2>&1 && rm -r * && echo passed",
@@ -773,6 +784,7 @@ static void check_units(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 
 static void reflection(void)
 {
+    const int everything = getenv("T_ALL") != NULL;
     static char text[SSGI_GL_STAGES][TEXT];
     static uint64_t seen[1 << 12];
     ssgi_gl_io row[SSGI_GL_MAX_IO], read[SSGI_GL_MAX_IO], few[2];
@@ -780,6 +792,7 @@ static void reflection(void)
     for (int i = 0; i < variants * SSGI_GL_DIALECTS; ++i) {
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
         d.text.dialect = i % SSGI_GL_DIALECTS;
+        if (!everything && i % 3) continue;                /* the dialects in turn, as their number is no multiple of 3 */
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* no tessellation there */
         const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), before = pairs;
         uint64_t params[2] = { 0, 0 }, once = 0, twice = 0;
@@ -1137,7 +1150,7 @@ static int is_closed(const ssgi_gl_desc *d)
 
 static void closed(void)
 {
-    enum { EACH = 200 };
+    enum { EACH = 80 };
     int tried = 0, bad = 0;
     t_seed(3);
     for (int i = 0; i < 2 * variants + EACH * shapes && bad < 5; ++i) {
@@ -1668,7 +1681,7 @@ static void defaults(void)
 
 static void fuzz(void)
 {
-    enum { TRIES = 200000, EVERY = 8 };
+    enum { TRIES = 100000, EVERY = 8 };
     static char text[TEXT];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     int accepted = 0, emitted = 0;
@@ -1810,9 +1823,7 @@ static void every_line(void)
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     for (int i = 0; i < texts + 4; ++i) {
         if (i >= texts) ssgi_gl_sh(text, sizeof text, i - texts + 1);
-        else if (spoken[i].desc.text.dialect != SSGI_GL_DIALECT_VULKAN || spoken[i].desc.surfel.tessellate)
-            source_of(text, &spoken[i].desc, spoken[i].stage);
-        else continue;
+        else source_of(text, &spoken[i].desc, spoken[i].stage);
         for (const char *line = text, *end; *line; line = end + (*end != 0)) {
             end = line + strcspn(line, "\n");
             place_of(&lines, hash_of(line, (size_t)(end - line)));
