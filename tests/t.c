@@ -104,7 +104,7 @@ void t_run(const char *sentence, void (*test)(void))
     running = 0;
     if (bad) ++t_failed; else ++t_passed;
     const double seconds = t_spent(0) + t_spent(1) - began;
-    if (seconds >= 1) snprintf(took, sizeof took, " (%.1f s)", seconds);
+    if (seconds >= 0.3) snprintf(took, sizeof took, " (%.1f s)", seconds);
     printf("%-7s %s%s\n%s", bad ? "FAILED" : "ok", sentence, took, said);
     if (bad > SHOWN) printf("        and %d more\n", bad - SHOWN);
     fflush(stdout);

@@ -17,7 +17,7 @@ __attribute__((format(printf, 3, 4)))
 int  t_check(const char *file, int line, const char *format, ...);
 /* a figure worth printing under the test's line */
 void t_note(const char *format, ...);
-/* runs it, prints "ok" or "FAILED", counts it; the seconds of processor that it took if it is one or more */
+/* runs it, prints "ok" or "FAILED", counts it; the seconds of processor that it took if they are 0.3 or more */
 void t_run(const char *sentence, void (*test)(void));
 /* of processor: no test may depend on how fast or busy the machine is */
 double t_seconds(const struct rusage *spent);

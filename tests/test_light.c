@@ -65,7 +65,7 @@ static int shine(kit_run *run)
 
 static void furnace(void)
 {
-    enum { SMALL_W = 96, SMALL_H = 54 };
+    enum { SMALL_W = 64, SMALL_H = 36 };
     enum {
         EXACT,
         ONE_SIDED /* no more */,
@@ -229,7 +229,7 @@ static void creases_stay(void)
                 { "s3ho", "residual=1,restore=none,", 1, 0.005 },
                 { "ssbn", "", 0.003, 0 },
                 { "ssbn", "cone=normal,", 0.003, 0 } };
-    const kit_camera c = looking_along_z(161, 91, 0);
+    const kit_camera c = looking_along_z(97, 55, 0);
     const double side[2][1][4] = { { { 0.6, 0.1, 0.79372539, -1.5 } }, { { -0.6, 0.1, 0.79372539, -1.5 } } };
     kit_image frame, other;
     kit_gbuffer g;
@@ -238,7 +238,7 @@ static void creases_stay(void)
     if (!lighten(&l, "street", "point:0.5,1,1,2,1,1") || !planes_seen(&frame, &c, side[0], 1, slabs)
         || !planes_seen(&other, &c, side[1], 1, slabs))
         return;
-    const size_t pixels = 161 * 91;
+    const size_t pixels = 97 * 55;
     for (size_t i = 0; i < pixels; ++i)             /* the farther of the two */
         for (size_t k = 4; other.data[i] > frame.data[i] && k > 0; --k)
             frame.data[(k - 1) * pixels + i] = other.data[(k - 1) * pixels + i];

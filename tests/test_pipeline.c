@@ -388,6 +388,7 @@ static void horizon_of_another_camera(void)
 /* The faces along a pixel's ray, told apart by their winding, are what the kit draws. */
 static void back_faces_are_drawn(void)
 {
+    enum { W = 96, H = 54 };
     static const char *const scenes[] = { "plates", "grass" };          /* solids; sheets */
     for (int s = 0; s < 2; ++s) {
         kit_scene scene;
@@ -397,8 +398,8 @@ static void back_faces_are_drawn(void)
         void *memory;
         int wrong = 0, found[3] = { 0 }, differ = 0;
         if (!TRY(kit_scene_load(&scene, scenes[s], 0, &err))) return;
-        scene.camera.width = 160;
-        scene.camera.height = 90;
+        scene.camera.width = W;
+        scene.camera.height = H;
         memory = malloc(ssgi_trace_size(scene.mesh.triangles));
         if (!CHECK(memory
                        && ssgi_trace_build(&trace, memory, ssgi_trace_size(scene.mesh.triangles), scene.mesh.position,
@@ -414,12 +415,12 @@ static void back_faces_are_drawn(void)
         ssgi_view view;
         if (!CHECK(depth[1] && depth[2] && depth[3], "channels are missing") || !view_of(&view, &g.camera, 0)) return;
         kit_camera_matrices(&g.camera, world, projection);
-        for (int i = 0; i < 160 * 90; ++i) {
+        for (int i = 0; i < W * H; ++i) {
             float p[3], d[3], t = 0;
             double z[4] = { 0 };
             int next = 1;
             ssgi_hit hit;
-            ssgi_view_position(p, &view, (float)(i % 160) + 0.5f, 89.5f - (float)(i / 160), 1);
+            ssgi_view_position(p, &view, (float)(i % W) + 0.5f, H - 0.5f - (float)(i / W), 1);
             for (int k = 0; k < 3; ++k) d[k] = world[4 * k] * p[0] + world[4 * k + 1] * p[1] + world[4 * k + 2] * p[2];
             while (next < 4 && ssgi_trace_closest(&hit, &trace, g.camera.eye, d, t, 1e6f)) {
                 const float *c = scene.mesh.position + 9 * hit.triangle;
@@ -438,19 +439,19 @@ static void back_faces_are_drawn(void)
             for (int k = 0; k < 4; ++k)
                 if (fabs((double)depth[k][i] - z[k]) > 1e-3 * z[0]) { ++wrong; break; }
         }
-        CHECK(wrong < 160 * 90 / 50 && found[0] > 1000 && found[1] > 500,
+        CHECK(wrong < W * H / 50 && found[0] > 400 && found[1] > 200,
               "%s: %d pixels hold other faces than their rays meet; back faces, slabs: %d, %d, %d", scenes[s], wrong,
               found[0], found[1], found[2]);
-        t_note("%s: %d of 14400 pixels hold other faces than their rays meet; %d with a back face, %d with a second "
+        t_note("%s: %d of %d pixels hold other faces than their rays meet; %d with a back face, %d with a second "
                "slab",
-               scenes[s], wrong, found[0], found[2]);
+               scenes[s], wrong, W * H, found[0], found[2]);
         kit_gbuffer_free(&g);
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &scene.camera, &err)) || !TRY(kit_gbuffer_read(&again, &g, &err)))
             return;
         for (int c = 0; c < frame.channels; ++c)
             if (strstr(frame.name[c], ".Z") && frame.name[c][0] != 'N')
                 differ += memcmp(kit_image_channel(&again, frame.name[c]), kit_image_channel(&frame, frame.name[c]),
-                                 160 * 90 * sizeof(float))
+                                 W * H * sizeof(float))
                           != 0;
         CHECK(!differ && g.slabs && g.back, "%d channels of slabs are lost in a frame", differ);
         kit_gbuffer_free(&g);
@@ -491,7 +492,7 @@ static void taps_of_a_wall_are_joined(void)
 
 /* ---- the same picture, whatever the camera, the layout and the units --------------------------------------------- */
 
-enum { ROOM_W = 480, ROOM_H = 270 };
+enum { ROOM_W = 320, ROOM_H = 180 };
 
 /* ---- what engines have: the same picture from a left-handed camera, drawn upside down, through an oblique near plane,
    from the first of several samples, from a slice, through a text that decodes by ours --------------------------- */
@@ -881,7 +882,7 @@ static void near_the_truth(void)
     kit_score none, score;
     double share[5] = { 0 };
     if (!load(&scene, ROOM_W, ROOM_H)
-        || !TRY(kit_truth_ao(&truth, &scene, &scene.camera, scene.radius, KIT_ATTENUATION_LINEAR, 64, 1, &err))
+        || !TRY(kit_truth_ao(&truth, &scene, &scene.camera, scene.radius, KIT_ATTENUATION_LINEAR, 32, 1, &err))
         || !TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))
         || !TRY(kit_image_new(&out, ROOM_W, ROOM_H, "Y", &err)))
         return;
@@ -998,12 +999,12 @@ static void wrong_winding(void)
    many slices come near the truth, and without they do not. */
 static void plates_in_perspective(void)
 {
-    enum { W = 192, H = 108 };
+    enum { W = 160, H = 90 };
     static const box thin[3] = { { { -1.4f, 0.35f, -0.5f }, { -0.6f, 0.37f, 0.6f } },
                                    { { 0.6f, 0.35f, -0.5f }, { 1.4f, 0.37f, 0.6f } },
                                    { { -0.5f, 0.2f, -1.3f }, { 0.5f, 0.22f, -0.9f } } };
-    static const struct { const char *set; double share; } row[] = { { "thickness=back", 0.045 },
-                                                                     { "thickness=slabs", 0.045 } };
+    static const struct { const char *set; double share; } row[] = { { "thickness=back", 0.06 },
+                                                                     { "thickness=slabs", 0.06 } };
     const kit_camera camera = { { 0, 1.6f, 2.2f }, { 0, 0.2f, 0 }, { 0, 1, 0 }, 42, 0, 0.1f, 20, W, H, { 0 },
                                 KIT_DEPTH_NORMAL };
     kit_scene scene;
@@ -1011,7 +1012,7 @@ static void plates_in_perspective(void)
     kit_image truth, out;
     kit_score none, score;
     if (!see(&scene, &g, "plane", thin, 3, &camera, W, H)
-        || !TRY(kit_truth_ao(&truth, &scene, &camera, 0.7f, KIT_ATTENUATION_LINEAR, 256, 1, &err))
+        || !TRY(kit_truth_ao(&truth, &scene, &camera, 0.7f, KIT_ATTENUATION_LINEAR, 192, 1, &err))
         || !TRY(kit_image_new(&out, W, H, "Y", &err)))
         return;
     const kit_world world = { &scene, NULL };
@@ -1257,7 +1258,7 @@ static void history_is_quiet(void)
         kit_run run;
         kit_image first[2], last[2], cut;
         double noise[2];
-        if (!seen_as(&run, &g, &scene, &lighting, 160, kept[i].method, kept[i].set)) return;
+        if (!seen_as(&run, &g, &scene, &lighting, 96, kept[i].method, kept[i].set)) return;
         for (unsigned turn = 0; turn < 2; ++turn) {
             for (unsigned k = 0; k < 16 && TRY(kit_frames_still(&run, FIRST * turn, k, 0, &err)); ++k)
                 if (!k && !TRY(kit_run_read(&first[turn], &run, &err))) return;
@@ -1494,8 +1495,8 @@ static void poisoned_history(void)
         kit_image sound = { 0 };
         double left = 0;
         kit_camera c = scene.camera;
-        c.width = 64;
-        c.height = 36;
+        c.width = 48;
+        c.height = 27;
         if (!TRY(kit_gbuffer_from_scene(&g, &scene, &c, NULL, &err))) return;
         g.motion = kit_texture(g.width, g.height, GL_RG32F, NULL);             /* nothing moves */
         if (!opened_on(&run, &g, &scene, &lighting, kept[m].method, kept[m].set)) return;

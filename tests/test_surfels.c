@@ -1088,7 +1088,7 @@ static void three_ways(void)
         for (int k = 0; k < 3; ++k) {
             char set[64];
             snprintf(set, sizeof set, "%s,overhang=%s", ways[k], row[m].overhang);
-            if (!look(&d[k], row[m].scene, NULL, 0, &c, 96, 54)) return;
+            if (!look(&d[k], row[m].scene, NULL, 0, &c, 64, 36)) return;
             for (size_t i = 0; i < 9 * d[k].scene.mesh.triangles; ++i) d[k].scene.mesh.normal[i] *= row[m].normals;
             if (!begin_deep(&d[k], "dss", set, 0.6f, NULL)
                 || !drawn(&out[k], &d[k].run))
@@ -1213,7 +1213,7 @@ static void as_brute_force(void)
             surface(&cpu);
         }
         ssgi_surfel *s = held(&d, 0);
-        for (int i = 0; i < 96 * 54; ++i) {
+        for (int i = 0; i < 96 * 54; i += row[m].levels == 1 ? 3 : 1) {
             float p[3], n[3];
             if (!seen(&d, i, p, n)) { CHECK(out.data[i] == 1, "background is %g", (double)out.data[i]); continue; }
             const double f = hidden(&d, s, d.run.surfels, row[m].levels, row[m].hard, p, n), expected = exp(-f),
@@ -1230,7 +1230,7 @@ static void as_brute_force(void)
                   ? off <= 5 && rmse < 1e-3
                   : fabs(bias) < 5e-4 && rmse < (strstr(row[m].set, "smooth=0") ? 0.15 : 0.06) * sqrt(ideal / pixels),
               "%s: %d pixels off, bias %+.5f, RMSE %.4f of %.4f", row[m].set, off, bias, rmse, sqrt(ideal / pixels));
-        CHECK(ideal / pixels > 1e-3 && pixels > 96 * 27, "%s: nothing to see", row[m].set);
+        CHECK(ideal / pixels > 1e-3 && pixels > 96 * 9, "%s: nothing to see", row[m].set);
         t_note("%s: %zu surfels, %d of %d pixels off by more than 0.001, bias %+.5f, RMSE %.4f (occlusion's %.3f)",
                row[m].set, d.run.surfels, off, pixels, bias, rmse, sqrt(ideal / pixels));
         free(s);
@@ -1273,7 +1273,7 @@ static void as_sub_buffers(void)
         snprintf(set, sizeof set, "size=0.05,smooth=0,near_samples=1,span=0,combine=add,enlarge=%d", m);
         if (!dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss", set, 0.6f, NULL) || !drawn(&out, &d.run)) return;
         ssgi_surfel *s = held(&d, 0);
-        for (int i = 0; i < 96 * 54; ++i) {
+        for (int i = 0; i < 96 * 54; i += 3) {
             double sum = 0;
             float p[3], n[3];
             if (!seen(&d, i, p, n)) continue;
@@ -1284,7 +1284,7 @@ static void as_sub_buffers(void)
             most = fmax(most, sum);
             off += apart > 1e-3;
         }
-        CHECK(off <= 5 && most > 0.4, "%s: %d pixels off, by %.2g at most, of sums up to %.2f", set, off, worst, most);
+        CHECK(off <= 2 && most > 0.3, "%s: %d pixels off, by %.2g at most, of sums up to %.2f", set, off, worst, most);
         t_note("%s: %zu surfels, %d pixels off by more than 0.001, the worst by %.1e", set, d.run.surfels, off, worst);
         free(s);
         kit_image_free(&out);
@@ -1659,11 +1659,11 @@ static void against_truth(void)
         "bounce.R", "bounce.G", "bounce.B"
     };
     deep d;
-    if (!dive(&d, "boxes", NULL, 0, NULL, 160, 90, "dss", "", 0.6f, NULL) || !drawn(&out, &d.run)
+    if (!dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss", "", 0.6f, NULL) || !drawn(&out, &d.run)
         || !TRY(kit_truth_ao(&truth, &d.scene, &d.g.camera, 0.6f, KIT_ATTENUATION_LINEAR, 64, 1, &err))
-        || !TRY(kit_image_new(&none, 160, 90, "Y", &err)))
+        || !TRY(kit_image_new(&none, 96, 54, "Y", &err)))
         return;
-    for (int i = 0; i < 160 * 90; ++i) none.data[i] = 1;
+    for (int i = 0; i < 96 * 54; ++i) none.data[i] = 1;
     TRY(kit_score_channel(&nothing, &none, &truth, "Y", NULL, &err));
     TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err));
     CHECK(score.rmse < 0.33 * nothing.rmse, "RMSE %.4f of %.4f", score.rmse, nothing.rmse);
@@ -1676,7 +1676,7 @@ static void against_truth(void)
     if (!lighten(&l, "sky", "sun:1,2,0.5,2,2,2") || !dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss-lit", "sky=1", 0.8f,
                                                              &l)
         || !drawn(&out, &d.run)
-        || !TRY(kit_truth_lit(&truth, &d.scene, &d.g.camera, &l, 0.8f, KIT_ATTENUATION_NONE, 1, 64, 1, &err))
+        || !TRY(kit_truth_lit(&truth, &d.scene, &d.g.camera, &l, 0.8f, KIT_ATTENUATION_NONE, 1, 32, 1, &err))
         || !TRY(kit_image_new(&none, 96, 54, KIT_LIT_CHANNELS, &err)))
         return;
     for (int b = 0; b < 2; ++b) {
