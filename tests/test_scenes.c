@@ -535,7 +535,9 @@ static void nothing_changes(int first, int last, int projections)
                 /* at half size another pixel of each 2x2 is drawn: another picture */
                 if (way == ROLLED && strstr(set, "half=1")) continue;
                 /* a frame has no layers; compiling takes most of the time: two kinds of projection for these alone */
-                if ((way == LINEAR && (m % 3 || strstr(set, "layers"))) || (orthographic && m % 6 != 2)) continue;
+                if ((way == LINEAR && (m % 3 || strstr(set, "layers"))) || (orthographic && m % 6 != 2)
+                    || (way == ENDLESS && m % 2))
+                    continue;
                 if (!TRY(kit_run_picture(&other, &g, &world, alike[m].method, set, radius, &err))) return;
                 if (way == REVERSED) { reference[m] = other; continue; }
                 double most = way_of[way].most;

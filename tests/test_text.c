@@ -136,7 +136,7 @@ static ssgi_gl_desc drawn(int t)
 
 /* Of a pass: texts drawn, and which of all its lines each has. Lines that are always there together, and those that
    always are or never, count once. */
-enum { DRAWN = 1200, WORDS = 16, LITERALS = 64 * WORDS };
+enum { DRAWN = 600, WORDS = 16, LITERALS = 64 * WORDS };
 typedef struct point { ssgi_gl_desc desc; uint64_t line[WORDS], literal[WORDS]; int gain; } point;
 static point pool[DRAWN];
 /* pairs of literals that no variant has yet; a literal: 2 * class + whether it is there */
