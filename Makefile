@@ -42,6 +42,13 @@ KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
 LIBRARY   = library.o library_gl.o
 KIT_O     = $(KIT:%=build/kit/%.o) $(KIT_KINDS) $(LIBRARY:%=build/kit/%)
 
+# What these ask for is built by as many processors as there are, unless -j says otherwise.
+ifneq ($(filter all demo test,$(or $(MAKECMDGOALS),all)),)
+ifeq ($(filter -j% --jobs%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 1)
+endif
+endif
+
 all: build/render build/report build/stability build/glsl-text build/minimal
 
 # What is missing is installed where that can be done, else named in one line.
@@ -358,12 +365,13 @@ test: $(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test) $(if $(filter $(OF_EX
 	$(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples $(filter $(OF_EXAMPLES),$(RUN)))
 	$(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test $(filter-out $(OF_EXAMPLES),$(RUN)))
 
-# The library, by twice as many texts and four times as many random inputs, then all else: examples, the page, WGSL,
-# hosts, Vulkan, the compiler's count. Each ends with its own "N passed, N failed"; a part that needs a program which
+# The library, each of its texts in three dialects, by more compilers and random inputs (T_ALL), then all else: examples,
+# the page, WGSL, hosts, Vulkan, the viewer, the compiler's count. Each ends with its own "N passed, N failed"; a part that needs a program which
 # cannot be had is skipped by name.
 test-all:
 	T_ALL=1 $(MAKE) test
-	$(MAKE) tree test ONLY='$(OF_EXAMPLES)'
+	$(MAKE) tree
+	$(MAKE) test ONLY='$(OF_EXAMPLES)'
 	$(MAKE) web-test
 	$(MAKE) webgpu-test
 	$(MAKE) hosts-test

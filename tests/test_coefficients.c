@@ -11,7 +11,7 @@ static const double pi = 3.14159265358979;
 static kit_error err;
 #define TRY(call) CHECK(!(call), "%s", err.text)
 
-enum { W = 160, H = 90 };
+enum { W = 96, H = 54 };
 static const kit_lighting dark;
 
 /* ---- vectors: 16 coefficients of the clamped cosine times what is free ------------------------------------------- */

@@ -11,7 +11,7 @@ static const double pi = 3.14159265358979;
 static kit_error err;
 #define TRY(call) CHECK(!(call), "%s", err.text)
 
-enum { W = 160, H = 90 };
+enum { W = 112, H = 63 };
 
 /* ---- pictures ---------------------------------------------------------------------------------------------------- */
 
