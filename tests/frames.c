@@ -200,3 +200,16 @@ int slab(kit_gbuffer *g, double c, double thickness, double gap, int layers)
     kit_image_free(&frame);
     return ok;
 }
+
+double difference(const kit_image *a, const kit_image *b, int dx, int dy, int border)
+{
+    double sum = 0;
+    int n = 0;
+    for (int y = border; y < a->height - border; ++y)
+        for (int x = border; x < a->width - border; ++x) {
+            const double d = (double)a->data[y * a->width + x] - (double)b->data[(y + dy) * b->width + x + dx];
+            sum += d * d;
+            ++n;
+        }
+    return sqrt(sum / n);
+}

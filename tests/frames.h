@@ -54,4 +54,6 @@ int        drawn(kit_image *out, kit_run *run);
 int lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
         const kit_lighting *lighting);
 double     mean(const kit_image *image, const char *channel);
+/* RMSE between a at (x, y) and b at (x + dx, y + dy), border pixels of a left out */
+double     difference(const kit_image *a, const kit_image *b, int dx, int dy, int border);
 #endif

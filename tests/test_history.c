@@ -1,0 +1,583 @@
+/* test_history.c - pictures over frames: scripted sequences whose answers are known, noise, motion, hostile history. */
+#include "t.h"
+#include "frames.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static kit_error err;
+#define TRY(call) CHECK(!(call), "%s", err.text)
+
+/* ---- scripted sequences: what is kept, frame by frame, is known --------------------------------------------------- */
+
+enum { W = 96, H = 54 };
+
+static kit_pass *history_of(kit_run *run)
+{
+    kit_pass *p = run->pass;
+    while (p->desc.pass != SSGI_GL_PASS_HISTORY) ++p;
+    return p;
+}
+
+/* Light of an open plane by a script, filtered without noise: a mean over all frames, up to `most` of them, that stays
+   near a mean over three, and that near what is seen now; where the first has to follow it forgets. */
+static void light_is_followed(void)
+{
+    enum { FRAMES = 20 };
+    static const struct { const char *name; double from, to, by; } row[] = {
+        { "steady", 1, 1, 1 }, { "brighter at once", 1, 3, 1 }, { "darker at once", 1, 0.4, 1 },
+        { "a little brighter", 1, 1.012, 1 }, { "rising", 1, 1, 1.01 }, { "falling", 1, 1, 0.985 } };
+    static const double plane[1][4] = { { 0.3, 0.2, 0.932738, -2 } };
+    const kit_camera c = looking_along_z(W, H, 0);
+    kit_image frame;
+    kit_gbuffer g;
+    kit_lighting white;
+    kit_run run;
+    double worst = 0;
+    if (!lighten(&white, "white", NULL) || !planes_seen(&frame, &c, plane, 1, "")
+        || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
+        || !begin(&run, &g, "ssdo", "environment=sh,bands=1,bounce=none,history=1,restore=none,blur=1,directions=1,steps=4", 0.3f, NULL,
+                  &white))
+        return;
+    for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
+        double mean_ = 0, quick = 0, frames = 0, v = row[i].from;
+        for (unsigned t = 0; t < FRAMES; ++t) {
+            kit_image out;
+            v = t == 12 ? row[i].to : v * row[i].by;
+            if (!t) run.frame.history = 0;
+            else if (!TRY(kit_run_follow(&run, &run, t, &err))) return;
+            /* from three frames on the filter takes five texels in place of nine, and is taken to know less */
+            const double most = (double)run.frame.history, n = t ? fmin(frames + 1, most) : 1, few = n < 3 ? 1 : 9.0 / 5,
+                         deviation = 0.1 * v * sqrt((few - 1) * few), drift = 0.2 * deviation + 0.005 * v,
+                         jump = 0.7 * deviation + 0.02 * v;
+            const float uniform[3] = { (float)(v * 3.5449077), (float)(v * 3.5449077), (float)(v * 3.5449077) };
+            ssgi_gl_harmonics_set(&run.frame, uniform, 1, NULL, NULL);
+            if (!drawn(&out, &run)) return;
+            quick = fmin(fmax(quick + (v - quick) / fmin(n, 3), v - jump), v + jump);
+            mean_ += (v - mean_) / n;
+            const double by = fmin(fmax(mean_, quick - drift), quick + drift) - mean_;
+            frames = fmax(n * (1 - 0.85 * fmin(fabs(by) / drift, 1)), 1);
+            mean_ += by;
+            const float *seen = kit_image_channel(&out, "irradiance.G");
+            double off = 0;
+            for (int p = 0; p < W * H; ++p)
+                if (flat(&frame, p % W, p / W)) off = fmax(off, fabs((double)seen[p] / mean_ - 1));
+            worst = fmax(worst, off);
+            CHECK(off < 1e-3, "%s, frame %u: %.4f of the light is shown, %.4f expected, %.4f there is", row[i].name, t,
+                  (double)seen[H / 2 * W + W / 2], mean_, v);
+            kit_image_free(&out);
+        }
+    }
+    t_note("%.1e of the light off at most", worst);
+    kit_run_close(&run);
+    kit_gbuffer_free(&g);
+    kit_image_free(&frame);
+    kit_image_free(&white.env);
+}
+
+/* How many frames each pixel of the last picture averages. */
+static int frames_kept(float kept[W * H], const kit_run *run)
+{
+    static float texel[4 * W * H];
+    const kit_pass *p = history_of((kit_run *)run);
+    if (!CHECK(p->width == W && p->height == H && !kit_texture_read(p->target[0], W, H, 4, texel),
+               "what history kept cannot be read"))
+        return 0;
+    for (int i = 0; i < W * H; ++i) kept[i] = texel[4 * i + 3];
+    return 1;
+}
+
+/* A frame of a picture that went on by so much: each pixel takes up what the four around its last place counted, at most
+   16 and fewer the farther that is from a pixel's centre; up to a pixel beyond the border counts as the border. */
+static void count(float kept[W * H], double dx, double dy)
+{
+    static float last[W * H];
+    memcpy(last, kept, sizeof last);
+    for (int i = 0; i < W * H; ++i) {
+        const double x = i % W - dx, y = i / W - dy, u = x - floor(x), v = y - floor(y);
+        double sum = 0;
+        kept[i] = 1;
+        if (x <= -1.5 || y <= -1.5 || x >= W + 0.5 || y >= H + 0.5) continue;
+        for (int k = 0; k < 4; ++k) {
+            const int p = (int)floor(x) + (k & 1), q = (int)floor(y) + k / 2;
+            sum += (k & 1 ? u : 1 - u) * (k / 2 ? v : 1 - v)
+                   * (double)last[(q < 0 ? 0 : q < H ? q : H - 1) * W + (p < 0 ? 0 : p < W ? p : W - 1)];
+        }
+        kept[i] = (float)fmin(sum + 1, 16 / (1 + 2 * (u * (1 - u) + v * (1 - v))));
+    }
+}
+
+/* A camera over an open plane that stands, turns or jumps: so many frames each pixel averages. A bar that comes: where
+   it is a share of what is within the radius, averages are forgotten. */
+static void frames_are_counted(void)
+{
+    enum { FRAMES = 20, BAR = 40, ACROSS = 16, FAR_ = 30 };
+    static const struct { const char *name; double x, y; int cut, bar; } row[] = {
+        { "a still camera", 0, 0, FRAMES, 0 },
+        { "a turn by whole pixels", 3, -2, FRAMES, 0 },
+        { "a turn by half a pixel", 0.5, 0, FRAMES, 0 },
+        { "a turn by half a pixel both ways", 0.5, -0.5, FRAMES, 0 },
+        { "a cut", 0, 0, 15, 0 },
+        { "a bar that comes", 0, 0, FRAMES, 1 } };
+    static const double plane[1][4] = { { 0, 0, 1, -4 } };
+    for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
+        kit_gbuffer g[2] = { { 0 } };
+        static kit_run run[2];
+        static float kept[W * H], expected[W * H];
+        memset(run, 0, sizeof run);
+        for (unsigned t = 0; t < FRAMES; ++t) {
+            kit_camera c = looking_along_z(W, H, 1);
+            kit_image frame;
+            const unsigned now = t & 1;
+            c.shift[0] = (float)(row[i].x * t);
+            c.shift[1] = (float)(row[i].y * t);
+            if (t > 1) { kit_run_close(&run[now]); kit_gbuffer_free(&g[now]); }
+            if (!planes_seen(&frame, &c, plane, 1, "")) return;
+            for (int p = 0; p < W * H && row[i].bar && t == FRAMES - 1; ++p)
+                if (p % W >= BAR && p % W < BAR + ACROSS) frame.data[p] = 3.8f;
+            if (!TRY(kit_gbuffer_from_frame(&g[now], &frame, &c, &err))
+                || !begin(&run[now], &g[now], "hsao", "directions=1,steps=33,blur=1,history=1", 0.3f, NULL, NULL)
+                || (t && !TRY(kit_run_follow(&run[now], &run[!now], t, &err))))
+                return;
+            if ((int)t == row[i].cut) { run[now].frame.history = 0; kit_run_update(&run[now]); }
+            kit_run_draw(&run[now], 0);
+            kit_image_free(&frame);
+            if (t && (int)t != row[i].cut) count(expected, row[i].x, row[i].y);
+            else for (int p = 0; p < W * H; ++p) expected[p] = 1;
+        }
+        if (!frames_kept(kept, &run[(FRAMES - 1) & 1])) return;
+        int wrong = 0, anew = 0, on = 0;
+        for (int p = 0; p < W * H; ++p) {
+            const int x = p % W;
+            /* a place half a pixel beyond the border is in the last picture or not as it is rounded: then one less */
+            const float off = expected[p] - kept[p];
+            wrong += !row[i].bar && !(fabsf(off) < 0.02f || (row[i].x > 1 && fabsf(off - 1) < 0.02f));
+            anew += row[i].bar && x >= BAR && x < BAR + ACROSS && kept[p] < 1.001f;
+            on += row[i].bar && (x < BAR - FAR_ || x >= BAR + ACROSS + FAR_) && kept[p] > 15.999f;
+        }
+        CHECK(!wrong && (!row[i].bar || (anew == ACROSS * H && on == (W - ACROSS - 2 * FAR_) * H)), "%s: %d pixels average "
+              "other numbers of frames; %d of the bar begin anew, %d far from it go on; in the middle it is %g",
+              row[i].name, wrong, anew, on, (double)kept[H / 2 * W + W / 2]);
+        for (int k = 0; k < 2; ++k) { kit_run_close(&run[k]); kit_gbuffer_free(&g[k]); }
+    }
+}
+
+/* A bar that passes over a floor: where it has gone, and is farther than the radius, the floor is open at once. */
+static void nothing_trails(void)
+{
+    enum { FRAMES = 14, WIDE_ = 14, STEP = 4 };
+    static const double plane[1][4] = { { 0, 0, 1, -4 } };
+    const kit_camera c = looking_along_z(W, H, 1);         /* 2 units high: a radius of 0.3 is 8.1 pixels */
+    kit_gbuffer g[2] = { { 0 } };
+    static kit_run run[2];
+    double behind[3] = { 1, 1, 1 }, beside = 1;
+    memset(run, 0, sizeof run);
+    for (unsigned t = 0; t < FRAMES; ++t) {
+        kit_image frame, out;
+        const unsigned now = t & 1;
+        const int left = STEP * (int)t;
+        if (t > 1) { kit_run_close(&run[now]); kit_gbuffer_free(&g[now]); }
+        if (!planes_seen(&frame, &c, plane, 1, "")) return;
+        for (int p = 0; p < W * H; ++p) if (p % W >= left && p % W < left + WIDE_) frame.data[p] = 3.75f;
+        if (!TRY(kit_gbuffer_from_frame(&g[now], &frame, &c, &err))
+            || !begin(&run[now], &g[now], "hsao", "directions=4,steps=33,blur=1,history=1", 0.3f, NULL, NULL)
+            || (t && !TRY(kit_run_follow(&run[now], &run[!now], t, &err))) || !drawn(&out, &run[now]))
+            return;
+        for (int p = 0; p < W * H && t > 6; ++p) {
+            const int gap = left - 1 - p % W;              /* pixels between it and the bar that has gone */
+            if (gap >= 0 && gap < 3) beside = fmin(beside, (double)out.data[p]);
+            for (int k = 0; k < 3; ++k)                    /* for k frames it is beyond the radius and the filter */
+                if (gap >= 11 + k * STEP && gap < 11 + (k + 1) * STEP) behind[k] = fmin(behind[k], (double)out.data[p]);
+        }
+        kit_image_free(&frame);
+        kit_image_free(&out);
+    }
+    CHECK(beside < 0.9 && behind[0] > 0.999 && behind[1] > 0.999 && behind[2] > 0.999,
+          "beside the bar %.3f is open, where it has gone %.3f, %.3f, %.3f", beside, behind[0], behind[1], behind[2]);
+    t_note("beside the bar %.3f is open, where it has gone %.4f, %.4f, %.4f", beside, behind[0], behind[1], behind[2]);
+    for (int k = 0; k < 2; ++k) { kit_run_close(&run[k]); kit_gbuffer_free(&g[k]); }
+}
+
+/* ---- noise, motion, what is hostile ----------------------------------------------------------------------------------- */
+
+static int opened_on(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const kit_lighting *lighting,
+                     const char *name, const char *set)
+{
+    const kit_world world = { scene, lighting };
+    kit_method m;
+    return TRY(kit_method_find(&m, name, &err)) && TRY(kit_method_set(&m, set, &err))
+        && TRY(kit_run_open(run, g, &m, scene->radius, &world, &err));
+}
+
+/* A run of a method on a built-in scene at a small size. */
+static int seen_as(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const kit_lighting *lighting, int width,
+                   const char *name, const char *set)
+{
+    kit_camera c = scene->camera;
+    c.width = width;
+    c.height = width * 9 / 16;
+    return TRY(kit_gbuffer_from_scene(g, scene, &c, NULL, &err)) && opened_on(run, g, scene, lighting, name, set);
+}
+
+/* Single frames that differ by their noise alone, and means over sixteen others each: how far two of them are apart.
+   Then a cut. */
+static void history_is_quiet(void)
+{
+    enum { FIRST = 100 };                                  /* frame of the second sixteen */
+    static const struct { const char *method, *set; double share; } kept[] = {
+        { "hsao-fast", "history=1", 0.4 }, { "hsao", "half=0,history=1", 0.25 }, { "ssdo-fast", "history=1", 0.68 },
+        { "s3ho-fast", "history=1", 0.52 }, { "hsao-fast", "thickness=slabs,history=1", 0.4 },
+        { "hsao-march", "views=1,directions=2,steps=4,history=1", 0.4 } };
+    kit_lighting lighting = { .lights = 0 };
+    kit_scene scene;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_env_read(&lighting.env, "sky", &err))) return;
+    for (size_t i = 0; i < sizeof kept / sizeof *kept; ++i) {
+        kit_gbuffer g;
+        kit_run run;
+        kit_image first[2], last[2], cut;
+        double noise[2];
+        if (!seen_as(&run, &g, &scene, &lighting, 96, kept[i].method, kept[i].set)) return;
+        for (unsigned turn = 0; turn < 2; ++turn) {
+            for (unsigned k = 0; k < 16 && TRY(kit_frames_still(&run, FIRST * turn, k, 0, &err)); ++k)
+                if (!k && !TRY(kit_run_read(&first[turn], &run, &err))) return;
+            if (!TRY(kit_run_read(&last[turn], &run, &err))) return;
+        }
+        noise[0] = difference(&first[0], &first[1], 0, 0, 0);
+        noise[1] = difference(&last[0], &last[1], 0, 0, 0);
+        CHECK(noise[0] > 0.003 && noise[1] < kept[i].share * noise[0], "%s %s: noise of %.4f becomes %.4f",
+              kept[i].method, kept[i].set, noise[0], noise[1]);
+        t_note("%s %s: noise of %.4f becomes %.4f", kept[i].method, kept[i].set, noise[0], noise[1]);
+        run.frame.history = 0;
+        run.frame.phase = 0;
+        kit_run_update(&run);
+        kit_run_draw(&run, 0);
+        TRY(kit_run_read(&cut, &run, &err));
+        CHECK(!memcmp(cut.data, first[0].data, (size_t)(cut.width * cut.height) * sizeof *cut.data),
+              "%s: the first frame after a cut is not a single one", kept[i].method);
+        kit_image *const all[] = { &first[0], &first[1], &last[0], &last[1], &cut };
+        for (int k = 0; k < 5; ++k) kit_image_free(all[k]);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+    }
+    kit_image_free(&lighting.env);
+    kit_scene_free(&scene);
+}
+
+static const float *values_seen(const kit_image *i)
+{
+    return kit_image_channel(i, i->channels > 1 ? "irradiance.G" : "Y");
+}
+
+/* What a camera saw, with motion vectors from the one before: how far every point went over the picture. */
+static int moved_frame(kit_image *out, const kit_scene *scene, const kit_camera *c, const kit_camera *before)
+{
+    float now[16], then[16], projection[16];
+    kit_gbuffer g;
+    kit_image seen;
+    if (!TRY(kit_gbuffer_from_scene(&g, scene, c, NULL, &err)) || !TRY(kit_gbuffer_read(&seen, &g, &err))
+        || !TRY(kit_image_new(out, c->width, c->height, "Z,N.X,N.Y,N.Z,motion.X,motion.Y", &err)))
+        return 0;
+    kit_camera_matrices(c, now, projection);
+    kit_camera_matrices(before, then, projection);
+    const size_t pixels = (size_t)c->width * (size_t)c->height;
+    static const char *const name[4] = { "Z", "N.X", "N.Y", "N.Z" };
+    for (size_t k = 0; k < 4; ++k)
+        memcpy(out->data + k * pixels, kit_image_channel(&seen, name[k]), pixels * sizeof *out->data);
+    for (size_t i = 0; i < pixels; ++i) {
+        const double z = (double)out->data[i], x = 2 * ((double)(i % (size_t)c->width) + 0.5) / c->width - 1,
+                     y = 1 - 2 * ((double)(i / (size_t)c->width) + 0.5) / c->height;
+        const double P[3] = { x * z / (double)projection[0], y * z / (double)projection[5], -z };
+        double world[3], Q[3];
+        if (!(z > 0)) continue;
+        for (int j = 0; j < 3; ++j) {
+            world[j] = 0;
+            for (int r = 0; r < 3; ++r) world[j] += (double)now[4 * j + r] * (P[r] - (double)now[12 + r]);
+        }
+        for (int r = 0; r < 3; ++r) {
+            Q[r] = (double)then[12 + r];
+            for (int j = 0; j < 3; ++j) Q[r] += (double)then[4 * j + r] * world[j];
+        }
+        out->data[4 * pixels + i] = (float)(0.5 * c->width * (x + Q[0] / Q[2] * (double)projection[0]));
+        out->data[5 * pixels + i] = (float)(-0.5 * c->height * (y + Q[1] / Q[2] * (double)projection[5]));
+    }
+    kit_image_free(&seen);
+    kit_gbuffer_free(&g);
+    return 1;
+}
+
+/* A camera that glides: told by its matrices; as motion of all things before a camera that stands still; not at all. */
+static void motion_is_followed(void)
+{
+    enum { FRAMES = 8, BY_CAMERA = 0, BY_MOTION, UNTOLD, WAYS };
+    kit_scene scene;
+    kit_method m;
+    double noise[WAYS + 1];
+    kit_image mean = { 0 }, single = { 0 };
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_method_find(&m, "hsao-fast", &err))
+        || !TRY(kit_method_set(&m, "history=1", &err)))
+        return;
+    scene.camera.width = 160;
+    scene.camera.height = 90;
+    for (int way = 0; way < WAYS; ++way) {
+        kit_run run[FRAMES];
+        kit_gbuffer g[FRAMES];
+        kit_camera c = scene.camera;
+        kit_image last;
+        for (unsigned k = 0; k < FRAMES; ++k) {
+            const kit_camera before = c;
+            kit_image frame;
+            c.eye[0] += k ? 0.06f : 0;
+            c.target[0] += k ? 0.06f : 0;
+            if (!moved_frame(&frame, &scene, &c, &before)) return;
+            if (way == UNTOLD) frame.name[4][0] = frame.name[5][0] = '_';
+            if (!TRY(kit_gbuffer_from_frame(&g[k], &frame, way == BY_CAMERA ? &c : &scene.camera, &err))) return;
+            if (way == BY_CAMERA) { glDeleteTextures(1, &g[k].motion); g[k].motion = 0; }
+            kit_image_free(&frame);
+            if (!TRY(kit_run_open(&run[k], &g[k], &m, scene.radius, NULL, &err))) return;
+            if (k && !TRY(kit_run_follow(&run[k], &run[k - 1], k, &err))) return;
+            kit_run_draw(&run[k], 0);
+        }
+        if (!TRY(kit_run_read(&last, &run[FRAMES - 1], &err))) return;
+        run[FRAMES - 1].frame.history = 0;
+        for (unsigned k = 0; !way && k < 32; ++k) {
+            kit_image other;
+            run[FRAMES - 1].frame.phase = ssgi_gl_phase(k + 100);
+            kit_run_update(&run[FRAMES - 1]);
+            kit_run_draw(&run[FRAMES - 1], 0);
+            if (!TRY(kit_run_read(k ? &other : &mean, &run[FRAMES - 1], &err))) return;
+            if (k == 1) single = other;
+            for (int p = 0; k && p < mean.width * mean.height; ++p)
+                mean.data[p] += (other.data[p] - mean.data[p]) / (float)(k + 1);
+            if (k > 1) kit_image_free(&other);
+        }
+        noise[way] = difference(&last, &mean, 0, 0, 0);
+        for (int k = 0; k < FRAMES; ++k) { kit_run_close(&run[k]); kit_gbuffer_free(&g[k]); }
+        kit_image_free(&last);
+    }
+    noise[WAYS] = difference(&single, &mean, 0, 0, 0);
+    CHECK(noise[BY_MOTION] < 0.87 * noise[WAYS] && noise[BY_MOTION] < 1.05 * noise[BY_CAMERA]
+              && noise[UNTOLD] > 1.05 * noise[BY_MOTION] && noise[UNTOLD] < noise[WAYS],
+          "noise %.4f; told by the camera %.4f, by motion %.4f, untold %.4f", noise[WAYS], noise[BY_CAMERA],
+          noise[BY_MOTION], noise[UNTOLD]);
+    t_note("noise %.4f; told by the camera %.4f, by motion %.4f, untold %.4f", noise[WAYS], noise[BY_CAMERA],
+           noise[BY_MOTION], noise[UNTOLD]);
+    kit_image_free(&mean); kit_image_free(&single); kit_scene_free(&scene);
+}
+
+static kit_pass *pass_of(kit_run *run, int pass)
+{
+    kit_pass *p = run->pass;
+    while (p->desc.pass != pass) ++p;
+    return p;
+}
+
+/* The texture that a pass reads under a name. */
+static GLuint *read_as(kit_pass *p, const char *name)
+{
+    for (int k = 0; k < p->step->inputs; ++k) if (!strcmp(p->step->input[k].name, name)) return &p->input[k];
+    return NULL;
+}
+
+static const float odd[] = { NAN, INFINITY, -INFINITY, 0, -1, 1e38f, -1e38f, 1e9f, 1e-30f, 0.5f, 1, 3, 528 };
+enum { ODD = (int)(sizeof odd / sizeof odd[0]) };
+
+/* A hundred last frames of anything, depth too: all of one kind, or a mixture. Two sound ones then bring back what
+   there is to see. */
+static void hostile_history(void)
+{
+    static const char *const names[2] = { "t_ssgi_history", "t_ssgi_means" };
+    kit_lighting lighting = { .lights = 0 };
+    kit_scene scene;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_env_read(&lighting.env, "white", &err))) return;
+    for (int lit = 0; lit < 2; ++lit) {
+        kit_gbuffer g;
+        kit_run run;
+        int bad = 0;
+        if (!seen_as(&run, &g, &scene, &lighting, 64, lit ? "ssdo-fast" : "hsao-fast",
+                     lit ? "bounce=none,history=1" : "history=1"))
+            return;
+        kit_pass *const p = pass_of(&run, SSGI_GL_PASS_HISTORY);
+        GLuint *const changes = read_as(pass_of(&run, SSGI_GL_PASS_CHANGE_MASK), names[0]);
+        float *const texels = malloc(4 * (size_t)(p->width * p->height) * sizeof *texels);
+        kit_run_draw(&run, 0);
+        for (unsigned f = 1; f < 104; ++f) {
+            GLuint hostile[2] = { 0, 0 }, sound[2];
+            kit_image out;
+            TRY(kit_run_follow(&run, &run, f, &err));
+            t_seed(f);
+            for (int k = 0; k < 1 + lit && f < 101; ++k) { /* visibility has no means of its own */
+                GLuint *const at = read_as(p, names[k]);
+                for (int i = 0; i < 4 * p->width * p->height; ++i)
+                    texels[i] = f < ODD ? odd[f] : t_below(4) ? odd[t_below(ODD)] : (float)t_below(1000) * 0.01f;
+                sound[k] = *at;
+                *at = hostile[k] = kit_texture(p->width, p->height, GL_RGBA32F, texels);
+            }
+            if (hostile[0]) *changes = hostile[0];
+            kit_run_draw(&run, 0);
+            TRY(kit_run_read(&out, &run, &err));
+            for (int i = 0; i < out.width * out.height * (lit ? 6 : 1); ++i)
+                bad += !(out.data[i] >= 0 && out.data[i] < (lit ? 1e10f : 1.001f));
+            for (int i = 0; i < out.width * out.height && f == 103; ++i) {       /* the background is dark */
+                const float v = values_seen(&out)[i];
+                bad += !((v > 0.05f || (lit && !(v > 0))) && v < 1.05f);
+            }
+            kit_image_free(&out);
+            for (int k = 0; k < 2 && hostile[k]; ++k) *read_as(p, names[k]) = sound[k];
+            if (hostile[0]) *changes = sound[0];
+            glDeleteTextures(2, hostile);
+        }
+        CHECK(!bad, "%s: %d values are none, below 0 or too large", lit ? "ssdo" : "hsao", bad);
+        free(texels);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+    }
+    kit_image_free(&lighting.env);
+    kit_scene_free(&scene);
+}
+
+/* A copy of a pass's texture in which one lane of every third texel is no number; the others, and depth, are right. */
+static GLuint poisoned(const kit_pass *p, GLuint texture, int lane, float value)
+{
+    const size_t texels = (size_t)p->width * (size_t)p->height;
+    float *const texel = malloc(4 * texels * sizeof *texel);
+    GLuint copy = 0;
+    if (CHECK(!kit_texture_read(texture, p->width, p->height, 4, texel), "no texture to poison")) {
+        for (size_t i = 0; i < texels; i += 3) texel[4 * i + (size_t)lane] = value;
+        copy = kit_texture(p->width, p->height, GL_RGBA32F, texel);
+    }
+    free(texel);
+    return copy;
+}
+
+/* One frame in which a lane of what history reads is NaN or infinity at depths that are right, whatever is restored:
+   every frame is of numbers, and a few sound ones later nothing of it is left. */
+static void poisoned_history(void)
+{
+    static const struct { const char *method, *set; } kept[] = {
+        { "hsao-fast", "history=1" }, { "ssdo-fast", "bounce=none,history=1,restore=none" },
+        { "ssdo-fast", "bounce=none,history=1,restore=ratio" },
+        { "ssdo-fast", "bounce=none,history=1,restore=difference" },
+        { "s3ho-fast", "indirect=joint,history=1,restore=difference" } };
+    static const struct { const char *name; int lane; float value; } poison[] = {
+        { "t_ssgi_history", 0, NAN }, { "t_ssgi_history", 0, INFINITY }, { "t_ssgi_history", 2, NAN },
+        { "t_ssgi_history", 3, NAN }, { "t_ssgi_means", 0, NAN }, { "t_ssgi_means", 1, NAN },
+        { "t_ssgi_means", 0, -INFINITY }, { "t_ssgi_motion", 0, NAN }, { "t_ssgi_motion", 1, INFINITY },
+        { NULL, 0, NAN }, { NULL, 0, -INFINITY } };        /* NULL: this frame's */
+    enum { BEFORE = 3, AFTER = 6 };
+    kit_lighting lighting = { .lights = 0 };
+    kit_scene scene;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_env_read(&lighting.env, "sky", &err))) return;
+    for (size_t m = 0; m < sizeof kept / sizeof *kept; ++m) {
+        kit_gbuffer g;
+        kit_run run;
+        kit_image sound = { 0 };
+        double left = 0;
+        kit_camera c = scene.camera;
+        c.width = 48;
+        c.height = 27;
+        if (!TRY(kit_gbuffer_from_scene(&g, &scene, &c, NULL, &err))) return;
+        g.motion = kit_texture(g.width, g.height, GL_RG32F, NULL);             /* nothing moves */
+        if (!opened_on(&run, &g, &scene, &lighting, kept[m].method, kept[m].set)) return;
+        kit_pass *const p = pass_of(&run, SSGI_GL_PASS_HISTORY);
+        for (int i = -1; i < (int)(sizeof poison / sizeof *poison); ++i) {      /* -1: none, to compare with */
+            const char *const of = i < 0 ? NULL : poison[i].name ? poison[i].name : strcmp(kept[m].method, "hsao-fast")
+                                 ? "t_ssgi_light" : "t_ssgi_ao";
+            int bad = 0;
+            run.frame.history = 0;
+            run.frame.phase = 0;
+            kit_run_update(&run);
+            kit_run_draw(&run, 0);
+            for (unsigned f = 1; f <= BEFORE + AFTER; ++f) {
+                GLuint copy = 0, was = 0, *at = of && f == BEFORE ? read_as(p, of) : NULL; /* grey has no means */
+                kit_image out;
+                TRY(kit_run_follow(&run, &run, f, &err));
+                if (at) {                                  /* 0: of the G-buffer */
+                    was = *at;
+                    *at = copy = poisoned(p, was ? was : g.motion, poison[i].lane, poison[i].value);
+                }
+                kit_run_draw(&run, 0);
+                if (at) *at = was;
+                glDeleteTextures(1, &copy);
+                if (!TRY(kit_run_read(&out, &run, &err))) return;
+                for (int k = 0; k < out.channels * out.width * out.height; ++k) bad += !isfinite(out.data[k]);
+                if (f == BEFORE + AFTER && i < 0) { sound = out; continue; }
+                if (f == BEFORE + AFTER) left = fmax(left, difference(&out, &sound, 0, 0, 0));
+                kit_image_free(&out);
+            }
+            CHECK(!bad, "%s %s: %s %d %g: %d values are no numbers", kept[m].method, kept[m].set, of ? of : "none",
+                  of ? poison[i].lane : 0, of ? (double)poison[i].value : 0, bad);
+        }
+        CHECK(left < 0.03, "%s %s: %.3f is left of it", kept[m].method, kept[m].set, left);
+        t_note("%s %s: %.4f is left of a frame after %d sound ones", kept[m].method, kept[m].set, left, AFTER);
+        kit_image_free(&sound);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+    }
+    kit_image_free(&lighting.env);
+    kit_scene_free(&scene);
+}
+
+/* What a frame says of the last one: of another size refused, by name; jitter and field of view are followed. */
+static void last_frames(void)
+{
+    const kit_camera c = looking_along_z(64, 36, 0);
+    kit_camera other = c;
+    const char *why = "";
+    float now[16], then[16], projection[16], bad[16];
+    ssgi_view view, last;
+    ssgi_gl_frame frame, was;
+    other.eye[0] = 0.2f;
+    other.target[0] = 0.1f;
+    other.fovy = 40;
+    other.shift[0] = 0.3f;
+    kit_camera_matrices(&c, now, projection);
+    kit_camera_matrices(&other, then, projection);
+    if (!view_of(&view, &c, 0) || !view_of(&last, &other, 0)) return;
+    CHECK(ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK && !(frame.history > 0), "the first has a last one");
+    CHECK(ssgi_gl_frame_history(&frame, &last, now, then, &why) == SSGI_OK && frame.history > 1, "%s", why);
+    for (int i = 0; i < 8; ++i) {                          /* a point through both cameras, and back */
+        const double p[3] = { 0.3 * (i & 1), 0.2 * (i & 2), -3.0 - i };
+        double to[3], v[3], at[2];
+        for (int r = 0; r < 3; ++r) {
+            to[r] = (double)frame.last_to[12 + r];
+            v[r] = (double)then[12 + r];
+            for (int k = 0; k < 3; ++k) to[r] += (double)frame.last_to[4 * k + r] * p[k];
+            for (int k = 0; k < 3; ++k) v[r] += (double)then[4 * k + r] * p[k];     /* the first camera is the world */
+        }
+        for (int k = 0; k < 2; ++k) at[k] = v[k] / -v[2] * (double)last.project[k] + (double)last.project[2 + k];
+        CHECK(fabs(to[0] / to[2] - at[0]) + fabs(to[1] / to[2] - at[1]) < 1e-3, "%g %g is at %g %g", at[0], at[1],
+              to[0] / to[2], to[1] / to[2]);
+        for (int r = 0; r < 3; ++r) {
+            const double back = (double)frame.last_from[r] * to[0] + (double)frame.last_from[4 + r] * to[1]
+                + (double)frame.last_from[8 + r] * to[2] + (double)frame.last_from[12 + r];
+            CHECK(fabs(back - p[r]) < 1e-3, "%g comes back as %g", p[r], back);
+        }
+    }
+    was = frame;
+    last.width = 65;
+    CHECK(ssgi_gl_frame_history(&frame, &last, now, then, &why) == SSGI_BAD_ARGUMENT && strstr(why, "view:")
+              && strstr(why, "size") && !memcmp(&frame, &was, sizeof frame), "another size: %s", why);
+    memcpy(bad, then, sizeof bad);
+    bad[5] = NAN;
+    CHECK(ssgi_gl_frame_history(&frame, &view, now, bad, &why) == SSGI_BAD_ARGUMENT
+              && ssgi_gl_frame_history(&frame, NULL, now, then, &why) == SSGI_BAD_ARGUMENT
+              && ssgi_gl_frame_history(&frame, &view, now, NULL, &why) == SSGI_BAD_ARGUMENT
+              && ssgi_gl_frame_history(NULL, &view, now, then, NULL) == SSGI_BAD_ARGUMENT
+              && !memcmp(&frame, &was, sizeof frame), "bad matrices are taken");
+}
+
+void test_history(void)
+{
+    if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
+    RUN("light that steps, rises and falls is followed as its recurrence says", light_is_followed);
+    RUN("frames are counted while a camera turns by whole and half pixels, after a cut, where a bar comes",
+        frames_are_counted);
+    RUN("a bar that passes leaves no trail", nothing_trails);
+    RUN("what moves by motion vectors is averaged as what a camera passes by", motion_is_followed);
+    RUN("a hundred frames of hostile history leave no trace", hostile_history);
+    RUN("a frame of NaN at depths that are right leaves none, whatever is restored", poisoned_history);
+    RUN("a last frame is where both cameras say; one of another size is refused by name", last_frames);
+    RUN("over sixteen frames noise falls; the first after a cut is a single one", history_is_quiet);
+    kit_gl_close();
+}
