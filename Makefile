@@ -328,7 +328,8 @@ glsl-out glsl-in: build/library
 	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
 
 # Groups of tests: those of the library are make test, those of the examples follow in make test-all.
-OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps plan math twins library
+OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps plan math \
+              twins library
 OF_EXAMPLES = tools stability files models seeds papers cost
 TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model \
          $(filter-out lab/report,$(REPORT)))
@@ -366,8 +367,8 @@ test: $(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test) $(if $(filter $(OF_EX
 	$(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test $(filter-out $(OF_EXAMPLES),$(RUN)))
 
 # The library, each of its texts in three dialects, by more compilers and random inputs (T_ALL), then all else: examples,
-# the page, WGSL, hosts, Vulkan, the viewer, the compiler's count. Each ends with its own "N passed, N failed"; a part that needs a program which
-# cannot be had is skipped by name.
+# the page, WGSL, hosts, Vulkan, the viewer, the compiler's count. Each ends with its own "N passed, N failed"; a part
+# that needs a program which cannot be had is skipped by name.
 test-all:
 	T_ALL=1 $(MAKE) test
 	$(MAKE) tree
@@ -376,6 +377,7 @@ test-all:
 	$(MAKE) webgpu-test
 	$(MAKE) hosts-test
 	$(MAKE) vulkan-test
+	$(MAKE) viewer-test
 	$(MAKE) cost-test
 
 # In place. Another version of clang-format lays out otherwise, so that only 14 is taken; tables that it would break

@@ -172,8 +172,9 @@ def copy_tree(folder):
         os.makedirs(os.path.dirname(to), exist_ok=True)
         if not os.path.exists(to) or open(name, "rb").read() != open(to, "rb").read():
             shutil.copy2(name, to)
-    subprocess.run("mkdir -p '%s/build' && cd build && cp -au assimp examples include kit tests '%s/build/'"
-                   % (folder, os.path.abspath(folder)), shell=True, check=True)
+    built = [name for name in ("assimp", "examples", "include", "kit", "tests") if os.path.exists("build/" + name)]
+    subprocess.run(["mkdir", "-p", folder + "/build"], check=True)
+    subprocess.run(["cp", "-au", *built, os.path.abspath(folder) + "/build/"], cwd="build", check=True)
 
 
 def run(folder, command):
@@ -194,7 +195,7 @@ def judge(mutant, folder, groups):
     kept = " ".join("-o build/tests/%s.o" % f[:-2] for f in own if f[5:-2] not in groups)
     try:
         for group in groups:
-            status, said = run(folder, "make -s %s test ONLY=%s" % (kept, group))
+            status, said = run(folder, "make -s -j1 %s test ONLY=%s" % (kept, group))
             if status:
                 failed = re.search(r"^FAILED +(.*?)(?: \([\d.]+ s\))?$", said, re.M)
                 return "caught by %s: %s" % (group, failed.group(1) if failed
@@ -237,6 +238,8 @@ def main(arguments):
         w.start()
     for w in workers:
         w.join()
+    if left:
+        return 1                                           # a worker ended before its time: its traceback says why
     struck = sum(m["verdict"].startswith("struck:") for m in mutants)
     caught = sum(m["verdict"].startswith("caught") for m in mutants)
     print("%d of %d caught, %d struck; %d tried in %.0f s"

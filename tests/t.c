@@ -14,8 +14,11 @@ static uint64_t drawn(void)
     z = (z ^ z >> 27) * 0x94d049bb133111ebu;
     return z ^ z >> 31;
 }
-uint32_t t_below(uint32_t n)                   { return (uint32_t)((drawn() >> 32) * n >> 32); }
-float    t_uniform(float lower, float upper)   { return lower + (upper - lower) * (float)(drawn() >> 40) / 16777216.0f; }
+uint32_t t_below(uint32_t n) { return (uint32_t)((drawn() >> 32) * n >> 32); }
+float    t_uniform(float lower, float upper)
+{
+    return lower + (upper - lower) * (float)(drawn() >> 40) / 16777216.0f;
+}
 double   t_within(double lower, double upper)
 {
     return lower + (upper - lower) * (double)(drawn() >> 11) / 9007199254740992.0;

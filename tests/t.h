@@ -24,8 +24,8 @@ double t_seconds(const struct rusage *spent);
 /* until now by this process, or by those that it started and that have ended */
 double t_spent(int children);
 
-/* Random numbers, the same in every run [SplitMix64, so that those drawn one after another are independent]. A group has
-   a sequence of its own, which t_seed begins anew. */
+/* Random numbers, the same in every run [SplitMix64, so that those drawn one after another are independent]. A group
+   has a sequence of its own, which t_seed begins anew. */
 void     t_seed(uint64_t seed);
 uint32_t t_below(uint32_t n);                          /* 0 .. n - 1 */
 float    t_uniform(float lower, float upper);          /* [lower, upper) */
@@ -37,8 +37,9 @@ extern const char *t_root;                 /* the repository's folder, which is 
 /* The groups of tests: test_NAME in a file of its own, called by main.c; long ones first, so that the last to end is a
    short one. A program has those of the library or those of the examples (Makefile): the others are NULL there. */
 #define T_GROUPS(X) \
-    X(build) X(tools) X(text) X(stability) X(scenes) X(pipeline) X(history) X(light) X(coefficients) X(surfels) X(occluders) X(trace) \
-    X(field) X(files) X(steps) X(plan) X(math) X(twins) X(models) X(seeds) X(library) X(papers) X(cost)
+    X(build) X(tools) X(text) X(stability) X(scenes) X(pipeline) X(history) X(light) X(coefficients) X(surfels) \
+    X(occluders) X(trace) X(field) X(files) X(steps) X(plan) X(math) X(twins) X(models) X(seeds) X(library) X(papers) \
+    X(cost)
 #define T_GROUP(name) __attribute__((weak)) void test_##name(void);
 T_GROUPS(T_GROUP)
 

@@ -128,8 +128,8 @@ static const char *const deep_rooms =
 static double implementation_seconds;          /* of processor, that gcc took for both of them at -O2 */
 
 /* Each compiler takes both ways and both standards; what optimisers alone see (values that may be unset, arithmetic
-   that they may take apart) gcc's; the others make programs with T_ALL, and else read them. The implementation comes after a plain include, as in a host whose own headers include
-   ssgi_gl.h. */
+   that they may take apart) gcc's; the others make programs with T_ALL, and else read them. The implementation comes
+   after a plain include, as in a host whose own headers include ssgi_gl.h. */
 static void compilers(void)
 {
     static const struct {
@@ -279,8 +279,8 @@ static int snippet(const char *file, const char *from, const char *to, const cha
             sprintf(program, "%s%s%s", before, a, after);
             write_text("snippet.c", program);
             status = shell(output, size,
-                           "gcc -std=c99 -Wall -Wextra -Werror -I. snippet.c implementation.o -o snippet %s && ./snippet%s",
-                           "-lm", "");
+                           "gcc -std=c99 -Wall -Wextra -Werror -I. snippet.c implementation.o -lm -o snippet && "
+                           "./snippet%s%s", "", "");
         }
         free(program);
     }
@@ -290,7 +290,8 @@ static int snippet(const char *file, const char *from, const char *to, const cha
 
 static void documentation(void)
 {
-    static const char *const head = "#include \"ssgi_gl.h\"\n#include <stdio.h>\n#include <stdlib.h>\nint main(void) {\n";
+    static const char *const head = "#include \"ssgi_gl.h\"\n#include <stdio.h>\n#include <stdlib.h>\n"
+                                    "int main(void) {\n";
     static const char *const view = "    float m[16] = { 1,0,0,0, 0,1,0,0, 0,0,-1,-1, 0,0,-1,0 }; ssgi_view view; "
                                     "ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, 64, 64, NULL);\n";
     static const char *const used[][2] = {

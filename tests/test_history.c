@@ -9,7 +9,7 @@
 static kit_error err;
 #define TRY(call) CHECK(!(call), "%s", err.text)
 
-/* ---- scripted sequences: what is kept, frame by frame, is known --------------------------------------------------- */
+/* ---- scripted sequences: what is kept, frame by frame, is known ----------------------------------------------- */
 
 enum { W = 96, H = 54 };
 
@@ -37,8 +37,8 @@ static void light_is_followed(void)
     double worst = 0;
     if (!lighten(&white, "white", NULL) || !planes_seen(&frame, &c, plane, 1, "")
         || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
-        || !begin(&run, &g, "ssdo", "environment=sh,bands=1,bounce=none,history=1,restore=none,blur=1,directions=1,steps=4", 0.3f, NULL,
-                  &white))
+        || !begin(&run, &g, "ssdo", "environment=sh,bands=1,bounce=none,history=1,restore=none,blur=1,directions=1,"
+                  "steps=4", 0.3f, NULL, &white))
         return;
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
         double mean_ = 0, quick = 0, frames = 0, v = row[i].from;
@@ -48,8 +48,9 @@ static void light_is_followed(void)
             if (!t) run.frame.history = 0;
             else if (!TRY(kit_run_follow(&run, &run, t, &err))) return;
             /* from three frames on the filter takes five texels in place of nine, and is taken to know less */
-            const double most = (double)run.frame.history, n = t ? fmin(frames + 1, most) : 1, few = n < 3 ? 1 : 9.0 / 5,
-                         deviation = 0.1 * v * sqrt((few - 1) * few), drift = 0.2 * deviation + 0.005 * v,
+            const double most = (double)run.frame.history, n = t ? fmin(frames + 1, most) : 1,
+                         few = n < 3 ? 1 : 9.0 / 5, deviation = 0.1 * v * sqrt((few - 1) * few),
+                         drift = 0.2 * deviation + 0.005 * v,
                          jump = 0.7 * deviation + 0.02 * v;
             const float uniform[3] = { (float)(v * 3.5449077), (float)(v * 3.5449077), (float)(v * 3.5449077) };
             ssgi_gl_harmonics_set(&run.frame, uniform, 1, NULL, NULL);
@@ -88,8 +89,8 @@ static int frames_kept(float kept[W * H], const kit_run *run)
     return 1;
 }
 
-/* A frame of a picture that went on by so much: each pixel takes up what the four around its last place counted, at most
-   16 and fewer the farther that is from a pixel's centre; up to a pixel beyond the border counts as the border. */
+/* A frame of a picture that went on by so much: each pixel takes up what the four around its last place counted, at
+   most 16 and fewer the farther that is from a pixel's centre; up to a pixel beyond the border counts as the border. */
 static void count(float kept[W * H], double dx, double dy)
 {
     static float last[W * H];
@@ -156,9 +157,9 @@ static void frames_are_counted(void)
             anew += row[i].bar && x >= BAR && x < BAR + ACROSS && kept[p] < 1.001f;
             on += row[i].bar && (x < BAR - FAR_ || x >= BAR + ACROSS + FAR_) && kept[p] > 15.999f;
         }
-        CHECK(!wrong && (!row[i].bar || (anew == ACROSS * H && on == (W - ACROSS - 2 * FAR_) * H)), "%s: %d pixels average "
-              "other numbers of frames; %d of the bar begin anew, %d far from it go on; in the middle it is %g",
-              row[i].name, wrong, anew, on, (double)kept[H / 2 * W + W / 2]);
+        CHECK(!wrong && (!row[i].bar || (anew == ACROSS * H && on == (W - ACROSS - 2 * FAR_) * H)),
+              "%s: %d pixels average other numbers of frames; %d of the bar begin anew, %d far from it go on; in the "
+              "middle it is %g", row[i].name, wrong, anew, on, (double)kept[H / 2 * W + W / 2]);
         for (int k = 0; k < 2; ++k) { kit_run_close(&run[k]); kit_gbuffer_free(&g[k]); }
     }
 }
@@ -199,7 +200,7 @@ static void nothing_trails(void)
     for (int k = 0; k < 2; ++k) { kit_run_close(&run[k]); kit_gbuffer_free(&g[k]); }
 }
 
-/* ---- noise, motion, what is hostile ----------------------------------------------------------------------------------- */
+/* ---- noise, motion, what is hostile ----------------------------------------------------------------------------- */
 
 static int opened_on(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const kit_lighting *lighting,
                      const char *name, const char *set)

@@ -66,7 +66,8 @@ static double blocked(const profile *p)
     return sum / ((double)N * N);
 }
 
-/* The picture, the bars of radiance 1; the receiver is seen through the middle of a row, which is returned; 0: failed. */
+/* The picture, the bars of radiance 1; the receiver is seen through the middle of a row, which is returned; 0: it
+   failed. */
 static int profile_seen(kit_gbuffer *g, const profile *p)
 {
     kit_camera camera = looking_along_z(WIDE, HIGH, 1);
@@ -285,7 +286,7 @@ static void planes_stay_open(void)
     kit_image_free(&sky.env);
 }
 
-/* ---- rooms in perspective: what of their walls lies in the picture ------------------------------------------------ */
+/* ---- rooms in perspective: what of their walls lies in the picture ---------------------------------------------- */
 
 /* The eye is at the origin, looking along -z; walls n * x = n[3] enclose what is inside. */
 typedef struct space { double fovy, near; int planes; double plane[5][4]; } space;
@@ -414,7 +415,7 @@ static void rooms_are_seen(void)
     kit_image_free(&white.env);
 }
 
-/* ---- the same picture, whatever the camera, the layout and the units ---------------------------------------------- */
+/* ---- the same picture, whatever the camera, the layout and the units -------------------------------------------- */
 
 enum { SEEN_W = 96, SEEN_H = 56, SEEN = SEEN_W * SEEN_H };
 
@@ -434,8 +435,8 @@ static const struct { const char *method, *set; } alike[] = {
     { "ssbn-points", "lights=shadowed,shadow_size=64,blur=1,filtered=coefficients,fade=lambda,samples=8" } };
 
 enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, EIGHTH, EIGHT, TENTH, TEN, ROLLED, WAYS };
-/* most: the share of values that may be apart by over 1 % of the mean: samples that rounding puts beside an edge. Powers
-   of two change no digit of a float. */
+/* most: the share of values that may be apart by over 1 % of the mean: samples that rounding puts beside an edge.
+   Powers of two change no digit of a float. */
 static const struct { const char *name; double scale, most; } way_of[WAYS] = {
     { "reversed depth", 1, 0 }, { "normal depth", 1, 0.03 }, { "infinite far plane", 1, 0.01 },
     { "view depth", 1, 0.01 }, { "inside larger textures", 1, 0.01 }, { "shifted", 1, 0.01 },
@@ -448,7 +449,8 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
     const float scale = (float)way_of[way].scale;
     char light[160];
     snprintf(light, sizeof light, "point:%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", 1.5 * (double)scale, 2.2 * (double)scale,
-             2.5 * (double)scale, 4 * (double)(scale * scale), 3 * (double)(scale * scale), 2 * (double)(scale * scale));
+             2.5 * (double)scale, 4 * (double)(scale * scale), 3 * (double)(scale * scale),
+             2 * (double)(scale * scale));
     l->lights = 0;
     if (!TRY(kit_light_parse(&l->light[l->lights++], light, &err)) || !TRY(kit_scene_load(scene, "room", 0, &err)))
         return 0;
@@ -493,8 +495,8 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
     return 1;
 }
 
-/* Of the first channels: the share of values that are apart by over 1 % of a's mean, and the RMSE, of that mean. b is so
-   far to the right and below. */
+/* Of the first channels: the share of values that are apart by over 1 % of a's mean, and the RMSE, of that mean. b is
+   so far to the right and below. */
 static double apart(double *rmse, const kit_image *a, const kit_image *b, int dx, int dy, int border)
 {
     const int channels = a->channels > 1 ? 3 : 1;
@@ -541,7 +543,7 @@ static void nothing_changes(int first, int last, int projections)
                 if (!TRY(kit_run_picture(&other, &g, &world, alike[m].method, set, radius, &err))) return;
                 if (way == REVERSED) { reference[m] = other; continue; }
                 double most = way_of[way].most;
-                if (way == ROLLED) {                       /* turned back: no more than noise apart, which another phase tells */
+                if (way == ROLLED) {           /* turned back: no more than noise apart, which another phase tells */
                     if (!TRY(kit_image_new(&turned, SEEN_W, SEEN_H, other.channels > 1 ? "R,G,B" : "Y", &err))) return;
                     for (int i = 0; i < turned.channels * SEEN; ++i)
                         turned.data[i] = other.data[i / SEEN * SEEN + i % SEEN_W * SEEN_H + SEEN_H - 1

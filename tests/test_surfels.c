@@ -148,7 +148,7 @@ static void areas(void)
         size_t n;
         float u[3], v[3], w[3];
         double area, sum = 0;
-        for (int i = 0; i < 9; ++i) soup[i] = extent * (2 * t_uniform(0, 1) - 1) - (i % 3 == 2 ? 6 * t_uniform(0, 1) - 2 : 0);
+        for (int i = 0; i < 9; ++i) soup[i] = extent * t_uniform(-1, 1) - (i % 3 == 2 ? t_uniform(-2, 4) : 0);
         for (int i = 0; i < 3; ++i) { u[i] = soup[3 + i] - soup[i]; v[i] = soup[6 + i] - soup[i]; }
         cross(u, v, w);
         area = 0.5 * sqrt(dot(w, w));
@@ -1594,7 +1594,8 @@ static void scattering(void)
             return;
         for (int i = 0; i < ROW * ROW; ++i)
             s[i] = placed(&d, 0.03f * ((float)(i % ROW) + t_uniform(0, 1) - ROW / 2), 0,
-                          0.03f * ((float)(i / ROW) + t_uniform(0, 1) - ROW / 2), 0, 1, 0, (float)(0.03 / sqrt(pi)), t_uniform(0, 1));
+                          0.03f * ((float)(i / ROW) + t_uniform(0, 1) - ROW / 2), 0, 1, 0, (float)(0.03 / sqrt(pi)),
+                          t_uniform(0, 1));
         if (!of_these(&out, &d, s, ROW * ROW)) return;
         ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
         for (int k = 0; k < 3; ++k) {

@@ -341,9 +341,10 @@ static int takes(ssgi_gl_desc *d, int way, int turn)
     return 0;
 }
 
-/* Every variant in a desktop dialect, in an ES one or in Vulkan's, in turn, of those that it may have; with T_ALL in all
-   three: each choice meets each other choice, and each dialect. The stages of their own that passes have as one program, and in Vulkan's
-   dialect the first of every pass; the others' vertex stage once a dialect; every toolbox in every dialect. */
+/* Every variant in a desktop dialect, in an ES one or in Vulkan's, in turn, of those that it may have; with T_ALL in
+   all three: each choice meets each other choice, and each dialect. The stages of their own that passes have as one
+   program, and in Vulkan's dialect the first of every pass; the others' vertex stage once a dialect; every toolbox in
+   every dialect. */
 static void speak(void)
 {
     const int everything = getenv("T_ALL") != NULL;
@@ -354,7 +355,7 @@ static void speak(void)
     for (int i = 0, last = -1; i < 3 * variants; ++i) {
         ssgi_gl_desc d = variant[i / 3];
         const int first = i / 3, way = i % 3;
-        int turn = first % 3;                              /* the kind of dialect whose turn it is, if the desc has it */
+        int turn = first % 3;                  /* the kind of dialect whose turn it is, if the desc has it */
         for (int k = 0; k < 2 && !takes(&d, turn, first); ++k) turn = (turn + 1) % 3;
         if ((!everything && way != turn) || !takes(&d, way, first)) continue;
         d.text.lines = first % 8 == 0;
@@ -382,9 +383,9 @@ static void speak(void)
     }
 }
 
-/* Many files a call, as a call takes a fifth of a second; with T_ALL stages are linked where they are fresh (p, w). For Vulkan (v, w) only those
-   become SPIR-V: glslang links what it is called with, and refuses to link many texts, but reads each first by Vulkan's
-   rules, and that is what is looked at. */
+/* Many files a call, as a call takes a fifth of a second; with T_ALL stages are linked where they are fresh (p, w). For
+   Vulkan (v, w) only those become SPIR-V: glslang links what it is called with, and refuses to link many texts, but
+   reads each first by Vulkan's rules, and that is what is looked at. */
 static void *glslang_run(void *folder)
 {
     enum { BATCH = 512 };
@@ -792,7 +793,7 @@ static void reflection(void)
     for (int i = 0; i < variants * SSGI_GL_DIALECTS; ++i) {
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
         d.text.dialect = i % SSGI_GL_DIALECTS;
-        if (!everything && i % 3) continue;                /* the dialects in turn, as their number is no multiple of 3 */
+        if (!everything && i % 3) continue;    /* the dialects in turn, as their number is no multiple of 3 */
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* no tessellation there */
         const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), before = pairs;
         uint64_t params[2] = { 0, 0 }, once = 0, twice = 0;

@@ -60,7 +60,8 @@ static double row_of(const float m[16], int r, const double p[4], double *lost)
 /* An off-centre camera of 640 x 480; its projection may be anything that a view decodes. */
 static int any_view(ssgi_view *view, int ortho)
 {
-    const float x = t_uniform(-0.3f, 0.3f), y = t_uniform(-0.3f, 0.3f), wide = t_uniform(0.5f, 3), high = t_uniform(-3, -0.5f);
+    const float x = t_uniform(-0.3f, 0.3f), y = t_uniform(-0.3f, 0.3f), wide = t_uniform(0.5f, 3),
+                high = t_uniform(-3, -0.5f);
     const float m[2][16] = { { wide, 0, 0, 0, 0, high, 0, 0, x, y, -1.002f, -1, 0, 0, -0.2f, 0 },
                              { wide, 0, 0, 0, 0, high, 0, 0, 0, 0, -0.02f, 0, x, y, -1, 1 } };
     const char *why = "";
@@ -428,7 +429,8 @@ static void twin_normals(void)
             memset(&frame, 0, sizeof frame);
             memcpy(frame.rotation, turn, sizeof turn);
             for (int i = 0; i < MANY; ++i) {
-                float z = t_uniform(-1, 1), a = t_uniform(0, 6.2831853f), r = sqrtf(1 - z * z), *n = in[i], *e = coded[i];
+                float z = t_uniform(-1, 1), a = t_uniform(0, 6.2831853f), r = sqrtf(1 - z * z), *n = in[i],
+                      *e = coded[i];
                 n[0] = i < 6 ? (float)((i == 0) - (i == 1)) : r * cosf(a);      /* the axes too */
                 n[1] = i < 6 ? (float)((i == 2) - (i == 3)) : r * sinf(a);
                 n[2] = i < 6 ? (float)((i == 4) - (i == 5)) : z;
@@ -1022,7 +1024,8 @@ static void backs_lie_on_their_rays(void)
         const ssgi_gl_frame frame = { .radius = 1, .project = { 100, 100 }, .unproject = { 0.01f, 0.01f } };
         /* the receiver and the slice's turn; its normal and the thickness; the tap, along the slice and to the eye */
         for (int i = 0; i < MANY; i += 4) {
-            const float z = t_uniform(1, 20), P[4] = { z * t_uniform(-2, 2), z * t_uniform(-2, 2), -z, t_uniform(0, 6.28f) };
+            const float z = t_uniform(1, 20), P[4] = { z * t_uniform(-2, 2), z * t_uniform(-2, 2), -z,
+                                                          t_uniform(0, 6.28f) };
             float n[4] = { t_uniform(-1, 1), t_uniform(-1, 1), t_uniform(0.1f, 1), 0.1f * z * t_uniform(0, 1) };
             const float tap[4] = { 0.1f * z * t_uniform(-1, 1), 0.1f * z * t_uniform(-1, 1), 0, 0 };
             const float l = sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
@@ -1892,7 +1895,8 @@ static void twin_tessellation(void)
             NEAR(out[i][2], ssgi_tess_count((int)in[i][2]), 0, "ssgi_tess_count");
         }
         for (int i = 0; i < MANY; ++i) {                   /* two corners in the plane of x and y, a radius, which */
-            const float v[4] = { t_uniform(0.2f, 3), t_uniform(0.1f, 2), powf(10, t_uniform(-2, 0.5f)), (float)(i % 3) };
+            const float v[4] = { t_uniform(0.2f, 3), t_uniform(0.1f, 2), powf(10, t_uniform(-2, 0.5f)),
+                                 (float)(i % 3) };
             memcpy(in[i], v, sizeof v);
         }
         ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_TESS_CONTROL);

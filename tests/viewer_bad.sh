@@ -5,7 +5,7 @@ refused() {    # WORDS ARGUMENT ..: status 2, one line with the words, no pictur
     words=$1
     shift
     rm -f $work/none.png
-    ASAN_OPTIONS=exitcode=99 timeout 100 build/viewer-sanitized "$@" --shot $work/none.png >$work/out 2>$work/said
+    (ulimit -t 100; ASAN_OPTIONS=exitcode=99 build/viewer-sanitized "$@" --shot $work/none.png >$work/out 2>$work/said)
     status=$?
     check "viewer $*: status $status, \"$(head -c 300 $work/said)\", not 2 and one line that says \"$words\"" \
         "$(test $status = 2 && test "$(wc -l <$work/said)" = 1 && grep -qF -e "$words" $work/said \

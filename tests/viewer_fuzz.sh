@@ -171,7 +171,7 @@ while [ $run -lt "$runs" ]; do
     else set -- "$@" --shot $work/out.png --env $work/none.exr; fi
     said="$*"
     rm -f $work/out.png
-    ASAN_OPTIONS=exitcode=99:detect_leaks=$leaks timeout 60 "$viewer" "$@" >$work/out 2>$work/err
+    (ulimit -t 60; ASAN_OPTIONS=exitcode=99:detect_leaks=$leaks "$viewer" "$@" >$work/out 2>$work/err)
     status=$?
     lines=$(wc -l <$work/err)
     if [ $status = 0 ]; then
