@@ -339,11 +339,6 @@ build/test-examples: $(addprefix build/tests/,main.o t.o others.o $(OF_EXAMPLES:
                      $(TESTED:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
-# Pictures are written and read while memory runs out: malloc is this program's own.
-build/tests/starve.o: KIT_FLAGS += -fno-builtin
-build/starve: build/tests/starve.o build/tests/others.o $(KIT_BASE:%=build/kit/%.o)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
-
 # Damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
 build/fuzz-files: $(addprefix build/sanitized/,tests/fuzz_files.o tests/others.o $(KIT_BASE:%=%.o) trace/camera.o)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(KIT_LIBS) -o $@
@@ -357,7 +352,7 @@ tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(G
 # the library and of the examples alike: only the programs that their files name are built.
 GROUPS_OF = $(shell sh tests/groups.sh $(1))
 ASKED     = $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
-PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text figures starve fuzz-files library bench fit)
+PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text figures fuzz-files library bench fit)
 NAMED_IN  = $(filter $(PROGRAMS),$(shell grep -oh 'build/[a-z-]*' $(1:%=tests/test_%.c) /dev/null 2>/dev/null))
 RUN      := $(or $(strip $(ASKED)),$(OF_LIBRARY))
 test: $(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test) $(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples) \

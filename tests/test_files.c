@@ -1,6 +1,5 @@
 /* test_files.c - files in and out, scores, objects, threads: the kit's util.c, image.c, places.c, mesh.c, scene.c and
-   light.c. Memory that runs out, and damaged pictures under sanitizers, are programs of their own: starve.c,
-   fuzz_files.c. */
+   light.c. Damaged pictures under sanitizers are a program of their own, fuzz_files.c. */
 #include "t.h"
 #include "others.h"
 #include "kit/kit_gl.h"
@@ -8,7 +7,6 @@
 #include <dirent.h>
 #include <math.h>
 #include <OpenEXR/openexr.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <stb/stb_image.h>
 #include <string.h>
@@ -129,39 +127,6 @@ static size_t deflated(const float *pixels, size_t size)
     for (size_t i = 0; i < size; ++i) order[i % 2 ? (size + 1) / 2 + i / 2 : i / 2] = raw[i];
     for (size_t i = size - 1; i > 0; --i) order[i] = (unsigned char)(order[i] - order[i - 1] + 128);
     return compress2(packed, &bytes, order, (uLong)size, 4) == Z_OK ? bytes : 0;
-}
-
-/* A chunk as large as its pixels is read as if it were they. */
-static void exr_chunk_as_large(void)
-{
-    enum { W = 8, H = 16, N = W * H };
-    kit_image a, b;
-    kit_error err = {{0}};
-    ImfRgba seen[N];
-    int found = 0;
-    kit_image_new(&a, W, H, "R", NULL);
-    for (int k = 0; k < 20000 && found < 5; ++k) {
-        const int noisy = k % (N + 1);              /* so many pixels; the others are 1/2 */
-        for (int i = 0; i < N; ++i) {
-            const uint32_t bits = 0x3f000000 | (i < noisy ? t_below(1u << 24) : 0);
-            memcpy(&a.data[i], &bits, sizeof bits);
-        }
-        if (deflated(a.data, sizeof(float) * N) != sizeof(float) * N) continue;
-        ++found;
-        if (!CHECK(!kit_exr_write(&a, in_folder("same.exr"), &err), "%s", err.text)
-            || !CHECK(!kit_exr_read(&b, in_folder("same.exr"), &err), "%s", err.text)) break;
-        CHECK(!memcmp(a.data, b.data, sizeof(float) * N), "%d noisy pixels are others when they are read", noisy);
-        kit_image_free(&b);
-        CHECK(!others_read(in_folder("same.exr"), W, H, seen), "OpenEXR's C++: %s", ImfErrorMessage());
-        int differ = 0;
-        for (int i = 0; i < N; ++i) {
-            const ImfRgba is = others_pixel(a.data[i], 0, 0, 1);
-            differ += memcmp(&is, &seen[i], sizeof is) != 0;
-        }
-        CHECK(!differ, "OpenEXR's C++ reads %d of %d pixels otherwise", differ, N);
-    }
-    CHECK(found == 5, "%d pictures of one chunk that zlib leaves as large as it is: too few to tell", found);
-    kit_image_free(&a);
 }
 
 /* What others write: tiles, half floats, whole numbers, a data window that does not start at 0. 21 x 13 in tiles of 8 x
@@ -488,24 +453,6 @@ static void exr_camera_bad(void)
           back.has, err.text);
 }
 
-/* Nothing beyond its start is read of a file that is something else, however large it says it is. */
-static void huge_files(void)
-{
-    static const char *const names[] = { "sparse.exr", "sparse.hdr" };
-    kit_image untouched = { .width = -7 };
-    kit_error err = {{0}};
-    for (int k = 0; k < 2; ++k) {
-        put(names[k], k ? "#?RADIANCE\n" : "v/1", k ? 11 : 3);
-        if (!CHECK(!truncate(in_folder(names[k]), (off_t)1 << 40), "no file of a terabyte can be made")) return;
-        const double before = t_spent(0);
-        const int result = k ? kit_hdr_read(&untouched, in_folder(names[k]), &err)
-                             : kit_exr_read(&untouched, in_folder(names[k]), &err);
-        check_error(result, &err, names[k], "a terabyte of nothing");
-        CHECK(!strstr(err.text, "memory") && t_spent(0) - before < 1, "%.1f s: \"%s\"", t_spent(0) - before, err.text);
-        remove(in_folder(names[k]));
-    }
-}
-
 static void unwritable(void)
 {
     kit_image a;
@@ -541,56 +488,11 @@ static unsigned mode_of(const char *name)
     return stat(in_folder(name), &status) ? 0 : status.st_mode & 07777;
 }
 
-static void modes_and_names(void)
-{
-    kit_error err = {{0}};
-    struct stat status;
-    char name[300], bytes[16] = { 0 };
-    files_in_folder(1);
-    const mode_t mask = umask(027);
-    CHECK(!kit_file_write(in_folder("new"), "1", 1, &err) && mode_of("new") == 0640, "%o %s", mode_of("new"), err.text);
-    static const mode_t modes[] = { 0600, 0666, 0400 };
-    for (int k = 0; k < 3; ++k) {
-        chmod(in_folder("new"), modes[k]);
-        CHECK(!kit_file_write(in_folder("new"), "2", 1, &err) && mode_of("new") == modes[k], "%o became %o %s",
-              (unsigned)modes[k], mode_of("new"), err.text);
-    }
-    umask(mask);
-    if (!geteuid() && !chown(in_folder("new"), 4321, 8765))
-        CHECK(!kit_file_write(in_folder("new"), "3", 1, &err) && !stat(in_folder("new"), &status)
-              && status.st_uid == 4321 && status.st_gid == 8765, "the owner is %u", (unsigned)status.st_uid);
-    CHECK(!symlink("new", in_folder("link")) && !kit_file_write(in_folder("link"), "4", 1, &err)
-          && !lstat(in_folder("link"), &status) && S_ISLNK(status.st_mode) && get("new", bytes, 16) == 1
-          && *bytes == '4', "a link became a file, or leads to another: %s", err.text);
-    for (int k = 0; k < 2; ++k) {
-        memset(name, 'x', sizeof name);
-        for (int i = 0; k && i < 127; ++i) memcpy(name + 2 * i, "\xc3\xa9", 2);
-        name[255] = 0;                              /* the longest that there is */
-        CHECK(!kit_file_write(in_folder(name), "5", 1, &err) && get(name, bytes, 16) == 1, "%s", err.text);
-        remove(in_folder(name));
-    }
-    memset(name, 'x', 256);
-    name[256] = 0;
-    check_error(kit_file_write(in_folder(name), "6", 1, &err), &err, name, "too long a name");
-    CHECK(files_in_folder(0) == 2, "%d files instead of 2", files_in_folder(0));
-}
-
 static void write_same(void *failures, int i)
 {
     static const char text[100000] = { 0 };
     (void)i;
     if (kit_file_write(in_folder("same"), text, sizeof text, NULL)) *(int *)failures = 1;
-}
-
-static void writers_at_once(void)
-{
-    int failures = 0;
-    files_in_folder(1);
-    setenv("KIT_THREADS", "4", 1);
-    in_folder("");                                  /* no thread is the first there */
-    kit_parallel(NULL, 200, write_same, &failures);
-    unsetenv("KIT_THREADS");
-    CHECK(!failures && files_in_folder(0) == 1, "a writer failed, or %d files", files_in_folder(0));
 }
 
 /* The mode of a file that is being written; 0: there is none. */
@@ -601,68 +503,6 @@ static unsigned part_in_folder(void)
     for (struct dirent *e; dir && (e = readdir(dir));) if (strstr(e->d_name, ".part")) mode |= mode_of(e->d_name);
     if (dir) closedir(dir);
     return mode;
-}
-
-/* A program that is ended while it writes what nobody else may read. */
-static void ended(void)
-{
-    enum { SIZE = 32 << 20 };
-    static const int ends[] = { SIGTERM, SIGHUP, SIGINT, SIGPIPE, SIGXCPU };
-    static const struct timespec moment = { 0, 1000000 };
-    char *data = calloc(1, SIZE);
-    files_in_folder(1);
-    for (int k = 0; data && k < 5; ++k) {
-        struct stat status;
-        int how = 0;
-        unsigned mode = 0;
-        put("large", data, SIZE);
-        chmod(in_folder("large"), 0600);
-        fflush(stdout);
-        const pid_t writer = fork();
-        if (!writer) {
-            signal(ends[k], SIG_DFL);
-            for (;;) kit_file_write(in_folder("large"), data, SIZE, NULL);
-        }
-        for (int i = 0; i < 60000 && !mode; ++i, nanosleep(&moment, NULL)) mode = part_in_folder();
-        kill(writer, ends[k]);
-        CHECK(mode == 0600, "what is being written has mode %o", mode);
-        waitpid(writer, &how, 0);
-        CHECK(WIFSIGNALED(how) && WTERMSIG(how) == ends[k], "signal %d did not end it", ends[k]);
-        CHECK(files_in_folder(0) == 1 && !stat(in_folder("large"), &status) && status.st_size == SIZE,
-              "signal %d left %d files, or half of one", ends[k], files_in_folder(0));
-        files_in_folder(1);
-    }
-    free(data);
-}
-
-/* Beyond the limit of a file's size: an error, not the signal that ends the program, nor one that waits. */
-static void too_large(void)
-{
-    static const char data[100000] = { 0 };
-    static const struct rlimit limit = { 4096, 4096 };
-    kit_error err = {{0}};
-    int how = 0;
-    files_in_folder(1);
-    fflush(stdout);
-    const pid_t writer = fork();
-    if (!writer) {
-        signal(SIGXFSZ, SIG_DFL);
-        setrlimit(RLIMIT_FSIZE, &limit);
-        _exit(!(kit_file_write(in_folder("large"), data, sizeof data, &err) == -1 && strstr(err.text, "too large")
-                && !kit_file_write(in_folder("small"), data, 4096, &err)));
-    }
-    waitpid(writer, &how, 0);
-    CHECK(WIFEXITED(how) && !WEXITSTATUS(how) && files_in_folder(0) == 1, "status %d, %d files", how,
-          files_in_folder(0));
-}
-
-static void starved(void)
-{
-    char said[2048] = "";
-    files_in_folder(1);
-    CHECK(!program(said, sizeof said, "build/starve '%s' 2>&1", folder), "%s", said);
-    said[strcspn(said, "\n")] = 0;
-    t_note("%s", said);
 }
 
 static void fuzzed(void)
@@ -832,32 +672,6 @@ static void hdr_bad(void)
         CHECK(untouched.width == -7 && strstr(err.text, bad[i].says), "\"%s\" instead of \"%s\"", err.text,
               bad[i].says);
     }
-}
-
-/* The smallest file of a size is read: a row of 32,767 pixels in runs of 127. */
-static void hdr_smallest(void)
-{
-    enum { WIDE = 32767, HIGH = 6 };
-    static char bytes[16384];
-    kit_image image;
-    kit_error err = {{0}};
-    size_t n = (size_t)snprintf(bytes, sizeof bytes, HEAD "-Y %d +X %d\n", HIGH, WIDE);
-    for (int y = 0; y < HIGH; ++y) {
-        memcpy(bytes + n, "\2\2\177\377", 4);
-        n += 4;
-        for (int c = 0; c < 4; ++c)
-            for (int x = 0, run; x < WIDE; x += run) {
-                run = WIDE - x < 127 ? WIDE - x : 127;
-                bytes[n++] = (char)(128 + run);
-                bytes[n++] = (char)(c < 3 ? 64 * (c + 1) : 128 + y);
-            }
-    }
-    put("wide.hdr", bytes, n);
-    if (!CHECK(!kit_hdr_read(&image, in_folder("wide.hdr"), &err), "%s", err.text)) return;
-    CHECK(image.width == WIDE && image.data[0] == 0.25f && image.data[2 * WIDE] == 1
-          && kit_image_channel(&image, "B")[3 * WIDE - 1] == 3, "%g %g %g", (double)image.data[0],
-          (double)image.data[2 * WIDE], (double)kit_image_channel(&image, "B")[3 * WIDE - 1]);
-    kit_image_free(&image);
 }
 
 static void hdr(void)
@@ -1650,20 +1464,13 @@ void test_files(void)
         exit(1);
     }
     RUN("an EXR read back is what was written: every bit, every channel", exr_round_trip);
-    RUN("chunks that zlib leaves as large as they are survive, for OpenEXR's C++ too", exr_chunk_as_large);
     RUN("EXR files of others are read: tiles, half floats, whole numbers, shifted window", exr_of_others);
     RUN("an EXR cut off anywhere is one clear error", exr_truncated);
     RUN("absent, empty, deep, huge and garbage pictures are clear errors", exr_bad);
     RUN("whatever packs an EXR, it is read, and refused where it claims more than it can hold", exr_claims);
     RUN("a frame's camera is written as OpenEXR's standard has it, and read back; so is that of a part", exr_camera);
     RUN("a malformed camera is an error that names the attribute, unless nobody asks", exr_camera_bad);
-    RUN("of a terabyte that is no picture the start alone is read", huge_files);
     RUN("what cannot be written leaves nothing behind and the old file alone", unwritable);
-    RUN("a file keeps its mode, a link stays one, the longest name can be written", modes_and_names);
-    RUN("several writers of one file at once are not in each other's way", writers_at_once);
-    RUN("beyond the limit of a file's size writing is an error", too_large);
-    RUN("a program that is ended while it writes leaves the whole file or none", ended);
-    RUN("pictures are read and written, or one sentence says why not, whichever allocation fails", starved);
     RUN("damaged pictures neither crash nor trip a sanitizer", fuzzed);
     RUN("a page of figures is written whole or not at all", figures_whole);
     RUN("figures show scenes by seed, beside the chart's and those that settings are tuned on", figures_seeds);
@@ -1671,7 +1478,6 @@ void test_files(void)
     RUN("JSON: any bytes make a string, what is no number is null", json);
     RUN("a Radiance HDR gives the values of its format, a cut one an error", hdr);
     RUN("a Radiance HDR that is wrong, or claims more than it holds, is a clear error", hdr_bad);
-    RUN("the smallest Radiance HDR of a size is read", hdr_smallest);
     RUN("a PNG read back is what was written", png);
     RUN("scores and difference colours agree with figures worked out by hand", score);
     RUN("edges, border and interior: tilted planes and folds are no edges, jumps and rails are", places);

@@ -408,6 +408,7 @@ static void streams(void)
         { "%s/build/glsl-text --passes ssgi_gl.h >/dev/full", "standard output" },
             { "%s/build/glsl-text --passes ssgi_gl.h >&-", "standard output" },
         { "ulimit -f 8 && %s/build/render room --size 160x90 --out big.exr", "big.exr: cannot be written" },
+        { "ulimit -v 300000 && %s/build/render room --size 4096x4096 --out big.exr", "4096 x 4096" },
         { "ln -s loop.exr loop.exr && %s/build/render room --size 8x8 --out loop.exr", "loop.exr" } };
     char text[4000], line[512];
     CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 8x8 --out s.exr%s", t_root, ""), "%s", text);
