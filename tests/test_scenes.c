@@ -419,7 +419,7 @@ static void rooms_are_seen(void)
 
 enum { SEEN_W = 96, SEEN_H = 56, SEEN = SEEN_W * SEEN_H };
 
-/* What is compared: light, or outgoing radiance with the bounce. Settings that are not named are few directions. */
+/* Visibility is compared, or outgoing radiance with the bounce. Few directions are quick. */
 static const struct { const char *method, *set; } alike[] = {
     { "ssao", "thickness=solid" },
     { "hsao", "half=1" },
@@ -432,7 +432,9 @@ static const struct { const char *method, *set; } alike[] = {
     { "s3ho-points", "layers=2,fade=lambda,range=1,samples=8" },
     { "s3ho-points", "indirect=none,filtered=coefficients,half=1,blur=2,store=packed,samples=8" },
     { "s3ho-points", "filtered=coefficients,indirect=apart,blur=1,half=1,samples=8" },
-    { "ssbn-points", "lights=shadowed,shadow_size=64,blur=1,filtered=coefficients,fade=lambda,samples=8" } };
+    { "ssbn-points", "lights=shadowed,shadow_size=64,blur=1,filtered=coefficients,fade=lambda,samples=8" },
+    { "dss-lit", "size=0.06,shadow_size=64" },
+    { "aof", "resolution=4,radii=4,rays=32" } };
 
 enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, EIGHTH, EIGHT, TENTH, TEN, ROLLED, WAYS };
 /* most: the share of values that may be apart by over 1 % of the mean: samples that rounding puts beside an edge.
@@ -533,9 +535,11 @@ static void nothing_changes(int first, int last, int projections)
             for (int m = 0; m < COUNT(alike); ++m) {
                                 const float radius = 0.15f * (float)way_of[way].scale;
                 char set[128];
-                snprintf(set, sizeof set, "noise=texture%s%s", *alike[m].set ? "," : "", alike[m].set);
+                const int gathers = strncmp(alike[m].method, "dss", 3) && strcmp(alike[m].method, "aof");
+                snprintf(set, sizeof set, "%s%s", gathers ? "noise=texture," : "", alike[m].set);
                 /* at half size another pixel of each 2x2 is drawn: another picture */
-                if (way == ROLLED && strstr(set, "half=1")) continue;
+                if (way == ROLLED && (!gathers || strstr(set, "half=1"))) continue;
+                if (way == SHIFTED && !strncmp(alike[m].method, "dss", 3)) continue; /* blocks are of 32 pixels */
                 /* a frame has no layers; compiling takes most of the time: two kinds of projection for these alone */
                 if ((way == LINEAR && (m % 3 || strstr(set, "layers"))) || (orthographic && m % 6 != 2)
                     || (way == ENDLESS && m % 2))
