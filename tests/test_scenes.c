@@ -204,6 +204,7 @@ static void planes_stay_open(void)
     static const struct { const char *method, *set; double darkened, truth; } row[] = {
         { "ssao", "blur=1", 1e-3, 0 },
         { "ssao", "thickness=solid,normal=depth", 1e-3, 0 },
+        { "ssao", "thickness=width", 1e-3, 0 },
         { "hsao", "half=1,blur=1", 1e-5, 0 },
         { "hsao-fast", "thickness=slabs,half=1,blur=1", 1e-5, 0 },
         { "hsao-best", "falloff=none", 1e-5, 0 },

@@ -779,8 +779,21 @@ static void want_second_layer(double *o, const double *a)
 
 static void want_way(double *o, const double *a) { for (int k = 0; k < 3; ++k) o[k] = a[3] - a[k]; }
 
+/* of the radius, which is 1; and at most twice a segment's length */
+static void want_width(double *o, const double *a)
+{
+    for (int k = 0; k < 3; ++k) o[k] = fmod(floor(a[k]), 64) / 63;
+}
+
+static void want_short_width(double *o, const double *a)
+{
+    for (int k = 0; k < 3; ++k) o[k] = fmin(fmod(floor(a[k]), 64) / 63, 2 * a[3] / 640);
+}
+
 #define LAYERS_OF(pass_, ...) { .pass = SSGI_GL_PASS_##pass_, .gather.layers = 4, .text.dialect = SSGI_GL_DIALECT_450, \
                                 __VA_ARGS__ }
+#define POINTS_OF(pass_) { .pass = SSGI_GL_PASS_##pass_, .gather.thickness = SSGI_GL_THICKNESS_WIDTH, \
+                           .text.dialect = SSGI_GL_DIALECT_450 }
 static const term terms[] = {
     { "ambient visibility of coefficients",
       { .pass = SSGI_GL_PASS_SHADE, .light.residual = 1, .text.dialect = SSGI_GL_DIALECT_450 },
@@ -796,6 +809,13 @@ static const term terms[] = {
       "ssgi_P = a.xyz; float found = ssgi_occlusion_at(vec3(a.w));"
       " o = vec4(ssgi_way, found);",
       -2, 2, want_way, 1e-6 },
+    { "the width that a texel holds", POINTS_OF(SSAO),
+      "o = vec4(ssgi_measured_width(uint(a.x)), ssgi_measured_width(uint(a.y)), ssgi_measured_width(uint(a.z)), 0.0);",
+      0, 640, want_width, 1e-6 },
+    { "the width that a segment to a light takes", POINTS_OF(LIGHTS),
+      "ssgi_segment_length = a.w / 640.0; o = vec4(ssgi_measured_width(uint(a.x)), ssgi_measured_width(uint(a.y)), "
+      "ssgi_measured_width(uint(a.z)), 0.0);",
+      0, 640, want_short_width, 1e-6 },
 };
 
 static void functions_of_numbers(void)
