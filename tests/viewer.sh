@@ -62,9 +62,10 @@ else
         >$work/dim.hdr
     plain='--colours 0 --set history=0'
     for m in ssao hsao hsao-march 'hsao back' 'hsao slabs' 'hsao solid'; do
-        name=${m% *} thickness=${m#"$name"} thickness=${behind# }
-        build/viewer room --method "$name" --set thickness=${behind:-auto} $plain --size $size --shot $work/a.png
-        build/render room --method "$name" --set thickness=${behind:-auto} --size $size --out $work/b.png
+        set -- $m
+        name=$1 thickness=$2
+        build/viewer room --method "$name" --set thickness=${thickness:-default} $plain --size $size --shot $work/a.png
+        build/render room --method "$name" --set thickness=${thickness:-default} --size $size --out $work/b.png
         near "viewer, $m" $work/a.png $work/b.png 0.001
     done
     for m in ssdo s3ho; do
