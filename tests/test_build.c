@@ -128,8 +128,8 @@ static const char *const deep_rooms =
 static double implementation_seconds;          /* of processor, that gcc took for both of them at -O2 */
 
 /* Each compiler takes both ways and both standards; what optimisers alone see (values that may be unset, arithmetic
-   that they may take apart) gcc's; the others make programs with T_ALL, and else read them. The implementation comes
-   after a plain include, as in a host whose own headers include ssgi_gl.h. */
+   that they may take apart) gcc's with T_ALL; the others make programs then, and else read them. The implementation
+   comes after a plain include, as in a host whose own headers include ssgi_gl.h. */
 static void compilers(void)
 {
     static const struct {
@@ -154,7 +154,7 @@ static void compilers(void)
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
         snprintf(compiler, sizeof compiler, "%.*s", (int)strcspn(modes[i].whole, " "), modes[i].whole);
         if (!has(compiler)) continue;
-        const char *const optimised = i ? "" : everything ? "-O2" : "-O1";
+        const char *const optimised = i ? "" : everything ? "-O2" : "-O0";
         snprintf(compile, sizeof compile, "%s %s " WARNINGS " -I.", modes[i].whole, optimised);
         ++ran;
         if (i && !everything) {
