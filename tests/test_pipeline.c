@@ -985,12 +985,12 @@ static void wrong_winding(void)
    many slices come near the truth, and without they do not. */
 static void plates_in_perspective(void)
 {
-    enum { W = 160, H = 90 };
+    enum { W = 192, H = 108 };
     static const box thin[3] = { { { -1.4f, 0.35f, -0.5f }, { -0.6f, 0.37f, 0.6f } },
                                    { { 0.6f, 0.35f, -0.5f }, { 1.4f, 0.37f, 0.6f } },
                                    { { -0.5f, 0.2f, -1.3f }, { 0.5f, 0.22f, -0.9f } } };
-    static const struct { const char *set; double share; } row[] = { { "thickness=back", 0.06 },
-                                                                     { "thickness=slabs", 0.06 } };
+    static const struct { const char *set; double share; } row[] = { { "thickness=back", 0.045 },
+                                                                     { "thickness=slabs", 0.045 } };
     const kit_camera camera = { { 0, 1.6f, 2.2f }, { 0, 0.2f, 0 }, { 0, 1, 0 }, 42, 0, 0.1f, 20, W, H, { 0 },
                                 KIT_DEPTH_NORMAL };
     kit_scene scene;

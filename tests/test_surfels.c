@@ -1273,7 +1273,7 @@ static void as_sub_buffers(void)
         snprintf(set, sizeof set, "size=0.05,smooth=0,near_samples=1,span=0,combine=add,enlarge=%d", m);
         if (!dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss", set, 0.6f, NULL) || !drawn(&out, &d.run)) return;
         ssgi_surfel *s = held(&d, 0);
-        for (int i = 0; i < 96 * 54; i += 3) {
+        for (int i = 0; i < 96 * 54; i += 2) {
             double sum = 0;
             float p[3], n[3];
             if (!seen(&d, i, p, n)) continue;
@@ -1284,7 +1284,7 @@ static void as_sub_buffers(void)
             most = fmax(most, sum);
             off += apart > 1e-3;
         }
-        CHECK(off <= 2 && most > 0.3, "%s: %d pixels off, by %.2g at most, of sums up to %.2f", set, off, worst, most);
+        CHECK(off <= 2 && most > 0.4, "%s: %d pixels off, by %.2g at most, of sums up to %.2f", set, off, worst, most);
         t_note("%s: %zu surfels, %d pixels off by more than 0.001, the worst by %.1e", set, d.run.surfels, off, worst);
         free(s);
         kit_image_free(&out);

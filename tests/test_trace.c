@@ -603,7 +603,7 @@ static double corner_light(const kit_image *env, int floor_, double distance)
 static void lit_corner(void)
 {
     static const struct { const char *env; int rays, bounce; double noise;
-    } row[] = { { "street", 256, 0, 0.005 }, { "street", 1024, 1, 0.012 }, { "windows", 512, 0, 0.012 } };
+    } row[] = { { "street", 256, 0, 0.005 }, { "street", 4096, 1, 0.006 }, { "windows", 512, 0, 0.012 } };
     static const float p[3] = { 0, 0, -50 }, x[3] = { 50, 0, 0 }, y[3] = { 0, 50, 0 }, z[3] = { 0, 0, 100 };
     enum { WIDE = 4, HIGH = 3 };
     kit_camera camera = { .eye = { 4, 3, 2 }, .target = { 0.5f, 0.5f, 0 }, .up = { 0, 1, 0 }, .ortho_height = 2.4f,
