@@ -361,8 +361,8 @@ test: $(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test) $(if $(filter $(OF_EX
 	$(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples $(filter $(OF_EXAMPLES),$(RUN)))
 	$(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test $(filter-out $(OF_EXAMPLES),$(RUN)))
 
-# The library, each of its texts in three dialects, by more compilers and random inputs (T_ALL), then all else: examples,
-# the page, WGSL, hosts, Vulkan, the viewer, the compiler's count. Each ends with its own "N passed, N failed"; a part
+# The library, each of its texts in three dialects, by more compilers and random inputs (T_ALL), then all else:
+# examples, the page, WGSL, hosts, Vulkan, the viewer, the compiler's count. Each ends with its own "N passed, N failed"; a part
 # that needs a program which cannot be had is skipped by name.
 test-all:
 	T_ALL=1 $(MAKE) test

@@ -24,6 +24,8 @@ double   t_within(double lower, double upper)
     return lower + (upper - lower) * (double)(drawn() >> 11) / 9007199254740992.0;
 }
 
+int t_all(void) { return getenv("T_ALL") != NULL; }
+
 int t_passed, t_failed;
 const char *t_root;
 

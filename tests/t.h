@@ -31,6 +31,9 @@ uint32_t t_below(uint32_t n);                          /* 0 .. n - 1 */
 float    t_uniform(float lower, float upper);          /* [lower, upper) */
 double   t_within(double lower, double upper);         /* the same in double */
 
+/* Whether make test-all asks: then groups try more texts, compilers and inputs (T_ALL). */
+int      t_all(void);
+
 extern int t_passed, t_failed;
 extern const char *t_root;                 /* the repository's folder, which is the current one, too */
 

@@ -13,10 +13,10 @@ static kit_error err;
 
 enum { W = 96, H = 54 };
 
-static kit_pass *history_of(kit_run *run)
+static kit_pass *pass_of(kit_run *run, int pass)
 {
     kit_pass *p = run->pass;
-    while (p->desc.pass != SSGI_GL_PASS_HISTORY) ++p;
+    while (p->desc.pass != pass) ++p;
     return p;
 }
 
@@ -77,11 +77,40 @@ static void light_is_followed(void)
     kit_image_free(&white.env);
 }
 
+/* Frames of a method, and the G-buffers of the last two. */
+typedef struct sequence { kit_frames frames; kit_gbuffer g[2]; kit_method method; } sequence;
+
+/* Draws the next frame, on a picture that is freed. */
+static int next_frame(sequence *s, kit_image *picture, const kit_camera *c)
+{
+    const kit_world world = { NULL, NULL };
+    kit_gbuffer *const g = &s->g[s->frames.number & 1];
+    kit_gbuffer_free(g);
+    if (!TRY(kit_gbuffer_from_frame(g, picture, c, &err))
+        || !TRY(kit_frames_next(&s->frames, g, &s->method, 0.3f, &world, NULL, &err)))
+        return 0;
+    kit_run_draw(s->frames.now, 0);
+    kit_image_free(picture);
+    return 1;
+}
+
+static int begin_frames(sequence *s, const char *set)
+{
+    memset(s, 0, sizeof *s);
+    return TRY(kit_method_find(&s->method, "hsao", &err)) && TRY(kit_method_set(&s->method, set, &err));
+}
+
+static void end_frames(sequence *s)
+{
+    kit_frames_close(&s->frames);
+    for (int k = 0; k < 2; ++k) kit_gbuffer_free(&s->g[k]);
+}
+
 /* How many frames each pixel of the last picture averages. */
-static int frames_kept(float kept[W * H], const kit_run *run)
+static int frames_kept(float kept[W * H], kit_run *run)
 {
     static float texel[4 * W * H];
-    const kit_pass *p = history_of((kit_run *)run);
+    const kit_pass *p = pass_of(run, SSGI_GL_PASS_HISTORY);
     if (!CHECK(p->width == W && p->height == H && !kit_texture_read(p->target[0], W, H, 4, texel),
                "what history kept cannot be read"))
         return 0;
@@ -123,31 +152,23 @@ static void frames_are_counted(void)
         { "a bar that comes", 0, 0, FRAMES, 1 } };
     static const double plane[1][4] = { { 0, 0, 1, -4 } };
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
-        kit_gbuffer g[2] = { { 0 } };
-        static kit_run run[2];
+        static sequence s;
         static float kept[W * H], expected[W * H];
-        memset(run, 0, sizeof run);
-        for (unsigned t = 0; t < FRAMES; ++t) {
+        if (!begin_frames(&s, "half=0,directions=1,steps=33,blur=1,history=1")) return;
+        for (int t = 0; t < FRAMES; ++t) {
             kit_camera c = looking_along_z(W, H, 1);
             kit_image frame;
-            const unsigned now = t & 1;
             c.shift[0] = (float)(row[i].x * t);
             c.shift[1] = (float)(row[i].y * t);
-            if (t > 1) { kit_run_close(&run[now]); kit_gbuffer_free(&g[now]); }
             if (!planes_seen(&frame, &c, plane, 1, "")) return;
             for (int p = 0; p < W * H && row[i].bar && t == FRAMES - 1; ++p)
                 if (p % W >= BAR && p % W < BAR + ACROSS) frame.data[p] = 3.8f;
-            if (!TRY(kit_gbuffer_from_frame(&g[now], &frame, &c, &err))
-                || !begin(&run[now], &g[now], "hsao", "directions=1,steps=33,blur=1,history=1", 0.3f, NULL, NULL)
-                || (t && !TRY(kit_run_follow(&run[now], &run[!now], t, &err))))
-                return;
-            if ((int)t == row[i].cut) { run[now].frame.history = 0; kit_run_update(&run[now]); }
-            kit_run_draw(&run[now], 0);
-            kit_image_free(&frame);
-            if (t && (int)t != row[i].cut) count(expected, row[i].x, row[i].y);
+            if (t == row[i].cut) kit_frames_close(&s.frames);
+            if (!next_frame(&s, &frame, &c)) return;
+            if (t && t != row[i].cut) count(expected, row[i].x, row[i].y);
             else for (int p = 0; p < W * H; ++p) expected[p] = 1;
         }
-        if (!frames_kept(kept, &run[(FRAMES - 1) & 1])) return;
+        if (!frames_kept(kept, s.frames.now)) return;
         int wrong = 0, anew = 0, on = 0;
         for (int p = 0; p < W * H; ++p) {
             const int x = p % W;
@@ -160,7 +181,7 @@ static void frames_are_counted(void)
         CHECK(!wrong && (!row[i].bar || (anew == ACROSS * H && on == (W - ACROSS - 2 * FAR_) * H)),
               "%s: %d pixels average other numbers of frames; %d of the bar begin anew, %d far from it go on; in the "
               "middle it is %g", row[i].name, wrong, anew, on, (double)kept[H / 2 * W + W / 2]);
-        for (int k = 0; k < 2; ++k) { kit_run_close(&run[k]); kit_gbuffer_free(&g[k]); }
+        end_frames(&s);
     }
 }
 
@@ -170,34 +191,27 @@ static void nothing_trails(void)
     enum { FRAMES = 14, WIDE_ = 14, STEP = 4 };
     static const double plane[1][4] = { { 0, 0, 1, -4 } };
     const kit_camera c = looking_along_z(W, H, 1);         /* 2 units high: a radius of 0.3 is 8.1 pixels */
-    kit_gbuffer g[2] = { { 0 } };
-    static kit_run run[2];
+    static sequence s;
     double behind[3] = { 1, 1, 1 }, beside = 1;
-    memset(run, 0, sizeof run);
-    for (unsigned t = 0; t < FRAMES; ++t) {
+    if (!begin_frames(&s, "half=0,directions=4,steps=33,blur=1,history=1")) return;
+    for (int t = 0; t < FRAMES; ++t) {
         kit_image frame, out;
-        const unsigned now = t & 1;
-        const int left = STEP * (int)t;
-        if (t > 1) { kit_run_close(&run[now]); kit_gbuffer_free(&g[now]); }
+        const int left = STEP * t;
         if (!planes_seen(&frame, &c, plane, 1, "")) return;
         for (int p = 0; p < W * H; ++p) if (p % W >= left && p % W < left + WIDE_) frame.data[p] = 3.75f;
-        if (!TRY(kit_gbuffer_from_frame(&g[now], &frame, &c, &err))
-            || !begin(&run[now], &g[now], "hsao", "directions=4,steps=33,blur=1,history=1", 0.3f, NULL, NULL)
-            || (t && !TRY(kit_run_follow(&run[now], &run[!now], t, &err))) || !drawn(&out, &run[now]))
-            return;
+        if (!next_frame(&s, &frame, &c) || !TRY(kit_run_read(&out, s.frames.now, &err))) return;
         for (int p = 0; p < W * H && t > 6; ++p) {
             const int gap = left - 1 - p % W;              /* pixels between it and the bar that has gone */
             if (gap >= 0 && gap < 3) beside = fmin(beside, (double)out.data[p]);
             for (int k = 0; k < 3; ++k)                    /* for k frames it is beyond the radius and the filter */
                 if (gap >= 11 + k * STEP && gap < 11 + (k + 1) * STEP) behind[k] = fmin(behind[k], (double)out.data[p]);
         }
-        kit_image_free(&frame);
         kit_image_free(&out);
     }
     CHECK(beside < 0.9 && behind[0] > 0.999 && behind[1] > 0.999 && behind[2] > 0.999,
           "beside the bar %.3f is open, where it has gone %.3f, %.3f, %.3f", beside, behind[0], behind[1], behind[2]);
     t_note("beside the bar %.3f is open, where it has gone %.4f, %.4f, %.4f", beside, behind[0], behind[1], behind[2]);
-    for (int k = 0; k < 2; ++k) { kit_run_close(&run[k]); kit_gbuffer_free(&g[k]); }
+    end_frames(&s);
 }
 
 /* ---- noise, motion, what is hostile ----------------------------------------------------------------------------- */
@@ -364,13 +378,6 @@ static void motion_is_followed(void)
     t_note("noise %.4f; told by the camera %.4f, by motion %.4f, untold %.4f", noise[WAYS], noise[BY_CAMERA],
            noise[BY_MOTION], noise[UNTOLD]);
     kit_image_free(&mean); kit_image_free(&single); kit_scene_free(&scene);
-}
-
-static kit_pass *pass_of(kit_run *run, int pass)
-{
-    kit_pass *p = run->pass;
-    while (p->desc.pass != pass) ++p;
-    return p;
 }
 
 /* The texture that a pass reads under a name. */

@@ -105,15 +105,15 @@ static int profile_seen(kit_gbuffer *g, const profile *p)
     return ok ? at : 0;
 }
 
-/* What is beyond the picture is a guess, of at most so much of what is left free on the picture's side of it. */
+/* Beyond the picture slices expect occluders, in at most this share of the directions that are free there. */
 static const double expected_beyond = 0.4;
 
 static void bars_cover_what_they_cover(void)
 {
-    enum { AO, LIGHT /* of a white sky */, BOUNCE /* of the bars */, UNSEEN /* what is taken to leave backs */ };
-    static const double of_it[] = { 1, 1, 1, 0.35 };
+    enum { AO, LIGHT /* of a white sky */, BOUNCE /* of the bars */, UNSEEN /* of one-sided bars, by their backs */ };
+    static const double of_it[] = { 1, 1, 1, 0.35 };       /* so much the library takes to leave a back */
     static const char *const seen[] = { "occlusion", "light", "bounce", "bounce" };
-    /* knows 0: the answer must be another, as what is assumed is not so */
+    /* knows 0: the answer must be another, as these bars are not as thick as the setting assumes */
     static const struct { const char *name; const profile *p; const char *set; int sees, knows; } row[] = {
         { "a plate", &a_plate, "thickness=back", AO, 1 },
         { "a plate", &a_plate, "thickness=slabs", AO, 1 },
@@ -368,7 +368,7 @@ static void rooms_are_seen(void)
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)) || !begin(&run, &g, row[i].method, set,
             (float)row[i].radius, NULL, row[i].sends ? &dark : &white))
             return;
-        static double last[HEIGHT][WIDTH];
+        static double last[HEIGHT][WIDTH];         /* of the row before: the white room's, where this one shines */
         memcpy(last, got, sizeof got);
         memset(got, 0, sizeof got);
         for (int phase = 0; phase < PHASES; ++phase) {
@@ -389,7 +389,7 @@ static void rooms_are_seen(void)
                              at[3] = { (2 * (x + 0.5) / WIDTH - 1) * up * 2 * z,
                                        (1 - 2 * (y + 0.5) / HEIGHT) * up * z, -z };
                 int inside = flat(&frame, x, y);
-                for (int p = 0; p < s->planes; ++p) {      /* what is seen through a cut wall is not */
+                for (int p = 0; p < s->planes; ++p) {      /* a floor that shows through a cut wall is not */
                     const double *w = s->plane[p];
                     inside &= w[0] * at[0] + w[1] * at[1] + w[2] * at[2] > w[3] - 1e-3;
                 }
@@ -420,22 +420,24 @@ static void rooms_are_seen(void)
 
 enum { SEEN_W = 96, SEEN_H = 56, SEEN = SEEN_W * SEEN_H };
 
-/* Visibility is compared, or outgoing radiance with the bounce. Few directions are quick. */
-static const struct { const char *method, *set; } alike[] = {
-    { "ssao", "thickness=solid" },
-    { "hsao", "half=1" },
-    { "hsao-best", "directions=1,steps=8" },
-    { "hsao-march", "directions=2,steps=4" },
-    { "ssdo-points", "bounce=solid-angle,layers=2,samples=8,fade=smooth" },
-    { "ssdo-points", "bounce=patch,samples=8,half=0,shadows=segment,points=4" },
-    { "ssdo", "half=1,shadow_size=64" },
-    { "s3ho", "half=1,bands=2" },
-    { "s3ho-points", "layers=2,fade=lambda,range=1,samples=8" },
-    { "s3ho-points", "indirect=none,filtered=coefficients,half=1,blur=2,store=packed,samples=8" },
-    { "s3ho-points", "filtered=coefficients,indirect=apart,blur=1,half=1,samples=8" },
-    { "ssbn-points", "lights=shadowed,shadow_size=64,blur=1,filtered=coefficients,fade=lambda,samples=8" },
-    { "dss-lit", "size=0.06,shadow_size=64" },
-    { "aof", "resolution=4,radii=4,rays=32" } };
+/* Visibility is compared, or outgoing radiance with the bounce. Compiling takes most of the time: these alone are drawn
+   in view depth, which frames have and their layers not, without perspective, and with the far plane at infinity. */
+enum { IN_VIEW_DEPTH = 1, FLAT_TOO = 2, ENDLESS_TOO = 4 };
+static const struct { const char *method, *set; int also; } alike[] = {
+    { "ssao", "thickness=solid", IN_VIEW_DEPTH | ENDLESS_TOO },
+    { "hsao", "half=1", 0 },
+    { "hsao-best", "directions=1,steps=8", FLAT_TOO | ENDLESS_TOO },
+    { "hsao-march", "directions=2,steps=4", IN_VIEW_DEPTH },
+    { "ssdo-points", "bounce=solid-angle,layers=2,samples=8,fade=smooth", ENDLESS_TOO },
+    { "ssdo-points", "bounce=patch,samples=8,half=0,shadows=segment,points=4", 0 },
+    { "ssdo", "half=1,shadow_size=64", IN_VIEW_DEPTH | ENDLESS_TOO },
+    { "s3ho", "half=1,bands=2", 0 },
+    { "s3ho-points", "layers=2,fade=lambda,range=1,samples=8", FLAT_TOO | ENDLESS_TOO },
+    { "s3ho-points", "indirect=none,filtered=coefficients,half=1,blur=2,store=packed,samples=8", IN_VIEW_DEPTH },
+    { "s3ho-points", "filtered=coefficients,indirect=apart,blur=1,half=1,samples=8", ENDLESS_TOO },
+    { "ssbn-points", "lights=shadowed,shadow_size=64,blur=1,filtered=coefficients,fade=lambda,samples=8", 0 },
+    { "dss-lit", "size=0.06,shadow_size=64", IN_VIEW_DEPTH | ENDLESS_TOO },
+    { "aof", "resolution=4,radii=4,rays=32", 0 } };
 
 enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, EIGHTH, EIGHT, TENTH, TEN, ROLLED, WAYS };
 /* most: the share of values that may be apart by over 1 % of the mean: samples that rounding puts beside an edge.
@@ -488,7 +490,7 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
         kit_image_free(&frame);
         kit_gbuffer_free(&window);
     }
-    for (int y = 0; y < g->height && way == INSIDE; ++y) {   /* what is beside the picture must not matter */
+    for (int y = 0; y < g->height && way == INSIDE; ++y) {   /* near depths beside the picture must not matter */
         float beside[SEEN_W + 20];
         for (int i = 0; i < SEEN_W + 20; ++i) beside[i] = 0.9f;
         glBindTexture(GL_TEXTURE_2D, g->depth);
@@ -534,16 +536,15 @@ static void nothing_changes(int first, int last, int projections)
             if (!seen_in(&scene, &g, &l, way, orthographic)) return;
             const kit_world world = { &scene, &l };
             for (int m = 0; m < COUNT(alike); ++m) {
-                                const float radius = 0.15f * (float)way_of[way].scale;
+                const float radius = 0.15f * (float)way_of[way].scale;
                 char set[128];
                 const int gathers = strncmp(alike[m].method, "dss", 3) && strcmp(alike[m].method, "aof");
                 snprintf(set, sizeof set, "%s%s", gathers ? "noise=texture," : "", alike[m].set);
                 /* at half size another pixel of each 2x2 is drawn: another picture */
                 if (way == ROLLED && (!gathers || strstr(set, "half=1"))) continue;
                 if (way == SHIFTED && !strncmp(alike[m].method, "dss", 3)) continue; /* blocks are of 32 pixels */
-                /* a frame has no layers; compiling takes most of the time: two kinds of projection for these alone */
-                if ((way == LINEAR && (m % 3 || strstr(set, "layers"))) || (orthographic && m % 6 != 2)
-                    || (way == ENDLESS && m % 2))
+                if ((way == LINEAR && !(alike[m].also & IN_VIEW_DEPTH)) || (orthographic && !(alike[m].also & FLAT_TOO))
+                    || (way == ENDLESS && !(alike[m].also & ENDLESS_TOO)))
                     continue;
                 if (!TRY(kit_run_picture(&other, &g, &world, alike[m].method, set, radius, &err))) return;
                 if (way == REVERSED) { reference[m] = other; continue; }
@@ -575,7 +576,8 @@ static void nothing_changes(int first, int last, int projections)
             kit_gbuffer_free(&g);
             kit_scene_free(&scene);
         }
-        for (int m = orthographic ? 2 : 0; m < COUNT(alike); m += orthographic ? 6 : 1) kit_image_free(&reference[m]);
+        for (int m = 0; m < COUNT(alike); ++m)
+            if (!orthographic || alike[m].also & FLAT_TOO) kit_image_free(&reference[m]);
     }
     for (int w = first; w <= last; ++w) t_note("%s: %.4f", way_of[w].name, worst[w]);
     kit_image_free(&l.env);

@@ -171,7 +171,7 @@ static int pool_of(int t)
     memset(&lines, 0, sizeof lines);
     memset(&texts, 0, sizeof texts);
     memset(pool, 0, sizeof pool);
-    const int draws = getenv("T_ALL") ? DRAWN : DRAWN / 6;
+    const int draws = t_all() ? DRAWN : DRAWN / 6;
     for (int stale = 0, drawn_ = 0; drawn_ < draws && stale < 300; ++drawn_) {
         point *p = &pool[points];
         p->desc = drawn(t);
@@ -279,7 +279,7 @@ static void make_variants(void)
             if (!literals) break;
         }
         for (int i = 0; i < points; ++i) if (adds_line(&pool[i], had)) take_point(&pool[i], had);
-        for (int more = getenv("T_ALL") ? variants - before : 0; more > 0 && variants < MOST; --more)
+        for (int more = t_all() ? variants - before : 0; more > 0 && variants < MOST; --more)
             variant[variants++] = pool[(int)t_uniform(0, (float)points - 0.01f)].desc;
     }
 }
@@ -348,7 +348,6 @@ static int takes(ssgi_gl_desc *d, int way, int turn)
    every dialect. */
 static void speak(void)
 {
-    const int everything = getenv("T_ALL") != NULL;
     static uint64_t seen[1 << 10];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     int interfaces = 0;
@@ -358,7 +357,7 @@ static void speak(void)
         const int first = i / 3, way = i % 3;
         int turn = first % 3;                  /* the kind of dialect whose turn it is, if the desc has it */
         for (int k = 0; k < 2 && !takes(&d, turn, first); ++k) turn = (turn + 1) % 3;
-        if ((!everything && way != turn) || !takes(&d, way, first)) continue;
+        if ((!t_all() && way != turn) || !takes(&d, way, first)) continue;
         d.text.lines = first % 8 == 0;
         const int at = texts++, is = 4 * d.pass + d.gather.search + (d.surfel.tessellate ? 3 : 0);
         spoken[at].desc = d;
@@ -392,14 +391,13 @@ static void *glslang_run(void *folder)
     enum { BATCH = 512 };
     static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "frag" };
     static char text[TEXT];
-    const int everything = getenv("T_ALL") != NULL;
     char path[1000], line[400], problem[400];
     int passed = 1;
     for (int first = 0; first < texts && passed; first += BATCH) {
         for (int i = first; i < first + BATCH && i < texts; ++i, ++glslang.texts) {
             const int program = spoken[i].stage == PROGRAM,
                       vulkan = spoken[i].desc.text.dialect == SSGI_GL_DIALECT_VULKAN,
-                      links = everything && spoken[i].fresh;
+                      links = t_all() && spoken[i].fresh;
             for (int stage = program ? 0 : spoken[i].stage; stage < (program ? SSGI_GL_STAGES : spoken[i].stage + 1);
                  ++stage) {
                 const size_t n = strlen(source_of(text, &spoken[i].desc, stage));
@@ -786,7 +784,6 @@ static void check_units(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 
 static void reflection(void)
 {
-    const int everything = getenv("T_ALL") != NULL;
     static char text[SSGI_GL_STAGES][TEXT];
     static uint64_t seen[1 << 12];
     ssgi_gl_io row[SSGI_GL_MAX_IO], read[SSGI_GL_MAX_IO], few[2];
@@ -794,7 +791,7 @@ static void reflection(void)
     for (int i = 0; i < variants * SSGI_GL_DIALECTS; ++i) {
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
         d.text.dialect = i % SSGI_GL_DIALECTS;
-        if (!everything && i % 3) continue;    /* the dialects in turn, as their number is no multiple of 3 */
+        if (!t_all() && i % 3) continue;    /* the dialects in turn, as their number is no multiple of 3 */
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* no tessellation there */
         const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), before = pairs;
         uint64_t params[2] = { 0, 0 }, once = 0, twice = 0;
