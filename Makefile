@@ -31,7 +31,7 @@ KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl \
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
 KIT_BASE    = util image exr hdr png score
 KIT_SCENE   = $(addprefix scene/,text materials soup mesh texture cards assimp models shapes buildings thin solids \
-              scenes scene light seeds look parts)
+              scenes scene light seeds catalogue grammar look parts)
 # Kinds of scenes by seed, a folder each. They are many, so that builds under sanitizers take them as they are.
 KIT_KINDS   = $(sort $(patsubst examples/kit/%.c,build/kit/%.o,$(wildcard examples/kit/scene/*/*.c)))
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
@@ -335,6 +335,10 @@ TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/coun
          $(filter-out lab/report,$(REPORT)))
 build/test: $(addprefix build/tests/,main.o t.o frames.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
+# Models that stand in scenes of rows, from packages.
+model-deps:
+	@sh examples/kit/install.sh unzip sweethome3d-furniture assimp-testmodels || true
+build/test-examples: | model-deps
 build/test-examples: $(addprefix build/tests/,main.o t.o others.o $(OF_EXAMPLES:%=test_%.o)) \
                      $(TESTED:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
@@ -386,7 +390,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers \
+.PHONY: model-deps all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers \
         stability quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl mutants deps \
         unlisted format clean
 

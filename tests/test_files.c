@@ -1021,7 +1021,7 @@ static void obj_bad(void)
 {
 #define CORNERS "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
     static const struct { const char *text, *says; } bad[] = {
-        { CORNERS "f 1 2\n", "line 4: a face needs at least 3 corners" },
+        { CORNERS "f\n", "line 4: a face needs at least 3 corners" },
         { CORNERS "f 1 2 4\n", "line 4: there is no vertex 4" },
         { CORNERS "f 1 2 0\n", "line 4: there is no vertex 0" },
         { CORNERS "\\\n\nf -4 2 3\n", "line 6: there is no vertex -4" },  /* a continued empty line counts as two */

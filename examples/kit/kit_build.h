@@ -7,8 +7,8 @@
 
 /* ---- >>shapes: all in local coordinates that at and turn place in the world ---------------------------------- */
 
-/* A place that what is built stands in: scaled, turned by degrees about y, then moved. scale 0: the world. */
-typedef struct kit_frame { double at[3], turn, scale; } kit_frame;
+/* A place that what is built stands in: scaled, turned by a matrix, then moved. scale 0: the world. */
+typedef struct kit_frame { double at[3], turn[3][3], scale; } kit_frame;
 
 typedef struct kit_build {
     kit_scene scene;
@@ -34,9 +34,11 @@ double kit_between(kit_build *b, double low, double high);
 void   kit_rotate(const kit_build *b, const double in[3], double out[3]);
 void   kit_pose(const kit_build *b, const float from[16], float to[16]);     /* from, turned and moved by b */
 
-/* What is built between enter and leave, with places of its own, stands in a frame, which may nest; enter gives what
-   leave takes. Both set the place back to the origin. */
+/* What is built between enter and leave, with places of its own, stands in a frame, which may nest: scaled, turned by
+   degrees about y, tilted about x before that, then moved; enter gives what leave takes. Both set the place back to the
+   origin. */
 kit_frame kit_enter(kit_build *b, double x, double y, double z, double turn, double size);
+kit_frame kit_enter_tilted(kit_build *b, const double at[3], double turn, double tilt, double size);
 void   kit_leave(kit_build *b, kit_frame before);
 
 /* wound to agree with the vertices' normals; nothing when it has no area */

@@ -2,7 +2,7 @@
    it differs from the first, scene by scene.
 
       build/try [--from 0] [--count 28] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
-                [--judge yes] METHOD[:key=value,..] ..
+                [--scenes random] [--judge yes] METHOD[:key=value,..] ..
 
    Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused without --judge. --light: of
    irradiance under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same
@@ -16,7 +16,7 @@
 #include "lab/measure/folder.h"
 #include "lab/measure/score.h"
 
-enum { WIDTH = 1280, HEIGHT = 720, STRIDE = 11, TRUTH_RAYS = 1024, MOST_TRIED = 32, MOST_SEEDS = 1000, JUDGED = 1000 };
+enum { WIDTH = 1280, HEIGHT = 720, STRIDE = 11, TRUTH_RAYS = 1024, MOST_TRIED = 64, MOST_SEEDS = 1000, JUDGED = 1000 };
 
 typedef struct tried {
     char method[64], settings[256];
@@ -25,7 +25,7 @@ typedef struct tried {
 typedef struct trial {
     int from, count, light, bounce, entries, judge;
     float radius; /* times the scene's own */
-    const char *out, *other;
+    const char *out, *other, *scenes;
     tried entry[MOST_TRIED];
     double (*share)[2 * MOST_TRIED]; /* of a seed; shared by the processes; NAN: not measured */
 } trial;
@@ -47,7 +47,7 @@ static int measure_seed(const trial *t, int k, kit_error *err)
     kit_image picture;
     const lit of_light = { .rays = TRUTH_RAYS, .exposure = 1, .bounce = t->bounce };
     view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
-    snprintf(name, sizeof name, "random:%d", t->from + k);
+    snprintf(name, sizeof name, "%s:%d", t->scenes, t->from + k);
     if (stage_load(&s, &v, err)) return -1;
     v.radius = t->radius * s.scene.radius;
     if (stage_look(&s, &v, WIDTH, HEIGHT, err)) return -1;
@@ -173,7 +173,7 @@ static int add_entry(trial *t, const char *text, kit_error *err)
 
 static int parse(trial *t, int argc, char **argv, kit_error *err)
 {
-    *t = (trial){ .count = 28, .radius = 1, .out = "build/try.csv" };
+    *t = (trial){ .count = 28, .radius = 1, .out = "build/try.csv", .scenes = "random" };
     for (int i = 1; i < argc; ++i) {
         const char *const a = argv[i], *const v = i + 1 < argc ? argv[i + 1] : NULL;
         if (!strcmp(a, "--light") || !strcmp(a, "--bounce")) {
@@ -191,6 +191,7 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
         else if (!strcmp(a, "--radius")) t->radius = (float)atof(v);
         else if (!strcmp(a, "--out")) t->out = v;
         else if (!strcmp(a, "--against")) t->other = v;
+        else if (!strcmp(a, "--scenes")) t->scenes = v;
         else if (!strcmp(a, "--judge")) t->judge = !strcmp(v, "yes");
         else return kit_fail(err, "%s: there is no such option", a);
         ++i;
@@ -202,7 +203,8 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
     return t->entries
              ? 0
              : kit_fail(err, "usage: try [--from 0] [--count 28] [--light | --bounce] [--radius 1] "
-                             "[--out build/try.csv] [--against other.csv] [--judge yes] METHOD[:key=value,..] ..");
+                             "[--out build/try.csv] [--against other.csv] [--scenes random | drawn] [--judge yes] "
+                             "METHOD[:key=value,..] ..");
 }
 
 int main(int argc, char **argv)

@@ -2,7 +2,8 @@
 
    Read: v, vn, f, o, g, mtllib, usemtl; newmtl and Kd. All else is ignored: vt, lines, points, curves, textures.
    Polygons: strictly convex ones become a fan, others are cut by clipping ears in the plane of their largest projection
-   (with more than CONCAVE_MOST corners a fan again, for time's sake). Triangles without area are dropped.
+   (with more than CONCAVE_MOST corners a fan again, for time's sake). Triangles without area are dropped,
+   and so are faces of one or two corners, which exporters write.
    Materials: of several with one name the last counts; all mtllib files are read before the first usemtl, each once.
    Time and memory are in proportion to the files' sizes, whatever they hold. */
 #include "kit/kit_obj.h"
@@ -164,7 +165,7 @@ static int face(obj *o, kit_text *t, size_t seen_vertices, size_t seen_normals, 
         if (element_index(t, seen_normals, o->normals.count / 3, "vn", &normal)) return -1;
         c->normal = (const float *)o->normals.data + 3 * normal;
     }
-    if (o->corners.count < 3 || o->corners.count > 1 << 30)
+    if (o->corners.count < 1 || o->corners.count > 1 << 30)
         return kit_fail(t->err, "%s line %d: a face needs at least 3 corners, this has %zu", t->path, t->line,
                         o->corners.count);
     return add_polygon(o, t, albedo);

@@ -1,12 +1,13 @@
 /* seeds.c - scenes drawn from a seed: their names and kinds, and what befalls any of them: units, wrong winding, light.
    Declared in kit_build.h. */
-#include "kit/kit_seed.h"
+#include "kit/kit_rows.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define PREFIX "random:"
+/* drawn: of the same kinds, by the rows of tables/ */
+static const char *const prefixes[] = { "random:", "drawn:" };
 
 static const struct kind {
     const char *name, *about;
@@ -33,7 +34,15 @@ const char *kit_scene_kind(int i, const char **about)
     return kinds[i].name;
 }
 
-int kit_scene_seeded(const char *name) { return !strncmp(name, PREFIX, strlen(PREFIX)); }
+/* Which prefix a name has; -1: none. */
+static int prefix_of(const char *name)
+{
+    for (int k = 0; k < 2; k++)
+        if (!strncmp(name, prefixes[k], strlen(prefixes[k]))) return k;
+    return -1;
+}
+
+int kit_scene_seeded(const char *name) { return prefix_of(name) >= 0; }
 
 static int named_kind(const char *word, size_t length)
 {
@@ -45,7 +54,7 @@ static int named_kind(const char *word, size_t length)
 /* "random:7", "random:streets:7" */
 static int parse(unsigned *seed, int *kind, const char *name, kit_error *err)
 {
-    const char *word = name + strlen(PREFIX), *colon = strchr(word, ':'), *number = colon ? colon + 1 : word;
+    const char *word = name + strlen(prefixes[prefix_of(name)]), *colon = strchr(word, ':'), *number = colon ? colon + 1 : word;
     size_t used = 0;
     *kind = colon ? named_kind(word, (size_t)(colon - word)) : 0;
     if (*kind < 0) {
@@ -150,7 +159,7 @@ static void light_up(kit_plot *p, int indoors)
 
 int kit_load_seeded(kit_scene *scene, const char *name, kit_error *err)
 {
-    unsigned seed;
+    unsigned seed = 0;
     int kind;
     kit_plot *p = calloc(1, sizeof *p);
     if (!p || parse(&seed, &kind, name, err)) {
@@ -165,10 +174,12 @@ int kit_load_seeded(kit_scene *scene, const char *name, kit_error *err)
     b->random = seed * 2654435761u + 40503u * (unsigned)kind + 1;
     b->drawn = p->drawn;
     kit_colour(b, 0.8, 0.8, 0.8);
-    kinds[kind].make(p);
+    kit_error wrong = { "" };
+    if (prefix_of(name)) kit_build_thing(p, kinds[kind].name, b->random, &wrong);
+    else kinds[kind].make(p);
     if (!s->objects && !p->missing) kit_begin_object(b, kinds[kind].name, -1);
     b->frame.scale = 0;
-    if (!p->missing && !b->failed) {
+    if (!p->missing && !*wrong.text && !b->failed) {
         kit_mesh_bounds(&s->mesh);
         b->failed = kit_look(s, p, seed) != 0;
         light_up(p, kinds[kind].indoors);
@@ -179,6 +190,7 @@ int kit_load_seeded(kit_scene *scene, const char *name, kit_error *err)
     const int failed = p->missing
                          ? kit_fail(err, "scene '%s': %s is missing; install the package %s (apt-get install %s)", name,
                                     p->missing, p->package, p->package)
+                     : *wrong.text ? kit_fail(err, "scene '%s': %s", name, wrong.text)
                      : b->failed ? kit_fail(err, "scene '%s': no memory", name)
                                  : 0;
     s->name = name;

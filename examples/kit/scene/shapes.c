@@ -64,24 +64,35 @@ void kit_rotate(const kit_build *b, const double in[3], double out[3])
 /* a point, or a direction, of the frame in the world */
 static void out_of_frame(const kit_frame *f, double v[3], int point)
 {
-    const double c = cos(f->turn * KIT_PI / 180), s = sin(f->turn * KIT_PI / 180), x = v[0], z = v[2];
-    const double by = point ? f->scale : 1;
+    const double in[3] = { v[0], v[1], v[2] };
     if (!(f->scale > 0)) return;
-    v[0] = by * (c * x + s * z) + (point ? f->at[0] : 0);
-    v[1] = by * v[1] + (point ? f->at[1] : 0);
-    v[2] = by * (c * z - s * x) + (point ? f->at[2] : 0);
+    for (int i = 0; i < 3; i++)
+        v[i] = (point ? f->scale : 1) * kit_dot(f->turn[i], in) + (point ? f->at[i] : 0);
+}
+
+kit_frame kit_enter_tilted(kit_build *b, const double at[3], double turn, double tilt, double size)
+{
+    const kit_frame before = b->frame;
+    double world[3] = { at[0], at[1], at[2] }, axis[3][3];
+    out_of_frame(&before, world, 1);
+    kit_place_tilted(b, 0, 0, 0, turn, tilt);
+    for (int k = 0; k < 3; k++) {
+        const double unit[3] = { k == 0, k == 1, k == 2 };
+        kit_rotate(b, unit, axis[k]);
+        out_of_frame(&before, axis[k], 0);
+    }
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) b->frame.turn[i][k] = axis[k][i];
+    memcpy(b->frame.at, world, sizeof world);
+    b->frame.scale = (before.scale > 0 ? before.scale : 1) * size;
+    kit_place_at(b, 0, 0, 0, 0);
+    return before;
 }
 
 kit_frame kit_enter(kit_build *b, double x, double y, double z, double turn, double size)
 {
-    const kit_frame before = b->frame;
-    double at[3] = { x, y, z };
-    out_of_frame(&before, at, 1);
-    memcpy(b->frame.at, at, sizeof at);
-    b->frame.turn = (before.scale > 0 ? before.turn : 0) + turn;
-    b->frame.scale = (before.scale > 0 ? before.scale : 1) * size;
-    kit_place_at(b, 0, 0, 0, 0);
-    return before;
+    const double at[3] = { x, y, z };
+    return kit_enter_tilted(b, at, turn, 0, size);
 }
 
 void kit_leave(kit_build *b, kit_frame before)

@@ -20,7 +20,7 @@ static void in_world(const kit_build *b, const double in[3], double out[3])
     for (int i = 0; i < 3; i++) p[i] += b->at[i];
     memcpy(out, p, sizeof p);
     if (!(f->scale > 0)) return;
-    const double c = cos(f->turn * KIT_PI / 180), s = sin(f->turn * KIT_PI / 180);
+    const double c = f->turn[0][0], s = f->turn[0][2];
     out[0] = f->scale * (c * p[0] + s * p[2]) + f->at[0];
     out[1] = f->scale * p[1] + f->at[1];
     out[2] = f->scale * (c * p[2] - s * p[0]) + f->at[2];

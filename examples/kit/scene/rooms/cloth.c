@@ -64,7 +64,7 @@ void room_pillow(kit_build *b, double x, double y, double z, double turn, double
 static void world(const kit_build *b, const double in[3], double out[3])
 {
     const kit_frame *f = &b->frame;
-    const double a = f->turn * KIT_PI / 180, scale = f->scale > 0 ? f->scale : 1;
+    const double a = atan2(f->turn[0][2], f->turn[0][0]), scale = f->scale > 0 ? f->scale : 1;
     out[0] = f->at[0] + scale * (cos(a) * in[0] + sin(a) * in[2]);
     out[1] = f->at[1] + scale * in[1];
     out[2] = f->at[2] + scale * (cos(a) * in[2] - sin(a) * in[0]);

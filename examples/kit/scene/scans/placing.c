@@ -50,7 +50,7 @@ void scan_tint(kit_build *b, int matter, double vary)
 void scan_sight(kit_plot *p, double x, double y, double z, double reach)
 {
     const kit_frame *f = &p->b.frame;
-    const double c = cos(f->turn * KIT_PI / 180), s = sin(f->turn * KIT_PI / 180), by = f->scale > 0 ? f->scale : 1;
+    const double c = f->scale > 0 ? f->turn[0][0] : 1, s = f->turn[0][2], by = f->scale > 0 ? f->scale : 1;
     if (!(f->scale > 0)) kit_add_sight(p, x, y, z, reach);
     else
         kit_add_sight(p, f->at[0] + by * (c * x + s * z), f->at[1] + by * y, f->at[2] + by * (c * z - s * x),

@@ -7,7 +7,7 @@
 void kit_town_to_world(const kit_build *b, double x, double y, double z, double out[3])
 {
     const kit_frame *f = &b->frame;
-    const double by = f->scale > 0 ? f->scale : 1, turn = f->scale > 0 ? f->turn * KIT_PI / 180 : 0;
+    const double by = f->scale > 0 ? f->scale : 1, turn = atan2(f->turn[0][2], f->turn[0][0]);
     out[0] = by * (cos(turn) * x + sin(turn) * z) + (f->scale > 0 ? f->at[0] : 0);
     out[1] = by * y + (f->scale > 0 ? f->at[1] : 0);
     out[2] = by * (cos(turn) * z - sin(turn) * x) + (f->scale > 0 ? f->at[2] : 0);

@@ -1,0 +1,223 @@
+/* catalogue.c - models of Debian's packages: single files, and the furniture of Sweet Home 3D, whose catalogues say how
+   large each is. Declared in kit_rows.h. */
+#include "kit/kit_rows.h"
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#define FURNITURE "/usr/share/sweethome3d/furniture/"
+#define FURNITURE_PACKAGE "sweethome3d-furniture"
+
+static const char *const archives[] = { "BlendSwap-CC-0", "BlendSwap-CC-BY", "KatorLegaz", "Reallusion", "Scopia" };
+
+static const struct single {
+    const char *name, *path, *package;
+    double height; /* metres */
+} singles[] = { { "bunny", "/usr/share/glmark2/models/bunny.obj", "glmark2-data", 0.25 },
+                { "spider", "/usr/share/assimp/models/OBJ/spider.obj", "assimp-testmodels", 0.9 },
+                { "wuson", "/usr/share/assimp/models/OBJ/WusonOBJ.obj", "assimp-testmodels", 1.6 } };
+
+enum { SINGLES = sizeof singles / sizeof *singles, ARCHIVES = sizeof archives / sizeof *archives, MODELS = 2000 };
+
+/* ---- >>catalogues ------------------------------------------------------------------------------------------------ */
+
+/* A line of a catalogue: the model's file within its archive, its sides and how it is turned. */
+typedef struct entry {
+    int archive, turned;
+    double side[3];
+    float turn[9];
+    char path[160];
+} entry;
+
+/* Read once, by whoever asks first: scenes are loaded by one thread. */
+static entry *entries;
+static int count;
+
+static FILE *member(int archive, const char *name)
+{
+    char command[512];
+    snprintf(command, sizeof command, "unzip -p " FURNITURE "%s.sh3f '%s' 2>/dev/null", archives[archive], name);
+    fflush(NULL);
+    return popen(command, "r");
+}
+
+/* "height#12=94.9" */
+static void read_line(entry *of, const char *line)
+{
+    static const char *const sides[] = { "width#", "height#", "depth#" };
+    const char *number = strchr(line, '#'), *value = strchr(line, '=');
+    const int k = number ? atoi(number + 1) : 0;
+    if (!value || k < 1 || k >= MODELS) return;
+    entry *e = &of[k];
+    value += strspn(value, "= \t/");
+    for (int i = 0; i < 3; i++)
+        if (!strncmp(line, sides[i], strlen(sides[i]))) e->side[i] = 0.01 * strtod(value, NULL);
+    if (!strncmp(line, "model#", 6)) snprintf(e->path, sizeof e->path, "%.*s", (int)strcspn(value, " \r\n"), value);
+    if (strncmp(line, "modelRotation#", 14)) return;
+    e->turned = 1;
+    for (int i = 0; i < 9; i++) e->turn[i] = strtof(value, (char **)&value);
+}
+
+/* Those of one archive, from its number 1 on, behind what is known. */
+static int read_catalogue(int archive)
+{
+    entry *of = calloc(MODELS, sizeof *of), *more = NULL;
+    char line[512];
+    FILE *f = of ? member(archive, "PluginFurnitureCatalog.properties") : NULL;
+    while (f && fgets(line, sizeof line, f)) read_line(of, line);
+    const int failed = !f || pclose(f);
+    for (int k = 0; k < MODELS && of && !failed; k++) {
+        const char *const path = of[k].path, *const ending = strrchr(path, '.');
+        if (!ending || strcmp(ending, ".obj") || !(of[k].side[0] * of[k].side[1] * of[k].side[2] > 0)) continue;
+        if (!(more = realloc(entries, ((size_t)count + 1) * sizeof *more))) break;
+        entries = more;
+        of[k].archive = archive;
+        entries[count++] = of[k];
+    }
+    free(of);
+    return failed;
+}
+
+static void read_catalogues(void)
+{
+    for (int k = 0; k < ARCHIVES && !count; k++)
+        for (int a = 0; a < ARCHIVES; a++)
+            if (read_catalogue(a)) return;
+}
+
+/* "scopia/armchair3" of "scopia/armchair3/armchair3.obj" */
+static int name_length(const char *path) { return (int)(strrchr(path, '/') - path); }
+
+static int is_named(const char *path, const char *name, int length)
+{
+    if (!strchr(path, '/')) return 0;
+    const int whole = name_length(path), off = whole - length;
+    return off >= 0 && !memcmp(path + off, name, (size_t)length) && (!off || path[off - 1] == '/');
+}
+
+const char *kit_catalogue_name(int i)
+{
+    static char name[160];
+    if (i < SINGLES) return i < 0 ? NULL : singles[i].name;
+    read_catalogues();
+    if (i - SINGLES >= count) return NULL;
+    const char *path = entries[i - SINGLES].path;
+    snprintf(name, sizeof name, "%.*s", name_length(path), path);
+    return name;
+}
+
+/* ---- >>unpacking ------------------------------------------------------------------------------------------------- */
+
+/* The folder of the user's caches that unpacked models are in. */
+static int cache_folder(char *out, size_t size)
+{
+    const char *const given = getenv("XDG_CACHE_HOME"), *const home = getenv("HOME");
+    snprintf(out, size, "%s%s/ssgi-models", given && *given ? given : home && *home ? home : "/tmp",
+             given && *given ? "" : "/.cache");
+    for (char *c = out + 1; *c; c++)
+        if (*c == '/') {
+            *c = 0;
+            mkdir(out, 0777);
+            *c = '/';
+        }
+    return mkdir(out, 0777) && errno != EEXIST ? -1 : 0;
+}
+
+/* path: where the entry's file is. It is unpacked beside, and moved: another process may be doing the same. */
+static int unpacked(char *path, size_t size, const entry *e, kit_error *err)
+{
+    static const char script[] = "unzip -qq -o \"$1\" \"$2/*\" -d \"$4\" && mkdir -p \"$3/$2\" && "
+                                 "mv -f \"$4/$2\"/* \"$3/$2/\" && rm -rf \"$4\"";
+    char folder[300], fresh[340], archive[128], name[160];
+    int status = 0;
+    if (cache_folder(folder, sizeof folder)) return kit_fail(err, "%s: cannot be made: %s", folder, strerror(errno));
+    snprintf(path, size, "%s/%s", folder, e->path);
+    if (!access(path, R_OK)) return 0;
+    snprintf(fresh, sizeof fresh, "%s/fresh-XXXXXX", folder);
+    snprintf(archive, sizeof archive, FURNITURE "%s.sh3f", archives[e->archive]);
+    snprintf(name, sizeof name, "%.*s", name_length(e->path), e->path);
+    if (!mkdtemp(fresh)) return kit_fail(err, "%s: cannot be made: %s", fresh, strerror(errno));
+    const pid_t other = fork();
+    if (!other) {
+        execlp("sh", "sh", "-c", script, "sh", archive, name, folder, fresh, (char *)NULL);
+        _exit(127);
+    }
+    while (other > 0 && waitpid(other, &status, 0) < 0 && errno == EINTR) continue;
+    if (other < 0 || status || access(path, R_OK))
+        return kit_fail(err, "%s: cannot be unpacked (apt-get install unzip %s)", e->path, FURNITURE_PACKAGE);
+    return 0;
+}
+
+/* ---- >>reading --------------------------------------------------------------------------------------------------- */
+
+/* Turned as the catalogue says, by its rows. */
+static void turn(kit_mesh *m, const float by[9])
+{
+    for (size_t t = 0; t < 6 * m->triangles; t++) {
+        float *v = (t & 1 ? m->normal : m->position) + 3 * (t / 2), was[3];
+        memcpy(was, v, sizeof was);
+        for (int i = 0; i < 3; i++) v[i] = by[3 * i] * was[0] + by[3 * i + 1] * was[1] + by[3 * i + 2] * was[2];
+    }
+    kit_mesh_bounds(m);
+}
+
+/* On y = 0, its middle on the axis, its sides as long as these; 0: as high as that, in proportion. */
+static void fit(kit_mesh *m, const double side[3])
+{
+    double scale[3];
+    for (int i = 0; i < 3; i++) {
+        const double is = (double)m->upper[i] - (double)m->lower[i];
+        scale[i] = side[i] > 0 ? side[i] / is : side[1] / ((double)m->upper[1] - (double)m->lower[1]);
+        if (!(scale[i] < 1e9)) scale[i] = 1;
+    }
+    for (size_t k = 0; k < 3 * m->triangles; k++) {
+        double n[3];
+        for (int i = 0; i < 3; i++) {
+            const double low = (double)m->lower[i],
+                         from = i == 1 ? low : 0.5 * (low + (double)m->upper[i]);
+            m->position[3 * k + (size_t)i] = (float)(scale[i] * ((double)m->position[3 * k + (size_t)i] - from));
+            n[i] = (double)m->normal[3 * k + (size_t)i] / scale[i];
+        }
+        if (!kit_unit(n)) n[1] = 1;
+        for (int i = 0; i < 3; i++) m->normal[3 * k + (size_t)i] = (float)n[i];
+    }
+    kit_mesh_bounds(m);
+}
+
+static int missing(const char *path, const char *package, kit_error *err)
+{
+    return kit_fail(err, "%s is missing; install the package %s (apt-get install %s)", path, package, package);
+}
+
+static int read_single(kit_mesh *mesh, const struct single *s, kit_error *err)
+{
+    const double side[3] = { 0, s->height, 0 };
+    if (access(s->path, R_OK)) return missing(s->path, s->package, err);
+    if (kit_mesh_obj(mesh, NULL, NULL, s->path, err)) return -1;
+    fit(mesh, side);
+    return 0;
+}
+
+int kit_catalogue_read(kit_mesh *mesh, const char *name, int length, kit_error *err)
+{
+    char path[512];
+    for (int k = 0; k < SINGLES; k++)
+        if ((int)strlen(singles[k].name) == length && !memcmp(singles[k].name, name, (size_t)length))
+            return read_single(mesh, &singles[k], err);
+    if (access(FURNITURE "Scopia.sh3f", R_OK)) return missing(FURNITURE "Scopia.sh3f", FURNITURE_PACKAGE, err);
+    read_catalogues();
+    if (!count) return missing("the command unzip", "unzip", err);
+    for (int k = 0; k < count; k++) {
+        const entry *e = &entries[k];
+        if (!is_named(e->path, name, length)) continue;
+        if (unpacked(path, sizeof path, e, err) || kit_mesh_obj(mesh, NULL, NULL, path, err)) return -1;
+        if (e->turned) turn(mesh, e->turn);
+        fit(mesh, e->side);
+        return 0;
+    }
+    return kit_fail(err, "model '%.*s': no package's catalogue has it", length, name);
+}
