@@ -57,8 +57,8 @@ enum {
     SIGHT                                  /* x y z reach */
 };
 
-/* Builds a thing at the origin, chances by seed. err: what is wrong, empty before: a row that cannot be read, with its name; a
-   model's package that is missing; no memory. */
+/* Builds a thing at the origin, chances by seed. err, empty before, says what is wrong: a row that cannot be read, with
+   its name; a model's package that is missing; no memory. */
 void   kit_build_thing(kit_plot *p, const char *thing, uint32_t seed, kit_error *err);
 /* Tables of rows, which end with one without a name. */
 extern const kit_row kit_rows_shared[], kit_rows_rooms[], kit_rows_streets[], kit_rows_halls[], kit_rows_foliage[],

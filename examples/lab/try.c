@@ -7,7 +7,8 @@
    Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused without --judge. --light: of
    irradiance under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same
    settings as another build measured them, in the order given; so a change of the headers is tried in two work trees.
-   Pictures are 1280x720, truth at every eleventh pixel both ways, kept under build/cache. A process a core. */
+   Pictures are 1280x720, truth at every eleventh pixel both ways, kept under build/cache. A process a core.
+   --scenes drawn: those that rows of scene/tables make; examples/lab/ranks.py says how alike two such csv rank. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -20,13 +20,13 @@ typedef struct claim { double at[3], radius; } claim;
 
 enum { MODELS_KEPT = 24 };
 
-typedef struct known { const char *name; int length; kit_mesh mesh; } known;
+typedef struct kept { const char *name; int length; kit_mesh mesh; } kept;
 
 typedef struct walk {
     kit_plot *p;
     kit_error *err;
     int models;
-    known model[MODELS_KEPT];              /* that were read */
+    kept model[MODELS_KEPT];               /* that were read */
     const kit_row *row;                    /* for complaints */
     int variables, deep, claims;
     uint32_t thing;                        /* what the paints of the present one follow from */
@@ -69,7 +69,9 @@ static void wrong(walk *w, const char *why, const char *at)
 
 static double alternatives(reading *r);
 
-static int word_length(const char *at) { return (int)strspn(at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_"); }
+#define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_"
+
+static int word_length(const char *at) { return (int)strspn(at, LETTERS); }
 
 static double named(reading *r)
 {
@@ -308,7 +310,7 @@ static const kit_mesh *model_of(walk *w, const char *name, int length)
         if (w->model[k].length == length && !memcmp(w->model[k].name, name, (size_t)length)) return &w->model[k].mesh;
     if (kit_catalogue_read(&mesh, name, length, w->err)) return NULL;
     if (w->models == MODELS_KEPT) kit_mesh_free(&w->model[--w->models].mesh);
-    w->model[w->models] = (known){ name, length, mesh };
+    w->model[w->models] = (kept){ name, length, mesh };
     return &w->model[w->models++].mesh;
 }
 

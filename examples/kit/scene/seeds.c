@@ -54,7 +54,8 @@ static int named_kind(const char *word, size_t length)
 /* "random:7", "random:streets:7" */
 static int parse(unsigned *seed, int *kind, const char *name, kit_error *err)
 {
-    const char *word = name + strlen(prefixes[prefix_of(name)]), *colon = strchr(word, ':'), *number = colon ? colon + 1 : word;
+    const char *word = name + strlen(prefixes[prefix_of(name)]), *colon = strchr(word, ':'),
+               *number = colon ? colon + 1 : word;
     size_t used = 0;
     *kind = colon ? named_kind(word, (size_t)(colon - word)) : 0;
     if (*kind < 0) {

@@ -21,7 +21,8 @@ const kit_row kit_rows_foliage[] = {
 { "fences", PUT, "6: -6+2.2*i 0 -7~-5 0", "fence l=2.2", "", "(1-(kind=1))*.5" },
 { "side_fence", PUT, "5: 6~7 0 -5+2.2*i 90", "fence l=2.2", "", "(kind=0)*.6" },
 { "wall", BOX, "0 -.2 -9", "-9 0 -.15 9 2~2.8 .15 .02", "brick", "((kind=0)+(kind=4))*.7" },
-{ "paving", BOX, "120: -5+.85*(i-12*int(i/12)) 0 -4+.85*int(i/12) -2~2", "-.4 0 -.4 .4 .01~.04 .4 .01", "stone", "kind=4" },
+{ "paving", BOX, "120: -5+.85*(i-12*int(i/12)) 0 -4+.85*int(i/12) -2~2", "-.4 0 -.4 .4 .01~.04 .4 .01", "stone",
+  "kind=4" },
 { "pergola", PUT, "-3~3 0 -3~3 0~90 0 1 clear 1.5", "pergola", "", "((kind=0)+(kind=4))*.5" },
 { "cacti", PUT, "3~9: -7~7 g -7~7 0~360 0 1 clear .5", "cactus_tall", "", "kind=5" },
 { "litter", LEAF, "dense*240: -6~6 g+.01 -6~6 0~360 -12~12", ".05 .08 .6 2 1", "leaf", ".5" },
@@ -58,6 +59,9 @@ const kit_row kit_rows_foliage[] = {
 { "spikes", LEAF, "90: r*sin(40*i) h*t r*cos(40*i) 40*i", ".006 .06 .05 1 1", "wood", "" },
 
 { "garden_model", THING, "", "", "", "" },
-{ "one", MODEL, "", "palm|yuccaPlant|bluePineSnow|sabalPalmeto|christmas_tree|mediumIndoorPlant|decorativePlant|plant|bulldog|dog-house|wheelbarrow|relaxChair|childSwing|deckChair|stoneLantern|flowerBox|plantie|bamboo|cypress|rabbit|chicken|garden-hut|ext_table|sandpit|female01|orchids|hedge|spider_plant", "", "" },
+{ "one", MODEL, "",
+  "palm|yuccaPlant|bluePineSnow|sabalPalmeto|christmas_tree|mediumIndoorPlant|decorativePlant|plant|bulldog|"
+  "dog-house|wheelbarrow|relaxChair|childSwing|deckChair|stoneLantern|flowerBox|plantie|bamboo|cypress|rabbit|"
+  "chicken|garden-hut|ext_table|sandpit|female01|orchids|hedge|spider_plant", "", "" },
 
 { NULL, 0, NULL, NULL, NULL, NULL } };

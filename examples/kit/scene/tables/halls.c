@@ -4,11 +4,13 @@
 /* clang-format off */
 /* W: half of the nave; A: a side aisle's width; H: its height; L: half of its length; bay: between columns */
 const kit_row kit_rows_halls[] = {
-{ "halls", THING, "", "W=2.2~4.5 A=1.6~3 H=4.5~9 L=7~14 bay=2~3.6 kind=0|0|1|1|2|3 r=.2~.42 cap=H*.5~H*.66 style=0|1|2", "", "" },
+{ "halls", THING, "",
+  "W=2.2~4.5 A=1.6~3 H=4.5~9 L=7~14 bay=2~3.6 kind=0|0|1|1|2|3 r=.2~.42 cap=H*.5~H*.66 style=0|1|2", "", "" },
 { "stand", STAND, "", "-W-A*.7 -L+.8 W+A*.7 L-.8", "", "" },
 { "ceiling_height", CEILING, "", "H", "", "" },
 { "floor", BOX, "", "-W-A-.3 -.3 -L-.3 W+A+.3 0 L+.3 0", "floor", "" },
-{ "tiles", BOX, "180: -W+2*W*(i-9*int(i/9)+.5)/9 0 -8+.8*int(i/9)", "-W/9.3 0 -.38 W/9.3 .004~.012 .38 .003", "stone", ".7" },
+{ "tiles", BOX, "180: -W+2*W*(i-9*int(i/9)+.5)/9 0 -8+.8*int(i/9)", "-W/9.3 0 -.38 W/9.3 .004~.012 .38 .003", "stone",
+  ".7" },
 { "walls", PART, "2: 0 0 0 90+180*i", "hall_wall e=W+A", "", "" },
 { "ends", PART, "2: 0 0 0 180*i", "hall_end", "", "" },
 { "ceiling", BOX, "0 H 0", "-W-A-.3 0 -L W+A+.3 .3 L 0", "wall", "" },
@@ -50,7 +52,9 @@ const kit_row kit_rows_halls[] = {
 { "stone", BOX, "n: R*cos(180*t) R*sin(180*t) 0 0 0", "-.02 -.02 0 .02 .02 .01 0", "stone", "0" },
 { "wedge", PART, "n: 0 0 0", "wedge a=180*(i+.5)/n", "", "" },
 { "wedge", THING, "", "a=90", "", "" },
-{ "body", PRISM, "0 0 -d/2+d 0 -90", "d -(R+deep)*cos(a-90/n) (R+deep)*sin(a-90/n) -(R+deep)*cos(a+90/n) (R+deep)*sin(a+90/n) -R*cos(a+90/n) R*sin(a+90/n) -R*cos(a-90/n) R*sin(a-90/n)", "stone", "" },
+{ "body", PRISM, "0 0 -d/2+d 0 -90",
+  "d -(R+deep)*cos(a-90/n) (R+deep)*sin(a-90/n) -(R+deep)*cos(a+90/n) (R+deep)*sin(a+90/n) -R*cos(a+90/n) "
+  "R*sin(a+90/n) -R*cos(a-90/n) R*sin(a-90/n)", "stone", "" },
 
 { "hall_end", THING, "", "w=.8 h=2.4", "", "" },
 { "wall", BOX, "0 0 -L", "-W-A-.3 0 -.3 W+A+.3 H 0 0", "wall", "" },
@@ -61,7 +65,8 @@ const kit_row kit_rows_halls[] = {
 { "base", BOX, "", "-r*1.5 0 -r*1.5 r*1.5 .18 r*1.5 .02", "stone", "" },
 { "foot", TURNED, "0 .18 0", "r*1.4 0 r*1.4 .06 r*1.15 .1 r*1.25 .16 r .22", "stone", "of<2" },
 { "shaft", TURNED, "0 .38 0", "r 0 r*.98 (h-.9)*.4 r*.84 h-.9", "stone", "of<2" },
-{ "flute", ROD, "flutes: r*.93*sin(360*t) .4 r*.93*cos(360*t)", "0 0 0 -r*.14*sin(360*t) h-.95 -r*.14*cos(360*t) r*.13 6", "stone", "of=0" },
+{ "flute", ROD, "flutes: r*.93*sin(360*t) .4 r*.93*cos(360*t)",
+  "0 0 0 -r*.14*sin(360*t) h-.95 -r*.14*cos(360*t) r*.13 6", "stone", "of=0" },
 { "neck", TURNED, "0 h-.5 0", "r*.84 0 r*.95 .04 r*.86 .1 r*1.3 .32", "stone", "of<2" },
 { "pier", BOX, "0 .18 0", "-r 0 -r r h-.4 r .05", "stone", "of=2" },
 { "capital", BOX, "0 h-.2 0", "-r*1.45 0 -r*1.45 r*1.45 .2 r*1.45 .03", "stone", "" },
@@ -93,14 +98,16 @@ const kit_row kit_rows_halls[] = {
 { "statue", THING, "", "h=.6~1.2 s=.25~.4", "", "" },
 { "plinth", BOX, "", "-s 0 -s s h s .03", "stone", "" },
 { "cap", BOX, "0 h 0", "-s-.05 0 -s-.05 s+.05 .07 s+.05 .01", "stone", "" },
-{ "figure", MODEL, "0 h+.07 0 -20~20", "male01|female01|girlStanding|horse|deer|vase5|male02|mannequinMale|bunny .9~1.7", "", "" },
+{ "figure", MODEL, "0 h+.07 0 -20~20",
+  "male01|female01|girlStanding|horse|deer|vase5|male02|mannequinMale|bunny .9~1.7", "", "" },
 
 { "hall_thing", THING, "", "of=0|0|1|1|2|3|4|5|6", "", "" },
 { "statue", PART, "", "statue", "", "of=0" },
 { "person", PART, "", "people", "", "of=1" },
 { "table", PART, "", "dining", "", "of=2" },
 { "plant", PART, "", "plant h=1~1.8 r=.25", "", "of=3" },
-{ "piano", MODEL, "", "pianoAQueue|japanese_style_screen|candelabre|fountain|bookcase|box_room|poolTable|table_tennis", "", "of=4" },
+{ "piano", MODEL, "", "pianoAQueue|japanese_style_screen|candelabre|fountain|bookcase|box_room|poolTable|table_tennis",
+  "", "of=4" },
 { "stuff", PART, "4: -.5~.5 0 -.5~.5 0~360 0 1 clear .25", "crate|barrel|carton|vase|chair", "", "of=5" },
 { "rail", PART, "", "railing", "", "of=6" },
 

@@ -11,7 +11,8 @@ const kit_row kit_rows_machines[] = {
 { "ceiling", BOX, "0 H 0", "-W-.2 0 -D-.2 W+.2 .2 D+.2 0", "metal", "" },
 { "beams", PART, "int(D*.9): 0 H -D+2*D*t", "girder", "", "" },
 { "purlins", BOX, "int(W*1.4): -W+2*W*t H-.06 0", "-.03 -.1 -D .03 .06 D 0", "metal", ".7" },
-{ "walls", PART, "4: 0 0 0 90*i", "plant_wall l=(i=0)*W+(i=2)*W+(i=1)*D+(i=3)*D e=(i=0)*D+(i=2)*D+(i=1)*W+(i=3)*W", "", "" },
+{ "walls", PART, "4: 0 0 0 90*i", "plant_wall l=(i=0)*W+(i=2)*W+(i=1)*D+(i=3)*D e=(i=0)*D+(i=2)*D+(i=1)*W+(i=3)*W", "",
+  "" },
 { "pillars", PART, "4: W*.55*sx 0 D*.5*sz", "i_beam h=H", "", ".7" },
 { "pipes", PUT, "1~4: 0 H-.9~H-.4 -D*.8~D*.8 0", "pipe_run l=W", "", "" },
 { "cross_pipes", PUT, "0~3: -W*.8~W*.8 H-1.4~H-.7 0 90", "pipe_run l=D", "", "" },
@@ -35,7 +36,8 @@ const kit_row kit_rows_machines[] = {
 { "top", BOX, "", "-W -.03 -.1 W 0 .1 0", "metal", "" },
 { "web", BOX, "", "-W -h -.012 W 0 .012 0", "metal", "of=0" },
 { "low", BOX, "0 -h 0", "-W -.03 -.1 W 0 .1 0", "metal", "" },
-{ "ties", ROD, "W*3: -W+2*W*t 0 0", "-W/(n*.5)*.5 -h*(i-2*int(i/2)) 0 W/(n*.5)*.5 -h*(1-i+2*int(i/2)) 0 .025 6", "metal", "of=1" },
+{ "ties", ROD, "W*3: -W+2*W*t 0 0", "-W/(n*.5)*.5 -h*(i-2*int(i/2)) 0 W/(n*.5)*.5 -h*(1-i+2*int(i/2)) 0 .025 6",
+  "metal", "of=1" },
 
 { "i_beam", THING, "", "h=4 b=.12", "", "" },
 { "web", BOX, "", "-b 0 -.01 b h .01 0", "metal", "" },
@@ -54,7 +56,9 @@ const kit_row kit_rows_machines[] = {
 { "window", PART, "a 1.6 -e+.13", "window w=1 h=1 bars=3", "", ".5" },
 { "door", MODEL, "0~1: -l*.8~l*.8 0 -e+.1", "garage-door|elevator-door|double_door_2", "", ".4" },
 { "ladder", PUT, "-l*.8~l*.8 0 -e+.5", "ladder", "", ".3" },
-{ "radiators", MODEL, "0~2: -l*.8~l*.8 .1~1.6 -e+.25 0 0 1 clear .6", "radiator1|electric_water_heater_big|gaz_water_heater|external-unity-air-conditioning|boiler|utility-shelving", "", "" },
+{ "radiators", MODEL, "0~2: -l*.8~l*.8 .1~1.6 -e+.25 0 0 1 clear .6",
+  "radiator1|electric_water_heater_big|gaz_water_heater|external-unity-air-conditioning|boiler|utility-shelving", "",
+  "" },
 
 { "pipe_run", THING, "", "l=5 n=1~5 r=.04~.16 gap=r*2.4~r*4", "", "" },
 { "pipes", ROD, "n: 0 0 gap*(i-n/2)", "-l 0 0 l 0 0 r*.5~r 14", "paint", "" },
@@ -105,7 +109,8 @@ const kit_row kit_rows_machines[] = {
 { "pump", THING, "", "r=.16~.3", "", "" },
 { "bed", BOX, "", "-.7 0 -.3 .7 .14 .3 .02", "stone", "" },
 { "motor", ROD, "0 .16+r 0", "-.6 0 0 0 0 0 r 18", "paint", "" },
-{ "fins", BOX, "14: -.3 .16+r 0 0", "-.28 -r*1.12*abs(cos(180*t)) -.006+r*1.12*cos(360*t)*.0 .28 r*1.12 .006 0", "paint", ".0" },
+{ "fins", BOX, "14: -.3 .16+r 0 0", "-.28 -r*1.12*abs(cos(180*t)) -.006+r*1.12*cos(360*t)*.0 .28 r*1.12 .006 0",
+  "paint", ".0" },
 { "ribs", ROD, "9: -.55+.06*i .16+r 0", "0 0 0 .012 0 0 r*1.12 18", "paint", "" },
 { "shaft", ROD, "0 .16+r 0", "0 0 0 .3 0 0 .04", "metal", "" },
 { "volute", ROD, "0 .16+r 0", ".3 0 0 .48 0 0 r*1.15 20", "metal", "" },
@@ -137,7 +142,8 @@ const kit_row kit_rows_machines[] = {
 { "beams", BOX, "n*2: 0 .1+(h-.4)*int(i/2)/(n-1) d*(2*(i-2*int(i/2))-1)", "-w 0 -.02 w .1 .02 0", "paint", "" },
 { "decks", BOX, "n*5: -w+2*w*((i-5*int(i/5))+.5)/5 .2+(h-.4)*int(i/5)/(n-1) 0", "-.1 0 -d .1 .02 d 0", "wood", "" },
 { "braces", ROD, "8: w*(2*(i-2*int(i/2))-1) h*int(i/2)/4 0", "0 0 -d 0 h/4 d .01 6", "metal", "" },
-{ "loads", PART, "n*3: -w*.65+w*.65*(i-3*int(i/3)) .225+(h-.4)*int(i/3)/(n-1) 0 -8~8", "carton|carton|crate|barrel_low|sack", "", ".9" },
+{ "loads", PART, "n*3: -w*.65+w*.65*(i-3*int(i/3)) .225+(h-.4)*int(i/3)/(n-1) 0 -8~8",
+  "carton|carton|crate|barrel_low|sack", "", ".9" },
 { "barrel_low", THING, "", "", "", "" },
 { "drums", PART, "0 0 0 0 0 .6", "barrel", "", "" },
 
@@ -170,7 +176,10 @@ const kit_row kit_rows_machines[] = {
 { "light", LAMP, "0 -.3 0", "0 0 0", "", "" },
 
 { "plant_thing", THING, "", "of=0|0|1|1|2|3|4", "", "" },
-{ "model", MODEL, "", "forkLift|pallet|furnace|boiler|workbench|fireExtinguisher|step-ladder-metal|electric_water_heater|wheelbarrow|meuleuse-electrique|barrel|mower|chest-freezer|lockedLocker|crate|treadmill|clothes_washing_machine|water_cooler|ammoBox|cone", "", "of=0" },
+{ "model", MODEL, "",
+  "forkLift|pallet|furnace|boiler|workbench|fireExtinguisher|step-ladder-metal|electric_water_heater|wheelbarrow|"
+  "meuleuse-electrique|barrel|mower|chest-freezer|lockedLocker|crate|treadmill|clothes_washing_machine|"
+  "water_cooler|ammoBox|cone", "", "of=0" },
 { "goods", PART, "3: -.5~.5 0 -.4~.4 0~360 0 1 clear .3", "crate|carton|barrel|sack", "", "of=1" },
 { "bench", PART, "", "workbench", "", "of=2" },
 { "rail", PART, "", "railing gap=.5 r=.018", "", "of=3" },

@@ -52,7 +52,8 @@ const kit_row kit_rows_shared[] = {
 { "fruit", BALL, "0~7: -r*.5~r*.5 h*.7 -r*.5~r*.5 0 0 .8~1.2", "0 0 0 .035 .033 .035 8", "bloom", "" },
 
 { "vase", THING, "", "r=.05~.12 h=.2~.5 neck=.3~.7 lip=.4~.9 stems=0~9", "", "" },
-{ "side", TURNED, "", "0 0 r*.6 0 r h*.35 r*.9 h*.6 r*neck h*.85 r*lip h r*lip*.9 h r*neck*.85 h*.84 r*.8 h*.6", "stone", "" },
+{ "side", TURNED, "", "0 0 r*.6 0 r h*.35 r*.9 h*.6 r*neck h*.85 r*lip h r*lip*.9 h r*neck*.85 h*.84 r*.8 h*.6",
+  "stone", "" },
 { "twig", PART, "stems: 0 h*.9 0 0~360 5~35", "twig l=.2~.5", "", ".5" },
 
 { "twig", THING, "", "l=.2~.5", "", "" },
@@ -120,7 +121,9 @@ const kit_row kit_rows_shared[] = {
 { "stones", ROCK, "n: -r~r s*.2~s*.6 -r~r 0~360 -40~40 .5~1.4", "s s*.6 s*.8 .5 8 0|1", "stone", "" },
 
 { "people", THING, "", "", "", "" },
-{ "one", MODEL, "", "male01|male02|male03|female01|female03|male-01-suit|mannequinMale|boyStanding|girlStanding|holdingMale01|holdingFemale02", "", "" },
+{ "one", MODEL, "",
+  "male01|male02|male03|female01|female03|male-01-suit|mannequinMale|boyStanding|girlStanding|holdingMale01|"
+  "holdingFemale02", "", "" },
 
 /* ---- >>plants of the open ---------------------------------------------------------------------------------------- */
 { "tuft", THING, "", "n=10~40 l=.12~.4 r=.08~.2", "", "" },

@@ -23,22 +23,28 @@ const kit_row kit_rows_terrain[] = {
 { "menhirs", PUT, "0~6: -8~8 g -8~8 0~360 -8~8 1 clear .8", "menhir", "", ".35" },
 { "hut", MODEL, "-6~6 g -6~6 0~360 0 1 clear 2.5", "childHut|garden-hut|campingTent|barnum|dog-house", "", ".35" },
 { "logs", ROD, "0~5: -8~8 g+.15 -8~8 0~360 -8~8", "-1.2 0 0 1.2 .1 0 .1~.2 9", "bark", ".6" },
-{ "models", MODEL, "0~3: -6~6 g -6~6 0~360 0 1 clear .8", "rowboat|wood_logs|deer|horse|male02|female03|bicycle|barrel|rock1|rock2|rock3|sleepingBag", "", "" },
-{ "slabs", BOX, "dense*14: -9~9 g-.1 -9~9 0~360 -14~14", "-.8~-.3 0 -.7~-.3 .3~.8 .15~.4 .3~.7 .03", "stone", "(kind=2)*.6+(kind=1)*.4" },
+{ "models", MODEL, "0~3: -6~6 g -6~6 0~360 0 1 clear .8",
+  "rowboat|wood_logs|deer|horse|male02|female03|bicycle|barrel|rock1|rock2|rock3|sleepingBag", "", "" },
+{ "slabs", BOX, "dense*14: -9~9 g-.1 -9~9 0~360 -14~14", "-.8~-.3 0 -.7~-.3 .3~.8 .15~.4 .3~.7 .03", "stone",
+  "(kind=2)*.6+(kind=1)*.4" },
 
 { "boulder", THING, "", "s=.4~1.6 edges=0|0|1", "", "" },
 { "body", ROCK, "0 s*.3 0 0~360 -20~20", "s*.8~s*1.3 s*.6~s s*.8~s*1.1 .3~.8 20-12*edges edges", "stone", "" },
-{ "chips", ROCK, "2~9: s*1.3*sin(360*t) s*.04 s*1.2*cos(360*t) 0~360", "s*.08~s*.25 s*.1 s*.08~s*.2 .5 6 1", "stone", "" },
+{ "chips", ROCK, "2~9: s*1.3*sin(360*t) s*.04 s*1.2*cos(360*t) 0~360", "s*.08~s*.25 s*.1 s*.08~s*.2 .5 6 1", "stone",
+  "" },
 
 { "crag", THING, "", "s=1.6~4", "", "" },
-{ "parts", ROCK, "3~6: -s*.5~s*.5 s*.1~s*.6 -s*.5~s*.5 0~360 -30~30", "s*.4~s*.8 s*.5~s s*.4~s*.7 .5~1 26", "stone", "" },
+{ "parts", ROCK, "3~6: -s*.5~s*.5 s*.1~s*.6 -s*.5~s*.5 0~360 -30~30", "s*.4~s*.8 s*.5~s s*.4~s*.7 .5~1 26", "stone", ""
+  },
 { "edges", ROCK, "2~6: -s*.8~s*.8 0 -s*.8~s*.8 0~360 -30~30", "s*.2~s*.5 s*.2~s*.4 s*.2~s*.4 .5 8 1", "stone", "" },
 
 { "menhir", THING, "", "h=1~2.6", "", "" },
 { "body", ROCK, "0 h*.4 0 0~360", "h*.2~h*.3 h*.6 h*.12~h*.2 .3~.6 14 0|1", "stone", "" },
 
 { "dry_wall", THING, "", "l=1~2 rows=3~7 s=.14~.2", "", "" },
-{ "stones", BOX, "rows*int(l*5): -l+2*l*((i-int(l*5)*int(i/int(l*5)))+.3~.7)/int(l*5) s*int(i/int(l*5))-.05 -.03~.03 -7~7", "-.2~-.14 0 -.2~-.15 .14~.2 s*.9 .15~.2 .02", "stone", ".97" },
+{ "stones", BOX,
+  "rows*int(l*5): -l+2*l*((i-int(l*5)*int(i/int(l*5)))+.3~.7)/int(l*5) s*int(i/int(l*5))-.05 -.03~.03 -7~7",
+  "-.2~-.14 0 -.2~-.15 .14~.2 s*.9 .15~.2 .02", "stone", ".97" },
 { "fallen", ROCK, "2~9: -l*1.2~l*1.2 .05 .3~.7 0~360", ".12 .09 .12 .4 6 1", "stone", "" },
 
 { NULL, 0, NULL, NULL, NULL, NULL } };
