@@ -31,16 +31,16 @@ KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl \
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
 KIT_BASE    = util image exr hdr png score
 KIT_SCENE   = $(addprefix scene/,text materials soup mesh texture cards assimp models shapes buildings thin solids \
-              scenes scene light seeds catalogue grammar look parts)
-# Kinds of scenes by seed, a folder each. They are many, so that builds under sanitizers take them as they are.
-KIT_KINDS   = $(sort $(patsubst examples/kit/%.c,build/kit/%.o,$(wildcard examples/kit/scene/*/*.c)))
+              scenes scene light seeds catalogue grammar look parts $(KIT_TABLES))
+# Scenes by seed: a table of rows a kind, and one that all share.
+KIT_TABLES  = $(addprefix tables/,shared rooms streets halls foliage machines scans terrain)
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
 KIT_GL      = $(addprefix gl/,gl gbuffer shadow field)
 KIT_RUN     = $(addprefix run/,settings fetches truth draw cost passes margin views lights lit occluders deep run \
               frames plan)
 KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
 LIBRARY   = library.o library_gl.o
-KIT_O     = $(KIT:%=build/kit/%.o) $(KIT_KINDS) $(LIBRARY:%=build/kit/%)
+KIT_O     = $(KIT:%=build/kit/%.o) $(LIBRARY:%=build/kit/%)
 
 # What these ask for is built by as many processors as there are, unless -j says otherwise.
 ifneq ($(filter all demo test,$(or $(MAKECMDGOALS),all)),)
@@ -107,7 +107,7 @@ build/render: $(RENDER:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # The same under sanitizers, for make test: drawn with once a method.
-SANITIZED = $(KIT:%=build/sanitized/%.o) $(KIT_KINDS) $(LIBRARY:%=build/sanitized/%) \
+SANITIZED = $(KIT:%=build/sanitized/%.o) $(LIBRARY:%=build/sanitized/%) \
             $(RENDER:%=build/sanitized/examples/%.o)
 build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
@@ -403,13 +403,13 @@ glfw:
 	  { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
 VIEWER      = $(patsubst %.c,%.o,$(wildcard examples/viewer/*.c))
 $(foreach f,build build/sanitized build/threads,$(VIEWER:%=$f/%)): | glfw
-build/viewer: $(VIEWER:%=build/%) $(VIEWER_O:%=build/kit/%) $(KIT_KINDS)
+build/viewer: $(VIEWER:%=build/%) $(VIEWER_O:%=build/kit/%)
 	@echo '  cc $@'; $(CC) $^ $(VIEWER_LIBS) -o $@
 
 # The same under sanitizers: of memory and undefined behaviour, of threads.
-build/viewer-sanitized: $(VIEWER:%=build/sanitized/%) $(VIEWER_O:%=build/sanitized/%) $(KIT_KINDS)
+build/viewer-sanitized: $(VIEWER:%=build/sanitized/%) $(VIEWER_O:%=build/sanitized/%)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(VIEWER_LIBS) -o $@
-build/viewer-threads: $(VIEWER:%=build/threads/%) $(VIEWER_O:%=build/threads/%) $(KIT_KINDS)
+build/viewer-threads: $(VIEWER:%=build/threads/%) $(VIEWER_O:%=build/threads/%)
 	@echo '  cc $@'; $(CC) -fsanitize=thread $^ $(VIEWER_LIBS) -o $@
 
 # It under Xvfb, beside build/render's pictures; what is not installed is named as skipped. FUZZ=300: so many damaged

@@ -14,7 +14,6 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-#include <zlib.h>
 
 static char folder[512];
 
@@ -116,17 +115,6 @@ static void exr_round_trip(void)
     kit_image_free(&a);
     kit_image_free(&b);
     kit_image_free(&b);
-}
-
-/* How many bytes zlib makes of a chunk, as EXR files have it: even bytes before odd ones, then differences. */
-static size_t deflated(const float *pixels, size_t size)
-{
-    const unsigned char *raw = (const unsigned char *)pixels;
-    unsigned char order[1024], packed[2048];
-    uLongf bytes = sizeof packed;
-    for (size_t i = 0; i < size; ++i) order[i % 2 ? (size + 1) / 2 + i / 2 : i / 2] = raw[i];
-    for (size_t i = size - 1; i > 0; --i) order[i] = (unsigned char)(order[i] - order[i - 1] + 128);
-    return compress2(packed, &bytes, order, (uLong)size, 4) == Z_OK ? bytes : 0;
 }
 
 /* What others write: tiles, half floats, whole numbers, a data window that does not start at 0. 21 x 13 in tiles of 8 x
@@ -481,29 +469,6 @@ static void unwritable(void)
 }
 
 /* ---- files --------------------------------------------------------------------------------------------------- */
-
-static unsigned mode_of(const char *name)
-{
-    struct stat status;
-    return stat(in_folder(name), &status) ? 0 : status.st_mode & 07777;
-}
-
-static void write_same(void *failures, int i)
-{
-    static const char text[100000] = { 0 };
-    (void)i;
-    if (kit_file_write(in_folder("same"), text, sizeof text, NULL)) *(int *)failures = 1;
-}
-
-/* The mode of a file that is being written; 0: there is none. */
-static unsigned part_in_folder(void)
-{
-    DIR *dir = opendir(folder);
-    unsigned mode = 0;
-    for (struct dirent *e; dir && (e = readdir(dir));) if (strstr(e->d_name, ".part")) mode |= mode_of(e->d_name);
-    if (dir) closedir(dir);
-    return mode;
-}
 
 static void fuzzed(void)
 {

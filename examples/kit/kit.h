@@ -9,7 +9,7 @@
                 models.c   models of all other formats, which assimp.c reads; texture.c, cards.c: what cuts them
                 scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of;
                            scenes.c: the built-in ones, of buildings.c, thin.c and solids.c; seeds.c: those drawn from
-                           a seed, of what kit_seed.h names
+                           a seed, by the rows of tables/, and models of packages: see kit_seed.h
                 light.c    environments and lights
      trace/     camera.c   cameras
                 truth.c    ray-traced truth over ssgi.h's trace room; lit.c: of light, scatter.c: under surfaces
@@ -224,7 +224,8 @@ typedef struct kit_scene {
 } kit_scene;
 
 /* name_or_path: a built-in scene ("room"), one drawn from a seed ("random:7", "random:streets:7"; of the first, the
-   kind is number SEED modulo KIT_KINDS; the same on every machine) or a model's file: OBJ, and where Assimp was there
+   kind is number SEED modulo KIT_KINDS; the same on every machine), a model that a package brings, on a floor, camera
+   and radius drawn from a seed ("model:bunny", "model:bunny:7") or a model's file: OBJ, and where Assimp was there
    when this was built, glTF, GLB, PLY, FBX and what else it reads. Of these: triangles where the nodes put them, in the
    pose that the file has; nodes are objects as an OBJ's o lines, meshes as its g lines; albedo is the base colour times
    the mean of its texture and of the corners' colours; a card whose texture has holes (glTF: alphaMode MASK, or BLEND
@@ -239,9 +240,11 @@ typedef struct kit_scene {
 int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_error *err);
 void        kit_scene_free(kit_scene *scene);
 int         kit_scene_seeded(const char *name);    /* whether a name is of a scene that brings its own light */
-/* name of the i-th built-in scene, and of the i-th kind of those by seed, NULL past the last */
+/* name of the i-th built-in scene, of the i-th kind of those by seed, and of the i-th model that packages bring; NULL
+   past the last */
 const char *kit_scene_builtin(int i, const char **about);
 const char *kit_scene_kind(int i, const char **about);
+const char *kit_scene_model(int i);
 enum { KIT_KINDS = 7 };
 
 /* Appends a closed box, as an object "box", to the scene's mesh and widens its bounds. Sides at least 1e-4 units, all

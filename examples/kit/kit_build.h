@@ -1,4 +1,4 @@
-/* kit_build.h - what shapes.c, buildings.c, thin.c, solids.c, scenes.c, scene.c and kit_seed.h's share: scenes
+/* kit_build.h - what shapes.c, parts.c, buildings.c, thin.c, solids.c, scenes.c, scene.c and kit_seed.h's share: scenes
    being built. Private to them. */
 #ifndef KIT_BUILD_H
 #define KIT_BUILD_H
@@ -19,7 +19,6 @@ typedef struct kit_build {
     kit_frame frame;                       /* and all that by it */
     float    albedo[3];
     uint32_t random;
-    uint32_t *drawn;                       /* of scenes by seed: how often each place has drawn; see kit_seed.h */
 } kit_build;
 
 typedef struct kit_vertex { double p[3], n[3]; } kit_vertex;
@@ -76,6 +75,28 @@ int    kit_own_shape(kit_scene *s, int k);
    mesh's bounds. */
 int    kit_complete(kit_scene *s, int first);
 
+/* ---- >>parts: more shapes, which scenes by seed are built of ------------------------------------------------- */
+
+/* smooth noise in [-1, 1], features about 1 wide; fractal: octaves of it, each half as wide and half as strong */
+double kit_noise(unsigned seed, double x, double y, double z);
+double kit_fractal(unsigned seed, double x, double y, double z, int octaves);
+/* closed, round, through so many points, corners as they are (at most 256 points) */
+void   kit_tube(kit_build *b, const double at[][3], int count, double radius, int around);
+/* a tube from one point to another that sags by so much in the middle */
+void   kit_cable(kit_build *b, const double from[3], const double to[3], double sag, double radius, int around);
+/* closed: a box of half sides whose corners are rounded, round 0 .. 1 (a ball) */
+void   kit_cushion(kit_build *b, const double half[3], double round, int cells);
+/* box with edges cut off at 45 degrees by so much */
+void   kit_bevelled(kit_build *b, double x0, double y0, double z0, double x1, double y1, double z1, double bevel);
+/* closed, from y = 0 up: a convex outline in x and z, counter-clockwise seen from above */
+void   kit_prism(kit_build *b, const double outline[][2], int count, double height);
+/* a flat sheet without thickness that leans: width along x, length along z from the origin, bent down by bend radians
+   over its length; as a leaf it is pointed at both ends */
+void   kit_leaf(kit_build *b, double width, double length, double bend, int cells, int pointed);
+/* ground over a rectangle, with smooth normals: height(of, x, z) */
+typedef double kit_height(const void *of, double x, double z);
+void   kit_height_field(kit_build *b, const double rectangle[4], int nx, int nz, kit_height *height, const void *of);
+
 /* ---- >>scenes ------------------------------------------------------------------------------------------------ */
 
 static const double KIT_GAP = 0.001;       /* between what rests and what it rests on */
@@ -100,7 +121,7 @@ void   kit_build_casters(kit_build *b);
 void   kit_build_crowd(kit_build *b);
 const kit_builtin *kit_builtin_at(int i);  /* NULL past the last */
 
-/* "random:SEED", "random:KIND:SEED": its scene, complete (seeds.c) */
+/* "random:SEED", "random:KIND:SEED", "model:NAME", "model:NAME:SEED": its scene, complete (seeds.c) */
 int    kit_load_seeded(kit_scene *scene, const char *name, kit_error *err);
 
 #endif

@@ -1,7 +1,7 @@
-"""ranks.py - whether two kinds of scenes by seed rank settings alike.
+"""ranks.py - whether two kinds of scenes by seed rank settings alike: those of two commits, say, each in its work tree.
 
-    build/try --scenes random --judge yes --from 5005 --count 70 --out old.csv METHOD[:key=value,..] ..
-    build/try --scenes drawn  --judge yes --from 5005 --count 70 --out new.csv ..the same..
+    build/try --judge yes --from 5005 --count 70 --out old.csv METHOD[:key=value,..] ..
+    build/try --judge yes --from 5005 --count 70 --out new.csv ..the same..
     python3 examples/lab/ranks.py old.csv new.csv
 
 By kind and of all: Kendall's tau between both means of each setting, that between halves of either drawn forty times,

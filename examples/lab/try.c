@@ -2,13 +2,14 @@
    it differs from the first, scene by scene.
 
       build/try [--from 0] [--count 28] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
-                [--scenes random] [--judge yes] METHOD[:key=value,..] ..
+                [--scenes random:KIND | model:NAME] [--judge yes] METHOD[:key=value,..] ..
 
    Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused without --judge. --light: of
    irradiance under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same
    settings as another build measured them, in the order given; so a change of the headers is tried in two work trees.
    Pictures are 1280x720, truth at every eleventh pixel both ways, kept under build/cache. A process a core.
-   --scenes drawn: those that rows of scene/tables make; examples/lab/ranks.py says how alike two such csv rank. */
+   --scenes random:halls: of one kind alone; model:bunny: cameras about a model. examples/lab/ranks.py says how alike
+   two such csv rank. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -119,6 +120,7 @@ static void print_row(const trial *t, int i, int from)
     }
     printf("%-14s %-34s %6.4f +- %.4f  worst %.3f (%d)  %+.4f +- %.4f, better on %d\n", e->method, e->settings, own[0],
            own[1], worst, whose, off[0], off[1], better);
+    if (strcmp(t->scenes, "random")) return;
     printf("%-14s by kind:", "");
     for (int kind = 0; kind < KIT_KINDS; ++kind) {
         double sum = 0, change = 0;
@@ -204,8 +206,8 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
     return t->entries
              ? 0
              : kit_fail(err, "usage: try [--from 0] [--count 28] [--light | --bounce] [--radius 1] "
-                             "[--out build/try.csv] [--against other.csv] [--scenes random | drawn] [--judge yes] "
-                             "METHOD[:key=value,..] ..");
+                             "[--out build/try.csv] [--against other.csv] [--scenes random:KIND | model:NAME] "
+                             "[--judge yes] METHOD[:key=value,..] ..");
 }
 
 int main(int argc, char **argv)

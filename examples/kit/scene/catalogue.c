@@ -1,6 +1,6 @@
 /* catalogue.c - models of Debian's packages: single files, and the furniture of Sweet Home 3D, whose catalogues say how
-   large each is. Declared in kit_rows.h. */
-#include "kit/kit_rows.h"
+   large each is. Declared in kit_seed.h and kit.h. */
+#include "kit/kit_seed.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,7 +30,7 @@ typedef struct entry {
     int archive, turned;
     double side[3];
     float turn[9];
-    char path[160];
+    char path[160], name[160];             /* "scopia/armchair3/armchair3.obj", without the last part */
 } entry;
 
 /* Read once, by whoever asks first: scenes are loaded by one thread. */
@@ -72,10 +72,12 @@ static int read_catalogue(int archive)
     const int failed = !f || pclose(f);
     for (int k = 0; k < MODELS && of && !failed; k++) {
         const char *const path = of[k].path, *const ending = strrchr(path, '.');
-        if (!ending || strcmp(ending, ".obj") || !(of[k].side[0] * of[k].side[1] * of[k].side[2] > 0)) continue;
+        if (!ending || strcmp(ending, ".obj") || !strchr(path, '/')) continue;
+        if (!(of[k].side[0] * of[k].side[1] * of[k].side[2] > 0)) continue;
         if (!(more = realloc(entries, ((size_t)count + 1) * sizeof *more))) break;
         entries = more;
         of[k].archive = archive;
+        snprintf(of[k].name, sizeof of[k].name, "%.*s", (int)(strrchr(path, '/') - path), path);
         entries[count++] = of[k];
     }
     free(of);
@@ -89,25 +91,17 @@ static void read_catalogues(void)
             if (read_catalogue(a)) return;
 }
 
-/* "scopia/armchair3" of "scopia/armchair3/armchair3.obj" */
-static int name_length(const char *path) { return (int)(strrchr(path, '/') - path); }
-
-static int is_named(const char *path, const char *name, int length)
+static int is_named(const char *own, const char *name, int length)
 {
-    if (!strchr(path, '/')) return 0;
-    const int whole = name_length(path), off = whole - length;
-    return off >= 0 && !memcmp(path + off, name, (size_t)length) && (!off || path[off - 1] == '/');
+    const int off = (int)strlen(own) - length;
+    return off >= 0 && !memcmp(own + off, name, (size_t)length) && (!off || own[off - 1] == '/');
 }
 
-const char *kit_catalogue_name(int i)
+const char *kit_scene_model(int i)
 {
-    static char name[160];
     if (i < SINGLES) return i < 0 ? NULL : singles[i].name;
     read_catalogues();
-    if (i - SINGLES >= count) return NULL;
-    const char *path = entries[i - SINGLES].path;
-    snprintf(name, sizeof name, "%.*s", name_length(path), path);
-    return name;
+    return i - SINGLES < count ? entries[i - SINGLES].name : NULL;
 }
 
 /* ---- >>unpacking ------------------------------------------------------------------------------------------------- */
@@ -132,18 +126,17 @@ static int unpacked(char *path, size_t size, const entry *e, kit_error *err)
 {
     static const char script[] = "unzip -qq -o \"$1\" \"$2/*\" -d \"$4\" && mkdir -p \"$3/$2\" && "
                                  "mv -f \"$4/$2\"/* \"$3/$2/\" && rm -rf \"$4\"";
-    char folder[300], fresh[340], archive[128], name[160];
+    char folder[300], fresh[340], archive[128];
     int status = 0;
     if (cache_folder(folder, sizeof folder)) return kit_fail(err, "%s: cannot be made: %s", folder, strerror(errno));
     snprintf(path, size, "%s/%s", folder, e->path);
     if (!access(path, R_OK)) return 0;
     snprintf(fresh, sizeof fresh, "%s/fresh-XXXXXX", folder);
     snprintf(archive, sizeof archive, FURNITURE "%s.sh3f", archives[e->archive]);
-    snprintf(name, sizeof name, "%.*s", name_length(e->path), e->path);
     if (!mkdtemp(fresh)) return kit_fail(err, "%s: cannot be made: %s", fresh, strerror(errno));
     const pid_t other = fork();
     if (!other) {
-        execlp("sh", "sh", "-c", script, "sh", archive, name, folder, fresh, (char *)NULL);
+        execlp("sh", "sh", "-c", script, "sh", archive, e->name, folder, fresh, (char *)NULL);
         _exit(127);
     }
     while (other > 0 && waitpid(other, &status, 0) < 0 && errno == EINTR) continue;
@@ -213,7 +206,7 @@ int kit_catalogue_read(kit_mesh *mesh, const char *name, int length, kit_error *
     if (!count) return missing("the command unzip", "unzip", err);
     for (int k = 0; k < count; k++) {
         const entry *e = &entries[k];
-        if (!is_named(e->path, name, length)) continue;
+        if (!is_named(e->name, name, length)) continue;
         if (unpacked(path, sizeof path, e, err) || kit_mesh_obj(mesh, NULL, NULL, path, err)) return -1;
         if (e->turned) turn(mesh, e->turn);
         fit(mesh, e->side);

@@ -1,6 +1,6 @@
 /* grammar.c - builds scenes from rows: what stands where, how often, how large, by chances that follow from names.
-   Declared in kit_rows.h, where the rows' columns are explained. */
-#include "kit/kit_rows.h"
+   Declared in kit_seed.h, where the rows' columns are explained. */
+#include "kit/kit_seed.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -314,18 +314,9 @@ static const kit_mesh *model_of(walk *w, const char *name, int length)
     return &w->model[w->models++].mesh;
 }
 
-static void put_model(walk *w, const kit_row *row, uint32_t key)
+/* An object of its own, so many times as large. */
+static void add_model(kit_build *b, const kit_mesh *m, double scale, const char *name, int length)
 {
-    kit_build *const b = &w->p->b;
-    const char *text = row->numbers, *name;
-    const int length = (int)one_of(&text, &name, key);
-    const size_t first = b->scene.mesh.triangles;
-    double height[NUMBERS];
-    const int given = numbers(w, height, text, key);
-    if (first > MOST_TRIANGLES || *w->err->text) return;
-    const kit_mesh *const m = model_of(w, name, length);
-    if (!m || m->triangles > MOST_MODEL) return;
-    const double scale = given ? height[0] / (double)m->upper[1] : 1;
     char title[64];
     snprintf(title, sizeof title, "%.*s", length, name);
     kit_begin_object(b, title, -1);
@@ -338,6 +329,19 @@ static void put_model(walk *w, const kit_row *row, uint32_t key)
         kit_colour(b, (double)m->albedo[3 * t], (double)m->albedo[3 * t + 1], (double)m->albedo[3 * t + 2]);
         kit_triangle(b, &v[0], &v[1], &v[2]);
     }
+}
+
+static void put_model(walk *w, const kit_row *row, uint32_t key)
+{
+    const char *text = row->numbers, *name;
+    const int length = (int)one_of(&text, &name, key);
+    const size_t first = w->p->b.scene.mesh.triangles;
+    double height[NUMBERS];
+    const int given = numbers(w, height, text, key);
+    if (first > MOST_TRIANGLES || *w->err->text) return;
+    const kit_mesh *const m = model_of(w, name, length);
+    if (!m || m->triangles > MOST_MODEL) return;
+    add_model(&w->p->b, m, given ? height[0] / (double)m->upper[1] : 1, name, length);
     add_sight(w, first);
 }
 
@@ -478,22 +482,19 @@ static void make_rock(kit_build *b, const double *v, uint32_t key)
     }
 }
 
-/* of: a row GROUND's numbers, the fifth of which has become the noise's seed */
 static double height_of(const void *of, double x, double z)
 {
     const double *const g = of;
     return g[5] > 0 ? g[5] * kit_fractal((unsigned)g[4], x / g[6], 0.5, z / g[6], (int)fmax(1, g[7])) : 0;
 }
 
-static double plot_height(const kit_plot *p, double x, double z) { return height_of(p->of, x, z); }
+double kit_ground_at(const kit_plot *p, double x, double z) { return height_of(p->ground, x, z); }
 
 static void make_ground(walk *w, const double *v, int count, uint32_t key)
 {
-    double *const g = w->p->of;
-    memset(g, 0, sizeof w->p->of);
+    double *const g = w->p->ground;
     memcpy(g, v, (size_t)(count < 8 ? count : 8) * sizeof *v);
     g[4] = key % 100000;
-    w->p->ground = plot_height;
     if (g[5] > 0) kit_height_field(&w->p->b, v, (int)v[4], (int)v[4], height_of, g);
     else kit_level(&w->p->b, v[0], v[1], v[2], v[3], 0);
 }
@@ -669,4 +670,28 @@ void kit_build_thing(kit_plot *p, const char *thing, uint32_t seed, kit_error *e
     make_thing(w, row, NULL, seed);
     for (int k = 0; k < w->models; k++) kit_mesh_free(&w->model[k].mesh);
     free(w);
+}
+
+void kit_build_model(kit_plot *p, const char *name, uint32_t seed, kit_error *err)
+{
+    kit_mesh m;
+    if (kit_catalogue_read(&m, name, (int)strlen(name), err)) return;
+    double half[3], reach = 0;
+    for (int i = 0; i < 3; i++) {
+        half[i] = 0.5 * ((double)m.upper[i] - (double)m.lower[i]);
+        reach += half[i] * half[i];
+    }
+    reach = sqrt(reach);
+    kit_begin_object(&p->b, "floor", -1);
+    kit_level(&p->b, -20 * reach, -20 * reach, 20 * reach, 20 * reach, 0);
+    p->stand[0] = p->stand[1] = -12 * reach;
+    p->stand[2] = p->stand[3] = 12 * reach;
+    p->sight[p->sights++] = (kit_sight){ { 0, half[1], 0 }, reach };
+    /* Its middle is often hollow: the others are at its surface. */
+    for (uint32_t k = 0; k < 6 && m.triangles; k++) {
+        const float *const at = m.position + 9 * (size_t)((double)m.triangles * chance_of(mixed(seed, k)));
+        p->sight[p->sights++] = (kit_sight){ { (double)at[0], (double)at[1], (double)at[2] }, 0.4 * reach };
+    }
+    add_model(&p->b, &m, 1, name, (int)strlen(name));
+    kit_mesh_free(&m);
 }

@@ -182,24 +182,29 @@ static void stand_at(kit_camera *c, const kit_plot *p, const double at[3], doubl
 static kit_camera try_way(kit_plot *p, int way, kit_camera c)
 {
     kit_build *b = &p->b;
-    const kit_sight *s = &p->sight[kit_choose(b, p->sights)];
+    const kit_sight *s = &p->sight[(int)(kit_chance(b) * p->sights)];
     const double reach = s->reach, turn = kit_between(b, 0, 2 * KIT_PI), ground = kit_ground_at(p, s->at[0], s->at[2]);
     double at[3];
     for (int i = 0; i < 3; i++) at[i] = s->at[i] + kit_between(b, -0.4, 0.4) * reach;
     c.fovy = (float)kit_between(b, 40, 68);
     c.znear = 0.02f;
-    if (way == EYE) stand_at(&c, p, at, turn, reach * kit_between(b, 1.2, 3) + 0.8, kit_between(b, 1.35, 1.75));
+    /* Which argument a compiler works out first is its own affair, so chances are drawn before the call. */
+    if (way == EYE) {
+        const double away = reach * kit_between(b, 1.2, 3) + 0.8, height = kit_between(b, 1.35, 1.75);
+        stand_at(&c, p, at, turn, away, height);
+    }
     if (way == LOW) {
         at[1] = ground + kit_between(b, 0.1, 0.6) * fmin(reach, 1);
-        stand_at(&c, p, at, turn, reach * kit_between(b, 1.1, 3) + 0.3, kit_between(b, 0.06, 0.35));
+        const double away = reach * kit_between(b, 1.1, 3) + 0.3, height = kit_between(b, 0.06, 0.35);
+        stand_at(&c, p, at, turn, away, height);
     }
     if (way == ABOVE) {
         const double steep = kit_between(b, 0.6, 1.3), away = reach * kit_between(b, 1.8, 4) + 0.5;
         stand_at(&c, p, at, turn, away * cos(steep), at[1] - ground + away * sin(steep));
     }
     if (way == INSIDE) {
-        stand_at(&c, p, at, turn, reach * kit_between(b, 0.3, 0.9),
-                 fmax(0.05, s->at[1] - ground + reach * kit_between(b, -0.4, 0.8)));
+        const double away = reach * kit_between(b, 0.3, 0.9), height = reach * kit_between(b, -0.4, 0.8);
+        stand_at(&c, p, at, turn, away, fmax(0.05, s->at[1] - ground + height));
         c.fovy = (float)kit_between(b, 50, 78);
     }
     if (way == FAR_OFF || way == FLAT) {

@@ -136,7 +136,7 @@ static int element_index(kit_text *t, size_t seen, size_t all, const char *what,
     int negative = p < t->end && *p == '-';
     size_t v = 0;
     p += negative;
-    for (; p < t->end && *p >= '0' && *p <= '9'; ++p) if (v < (size_t)1 << 40) v = 10 * v + (size_t)(*p - '0');
+    for (; p < t->end && *p >= '0' && *p <= '9'; ++p) if (v <= all) v = 10 * v + (size_t)(*p - '0');
     if (p == start + negative || (p < t->end && !kit_blank(*p) && *p != '/' && *p != '#'))
         return kit_text_fail(t, "a face needs corners such as 1, 1/2, 1//3 or 1/2/3");
     if (v == 0 || v > (negative ? seen : all))

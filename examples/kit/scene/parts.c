@@ -1,48 +1,8 @@
-/* parts.c - what scenes drawn from a seed are built of, beside shapes.c: chances, noise, tubes, cushions, leaves,
-   ground, models. Declared in kit_seed.h. */
-#include "kit/kit_seed.h"
+/* parts.c - what scenes drawn from a seed are built of, beside shapes.c: noise, tubes, cushions, leaves, ground.
+   Declared in kit_build.h. */
+#include "kit/kit_build.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-/* ---- >>chances ------------------------------------------------------------------------------------------------- */
-
-double kit_chance_at(kit_build *b, const char *function, unsigned number)
-{
-    uint32_t place = number * 2654435761u, x;
-    while (*function) place = (place ^ (uint32_t)(unsigned char)*function++) * 16777619u;
-    place ^= place >> 15;
-    x = b->drawn ? ++b->drawn[place % KIT_DRAWN] : ++b->random;
-    x = b->random ^ place ^ x * 0x9e3779b9u;
-    x = (x ^ x >> 16) * 0x7feb352du;
-    x = (x ^ x >> 15) * 0x846ca68bu;
-    return (double)(x ^ x >> 16) * 0x1p-32;
-}
-
-void kit_alike(kit_build *b, uint32_t seed, kit_chances *before)
-{
-    before->random = b->random;
-    if (b->drawn) memcpy(before->drawn, b->drawn, sizeof before->drawn);
-    if (b->drawn) memset(b->drawn, 0, sizeof before->drawn);
-    b->random = seed;
-}
-
-void kit_resume(kit_build *b, const kit_chances *before)
-{
-    b->random = before->random;
-    if (b->drawn) memcpy(b->drawn, before->drawn, sizeof before->drawn);
-}
-
-void kit_tint_at(kit_build *b, const float palette[][3], int count, double vary, const char *function, unsigned number)
-{
-    const float *c = palette[(int)(kit_chance_at(b, function, number) * count)];
-    const double lighter = 1 + vary * (2 * kit_chance_at(b, function, number) - 1);
-    double rgb[3];
-    for (int i = 0; i < 3; i++)
-        rgb[i] = fmin(0.9, (double)c[i] * lighter * (1 + 0.3 * vary * (2 * kit_chance_at(b, function, number) - 1)));
-    kit_colour(b, rgb[0], rgb[1], rgb[2]);
-}
 
 /* ---- >>noise --------------------------------------------------------------------------------------------------- */
 
@@ -304,45 +264,3 @@ void kit_height_field(kit_build *b, const double rectangle[4], int nx, int nz, k
     const field f = { rectangle, height, of, 0.25 * fabs(rectangle[2] - rectangle[0]) / nx };
     kit_patch(b, nx, nz, field_surface, &f);
 }
-
-/* ---- >>models -------------------------------------------------------------------------------------------------- */
-
-int kit_model(kit_plot *p, const char *path, const char *package, double height)
-{
-    kit_mesh mesh;
-    if (access(path, R_OK) || kit_mesh_obj(&mesh, NULL, NULL, path, NULL)) {
-        p->missing = path;
-        p->package = package;
-        return -1;
-    }
-    const double scale = height / ((double)mesh.upper[1] - (double)mesh.lower[1]);
-    for (size_t t = 0; t < mesh.triangles; t++) {
-        kit_vertex v[3];
-        for (int k = 0; k < 3; k++)
-            for (int i = 0; i < 3; i++) {
-                const double from = i == 1 ? (double)mesh.lower[1]
-                                           : 0.5 * ((double)mesh.lower[i] + (double)mesh.upper[i]);
-                v[k].p[i] = scale * ((double)mesh.position[9 * t + 3 * (size_t)k + (size_t)i] - from);
-                v[k].n[i] = (double)mesh.normal[9 * t + 3 * (size_t)k + (size_t)i];
-            }
-        kit_triangle(&p->b, &v[0], &v[1], &v[2]);
-    }
-    kit_mesh_free(&mesh);
-    return 0;
-}
-
-/* ---- >>plot ---------------------------------------------------------------------------------------------------- */
-
-void kit_add_sight(kit_plot *p, double x, double y, double z, double reach)
-{
-    if (p->sights == KIT_SIGHTS) return;
-    p->sight[p->sights++] = (kit_sight){ { x, y, z }, reach };
-}
-
-void kit_add_lamp(kit_plot *p, double x, double y, double z)
-{
-    const double at[3] = { x, y, z };
-    if (p->lamps < KIT_LAMPS) memcpy(p->lamp[p->lamps++], at, sizeof at);
-}
-
-double kit_ground_at(const kit_plot *p, double x, double z) { return p->ground ? p->ground(p, x, z) : 0; }

@@ -66,8 +66,8 @@ static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *
     if (access(path, R_OK)) {              /* opening a pipe would wait for who writes it */
         char names[sizeof err->text] = "";
         list_names(names, sizeof names);
-        return kit_fail(err, "scene '%s': neither a file that can be read nor a built-in scene (%s, random:SEED)", path,
-                        names);
+        return kit_fail(err, "scene '%s': neither a file that can be read nor a built-in scene (%s, random:SEED, "
+                             "model:NAME)", path, names);
     }
     if (kit_model_read(&scene->mesh, &scene->object, &scene->objects, scene->note, path, err)) return -1;
     for (int k = 0; k < scene->objects; k++) scene->object[k].shape = -1;

@@ -1,25 +1,28 @@
 /* seeds.c - scenes drawn from a seed: their names and kinds, and what befalls any of them: units, wrong winding, light.
    Declared in kit_build.h. */
-#include "kit/kit_rows.h"
+#include "kit/kit_seed.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* drawn: of the same kinds, by the rows of tables/ */
-static const char *const prefixes[] = { "random:", "drawn:" };
+enum { WORD = 96 };
+
+/* A scene of rows; a model of the catalogue on a floor. */
+enum { RANDOM, MODELS, PREFIXES };
+
+static const char *const prefixes[PREFIXES] = { "random:", "model:" };
 
 static const struct kind {
     const char *name, *about;
-    kit_kind_make *make;
     int indoors;
-} kinds[] = { { "rooms", "a furnished room: shelves, rails, blinds, cloth, cables, lamps", kit_make_room, 1 },
-              { "streets", "a street: facades, balconies, cars, poles, signs, wires", kit_make_street, 0 },
-              { "halls", "a hall: columns, arches, balconies, stairs, vaults", kit_make_hall, 1 },
-              { "foliage", "trees, hedges, blades and cards of leaves among solids", kit_make_foliage, 0 },
-              { "machines", "machines, tanks, pipes, ducts, gratings, ladders", kit_make_machine, 1 },
-              { "scans", "scanned and modelled figures on grounds and among clutter", kit_make_scan, 0 },
-              { "terrain", "rocky ground, stones, cliffs, what stands on it", kit_make_terrain, 0 } };
+} kinds[] = { { "rooms", "a furnished room: shelves, rails, blinds, cloth, cables, lamps", 1 },
+              { "streets", "a street: facades, balconies, cars, poles, signs, wires", 0 },
+              { "halls", "a hall: columns, arches, balconies, stairs, vaults", 1 },
+              { "foliage", "trees, hedges, blades and cards of leaves among solids", 0 },
+              { "machines", "machines, tanks, pipes, ducts, gratings, ladders", 1 },
+              { "scans", "scanned and modelled figures on grounds and among clutter", 0 },
+              { "terrain", "rocky ground, stones, cliffs, what stands on it", 0 } };
 
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -37,39 +40,39 @@ const char *kit_scene_kind(int i, const char **about)
 /* Which prefix a name has; -1: none. */
 static int prefix_of(const char *name)
 {
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < PREFIXES; k++)
         if (!strncmp(name, prefixes[k], strlen(prefixes[k]))) return k;
     return -1;
 }
 
 int kit_scene_seeded(const char *name) { return prefix_of(name) >= 0; }
 
-static int named_kind(const char *word, size_t length)
+/* "random:7", "random:streets:7", "model:chair", "model:scopia/chair:7": what stands before the seed is written to
+   word; a seed that is not there is 0. */
+static int parse(long *seed, char word[WORD], const char *name, kit_error *err)
 {
-    for (int k = 0; k < KINDS; k++)
-        if (strlen(kinds[k].name) == length && !memcmp(kinds[k].name, word, length)) return k;
-    return -1;
+    const char *const rest = name + strlen(prefixes[prefix_of(name)]), *const colon = strrchr(rest, ':'),
+               *const number = colon ? colon + 1 : prefix_of(name) == RANDOM ? rest : rest + strlen(rest);
+    size_t used = 0;
+    snprintf(word, WORD, "%.*s", (int)((colon ? colon : number) - rest), rest);
+    for (*seed = 0; number[used] >= '0' && number[used] <= '9' && used < 10; used++)
+        *seed = 10 * *seed + (number[used] - '0');
+    if (used > 9 || number[used] || (!used && (colon || prefix_of(name) == RANDOM)))
+        return kit_fail(err, "scene '%s': the seed must be a whole number 0..999999999, not '%s'", name, number);
+    if (prefix_of(name) == MODELS && !*word) return kit_fail(err, "scene '%s': a model has no name", name);
+    return 0;
 }
 
-/* "random:7", "random:streets:7" */
-static int parse(unsigned *seed, int *kind, const char *name, kit_error *err)
+/* Which kind a word is; of none, that of the seed. */
+static int kind_of(const char *word, long seed, const char *name, kit_error *err)
 {
-    const char *word = name + strlen(prefixes[prefix_of(name)]), *colon = strchr(word, ':'),
-               *number = colon ? colon + 1 : word;
-    size_t used = 0;
-    *kind = colon ? named_kind(word, (size_t)(colon - word)) : 0;
-    if (*kind < 0) {
-        char names[256] = "";
-        for (int k = 0; k < KINDS; k++)
-            snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", k ? ", " : "", kinds[k].name);
-        return kit_fail(err, "scene '%s': '%.*s' is no kind (%s)", name, (int)(colon - word), word, names);
+    char names[256] = "";
+    if (!*word) return (int)(seed % KINDS);
+    for (int k = 0; k < KINDS; k++) {
+        if (!strcmp(kinds[k].name, word)) return k;
+        snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", k ? ", " : "", kinds[k].name);
     }
-    for (*seed = 0; number[used] >= '0' && number[used] <= '9' && used < 10; used++)
-        *seed = 10 * *seed + (unsigned)(number[used] - '0');
-    if (!used || used > 9 || number[used])
-        return kit_fail(err, "scene '%s': the seed must be a whole number 0..999999999, not '%s'", name, number);
-    if (!colon) *kind = (int)(*seed % KINDS);
-    return 0;
+    return kit_fail(err, "scene '%s': '%s' is no kind (%s)", name, word, names);
 }
 
 /* ---- >>what assets bring --------------------------------------------------------------------------------------- */
@@ -92,12 +95,12 @@ static void wrong_winding(kit_build *b)
 {
     kit_scene *s = &b->scene;
     char *way = calloc((size_t)s->objects + 1, 1);
-    const double share = kit_odds(b, 0.34) ? kit_between(b, 0.05, 0.35) : 0;
+    const double share = kit_chance(b) < 0.34 ? kit_between(b, 0.05, 0.35) : 0;
     if (!way) {
         b->failed = 1;
         return;
     }
-    for (int k = 1; k <= s->objects; k++) way[k] = (char)(kit_odds(b, share) ? 1 + kit_choose(b, 2) : 0);
+    for (int k = 1; k <= s->objects; k++) way[k] = (char)(kit_chance(b) < share ? 1 + 2 * kit_chance(b) : 0);
     for (size_t t = 0; t < s->mesh.triangles; t++)
         if (way[s->mesh.object[t]]) invert(&s->mesh, t, way[s->mesh.object[t]] == 2);
     free(way);
@@ -107,7 +110,7 @@ static void wrong_winding(kit_build *b)
 static void change_units(kit_build *b)
 {
     static const double units[] = { 1, 1, 1, 1, 1, 100, 100, 39.370079, 0.01, 0.1 };
-    const float by = (float)units[kit_choose(b, (int)(sizeof units / sizeof *units))];
+    const float by = (float)units[(int)(kit_chance(b) * (int)(sizeof units / sizeof *units))];
     kit_scene *s = &b->scene;
     for (size_t i = 0; i < 9 * s->mesh.triangles; i++) s->mesh.position[i] *= by;
     for (int i = 0; i < 3; i++) {
@@ -144,11 +147,11 @@ static void light_up(kit_plot *p, int indoors)
     };
     kit_build *b = &p->b;
     kit_scene *s = &b->scene;
-    s->env = (indoors ? inside : outside)[kit_choose(b, 5)];
-    if (!indoors && !strcmp(s->env, "sky") && kit_odds(b, 0.6)) add_sun(b);
+    s->env = (indoors ? inside : outside)[(int)(5 * kit_chance(b))];
+    if (!indoors && !strcmp(s->env, "sky") && kit_chance(b) < 0.6) add_sun(b);
     for (int k = 0; k < p->lamps && s->lights < KIT_SCENE_LIGHTS; k++) {
         const double strong = kit_between(b, 0.4, 2.5);
-        if (kit_odds(b, 0.4)) continue;
+        if (kit_chance(b) < 0.4) continue;
         kit_light *l = &s->light[s->lights++];
         *l = (kit_light){ KIT_POINT,
                           { (float)p->lamp[k][0], (float)p->lamp[k][1], (float)p->lamp[k][2] },
@@ -160,42 +163,37 @@ static void light_up(kit_plot *p, int indoors)
 
 int kit_load_seeded(kit_scene *scene, const char *name, kit_error *err)
 {
-    unsigned seed = 0;
-    int kind;
-    kit_plot *p = calloc(1, sizeof *p);
-    if (!p || parse(&seed, &kind, name, err)) {
-        free(p);
-        return p ? -1 : kit_fail(err, "scene '%s': no memory", name);
-    }
+    char word[WORD];
+    long seed;
+    kit_error wrong = { "" };
+    if (parse(&seed, word, name, err)) return -1;
+    const int alone = prefix_of(name) == MODELS, kind = alone ? 0 : kind_of(word, seed, name, err);
+    kit_plot *const p = kind < 0 ? NULL : calloc(1, sizeof *p);
+    if (!p) return kind < 0 ? -1 : kit_fail(err, "scene '%s': no memory", name);
     kit_build *b = &p->b;
     kit_scene *s = &b->scene;
     s->camera.up[1] = 1;
     s->camera.width = 1280;
     s->camera.height = 720;
-    b->random = seed * 2654435761u + 40503u * (unsigned)kind + 1;
-    b->drawn = p->drawn;
+    b->random = (uint32_t)seed * 2654435761u + 40503u * (unsigned)kind + 1;
     kit_colour(b, 0.8, 0.8, 0.8);
-    kit_error wrong = { "" };
-    if (prefix_of(name)) kit_build_thing(p, kinds[kind].name, b->random, &wrong);
-    else kinds[kind].make(p);
-    if (!s->objects && !p->missing) kit_begin_object(b, kinds[kind].name, -1);
+    if (alone) kit_build_model(p, word, b->random, &wrong);
+    else kit_build_thing(p, kinds[kind].name, b->random, &wrong);
+    if (!s->objects) kit_begin_object(b, kinds[kind].name, -1);
     b->frame.scale = 0;
-    if (!p->missing && !*wrong.text && !b->failed) {
+    if (!*wrong.text && !b->failed) {
         kit_mesh_bounds(&s->mesh);
-        b->failed = kit_look(s, p, seed) != 0;
-        light_up(p, kinds[kind].indoors);
-        wrong_winding(b);
-        change_units(b);
+        b->failed = kit_look(s, p, (alone ? KINDS : 1) * (unsigned)seed) != 0;
+        light_up(p, !alone && kinds[kind].indoors);
+        if (!alone) wrong_winding(b);
+        if (!alone) change_units(b);
         b->failed = b->failed || kit_complete(s, 0);
     }
-    const int failed = p->missing
-                         ? kit_fail(err, "scene '%s': %s is missing; install the package %s (apt-get install %s)", name,
-                                    p->missing, p->package, p->package)
-                     : *wrong.text ? kit_fail(err, "scene '%s': %s", name, wrong.text)
-                     : b->failed ? kit_fail(err, "scene '%s': no memory", name)
-                                 : 0;
+    const int failed = *wrong.text ? kit_fail(err, "scene '%s': %s", name, wrong.text)
+                     : b->failed   ? kit_fail(err, "scene '%s': no memory", name)
+                                   : 0;
     s->name = name;
-    s->about = kinds[kind].about;
+    s->about = alone ? "a model of a package, on a floor" : kinds[kind].about;
     if (failed) kit_scene_free(s);
     else *scene = *s;
     free(p);

@@ -399,11 +399,14 @@ int render_list(const char *name, kit_error *err)
             printf("  %-16s %-28s %s\n", s.key, values, s.about);
         }
     }
+    if (name && !strcmp(name, "models"))
+        for (; (scene = kit_scene_model(found)) != NULL; ++found) puts(scene);
     if (!found) return kit_fail(err, "--list %s: there is no method of that name (--list names all)", name);
     if (name) return 0;
     puts("settings of one: --list NAME\n\nbuilt-in scenes");
     for (int i = 0; (scene = kit_scene_builtin(i, &about)) != NULL; ++i) printf("%-12s %s\n", scene, about);
     puts("\nscenes by seed, with their own light: random:SEED, random:KIND:SEED; kinds");
     for (int i = 0; (scene = kit_scene_kind(i, &about)) != NULL; ++i) printf("%-12s %s\n", scene, about);
+    puts("\nmodels of Debian's packages, on a floor: model:NAME, model:NAME:SEED; names: --list models");
     return 0;
 }

@@ -1,5 +1,5 @@
-/* foliage.c - rows: gardens, woods, meadows. The columns are explained in kit_rows.h. */
-#include "kit/kit_rows.h"
+/* foliage.c - rows: gardens, woods, meadows. The columns are explained in kit_seed.h. */
+#include "kit/kit_seed.h"
 
 /* clang-format off */
 /* kind: a garden, a wood, a meadow, beds in rows, a courtyard, dry land */
@@ -8,11 +8,11 @@ const kit_row kit_rows_foliage[] = {
 { "stand", STAND, "", "-9 -9 9 9", "", "" },
 { "ground", GROUND, "", "-40 -40 40 40 90 bumps*(1-(kind=4)) 5 3", "soil", "" },
 { "sights", SIGHT, "12: -5~5 g+.3~g+1.6 -5~5", "0 0 0 .8~2.4", "", "" },
-{ "trees", PUT, "dense*(3+5*(kind=1)): -8~8 g -8~8 0~360 0 1 clear 1", "tree", "", "1-(kind=5)*.7" },
+{ "trees", PUT, "dense*(4+6*(kind=1)): -8~8 g -8~8 0~360 0 1 clear 1", "tree", "", "1-(kind=5)*.7" },
 { "firs", PUT, "0~5: -12~12 g -12~12 0~360 0 1 clear 1", "fir", "", "(kind=1)*.6+.15" },
 { "far_trees", PUT, "4: 22*sin(360*t) g 22*cos(360*t) 0~360", "tree d=2 full=2 s=.3", "", ".4" },
 { "bushes", PUT, "dense*16: -7~7 g -7~7 0~360 0 1 clear .5", "bush", "", "" },
-{ "tufts", PUT, "dense*110: -6~6 g -6~6 0~360 0 1", "tuft", "", "1-(kind=4)*.7" },
+{ "tufts", PUT, "dense*190: -6~6 g -6~6 0~360 0 1", "tuft", "", "1-(kind=4)*.7" },
 { "lawn", PUT, "0~4: -3~3 g -3~3", "lawn", "", ".5" },
 { "flowers", PUT, "dense*16: -6~6 g -6~6", "flowers", "", ".7" },
 { "stones", PUT, "dense*18: -8~8 g -8~8 0~360 0 1 clear .35", "stone", "", ".8" },
@@ -25,13 +25,13 @@ const kit_row kit_rows_foliage[] = {
   "kind=4" },
 { "pergola", PUT, "-3~3 0 -3~3 0~90 0 1 clear 1.5", "pergola", "", "((kind=0)+(kind=4))*.5" },
 { "cacti", PUT, "3~9: -7~7 g -7~7 0~360 0 1 clear .5", "cactus_tall", "", "kind=5" },
-{ "litter", LEAF, "dense*240: -6~6 g+.01 -6~6 0~360 -12~12", ".05 .08 .6 2 1", "leaf", ".5" },
+{ "litter", LEAF, "dense*320: -6~6 g+.01 -6~6 0~360 -12~12", ".05 .08 .6 2 1", "leaf", ".5" },
 { "logs", ROD, "0~4: -6~6 g+.12 -6~6 0~360", "-1 0 0 1 .1 0 .09~.18 9", "bark", ".5" },
 { "pots", PUT, "0~8: -5~5 g -5~5 0~360 0 1 clear .4", "plant", "", "((kind=4)+(kind=0))*.8+.1" },
 { "models", PUT, "1~5: -6~6 g -6~6 0~360 0 1 clear .7", "garden_model", "", "" },
 { "benches", PUT, "0~3: -5~5 g -5~5 0~360 0 1 clear 1", "bench", "", "" },
 
-{ "lawn", THING, "", "n=500~1400 l=.05~.12", "", "" },
+{ "lawn", THING, "", "n=700~1800 l=.05~.14", "", "" },
 { "blade", LEAF, "n: -2~2 g -2~2 0~360 -85~-45", ".008 l .4~1.2 2 1", "leaf", "" },
 
 { "bed", THING, "", "w=1.6~3 h=.2~.7 of=0|1|2", "", "" },
@@ -44,8 +44,8 @@ const kit_row kit_rows_foliage[] = {
 
 { "hedge", THING, "", "l=1~2 h=.5~1.4 w=.25~.4 s=.06~.1", "", "" },
 { "core", CUSHION, "0 h/2 0", "0 0 0 l*.97 h*.48 w*.9 .2 8", "leaf", "" },
-{ "front", LEAF, "l*h*220: -l~l 0~h w*(2*(i-2*int(i/2))-1) 0~360 -80~80", "s*.6 s .8 2 1", "leaf", "" },
-{ "top", LEAF, "l*140: -l~l h -w~w 0~360 -70~40", "s*.6 s .8 2 1", "leaf", "" },
+{ "front", LEAF, "l*h*320: -l~l 0~h w*(2*(i-2*int(i/2))-1) 0~360 -80~80", "s*.6 s .8 2 1", "leaf", "" },
+{ "top", LEAF, "l*200: -l~l h -w~w 0~360 -70~40", "s*.6 s .8 2 1", "leaf", "" },
 
 { "pergola", THING, "", "", "", "" },
 { "posts", BOX, "4: 1.3*sx 0 1*sz", "-.06 0 -.06 .06 2.3 .06 .01", "wood", "" },

@@ -1,5 +1,5 @@
-/* halls.c - rows: halls of columns, arches, galleries, beams. The columns are explained in kit_rows.h. */
-#include "kit/kit_rows.h"
+/* halls.c - rows: halls of columns, arches, galleries, beams. The columns are explained in kit_seed.h. */
+#include "kit/kit_seed.h"
 
 /* clang-format off */
 /* W: half of the nave; A: a side aisle's width; H: its height; L: half of its length; bay: between columns */

@@ -1,5 +1,5 @@
-/* machines.c - rows: plant rooms, workshops, stores. The columns are explained in kit_rows.h. */
-#include "kit/kit_rows.h"
+/* machines.c - rows: plant rooms, workshops, stores. The columns are explained in kit_seed.h. */
+#include "kit/kit_seed.h"
 
 /* clang-format off */
 const kit_row kit_rows_machines[] = {
@@ -28,6 +28,8 @@ const kit_row kit_rows_machines[] = {
 { "rotors", PUT, "2~6: -W*.8~W*.8 .02 -D*.8~D*.8 0~360 0 1 clear .8", "gears", "", "(kind=1)*.8+.2" },
 { "gratings", PUT, "0~3: -W*.6~W*.6 .3~1.2 -D*.6~D*.6 0|90 0 1 clear 1.4", "platform", "", ".6" },
 { "things", PUT, "dense*16: -W*.9~W*.9 0 -D*.9~D*.9 0~360 0 1 clear .45", "plant_thing", "", "" },
+{ "boards", PUT, "1~3: -W*.6~W*.6 .1~1.4 -D*.6~D*.6 0~360 -12~60 1~2 clear .8", "board", "", ".6" },
+{ "trains", PUT, "1~3: -W*.6~W*.6 .5~1.4 -D*.6~D*.6 0~360 0 1 clear .8", "train", "", "(kind=1)*.6+.25" },
 { "people", PUT, "0~2: -W*.7~W*.7 0 -D*.7~D*.7 0~360 0 1 clear .5", "people", "", "" },
 { "lights", PUT, "3~6: -W+2*W*t H-.7 -D*.5~D*.5", "strip_light", "", "" },
 { "hoses", WIRE, "0~5", "-W*.8~W*.8 .03 -D*.8~D*.8 -W*.8~W*.8 .6~1.2 -D*.8~D*.8 .2~.5 .018", "paint", ".5" },
@@ -161,6 +163,30 @@ const kit_row kit_rows_machines[] = {
 { "gear_small", THING, "", "m=r*.5", "", "" },
 { "disc", TURNED, "", "0 0 m*.88 0 m*.88 h 0 h", "metal", "" },
 { "teeth", BOX, "int(n*.55): 0 0 0 360*t", "-m*3/n 0 m*.85 m*3/n h m 0", "metal", "" },
+
+{ "train", THING, "", "l=.6~1.6 n=3~7 q=.12~.32", "", "" },
+{ "shaft", ROD, "", "-l 0 0 l 0 0 .02~.05 14", "metal", "" },
+{ "discs", PART, "n: -l+2*l*t 0 0 0~40", "cog r=q*.5~q*1.2", "", "" },
+{ "bearings", BOX, "2: l*(2*i-1) 0 0", "-.06 -.5 -.09 .06 .1 .09 .02", "metal", "" },
+{ "base", BOX, "", "-l-.15 -.56 -.25 l+.15 -.48 .25 .02", "paint", "" },
+{ "cog", THING, "", "r=.2 h=.03~.12 k=10~30", "", "" },
+{ "disc", ROD, "", "-h*.5 0 0 h*.5 0 0 r*.88 24", "metal", "" },
+{ "hub", ROD, "", "-h*.9 0 0 h*.9 0 0 r*.3 14", "metal", "" },
+{ "teeth", BOX, "k: 0 r*.95*sin(360*t) r*.95*cos(360*t) 0 -360*t", "-h*.5 -r*1.6/k -r*.1 h*.5 r*1.6/k r*.1 0", "metal",
+  "" },
+
+{ "board", THING, "", "w=.35~.7 d=.3~.5 n=6~18", "", "" },
+{ "sheet", BOX, "", "-w -.012 -d w 0 d 0", "leaf", "" },
+{ "chips", BOX, "n: -w*.9~w*.9 0 -d*.9~d*.9 0|90", "-.06~-.03 .006 -.03 .03~.06 .03 .03 .003", "glass", "" },
+{ "pins", BOX, "n*8: -w*.9~w*.9 0 -d*.9~d*.9 0|90", "-.004 0 -.004 .004 .02~.05 .004 0", "metal", "" },
+{ "cans", ROD, "n: -w*.9~w*.9 0 -d*.9~d*.9", "0 0 0 0 .05~.14 0 .018~.035 14", "paint", "" },
+{ "sinks", PART, "1~4: -w*.8~w*.8 0 -d*.8~d*.8 0|90", "sink", "", "" },
+{ "coils", RING, "0~5: -w*.8~w*.8 .02 -d*.8~d*.8", "0 0 0 .04~.07 .018", "bark", "" },
+{ "plugs", BOX, "2~6: -w*.95~w*.95 0 d*.9", "-.05 0 -.03 .05 .05~.09 .03 .003", "white", "" },
+{ "leads", WIRE, "0~7", "-w*.8~w*.8 .03 -d*.8~d*.8 -w*.8~w*.8 .03 -d*.8~d*.8 -.1 .006", "paint", "" },
+{ "sink", THING, "", "b=.06~.11 h=.05~.12", "", "" },
+{ "foot", BOX, "", "-b 0 -b b .02 b 0", "metal", "" },
+{ "fins", BOX, "9: -b+2*b*u 0 0", "-.004 .02 -b .004 h b 0", "metal", "" },
 
 { "platform", THING, "", "w=.8~1.4 d=.7~1.1", "", "" },
 { "frame", BOX, "2: 0 0 d*(2*i-1)", "-w -.1 -.03 w .02 .03 0", "metal", "" },

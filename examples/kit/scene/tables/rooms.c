@@ -1,5 +1,5 @@
-/* rooms.c - rows: furnished rooms. The columns are explained in kit_rows.h. */
-#include "kit/kit_rows.h"
+/* rooms.c - rows: furnished rooms. The columns are explained in kit_seed.h. */
+#include "kit/kit_seed.h"
 
 /* clang-format off */
 /* W, D: half of the room; H: its height; use: living, sleeping, working, cooking, washing, a workshop */

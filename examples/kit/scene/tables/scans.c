@@ -1,6 +1,6 @@
 /* scans.c - rows: figures as scanners and sculptors make them, and where they stand. The columns are explained in
-   kit_rows.h. */
-#include "kit/kit_rows.h"
+   kit_seed.h. */
+#include "kit/kit_seed.h"
 
 /* clang-format off */
 /* kind: a gallery, a garden, a dig, a table top, shelves */

@@ -1,5 +1,5 @@
-/* shared.c - rows: things that stand in scenes of several kinds. The columns are explained in kit_rows.h. */
-#include "kit/kit_rows.h"
+/* shared.c - rows: things that stand in scenes of several kinds. The columns are explained in kit_seed.h. */
+#include "kit/kit_seed.h"
 
 /* clang-format off */
 const kit_row kit_rows_shared[] = {
@@ -126,20 +126,20 @@ const kit_row kit_rows_shared[] = {
   "holdingFemale02", "", "" },
 
 /* ---- >>plants of the open ---------------------------------------------------------------------------------------- */
-{ "tuft", THING, "", "n=10~40 l=.12~.4 r=.08~.2", "", "" },
+{ "tuft", THING, "", "n=14~50 l=.12~.5 r=.08~.2", "", "" },
 { "blades", LEAF, "n: -r~r 0 -r~r 0~360 -80~-35 .6~1.2", ".012 l .5~1.4 3 1", "leaf", "" },
 
 { "flowers", THING, "", "n=5~18 l=.2~.6 r=.1~.3", "", "" },
 { "one", PART, "n: -r~r 0 -r~r 0~360 0~16 .7~1.2", "twig l=l*.7~l*1.1", "", "" },
 
-{ "bush", THING, "", "r=.3~.8 n=220~600 s=.06~.13", "", "" },
+{ "bush", THING, "", "r=.3~.8 n=260~800 s=.07~.16", "", "" },
 { "twigs", ROD, "12: 0 0 0 0~360 10~70", "0 0 0 0 r 0 .008 5", "bark", "" },
 { "leaves", PART, "n: 0 r*.35 0 137.508*i -90~90", "bush_leaf d=r*.6~r l=s*.7~s*1.4", "", "" },
 
 { "bush_leaf", THING, "", "d=.5 l=.08", "", "" },
 { "leaf", LEAF, "0 0 d 0~360 -70~70", "l*.6 l .7 2 1", "leaf", "" },
 
-{ "tree", THING, "", "h=2.5~6 r=h*.022~h*.04 many=2|3|3 s=.07~.16 full=3~7 spread=25~55", "", "" },
+{ "tree", THING, "", "h=2.5~7 r=h*.022~h*.04 many=2|3|3 s=.1~.26 full=3~8 spread=25~55", "", "" },
 { "trunk", PART, "", "limb l=h*.38 r=r d=3", "", "" },
 { "roots", ROD, "3~5: 0 0 0 72*i", "0 .08 0 0 -.03 r*3.5 r*.4 6", "bark", "" },
 

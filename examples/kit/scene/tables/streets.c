@@ -1,5 +1,5 @@
-/* streets.c - rows: streets, squares, alleys, yards. The columns are explained in kit_rows.h. */
-#include "kit/kit_rows.h"
+/* streets.c - rows: streets, squares, alleys, yards. The columns are explained in kit_seed.h. */
+#include "kit/kit_seed.h"
 
 /* clang-format off */
 /* road: half of the road; half: from its middle to the houses; R: half of its length; kind: a street, an alley, a

@@ -1,5 +1,5 @@
-/* terrain.c - rows: rocky land and what stands on it. The columns are explained in kit_rows.h. */
-#include "kit/kit_rows.h"
+/* terrain.c - rows: rocky land and what stands on it. The columns are explained in kit_seed.h. */
+#include "kit/kit_seed.h"
 
 /* clang-format off */
 /* kind: hills, a shore of boulders, crags, a ruin, dunes */
