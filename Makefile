@@ -26,7 +26,7 @@ CFLAGS   ?= -O2 -g
 WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE -ffp-contract=off -Iexamples -Ibuild/include $(WARNINGS) $(EXR) $(CFLAGS)
-KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl \
+KIT_LIBS  = -lOpenEXRCore-3_1 -lz -lm -lpthread -ldl \
             -Wl,--as-needed $(shell pkg-config --libs assimp 2>/dev/null)
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
 KIT_BASE    = util image exr hdr png score
@@ -112,17 +112,17 @@ SANITIZED = $(KIT:%=build/sanitized/%.o) $(LIBRARY:%=build/sanitized/%) \
 build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
-REPORT = lab/report tools/glsl/choices \
+REPORT = lab/report \
          $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved peers ahead) \
-         $(addprefix lab/page/,page table svg scatter dots pictures terms units csv) \
+         $(addprefix lab/page/,page table pictures units) \
          $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo \
-         deep_moving deep_stage plan planned costs) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
+         deep_moving deep_stage plan planned) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # What sweeps and measures, which make test does as well; and what shows it.
 SWEEP     = lab/measure/picture $(addprefix lab/stability/,sweeps curve shot sweep maths)
-STABILITY = $(SWEEP) lab/measure/folder lab/page/page lab/page/svg $(addprefix lab/stability/,moves show stability)
+STABILITY = $(SWEEP) lab/measure/folder lab/page/page $(addprefix lab/stability/,moves show stability)
 build/stability: $(STABILITY:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -135,32 +135,32 @@ build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 	@echo '  cc $@'; $(CC) -E -include GL/osmesa.h -xc /dev/null >/dev/null 2>&1 && gl=-lOSMesa || gl='-lEGL -lGL'; \
 	  $(CC) -std=c11 -Wall -Wextra $(CFLAGS) $< $$gl -lm -o $@
 
-# The main job: a scanned mesh with every method beside the truth; report/demo.html.
+# The main job: a scanned mesh with every method beside the truth; report/index.html.
 demo: build/render build/report
 	build/report demo
 
 # Speed against accuracy, and error on scenes by seed; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
 # Some of its scenes and one of its probes come from packages that nothing else needs; without them, the chart says so.
 PROBE   = /usr/share/blender/datafiles/studiolights/world/interior.exr
-chart: build/report build/figures
+chart: build/report | page-deps
 	$(if $(QUICK),,@sh examples/kit/models.sh $(or $(SCENE),iron-bed maple stairs attic))
 	@test -n "$(QUICK)$(SCENE)" -o -s $(PROBE) || sh examples/kit/install.sh blender-data || true
 	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
-	build/figures
+	@$(FIGURES)
 
-# The papers' own tables and figures, theirs beside ours; report/papers.html, and their part of
+# The papers' own tables and figures, theirs beside ours; report/index.html, and their part of
 # examples/docs/FIGURES.md. make papers QUICK=1 is smaller; PAPER=DSS14 or PAPER='DSS14 Figure 7' shows those alone.
-papers: build/report build/figures
+papers: build/report | page-deps
 	build/report papers $(if $(QUICK),--quick) $(if $(PAPER),--paper '$(PAPER)') $(CONTEXT:%=--context %)
-	build/figures
+	@$(FIGURES)
 
-# The chart's part on light alone: every pair of a scene and a probe; report/light.html. make light QUICK=1 is smaller.
-light: build/report
+# The chart's part on light alone: every pair of a scene and a probe. make light QUICK=1 is smaller.
+light: build/report | page-deps
 	build/report light $(if $(QUICK),--quick) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 
-# The chart's part on scenes by seed alone; report/seeds.html. make seeds QUICK=1 is smaller. Seeds from 1000 on only
-# report: FROM=0 has those that settings may be tuned on; report/seeds-fit.html.
-seeds: build/report
+# The chart's part on scenes by seed alone. make seeds QUICK=1 is smaller. Seeds from 1000 on only
+# report: FROM=0 has those that settings may be tuned on.
+seeds: build/report | page-deps
 	build/report seeds $(if $(QUICK),--quick) $(METHOD:%=--method %) $(FROM:%=--from %) $(COUNT:%=--count %) \
 	  $(CONTEXT:%=--context %)
 
@@ -172,16 +172,19 @@ peers:
 	npm install --prefix build/peers --no-save --ignore-scripts --no-audit --no-fund --silent $(PEERS)
 	@cp examples/lab/measure/peers.mjs build/peers/
 
-# Where methods fail; report/stability.html. make stability QUICK=1 is smaller.
-stability: build/stability build/figures
+# Where methods fail; report/index.html. make stability QUICK=1 is smaller.
+stability: build/stability | page-deps
 	build/stability $(if $(QUICK),--quick)
-	build/figures
+	@$(FIGURES)
 
-# examples/docs/FIGURES.md, from the csv of chart, stability, papers and cost; of quick ones report/FIGURES.md.
-FIGURES = lab/measure/spread lab/page/csv \
-          $(addprefix lab/figures/,figures markdown tables seeds ambient choices stability papers cost)
-build/figures: $(FIGURES:%=build/examples/%.o) build/kit/util.o
-	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
+# The page, report/index.html, shows what of all that is there; its charts need these from npm. Of the same records
+# are examples/docs/FIGURES.md and README's chart; of quick runs those beside the page.
+FIGURES = if command -v node >/dev/null; then node examples/lab/page/figures.mjs report; \
+  else echo 'figures: FIGURES.md and charts are left as they are: node is missing (apt-get install nodejs npm)'; fi
+page-deps:
+	@test -d build/page/node_modules/linkedom || ! command -v npm >/dev/null || { mkdir -p build/page && npm install \
+	  --prefix build/page --no-save --ignore-scripts --no-audit --no-fund --silent @observablehq/plot@0.6.17 \
+	  linkedom@0.18.12; } || echo 'page: npm brought no @observablehq/plot; the page has tables and pictures alone'
 
 # Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table (never on seeds from
 # 1000 on, which only report). Its second column of costs is what make bench measured on a GPU; else what fit-cost
@@ -200,10 +203,10 @@ build/fit: examples/lab/fit.c ssgi.h
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) -std=c11 $(CFLAGS) -Wno-unused-function $< -lm -o $@
 
-# Milliseconds of every method on whatever GPU EGL finds, what bounds them, and the plan's costs: report/bench.md, .csv
-# and .svg, plan-gpu.csv. METHOD=hsao: names that begin so, without the plan. SIZE=1920x1080,3840x2160 SECONDS=100
-BENCH = $(addprefix lab/bench/,bench peaks rows plan show) $(addprefix lab/page/,page svg) lab/measure/folder
-bench: build/bench
+# Milliseconds of every method on whatever GPU EGL finds, what bounds them, and the plan's costs: report/index.html,
+# bench.csv, plan-gpu.csv. METHOD=hsao: names that begin so, without the plan. SIZE=1920x1080,3840x2160 SECONDS=100
+BENCH = $(addprefix lab/bench/,bench peaks rows plan show) lab/page/page lab/measure/folder
+bench: build/bench | page-deps
 	build/bench $(CONTEXT:%=--context %) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(SIZE:%=--size %) \
 	  $(PLAN:%=--plan %) $(SECONDS:%=--seconds %)
 build/bench: $(BENCH:%=build/examples/%.o) $(KIT_O)
@@ -214,13 +217,13 @@ TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score ahead)
 build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
-# What the eye sees as mottling, of the presets and of what make peers brought; report/quiet.html. Other entries:
+# What the eye sees as mottling, of the presets and of what make peers brought. Other entries:
 # build/quiet --scene room hsao hsao:steps=12.
 QUIET = $(addprefix lab/quiet/,quiet bands) $(addprefix lab/measure/,folder rows picture stage score clock peers) \
-        $(addprefix lab/page/,page table svg scatter pictures)
+        $(addprefix lab/page/,page table pictures)
 build/quiet: $(QUIET:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
-quiet: build/quiet
+quiet: build/quiet | page-deps
 	build/quiet
 
 # Where a published method errs, step by step beside what is exact at a few hundred pixels: build/oracle surfels.
@@ -253,8 +256,8 @@ cost cost-test cost-record cost-shares cost-plan: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h; do \
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
-	$(MAKE) -s --no-print-directory build/cost build/figures && build/cost $(if $(filter cost,$@),\
-	  $(SINCE:%=--against %) $(ONLY) $(if $(ONLY),,&& { test ! -s report/cost.txt || build/figures; }),--$(patsubst test,check,$(@:cost-%=%)))
+	$(MAKE) -s --no-print-directory build/cost page-deps && build/cost $(if $(filter cost,$@),\
+	  $(SINCE:%=--against %) $(ONLY) $(if $(ONLY),,&& { $(FIGURES); }),--$(patsubst test,check,$(@:cost-%=%)))
 build/cost: $(COST:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) $(COST_LIBS) -o $@
 
@@ -331,7 +334,7 @@ glsl-out glsl-in: build/library
 OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps plan math \
               twins library
 OF_EXAMPLES = tools stability files models seeds papers cost
-TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model \
+TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model lab/page/csv \
          $(filter-out lab/report,$(REPORT)))
 build/test: $(addprefix build/tests/,main.o t.o frames.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
@@ -341,11 +344,11 @@ model-deps:
 build/test-examples: | model-deps
 build/test-examples: $(addprefix build/tests/,main.o t.o others.o $(OF_EXAMPLES:%=test_%.o)) \
                      $(TESTED:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -lOpenEXR-3_1 -o $@
 
 # Damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
 build/fuzz-files: $(addprefix build/sanitized/,tests/fuzz_files.o tests/others.o $(KIT_BASE:%=%.o) trace/camera.o)
-	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(KIT_LIBS) -o $@
+	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(KIT_LIBS) -lOpenEXR-3_1 -o $@
 
 # No room of examples/ calls one above it.
 tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(GLSL_O) $(BENCH:%=build/examples/%.o) \
@@ -356,7 +359,7 @@ tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(G
 # the library and of the examples alike: only the programs that their files name are built.
 GROUPS_OF = $(shell sh tests/groups.sh $(1))
 ASKED     = $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
-PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text figures fuzz-files library bench fit)
+PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text fuzz-files library bench fit)
 NAMED_IN  = $(filter $(PROGRAMS),$(shell grep -oh 'build/[a-z-]*' $(1:%=tests/test_%.c) /dev/null 2>/dev/null))
 RUN      := $(or $(strip $(ASKED)),$(OF_LIBRARY))
 test: $(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test) $(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples) \
@@ -390,7 +393,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: model-deps all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers \
+.PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers \
         stability quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl mutants deps \
         unlisted format clean
 

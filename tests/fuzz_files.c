@@ -112,7 +112,7 @@ static void make_samples(void)
     by_the_kit(17, 33, "Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B", 0);
     by_the_kit(5, 3, "Z", 0);
     by_the_kit(5, 3, "Z", 1);
-    for (int c = IMF_NO_COMPRESSION; c <= IMF_DWAB_COMPRESSION; ++c) {
+    for (int c = IMF_NO_COMPRESSION; c <= IMF_B44A_COMPRESSION; ++c) {
         by_others(29, 35, c, 0);
         by_others(29, 35, c, 16);
     }

@@ -123,6 +123,8 @@ static void known(void)
 
 static void no_seeds(void)
 {
+    kit_error rows = { "" };
+    CHECK(!kit_check_rows(&rows), "%s", rows.text);
     static const char *const bad[][2] = { { "random:", "whole number" },   { "random:-1", "whole number" },
                                           { "random:1x", "whole number" }, { "random:9999999999", "0..999999999" },
                                           { "random:caves:1", "rooms, " }, { "random:rooms:", "whole number" },
@@ -454,7 +456,7 @@ void test_seeds(void)
     RUN("scenes by seed: the same by either name, finite, of a size; the camera sees them, the radius fits", scenes);
     RUN("scenes by seed are those that charts were drawn of", known);
     RUN("models of packages: as large as their catalogues say, on a floor, seen", models_alone);
-    RUN("a seed that is none: the name and what is wrong with it are told, the scene is untouched", no_seeds);
+    RUN("all that rows name is there; a seed that is none: what is wrong is told, the scene is untouched", no_seeds);
     RUN("what they are built of is closed, faces outwards and holds its volume, in frames within frames", closed_parts);
     RUN("what many scenes say together: mean, interval, median, worst from known numbers", spreads);
     RUN("pictures apart: RMSE, bias and what is like itself, worked out by hand", differences);

@@ -1,105 +1,34 @@
 /* exr.c - EXR in and out, through OpenEXR's C core. Declared in kit.h. */
 #include "kit/kit_image.h"
-#include <errno.h>
 #include <math.h>
-#include <OpenEXR/ImfCRgbaFile.h>
 #include <OpenEXR/openexr.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-/* What went wrong in OpenEXR: its first complaint (the later ones are consequences), and whether memory ran out, which
-   it may pass over: a header then lacks a line, and is taken for another. They are the thread's, because no callback is
-   told whose they are, and a context that is asked may wait for the lock that it complains under. */
-static _Thread_local struct { char complaint[256]; int starved; } exr_trouble;
+/* OpenEXR's first complaint: the later ones are consequences. It is the thread's, because a context that is asked may
+   wait for the lock that it complains under. */
+static _Thread_local char exr_complaint[256];
 
-static void exr_complaint(exr_const_context_t context, exr_result_t code, const char *message)
+static void exr_complain(exr_const_context_t context, exr_result_t code, const char *message)
 {
     (void)context, (void)code;
-    if (!exr_trouble.complaint[0]) snprintf(exr_trouble.complaint, sizeof exr_trouble.complaint, "%s", message);
+    if (!exr_complaint[0]) snprintf(exr_complaint, sizeof exr_complaint, "%s", message);
 }
 
-static void *exr_allocate(size_t bytes)
-{
-    void *data = malloc(bytes);
-    if (!data) exr_trouble.starved = 1;
-    return data;
-}
-
-/* user: what the callbacks below get. */
-static exr_context_initializer_t exr_initializer(void *user)
+static exr_context_initializer_t exr_initializer(void)
 {
     exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    memset(&exr_trouble, 0, sizeof exr_trouble);
-    errno = 0;
-    start.error_handler_fn = exr_complaint;
-    start.alloc_fn = exr_allocate;
-    start.free_fn = free;
-    start.user_data = user;
+    exr_complaint[0] = 0;
+    start.error_handler_fn = exr_complain;
     return start;
 }
 
-/* The older interface's memory, and zlib's, does not come from the context; when zlib has none, OpenEXR takes the file
-   for a damaged one. errno tells. */
-static int exr_fail(kit_error *err, const char *path, const char *why)
+static int exr_fail(kit_error *err, const char *path, exr_result_t result)
 {
-    if (exr_trouble.starved || errno == ENOMEM) why = "there is not enough memory for it";
-    return kit_fail(err, "%s: %s", path, why);
+    return kit_fail(err, "%s: %s", path, exr_complaint[0] ? exr_complaint : exr_get_default_error_message(result));
 }
 
-static int exr_fail_result(kit_error *err, const char *path, exr_result_t result)
-{
-    return exr_fail(err, path,
-                    exr_trouble.complaint[0] ? exr_trouble.complaint : exr_get_default_error_message(result));
-}
-
-typedef struct exr_source { int file; size_t size; } exr_source;
-
-static int64_t exr_source_size(exr_const_context_t context, void *user)
-{
-    (void)context;
-    return (int64_t)((const exr_source *)user)->size;
-}
-
-/* Less than wanted at the file's end: the library asks for more than it needs while it reads headers. */
-static int64_t exr_source_read(exr_const_context_t context, void *user, void *buffer, uint64_t size, uint64_t offset,
-                               exr_stream_error_func_ptr_t error)
-{
-    const exr_source *source = user;
-    int64_t got = 0;
-    while ((uint64_t)got < size && offset <= INT64_MAX - size) {
-        const ssize_t n = pread(source->file, (char *)buffer + got, size - (uint64_t)got, (off_t)offset + got);
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) {
-            error(context, EXR_ERR_READ_IO, "cannot be read: %s", strerror(errno));
-            return -1;
-        }
-        if (n == 0) break;
-        got += n;
-    }
-    return got;
-}
-
-static int64_t exr_memory_write(exr_const_context_t context, void *user, const void *buffer, uint64_t size,
-                                uint64_t offset, exr_stream_error_func_ptr_t error)
-{
-    kit_memory_file *file = user;
-    size_t end = offset + size;
-    if (end > file->capacity) {
-        size_t capacity = 2 * end;
-        char *data = realloc(file->data, capacity);
-        if (!data) {
-            error(context, EXR_ERR_OUT_OF_MEMORY, "no memory");
-            return -1;
-        }
-        memset(data + file->capacity, 0, capacity - file->capacity);
-        file->data = data;
-        file->capacity = capacity;
-    }
-    memcpy(file->data + offset, buffer, size);
-    if (end > file->size) file->size = end;
-    return (int64_t)size;
-}
+/* ---- reading -------------------------------------------------------------------------------------------------- */
 
 /* One chunk (some scanlines or a tile) straight into the planar picture; origin: its top-left pixel in the picture. */
 static exr_result_t exr_read_chunk_into(exr_const_context_t context, exr_decode_pipeline_t *decode,
@@ -144,51 +73,17 @@ static exr_result_t exr_read_pixels(exr_const_context_t context, int tiled, cons
     return result;
 }
 
-/* For what the C core cannot decompress (DWAA, DWAB in 3.1): OpenEXR's older C interface. It knows RGB(A) only, as half
-   floats. */
-static int exr_read_rgba(kit_image *image, const char *path, const exr_attr_box2i_t *window, kit_error *err)
-{
-    static const char *const rgba[] = { "R", "G", "B", "A" };
-    float *to[4];
-    int    found = 0;
-    for (int c = 0; c < 4; ++c) found += (to[c] = kit_image_channel(image, rgba[c])) != NULL;
-    if (found != image->channels || !to[0] || !to[1] || !to[2])
-        return kit_fail(err, "%s: its compression (DWAA or DWAB) is supported for the channels R, G, B (and A) alone",
-                        path);
-    ImfRgba *row = exr_allocate((size_t)image->width * sizeof *row);
-    ImfInputFile *file = row ? ImfOpenInputFile(path) : NULL;
-    exr_attr_box2i_t is = *window;
-    if (file) ImfHeaderDataWindow(ImfInputHeader(file), &is.min.x, &is.min.y, &is.max.x, &is.max.y);
-    const int same = !memcmp(&is, window, sizeof is);
-    int good = file && same;
-    for (int y = 0; y < image->height && good; ++y) {
-        /* the base pointer is that of pixel (0, 0) of the data window's coordinates */
-        ImfRgba *base = (ImfRgba *)((uintptr_t)row - (uintptr_t)((intptr_t)window->min.x * (intptr_t)sizeof *row));
-        good =
-            ImfInputSetFrameBuffer(file, base, 1, 0) && ImfInputReadPixels(file, window->min.y + y, window->min.y + y);
-        for (int x = 0; x < image->width && good; ++x) {
-            const ImfHalf pixel[4] = { row[x].r, row[x].g, row[x].b, row[x].a };
-            for (int c = 0; c < 4; ++c)
-                if (to[c]) to[c][(size_t)y * (size_t)image->width + (size_t)x] = ImfHalfToFloat(pixel[c]);
-        }
-    }
-    if (!good) exr_fail(err, path, same ? ImfErrorMessage() : "has become another picture meanwhile");
-    if (file) ImfCloseInputFile(file);
-    free(row);
-    return good ? 0 : -1;
-}
-
-/* Whether a file can hold what its header claims, told before anything is allocated for it: a byte of it holds so many
-   bytes of pixels at most, and each chunk has a place in the table. deflate (ZIP, ZIPS) makes one of 1032; runs are of
+/* Whether a file can hold what its header claims, told before anything is allocated for it (OpenEXR asks whether the
+   table of chunks fits, its #1161, no more): a byte of it holds so many bytes of pixels at most, and each chunk has a
+   place in the table. deflate (ZIP, ZIPS) makes one of 1032; runs are of
    128 in two bytes; PIZ repeats 255 halves in 9 bits; PXR24 deflates three bytes of a float; B44A has blocks of 32
-   bytes in 3; DWA deflates two halves for 64 floats, or runs. */
+   bytes in 3. */
 static int exr_fits(exr_const_context_t context, const exr_attr_chlist_t *list, int64_t pixels, size_t size)
 {
     static const double most[] = {
         [EXR_COMPRESSION_NONE] = 1,          [EXR_COMPRESSION_RLE] = 64,           [EXR_COMPRESSION_ZIPS] = 1032,
         [EXR_COMPRESSION_ZIP] = 1032,        [EXR_COMPRESSION_PIZ] = 510 * 8 / 9., [EXR_COMPRESSION_PXR24] = 1376,
-        [EXR_COMPRESSION_B44] = 32 / 3.,     [EXR_COMPRESSION_B44A] = 32 / 3.,     [EXR_COMPRESSION_DWAA] = 64 * 1032,
-        [EXR_COMPRESSION_DWAB] = 64 * 1032
+        [EXR_COMPRESSION_B44] = 32 / 3.,     [EXR_COMPRESSION_B44A] = 32 / 3.
     };
     exr_compression_t compression;
     int32_t chunks;
@@ -211,7 +106,7 @@ static int exr_read_part(kit_image *out, const char *path, exr_const_context_t c
         return kit_fail(err, "%s: deep EXR files are not supported", path);
     if (result == EXR_ERR_SUCCESS) result = exr_get_channels(context, 0, &list);
     if (result == EXR_ERR_SUCCESS) result = exr_get_data_window(context, 0, &window);
-    if (result != EXR_ERR_SUCCESS || exr_trouble.starved) return exr_fail_result(err, path, result);
+    if (result != EXR_ERR_SUCCESS) return exr_fail(err, path, result);
     if (list->num_channels < 1 || list->num_channels > KIT_MAX_CHANNELS)
         return kit_fail(err, "%s: %d channels; 1 to %d are supported", path, list->num_channels, KIT_MAX_CHANNELS);
     for (int c = 0; c < list->num_channels; ++c) {
@@ -234,46 +129,41 @@ static int exr_read_part(kit_image *out, const char *path, exr_const_context_t c
     for (int c = 0; c < list->num_channels; ++c)
         snprintf(image.name[c], sizeof image.name[c], "%s", list->entries[c].name.str);
     result = exr_read_pixels(context, storage == EXR_STORAGE_TILED, &window, &image);
-    int failed = 0;
-    if (result == EXR_ERR_FEATURE_NOT_IMPLEMENTED) failed = exr_read_rgba(&image, path, &window, err);
-    else if (result != EXR_ERR_SUCCESS) failed = exr_fail_result(err, path, result);
-    if (failed) kit_image_free(&image);
-    else *out = image;
-    return failed;
+    if (result == EXR_ERR_SUCCESS) {
+        *out = image;
+        return 0;
+    }
+    kit_image_free(&image);
+    return result == EXR_ERR_FEATURE_NOT_IMPLEMENTED
+             ? kit_fail(err, "%s: its compression is none that is supported (none, RLE, ZIP, PIZ, PXR24, B44)", path)
+             : exr_fail(err, path, result);
 }
 
 /* A file whose header has been read. */
-typedef struct exr_reader {
-    FILE         *file;
-    exr_source    source;
-    exr_context_t context;
-} exr_reader;
+typedef struct exr_reader { size_t size; exr_context_t context; } exr_reader;
 
 static void exr_close(exr_reader *r)
 {
     if (r->context) exr_finish(&r->context);
-    if (r->file) fclose(r->file);
 }
 
 /* exr_close() whatever becomes of it. */
 static int exr_open(exr_reader *r, const char *path, kit_error *err)
 {
     memset(r, 0, sizeof *r);
-    r->file = kit_file_open(&r->source.size, path, err);
-    if (!r->file) return -1;
-    r->source.file = fileno(r->file);
-    exr_context_initializer_t start = exr_initializer(&r->source);
-    start.read_fn = exr_source_read;
-    start.size_fn = exr_source_size;
+    FILE *const file = kit_file_open(&r->size, path, err);     /* no folder, no pipe, which OpenEXR would wait for */
+    if (!file) return -1;
+    fclose(file);
+    exr_context_initializer_t start = exr_initializer();
     start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;   /* a damaged file is an error, not a guess */
     const exr_result_t result = exr_start_read(&r->context, path, &start);
-    return result == EXR_ERR_SUCCESS ? 0 : exr_fail_result(err, path, result);
+    return result == EXR_ERR_SUCCESS ? 0 : exr_fail(err, path, result);
 }
 
 int kit_exr_read(kit_image *image, const char *path, kit_error *err)
 {
     exr_reader r;
-    const int failed = exr_open(&r, path, err) || exr_read_part(image, path, r.context, r.source.size, err);
+    const int failed = exr_open(&r, path, err) || exr_read_part(image, path, r.context, r.size, err);
     exr_close(&r);
     return failed ? -1 : 0;
 }
@@ -376,7 +266,6 @@ int kit_exr_header(kit_header *header, int wanted, const char *path, kit_error *
     kit_header h = { 0 };
     const exr_attribute_t *none;
     int failed = exr_open(&r, path, err);
-    if (!failed && exr_trouble.starved) failed = exr_fail(err, path, "");
     if (!failed && wanted & KIT_HEADER_PLACE) {
         const int is = exr_place(&h, &r, path, err);
         failed = is < 0;
@@ -420,10 +309,31 @@ static exr_result_t exr_write_header_of(exr_context_t context, const kit_image *
 
 /* ---- writing -------------------------------------------------------------------------------------------------- */
 
+static int64_t exr_memory_write(exr_const_context_t context, void *user, const void *buffer, uint64_t size,
+                                uint64_t offset, exr_stream_error_func_ptr_t error)
+{
+    kit_memory_file *file = user;
+    size_t end = offset + size;
+    if (end > file->capacity) {
+        size_t capacity = 2 * end;
+        char *data = realloc(file->data, capacity);
+        if (!data) {
+            error(context, EXR_ERR_OUT_OF_MEMORY, "no memory");
+            return -1;
+        }
+        memset(data + file->capacity, 0, capacity - file->capacity);
+        file->data = data;
+        file->capacity = capacity;
+    }
+    memcpy(file->data + offset, buffer, size);
+    if (end > file->size) file->size = end;
+    return (int64_t)size;
+}
+
 typedef struct exr_packer { exr_result_t (*compress)(exr_encode_pipeline_t *encode); } exr_packer;
 
 /* A chunk as large as its pixels is read as if it were they: it has to be. OpenEXR writes what zlib made of them, when
-   that has just their size. */
+   that has just their size (its #2306). */
 static exr_result_t exr_compress(exr_encode_pipeline_t *encode)
 {
     const exr_packer *packer = encode->encoding_user_data;
@@ -474,7 +384,8 @@ int kit_exr_write_frame(const kit_image *image, const kit_header *header, const 
     kit_memory_file file = { 0 };
     exr_context_t context = NULL;
     int part;
-    exr_context_initializer_t start = exr_initializer(&file);
+    exr_context_initializer_t start = exr_initializer();
+    start.user_data = &file;
     start.write_fn = exr_memory_write;
     start.zip_level = KIT_ZIP_LEVEL;
     exr_result_t result = exr_start_write(&context, path, EXR_WRITE_FILE_DIRECTLY, &start);
@@ -486,8 +397,8 @@ int kit_exr_write_frame(const kit_image *image, const kit_header *header, const 
     if (result == EXR_ERR_SUCCESS && header) result = exr_write_header_of(context, image, header);
     if (result == EXR_ERR_SUCCESS) result = exr_write_header(context);
     if (result == EXR_ERR_SUCCESS) result = exr_write_pixels(context, image);
-    int failed = result == EXR_ERR_SUCCESS ? 0 : exr_fail_result(err, path, result);
-    if (context && exr_finish(&context) != EXR_ERR_SUCCESS && !failed) failed = exr_fail_result(err, path, result);
+    int failed = result == EXR_ERR_SUCCESS ? 0 : exr_fail(err, path, result);
+    if (context && exr_finish(&context) != EXR_ERR_SUCCESS && !failed) failed = exr_fail(err, path, result);
     if (!failed) failed = kit_file_write(path, file.data, file.size, err);
     free(file.data);
     return failed;

@@ -101,10 +101,9 @@ void   kit_image_free(kit_image *image);                                 /* leav
 float *kit_image_channel(const kit_image *image, const char *name);      /* NULL if there is no such channel */
 
 /* EXR through OpenEXR's C core; every channel is read as float (half, float, uint; any order; scanline or tiled; deep
-   and subsampled files are refused); look channels up by name. What the C core cannot decompress (DWAA, DWAB in 3.1)
-   goes through OpenEXR's older C interface when it is R, G, B, A, else it is a clear error. A header that claims more
-   than the file's bytes can hold is refused before there is room for it. Files are written as 32-bit float, ZIP, to a
-   temporary name beside the target and renamed: never half-written. */
+   and subsampled files are refused, and those that the C core cannot decompress: DWAA, DWAB in 3.1); look channels up
+   by name. A header that claims more than the file's bytes can hold is refused before there is room for it. Files are
+   written as 32-bit float, ZIP, to a temporary name beside the target and renamed: never half-written. */
 int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
 int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
 

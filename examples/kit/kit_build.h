@@ -123,5 +123,7 @@ const kit_builtin *kit_builtin_at(int i);  /* NULL past the last */
 
 /* "random:SEED", "random:KIND:SEED", "model:NAME", "model:NAME:SEED": its scene, complete (seeds.c) */
 int    kit_load_seeded(kit_scene *scene, const char *name, kit_error *err);
+/* Whether all things and models that the rows of tables/ name are there (grammar.c). */
+int    kit_check_rows(kit_error *err);
 
 #endif

@@ -97,5 +97,6 @@ extern const kit_row kit_rows_shared[], kit_rows_rooms[], kit_rows_streets[], ki
 /* A model that a package brings, "armchair3" or "scopia/armchair3", as it is: upright, on y = 0, its middle on the
    axis, in metres. Those in archives are unpacked, once, into a folder of the user's caches. */
 int    kit_catalogue_read(kit_mesh *mesh, const char *name, int length, kit_error *err);
+int    kit_catalogue_has(const char *name, int length);
 
 #endif

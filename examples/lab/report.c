@@ -1,32 +1,32 @@
 /* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
 
-      build/report demo  [--out report] [--context egl] [--mesh MODEL]     pictures, tables and demo.html, in a minute
-      build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv,
-         chart*.svg and index.html, in half an hour, or 3 minutes
-      build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv, light.html
+      build/report demo  [--out report] [--context egl] [--mesh MODEL]     pictures and tables, in a minute
+      build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv and
+         the rest, in half an hour, or 3 minutes
+      build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv
       build/report seeds [--out report] [--context egl] [--quick] [--method NAME] [--from 1000] [--count 100]     scenes
-         by seed: seeds.csv, seeds.html, seeds-KIND.html
-      build/report papers [--out report] [--context egl] [--quick] [--paper "HSAO08 Table 1"]     papers.csv,
-         papers.html, in some minutes
+         by seed: seeds.csv
+      build/report papers [--out report] [--context egl] [--quick] [--paper "HSAO08 Table 1"]     papers.csv, in some
+         minutes
       build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c
-      build/report plan  [--out report] [--context egl]     the chart's part on the plan: plan.csv, plan.html
+      build/report plan  [--out report] [--context egl]     the chart's part on the plan: plan.csv
 
+   Each writes a record of its name, demo.js, beside index.html, which shows all that are there.
    With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too, and with
    neither --scene nor --method scenes by seed and the plan. --method: the rows of methods whose names begin so. --from:
    the first seed; those below 1000, which settings may be tuned on, end there, and their files are called seeds-fit.
    Truth is kept under build/cache/, and so is what an interrupted chart has measured: the same command goes on from
    there. Bad input, or a write that fails: one line on stderr, status 2.
 
-   Here are the commands, which put sections of pages together; a section is a file of chart/, a paper one of papers/,
-   which sets up some of its stages as chart/ does. Below them lies page/: how pages, tables, charts and pictures are
-   written, and what is kept of a chart that is not whole; below that measure/: scenes and their truth, methods drawn,
-   scored and timed. Nothing calls upward; no section calls another, but for seeds.c, which has its rows from ao.c and
-   pairs.c. */
+   Here are the commands, which put sections of records together; a section is a file of chart/, a paper one of papers/,
+   which sets up some of its stages as chart/ does. Below them lies page/: how records, tables and pictures are written,
+   what is kept of a chart that is not whole, and the page that shows them; below that measure/: scenes and their truth,
+   methods drawn, scored and timed. Nothing calls upward; no section calls another, but for seeds.c, which has its rows
+   from ao.c and pairs.c. */
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
 #include "lab/chart/ao.h"
-#include "lab/chart/costs.h"
 #include "lab/chart/deep.h"
 #include "lab/chart/fields.h"
 #include "lab/chart/lit.h"
@@ -36,22 +36,10 @@
 #include "lab/chart/strip.h"
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
-#include "lab/page/terms.h"
+#include "lab/page/table.h"
 #include "lab/papers/papers.h"
 
 /* ---- >>demo ------------------------------------------------------------------------------------------------------ */
-
-static void demo_head(FILE *html, const stage *s, int mesh)
-{
-    char about[512];
-    snprintf(about, sizeof about,
-             "%s, %zu triangles, %d x %d pixels, radius %g. Ambient visibility: white is open, black is closed. Times: "
-             "%s.",
-             s->name, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, kit_gl_name());
-    page_head(html,
-              mesh ? "ssgi: ambient occlusion beside the truth" : "ssgi: ambient occlusion and light beside the truth",
-              about);
-}
 
 static void demo_text(const char *out, int mesh)
 {
@@ -64,31 +52,24 @@ static void demo_text(const char *out, int mesh)
            "exact answer from one depth layer\n",
            kit_gl_name());
     if (!mesh) printf("radiance, irradiance, bounce and their biases: over the truth's means\n");
-    printf("pictures: %s/demo.html\n", out);
-}
-
-static void all_terms(FILE *html)
-{
-    terms_light(html);
-    terms_fields(html);
-    terms_deep(html);
+    printf("pictures: %s/index.html\n", out);
 }
 
 static int demo(const options *o, kit_error *err)
 {
     const int mesh = o->mesh != NULL;
     stage s;
-    page html;
-    if (ao_demo_measure(&s, o, err) || page_open(&html, err)) return -1;
-    demo_head(html.file, &s, mesh);
-    if (ao_demo(html.file, &s, o->out, err) || strip_demo(html.file, &s, o->out, err)) return -1;
+    page record;
+    if (ao_demo_measure(&s, o, err) || page_begin(&record, "demo", "full", "make demo", kit_gl_name(), err)) return -1;
+    FILE *const f = record.file;
+    table_columns(f);
+    page_paragraph(f,
+                   "%s, %zu triangles, %d x %d pixels, radius %g. Ambient visibility: white is open, black is closed.",
+                   s.name, s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius);
+    if (ao_demo(f, &s, o->out, err) || strip_demo(f, &s, o->out, err)) return -1;
     stage_close(&s);
-    if (!mesh && (lit_demo(html.file, o->out, err) || fields_demo(html.file, o->out, err)
-        || deep_demo(html.file, o->out, err)))
-        return -1;
-    terms_chart(html.file);
-    if (!mesh) all_terms(html.file);
-    if (page_close(&html, o->out, "demo.html", err)) return -1;
+    if (!mesh && (lit_demo(f, o->out, err) || fields_demo(f, o->out, err) || deep_demo(f, o->out, err))) return -1;
+    if (page_end(&record, o->out, "demo", err)) return -1;
     demo_text(o->out, mesh);
     return 0;
 }
@@ -111,37 +92,14 @@ static int check_asked(const options *o, kit_error *err)
                : 0;
 }
 
-static void chart_head(FILE *html, int quick)
-{
-    char about[512];
-    snprintf(about, sizeof about,
-             "Raw output against ray-traced truth: no gain, no exponent fitted; linear attenuation where nothing else "
-             "is said. Times: %s.%s",
-             kit_gl_name(), quick ? " The quick form: smaller pictures, fewer rays, fewer rows." : "");
-    page_head(html, "ssgi: speed against accuracy", about);
-}
-
 /* all: not of some scenes alone; whole: nor of some methods. */
-static int chart_sections(FILE *html, const options *o, int all, int whole, kit_error *err)
+static int chart_sections(FILE *record, const options *o, int all, int whole, kit_error *err)
 {
-    if (ao_entries(o) && ao_chart(html, o, err)) return -1;
-    if (all && (lit_chart(html, o, err) || pairs_chart(html, o, err) || fields_chart(html, o, err)
-        || deep_chart(html, o, err)))
+    if (ao_entries(o) && ao_chart(record, o, err)) return -1;
+    if (all && (lit_chart(record, o, err) || pairs_chart(record, o, err) || fields_chart(record, o, err)
+        || deep_chart(record, o, err)))
         return -1;
-    if (whole && (seeds_chart(html, o, err) || plan_chart(html, o, err))) return -1;
-    return whole && !o->quick && costs_chart(html, o->out, err) ? -1 : 0;
-}
-
-static void chart_files(FILE *html, const options *o, int all)
-{
-    const struct { const char *name; int rows; } csv[] = { { "chart.csv", ao_entries(o) },
-        { "chart-lit.csv", all && lit_units(o) }, { "chart-pairs.csv", all && pairs_units(o) },
-        { "chart-aof.csv", all && fields_units(o) },
-        { "chart-deep.csv", all && deep_units(o) } };
-    fputs("<p class=\"faint\">The same figures as text:", html);
-    for (int i = 0; i < COUNT(csv); ++i)
-        if (csv[i].rows) fprintf(html, " <a href=\"%s\">%s</a>", csv[i].name, csv[i].name);
-    fputs("</p>\n", html);
+    return whole && (seeds_chart(record, o, err) || plan_chart(record, o, err)) ? -1 : 0;
 }
 
 static void chart_text(const options *o, int all, int whole)
@@ -160,21 +118,15 @@ static int chart(const options *o, kit_error *err)
 {
     const int all = !o->scenes, whole = all && !o->method;
     const char *kind = o->method || o->scenes ? "part" : o->quick ? "quick" : "full";
-    page html;
+    page record;
     if (check_asked(o, err)) return -1;
     if (o->quick) stage_thrift = QUICK_THRIFT;
     units_begin(o, ao_units(o) + (all ? lit_units(o) + pairs_units(o) + fields_units(o) + deep_units(o) : 0)
                        + (whole ? seeds_units(o) : 0));
-    if (page_open(&html, err)) return -1;
-    chart_head(html.file, o->quick);
-    if (chart_sections(html.file, o, all, whole, err)) return -1;
-    terms_chart(html.file);
-    if (ao_entries(o)) ao_terms(html.file);
-    if (all) all_terms(html.file);
-    chart_files(html.file, o, all);
-    if (page_close(&html, o->out, "index.html", err)
-        || page_note(o->out, "chart.txt", kind, o->quick ? "make chart QUICK=1" : "make chart", kit_gl_name(), err))
+    if (page_begin(&record, "chart", kind, o->quick ? "make chart QUICK=1" : "make chart", kit_gl_name(), err))
         return -1;
+    table_columns(record.file);
+    if (chart_sections(record.file, o, all, whole, err) || page_end(&record, o->out, "chart", err)) return -1;
     units_end();
     chart_text(o, all, whole);
     return 0;
@@ -186,80 +138,67 @@ static int chart_ahead(const options *o, kit_error *err)
     return o->scenes || o->method ? 0 : seeds_ahead(o, err) || plan_ahead(o, err) ? -1 : 0;
 }
 
-/* Light on every pair alone: light.html. */
+/* A section of the chart alone. */
+typedef int section(FILE *record, const options *o, kit_error *err);
+
+static int alone(const char *name, const char *command, section *draw, const options *o, kit_error *err)
+{
+    page record;
+    const char *const kind = o->method || o->paper ? "part" : o->quick ? "quick" : "full";
+    if (page_begin(&record, name, kind, command, kit_gl_name(), err)) return -1;
+    table_columns(record.file);
+    return draw(record.file, o, err) || page_end(&record, o->out, name, err) ? -1 : 0;
+}
+
+/* Light on every pair of a scene and a probe. */
 static int light(const options *o, kit_error *err)
 {
-    page html;
     if (o->quick) stage_thrift = QUICK_THRIFT;
     if (o->scenes) return kit_fail(err, "--scene: light shows pairs of all scenes and probes (--quick: few)");
     if (check_asked(o, err)) return -1;
     units_begin(o, pairs_units(o));
-    if (page_open(&html, err)) return -1;
-    page_head(html.file, "ssgi: light on every pair", kit_gl_name());
-    if (pairs_chart(html.file, o, err)) return -1;
-    terms_chart(html.file);
-    if (page_close(&html, o->out, "light.html", err)) return -1;
+    if (alone("light", "make light", pairs_chart, o, err)) return -1;
     units_end();
     pairs_text(stdout, o);
-    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\npictures: %s/light.html\n", kit_gl_name(), o->out);
+    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\npictures: %s/index.html\n", kit_gl_name(), o->out);
     return 0;
 }
 
-/* Scenes by seed alone: seeds.html. */
 static int seeds(const options *o, kit_error *err)
 {
-    const char *name = o->first >= 0 && o->first < SEEDS_JUDGED ? "seeds-fit.html" : "seeds.html";
-    page html;
+    const int tuned = o->first >= 0 && o->first < SEEDS_JUDGED;
+    char command[96];
     if (o->quick) stage_thrift = QUICK_THRIFT;
     if (!seeds_units(o)) return kit_fail(err, "--method %s: no row of the charts is of such a method", o->method);
     units_begin(o, seeds_units(o));
-    if (page_open(&html, err)) return -1;
-    page_head(html.file, "ssgi: scenes by seed", kit_gl_name());
-    if (seeds_chart(html.file, o, err)) return -1;
-    terms_chart(html.file);
-    if (page_close(&html, o->out, name, err)) return -1;
+    snprintf(command, sizeof command, "build/report seeds%s --from %d --count %d", o->quick ? " --quick" : "",
+             o->first < 0 ? SEEDS_JUDGED : o->first, seeds_units(o));
+    if (alone(tuned ? "seeds-fit" : "seeds", command, seeds_chart, o, err)) return -1;
     units_end();
     seeds_text(stdout);
-    printf("pictures: %s/%s\n", o->out, name);
+    printf("pictures: %s/index.html\n", o->out);
     return 0;
 }
 
-/* The plan on views that it was not fitted on, alone: plan.html. */
+/* The plan on views that it was not fitted on. */
 static int plan(const options *o, kit_error *err)
 {
-    page html;
-    if (page_open(&html, err)) return -1;
-    page_head(html.file, "ssgi: the plan", kit_gl_name());
-    if (plan_chart(html.file, o, err)) return -1;
-    terms_chart(html.file);
-    if (page_close(&html, o->out, "plan.html", err)) return -1;
+    if (alone("plan", "build/report plan", plan_chart, o, err)) return -1;
     plan_text(stdout);
     return 0;
 }
 
-/* The papers' own tables and figures: papers.html. */
+/* What five papers print, and the same drawn here on a comparable scene. */
 static int papers(const options *o, kit_error *err)
 {
-    page html;
-    const char *kind = o->paper ? "part" : o->quick ? "quick" : "full";
     if (!papers_units(o))
         return kit_fail(err, "--paper %s: there is none that begins so (\"HSAO08 Table 1\")", o->paper);
     if (o->quick) stage_thrift = PAPERS_THRIFT;
     units_begin(o, papers_units(o));
-    if (page_open(&html, err)) return -1;
-    page_head(html.file, "ssgi: the papers' own tables and figures",
-              "What five papers print, and the same drawn here on a comparable scene: what agrees and what does not is "
-              "worked out from this run's figures.");
-    fprintf(html.file, "<p>Times here: %s.%s</p>\n", kit_gl_name(),
-            o->quick ? " The quick form: small pictures, few rays, fewer rows." : "");
-    if (papers_chart(html.file, o, err)) return -1;
-    terms_chart(html.file);
-    if (page_close(&html, o->out, "papers.html", err)
-        || page_note(o->out, "papers.txt", kind, o->quick ? "make papers QUICK=1" : "make papers", kit_gl_name(), err))
-        return -1;
+    if (alone("papers", o->quick ? "make papers QUICK=1" : "make papers", papers_chart, o, err)) return -1;
     units_end();
     papers_text(stdout, o);
-    printf("pictures: %s/papers.html\n", o->out);
+    printf("pictures: %s/index.html\n", o->out);
     return 0;
 }
 

@@ -195,12 +195,25 @@ static int read_single(kit_mesh *mesh, const struct single *s, kit_error *err)
     return 0;
 }
 
+static int is_single(const struct single *s, const char *name, int length)
+{
+    return (int)strlen(s->name) == length && !memcmp(s->name, name, (size_t)length);
+}
+
+int kit_catalogue_has(const char *name, int length)
+{
+    int has = 0;
+    read_catalogues();
+    for (int k = 0; k < SINGLES; k++) has |= is_single(&singles[k], name, length);
+    for (int k = 0; k < count && !has; k++) has = is_named(entries[k].name, name, length);
+    return has;
+}
+
 int kit_catalogue_read(kit_mesh *mesh, const char *name, int length, kit_error *err)
 {
     char path[512];
     for (int k = 0; k < SINGLES; k++)
-        if ((int)strlen(singles[k].name) == length && !memcmp(singles[k].name, name, (size_t)length))
-            return read_single(mesh, &singles[k], err);
+        if (is_single(&singles[k], name, length)) return read_single(mesh, &singles[k], err);
     if (access(FURNITURE "Scopia.sh3f", R_OK)) return missing(FURNITURE "Scopia.sh3f", FURNITURE_PACKAGE, err);
     read_catalogues();
     if (!count) return missing("the command unzip", "unzip", err);

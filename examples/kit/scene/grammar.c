@@ -655,6 +655,27 @@ static void make_row(walk *w, const kit_row *row, uint32_t key)
     }
 }
 
+/* Of a row that names things or models: whether they are there. */
+static int check_row(const kit_row *row, kit_error *err)
+{
+    for (const char *name = row->numbers; *name && *name != ' ';) {
+        const int length = (int)strcspn(name, "| ");
+        const int there = row->verb == MODEL ? kit_catalogue_has(name, length)
+                                             : thing_named(name, (size_t)length) != NULL;
+        if (!there) return kit_fail(err, "row '%s': there is no '%.*s'", row->name, length, name);
+        name += length + (name[length] == '|');
+    }
+    return 0;
+}
+
+int kit_check_rows(kit_error *err)
+{
+    for (size_t k = 0; k < sizeof tables / sizeof *tables; k++)
+        for (const kit_row *row = tables[k]; row->name; row++)
+            if ((row->verb == PUT || row->verb == PART || row->verb == MODEL) && check_row(row, err)) return -1;
+    return 0;
+}
+
 void kit_build_thing(kit_plot *p, const char *thing, uint32_t seed, kit_error *err)
 {
     walk *const w = calloc(1, sizeof *w);

@@ -114,8 +114,8 @@ typedef struct bench {
 
 /* The file that plans are written to: make fit takes a GPU's alone. */
 const char *show_plan_name(void);
-/* bench.md, bench.csv, bench.svg and the plan's costs, into a folder. */
+/* bench.csv, the record bench.js and the plan's costs, into a folder. */
 int show_all(bench *b, const char *folder, kit_error *err);
-void show_text(FILE *f, bench *b); /* bench.md */
+void show_text(FILE *f, bench *b);
 
 #endif

@@ -8,9 +8,7 @@
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
-#include "lab/page/scatter.h"
 #include "lab/page/table.h"
-#include "lab/page/terms.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -133,7 +131,7 @@ int ao_demo_measure(stage *s, const options *o, kit_error *err)
 }
 
 /* A method's picture and its difference to the truth. */
-static int demo_figure(FILE *html, const row *r, kit_image *picture, const stage *s, const char *out, kit_error *err)
+static int demo_figure(FILE *record, const row *r, kit_image *picture, const stage *s, const char *out, kit_error *err)
 {
     static const char *const endings[2] = { ".png", ".exr" }, *const differences[2] = { "-difference.png",
                                                                                        "-difference.exr" };
@@ -146,26 +144,22 @@ static int demo_figure(FILE *html, const row *r, kit_image *picture, const stage
     kit_image_free(&difference);
     kit_image_free(picture);
     snprintf(note, sizeof note, "time %.2f, error %.3f", r->relative, r->share);
-    page_figure(html, slug, r->label, note, DEMO_WIDTH, DEMO_HEIGHT, 1);
-    fputs("</figure>\n", html);
+    page_figure(record, slug, r->label, note, DEMO_WIDTH, DEMO_HEIGHT, 1);
     return 0;
 }
 
-int ao_demo(FILE *html, const stage *s, const char *out, kit_error *err)
+int ao_demo(FILE *record, const stage *s, const char *out, kit_error *err)
 {
     char note[64];
     snprintf(note, sizeof note, "%d rays a pixel", RAYS);
-    fputs("<h2>Ambient occlusion</h2>\n<div class=\"grid\">\n", html);
-    page_figure(html, "truth", "ray-traced truth", note, DEMO_WIDTH, DEMO_HEIGHT, 0);
-    page_key(html, 0.5);
-    fputs("</figure>\n", html);
+    page_heading(record, 2, "Ambient occlusion");
+    page_figure(record, "truth", "ray-traced truth", note, DEMO_WIDTH, DEMO_HEIGHT, 0);
+    page_key(record, 0.5);
     for (int i = 0; i < shown.count; ++i)
-        if (demo_figure(html, &shown.row[i], &shown.picture[i], s, out, err)) return -1;
-    fprintf(html, "</div>\n<p>Planned: ssgi_plan_make was asked for an RMSE of %g. Its answer: ", (double)DEMO_ERROR);
-    page_escaped(html, shown.plan.why);
-    fputs(".</p>\n<h3>Figures</h3>\n", html);
-    table_html(html, shown.row, shown.count + 2);
-    return 0;
+        if (demo_figure(record, &shown.row[i], &shown.picture[i], s, out, err)) return -1;
+    page_paragraph(record, "Planned: ssgi_plan_make was asked for an RMSE of %g. Its answer: %s.", (double)DEMO_ERROR,
+                   shown.plan.why);
+    return table_page(record, "rows", shown.row, shown.count + 2, err);
 }
 
 void ao_demo_text(FILE *f)
@@ -182,17 +176,6 @@ static const char *peers_note(void)
     return *peers_missing() ? peers_missing()
                             : PEERS_THEY ": the radius matched to ours, after the best fit of two numbers to each "
                                          "picture, which ours does without.";
-}
-
-/* What the chart draws: the first methods of rows as they are, and the peers from there to count with the radius
-   matched, their error the fitted one. How many. */
-static int peers_points(row *points, const row *rows, int methods, int count)
-{
-    for (int i = 0; i < count; ++i) {
-        points[i] = rows[i];
-        if (i >= methods) points[i].share = rows[i].figure[FITTED];
-    }
-    return count;
 }
 
 /* For each peer: does the library, raw, in no more than its time err no more than the peer
@@ -272,7 +255,7 @@ int ao_entries(const options *o)
     return ao_chosen(e, o);
 }
 
-static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+static int ao_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
     static char names[MOST_SCENES][64];
     const view v = view_at(o, k);
@@ -296,11 +279,10 @@ static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *er
         rows[i].scene = names[k];
         if (peers) rows[i].of |= OF_PEER;
     }
-    fputs("<div><h3>", html);
-    page_escaped(html, s.name);
-    fprintf(html, "</h3>\n<p>%zu triangles, %d x %d pixels, radius %g. Truth: %d rays a pixel.</p>\n",
-            s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, s.rays);
-    if (pictures_thumbs(html, o->out, units_name(), &s, rows, picture, count, err)) return -1;
+    page_heading(record, 3, "%s", s.name);
+    page_paragraph(record, "%zu triangles, %d x %d pixels, radius %g. Truth: %d rays a pixel.", s.scene.mesh.triangles,
+                   s.truth.width, s.truth.height, (double)s.radius, s.rays);
+    if (pictures_thumbs(record, o->out, units_name(), &s, rows, picture, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
     return count + AO_GIVENS + peers;
@@ -308,66 +290,45 @@ static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *er
 
 int ao_units(const options *o) { return units_count(ao_unit, o->scenes ? o->scenes : stage_views_count, o); }
 
-static void left_out(FILE *html, const view *v)
+static void left_out(FILE *record, const view *v)
 {
     char without[256];
     snprintf(without, sizeof without, "%s: left out, %s is not there; make chart takes it from Debian's %s", v->name,
              v->path, stage_packages(v->path));
     fprintf(stderr, "report: note: %s\n", without);
-    fprintf(html, "<p class=\"faint\">%s.</p>\n", without);
+    page_paragraph(record, "%s.", without);
 }
 
-/* A chart of rows, with the peers' error the fitted one. */
-static int chart_of(FILE *html, const char *out, const char *file, const char *title, const row *rows, int count,
-                    kit_error *err)
-{
-    static row points[CHART_ROWS];
-    const int drawn = peers_points(points, rows, method_rows, count);
-    return scatter_chart(html, out, file, title, &scatter_ao, points, drawn, rows[method_rows - 2].share, err);
-}
-
-/* The k-th scene: its chart, its figures, its rows in the CSV. */
-static int scene_chart(FILE *html, FILE *csv, const options *o, int k, kit_error *err)
+/* The k-th scene: its pictures, its rows in the CSV. */
+static int scene_chart(FILE *record, FILE *csv, const options *o, int k, kit_error *err)
 {
     row *r = rows_of[scenes_shown];
-    char title[256], file[128];
-    const int count = units_measure(html, o, "ao", k, ao_unit, r, err);
+    const int count = units_measure(record, o, "ao", k, ao_unit, r, err);
     if (count < 0) return -1;
     if (!count) {
         const view v = view_at(o, k);
-        left_out(html, &v);
+        left_out(record, &v);
         return 0;
     }
     if (count < mean_rows) mean_rows = count;
-    snprintf(file, sizeof file, "chart-%.63s.svg", r->scene);
-    snprintf(title, sizeof title, "Speed against accuracy: %.63s", r->scene);
-    if (chart_of(html, o->out, file, title, r, count, err)) return -1;
-    fputs("<details><summary>Figures</summary>\n", html);
-    table_html(html, r, count);
-    fputs("</details></div>\n", html);
     table_csv(csv, r, count, !scenes_shown++);
     return 0;
 }
 
-int ao_chart(FILE *html, const options *o, kit_error *err)
+int ao_chart(FILE *record, const options *o, kit_error *err)
 {
     const int scenes = o->scenes ? o->scenes : stage_views_count;
-    char title[256] = "Speed against accuracy";
     page csv, each;
     mean_rows = CHART_ROWS;
     method_rows = ao_entries(o) + AO_GIVENS;
     if (page_open(&csv, err) || page_open(&each, err)) return -1;
     for (int k = 0; k < scenes; ++k) if (scene_chart(each.file, csv.file, o, k, err)) return -1;
-    if (page_close(&csv, o->out, "chart.csv", err)) return -1;
     mean_of_scenes();
-    if (scenes_shown > 1) snprintf(title, sizeof title, "Speed against accuracy, mean of %d scenes", scenes_shown);
-    fputs("<h2>Ambient occlusion</h2>\n", html);
-    if (chart_of(html, o->out, "chart.svg", title, mean, mean_rows, err)) return -1;
-    fprintf(html, "<p class=\"faint\">Rest the pointer on a point for its settings. %s</p>\n", peers_note());
-    table_html(html, mean, mean_rows);
-    fputs("<h2>Scene by scene</h2>\n<div class=\"charts\">\n", html);
-    page_into(&each, html);
-    fputs("</div>\n", html);
+    page_heading(record, 2, "Ambient occlusion");
+    page_paragraph(record, "%s", peers_note());
+    if (page_csv(record, "ambient", &csv, o->out, "chart.csv", err)) return -1;
+    page_heading(record, 2, "Scene by scene");
+    page_into(&each, record);
     return 0;
 }
 
@@ -377,9 +338,4 @@ void ao_text(FILE *f)
     table_text(f, mean, mean_rows);
     fprintf(f, "%s\n", peers_note());
     if (mean_rows > method_rows) peers_verdict(f, mean, method_rows, mean_rows);
-}
-
-void ao_terms(FILE *f)
-{
-    if (mean_rows > method_rows) terms_peers(f);
 }

@@ -7,7 +7,6 @@
 #include "lab/measure/halved.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
-#include "lab/page/scatter.h"
 #include "lab/page/table.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
@@ -100,33 +99,33 @@ typedef struct deep_table {
     deep_view see;
     const entry *entries;
     int count, quick;
-    const char *svg;
+    int charted;                           /* error against time, too */
 } deep_table;
 static const deep_table deep_tables[] = { /* one without title goes on with the table before it */
     { "Deep screen space: speed against accuracy, bunny", "Bunny on a floor.",
-      BUNNY_AO, WITH_COUNT(deep_ao), 1, "chart-deep.svg" },
+      BUNNY_AO, WITH_COUNT(deep_ao), 1, 1 },
     { "Deep screen space: speed against accuracy, room", "Room.",
-      OWN_VIEW("room"), WITH_COUNT(deep_ao), 0, "chart-deep-room.svg" },
+      OWN_VIEW("room"), WITH_COUNT(deep_ao), 0, 1 },
     { "Deep screen space: epsilon and levels",
       "The paper's figure 8: epsilon and levels, surfels of 0.03.", BUNNY_AO,
-      WITH_COUNT(deep_figure8), 0, "chart-deep-figure8.svg" },
+      WITH_COUNT(deep_figure8), 0, 1 },
     { "Deep screen space: other choices",
       "Bunny on a floor, surfels of 0.03; one choice at a time.", BUNNY_AO,
-      WITH_COUNT(deep_choices), 0, NULL },
+      WITH_COUNT(deep_choices), 0, 0 },
     { "Deep screen space: light",
       "Bunny and four boxes under the sky and a sun, one bounce. Of ssdo: what "
       "is within the radius weighted by 1 - t/radius, in its truth, too;",
-      FADING, WITH_COUNT(deep_ssdos), 1, NULL },
+      FADING, WITH_COUNT(deep_ssdos), 1, 0 },
     { NULL, "of dss-lit: all whole, in its truth, too.", WHOLE_LIGHT,
-      WITH_COUNT(deep_lights), 1, NULL },
+      WITH_COUNT(deep_lights), 1, 0 },
     { "Deep screen space: one specular bounce",
       "Open box under a point light, a lobe of exponent 8. Irradiance stands for "
       "the lobe's radiance.",
-      LOBE, WITH_COUNT(deep_mirrors), 0, NULL },
+      LOBE, WITH_COUNT(deep_mirrors), 0, 0 },
     { "Deep screen space: scattering",
       "A bunny of marble, 4 cm high, lit from behind. Irradiance stands for the "
       "radiance that leaves it.",
-      OF_MARBLE, WITH_COUNT(deep_marbles), 0, NULL }
+      OF_MARBLE, WITH_COUNT(deep_marbles), 0, 0 }
 };
 
 enum {
@@ -145,7 +144,7 @@ static deep_set sets[DEEP_SETS];
 /* ---- >>chart ----------------------------------------------------------------------------------------------------- */
 
 /* Appends a table to the count rows that there are; how many there are then, -1 = failed. */
-static int deep_table_of(FILE *html, const deep_table *t, const options *o, row *rows, int count, kit_error *err)
+static int deep_table_of(FILE *record, const deep_table *t, const options *o, row *rows, int count, kit_error *err)
 {
     entry entries[MOST_ENTRIES];
     kit_image picture[MOST_ENTRIES];
@@ -158,19 +157,19 @@ static int deep_table_of(FILE *html, const deep_table *t, const options *o, row 
     if (s.lit) s.stride = LIT_STRIDE;
     if (stage_show(&s, &t->see.view, DEEP_WIDTH, DEEP_HEIGHT, err)) return -1;
     const int more = deep_measure(rows + count, &s, t->see.view.name, entries, all,
-                                  t->svg     ? QUICK_ROUNDS
+                                  t->charted ? QUICK_ROUNDS
                                   : o->quick ? 1
                                              : DEEP_ROUNDS,
                                   picture, err);
     if (more < 0) return -1;
-    deep_about(html, &s, t->about);
-    if (pictures_thumbs(html, o->out, units_name(), &s, rows + count, picture, all, err)) return -1;
+    deep_about(record, &s, t->about);
+    if (pictures_thumbs(record, o->out, units_name(), &s, rows + count, picture, all, err)) return -1;
     for (int i = 0; i < all; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
     return count + more;
 }
 
-static int full_sizes_of(FILE *html, int quick, row *rows, kit_error *err)
+static int full_sizes_of(FILE *record, int quick, row *rows, kit_error *err)
 {
     static const deep_view see = BUNNY_AO;
     sized entries[COUNT(deep_figure9)];
@@ -184,7 +183,7 @@ static int full_sizes_of(FILE *html, int quick, row *rows, kit_error *err)
         rows[i].of = OF_DEEP;
         rows[i].scene = see.view.name;
     }
-    deep_about(html, &s,
+    deep_about(record, &s,
                "The paper's figure 9: all reach as far; half sizes are brought to full size bilinearly, which is not "
                "in their times; their splats are of their own pixels.");
     stage_close(&s);
@@ -234,27 +233,27 @@ static const char *deep_title(int k)
     return k < DEEP_TABLES ? deep_tables[k].title : titles[k - DEEP_TABLES];
 }
 
-static int deep_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+static int deep_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
     static const deep_view lights = WHOLE_LIGHT;
     int count = 0;
-    if (rows) fprintf(html, "<h2>%s</h2>\n", deep_title(k));
+    if (rows) page_heading(record, 2, "%s", deep_title(k));
     if (k < DEEP_TABLES) {
         for (int j = k; deep_tables[k].title && j < DEEP_TABLES && (j == k || !deep_tables[j].title) && count >= 0; ++j)
-            count = deep_table_of(html, &deep_tables[j], o, rows, count, err);
+            count = deep_table_of(record, &deep_tables[j], o, rows, count, err);
         return count;
     }
     if (!units_asked(o, "dss") || (o->quick && k != TURN_SET && k != STAGE_SET)) return 0;
     if (!rows) return 1;
     if (k == STAGE_SET)
-        fprintf(html,
-                "<p>The paper's test: bunny, floor and four boxes, some 69,000 triangles, %d x %d pixels; surfels by "
-                "tessellation, captured. Shares of one frame's time.</p>\n",
+        page_paragraph(record,
+                "The paper's test: bunny, floor and four boxes, some 69,000 triangles, %d x %d pixels; surfels by "
+                "tessellation, captured. Shares of one frame's time.",
                 PAPER_SIDE / stage_thrift, PAPER_SIDE / stage_thrift);
-    if (k == GROWTH_SET) fputs("<p>Bunny on a floor; one thing grows at a time.</p>\n", html);
-    return k == FULL_SET     ? full_sizes_of(html, o->quick, rows, err)
-           : k == TURN_SET   ? deep_turns(html, o->quick, rows, err)
-           : k == MOTION_SET ? deep_motion(html, o->quick, rows, err)
+    if (k == GROWTH_SET) page_paragraph(record, "Bunny on a floor; one thing grows at a time.");
+    return k == FULL_SET     ? full_sizes_of(record, o->quick, rows, err)
+           : k == TURN_SET   ? deep_turns(record, o->quick, rows, err)
+           : k == MOTION_SET ? deep_motion(record, o->quick, rows, err)
            : k == STAGE_SET  ? deep_costs(rows, &lights, PAPER_SIDE, PAPER_SIDE, deep_effects,
                                          o->quick ? 1 : COUNT(deep_effects), OF_STAGES, 1, err)
                              : growth_of(o->quick, rows, err);
@@ -262,23 +261,19 @@ static int deep_unit(FILE *html, const options *o, int k, row *rows, kit_error *
 
 int deep_units(const options *o) { return units_count(deep_unit, DEEP_SETS, o); }
 
-int deep_chart(FILE *html, const options *o, kit_error *err)
+int deep_chart(FILE *record, const options *o, kit_error *err)
 {
     int shown = 0;
     page csv;
     if (page_open(&csv, err)) return -1;
     for (int k = 0; k < DEEP_SETS; ++k) {
         deep_set *set = &sets[k];
-        const char *svg = k < DEEP_TABLES ? deep_tables[k].svg : k == TURN_SET ? "chart-deep-turn.svg" : NULL;
         set->title = deep_title(k);
-        set->count = units_measure(html, o, "deep", k, deep_unit, set->row, err);
+        set->count = units_measure(record, o, "deep", k, deep_unit, set->row, err);
         if (set->count < 0) return -1;
         if (!set->count) continue;
-        if (svg
-            && scatter_chart(html, o->out, svg, set->title, k == TURN_SET ? &scatter_turn : &scatter_ao, set->row,
-                             set->count, (double)NAN, err))
-            return -1;
-        table_html(html, set->row, set->count);
+        const char *const kind = k == TURN_SET ? "turn" : k < DEEP_TABLES && deep_tables[k].charted ? "scatter" : "rows";
+        if (table_page(record, kind, set->row, set->count, err)) return -1;
         table_csv(csv.file, set->row, set->count, !shown++);
     }
     return page_close(&csv, o->out, "chart-deep.csv", err);

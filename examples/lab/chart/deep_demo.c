@@ -51,7 +51,7 @@ enum { DEEP_DEMOS = COUNT(deep_demos) };
 static deep_set demo_sets[DEEP_DEMOS];
 
 /* A picture, exposed where it is of light, and its difference to the truth; or the truth itself. */
-static int deep_figure(FILE *html, const char *out, const stage *s, const char *name, const char *label,
+static int deep_figure(FILE *record, const char *out, const stage *s, const char *name, const char *label,
                        const char *note, const kit_image *from, kit_error *err)
 {
     const double range = 0.3;
@@ -65,16 +65,15 @@ static int deep_figure(FILE *html, const char *out, const stage *s, const char *
             || pictures_exposed(&truth, &s->truth, s->lit->exposure, NULL, 1, err)))
         return -1;
     if (pictures_save(&shown, s->lit ? "R,G,B" : "Y", s->lit != NULL, out, slug, ".png", err)) return -1;
-    page_figure(html, slug, label, note, from->width, from->height, !is_truth);
-    if (is_truth) page_key(html, range);
+    page_figure(record, slug, label, note, from->width, from->height, !is_truth);
+    if (is_truth) page_key(record, range);
     else if (pictures_difference(&shown, &truth, (float)range, out, slug, err)) return -1;
-    fputs("</figure>\n", html);
     if (s->lit) { kit_image_free(&shown); kit_image_free(&truth); }
     return 0;
 }
 
 /* One part: its pictures, and its rows behind those that the set has. */
-static int deep_part_of(FILE *html, const char *out, const deep_part *part, deep_set *set, kit_error *err)
+static int deep_part_of(FILE *record, const char *out, const deep_part *part, deep_set *set, kit_error *err)
 {
     const char *name = part->see.view.name;
     row *rows = set->row + set->count;
@@ -87,23 +86,21 @@ static int deep_part_of(FILE *html, const char *out, const deep_part *part, deep
     if (stage_show(&s, &part->see.view, DEEP_WIDTH, DEEP_HEIGHT, err)) return -1;
     const int count = deep_measure(rows, &s, name, part->entries, part->count, 1, picture, err);
     if (count < 0) return -1;
-    deep_about(html, &s, part->about);
-    fputs("<div class=\"grid\">\n", html);
+    deep_about(record, &s, part->about);
     snprintf(note, sizeof note, scatters ? "%d thousand samples" : "%d rays a pixel", s.rays);
-    if (deep_figure(html, out, &s, name, scatters ? "dipole over samples" : "ray-traced truth", note, &s.truth, err))
+    if (deep_figure(record, out, &s, name, scatters ? "dipole over samples" : "ray-traced truth", note, &s.truth, err))
         return -1;
     for (int i = 0; i < part->count; ++i) {
         snprintf(note, sizeof note, "time %.1f, error %.3f", rows[i].relative, rows[i].share);
-        if (deep_figure(html, out, &s, name, rows[i].label, note, &picture[i], err)) return -1;
+        if (deep_figure(record, out, &s, name, rows[i].label, note, &picture[i], err)) return -1;
         kit_image_free(&picture[i]);
     }
-    fputs("</div>\n", html);
     set->count += count;
     stage_close(&s);
     return 0;
 }
 
-int deep_demo(FILE *html, const char *out, kit_error *err)
+int deep_demo(FILE *record, const char *out, kit_error *err)
 {
     deep_set *set = NULL;
     for (int k = 0; k < DEEP_DEMOS; ++k) {
@@ -112,10 +109,11 @@ int deep_demo(FILE *html, const char *out, kit_error *err)
             set = set ? set + 1 : demo_sets;
             set->title = part->title;
             set->count = 0;
-            fprintf(html, "<h2>%s</h2>\n", part->title);
+            page_heading(record, 2, "%s", part->title);
         }
-        if (deep_part_of(html, out, part, set, err)) return -1;
-        if (k + 1 == DEEP_DEMOS || deep_demos[k + 1].title) table_html(html, set->row, set->count);
+        if (deep_part_of(record, out, part, set, err)) return -1;
+        if (k + 1 == DEEP_DEMOS || deep_demos[k + 1].title)
+            if (table_page(record, "rows", set->row, set->count, err)) return -1;
     }
     return 0;
 }

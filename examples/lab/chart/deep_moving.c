@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "lab/chart/deep_stage.h"
+#include "lab/page/page.h"
 
 /* The eye turns from what occludes, the box, which leaves the picture; the ground beside it stays. */
 enum { TURNS = 9, MOST_FRAMES = 5 };
@@ -62,7 +63,7 @@ static float *turn_mask(const stage *s)
     return mask;
 }
 
-int deep_turns(FILE *html, int quick, row *rows, kit_error *err)
+int deep_turns(FILE *record, int quick, row *rows, kit_error *err)
 {
     static const char *const names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" };
     const int steps = quick ? 5 : TURNS;
@@ -90,7 +91,7 @@ int deep_turns(FILE *html, int quick, row *rows, kit_error *err)
             kit_image_free(&picture);
         }
         if (k + 1 == steps)
-            deep_about(html, &s,
+            deep_about(record, &s,
                        "A tall box on a plane leaves the picture while the camera turns to the right; the ground "
                        "beside it stays, and is what is scored. White light from everywhere.");
         free(mask);
@@ -113,7 +114,7 @@ typedef struct motion {
 } motion;
 
 /* Frame k, step to the right of the one before. */
-static int motion_frame(FILE *html, motion *m, int k, kit_error *err)
+static int motion_frame(FILE *record, motion *m, int k, kit_error *err)
 {
     const float step = 0.01f;
     deep_view see = BUNNY_AO;
@@ -130,9 +131,9 @@ static int motion_frame(FILE *html, motion *m, int k, kit_error *err)
     memset(&s.truth, 0, sizeof s.truth);
     memset(&s.frame, 0, sizeof s.frame);
     if (!k)
-        fprintf(html,
-                "<p>Bunny on a floor, %d x %d pixels, radius %g. %d frames; camera and target move to the right by "
-                "%g each, about a pixel.</p>\n",
+        page_paragraph(record,
+                "Bunny on a floor, %d x %d pixels, radius %g. %d frames; camera and target move to the right by "
+                "%g each, about a pixel.",
                 m->frame[0].width, m->frame[0].height, (double)s.radius, m->frames, (double)step);
     stage_close(&s);
     return 0;
@@ -162,13 +163,13 @@ static void motion_place(motion *m, int i)
     ++m->places;
 }
 
-int deep_motion(FILE *html, int quick, row *rows, kit_error *err)
+int deep_motion(FILE *record, int quick, row *rows, kit_error *err)
 {
     static motion m;
     memset(&m, 0, sizeof m);
     m.frames = quick ? 3 : MOST_FRAMES;
     for (int i = 0; i < MOVED; ++i) if (deep_moved[i].quick || !quick) m.entry[m.methods++] = &deep_moved[i];
-    for (int k = 0; k < m.frames; ++k) if (motion_frame(html, &m, k, err)) return -1;
+    for (int k = 0; k < m.frames; ++k) if (motion_frame(record, &m, k, err)) return -1;
     for (int i = 0; i < m.frame[0].width * m.frame[0].height; ++i) motion_place(&m, i);
     for (int i = 0; i < m.methods; ++i) {
         row *r = &rows[i];

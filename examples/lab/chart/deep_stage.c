@@ -1,6 +1,7 @@
 /* deep_stage.c - views for deep screen space, and rows of them without the floor. Declared in deep_stage.h. */
 #include "lab/chart/deep_stage.h"
 #include <string.h>
+#include "lab/page/page.h"
 
 enum { DEEP_RAYS = 128 };
 #define DEEP_LIGHT "sky", { "sun:-1,0.45,0.85,4.4,3.9,3.3" }, 4, 1, 0
@@ -39,11 +40,10 @@ int deep_measure(row *rows, stage *s, const char *scene, const entry *entries, i
     return kept;
 }
 
-void deep_about(FILE *html, const stage *s, const char *about)
+void deep_about(FILE *record, const stage *s, const char *about)
 {
-    fprintf(html, "<p>%s %zu triangles, %d x %d pixels, radius %g. ", about, s->scene.mesh.triangles, s->frame.width,
-            s->frame.height, (double)s->radius);
-    fprintf(html,
-            s->otherwise.kind == SCATTER ? "Truth: %d thousand samples%s.</p>\n" : "Truth: %d rays a pixel%s.</p>\n",
-            s->rays, s->stride > 1 ? ", every second pixel of every second row" : "");
+    page_paragraph(record, "%s %zu triangles, %d x %d pixels, radius %g. Truth: %d %s%s.", about,
+                   s->scene.mesh.triangles, s->frame.width, s->frame.height, (double)s->radius, s->rays,
+                   s->otherwise.kind == SCATTER ? "thousand samples" : "rays a pixel",
+                   s->stride > 1 ? ", every second pixel of every second row" : "");
 }

@@ -35,10 +35,10 @@ int  deep_measure(row *rows, stage *s, const char *scene, const entry *entries, 
 /* A table. */
 enum { MOST_DEEP = 32 };
 typedef struct deep_set { const char *title; row row[MOST_DEEP]; int count; } deep_set;
-void deep_about(FILE *html, const stage *s, const char *about);
+void deep_about(FILE *record, const stage *s, const char *about);
 
 /* A camera that turns away, and one that moves: how many rows; -1 = failed. */
-int  deep_turns(FILE *html, int quick, row *rows, kit_error *err);
-int  deep_motion(FILE *html, int quick, row *rows, kit_error *err);
+int  deep_turns(FILE *record, int quick, row *rows, kit_error *err);
+int  deep_motion(FILE *record, int quick, row *rows, kit_error *err);
 
 #endif

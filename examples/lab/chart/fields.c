@@ -8,7 +8,6 @@
 #include "lab/chart/fields_stage.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
-#include "lab/page/scatter.h"
 #include "lab/page/table.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
@@ -17,22 +16,19 @@ static const entry field_entries[] = { /* rows of one label make one curve */
     AOF("field", "resolution=4", 1), AOF("field", "resolution=8", 1),
     AOF("field", "resolution=16", 1)
 };
-typedef struct field_scene { const char *title; setup setup; const char *curve; } field_scene;
+typedef struct field_scene { const char *title; setup setup; } field_scene;
 static const field_scene field_scenes[] = {
     { "Ball on a ground",
-      { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 512 },
-      "ball" },
+      { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 512 } },
     { "Cube on a ground",
-      { CLOSE("cube-on-ground"), { { "cube", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 512 },
-      "cube" },
+      { CLOSE("cube-on-ground"), { { "cube", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 512 } },
     { "Bunny on a floor",
       { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL },
         NO_SPOTS,
         NO_BOXES,
         0,
-        512 },
-      "bunny" },
-    { "Two dozen occluders", { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 }, NULL }
+        512 } },
+    { "Two dozen occluders", { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 } }
 };
 
 /* occluders: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the
@@ -115,32 +111,19 @@ static field_row_set sets[FIELD_SETS];
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
 
-static int accuracy_of(FILE *html, const field_scene *f, const options *o, row *rows, kit_error *err)
+static int accuracy_of(FILE *record, const field_scene *f, const options *o, row *rows, kit_error *err)
 {
     const int count = COUNT(field_entries);
     kit_image picture[COUNT(field_entries)];
     stage s;
     if (fields_open(&s, &f->setup, FIELD_WIDTH, FIELD_HEIGHT, err)
-        || fields_measure(rows, &s, field_entries, count, picture, err) || fields_about(html, &s, "", err))
+        || fields_measure(rows, &s, field_entries, count, picture, err) || fields_about(record, &s, "", err))
         return -1;
-    if (pictures_thumbs(html, o->out, units_name(), &s, rows, picture, count, err)) return -1;
+    if (pictures_thumbs(record, o->out, units_name(), &s, rows, picture, count, err)) return -1;
     for (int i = 0; i <= count; ++i) rows[i].scene = f->setup.view.name;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
     return count + 1;
-}
-
-/* Points of the chart of error against memory. */
-static void curve_of(row *curve, int *points, const field_scene *f, const row *rows, int count)
-{
-    for (int i = 0; i + 1 < count; ++i) {                       /* the last is no field's */
-        if (!f->curve) continue;
-        curve[*points] = rows[i];
-        curve[*points].label = f->curve;
-        curve[*points].relative = rows[i].figure[BYTES];
-        curve[*points].fetches = rows[i].figure[RESOLUTION];
-        curve[(*points)++].share = 100 * rows[i].score.rmse;
-    }
 }
 
 /* Who casts, after the G-buffer was drawn: that stays as it is. */
@@ -316,18 +299,19 @@ static const char *field_title(int k)
     return k < FIELD_SCENES ? field_scenes[k].title : other_sets[k - FIELD_SCENES].title;
 }
 
-static int fields_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+static int fields_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
     if (!units_asked(o, "aof") || (o->quick && (k == FIELD_SCENES - 1 || k == PAIR_SET))) return 0;
     if (!rows) return 1;
-    if (!k) fputs("<h2>Fields: error against memory</h2>\n", html);
+    if (!k) page_heading(record, 2, "Fields: error against memory");
     if (k < FIELD_SCENES) {
-        fprintf(html, "<h3>%s</h3>\n", field_title(k));
-        return accuracy_of(html, &field_scenes[k], o, rows, err);
+        page_heading(record, 3, "%s", field_title(k));
+        return accuracy_of(record, &field_scenes[k], o, rows, err);
     }
-    fprintf(html, "<h2>%s</h2>\n<p>", field_title(k));
-    if (k == COST_SET) fprintf(html, "%d x %d pixels. ", COST_WIDTH / stage_thrift, COST_HEIGHT / stage_thrift);
-    fprintf(html, "%s</p>\n", other_sets[k - FIELD_SCENES].about);
+    page_heading(record, 2, "%s", field_title(k));
+    if (k == COST_SET)
+        page_paragraph(record, "%d x %d pixels.", COST_WIDTH / stage_thrift, COST_HEIGHT / stage_thrift);
+    page_paragraph(record, "%s", other_sets[k - FIELD_SCENES].about);
     return k == COST_SET   ? costs_of(rows, o->quick, err)
            : k == BAKE_SET ? bakes_of(rows, o->quick, err)
                            : pairs_of(rows, err);
@@ -335,24 +319,19 @@ static int fields_unit(FILE *html, const options *o, int k, row *rows, kit_error
 
 int fields_units(const options *o) { return units_count(fields_unit, FIELD_SETS, o); }
 
-int fields_chart(FILE *html, const options *o, kit_error *err)
+int fields_chart(FILE *record, const options *o, kit_error *err)
 {
-    row curve[FIELD_SCENES * COUNT(field_entries)];
-    int points = 0, shown = 0;
+    int shown = 0;
     page csv;
     if (page_open(&csv, err)) return -1;
     for (int k = 0; k < FIELD_SETS; ++k) {
         field_row_set *set = &sets[k];
         set->title = field_title(k);
-        set->count = units_measure(html, o, "fields", k, fields_unit, set->row, err);
+        set->count = units_measure(record, o, "fields", k, fields_unit, set->row, err);
         if (set->count < 0) return -1;
-        if (set->count) table_html(html, set->row, set->count);
-        if (set->count) table_csv(csv.file, set->row, set->count, !shown++);
-        if (k < FIELD_SCENES) curve_of(curve, &points, &field_scenes[k], set->row, set->count);
-        if (k + 1 == FIELD_SCENES && points
-            && scatter_chart(html, o->out, "chart-aof.svg", "Fields: error against memory", &scatter_field, curve,
-                             points, (double)NAN, err))
+        if (set->count && table_page(record, k < FIELD_SCENES ? "memory" : "rows", set->row, set->count, err))
             return -1;
+        if (set->count) table_csv(csv.file, set->row, set->count, !shown++);
     }
     return page_close(&csv, o->out, "chart-aof.csv", err);
 }

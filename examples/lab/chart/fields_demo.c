@@ -70,7 +70,7 @@ enum { CROP_TIMES = 3, DEMO_WIDTH = 320, DEMO_HEIGHT = 180 };
 
 /* One figure: the colours under white light, and the visibility's difference to the truth; without a row it is the
    truth. whole: what is shown. */
-static int demo_figure(FILE *html, const char *out, kit_image *whole, const stage *s, pictured *p,
+static int demo_figure(FILE *record, const char *out, kit_image *whole, const stage *s, pictured *p,
                        const kit_image *visibility, const row *r, kit_error *err)
 {
     const double range = 0.2;
@@ -79,44 +79,41 @@ static int demo_figure(FILE *html, const char *out, kit_image *whole, const stag
     if (r) snprintf(note, sizeof note, "time %.2f, RMSE %.4f", r->relative, r->score.rmse);
     else snprintf(note, sizeof note, "%d rays a pixel", s->rays);
     if (r && pictures_difference(visibility, &s->truth, (float)range, out, p->slug, err)) return -1;
-    page_figure(html, p->slug, p->label, note, whole->width, whole->height, r != NULL);
-    if (!r) page_key(html, range);
-    fputs("</figure>\n", html);
+    page_figure(record, p->slug, p->label, note, whole->width, whole->height, r != NULL);
+    if (!r) page_key(record, range);
     return 0;
 }
 
 /* The truth and the fields' pictures: whole, then in part. */
-static int demo_figures(FILE *html, const char *out, const stage *s, const field_part *part, const row *all,
+static int demo_figures(FILE *record, const char *out, const stage *s, const field_part *part, const row *all,
                         const kit_image *picture, kit_error *err)
 {
     kit_image whole[1 + MOST_ENTRIES];
     pictured p[1 + MOST_ENTRIES];
-    fputs("<div class=\"grid\">\n", html);
     for (int i = 0; i <= part->count; ++i) {
         p[i].label = i ? all[i - 1].label : "ray-traced truth";
         p[i].picture = &whole[i];
         snprintf(p[i].slug, sizeof p[i].slug, "aof-%s-", part->setup.view.name);
         pictures_slug(p[i].slug + strlen(p[i].slug), i ? p[i].label : "truth");
-        if (demo_figure(html, out, &whole[i], s, &p[i], i ? &picture[i - 1] : &s->truth, i ? &all[i - 1] : NULL, err))
+        if (demo_figure(record, out, &whole[i], s, &p[i], i ? &picture[i - 1] : &s->truth, i ? &all[i - 1] : NULL, err))
             return -1;
     }
-    fputs("</div>\n", html);
     for (int k = 0; k < MOST_CROPS && part->crop[k][2]; ++k)
-        if (pictures_crops(html, out, p, part->count + 1, k, part->crop[k], 1, CROP_TIMES, err)) return -1;
+        if (pictures_crops(record, out, p, part->count + 1, k, part->crop[k], 1, CROP_TIMES, err)) return -1;
     for (int i = 0; i <= part->count; ++i) kit_image_free(&whole[i]);
     return 0;
 }
 
 /* One part of the page; its rows, and one of no AO. */
-static int demo_part(FILE *html, const char *out, const field_part *part, row *all, kit_error *err)
+static int demo_part(FILE *record, const char *out, const field_part *part, row *all, kit_error *err)
 {
     kit_image picture[MOST_ENTRIES];
     stage s;
     if (fields_open(&s, &part->setup, DEMO_WIDTH, DEMO_HEIGHT, err)
         || fields_measure(all, &s, part->entries, part->count, picture, err))
         return -1;
-    if (part->title) fprintf(html, "<h2>%s</h2>\n", part->title);
-    if (fields_about(html, &s, part->about, err) || demo_figures(html, out, &s, part, all, picture, err)) return -1;
+    if (part->title) page_heading(record, 2, "%s", part->title);
+    if (fields_about(record, &s, part->about, err) || demo_figures(record, out, &s, part, all, picture, err)) return -1;
     for (int i = 0; i < part->count; ++i) {
         all[i].scene = part->setup.view.name;
         kit_image_free(&picture[i]);
@@ -125,17 +122,16 @@ static int demo_part(FILE *html, const char *out, const field_part *part, row *a
     return 0;
 }
 
-int fields_demo(FILE *html, const char *out, kit_error *err)
+int fields_demo(FILE *record, const char *out, kit_error *err)
 {
     row *rows = demo_rows;
     for (int k = 0; k < FIELD_PARTS; ++k) {
         const field_part *part = &field_parts[k];
         row all[MOST_ENTRIES + 1];
-        if (demo_part(html, out, part, all, err)) return -1;
+        if (demo_part(record, out, part, all, err)) return -1;
         for (int i = 0; i < part->count; ++i) *rows++ = all[i];
         if (k + 1 < FIELD_PARTS && !field_parts[k + 1].title) continue;
-        fputs("<h3>Figures</h3>\n", html);
-        table_html(html, all, part->count + 1);
+        if (table_page(record, "rows", all, part->count + 1, err)) return -1;
     }
     return 0;
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "lab/page/page.h"
 
 void fields_place(float to_world[16], float size, const float at[3])
 {
@@ -116,13 +117,13 @@ int fields_measure(row *rows, stage *s, const entry *entries, int count, kit_ima
     return 0;
 }
 
-int fields_about(FILE *html, stage *s, const char *text, kit_error *err)
+int fields_about(FILE *record, stage *s, const char *text, kit_error *err)
 {
     kit_image probe;
     row noise;
     if (stage_trace(&probe, s, 8 * s->rays, 13, err) || score_picture(&noise, s, &probe, err)) return -1;
     kit_image_free(&probe);
-    fprintf(html, "<p>%s %zu triangles, %d x %d pixels. Truth: %d rays a pixel; its own error: %.5f.</p>\n", text,
-            s->scene.mesh.triangles, s->truth.width, s->truth.height, s->rays, noise.score.rmse);
+    page_paragraph(record, "%s %zu triangles, %d x %d pixels. Truth: %d rays a pixel; its own error: %.5f.", text,
+                   s->scene.mesh.triangles, s->truth.width, s->truth.height, s->rays, noise.score.rmse);
     return 0;
 }

@@ -32,6 +32,6 @@ int  fields_baked(row *r, const kit_mesh *shape, const ssgi_field_desc *d, kit_e
 /* Occlusions and their fields: fills a row an entry, and one of no AO, beside the entries' pictures. */
 int  fields_measure(row *rows, stage *s, const entry *entries, int count, kit_image *picture, kit_error *err);
 /* What stands under a heading, and how far the truth itself is off, by tracing some of it with more rays. */
-int  fields_about(FILE *html, stage *s, const char *text, kit_error *err);
+int  fields_about(FILE *record, stage *s, const char *text, kit_error *err);
 
 #endif

@@ -6,7 +6,6 @@
 #include "lab/measure/measure.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
-#include "lab/page/scatter.h"
 #include "lab/page/table.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
@@ -224,7 +223,7 @@ static lit_row_set demo_sets[LIT_DEMOS], sets[LIT_SETS];
 
 /* What stands under a heading: scene, radius, resolution, truth, and how far the truth itself is off, by tracing some
    of it with more rays. */
-static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
+static int lit_about(FILE *record, stage *s, const lit_table *t, kit_error *err)
 {
     char bounce[32] = "";
     kit_image probe;
@@ -232,9 +231,9 @@ static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
     if (stage_trace(&probe, s, 4 * s->rays, PROBE_STRIDE, err) || score_picture(&noise, s, &probe, err)) return -1;
     kit_image_free(&probe);
     if (s->lit->bounce) snprintf(bounce, sizeof bounce, ", bounce %.3f", noise.error[2]);
-    fprintf(html,
-            "<p>%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel%s; its "
-            "own error, over the means: radiance %.4f, irradiance %.4f%s.</p>\n",
+    page_paragraph(record,
+            "%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel%s; its "
+            "own error, over the means: radiance %.4f, irradiance %.4f%s.",
             t->about, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, s->rays,
             s->stride > 1 ? ", every second pixel of every second row" : "",
             noise.error[0], noise.error[1], bounce);
@@ -245,7 +244,7 @@ enum { CROP_TIMES = 4, DEMO_WIDTH = 480, DEMO_HEIGHT = 270, DEMO_ROUNDS = 2 };
 
 /* One figure: the picture, exposed, and its difference to the truth's exposed luminance; without a row it is the
    truth. */
-static int demo_figure(FILE *html, const char *out, const stage *s, const pictured *p, const row *r,
+static int demo_figure(FILE *record, const char *out, const stage *s, const pictured *p, const row *r,
                        const kit_image *luminance, kit_error *err)
 {
     const double range = 0.2;
@@ -257,16 +256,15 @@ static int demo_figure(FILE *html, const char *out, const stage *s, const pictur
     if (!r) snprintf(note, sizeof note, "%d rays a pixel", s->lit->rays);
     else if (isnan(r->relative)) snprintf(note, sizeof note, "error %.3f", r->share);
     else snprintf(note, sizeof note, "time %.2f, error %.3f", r->relative, r->share);
-    page_figure(html, p->slug, p->label, note, whole.width, whole.height, r != NULL);
-    if (!r) page_key(html, range);
-    fputs("</figure>\n", html);
+    page_figure(record, p->slug, p->label, note, whole.width, whole.height, r != NULL);
+    if (!r) page_key(record, range);
     if (r && pictures_difference(&whole, luminance, (float)range, out, p->slug, err)) return -1;
     kit_image_free(&whole);
     return 0;
 }
 
 /* The truth, what is given, methods: whole, then in part. rows: methods, what is given. */
-static int demo_figures(FILE *html, const char *out, const stage *s, const lit_table *t, const row *rows,
+static int demo_figures(FILE *record, const char *out, const stage *s, const lit_table *t, const row *rows,
                         const kit_image *picture, kit_error *err)
 {
     const int count = t->count + s->givens;
@@ -279,46 +277,44 @@ static int demo_figures(FILE *html, const char *out, const stage *s, const lit_t
         p[i].picture = !i ? &s->truth : i > s->givens ? &picture[at] : &s->given[i - 1].picture;
         snprintf(p[i].slug, sizeof p[i].slug, "lit-%s-", t->view.name);
         pictures_slug(p[i].slug + strlen(p[i].slug), p[i].label);
-        if (demo_figure(html, out, s, &p[i], i ? &rows[at] : NULL, &luminance, err)) return -1;
+        if (demo_figure(record, out, s, &p[i], i ? &rows[at] : NULL, &luminance, err)) return -1;
     }
-    fputs("</div>\n", html);
     kit_image_free(&luminance);
     for (int k = 0; k < MOST_CROPS && s->lit->crop[k][2]; ++k) {
         const int *crop = s->lit->crop[k];
-        if (pictures_crops(html, out, p, count + 1, k, crop, s->lit->exposure, CROP_TIMES, err)) return -1;
-        fprintf(html, "<p class=\"faint\">%d x %d pixels of each, from %d, %d on, every pixel as %d x %d.</p>\n",
-                crop[2], crop[3], crop[0], crop[1], CROP_TIMES, CROP_TIMES);
+        if (pictures_crops(record, out, p, count + 1, k, crop, s->lit->exposure, CROP_TIMES, err)) return -1;
+        page_paragraph(record, "%d x %d pixels of each, from %d, %d on, every pixel as %d x %d.",
+                       crop[2], crop[3], crop[0], crop[1], CROP_TIMES, CROP_TIMES);
     }
     return 0;
 }
 
-static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, int *count, kit_error *err)
+static int demo_of(FILE *record, const char *out, const lit_table *t, row *rows, int *count, kit_error *err)
 {
     kit_image picture[MOST_ROWS];
     stage s;
     if (stage_open(&s, &t->view, DEMO_WIDTH, DEMO_HEIGHT, err)
         || measure_entries(rows, &s, t->entries, t->count, DEMO_ROUNDS, 0, picture, err))
         return -1;
-    fprintf(html, "<h2>%s</h2>\n", t->title);
-    if (lit_about(html, &s, t, err)) return -1;
+    page_heading(record, 2, "%s", t->title);
+    if (lit_about(record, &s, t, err)) return -1;
     *count = t->count + s.givens;
-    fprintf(html,
-            "<p>Exposure %g, clamped at 1, sRGB; the environment itself is not drawn. Differences are of exposed "
-            "luminance.</p>\n<div class=\"grid\">\n",
-            (double)s.lit->exposure);
-    if (demo_figures(html, out, &s, t, rows, picture, err)) return -1;
-    fputs("<h3>Figures</h3>\n", html);
-    table_html(html, rows, *count);
+    page_paragraph(record,
+                   "Exposure %g, clamped at 1, sRGB; the environment itself is not drawn. Differences are of exposed "
+                   "luminance.",
+                   (double)s.lit->exposure);
+    if (demo_figures(record, out, &s, t, rows, picture, err)) return -1;
     for (int i = 0; i < t->count; ++i) kit_image_free(&picture[i]);
     for (int i = 0; i < *count; ++i) rows[i].scene = t->view.name;
+    if (table_page(record, "rows", rows, *count, err)) return -1;
     stage_close(&s);
     return 0;
 }
 
-int lit_demo(FILE *html, const char *out, kit_error *err)
+int lit_demo(FILE *record, const char *out, kit_error *err)
 {
     for (int k = 0; k < LIT_DEMOS; ++k)
-        if (demo_of(html, out, &lit_demos[k], demo_sets[k].row, &demo_sets[k].count, err)) return -1;
+        if (demo_of(record, out, &lit_demos[k], demo_sets[k].row, &demo_sets[k].count, err)) return -1;
     return 0;
 }
 
@@ -330,26 +326,26 @@ void lit_demo_text(FILE *f)
 /* ---- >>chart ----------------------------------------------------------------------------------------------------- */
 
 /* A row a number of bands, two columns a light: irradiance's error and the time. */
-static void bands_table(FILE *f, const lit_row_set *band, int html)
+static void bands_table(FILE *f, const lit_row_set *band)
 {
-    fputs(html ? "<div class=\"wide\"><table>\n<tr><th>bands<th>settings" : "bands  ", f);
-    for (int k = 0; k < BAND_TABLES; ++k) fprintf(f, html ? "<th>%s<th>time" : " %10s   time", band_tables[k].title);
+    fputs("bands  ", f);
+    for (int k = 0; k < BAND_TABLES; ++k) fprintf(f, " %10s   time", band_tables[k].title);
     for (int i = 0; i < band->count; ++i) {
-        fprintf(f, html ? "\n<tr><td>%s<td><code>%s</code>" : "\n%-7s", band->row[i].label, band->row[i].settings);
+        fprintf(f, "\n%-7s", band->row[i].label);
         for (int k = 0; k < BAND_TABLES; ++k) {
             const row *r = &band[k].row[i];
             char error[32], time[32];
             snprintf(error, sizeof error, i < band[k].count ? "%.4f" : "-", r->error[1]);
             snprintf(time, sizeof time, i < band[k].count && !isnan(r->relative) ? "%.2f" : "-", r->relative);
-            fprintf(f, html ? "<td>%s<td>%s" : " %10s %6s", error, time);
+            fprintf(f, " %10s %6s", error, time);
         }
     }
-    fputs(html ? "\n</table></div>\n" : "\n", f);
+    fputs("\n", f);
 }
 
 static const lit_table *lit_table_at(int k) { return k < LIT_TABLES ? &lit_tables[k] : &band_tables[k - LIT_TABLES]; }
 
-static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+static int lit_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
     const lit_table *t = lit_table_at(k);
     entry entries[MOST_ENTRIES];
@@ -365,9 +361,9 @@ static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *e
                            t->of == OF_SPLIT ? PHASES : 0, picture, err))
         return -1;
     for (int i = 0; i < count + s.givens; ++i) rows[i].scene = t->view.name;
-    if (k <= LIT_TABLES) fprintf(html, "<h2>%s</h2>\n", k < LIT_TABLES ? t->title : bands_title);
-    if (lit_about(html, &s, t, err)) return -1;
-    if (k < LIT_TABLES && pictures_thumbs(html, o->out, units_name(), &s, rows, picture, count, err)) return -1;
+    if (k <= LIT_TABLES) page_heading(record, 2, "%s", k < LIT_TABLES ? t->title : bands_title);
+    if (lit_about(record, &s, t, err)) return -1;
+    if (k < LIT_TABLES && pictures_thumbs(record, o->out, units_name(), &s, rows, picture, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
     return count + s.givens;
@@ -375,24 +371,19 @@ static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *e
 
 int lit_units(const options *o) { return units_count(lit_unit, LIT_SETS, o); }
 
-int lit_chart(FILE *html, const options *o, kit_error *err)
+int lit_chart(FILE *record, const options *o, kit_error *err)
 {
     int shown = 0;
     page csv;
     if (page_open(&csv, err)) return -1;
     for (int k = 0; k < LIT_SETS; ++k) {
-        const lit_table *t = lit_table_at(k);
         lit_row_set *set = &sets[k];
-        set->count = units_measure(html, o, "lit", k, lit_unit, set->row, err);
+        set->count = units_measure(record, o, "lit", k, lit_unit, set->row, err);
         if (set->count < 0) return -1;
         if (!set->count) continue;
-        if (!k && scatter_chart(html, o->out, "chart-lit.svg", t->title, &scatter_lit, set->row, set->count,
-                                (double)NAN, err))
-            return -1;
-        if (k < LIT_TABLES) table_html(html, set->row, set->count);
+        if (table_page(record, k ? "rows" : "light", set->row, set->count, err)) return -1;
         table_csv(csv.file, set->row, set->count, !shown++);
     }
-    if (sets[LIT_TABLES].count) bands_table(html, sets + LIT_TABLES, 1);
     return page_close(&csv, o->out, "chart-lit.csv", err);
 }
 
@@ -401,5 +392,5 @@ void lit_chart_text(FILE *f)
     for (int k = 0; k < LIT_TABLES; ++k) table_titled(f, lit_tables[k].title, sets[k].row, sets[k].count);
     if (!sets[LIT_TABLES].count) return;
     fprintf(f, "\n%s\n", bands_title);
-    bands_table(f, sets + LIT_TABLES, 0);
+    bands_table(f, sets + LIT_TABLES);
 }

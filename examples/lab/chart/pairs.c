@@ -72,7 +72,7 @@ static int there(const options *o, int k)
 
 int pairs_chosen(entry *out, const options *o) { return units_chosen(out, WITH_COUNT(pair_entries), o); }
 
-static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+static int pair_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
     view v = scenes[k / PROBES].view;
     entry entries[MOST_ENTRIES];
@@ -100,13 +100,12 @@ static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *
         rows[i].scene = pairs[k].name;
         rows[i].share = rows[i].error[1] / beside[1].error[1];
     }
-    fputs("<h3>", html);
-    page_escaped(html, s.name);
-    fprintf(html,
-            "</h3>\n<p>%zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel, every "
-            "second pixel of every second row; its own noise %.4f of the mean.</p>\n",
-            s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, s.rays, beside[2].error[1]);
-    if (pictures_thumbs(html, o->out, units_name(), &s, rows, picture, count, err)) return -1;
+    page_heading(record, 3, "%s", s.name);
+    page_paragraph(record,
+                   "%zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel, every "
+                   "second pixel of every second row; its own noise %.4f of the mean.",
+                   s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, s.rays, beside[2].error[1]);
+    if (pictures_thumbs(record, o->out, units_name(), &s, rows, picture, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     kit_image_free(&visible);
     stage_close(&s);
@@ -166,7 +165,7 @@ void pairs_text(FILE *f, const options *o)
     for (int i = 0; i < rows; ++i) {
         const row *r = &first->row[i];
         const summary s = summed(i);
-        char time[16] = "-", below[16];
+        char time[16] = "-", below[32];
         if (!isnan(s.time)) snprintf(time, sizeof time, "%.2f", s.time);
         snprintf(below, sizeof below, "%d of %d", s.below, s.pairs);
         fprintf(f, "%-32s %-30s %6.3f %6.3f %-20s %8s %6s %+7.3f\n", r->label, table_settings(r), s.mean, s.worst,
@@ -187,38 +186,7 @@ void pairs_text(FILE *f, const options *o)
     missing(f, o);
 }
 
-static void pair_html(FILE *f, const options *o)
-{
-    const pair *first = first_pair();
-    const int rows = first->count - 1;
-    fputs("<div class=\"wide\"><table>\n<tr><th>method<th>settings<th>mean<th>worst<th>pair<th>below 1<th>time"
-          "<th>bias\n", f);
-    for (int i = 0; i < rows; ++i) {
-        const row *r = &first->row[i];
-        const summary s = summed(i);
-        char time[16] = "&ndash;";
-        if (!isnan(s.time)) snprintf(time, sizeof time, "%.2f", s.time);
-        fprintf(f, "<tr><td>%s<td><code>%s</code><td>%.3f<td>%.3f<td>%s<td>%d of %d<td>%s<td>%+.3f\n", r->label,
-                table_settings(r), s.mean, s.worst, s.whose, s.below, s.pairs, time, s.bias);
-    }
-    fputs("</table></div>\n<div class=\"wide\"><table>\n<tr><th>pair", f);
-    for (int i = 0; i < rows - 1; ++i)
-        fprintf(f, "<th title=\"%s\">%s", table_settings(&first->row[i]), first->row[i].label);
-    fputs("<th title=\"RMSE of no occlusion over the mean\">nothing<th title=\"RMSE of the truth itself over the "
-          "mean\">noise\n", f);
-    for (int k = 0; k < PAIRS; ++k) {
-        const pair *p = &pairs[k];
-        if (!p->count) continue;
-        fprintf(f, "<tr><td>%s", p->row->scene);
-        for (int i = 0; i < rows - 1; ++i) fprintf(f, "<td>%.3f", p->row[i].share);
-        fprintf(f, "<td>%.4f<td>%.4f\n", p->row[rows - 1].error[1], p->row[rows].error[1]);
-    }
-    fputs("</table></div>\n<p class=\"faint\">", f);
-    missing(f, o);
-    fputs("</p>\n", f);
-}
-
-int pairs_chart(FILE *html, const options *o, kit_error *err)
+int pairs_chart(FILE *record, const options *o, kit_error *err)
 {
     page csv, each;
     int shown = 0;
@@ -237,15 +205,12 @@ int pairs_chart(FILE *html, const options *o, kit_error *err)
             fprintf(csv.file, ",%.6g,%.6g,%.6g,%zu\n", r->error[1], r->bias[1], r->share, r->score.pixels);
         }
     }
-    if (page_close(&csv, o->out, "chart-pairs.csv", err)) return -1;
     if (shown) {
-        fputs("<h2>Light on every pair of a scene and a probe</h2>\n<p>Directional occlusion within the radius, no "
-              "bounce: RMSE of irradiance over that of no occlusion, whose irradiance is exact. Below 1 a method is "
-              "better than nothing.</p>\n", html);
-        pair_html(html, o);
-        fputs("<details><summary>Pair by pair</summary>\n", html);
+        page_heading(record, 2, "Light on every pair of a scene and a probe");
+        page_paragraph(record, "Directional occlusion within the radius, no bounce: RMSE of irradiance over that of no "
+                               "occlusion, whose irradiance is exact. Below 1 a method is better than nothing.");
     }
-    page_into(&each, html);
-    if (shown) fputs("</details>\n", html);
+    if (page_csv(record, "pairs", &csv, o->out, "chart-pairs.csv", err)) return -1;
+    page_into(&each, record);
     return 0;
 }

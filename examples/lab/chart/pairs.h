@@ -9,7 +9,7 @@
 
 int  pairs_chosen(entry *out, const options *o);      /* the rows that are asked for, of each pair */
 int  pairs_units(const options *o);
-int  pairs_chart(FILE *html, const options *o, kit_error *err);
+int  pairs_chart(FILE *record, const options *o, kit_error *err);
 void pairs_text(FILE *f, const options *o);
 
 #endif

@@ -83,7 +83,7 @@ static void verdict_add(verdict *v, const judged *j)
     v->good_needed += needed && j->good;
 }
 
-static void judged_print(FILE *html, FILE *csv, const judged *j)
+static void judged_print(FILE *csv, const judged *j)
 {
     static const char *const names[] = { "visibility", "light", "bounce", "objects" };
     const planned_row *r = j->row;
@@ -92,23 +92,19 @@ static void judged_print(FILE *html, FILE *csv, const judged *j)
     char plan[320], cheapest[320];
     plan_name(plan, &j->plan, r->numbers.wanted);
     plan_name(cheapest, &j->cheapest, r->numbers.wanted);
-    if (html)
-        fprintf(html, "<tr><td>%s<td>%s<td>%.3g<td>%s<td>%.3f<td>%.3f<td>%.2f<td>%s<td>%.3f<td>%.2f<td>%s\n", r->name,
-                wanted, j->asked, plan, (double)j->plan.error, r->error[taken], r->cost[taken], cheapest,
-                r->error[best], r->cost[best], j->good ? "yes" : "<b>no</b>");
     fprintf(csv, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, wanted, j->asked, plan, (double)j->plan.error,
             r->error[taken], r->cost[taken], cheapest, r->error[best], r->cost[best], j->good);
 }
 
 /* One row a scene and error asked for: what the plan takes, what it predicts, what is measured, what the cheapest
-   choice that meets the error would cost. csv NULL: counts alone; html NULL: in the csv alone. */
-static void planned_judge(verdict *v, FILE *html, FILE *csv, const planned_row *r, int known, int history)
+   choice that meets the error would cost. csv NULL: counts alone. */
+static void planned_judge(verdict *v, FILE *csv, const planned_row *r, int known, int history)
 {
     for (int k = 0; k < PLANNED_ERRORS; ++k) {
         judged j;
         if (!judge(&j, r, planned_errors[r->numbers.wanted][k], known, history)) continue;
         verdict_add(v, &j);
-        if (csv && j.best >= 0 && j.taken >= 0) judged_print(html, csv, &j);
+        if (csv && j.best >= 0 && j.taken >= 0) judged_print(csv, &j);
     }
 }
 
@@ -158,39 +154,11 @@ int plan_fit(const char *out, kit_error *err)
 enum { SCENES, SEEDS, SETS };
 static verdict verdicts[SETS][KNOWN];
 
-static void plan_html_head(FILE *html)
-{
-    fputs("<h2>What a scene needs</h2>\n<p>ssgi_plan_make on scenes that it was not fitted on: for each error asked "
-          "for, what it takes and what that turns out to err by and to cost, beside the cheapest choice that "
-          "meets the error. Good: at most 1.25 times that cost, at most 1.2 times that error. Pairs whose error no "
-          "choice meets are counted apart. Names: scene, radius, light.</p>\n"
-          "<div "
-          "class=\"wide\"><table>\n<tr><th>scene<th>wanted<th>asked<th>plan<th>predicted<th>measured<th>cost<th>"
-          "cheapest that meets it<th>error<th>cost<th>good\n",
-          html);
-}
-
 static const char *const known_names[KNOWN] = { "with a calibration", "without a calibration, from a survey",
                                                 "of a captured frame: survey without slabs, no surfels" };
 static const char *const set_names[SETS] = { "scenes", "by seed" };
 
-static void plan_html_end(FILE *html)
-{
-    fputs("</table></div>\n<p>Without history, as above, and with it; by seed: scenes from seed 1000 on, none of which "
-          "anything was fitted to.</p>\n<table>\n<tr><th>on<th>what is known<th>good<th>where doing nothing would not "
-          "do<th>within 1.2 of the error alone<th>what no choice meets, told\n", html);
-    for (int k = 0; k < SETS * KNOWN; ++k) {
-        const verdict *v = &verdicts[k / KNOWN][k % KNOWN];
-        if (!v->pairs) continue;
-        fprintf(html, "<tr><td>%s<td>%s<td>%d of %d<td>%d of %d<td>%d<td>%d of %d\n", set_names[k / KNOWN],
-                known_names[k % KNOWN], v->good, v->pairs, v->good_needed, v->needed, v->within, v->told, v->beyond);
-    }
-    fputs("</table>\n<p>The same as text: <a href=\"plan.csv\">plan.csv</a>, <a href=\"plan-seeds.csv\">plan-seeds.csv"
-          "</a>, <a href=\"plan-numbers.csv\">plan-numbers.csv</a>, <a href=\"plan-summary.csv\">plan-summary.csv</a>."
-          "</p>\n", html);
-}
-
-static int plan_summary(const char *out, kit_error *err)
+static int plan_summary(FILE *record, const char *out, kit_error *err)
 {
     page csv;
     if (page_open(&csv, err)) return -1;
@@ -204,22 +172,22 @@ static int plan_summary(const char *out, kit_error *err)
         fprintf(csv.file, "\"%s, %s, within 1.2 of the error alone\",%d,%d\n", of, known, v->within, v->pairs);
         fprintf(csv.file, "\"%s, %s, what no choice meets: told\",%d,%d\n", of, known, v->told, v->beyond);
     }
-    return page_close(&csv, out, "plan-summary.csv", err);
+    return page_csv(record, "rows", &csv, out, "plan-summary.csv", err);
 }
 
-/* One set's rows from first to count, counted; html NULL: not shown. */
-static void judge_all(verdict v[KNOWN], FILE *html, FILE *csv, const planned_row *rows, int first, int count)
+/* One set's rows from first to count, counted. */
+static void judge_all(verdict v[KNOWN], FILE *csv, const planned_row *rows, int first, int count)
 {
     fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", csv);
     for (int i = first; i < count; ++i)
         for (int known = 0; known < KNOWN; ++known)
             for (int history = 0; history < 2; ++history) {
                 const int shown = known == CALIBRATED && !history;
-                planned_judge(&v[known], shown ? html : NULL, shown ? csv : NULL, &rows[i], known, history);
+                planned_judge(&v[known], shown ? csv : NULL, &rows[i], known, history);
             }
 }
 
-int plan_chart(FILE *html, const options *o, kit_error *err)
+int plan_chart(FILE *record, const options *o, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
     page csv, by_seed, numbers;
@@ -231,13 +199,17 @@ int plan_chart(FILE *html, const options *o, kit_error *err)
         return -1;
     memset(verdicts, 0, sizeof verdicts);
     planned_smooth(rows, count);
-    plan_html_head(html);
-    judge_all(verdicts[SCENES], html, csv.file, rows, 0, views);
-    judge_all(verdicts[SEEDS], NULL, by_seed.file, rows, views, count);
+    judge_all(verdicts[SCENES], csv.file, rows, 0, views);
+    judge_all(verdicts[SEEDS], by_seed.file, rows, views, count);
     for (int i = 0; i < count; ++i) planned_numbers_csv(numbers.file, &rows[i], 0);
-    plan_html_end(html);
-    return plan_summary(o->out, err) || page_close(&csv, o->out, "plan.csv", err)
-                   || page_close(&by_seed, o->out, "plan-seeds.csv", err)
+    page_heading(record, 2, "What a scene needs");
+    page_paragraph(record,
+                   "ssgi_plan_make on scenes that it was not fitted on: for each error asked for, what it takes and what "
+                   "that turns out to err by and to cost, beside the cheapest choice that meets the error. Good: at "
+                   "most 1.25 times that cost, at most 1.2 times that error. Pairs whose error no choice meets are "
+                   "counted apart. Names: scene, radius, light.");
+    return plan_summary(record, o->out, err) || page_csv(record, "plan", &csv, o->out, "plan.csv", err)
+                   || page_csv(record, "plan", &by_seed, o->out, "plan-seeds.csv", err)
                    || page_close(&numbers, o->out, "plan-numbers.csv", err)
                ? -1
                : 0;

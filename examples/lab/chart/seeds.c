@@ -59,15 +59,14 @@ static int tone_map(kit_image *picture, kit_error *err)
 }
 
 /* out/BASE-SEED.png, by the scene's environment and lights; the stage's light is none again after that. */
-static int own_picture(FILE *html, stage *s, const char *out, const char *slug, const char *note, kit_error *err)
+static int own_picture(FILE *record, stage *s, const char *out, const char *slug, const char *note, kit_error *err)
 {
     kit_image picture;
     if (kit_light_scene(&s->lighting, &s->scene, err) || stage_drawn(&picture, s, "ssdo-best", "", s->radius, err))
         return -1;
     fill_sky(&picture, s);
     if (tone_map(&picture, err) || pictures_save(&picture, "R,G,B", 1, out, slug, ".png", err)) return -1;
-    page_figure(html, slug, "by its own light", note, picture.width, picture.height, 0);
-    fputs("</figure>\n", html);
+    page_figure(record, slug, "by its own light", note, picture.width, picture.height, 0);
     kit_image_free(&picture);
     kit_image_free(&s->lighting.env);
     memset(&s->lighting, 0, sizeof s->lighting);
@@ -77,14 +76,14 @@ static int own_picture(FILE *html, stage *s, const char *out, const char *slug, 
 /* ---- >>measure: one scene ---------------------------------------------------------------------------------------- */
 
 /* A seed's stage: quick charts have as large pictures, but fewer rays. 1; 0 = a package that it needs is not there, as
-   html (NULL: nobody) is told. */
-static int seed_open(FILE *html, stage *s, const view *v, kit_error *err)
+   record (NULL: nobody) is told. */
+static int seed_open(FILE *record, stage *s, const view *v, kit_error *err)
 {
     kit_error why = { "" };
     if (stage_load(s, v, &why)) {
         if (strstr(why.text, "is missing; install")) {
             fprintf(stderr, "report: note: left out, %s\n", why.text);
-            if (html) fprintf(html, "<p class=\"faint\">Left out, %s.</p>\n", why.text);
+            if (record) page_paragraph(record, "Left out, %s.", why.text);
             return 0;
         }
         return kit_fail(err, "%s", why.text);
@@ -95,39 +94,38 @@ static int seed_open(FILE *html, stage *s, const view *v, kit_error *err)
 }
 
 /* The truth and hsao's picture, beside the scene's. */
-static int small_pictures(FILE *html, const stage *s, const char *out, const char *slug, const row *rows,
+static int small_pictures(FILE *record, const stage *s, const char *out, const char *slug, const row *rows,
                           const kit_image *pictures, int count, kit_error *err)
 {
     char name[64], note[64];
     snprintf(name, sizeof name, "%s-truth", slug);
-    if (pictures_thumb(html, out, name, "true visibility", "", s, &s->truth, err)) return -1;
+    if (pictures_thumb(record, out, name, "true visibility", "", s, &s->truth, err)) return -1;
     for (int i = 0; i < count; ++i) {
         if (strcmp(rows[i].method, "hsao") || *rows[i].settings) continue;
         snprintf(name, sizeof name, "%s-hsao", slug);
         snprintf(note, sizeof note, "error %.3f", rows[i].share);
-        if (pictures_thumb(html, out, name, "hsao", note, s, &pictures[i], err)) return -1;
+        if (pictures_thumb(record, out, name, "hsao", note, s, &pictures[i], err)) return -1;
     }
     return 0;
 }
 
 /* Ambient visibility's rows, then the floor; its truth, for the caller to free. How many; 0 = the scene is left out. */
-static int visible_rows(FILE *html, const options *o, const view *v, row *rows, kit_image *truth, kit_error *err)
+static int visible_rows(FILE *record, const options *o, const view *v, row *rows, kit_image *truth, kit_error *err)
 {
     entry entries[MOST_ENTRIES];
     kit_image pictures[MOST_ENTRIES];
     const int count = ao_chosen(entries, o);
     char slug[32], note[128];
     stage s;
-    const int there = seed_open(html, &s, v, err);
+    const int there = seed_open(record, &s, v, err);
     if (there <= 0) return there;
     snprintf(slug, sizeof slug, "%s", v->name);
     snprintf(note, sizeof note, "%zu triangles, %d lights, %s", s.scene.mesh.triangles, s.scene.lights, s.scene.env);
-    fprintf(html, "<div id=\"%s\"><h3>%s</h3>\n<div class=\"grid thumbs\">\n", v->name, v->name);
-    if (own_picture(html, &s, o->out, slug, note, err) || stage_compare(&s, err)
+    page_heading(record, 4, "%s", v->name);
+    if (own_picture(record, &s, o->out, slug, note, err) || stage_compare(&s, err)
         || measure_entries(rows, &s, entries, count, 0, 0, pictures, err)
-        || small_pictures(html, &s, o->out, slug, rows, pictures, count, err))
+        || small_pictures(record, &s, o->out, slug, rows, pictures, count, err))
         return -1;
-    fputs("</div>\n", html);
     for (int i = 0; i < count; ++i) kit_image_free(&pictures[i]);
     *truth = s.truth;
     memset(&s.truth, 0, sizeof s.truth);
@@ -161,7 +159,7 @@ static int light_rows(const options *o, const view *v, row *rows, kit_image *vis
     return count + 2;
 }
 
-static int seed_unit(FILE *html, const options *o, int seed, row *rows, kit_error *err)
+static int seed_unit(FILE *record, const options *o, int seed, row *rows, kit_error *err)
 {
     char path[32], name[32], lit_name[48];
     kit_image truth = { 0 };
@@ -170,21 +168,11 @@ static int seed_unit(FILE *html, const options *o, int seed, row *rows, kit_erro
     seeds_name(name, seed);
     snprintf(lit_name, sizeof lit_name, "%s-light", name);
     const view v = { .name = name, .path = path }, in_light = { .name = lit_name, .path = path, .lit = &seed_light };
-    const int visible = visible_rows(html, o, &v, rows, &truth, err);
+    const int visible = visible_rows(record, o, &v, rows, &truth, err);
     const int light = visible > 0 ? light_rows(o, &in_light, rows + visible, &truth, err) : 0;
     kit_image_free(&truth);
     if (visible <= 0 || light < 0) return visible < 0 || light < 0 ? -1 : 0;
     for (int i = 0; i < visible + light; ++i) rows[i].scene = "";
-    fputs("<details><summary>Figures</summary><div class=\"wide\"><table>\n<tr><th>method<th>settings<th>share"
-          "<th>bias\n", html);
-    for (int i = 0; i < visible + light; ++i) {
-        const row *r = &rows[i];
-        fprintf(html, "<tr%s><td>", i == visible ? " class=\"first\"" : "");
-        page_escaped(html, r->label);
-        fprintf(html, "<td><code>%s</code><td>%.3f<td>%+.3f\n", r->settings, r->share,
-                seeds_lit(r) ? r->bias[1] : r->score.bias);
-    }
-    fputs("</table></div></details></div>\n", html);
     return visible + light;
 }
 
@@ -238,8 +226,8 @@ static int take(int k, const row *rows, int count, kit_error *err)
     return 0;
 }
 
-/* The seeds' rows; each scene's part of its kind's page. */
-static int measure_all(FILE *const *kinds, const options *o, kit_error *err)
+/* The seeds' rows; each scene's pictures. */
+static int measure_all(FILE *record, const options *o, kit_error *err)
 {
     row *rows = calloc(MOST_SEED_ROWS, sizeof *rows);
     int failed = rows ? 0 : kit_fail(err, "out of memory");
@@ -247,51 +235,32 @@ static int measure_all(FILE *const *kinds, const options *o, kit_error *err)
     all = (seeds){ .base = first_of(o) < SEEDS_JUDGED ? "seeds-fit" : "seeds", .first = first_of(o),
                    .count = count_of(o) };
     for (int k = 0; k < all.count && !failed; ++k) {
-        const int seed = all.first + k,
-                  count = units_measure(kinds[seed % KIT_KINDS], o, "seed", seed, seed_unit, rows, err);
+        const int seed = all.first + k, count = units_measure(record, o, "seed", seed, seed_unit, rows, err);
         failed = count < 0 || (count && take(k, rows, count, err));
     }
     free(rows);
     return failed ? -1 : 0;
 }
 
-/* What pages link to and build/figures reads. */
-static int write_csv(const options *o, kit_error *err)
+int seeds_chart(FILE *record, const options *o, kit_error *err)
 {
-    const char *kind = o->method            ? "part"
-                       : o->quick           ? "quick"
-                       : count_of(o) < SEEDS ? "part"
-                                             : "full";
-    char name[64], note[64], command[96];
-    page csv;
-    if (page_open(&csv, err)) return -1;
+    char name[64];
+    page csv, pictures;
+    if (page_open(&pictures, err) || measure_all(pictures.file, o, err) || page_open(&csv, err)) return -1;
     seeds_csv(csv.file, &all);
     snprintf(name, sizeof name, "%s.csv", all.base);
-    snprintf(note, sizeof note, "%s.txt", all.base);
-    snprintf(command, sizeof command, "build/report seeds%s --from %d --count %d", o->quick ? " --quick" : "",
-             all.first, all.count);
-    return page_close(&csv, o->out, name, err) || page_note(o->out, note, kind, command, kit_gl_name(), err)
-        ? -1 : 0;
-}
-
-int seeds_chart(FILE *html, const options *o, kit_error *err)
-{
-    page pages[KIT_KINDS];
-    FILE *kinds[KIT_KINDS];
-    char name[64];
-    for (int k = 0; k < KIT_KINDS; ++k) {
-        if (page_open(&pages[k], err)) return -1;
-        kinds[k] = pages[k].file;
-        seeds_kind_head(kinds[k], first_of(o) < SEEDS_JUDGED, k);
-    }
-    if (measure_all(kinds, o, err) || write_csv(o, err)) return -1;
-    for (int k = 0; k < KIT_KINDS; ++k) {
-        snprintf(name, sizeof name, "%s-%s.html", all.base, kit_scene_kind(k, NULL));
-        fputs("</div>\n", kinds[k]);
-        if (page_close(&pages[k], o->out, name, err)) return -1;
-    }
-    seeds_beside(&all, o->out);
-    return seeds_section(html, &all, o->out, err);
+    page_heading(record, 2, "Scenes by seed");
+    page_paragraph(record,
+                   "Seeds %d to %d, none of them picked by hand: kind, things, camera, radius, units and light are "
+                   "drawn from the seed. %s Shares: RMSE over that of no occlusion, so a pass above 1 is worse than "
+                   "none.",
+                   all.first, all.first + all.count - 1,
+                   all.first < SEEDS_JUDGED
+                       ? "Seeds below 1000 may be looked at while settings are tuned."
+                       : "Seeds from 1000 on only report: settings are tuned on those below 1000.");
+    if (page_csv(record, "seeds", &csv, o->out, name, err)) return -1;
+    page_into(&pictures, record);
+    return 0;
 }
 
 void seeds_text(FILE *f) { seeds_table_text(f, &all); }

@@ -89,15 +89,16 @@ static int enlarged(kit_image *out, const kit_image *picture, kit_error *err)
     return 0;
 }
 
-int strip_demo(FILE *html, stage *s, const char *out, kit_error *err)
+int strip_demo(FILE *record, stage *s, const char *out, kit_error *err)
 {
     static const char *const slugs[3] = { "strip-one", "strip-frames", "strip-truth" },
                       *const labels[3] = { "one frame", "sixteen frames", "ray-traced truth" };
     strip *t = &shown;
     if (strip_draw(t, s, err) || strip_score(t, s, err)) return -1;
-    fprintf(html, "<h2>Over frames</h2>\n<p>%s, --set %s, while the camera turns by %g degrees a frame: the last frame "
+    page_heading(record, 2, "Over frames");
+    page_paragraph(record, "%s, --set %s, while the camera turns by %g degrees a frame: the last frame "
             "alone, as the last of sixteen, and its truth; the middle of the picture, enlarged. Noise: root of a "
-            "pixel's variance over %d drawings, its mean over the pixels.</p>\n<div class=\"grid\">\n",
+            "pixel's variance over %d drawings, its mean over the pixels.",
             strip_method, strip_settings, STRIP_DEGREES, STRIP_DRAWN);
     for (int k = 0; k < 3; ++k) {
         kit_image large;
@@ -107,11 +108,9 @@ int strip_demo(FILE *html, stage *s, const char *out, kit_error *err)
             return -1;
         if (k < 2) snprintf(note, sizeof note, "RMSE %.4f, error %.3f, noise %.4f", t->rmse[k], t->share[k],
                             t->noise[k]);
-        page_figure(html, slugs[k], labels[k], note, large.width, large.height, 0);
-        fputs("</figure>\n", html);
+        page_figure(record, slugs[k], labels[k], note, large.width, large.height, 0);
         kit_image_free(&large);
     }
-    fputs("</div>\n", html);
     for (int i = 0; i < 2 * STRIP_DRAWN; ++i) kit_image_free(&t->picture[i % 2][i / 2]);
     return 0;
 }

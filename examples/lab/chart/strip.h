@@ -4,7 +4,7 @@
 
 #include "lab/measure/stage.h"
 
-int  strip_demo(FILE *html, stage *s, const char *out, kit_error *err);
+int  strip_demo(FILE *record, stage *s, const char *out, kit_error *err);
 void strip_text(FILE *f);
 
 #endif

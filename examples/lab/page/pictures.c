@@ -56,10 +56,9 @@ int pictures_difference(const kit_image *picture, const kit_image *truth, float 
     return 0;
 }
 
-int pictures_crops(FILE *html, const char *out, const pictured *p, int count, int k, const int *crop, float exposure,
+int pictures_crops(FILE *f, const char *out, const pictured *p, int count, int k, const int *crop, float exposure,
                    int times, kit_error *err)
 {
-    fputs("<div class=\"grid crops\">\n", html);
     for (int i = 0; i < count; ++i) {
         kit_image part;
         char name[160];
@@ -67,11 +66,9 @@ int pictures_crops(FILE *html, const char *out, const pictured *p, int count, in
         if (pictures_exposed(&part, p[i].picture, exposure, crop, times, err)
             || pictures_save(&part, "R,G,B", 1, out, name, ".png", err))
             return -1;
-        page_figure(html, name, p[i].label, "", part.width, part.height, 0);
-        fputs("</figure>\n", html);
+        page_figure(f, name, p[i].label, "", part.width, part.height, 0);
         kit_image_free(&part);
     }
-    fputs("</div>\n", html);
     return 0;
 }
 
@@ -98,7 +95,7 @@ static int shrunk(kit_image *out, const kit_image *picture, const char *names, i
     return 0;
 }
 
-int pictures_thumb(FILE *html, const char *out, const char *slug, const char *label, const char *note, const stage *s,
+int pictures_thumb(FILE *f, const char *out, const char *slug, const char *label, const char *note, const stage *s,
                    const kit_image *picture, kit_error *err)
 {
     const char *const names = s->lit ? "R,G,B" : "Y";
@@ -107,24 +104,23 @@ int pictures_thumb(FILE *html, const char *out, const char *slug, const char *la
     if (shrunk(&small, s->lit ? &bright : picture, names, 320, s->stride, err)
         || pictures_save(&small, names, s->lit != NULL, out, slug, ".png", err))
         return -1;
-    page_figure(html, slug, label, note, small.width, small.height, 0);
-    fputs("</figure>\n", html);
+    page_figure(f, slug, label, note, small.width, small.height, 0);
     kit_image_free(&bright);
     kit_image_free(&small);
     return 0;
 }
 
-int pictures_thumbs(FILE *html, const char *out, const char *name, const stage *s, const row *rows,
+int pictures_thumbs(FILE *f, const char *out, const char *name, const stage *s, const row *rows,
                     const kit_image *pictures, int count, kit_error *err)
 {
     static const char *const endings[] = { "truth", "fast", "best" };
     int fast = 0, best = 0;
     for (int i = 1; i < count; ++i) {
-        const row *r = &rows[i], *f = &rows[fast];
-        if (f->relative > 1 ? r->relative < f->relative : r->relative < 1 && r->score.rmse < f->score.rmse) fast = i;
+        const row *r = &rows[i], *of = &rows[fast];
+        if (of->relative > 1 ? r->relative < of->relative : r->relative < 1 && r->score.rmse < of->score.rmse)
+            fast = i;
         if (r->score.rmse < rows[best].score.rmse) best = i;
     }
-    fputs("<div class=\"grid thumbs\">\n", html);
     for (int k = 0; k < (best == fast ? 2 : 3); ++k) {
         const row *r = &rows[k > 1 ? best : fast];
         const kit_image *from = k ? &pictures[r - rows] : &s->truth;
@@ -134,8 +130,7 @@ int pictures_thumbs(FILE *html, const char *out, const char *name, const stage *
         snprintf(slug + strlen(slug), sizeof slug - strlen(slug), "-%s", endings[k]);
         snprintf(label, sizeof label, k ? "%s, %s" : "ray-traced truth", r->label, table_settings(r));
         if (k) snprintf(note, sizeof note, "time %.2f, error %.3f", r->relative, r->share);
-        if (pictures_thumb(html, out, slug, label, note, s, from, err)) return -1;
+        if (pictures_thumb(f, out, slug, label, note, s, from, err)) return -1;
     }
-    fputs("</div>\n", html);
     return 0;
 }

@@ -19,15 +19,15 @@ int pictures_difference(const kit_image *picture, const kit_image *truth, float 
 /* A picture as a page shows it. */
 typedef struct pictured { char slug[128]; const char *label; const kit_image *picture; } pictured;
 /* A row of figures: the k-th crop of each, exposed, each pixel times x times, as R, G, B. */
-int pictures_crops(FILE *html, const char *out, const pictured *p, int count, int k, const int *crop, float exposure,
+int pictures_crops(FILE *f, const char *out, const pictured *p, int count, int k, const int *crop, float exposure,
                    int times, kit_error *err);
 
 /* A small picture of a stage: no wider than 320 pixels, nor finer than its truth. */
-int pictures_thumb(FILE *html, const char *out, const char *slug, const char *label, const char *note, const stage *s,
+int pictures_thumb(FILE *f, const char *out, const char *slug, const char *label, const char *note, const stage *s,
                    const kit_image *picture, kit_error *err);
 /* Small pictures: the truth, the best row of those that take no longer than the reference (else the fastest), the best
    of all. name: of what the page shows them in. */
-int pictures_thumbs(FILE *html, const char *out, const char *name, const stage *s, const row *rows,
+int pictures_thumbs(FILE *f, const char *out, const char *name, const stage *s, const row *rows,
                     const kit_image *pictures, int count, kit_error *err);
 
 #endif

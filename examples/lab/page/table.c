@@ -1,6 +1,7 @@
-/* table.c - rows as tables: one list of columns for text, HTML and CSV. Declared in table.h. */
+/* table.c - rows as tables: one list of columns for text, CSV and the page. Declared in table.h. */
 #include "lab/page/table.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
 #include "lab/page/page.h"
@@ -187,25 +188,6 @@ void table_titled(FILE *f, const char *title, const row *rows, int count)
     table_text(f, rows, count);
 }
 
-void table_html(FILE *f, const row *rows, int count)
-{
-    char text[32];
-    fputs("<div class=\"wide\"><table>\n<tr><th>method<th>settings", f);
-    for (int c = -1; (c = next_column(c, rows->of)) >= 0;)
-        fprintf(f, "<th title=\"%s\">%s", columns[c].about, columns[c].head);
-    fputs("\n", f);
-    for (int i = 0; i < count; ++i) {
-        fprintf(f, i && strcmp(rows[i].label, rows[i - 1].label) ? "<tr class=\"first\"><td>" : "<tr><td>");
-        page_escaped(f, rows[i].label);
-        fputs("<td><code>", f);
-        page_escaped(f, table_settings(&rows[i]));
-        fputs("</code>", f);
-        for (int c = -1; (c = next_column(c, rows->of)) >= 0;) fprintf(f, "<td>%s", cell(text, &rows[i], c, "&ndash;"));
-        fputs("\n", f);
-    }
-    fputs("</table></div>\n", f);
-}
-
 static void csv_field(FILE *f, const char *s)
 {
     fputc('"', f);
@@ -234,4 +216,25 @@ void table_csv(FILE *f, const row *rows, int count, int head)
         }
         fprintf(f, ",%zu\n", rows[i].score.pixels);
     }
+}
+
+int table_page(FILE *f, const char *kind, const row *rows, int count, kit_error *err)
+{
+    page csv;
+    if (page_open(&csv, err)) return -1;
+    table_csv(csv.file, rows, count, 1);
+    fflush(csv.file);
+    page_table(f, kind, csv.text);
+    fclose(csv.file);
+    free(csv.text);
+    return 0;
+}
+
+void table_columns(FILE *f)
+{
+    fputs("{\"columns\":[", f);
+    for (int c = 0; c < (int)(sizeof columns / sizeof columns[0]); ++c)
+        fprintf(f, "%s[\"%s\",\"%s\",\"%s\",%d,%d]", c ? ",\n" : "", columns[c].key,
+                columns[c].head ? columns[c].head : "", columns[c].about, columns[c].digits, columns[c].sign);
+    fputs("]},\n", f);
 }

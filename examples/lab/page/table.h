@@ -1,4 +1,4 @@
-/* table.h - rows as tables: text, HTML, CSV. Which columns is in the rows' of. */
+/* table.h - rows as tables: text, CSV, parts of a page. Which columns is in the rows' of. */
 #ifndef LAB_TABLE_H
 #define LAB_TABLE_H
 
@@ -9,7 +9,9 @@ const char *table_settings(const row *r);       /* "defaults" where a method has
 void table_text(FILE *f, const row *rows, int count);
 /* under a title, where there are any */
 void table_titled(FILE *f, const char *title, const row *rows, int count);
-void table_html(FILE *f, const row *rows, int count);
 void table_csv(FILE *f, const row *rows, int count, int head);
+/* Entries of a record: rows; what columns are called there, and what they mean, once. */
+int table_page(FILE *f, const char *kind, const row *rows, int count, kit_error *err);
+void table_columns(FILE *f);
 
 #endif

@@ -66,19 +66,20 @@ void units_end(void)
 }
 
 /* Whether the pictures that a part of the page shows are still in the folder. */
-static int pictured(const char *html, const char *out)
+static int pictured(const char *part, const char *out)
 {
+    static const char key[] = "{\"picture\":\"";
     char path[4096];
-    while ((html = strstr(html, "src=\"")) != NULL) {
-        html += strlen("src=\"");
-        snprintf(path, sizeof path, "%s/%.*s", out, (int)strcspn(html, "\""), html);
+    while ((part = strstr(part, key)) != NULL) {
+        part += strlen(key);
+        snprintf(path, sizeof path, "%s/%.*s.png", out, (int)strcspn(part, "\""), part);
         if (access(path, R_OK)) return 0;
     }
     return 1;
 }
 
 /* What an interrupted chart left of a unit: how many rows; -1: nothing. */
-static int recalled(FILE *html, const options *o, const char *path, row *rows)
+static int recalled(FILE *f, const options *o, const char *path, row *rows)
 {
     char *text, *at;
     size_t size;
@@ -92,7 +93,7 @@ static int recalled(FILE *html, const options *o, const char *path, row *rows)
         for (int j = 0; j < COUNT(name); ++j, at += strlen(at) + 1) *name[j] = at;
     }
     if (!pictured(at, o->out)) return -1;
-    fputs(at, html);
+    fputs(at, f);
     return count;
 }
 
@@ -111,7 +112,7 @@ static void keep(const char *path, const page *part, const row *rows, int count)
         fprintf(stderr, "report: note: what is measured is not kept: %s\n", note.text);
 }
 
-int units_measure(FILE *html, const options *o, const char *kind, int k, measuring *measure, row *rows, kit_error *err)
+int units_measure(FILE *f, const options *o, const char *kind, int k, measuring *measure, row *rows, kit_error *err)
 {
     char *path = units.path[units.count], left[64] = "";
     page part;
@@ -119,7 +120,7 @@ int units_measure(FILE *html, const options *o, const char *kind, int k, measuri
     ++units.count;
     snprintf(units.now, sizeof units.now, "%s-%d", kind, k);
     snprintf(path, sizeof *units.path, FOLDER_CACHE "/unit-%s-%016llx", units.now, (unsigned long long)units.key);
-    const int before = recalled(html, o, path, rows);
+    const int before = recalled(f, o, path, rows);
     if (before >= 0) return before;
     if (units.measured)
         snprintf(left, sizeof left, ", about %.0f min left",
@@ -130,7 +131,7 @@ int units_measure(FILE *html, const options *o, const char *kind, int k, measuri
     ++units.measured;
     fflush(part.file);
     if (count >= 0) keep(path, &part, rows, count);
-    page_into(&part, html);
+    page_into(&part, f);
     return count;
 }
 

@@ -19,14 +19,14 @@ int units_chosen(entry *out, const entry *entries, int count, const options *o);
 
 /* Measures the k-th of its kind: its rows, and what stands in the page. How many rows; -1 = failed. rows NULL: whether
    there are any. */
-typedef int measuring(FILE *html, const options *o, int k, row *rows, kit_error *err);
+typedef int measuring(FILE *f, const options *o, int k, row *rows, kit_error *err);
 /* How many of count are there. */
 int units_count(measuring *measure, int count, const options *o);
 /* all: how many units the chart has. end: of a chart that is whole, whose units need not be kept. */
 void units_begin(const options *o, int all);
 void units_end(void);
 /* One unit: measured, or as an interrupted chart left it. How many rows, 0: none are asked for; -1 = failed. */
-int units_measure(FILE *html, const options *o, const char *kind, int k, measuring *measure, row *rows, kit_error *err);
+int units_measure(FILE *f, const options *o, const char *kind, int k, measuring *measure, row *rows, kit_error *err);
 /* What is being measured, "lit-3". */
 const char *units_name(void);
 

@@ -13,7 +13,7 @@ static const setup crowd = { WHOLE("crowd", "crowd"), NO_SPOTS, NO_BOXES, 0, 16 
 #define CLOSED(n) .method = "aof", .settings = "rays=32,radii=8,resolution=" #n
 
 /* Rows from .. to - 1 on the bunny's floor, beside the truth between objects. */
-static int on_floor(FILE *html, const options *o, const sheet *t, int from, int to, row *rows, kit_error *err)
+static int on_floor(FILE *record, const options *o, const sheet *t, int from, int to, row *rows, kit_error *err)
 {
     int at[MOST_PAPER_ROWS];
     entry entries[MOST_PAPER_ROWS];
@@ -25,8 +25,8 @@ static int on_floor(FILE *html, const options *o, const sheet *t, int from, int 
     if (fields_open(&s, &bunny, FIELD_WIDTH, FIELD_HEIGHT, err)
         || fields_measure(drawn, &s, entries, count, picture, err))
         return -1;
-    sheet_about(html, &s);
-    if (sheet_show(html, o, t, &s, picture, drawn, at, count, rows, err)) return -1;
+    sheet_about(record, &s);
+    if (sheet_show(record, o, t, &s, picture, drawn, at, count, rows, err)) return -1;
     stage_close(&s);
     return 0;
 }
@@ -75,10 +75,10 @@ static int in_crowd(const options *o, const sheet *t, row *rows, kit_error *err)
     return 0;
 }
 
-static int resolutions(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err)
+static int resolutions(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     sheet_blank(t, rows);
-    return on_floor(html, o, t, 0, CROWD_FROM, rows, err) || in_crowd(o, t, rows, err) ? -1 : 0;
+    return on_floor(record, o, t, 0, CROWD_FROM, rows, err) || in_crowd(o, t, rows, err) ? -1 : 0;
 }
 
 static const sheet resolution_sheet = {
@@ -96,10 +96,10 @@ static const sheet resolution_sheet = {
 
 /* ---- >>Figure 5, Figure 8 ---------------------------------------------------------------------------------------- */
 
-static int pictures_on_floor(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err)
+static int pictures_on_floor(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     sheet_blank(t, rows);
-    return on_floor(html, o, t, 0, t->count, rows, err);
+    return on_floor(record, o, t, 0, t->count, rows, err);
 }
 
 static const paper_row filtered_rows[] = {

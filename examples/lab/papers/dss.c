@@ -30,7 +30,7 @@ static const claim stage_claims[] = {
       "geometry stages are a software rasteriser's slowest" }
 };
 /* A column an effect, a row a stage: of each effect's frame its stages' shares. The quick form has AO alone. */
-static int stage_times(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err)
+static int stage_times(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     static const entry effects[] = { { "AO", "dss", "way=capture," PUBLISHED, 1 },
                                      { "DO", "dss-lit", "way=capture,bounce=none," PUBLISHED, 1 },
@@ -45,7 +45,7 @@ static int stage_times(FILE *html, const options *o, const sheet *t, row *rows, 
     if (sheet_load(&s, t, err) || stage_look(&s, &t->see.view, t->width, t->height, err)
         || measure_times(timed, &s, effects, count, o->quick ? 1 : 2, err))
         return -1;
-    sheet_about(html, &s);
+    sheet_about(record, &s);
     for (int e = 0; e < count; ++e)
         for (int i = 0; i <= TOTAL; ++i)
             rows[i].figure[STAGE + e] = timed[e].ms * (i < TOTAL ? timed[e].figure[STAGE + i] : 1);

@@ -30,7 +30,7 @@ static const claim pass_claims[] = {
 };
 
 /* The terms apart: without normal rays, with them less that, and a filter behind a gather of one tap. */
-static int pass_times(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err)
+static int pass_times(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     static const entry parts[] = {
         { "horizon", MARCH("directions=7,steps=12,normal_rays=0,blur=0"), 1 },
@@ -47,7 +47,7 @@ static int pass_times(FILE *html, const options *o, const sheet *t, row *rows, k
         if (sheet_load(&s, t, err) || stage_look(&s, &t->see.view, t->rows[i].width, t->rows[i].height, err)
             || measure_times(part, &s, parts, COUNT(parts), sheet_rounds(o), err))
             return -1;
-        if (i + 1 == t->count) sheet_about(html, &s);
+        if (i + 1 == t->count) sheet_about(record, &s);
         const double unit = part[0].ms / part[0].relative;
         own[0] = part[0].ms;
         own[1] = unit * (part[1].relative - part[0].relative);

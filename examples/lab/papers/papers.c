@@ -1,5 +1,6 @@
 /* papers.c - all papers, one sheet after another. Declared in papers.h. */
 #include "lab/papers/papers.h"
+#include <stdlib.h>
 #include <string.h>
 #include "lab/page/page.h"
 #include "lab/papers/sheet.h"
@@ -23,11 +24,11 @@ static int asked(const options *o, const sheet *t)
     return !o->paper || !strncmp(name, o->paper, strlen(o->paper));
 }
 
-static int paper_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+static int paper_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
     const sheet *t = papers_sheet(k);
     if (!rows) return asked(o, t);
-    return t->draw(html, o, t, rows, err) ? -1 : t->count;
+    return t->draw(record, o, t, rows, err) ? -1 : t->count;
 }
 
 int papers_units(const options *o)
@@ -37,53 +38,38 @@ int papers_units(const options *o)
     return units_count(paper_unit, count, o);
 }
 
-static void head(FILE *f, const sheet *t)
-{
-    fputs("<h3>", f);
-    page_escaped(f, t->name);
-    fputs(": ", f);
-    page_escaped(f, t->title);
-    fputs("</h3>\n<p><b>The paper:</b> ", f);
-    page_escaped(f, t->theirs);
-    if (t->erratum) { fputs(" <b>Erratum:</b> ", f); page_escaped(f, t->erratum); }
-    fputs("</p>\n<p><b>Here:</b> ", f);
-    page_escaped(f, t->ours);
-    fputs("</p>\n", f);
-}
-
-/* A sheet: what it is of, its table, its pictures. */
-static int chart(FILE *html, FILE *csv, const options *o, int k, kit_error *err)
+/* A sheet: its pictures, its cells. */
+static int chart(FILE *record, FILE *csv, const options *o, int k, kit_error *err)
 {
     const sheet *t = papers_sheet(k);
-    page pictures;
+    page own;
     if (!asked(o, t)) return 0;
-    head(html, t);
-    if (page_open(&pictures, err) || units_measure(pictures.file, o, "papers", k, paper_unit, drawn[k], err) < 0)
-        return -1;
-    show_html(html, t, drawn[k]);
+    page_heading(record, 3, "%s: %s", t->name, t->title);
+    if (units_measure(record, o, "papers", k, paper_unit, drawn[k], err) < 0 || page_open(&own, err)) return -1;
+    show_csv_head(own.file);
+    show_csv(own.file, t, drawn[k]);
     show_csv(csv, t, drawn[k]);
-    page_into(&pictures, html);
+    fflush(own.file);
+    page_table(record, "paper", own.text);
+    fclose(own.file);
+    free(own.text);
     return 0;
 }
 
-static void not_here(FILE *html)
-{
-    fputs("<h2>What is not on this page</h2>\n<ul>\n", html);
-    for (int p = 0; p < PAPERS; ++p) show_absent_html(html, papers[p]);
-    fputs("</ul>\n", html);
-}
-
-int papers_chart(FILE *html, const options *o, kit_error *err)
+int papers_chart(FILE *record, const options *o, kit_error *err)
 {
     page csv;
     if (page_open(&csv, err)) return -1;
     show_csv_head(csv.file);
     for (int p = 0, k = 0; p < PAPERS; ++p) {
-        fprintf(html, "<h2>[%s] %s</h2>\n", papers[p]->key, papers[p]->title);
-        for (int i = 0; i < papers[p]->count; ++i, ++k) if (chart(html, csv.file, o, k, err)) return -1;
+        page_heading(record, 2, "[%s] %s", papers[p]->key, papers[p]->title);
+        for (int i = 0; i < papers[p]->count; ++i, ++k) if (chart(record, csv.file, o, k, err)) return -1;
         if (!o->paper) show_absent_csv(csv.file, papers[p]);
     }
-    if (!o->paper) not_here(html);
+    if (!o->paper) page_heading(record, 2, "What is not on this page");
+    for (int p = 0; p < PAPERS && !o->paper; ++p)
+        for (int i = 0; i < papers[p]->absents; ++i)
+            page_paragraph(record, "[%s] %s: %s", papers[p]->key, papers[p]->absent[i].name, papers[p]->absent[i].why);
     return page_close(&csv, o->out, "papers.csv", err);
 }
 

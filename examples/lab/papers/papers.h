@@ -1,4 +1,4 @@
-/* papers.h - the papers' own tables and figures, drawn here beside theirs. Writes papers.csv and papers.html. */
+/* papers.h - the papers' own tables and figures, drawn here beside theirs. Writes papers.csv. */
 #ifndef LAB_PAPERS_H
 #define LAB_PAPERS_H
 
@@ -7,7 +7,7 @@
 enum { PAPERS_THRIFT = 4 };                   /* stage_thrift of the quick form */
 
 int  papers_units(const options *o);            /* 0: no table or figure is asked for */
-int  papers_chart(FILE *html, const options *o, kit_error *err);
+int  papers_chart(FILE *record, const options *o, kit_error *err);
 void papers_text(FILE *f, const options *o);
 
 #endif

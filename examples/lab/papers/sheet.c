@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 #include "lab/measure/halved.h"
+#include "lab/page/page.h"
 #include "lab/page/pictures.h"
 
 int sheet_rounds(const options *o) { return o->quick ? 1 : SHEET_ROUNDS; }
@@ -99,16 +100,16 @@ static void sheet_slug(char slug[SLUG], const sheet *t, int k)
     snprintf(slug + strlen(slug), SLUG - strlen(slug), "-%d", k);
 }
 
-static int sheet_picture(FILE *html, const options *o, const sheet *t, const stage *s, const kit_image *picture, int k,
-                         const char *label, const char *note, kit_error *err)
+static int sheet_picture(FILE *record, const options *o, const sheet *t, const stage *s, const kit_image *picture,
+                         int k, const char *label, const char *note, kit_error *err)
 {
     char slug[SLUG];
     sheet_slug(slug, t, k);
-    return pictures_thumb(html, o->out, slug, label, note, s, picture, err);
+    return pictures_thumb(record, o->out, slug, label, note, s, picture, err);
 }
 
 /* A row's picture; under it its first two columns. */
-static int show_row(FILE *html, const options *o, const sheet *t, const stage *s, const kit_image *picture,
+static int show_row(FILE *record, const options *o, const sheet *t, const stage *s, const kit_image *picture,
                     const row *rows, int i, kit_error *err)
 {
     char note[96] = "";
@@ -118,7 +119,7 @@ static int show_row(FILE *html, const options *o, const sheet *t, const stage *s
             snprintf(note + strlen(note), sizeof note - strlen(note), "%s%s %.*f", *note ? ", " : "",
                      t->column[c].head, t->column[c].digits, v);
     }
-    return sheet_picture(html, o, t, s, picture, i + 1, t->rows[i].what, note, err);
+    return sheet_picture(record, o, t, s, picture, i + 1, t->rows[i].what, note, err);
 }
 
 /* The mean of ambient visibility, or of the bounce, where something is seen. */
@@ -156,18 +157,18 @@ int sheet_chosen(int *at, entry *entries, const options *o, const sheet *t, int 
     return count;
 }
 
-void sheet_about(FILE *html, const stage *s)
+void sheet_about(FILE *record, const stage *s)
 {
-    fprintf(html, "<p class=\"faint\">%zu triangles, %d x %d pixels, radius %g", s->scene.mesh.triangles,
-            s->gbuffer.camera.width, s->gbuffer.camera.height, (double)s->radius);
+    char truth[64] = "";
     if (s->truth.data)
-        fprintf(html, "; truth: %d%s", s->rays,
-                s->otherwise.kind == SCATTER ? " thousand samples" : " rays a pixel");
-    fputs(".</p>\n", html);
+        snprintf(truth, sizeof truth, "; truth: %d%s", s->rays,
+                 s->otherwise.kind == SCATTER ? " thousand samples" : " rays a pixel");
+    page_paragraph(record, "%zu triangles, %d x %d pixels, radius %g%s.", s->scene.mesh.triangles,
+                   s->gbuffer.camera.width, s->gbuffer.camera.height, (double)s->radius, truth);
 }
 
 /* Close-ups of the truth, where it has every pixel, and of each row, as the light names them. */
-static int draw_crops(FILE *html, const options *o, const sheet *t, const stage *s, const kit_image *picture,
+static int draw_crops(FILE *record, const options *o, const sheet *t, const stage *s, const kit_image *picture,
                       const int *at, int count, kit_error *err)
 {
     const int gaps = s->stride > 1;
@@ -180,30 +181,28 @@ static int draw_crops(FILE *html, const options *o, const sheet *t, const stage 
     for (int k = 0; k < MOST_CROPS && s->lit->crop[k][2]; ++k) {
         int crop[4];
         for (int j = 0; j < 4; ++j) crop[j] = s->lit->crop[k][j] / stage_thrift;
-        if (pictures_crops(html, o->out, p + gaps, count + 1 - gaps, k, crop, s->lit->exposure, CROP_TIMES, err))
+        if (pictures_crops(record, o->out, p + gaps, count + 1 - gaps, k, crop, s->lit->exposure, CROP_TIMES, err))
             return -1;
     }
     return 0;
 }
 
-int sheet_show(FILE *html, const options *o, const sheet *t, const stage *s, kit_image *picture, const row *drawn,
+int sheet_show(FILE *record, const options *o, const sheet *t, const stage *s, kit_image *picture, const row *drawn,
                const int *at, int count, row *rows, kit_error *err)
 {
-    if (t->pictured) fputs("<div class=\"grid thumbs\">\n", html);
-    if (t->pictured && sheet_picture(html, o, t, s, &s->truth, 100 + at[0], "ray-traced", "", err)) return -1;
+    if (t->pictured && sheet_picture(record, o, t, s, &s->truth, 100 + at[0], "ray-traced", "", err)) return -1;
     for (int i = 0; i < count; ++i) {
         rows[at[i]] = drawn[i];
         rows[at[i]].figure[LEVEL] = level_of(&picture[i], &s->frame);
-        if (t->pictured && show_row(html, o, t, s, &picture[i], rows, at[i], err)) return -1;
+        if (t->pictured && show_row(record, o, t, s, &picture[i], rows, at[i], err)) return -1;
     }
-    if (t->pictured) fputs("</div>\n", html);
-    if (t->pictured > 1 && draw_crops(html, o, t, s, picture, at, count, err)) return -1;
+    if (t->pictured > 1 && draw_crops(record, o, t, s, picture, at, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     return 0;
 }
 
 /* Rows from .. to - 1, which have one radius. */
-static int draw_group(FILE *html, const options *o, const sheet *t, int from, int to, row *rows, kit_error *err)
+static int draw_group(FILE *record, const options *o, const sheet *t, int from, int to, row *rows, kit_error *err)
 {
     const float reach = t->rows[from].reach > 0 ? t->rows[from].reach : 1;
     int at[MOST_PAPER_ROWS];
@@ -220,23 +219,23 @@ static int draw_group(FILE *html, const options *o, const sheet *t, int from, in
     if (stage_show(&s, &seen, t->width ? t->width : SHEET_WIDTH, t->height ? t->height : SHEET_HEIGHT, err)) return -1;
     s.radius = own * reach;
     if (measure_entries(drawn, &s, entries, count, sheet_rounds(o), phases, picture, err)) return -1;
-    sheet_about(html, &s);
-    if (sheet_show(html, o, t, &s, picture, drawn, at, count, rows, err)) return -1;
+    sheet_about(record, &s);
+    if (sheet_show(record, o, t, &s, picture, drawn, at, count, rows, err)) return -1;
     stage_close(&s);
     return 0;
 }
 
-int sheet_draw(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err)
+int sheet_draw(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     sheet_blank(t, rows);
     for (int from = 0, to; from < t->count; from = to) {
         for (to = from + 1; to < t->count && t->rows[to].reach == t->rows[from].reach;) ++to;
-        if (draw_group(html, o, t, from, to, rows, err)) return -1;
+        if (draw_group(record, o, t, from, to, rows, err)) return -1;
     }
     return 0;
 }
 
-int sheet_times(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err)
+int sheet_times(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     sheet_blank(t, rows);
     for (int from = 0, to; from < t->count; from = to) {
@@ -252,14 +251,14 @@ int sheet_times(FILE *html, const options *o, const sheet *t, row *rows, kit_err
             || stage_look(&s, &t->see.view, width ? width : t->width, height ? height : t->height, err)
             || (s.lit && stage_light(&s, err)) || measure_times(timed, &s, entries, count, sheet_rounds(o), err))
             return -1;
-        if (!from) sheet_about(html, &s);
+        if (!from) sheet_about(record, &s);
         for (int i = 0; i < count; ++i) rows[at[i]] = timed[i];
         stage_close(&s);
     }
     return 0;
 }
 
-int sheet_halves(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err)
+int sheet_halves(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     int at[MOST_PAPER_ROWS];
     entry chosen[MOST_PAPER_ROWS];
@@ -273,8 +272,8 @@ int sheet_halves(FILE *html, const options *o, const sheet *t, row *rows, kit_er
     if (sheet_load(&s, t, err) || stage_show(&s, &t->see.view, SHEET_WIDTH, HALVED_HEIGHT, err)
         || halved_entries(drawn, &s, entries, count, sheet_rounds(o), picture, err))
         return -1;
-    sheet_about(html, &s);
-    if (sheet_show(html, o, t, &s, picture, drawn, at, count, rows, err)) return -1;
+    sheet_about(record, &s);
+    if (sheet_show(record, o, t, &s, picture, drawn, at, count, rows, err)) return -1;
     stage_close(&s);
     return 0;
 }

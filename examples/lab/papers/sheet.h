@@ -65,7 +65,7 @@ enum { ALONE = -1 };
 enum { MOST_HEADS = 6, MOST_PAPER_ROWS = 24 };
 typedef struct sheet sheet;
 /* Draws it: fills a row each of the sheet's (row_blank where it is not drawn), and writes pictures. 0, or -1. */
-typedef int drawing(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err);
+typedef int drawing(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err);
 
 struct sheet {
     const char *paper, *name;              /* "HSAO08", "Table 1" */
@@ -105,11 +105,11 @@ const sheet *papers_sheet(int k);
 /* ---- sheet.c */
 
 /* Methods on the sheet's view beside its truth: errors, times, pictures; once a radius. */
-int    sheet_draw(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err);
+int    sheet_draw(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err);
 /* Times alone, once a size. */
-int    sheet_times(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err);
+int    sheet_times(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err);
 /* Rows at full and at half size. */
-int    sheet_halves(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err);
+int    sheet_halves(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err);
 /* The view, loaded but not looked at: for drawings of a sheet's own. */
 int    sheet_load(stage *s, const sheet *t, kit_error *err);
 /* Which of rows from .. to - 1 are drawn, and as what: how many. */
@@ -117,11 +117,11 @@ int    sheet_chosen(int *at, entry *entries, const options *o, const sheet *t, i
 /* All rows as not drawn. */
 void   sheet_blank(const sheet *t, row *rows);
 /* What stands above pictures: triangles, pixels, radius, rays. */
-void   sheet_about(FILE *html, const stage *s);
+void   sheet_about(FILE *record, const stage *s);
 int    sheet_rounds(const options *o);
 /* What was drawn on a stage, rows number at[0 .. count - 1]: into their rows and, where the sheet is pictured, the
    page. Frees the pictures. */
-int    sheet_show(FILE *html, const options *o, const sheet *t, const stage *s, kit_image *picture, const row *drawn,
+int    sheet_show(FILE *record, const options *o, const sheet *t, const stage *s, kit_image *picture, const row *drawn,
                   const int *at, int count, row *rows, kit_error *err);
 /* As it is shown, to its column's digits; NAN: there is none. */
 double sheet_value(const sheet *t, const row *rows, int i, int c);
@@ -134,14 +134,12 @@ int    sheet_own(claim *own, const sheet *t, const claim *c);
 
 /* ---- show.c: a sheet and its rows, as a page's part, as csv, as text */
 
-void   show_html(FILE *f, const sheet *t, const row *rows);
 void   show_csv_head(FILE *f);
 void   show_csv(FILE *f, const sheet *t, const row *rows);
 void   show_text(FILE *f, const sheet *t, const row *rows);
 /* A claim, what came of it, by which figures, and which would have made it otherwise. */
 enum { SENTENCE = 1024 };
 const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const row *rows);
-void   show_absent_html(FILE *f, const paper *p);
 void   show_absent_csv(FILE *f, const paper *p);
 
 #endif

@@ -1,6 +1,5 @@
-/* show.c - a paper's table or figure and what was drawn for it, side by side: HTML, csv, text. Declared in sheet.h. */
+/* show.c - a paper's table or figure and what was drawn for it, side by side: csv, text. Declared in sheet.h. */
 #include <math.h>
-#include "lab/page/page.h"
 #include "lab/papers/sheet.h"
 
 static int heads(const sheet *t)
@@ -73,49 +72,6 @@ const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const
     if (c->why && !sheet_holds(t, c, rows)) fprintf(f, "; %s", c->why);
     fclose(f);
     return out;
-}
-
-/* ---- >>html ------------------------------------------------------------------------------------------------------ */
-
-static void html_row(FILE *f, const sheet *t, const row *rows, int i)
-{
-    const paper_row *p = &t->rows[i];
-    char text[32];
-    fputs("<tr><td>", f);
-    page_escaped(f, p->what);
-    fputs("<td>", f);
-    if (!p->method) fputs("not drawn: ", f);
-    else fprintf(f, "<code>%s %s</code>%s", p->method, p->settings ? p->settings : "", p->note ? "; " : "");
-    if (p->note) page_escaped(f, p->note);
-    for (int k = 0; k < heads(t); ++k) { fputs("<td>", f); page_escaped(f, p->printed[k] ? p->printed[k] : ""); }
-    for (int c = 0; c < columns(t); ++c) fprintf(f, "<td>%s", cell(text, t, rows, i, c));
-    fputs("\n", f);
-}
-
-void show_html(FILE *f, const sheet *t, const row *rows)
-{
-    char text[SENTENCE];
-    fputs("<div class=\"wide\"><table>\n<tr><th>the paper's<th>ours", f);
-    for (int k = 0; k < heads(t); ++k) { fputs("<th>paper: ", f); page_escaped(f, t->head[k]); }
-    for (int c = 0; c < columns(t); ++c) { fputs("<th>", f); page_escaped(f, t->column[c].head); }
-    fputs("\n", f);
-    for (int i = 0; i < t->count; ++i) html_row(f, t, rows, i);
-    fputs("</table></div>\n<ul>\n", f);
-    for (int k = 0; k < t->claimed; ++k) {
-        fputs("<li>", f);
-        page_escaped(f, show_claim(text, t, &t->claims[k], rows));
-        fputs("\n", f);
-    }
-    fputs("</ul>\n", f);
-}
-
-void show_absent_html(FILE *f, const paper *p)
-{
-    for (int i = 0; i < p->absents; ++i) {
-        fprintf(f, "<li>[%s] %s: ", p->key, p->absent[i].name);
-        page_escaped(f, p->absent[i].why);
-        fputs("\n", f);
-    }
 }
 
 /* ---- >>csv: a line a cell, as FIGURES.md's part is made of ------------------------------------------------------- */

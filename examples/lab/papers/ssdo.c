@@ -61,12 +61,12 @@ static const claim time_claims[] = {
 };
 
 /* And averages: of the six the mean of what is lost, as the paper forms it. */
-static int frame_rates(FILE *html, const options *o, const sheet *t, row *rows, kit_error *err)
+static int frame_rates(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     sheet sizes = *t;
     sizes.count -= AVERAGES;
     sheet_blank(t, rows);
-    if (sheet_times(html, o, &sizes, rows, err)) return -1;
+    if (sheet_times(record, o, &sizes, rows, err)) return -1;
     for (int k = 0; k < AVERAGES; ++k) {
         double sum = 0;
         int known = 0;

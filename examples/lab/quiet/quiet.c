@@ -10,8 +10,8 @@
      all     the same walk at full size with 32 directions of 20 steps: noise, and the patterns of few steps and half
              size
      truth   what is ray-traced, which has a row of its own: what half of its rays are off by, no less than its grain
-   The first two are known of slices alone (hsao and its presets). CSV: RMS of visibility; what is printed and charted
-   are thousandths. report/quiet.html has charts against milliseconds: measured, of a GPU that draws (--context egl);
+   The first two are known of slices alone (hsao and its presets). CSV: RMS of visibility; what is printed
+   are thousandths. report/index.html has charts against milliseconds: measured, of a GPU that draws (--context egl);
    else modelled, of entries that make cost names, since a CPU's time says nothing of these. --pictures: NN-method.png,
    and NN-method-band.png: 0.5 + 16 times the bands from 1.2 to 8 pixels: of noise where that is known, or of truth. */
 #include <math.h>
@@ -22,7 +22,6 @@
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
-#include "lab/page/scatter.h"
 #include "lab/quiet/bands.h"
 
 #define DEVICE  "RX 6800"
@@ -237,11 +236,9 @@ static void print_head(const quiet *q)
     puts("");
 }
 
-static int write_csv(const quiet *q, kit_error *err)
+static void put_csv(FILE *f, const quiet *q)
 {
     static const char *const kinds[KINDS] = { "noise", "all", "truth" };
-    FILE *f = fopen(q->out, "w");
-    if (!f) return kit_fail(err, "--out %s: cannot be written", q->out);
     fputs("scene,width,height,radius,rays,pixels,method,settings,ms", f);
     for (int k = 0; k < KINDS; ++k) fprintf(f, ",%s_1,%s_3,%s_8,%s_20,%s_seen", kinds[k], kinds[k], kinds[k], kinds[k],
                                             kinds[k]);
@@ -253,60 +250,26 @@ static int write_csv(const quiet *q, kit_error *err)
         numbers(f, ",%.6f", ",", l, 1);
     }
     fputs("\n", f);
-    return fclose(f) ? kit_fail(err, "--out %s: cannot be written", q->out) : 0;
 }
 
-static int chart(FILE *html, const quiet *q, int kind, const char *name, const char *title, const char *up,
-                 kit_error *err)
+static int write_files(const quiet *q, kit_error *err)
 {
-    char across[256];
-    const words w = { "left is faster, down is quieter; grey band: nothing beats these", across, up, "milliseconds",
-                      NULL, 0 };
-    row rows[MOST_LINES];
-    int count = 0;
-    snprintf(across, sizeof across, "milliseconds of %.120s (log scale)",
-             kit_gl_is_software() ? "a " DEVICE " at 1920x1080, modelled" : kit_gl_name());
-    for (int i = 0; i < q->lines; ++i) {
-        const line *l = &q->line[i];
-        if (isnan(l->ms) || isnan(l->of[kind].seen)) continue;
-        rows[count] = row_blank(0, q->stage.name, l->label, l->method, l->settings);
-        rows[count].relative = l->ms;
-        rows[count++].share = 1e3 * l->of[kind].seen;
-    }
-    return count ? scatter_chart(html, "report", name, title, &w, rows, count, (double)NAN, err) : 0;
-}
-
-static int write_page(const quiet *q, kit_error *err)
-{
-    char about[256];
-    page p;
-    snprintf(about, sizeof about,
-             "%s, %d x %d pixels, radius %g: RMS over %zu pixels of smooth surfaces in shade. Truth: %d rays a pixel.",
-             q->stage.name, q->width, q->height, (double)q->stage.radius, q->shaded.pixels, q->rays);
-    if (folder_make("report", err) || page_open(&p, err)) return -1;
-    page_head(p.file, "ssgi: what the eye sees as mottling", about);
-    fputs("<div class=\"charts\">\n", p.file);
-    int failed = chart(p.file, q, NOISE, "quiet-noise.svg", "noise of 1.2 to 8 pixels",
-                       "RMS beside 32 directions, thousandths", err)
-                 || chart(p.file, q, TRUTH, "quiet-truth.svg", "error of 1.2 to 8 pixels",
-                          "RMS beside the truth, thousandths", err);
-    fputs("</div>\n<p>Thousandths of visibility, by bands of pixels, and of 1.2 to 8. Noise: beside the same with 32 "
-          "directions. All: beside the same walk at full size with 32 directions of 20 steps. Truth: ray-traced; its "
-          "own row is what half of its rays are off by, no less than its grain.</p>\n<div class=\"wide\"><table>\n"
-          "<tr><th>method<th>settings<th>ms", p.file);
-    for (int k = 0; k < KINDS; ++k)
-        fprintf(p.file, "<th>%s, to 1.2<th>to 3<th>to 8<th>to 20<th>1.2 to 8",
-                k == NOISE ? "noise" : k == ALL ? "all" : "truth");
-    for (int i = 0; i < q->lines; ++i) {
-        fputs("\n<tr><td>", p.file);
-        page_escaped(p.file, q->line[i].method);
-        fputs("<td>", p.file);
-        page_escaped(p.file, q->line[i].settings);
-        number(p.file, "<td>%.3f", "<td>", q->line[i].ms);
-        numbers(p.file, "<td>%.2f", "<td>", &q->line[i], 1e3);
-    }
-    fputs("\n</table></div>\n", p.file);
-    return page_close(&p, "report", "quiet.html", err) || failed ? -1 : 0;
+    page record, csv;
+    if (folder_make("report", err) || page_begin(&record, "quiet", "full", "build/quiet", kit_gl_name(), err)
+        || page_open(&csv, err))
+        return -1;
+    page_heading(record.file, 2, "What the eye sees as mottling");
+    page_paragraph(record.file,
+                   "%s, %d x %d pixels, radius %g: RMS of visibility over %zu pixels of smooth surfaces in shade, by "
+                   "bands of pixels, and of 1.2 to 8. Noise: beside the same with 32 directions. All: beside the same "
+                   "walk at full size with 32 directions of 20 steps. Truth: ray-traced, %d rays a pixel; its own row is "
+                   "what half of its rays are off by, no less than its grain. Milliseconds: %s.",
+                   q->stage.name, q->width, q->height, (double)q->stage.radius, q->shaded.pixels, q->rays,
+                   kit_gl_is_software() ? "of a " DEVICE " at 1920x1080, modelled" : kit_gl_name());
+    put_csv(csv.file, q);
+    fflush(csv.file);
+    page_table(record.file, "quiet", csv.text);
+    return page_end(&record, "report", "quiet", err) || page_close(&csv, ".", q->out, err) ? -1 : 0;
 }
 
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
@@ -383,7 +346,7 @@ static int measure(quiet *q, kit_error *err)
     if (peers < 0 || measure_grain(q, err)) return -1;
     for (int i = entries; i < q->lines; ++i) print_line(&q->line[i]);
     if (q->peers && *peers_missing()) puts(peers_missing());
-    return write_csv(q, err) || write_page(q, err) ? -1 : 0;
+    return write_files(q, err);
 }
 
 int main(int argc, char **argv)

@@ -1,8 +1,8 @@
 /* stability.c - where methods fail: each is swept through a cause of failure, and its error or flicker plotted against
    it.
 
-      build/stability [--out report] [--quick] [--cause NAME]... [--method NAME]...     stability.html, stability.csv, a
-         chart and pictures a cause, a table at the end
+      build/stability [--out report] [--quick] [--cause NAME]... [--method NAME]...     stability.csv, pictures of each
+         cause, which index.html shows, a table at the end
 
       build/stability --moves [--scene NAME]... [--method METHOD[:SETTINGS]]... [--width 320] [--rays 64]     how steady
          methods are while a camera moves past what stands still: a table
@@ -19,28 +19,22 @@
 #include "lab/stability/show.h"
 #include "lab/stability/sweep.h"
 
-/* The page and the CSV of all that was swept. */
+/* The record and the CSV of all that was swept. */
 static int write_all(const sweep_options *o, const result *results, const int *shown, kit_error *err)
 {
-    page html, csv;
-    if (page_open(&html, err) || page_open(&csv, err)) return -1;
-    page_head(html.file, "ssgi: where methods fail",
-              "Each method is swept through what such methods fail at. Errors are of ambient visibility (0 closed, 1 "
-              "open), against ray-traced truth; "
-              "no gain, no fit. Methods with light are under white light from everywhere, where irradiance is ambient "
-              "visibility.");
-    fputs("cause,unit,method,settings,value,figure,number\n", csv.file);
-    show_table_html(html.file, results, shown);
+    page record, csv;
+    if (page_begin(&record, "stability", o->causes || o->methods ? "part" : o->quick ? "quick" : "full",
+                   o->quick ? "make stability QUICK=1" : "make stability", kit_gl_name(), err)
+        || page_open(&csv, err))
+        return -1;
+    page_paragraph(record.file,
+                   "Each method is swept through what such methods fail at. Errors are of ambient visibility (0 closed, "
+                   "1 open), against ray-traced truth; no gain, no fit. Methods with light are under white light from "
+                   "everywhere, where irradiance is ambient visibility.");
+    show_csv_head(csv.file);
     for (int k = 0; k < sweeps_causes; ++k)
-        if (shown[k] && show_cause(html.file, csv.file, &results[k], o->out, err)) return -1;
-    return page_close(&html, o->out, "stability.html", err) || page_close(&csv, o->out, "stability.csv", err)
-                || page_note(o->out, "stability.txt",
-                             o->causes || o->methods ? "part"
-                             : o->quick              ? "quick"
-                                                     : "full",
-                             o->quick ? "make stability QUICK=1" : "make stability", kit_gl_name(), err)
-             ? -1
-             : 0;
+        if (shown[k] && show_cause(record.file, csv.file, &results[k], o->out, err)) return -1;
+    return page_close(&csv, o->out, "stability.csv", err) || page_end(&record, o->out, "stability", err) ? -1 : 0;
 }
 
 static int stability(const sweep_options *o, kit_error *err)
@@ -59,7 +53,7 @@ static int stability(const sweep_options *o, kit_error *err)
     }
     if (write_all(o, results, shown, err)) return -1;
     show_table_text(stdout, results, shown);
-    printf("charts and pictures: %s/stability.html\n", o->out);
+    printf("charts and pictures: %s/index.html\n", o->out);
     return 0;
 }
 
@@ -88,7 +82,7 @@ static int parse(sweep_options *o, int argc, char **argv, kit_error *err)
         if (!strcmp(a, "--cause")) {
             while (k < sweeps_causes && strcmp(sweeps_cause[k].name, v)) ++k;
             if (k == sweeps_causes)
-                return kit_fail(err, "--cause %s: there is none of that name (stability.html lists them)", v);
+                return kit_fail(err, "--cause %s: there is none of that name (stability.csv's first column has them)", v);
             o->causes += !o->cause[k];
             o->cause[k] = 1;
         } else {

@@ -32,7 +32,7 @@ const kit_row kit_rows_rooms[] = {
 { "bath", MODEL, "-W*.6~W*.6 0 -D+.5 0 0 1 clear .8", "bath_jay_hardy|islandBath|corner_bathtub", "", "use=4" },
 { "benches", PUT, "1~3: -W*.7~W*.7 0 -D*.7~D*.7 0|90 0 1 clear .8", "workbench", "", "use=5" },
 { "free", MODEL, "0~3: -W*.8~W*.8 0 -D*.8~D*.8 0~360 0 1 clear .4",
-  "piano|table_football|treadmill|indoor-bike|stroller|clothes-horse|wheelchair|step-ladder-metal|drum|"
+  "piano|table_football|treadmill|indoor-bike|stroller|clothes-horse|wheelchair|step-ladder-metal|electricGuitar|"
   "tableTennisBat|child_swing|step-ladder-wood|clothes-rack|hanging-clothes2|punching-ball|baby_high_chair|puff", "",
   ".5" },
 { "chairs", PUT, "0~5: -W*.85~W*.85 0 -D*.85~D*.85 0~360 0 1 clear .3", "chair|stool|chair_model|chair_model", "", "" },
@@ -75,7 +75,7 @@ const kit_row kit_rows_rooms[] = {
   "clothes_washing_machine|radiatorAndTowels|showerStall", "", "(use=4)*(hole<2)" },
 { "tools", MODEL, "1~3: -l+.5~l-.5 0 -e+.4 0 0 1 clear .5",
   "utility-shelving|workbench|electric_water_heater_big|barrel|furnace|mower|lockedLocker|bicycle|wheelbarrow|"
-  "gaz_water_heater|ladder|trunk-large", "", "(use=5)*(hole<2)" },
+  "gaz_water_heater|step-ladder-wood|trunk-large", "", "(use=5)*(hole<2)" },
 { "pegs", BOX, "4~16: -l*.8~l*.8 1.3~1.9 -e -25~25", "-.012 -.25~-.1 0 .012 .05~.1 .03 0", "metal", "(use=5)*(hole=0)"
   },
 { "pictures", PART, "0~4: -l+.5~l-.5 1.4~1.7 -e 0 0 1 clear .5", "picture", "", "(hole<2)*(use<4)" },

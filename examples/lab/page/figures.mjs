@@ -1,0 +1,388 @@
+/* figures.mjs - examples/docs/FIGURES.md, the csv beside it and README's chart, from the records that make chart,
+   stability, papers and cost left.
+
+      node examples/lab/page/figures.mjs [report]
+
+   A part of the page whose run is a full one goes to examples/docs, where the others stay as they are; of quick runs
+   the page lies beside the records. A part of a run (SCENE, METHOD, PAPER) changes nothing. A record that cannot be
+   read: one line on stderr, status 2; the page is then as it was. */
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { resolve } from 'node:path';
+import vm from 'node:vm';
+
+const { ssgi_report: report, ssgi_record } = createRequire(import.meta.url)('./report.js');
+const { parse, mean, grouped, named, means, family, by_kind, chains, modelled } = report;
+const folder = process.argv[2] ?? 'report',
+    docs = 'examples/docs';
+
+/* ---- >>markdown -------------------------------------------------------------------------------------------------- */
+
+const cell = (v, digits = 3, sign = false) =>
+    v === null || v === undefined || Number.isNaN(v)
+        ? ''
+        : typeof v !== 'number'
+          ? String(v).replaceAll('|', '\\|')
+          : (sign && v > 0 ? '+' : '') + v.toFixed(digits);
+const table = (heads, rows) =>
+    [heads, null, ...rows]
+        .map(r => (r ? `| ${r.join(' | ')} |` : `|${'---|'.repeat(heads.length)}`))
+        .join('\n')
+        .replaceAll('|  |', '| |')
+        .replaceAll('|  |', '| |');
+/* A row as the tables name it: its label, and what of method and settings that does not tell. */
+function title(r) {
+    const told = r.label === r.method || ['none', 'floor'].includes(r.method);
+    return `${r.label}${told ? '' : `, \`${r.method}\``}${
+        r.settings && !String(r.label).includes(r.settings) ? `: \`${r.settings.replaceAll(',', ', ')}\`` : ''
+    }`;
+}
+const peer = r => family(r) === 'others' && !['none', 'floor'].includes(r.method);
+/* Entries of a record with the heading above each. */
+function* tables(record) {
+    let heading = '',
+        about = '';
+    for (const e of record.entries) {
+        if (e?.heading) {
+            heading = e.heading;
+            about = '';
+        }
+        if (e?.paragraph) about ||= e.paragraph;
+        if (e?.table) yield { heading, about, kind: e.table, rows: parse(e.csv) };
+    }
+}
+const found = (record, kind) => [...tables(record)].find(t => t.kind === kind)?.rows ?? [];
+
+/* ---- >>parts ----------------------------------------------------------------------------------------------------- */
+
+function ambient(record) {
+    const rows = means(found(record, 'ambient')),
+        scenes = grouped(found(record, 'ambient'), 'scene').size;
+    const own = rows.filter(r => !peer(r));
+    return (
+        rows.length &&
+        `Mean of ${scenes} scenes. Noise: deviation over two phases of it; model error: RMSE of their mean.
+
+${table(
+    ['method', 'fetches', 'bytes', 'time', 'RX 6800, ms', 'error', 'model error', 'noise'],
+    own.map(r => [
+        title(r),
+        cell(r.fetches, 1),
+        cell(r.bytes, 0),
+        cell(r.relative_time, 2),
+        cell(modelled(r)),
+        cell(r.share),
+        cell(r.model_error),
+        cell(r.noise)
+    ])
+)}`
+    );
+}
+
+function others(record) {
+    const rows = means(found(record, 'ambient')).filter(peer);
+    return (
+        rows.length &&
+        `Matched: with the radius of ours. Fitted: after the better of a v^b and 1 - a (1 - v)^b for each
+picture, found with the truth in hand.
+
+${table(
+    ['what', 'settings', 'time', 'error', 'error, fitted'],
+    rows.map(r => [r.label, r.settings, cell(r.relative_time, 2), cell(r.share), cell(r.share_fitted)])
+)}`
+    );
+}
+
+function light(record) {
+    const rows = found(record, 'light');
+    return (
+        rows.length &&
+        `The bunny and four boxes under a sky, one bounce: RMSE over the mean of the truth.
+
+${table(
+    ['method', 'fetches', 'time', 'radiance', 'irradiance', 'bias', 'bounce', 'bias'],
+    rows.map(r => [
+        title(r),
+        cell(r.fetches, 1),
+        cell(r.relative_time, 2),
+        cell(r.radiance),
+        cell(r.irradiance),
+        cell(r.irradiance_bias, 3, true),
+        cell(r.bounce, 2),
+        cell(r.bounce_bias, 3, true)
+    ])
+)}`
+    );
+}
+
+function pairs(record) {
+    const rows = found(record, 'pairs').map(r => ({ ...r, pair: `${r.scene}, ${r.probe}` }));
+    return (
+        rows.length &&
+        `RMSE of irradiance over that of no occlusion, no bounce, over ${grouped(rows, 'pair').size} pairs.
+
+${table(
+    ['method', 'time', 'mean', 'worst', 'pair', 'below 1', 'bias'],
+    [...grouped(rows, named).values()].map(g => {
+        const worst = g.reduce((a, b) => (b.share > a.share ? b : a));
+        return [
+            title(g[0]),
+            cell(mean(g.map(r => r.relative_time)), 2),
+            cell(mean(g.map(r => r.share))),
+            cell(worst.share),
+            worst.pair,
+            `${g.filter(r => r.share < 1).length} of ${g.length}`,
+            cell(mean(g.map(r => r.irradiance_bias)), 3, true)
+        ];
+    })
+)}`
+    );
+}
+
+function seeds(record) {
+    const rows = found(record, 'seeds'),
+        kinds = [...grouped(rows, 'kind').keys()];
+    const of = what =>
+        table(
+            ['method', 'mean', 'median', 'worst, seed', 'above 1', ...kinds],
+            by_kind(rows.filter(r => r.what === what)).map(r => [
+                title(r),
+                `${cell(r.mean)} &plusmn; ${cell(r['±'])}`,
+                cell(r.median),
+                `${cell(r.worst)}, ${r.seed}`,
+                r['above 1'],
+                ...kinds.map(k => cell(r[k]))
+            ])
+        );
+    const list = [...grouped(rows, 'seed').keys()];
+    return (
+        rows.length &&
+        `${list.length} scenes, seeds ${Math.min(...list)} to ${Math.max(...list)}, none picked by hand.
+Error over that of no occlusion: the mean with its 95 % interval, on how many it is worse than nothing, means by kind.
+
+${of('ao')}${
+            rows.some(r => r.what === 'light')
+                ? `\n\nIrradiance under each scene's own environment, no bounce:\n\n${of('light')}`
+                : ''
+        }`
+    );
+}
+
+function plan(record) {
+    const rows = [...tables(record)].find(t => t.heading === 'What a scene needs' && t.kind === 'rows')?.rows ?? [];
+    return (
+        rows.length &&
+        `On views that it was not fitted on. Good: at most 1.25 times the cost of the cheapest choice that
+meets the error, and at most 1.2 times the error asked for.
+
+${table(
+    ['', 'good'],
+    rows.map(r => [r.what, `${r.good} of ${r.pairs}`])
+)}`
+    );
+}
+
+/* Causes down, methods across. */
+function worst(sweeps) {
+    const numbers = t => new Map([...grouped(t.rows, 'method')].map(([method, g]) => [method, g[0].number]));
+    const methods = [...new Set(sweeps.flatMap(t => [...numbers(t).keys()]))];
+    const digits = v => (v > 1000 ? 0 : v > 0.03 ? 3 : 4);
+    return table(
+        ['cause', ...methods],
+        sweeps.map(t => [t.heading, ...methods.map(m => cell(numbers(t).get(m), digits(numbers(t).get(m))))])
+    );
+}
+function stability(record) {
+    const sweeps = [...tables(record)].filter(t => t.kind.startsWith('sweep'));
+    const of = name => sweeps.filter(t => t.rows.some(r => r.method === name));
+    const still = of('hsao'), moving = of('hsao-history').filter(t => !still.includes(t));
+    return (
+        sweeps.length &&
+        `The worst of each sweep: RMSE of ambient visibility, or what the page says of that sweep. Beside: no
+ambient occlusion at all, the truth's own flicker, or open ground.
+
+${worst(still)}${moving.length ? `\n\nOver frames:\n\n${worst(moving)}` : ''}`
+    );
+}
+
+function papers(record) {
+    const sheets = [...tables(record)].filter(t => t.kind === 'paper');
+    const count = (t, head) => t.rows.filter(c => c.kind === 'claim' && c.head === head).length;
+    const rows = sheets.map(t => [`[${t.rows[0].paper}] ${t.heading}`, count(t, 'agrees'), count(t, 'differs')]);
+    const sum = k => rows.reduce((s, r) => s + r[k], 0);
+    return (
+        sheets.length &&
+        `What the papers say of their tables and figures, judged by what is drawn here on comparable scenes. The
+page has theirs beside ours, pictures, and what does not agree with its cause.
+
+${table(['figure', 'statements that agree', 'that do not'], [...rows, ['all', sum(1), sum(2)]])}`
+    );
+}
+
+/* "weighed (busy, calm)", one number where all are the same. */
+function ways(r, device, digits) {
+    const key = way => `${device}${device ? ' ' : ''}${way}`;
+    const [weighed, busy, calm] = ['weighed', 'busy', 'calm'].map(way => cell(r[key(way)], digits));
+    return weighed === busy && weighed === calm ? weighed : `${weighed} (${busy}, ${calm})`;
+}
+function cost(record) {
+    const rows = chains(found(record, 'cost'));
+    if (!rows.length) return '';
+    const [first, second] = [...grouped(rows, 'family').keys()],
+        of = rows.filter(r => r.family === first);
+    const beside = r => rows.find(o => o.chain === r.chain && o.family === second);
+    const devices = Object.keys(rows[0])
+        .filter(k => k.endsWith(' weighed'))
+        .map(k => k.slice(0, -8))
+        .filter(d => rows.some(r => typeof r[`${d} weighed`] === 'number'));
+    return `Never measured: Mesa's compiler made these instructions of the passes, for GPUs that were not there.
+Milliseconds are a model's of 1920x1080 (examples/lab/cost/model.h): weighed as waves of 8x8 texels enter on twelve
+scenes by seed, in brackets busy, all that an \`if\` guards, and calm, none of what a wave may leave out. Splats and
+surfels are left out.
+
+${table(
+    [
+        'chain',
+        `${first}: instructions`,
+        'fetches',
+        'bytes in',
+        'out',
+        'registers',
+        'waves',
+        `${second}: instructions`,
+        ...devices.map(d => `${d}, ms`),
+        'programs',
+        'text, kB',
+        'MB of targets at 1080'
+    ],
+    of
+        .filter(beside)
+        .map(r => [
+            `${r.chain}${r.splats ? ', less splats' : ''}`,
+            ways(r, '', 0),
+            cell(r.fetches, 1),
+            cell(r.bytes_in, 1),
+            cell(r.bytes_out, 1),
+            cell(r.vgprs, 0),
+            cell(r.waves, 0),
+            ways(beside(r), '', 0),
+            ...devices.map(d => ways(typeof r[`${d} weighed`] === 'number' ? r : beside(r), d, 3)),
+            cell(r.programs, 0),
+            cell(r.text_bytes / 1e3, 1),
+            cell(r.targets_1080 / 1e6, 1)
+        ])
+)}
+
+Cheaper by every figure, in both families, and than all of its kind that take more instructions than the next:
+${of
+    .filter(r => r.cheaper_than)
+    .map(r => `${r.chain} < ${r.cheaper_than}`)
+    .join('; ')}.`;
+}
+
+/* The page's parts in their order, each of a record. */
+const parts = [
+    ['Ambient occlusion', 'chart', ambient],
+    ['What others have', 'chart', others],
+    ['Light: speed against accuracy', 'chart', light],
+    ['Light on every pair of a scene and a probe', 'chart', pairs],
+    ['Scenes by seed', 'chart', seeds],
+    ['The plan', 'chart', plan],
+    ['Where methods fail', 'stability', stability],
+    ["The papers' own tables and figures", 'papers', papers],
+    ['What chains cost a GPU, modelled', 'cost', cost]
+];
+
+const head = `# Figures
+
+Made by \`make chart\`, \`make stability\`, \`make papers\` and \`make cost\`: change nothing here. Each part names its
+command, commit, machine and driver; their page, report/index.html, has charts, pictures and every scene, and the csv of
+full runs are in [figures](figures).
+
+- Time: GL time of all passes, filter included, over one unblurred 16-sample \`ssao\` in the same interleaved run.
+- Error: RMSE against ray-traced truth over the RMSE of having no ambient occlusion. Raw output: no gain, no exponent.
+- Biases: below 0 is too dark. Bytes and fetches: a pixel, all passes.
+`;
+
+/* ---- >>writing --------------------------------------------------------------------------------------------------- */
+
+/* Whole, or not at all. */
+function write(path, text) {
+    writeFileSync(`${path}.part`, text);
+    renameSync(`${path}.part`, path);
+}
+const records = name => report.records[name];
+const origin = r => `*\`${r.command}\`, commit ${r.commit}, ${r.cores} cores (${r.processor}), ${r.driver}*`;
+function page(kind, old) {
+    const kept = new Map(
+        old
+            .split(/\n(?=## )/)
+            .slice(1)
+            .map(part => [part.slice(3, part.indexOf('\n')), part])
+    );
+    return (
+        head +
+        parts
+            .map(([name, of, write]) => {
+                const text = records(of)?.kind === kind && write(records(of));
+                return text
+                    ? `\n## ${name}\n\n${origin(records(of))}\n\n${text}\n`
+                    : kept.has(name)
+                      ? `\n${kept.get(name)}`
+                      : '';
+            })
+            .join('')
+    );
+}
+/* README's chart; without Plot it stays as it is. */
+async function draw(into) {
+    const here = name => resolve('build/page/node_modules', name);
+    const rows = found(records('chart'), 'ambient'), all = rows.length ? report.ambient(rows, 'mean') : [];
+    if (!all.length || !existsSync(here('linkedom'))) return;
+    const Plot = await import(here('@observablehq/plot/src/index.js'));
+    const { parseHTML } = await import(here('linkedom/esm/index.js'));
+    const { document } = parseHTML('<html><body></body></html>');
+    const clock = Object.values(report.clocks)[all.filter(r => r._ms !== null).length > 6 ? 1 : 0];
+    const up = 'error (RMSE), share of having no AO at all', style = { background: '#fff', fontSize: '12px' };
+    const options = report.scatter(Plot, all, { ...clock, y: 'share', floor: report.floor_of(all), up });
+    const svg = Plot.plot({ ...options, document, style });
+    svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+    write(`${into}/chart.svg`, `${svg.outerHTML.replaceAll('currentColor', '#222')}\n`);
+    console.log(`figures: ${into}/chart.svg`);
+}
+
+for (const name of ['chart', 'stability', 'papers', 'cost']) {
+    const file = `${folder}/${name}.js`;
+    if (!existsSync(file)) continue;
+    try {
+        vm.runInNewContext(readFileSync(file, 'utf8'), { ssgi_record });
+    } catch (e) {
+        console.error(`figures: ${file}: is no record: ${e.message}`);
+        process.exit(2);
+    }
+}
+const kinds = Object.values(report.records).map(r => r.kind);
+if (!kinds.length) {
+    console.error(
+        `figures: ${folder}: holds none of chart.js, stability.js, papers.js and cost.js (make chart, make ` +
+            'stability, make papers, make cost)'
+    );
+    process.exit(2);
+}
+for (const [kind, into] of [
+    ['full', docs],
+    ['quick', folder]
+]) {
+    if (!kinds.includes(kind)) continue;
+    const path = `${into}/FIGURES.md`;
+    write(path, page(kind, existsSync(path) && kind === 'full' ? readFileSync(path, 'utf8') : ''));
+    console.log(`figures: ${path}${kind === 'full' ? '' : ` (${docs}/FIGURES.md has full runs alone)`}`);
+    if (records('chart')?.kind === kind) await draw(kind === 'full' ? `${docs}/pictures` : folder);
+    if (kind !== 'full') continue;
+    mkdirSync(`${docs}/figures`, { recursive: true });
+    for (const file of readdirSync(folder))
+        for (const name of ['chart', 'stability', 'papers', 'cost'])
+            if (file.startsWith(name) && file.endsWith('.csv') && records(name)?.kind === kind)
+                copyFileSync(`${folder}/${file}`, `${docs}/figures/${file}`);
+}
+if (kinds.includes('part')) console.log('figures: some are left as they are, for a part alone was measured');

@@ -1,0 +1,441 @@
+/* report.js - the page of what was measured: records, as page.c writes them, become text, tables and pictures; charts
+   are drawn by Observable Plot where make page-deps brought it. figures.mjs uses the same in node. */
+const ssgi_report = (() => {
+const records = {};
+
+/* ---- >>data ------------------------------------------------------------------------------------------------- */
+
+/* Rows of a csv as objects; what looks like a number is one. */
+function parse(text) {
+    const rows = [], cell = /("(?:[^"]|"")*"|[^,\n]*)(,|\n|$)/y;
+    let row = [];
+    while (cell.lastIndex < text.length) {
+        const [, value, end] = cell.exec(text);
+        row.push(value[0] === '"' ? value.slice(1, -1).replaceAll('""', '"') : value);
+        if (end !== ',') { rows.push(row); row = []; }
+    }
+    const head = rows.shift() ?? [];
+    return rows.map(r => Object.fromEntries(head.map((key, i) =>
+        [key, r[i] === '' || r[i] === undefined ? null : isNaN(r[i]) ? r[i] : +r[i]])));
+}
+const known = v => v !== null && v !== undefined && !Number.isNaN(v);
+const mean = list => { const v = list.filter(known); return v.length ? v.reduce((a, b) => a + b) / v.length : null; };
+const median = list => {
+    const v = list.filter(known).sort((a, b) => a - b), n = v.length;
+    return n ? (v[(n - 1) >> 1] + v[n >> 1]) / 2 : null;
+};
+/* Half of the mean's 95 % interval. */
+const half = list => {
+    const v = list.filter(known), m = mean(v);
+    return v.length > 1 ? 1.96 * Math.sqrt(v.reduce((s, x) => s + (x - m) ** 2, 0) / (v.length - 1) / v.length) : null;
+};
+const grouped = (rows, key) => {
+    const groups = new Map();
+    for (const r of rows) {
+        const k = typeof key === 'function' ? key(r) : r[key];
+        groups.has(k) ? groups.get(k).push(r) : groups.set(k, [r]);
+    }
+    return groups;
+};
+const unique = list => [...new Set(list)];
+
+/* What a row is called: its label, and what of method and settings that does not tell. */
+const named = r => `${r.label && r.label !== r.method ? `${r.label}: ` : ''}${r.method ?? ''}${
+    r.settings ? ` ${r.settings}` : ''}`;
+const families = ['ssao', 'hsao', 'ssdo', 's3ho', 'ssbn', 'dss', 'aof'];
+const family = r => families.find(f => String(r.method).startsWith(f)) ?? 'others';
+
+/* One row for each of the same label, method and settings: means of what is a number. */
+function means(rows) {
+    return [...grouped(rows, r => [r.label, r.method, r.settings].join('|')).values()].map(group => {
+        const of = { ...group[0], scene: 'mean' };
+        for (const key of Object.keys(of))
+            if (group.every(r => typeof r[key] === 'number' || r[key] === null) && key !== 'seed')
+                of[key] = mean(group.map(r => r[key]));
+        return of;
+    });
+}
+
+/* The chain of make cost that a row is of; a device's milliseconds of it, where that was modelled. */
+const chain_words = { 'thickness=slabs': '-slabs', 'thickness=back': '-back', 'history=1': '-history',
+                      'normal=depth': '-depth', 'reuse=1': '-reuse' };
+function modelled(r, device = 'RX 6800') {
+    const table = entry('cost', 'cost');
+    const settings = String(r.settings ?? '').split(',').filter(s => s && s !== 'bounce=none');
+    if (!table || settings.some(s => !chain_words[s])) return null;
+    const name = r.method + settings.map(s => chain_words[s]).join('');
+    const row = table.find(c => c.chain === name && !c.pass && known(c[`${device} weighed`]));
+    return row && !row.splats ? row[`${device} weighed`] : null;
+}
+/* The first table of a kind in a record. */
+function entry(name, kind) {
+    const of = records[name];
+    if (!of) return null;
+    of.parsed ??= new Map();
+    if (!of.parsed.has(kind)) {
+        const e = of.entries.find(e => e && e.table === kind);
+        of.parsed.set(kind, e ? parse(e.csv) : null);
+    }
+    return of.parsed.get(kind);
+}
+
+/* ---- >>charts: options of Plot, for the page and for README's SVG -------------------------------------------- */
+
+const colours = { ssao: '#e69f00', hsao: '#0072b2', ssdo: '#009e73', s3ho: '#cc79a7', ssbn: '#56b4e9', dss: '#d55e00',
+                  aof: '#8c6d31', others: '#77777f' };
+const tip = r => Object.entries(r).filter(([key, v]) => known(v) && v !== '' && key[0] !== '_').map(([key, v]) =>
+    `${key.replaceAll('_', ' ')}: ${typeof v === 'number' ? +v.toPrecision(4) : v}`).slice(0, 16).join('\n');
+
+/* Points of rows, joined along a label; x as logarithms. The broad line joins those that nothing beats. */
+function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, width = 900, height = 520 }) {
+    const points = rows.filter(r => known(r[x]) && known(r[y]) && r.method !== 'none' && r.method !== 'floor')
+        .sort((a, b) => a[x] - b[x]);
+    const front = [];
+    for (const r of points)
+        if (!front.length || r[y] < front.at(-1)[y]) front.push(r);
+    const labels = [...grouped(points, 'label').values()].map(g => g.reduce((a, b) => b[x] > a[x] ? b : a));
+    return {
+        width, height, marginLeft: 56, marginRight: 90, grid: true,
+        x: { type: even ? 'linear' : 'log', label: across, tickFormat: even ? undefined : '~g' },
+        y: { label: up, zero: Math.min(...points.map(r => r[y])) < 0.35 * Math.max(...points.map(r => r[y])) },
+        color: { domain: Object.keys(colours), range: Object.values(colours),
+                 legend: false },
+        marks: [
+            even ? null : Plot.line(front, { x, y, curve: 'step-after', stroke: '#8884', strokeWidth: 7 }),
+            floor === null ? null : Plot.ruleY([floor], { stroke: '#888', strokeDasharray: '6 4' }),
+            Plot.line(points, { x, y, z: 'label', stroke: family, strokeOpacity: 0.55 }),
+            Plot.dot(points, { x, y, fill: family, r: 4, title: tip, tip: typeof window !== 'undefined' }),
+            Plot.text(labels, { x, y, text: 'label', dx: 7, textAnchor: 'start', fill: family, fontSize: 11 })
+        ].filter(Boolean)
+    };
+}
+
+/* A strip a method: a dot a scene, the mean and its interval. */
+function strips(Plot, rows, { x = 'share', dot = 'kind', across, width = 900 }) {
+    const groups = [...grouped(rows, named).entries()].filter(([, g]) => g.some(r => known(r[x])));
+    const all = groups.map(([name, g]) => ({ name, mean: mean(g.map(r => r[x])), half: half(g.map(r => r[x])) ?? 0 }));
+    const most = Math.max(...all.map(a => a.mean));
+    const shown = rows.filter(r => known(r[x]));
+    return {
+        width, height: 60 + 19 * groups.length, marginLeft: 340, marginBottom: 36,
+        x: { label: across, grid: true, domain: [0, Math.min(Math.max(...shown.map(r => r[x])), 2.2 * most)],
+             clamp: true },
+        y: { domain: groups.map(([name]) => name), label: null, tickSize: 0 },
+        color: { legend: true, scheme: 'tableau10' },
+        marks: [
+            Plot.dot(shown, { x, y: named, fill: dot, r: 2.2, fillOpacity: 0.6, title: tip,
+                              tip: typeof window !== 'undefined' }),
+            Plot.link(all, { x1: a => a.mean - a.half, x2: a => a.mean + a.half, y1: 'name', y2: 'name',
+                             stroke: 'currentColor', strokeWidth: 1.5 }),
+            Plot.tickX(all, { x: 'mean', y: 'name', stroke: 'currentColor', strokeWidth: 2.5,
+                              title: a => `${a.name}\nmean ${a.mean.toFixed(4)} +- ${a.half.toFixed(4)}` })
+        ]
+    };
+}
+
+function curves(Plot, rows, { log = false, up, width = 900 }) {
+    const first = rows[0] ?? {}, many = rows.length / unique(rows.map(r => r.method)).length > 16;
+    return {
+        width, height: 400, marginLeft: 60, marginRight: 110, grid: true,
+        x: { type: log ? 'log' : 'linear', label: first.unit, tickFormat: log ? '~g' : undefined },
+        y: { label: up, zero: true }, color: { scheme: 'tableau10' },
+        marks: [
+            Plot.line(rows, { x: 'value', y: 'figure', stroke: 'method' }),
+            many ? null : Plot.dot(rows, { x: 'value', y: 'figure', fill: 'method', r: 2.5 }),
+            Plot.tip(rows, Plot.pointer({ x: 'value', y: 'figure', title: tip })),
+            Plot.text(rows, Plot.selectLast({ x: 'value', y: 'figure', z: 'method', text: 'method', fill: 'method',
+                                              dx: 6, textAnchor: 'start', fontSize: 10 }))
+        ].filter(Boolean)
+    };
+}
+
+const clocks = {
+    'this machine: over ssao': { x: 'relative_time', across: 'GL time over that of one unblurred 16-sample ssao' },
+    'RX 6800, modelled: ms': { x: '_ms', across: 'milliseconds of an RX 6800 at 1920x1080, modelled' }
+};
+const timed = rows => rows.map(r => ({ ...r, _ms: modelled(r) }));
+/* What the chart of ambient occlusion shows of chart.csv: peers after their fit. */
+function ambient(rows, scene) {
+    const peers = r => known(r.share_fitted) && family(r) === 'others' && r.method !== 'none' && r.method !== 'floor';
+    return timed(scene === 'mean' ? means(rows) : rows.filter(r => r.scene === scene)).map(r =>
+        ({ ...r, share: peers(r) ? r.share_fitted : r.share }));
+}
+const floor_of = rows => rows.find(r => r.method === 'floor')?.share ?? null;
+
+/* ---- >>page -------------------------------------------------------------------------------------------------- */
+
+const el = (tag, attributes = {}, ...children) => {
+    const e = document.createElement(tag);
+    for (const [key, v] of Object.entries(attributes)) key in e ? e[key] = v : e.setAttribute(key, v);
+    e.append(...children.filter(c => c !== null && c !== undefined));
+    return e;
+};
+const plotted = options => {
+    if (typeof Plot === 'undefined')
+        return el('p', { className: 'faint' }, 'The chart needs @observablehq/plot: make page-deps, then this again.');
+    const style = { color: 'var(--ink)', background: 'none', fontSize: '12px' };
+    return el('div', { className: 'plot' }, Plot.plot({ ...options, style }));
+};
+const choose = (label, values, changed) => el('label', {}, `${label} `, el('select', {
+    onchange: e => changed(e.target.value) }, ...values.map(v => el('option', { value: v }, v))));
+
+let columns = new Map();
+const shown = (v, key) => {
+    const c = columns.get(key);
+    if (!known(v)) return '–';
+    if (typeof v !== 'number') return String(v);
+    if (c) return (c[4] && v > 0 ? '+' : '') + v.toFixed(c[3]);
+    return Number.isInteger(v) ? String(v) : String(+v.toPrecision(4));
+};
+/* Columns that no row has are left out; a click on a head sorts. */
+function table(rows, keys = null) {
+    keys ??= Object.keys(rows[0] ?? {}).filter(k => k[0] !== '_' && !['label', 'method', 'settings'].includes(k)
+        && (!columns.size || columns.get(k)?.[1] !== '') && rows.some(r => known(r[k]) && r[k] !== ''));
+    const names = rows.length && 'method' in rows[0];
+    const body = el('tbody');
+    const fill = list => body.replaceChildren(...list.map(r => el('tr', {}, names ? el('td', {}, named(r)) : null,
+        ...keys.map(k => el('td', { className: typeof r[k] === 'string' ? 'words' : '' }, shown(r[k], k))))));
+    const sort = k => { let up = true; return () => {
+        fill([...rows].sort((a, b) => (up ? 1 : -1) * (a[k] > b[k] ? 1 : a[k] < b[k] ? -1 : 0))); up = !up; }; };
+    fill(rows);
+    return el('div', { className: 'wide' }, el('table', {}, el('thead', {}, el('tr', {},
+        names ? el('th', { onclick: () => fill(rows) }, 'method') : null, ...keys.map(k =>
+            el('th', { title: columns.get(k)?.[2] ?? '', onclick: sort(k) },
+               columns.get(k)?.[1] || k.replaceAll('_', ' '))))), body));
+}
+/* What is drawn anew whenever something is chosen. */
+function chosen(choices, draw) {
+    const state = Object.fromEntries(Object.entries(choices).map(([k, v]) => [k, v[0]])), at = el('div');
+    const again = () => at.replaceChildren(...draw(state));
+    const bar = el('div', { className: 'choose' }, ...Object.entries(choices).filter(([, v]) => v.length > 1).map(
+        ([k, v]) => choose(k, v, value => { state[k] = value; again(); })));
+    again();
+    return [bar, at];
+}
+const of_family = (rows, f) => f === 'all' ? rows : rows.filter(r => family(r) === f);
+const all_families = rows => ['all', ...unique(rows.map(family))];
+
+const views = {
+    rows: rows => [table(rows)],
+    ambient: rows => chosen({ scene: ['mean', ...unique(rows.map(r => r.scene))], family: all_families(rows),
+                              clock: Object.keys(clocks).slice(0, records.cost ? 2 : 1) }, s => {
+        const list = of_family(ambient(rows, s.scene), s.family), clock = clocks[s.clock];
+        return [plotted(scatter(Plot_, list, { ...clock, y: 'share', floor: floor_of(ambient(rows, s.scene)),
+                                               up: 'error (RMSE), share of having no AO at all' })), table(list)];
+    }),
+    light: rows => chosen({ family: all_families(rows), clock: Object.keys(clocks).slice(0, records.cost ? 2 : 1) },
+        s => { const list = of_family(timed(rows), s.family);
+            return [plotted(scatter(Plot_, list, { ...clocks[s.clock], y: 'radiance',
+                up: "error (RMSE), share of the truth's mean radiance" })), table(list)]; }),
+    scatter: rows => [plotted(scatter(Plot_, rows, { ...Object.values(clocks)[0], y: 'share',
+        up: 'error (RMSE), share of having no AO at all' })), table(rows)],
+    turn: rows => [plotted(scatter(Plot_, rows, { x: 'degrees', y: 'share', even: true,
+        across: 'degrees that the camera has turned away from what occludes',
+        up: 'error (RMSE) on the same ground, share of having no AO at all' })), table(rows)],
+    memory: rows => [plotted(scatter(Plot_, rows, { x: 'kilobytes', y: 'rmse', height: 280,
+        across: 'kB of the fields', up: 'RMSE of occlusion' })), table(rows)],
+    pairs: rows => {
+        const of = rows.map(r => ({ ...r, pair: `${r.scene}, ${r.probe}` }));
+        return chosen({ family: all_families(of), probe: ['all', ...unique(of.map(r => r.probe))] }, s => {
+            const list = of_family(of, s.family).filter(r => s.probe === 'all' || r.probe === s.probe);
+            return [plotted(strips(Plot_, list.filter(r => r.share !== 1), { dot: 'probe',
+                across: 'RMSE of irradiance over that of no occlusion, a dot a pair' })),
+            table([...grouped(list, named).values()].map(g => ({ label: g[0].label, method: g[0].method,
+                settings: g[0].settings, time: mean(g.map(r => r.relative_time)), mean: mean(g.map(r => r.share)),
+                worst: Math.max(...g.map(r => r.share)),
+                pair: g.reduce((a, b) => b.share > a.share ? b : a).pair,
+                'below 1': g.filter(r => r.share < 1).length, pairs: g.length,
+                bias: mean(g.map(r => r.irradiance_bias)) })))];
+        });
+    },
+    seeds: rows => chosen({ of: unique(rows.map(r => r.what)), family: all_families(rows),
+                            kind: ['all', ...unique(rows.map(r => r.kind))] }, s => {
+        const list = of_family(rows, s.family).filter(r => r.what === s.of && (s.kind === 'all' || r.kind === s.kind));
+        return [plotted(strips(Plot_, list, { across: 'RMSE over that of no occlusion, a dot a scene' })),
+                table(by_kind(list))];
+    }),
+    plan: rows => [plotted({ width: 700, height: 420, grid: true, marginLeft: 56,
+        x: { type: 'log', label: 'error asked for', tickFormat: '~g' },
+        y: { type: 'log', label: "the plan's error, measured", tickFormat: '~g' },
+        color: { type: 'categorical', domain: ['good', 'not'], range: ['#0072b2', '#d55e00'], legend: true },
+        marks: typeof Plot === 'undefined' ? [] : [Plot.line([[0.01, 0.01], [0.2, 0.2]], { stroke: '#888' }),
+            Plot.dot(rows.filter(r => r.measured > 0), { x: 'asked', y: 'measured', r: 3, title: tip, tip: true,
+                                                         stroke: r => r.good ? 'good' : 'not' })] }),
+        fold('Pair by pair', () => [table(rows)])],
+    sweep: rows => [plotted(curves(Plot_, rows, {})), numbers(rows)],
+    'sweep-log': rows => [plotted(curves(Plot_, rows, { log: true })), numbers(rows)],
+    paper: rows => paper(rows),
+    cost: rows => cost(rows),
+    quiet: rows => {
+        const list = rows.map(r => ({ ...r, label: r.settings ? `${r.method} ${r.settings}` : r.method,
+            noise: known(r.noise_seen) ? 1e3 * r.noise_seen : null, error: 1e3 * r.truth_seen }));
+        return ['noise', 'error'].map(y => plotted(scatter(Plot_, list, { x: 'ms', y, height: 340,
+            across: 'milliseconds', up: `${y} of 1.2 to 8 pixels, thousandths of visibility` }))).concat(
+            table(rows, ['ms', ...Object.keys(rows[0]).filter(k => /^(noise|all|truth)_/.test(k))]));
+    },
+    bench: rows => {
+        const list = rows.filter(r => r.pass === 'frame').map(r => ({ ...r, name: named(r) }));
+        return chosen({ size: unique(list.map(r => `${r.width}x${r.height}`)) }, s => {
+            const at = list.filter(r => `${r.width}x${r.height}` === s.size);
+            const bounds = at.flatMap(r => Object.keys(r).filter(k => k.endsWith('_ms')).map(k =>
+                ({ name: r.name, ms: r[k], bound: k.slice(0, -3) }))).filter(b => b.ms > 0);
+            return [plotted({ width: 900, height: 60 + 18 * at.length, marginLeft: 230,
+                x: { type: 'log', label: 'milliseconds', grid: true, tickFormat: '~g' },
+                y: { domain: at.map(r => r.name), label: null }, color: { legend: true },
+                marks: typeof Plot === 'undefined' ? [] : [
+                    Plot.ruleY(at, { x1: 'lower_quartile', x2: 'upper_quartile', y: 'name', strokeWidth: 7,
+                                     stroke: '#888a' }),
+                    Plot.tickX(at, { x: 'ms', y: 'name', strokeWidth: 3, title: tip, tip: true }),
+                    Plot.dot(bounds, { x: 'ms', y: 'name', stroke: 'bound', r: 3 })] }), table(at)];
+        });
+    }
+};
+
+const by_kind = rows => [...grouped(rows, named).values()].map(g => {
+    const share = g.map(r => r.share), worst = g.reduce((a, b) => b.share > a.share ? b : a);
+    const of = { label: g[0].label, method: g[0].method, settings: g[0].settings, mean: mean(share), '±': half(share),
+                 median: median(share), worst: worst.share, seed: worst.seed,
+                 'above 1': share.filter(v => v > 1).length };
+    for (const [kind, list] of grouped(g, 'kind')) of[kind] = mean(list.map(r => r.share));
+    return of;
+});
+const numbers = rows => table([...grouped(rows, r => r.method).values()].map(g =>
+    ({ method: g[0].method, settings: g[0].settings, number: g[0].number })));
+
+/* A sheet of a paper: a line a cell becomes what it says, its table and what was claimed. */
+function paper(cells) {
+    const text = kind => cells.find(c => c.kind === kind)?.text, word = v => known(v) ? String(v) : '';
+    const rows = [...grouped(cells.filter(c => c.row > 0), 'row').values()].map(g => {
+        const method = g.find(c => c.kind === 'method'), note = g.find(c => c.kind === 'note')?.text;
+        const of = { "the paper's": word(g.find(c => c.kind === 'what')?.text),
+                     ours: method?.head ? `${method.head} ${word(method.text)}${note ? `; ${note}` : ''}`
+                                        : `not drawn: ${word(note)}` };
+        for (const c of g) if (c.kind === 'printed') of[`paper: ${c.head}`] = c.text;
+        for (const c of g) if (c.kind === 'measured') of[c.head] = c.text;
+        return of;
+    });
+    return [el('p', {}, el('b', {}, 'The paper: '), word(text('theirs')),
+               text('erratum') ? ` Erratum: ${text('erratum')}` : ''),
+            el('p', {}, el('b', {}, 'Here: '), word(text('ours'))), table(rows, Object.keys(rows[0] ?? {})),
+            el('ul', {}, ...cells.filter(c => c.kind === 'claim').map(c => el('li', {}, c.text)))];
+}
+
+const chains = rows => rows.filter(r => !r.pass);
+function cost(rows) {
+    const devices = Object.keys(rows[0]).filter(k => k.endsWith(' weighed')).map(k => k.slice(0, -8));
+    return chosen({ device: devices, passes: ['chains', ...unique(chains(rows).map(r => r.chain))] }, s => {
+        const key = `${s.device} weighed`, of = s.passes === 'chains' ? chains(rows) : rows.filter(r =>
+            r.chain === s.passes && r.pass);
+        const list = of.filter(r => known(r[key])).map(r => ({ ...r, name: r.pass || r.chain }));
+        return [plotted({ width: 900, height: 50 + 17 * list.length, marginLeft: 180,
+            x: { label: 'milliseconds', grid: true },
+            y: { domain: unique(list.map(r => r.name)), label: null },
+            marks: typeof Plot === 'undefined' ? [] : [
+                Plot.ruleY(list, { x1: `${s.device} calm`, x2: `${s.device} busy`, y: 'name', strokeWidth: 6,
+                                   stroke: '#8886' }),
+                Plot.tickX(list, { x: key, y: 'name', strokeWidth: 3, title: tip, tip: true })] }),
+        table(list, ['name', key, `${s.device} busy`, `${s.device} calm`, 'busy', 'fetches', 'bytes_in', 'bytes_out',
+                     'vgprs', 'waves'])];
+    });
+}
+
+/* What is folded is made when it is opened. */
+const fold = (title, make) => {
+    const d = el('details', {}, el('summary', {}, title));
+    d.addEventListener('toggle', () => d.children.length < 2 && d.append(...make()));
+    return d;
+};
+
+function figure(e) {
+    const link = (slug, label) => el('a', { href: `${slug}.png` }, el('img', { src: `${slug}.png`, alt: label,
+        width: e.width, height: e.height, loading: 'lazy' }));
+    return el('figure', {}, el('figcaption', {}, el('b', {}, e.label), el('span', {}, e.note)),
+              link(e.picture, e.label),
+              e.difference ? link(`${e.picture}-difference`, `difference of ${e.label}`) : null);
+}
+/* Pictures that follow each other stand in a grid; many, as of scenes, are folded. */
+function shown_entries(entries) {
+    const out = [];
+    let grid = null, scenes = null;
+    for (const e of entries) {
+        if (!e) continue;
+        if (e.columns) { columns = new Map(e.columns.map(c => [c[0], c])); continue; }
+        if (e.level === 4) {                       /* a scene of many: its pictures in one strip */
+            if (!scenes) out.push(scenes = { level: 4, list: [] });
+            scenes.list.push({ name: e.heading, pictures: [] });
+            continue;
+        }
+        if (e.picture && scenes) { scenes.list.at(-1).pictures.push(e); continue; }
+        scenes = e.picture ? scenes : null;
+        if (e.picture || e.key) {
+            const style = `--wide: ${e.width > 320 ? 400 : 220}px`;
+            if (!grid) out.push(grid = el('div', { className: 'grid', style }));
+            grid.append(e.picture ? figure(e) : el('figure', { className: 'key' },
+                el('img', { src: 'difference-legend.png', alt: 'blue over white to red' }),
+                el('div', { className: 'faint' }, el('span', {}, `−${e.key} too dark`), el('span', {}, '0'),
+                   el('span', {}, `too bright +${e.key}`)),
+                el('p', { className: 'faint' }, 'Under each picture: its difference to the truth.')));
+            continue;
+        }
+        grid = null;
+        if (e.heading) out.push(el(`h${e.level}`, {}, e.heading));
+        else if (e.paragraph) out.push(el('p', { className: e.paragraph.length > 60 ? 'faint' : '' }, e.paragraph));
+        else if (e.table) out.push(...(views[e.table] ?? views.rows)(parse(e.csv)));
+    }
+    return out.map(e => e.level === 4 ? strip(e.list) : e);
+}
+function strip(list) {
+    const kinds = [...grouped(list, s => s.name.replace(/-\d+$/, '')).entries()];
+    return el('div', {}, ...kinds.map(([kind, scenes]) => fold(`${kind}: ${scenes.length} scenes`, () => scenes.map(s =>
+        el('div', {}, el('h4', { id: s.name }, s.name), el('div', { className: 'grid', style: '--wide: 220px' },
+                                                           ...s.pictures.map(figure)))))));
+}
+
+const terms = [
+    ['time', 'GL time of all passes, over that of one unblurred 16-sample ssao drawn right before and after it in the '
+        + 'same run; the median of several rounds. Modelled: milliseconds of a device, of a compiler\'s count.'],
+    ['fetches, bytes', 'A pixel, all passes: texels fetched; what is read and written, each texel of a pass\'s inputs '
+        + 'and outputs once.'],
+    ['RMSE, share', 'Root mean square difference to the ray-traced truth, over the pixels that show something, as it '
+        + 'comes: no gain, no exponent. The share is that over the RMSE of having no ambient occlusion at all.'],
+    ['bias, p95, SSIM', 'The mean difference (below 0: too dark), the difference that 95 % of the pixels stay under, '
+        + 'structural similarity.'],
+    ['edge, border, inside', 'Shares of the squared error within 3 pixels of a jump in depth; elsewhere, nearer to the '
+        + 'border than the radius is long; and in the rest.'],
+    ['model, noise', 'The model\'s error is what the mean picture over phases of the noise is off; the noise is what a '
+        + 'pixel varies by.'],
+    ['floor', 'The exact answer from one depth layer, taken as thin sheets. What lies between it and the truth is not '
+        + 'in the depth buffer.'],
+    ['the broad line', 'No other point of the chart is both faster and closer to the truth.'],
+    ['radiance, irradiance, bounce', 'RMSE over the truth\'s mean, red, green and blue together: light that leaves the '
+        + 'surface; that arrives, over pi; that was reflected once before.'],
+    ['three.js, n8ao, Babylon.js, PlayCanvas', 'Others\' own code, denoisers included, on the same depth and normals. '
+        + 'Fitted: after the better of a v^b and 1 - a (1 - v)^b for each picture, found with the truth in hand.']
+];
+
+let Plot_;
+function show() {
+    Plot_ = typeof Plot === 'undefined' ? new Proxy({}, { get: () => () => null }) : Plot;
+    const names = Object.keys(records), main = document.getElementById('main');
+    if (!names.length) return;
+    const open = () => {
+        const name = decodeURIComponent(location.hash.slice(1)), of = records[name] ?? records[names[0]];
+        document.getElementById('records').replaceChildren(...names.map(n => el('a', { href: `#${n}`,
+            className: records[n] === of ? 'now' : '' }, n)));
+        columns = new Map();
+        main.replaceChildren(el('p', { className: 'faint' }, `${of.command}: ${of.kind === 'full' ? '' :
+            `a ${of.kind === 'quick' ? 'quick run, smaller and with fewer rows' : 'part'}; `}commit ${of.commit}, ${
+            of.cores} cores (${of.processor}), ${of.driver}`), ...shown_entries(of.entries),
+            fold('What the figures mean', () => [el('dl', {}, ...terms.flatMap(([t, d]) =>
+                [el('dt', {}, t), el('dd', {}, d)]))]));
+    };
+    addEventListener('hashchange', () => { open(); scrollTo(0, 0); });
+    open();
+}
+
+return { records, parse, mean, median, half, grouped, unique, named, family, means, modelled, entry, scatter, strips,
+         ambient, floor_of, by_kind, chains, clocks, timed, show };
+})();
+
+function ssgi_record(record) { ssgi_report.records[record.name] = record; }
+if (typeof module !== 'undefined') module.exports = { ssgi_report, ssgi_record };
