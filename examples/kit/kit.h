@@ -5,8 +5,8 @@
 
      kit/       util.c     errors, progress, threads, whole files, JSON, vectors
                 image.c    float pictures; exr.c, hdr.c, png.c: read and written; score.c: compared
-     scene/     mesh.c     triangles of an OBJ; text.c: its lines, materials.c: its MTL files; soup.c: objects of any
-                models.c   models of all other formats, which assimp.c reads; texture.c, cards.c: what cuts them
+     scene/     mesh.c     triangles of an OBJ of a package; soup.c: objects of any
+                models.c   users' models, which assimp.c reads; texture.c, cards.c: what cuts them
                 scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of;
                            scenes.c: the built-in ones, of buildings.c, thin.c and solids.c; seeds.c: those drawn from
                            a seed, by the rows of tables/, and models of packages: see kit_seed.h

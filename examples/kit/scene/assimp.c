@@ -77,7 +77,7 @@ typedef struct reader {
     const struct aiScene *scene;
     place root; /* turns all upright */
     kit_soup *soup;
-    kit_text text; /* for errors */
+    kit_source from;
     char *note;
     int missing, gltf;
     kit_array textures; /* known */
@@ -108,13 +108,13 @@ static void remark(reader *r, const char *texture, const char *why)
 /* The whole file that a model names: as it is named, or beside the model. */
 static int beside(char **data, size_t *size, const reader *r, const char *name)
 {
-    const char *slash = strrchr(r->text.path, '/'), *base = name + strlen(name);
-    const int folder = slash ? (int)(slash - r->text.path) + 1 : 0;
+    const char *slash = strrchr(r->from.path, '/'), *base = name + strlen(name);
+    const int folder = slash ? (int)(slash - r->from.path) + 1 : 0;
     char path[4096];
     while (base > name && base[-1] != '/' && base[-1] != '\\') --base;
     for (int way = 0; way < 4; ++way) {
         const int own = way == 0 && (*name == '/' || *name == '\\');
-        const int length = snprintf(path, sizeof path, "%.*s%s", own ? 0 : folder, r->text.path, way < 2 ? name : base);
+        const int length = snprintf(path, sizeof path, "%.*s%s", own ? 0 : folder, r->from.path, way < 2 ? name : base);
         if (length < 0 || (size_t)length >= sizeof path) return -1;
         for (char *p = path + folder, *to = p; way > 0 && (*to = *p) != 0; ++p, ++to) {
             unsigned byte; /* as Windows and as URIs write it */
@@ -184,7 +184,7 @@ static int texture_known(reader *r, const struct aiString *path, int bright, int
         if (!strcmp(k->path.data, path->data) && k->bright == bright && k->least == least && k->masked == masked)
             return (int)i;
     }
-    known *k = kit_array_add(&r->textures, 1, sizeof *k, &r->text);
+    known *k = kit_array_add(&r->textures, 1, sizeof *k, &r->from);
     if (!k) return -1;
     *k = (known){ .path = *path, .bright = bright, .least = least, .masked = masked, .mean = { 1, 1, 1 } };
     if (texture_open(&t, r, path->data)) return (int)r->textures.count - 1;
@@ -193,7 +193,7 @@ static int texture_known(reader *r, const struct aiString *path, int bright, int
     const int makes = masked == MASK || (masked && k->cuts);
     const int failed = makes && kit_mask_make(&k->mask, &t, bright && !k->cuts, least);
     kit_picture_free(&t);
-    if (failed) return kit_fail(r->text.err, "%s: no memory for its textures", r->text.path);
+    if (failed) return kit_fail(r->from.err, "%s: no memory for its textures", r->from.path);
     return (int)r->textures.count - 1;
 }
 
@@ -384,9 +384,9 @@ typedef struct card {
 
 static int too_many(const reader *r)
 {
-    return kit_fail(r->text.err,
+    return kit_fail(r->from.err,
                     "%s: has more than %d triangles or %d meshes, each counted as often as it is used, cards when cut",
-                    r->text.path, MOST_TRIANGLES, MOST_MESHES);
+                    r->from.path, MOST_TRIANGLES, MOST_MESHES);
 }
 
 static int add_piece(void *context, const double weight[3][2])
@@ -403,7 +403,7 @@ static int add_piece(void *context, const double weight[3][2])
             n[k][i] = (float)(first * (double)c->normal[0][i] + weight[k][0] * (double)c->normal[1][i]
                               + weight[k][1] * (double)c->normal[2][i]);
         }
-    return kit_soup_triangle(c->r->soup, position, normal, c->albedo, &c->r->text) < 0 ? -1 : 0;
+    return kit_soup_triangle(c->r->soup, position, normal, c->albedo, &c->r->from) < 0 ? -1 : 0;
 }
 
 static void albedo_of(float albedo[3], const reader *r, const look *l, const struct aiMesh *m, const struct aiFace *f)
@@ -427,12 +427,12 @@ static int add_face(reader *r, const struct aiMesh *m, const struct aiFace *f, i
     for (int k = 0; k < 3; ++k) {
         const unsigned v = f->mIndices[mirrored ? 2 - k : k];
         if (v >= m->mNumVertices)
-            return kit_fail(r->text.err, "%s: a triangle names vertex %u of %u", r->text.path, v, m->mNumVertices);
+            return kit_fail(r->from.err, "%s: a triangle names vertex %u of %u", r->from.path, v, m->mNumVertices);
         c.position[k] = r->position + 3 * (size_t)v;
         c.normal[k] = r->normal + 3 * (size_t)v;
         for (int i = 0; i < 3; ++i)
             if (!(fabsf(c.position[k][i]) <= KIT_FARTHEST))
-                return kit_fail(r->text.err, "%s: a vertex is not within %g of 0", r->text.path, (double)KIT_FARTHEST);
+                return kit_fail(r->from.err, "%s: a vertex is not within %g of 0", r->from.path, (double)KIT_FARTHEST);
         for (int i = 0; i < 2 && uv; ++i) {
             const double *row = l->to_texture[i];
             at[k][i] = row[0] * (double)uv[v].x + row[1] * (double)uv[v].y + row[2];
@@ -442,7 +442,7 @@ static int add_face(reader *r, const struct aiMesh *m, const struct aiFace *f, i
     if (l->of >= 0 && uv)
         return kit_card_cut(&known_of(r, l->of)->mask, l->wrap, (const double(*)[2])at, r->cells, add_piece, &c);
     if (++r->triangles > MOST_TRIANGLES) return too_many(r);
-    return kit_soup_triangle(r->soup, c.position, c.normal, c.albedo, &r->text) < 0 ? -1 : 0;
+    return kit_soup_triangle(r->soup, c.position, c.normal, c.albedo, &r->from) < 0 ? -1 : 0;
 }
 
 static int add_mesh(reader *r, const struct aiMesh *m, const place *p)
@@ -452,12 +452,12 @@ static int add_mesh(reader *r, const struct aiMesh *m, const place *p)
     if (++r->meshes > MOST_MESHES) return too_many(r);
     if (!(m->mPrimitiveTypes & aiPrimitiveType_TRIANGLE) || !m->mVertices) return 0;
     if (m->mMaterialIndex >= r->scene->mNumMaterials)
-        return kit_fail(r->text.err, "%s: a mesh names a material that is not there", r->text.path);
+        return kit_fail(r->from.err, "%s: a mesh names a material that is not there", r->from.path);
     r->position = calloc(3 * n + 1, sizeof *r->position);
     r->normal = calloc(3 * n + 1, sizeof *r->normal);
     float *held = calloc(n + 1, sizeof *held);
     const int mirrored = cofactors(p, turn) < 0 && !m->mNumBones;
-    int failed = r->position && r->normal && held ? 0 : kit_fail(r->text.err, "%s: no memory", r->text.path);
+    int failed = r->position && r->normal && held ? 0 : kit_fail(r->from.err, "%s: no memory", r->from.path);
     if (!failed) hold(r, m, held);
     for (unsigned v = 0; !failed && v < n; ++v) {
         if (!(held[v] > 0)) add_vertex(r, m, v, p, turn, 1);
@@ -478,7 +478,7 @@ static int add_node(reader *r, const struct aiNode *n, const place *above)
     for (unsigned i = 0; i < n->mNumMeshes; ++i) {
         const struct aiMesh *m = r->scene->mMeshes[n->mMeshes[i]];
         const kit_key name[2] = { { n->mName.data, n->mName.length }, { m->mName.data, m->mName.length } };
-        if (kit_soup_name(r->soup, 0, name[0], &r->text) || kit_soup_name(r->soup, 1, name[1], &r->text)) return -1;
+        if (kit_soup_name(r->soup, 0, name[0], &r->from) || kit_soup_name(r->soup, 1, name[1], &r->from)) return -1;
         if (add_mesh(r, m, &p)) return -1;
     }
     for (unsigned i = 0; i < n->mNumChildren; ++i)
@@ -568,7 +568,7 @@ static int open_looks(reader *r)
     const struct aiScene *s = r->scene;
     size_t cards = 0;
     r->looks = calloc(s->mNumMaterials + 1, sizeof *r->looks);
-    if (!r->looks) return kit_fail(r->text.err, "%s: no memory", r->text.path);
+    if (!r->looks) return kit_fail(r->from.err, "%s: no memory", r->from.path);
     for (unsigned i = 0; i < s->mNumMaterials; ++i)
         if (look_at(r, &r->looks[i], s->mMaterials[i])) return -1;
     for (unsigned i = 0; i < s->mNumMeshes; ++i)
@@ -593,7 +593,7 @@ static int assimp_fail(const char *path, const char *format, kit_error *err)
 int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, const char *format, kit_error *err)
 {
     reader r = {
-        .soup = soup, .text = kit_text_start(path, "", 0, err), .note = note, .gltf = !strncmp(format, "glTF", 4)
+        .soup = soup, .from = { path, 0, err }, .note = note, .gltf = !strncmp(format, "glTF", 4)
     };
     guard g;
     struct aiPropertyStore *set = aiCreatePropertyStore();
@@ -607,7 +607,7 @@ int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, c
     r.root = strncmp(format, "FBX", 3) ? nowhere : upright(r.scene);
     int failed = open_looks(&r) || (r.scene->mRootNode && add_node(&r, r.scene->mRootNode, &r.root)) ? -1 : 0;
     if (!failed)
-        failed = soup->position.count ? kit_soup_objects(soup, &r.text) : kit_fail(err, "%s: no triangles in it", path);
+        failed = soup->position.count ? kit_soup_objects(soup, &r.from) : kit_fail(err, "%s: no triangles in it", path);
     for (size_t i = 0; i < r.textures.count; ++i) kit_mask_free(&((known *)r.textures.data)[i].mask);
     free(r.textures.data);
     free(r.looks);

@@ -293,7 +293,9 @@ int kit_model_read(kit_mesh *mesh, kit_object **object, int *objects, char *note
     const char *format = format_of(path, bytes, got), *ending = ending_of(path);
     fclose(file);
     *note = 0;
-    if (!format) return obj_read(mesh, object, objects, path, err);
+    if (!format && (strcasecmp(ending, ".obj") || !kit_assimp_takes(ending)))
+        return obj_read(mesh, object, objects, path, err);
+    if (!format) format = "OBJ";
     if (!kit_assimp_version())
         return kit_fail(err, "%s: is %s; this build reads OBJ alone: apt-get install libassimp-dev, then make", path,
                         format);

@@ -5,6 +5,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+const float kit_grey[3] = { 0.8f, 0.8f, 0.8f };
+
+void *kit_array_add(kit_array *a, size_t n, size_t element, const kit_source *from)
+{
+    if (a->count + n > a->capacity) {
+        const size_t capacity = 2 * a->capacity + n + 64;
+        void *data = realloc(a->data, capacity * element);
+        if (!data) {
+            kit_fail(from->err, "%s: no memory for this mesh", from->path);
+            return NULL;
+        }
+        a->data = data;
+        a->capacity = capacity;
+    }
+    a->count += n;
+    return (char *)a->data + (a->count - n) * element;
+}
+
 void kit_mesh_free(kit_mesh *mesh)
 {
     free(mesh->position);
@@ -23,7 +41,7 @@ void kit_soup_free(kit_soup *s)
 }
 
 int kit_soup_triangle(kit_soup *s, const float *const position[3], const float *const normal[3], const float albedo[3],
-                      const kit_text *t)
+                      const kit_source *from)
 {
     double e[3][3], n[3], longest = 0;
     for (int k = 0; k < 3; ++k) {
@@ -35,12 +53,12 @@ int kit_soup_triangle(kit_soup *s, const float *const position[3], const float *
     for (int i = 0; i < 3; ++i) n[i] = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
     double area = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     if (!(area > 1e-9 * longest)) return 0; /* thinner than floats can tell from a line */
-    float *to = kit_array_add(&s->position, 9, sizeof(float), t),
-          *turned = kit_array_add(&s->normal, 9, sizeof(float), t);
-    float *colour = kit_array_add(&s->albedo, 3, sizeof(float), t);
+    float *to = kit_array_add(&s->position, 9, sizeof(float), from),
+          *turned = kit_array_add(&s->normal, 9, sizeof(float), from);
+    float *colour = kit_array_add(&s->albedo, 3, sizeof(float), from);
     if (!to || !turned || !colour) return -1;
     for (int way = 0; way < 2; ++way) {
-        uint32_t *line = kit_array_add(&s->line[way], 1, sizeof *line, t);
+        uint32_t *line = kit_array_add(&s->line[way], 1, sizeof *line, from);
         if (!line) return -1;
         *line = (uint32_t)(s->named[way].count - 1);
     }
@@ -57,14 +75,24 @@ int kit_soup_triangle(kit_soup *s, const float *const position[3], const float *
 
 /* ---- objects ------------------------------------------------------------------------------------------------- */
 
-/* first[i]: the first of the keys whose bytes are those of key i */
+/* first[i]: the first of the keys whose bytes are those of key i. Found by a hash, with open addresses. */
 static int first_of_equals(uint32_t *first, const kit_key *keys, size_t count)
 {
-    kit_table t;
-    if (kit_table_open(&t, keys, count)) return -1;
-    for (size_t i = 0; i < count; ++i) first[i] = kit_table_add(&t, (uint32_t)i);
-    free(t.slot);
-    return 0;
+    size_t size = 16;
+    while (size < 2 * count) size *= 2;
+    uint32_t *slot = calloc(size, sizeof *slot);        /* of a key, plus 1 */
+    for (size_t i = 0; slot && i < count; ++i) {
+        size_t at = kit_hash(KIT_HASH, keys[i].bytes, keys[i].length) & (size - 1);
+        for (; slot[at]; at = (at + 1) & (size - 1)) {
+            const kit_key *const there = &keys[slot[at] - 1];
+            if (there->length == keys[i].length && !memcmp(there->bytes, keys[i].bytes, there->length)) break;
+        }
+        if (!slot[at]) slot[at] = (uint32_t)i + 1;
+        first[i] = slot[at] - 1;
+    }
+    const int failed = !slot;
+    free(slot);
+    return failed ? -1 : 0;
 }
 
 static uint32_t root(uint32_t *parent, uint32_t t)
@@ -153,17 +181,17 @@ static int keep_largest(uint32_t *number, size_t triangles, size_t numbers)
     return failed ? -1 : 0;
 }
 
-int kit_soup_name(kit_soup *s, int way, kit_key name, const kit_text *t)
+int kit_soup_name(kit_soup *s, int way, kit_key name, const kit_source *from)
 {
-    kit_key *k = kit_array_add(&s->named[way], 1, sizeof *k, t);
+    kit_key *k = kit_array_add(&s->named[way], 1, sizeof *k, from);
     if (k) *k = name;
     return k ? 0 : -1;
 }
 
-int kit_soup_objects(kit_soup *s, const kit_text *t)
+int kit_soup_objects(kit_soup *s, const kit_source *from)
 {
     const size_t triangles = s->position.count / 9;
-    uint32_t *number = kit_array_add(&s->number, triangles, sizeof *number, t);
+    uint32_t *number = kit_array_add(&s->number, triangles, sizeof *number, from);
     int way = 0;
     if (!number) return -1;
     int64_t count = number_names(number, s, way);
@@ -171,9 +199,9 @@ int kit_soup_objects(kit_soup *s, const kit_text *t)
     if (count == 1) count = number_parts(number, s), ++way;
     const int many = count > KIT_MAX_OBJECTS;
     if (count < 0 || (many && keep_largest(number, triangles, (size_t)count)))
-        return kit_fail(t->err, "%s: no memory for its objects", t->path);
+        return kit_fail(from->err, "%s: no memory for its objects", from->path);
     if (many) count = KIT_MAX_OBJECTS;
-    kit_object *object = kit_array_add(&s->objects, (size_t)count, sizeof *object, t);
+    kit_object *object = kit_array_add(&s->objects, (size_t)count, sizeof *object, from);
     if (!object) return -1;
     memset(object, 0, (size_t)count * sizeof *object);
     for (int64_t k = 0; k < count; ++k) object[k].first = SIZE_MAX;

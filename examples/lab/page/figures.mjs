@@ -61,7 +61,9 @@ function ambient(record) {
     const own = rows.filter(r => !peer(r));
     return (
         rows.length &&
-        `Mean of ${scenes} scenes. Noise: deviation over two phases of it; model error: RMSE of their mean.
+        `![Cost against error](pictures/chart-cpu.svg)
+
+Mean of ${scenes} scenes. Noise: deviation over two phases of it; model error: RMSE of their mean.
 
 ${table(
     ['method', 'fetches', 'bytes', 'time', 'RX 6800, ms', 'error', 'model error', 'noise'],
@@ -334,7 +336,7 @@ function page(kind, old) {
             .join('')
     );
 }
-/* README's chart; without Plot it stays as it is. */
+/* README's chart, on a GPU's clock, and that of this machine's; without Plot they stay as they are. */
 async function draw(into) {
     const here = name => resolve('build/page/node_modules', name);
     const rows = found(records('chart'), 'ambient'), all = rows.length ? report.ambient(rows, 'mean') : [];
@@ -342,13 +344,16 @@ async function draw(into) {
     const Plot = await import(here('@observablehq/plot/src/index.js'));
     const { parseHTML } = await import(here('linkedom/esm/index.js'));
     const { document } = parseHTML('<html><body></body></html>');
-    const clock = Object.values(report.clocks)[all.filter(r => r._ms !== null).length > 6 ? 1 : 0];
     const up = 'error (RMSE), share of having no AO at all', style = { background: '#fff', fontSize: '12px' };
-    const options = report.scatter(Plot, all, { ...clock, y: 'share', floor: report.floor_of(all), up });
-    const svg = Plot.plot({ ...options, document, style });
-    svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-    write(`${into}/chart.svg`, `${svg.outerHTML.replaceAll('currentColor', '#222')}\n`);
-    console.log(`figures: ${into}/chart.svg`);
+    const [cpu, gpu] = Object.values(report.clocks);
+    for (const [name, clock] of [['chart-cpu', cpu], ['chart', gpu]]) {
+        if (all.filter(r => r[clock.x] !== null).length < 6) continue;
+        const options = report.scatter(Plot, all, { ...clock, y: 'share', floor: report.floor_of(all), up });
+        const svg = Plot.plot({ ...options, document, style });
+        svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+        write(`${into}/${name}.svg`, `${svg.outerHTML.replaceAll('currentColor', '#222')}\n`);
+        console.log(`figures: ${into}/${name}.svg`);
+    }
 }
 
 for (const name of ['chart', 'stability', 'papers', 'cost']) {

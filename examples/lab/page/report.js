@@ -63,6 +63,7 @@ function modelled(r, device = 'RX 6800') {
     const table = entry('cost', 'cost');
     const settings = String(r.settings ?? '').split(',').filter(s => s && s !== 'bounce=none');
     if (!table || settings.some(s => !chain_words[s])) return null;
+    if (r.method === 'hsao' && settings.includes('history=1')) return null;     /* hsao-history is a method's chain */
     const name = r.method + settings.map(s => chain_words[s]).join('');
     const row = table.find(c => c.chain === name && !c.pass && known(c[`${device} weighed`]));
     return row && !row.splats ? row[`${device} weighed`] : null;
