@@ -83,11 +83,12 @@ enum {
     SIGHT                                  /* x y z reach */
 };
 
-/* Builds a thing of the tables at the origin, chances by seed; or a model of the catalogue, on a floor, seed for the
-   sights on it alone. err, empty before, says what is wrong: a row that cannot be read, with its name; a model's
-   package that is missing; no memory. */
+/* Builds a thing of the tables at the origin, chances by seed. err, empty before, says what is wrong: a row that cannot
+   be read, with its name; a model's package that is missing; no memory. */
 void   kit_build_thing(kit_plot *p, const char *thing, uint32_t seed, kit_error *err);
-void   kit_build_model(kit_plot *p, const char *name, uint32_t seed, kit_error *err);
+/* A model of the catalogue on a floor, half its diagonal 1, since cameras are for things of that size; seed: for the
+   sights on it. What that is in metres; 0: err says what is wrong. */
+double kit_build_model(kit_plot *p, const char *name, uint32_t seed, kit_error *err);
 /* Tables of rows, which end with one without a name. */
 extern const kit_row kit_rows_shared[], kit_rows_rooms[], kit_rows_streets[], kit_rows_halls[], kit_rows_foliage[],
     kit_rows_machines[], kit_rows_scans[], kit_rows_terrain[];

@@ -2,14 +2,14 @@
    it differs from the first, scene by scene.
 
       build/try [--from 0] [--count 28] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
-                [--scenes random:KIND | model:NAME] [--judge yes] METHOD[:key=value,..] ..
+                [--scenes random:KIND | models] [--judge yes] METHOD[:key=value,..] ..
 
    Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused without --judge. --light: of
    irradiance under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same
    settings as another build measured them, in the order given; so a change of the headers is tried in two work trees.
    Pictures are 1280x720, truth at every eleventh pixel both ways, kept under build/cache. A process a core.
-   --scenes random:halls: of one kind alone; model:bunny: cameras about a model. examples/lab/ranks.py says how alike
-   two such csv rank. */
+   --scenes random:halls: of one kind alone; models: those of packages, one a seed; model:bunny: that one.
+   examples/lab/ranks.py says how alike two such csv rank. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,14 +42,26 @@ static double error_of(const stage *s, const kit_image *picture, kit_error *err)
     return s->lit ? r.error[s->lit->bounce ? 2 : 1] : r.score.rmse;
 }
 
+/* Of "models" each seed has another one, and the camera by it. */
+static int name_scene(char name[128], const char *scenes, int seed, kit_error *err)
+{
+    int count = 0;
+    snprintf(name, 128, "%s:%d", scenes, seed);
+    if (strcmp(scenes, "models")) return 0;
+    while (kit_scene_model(count)) ++count;
+    if (!count) return kit_fail(err, "--scenes models: no package has brought any: make model-deps");
+    snprintf(name, 128, "model:%s:%d", kit_scene_model((int)(seed * 263LL % count)), seed);
+    return 0;
+}
+
 static int measure_seed(const trial *t, int k, kit_error *err)
 {
-    char name[64];
+    char name[128];
     stage s;
     kit_image picture;
     const lit of_light = { .rays = TRUTH_RAYS, .exposure = 1, .bounce = t->bounce };
     view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
-    snprintf(name, sizeof name, "%s:%d", t->scenes, t->from + k);
+    if (name_scene(name, t->scenes, t->from + k, err)) return -1;
     if (stage_load(&s, &v, err)) return -1;
     v.radius = t->radius * s.scene.radius;
     if (stage_look(&s, &v, WIDTH, HEIGHT, err)) return -1;
@@ -206,7 +218,7 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
     return t->entries
              ? 0
              : kit_fail(err, "usage: try [--from 0] [--count 28] [--light | --bounce] [--radius 1] "
-                             "[--out build/try.csv] [--against other.csv] [--scenes random:KIND | model:NAME] "
+                             "[--out build/try.csv] [--against other.csv] [--scenes random:KIND | models] "
                              "[--judge yes] METHOD[:key=value,..] ..");
 }
 

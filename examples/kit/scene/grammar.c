@@ -693,26 +693,27 @@ void kit_build_thing(kit_plot *p, const char *thing, uint32_t seed, kit_error *e
     free(w);
 }
 
-void kit_build_model(kit_plot *p, const char *name, uint32_t seed, kit_error *err)
+double kit_build_model(kit_plot *p, const char *name, uint32_t seed, kit_error *err)
 {
     kit_mesh m;
-    if (kit_catalogue_read(&m, name, (int)strlen(name), err)) return;
-    double half[3], reach = 0;
+    if (kit_catalogue_read(&m, name, (int)strlen(name), err)) return 0;
+    double half[3], squares = 0;
     for (int i = 0; i < 3; i++) {
         half[i] = 0.5 * ((double)m.upper[i] - (double)m.lower[i]);
-        reach += half[i] * half[i];
+        squares += half[i] * half[i];
     }
-    reach = sqrt(reach);
+    const double by = 1 / sqrt(squares);
     kit_begin_object(&p->b, "floor", -1);
-    kit_level(&p->b, -20 * reach, -20 * reach, 20 * reach, 20 * reach, 0);
-    p->stand[0] = p->stand[1] = -12 * reach;
-    p->stand[2] = p->stand[3] = 12 * reach;
-    p->sight[p->sights++] = (kit_sight){ { 0, half[1], 0 }, reach };
+    kit_level(&p->b, -20, -20, 20, 20, 0);
+    p->stand[0] = p->stand[1] = -12;
+    p->stand[2] = p->stand[3] = 12;
+    p->sight[p->sights++] = (kit_sight){ { 0, by * half[1], 0 }, 1 };
     /* Its middle is often hollow: the others are at its surface. */
     for (uint32_t k = 0; k < 6 && m.triangles; k++) {
         const float *const at = m.position + 9 * (size_t)((double)m.triangles * chance_of(mixed(seed, k)));
-        p->sight[p->sights++] = (kit_sight){ { (double)at[0], (double)at[1], (double)at[2] }, 0.4 * reach };
+        p->sight[p->sights++] = (kit_sight){ { by * (double)at[0], by * (double)at[1], by * (double)at[2] }, 0.4 };
     }
-    add_model(&p->b, &m, 1, name, (int)strlen(name));
+    add_model(&p->b, &m, by, name, (int)strlen(name));
     kit_mesh_free(&m);
+    return 1 / by;
 }

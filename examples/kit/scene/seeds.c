@@ -107,11 +107,14 @@ static void wrong_winding(kit_build *b)
 }
 
 /* Metres, or what else people model in. */
-static void change_units(kit_build *b)
+static double draw_unit(kit_build *b)
 {
     static const double units[] = { 1, 1, 1, 1, 1, 100, 100, 39.370079, 0.01, 0.1 };
-    const float by = (float)units[(int)(kit_chance(b) * (int)(sizeof units / sizeof *units))];
-    kit_scene *s = &b->scene;
+    return units[(int)(kit_chance(b) * (int)(sizeof units / sizeof *units))];
+}
+
+static void scale(kit_scene *s, float by)
+{
     for (size_t i = 0; i < 9 * s->mesh.triangles; i++) s->mesh.position[i] *= by;
     for (int i = 0; i < 3; i++) {
         s->camera.eye[i] *= by;
@@ -177,7 +180,8 @@ int kit_load_seeded(kit_scene *scene, const char *name, kit_error *err)
     s->camera.height = 720;
     b->random = (uint32_t)seed * 2654435761u + 40503u * (unsigned)kind + 1;
     kit_colour(b, 0.8, 0.8, 0.8);
-    if (alone) kit_build_model(p, word, b->random, &wrong);
+    double unit = 1;
+    if (alone) unit = kit_build_model(p, word, b->random, &wrong);
     else kit_build_thing(p, kinds[kind].name, b->random, &wrong);
     if (!s->objects) kit_begin_object(b, kinds[kind].name, -1);
     b->frame.scale = 0;
@@ -186,7 +190,7 @@ int kit_load_seeded(kit_scene *scene, const char *name, kit_error *err)
         b->failed = kit_look(s, p, (alone ? KINDS : 1) * (unsigned)seed) != 0;
         light_up(p, !alone && kinds[kind].indoors);
         if (!alone) wrong_winding(b);
-        if (!alone) change_units(b);
+        scale(s, (float)(alone ? unit : draw_unit(b)));
         b->failed = b->failed || kit_complete(s, 0);
     }
     const int failed = *wrong.text ? kit_fail(err, "scene '%s': %s", name, wrong.text)
