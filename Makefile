@@ -248,8 +248,8 @@ build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
 # cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew. cost-shares measures how
 # many waves enter what they may leave out: examples/lab/cost/shares.csv, in three minutes.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev
-COST       = $(addprefix lab/cost/,cost plan against show passes entered share model count compile) tools/glsl/chains \
-             $(addprefix lab/measure/,folder rows picture stage) $(addprefix lab/page/,page csv)
+COST       = $(addprefix lab/cost/,cost plan against show passes entered share model count compile csv) tools/glsl/chains \
+             $(addprefix lab/measure/,folder rows picture stage) lab/page/page
 COST_LIBS  = -lvulkan -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
              -Wl,--end-group -lstdc++
 cost cost-test cost-record cost-shares cost-plan: deps
@@ -334,7 +334,7 @@ glsl-out glsl-in: build/library
 OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps plan math \
               twins library
 OF_EXAMPLES = tools stability files models seeds papers cost
-TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model lab/page/csv \
+TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model lab/cost/csv \
          $(filter-out lab/report,$(REPORT)))
 build/test: $(addprefix build/tests/,main.o t.o frames.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@

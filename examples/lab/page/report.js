@@ -392,6 +392,20 @@ function strip(list) {
                                                            ...s.pictures.map(figure)))))));
 }
 
+/* One number a method and cause, of all sweeps. */
+function worst(entries) {
+    const rows = [];
+    let cause = '';
+    for (const e of entries) {
+        if (e?.heading) cause = e.heading;
+        if (!e?.table?.startsWith('sweep')) continue;
+        const of = { cause };
+        for (const [method, g] of grouped(parse(e.csv), 'method')) of[method] = g[0].number;
+        rows.push(of);
+    }
+    return rows.length ? [table(rows, unique(rows.flatMap(Object.keys)))] : [];
+}
+
 const terms = [
     ['time', 'GL time of all passes, over that of one unblurred 16-sample ssao drawn right before and after it in the '
         + 'same run; the median of several rounds. Modelled: milliseconds of a device, of a compiler\'s count.'],
@@ -426,7 +440,7 @@ function show() {
         columns = new Map();
         main.replaceChildren(el('p', { className: 'faint' }, `${of.command}: ${of.kind === 'full' ? '' :
             `a ${of.kind === 'quick' ? 'quick run, smaller and with fewer rows' : 'part'}; `}commit ${of.commit}, ${
-            of.cores} cores (${of.processor}), ${of.driver}`), ...shown_entries(of.entries),
+            of.cores} cores (${of.processor}), ${of.driver}`), ...worst(of.entries), ...shown_entries(of.entries),
             fold('What the figures mean', () => [el('dl', {}, ...terms.flatMap(([t, d]) =>
                 [el('dt', {}, t), el('dd', {}, d)]))]));
     };

@@ -1,4 +1,4 @@
-/* csv.h - tables as make chart and make stability write them: cells by row and key. */
+/* csv.h - tables as make cost writes them: cells by row and key. */
 #ifndef LAB_CSV_H
 #define LAB_CSV_H
 
@@ -12,9 +12,5 @@ char       *csv_file(const char *name);
 csv         csv_read(const char *name);
 const char *csv_text(const csv *c, int row, const char *key);           /* "" = there is none */
 double      csv_number(const csv *c, int row, const char *key);         /* NAN = there is none */
-int         csv_same(const csv *c, int a, int b, const char *key);
-/* Whether one of rows from .. to - 1 has it; whether not all have the same. */
-int         csv_any(const csv *c, int from, int to, const char *key);
-int         csv_varies(const csv *c, int from, int to, const char *key);
 
 #endif

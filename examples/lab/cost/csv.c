@@ -1,5 +1,5 @@
-/* csv.c - tables as make chart and make stability write them. Declared in csv.h. */
-#include "lab/page/csv.h"
+/* csv.c - tables as make cost writes them. Declared in csv.h. */
+#include "lab/cost/csv.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -71,18 +71,4 @@ double csv_number(const csv *c, int row, const char *key)
 {
     const char *t = csv_text(c, row, key);
     return *t ? atof(t) : (double)NAN;
-}
-
-int csv_same(const csv *c, int a, int b, const char *key) { return !strcmp(csv_text(c, a, key), csv_text(c, b, key)); }
-
-int csv_any(const csv *c, int from, int to, const char *key)
-{
-    for (int i = from; i < to; ++i) if (*csv_text(c, i, key)) return 1;
-    return 0;
-}
-
-int csv_varies(const csv *c, int from, int to, const char *key)
-{
-    for (int i = from + 1; i < to; ++i) if (*csv_text(c, i, key) && !csv_same(c, from, i, key)) return 1;
-    return 0;
 }
