@@ -129,6 +129,7 @@ static void no_seeds(void)
                                           { "random:1x", "whole number" }, { "random:9999999999", "0..999999999" },
                                           { "random:caves:1", "rooms, " }, { "random:rooms:", "whole number" },
                                           { "model:", "no name" },         { "model:bunny:x", "whole number" },
+                                          { "random::7", "no name" },
                                           { "model:no such", "catalogue" } };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         kit_error err = { "" };

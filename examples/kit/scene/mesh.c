@@ -237,10 +237,11 @@ static int element(const obj *o, char **at, size_t seen, size_t all, const char 
     const long v = strtol(*at, &end, 10);
     if (end == *at || (*end && !is_blank(*end) && *end != '/' && *end != '#'))
         return wrong(o, "a face needs corners such as 1, 1/2, 1//3 or 1/2/3", *at);
-    if (v == 0 || (v < 0 ? (size_t)-v > seen : (size_t)v > all))
+    const size_t back = 0 - (size_t)v;     /* of the least long, too, which -v is not of */
+    if (v == 0 || (v < 0 ? back > seen : (size_t)v > all))
         return kit_fail(o->from.err, "%s line %d: there is no %s %ld (%zu %s)", o->from.path, o->from.line, what, v,
                         v < 0 ? seen : all, v < 0 ? "before this line" : "in the file");
-    *out = v < 0 ? seen - (size_t)-v : (size_t)v - 1;
+    *out = v < 0 ? seen - back : (size_t)v - 1;
     *at = end;
     return 0;
 }

@@ -49,7 +49,7 @@ int kit_scene_seeded(const char *name) { return prefix_of(name) >= 0; }
 
 /* "random:7", "random:streets:7", "model:chair", "model:scopia/chair:7": what stands before the seed is written to
    word; a seed that is not there is 0. */
-static int parse(long *seed, char word[WORD], const char *name, kit_error *err)
+static int parse(int64_t *seed, char word[WORD], const char *name, kit_error *err)
 {
     const char *const rest = name + strlen(prefixes[prefix_of(name)]), *const colon = strrchr(rest, ':'),
                *const number = colon ? colon + 1 : prefix_of(name) == RANDOM ? rest : rest + strlen(rest);
@@ -59,12 +59,13 @@ static int parse(long *seed, char word[WORD], const char *name, kit_error *err)
         *seed = 10 * *seed + (number[used] - '0');
     if (used > 9 || number[used] || (!used && (colon || prefix_of(name) == RANDOM)))
         return kit_fail(err, "scene '%s': the seed must be a whole number 0..999999999, not '%s'", name, number);
-    if (prefix_of(name) == MODELS && !*word) return kit_fail(err, "scene '%s': a model has no name", name);
+    if (!*word && (colon || prefix_of(name) == MODELS))
+        return kit_fail(err, "scene '%s': there is no name before its seed", name);
     return 0;
 }
 
 /* Which kind a word is; of none, that of the seed. */
-static int kind_of(const char *word, long seed, const char *name, kit_error *err)
+static int kind_of(const char *word, int64_t seed, const char *name, kit_error *err)
 {
     char names[256] = "";
     if (!*word) return (int)(seed % KINDS);
@@ -167,7 +168,7 @@ static void light_up(kit_plot *p, int indoors)
 int kit_load_seeded(kit_scene *scene, const char *name, kit_error *err)
 {
     char word[WORD];
-    long seed;
+    int64_t seed;
     kit_error wrong = { "" };
     if (parse(&seed, word, name, err)) return -1;
     const int alone = prefix_of(name) == MODELS, kind = alone ? 0 : kind_of(word, seed, name, err);
