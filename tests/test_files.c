@@ -875,8 +875,8 @@ static double area(const kit_mesh *m, size_t first, size_t end)
 }
 
 static const char quirks[] =
-    "\xEF\xBB\xBF# C:\\scenes\\\r\n"
-    "mtllib my materials.mtl  \r\n"
+    "\xEF\xBB\xBF# C:\\scenes\\\r\n"                      /* a comment ends in a backslash: no continuation */
+    "mtllib my materials.mtl   # all of them\r\n"
     "v\t0\t0  0\r\n"
     "  v 1. +0 -.0e0 1.0\r\n"
     "v 1e0 10E-1 0 0.5 0.5 0.5 # coloured\r\n"
@@ -885,8 +885,8 @@ static const char quirks[] =
     "usemtl Material #25\r\n"
     "f 1/1/1 2//1 3/1/2 4/1#quad: 2 triangles\r\n"       /* normals given, given, of length 0, none */
     "l 1 2\r\np 1\r\ng x\r\ns off\r\nnonsense \x01\xff\r\n"
-    "usemtl twice \r\n"
-    "f -4 -3 -2\r\n"
+    "usemtl twice # the later one\r\n"
+    "f -4 \\\r\n -3 \\\n -2\r\n"                          /* continued */
     "f 1 2 2\nf 1 1 1\n"                                  /* no area */
     "usemtl nobody\n"
     "f 5 6 7 8 9 10\n"                                    /* concave; its corners come later */
@@ -896,7 +896,7 @@ static const char quirks[] =
 static void obj_quirks(void)
 {
     static const char mtl[] = "newmtl twice\nKd 1 1 1\nnewmtl Material #25\r\nmap_Kd x.png\r\nKd\t1.5 .25 -1 # "
-                              "clamped\r\n\nnewmtl twice\nKd 0.5 0.5 0.5\nnewmtl last";
+                              "clamped\r\n\nnewmtl twice\nKd 0.5\nnewmtl last";
     static const float first[] = { 0, 0, 0, 1, 0, 0, 1, 1, 0 };
     kit_mesh m;
     kit_error err = {{0}};
@@ -948,17 +948,19 @@ static void obj_bad(void)
         { CORNERS "f\n", "line 4: a face needs at least 3 corners" },
         { CORNERS "f 1 2 4\n", "line 4: there is no vertex 4" },
         { CORNERS "f 1 2 0\n", "line 4: there is no vertex 0" },
+        { CORNERS "\\\n\nf -4 2 3\n", "line 6: there is no vertex -4" },  /* a continued empty line counts as two */
         { CORNERS "f 1 2 99999999999999999999999\n", "line 4: there is no vertex" },
         { CORNERS "f 1//1 2//1 3//1\n", "line 4: there is no vn 1" },
+        { CORNERS "f 1 2 3/", "line 4: a face needs corners such as" },
         { CORNERS "f 1 2 3x\n", "line 4: a face needs corners such as" },
-        { "v 0 0\n", "line 1: v needs 3 numbers" },
+        { "v 0 0\n", "line 1: v needs 3 numbers, but the line ends" },
         { "v 0 0 nan\n", "line 1: v needs 3 numbers, not \"nan\"" },
-        { "v 0 0 1e39\n", "line 1: v needs 3 numbers, not \"1e39\"" },
+        { "v 0 0 1e39\n", "line 1: a number is too large" },
         { "v 0 0 -1e16\n", "line 1: a coordinate of -1e+16: must be within 1e+15 of 0" },
         { "v 0 0 1,5\n", "line 1: v needs 3 numbers, not \"1,5\"" },
         { "\nv 0 0 1e\n", "line 2: v needs 3 numbers" },
         { "vn 0 inf 0\n", "line 1: vn needs 3 numbers" },
-        { CORNERS "mtllib bad.mtl\nf 1 2 3\n", "bad.mtl line 2: Kd needs 3 numbers" },
+        { CORNERS "mtllib bad.mtl\nf 1 2 3\n", "bad.mtl line 2: Kd needs 1 or 3 numbers" },
         { CORNERS "l 1 2\n", "no triangles" },
         { CORNERS "f 1 1 2\n", "no triangles" },
         { "", "is empty" },
@@ -978,6 +980,9 @@ static void obj_bad(void)
     check_error(kit_mesh_obj(&m, NULL, NULL, in_folder("absent.obj"), &err), &err, "absent.obj", "an absent file");
     CHECK(!obj(&m, "mtllib absent.mtl\nusemtl x\n" CORNERS "f 1 2 3\n", &err) && m.albedo[0] == 0.8f, "no MTL: \"%s\"",
           err.text);
+    kit_mesh_free(&m);
+    CHECK(!obj(&m, "v 0 0 0\rv 1 0 0\rv 0 1 0\r# no face f 1 2 3\rf 1 2 3", &err) && m.triangles == 1,
+        "lines that end in CR: \"%s\"", err.text);
     kit_mesh_free(&m);
 }
 
@@ -1017,9 +1022,9 @@ static void obj_objects(void)
     static const char nine[] =
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nv 6 5 5\nv 5 6 5\nv 1 -0 -1e-60\nv 1 1 0\nv 2 0 0\n";
     static const struct { const char *text, *numbers, *names; } files[] = {
-        { "o a\ng x\nf 1 2 3\ng y\no b b \nf 4 5 6\no a\nf 7 8 9\n", "121", "a,b b" },
+        { "o a\ng x\nf 1 2 3\ng y\no b b # it\nf 4 5 6\no a\nf 7 8 9\n", "121", "a,b b" },
         { "f 1 2 3\no unused\no b\nf 4 5 6\nf 7 8 9\n", "122", "default,b" },
-        { "o a\ng x \nf 1 2 3\ng y z\nf 4 5 6\ng x\nf 7 8 9\n", "121", "x,y z" },
+        { "o a\ng x # 1\nf 1 2 3\ng y z\nf 4 5 6\ng x\nf 7 8 9\n", "121", "x,y z" },
         { "o a\nf 1 2 3\nf 4 5 6\nf 7 8 9\n", "121", "part 1,part 2" },            /* 2 and 7 are at one place */
     };
     static char text[40000];

@@ -1,5 +1,5 @@
-/* test_models.c - models that Assimp reads, a polygon that is hard to cut, and what is said where there is no model: the
-   kit's models.c, assimp.c, mesh.c and scene.c. What an OBJ means stands in test_files.c. */
+/* test_models.c - models that Assimp reads, a polygon that is hard to cut, and what is said where there is no model:
+   the kit's models.c, assimp.c, mesh.c and scene.c. What an OBJ means stands in test_files.c. */
 #include "t.h"
 #include "kit/kit_models.h"
 
@@ -32,6 +32,33 @@ static void put(const char *name, const char *text)
     if (!CHECK(file != NULL, "%s cannot be made", name)) return;
     fputs(text, file);
     fclose(file);
+}
+
+/* As if each line read its file again: what the last one names counts, wherever else the file is named. */
+static void materials_by_order(void)
+{
+    static const struct { const char *lines; float red; } files[] = {
+        { "mtllib one.mtl\nmtllib two.mtl\n", 0.5f },
+        { "mtllib one.mtl\nmtllib two.mtl\nmtllib .//one.mtl # again\n", 0.25f },
+        { "mtllib two.mtl\nmtllib one.mtl\nmtllib link.mtl\n", 0.5f },
+        { "mtllib two.mtl\nmtllib one.mtl\nmtllib absent.mtl\n", 0.25f },
+    };
+
+    char text[500], one[1024];
+    put("one.mtl", "newmtl x\nKd .75\nnewmtl x\nKd .25\n");
+    put("two.mtl", "newmtl x # y\nKd .75\nnewmtl x\nKd .5\n");
+    snprintf(one, sizeof one, "%s", in_folder("two.mtl"));
+    CHECK(!symlink(one, in_folder("link.mtl")), "no link can be made");
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
+        kit_error err = {{0}};
+        kit_mesh mesh;
+        snprintf(text, sizeof text, CORNERS "%susemtl x\nf 1 2 3\n", files[i].lines);
+        put("order.obj", text);
+        if (!CHECK(!kit_mesh_obj(&mesh, NULL, NULL, in_folder("order.obj"), &err), "%s", err.text)) return;
+        CHECK(mesh.albedo[0] == files[i].red, "file %zu: red is %g, not %g", i, (double)mesh.albedo[0],
+              (double)files[i].red);
+        kit_mesh_free(&mesh);
+    }
 }
 
 /* A band wound up: two ears at a time, far from each other, and a look at nearly all corners for each. */
@@ -427,14 +454,16 @@ static void no_scene(void)
 
 void test_models(void)
 {
-    static const char *const made[] = { "wound.obj", "pipe",    "nodes.glb", "card.glb",  "quad.ply", "bad.gltf",
-                                        "bad.glb",   "bad.ply", "bad.usdz",  "notes.txt", "note.gltf", "up.fbx" };
+    static const char *const made[] = { "one.mtl",   "two.mtl",  "link.mtl", "order.obj", "wound.obj", "pipe",
+                                        "nodes.glb", "card.glb", "quad.ply", "bad.gltf",  "bad.glb",   "bad.ply",
+                                        "bad.usdz",  "notes.txt", "note.gltf", "up.fbx" };
     const char *tmp = getenv("TMPDIR");
     snprintf(folder, sizeof folder, "%s/kit-test-XXXXXX", tmp && *tmp ? tmp : "/tmp");
     if (!mkdtemp(folder)) {
         printf("test_models: no folder for temporary files can be made: %s\n", folder);
         exit(1);
     }
+    RUN("a file of materials that is named often counts where it is named last", materials_by_order);
     RUN("a polygon of 1,000 corners that is wound up is covered once", wound_polygon);
     if (kit_assimp_version()) {
         RUN("nodes of a .glb stand, are scaled and mirrored as it says; their names, colours and normals",

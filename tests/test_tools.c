@@ -439,7 +439,7 @@ static void command_line(void)
     } cases[] = { { "nowhere.obj --out a.exr", "nowhere.obj" },
                   { "cut.obj --out a.exr", "cut.obj" },
                   { "empty.obj --out a.exr", "empty.obj" },
-                  { "far.obj --out a.exr", "1e+15" },
+                  { "far.obj --out a.exr", "1e+38" },
                   { "room --method none --out a.exr", "--method none" },
                   { "room --set steps=99 --out a.exr", "steps=99" },
                   { "casters --method aof --set cap_table=1,resolution=4,rays=16 --out a.exr", "cap_table=1: size:" },

@@ -432,7 +432,8 @@ static int add_face(reader *r, const struct aiMesh *m, const struct aiFace *f, i
         c.normal[k] = r->normal + 3 * (size_t)v;
         for (int i = 0; i < 3; ++i)
             if (!(fabsf(c.position[k][i]) <= KIT_FARTHEST))
-                return kit_fail(r->from.err, "%s: a vertex is not within %g of 0", r->from.path, (double)KIT_FARTHEST);
+                return kit_fail(r->from.err, "%s: a vertex is not within %g of 0: %g", r->from.path,
+                                (double)KIT_FARTHEST, (double)c.position[k][i]);
         for (int i = 0; i < 2 && uv; ++i) {
             const double *row = l->to_texture[i];
             at[k][i] = row[0] * (double)uv[v].x + row[1] * (double)uv[v].y + row[2];

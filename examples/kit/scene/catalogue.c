@@ -86,15 +86,29 @@ static int read_catalogue(int archive)
 
 static void read_catalogues(void)
 {
-    for (int k = 0; k < ARCHIVES && !count; k++)
-        for (int a = 0; a < ARCHIVES; a++)
-            if (read_catalogue(a)) return;
+    if (count) return;
+    for (int a = 0; a < ARCHIVES; a++)
+        if (read_catalogue(a)) return;
 }
 
-static int is_named(const char *own, const char *name, int length)
+static const struct single *single_named(const char *name, int length)
 {
-    const int off = (int)strlen(own) - length;
-    return off >= 0 && !memcmp(own + off, name, (size_t)length) && (!off || own[off - 1] == '/');
+    for (int k = 0; k < SINGLES; k++)
+        if ((int)strlen(singles[k].name) == length && !memcmp(singles[k].name, name, (size_t)length))
+            return &singles[k];
+    return NULL;
+}
+
+/* Of those whose last part is the name the first. */
+static const entry *entry_named(const char *name, int length)
+{
+    read_catalogues();
+    for (int k = 0; k < count; k++) {
+        const char *const own = entries[k].name;
+        const int off = (int)strlen(own) - length;
+        if (off >= 0 && !memcmp(own + off, name, (size_t)length) && (!off || own[off - 1] == '/')) return &entries[k];
+    }
+    return NULL;
 }
 
 const char *kit_scene_model(int i)
@@ -195,35 +209,22 @@ static int read_single(kit_mesh *mesh, const struct single *s, kit_error *err)
     return 0;
 }
 
-static int is_single(const struct single *s, const char *name, int length)
-{
-    return (int)strlen(s->name) == length && !memcmp(s->name, name, (size_t)length);
-}
-
 int kit_catalogue_has(const char *name, int length)
 {
-    int has = 0;
-    read_catalogues();
-    for (int k = 0; k < SINGLES; k++) has |= is_single(&singles[k], name, length);
-    for (int k = 0; k < count && !has; k++) has = is_named(entries[k].name, name, length);
-    return has;
+    return single_named(name, length) != NULL || entry_named(name, length) != NULL;
 }
 
 int kit_catalogue_read(kit_mesh *mesh, const char *name, int length, kit_error *err)
 {
     char path[512];
-    for (int k = 0; k < SINGLES; k++)
-        if (is_single(&singles[k], name, length)) return read_single(mesh, &singles[k], err);
+    const struct single *const alone = single_named(name, length);
+    if (alone) return read_single(mesh, alone, err);
     if (access(FURNITURE "Scopia.sh3f", R_OK)) return missing(FURNITURE "Scopia.sh3f", FURNITURE_PACKAGE, err);
-    read_catalogues();
+    const entry *const e = entry_named(name, length);
     if (!count) return missing("the command unzip", "unzip", err);
-    for (int k = 0; k < count; k++) {
-        const entry *e = &entries[k];
-        if (!is_named(e->name, name, length)) continue;
-        if (unpacked(path, sizeof path, e, err) || kit_mesh_obj(mesh, NULL, NULL, path, err)) return -1;
-        if (e->turned) turn(mesh, e->turn);
-        fit(mesh, e->side);
-        return 0;
-    }
-    return kit_fail(err, "model '%.*s': no package's catalogue has it", length, name);
+    if (!e) return kit_fail(err, "model '%.*s': no package's catalogue has it", length, name);
+    if (unpacked(path, sizeof path, e, err) || kit_mesh_obj(mesh, NULL, NULL, path, err)) return -1;
+    if (e->turned) turn(mesh, e->turn);
+    fit(mesh, e->side);
+    return 0;
 }

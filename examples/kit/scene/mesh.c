@@ -45,45 +45,77 @@ static char *behind(char *line, const char *word)
     return is ? behind_blanks(line + length) : NULL;
 }
 
-/* Each line becomes a text of its own. */
+static int add_line(obj *o, char *text)
+{
+    char **const line = kit_array_add(&o->lines, 1, sizeof *line, &o->from);
+    if (line) *line = behind_blanks(text);
+    return line ? 0 : -1;
+}
+
+/* Each line becomes a text of its own; lines may end in CR alone. A backslash at the end of one continues it, not in a
+   comment, where Windows paths may end so: what follows is empty then, so that lines keep their numbers. */
 static int split(obj *o, char *text)
 {
     if (!strncmp(text, "\xEF\xBB\xBF", 3)) text += 3;    /* byte order mark */
+    const char ending = strchr(text, '\n') ? '\n' : '\r';
     while (text) {
-        char *const end = strchr(text, '\n'), **const line = kit_array_add(&o->lines, 1, sizeof *line, &o->from);
-        if (!line) return -1;
+        char *end = strchr(text, ending);
+        int continued = 0;
+        const int comment = *behind_blanks(text) == '#';
+        for (; end; end = strchr(end, ending), ++continued) {
+            char *const last = end > text && end[-1] == '\r' ? end - 2 : end - 1;
+            if (comment || last < text || *last != '\\') break;
+            memset(last, ' ', (size_t)(end - last) + 1);
+        }
         if (end) *end = 0;
-        *line = behind_blanks(text);
+        if (add_line(o, text)) return -1;
         text = end ? end + 1 : NULL;
+        while (continued--)
+            if (add_line(o, "")) return -1;
     }
     return 0;
 }
 
 static int wrong(const obj *o, const char *what, const char *at)
 {
-    return kit_fail(o->from.err, "%s line %d: %s, not \"%.*s\"", o->from.path, o->from.line, what,
-                    (int)strcspn(at, " \t\r") < 24 ? (int)strcspn(at, " \t\r") : 24, at);
+    const int length = (int)strcspn(at, " \t\r");
+    return length ? kit_fail(o->from.err, "%s line %d: %s, not \"%.*s\"", o->from.path, o->from.line, what,
+                             length < 24 ? length : 24, at)
+                  : kit_fail(o->from.err, "%s line %d: %s, but the line ends", o->from.path, o->from.line, what);
 }
 
-/* So many numbers; what: of what. */
-static int floats(const obj *o, float *out, int count, char *at, const char *what)
+/* So many numbers; what: of what. Behind them, NULL: they are not there. */
+static char *floats(const obj *o, float *out, int count, char *at, const char *what)
 {
     for (int i = 0; i < count; ++i) {
         char *end;
         at = behind_blanks(at);
         const float v = strtof(at, &end);
-        if (end == at || !(fabsf(v) <= 3e38f) || (*end && !is_blank(*end) && *end != '#')) return wrong(o, what, at);
+        const int digits = (long)strcspn(at, "0123456789") < end - at, whole = !*end || is_blank(*end) || *end == '#';
+        if (!digits || !whole || !isfinite(v)) {
+            wrong(o, digits && whole ? "a number is too large: at most 3.4e38 is possible" : what, at);
+            return NULL;
+        }
         out[i] = v + 0.0f;                 /* never -0: equal positions have equal bytes */
         at = end;
     }
-    return 0;
+    return behind_blanks(at);
 }
 
-static kit_key rest_of(const char *at)
+static kit_key trimmed(const char *at, size_t length)
 {
-    size_t length = strlen(at);
     while (length && is_blank(at[length - 1])) --length;
     return (kit_key){ at, length };
+}
+
+static kit_key rest_of(const char *at) { return trimmed(at, strlen(at)); }
+
+/* Names may hold blanks and '#' ("Material #25"), or a comment may follow: whole names are asked for first. */
+static kit_key without_comment(kit_key name)
+{
+    for (size_t i = 1; i < name.length; ++i)
+        if (name.bytes[i] == '#' && is_blank(name.bytes[i - 1])) return trimmed(name.bytes, i);
+    return name;
 }
 
 /* ---- >>materials ------------------------------------------------------------------------------------------------- */
@@ -99,23 +131,31 @@ static int read_material_line(obj *o, char *line)
     }
     if (!(at = behind(line, "Kd")) || !count || !strncmp(at, "xyz", 3) || !strncmp(at, "spectral", 8)) return 0;
     float *const kd = ((material *)o->materials.data)[count - 1].albedo;
-    if (floats(o, kd, 3, at, "Kd needs 3 numbers")) return -1;
+    static const char what[] = "Kd needs 1 or 3 numbers";
+    if (!(at = floats(o, kd, 1, at, what))) return -1;
+    kd[1] = kd[2] = kd[0];
+    if (*at && *at != '#' && !floats(o, kd + 1, 2, at, what)) return -1;
     for (int i = 0; i < 3; ++i) kd[i] = fmaxf(0, fminf(1, kd[i]));
     return 0;
 }
 
-/* A file that cannot be read leaves what it would name grey. */
-static int read_materials(obj *o, kit_key name)
+/* -1: it is not there; what it would name stays grey. */
+static int read_beside(char path[4096], char **text, const obj *o, kit_key name)
 {
     const char *const slash = strrchr(o->from.path, '/');
-    const kit_source own = o->from;
-    char path[4096], *text, **kept;
     size_t size;
-    snprintf(path, sizeof path, "%.*s%.*s", slash && *name.bytes != '/' ? (int)(slash - own.path) + 1 : 0, own.path,
+    snprintf(path, 4096, "%.*s%.*s", slash && *name.bytes != '/' ? (int)(slash - o->from.path) + 1 : 0, o->from.path,
              (int)name.length, name.bytes);
     for (char *p = path; *p; ++p)
         if (*p == '\\') *p = '/';         /* as Windows writes it */
-    if (kit_file_read(&text, &size, path, NULL)) return 0;
+    return kit_file_read(text, &size, path, NULL);
+}
+
+static int read_materials(obj *o, kit_key name)
+{
+    const kit_source own = o->from;
+    char path[4096], *text, **kept;
+    if (read_beside(path, &text, o, name) && read_beside(path, &text, o, without_comment(name))) return 0;
     if (!(kept = kit_array_add(&o->texts, 1, sizeof *kept, &own))) {
         free(text);
         return -1;
@@ -132,12 +172,15 @@ static int read_materials(obj *o, kit_key name)
     return failed;
 }
 
+static int same_key(kit_key a, kit_key b) { return a.length == b.length && !memcmp(a.bytes, b.bytes, a.length); }
+
 static const float *find_material(const obj *o, kit_key name)
 {
     const material *const all = o->materials.data;
     for (size_t i = o->materials.count; i-- > 0;)
-        if (all[i].name.length == name.length && !memcmp(all[i].name.bytes, name.bytes, name.length))
-            return all[i].albedo;
+        if (same_key(all[i].name, name)) return all[i].albedo;
+    for (size_t i = o->materials.count; i-- > 0;)
+        if (same_key(without_comment(all[i].name), without_comment(name))) return all[i].albedo;
     return kit_grey;
 }
 
@@ -254,7 +297,10 @@ static int face(obj *o, char *at, size_t vertices, size_t normals)
         corner *c = kit_array_add(&o->corners, 1, sizeof *c, &o->from);
         if (!c || element(o, &at, vertices, o->soup.vertices.count / 3, "vertex", &vertex)) return -1;
         *c = (corner){ .position = (const float *)o->soup.vertices.data + 3 * vertex };
-        if (*at == '/') at += 1 + strspn(at + 1, "-0123456789");                /* vt */
+        if (*at != '/') continue;
+        const size_t unused = strspn(at + 1, "-0123456789");                    /* vt */
+        at += 1 + unused;
+        if (!unused && *at != '/') return wrong(o, "a face needs corners such as 1, 1/2, 1//3 or 1/2/3", at);
         if (*at != '/') continue;
         ++at;
         if (element(o, &at, normals, o->normals.count / 3, "vn", &normal)) return -1;
@@ -277,7 +323,7 @@ static int read_vertices(obj *o)
         o->from.line = (int)i + 1;
         if (normal || (at = behind(line, "v")) != NULL) {
             float *const v = kit_array_add(normal ? &o->normals : &o->soup.vertices, 3, sizeof *v, &o->from);
-            if (!v || floats(o, v, 3, at, normal ? "vn needs 3 numbers" : "v needs 3 numbers")) return -1;
+            if (!v || !floats(o, v, 3, at, normal ? "vn needs 3 numbers" : "v needs 3 numbers")) return -1;
             for (int k = 0; k < 3 && !normal; ++k)
                 if (fabsf(v[k]) > KIT_FARTHEST)
                     return kit_fail(o->from.err, "%s line %d: a coordinate of %g: must be within %g of 0", o->from.path,
@@ -303,7 +349,7 @@ static int read_faces(obj *o)
         else if (behind(line, "vn")) ++normals;
         else if ((at = behind(line, "usemtl")) != NULL) o->albedo = find_material(o, rest_of(at));
         else if ((at = behind(line, "o")) != NULL || (way = 1, at = behind(line, "g")) != NULL) {
-            if (kit_soup_name(&o->soup, way, rest_of(at), &o->from)) return -1;
+            if (kit_soup_name(&o->soup, way, without_comment(rest_of(at)), &o->from)) return -1;
         }
     }
     return o->soup.position.count ? kit_soup_objects(&o->soup, &o->from)

@@ -75,8 +75,9 @@ static int most_of(const bench *b, int frames)
 static void about_times(char out[1200], const bench *b)
 {
     snprintf(out, 1200,
-             "%s on %s: %s, %zu triangles.%s Milliseconds of a frame by %s, median (quartiles) of up to %d frames in up "
-             "to %d rounds of all rows; passes: each timed alone, so that together they may take longer than the frame.",
+             "%s on %s: %s, %zu triangles.%s Milliseconds of a frame by %s, median (quartiles) of up to %d frames in "
+             "up to %d rounds of all rows; passes: each timed alone, so that together they may take longer than the "
+             "frame.",
              b->command, kit_gl_name(), b->scene.name, b->scene.mesh.triangles,
              kit_gl_is_software()
                  ? " No GPU was found: a CPU drew this, small, few rows. These times say nothing about a GPU."
@@ -95,8 +96,8 @@ static void about_bounds(char out[1600], const bench *b)
              "writes its outputs once; where a cache holds one pass's output for the next, a frame can take less. "
              "Fetches: the most that a pixel makes, read off the text, in the %.1f %% of the pixels that show a "
              "surface. Operations: the same of operators and calls, the dearer way through each branch, where one on a "
-             "vector counts once and any call once: an estimate, mostly too low. A largest near 100 %% is what limits a "
-             "row; where it is far below, waiting does: latency, caches that miss, small passes.",
+             "vector counts once and any call once: an estimate, mostly too low. A largest near 100 %% is what limits "
+             "a row; where it is far below, waiting does: latency, caches that miss, small passes.",
              b->size[0][0], b->size[0][1], number(n[0], b->best.bytes * 1e-9), number(n[1], b->best.fetches * 1e-9),
              number(n[2], b->best.operations * 1e-9), 100 * b->covered);
 }

@@ -272,8 +272,9 @@ int deep_chart(FILE *record, const options *o, kit_error *err)
         set->count = units_measure(record, o, "deep", k, deep_unit, set->row, err);
         if (set->count < 0) return -1;
         if (!set->count) continue;
-        const char *const kind = k == TURN_SET ? "turn" : k < DEEP_TABLES && deep_tables[k].charted ? "scatter" : "rows";
-        if (table_page(record, kind, set->row, set->count, err)) return -1;
+        const int charted = k < DEEP_TABLES && deep_tables[k].charted;
+        if (table_page(record, k == TURN_SET ? "turn" : charted ? "scatter" : "rows", set->row, set->count, err))
+            return -1;
         table_csv(csv.file, set->row, set->count, !shown++);
     }
     return page_close(&csv, o->out, "chart-deep.csv", err);

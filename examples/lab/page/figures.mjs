@@ -12,7 +12,7 @@ import { resolve } from 'node:path';
 import vm from 'node:vm';
 
 const { ssgi_report: report, ssgi_record } = createRequire(import.meta.url)('./report.js');
-const { parse, mean, grouped, named, means, family, by_kind, chains, modelled } = report;
+const { grouped, means, given, peer, by_pair, by_kind, by_cause, chains, devices, modelled, tables } = report;
 const folder = process.argv[2] ?? 'report',
     docs = 'examples/docs';
 
@@ -32,26 +32,12 @@ const table = (heads, rows) =>
         .replaceAll('|  |', '| |');
 /* A row as the tables name it: its label, and what of method and settings that does not tell. */
 function title(r) {
-    const told = r.label === r.method || ['none', 'floor'].includes(r.method);
+    const told = r.label === r.method || given(r);
     return `${r.label}${told ? '' : `, \`${r.method}\``}${
         r.settings && !String(r.label).includes(r.settings) ? `: \`${r.settings.replaceAll(',', ', ')}\`` : ''
     }`;
 }
-const peer = r => family(r) === 'others' && !['none', 'floor'].includes(r.method);
-/* Entries of a record with the heading above each. */
-function* tables(record) {
-    let heading = '',
-        about = '';
-    for (const e of record.entries) {
-        if (e?.heading) {
-            heading = e.heading;
-            about = '';
-        }
-        if (e?.paragraph) about ||= e.paragraph;
-        if (e?.table) yield { heading, about, kind: e.table, rows: parse(e.csv) };
-    }
-}
-const found = (record, kind) => [...tables(record)].find(t => t.kind === kind)?.rows ?? [];
+const found = (record, kind) => report.entry(record.name, kind) ?? [];
 
 /* ---- >>parts ----------------------------------------------------------------------------------------------------- */
 
@@ -61,7 +47,7 @@ function ambient(record) {
     const own = rows.filter(r => !peer(r));
     return (
         rows.length &&
-        `![Cost against error](pictures/chart-cpu.svg)
+        `![Cost against error](${record.kind === 'full' ? 'pictures/' : ''}chart-cpu.svg)
 
 Mean of ${scenes} scenes. Noise: deviation over two phases of it; model error: RMSE of their mean.
 
@@ -118,25 +104,22 @@ ${table(
 }
 
 function pairs(record) {
-    const rows = found(record, 'pairs').map(r => ({ ...r, pair: `${r.scene}, ${r.probe}` }));
+    const rows = by_pair(found(record, 'pairs'));
     return (
         rows.length &&
-        `RMSE of irradiance over that of no occlusion, no bounce, over ${grouped(rows, 'pair').size} pairs.
+        `RMSE of irradiance over that of no occlusion, no bounce, over ${rows[0].pairs} pairs.
 
 ${table(
     ['method', 'time', 'mean', 'worst', 'pair', 'below 1', 'bias'],
-    [...grouped(rows, named).values()].map(g => {
-        const worst = g.reduce((a, b) => (b.share > a.share ? b : a));
-        return [
-            title(g[0]),
-            cell(mean(g.map(r => r.relative_time)), 2),
-            cell(mean(g.map(r => r.share))),
-            cell(worst.share),
-            worst.pair,
-            `${g.filter(r => r.share < 1).length} of ${g.length}`,
-            cell(mean(g.map(r => r.irradiance_bias)), 3, true)
-        ];
-    })
+    rows.map(r => [
+        title(r),
+        cell(r.time, 2),
+        cell(r.mean),
+        cell(r.worst),
+        r.pair,
+        `${r['below 1']} of ${r.pairs}`,
+        cell(r.bias, 3, true)
+    ])
 )}`
     );
 }
@@ -171,7 +154,7 @@ ${of('ao')}${
 }
 
 function plan(record) {
-    const rows = [...tables(record)].find(t => t.heading === 'What a scene needs' && t.kind === 'rows')?.rows ?? [];
+    const rows = tables(record).find(t => t.heading === 'What a scene needs' && t.kind === 'rows')?.rows ?? [];
     return (
         rows.length &&
         `On views that it was not fitted on. Good: at most 1.25 times the cost of the cheapest choice that
@@ -185,21 +168,19 @@ ${table(
 }
 
 /* Causes down, methods across. */
-function worst(sweeps) {
-    const numbers = t => new Map([...grouped(t.rows, 'method')].map(([method, g]) => [method, g[0].number]));
-    const methods = [...new Set(sweeps.flatMap(t => [...numbers(t).keys()]))];
+function worst(causes) {
+    const methods = [...new Set(causes.flatMap(Object.keys))].filter(key => key !== 'cause');
     const digits = v => (v > 1000 ? 0 : v > 0.03 ? 3 : 4);
     return table(
         ['cause', ...methods],
-        sweeps.map(t => [t.heading, ...methods.map(m => cell(numbers(t).get(m), digits(numbers(t).get(m))))])
+        causes.map(c => [c.cause, ...methods.map(m => cell(c[m], digits(c[m])))])
     );
 }
 function stability(record) {
-    const sweeps = [...tables(record)].filter(t => t.kind.startsWith('sweep'));
-    const of = name => sweeps.filter(t => t.rows.some(r => r.method === name));
-    const still = of('hsao'), moving = of('hsao-history').filter(t => !still.includes(t));
+    const causes = by_cause(record), still = causes.filter(c => 'hsao' in c);
+    const moving = causes.filter(c => 'hsao-history' in c && !still.includes(c));
     return (
-        sweeps.length &&
+        causes.length &&
         `The worst of each sweep: RMSE of ambient visibility, or what the page says of that sweep. Beside: no
 ambient occlusion at all, the truth's own flicker, or open ground.
 
@@ -208,7 +189,7 @@ ${worst(still)}${moving.length ? `\n\nOver frames:\n\n${worst(moving)}` : ''}`
 }
 
 function papers(record) {
-    const sheets = [...tables(record)].filter(t => t.kind === 'paper');
+    const sheets = tables(record).filter(t => t.kind === 'paper');
     const count = (t, head) => t.rows.filter(c => c.kind === 'claim' && c.head === head).length;
     const rows = sheets.map(t => [`[${t.rows[0].paper}] ${t.heading}`, count(t, 'agrees'), count(t, 'differs')]);
     const sum = k => rows.reduce((s, r) => s + r[k], 0);
@@ -233,10 +214,6 @@ function cost(record) {
     const [first, second] = [...grouped(rows, 'family').keys()],
         of = rows.filter(r => r.family === first);
     const beside = r => rows.find(o => o.chain === r.chain && o.family === second);
-    const devices = Object.keys(rows[0])
-        .filter(k => k.endsWith(' weighed'))
-        .map(k => k.slice(0, -8))
-        .filter(d => rows.some(r => typeof r[`${d} weighed`] === 'number'));
     return `Never measured: Mesa's compiler made these instructions of the passes, for GPUs that were not there.
 Milliseconds are a model's of 1920x1080 (examples/lab/cost/model.h): weighed as waves of 8x8 texels enter on twelve
 scenes by seed, in brackets busy, all that an \`if\` guards, and calm, none of what a wave may leave out. Splats and
@@ -252,7 +229,7 @@ ${table(
         'registers',
         'waves',
         `${second}: instructions`,
-        ...devices.map(d => `${d}, ms`),
+        ...devices(rows).map(d => `${d}, ms`),
         'programs',
         'text, kB',
         'MB of targets at 1080'
@@ -268,7 +245,7 @@ ${table(
             cell(r.vgprs, 0),
             cell(r.waves, 0),
             ways(beside(r), '', 0),
-            ...devices.map(d => ways(typeof r[`${d} weighed`] === 'number' ? r : beside(r), d, 3)),
+            ...devices(rows).map(d => ways(typeof r[`${d} weighed`] === 'number' ? r : beside(r), d, 3)),
             cell(r.programs, 0),
             cell(r.text_bytes / 1e3, 1),
             cell(r.targets_1080 / 1e6, 1)

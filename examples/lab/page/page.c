@@ -43,23 +43,11 @@ static void line_of(char *out, int size, const char *command)
 
 /* ---- >>records --------------------------------------------------------------------------------------------------- */
 
-static void put_text(FILE *f, const char *s)
-{
-    fputc('"', f);
-    for (; *s; ++s) {
-        if (*s == '"' || *s == '\\') fprintf(f, "\\%c", *s);
-        else if (*s == '<') fputs("\\u003c", f);       /* no "</script>" inside of a script */
-        else if ((unsigned char)*s < ' ') fprintf(f, "\\u%04x", (unsigned)(unsigned char)*s);
-        else fputc(*s, f);
-    }
-    fputc('"', f);
-}
-
 static void put_format(FILE *f, const char *format, va_list list)
 {
     char text[4096];
     vsnprintf(text, sizeof text, format, list);
-    put_text(f, text);
+    kit_json_string(f, text);
 }
 
 int page_begin(page *p, const char *name, const char *kind, const char *command, const char *driver, kit_error *err)
@@ -75,7 +63,7 @@ int page_begin(page *p, const char *name, const char *kind, const char *command,
     fputs("ssgi_record({", p->file);
     for (int i = 0; i < 6; ++i) {
         fprintf(p->file, "\"%s\":", key[i]);
-        put_text(p->file, is[i]);
+        kit_json_string(p->file, is[i]);
         fputc(',', p->file);
     }
     fprintf(p->file, "\"cores\":%ld,\"entries\":[\n", sysconf(_SC_NPROCESSORS_ONLN));
@@ -131,28 +119,35 @@ void page_paragraph(FILE *f, const char *format, ...)
 void page_figure(FILE *f, const char *slug, const char *label, const char *note, int width, int height, int difference)
 {
     fputs("{\"picture\":", f);
-    put_text(f, slug);
+    kit_json_string(f, slug);
     fputs(",\"label\":", f);
-    put_text(f, label);
+    kit_json_string(f, label);
     fputs(",\"note\":", f);
-    put_text(f, note);
+    kit_json_string(f, note);
     fprintf(f, ",\"width\":%d,\"height\":%d,\"difference\":%d},\n", width, height, difference);
 }
 
 void page_key(FILE *f, double range) { fprintf(f, "{\"key\":%g},\n", range); }
 
-void page_table(FILE *f, const char *kind, const char *csv)
+static void put_table(FILE *f, const char *kind, const page *csv)
 {
+    fflush(csv->file);
     fputs("{\"table\":", f);
-    put_text(f, kind);
+    kit_json_string(f, kind);
     fputs(",\"csv\":", f);
-    put_text(f, csv);
+    kit_json_string(f, csv->text);
     fputs("},\n", f);
+}
+
+void page_table(FILE *f, const char *kind, page *csv)
+{
+    put_table(f, kind, csv);
+    fclose(csv->file);
+    free(csv->text);
 }
 
 int page_csv(FILE *f, const char *kind, page *csv, const char *folder, const char *name, kit_error *err)
 {
-    fflush(csv->file);
-    page_table(f, kind, csv->text);
+    put_table(f, kind, csv);
     return page_close(csv, folder, name, err);
 }

@@ -24,9 +24,9 @@ void page_paragraph(FILE *f, const char *format, ...);
 /* A picture of the folder, slug.png, and under it, where there is one, its difference to the truth. */
 void page_figure(FILE *f, const char *slug, const char *label, const char *note, int width, int height, int difference);
 void page_key(FILE *f, double range);           /* the differences' colours, full at +-range */
-/* The table that a csv holds. kind: which of report.js' views shows it, "rows": as it is. */
-void page_table(FILE *f, const char *kind, const char *csv);
-/* The same, and the csv is closed as folder/name. */
+/* The table that a csv holds, which ends there. kind: which of report.js' views shows it, "rows": as it is. */
+void page_table(FILE *f, const char *kind, page *csv);
+/* The same, and the csv becomes folder/name. */
 int page_csv(FILE *f, const char *kind, page *csv, const char *folder, const char *name, kit_error *err);
 
 #endif

@@ -68,17 +68,44 @@ function modelled(r, device = 'RX 6800') {
     const row = table.find(c => c.chain === name && !c.pass && known(c[`${device} weighed`]));
     return row && !row.splats ? row[`${device} weighed`] : null;
 }
-/* The first table of a kind in a record. */
-function entry(name, kind) {
-    const of = records[name];
-    if (!of) return null;
-    of.parsed ??= new Map();
-    if (!of.parsed.has(kind)) {
-        const e = of.entries.find(e => e && e.table === kind);
-        of.parsed.set(kind, e ? parse(e.csv) : null);
-    }
-    return of.parsed.get(kind);
+/* A record's tables with the heading above each, parsed once; the first of a kind, null: there is none. */
+function tables(record) {
+    let heading = '';
+    return record.tables ??= record.entries.flatMap(e => {
+        if (e?.heading) heading = e.heading;
+        return e?.table ? [{ heading, kind: e.table, rows: parse(e.csv) }] : [];
+    });
 }
+const entry = (name, kind) => records[name] ? tables(records[name]).find(t => t.kind === kind)?.rows ?? null : null;
+
+/* Rows of no method: doing nothing, the exact answer from one depth layer. Rows of other libraries. */
+const given = r => r.method === 'none' || r.method === 'floor';
+const peer = r => family(r) === 'others' && !given(r);
+
+/* A row a method: over the pairs of a scene and a probe, over scenes by seed, over sweeps a row a cause. */
+const by_pair = rows => [...grouped(rows, named).values()].map(g => {
+    const share = g.map(r => r.share), worst = g.reduce((a, b) => b.share > a.share ? b : a);
+    return { label: g[0].label, method: g[0].method, settings: g[0].settings, time: mean(g.map(r => r.relative_time)),
+             mean: mean(share), worst: worst.share, pair: `${worst.scene}, ${worst.probe}`,
+             'below 1': share.filter(v => v < 1).length, pairs: g.length, bias: mean(g.map(r => r.irradiance_bias)) };
+});
+const by_kind = rows => [...grouped(rows, named).values()].map(g => {
+    const share = g.map(r => r.share), worst = g.reduce((a, b) => b.share > a.share ? b : a);
+    const of = { label: g[0].label, method: g[0].method, settings: g[0].settings, mean: mean(share), '±': half(share),
+                 median: median(share), worst: worst.share, seed: worst.seed,
+                 'above 1': share.filter(v => v > 1).length };
+    for (const [kind, list] of grouped(g, 'kind')) of[kind] = mean(list.map(r => r.share));
+    return of;
+});
+const by_cause = record => tables(record).filter(t => t.kind.startsWith('sweep')).map(t => {
+    const of = { cause: t.heading };
+    for (const [method, g] of grouped(t.rows, 'method')) of[method] = g[0].number;
+    return of;
+});
+
+const chains = rows => rows.filter(r => !r.pass);
+const devices = rows => Object.keys(rows[0]).filter(k => k.endsWith(' weighed')).map(k => k.slice(0, -8))
+    .filter(d => rows.some(r => known(r[`${d} weighed`])));
 
 /* ---- >>charts: options of Plot, for the page and for README's SVG -------------------------------------------- */
 
@@ -89,7 +116,7 @@ const tip = r => Object.entries(r).filter(([key, v]) => known(v) && v !== '' && 
 
 /* Points of rows, joined along a label; x as logarithms. The broad line joins those that nothing beats. */
 function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, width = 900, height = 520 }) {
-    const points = rows.filter(r => known(r[x]) && known(r[y]) && r.method !== 'none' && r.method !== 'floor')
+    const points = rows.filter(r => known(r[x]) && known(r[y]) && !given(r))
         .sort((a, b) => a[x] - b[x]);
     const front = [];
     for (const r of points)
@@ -157,9 +184,8 @@ const clocks = {
 const timed = rows => rows.map(r => ({ ...r, _ms: modelled(r) }));
 /* What the chart of ambient occlusion shows of chart.csv: peers after their fit. */
 function ambient(rows, scene) {
-    const peers = r => known(r.share_fitted) && family(r) === 'others' && r.method !== 'none' && r.method !== 'floor';
     return timed(scene === 'mean' ? means(rows) : rows.filter(r => r.scene === scene)).map(r =>
-        ({ ...r, share: peers(r) ? r.share_fitted : r.share }));
+        ({ ...r, share: peer(r) && known(r.share_fitted) ? r.share_fitted : r.share }));
 }
 const floor_of = rows => rows.find(r => r.method === 'floor')?.share ?? null;
 
@@ -235,20 +261,11 @@ const views = {
         up: 'error (RMSE) on the same ground, share of having no AO at all' })), table(rows)],
     memory: rows => [plotted(scatter(Plot_, rows, { x: 'kilobytes', y: 'rmse', height: 280,
         across: 'kB of the fields', up: 'RMSE of occlusion' })), table(rows)],
-    pairs: rows => {
-        const of = rows.map(r => ({ ...r, pair: `${r.scene}, ${r.probe}` }));
-        return chosen({ family: all_families(of), probe: ['all', ...unique(of.map(r => r.probe))] }, s => {
-            const list = of_family(of, s.family).filter(r => s.probe === 'all' || r.probe === s.probe);
-            return [plotted(strips(Plot_, list.filter(r => r.share !== 1), { dot: 'probe',
-                across: 'RMSE of irradiance over that of no occlusion, a dot a pair' })),
-            table([...grouped(list, named).values()].map(g => ({ label: g[0].label, method: g[0].method,
-                settings: g[0].settings, time: mean(g.map(r => r.relative_time)), mean: mean(g.map(r => r.share)),
-                worst: Math.max(...g.map(r => r.share)),
-                pair: g.reduce((a, b) => b.share > a.share ? b : a).pair,
-                'below 1': g.filter(r => r.share < 1).length, pairs: g.length,
-                bias: mean(g.map(r => r.irradiance_bias)) })))];
-        });
-    },
+    pairs: rows => chosen({ family: all_families(rows), probe: ['all', ...unique(rows.map(r => r.probe))] }, s => {
+        const list = of_family(rows, s.family).filter(r => s.probe === 'all' || r.probe === s.probe);
+        return [plotted(strips(Plot_, list.filter(r => r.share !== 1), { dot: 'probe',
+            across: 'RMSE of irradiance over that of no occlusion, a dot a pair' })), table(by_pair(list))];
+    }),
     seeds: rows => chosen({ of: unique(rows.map(r => r.what)), family: all_families(rows),
                             kind: ['all', ...unique(rows.map(r => r.kind))] }, s => {
         const list = of_family(rows, s.family).filter(r => r.what === s.of && (s.kind === 'all' || r.kind === s.kind));
@@ -292,14 +309,6 @@ const views = {
     }
 };
 
-const by_kind = rows => [...grouped(rows, named).values()].map(g => {
-    const share = g.map(r => r.share), worst = g.reduce((a, b) => b.share > a.share ? b : a);
-    const of = { label: g[0].label, method: g[0].method, settings: g[0].settings, mean: mean(share), '±': half(share),
-                 median: median(share), worst: worst.share, seed: worst.seed,
-                 'above 1': share.filter(v => v > 1).length };
-    for (const [kind, list] of grouped(g, 'kind')) of[kind] = mean(list.map(r => r.share));
-    return of;
-});
 const numbers = rows => table([...grouped(rows, r => r.method).values()].map(g =>
     ({ method: g[0].method, settings: g[0].settings, number: g[0].number })));
 
@@ -321,10 +330,8 @@ function paper(cells) {
             el('ul', {}, ...cells.filter(c => c.kind === 'claim').map(c => el('li', {}, c.text)))];
 }
 
-const chains = rows => rows.filter(r => !r.pass);
 function cost(rows) {
-    const devices = Object.keys(rows[0]).filter(k => k.endsWith(' weighed')).map(k => k.slice(0, -8));
-    return chosen({ device: devices, passes: ['chains', ...unique(chains(rows).map(r => r.chain))] }, s => {
+    return chosen({ device: devices(rows), passes: ['chains', ...unique(chains(rows).map(r => r.chain))] }, s => {
         const key = `${s.device} weighed`, of = s.passes === 'chains' ? chains(rows) : rows.filter(r =>
             r.chain === s.passes && r.pass);
         const list = of.filter(r => known(r[key])).map(r => ({ ...r, name: r.pass || r.chain }));
@@ -393,16 +400,8 @@ function strip(list) {
 }
 
 /* One number a method and cause, of all sweeps. */
-function worst(entries) {
-    const rows = [];
-    let cause = '';
-    for (const e of entries) {
-        if (e?.heading) cause = e.heading;
-        if (!e?.table?.startsWith('sweep')) continue;
-        const of = { cause };
-        for (const [method, g] of grouped(parse(e.csv), 'method')) of[method] = g[0].number;
-        rows.push(of);
-    }
+function worst(record) {
+    const rows = by_cause(record);
     return rows.length ? [table(rows, unique(rows.flatMap(Object.keys)))] : [];
 }
 
@@ -440,7 +439,7 @@ function show() {
         columns = new Map();
         main.replaceChildren(el('p', { className: 'faint' }, `${of.command}: ${of.kind === 'full' ? '' :
             `a ${of.kind === 'quick' ? 'quick run, smaller and with fewer rows' : 'part'}; `}commit ${of.commit}, ${
-            of.cores} cores (${of.processor}), ${of.driver}`), ...worst(of.entries), ...shown_entries(of.entries),
+            of.cores} cores (${of.processor}), ${of.driver}`), ...worst(of), ...shown_entries(of.entries),
             fold('What the figures mean', () => [el('dl', {}, ...terms.flatMap(([t, d]) =>
                 [el('dt', {}, t), el('dd', {}, d)]))]));
     };
@@ -448,8 +447,8 @@ function show() {
     open();
 }
 
-return { records, parse, mean, median, half, grouped, unique, named, family, means, modelled, entry, scatter, strips,
-         ambient, floor_of, by_kind, chains, clocks, timed, show };
+return { records, parse, mean, grouped, named, means, modelled, tables, entry, given, peer, by_pair, by_kind, by_cause,
+         chains, devices, scatter, ambient, floor_of, clocks, show };
 })();
 
 function ssgi_record(record) { ssgi_report.records[record.name] = record; }

@@ -1,7 +1,6 @@
 /* table.c - rows as tables: one list of columns for text, CSV and the page. Declared in table.h. */
 #include "lab/page/table.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
 #include "lab/page/page.h"
@@ -223,10 +222,7 @@ int table_page(FILE *f, const char *kind, const row *rows, int count, kit_error 
     page csv;
     if (page_open(&csv, err)) return -1;
     table_csv(csv.file, rows, count, 1);
-    fflush(csv.file);
-    page_table(f, kind, csv.text);
-    fclose(csv.file);
-    free(csv.text);
+    page_table(f, kind, &csv);
     return 0;
 }
 

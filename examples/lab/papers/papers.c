@@ -1,6 +1,5 @@
 /* papers.c - all papers, one sheet after another. Declared in papers.h. */
 #include "lab/papers/papers.h"
-#include <stdlib.h>
 #include <string.h>
 #include "lab/page/page.h"
 #include "lab/papers/sheet.h"
@@ -49,10 +48,7 @@ static int chart(FILE *record, FILE *csv, const options *o, int k, kit_error *er
     show_csv_head(own.file);
     show_csv(own.file, t, drawn[k]);
     show_csv(csv, t, drawn[k]);
-    fflush(own.file);
-    page_table(record, "paper", own.text);
-    fclose(own.file);
-    free(own.text);
+    page_table(record, "paper", &own);
     return 0;
 }
 

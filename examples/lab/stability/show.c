@@ -1,7 +1,6 @@
 /* show.c - what sweeps become: figures, tables, pictures of the worst frames. Declared in show.h. */
 #include "lab/stability/show.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include "lab/page/page.h"
 
@@ -69,10 +68,7 @@ int show_cause(FILE *record, FILE *csv, const result *r, const char *out, kit_er
     page_heading(record, 3, "%s", c->title);
     page_paragraph(record, "%s Up: %s. Number: %s.", c->about, c->up ? c->up : kinds[c->kind].up,
                    c->number ? c->number : kinds[c->kind].number);
-    fflush(own.file);
-    page_table(record, c->log ? "sweep-log" : "sweep", own.text);
-    fclose(own.file);
-    free(own.text);
+    page_table(record, c->log ? "sweep-log" : "sweep", &own);
     for (int i = 0; i < r->curves; ++i)
         if (show_worst(record, c, &r->curve[i], out, err)) return -1;
     return 0;

@@ -28,9 +28,9 @@ static int write_all(const sweep_options *o, const result *results, const int *s
         || page_open(&csv, err))
         return -1;
     page_paragraph(record.file,
-                   "Each method is swept through what such methods fail at. Errors are of ambient visibility (0 closed, "
-                   "1 open), against ray-traced truth; no gain, no fit. Methods with light are under white light from "
-                   "everywhere, where irradiance is ambient visibility.");
+                   "Each method is swept through what such methods fail at. Errors are of ambient visibility (0 "
+                   "closed, 1 open), against ray-traced truth; no gain, no fit. Methods with light are under white "
+                   "light from everywhere, where irradiance is ambient visibility.");
     show_csv_head(csv.file);
     for (int k = 0; k < sweeps_causes; ++k)
         if (shown[k] && show_cause(record.file, csv.file, &results[k], o->out, err)) return -1;
@@ -82,7 +82,7 @@ static int parse(sweep_options *o, int argc, char **argv, kit_error *err)
         if (!strcmp(a, "--cause")) {
             while (k < sweeps_causes && strcmp(sweeps_cause[k].name, v)) ++k;
             if (k == sweeps_causes)
-                return kit_fail(err, "--cause %s: there is none of that name (stability.csv's first column has them)", v);
+                return kit_fail(err, "--cause %s: is none (the first column of stability.csv has them)", v);
             o->causes += !o->cause[k];
             o->cause[k] = 1;
         } else {
