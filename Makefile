@@ -116,7 +116,8 @@ REPORT = lab/report \
          $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved peers ahead) \
          $(addprefix lab/page/,page table pictures units) \
          $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo \
-         deep_moving deep_stage plan planned) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
+         deep_moving deep_stage plan planned) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss) \
+         lab/quiet/bands
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -139,13 +140,15 @@ build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 demo: build/render build/report
 	build/report demo
 
-# Speed against accuracy, and error on scenes by seed; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
+# Speed against accuracy, and error on scenes by seed; report/index.html. QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
 # Some of its scenes and one of its probes come from packages that nothing else needs; without them, the chart says so.
 PROBE   = /usr/share/blender/datafiles/studiolights/world/interior.exr
+# Half of its scenes by seed are drawn by the commit's hash, so that nobody has seen them before.
+DRAWN = $(patsubst %,--commit %,$(shell git rev-parse --short=12 HEAD 2>/dev/null))
 chart: build/report | page-deps
 	$(if $(QUICK),,@sh examples/kit/models.sh $(or $(SCENE),iron-bed maple stairs attic))
 	@test -n "$(QUICK)$(SCENE)" -o -s $(PROBE) || sh examples/kit/install.sh blender-data || true
-	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
+	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %) $(DRAWN)
 	@$(FIGURES)
 
 # The papers' own tables and figures, theirs beside ours; report/index.html, and their part of
@@ -162,7 +165,7 @@ light: build/report | page-deps
 # report: FROM=0 has those that settings may be tuned on.
 seeds: build/report | page-deps
 	build/report seeds $(if $(QUICK),--quick) $(METHOD:%=--method %) $(FROM:%=--from %) $(COUNT:%=--count %) \
-	  $(CONTEXT:%=--context %)
+	  $(CONTEXT:%=--context %) $(DRAWN)
 
 # What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library.
 PEERS = three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6 @babylonjs/core@9.34.0 playcanvas@2.23.3
@@ -170,7 +173,7 @@ peers:
 	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }
 	@mkdir -p build/peers
 	npm install --prefix build/peers --no-save --ignore-scripts --no-audit --no-fund --silent $(PEERS)
-	@cp examples/lab/measure/peers.mjs build/peers/
+	@cp examples/lab/measure/peers.mjs examples/lab/measure/tsl.mjs build/peers/
 
 # Where methods fail; report/index.html. make stability QUICK=1 is smaller.
 stability: build/stability | page-deps
@@ -248,11 +251,11 @@ build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
 # cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew. cost-shares measures how
 # many waves enter what they may leave out: examples/lab/cost/shares.csv, in three minutes.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev
-COST       = $(addprefix lab/cost/,cost plan against show passes entered share model count compile csv) tools/glsl/chains \
+COST       = $(addprefix lab/cost/,cost plan peers against show passes entered share model count compile csv) tools/glsl/chains \
              $(addprefix lab/measure/,folder rows picture stage) lab/page/page
 COST_LIBS  = -lvulkan -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
              -Wl,--end-group -lstdc++
-cost cost-test cost-record cost-shares cost-plan: deps
+cost cost-test cost-record cost-shares cost-plan cost-peers: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h; do \
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
@@ -393,7 +396,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers \
+.PHONY: cost-peers page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers \
         stability quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl mutants deps \
         unlisted format clean
 

@@ -5,7 +5,7 @@
          the rest, in half an hour, or 3 minutes
       build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv
       build/report seeds [--out report] [--context egl] [--quick] [--method NAME] [--from 1000] [--count 100]     scenes
-         by seed: seeds.csv
+         by seed and models: seeds.csv
       build/report papers [--out report] [--context egl] [--quick] [--paper "HSAO08 Table 1"]     papers.csv, in some
          minutes
       build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c
@@ -171,8 +171,10 @@ static int seeds(const options *o, kit_error *err)
     if (o->quick) stage_thrift = QUICK_THRIFT;
     if (!seeds_units(o)) return kit_fail(err, "--method %s: no row of the charts is of such a method", o->method);
     units_begin(o, seeds_units(o));
-    snprintf(command, sizeof command, "build/report seeds%s --from %d --count %d", o->quick ? " --quick" : "",
-             o->first < 0 ? SEEDS_JUDGED : o->first, seeds_units(o));
+    snprintf(command, sizeof command, "build/report seeds%s", o->quick ? " --quick" : "");
+    if (o->first >= 0)
+        snprintf(command + strlen(command), sizeof command - strlen(command), " --from %d --count %d", o->first,
+                 seeds_units(o));
     if (alone(tuned ? "seeds-fit" : "seeds", command, seeds_chart, o, err)) return -1;
     units_end();
     seeds_text(stdout);
@@ -207,13 +209,13 @@ static int papers(const options *o, kit_error *err)
 static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err); }
 
 /* What a command takes beside --out and --context. ahead: what it does before there is a GL context; NULL: nothing. */
-enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32 };
+enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, COMMIT = 64 };
 typedef int step(const options *o, kit_error *err);
 static const struct command { const char *name; int takes; step *run, *ahead; } commands[] = {
     { "demo",   MESH,                    demo,   NULL },
-    { "chart",  QUICK | SCENES | METHOD, chart,  chart_ahead },
+    { "chart",  QUICK | SCENES | METHOD | COMMIT, chart, chart_ahead },
     { "light",  QUICK | SCENES | METHOD, light,  NULL },
-    { "seeds",  QUICK | METHOD | SEEDS,  seeds,  seeds_ahead },
+    { "seeds",  QUICK | METHOD | SEEDS | COMMIT, seeds, seeds_ahead },
     { "papers", QUICK | PAPER,           papers, NULL },
     { "fit",    MESH,                    fit,    plan_fit_ahead },
     { "plan",   MESH,                    plan,   plan_ahead }
@@ -261,7 +263,8 @@ static int parse(options *o, const struct command *c, int argc, char **argv, kit
     const struct { const char *name; int of; const char **to; } known[] = {
         { "--out", 0, &o->out },             { "--context", 0, &o->context }, { "--mesh", MESH, &o->mesh },
         { "--method", METHOD, &o->method },  { "--paper", PAPER, &o->paper }, { "--scene", SCENES, NULL },
-        { "--from", SEEDS, &from },          { "--count", SEEDS, &count }
+        { "--from", SEEDS, &from },          { "--count", SEEDS, &count },
+        { "--commit", COMMIT, &o->commit }
     };
     memset(o, 0, sizeof *o);
     o->out = "report";

@@ -326,6 +326,7 @@ static const struct format { GLenum internal, format; int components; GLenum typ
     { GL_R16F, GL_RED, 1, GL_FLOAT },
     { GL_RG16F, GL_RG, 2, GL_FLOAT },
     { GL_RGBA16F, GL_RGBA, 4, GL_FLOAT },
+    { GL_R11F_G11F_B10F, GL_RGB, 3, GL_FLOAT },
     { GL_R32F, GL_RED, 1, GL_FLOAT },
     { GL_RG32F, GL_RG, 2, GL_FLOAT },
     { GL_RGBA32F, GL_RGBA, 4, GL_FLOAT },

@@ -1,29 +1,126 @@
-/* seeds.c - what report.c shows of scenes drawn from seeds: each is measured as a unit of its own. Declared in
+/* seeds.c - what report.c shows of scenes that nobody picked: each is measured as a unit of its own. Declared in
    seeds.h. */
 #include "lab/chart/seeds.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "lab/chart/ao.h"
-#include "lab/chart/pairs.h"
 #include "lab/chart/seeds_show.h"
 #include "lab/measure/ahead.h"
 #include "lab/measure/measure.h"
+#include "lab/measure/peers.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
+#include "lab/quiet/bands.h"
 
-/* Truth at every third pixel both ways. */
-enum { SEED_WIDTH = 320, SEED_HEIGHT = 180, SEED_RAYS = 256, SEED_LIGHT_RAYS = 256, SEED_NOISY_RAYS = 1024,
-    SEEDS = 100, SEEDS_QUICK = 21 };
-static const lit seed_light = { NULL, { NULL }, 0, 0, 0, SEED_LIGHT_RAYS, 1, NO_CROPS };
+/* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-static int first_of(const options *o) { return o->first < 0 ? SEEDS_JUDGED : o->first; }
+/* So many rays keep the truth's noise below a tenth of what methods err by, also where small bright parts of an
+   environment bring much of the light. */
+enum { SEED_WIDTH = 1280, SEED_HEIGHT = 720, SEED_RAYS = 1024, EACH = 3 * KIT_KINDS, MODELS = 14,
+    SEEDS_QUICK = KIT_KINDS, DRAWN_FROM = 10000, DRAWN = 100000 };
 
-/* Those to tune on end where those that report begin. */
+static const entry visible_entries[] = {
+    { "ssao",         "ssao",         "",                      1 },
+    { "hsao-fast",    "hsao-fast",    "",                      1 },
+    { "hsao",         "hsao",         "",                      1 },
+    { "hsao-history", "hsao-history", "",                      1 },
+    { "hsao-best",    "hsao-best",    "",                      1 },
+    { "hsao-fast",    "hsao-fast",    "thickness=slabs",       0 },
+    { "hsao",         "hsao",         "thickness=back",        0 },
+    { "hsao",         "hsao",         "thickness=slabs",       1 },
+    { "hsao-history", "hsao-history", "thickness=slabs",       0 },
+    { "hsao-best",    "hsao-best",    "thickness=slabs",       1 },
+    { "hsao",         "hsao",         "margin=0.25",           0 },
+    { "hsao",         "hsao",         "directions=4,steps=24", 0 },
+    { "hsao-best",    "hsao-best",    "directions=4,steps=24", 0 },
+    { "hsao-march",   "hsao-march",   "",                      0 },
+    { "dss",          "dss",          "",                      0 }
+};
+static const entry light_entries[] = {
+    { "ssdo-fast", "ssdo-fast", "bounce=none",                   0 },
+    { "ssdo",      "ssdo",      "bounce=none",                   1 },
+    { "ssdo-best", "ssdo-best", "bounce=none",                   1 },
+    { "ssdo",      "ssdo",      "bounce=none,thickness=slabs",   1 },
+    { "ssdo-best", "ssdo-best", "bounce=none,thickness=slabs",   0 },
+    { "s3ho-fast", "s3ho-fast", "indirect=none",                 0 },
+    { "s3ho",      "s3ho",      "indirect=none",                 1 },
+    { "s3ho-best", "s3ho-best", "indirect=none",                 0 },
+    { "s3ho",      "s3ho",      "indirect=none,thickness=slabs", 0 },
+    { "ssbn",      "ssbn",      "",                              0 },
+    { "hsao, times irradiance", "hsao", "",                      0 }
+};
+static const entry bounce_entries[] = {
+    { "ssdo-fast", "ssdo-fast", "",                0 },
+    { "ssdo",      "ssdo",      "",                1 },
+    { "ssdo-best", "ssdo-best", "",                1 },
+    { "ssdo",      "ssdo",      "thickness=slabs", 1 },
+    { "ssdo-best", "ssdo-best", "thickness=slabs", 0 },
+    { "s3ho",      "s3ho",      "",                0 }
+};
+
+/* What a part measures: visibility has the peers' rows, too. error: which of a lit row's. */
+typedef struct part { const char *what; const entry *entries; int count, bounce, error; } part;
+static const part parts[] = {
+    { "visibility", WITH_COUNT(visible_entries), 0, -1 },
+    { "light",      WITH_COUNT(light_entries),   0, 1 },
+    { "bounce",     WITH_COUNT(bounce_entries),  1, 2 }
+};
+enum { PARTS = COUNT(parts), BESIDE = 2 };      /* rows of a lit part without a method */
+_Static_assert(COUNT(visible_entries) + COUNT(light_entries) + COUNT(bounce_entries) + 2 + MOST_PEERS + 2 * BESIDE
+                   <= MOST_SEED_ROWS, "more rows than MOST_SEED_ROWS");
+
+/* ---- >>scenes ---------------------------------------------------------------------------------------------------- */
+
+static const char *commit_of(const options *o) { return o->commit ? o->commit : ""; }
+
+/* The i-th of those that nobody can have seen before the commit was made; of each kind as many. */
+static int drawn_seed(const options *o, int i)
+{
+    const uint64_t hash = kit_hash(kit_hash(KIT_HASH, commit_of(o), strlen(commit_of(o))), &i, sizeof i);
+    return (DRAWN_FROM + (int)(hash % DRAWN)) * KIT_KINDS + i % KIT_KINDS;
+}
+
+/* Models of packages, far apart in their list. */
+static int model_of(place *p, int i)
+{
+    int models = 0;
+    while (kit_scene_model(models)) ++models;
+    if (!models) return 0;
+    p->seed = i;
+    p->kind = "models";
+    snprintf(p->path, sizeof p->path, "model:%s:%d", kit_scene_model((int)(i * 263LL % models)), i);
+    snprintf(p->name, sizeof p->name, "models-%d", i);
+    return 1;
+}
+
+/* The k-th scene; 0: there is none. */
+static int place_of(place *p, const options *o, int k)
+{
+    const int each = o->seeds ? o->seeds : o->quick ? SEEDS_QUICK : EACH;
+    *p = (place){ .set = o->first < 0 ? "judged" : o->first < SEEDS_JUDGED ? "tuned" : "asked" };
+    if (o->first >= 0) {
+        p->seed = o->first + k;
+        if (k >= each || (o->first < SEEDS_JUDGED && p->seed >= SEEDS_JUDGED)) return 0;
+    } else {
+        if (k >= (o->quick ? 1 : 2) * each) {
+            p->set = "models";
+            return !o->quick && k < 2 * each + MODELS && model_of(p, k - 2 * each);
+        }
+        if (k >= each) p->set = "drawn";
+        p->seed = k < each ? SEEDS_JUDGED + k : drawn_seed(o, k - each);
+    }
+    p->kind = kit_scene_kind(p->seed % KIT_KINDS, NULL);
+    snprintf(p->path, sizeof p->path, "random:%d", p->seed);
+    snprintf(p->name, sizeof p->name, "%s-%d", p->kind, p->seed);
+    return 1;
+}
+
 static int count_of(const options *o)
 {
-    const int first = first_of(o), count = o->seeds ? o->seeds : o->quick ? SEEDS_QUICK : SEEDS;
-    return first < SEEDS_JUDGED && first + count > SEEDS_JUDGED ? SEEDS_JUDGED - first : count;
+    place p;
+    int k = 0;
+    while (k < MOST_SEEDS && place_of(&p, o, k)) ++k;
+    return k;
 }
 
 /* ---- >>picture: the scene as its own light shows it -------------------------------------------------------------- */
@@ -58,7 +155,7 @@ static int tone_map(kit_image *picture, kit_error *err)
     return 0;
 }
 
-/* out/BASE-SEED.png, by the scene's environment and lights; the stage's light is none again after that. */
+/* out/SLUG.png, by the scene's environment and lights; the stage's light is none again after that. */
 static int own_picture(FILE *record, stage *s, const char *out, const char *slug, const char *note, kit_error *err)
 {
     kit_image picture;
@@ -73,10 +170,17 @@ static int own_picture(FILE *record, stage *s, const char *out, const char *slug
     return 0;
 }
 
+static int small_picture(FILE *record, const stage *s, const options *o, const place *p, const char *name,
+                         const char *note, const kit_image *picture, kit_error *err)
+{
+    char slug[128];
+    snprintf(slug, sizeof slug, "%s-%s", p->name, name);
+    return pictures_thumb(record, o->out, slug, name, note, s, picture, err);
+}
+
 /* ---- >>measure: one scene ---------------------------------------------------------------------------------------- */
 
-/* A seed's stage: quick charts have as large pictures, but fewer rays. 1; 0 = a package that it needs is not there, as
-   record (NULL: nobody) is told. */
+/* 1; 0: a package that it needs is not there, as record (NULL: nobody) is told. */
 static int seed_open(FILE *record, stage *s, const view *v, kit_error *err)
 {
     kit_error why = { "" };
@@ -88,98 +192,147 @@ static int seed_open(FILE *record, stage *s, const view *v, kit_error *err)
         }
         return kit_fail(err, "%s", why.text);
     }
-    if (stage_look(s, v, SEED_WIDTH * stage_thrift, SEED_HEIGHT * stage_thrift, err)) return -1;
+    s->rays = SEED_RAYS;
+    if (stage_look(s, v, SEED_WIDTH, SEED_HEIGHT, err)) return -1;
     s->stride = SEED_STRIDE;
     return 1;
 }
 
-/* The truth and hsao's picture, beside the scene's. */
-static int small_pictures(FILE *record, const stage *s, const char *out, const char *slug, const row *rows,
-                          const kit_image *pictures, int count, kit_error *err)
+/* A row's noise: half of the squares of what two of its phases differ by, where the surface is smooth and in shade.
+   shaded without pixels: it is not known. */
+static int measure_noise(row *r, const stage *s, kit_run *run, const kit_image *picture, const shaded *smooth,
+                         kit_error *err)
 {
-    char name[64], note[64];
-    snprintf(name, sizeof name, "%s-truth", slug);
-    if (pictures_thumb(record, out, name, "true visibility", "", s, &s->truth, err)) return -1;
-    for (int i = 0; i < count; ++i) {
-        if (strcmp(rows[i].method, "hsao") || *rows[i].settings) continue;
-        snprintf(name, sizeof name, "%s-hsao", slug);
-        snprintf(note, sizeof note, "error %.3f", rows[i].share);
-        if (pictures_thumb(record, out, name, "hsao", note, s, &pictures[i], err)) return -1;
-    }
+    kit_image other;
+    bands b;
+    if (!smooth->pixels) return 0;
+    run->frame.phase = 0.5f;
+    kit_run_update(run);
+    if (stage_settled(&other, s, run, SETTLED, 0, err)) return -1;
+    const int failed = bands_of(&b, NULL, smooth, &other, picture, err);
+    kit_image_free(&other);
+    for (int k = 0; k < BANDS && !failed; ++k) r->figure[NOISE_BAND + k] = b.rms[k] / sqrt(2);
+    return failed;
+}
+
+/* Where noise is seen; no pixels: nowhere. whole: what is seen, before the truth leaves most of it out. */
+static int find_smooth(shaded *smooth, stage *s, const kit_image *whole, kit_error *err)
+{
+    stage all = *s;
+    kit_image quiet;
+    kit_error none;
+    all.frame = *whole;
+    *smooth = (shaded){ .on = NULL };
+    if (stage_drawn(&quiet, s, "hsao-best", "directions=8", s->radius, err)) return -1;
+    shaded_find(smooth, &all, &quiet, &none);
+    kit_image_free(&quiet);
     return 0;
 }
 
-/* Ambient visibility's rows, then the floor; its truth, for the caller to free. How many; 0 = the scene is left out. */
-static int visible_rows(FILE *record, const options *o, const view *v, row *rows, kit_image *truth, kit_error *err)
+static int visible_row(FILE *record, const options *o, const place *p, row *r, stage *s, const entry *e,
+                       const shaded *smooth, kit_error *err)
 {
+    kit_image picture;
+    kit_run run;
+    char note[64];
+    *r = row_blank(OF_AO, s->name, e->label, e->method, e->settings);
+    if (stage_run(&run, s, e->method, e->settings, s->radius, err)) return -1;
+    r->fetches = run.fetches;
+    int failed = stage_settled(&picture, s, &run, 0, 0, err) || score_picture(r, s, &picture, err)
+              || (strcmp(e->method, "dss") && measure_noise(r, s, &run, &picture, smooth, err));
+    snprintf(note, sizeof note, "error %.3f", r->share);
+    if (!failed && !strcmp(e->method, "hsao") && !*e->settings)
+        failed = small_picture(record, s, o, p, "hsao", note, &picture, err);
+    kit_image_free(&picture);
+    kit_run_close(&run);
+    return failed ? -1 : 0;
+}
+
+/* Ambient visibility's rows, the floor and the peers; its truth, for the caller to free. How many; 0 = the scene is left
+   out. */
+static int visible_rows(FILE *record, const options *o, const place *p, row *rows, kit_image *truth, kit_error *err)
+{
+    const view v = { .name = p->name, .path = p->path };
     entry entries[MOST_ENTRIES];
-    kit_image pictures[MOST_ENTRIES];
-    const int count = ao_chosen(entries, o);
-    char slug[32], note[128];
+    shaded smooth;
+    kit_image whole;
+    char note[128];
     stage s;
-    const int there = seed_open(record, &s, v, err);
+    int count = units_chosen(entries, WITH_COUNT(visible_entries), o), failed = 0;
+    const int there = seed_open(record, &s, &v, err);
     if (there <= 0) return there;
-    snprintf(slug, sizeof slug, "%s", v->name);
-    snprintf(note, sizeof note, "%zu triangles, %d lights, %s", s.scene.mesh.triangles, s.scene.lights, s.scene.env);
-    page_heading(record, 4, "%s", v->name);
-    if (own_picture(record, &s, o->out, slug, note, err) || stage_compare(&s, err)
-        || measure_entries(rows, &s, entries, count, 0, 0, pictures, err)
-        || small_pictures(record, &s, o->out, slug, rows, pictures, count, err))
+    snprintf(note, sizeof note, "%zu triangles, %d lights, %s", s.scene.mesh.triangles, s.scene.lights,
+             s.scene.env ? s.scene.env : "none");
+    page_heading(record, 4, "%s", p->name);
+    if (own_picture(record, &s, o->out, p->name, note, err) || kit_gbuffer_read(&whole, &s.gbuffer, err)
+        || stage_compare(&s, err) || find_smooth(&smooth, &s, &whole, err)
+        || small_picture(record, &s, o, p, "truth", "", &s.truth, err))
         return -1;
-    for (int i = 0; i < count; ++i) kit_image_free(&pictures[i]);
+    for (int i = 0; i < count && !failed; ++i)
+        failed = visible_row(record, o, p, &rows[i], &s, &entries[i], &smooth, err);
+    rows[count] = row_blank(OF_AO, s.name, s.given[0].label, s.given[0].method, "");
+    failed = failed || score_picture(&rows[count], &s, &s.given[0].picture, err);
+    const int peers = failed || o->method ? 0
+                                          : peers_measure(rows + count + 1, &s, 0, o->quick ? PEERS_QUICK : MOST_PEERS,
+                                                          NULL, err);
+    for (int i = 0; i < peers; ++i) rows[count + 1 + i].of |= OF_PEER;
+    shaded_free(&smooth);
+    kit_image_free(&whole);
     *truth = s.truth;
     memset(&s.truth, 0, sizeof s.truth);
     stage_close(&s);
-    return count + 1;                                /* without no AO's row, whose share is 1 */
+    return failed || peers < 0 ? -1 : count + 1 + peers;
 }
 
-/* The truth's, so that its noise stays below a tenth of what methods err by: in some environments small bright parts
-   bring much of the light. */
-static int rays_for(const char *env)
+/* Rows of light by the scene's environment, or of its one bounce; behind them those of the true visibility (of light)
+   and of the truth's noise. */
+static int lit_rows(const options *o, const place *p, const part *of, row *rows, kit_image *visible, kit_error *err)
 {
-    return !strcmp(env, "windows") || !strcmp(env, "probe") ? SEED_NOISY_RAYS : SEED_LIGHT_RAYS;
-}
-
-/* Light's rows by the scene's environment, then those of the true visibility (visible) and of the truth's noise. */
-static int light_rows(const options *o, const view *v, row *rows, kit_image *visible, kit_error *err)
-{
+    const lit light = { .rays = SEED_RAYS, .exposure = 1, .bounce = of->bounce };
+    const view v = { .name = p->name, .path = p->path, .lit = &light };
     entry entries[MOST_ENTRIES];
-    const int count = pairs_chosen(entries, o);
+    int count = units_chosen(entries, of->entries, of->count, o);
     stage s;
     if (!count) return 0;
-    if (seed_open(NULL, &s, v, err) <= 0) return -1;
-    s.rays = rays_for(s.scene.env);                  /* a quick chart's, too: noise is not to be scored */
+    if (seed_open(NULL, &s, &v, err) <= 0) return -1;
     if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, 0, 0, NULL, err)) return -1;
-    const double open = rows[count].error[1];        /* measure left no occlusion's row there */
-    if (stage_dim(visible, &s, err) || score_named(&rows[count], &s, PAIRS_SCALAR, visible, err)
-        || score_noise(&rows[count + 1], &s, PAIRS_NOISE, err))
+    const double open = rows[count].error[of->error];               /* measure left the row of nothing there */
+    if (!of->bounce
+        && (stage_dim(visible, &s, err) || score_named(&rows[count++], &s, "true visibility", visible, err)))
         return -1;
-    for (int i = 0; i < count + 2; ++i) rows[i].share = open > 0 ? rows[i].error[1] / open : (double)NAN;
+    if (score_noise(&rows[count++], &s, "noise of the truth", err)) return -1;
+    for (int i = 0; i < count; ++i) rows[i].share = open > 0 ? rows[i].error[of->error] / open : (double)NAN;
     stage_close(&s);
-    return count + 2;
+    return count;
 }
 
-static int seed_unit(FILE *record, const options *o, int seed, row *rows, kit_error *err)
+static int seed_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
-    char path[32], name[32], lit_name[48];
     kit_image truth = { 0 };
+    place p;
+    int count = 0;
     if (!rows) return 1;
-    snprintf(path, sizeof path, "random:%d", seed);
-    seeds_name(name, seed);
-    snprintf(lit_name, sizeof lit_name, "%s-light", name);
-    const view v = { .name = name, .path = path }, in_light = { .name = lit_name, .path = path, .lit = &seed_light };
-    const int visible = visible_rows(record, o, &v, rows, &truth, err);
-    const int light = visible > 0 ? light_rows(o, &in_light, rows + visible, &truth, err) : 0;
+    place_of(&p, o, k);
+    for (int i = 0; i < PARTS; ++i) {
+        const int more = i ? lit_rows(o, &p, &parts[i], rows + count, &truth, err)
+                           : visible_rows(record, o, &p, rows, &truth, err);
+        for (int j = 0; j < more; ++j) rows[count + j].scene = parts[i].what;
+        count += more > 0 ? more : 0;
+        if (more < 0 || (!i && !more)) {
+            kit_image_free(&truth);
+            return more;
+        }
+    }
     kit_image_free(&truth);
-    if (visible <= 0 || light < 0) return visible < 0 || light < 0 ? -1 : 0;
-    for (int i = 0; i < visible + light; ++i) rows[i].scene = "";
-    return visible + light;
+    return count;
 }
 
 int seeds_units(const options *o)
 {
     entry entries[MOST_ENTRIES];
-    return ao_chosen(entries, o) || pairs_chosen(entries, o) ? count_of(o) : 0;
+    int rows = 0;
+    for (int i = 0; i < PARTS; ++i) rows += units_chosen(entries, parts[i].entries, parts[i].count, o);
+    return rows ? count_of(o) : 0;
 }
 
 /* ---- >>ahead ----------------------------------------------------------------------------------------------------- */
@@ -197,16 +350,16 @@ static int begin(void *of, kit_error *err)
     return page_open(&a->unseen, err);
 }
 
-static int one(void *of, int seed, kit_error *err)
+static int one(void *of, int k, kit_error *err)
 {
     ahead_of *a = of;
-    return units_measure(a->unseen.file, a->o, "seed", seed, seed_unit, a->rows, err);
+    return units_measure(a->unseen.file, a->o, "seed", k, seed_unit, a->rows, err);
 }
 
 int seeds_ahead(const options *o, kit_error *err)
 {
     ahead_of of = { .o = o };
-    const ahead a = { "scenes by seed", o->context, first_of(o), count_of(o), begin, one, &of };
+    const ahead a = { "scenes by seed", o->context, 0, count_of(o), begin, one, &of };
     return ahead_run(&a, err);
 }
 
@@ -221,7 +374,7 @@ static int take(int k, const row *rows, int count, kit_error *err)
     if (!own) return kit_fail(err, "out of memory");
     memcpy(own, rows, (size_t)count * sizeof *own);
     free((void *)all.row[k]);
-    all.rows = count;
+    all.rows[k] = count;
     all.row[k] = own;
     return 0;
 }
@@ -232,10 +385,10 @@ static int measure_all(FILE *record, const options *o, kit_error *err)
     row *rows = calloc(MOST_SEED_ROWS, sizeof *rows);
     int failed = rows ? 0 : kit_fail(err, "out of memory");
     for (int k = 0; k < MOST_SEEDS; ++k) free((void *)all.row[k]);
-    all = (seeds){ .base = first_of(o) < SEEDS_JUDGED ? "seeds-fit" : "seeds", .first = first_of(o),
-                   .count = count_of(o) };
+    all = (seeds){ .base = o->first < 0 || o->first >= SEEDS_JUDGED ? "seeds" : "seeds-fit", .count = count_of(o) };
     for (int k = 0; k < all.count && !failed; ++k) {
-        const int seed = all.first + k, count = units_measure(record, o, "seed", seed, seed_unit, rows, err);
+        place_of(&all.place[k], o, k);
+        const int count = units_measure(record, o, "seed", k, seed_unit, rows, err);
         failed = count < 0 || (count && take(k, rows, count, err));
     }
     free(rows);
@@ -251,13 +404,14 @@ int seeds_chart(FILE *record, const options *o, kit_error *err)
     snprintf(name, sizeof name, "%s.csv", all.base);
     page_heading(record, 2, "Scenes by seed");
     page_paragraph(record,
-                   "Seeds %d to %d, none of them picked by hand: kind, things, camera, radius, units and light are "
-                   "drawn from the seed. %s Shares: RMSE over that of no occlusion, so a pass above 1 is worse than "
-                   "none.",
-                   all.first, all.first + all.count - 1,
-                   all.first < SEEDS_JUDGED
-                       ? "Seeds below 1000 may be looked at while settings are tuned."
-                       : "Seeds from 1000 on only report: settings are tuned on those below 1000.");
+                   "%d scenes, none of them picked by hand: kind, things, camera, radius, units and light are drawn "
+                   "from a seed. Judged: seeds from %d on, on which nothing is tuned. Drawn: seeds by the hash of "
+                   "commit %s. Models: of packages, seen as a seed says. %d x %d pixels, the truth %d rays at every "
+                   "%dth pixel both ways. Shares: RMSE over that of no occlusion, so a pass above 1 is worse than "
+                   "none. Noise: thousandths of visibility, between two phases, where a smooth surface is in shade.",
+                   all.count, SEEDS_JUDGED, *commit_of(o) ? commit_of(o) : "(none)", SEED_WIDTH / stage_thrift,
+                   SEED_HEIGHT / stage_thrift, SEED_RAYS / (stage_thrift * stage_thrift), SEED_STRIDE);
+    if (*peers_missing()) page_paragraph(record, "%s", peers_missing());
     if (page_csv(record, "seeds", &csv, o->out, name, err)) return -1;
     page_into(&pictures, record);
     return 0;

@@ -1,6 +1,8 @@
-/* seeds.h - scenes drawn from seeds: every row of ambient occlusion's and of light's tables on as many as one likes,
-   without times. Seeds below SEEDS_JUDGED may be looked at while settings are tuned; those from there on only report.
-   Writes seeds.csv; of seeds to tune on seeds-fit.csv. */
+/* seeds.h - scenes that nobody picked, at the size at which people look: visibility, light and one bounce by methods,
+   and visibility by what others have, without times. Half of the scenes are seeds from SEEDS_JUDGED on, which only
+   report, half are drawn from the commit's hash; models of packages stand beside them. --from: seeds from there on
+   instead; those below SEEDS_JUDGED may be looked at while settings are tuned. Writes seeds.csv; of seeds to tune on
+   seeds-fit.csv. */
 #ifndef LAB_SEEDS_H
 #define LAB_SEEDS_H
 

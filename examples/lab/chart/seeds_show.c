@@ -3,114 +3,74 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "lab/chart/seeds.h"
+#include "lab/measure/peers.h"
 
-void seeds_name(char name[32], int seed)
+/* The scene with the most rows, whose order all have; -1: there is none. */
+static int fullest(const seeds *s)
 {
-    snprintf(name, 32, "%s-%d", kit_scene_kind(seed % KIT_KINDS, NULL), seed);
+    int most = -1;
+    for (int k = 0; k < s->count; ++k)
+        if (s->row[k] && (most < 0 || s->rows[k] > s->rows[most])) most = k;
+    return most;
 }
 
-int seeds_lit(const row *r) { return (r->of & OF_LIT) != 0; }
-
-static const char *kind_of(const seeds *s, int k) { return kit_scene_kind((s->first + k) % KIT_KINDS, NULL); }
-
-/* A scene that was not left out; NULL: there is none. */
-static const row *names_of(const seeds *s)
+static int same(const row *a, const row *b)
 {
-    for (int k = 0; k < s->count; ++k) if (s->row[k]) return s->row[k];
+    return !strcmp(a->scene, b->scene) && !strcmp(a->label, b->label) && !strcmp(a->method, b->method)
+        && !strcmp(a->settings, b->settings);
+}
+
+/* A row of the k-th scene; NULL: it has none such. */
+static const row *row_at(const seeds *s, int k, const row *like)
+{
+    for (int i = 0; s->row[k] && i < s->rows[k]; ++i)
+        if (same(&s->row[k][i], like)) return &s->row[k][i];
     return NULL;
 }
 
-/* The method comes first where the label does not tell it. */
-static const char *settings_of(char out[160], const row *r)
+/* The fit of one gain and exponent that is best over all scenes; -1: it is not a peer's row. */
+static int fit_of_all(const seeds *s, const row *like)
 {
-    const int none = !strcmp(r->method, "none") || !strcmp(r->method, "floor"),
-              told = none || !strcmp(r->label, r->method);
-    snprintf(out, 160, "%s%s%s", told ? "" : r->method, told || !*r->settings ? "" : " ",
-             told && !none && !*r->settings ? "defaults" : r->settings);
-    return out;
-}
-
-/* ---- >>spread ---------------------------------------------------------------------------------------------------- */
-
-/* The i-th row's shares over the scenes; less those of another row, where that is not below 0. */
-static void shares(double *out, const seeds *s, int i, int less)
-{
-    for (int k = 0; k < s->count; ++k)
-        out[k] = s->row[k] ? s->row[k][i].share - (less < 0 ? 0 : s->row[k][less].share) : (double)NAN;
-}
-
-static spread spread_of_row(const seeds *s, int i, int less)
-{
-    double share[MOST_SEEDS];
-    shares(share, s, i, less);
-    return spread_of(share, s->count);
-}
-
-static double mean_in(const seeds *s, int i, int kind)
-{
-    double share[MOST_SEEDS];
-    int kinds[MOST_SEEDS];
-    shares(share, s, i, -1);
-    for (int k = 0; k < s->count; ++k) kinds[k] = (s->first + k) % KIT_KINDS;
-    return spread_in(share, kinds, kind, s->count).mean;
-}
-
-/* The first row of light, and past the last. */
-static int lit_from(const seeds *s)
-{
-    int i = 0;
-    while (i < s->rows && !seeds_lit(&names_of(s)[i])) ++i;
-    return i;
+    int best = -1;
+    double least = HUGE_VAL;
+    for (int fit = 0; fit < FITS && like->of & OF_PEER; ++fit) {
+        double sum = 0;
+        for (int k = 0; k < s->count; ++k) {
+            const row *r = row_at(s, k, like);
+            if (r) sum += r->figure[FIT + fit];
+        }
+        if (!(sum < least)) continue;
+        least = sum;
+        best = fit;
+    }
+    return best;
 }
 
 /* ---- >>text ------------------------------------------------------------------------------------------------------ */
 
-static void head_text(FILE *f, int lit)
+static void row_text(FILE *f, const seeds *s, const row *like)
 {
-    fprintf(f, "%-32s %-40s %6s %6s %6s %6s %5s %3s", lit ? "light" : "ambient occlusion", "", "mean", "+-", "median",
-            "worst", "seed", ">1");
-    for (int k = 0; k < KIT_KINDS; ++k) fprintf(f, " %8s", kit_scene_kind(k, NULL));
-    fputc('\n', f);
-}
-
-static void figure_text(FILE *f, int width, int digits, double v)
-{
-    if (isnan(v)) fprintf(f, " %*s", width, "-");
-    else fprintf(f, " %*.*f", width, digits, v);
-}
-
-static void row_text(FILE *f, const seeds *s, int i)
-{
-    const row *r = &names_of(s)[i];
-    const spread all = spread_of_row(s, i, -1);
-    char text[160];
-    fprintf(f, "%-32s %-40s", r->label, settings_of(text, r));
-    figure_text(f, 6, 3, all.mean);
-    figure_text(f, 6, 3, all.half);
-    figure_text(f, 6, 3, all.median);
-    figure_text(f, 6, 3, all.most);
-    fprintf(f, " %5d %3d", s->first + all.worst, all.above);
-    for (int k = 0; k < KIT_KINDS; ++k) figure_text(f, 8, 3, mean_in(s, i, k));
-    fputc('\n', f);
-}
-
-static int left_out(const seeds *s)
-{
-    int n = 0;
-    for (int k = 0; k < s->count; ++k) n += !s->row[k];
-    return n;
+    double share[MOST_SEEDS];
+    char name[192];
+    for (int k = 0; k < s->count; ++k) {
+        const row *r = row_at(s, k, like);
+        share[k] = r ? r->share : (double)NAN;
+    }
+    const spread all = spread_of(share, s->count);
+    snprintf(name, sizeof name, "%s%s%s", like->label, *like->settings ? " " : "", like->settings);
+    fprintf(f, "%-10s %-48.48s %6.3f +- %5.3f  median %6.3f  worst %6.3f  %s\n", like->scene, name, all.mean, all.half,
+            all.median, all.most, all.worst < 0 ? "" : s->place[all.worst].name);
 }
 
 void seeds_table_text(FILE *f, const seeds *s)
 {
-    if (!s->rows) return;
-    fprintf(f, "\nscenes by seed, %d to %d: RMSE over that of no occlusion; %d left out for want of a package\n",
-            s->first, s->first + s->count - 1, left_out(s));
-    for (int i = 0; i < s->rows; ++i) {
-        if (!i || i == lit_from(s)) head_text(f, i == lit_from(s));
-        row_text(f, s, i);
-    }
+    const int first = fullest(s);
+    int out = 0;
+    if (first < 0) return;
+    for (int k = 0; k < s->count; ++k) out += !s->row[k];
+    fprintf(f, "\n%d scenes by seed: RMSE over that of no occlusion; %d left out for want of a package\n", s->count - out,
+            out);
+    for (int i = 0; i < s->rows[first]; ++i) row_text(f, s, &s->row[first][i]);
 }
 
 /* ---- >>csv ------------------------------------------------------------------------------------------------------- */
@@ -121,16 +81,30 @@ static void figure_csv(FILE *f, double v)
     else fprintf(f, ",%.6g", v);
 }
 
+/* fit: of all scenes; -1: there is none. */
+static void row_csv(FILE *f, const place *p, const row *r, int fit)
+{
+    const int is_lit = !(r->of & OF_AO), peer = (r->of & OF_PEER) != 0;
+    fprintf(f, "%d,%s,%s,%s,\"%s\",\"%s\",\"%s\"", p->seed, p->set, p->kind, r->scene, r->label, r->method,
+            r->settings);
+    figure_csv(f, r->share);
+    figure_csv(f, peer ? r->figure[FITTED] : (double)NAN);
+    figure_csv(f, fit < 0 ? (double)NAN : r->figure[FIT + fit]);
+    figure_csv(f, is_lit ? r->bias[strcmp(r->scene, "bounce") ? 1 : 2] : r->score.bias);
+    for (int k = 0; k < NOISE_BANDS; ++k) figure_csv(f, 1e3 * r->figure[NOISE_BAND + k]);
+    fputc('\n', f);
+}
+
 void seeds_csv(FILE *f, const seeds *s)
 {
-    fputs("seed,kind,what,label,method,settings,share,bias\n", f);
-    for (int k = 0; k < s->count; ++k)
-        for (int i = 0; i < s->rows && s->row[k]; ++i) {
-            const row *r = &s->row[k][i];
-            fprintf(f, "%d,%s,%s,\"%s\",%s,\"%s\"", s->first + k, kind_of(s, k), seeds_lit(r) ? "light" : "ao",
-                    r->label, r->method, r->settings);
-            figure_csv(f, r->share);
-            figure_csv(f, seeds_lit(r) ? r->bias[1] : r->score.bias);
-            fputc('\n', f);
+    const int first = fullest(s);
+    fputs("seed,set,kind,what,label,method,settings,share,fitted,fitted_all,bias,noise_1,noise_3,noise_8,noise_20\n", f);
+    for (int i = 0; first >= 0 && i < s->rows[first]; ++i) {
+        const row *like = &s->row[first][i];
+        const int fit = fit_of_all(s, like);
+        for (int k = 0; k < s->count; ++k) {
+            const row *r = row_at(s, k, like);
+            if (r) row_csv(f, &s->place[k], r, fit);
         }
+    }
 }

@@ -5,17 +5,18 @@
 #include "lab/measure/spread.h"
 #include "lab/page/units.h"
 
-enum { MOST_SEED_ROWS = 2 * MOST_ROWS };
+enum { MOST_SEED_ROWS = 128 };
 
+/* set: tuned, asked, judged, drawn or models; kind: a word of kit_scene_kind, or models. */
+typedef struct place { char name[64], path[128]; const char *set, *kind; int seed; } place;
+/* Rows of a scene follow each other by parts, whose name is their scene; those of a part have the same order on every
+   scene. */
 typedef struct seeds {
     const char *base;                        /* of the files' names */
-    int         first, count, rows;          /* rows: on each scene */
+    int         count, rows[MOST_SEEDS];
+    place       place[MOST_SEEDS];
     const row  *row[MOST_SEEDS];             /* NULL: the scene was left out */
 } seeds;
-
-/* How a scene and its pictures are called: "rooms-1001". */
-void seeds_name(char name[32], int seed);
-int  seeds_lit(const row *r);                /* whether a row is of light */
 
 void seeds_table_text(FILE *f, const seeds *s);
 void seeds_csv(FILE *f, const seeds *s);

@@ -76,7 +76,7 @@ static glslang_stage_t glslang_stage_of(VkShaderStageFlagBits stage)
                                                                   : GLSLANG_STAGE_FRAGMENT;
 }
 
-int spirv_make(spirv *s, const char *text, VkShaderStageFlagBits stage, kit_error *err)
+int spirv_make(spirv *s, const char *text, VkShaderStageFlagBits stage, int relaxed, kit_error *err)
 {
     const glslang_messages_t rules = GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT;
     const glslang_input_t input = {
@@ -90,11 +90,14 @@ int spirv_make(spirv *s, const char *text, VkShaderStageFlagBits stage, kit_erro
     glslang_program_t *program = glslang_program_create();
     int failed = 0;
     *s = (spirv) { NULL, 0, stage };
+    if (relaxed)
+        glslang_shader_set_options(shader, GLSLANG_SHADER_AUTO_MAP_BINDINGS | GLSLANG_SHADER_AUTO_MAP_LOCATIONS
+                                           | GLSLANG_SHADER_VULKAN_RULES_RELAXED);
     if (!glslang_shader_preprocess(shader, &input) || !glslang_shader_parse(shader, &input))
         failed = kit_fail(err, "glslang: %.900s", glslang_shader_get_info_log(shader));
     if (!failed) {
         glslang_program_add_shader(program, shader);
-        if (!glslang_program_link(program, (int)rules))
+        if (!glslang_program_link(program, (int)rules) || (relaxed && !glslang_program_map_io(program)))
             failed = kit_fail(err, "glslang: %.900s", glslang_program_get_info_log(program));
     }
     if (!failed) {

@@ -38,9 +38,10 @@ void compiler_close(compiler *c);
 /* Of processor, of the calling thread. */
 double compile_seconds(void);
 
-/* From a file, FILE.vert.spv ..; from the text of a stage, in any number of threads. */
+/* From a file, FILE.vert.spv ..; from the text of a stage, in any number of threads. relaxed: of
+   OpenGL, whose uniforms and varyings have no numbers. */
 int spirv_read(spirv *s, const char *path, kit_error *err);
-int spirv_make(spirv *s, const char *text, VkShaderStageFlagBits stage, kit_error *err);
+int spirv_make(spirv *s, const char *text, VkShaderStageFlagBits stage, int relaxed, kit_error *err);
 
 /* A vertex stage that only places vertices, for a fragment stage that takes nothing from one. */
 int spirv_triangle(spirv *s);

@@ -11,12 +11,14 @@
       build/cost --shares            how many waves enter what they may leave out, on scenes by seed (0 to 11):
                                      examples/lab/cost/shares.csv anew, in three minutes; needs GL, of a CPU or a GPU
       build/cost --plan              what the plan's choices cost on a Radeon RX 6800: report/plan-cost.csv
+      build/cost --peers             what others have (make peers): also into report/cost-peers.csv
 
    busy: whatever an `if` guards is executed; calm: inside loops no body of an `if` that a wave may skip is; weighed: by
    those shares, of waves of 8x8 texels, where the camera turns. Status 1: --check found something. Where RADV or its
    null device is missing, a line says so, status 0. */
 #include "lab/cost/against.h"
 #include "lab/cost/entered.h"
+#include "lab/cost/peers.h"
 #include "lab/cost/plan.h"
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
@@ -27,7 +29,7 @@
 #define ROOM     "examples/lab/cost"
 #define RECORDED ROOM "/recorded.csv"
 
-typedef struct asked { const char *against; int check, record, plan, some; } asked;
+typedef struct asked { const char *against; int check, record, plan, peers, some; } asked;
 
 static work work_of_all;
 
@@ -60,6 +62,7 @@ static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *e
         if (!strcmp(argv[i], "--check")) a->check = 1;
         else if (!strcmp(argv[i], "--record")) a->record = 1;
         else if (!strcmp(argv[i], "--plan")) a->plan = 1;
+        else if (!strcmp(argv[i], "--peers")) a->peers = 1;
         else if (!strcmp(argv[i], "--against") && more) a->against = argv[++i];
         else if (!strcmp(argv[i], "--family") && more) { if (take_families(w, argv[++i], err)) return -1; }
         else if (*argv[i] == '-') return kit_fail(err, "%s: is no option, or lacks what it is to be", argv[i]);
@@ -67,6 +70,7 @@ static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *e
         else a->some = 1;
     }
     if (a->plan) return plan_add(w, err);
+    if (a->peers) return peers_add(w, err);
     for (int i = 0; i < chain_names_count && !a->some; ++i)
         if (work_add_chain(w, chain_names[i].name, err)) return -1;
     return 0;
@@ -96,6 +100,20 @@ static int write_record(const work *w, kit_error *err)
                : 0;
 }
 
+static int write_peers(const work *w, kit_error *err)
+{
+    page record, table;
+    if (folder_make("report", err) || page_begin(&record, "cost-peers", "full", "build/cost --peers", w->driver, err)
+        || page_open(&table, err))
+        return -1;
+    page_heading(record.file, 2, "What others' passes cost, modelled");
+    write_costs(table.file, w);
+    return page_csv(record.file, "cost", &table, "report", "cost-peers.csv", err)
+                   || page_end(&record, "report", "cost-peers", err)
+               ? -1
+               : 0;
+}
+
 static int write_shares(kit_error *err)
 {
     page p;
@@ -112,6 +130,7 @@ static int run(work *w, const asked *a, kit_error *err)
     if (a->record) return write_page(w, ROOM, "recorded.csv", write_recorded, err);
     if (a->plan) return write_page(w, "report", "plan-cost.csv", plan_write, err);
     show_costs(w, a->some);
+    if (a->peers) return write_peers(w, err);
     show_budget(w);
     show_ranking(w);
     if (!a->some && write_record(w, err)) return -1;

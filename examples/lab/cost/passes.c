@@ -10,7 +10,7 @@ const int sizes[SIZES][2] = { { 1280, 720 }, { WIDTH, HEIGHT }, { 2560, 1440 }, 
 /* ---- programs ---------------------------------------------------------------------------------------------------- */
 
 /* The number of a program with these texts, which it takes over, and formats. */
-static int add_program(work *w, cost_program *p, kit_error *err)
+int work_program(work *w, cost_program *p, kit_error *err)
 {
     p->key = kit_hash(KIT_HASH, p->format, sizeof p->format);
     for (int i = 0; i < p->stages; ++i)
@@ -46,7 +46,7 @@ static int program_of_step(work *w, const ssgi_gl_step *s, kit_error *err)
         ssgi_gl_emit(p.text[p.stages], n + 1, &s->desc, k);
         p.kind[p.stages++] = kinds[k];
     }
-    return add_program(w, &p, err);
+    return work_program(w, &p, err);
 }
 
 /* ---- bytes ------------------------------------------------------------------------------------------------------- */
@@ -111,7 +111,7 @@ static double target_bytes(const ssgi_gl_step *steps, int count)
 
 /* ---- chains and files -------------------------------------------------------------------------------------------- */
 
-static cost_chain *new_chain(work *w, const char *name, kit_error *err)
+cost_chain *work_chain(work *w, const char *name, kit_error *err)
 {
     if (w->chains == MOST_CHAINS) return kit_fail(err, "%s: there are more than %d", name, MOST_CHAINS), NULL;
     cost_chain *c = &w->chain[w->chains++];
@@ -129,7 +129,7 @@ int work_add(work *w, const char *name, const ssgi_gl_chain *chain, kit_error *e
 {
     static ssgi_gl_step steps[MOST_STEPS];
     ssgi_gl_chain described = *chain;
-    cost_chain *c = new_chain(w, name, err);
+    cost_chain *c = work_chain(w, name, err);
     if (!c) return -1;
     for (int i = SIZES; i-- > 0;) {                         /* the steps of WIDTH and HEIGHT are needed last */
         const int *size = sizes[(i + 2) % SIZES];
@@ -168,14 +168,14 @@ int work_add_file(work *w, const char *path, kit_error *err)
     if (!ending || strlen(path) >= sizeof vertex) return kit_fail(err, "%s: must be FILE.frag or FILE.frag.spv", path);
     memcpy(ending, ".vert", 5);
     const char *slash = strrchr(path, '/');
-    cost_chain *c = new_chain(w, slash ? slash + 1 : path, err);
+    cost_chain *c = work_chain(w, slash ? slash + 1 : path, err);
     if (!c) return -1;
     p.pass = c->name;
     const int triangle = access(vertex, R_OK) != 0;
     if (triangle ? spirv_triangle(&p.stage[0]) : read_stage(&p, vertex, VK_SHADER_STAGE_VERTEX_BIT, err)) return -1;
     p.stages = 1;
     if (read_stage(&p, path, VK_SHADER_STAGE_FRAGMENT_BIT, err)) return -1;
-    const int program = add_program(w, &p, err);
+    const int program = work_program(w, &p, err);
     if (program < 0) return -1;
     c->pass[c->passes++] = (cost_pass) { .name = "", .program = program, .width = WIDTH, .height = HEIGHT };
     return 0;
@@ -202,7 +202,7 @@ static void make_spirv(void *context, int i)
     cost_program *p = &((work *)context)->program[i];
     const double start = compile_seconds();
     for (int k = 0; k < p->stages && !*p->err.text; ++k)
-        if (p->text[k]) spirv_make(&p->stage[k], p->text[k], p->kind[k], &p->err);
+        if (p->text[k]) spirv_make(&p->stage[k], p->text[k], p->kind[k], p->relaxed, &p->err);
     p->seconds = compile_seconds() - start;
 }
 
@@ -212,7 +212,7 @@ static void warm_up(const work *w)
     for (int i = 0; i < 2 && w->programs; ++i) {
         const cost_program *p = &w->program[0];
         spirv s = { NULL, 0, 0 };
-        if (i < p->stages && p->text[i]) spirv_make(&s, p->text[i], p->kind[i], NULL);
+        if (i < p->stages && p->text[i]) spirv_make(&s, p->text[i], p->kind[i], p->relaxed, NULL);
         free(s.word);
     }
 }

@@ -25,7 +25,7 @@ typedef struct cost_program {
     char *text[STAGES];
     VkShaderStageFlagBits kind[STAGES];
     spirv stage[STAGES];
-    int stages, formats;
+    int stages, formats, relaxed;           /* relaxed: the texts are OpenGL's, with uniforms in no block */
     VkFormat format[8];
     double seconds;                         /* of processor, that glslang takes */
     compiled of[MOST_FAMILIES];
@@ -63,6 +63,10 @@ typedef struct work {
 int work_add(work *w, const char *name, const ssgi_gl_chain *chain, kit_error *err);
 int work_add_chain(work *w, const char *text, kit_error *err);
 int work_add_file(work *w, const char *path, kit_error *err);
+/* A chain without passes yet; NULL: there are too many. The number of a program with these texts, which it takes over,
+   and formats; -1: there are too many. */
+cost_chain *work_chain(work *w, const char *name, kit_error *err);
+int work_program(work *w, cost_program *p, kit_error *err);
 /* Compiles and counts all of it. */
 int work_do(work *w, kit_error *err);
 void work_free(work *w);

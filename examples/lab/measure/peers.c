@@ -10,7 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include "lab/measure/clock.h"
+#include "lab/measure/folder.h"
 #include "lab/measure/score.h"
 
 #define PEERS "build/peers/"
@@ -24,9 +26,16 @@ typedef struct peer_pass {
 } peer_pass;
 typedef struct peer { char label[64], settings[128]; peer_pass pass[PEER_PASSES]; int passes, result; } peer;
 typedef struct peer_texture { GLuint name; int width, height; } peer_texture;
-typedef struct peer_set { peer peer[MOST_PEERS]; peer_texture texture[PEER_TEXTURES]; int peers, textures; } peer_set;
+/* whole: what is seen, also where the stage's frame has nothing since there is no truth. */
+typedef struct peer_set {
+    peer         peer[MOST_PEERS];
+    peer_texture texture[PEER_TEXTURES];
+    int          peers, textures;
+    kit_image    whole;
+} peer_set;
 
 static const char *missing = "";
+static char folder[64];                     /* where the script writes; of this process alone */
 
 const char *peers_missing(void) { return missing; }
 
@@ -45,7 +54,10 @@ static int peers_view(const stage *s, double depth, kit_error *err)
     for (int i = 0; i < 32; ++i)
         n += (size_t)snprintf(text + n, sizeof text - n, " %.9g", (double)matrix[i / 16][i % 16]);
     n += (size_t)snprintf(text + n, sizeof text - n, " %.9g\n", depth);
-    return kit_file_write(PEERS "view.txt", text, n, err);
+    char path[96];
+    snprintf(folder, sizeof folder, PEERS "out-%ld", (long)getpid());
+    snprintf(path, sizeof path, "%s/view.txt", folder);
+    return folder_make(folder, err) || kit_file_write(path, text, n, err) ? -1 : 0;
 }
 
 /* 0 = none, and missing says why. */
@@ -56,6 +68,7 @@ static int peers_write(const stage *s, int quick, kit_error *err)
     const float *z = kit_image_channel(&s->frame, "Z");
     double *depths = malloc(pixels * sizeof *depths);
     struct stat status;
+    char command[256];
     int n = 0;
     if (!depths) return kit_fail(err, "out of memory");
     for (size_t i = 0; i < pixels; ++i) if (z[i] > 0) depths[n++] = (double)z[i];
@@ -68,8 +81,9 @@ static int peers_write(const stage *s, int quick, kit_error *err)
     free(depths);
     if (*missing) return 0;
     if (peers_view(s, depth, err)) return -1;
-    if (system(quick ? "node " PEERS "peers.mjs quick < " PEERS "view.txt"
-                     : "node " PEERS "peers.mjs < " PEERS "view.txt"))
+    snprintf(command, sizeof command, "node " PEERS "peers.mjs %s%s < %s/view.txt", folder, quick ? " quick" : "",
+             folder);
+    if (system(command))
         missing = "Without " PEERS_THEY ": node cannot run " PEERS "peers.mjs.";
     return !*missing;
 }
@@ -84,6 +98,7 @@ static void peer_uniform(GLuint program, const char *type, const char *name, int
     else if (!strcmp(type, "vec4")) glUniform4fv(at, count, values);
     else if (!strcmp(type, "mat3")) glUniformMatrix3fv(at, count, GL_FALSE, values);
     else if (!strcmp(type, "mat4")) glUniformMatrix4fv(at, count, GL_FALSE, values);
+    else if (!strcmp(type, "uint")) glUniform1ui(at, (GLuint)values[0]);
     else glUniform1i(at, (int)values[0]);
 }
 
@@ -96,10 +111,10 @@ static int peer_programs(peer_pass *pass, const char *number, kit_error *err)
                                       "texelFetch(s, p, l) (peer_fetches += 1.0, texelFetch(s, p, l))\n";
     static const char *const counted =
         "%s%s\n#undef main\nvoid main() { peer_main(); gl_FragColor = vec4(peer_fetches); }\n";
-    char path[64], *text[2] = { NULL, NULL }, *more = NULL;
+    char path[96], *text[2] = { NULL, NULL }, *more = NULL;
     size_t size;
     for (int k = 0; k < 2; ++k) {
-        snprintf(path, sizeof path, PEERS "out/%.16s.%s", number, k ? "frag" : "vert");
+        snprintf(path, sizeof path, "%s/%.16s.%s", folder, number, k ? "frag" : "vert");
         if (kit_file_read(&text[k], &size, path, err)) { free(text[0]); return -1; }
     }
     size = strlen(counts) + strlen(text[1]) + strlen(counted);
@@ -115,12 +130,12 @@ static int peer_programs(peer_pass *pass, const char *number, kit_error *err)
 
 static int peer_texture_read(peer_texture *t, char *text, kit_error *err)
 {
-    char path[64], file[32], *data = NULL;
+    char path[128], file[32], *data = NULL;
     int format, linear, repeat;
     size_t size = 0;
     if (sscanf(text, "%*d %d %d %d %d %d %31s", &t->width, &t->height, &format, &linear, &repeat, file) != 6)
-        return kit_fail(err, PEERS "out/manifest.txt: texture %s", text);
-    snprintf(path, sizeof path, PEERS "out/%s", file);
+        return kit_fail(err, "peers' manifest.txt: texture %s", text);
+    snprintf(path, sizeof path, "%s/%s", folder, file);
     if (*file != '-' && kit_file_read(&data, &size, path, err)) return -1;
     if (data
         && size < (size_t)t->width * (size_t)t->height
@@ -134,7 +149,7 @@ static int peer_texture_read(peer_texture *t, char *text, kit_error *err)
     if (linear) kit_texture_linear(GL_TEXTURE_2D);
     for (GLenum k = 0; k < 2 && repeat; ++k)
         glTexParameteri(GL_TEXTURE_2D, k ? GL_TEXTURE_WRAP_T : GL_TEXTURE_WRAP_S, GL_REPEAT);
-    return t->name ? 0 : kit_fail(err, PEERS "out/manifest.txt: no such texture: %s", text);
+    return t->name ? 0 : kit_fail(err, "peers' manifest.txt: no such texture: %s", text);
 }
 
 /* The view depth times a number, and what stands where there is none. */
@@ -145,7 +160,7 @@ static int peer_depth_read(peer_texture *t, const kit_image *frame, const char *
     float times, empty, *depths;
     int linear;
     if (sscanf(text, "%*d %f %f %d", &times, &empty, &linear) != 3)
-        return kit_fail(err, PEERS "out/manifest.txt: depth %s", text);
+        return kit_fail(err, "peers' manifest.txt: depth %s", text);
     depths = malloc((size_t)width * (size_t)height * sizeof *depths);
     for (int y = 0; y < height && depths; ++y) for (int x = 0; x < width; ++x) {
         const float at = z[(size_t)(height - 1 - y) * (size_t)width + (size_t)x];
@@ -171,7 +186,7 @@ static int peer_pass_read(peer_pass *pass, const peer_set *set, char *text, kit_
     if (sscanf(text, "%15s %d %d %f %f %f%n", number, &pass->shown, &pass->cleared, &pass->colour[0], &pass->colour[1],
                &pass->colour[2], &n)
         != 6)
-        return kit_fail(err, PEERS "out/manifest.txt: pass %s", text);
+        return kit_fail(err, "peers' manifest.txt: pass %s", text);
     pass->colour[3] = 1;
     if (peer_programs(pass, number, err)) return -1;
     glGenFramebuffers(1, &pass->framebuffer);
@@ -187,7 +202,7 @@ static int peer_pass_read(peer_pass *pass, const peer_set *set, char *text, kit_
     glDrawBuffers(pass->targets, attachment);
     return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE
                ? 0
-               : kit_fail(err, PEERS "out/manifest.txt: pass %s: no such targets", text);
+               : kit_fail(err, "peers' manifest.txt: pass %s: no such targets", text);
 }
 
 static int peer_value_read(peer_pass *pass, const peer_set *set, int is_sampler, char *text, kit_error *err)
@@ -197,7 +212,7 @@ static int peer_value_read(peer_pass *pass, const peer_set *set, int is_sampler,
     int count = 1, n = 0, number = 0;
     if (is_sampler ? sscanf(text, "%63s %d", name, &number) != 2 || pass->samplers == PEER_SAMPLERS
                    : sscanf(text, "%15s %63s %d%n", type, name, &count, &n) != 3)
-        return kit_fail(err, PEERS "out/manifest.txt: uniform %s", text);
+        return kit_fail(err, "peers' manifest.txt: uniform %s", text);
     values[0] = (float)pass->samplers;
     if (is_sampler) pass->sampler[pass->samplers++] = peer_texture_of(set, number)->name;
     at += n;
@@ -208,12 +223,14 @@ static int peer_value_read(peer_pass *pass, const peer_set *set, int is_sampler,
 }
 
 /* Textures 0..3 of the set are the caller's. */
-static int peers_read(peer_set *set, const stage *s, kit_error *err)
+static int peers_read(peer_set *set, kit_error *err)
 {
     char *all, *rest, *line;
     size_t size;
     int failed = 0;
-    if (kit_file_read(&all, &size, PEERS "out/manifest.txt", err)) return -1;
+    char path[96];
+    snprintf(path, sizeof path, "%s/manifest.txt", folder);
+    if (kit_file_read(&all, &size, path, err)) return -1;
     for (line = strtok_r(all, "\n", &rest); line && !failed; line = strtok_r(NULL, "\n", &rest)) {
         char *text = strchr(line, ' ');
         peer *p = set->peers ? &set->peer[set->peers - 1] : NULL;
@@ -222,19 +239,19 @@ static int peers_read(peer_set *set, const stage *s, kit_error *err)
         if (!strcmp(line, "texture") && set->textures < PEER_TEXTURES)
             failed = peer_texture_read(&set->texture[set->textures++], text, err);
         else if (!strcmp(line, "depth") && set->textures < PEER_TEXTURES)
-            failed = peer_depth_read(&set->texture[set->textures++], &s->frame, text, err);
+            failed = peer_depth_read(&set->texture[set->textures++], &set->whole, text, err);
         else if (!strcmp(line, "peer") && set->peers < MOST_PEERS)
             failed =
                 sscanf(text, "%63[^/] / %127[^\n]", set->peer[set->peers].label, set->peer[set->peers].settings) == 2
                         && set->peers++ < MOST_PEERS
                     ? 0
-                    : kit_fail(err, PEERS "out/manifest.txt: peer %s", text);
+                    : kit_fail(err, "peers' manifest.txt: peer %s", text);
         else if (!strcmp(line, "pass") && p && p->passes < PEER_PASSES)
             failed = peer_pass_read(&p->pass[p->passes++], set, text, err);
         else if ((!strcmp(line, "uniform") || !strcmp(line, "sampler")) && pass)
             failed = peer_value_read(pass, set, *line == 's', text, err);
         else if (!strcmp(line, "result") && p) p->result = atoi(text);
-        else failed = kit_fail(err, PEERS "out/manifest.txt: %s %s: too many, or out of place", line, text);
+        else failed = kit_fail(err, "peers' manifest.txt: %s %s: too many, or out of place", line, text);
     }
     free(all);
     for (int i = 0; i < set->peers; ++i)
@@ -345,12 +362,10 @@ static double fit_rmse(const histogram *h, int open, const double log_ab[2])
     return sqrt(fmax(sum, 0) / h->pixels);
 }
 
-static double fit_best(const kit_image *picture, const stage *s)
+static void histogram_of(histogram *h, const kit_image *picture, const stage *s)
 {
     const float *z = kit_image_channel(&s->frame, "Z"), *truth = kit_image_channel(&s->truth, "Y");
-    histogram *h = calloc(1, sizeof *h);
-    double best = HUGE_VAL;
-    if (!h) return (double)NAN;
+    memset(h, 0, sizeof *h);
     for (size_t i = 0; i < (size_t)picture->width * (size_t)picture->height; ++i) {
         const int bin = (int)fmin(fmax((double)(picture->data[i] + 1) * PEER_BINS / 2, 0), PEER_BINS - 1);
         if (!(z[i] > 0)) continue;
@@ -359,6 +374,11 @@ static double fit_best(const kit_image *picture, const stage *s)
         h->squares += (double)truth[i] * (double)truth[i];
         h->pixels += 1;
     }
+}
+
+static double fit_best(const histogram *h)
+{
+    double best = HUGE_VAL;
     for (int start = 0; start < 6; ++start) {
         double at[2] = { 0, log(0.4) + log(2.5) * (start / 2) }, here = fit_rmse(h, start % 2, at);
         for (double step = 1; step > 1e-3;) {
@@ -373,8 +393,22 @@ static double fit_best(const kit_image *picture, const stage *s)
         }
         best = fmin(best, here);
     }
-    free(h);
     return best;
+}
+
+/* Both of a row, whose share and RMSE are known. Gains are from .61 to 1.65, exponents from .37 to 2.7, in steps that
+   are even in their logarithms: of all scenes together the best of these is looked for. */
+static void fit_row(row *r, const kit_image *picture, const stage *s)
+{
+    static histogram h;
+    const double share = r->share / r->score.rmse;
+    histogram_of(&h, picture, s);
+    r->figure[FITTED] = share * fit_best(&h);
+    for (int i = 0; i < FITS; ++i) {
+        const int gain = i / 2 % FIT_GAINS, exponent = i / 2 / FIT_GAINS;
+        const double at[2] = { 0.125 * (gain - FIT_GAINS / 2), 0.25 * (exponent - FIT_EXPONENTS / 2) };
+        r->figure[FIT + i] = share * fit_rmse(&h, i % 2, at);
+    }
 }
 
 /* ---- >>rows ------------------------------------------------------------------------------------------------------ */
@@ -387,6 +421,7 @@ static void peers_free(peer_set *set)
         glDeleteFramebuffers(1, &set->peer[i].pass[k].framebuffer);
     }
     for (int i = 1; i < set->textures; ++i) glDeleteTextures(1, &set->texture[i].name);     /* 0 is the stage's depth */
+    kit_image_free(&set->whole);
     set->peers = set->textures = 0;
     glActiveTexture(GL_TEXTURE0);
     glUseProgram(0);
@@ -398,19 +433,20 @@ static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
 {
     static const char *const names[3] = { "N.X", "N.Y", "N.Z" };
     static const float background[3] = { 0.184f, 0.184f, 1 };
-    const int width = s->frame.width, height = s->frame.height;
+    const kit_image *frame = &set->whole;
+    const int width = frame->width, height = frame->height;
     const size_t pixels = (size_t)width * (size_t)height;
-    const float *z = kit_image_channel(&s->frame, "Z");
+    const float *z = kit_image_channel(frame, "Z");
     float *normals = malloc(4 * pixels * sizeof *normals), *white = malloc(4 * pixels * sizeof *white),
           *plain = calloc(4 * pixels, sizeof *plain);
     for (size_t i = 0; i < pixels && normals && white && plain; ++i) {
         const size_t to = ((size_t)height - 1 - i / (size_t)width) * (size_t)width + i % (size_t)width;
         for (size_t c = 0; c < 4; ++c)
             normals[4 * to + c] = c == 3     ? 1
-                                  : z[i] > 0 ? kit_image_channel(&s->frame, names[c])[i] / 2 + 0.5f
+                                  : z[i] > 0 ? kit_image_channel(frame, names[c])[i] / 2 + 0.5f
                                              : background[c];
         for (size_t c = 0; c < 4; ++c) white[4 * to + c] = 1;
-        for (size_t c = 0; c < 3 && z[i] > 0; ++c) plain[4 * to + c] = kit_image_channel(&s->frame, names[c])[i];
+        for (size_t c = 0; c < 3 && z[i] > 0; ++c) plain[4 * to + c] = kit_image_channel(frame, names[c])[i];
     }
     if (normals && white && plain) {
         set->texture[0] = (peer_texture){ s->gbuffer.depth, width, height };
@@ -436,7 +472,7 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures
     memset(&set, 0, sizeof set);
     snprintf(what, sizeof what, "%s: peers", s->name);
     kit_progress(what, 0);
-    failed = peers_inputs(&set, s, err) || peers_read(&set, s, err);
+    failed = kit_gbuffer_read(&set.whole, &s->gbuffer, err) || peers_inputs(&set, s, err) || peers_read(&set, err);
     count = set.peers < most ? set.peers : most;
     for (int i = 0; i < count && !failed; ++i) {
         kit_image picture;
@@ -444,13 +480,17 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures
         *r = row_blank(0, s->name, set.peer[i].label, set.peer[i].label, set.peer[i].settings);
         r->bytes = 0;                          /* nobody counts theirs */
         peer_draw(&set, i);
-        failed = peer_fetches(&r->fetches, &set.peer[i], s, err) || peer_picture(&picture, &set, &set.peer[i], s, err);
+        failed = (rounds && peer_fetches(&r->fetches, &set.peer[i], s, err))
+              || peer_picture(&picture, &set, &set.peer[i], s, err);
         if (failed) break;
-        r->figure[FITTED] = fit_best(&picture, s);
-        for (size_t k = 0; k < (size_t)picture.width * (size_t)picture.height; ++k)
-            picture.data[k] = fminf(fmaxf(picture.data[k], 0), 1);
-        failed = score_picture(r, s, &picture, err);
-        r->figure[FITTED] *= r->share / r->score.rmse;
+        kit_image clamped;
+        failed = kit_image_new(&clamped, picture.width, picture.height, "Y", err);
+        for (size_t k = 0; !failed && k < (size_t)picture.width * (size_t)picture.height; ++k)
+            clamped.data[k] = fminf(fmaxf(picture.data[k], 0), 1);
+        failed = failed || score_picture(r, s, &clamped, err);
+        fit_row(r, &picture, s);
+        kit_image_free(&picture);
+        picture = clamped;
         if (pictures) pictures[i] = picture;
         else kit_image_free(&picture);
         kit_progress(what, (i + 1.0) / (count + 1.0));

@@ -1,14 +1,14 @@
-/* peers.mjs - what people would pick instead of this library: three.js' GTAO, SSAO and SAO passes, n8ao, Babylon.js'
-   SSAO2 and PlayCanvas' SSAO, as plain GLSL for peers.c to draw.
+/* peers.mjs - what people would pick instead of this library: three.js' GTAO, SSAO and SAO passes, its node effects
+   (tsl.mjs), n8ao, Babylon.js' SSAO2 and PlayCanvas' SSAO, as plain GLSL for peers.c to draw.
 
       make peers                        installs the packages into build/peers, with this script beside them, where it
          finds them
-      node peers.mjs [quick] < view     quick: fewer
+      node peers.mjs OUT [quick] < view     quick: fewer
 
    Their own code drives them: each effect is rendered with a renderer that only writes down what it is told to draw, so
    that every text, uniform, kernel, noise texture, target and clear colour is theirs. Reads a view from stdin, numbers
    only: width, height, near, far, radius, its projection and world-to-view matrices (column-major), and the view depth
-   of the middle of the pixels. Writes into out/ beside it: N.vert and N.frag (without a version line, for GLSL 330 and
+   of the middle of the pixels. Writes into OUT: N.vert and N.frag (without a version line, for GLSL 330 and
    ES 300), N.f32 (texels) and manifest.txt, lines of words; numbers are textures, in order of appearance, after 0,
    window depth, 1, view normals as n/2 + 1/2, 2, the picture, and 3, view normals as they are, 0 where there are none:
 
@@ -20,6 +20,8 @@
       uniform TYPE NAME COUNT VALUES.. / sampler NAME TEXTURE of the pass above
       result TEXTURE                                         ambient visibility, red */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import * as THREE from 'three';
 import { GTAOPass } from 'three/addons/postprocessing/GTAOPass.js';
 import { SSAOPass } from 'three/addons/postprocessing/SSAOPass.js';
@@ -34,6 +36,7 @@ import {
     SSAO2RenderingPipeline
 } from '@babylonjs/core/PostProcesses/RenderPipeline/Pipelines/ssao2RenderingPipeline.js';
 import { Logger } from '@babylonjs/core/Misc/logger.js';
+import { tsl_draw } from './tsl.mjs';
 import { AppBase, AppOptions, CameraFrame, NullGraphicsDevice, PIXELFORMAT_R8, RenderPassSsao } from 'playcanvas';
 
 const v = readFileSync(0, 'utf8').trim().split(/\s+/).map(Number);
@@ -42,7 +45,7 @@ if (v.length !== 38 || v.some(n => !Number.isFinite(n))) {
     process.exit(2);
 }
 const [width, height, near, far, radius] = v, middle = v[37];
-const quick = process.argv[2] === 'quick', out = new URL('out/', import.meta.url), lines = [];
+const quick = process.argv[3] === 'quick', out = pathToFileURL(`${resolve(process.argv[2])}/`), lines = [];
 mkdirSync(out, { recursive: true });
 
 Logger.LogLevels = Logger.ErrorLogLevel;
@@ -53,8 +56,9 @@ Math.random = () => (state = (state * 48271) % 2147483647) / 2147483647;
 
 /* ---- >>writing: textures, texts, uniforms ------------------------------------------------------------------------ */
 
-const RGBA8 = 0x8058, RGBA16F = 0x881A, RGBA32F = 0x8814, R8 = 0x8229, R16F = 0x822D, R32F = 0x822E;
-const sizes = { float: 1, int: 1, bool: 1, vec2: 2, vec3: 3, vec4: 4, mat3: 9, mat4: 16 };
+const RGBA8 = 0x8058, RGBA16F = 0x881A, RGBA32F = 0x8814, R8 = 0x8229, R16F = 0x822D, R32F = 0x822E,
+      R11F_G11F_B10F = 0x8C3A;
+const sizes = { float: 1, int: 1, uint: 1, bool: 1, vec2: 2, vec3: 3, vec4: 4, mat3: 9, mat4: 16 };
 const flat = value => value.toArray            ? value.toArray()
                       : value[Symbol.iterator] ? [...value ].flatMap(flat)
                                                : [ Number(value) ];
@@ -194,6 +198,23 @@ function three_draw(effect) {
           renderer = new Renderer(read, effect.configuration?.halfRes ? null : write);
     effect.render(renderer, write, read);
     return renderer.result();
+}
+
+/* ---- >>three.js, nodes ------------------------------------------------------------------------------------------- */
+
+const named_formats = { RGBA8, RGBA16F, R8, R11F_G11F_B10F };
+const tsl_inputs = { depth: 0, picture: 2, normal: 3 };
+const tsl_texture = texture => tsl_inputs[texture.input]
+                               ?? number(texture, ({ width, height, format, data, ...set }) => ({
+                                             width, height, format : named_formats[format], data,
+                                             linear : set.TEXTURE_MAG_FILTER === 'LINEAR',
+                                             repeat : set.TEXTURE_WRAP_S === 'REPEAT' }));
+
+/* Its denoiser's distances of depth are in units of the scene. */
+async function tsl(effect, set, filter) {
+    const view = { width, height, near, far, projection : v.slice(5, 21) };
+    const told = of => pass({...of, targets : of.targets.map(tsl_texture), texture : tsl_texture });
+    return tsl_texture(await tsl_draw(view, effect, set, filter, told));
 }
 
 /* ---- >>Babylon.js: an engine without a GPU, whose draws are written down ----------------------------------------- */
@@ -341,6 +362,10 @@ const slope = 1 / radius;
    apart, and without its limits of near and far depths.
    PlayCanvas: 2 R, as its text takes any field of view for one of 53 degrees, and the scene in such units that R is 20,
    as its blur takes a step of 1 for an edge. */
+const E = JSON.parse(process.env.TUNE ?? '{}');
+const gtao_node = { radius: radius * (E.r ?? 1), thickness: (E.t ?? 0.8) * radius, scale: E.s ?? 1 }, gtao_words = 'radius R, thickness 0.8 R, DenoiseNode';
+const ssgi_node = { useScreenSpaceSampling: false, radius: radius * (E.sr ?? 1), thickness: (E.st ?? 0.5) * radius, aoIntensity: E.sa ?? 1 }, ssgi_words = 'radius R, thickness 0.5 R, DenoiseNode';
+const filter = { depthPhi: (E.d ?? 1) * radius, lumaPhi: E.l ?? 5, normalPhi: E.n ?? 5, radius: E.fr ?? 5 };
 const matched = { aoRadius: radius, intensity: 2 }, words = 'radius R, intensity 2';
 const half = { ssaoRatio: 0.5, blurRatio: 1 }, full = { ssaoRatio: 1, blurRatio: 1 };
 const ssao2 = {
@@ -364,6 +389,10 @@ const peers = [
         () => sao(
             { saoKernelRadius : pixels / 2, saoScale : slope * far, saoBias : 0.1 / slope, saoIntensity : 2 * slope })
     ],
+    [ 'three.js GTAONode', `16 samples, ${gtao_words}`, () => tsl('gtao', gtao_node, filter) ],
+    ...(quick ? [ 1 ] : [ 1, 2 ])
+        .map(n => ['three.js SSGINode', `${n} x 12 steps, ${ssgi_words}`,
+                   () => tsl('ssgi', {...ssgi_node, sliceCount : n }, filter)]),
     ...(quick ? [ 'Medium' ] : [ 'Low', 'Medium' ])
         .map(mode => ['n8ao', `${mode}, ${words}`, () => n8ao(mode, matched)]),
     ...(quick ? [ 'Medium' ] : [ 'Medium', 'High' ])

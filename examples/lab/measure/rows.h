@@ -33,6 +33,9 @@ enum {
    of hue, of all and of what is in shade; the bounce's noise. */
 enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLIT_BOUNCE, SPLITS };
 
+/* Noise by bands of frequency (lab/quiet/bands.h). A peer's share after each of FITS fits (lab/measure/peers.h). */
+enum { NOISE_BANDS = 4, FIT_GAINS = 9, FIT_EXPONENTS = 9, FITS = 2 * FIT_GAINS * FIT_EXPONENTS };
+
 /* What is known of fields: of the bake; of a picture's error beside its score; the occluders' reach as a share of the
    picture, each counted; of two occluders' occlusions. Of deep screen space: what is splatted; its stages' shares of
    the time; how far the camera is turned; what a place's visibility varies by while the camera moves. Of AO, and of
@@ -71,7 +74,9 @@ enum {
     PLACE_RMSE = PLACE_AREA + KIT_PLACES,
     PLACE_BIAS = PLACE_RMSE + KIT_PLACES,
     LEVEL = PLACE_BIAS + KIT_PLACES,
-    FIGURES
+    NOISE_BAND,
+    FIT = NOISE_BAND + NOISE_BANDS,
+    FIGURES = FIT + FITS
 };
 
 /* What does not apply is NAN. scene: or "mean", of several. */

@@ -71,8 +71,10 @@ int score_noise(row *r, const stage *s, const char *label, kit_error *err)
     if (stage_trace(&probe, s, NOISE_RAYS * s->rays, stride, err) || score_named(r, s, label, &probe, err))
         return -1;
     kit_image_free(&probe);
-    r->error[1] /= sqrt(1 - 1.0 / NOISE_RAYS);
-    r->bias[1] = 0;
+    for (int i = 0; i < 3; ++i) {
+        r->error[i] /= sqrt(1 - 1.0 / NOISE_RAYS);
+        r->bias[i] = 0;
+    }
     return 0;
 }
 

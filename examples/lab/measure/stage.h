@@ -18,7 +18,7 @@ enum { RAYS = 256, FLOOR_STRIDE = 4 };
    the middle one of its block: strides on which that is traced, too */
 enum { LIT_STRIDE = 2 };
 /* Of scenes by seed: odd, so that of each 2x2 every pixel is scored alike, for half size gathers at one of these. */
-enum { SEED_STRIDE = 3 };
+enum { SEED_STRIDE = 11 };
 #define ON_STRIDE(stride) ((stride) % LIT_STRIDE == 0 && (stride) / 2 % LIT_STRIDE == LIT_STRIDE / 2)
 /* A quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer than
    LEAST_RAYS. 1 until it is set. */

@@ -49,6 +49,7 @@ void units_begin(const options *o, int all)
 {
     static const char *const files[] = { BUNNY, BED, MAPLE, HOUSE };
     const char *const text[] = { kit_gl_name(), o->out, o->method ? o->method : "", o->paper ? o->paper : "",
+                                 o->commit ? o->commit : "",
                                  o->quick ? "quick" : "" };
     memset(&units, 0, sizeof units);
     units.all = all;

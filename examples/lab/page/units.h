@@ -12,6 +12,7 @@ typedef struct options {
     const char *out, *mesh, *method, *paper, *context, *scene[MOST_SCENES];
     int quick, scenes;
     int first, seeds;                        /* of scenes by seed: the first, below 0: not said; how many */
+    const char *commit;                      /* that draws half of them */
 } options;
 /* Whether --method asks for a method; the entries that a chart shows, and how many. */
 int units_asked(const options *o, const char *method);
