@@ -257,7 +257,7 @@ int main(void)
     REFUSES(blocked, &coefficients); REFUSES_ONE(blocked, &number); REFUSES(blocked, &up); REFUSES(blocked, &colour);
     REFUSES_ONE(calibrate, &number);
     REFUSES_ONE(plan, &scene.error); REFUSES_ONE(plan, &scene.budget); REFUSES_ONE(plan, &scene.screen_radius);
-    REFUSES(plan, &scene.survey); REFUSES(plan, &scene.energy); REFUSES_ONE(plan, &scene.albedo);
+    REFUSES(plan, &scene.survey); REFUSES(plan, &scene.energy);
     REFUSES_ONE(plan, &scene.depth_pass); REFUSES_ONE(plan, &scene.coverage);
     REFUSES_ONE(plan, &scene.calibration.unoccluded); REFUSES_ONE(plan, &scene.calibration.hsao);
     REFUSES_ONE(plan, &scene.calibration.slabs);

@@ -241,7 +241,8 @@ static void history_is_quiet(void)
 {
     enum { FIRST = 100 };                                  /* frame of the second sixteen */
     static const struct { const char *method, *set; double share; } kept[] = {
-        { "hsao-fast", "history=1", 0.4 }, { "hsao", "half=0,history=1", 0.25 }, { "ssdo-fast", "history=1", 0.68 },
+        { "hsao-fast", "history=1", 0.4 }, { "hsao", "half=0,history=1", 0.25 },
+        { "ssdo-fast", "steps=6,history=1", 0.68 },
         { "s3ho-fast", "history=1", 0.52 }, { "hsao-fast", "thickness=slabs,history=1", 0.4 },
         { "hsao-march", "views=1,directions=2,steps=4,history=1", 0.4 } };
     kit_lighting lighting = { .lights = 0 };

@@ -146,6 +146,45 @@ static void furnace(void)
     kit_image_free(&l.env);
 }
 
+/* In uniform light a white corner sends as much as comes in, bounce after bounce; one bounce leaves some out. */
+static void further_bounces(void)
+{
+    static const char *const sets[2] = { "reuse=1,two_sided=1", "reuse=1,two_sided=1,bounced=1" };
+    double plane[2][4], least[2] = { 2, 2 }, most = 0;
+    const kit_camera camera = corner_planes(plane, 0.3, 0);
+    kit_lighting l;
+    kit_image frame;
+    kit_gbuffer g;
+    if (!lighten(&l, NULL, NULL) || !TRY(kit_image_new(&l.env, 32, 16, "R,G,B", &err))
+        || !planes_seen(&frame, &camera, (const double (*)[4])plane, 2, ",albedo.R,albedo.G,albedo.B"))
+        return;
+    for (int i = 0; i < 3 * 32 * 16; ++i) l.env.data[i] = 1;
+    const size_t pixels = (size_t)frame.width * (size_t)frame.height;
+    for (size_t i = 0; i < 3 * pixels; ++i) frame.data[4 * pixels + i] = 1;
+    if (!TRY(kit_gbuffer_from_frame(&g, &frame, &camera, &err))) return;
+    for (int k = 0; k < 2; ++k) {
+        kit_image out;
+        kit_run run;
+        if (!begin(&run, &g, "ssdo", sets[k], 1, NULL, &l)) return;
+        if (!drawn(&out, &run)) return;
+        for (size_t i = 0; i < pixels; ++i) {
+            const double v = (double)kit_image_channel(&out, "irradiance.G")[i]
+                           + (double)kit_image_channel(&out, "bounce.G")[i];
+            if (!(kit_image_channel(&frame, "Z")[i] > 0)) continue;
+            least[k] = fmin(least[k], v);
+            if (k) most = fmax(most, v);
+        }
+        kit_run_close(&run);
+        kit_image_free(&out);
+    }
+    CHECK(least[0] < 0.9 && least[1] > 0.99 && most < 1.01, "one bounce leaves %.4f, further ones %.4f to %.4f",
+          least[0], least[1], most);
+    t_note("one bounce leaves %.4f, further ones %.4f to %.4f", least[0], least[1], most);
+    kit_gbuffer_free(&g);
+    kit_image_free(&frame);
+    kit_image_free(&l.env);
+}
+
 /* ---- open planes ------------------------------------------------------------------------------------------------- */
 
 /* ---- the corner -------------------------------------------------------------------------------------------------- */
@@ -851,6 +890,7 @@ void test_light(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("furnace: in uniform light every pixel gets exactly what comes in", furnace);
+    RUN("further bounces: a white corner in uniform light ends as bright as what comes in", further_bounces);
     RUN("the corner darkens by its closed forms, for every falloff and number of steps", corner_darkens);
     RUN("creases stay sharp where nothing is occluded, with the default filters", creases_stay);
     RUN("what slices block of light that has a direction is what comes from there", slices_know_directions);

@@ -250,7 +250,7 @@ typedef struct kit_settings {
     /* filters */
     int    blur, filter, filter_normals, restore, history;
     /* light */
-    int    environment, bounce, reuse, two_sided, shadows, points, solid, shadow_size, suns, vpls;
+    int    environment, bounce, reuse, bounced, two_sided, shadows, points, solid, shadow_size, suns, vpls;
     double distance_clamp, gain, max_slope;    /* radii; 1: a patch's own area; a slope */
     /* as spherical harmonics, or bent normals */
     int    bands, store, indirect, dimmed, filtered, residual, window, lights, cone;

@@ -79,7 +79,7 @@ static int read_row(measured *m, int *fits, const char *line)
 {
     ssgi_plan_scene *s = &m->scene;
     float *const v[] = { &s->calibration.unoccluded, &s->calibration.hsao, &s->calibration.slabs, &s->survey.occlusion,
-                         &s->survey.detail, &s->survey.solid, &s->survey.slabs, &s->screen_radius, &s->albedo,
+                         &s->survey.detail, &s->survey.solid, &s->survey.slabs, &s->screen_radius,
                          &s->energy[0], &s->energy[1], &s->energy[2], &s->energy[3] };
     int at;
     memset(m, 0, sizeof *m);
@@ -102,7 +102,7 @@ static void know(measured *row, int count)
 {
     for (int i = 0; i < count; ++i) {
         const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
-        const int balanced = r->method == SSGI_PLAN_METHOD_HSAO && r->half && r->directions == 2 && r->steps == 10;
+        const int balanced = r->method == SSGI_PLAN_METHOD_HSAO && r->half && r->directions == 2 && r->steps == 6;
         for (int k = 0; k < count; ++k) {
             ssgi_calibration *c = &row[k].scene.calibration;
             if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
@@ -231,7 +231,7 @@ static void print_choice(int c, int count, const double base[2], double gpu)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
                              *const method[] = { "NOTHING", "HSAO", "SSDO", "S3HO", "SURFELS", "FIELD" },
-                             *const thickness[] = { "WIDTH", "SOLID", "BACK", "SLABS" };
+                             *const thickness[] = { "WIDTH", "CONSTANT", "BACK", "SLABS" };
     static double costs[2][MOST_ROWS];
     const ssgi__plan_row *r = &ssgi__plan_rows[c];
     double x[MOST_TERMS];
@@ -240,12 +240,12 @@ static void print_choice(int c, int count, const double base[2], double gpu)
     const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
     for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
     printf("  SSGI__P(%c, %s,%*s %s,%*s %d, %d, %d,%*s %d, %d, %d, ", wanted[r->wanted][0], method[r->method],
-           7 - (int)strlen(method[r->method]), "", thickness[r->thickness], 5 - (int)strlen(thickness[r->thickness]), "",
+           7 - (int)strlen(method[r->method]), "", thickness[r->thickness], 8 - (int)strlen(thickness[r->thickness]), "",
            r->half, r->directions, r->steps, r->steps < 10, "", r->bands, r->history, r->resolution);
     literal((double)r->size, 5, ",");
     for (int k = 0; k < 2; ++k) literal(cost_of(costs[k], timed, r, k, base[k], gpu), 5, ",");
     for (int k = 0; k < MOST_TERMS; ++k)
-        literal(x[k] < 1e-3 ? 0 : x[k], "555415115"[k] - '0', k + 1 < MOST_TERMS ? "," : ")");
+        literal(x[k] < 1e-3 ? 0 : x[k], "555450"[k] - '0', k + 1 < MOST_TERMS ? "," : ")");
     puts(c + 1 < SSGI_PLAN_CHOICES ? "," : "");
     fprintf(stderr, "choice %d: %d rows, spread %.3f\n", c, n, spread);
 }

@@ -89,6 +89,7 @@ static int add_occluded_light(kit_making *m, const kit_placed_light *placed, int
     kit_run *run = m->run;
     ssgi_gl_chain chain = kit_chain(m);
     chain.reuse = m->set->reuse > 0;
+    chain.bounced = m->set->bounced > 0;
     chain.vpls = m->set->vpls > 0;
     chain.direct = run->gbuffer->direct != 0;
     if (m->rows[0]) chain.lights = m->lights;

@@ -202,7 +202,7 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     const kit_world dark = { world->scene, NULL };
     const int slabs = world->scene || g->slabs, count = slabs ? PICTURES : HSAO_SLABS;
     kit_image frame, picture[PICTURES];
-    double reach = 0, albedo = 0;
+    double reach = 0;
     float to_view[16], projection[16];
     size_t seen = 0;
     memset(s, 0, sizeof *s);
@@ -213,16 +213,14 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     for (int k = 0; k < count; ++k)
         if (kit_run_picture(&picture[k], g, &dark, pictures[k][0], pictures[k][1], radius, err)) return -1;
     if (kit_gbuffer_read(&frame, g, err)) return -1;
-    const float *z = kit_image_channel(&frame, "Z"), *green = kit_image_channel(&frame, "albedo.G");
+    const float *z = kit_image_channel(&frame, "Z");
     kit_camera_matrices(&g->camera, to_view, projection);
     for (int i = 0; i < frame.width * frame.height; ++i) {
         if (!(z[i] > 0)) continue;
         reach += fabs((double)projection[5]) / 2 * (double)radius / (g->camera.fovy > 0 ? (double)z[i] : 1);
-        albedo += green ? (double)green[i] : 0.8;
         ++seen;
     }
     s->screen_radius = (float)(reach / fmax(1, (double)seen));
-    s->albedo = (float)fmin(1, albedo / fmax(1, (double)seen));
     s->map = world->lighting && world->lighting->env.data;
     int failed = survey_of(&s->survey, picture, count, z, err);
     if (!failed && world->scene && wanted == SSGI_PLAN_WANTED_VISIBILITY)

@@ -95,6 +95,7 @@ OF(spheres_row, spheres, gather.spheres, GATHER, 0, "1: the horizon rises only t
 ROW(environment_row, environment, "how --env is used", "map sh none", 0, 0, 2, PLAN, 0)
 OF(bounce_row, bounce, light.bounce, GATHER, 1, "estimator of one diffuse bounce; patch, as published, errs on "
     "`room` by 2.5 of the mean, none by 2.2")
+ROW(bounced_row, bounced, "1: emitters send the last frame's bounce, too: further bounces", NULL, 0, 0, 1, PLAN, 0)
 ROW(reuse_row, reuse, "1: emitters use the last frame's light, so that one gather does both", NULL, 0, 0, 1, PLAN, 0)
 OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-sided")
 ROW(distance_clamp_row, distance_clamp, "clamp of the distance to a patch, in radii",
@@ -223,7 +224,8 @@ typedef struct plan {
         &range_row, &half_row, &thickness_row, &most_thick_row, &offset_row, DEEP
 #define WALK &slices_row, &steps_row, &falloff_row, &half_row, &thickness_row, &lit_thick_row, &offset_row
 #define SSDO(...) \
-    SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, \
+    SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &bounced_row, \
+             &two_sided_row, \
              &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, \
              &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, \
              &compare_row, &margin_row, &history_row)
@@ -247,11 +249,12 @@ static const plan plans[] = {
                &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row) },
     { "hsao", "slices through the view direction, sectors occluded from near to far", SSGI_GL_PASS_HSAO,
       SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SLICES },
-    { "hsao-fast", "hsao with fewer taps", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SLICES },
+    { "hsao-fast", "hsao by one slice, of constant thickness", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES,
+      SSGI_GL_PRESET_FAST, SLICES },
     { "hsao-best", "hsao at full size, more taps", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
       SLICES },
     { "hsao-history", "hsao for frames, which it averages: half size, one slice of many taps", SSGI_GL_PASS_HSAO,
-      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SLICES },
+      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SLICES },
     { "hsao-march", "the paper's horizon march and normal rays", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH,
       SSGI_GL_PRESET_BALANCED,
       SETTINGS(&dirs_row, &steps_row, &rays_row, &terms_row, &spheres_row, &half_row, &thickness_row, &half_thick_row,
@@ -264,8 +267,6 @@ static const plan plans[] = {
       SSDO(WALK) },
     { "ssdo-points", "ssdo by the paper's points along directions", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_POINTS,
       SSGI_GL_PRESET_BALANCED, SSDO(POINTS) },
-    { "ssdo-bounce", "ssdo that spends all on the bounce: one slice of many taps, two slabs, the last frame's light",
-      SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SSDO(WALK) },
     { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_PASS_S3HO,
       SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, S3HO(WALK) },
     { "s3ho-fast", "s3ho with fewer taps", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, S3HO(WALK) },
@@ -298,8 +299,7 @@ static const plan plans[] = {
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 /* Settings of methods that are not all the preset's. */
 static const char *const instead[][2] = {
-    { "hsao-history", "directions=1,steps=12,half=1,history=1" },
-    { "ssdo-bounce", "directions=1,steps=16,thickness=slabs,reuse=1" }
+    { "hsao-history", "directions=1,steps=12,half=1,history=1" }
 };
 
 /* A row's setting, with the words and limits of the desc's field that it sets, if it sets one. */

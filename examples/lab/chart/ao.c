@@ -21,44 +21,38 @@ static const entry demo_entries[] = {
 };
 
 static const entry chart_entries[] = {      /* rows of one label make one curve */
-    { "ssao",            "ssao",       "samples=8",                           1 },
-    { "ssao",            "ssao",       "",                                    1 },
-    { "ssao",            "ssao",       "samples=32",                          1 },
-    { "ssao, no blur",   "ssao",       "samples=16,blur=0",                   1 },
-    { "hsao, half size", "hsao-fast",  "",                                    1 },
-    { "hsao, half size", "hsao-fast",  "steps=4",                             1 },
-    { "hsao, half size", "hsao",       "",                                    1 },
-    { "hsao, half size", "hsao",       "directions=3",                        0 },
-    { "hsao, half size", "hsao",       "directions=2,steps=6",                1 },
-    { "hsao, half size", "hsao",       "directions=6,steps=6",                1 },
-    { "hsao, 16 frames", "hsao-fast",  "history=1",                           1 },
-    { "hsao, 16 frames", "hsao-history", "",                                  1 },
-    { "hsao, 16 frames", "hsao-history", "thickness=slabs",                      0 },
-    { "hsao, 16 frames", "hsao",       "history=1",                           0 },
-    { "hsao, full size", "hsao-best",  "directions=1,steps=4",                1 },
-    { "hsao, full size", "hsao-best",  "directions=1,steps=6",                1 },
-    { "hsao, full size", "hsao-best",  "directions=2,steps=6",                0 },
-    { "hsao, full size", "hsao-best",  "",                                    1 },
-    { "hsao, full size", "hsao-best",  "directions=4,steps=6,blur=2",         1 },
-    { "hsao, constant",  "hsao",       "thickness=constant",                     1 },
-    { "hsao, constant",  "hsao-best",  "thickness=constant",                     0 },
-    { "hsao, solid",     "hsao",       "thickness=solid",                        1 },
-    { "hsao, back faces", "hsao",      "thickness=back",                         1 },
-    { "hsao, back faces", "hsao-best", "thickness=back",                         0 },
-    { "hsao, two slabs", "hsao-fast",  "thickness=slabs",                        0 },
-    { "hsao, two slabs", "hsao",       "thickness=slabs",                        1 },
-    { "hsao, two slabs", "hsao-best",  "thickness=slabs",                        1 },
-    { "hsao-march",      "hsao-march", "",                                    1 },
-    { "march, 2 layers", "hsao-march", "layers=2",                            1 },
-    { "march, 4 cameras", "hsao-march", "directions=4,steps=6,views=4",       0 },
-    { "hsao, margin",    "hsao",       "margin=0.25",                         1 },
-    { "hsao, margin",    "hsao-best",  "margin=0.25",                         0 },
-    { "dss",             "dss",        "",                                    0 }
+    { "ssao",             "ssao",         "samples=8",                    1 },
+    { "ssao",             "ssao",         "",                             1 },
+    { "ssao",             "ssao",         "samples=32",                   1 },
+    { "ssao, no blur",    "ssao",         "samples=16,blur=0",            1 },
+    { "hsao-fast",        "hsao-fast",    "",                             1 },
+    { "hsao, half size",  "hsao",         "directions=1,steps=8",         1 },
+    { "hsao, half size",  "hsao",         "",                             1 },
+    { "hsao, half size",  "hsao",         "steps=10",                     1 },
+    { "hsao, half size",  "hsao",         "directions=3,steps=16",        1 },
+    { "hsao, half size",  "hsao",         "directions=4,steps=24",        0 },
+    { "hsao, 16 frames",  "hsao-fast",    "history=1",                    1 },
+    { "hsao, 16 frames",  "hsao-history", "",                             1 },
+    { "hsao, 16 frames",  "hsao-history", "thickness=slabs",              0 },
+    { "hsao, full size",  "hsao-best",    "directions=1,steps=6",         1 },
+    { "hsao, full size",  "hsao-best",    "",                             1 },
+    { "hsao, full size",  "hsao-best",    "directions=4,steps=24",        0 },
+    { "hsao, constant",   "hsao",         "thickness=constant",           1 },
+    { "hsao, solid",      "hsao",         "thickness=solid",              1 },
+    { "hsao, back faces", "hsao",         "thickness=back",               1 },
+    { "hsao, two slabs",  "hsao-fast",    "thickness=slabs",              1 },
+    { "hsao, two slabs",  "hsao",         "thickness=slabs",              1 },
+    { "hsao, two slabs",  "hsao-best",    "thickness=slabs",              1 },
+    { "hsao-march",       "hsao-march",   "",                             1 },
+    { "march, 2 layers",  "hsao-march",   "layers=2",                     1 },
+    { "march, 4 cameras", "hsao-march",   "directions=4,steps=6,views=4", 0 },
+    { "hsao, margin",     "hsao",         "margin=0.25",                  1 },
+    { "dss",              "dss",          "",                             0 }
 };
 
 static const float DEMO_ERROR = 0.03f;      /* what the demo's planned row is asked for */
 enum { DEMO_ROUNDS = 3, DEMO_WIDTH = 800, DEMO_HEIGHT = 450, DEMO_ENTRIES = COUNT(demo_entries) + 1,
-    AO_WIDTH = 640, AO_HEIGHT = 360, AO_PHASES = 2 };
+    AO_WIDTH = 1280, AO_HEIGHT = 720, AO_RAYS = 1024, AO_PHASES = 2 };
 _Static_assert(COUNT(chart_entries) <= MOST_ENTRIES && COUNT(demo_entries) < MOST_ENTRIES,
     "more rows than MOST_ENTRIES");
 
@@ -266,7 +260,11 @@ static int ao_unit(FILE *record, const options *o, int k, row *rows, kit_error *
     stage s;
     if (!count || (!o->scenes && stage_packages(v.path) && access(v.path, R_OK))) return 0;
     if (!rows) return 1;
-    if (stage_open(&s, &v, AO_WIDTH, AO_HEIGHT, err)
+    if (stage_load(&s, &v, err)) return -1;
+    s.rays = AO_RAYS;
+    if (stage_look(&s, &v, AO_WIDTH, AO_HEIGHT, err)) return -1;
+    s.stride = SEED_STRIDE;
+    if (stage_compare(&s, err)
         || measure_entries(rows, &s, entries, count, QUICK_ROUNDS, AO_PHASES, picture, err))
         return -1;
     peers = o->method
@@ -280,8 +278,8 @@ static int ao_unit(FILE *record, const options *o, int k, row *rows, kit_error *
         if (peers) rows[i].of |= OF_PEER;
     }
     page_heading(record, 3, "%s", s.name);
-    page_paragraph(record, "%zu triangles, %d x %d pixels, radius %g. Truth: %d rays a pixel.", s.scene.mesh.triangles,
-                   s.truth.width, s.truth.height, (double)s.radius, s.rays);
+    page_paragraph(record, "%zu triangles, %d x %d pixels, radius %g. Truth: %d rays at every %dth pixel both ways.",
+                   s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, s.rays, s.stride);
     if (pictures_thumbs(record, o->out, units_name(), &s, rows, picture, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     stage_close(&s);

@@ -58,8 +58,8 @@ static const entry deep_entries[] = {       /* rows of one label make one curve;
     { "slices, solid",       "ssdo", "thickness=solid",                                0 },
     { "slices, back faces",  "ssdo", "thickness=back",                                 1 },
     { "slices, two slabs",   "ssdo", "thickness=slabs",                                1 },
-    { "slices, for a bounce", "ssdo-bounce", "",                                    1 },
-    { "slices, for a bounce", "ssdo-bounce", "margin=0.25",                         1 },
+    { "slices, last frame",   "ssdo", "reuse=1",                                    1 },
+    { "slices, last frame",   "ssdo", "reuse=1,margin=0.25",                        1 },
     { "1 layer",             "ssdo-points", "",                                     1 },
     { "1 layer",             "ssdo-points", "samples=16",                                  1 },
     { "1 layer, 1 point a direction", "ssdo-points", "samples=16,steps=1," PLAIN,          1 },
@@ -81,8 +81,8 @@ static const entry extension_entries[] = {
     { "harmonics, slices",                   "s3ho", "",                               1 },
     { "harmonics, two slabs",                "s3ho", "thickness=slabs",                   1 },
     { "slices, a margin",                    "ssdo", "margin=0.25",                    1 },
-    { "slices, for a bounce",                "ssdo-bounce", "",                        1 },
-    { "slices, for a bounce, a margin",      "ssdo-bounce", "margin=0.25",             1 }
+    { "slices, last frame",                  "ssdo", "reuse=1",                        1 },
+    { "slices, last frame, a margin",        "ssdo", "reuse=1,margin=0.25",            1 }
 };
 static const entry cost_entries[] = {
     { "ambient visibility", "ssao", "blur=0", 1 },

@@ -117,7 +117,7 @@ static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
         const double value[] = { r->error[i], r->cost[i], r->model[i], (double)n->calibration.unoccluded,
                                  (double)n->calibration.hsao, (double)n->calibration.slabs,
                                  (double)n->survey.occlusion, (double)n->survey.detail, (double)n->survey.solid,
-                                 (double)n->survey.slabs, (double)n->screen_radius, (double)n->albedo,
+                                 (double)n->survey.slabs, (double)n->screen_radius,
                                  (double)n->energy[0], (double)n->energy[1], (double)n->energy[2],
                                  (double)n->energy[3], n->surfels, n->splats };
         fprintf(f, "%s,%d,%d,%d", r->name, fits, n->wanted, i);

@@ -19,51 +19,26 @@ typedef struct plan_view {
 } plan_view;
 
 static const plan_view planned_views[] = { { "room", 1, 0, 1, 1.2f, 0 },
-                                           { "room", 1, -0.25f, 0.9f, 0.45f, 0 },
-                                           { "colonnade", 1, 0, 1, 1.2f, 0 },
                                            { "colonnade", 1, -0.25f, 0.9f, 0.45f, 0 },
-                                           { "cornell", 1, 0, 1, 1.2f, 0 },
-                                           { "cornell", 1, -0.25f, 0.9f, 0.45f, 0 },
-                                           { "columns", 1, 0, 1, 1.2f, 0 },
                                            { "columns", 1, 0.7f, 0.8f, 0.45f, 0 },
-                                           { "boxes", 1, 0, 1, 1.2f, 0 },
-                                           { "boxes", 1, 0.7f, 0.8f, 0.45f, 0 },
                                            { "pebbles", 1, 0, 1, 1.2f, 0 },
-                                           { "pebbles", 1, 0.7f, 0.8f, 0.45f, 0 },
-                                           { "casters", 1, 0, 1, 1.2f, 1 },
                                            { "casters", 1, 0.7f, 0.8f, 0.45f, 1 },
-                                           { "groove", 1, 0, 1, 1.2f, 0 },
-                                           { "slats", 1, 0, 1, 1, 0 },
-                                           { "slats", 1, 0.4f, 0.8f, 0.4f, 0 },
                                            { "iron-bed", 1, 0, 1, 1, 0 },
-                                           { "iron-bed", 1, 0.5f, 0.8f, 0.5f, 0 },
-                                           { "stairs", 1, 0, 1, 1, 0 },
-                                           { "stairs", 1, -0.2f, 0.9f, 2, 0 },
                                            { "bunny", 0, 0, 1, 1.2f, 1 },
-                                           { "bunny", 0, 0.7f, 0.8f, 0.45f, 0 },
-                                           { "grass", 0, 0, 1, 1.2f, 0 },
                                            { "grass", 0, 0.7f, 0.8f, 0.45f, 0 },
                                            { "plates", 0, 0, 1, 1.2f, 0 },
-                                           { "plates", 0, 0.7f, 0.8f, 0.45f, 0 },
-                                           { "blocks", 0, 0, 1, 1.2f, 0 },
                                            { "crowd", 0, 0, 1, 1, 1 },
-                                           { "hole", 0, 0, 1, 1.2f, 0 },
-                                           { "attic", 0, 0, 1, 1, 0 },
-                                           { "attic", 0, -0.2f, 0.9f, 2, 0 },
-                                           { "maple", 0, 0, 1, 1, 0 } };
+                                           { "attic", 0, -0.2f, 0.9f, 2, 0 } };
 /* suns: two soft ones, pink and turquoise */
 static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };
 
 enum {
     PLANNED_VIEWS = COUNT(planned_views),
-    PLANNED_WIDTH = 640,
-    PLANNED_HEIGHT = 360,
-    JUDGED_WIDTH = 480,
-    JUDGED_HEIGHT = 270,
-    PLANNED_LIT_WIDTH = 320,
-    PLANNED_LIT_HEIGHT = 180, /* of scenes by seed, too */
-    PLANNED_SLOW = 20,        /* unblurred 16-sample ssaos */
-    PLANNED_STRIDE = 2        /* of the truth, both ways; of light 3 */
+    PLANNED_WIDTH = 1280,
+    PLANNED_HEIGHT = 720,
+    PLANNED_SLOW = 20,   /* unblurred 16-sample ssaos */
+    PLANNED_RAYS = 1024, /* of the truth */
+    PLANNED_QUICK_RAYS = 256
 };
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
@@ -102,9 +77,6 @@ static void planned_turn(view *v, const plan_view *p, const kit_scene *scene)
 /* 1; 0: its package is not there. */
 static int planned_open(stage *s, const plan_view *p, const lit *light, int suns, kit_error *err)
 {
-    static const int judged[2] = { JUDGED_WIDTH, JUDGED_HEIGHT }, fits[2] = { PLANNED_WIDTH, PLANNED_HEIGHT },
-                     is_lit[2] = { PLANNED_LIT_WIDTH, PLANNED_LIT_HEIGHT };
-    const int *size = light ? is_lit : p->fits ? fits : judged;
     view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
     for (int i = 0; i < stage_views_count; ++i)
         if (!strcmp(stage_views[i].name, p->scene)) {
@@ -114,7 +86,7 @@ static int planned_open(stage *s, const plan_view *p, const lit *light, int suns
     if (stage_packages(v.path) && access(v.path, R_OK)) return 0;
     if (stage_load(s, &v, err) || (suns && planned_suns(s, err))) return -1;
     planned_turn(&v, p, &s->scene);
-    return stage_look(s, &v, size[0], size[1], err) ? -1 : 1;
+    return stage_look(s, &v, PLANNED_WIDTH, PLANNED_HEIGHT, err) ? -1 : 1;
 }
 
 static double model_of(const kit_run *run) { return KIT_FETCH_OPERATIONS * run->fetches + kit_run_operations(run); }
@@ -192,7 +164,7 @@ static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error 
     const int suns = !strcmp(light, "suns");
     const lit of_light = { .env = suns ? "white" : light,
                            .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE,
-                           .rays = quick ? 128 : 384,
+                           .rays = quick ? PLANNED_QUICK_RAYS : PLANNED_RAYS,
                            .exposure = 1 };
     char name[64];
     stage s;
@@ -200,13 +172,7 @@ static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error 
     const int there = planned_open(&s, p, is_lit ? &of_light : NULL, suns, err);
     if (there <= 0) return there;
     s.between = wanted == SSGI_PLAN_WANTED_OBJECTS;
-    if (stage_trace(&truth, &s,
-                    is_lit  ? of_light.rays
-                    : quick ? 64
-                            : 256,
-                    PLANNED_STRIDE + is_lit, err)
-        || (is_lit && stage_light(&s, err)))
-        return -1;
+    if (stage_trace(&truth, &s, of_light.rays, SEED_STRIDE, err) || (is_lit && stage_light(&s, err))) return -1;
     snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, is_lit ? " " : "", is_lit ? light : "");
     if (planned_measure(r, &s, &truth, name, wanted, 1, err)) return -1;
     kit_image_free(&truth);
@@ -239,14 +205,14 @@ enum { SEED_WANTED = 3 }; /* visibility, light, bounce */
 static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
 {
     const int is_lit = wanted != SSGI_PLAN_WANTED_VISIBILITY;
-    lit of_light = { .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE, .rays = 384, .exposure = 1 };
+    lit of_light = { .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE, .rays = PLANNED_RAYS, .exposure = 1 };
     char name[32];
     const view v = { .name = name, .path = name, .lit = is_lit ? &of_light : NULL };
     kit_image truth;
     stage s;
     snprintf(name, sizeof name, "random:%d", seed);
-    if (stage_load(&s, &v, err) || stage_look(&s, &v, PLANNED_LIT_WIDTH, PLANNED_LIT_HEIGHT, err)
-        || stage_trace(&truth, &s, is_lit ? of_light.rays : 256, PLANNED_STRIDE + is_lit, err)
+    if (stage_load(&s, &v, err) || stage_look(&s, &v, PLANNED_WIDTH, PLANNED_HEIGHT, err)
+        || stage_trace(&truth, &s, of_light.rays, SEED_STRIDE, err)
         || (is_lit && stage_light(&s, err)) || planned_measure(r, &s, &truth, name, wanted, 0, err))
         return -1;
     kit_image_free(&truth);

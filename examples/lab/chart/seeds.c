@@ -58,16 +58,25 @@ static const entry bounce_entries[] = {
     { "s3ho",      "s3ho",      "",                0 }
 };
 
-/* What a part measures: visibility has the peers' rows, too. error: which of a lit row's. */
-typedef struct part { const char *what; const entry *entries; int count, bounce, error; } part;
-static const part parts[] = {
-    { "visibility", WITH_COUNT(visible_entries), 0, -1 },
-    { "light",      WITH_COUNT(light_entries),   0, 1 },
-    { "bounce",     WITH_COUNT(bounce_entries),  1, 2 }
+static const entry small_entries[] = {
+    { "hsao-fast", "hsao-fast", "",                1 },
+    { "hsao",      "hsao",      "",                1 },
+    { "hsao-best", "hsao-best", "",                1 },
+    { "hsao-best", "hsao-best", "thickness=slabs", 1 }
 };
-enum { PARTS = COUNT(parts), BESIDE = 2 };      /* rows of a lit part without a method */
-_Static_assert(COUNT(visible_entries) + COUNT(light_entries) + COUNT(bounce_entries) + 2 + MOST_PEERS + 2 * BESIDE
-                   <= MOST_SEED_ROWS, "more rows than MOST_SEED_ROWS");
+
+/* What a part measures: the first has the peers' rows, too. smaller: the picture's sides, so many times; stride: of its
+   truth; error: which of a lit row's, -1: the part is of visibility. */
+typedef struct part { const char *what; const entry *entries; int count, smaller, stride, bounce, error; } part;
+static const part parts[] = {
+    { "visibility", WITH_COUNT(visible_entries), 1, SEED_STRIDE, 0, -1 },
+    { "light",      WITH_COUNT(light_entries),   1, SEED_STRIDE, 0, 1 },
+    { "bounce",     WITH_COUNT(bounce_entries),  1, SEED_STRIDE, 1, 2 },
+    { "320x180",    WITH_COUNT(small_entries),   4, 3,           0, -1 }
+};
+enum { PARTS = COUNT(parts), BESIDE = 2 };      /* rows of a part without a method */
+_Static_assert(COUNT(visible_entries) + COUNT(light_entries) + COUNT(bounce_entries) + COUNT(small_entries) + 2
+                   + MOST_PEERS + 3 * BESIDE <= MOST_SEED_ROWS, "more rows than MOST_SEED_ROWS");
 
 /* ---- >>scenes ---------------------------------------------------------------------------------------------------- */
 
@@ -181,7 +190,7 @@ static int small_picture(FILE *record, const stage *s, const options *o, const p
 /* ---- >>measure: one scene ---------------------------------------------------------------------------------------- */
 
 /* 1; 0: a package that it needs is not there, as record (NULL: nobody) is told. */
-static int seed_open(FILE *record, stage *s, const view *v, kit_error *err)
+static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_error *err)
 {
     kit_error why = { "" };
     if (stage_load(s, v, &why)) {
@@ -193,8 +202,8 @@ static int seed_open(FILE *record, stage *s, const view *v, kit_error *err)
         return kit_fail(err, "%s", why.text);
     }
     s->rays = SEED_RAYS;
-    if (stage_look(s, v, SEED_WIDTH, SEED_HEIGHT, err)) return -1;
-    s->stride = SEED_STRIDE;
+    if (stage_look(s, v, SEED_WIDTH / of->smaller, SEED_HEIGHT / of->smaller, err)) return -1;
+    s->stride = of->stride;
     return 1;
 }
 
@@ -248,8 +257,8 @@ static int visible_row(FILE *record, const options *o, const place *p, row *r, s
     return failed ? -1 : 0;
 }
 
-/* Ambient visibility's rows, the floor and the peers; its truth, for the caller to free. How many; 0 = the scene is left
-   out. */
+/* Ambient visibility's rows, the floor and the peers; its truth, for the caller to free. How many; 0 = the scene is
+   left out. */
 static int visible_rows(FILE *record, const options *o, const place *p, row *rows, kit_image *truth, kit_error *err)
 {
     const view v = { .name = p->name, .path = p->path };
@@ -259,7 +268,7 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
     char note[128];
     stage s;
     int count = units_chosen(entries, WITH_COUNT(visible_entries), o), failed = 0;
-    const int there = seed_open(record, &s, &v, err);
+    const int there = seed_open(record, &s, &v, parts, err);
     if (there <= 0) return there;
     snprintf(note, sizeof note, "%zu triangles, %d lights, %s", s.scene.mesh.triangles, s.scene.lights,
              s.scene.env ? s.scene.env : "none");
@@ -284,18 +293,22 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
     return failed || peers < 0 ? -1 : count + 1 + peers;
 }
 
-/* Rows of light by the scene's environment, or of its one bounce; behind them those of the true visibility (of light)
-   and of the truth's noise. */
-static int lit_rows(const options *o, const place *p, const part *of, row *rows, kit_image *visible, kit_error *err)
+/* Rows of a small picture, of light by the scene's environment, or of its one bounce; behind light's those of the true
+   visibility and of the truth's noise. */
+static int part_rows(const options *o, const place *p, const part *of, row *rows, kit_image *visible, kit_error *err)
 {
     const lit light = { .rays = SEED_RAYS, .exposure = 1, .bounce = of->bounce };
-    const view v = { .name = p->name, .path = p->path, .lit = &light };
+    const view v = { .name = p->name, .path = p->path, .lit = of->error < 0 ? NULL : &light };
     entry entries[MOST_ENTRIES];
     int count = units_chosen(entries, of->entries, of->count, o);
     stage s;
     if (!count) return 0;
-    if (seed_open(NULL, &s, &v, err) <= 0) return -1;
+    if (seed_open(NULL, &s, &v, of, err) <= 0) return -1;
     if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, 0, 0, NULL, err)) return -1;
+    if (of->error < 0) {
+        stage_close(&s);
+        return count;
+    }
     const double open = rows[count].error[of->error];               /* measure left the row of nothing there */
     if (!of->bounce
         && (stage_dim(visible, &s, err) || score_named(&rows[count++], &s, "true visibility", visible, err)))
@@ -314,7 +327,7 @@ static int seed_unit(FILE *record, const options *o, int k, row *rows, kit_error
     if (!rows) return 1;
     place_of(&p, o, k);
     for (int i = 0; i < PARTS; ++i) {
-        const int more = i ? lit_rows(o, &p, &parts[i], rows + count, &truth, err)
+        const int more = i ? part_rows(o, &p, &parts[i], rows + count, &truth, err)
                            : visible_rows(record, o, &p, rows, &truth, err);
         for (int j = 0; j < more; ++j) rows[count + j].scene = parts[i].what;
         count += more > 0 ? more : 0;

@@ -68,8 +68,8 @@ void seeds_table_text(FILE *f, const seeds *s)
     int out = 0;
     if (first < 0) return;
     for (int k = 0; k < s->count; ++k) out += !s->row[k];
-    fprintf(f, "\n%d scenes by seed: RMSE over that of no occlusion; %d left out for want of a package\n", s->count - out,
-            out);
+    fprintf(f, "\n%d scenes by seed: RMSE over that of no occlusion; %d left out for want of a package\n",
+            s->count - out, out);
     for (int i = 0; i < s->rows[first]; ++i) row_text(f, s, &s->row[first][i]);
 }
 
@@ -98,7 +98,8 @@ static void row_csv(FILE *f, const place *p, const row *r, int fit)
 void seeds_csv(FILE *f, const seeds *s)
 {
     const int first = fullest(s);
-    fputs("seed,set,kind,what,label,method,settings,share,fitted,fitted_all,bias,noise_1,noise_3,noise_8,noise_20\n", f);
+    fputs("seed,set,kind,what,label,method,settings,share,fitted,fitted_all,bias,noise_1,noise_3,noise_8,noise_20\n",
+          f);
     for (int i = 0; first >= 0 && i < s->rows[first]; ++i) {
         const row *like = &s->row[first][i];
         const int fit = fit_of_all(s, like);

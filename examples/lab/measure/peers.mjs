@@ -358,14 +358,15 @@ const slope = 1 / radius;
 
 /* Matched: beside the radius what of theirs shapes the effect, as it came nearest to the truth in the chart's scenes,
    in coarse steps; of Babylon.js and PlayCanvas in bunny, room and colonnade. R: the radius.
+   Nodes: five scenes by seed below 26.
    Babylon.js: at the sizes that its documentation shows or at full size, with 16 samples, all that its text tells
    apart, and without its limits of near and far depths.
    PlayCanvas: 2 R, as its text takes any field of view for one of 53 degrees, and the scene in such units that R is 20,
    as its blur takes a step of 1 for an edge. */
-const E = JSON.parse(process.env.TUNE ?? '{}');
-const gtao_node = { radius: radius * (E.r ?? 1), thickness: (E.t ?? 0.8) * radius, scale: E.s ?? 1 }, gtao_words = 'radius R, thickness 0.8 R, DenoiseNode';
-const ssgi_node = { useScreenSpaceSampling: false, radius: radius * (E.sr ?? 1), thickness: (E.st ?? 0.5) * radius, aoIntensity: E.sa ?? 1 }, ssgi_words = 'radius R, thickness 0.5 R, DenoiseNode';
-const filter = { depthPhi: (E.d ?? 1) * radius, lumaPhi: E.l ?? 5, normalPhi: E.n ?? 5, radius: E.fr ?? 5 };
+const filter = { depthPhi: 0.2 * radius, radius: 3 }, filter_words = 'DenoiseNode of radius 3, depths 0.2 R';
+const gtao_node = { radius, thickness: 0.8 * radius }, gtao_words = `radius R, thickness 0.8 R, ${filter_words}`;
+const ssgi_node = { useScreenSpaceSampling: false, radius, thickness: 0.25 * radius },
+      ssgi_words = `radius R, thickness 0.25 R, ${filter_words}`;
 const matched = { aoRadius: radius, intensity: 2 }, words = 'radius R, intensity 2';
 const half = { ssaoRatio: 0.5, blurRatio: 1 }, full = { ssaoRatio: 1, blurRatio: 1 };
 const ssao2 = {

@@ -124,33 +124,96 @@ ${table(
     );
 }
 
+/* This machine's clock of a row: the mean of the built-in scenes. */
+const clocked = (record, r) =>
+    means(found(record, 'ambient')).find(
+        a => a.method === r.method && a.settings === r.settings && (!peer(r) || a.label === r.label)
+    )?.relative_time;
+const spread = r => `${cell(r.mean)} &plusmn; ${cell(r['±'])}`;
+
 function seeds(record) {
     const rows = found(record, 'seeds'),
-        kinds = [...grouped(rows, 'kind').keys()];
-    const of = what =>
+        kinds = [...grouped(rows, 'kind').keys()].filter(k => k !== 'models');
+    const list = [...grouped(rows, r => `${r.set} ${r.seed}`).keys()],
+        count = set => list.filter(s => s.startsWith(`${set} `)).length;
+    const of = (what, others = false) =>
+        by_kind(rows.filter(r => r.what === what && peer(r) === others && r.method !== 'none'));
+    const own = what =>
         table(
-            ['method', 'mean', 'median', 'worst, seed', 'above 1', ...kinds],
-            by_kind(rows.filter(r => r.what === what)).map(r => [
-                title(r),
-                `${cell(r.mean)} &plusmn; ${cell(r['±'])}`,
-                cell(r.median),
-                `${cell(r.worst)}, ${r.seed}`,
-                r['above 1'],
-                ...kinds.map(k => cell(r[k]))
+            [
+                ...['method', 'RX 6800, ms', ...(what === 'visibility' ? ['CPU'] : []), 'mean', 'median', 'worst'],
+                ...['above 1', ...(what === 'visibility' ? ['noise'] : []), 'judged', 'drawn', ...kinds],
+                ...['models', 'worst']
+            ],
+            of(what).map(r => [
+                ...[title(r), cell(r['RX 6800, ms'])],
+                ...(what === 'visibility' ? [cell(clocked(record, r), 2)] : []),
+                ...[spread(r), cell(r.median), `${cell(r.worst)}, ${r.of}`, r['above 1']],
+                ...(what === 'visibility' ? [cell(r.noise, 1)] : []),
+                ...[cell(r.judged), cell(r.drawn), ...kinds.map(k => cell(r[k])), cell(r.models)],
+                cell(r['models, worst'])
             ])
         );
-    const list = [...grouped(rows, 'seed').keys()];
+    const others = of('visibility', true);
     return (
         rows.length &&
-        `${list.length} scenes, seeds ${Math.min(...list)} to ${Math.max(...list)}, none picked by hand.
-Error over that of no occlusion: the mean with its 95 % interval, on how many it is worse than nothing, means by kind.
+        `${count('judged') + count('drawn')} scenes at 1280x720, none picked by hand: ${count('judged')} by seeds on \
+which nothing is tuned (judged), ${count('drawn')} drawn from the commit's hash; beside them ${count('models')} models
+of packages. Error over that of no occlusion: the mean with its 95 % interval, on how many it is worse than nothing,
+means by kind. Noise: thousandths of visibility, of 1.2 to 8 pixels, where a smooth surface is in shade. Milliseconds
+are modelled; CPU: ${record.cores} cores, over one unblurred 16-sample \`ssao\`.
 
-${of('ao')}${
-            rows.some(r => r.what === 'light')
-                ? `\n\nIrradiance under each scene's own environment, no bounce:\n\n${of('light')}`
-                : ''
-        }`
+${own('visibility')}
+
+Irradiance under each scene's own environment, no bounce:
+
+${own('light')}
+
+One bounce of that light alone:
+
+${own('bounce')}
+
+What a small picture costs: visibility of the same scenes at 320x180, where the pixel grid is most of the error:
+
+${own('320x180')}
+${
+    others.length
+        ? `
+What others have there, raw, and fitted with the truth in hand: by one gain and exponent over all scenes, and by
+two numbers a picture.
+
+${table(
+    ['what', 'settings', 'RX 6800, ms', 'CPU', 'raw', 'fitted over all', 'fitted a picture', ...kinds],
+    others.map(r => [
+        ...[r.label, r.settings, cell(r['RX 6800, ms']), cell(clocked(record, r), 2), spread(r)],
+        ...[cell(r['fitted, all']), cell(r.fitted), ...kinds.map(k => cell(r[k]))]
+    ])
+)}
+
+${leads(rows)}`
+        : ''
+}`
     );
+}
+
+/* Where a peer leads although it may not cost more. */
+function leads(rows) {
+    const of = grouped(
+        rows.filter(r => r.what === 'visibility' && r.set !== 'models'),
+        r => `${r.label} ${r.settings ?? ''}`
+    );
+    const lines = [];
+    for (const [name, own] of of)
+        for (const [other, theirs] of of) {
+            const ms = [modelled(own[0]), modelled(theirs[0])];
+            if (peer(own[0]) || !peer(theirs[0]) || !(ms[1] <= ms[0])) continue;
+            for (const { kind, by, within } of report.ahead(own, theirs))
+                lines.push(`${kind}: ${other} before ${name} by ${cell(by)} &plusmn; ${cell(within)}`);
+        }
+    return lines.length
+        ? `Kinds in which one of them, fitted a picture, errs less than a row of ours that costs as much or more, by
+more than the interval: ${lines.join('; ')}.`
+        : 'In no kind does one of them, fitted a picture, err less than a row of ours that costs as much or more.';
 }
 
 function plan(record) {
@@ -323,9 +386,18 @@ async function draw(into) {
     const { document } = parseHTML('<html><body></body></html>');
     const up = 'error (RMSE), share of having no AO at all', style = { background: '#fff', fontSize: '12px' };
     const [cpu, gpu] = Object.values(report.clocks);
-    for (const [name, clock] of [['chart-cpu', cpu], ['chart', gpu]]) {
-        if (all.filter(r => r[clock.x] !== null).length < 6) continue;
-        const options = report.scatter(Plot, all, { ...clock, y: 'share', floor: report.floor_of(all), up });
+    const sums = by_kind(found(records('chart'), 'seeds').filter(r => r.what === 'visibility')).map(r => ({
+        ...r,
+        _ms: r['RX 6800, ms'],
+        share: r.fitted ?? r.mean
+    }));
+    for (const [name, clock, list] of [
+        ['chart-cpu', cpu, all],
+        ['chart', gpu, sums]
+    ]) {
+        if (list.filter(r => r[clock.x] !== null).length < 6) continue;
+        const floor = report.floor_of(list);
+        const options = report.scatter(Plot, list, { ...clock, y: 'share', floor, up });
         const svg = Plot.plot({ ...options, document, style });
         svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
         write(`${into}/${name}.svg`, `${svg.outerHTML.replaceAll('currentColor', '#222')}\n`);
@@ -333,7 +405,7 @@ async function draw(into) {
     }
 }
 
-for (const name of ['chart', 'stability', 'papers', 'cost']) {
+for (const name of ['chart', 'stability', 'papers', 'cost', 'cost-peers']) {
     const file = `${folder}/${name}.js`;
     if (!existsSync(file)) continue;
     try {

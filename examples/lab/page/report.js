@@ -60,12 +60,17 @@ function means(rows) {
 const chain_words = { 'thickness=slabs': '-slabs', 'thickness=back': '-back', 'history=1': '-history',
                       'normal=depth': '-depth', 'reuse=1': '-reuse' };
 function modelled(r, device = 'RX 6800') {
+    const others = peer(r) ? entry('cost-peers', 'cost') ?? [] : null;
+    if (others) return others.find(c => c.chain === `${r.label} / ${r.settings}` && !c.pass
+                                       && known(c[`${device} weighed`]))?.[`${device} weighed`] ?? null;
     const table = entry('cost', 'cost');
-    const settings = String(r.settings ?? '').split(',').filter(s => s && s !== 'bounce=none');
+    const settings = String(r.settings ?? '').split(',').filter(s => s && s !== 'bounce=none'
+        && s !== 'indirect=none');
     if (!table || settings.some(s => !chain_words[s])) return null;
     if (r.method === 'hsao' && settings.includes('history=1')) return null;     /* hsao-history is a method's chain */
     const name = r.method + settings.map(s => chain_words[s]).join('');
-    const row = table.find(c => c.chain === name && !c.pass && known(c[`${device} weighed`]));
+    const bounces = { ssdo: 'ssdo-bounce', 's3ho': 's3ho-bounce' }, is = r.what === 'bounce' ? bounces[name] : name;
+    const row = table.find(c => c.chain === is && !c.pass && known(c[`${device} weighed`]));
     return row && !row.splats ? row[`${device} weighed`] : null;
 }
 /* A record's tables with the heading above each, parsed once; the first of a kind, null: there is none. */
@@ -89,14 +94,34 @@ const by_pair = rows => [...grouped(rows, named).values()].map(g => {
              mean: mean(share), worst: worst.share, pair: `${worst.scene}, ${worst.probe}`,
              'below 1': share.filter(v => v < 1).length, pairs: g.length, bias: mean(g.map(r => r.irradiance_bias)) };
 });
-const by_kind = rows => [...grouped(rows, named).values()].map(g => {
-    const share = g.map(r => r.share), worst = g.reduce((a, b) => b.share > a.share ? b : a);
-    const of = { label: g[0].label, method: g[0].method, settings: g[0].settings, mean: mean(share), '±': half(share),
-                 median: median(share), worst: worst.share, seed: worst.seed,
-                 'above 1': share.filter(v => v > 1).length };
+/* Of models apart: what has none of a kind there is null. Noise: of 1.2 to 8 pixels, thousandths. */
+const by_kind = rows => [...grouped(rows, named).values()].map(all => {
+    const g = all.filter(r => r.set !== 'models'), models = all.filter(r => r.set === 'models');
+    const of_all = g.length ? g : all;
+    const share = of_all.map(r => r.share), worst = of_all.reduce((a, b) => b.share > a.share ? b : a);
+    const drawn = mean(g.filter(r => r.set === 'drawn').map(r => r.share));
+    const of = { label: all[0].label, method: all[0].method, settings: all[0].settings, 'RX 6800, ms': modelled(all[0]),
+                 mean: mean(share), '±': half(share), median: median(share), worst: worst.share,
+                 of: `${worst.kind}-${worst.seed}`, 'above 1': share.filter(v => v > 1).length,
+                 fitted: mean(of_all.map(r => r.fitted)), 'fitted, all': mean(of_all.map(r => r.fitted_all)),
+                 noise: mean(of_all.map(r => known(r.noise_3) ? Math.hypot(r.noise_3, r.noise_8) : null)),
+                 judged: drawn === null ? null : mean(g.filter(r => r.set === 'judged').map(r => r.share)), drawn };
     for (const [kind, list] of grouped(g, 'kind')) of[kind] = mean(list.map(r => r.share));
+    if (models.length) Object.assign(of, { models: mean(models.map(r => r.share)),
+                                           'models, worst': Math.max(...models.map(r => r.share)) });
     return of;
 });
+/* Kinds in which a peer at no more modelled cost, fitted picture by picture, errs less than a row of ours by more than
+   the interval of their difference. */
+function ahead(rows, own, other) {
+    const out = [], theirs = grouped(other, 'kind');
+    for (const [kind, list] of grouped(own, 'kind')) {
+        const pairs = list.map(r => r.share - (theirs.get(kind)?.find(o => o.seed === r.seed)?.fitted ?? NaN));
+        const by = mean(pairs), within = half(pairs);
+        if (known(by) && by > (within ?? 0) && by > 0) out.push({ kind, by, within });
+    }
+    return out;
+}
 const by_cause = record => tables(record).filter(t => t.kind.startsWith('sweep')).map(t => {
     const of = { cause: t.heading };
     for (const [method, g] of grouped(t.rows, 'method')) of[method] = g[0].number;
@@ -267,10 +292,15 @@ const views = {
             across: 'RMSE of irradiance over that of no occlusion, a dot a pair' })), table(by_pair(list))];
     }),
     seeds: rows => chosen({ of: unique(rows.map(r => r.what)), family: all_families(rows),
-                            kind: ['all', ...unique(rows.map(r => r.kind))] }, s => {
-        const list = of_family(rows, s.family).filter(r => r.what === s.of && (s.kind === 'all' || r.kind === s.kind));
-        return [plotted(strips(Plot_, list, { across: 'RMSE over that of no occlusion, a dot a scene' })),
-                table(by_kind(list))];
+                            scenes: ['all', ...unique(rows.map(r => r.set)), ...unique(rows.map(r => r.kind))] }, s => {
+        const list = of_family(rows, s.family).filter(r => r.what === s.of
+            && (s.scenes === 'all' || r.kind === s.scenes || r.set === s.scenes));
+        const sums = by_kind(list).map(r => ({ ...r, _ms: r['RX 6800, ms'], share: r.fitted ?? r.mean }));
+        return [sums.some(r => known(r._ms)) ? plotted(scatter(Plot_, sums, { ...Object.values(clocks)[1], y: 'share',
+                    up: 'error (RMSE), share of no occlusion; of others after their fit' })) : null,
+                plotted(strips(Plot_, list, { across: 'RMSE over that of no occlusion, a dot a scene' })),
+                table(sums, Object.keys(sums[0] ?? {}).filter(k => !['label', 'method', 'settings', '_ms', 'share']
+                    .includes(k) && sums.some(r => known(r[k]))))].filter(Boolean);
     }),
     plan: rows => [plotted({ width: 700, height: 420, grid: true, marginLeft: 56,
         x: { type: 'log', label: 'error asked for', tickFormat: '~g' },
@@ -448,7 +478,7 @@ function show() {
 }
 
 return { records, parse, mean, grouped, named, means, modelled, tables, entry, given, peer, by_pair, by_kind, by_cause,
-         chains, devices, scatter, ambient, floor_of, clocks, show };
+         ahead, chains, devices, scatter, ambient, floor_of, clocks, show };
 })();
 
 function ssgi_record(record) { ssgi_report.records[record.name] = record; }

@@ -19,7 +19,7 @@ const swept sweeps_method[] = {
     { "ssbn",       "ssbn",       "",                             LIGHT | TURNED, 1920 },
     { "hsao-fast-history", "hsao-fast", "history=1",             KEPT,           1920 },
     { "hsao-history", "hsao-history", "",                        KEPT,           1920 },
-    { "hsao-2x10-history", "hsao", "history=1",                   KEPT,           1920 },
+    { "hsao-2x10-history", "hsao", "steps=10,history=1",          KEPT,           1920 },
     { "ssdo-history", "ssdo",    "bounce=none,history=1",        KEPT | KEPT_LIGHT, 1920 },
     { "ssdo-fast-history", "ssdo-fast", "bounce=none,history=1", KEPT_LIGHT,     1920 },
     { "dss",        "dss",        "size=0.03",                    OF_SURFELS,       1280 },

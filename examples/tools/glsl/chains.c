@@ -54,6 +54,7 @@ static const struct { const char *name; size_t offset; int most;
                 { "coefficients", offsetof(ssgi_gl_chain, coefficients), 1 },
                 { "unsmoothed", offsetof(ssgi_gl_chain, unsmoothed), 1 },
                 { "reuse", offsetof(ssgi_gl_chain, reuse), 1 },
+                { "bounced", offsetof(ssgi_gl_chain, bounced), 1 },
                 { "vpls", offsetof(ssgi_gl_chain, vpls), 1 },
                 { "direct", offsetof(ssgi_gl_chain, direct), 1 },
                 { "surfels", offsetof(ssgi_gl_chain, surfels), 1 },

@@ -111,12 +111,13 @@ static int take_plan(options *o, const char *name, const char *text, kit_error *
         if (end == text + n || !(o->plan[0] >= 0 && o->plan[0] < 1e6) || (*end && *end != ':')) break;
         const char *budget = *end ? end + 1 : "0";
         o->plan[1] = strtod(budget, &end);
-        if (end == budget || *end || !(o->plan[1] >= 0 && o->plan[1] < 1e6)) break;
+        o->plan_in_ms = end > budget && !strcmp(end, "ms");
+        if (end == budget || (*end && !o->plan_in_ms) || !(o->plan[1] >= 0 && o->plan[1] < 1e6)) break;
         ++o->planned;
         return 0;
     }
     return kit_fail(err, "%s %s: must be visibility:ERROR, light:ERROR, bounce:ERROR or objects:ERROR, perhaps "
-                         ":BUDGET behind", name, text);
+                         ":BUDGET or :BUDGETms behind", name, text);
 }
 
 int render_plans_light(const options *o)

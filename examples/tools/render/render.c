@@ -165,9 +165,10 @@ static int plan_it(job *j, kit_error *err)
     if (kit_plan_numbers(&numbers, &j->gbuffer, &j->world, (float)j->radius, o->planned - 1, err)) return -1;
     numbers.error = (float)o->plan[0];
     numbers.budget = (float)o->plan[1];
+    if (o->plan_in_ms) numbers.device = SSGI_PLAN_DEVICE_RX_6800;
     if (ssgi_plan_make(&j->plan, &numbers, &why) != SSGI_OK) return kit_fail(err, "%s", why);
     j->r.plan = &j->plan;
-    if (!o->json) printf("%s; cost %.2f\n", j->plan.why, (double)j->plan.cost);
+    if (!o->json) printf("%s; cost %.2f%s\n", j->plan.why, (double)j->plan.cost, o->plan_in_ms ? " ms" : "");
     if (j->plan.method == SSGI_PLAN_METHOD_NOTHING) {
         if (kit_image_new(picture, j->gbuffer.viewport[2], j->gbuffer.viewport[3], "Y", err)) return -1;
         for (int i = 0; i < picture->width * picture->height; ++i) picture->data[i] = 1;

@@ -25,6 +25,7 @@ typedef struct options {
     int         guess;                     /* 1: by its mesh's maxima of y */
     int         planned;                   /* SSGI_PLAN_WANTED_VISIBILITY .. and 1; 0: not asked */
     double      plan[2];                   /* error, budget */
+    int         plan_in_ms;                /* the budget is milliseconds of an RX 6800 */
     /* what comes out */
     const char *out, *score, *save, *listed;
     int         time, json, list, help, colours, backdrop;
