@@ -21,8 +21,7 @@
    Here are the commands, which put sections of records together; a section is a file of chart/, a paper one of papers/,
    which sets up some of its stages as chart/ does. Below them lies page/: how records, tables and pictures are written,
    what is kept of a chart that is not whole, and the page that shows them; below that measure/: scenes and their truth,
-   methods drawn, scored and timed. Nothing calls upward; no section calls another, but for seeds.c, which has its rows
-   from ao.c and pairs.c. */
+   methods drawn, scored and timed. Nothing calls upward; no section calls another. */
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
@@ -96,9 +95,7 @@ static int check_asked(const options *o, kit_error *err)
 static int chart_sections(FILE *record, const options *o, int all, int whole, kit_error *err)
 {
     if (ao_entries(o) && ao_chart(record, o, err)) return -1;
-    if (all && (lit_chart(record, o, err) || pairs_chart(record, o, err) || fields_chart(record, o, err)
-        || deep_chart(record, o, err)))
-        return -1;
+    if (all && (lit_chart(record, o, err) || fields_chart(record, o, err) || deep_chart(record, o, err))) return -1;
     return whole && (seeds_chart(record, o, err) || plan_chart(record, o, err)) ? -1 : 0;
 }
 
@@ -106,7 +103,6 @@ static void chart_text(const options *o, int all, int whole)
 {
     if (ao_entries(o)) ao_text(stdout);
     if (all) lit_chart_text(stdout);
-    if (all) pairs_text(stdout, o);
     if (all) fields_chart_text(stdout);
     if (all) deep_chart_text(stdout);
     if (whole) seeds_text(stdout);
@@ -121,7 +117,7 @@ static int chart(const options *o, kit_error *err)
     page record;
     if (check_asked(o, err)) return -1;
     if (o->quick) stage_thrift = QUICK_THRIFT;
-    units_begin(o, ao_units(o) + (all ? lit_units(o) + pairs_units(o) + fields_units(o) + deep_units(o) : 0)
+    units_begin(o, ao_units(o) + (all ? lit_units(o) + fields_units(o) + deep_units(o) : 0)
                        + (whole ? seeds_units(o) : 0));
     if (page_begin(&record, "chart", kind, o->quick ? "make chart QUICK=1" : "make chart", kit_gl_name(), err))
         return -1;

@@ -241,7 +241,8 @@ static view view_at(const options *o, int k)
     return v;
 }
 
-int ao_chosen(entry *out, const options *o) { return units_chosen(out, WITH_COUNT(chart_entries), o); }
+/* The rows that are asked for, on each scene; how many. */
+static int ao_chosen(entry *out, const options *o) { return units_chosen(out, WITH_COUNT(chart_entries), o); }
 
 int ao_entries(const options *o)
 {

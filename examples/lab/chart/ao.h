@@ -11,8 +11,7 @@ int  ao_demo_measure(stage *s, const options *o, kit_error *err);
 int  ao_demo(FILE *record, const stage *s, const char *out, kit_error *err);
 void ao_demo_text(FILE *f);
 
-int  ao_chosen(entry *out, const options *o); /* the rows that are asked for, on each scene; how many */
-int  ao_entries(const options *o);            /* how many alone */
+int  ao_entries(const options *o);            /* how many rows are asked for */
 int  ao_units(const options *o);
 int  ao_chart(FILE *record, const options *o, kit_error *err);
 void ao_text(FILE *f);

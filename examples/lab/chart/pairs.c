@@ -54,7 +54,8 @@ static const entry pair_entries[] = {
     { "hsao, slabs, times irradiance", "hsao",    "thickness=slabs",                    0 }
 };
 enum { SCENES = COUNT(scenes), PROBES = COUNT(probes), PAIRS = SCENES * PROBES, BESIDE = 3 };
-static const char scalar_label[] = PAIRS_SCALAR, open_label[] = "no occlusion", noise_label[] = PAIRS_NOISE;
+static const char scalar_label[] = "true visibility times irradiance", open_label[] = "no occlusion",
+                  noise_label[] = "the truth's own noise";
 _Static_assert(COUNT(pair_entries) + BESIDE <= MOST_ROWS, "more rows than MOST_ROWS");
 
 typedef struct pair { char name[64]; row row[MOST_ROWS]; int count; } pair;   /* entries, then those of the labels */
@@ -70,7 +71,8 @@ static int there(const options *o, int k)
 
 /* ---- >>measure --------------------------------------------------------------------------------------------------- */
 
-int pairs_chosen(entry *out, const options *o) { return units_chosen(out, WITH_COUNT(pair_entries), o); }
+/* The rows that are asked for, of each pair. */
+static int pairs_chosen(entry *out, const options *o) { return units_chosen(out, WITH_COUNT(pair_entries), o); }
 
 static int pair_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {

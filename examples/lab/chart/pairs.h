@@ -4,10 +4,6 @@
 
 #include "lab/page/units.h"
 
-#define PAIRS_SCALAR "true visibility times irradiance"
-#define PAIRS_NOISE  "the truth's own noise"
-
-int  pairs_chosen(entry *out, const options *o);      /* the rows that are asked for, of each pair */
 int  pairs_units(const options *o);
 int  pairs_chart(FILE *record, const options *o, kit_error *err);
 void pairs_text(FILE *f, const options *o);

@@ -25,10 +25,8 @@ static const plan_view planned_views[] = { { "room", 1, 0, 1, 1.2f, 0 },
                                            { "casters", 1, 0.7f, 0.8f, 0.45f, 1 },
                                            { "iron-bed", 1, 0, 1, 1, 0 },
                                            { "bunny", 0, 0, 1, 1.2f, 1 },
-                                           { "grass", 0, 0.7f, 0.8f, 0.45f, 0 },
                                            { "plates", 0, 0, 1, 1.2f, 0 },
-                                           { "crowd", 0, 0, 1, 1, 1 },
-                                           { "attic", 0, -0.2f, 0.9f, 2, 0 } };
+                                           { "crowd", 0, 0, 1, 1, 1 } };
 /* suns: two soft ones, pink and turquoise */
 static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };
 

@@ -31,10 +31,8 @@ static const entry visible_entries[] = {
     { "hsao-history", "hsao-history", "thickness=slabs",       0 },
     { "hsao-best",    "hsao-best",    "thickness=slabs",       1 },
     { "hsao",         "hsao",         "margin=0.25",           0 },
-    { "hsao",         "hsao",         "directions=4,steps=24", 0 },
     { "hsao-best",    "hsao-best",    "directions=4,steps=24", 0 },
-    { "hsao-march",   "hsao-march",   "",                      0 },
-    { "dss",          "dss",          "",                      0 }
+    { "hsao-march",   "hsao-march",   "",                      0 }
 };
 static const entry light_entries[] = {
     { "ssdo-fast", "ssdo-fast", "bounce=none",                   0 },
@@ -207,7 +205,7 @@ static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_
     return 1;
 }
 
-/* A row's noise: half of the squares of what two of its phases differ by, where the surface is smooth and in shade.
+/* A preset's noise: half of the squares of what two of its phases differ by, where the surface is smooth and in shade.
    shaded without pixels: it is not known. */
 static int measure_noise(row *r, const stage *s, kit_run *run, const kit_image *picture, const shaded *smooth,
                          kit_error *err)
@@ -248,7 +246,7 @@ static int visible_row(FILE *record, const options *o, const place *p, row *r, s
     if (stage_run(&run, s, e->method, e->settings, s->radius, err)) return -1;
     r->fetches = run.fetches;
     int failed = stage_settled(&picture, s, &run, 0, 0, err) || score_picture(r, s, &picture, err)
-              || (strcmp(e->method, "dss") && measure_noise(r, s, &run, &picture, smooth, err));
+              || (e->quick && measure_noise(r, s, &run, &picture, smooth, err));
     snprintf(note, sizeof note, "error %.3f", r->share);
     if (!failed && !strcmp(e->method, "hsao") && !*e->settings)
         failed = small_picture(record, s, o, p, "hsao", note, &picture, err);

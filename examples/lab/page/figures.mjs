@@ -327,7 +327,7 @@ const parts = [
     ['Ambient occlusion', 'chart', ambient],
     ['What others have', 'chart', others],
     ['Light: speed against accuracy', 'chart', light],
-    ['Light on every pair of a scene and a probe', 'chart', pairs],
+    ['Light on every pair of a scene and a probe', 'light', pairs],
     ['Scenes by seed', 'chart', seeds],
     ['The plan', 'chart', plan],
     ['Where methods fail', 'stability', stability],
@@ -405,7 +405,7 @@ async function draw(into) {
     }
 }
 
-for (const name of ['chart', 'stability', 'papers', 'cost', 'cost-peers']) {
+for (const name of ['chart', 'light', 'stability', 'papers', 'cost', 'cost-peers']) {
     const file = `${folder}/${name}.js`;
     if (!existsSync(file)) continue;
     try {
@@ -435,7 +435,7 @@ for (const [kind, into] of [
     if (kind !== 'full') continue;
     mkdirSync(`${docs}/figures`, { recursive: true });
     for (const file of readdirSync(folder))
-        for (const name of ['chart', 'stability', 'papers', 'cost'])
+        for (const name of ['chart', 'light', 'stability', 'papers', 'cost'])
             if (file.startsWith(name) && file.endsWith('.csv') && records(name)?.kind === kind)
                 copyFileSync(`${folder}/${file}`, `${docs}/figures/${file}`);
 }
