@@ -130,7 +130,7 @@ static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
 
 int plan_fit_ahead(const options *o, kit_error *err) { return planned_seeds_ahead(0, PLANNED_SEEDS, o->context, err); }
 
-static int judging_seeds(const options *o) { return o->quick ? PLANNED_QUICK_SEEDS : PLANNED_SEEDS; }
+static int judging_seeds(const options *o) { return o->quick ? PLANNED_QUICK_SEEDS : PLANNED_JUDGES; }
 
 int plan_ahead(const options *o, kit_error *err)
 {

@@ -16,7 +16,7 @@
 
 /* So many rays keep the truth's noise below a tenth of what methods err by, also where small bright parts of an
    environment bring much of the light. */
-enum { SEED_WIDTH = 1280, SEED_HEIGHT = 720, SEED_RAYS = 1024, EACH = 3 * KIT_KINDS, MODELS = 14,
+enum { SEED_WIDTH = 1280, SEED_HEIGHT = 720, SEED_RAYS = 1024, EACH = 3 * KIT_KINDS, MODELS = 7,
     SEEDS_QUICK = KIT_KINDS, DRAWN_FROM = 10000, DRAWN = 100000 };
 
 static const entry visible_entries[] = {
