@@ -160,6 +160,7 @@ papers: build/report | page-deps
 # The chart's part on light alone: every pair of a scene and a probe. make light QUICK=1 is smaller.
 light: build/report | page-deps
 	build/report light $(if $(QUICK),--quick) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
+	@$(FIGURES)
 
 # The chart's part on scenes by seed alone. make seeds QUICK=1 is smaller. Seeds from 1000 on only
 # report: FROM=0 has those that settings may be tuned on.
@@ -167,7 +168,8 @@ seeds: build/report | page-deps
 	build/report seeds $(if $(QUICK),--quick) $(METHOD:%=--method %) $(FROM:%=--from %) $(COUNT:%=--count %) \
 	  $(CONTEXT:%=--context %) $(DRAWN)
 
-# What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library.
+# What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library. What it
+# costs a GPU, modelled: make cost-peers.
 PEERS = three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6 @babylonjs/core@9.34.0 playcanvas@2.23.3
 peers:
 	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }

@@ -1,5 +1,5 @@
 /* figures.mjs - examples/docs/FIGURES.md, the csv beside it and README's chart, from the records that make chart,
-   stability, papers and cost left.
+   light, stability, papers, cost and cost-peers left.
 
       node examples/lab/page/figures.mjs [report]
 
@@ -157,7 +157,7 @@ function seeds(record) {
     const others = of('visibility', true);
     return (
         rows.length &&
-        `${count('judged') + count('drawn')} scenes at 1280x720, none picked by hand: ${count('judged')} by seeds on \
+        `${count('judged') + count('drawn')} scenes at 1280x720, none picked by hand: ${count('judged')} by seeds on
 which nothing is tuned (judged), ${count('drawn')} drawn from the commit's hash; beside them ${count('models')} models
 of packages. Error over that of no occlusion: the mean with its 95 % interval, on how many it is worse than nothing,
 means by kind. Noise: thousandths of visibility, of 1.2 to 8 pixels, where a smooth surface is in shade. Milliseconds
@@ -180,7 +180,7 @@ ${
     others.length
         ? `
 What others have there, raw, and fitted with the truth in hand: by one gain and exponent over all scenes, and by
-two numbers a picture.
+two numbers a picture, as by kind.
 
 ${table(
     ['what', 'settings', 'RX 6800, ms', 'CPU', 'raw', 'fitted over all', 'fitted a picture', ...kinds],
@@ -337,9 +337,9 @@ const parts = [
 
 const head = `# Figures
 
-Made by \`make chart\`, \`make stability\`, \`make papers\` and \`make cost\`: change nothing here. Each part names its
-command, commit, machine and driver; their page, report/index.html, has charts, pictures and every scene, and the csv of
-full runs are in [figures](figures).
+Made by \`make chart\`, \`light\`, \`stability\`, \`papers\`, \`cost\`, \`cost-peers\`: change nothing here. Each part
+names its command, commit, machine and driver; their page, report/index.html, has charts, pictures and every scene, and
+the csv of full runs are in [figures](figures).
 
 - Time: GL time of all passes, filter included, over one unblurred 16-sample \`ssao\` in the same interleaved run.
 - Error: RMSE against ray-traced truth over the RMSE of having no ambient occlusion. Raw output: no gain, no exponent.
@@ -436,7 +436,11 @@ for (const [kind, into] of [
     mkdirSync(`${docs}/figures`, { recursive: true });
     for (const file of readdirSync(folder))
         for (const name of ['chart', 'light', 'stability', 'papers', 'cost'])
-            if (file.startsWith(name) && file.endsWith('.csv') && records(name)?.kind === kind)
+            if (
+                (file.startsWith(name) || (name === 'chart' && file === 'seeds.csv')) &&
+                file.endsWith('.csv') &&
+                records(name)?.kind === kind
+            )
                 copyFileSync(`${folder}/${file}`, `${docs}/figures/${file}`);
 }
 if (kinds.includes('part')) console.log('figures: some are left as they are, for a part alone was measured');

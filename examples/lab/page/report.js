@@ -94,7 +94,8 @@ const by_pair = rows => [...grouped(rows, named).values()].map(g => {
              mean: mean(share), worst: worst.share, pair: `${worst.scene}, ${worst.probe}`,
              'below 1': share.filter(v => v < 1).length, pairs: g.length, bias: mean(g.map(r => r.irradiance_bias)) };
 });
-/* Of models apart: what has none of a kind there is null. Noise: of 1.2 to 8 pixels, thousandths. */
+/* Of models apart: what has none of a kind there is null. By kind others stand fitted. Noise: of 1.2 to 8 pixels,
+   thousandths. */
 const by_kind = rows => [...grouped(rows, named).values()].map(all => {
     const g = all.filter(r => r.set !== 'models'), models = all.filter(r => r.set === 'models');
     const of_all = g.length ? g : all;
@@ -106,14 +107,14 @@ const by_kind = rows => [...grouped(rows, named).values()].map(all => {
                  fitted: mean(of_all.map(r => r.fitted)), 'fitted, all': mean(of_all.map(r => r.fitted_all)),
                  noise: mean(of_all.map(r => known(r.noise_3) ? Math.hypot(r.noise_3, r.noise_8) : null)),
                  judged: drawn === null ? null : mean(g.filter(r => r.set === 'judged').map(r => r.share)), drawn };
-    for (const [kind, list] of grouped(g, 'kind')) of[kind] = mean(list.map(r => r.share));
+    for (const [kind, list] of grouped(g, 'kind')) of[kind] = mean(list.map(r => r.fitted ?? r.share));
     if (models.length) Object.assign(of, { models: mean(models.map(r => r.share)),
                                            'models, worst': Math.max(...models.map(r => r.share)) });
     return of;
 });
 /* Kinds in which a peer at no more modelled cost, fitted picture by picture, errs less than a row of ours by more than
    the interval of their difference. */
-function ahead(rows, own, other) {
+function ahead(own, other) {
     const out = [], theirs = grouped(other, 'kind');
     for (const [kind, list] of grouped(own, 'kind')) {
         const pairs = list.map(r => r.share - (theirs.get(kind)?.find(o => o.seed === r.seed)?.fitted ?? NaN));
