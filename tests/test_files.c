@@ -491,7 +491,8 @@ static void figures(void)
         papers[] = RECORD("papers", "{\"level\":3,\"heading\":\"Table 1: times\"},{\"table\":\"paper\",\"csv\":\"paper,"
                           "figure,row,kind,head,text\\nA01,Table 1,0,claim,agrees,faster\\n"
                           "A01,Table 1,0,claim,differs,x\\nA01,Table 1,0,claim,agrees,y\\n\"},"),
-        chart[] = RECORD("chart", "{\"table\":\"seeds\",\"csv\":\"seed,set,kind,what,label,method,settings,share,bias\\n"
+        chart[] = RECORD("chart", "{\"table\":\"seeds\",\"csv\":\"seed,set,kind,what,label,method,settings,share,"
+                         "bias\\n"
                          ROW(1001, "rooms", 0.3) ROW(1002, "streets", 0.5) ROW(1008, "rooms", 1.3) "\"},");
     char said[1024] = "", bytes[8192] = { 0 };
     if (!program(said, sizeof said, "! command -v node%s", "")) {
