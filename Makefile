@@ -113,7 +113,7 @@ build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
 REPORT = lab/report \
-         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved peers ahead) \
+         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved script peers ahead) \
          $(addprefix lab/page/,page table pictures units) \
          $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo \
          deep_moving deep_stage plan planned) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss) \
@@ -140,7 +140,8 @@ build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 demo: build/render build/report
 	build/report demo
 
-# Speed against accuracy, and error on scenes by seed; report/index.html. QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
+# Speed against accuracy, and error on scenes by seed; report/index.html. QUICK=1 is smaller; SCENE=room METHOD=hsao shows
+# one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
 # Some of its scenes and one of its probes come from packages that nothing else needs; without them, the chart says so.
 PROBE   = /usr/share/blender/datafiles/studiolights/world/interior.exr
 # Half of its scenes by seed are drawn by the commit's hash, so that nobody has seen them before.
@@ -168,8 +169,8 @@ seeds: build/report | page-deps
 	build/report seeds $(if $(QUICK),--quick) $(METHOD:%=--method %) $(FROM:%=--from %) $(COUNT:%=--count %) \
 	  $(CONTEXT:%=--context %) $(DRAWN)
 
-# What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library. What it
-# costs a GPU, modelled: make cost-peers.
+# Effects of other libraries from npm, for the next make chart to measure; none of it is part of the library. make
+# cost-peers models their costs on a GPU.
 PEERS = three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6 @babylonjs/core@9.34.0 playcanvas@2.23.3
 peers:
 	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }
@@ -224,7 +225,7 @@ build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
 
 # What the eye sees as mottling, of the presets and of what make peers brought. Other entries:
 # build/quiet --scene room hsao hsao:steps=12.
-QUIET = $(addprefix lab/quiet/,quiet bands) $(addprefix lab/measure/,folder rows picture stage score clock peers) \
+QUIET = $(addprefix lab/quiet/,quiet bands) $(addprefix lab/measure/,folder rows picture stage score clock script peers) \
         $(addprefix lab/page/,page table pictures)
 build/quiet: $(QUIET:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
@@ -253,8 +254,8 @@ build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
 # cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew. cost-shares measures how
 # many waves enter what they may leave out: examples/lab/cost/shares.csv, in three minutes.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev
-COST       = $(addprefix lab/cost/,cost plan peers against show passes entered share model count compile csv) tools/glsl/chains \
-             $(addprefix lab/measure/,folder rows picture stage) lab/page/page
+COST       = $(addprefix lab/cost/,cost plan peers against show passes entered share model count compile csv) \
+             tools/glsl/chains $(addprefix lab/measure/,folder rows picture stage script) lab/page/page
 COST_LIBS  = -lvulkan -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
              -Wl,--end-group -lstdc++
 cost cost-test cost-record cost-shares cost-plan cost-peers: deps
@@ -398,7 +399,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: cost-peers page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers \
+.PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers cost-peers \
         stability quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl mutants deps \
         unlisted format clean
 

@@ -177,9 +177,11 @@ static void by_hand(void)
     };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
-            ssgi_plan p[3];
-            for (int k = 0; k < 3; ++k) {
-                s.device = k == 1 ? SSGI_PLAN_DEVICE_GPU : SSGI_PLAN_DEVICE_SOFTWARE;
+            static const int device[4] = { SSGI_PLAN_DEVICE_SOFTWARE, SSGI_PLAN_DEVICE_GPU, SSGI_PLAN_DEVICE_SOFTWARE,
+                                           SSGI_PLAN_DEVICE_RX_6800 };
+            ssgi_plan p[4];
+            for (int k = 0; k < 4; ++k) {
+                s.device = device[k];
                 s.depth_pass = k == 2 ? 2 : 0;
                 p[k].method = -1;
                 ssgi_plan_choice(&p[k], i, &s);
@@ -189,6 +191,9 @@ static void by_hand(void)
                   i, (double)(p[2].cost - p[0].cost));
             CHECK(p[0].method == SSGI_PLAN_METHOD_NOTHING || fabsf(p[1].cost / p[0].cost - 1) > 0.001f,
                   "choice %d: %g in either column", i, (double)p[0].cost);
+            CHECK(i != 3 || (fabsf(p[0].cost - 1.72f) < 1e-4f && fabsf(p[1].cost - 1.55f) < 1e-4f
+                             && fabsf(p[3].cost - 0.2852f) < 1e-4f),
+                  "hsao costs %g, %g, %g ms", (double)p[0].cost, (double)p[1].cost, (double)p[3].cost);
             CHECK(p[0].method != SSGI_PLAN_METHOD_FIELD
                       || (fabsf(p[0].cost - 3.81f) < 1e-4f && fabsf(p[1].cost - 1.55f) < 1e-4f),
                   "fields over 5 frames' pixels cost %g, %g", (double)p[0].cost, (double)p[1].cost);

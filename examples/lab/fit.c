@@ -240,7 +240,8 @@ static void print_choice(int c, int count, const double base[2], double gpu)
     const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
     for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
     printf("  SSGI__P(%c, %s,%*s %s,%*s %d, %d, %d,%*s %d, %d, %d, ", wanted[r->wanted][0], method[r->method],
-           7 - (int)strlen(method[r->method]), "", thickness[r->thickness], 8 - (int)strlen(thickness[r->thickness]), "",
+           7 - (int)strlen(method[r->method]), "", thickness[r->thickness], 8 - (int)strlen(thickness[r->thickness]),
+           "",
            r->half, r->directions, r->steps, r->steps < 10, "", r->bands, r->history, r->resolution);
     literal((double)r->size, 5, ",");
     for (int k = 0; k < 2; ++k) literal(cost_of(costs[k], timed, r, k, base[k], gpu), 5, ",");

@@ -1,11 +1,11 @@
 /* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
 
       build/report demo  [--out report] [--context egl] [--mesh MODEL]     pictures and tables, in a minute
-      build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv and
-         the rest, in half an hour, or 3 minutes
+      build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME] [--commit HASH]
+         chart*.csv and the rest, in an hour
       build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv
-      build/report seeds [--out report] [--context egl] [--quick] [--method NAME] [--from 1000] [--count 100]     scenes
-         by seed and models: seeds.csv
+      build/report seeds [--out report] [--context egl] [--quick] [--method NAME] [--from 1000] [--count 21]
+         [--commit HASH]     scenes by seed and models: seeds.csv
       build/report papers [--out report] [--context egl] [--quick] [--paper "HSAO08 Table 1"]     papers.csv, in some
          minutes
       build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c
@@ -15,6 +15,7 @@
    With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too, and with
    neither --scene nor --method scenes by seed and the plan. --method: the rows of methods whose names begin so. --from:
    the first seed; those below 1000, which settings may be tuned on, end there, and their files are called seeds-fit.
+   --commit: its hash draws half of the scenes by seed.
    Truth is kept under build/cache/, and so is what an interrupted chart has measured: the same command goes on from
    there. Bad input, or a write that fails: one line on stderr, status 2.
 
@@ -221,12 +222,12 @@ static void usage(void)
 {
     fputs("usage: report demo  [--out FOLDER] [--context osmesa | egl | egl-es] [--mesh MODEL]     pictures beside "
           "the truth\n"
-          "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME]     "
-          "speed against accuracy\n"
+          "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME] "
+          "[--commit HASH]     speed against accuracy\n"
           "       report light [--out FOLDER] [--context ...] [--quick] [--method NAME]     the chart's part on "
           "light, every pair\n"
-          "       report seeds [--out FOLDER] [--context ...] [--quick] [--method NAME] [--from SEED] [--count N]     "
-          "scenes by seed\n"
+          "       report seeds [--out FOLDER] [--context ...] [--quick] [--method NAME] [--from SEED] [--count N] "
+          "[--commit HASH]     scenes by seed\n"
           "       report papers [--out FOLDER] [--context ...] [--quick] [--paper HSAO08]     the papers' tables and "
           "figures\n"
           "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n"

@@ -18,7 +18,7 @@
 #include "lab/measure/folder.h"
 #include "lab/measure/score.h"
 
-enum { WIDTH = 1280, HEIGHT = 720, STRIDE = 11, TRUTH_RAYS = 1024, MOST_TRIED = 64, MOST_SEEDS = 1000, JUDGED = 1000 };
+enum { MOST_TRIED = 64, MOST_SEEDS = 1000 };
 
 typedef struct tried {
     char method[64], settings[256];
@@ -45,13 +45,10 @@ static double error_of(const stage *s, const kit_image *picture, kit_error *err)
 /* Of "models" each seed has another one, and the camera by it. */
 static int name_scene(char name[128], const char *scenes, int seed, kit_error *err)
 {
-    int count = 0;
     snprintf(name, 128, "%s:%d", scenes, seed);
-    if (strcmp(scenes, "models")) return 0;
-    while (kit_scene_model(count)) ++count;
-    if (!count) return kit_fail(err, "--scenes models: no package has brought any: make model-deps");
-    snprintf(name, 128, "model:%s:%d", kit_scene_model((int)(seed * 263LL % count)), seed);
-    return 0;
+    return strcmp(scenes, "models") || stage_model(name, seed)
+             ? 0
+             : kit_fail(err, "--scenes models: no package has brought any: make model-deps");
 }
 
 static int measure_seed(const trial *t, int k, kit_error *err)
@@ -59,14 +56,14 @@ static int measure_seed(const trial *t, int k, kit_error *err)
     char name[128];
     stage s;
     kit_image picture;
-    const lit of_light = { .rays = TRUTH_RAYS, .exposure = 1, .bounce = t->bounce };
+    const lit of_light = { .rays = SEED_RAYS, .exposure = 1, .bounce = t->bounce };
     view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
     if (name_scene(name, t->scenes, t->from + k, err)) return -1;
     if (stage_load(&s, &v, err)) return -1;
     v.radius = t->radius * s.scene.radius;
-    if (stage_look(&s, &v, WIDTH, HEIGHT, err)) return -1;
-    s.stride = STRIDE;
-    s.rays = TRUTH_RAYS;
+    if (stage_look(&s, &v, SEED_WIDTH, SEED_HEIGHT, err)) return -1;
+    s.stride = SEED_STRIDE;
+    s.rays = SEED_RAYS;
     if (stage_compare(&s, err)) return -1;
     const double nothing = error_of(&s, &s.given[s.givens - 1].picture, err);
     for (int i = 0; i < t->entries; ++i) {
@@ -211,9 +208,9 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
         else return kit_fail(err, "%s: there is no such option", a);
         ++i;
     }
-    if (t->from < 0 || t->count < 2 || t->count > MOST_SEEDS || (!t->judge && t->from + t->count > JUDGED))
+    if (t->from < 0 || t->count < 2 || t->count > MOST_SEEDS || (!t->judge && t->from + t->count > SEEDS_JUDGED))
         return kit_fail(err, "--from, --count: at least two seeds below %d; those from there on need --judge yes, for "
-                             "nobody tunes on them", JUDGED);
+                             "nobody tunes on them", SEEDS_JUDGED);
     if (!(t->radius > 0)) return kit_fail(err, "--radius: must be above 0, times the scene's own");
     return t->entries
              ? 0

@@ -104,7 +104,8 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     run->bytes = kit_run_bytes(run);
     glGenBuffers(KIT_FRAMES, run->block);
     kit_run_update(run);
-    /* a last frame to reuse; of emitters' own frames a second bounce, and further ones until hardly anything comes */
+    /* reuse reads a last frame; dimmed, a second bounce, reads one of emitters; bounced adds a bounce a frame, of which
+       the ninth is negligible */
     const int frames = m->set->bounced ? 8 : m->set->reuse || m->set->dimmed ? 2 : 0;
     for (int i = 0; i < frames; ++i) kit_run_draw(run, 0);
     return 0;

@@ -225,10 +225,9 @@ typedef struct plan {
 #define WALK &slices_row, &steps_row, &falloff_row, &half_row, &thickness_row, &lit_thick_row, &offset_row
 #define SSDO(...) \
     SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &bounced_row, \
-             &two_sided_row, \
-             &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, \
-             &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, \
-             &compare_row, &margin_row, &history_row)
+             &two_sided_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, \
+             &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \
+             &restore_row, &compare_row, &margin_row, &history_row)
 #define COEFFICIENTS(store, lights, ...) \
     __VA_ARGS__, store, &filtered_row, &window_row, lights, &shadows_row, &points_row, &solid_row, \
         &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \

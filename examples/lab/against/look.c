@@ -3,9 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Of the truth, whose noise then is below a tenth of what methods err by: a bounce's is some 0.05 of the bounce. */
-enum { RAYS_TRACED = 1024 };
-
 look *place_look(place *p, int by) { return &p->by[by == SLABS || by == SCENE ? FRAME : by]; }
 
 void place_frame(char path[64], const place *p, int by)
@@ -35,7 +32,7 @@ static int trace(kit_image *out, const stage *s, const lit *light, float radius,
     stage of = *s;
     of.lit = light;
     of.radius = radius;
-    of.rays = RAYS_TRACED;
+    of.rays = SEED_RAYS;
     of.stride = LOOK_STRIDE;
     if (stage_truth(&of, err)) return -1;
     const int failed = look_middles(out, &of.truth, err);
@@ -44,8 +41,8 @@ static int trace(kit_image *out, const stage *s, const lit *light, float radius,
 }
 
 /* The scene's own light, and that without a bounce; OPEN: of a radius, within which nothing blocks it. */
-static const lit own_light = { .rays = RAYS_TRACED, .exposure = 1, .bounce = 1 },
-                 open_light = { .rays = RAYS_TRACED, .exposure = 1 };
+static const lit own_light = { .rays = SEED_RAYS, .exposure = 1, .bounce = 1 },
+                 open_light = { .rays = SEED_RAYS, .exposure = 1 };
 static const float OPEN = 1e-4f;
 
 static int know_visibility(look *l, const stage *s, kit_error *err)

@@ -9,7 +9,7 @@
 #define LOOK_FOLDER FOLDER_CACHE "/against"
 /* The truth is known at every LOOK_STRIDE-th pixel both ways: an odd number, so that of each 2x2 every pixel is judged
    alike. A camera that turns does so for LOOK_FRAMES frames, by LOOK_ORBIT degrees each. */
-enum { LOOK_WIDTH = 1280, LOOK_HEIGHT = 720, LOOK_STRIDE = 11, LOOK_FRAMES = 8 };
+enum { LOOK_WIDTH = SEED_WIDTH, LOOK_HEIGHT = SEED_HEIGHT, LOOK_STRIDE = SEED_STRIDE, LOOK_FRAMES = 8 };
 #define LOOK_ORBIT 0.5
 
 /* By one camera: Z of the frame; at those pixels Z, and of visibility and of light the truth and what nothing done

@@ -52,7 +52,7 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
 
 static const float DEMO_ERROR = 0.03f;      /* what the demo's planned row is asked for */
 enum { DEMO_ROUNDS = 3, DEMO_WIDTH = 800, DEMO_HEIGHT = 450, DEMO_ENTRIES = COUNT(demo_entries) + 1,
-    AO_WIDTH = 1280, AO_HEIGHT = 720, AO_RAYS = 1024, AO_PHASES = 2 };
+    AO_PHASES = 2 };
 _Static_assert(COUNT(chart_entries) <= MOST_ENTRIES && COUNT(demo_entries) < MOST_ENTRIES,
     "more rows than MOST_ENTRIES");
 
@@ -262,8 +262,8 @@ static int ao_unit(FILE *record, const options *o, int k, row *rows, kit_error *
     if (!count || (!o->scenes && stage_packages(v.path) && access(v.path, R_OK))) return 0;
     if (!rows) return 1;
     if (stage_load(&s, &v, err)) return -1;
-    s.rays = AO_RAYS;
-    if (stage_look(&s, &v, AO_WIDTH, AO_HEIGHT, err)) return -1;
+    s.rays = SEED_RAYS;
+    if (stage_look(&s, &v, SEED_WIDTH, SEED_HEIGHT, err)) return -1;
     s.stride = SEED_STRIDE;
     if (stage_compare(&s, err)
         || measure_entries(rows, &s, entries, count, QUICK_ROUNDS, AO_PHASES, picture, err))

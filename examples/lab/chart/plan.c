@@ -134,7 +134,7 @@ static int judging_seeds(const options *o) { return o->quick ? PLANNED_QUICK_SEE
 
 int plan_ahead(const options *o, kit_error *err)
 {
-    return planned_seeds_ahead(PLANNED_JUDGED, judging_seeds(o), o->context, err);
+    return planned_seeds_ahead(SEEDS_JUDGED, judging_seeds(o), o->context, err);
 }
 
 /* Everything that the fit reads: examples/lab/fit.c. */
@@ -194,7 +194,7 @@ int plan_chart(FILE *record, const options *o, kit_error *err)
     int views = 0, count;
     if (planned_views_measure(rows, &views, 0, o->quick, err)) return -1;
     count = views;
-    if (planned_seeds_measure(rows, &count, PLANNED_JUDGED, judging_seeds(o), err) || page_open(&csv, err)
+    if (planned_seeds_measure(rows, &count, SEEDS_JUDGED, judging_seeds(o), err) || page_open(&csv, err)
         || page_open(&by_seed, err) || page_open(&numbers, err))
         return -1;
     memset(verdicts, 0, sizeof verdicts);

@@ -32,10 +32,7 @@ static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };
 
 enum {
     PLANNED_VIEWS = COUNT(planned_views),
-    PLANNED_WIDTH = 1280,
-    PLANNED_HEIGHT = 720,
-    PLANNED_SLOW = 20,   /* unblurred 16-sample ssaos */
-    PLANNED_RAYS = 1024, /* of the truth */
+    PLANNED_SLOW = 20, /* unblurred 16-sample ssaos */
     PLANNED_QUICK_RAYS = 256
 };
 
@@ -84,7 +81,7 @@ static int planned_open(stage *s, const plan_view *p, const lit *light, int suns
     if (stage_packages(v.path) && access(v.path, R_OK)) return 0;
     if (stage_load(s, &v, err) || (suns && planned_suns(s, err))) return -1;
     planned_turn(&v, p, &s->scene);
-    return stage_look(s, &v, PLANNED_WIDTH, PLANNED_HEIGHT, err) ? -1 : 1;
+    return stage_look(s, &v, SEED_WIDTH, SEED_HEIGHT, err) ? -1 : 1;
 }
 
 static double model_of(const kit_run *run) { return KIT_FETCH_OPERATIONS * run->fetches + kit_run_operations(run); }
@@ -162,7 +159,7 @@ static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error 
     const int suns = !strcmp(light, "suns");
     const lit of_light = { .env = suns ? "white" : light,
                            .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE,
-                           .rays = quick ? PLANNED_QUICK_RAYS : PLANNED_RAYS,
+                           .rays = quick ? PLANNED_QUICK_RAYS : SEED_RAYS,
                            .exposure = 1 };
     char name[64];
     stage s;
@@ -203,13 +200,13 @@ enum { SEED_WANTED = 3 }; /* visibility, light, bounce */
 static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
 {
     const int is_lit = wanted != SSGI_PLAN_WANTED_VISIBILITY;
-    lit of_light = { .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE, .rays = PLANNED_RAYS, .exposure = 1 };
+    lit of_light = { .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE, .rays = SEED_RAYS, .exposure = 1 };
     char name[32];
     const view v = { .name = name, .path = name, .lit = is_lit ? &of_light : NULL };
     kit_image truth;
     stage s;
     snprintf(name, sizeof name, "random:%d", seed);
-    if (stage_load(&s, &v, err) || stage_look(&s, &v, PLANNED_WIDTH, PLANNED_HEIGHT, err)
+    if (stage_load(&s, &v, err) || stage_look(&s, &v, SEED_WIDTH, SEED_HEIGHT, err)
         || stage_trace(&truth, &s, of_light.rays, SEED_STRIDE, err)
         || (is_lit && stage_light(&s, err)) || planned_measure(r, &s, &truth, name, wanted, 0, err))
         return -1;

@@ -14,8 +14,7 @@ typedef struct planned_row {
     double error[SSGI_PLAN_CHOICES], cost[SSGI_PLAN_CHOICES], model[SSGI_PLAN_CHOICES];
 } planned_row;
 
-/* PLANNED_JUDGED: the first seed that judges. */
-enum { PLANNED_SEEDS = 28, PLANNED_JUDGES = 21, PLANNED_QUICK_SEEDS = 7, PLANNED_JUDGED = 1000, MOST_PLANNED = 512 };
+enum { PLANNED_SEEDS = 28, PLANNED_JUDGES = 21, PLANNED_QUICK_SEEDS = 7, MOST_PLANNED = 512 };
 
 /* The views that fit, or those that judge (fits: 1, 0), of scenes that are there; quick: fewer. Appends to rows, of
    which there are count; -1 = failed. */

@@ -1,4 +1,4 @@
-/* seeds.c - what report.c shows of scenes that nobody picked: each is measured as a unit of its own. Declared in
+/* seeds.c - the report's section on scenes that nobody picked: each is measured as a unit of its own. Declared in
    seeds.h. */
 #include "lab/chart/seeds.h"
 #include <math.h>
@@ -14,10 +14,7 @@
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-/* So many rays keep the truth's noise below a tenth of what methods err by, also where small bright parts of an
-   environment bring much of the light. */
-enum { SEED_WIDTH = 1280, SEED_HEIGHT = 720, SEED_RAYS = 1024, EACH = 3 * KIT_KINDS, MODELS = 7,
-    SEEDS_QUICK = KIT_KINDS, DRAWN_FROM = 10000, DRAWN = 100000 };
+enum { EACH = 3 * KIT_KINDS, MODELS = 7, SEEDS_QUICK = KIT_KINDS, DRAWN_FROM = 10000, DRAWN = 100000 };
 
 static const entry visible_entries[] = {
     { "ssao",         "ssao",         "",                      1 },
@@ -70,7 +67,7 @@ static const part parts[] = {
     { "visibility", WITH_COUNT(visible_entries), 1, SEED_STRIDE, 0, -1 },
     { "light",      WITH_COUNT(light_entries),   1, SEED_STRIDE, 0, 1 },
     { "bounce",     WITH_COUNT(bounce_entries),  1, SEED_STRIDE, 1, 2 },
-    { "320x180",    WITH_COUNT(small_entries),   4, 3,           0, -1 }
+    { "small",      WITH_COUNT(small_entries),   4, 3,           0, -1 }
 };
 enum { PARTS = COUNT(parts), BESIDE = 2 };      /* rows of a part without a method */
 _Static_assert(COUNT(visible_entries) + COUNT(light_entries) + COUNT(bounce_entries) + COUNT(small_entries) + 2
@@ -87,17 +84,12 @@ static int drawn_seed(const options *o, int i)
     return (DRAWN_FROM + (int)(hash % DRAWN)) * KIT_KINDS + i % KIT_KINDS;
 }
 
-/* Models of packages, far apart in their list. */
 static int model_of(place *p, int i)
 {
-    int models = 0;
-    while (kit_scene_model(models)) ++models;
-    if (!models) return 0;
     p->seed = i;
     p->kind = "models";
-    snprintf(p->path, sizeof p->path, "model:%s:%d", kit_scene_model((int)(i * 263LL % models)), i);
     snprintf(p->name, sizeof p->name, "models-%d", i);
-    return 1;
+    return stage_model(p->path, i);
 }
 
 /* The k-th scene; 0: there is none. */
@@ -205,7 +197,7 @@ static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_
     return 1;
 }
 
-/* A preset's noise: half of the squares of what two of its phases differ by, where the surface is smooth and in shade.
+/* A preset's noise: half of the squared differences of two of its phases, where the surface is smooth and in shade.
    shaded without pixels: it is not known. */
 static int measure_noise(row *r, const stage *s, kit_run *run, const kit_image *picture, const shaded *smooth,
                          kit_error *err)
@@ -222,7 +214,7 @@ static int measure_noise(row *r, const stage *s, kit_run *run, const kit_image *
     return failed;
 }
 
-/* Where noise is seen; no pixels: nowhere. whole: what is seen, before the truth leaves most of it out. */
+/* Where noise is seen; no pixels: nowhere. whole: the frame before the truth left most of it out. */
 static int find_smooth(shaded *smooth, stage *s, const kit_image *whole, kit_error *err)
 {
     stage all = *s;

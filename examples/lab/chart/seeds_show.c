@@ -20,25 +20,25 @@ static int same(const row *a, const row *b)
         && !strcmp(a->settings, b->settings);
 }
 
-/* A row of the k-th scene; NULL: it has none such. */
-static const row *row_at(const seeds *s, int k, const row *like)
+/* The row of every scene that is like one; NULL: a scene has none such. */
+static void rows_like(const row *out[MOST_SEEDS], const seeds *s, const row *like)
 {
-    for (int i = 0; s->row[k] && i < s->rows[k]; ++i)
-        if (same(&s->row[k][i], like)) return &s->row[k][i];
-    return NULL;
+    for (int k = 0; k < s->count; ++k) {
+        out[k] = NULL;
+        for (int i = 0; s->row[k] && i < s->rows[k] && !out[k]; ++i)
+            if (same(&s->row[k][i], like)) out[k] = &s->row[k][i];
+    }
 }
 
 /* The fit of one gain and exponent that is best over all scenes; -1: it is not a peer's row. */
-static int fit_of_all(const seeds *s, const row *like)
+static int fit_of_all(const row *const *rows, int count, const row *like)
 {
     int best = -1;
     double least = HUGE_VAL;
     for (int fit = 0; fit < FITS && like->of & OF_PEER; ++fit) {
         double sum = 0;
-        for (int k = 0; k < s->count; ++k) {
-            const row *r = row_at(s, k, like);
-            if (r) sum += r->figure[FIT + fit];
-        }
+        for (int k = 0; k < count; ++k)
+            if (rows[k]) sum += rows[k]->figure[FIT + fit];
         if (!(sum < least)) continue;
         least = sum;
         best = fit;
@@ -50,12 +50,11 @@ static int fit_of_all(const seeds *s, const row *like)
 
 static void row_text(FILE *f, const seeds *s, const row *like)
 {
+    const row *rows[MOST_SEEDS];
     double share[MOST_SEEDS];
     char name[192];
-    for (int k = 0; k < s->count; ++k) {
-        const row *r = row_at(s, k, like);
-        share[k] = r ? r->share : (double)NAN;
-    }
+    rows_like(rows, s, like);
+    for (int k = 0; k < s->count; ++k) share[k] = rows[k] ? rows[k]->share : (double)NAN;
     const spread all = spread_of(share, s->count);
     snprintf(name, sizeof name, "%s%s%s", like->label, *like->settings ? " " : "", like->settings);
     fprintf(f, "%-10s %-48.48s %6.3f +- %5.3f  median %6.3f  worst %6.3f  %s\n", like->scene, name, all.mean, all.half,
@@ -101,11 +100,10 @@ void seeds_csv(FILE *f, const seeds *s)
     fputs("seed,set,kind,what,label,method,settings,share,fitted,fitted_all,bias,noise_1,noise_3,noise_8,noise_20\n",
           f);
     for (int i = 0; first >= 0 && i < s->rows[first]; ++i) {
-        const row *like = &s->row[first][i];
-        const int fit = fit_of_all(s, like);
-        for (int k = 0; k < s->count; ++k) {
-            const row *r = row_at(s, k, like);
-            if (r) row_csv(f, &s->place[k], r, fit);
-        }
+        const row *rows[MOST_SEEDS], *like = &s->row[first][i];
+        rows_like(rows, s, like);
+        const int fit = fit_of_all(rows, s->count, like);
+        for (int k = 0; k < s->count; ++k)
+            if (rows[k]) row_csv(f, &s->place[k], rows[k], fit);
     }
 }

@@ -11,7 +11,7 @@
       build/cost --shares            how many waves enter what they may leave out, on scenes by seed (0 to 11):
                                      examples/lab/cost/shares.csv anew, in three minutes; needs GL, of a CPU or a GPU
       build/cost --plan              what the plan's choices cost on a Radeon RX 6800: report/plan-cost.csv
-      build/cost --peers             what others have (make peers): also into report/cost-peers.csv
+      build/cost --peers             effects of other libraries (make peers): also into report/cost-peers.csv
 
    busy: whatever an `if` guards is executed; calm: inside loops no body of an `if` that a wave may skip is; weighed: by
    those shares, of waves of 8x8 texels, where the camera turns. Status 1: --check found something. Where RADV or its
@@ -85,33 +85,20 @@ static int write_page(const work *w, const char *folder, const char *name, void 
     return page_close(&p, folder, name, err);
 }
 
-static int write_record(const work *w, kit_error *err)
+static int write_record(const work *w, const char *name, const char *command, const char *heading, kit_error *err)
 {
+    char file[32];
     page record, table;
-    if (folder_make("report", err) || page_begin(&record, "cost", "full", "make cost", w->driver, err)
+    snprintf(file, sizeof file, "%s.csv", name);
+    if (folder_make("report", err) || page_begin(&record, name, "full", command, w->driver, err)
         || page_open(&table, err))
         return -1;
-    page_heading(record.file, 2, "What passes cost, modelled");
+    page_heading(record.file, 2, "%s", heading);
     page_paragraph(record.file, "A compiler's count of the instructions of every pass, and milliseconds of a few "
                                 "devices by a model of theirs, at 1920x1080, the G-buffer of room.");
     write_costs(table.file, w);
-    return page_csv(record.file, "cost", &table, "report", "cost.csv", err) || page_end(&record, "report", "cost", err)
-               ? -1
-               : 0;
-}
-
-static int write_peers(const work *w, kit_error *err)
-{
-    page record, table;
-    if (folder_make("report", err) || page_begin(&record, "cost-peers", "full", "build/cost --peers", w->driver, err)
-        || page_open(&table, err))
-        return -1;
-    page_heading(record.file, 2, "What others' passes cost, modelled");
-    write_costs(table.file, w);
-    return page_csv(record.file, "cost", &table, "report", "cost-peers.csv", err)
-                   || page_end(&record, "report", "cost-peers", err)
-               ? -1
-               : 0;
+    return page_csv(record.file, "cost", &table, "report", file, err) || page_end(&record, "report", name, err) ? -1
+                                                                                                               : 0;
 }
 
 static int write_shares(kit_error *err)
@@ -130,10 +117,11 @@ static int run(work *w, const asked *a, kit_error *err)
     if (a->record) return write_page(w, ROOM, "recorded.csv", write_recorded, err);
     if (a->plan) return write_page(w, "report", "plan-cost.csv", plan_write, err);
     show_costs(w, a->some);
-    if (a->peers) return write_peers(w, err);
+    if (a->peers)
+        return write_record(w, "cost-peers", "build/cost --peers", "What passes of others cost, modelled", err);
     show_budget(w);
     show_ranking(w);
-    if (!a->some && write_record(w, err)) return -1;
+    if (!a->some && write_record(w, "cost", "make cost", "What passes cost, modelled", err)) return -1;
     return a->against ? against_show(w, a->against, err) : 0;
 }
 

@@ -1,14 +1,13 @@
-/* peers.c - chains of what peers.mjs writes. Declared in peers.h. */
+/* peers.c - effects as peers.mjs writes them become chains. Declared in peers.h. */
 #include "lab/cost/peers.h"
 #include <stdlib.h>
 #include <string.h>
-#include "lab/measure/folder.h"
+#include "lab/measure/script.h"
 
-#define PEERS "build/peers/"
-#define OUT   PEERS "cost"
+#define OUT "build/peers/cost"
 enum { MOST_TEXTURES = 160, GIVEN = 4 };
 
-/* 0: depth, 1 to 3: what three.js and others read as normals and picture. */
+/* Those given are the caller's: 0 depth, 1 and 3 normals, 2 the picture. */
 typedef struct texture { double texels, bytes; } texture;
 typedef struct reading {
     work *w;
@@ -17,22 +16,6 @@ typedef struct reading {
     int textures, pass;                     /* pass: the one whose lines follow; -1: none */
     char *text[2];                          /* its vertex and fragment stage */
 } reading;
-
-/* A view of WIDTH x HEIGHT: its size, planes, radius, matrices and the depth of its middle, as peers.mjs reads them. */
-static int write_view(kit_error *err)
-{
-    kit_camera c = { .fovy = 45, .width = WIDTH, .height = HEIGHT, .znear = 0.1f, .zfar = 50, .eye = { 0, 1, 4 },
-                     .up = { 0, 1, 0 } };
-    float matrix[2][16];
-    char text[1024];
-    size_t n;
-    kit_camera_matrices(&c, matrix[1], matrix[0]);
-    n = (size_t)snprintf(text, sizeof text, "%d %d %g %g 0.5", WIDTH, HEIGHT, (double)c.znear, (double)c.zfar);
-    for (int i = 0; i < 32; ++i)
-        n += (size_t)snprintf(text + n, sizeof text - n, " %.9g", (double)matrix[i / 16][i % 16]);
-    n += (size_t)snprintf(text + n, sizeof text - n, " 4\n");
-    return folder_make(OUT, err) || kit_file_write(OUT "/view.txt", text, n, err) ? -1 : 0;
-}
 
 static double bytes_of(int format)
 {
@@ -164,13 +147,15 @@ static int read_line(reading *r, char *line, kit_error *err)
 
 int peers_add(work *w, kit_error *err)
 {
+    const kit_camera camera = { .fovy = 45, .width = WIDTH, .height = HEIGHT, .znear = 0.1f, .zfar = 50,
+                                .eye = { 0, 1, 4 }, .up = { 0, 1, 0 } };
     static reading r;
     char *all, *rest;
     size_t size;
     int failed = 0;
-    if (write_view(err)) return -1;
-    if (system("node " PEERS "peers.mjs " OUT " < " OUT "/view.txt"))
-        return kit_fail(err, "node cannot run " PEERS "peers.mjs: make peers");
+    const int ran = script_run(OUT, &camera, 0.5f, 4, 0, err);
+    if (ran < 0) return -1;
+    if (!ran) return kit_fail(err, "node cannot run " SCRIPT ": make peers");
     if (kit_file_read(&all, &size, OUT "/manifest.txt", err)) return -1;
     r = (reading){ .w = w, .pass = -1, .textures = GIVEN };
     for (int i = 0; i < GIVEN; ++i) r.texture[i] = (texture){ (double)WIDTH * HEIGHT, i ? 8 : 4 };

@@ -1,11 +1,11 @@
-/* peers.h - what others have, as chains. */
+/* peers.h - effects of other libraries as chains. */
 #ifndef COST_PEERS_H
 #define COST_PEERS_H
 
 #include "lab/cost/passes.h"
 
-/* Has peers.mjs (make peers) write what each effect draws of WIDTH x HEIGHT, and adds these as chains. Whole numbers
-   among their uniforms are constants here: a loop's end is known then. */
+/* Has peers.mjs (make peers) write down the passes of each effect at WIDTH x HEIGHT, and adds these as chains. Whole
+   numbers among their uniforms are constants here: a loop's end is known then. */
 int peers_add(work *w, kit_error *err);
 
 #endif

@@ -12,8 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "lab/measure/clock.h"
-#include "lab/measure/folder.h"
 #include "lab/measure/score.h"
+#include "lab/measure/script.h"
 
 #define PEERS "build/peers/"
 enum { PEER_PASSES = 8, PEER_SAMPLERS = 12, PEER_TARGETS = 2, PEER_TEXTURES = 160, PEER_BINS = 1024 };
@@ -26,53 +26,34 @@ typedef struct peer_pass {
 } peer_pass;
 typedef struct peer { char label[64], settings[128]; peer_pass pass[PEER_PASSES]; int passes, result; } peer;
 typedef struct peer_texture { GLuint name; int width, height; } peer_texture;
-/* whole: what is seen, also where the stage's frame has nothing since there is no truth. */
+/* folder: the script's, of this process alone. counted: fetches are. whole: the frame, also where the stage's has
+   nothing since there is no truth. */
 typedef struct peer_set {
     peer         peer[MOST_PEERS];
     peer_texture texture[PEER_TEXTURES];
-    int          peers, textures;
+    int          peers, textures, counted;
+    char         folder[64];
     kit_image    whole;
 } peer_set;
 
 static const char *missing = "";
-static char folder[64];                     /* where the script writes; of this process alone */
 
 const char *peers_missing(void) { return missing; }
 
 /* ---- >>reading: the view for the script, and what it made of it -------------------------------------------------- */
 
-/* Size, planes, radius, matrices and the median depth, as the script reads them. */
-static int peers_view(const stage *s, double depth, kit_error *err)
-{
-    const kit_camera *c = &s->gbuffer.camera;
-    float matrix[2][16];
-    char text[1024];
-    size_t n;
-    kit_camera_matrices(c, matrix[1], matrix[0]);
-    n = (size_t)snprintf(text, sizeof text, "%d %d %.9g %.9g %.9g", c->width, c->height, (double)c->znear,
-                         (double)c->zfar, (double)s->radius);
-    for (int i = 0; i < 32; ++i)
-        n += (size_t)snprintf(text + n, sizeof text - n, " %.9g", (double)matrix[i / 16][i % 16]);
-    n += (size_t)snprintf(text + n, sizeof text - n, " %.9g\n", depth);
-    char path[96];
-    snprintf(folder, sizeof folder, PEERS "out-%ld", (long)getpid());
-    snprintf(path, sizeof path, "%s/view.txt", folder);
-    return folder_make(folder, err) || kit_file_write(path, text, n, err) ? -1 : 0;
-}
-
 /* 0 = none, and missing says why. */
-static int peers_write(const stage *s, int quick, kit_error *err)
+static int peers_write(const peer_set *set, const stage *s, int quick, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
     const size_t pixels = (size_t)c->width * (size_t)c->height;
     const float *z = kit_image_channel(&s->frame, "Z");
     double *depths = malloc(pixels * sizeof *depths);
     struct stat status;
-    char command[256];
     int n = 0;
     if (!depths) return kit_fail(err, "out of memory");
     for (size_t i = 0; i < pixels; ++i) if (z[i] > 0) depths[n++] = (double)z[i];
-    missing = stat(PEERS "peers.mjs", &status)
+    missing = stat(SCRIPT, &status)
                   ? "Without " PEERS_THEY ": make peers installs them (it needs node, npm and the network)."
               : c->fovy <= 0 || c->depth != KIT_DEPTH_NORMAL || s->gbuffer.depth_is_linear || !n
                   ? "Without " PEERS_THEY ": they are not driven with such a view."
@@ -80,11 +61,9 @@ static int peers_write(const stage *s, int quick, kit_error *err)
     const double depth = *missing ? 0 : kit_median(depths, n);
     free(depths);
     if (*missing) return 0;
-    if (peers_view(s, depth, err)) return -1;
-    snprintf(command, sizeof command, "node " PEERS "peers.mjs %s%s < %s/view.txt", folder, quick ? " quick" : "",
-             folder);
-    if (system(command))
-        missing = "Without " PEERS_THEY ": node cannot run " PEERS "peers.mjs.";
+    const int ran = script_run(set->folder, c, s->radius, depth, quick, err);
+    if (ran < 0) return -1;
+    if (!ran) missing = "Without " PEERS_THEY ": node cannot run " SCRIPT ".";
     return !*missing;
 }
 
@@ -103,7 +82,7 @@ static void peer_uniform(GLuint program, const char *type, const char *name, int
 }
 
 /* N.vert and N.frag, and the same with its fetches counted. */
-static int peer_programs(peer_pass *pass, const char *number, kit_error *err)
+static int peer_programs(peer_pass *pass, const peer_set *set, const char *number, kit_error *err)
 {
     static const char *const counts = "float peer_fetches = 0.0;\n#define main peer_main\n#define texture(s, p) "
                                       "(peer_fetches += 1.0, texture(s, p))\n"
@@ -114,28 +93,32 @@ static int peer_programs(peer_pass *pass, const char *number, kit_error *err)
     char path[96], *text[2] = { NULL, NULL }, *more = NULL;
     size_t size;
     for (int k = 0; k < 2; ++k) {
-        snprintf(path, sizeof path, "%s/%.16s.%s", folder, number, k ? "frag" : "vert");
+        snprintf(path, sizeof path, "%s/%.16s.%s", set->folder, number, k ? "frag" : "vert");
         if (kit_file_read(&text[k], &size, path, err)) { free(text[0]); return -1; }
     }
-    size = strlen(counts) + strlen(text[1]) + strlen(counted);
-    more = malloc(size);
-    if (more) snprintf(more, size, counted, counts, text[1]); else kit_fail(err, "out of memory");
     pass->program = kit_program_text("", text[0], text[1], err);
-    pass->counter = more && pass->program ? kit_program_text("", text[0], more, err) : 0;
+    int failed = !pass->program;
+    if (!failed && set->counted) {
+        size = strlen(counts) + strlen(text[1]) + strlen(counted);
+        if (!(more = malloc(size))) kit_fail(err, "out of memory");
+        else snprintf(more, size, counted, counts, text[1]);
+        pass->counter = more ? kit_program_text("", text[0], more, err) : 0;
+        failed = !pass->counter;
+    }
     free(text[0]);
     free(text[1]);
     free(more);
-    return pass->counter ? 0 : -1;
+    return failed ? -1 : 0;
 }
 
-static int peer_texture_read(peer_texture *t, char *text, kit_error *err)
+static int peer_texture_read(peer_texture *t, const peer_set *set, char *text, kit_error *err)
 {
     char path[128], file[32], *data = NULL;
     int format, linear, repeat;
     size_t size = 0;
     if (sscanf(text, "%*d %d %d %d %d %d %31s", &t->width, &t->height, &format, &linear, &repeat, file) != 6)
         return kit_fail(err, "peers' manifest.txt: texture %s", text);
-    snprintf(path, sizeof path, "%s/%s", folder, file);
+    snprintf(path, sizeof path, "%s/%s", set->folder, file);
     if (*file != '-' && kit_file_read(&data, &size, path, err)) return -1;
     if (data
         && size < (size_t)t->width * (size_t)t->height
@@ -188,7 +171,7 @@ static int peer_pass_read(peer_pass *pass, const peer_set *set, char *text, kit_
         != 6)
         return kit_fail(err, "peers' manifest.txt: pass %s", text);
     pass->colour[3] = 1;
-    if (peer_programs(pass, number, err)) return -1;
+    if (peer_programs(pass, set, number, err)) return -1;
     glGenFramebuffers(1, &pass->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
     for (at += n; pass->targets < PEER_TARGETS; at = end) {
@@ -218,7 +201,7 @@ static int peer_value_read(peer_pass *pass, const peer_set *set, int is_sampler,
     at += n;
     for (int i = 0; !is_sampler && i < COUNT(values); ++i) values[i] = strtof(at, &at);
     peer_uniform(pass->program, type, name, count, values);
-    peer_uniform(pass->counter, type, name, count, values);
+    if (pass->counter) peer_uniform(pass->counter, type, name, count, values);
     return 0;
 }
 
@@ -229,7 +212,7 @@ static int peers_read(peer_set *set, kit_error *err)
     size_t size;
     int failed = 0;
     char path[96];
-    snprintf(path, sizeof path, "%s/manifest.txt", folder);
+    snprintf(path, sizeof path, "%s/manifest.txt", set->folder);
     if (kit_file_read(&all, &size, path, err)) return -1;
     for (line = strtok_r(all, "\n", &rest); line && !failed; line = strtok_r(NULL, "\n", &rest)) {
         char *text = strchr(line, ' ');
@@ -237,7 +220,7 @@ static int peers_read(peer_set *set, kit_error *err)
         peer_pass *pass = p && p->passes ? &p->pass[p->passes - 1] : NULL;
         if (text) *text++ = 0; else text = line + strlen(line);
         if (!strcmp(line, "texture") && set->textures < PEER_TEXTURES)
-            failed = peer_texture_read(&set->texture[set->textures++], text, err);
+            failed = peer_texture_read(&set->texture[set->textures++], set, text, err);
         else if (!strcmp(line, "depth") && set->textures < PEER_TEXTURES)
             failed = peer_depth_read(&set->texture[set->textures++], &set->whole, text, err);
         else if (!strcmp(line, "peer") && set->peers < MOST_PEERS)
@@ -398,16 +381,14 @@ static double fit_best(const histogram *h)
 
 /* Both of a row, whose share and RMSE are known. Gains are from .61 to 1.65, exponents from .37 to 2.7, in steps that
    are even in their logarithms: of all scenes together the best of these is looked for. */
-static void fit_row(row *r, const kit_image *picture, const stage *s)
+static void fit_row(row *r, const histogram *h)
 {
-    static histogram h;
     const double share = r->share / r->score.rmse;
-    histogram_of(&h, picture, s);
-    r->figure[FITTED] = share * fit_best(&h);
+    r->figure[FITTED] = share * fit_best(h);
     for (int i = 0; i < FITS; ++i) {
         const int gain = i / 2 % FIT_GAINS, exponent = i / 2 / FIT_GAINS;
         const double at[2] = { 0.125 * (gain - FIT_GAINS / 2), 0.25 * (exponent - FIT_EXPONENTS / 2) };
-        r->figure[FIT + i] = share * fit_rmse(&h, i % 2, at);
+        r->figure[FIT + i] = share * fit_rmse(h, i % 2, at);
     }
 }
 
@@ -466,16 +447,21 @@ static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
 int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures, kit_error *err)
 {
     static peer_set set;
-    char what[128];
-    int failed = peers_write(s, most < MOST_PEERS, err), count;
-    if (failed <= 0) return failed;
+    char what[128], command[96];
     memset(&set, 0, sizeof set);
+    set.counted = rounds > 0;
+    snprintf(set.folder, sizeof set.folder, PEERS "out-%ld", (long)getpid());
+    int failed = peers_write(&set, s, most < MOST_PEERS, err), count;
+    if (failed <= 0) return failed;
     snprintf(what, sizeof what, "%s: peers", s->name);
     kit_progress(what, 0);
     failed = kit_gbuffer_read(&set.whole, &s->gbuffer, err) || peers_inputs(&set, s, err) || peers_read(&set, err);
+    snprintf(command, sizeof command, "rm -r %s", set.folder);       /* all of it has been read */
+    if (system(command)) fprintf(stderr, "report: note: %s: cannot be removed\n", set.folder);
     count = set.peers < most ? set.peers : most;
     for (int i = 0; i < count && !failed; ++i) {
         kit_image picture;
+        histogram h;
         row *r = &rows[i];
         *r = row_blank(0, s->name, set.peer[i].label, set.peer[i].label, set.peer[i].settings);
         r->bytes = 0;                          /* nobody counts theirs */
@@ -483,14 +469,11 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures
         failed = (rounds && peer_fetches(&r->fetches, &set.peer[i], s, err))
               || peer_picture(&picture, &set, &set.peer[i], s, err);
         if (failed) break;
-        kit_image clamped;
-        failed = kit_image_new(&clamped, picture.width, picture.height, "Y", err);
-        for (size_t k = 0; !failed && k < (size_t)picture.width * (size_t)picture.height; ++k)
-            clamped.data[k] = fminf(fmaxf(picture.data[k], 0), 1);
-        failed = failed || score_picture(r, s, &clamped, err);
-        fit_row(r, &picture, s);
-        kit_image_free(&picture);
-        picture = clamped;
+        histogram_of(&h, &picture, s);         /* before its values are clamped */
+        for (size_t k = 0; k < (size_t)picture.width * (size_t)picture.height; ++k)
+            picture.data[k] = fminf(fmaxf(picture.data[k], 0), 1);
+        failed = score_picture(r, s, &picture, err);
+        fit_row(r, &h);
         if (pictures) pictures[i] = picture;
         else kit_image_free(&picture);
         kit_progress(what, (i + 1.0) / (count + 1.0));

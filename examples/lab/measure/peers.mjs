@@ -1,5 +1,5 @@
-/* peers.mjs - what people would pick instead of this library: three.js' GTAO, SSAO and SAO passes, its node effects
-   (tsl.mjs), n8ao, Babylon.js' SSAO2 and PlayCanvas' SSAO, as plain GLSL for peers.c to draw.
+/* peers.mjs - effects of other libraries: three.js' GTAO, SSAO and SAO passes, its node effects (tsl.mjs), n8ao,
+   Babylon.js' SSAO2 and PlayCanvas' SSAO, as plain GLSL for peers.c to draw.
 
       make peers                        installs the packages into build/peers, with this script beside them, where it
          finds them

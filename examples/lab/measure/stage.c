@@ -28,6 +28,14 @@ const view stage_views[] = {
 };
 const int stage_views_count = COUNT(stage_views);
 
+int stage_model(char path[128], int i)
+{
+    int models = 0;
+    while (kit_scene_model(models)) ++models;
+    if (models) snprintf(path, 128, "model:%s:%d", kit_scene_model((int)(i * 263LL % models)), i);
+    return models > 0;
+}
+
 const char *stage_packages(const char *path)
 {
     static const char *const of[][2] = { { BED, "sweethome3d-furniture" }, { MAPLE, "sweethome3d-furniture" },

@@ -17,8 +17,12 @@ enum { RAYS = 256, FLOOR_STRIDE = 4 };
 /* of light the truth is traced at every LIT_STRIDE-th pixel both ways, and probed at some of these. A stride's pixel is
    the middle one of its block: strides on which that is traced, too */
 enum { LIT_STRIDE = 2 };
-/* Of scenes by seed: odd, so that of each 2x2 every pixel is scored alike, for half size gathers at one of these. */
-enum { SEED_STRIDE = 11 };
+/* The size that people look at, and the truth there: so many rays keep its noise below a tenth of methods' errors, also
+   where small bright parts of an environment bring much of the light. The stride is odd, so that of each 2x2 every
+   pixel is scored alike, for half size gathers at one of these. */
+enum { SEED_WIDTH = 1280, SEED_HEIGHT = 720, SEED_STRIDE = 11, SEED_RAYS = 1024 };
+/* Seeds below this one may be looked at while settings are tuned; those from it on only report. */
+enum { SEEDS_JUDGED = 1000 };
 #define ON_STRIDE(stride) ((stride) % LIT_STRIDE == 0 && (stride) / 2 % LIT_STRIDE == LIT_STRIDE / 2)
 /* A quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer than
    LEAST_RAYS. 1 until it is set. */
@@ -46,6 +50,9 @@ typedef struct view {
 #define NO_CROPS { { 0 } }
 extern const view stage_views[];               /* of ambient occlusion's chart; the first is the demo's */
 extern const int stage_views_count;
+/* Number i of the models that packages bring, seen by seed i; neighbours in their list are far apart in i. 0: there is
+   no such package. */
+int stage_model(char path[128], int i);
 /* The packages that make chart takes such a mesh from; NULL = it is none of these. */
 const char *stage_packages(const char *path);
 

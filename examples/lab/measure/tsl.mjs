@@ -1,6 +1,6 @@
 /* tsl.mjs - three.js' node effects (GTAONode, DenoiseNode, SSGINode) as GLSL, for peers.mjs.
 
-   Their WebGPURenderer draws with its WebGL 2 backend into a context that only writes down what it is told. Its texts
+   Their WebGPURenderer draws with its WebGL 2 backend into a context that draws nothing and notes each call. Its texts
    come back with plain uniforms in place of blocks, whose values are read from the buffers by std140. */
 globalThis.self ??= globalThis;
 globalThis.requestAnimationFrame ??= () => 0;
@@ -27,8 +27,8 @@ const ATTACHMENT = 1e6, constants = {
     name(number) { return this.names[number - 1000]; }
 };
 
-/* draw: told at every draw of the program, what is bound to units and to blocks, the targets and what they are cleared
-   by. */
+/* draw: told at every draw of the program, the textures of units, the buffers of blocks, the targets and the colour
+   that clears them. */
 function contextOf(width, height, draw) {
     const bound = [], blocks = [], buffers = {};
     let program, unit = 0, framebuffer;
@@ -86,7 +86,7 @@ function contextOf(width, height, draw) {
 
 /* ---- >>texts ----------------------------------------------------------------------------------------------------- */
 
-/* std140: what a type is aligned to, its columns and their components, in words. */
+/* std140: a type's alignment, its columns and their components, in words. */
 const layout = { float: [ 1, 1, 1 ], int: [ 1, 1, 1 ], uint: [ 1, 1, 1 ], bool: [ 1, 1, 1 ], vec2: [ 2, 1, 2 ],
                  vec3: [ 4, 1, 3 ], vec4: [ 4, 1, 4 ], mat3: [ 4, 3, 3 ], mat4: [ 4, 4, 4 ] };
 

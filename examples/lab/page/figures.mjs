@@ -124,15 +124,15 @@ ${table(
     );
 }
 
-/* This machine's clock of a row: the mean of the built-in scenes. */
-const clocked = (record, r) =>
-    means(found(record, 'ambient')).find(
-        a => a.method === r.method && a.settings === r.settings && (!peer(r) || a.label === r.label)
-    )?.relative_time;
+/* This machine's clock of a row, among means of the built-in scenes. */
+const clocked = (built_in, r) =>
+    built_in.find(a => a.method === r.method && a.settings === r.settings && (!peer(r) || a.label === r.label))
+        ?.relative_time;
 const spread = r => `${cell(r.mean)} &plusmn; ${cell(r['±'])}`;
 
 function seeds(record) {
     const rows = found(record, 'seeds'),
+        built_in = means(found(record, 'ambient')),
         kinds = [...grouped(rows, 'kind').keys()].filter(k => k !== 'models');
     const list = [...grouped(rows, r => `${r.set} ${r.seed}`).keys()],
         count = set => list.filter(s => s.startsWith(`${set} `)).length;
@@ -147,7 +147,7 @@ function seeds(record) {
             ],
             of(what).map(r => [
                 ...[title(r), cell(r['RX 6800, ms'])],
-                ...(what === 'visibility' ? [cell(clocked(record, r), 2)] : []),
+                ...(what === 'visibility' ? [cell(clocked(built_in, r), 2)] : []),
                 ...[spread(r), cell(r.median), `${cell(r.worst)}, ${r.of}`, r['above 1']],
                 ...(what === 'visibility' ? [cell(r.noise, 1)] : []),
                 ...[cell(r.judged), cell(r.drawn), ...kinds.map(k => cell(r[k])), cell(r.models)],
@@ -173,19 +173,19 @@ One bounce of that light alone:
 
 ${own('bounce')}
 
-What a small picture costs: visibility of the same scenes at 320x180, where the pixel grid is most of the error:
+Visibility of the same scenes in pictures a quarter as wide and high, where the pixel grid is most of the error:
 
-${own('320x180')}
+${own('small')}
 ${
     others.length
         ? `
-What others have there, raw, and fitted with the truth in hand: by one gain and exponent over all scenes, and by
-two numbers a picture, as by kind.
+Effects of other libraries there, raw, and fitted with the truth in hand: by one gain and exponent over all scenes, and
+by two numbers a picture, as by kind.
 
 ${table(
-    ['what', 'settings', 'RX 6800, ms', 'CPU', 'raw', 'fitted over all', 'fitted a picture', ...kinds],
+    ['effect', 'settings', 'RX 6800, ms', 'CPU', 'raw', 'fitted over all', 'fitted a picture', ...kinds],
     others.map(r => [
-        ...[r.label, r.settings, cell(r['RX 6800, ms']), cell(clocked(record, r), 2), spread(r)],
+        ...[r.label, r.settings, cell(r['RX 6800, ms']), cell(clocked(built_in, r), 2), spread(r)],
         ...[cell(r['fitted, all']), cell(r.fitted), ...kinds.map(k => cell(r[k]))]
     ])
 )}
@@ -386,11 +386,7 @@ async function draw(into) {
     const { document } = parseHTML('<html><body></body></html>');
     const up = 'error (RMSE), share of having no AO at all', style = { background: '#fff', fontSize: '12px' };
     const [cpu, gpu] = Object.values(report.clocks);
-    const sums = by_kind(found(records('chart'), 'seeds').filter(r => r.what === 'visibility')).map(r => ({
-        ...r,
-        _ms: r['RX 6800, ms'],
-        share: r.fitted ?? r.mean
-    }));
+    const sums = report.on_gpu(found(records('chart'), 'seeds').filter(r => r.what === 'visibility'));
     for (const [name, clock, list] of [
         ['chart-cpu', cpu, all],
         ['chart', gpu, sums]

@@ -69,7 +69,7 @@ function modelled(r, device = 'RX 6800') {
     if (!table || settings.some(s => !chain_words[s])) return null;
     if (r.method === 'hsao' && settings.includes('history=1')) return null;     /* hsao-history is a method's chain */
     const name = r.method + settings.map(s => chain_words[s]).join('');
-    const bounces = { ssdo: 'ssdo-bounce', 's3ho': 's3ho-bounce' }, is = r.what === 'bounce' ? bounces[name] : name;
+    const bounces = { ssdo: 'ssdo-bounce', s3ho: 's3ho-bounce' }, is = r.what === 'bounce' ? bounces[name] : name;
     const row = table.find(c => c.chain === is && !c.pass && known(c[`${device} weighed`]));
     return row && !row.splats ? row[`${device} weighed`] : null;
 }
@@ -112,6 +112,8 @@ const by_kind = rows => [...grouped(rows, named).values()].map(all => {
                                            'models, worst': Math.max(...models.map(r => r.share)) });
     return of;
 });
+/* Sums of visibility for a chart on a GPU's clock; others stand there after their fit. */
+const on_gpu = rows => by_kind(rows).map(r => ({ ...r, _ms: r['RX 6800, ms'], share: r.fitted ?? r.mean }));
 /* Kinds in which a peer at no more modelled cost, fitted picture by picture, errs less than a row of ours by more than
    the interval of their difference. */
 function ahead(own, other) {
@@ -174,7 +176,8 @@ function strips(Plot, rows, { x = 'share', dot = 'kind', across, width = 900 }) 
         width, height: 60 + 19 * groups.length, marginLeft: 340, marginBottom: 36,
         x: { label: across, grid: true, domain: [0, Math.min(Math.max(...shown.map(r => r[x])), 2.2 * most)],
              clamp: true },
-        y: { domain: groups.map(([name]) => name), label: null, tickSize: 0 },
+        y: { domain: groups.map(([name]) => name), label: null, tickSize: 0,
+             tickFormat: name => name.length > 48 ? `${name.slice(0, 47)}\u2026` : name },
         color: { legend: true, scheme: 'tableau10' },
         marks: [
             Plot.dot(shown, { x, y: named, fill: dot, r: 2.2, fillOpacity: 0.6, title: tip,
@@ -296,7 +299,7 @@ const views = {
                             scenes: ['all', ...unique(rows.map(r => r.set)), ...unique(rows.map(r => r.kind))] }, s => {
         const list = of_family(rows, s.family).filter(r => r.what === s.of
             && (s.scenes === 'all' || r.kind === s.scenes || r.set === s.scenes));
-        const sums = by_kind(list).map(r => ({ ...r, _ms: r['RX 6800, ms'], share: r.fitted ?? r.mean }));
+        const sums = on_gpu(list);
         return [sums.some(r => known(r._ms)) ? plotted(scatter(Plot_, sums, { ...Object.values(clocks)[1], y: 'share',
                     up: 'error (RMSE), share of no occlusion; of others after their fit' })) : null,
                 plotted(strips(Plot_, list, { across: 'RMSE over that of no occlusion, a dot a scene' })),
@@ -479,7 +482,7 @@ function show() {
 }
 
 return { records, parse, mean, grouped, named, means, modelled, tables, entry, given, peer, by_pair, by_kind, by_cause,
-         ahead, chains, devices, scatter, ambient, floor_of, clocks, show };
+         on_gpu, ahead, chains, devices, scatter, ambient, floor_of, clocks, show };
 })();
 
 function ssgi_record(record) { ssgi_report.records[record.name] = record; }
