@@ -391,7 +391,6 @@ static void plans(const float *f, size_t count, const uint8_t *data, size_t size
     s.error = f[0];
     s.budget = f[1];
     s.screen_radius = f[2];
-    s.albedo = f[3];
     s.calibration.known = data[6 % size] % 2;
     s.calibration.unoccluded = f[4];
     s.calibration.hsao = f[5];
