@@ -113,17 +113,16 @@ build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
 REPORT = lab/report \
-         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved script peers ahead) \
+         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved script peers ahead bands) \
          $(addprefix lab/page/,page table pictures units) \
          $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo \
-         deep_moving deep_stage plan planned) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss) \
-         lab/quiet/bands
+         deep_moving deep_stage plan planned) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # What sweeps and measures, which make test does as well; and what shows it.
 SWEEP     = lab/measure/picture $(addprefix lab/stability/,sweeps curve shot sweep maths)
-STABILITY = $(SWEEP) lab/measure/folder lab/page/page $(addprefix lab/stability/,moves show stability)
+STABILITY = $(SWEEP) $(addprefix lab/measure/,folder rows stage) lab/page/page $(addprefix lab/stability/,moves show stability)
 build/stability: $(STABILITY:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -225,7 +224,7 @@ build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
 
 # What the eye sees as mottling, of the presets and of what make peers brought. Other entries:
 # build/quiet --scene room hsao hsao:steps=12.
-QUIET = $(addprefix lab/quiet/,quiet bands) $(addprefix lab/measure/,folder rows picture stage score clock script peers) \
+QUIET = lab/quiet/quiet $(addprefix lab/measure/,folder rows picture stage score clock script peers bands) \
         $(addprefix lab/page/,page table pictures)
 build/quiet: $(QUIET:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@

@@ -4986,6 +4986,10 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    thickness CONSTANT, no longer SOLID; plan_scene.device RX_6800 has costs in milliseconds; plan_scene.albedo, which no
    prediction read, is gone. New: desc.light.bounced and ssgi_gl_chain.bounced, for further bounces.
 
+   History goes on where the size changes: ssgi_gl_frame_history takes a view of any size, frame.last_size and
+   .last_footprint tell texts. ssgi_gl_frame_time counts it in seconds (frame.pace); frame.motion_shift is for motion
+   vectors that leave out jitter. ssgi_gl_frame has 32 bytes more.
+
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.
    Renamed: desc.behind, SSGI_GL_BEHIND_* -> desc.thickness, SSGI_GL_THICKNESS_*; plan_scene.behind, plan.behind ->

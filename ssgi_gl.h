@@ -90,7 +90,7 @@
       field        each occluder is a row of t_ssgi_occluders (ssgi_gl_occluder). The result is not filtered. Forward
                    shaders call the function that ssgi_gl_field writes
       history      each frame set frame.phase = ssgi_gl_phase(its number), and call ssgi_gl_frame_history except after a
-                   cut or a change of size
+                   cut. Where the picture's size changes, the last frame's textures are read at their own
       splat        surfels are made by ssgi_surfels on the CPU, or by pass surfels: transform feedback of its CAPTURE
                    rows, interleaved and with rasteriser discard on, writes ssgi_surfel[] (with at most two of radius 0
                    for each surfel that ssgi_surfels makes). Pass splat reads three vec4 attributes an instance, with
@@ -805,7 +805,8 @@ typedef struct ssgi_gl_input {
     int texture;                  /* the number of a texture that the steps write; -1: it is yours */
     int last;                     /* 1: it is read as the last frame left it */
     const ssgi_gl_format *format; /* that of the steps' texture; NULL: it is yours, as ssgi_gl_io.format says */
-    int width, height;            /* the size of the steps' texture; of yours the least size that is needed */
+    int width, height;            /* the size of the steps' texture, as this frame writes it where it is read as the
+                                     last one left it; of yours the least size that is needed */
 } ssgi_gl_input;
 
 /* ssgi_gl_output.result. A chain has one texture of LIGHT, or of BOUNCE, or both; with desc.filter.onto it has
@@ -858,9 +859,13 @@ typedef struct ssgi_gl_step {
 } ssgi_gl_step;
 
 /* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0.
-   A bad chain returns 0, and why says the reason. Clear the steps' textures to 0 when you make them, and again when the
-   size changes; the texts stay, since none depends on the size. With desc.filter.onto the last step draws onto your
-   picture. */
+   A bad chain returns 0, and why says the reason. With desc.filter.onto the last step draws onto your picture.
+
+   Clear the steps' textures to 0 when you make them. Where the picture's size changes, ask for the steps again; the
+   texts stay, since none depends on the size. Textures of the greatest size stay, too, and the picture takes a part of
+   them, from frame.target on. Otherwise make all anew, of the size that the steps now say, but what is read as the last
+   frame left it (input.last): it is read once more, at its own size. So of such a pair the one that this frame writes is
+   made anew first, and the other a frame later. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
 /* GL's state of the texture at a unit, or of a target. */
@@ -935,29 +940,44 @@ typedef struct ssgi_gl_frame {
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
 
     /* ---- the rest, where std140 has room for it */
-    float history;       /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  how many frames are averaged; 0:
-                            the average begins anew */
-    int32_t level[2];    /* surfels   [units: texels]  size of one level: ssgi_splat_size */
-    float window[4];     /* desc.light.lights: ssgi_sh_window of 4 bands, or of as many as desc.light.bands; Hann's by
+    float history;        /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  how many frames are averaged; 0:
+                            the average begins anew. Seconds: ssgi_gl_frame_time */
+    int32_t level[2];     /* surfels   [units: texels]  size of one level: ssgi_splat_size */
+    float window[4];      /* desc.light.lights: ssgi_sh_window of 4 bands, or of as many as desc.light.bands; Hann's by
                             default */
-    float last_to[16];   /* history: view space to the last frame's pixels (times depth when perspective) and depth */
-    float last_from[16]; /* and back: ssgi_gl_frame_history */
-    float oblique[2];    /* desc.input.oblique: from ssgi_view */
-    int32_t slice;       /* desc.input.array: the layer of your array textures */
-    int32_t unused;      /* fills the block's last 16 bytes */
+    float last_to[16];    /* history: view space to the last frame's pixels (times depth when perspective) and depth */
+    float last_from[16];  /* and back: ssgi_gl_frame_history */
+    float oblique[2];     /* desc.input.oblique: from ssgi_view */
+    int32_t slice;        /* desc.input.array: the layer of your array textures */
+    float pace;           /* history   [limit: > 0] [default: 1]  how long the last frame took over how long this one
+                            took: ssgi_gl_frame_time */
+    int32_t last_size[2]; /* [units: pixels]  of the last frame's image: ssgi_gl_frame_history */
+    float motion_shift[2]; /* desc.input.motion   [units: pixels]  added to t_ssgi_motion: where its vectors leave out
+                            the projection's jitter, this frame's jitter less the last one's; 0 where they have it */
+    float last_footprint;  /* [limit: >= 1]  width of the last frame's pixels over that of this frame's, at least 1:
+                            ssgi_gl_frame_history */
+    int32_t unused[3];     /* fills the block's last 16 bytes */
 } ssgi_gl_frame;
 
 /* Fills a frame from a view: the image is at the origin of textures and targets, all other members have their defaults.
      radius   [units: view] [limit: > 0] */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
-/* Sets history, last_to, last_from. Leave history 0 at a cut and where the size changes.
-     view, last_world_to_view    those of the last frame, as GL had them, jitter and all; view has this frame's kind of
-                                 projection and size
+/* Sets history, last_to, last_from, last_size, last_footprint. Leave history 0 at a cut.
+     view, last_world_to_view    those of the last frame, as GL had them, jitter and all. view has this frame's kind of
+                                 projection and may have another size: the textures that the last frame wrote are read
+                                 at that size, from frame.target on, and must not have been cleared or made anew
      matrices                    [limit: rigid, finite] world to view space */
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
                                            const float main_world_to_view[16], const float last_world_to_view[16],
                                            const char **why);
+
+/* Counts history in seconds, for frames that take unequal times: sets history and pace, after ssgi_gl_frame_history.
+     memory          [units: seconds] [limit: > 0] what is older hardly counts: 0.27 is 16 frames of 60 a second
+     elapsed, last   [units: seconds] [limit: > 0] how long this frame and the last one take: times from picture to
+                     picture. The average then follows changes as fast at any rate of frames */
+SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, float elapsed, float last,
+                                        const char **why);
 
 /* frame.phase of frame number k, in [0,1), which spreads the noise of any few frames in a row evenly. The last 2 of its
    24 bits are k's, by which passes tell the pixel that is gathered (desc.gather.half 2). */
@@ -4532,8 +4552,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_APPEARED", NULL, __LINE__ + 1,
     "const float SSGI_APPEARED = 0.25;\n" },
 
+/* Neither NaN nor more than 1e9. The bits decide, since compilers turn !(a < b) into a >= b. */
 { "ssgi_finite", NULL, __LINE__ + 1,
-    "// Neither NaN nor more than 1e9. The bits decide, since compilers turn !(a < b) into a >= b.\n"
     "bool ssgi_finite(vec4 v) {\n"
     "    return all(lessThan(floatBitsToUint(v) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n"
     "}\n" },
@@ -4586,7 +4606,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_own_motion", "SSGI_MOTION", __LINE__ + 1,
     "vec2 ssgi_own_motion(ivec2 p, vec2 was) { // returns its own motion; by the camera's it was at `was`\n"
-    "    return vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy - was;\n"
+    "    vec2 moved = texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy + u_ssgi_motion_shift;\n"
+    "    return (vec2(p) + 0.5 - moved) * vec2(u_ssgi_last_size) / vec2(u_ssgi_size) - was;\n"
     "}\n" },
 
 { "ssgi_moves", NULL, __LINE__ + 1,
@@ -4609,7 +4630,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_last none = ssgi_last_none(), sum = none;\n"
     "    vec3 was = ssgi_reproject(P);\n"
     "    vec2 at = was.xy;\n"
-    "    float footprint = ssgi_footprint(-P.z);\n"
+    "    float footprint = u_ssgi_last_footprint * ssgi_footprint(-P.z);\n"
     "    vec4 plane = vec4(n, 0.0) * u_ssgi_last_from; // It takes pixels and depths of the last frame.\n"
     "    plane.w -= dot(n, P);\n"
     "    float slack = 0.5 * footprint - SSGI_KEPT_ROUNDS * P.z;\n"
@@ -4620,12 +4641,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    sum.moves = ssgi_moves(own);\n"
     "#endif\n"
     "    at -= 0.5;\n"
-    "    bool shown = all(lessThan(abs(2.0 * at - vec2(u_ssgi_size)), vec2(u_ssgi_size + 2)));\n"
+    "    bool shown = all(lessThan(abs(2.0 * at - vec2(u_ssgi_last_size)), vec2(u_ssgi_last_size + 2)));\n"
     "    if (!shown || !ssgi_finite(vec4(at, was.z, 0.0)) || was.z <= 0.0 || u_ssgi_history <= 1.0) return none;\n"
     "    vec2 low = floor(at), part = at - low;\n"
     "    part = clamp((1.0 + 2.0 * SSGI_CENTRED) * part - SSGI_CENTRED, 0.0, 1.0);\n"
     "    for (int k = 0; k < 4; ++k) {\n"
-    "        ivec2 corner = ivec2(k & 1, k >> 1), q = clamp(ivec2(low) + corner, ivec2(0), u_ssgi_size - 1);\n"
+    "        ivec2 corner = ivec2(k & 1, k >> 1), q = clamp(ivec2(low) + corner, ivec2(0), u_ssgi_last_size - 1);\n"
     "        ssgi_kept t = ssgi_kept_at(q);\n"
     "#if !SSGI_ORTHOGRAPHIC\n"
     "        vec4 Q = vec4((vec2(q) + 0.5) * t.light.w, t.light.w, 1.0);\n"
@@ -4678,11 +4699,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    float most = max(u_ssgi_history / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
     "    most = min(most, 1.0 + SSGI_CHANGED / max(changed, 1e-9));\n"
-    "    return last.known > 0.0 ? min(last.kept.means.y + 1.0, most) : 1.0;\n"
+    "    return last.known > 0.0 ? min(u_ssgi_pace * last.kept.means.y + 1.0, most) : 1.0;\n"
     "}\n" },
 
+/* Averages this frame with the last ones. Where their mean differs from it by more than noise, it follows. */
 { "ssgi_averaged", NULL, __LINE__ + 1,
-    "// Averages this frame with the last ones. Where their mean differs from it by more than noise, it follows.\n"
     "ssgi_kept ssgi_averaged(vec4 now, float deviation, float frames, ssgi_last last) {\n"
     "    float v = ssgi_grey(now);\n"
     "    float jump = SSGI_JUMP.x * deviation + SSGI_JUMP.y * abs(v);\n"
@@ -4744,7 +4765,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_depth_last", NULL, __LINE__ + 1,
     "float ssgi_depth_last(ivec2 q) {\n"
-    "    float z = ssgi_texel(t_ssgi_history, clamp(q, ivec2(0), u_ssgi_size - 1) + u_ssgi_target).w;\n"
+    "    float z = ssgi_texel(t_ssgi_history, clamp(q, ivec2(0), u_ssgi_last_size - 1) + u_ssgi_target).w;\n"
     "    return z < SSGI_FAR ? z : SSGI_FAR; // background in 16 bits is infinity or NaN\n"
     "}\n" },
 
@@ -4759,7 +4780,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 nearest = vec3(at, 2.0 * SSGI_FAR);\n"
     "    for (int k = 0; k < 4; ++k) {\n"
     "        vec2 o = SSGI_BESIDE + (1.0 - 2.0 * SSGI_BESIDE) * vec2(k & 1, k >> 1);\n"
-    "        ivec2 q = clamp(ivec2(floor(at + o)), ivec2(0), u_ssgi_size - 1);\n"
+    "        ivec2 q = clamp(ivec2(floor(at + o)), ivec2(0), (last ? u_ssgi_last_size : u_ssgi_size) - 1);\n"
     "        float z = last ? ssgi_depth_last(q) : ssgi_depth(q);\n"
     "        if (z < nearest.z) nearest = vec3(vec2(q), z);\n"
     "    }\n"
@@ -4767,20 +4788,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_within", NULL, __LINE__ + 1,
-    "bool ssgi_within(vec2 at) { // whether a place is in the picture; whole numbers are centres of pixels\n"
-    "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(u_ssgi_size) - 0.5));\n"
+    "bool ssgi_within(vec2 at, ivec2 size) { // whether a place is in a picture; whole numbers are centres of pixels\n"
+    "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(size) - 0.5));\n"
     "}\n" },
 
 { "ssgi_slack", NULL, __LINE__ + 1,
     "float ssgi_slack(float z) { // Depths of one surface differ by less from frame to frame; one of them was kept.\n"
-    "    return ssgi_footprint(z) + 2.0 * SSGI_KEPT_ROUNDS * z;\n"
+    "    return u_ssgi_last_footprint * ssgi_footprint(z) + 2.0 * SSGI_KEPT_ROUNDS * z;\n"
     "}\n" },
 
 { "ssgi_depth_differs", NULL, __LINE__ + 1,
     "// Whether the last frame had another depth where a point was, which is seldom so.\n"
     "bool ssgi_depth_differs(vec3 was) {\n"
     "    float z = ssgi_depth_last(ivec2(floor(was.xy)));\n"
-    "    return ssgi_within(was.xy - 0.5) && min(z, was.z) < 0.5 * SSGI_FAR && abs(z - was.z) > ssgi_slack(was.z);\n"
+    "    bool shown = ssgi_within(was.xy - 0.5, u_ssgi_last_size) && min(z, was.z) < 0.5 * SSGI_FAR;\n"
+    "    return shown && abs(z - was.z) > ssgi_slack(was.z);\n"
     "}\n" },
 
 /* The surface that a pixel shows now came if it stands in front of the one that the last frame saw there. The last
@@ -4797,7 +4819,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    E = (u_ssgi_last_from * vec4(E, 1.0)).xyz;\n"
     "    vec2 at = ssgi_project(E) - 0.5;\n"
-    "    if (!came && !ssgi_within(at)) return 0.0;\n"
+    "    if (!came && !ssgi_within(at, u_ssgi_size)) return 0.0;\n"
     "    vec3 seen = came ? vec3(vec2(q), ssgi_depth(q)) : ssgi_nearest(at, false);\n"
     "    vec3 Q = ssgi_position(seen.xy + 0.5, seen.z), apart = came ? Q - E : E - Q;\n"
     "    float slack = ssgi_slack(seen.z);\n"
@@ -4966,6 +4988,10 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(last_from, "mat4", "and back"),
     SSGI_GL__ROW_FRAME(oblique, "vec2", "window depth per pixel"),
     SSGI_GL__ROW_FRAME(slice, "int", "of your textures"),
+    SSGI_GL__ROW_FRAME(pace, "float", ""),
+    SSGI_GL__ROW_FRAME(last_size, "ivec2", "pixels"),
+    SSGI_GL__ROW_FRAME(motion_shift, "vec2", "pixels"),
+    SSGI_GL__ROW_FRAME(last_footprint, "float", ""),
 
     SSGI_GL__ROW_VIEWS(to, "mat4[4]", "view space to pixels (times depth) and depth"),
     SSGI_GL__ROW_VIEWS(from, "mat4[4]", "and back"),
@@ -6871,7 +6897,8 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
     ssgi_gl__text t = { out, capacity, 0, 0 };
     for (int i = 0; step && units && i < step->inputs && !t.length; ++i) {
         const ssgi_gl_input *in = &step->input[i];
-        const char *wrong = ssgi_gl__wrong(&units[in->unit], in, in->format, in->width, in->height);
+        const int any = in->last; /* Of the last frame it has that one's size. */
+        const char *wrong = ssgi_gl__wrong(&units[in->unit], in, in->format, any ? 0 : in->width, any ? 0 : in->height);
         if (wrong)
             ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit, wrong);
     }
@@ -6955,15 +6982,15 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     memcpy(f.decode, view->depth, sizeof view->depth);
     f.decode[2] = view->clear;
     memcpy(f.oblique, view->oblique, sizeof f.oblique);
-    f.size[0] = view->width;
-    f.size[1] = view->height;
+    f.size[0] = f.last_size[0] = view->width;
+    f.size[1] = f.last_size[1] = view->height;
     f.near_depth = ssgi_view_near(view);
     f.radius = radius;
     f.offset = 1.5f;
     f.thickness_limit = 0.6f * radius;
     f.fade = 0.3f * radius;
     f.distance_clamp = 0.25f;
-    f.gain = f.sent = 1.0f;
+    f.gain = f.sent = f.pace = f.last_footprint = 1.0f;
     f.max_slope = 20.0f;
     f.lambda = 4.0f;
     ssgi_sh_window(f.window, 4, SSGI_SH_WINDOW_HANN);
@@ -6975,6 +7002,14 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     return SSGI_OK;
 }
 
+/* The width of a pixel at depth 1, in view units, as ssgi_footprint of the library has it. */
+static float ssgi_gl__footprint(const float unproject[4])
+{
+    const float x = unproject[0] < 0.0f ? -unproject[0] : unproject[0];
+    const float y = unproject[1] < 0.0f ? -unproject[1] : unproject[1];
+    return x > y ? x : y;
+}
+
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
                                            const float main_world_to_view[16], const float last_world_to_view[16],
                                            const char **why)
@@ -6983,11 +7018,25 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
     SSGI_GL__THERE(frame);
     SSGI_GL__THERE(last_world_to_view);
     SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, last_world_to_view, why));
-    SSGI_GL__CHECK(view->width == frame->size[0] && view->height == frame->size[1],
-                   "view: must have this frame's size; a history of another size is none");
+    const float last = ssgi_gl__footprint(view->unproject), now = ssgi_gl__footprint(frame->unproject);
     memcpy(frame->last_to, to, sizeof to);
     memcpy(frame->last_from, from, sizeof from);
+    frame->last_size[0] = view->width;
+    frame->last_size[1] = view->height;
+    frame->last_footprint = last > now ? last / now : 1.0f;
     frame->history = 16.0f;
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, float elapsed, float last, const char **why)
+{
+    SSGI_GL__THERE(frame);
+    SSGI_GL__CHECK(ssgi_gl__above(memory), "memory: must be > 0 and finite");
+    SSGI_GL__CHECK(ssgi_gl__above(elapsed), "elapsed: must be > 0 and finite");
+    SSGI_GL__CHECK(ssgi_gl__above(last), "last: must be > 0 and finite");
+    const double frames = (double)memory / (double)elapsed, pace = (double)last / (double)elapsed;
+    frame->history = (float)(frames < 1.0 ? 1.0 : frames > 1024.0 ? 1024.0 : frames);
+    frame->pace = (float)(pace > 1e6 ? 1e6 : pace);
     return SSGI_OK;
 }
 

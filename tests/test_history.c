@@ -21,13 +21,16 @@ static kit_pass *pass_of(kit_run *run, int pass)
 }
 
 /* Light of an open plane by a script, filtered without noise: a mean over all frames, up to `most` of them, that stays
-   near a mean over three, and that near what is seen now; where the first has to follow it forgets. */
+   near a mean over three, and that near what is seen now; where the first has to follow it forgets. Of uneven frames
+   each counts for its time. */
 static void light_is_followed(void)
 {
     enum { FRAMES = 20 };
-    static const struct { const char *name; double from, to, by; } row[] = {
-        { "steady", 1, 1, 1 }, { "brighter at once", 1, 3, 1 }, { "darker at once", 1, 0.4, 1 },
-        { "a little brighter", 1, 1.012, 1 }, { "rising", 1, 1, 1.01 }, { "falling", 1, 1, 0.985 } };
+    static const double took[5] = { 1, 1, 4, 0.5, 2 }; /* in 60ths of a second */
+    static const struct { const char *name; double from, to, by; int uneven; } row[] = {
+        { "steady", 1, 1, 1, 0 }, { "brighter at once", 1, 3, 1, 0 }, { "darker at once", 1, 0.4, 1, 0 },
+        { "a little brighter", 1, 1.012, 1, 0 }, { "rising", 1, 1, 1.01, 0 }, { "falling", 1, 1, 0.985, 0 },
+        { "rising, uneven", 1, 1, 1.002, 1 } };
     static const double plane[1][4] = { { 0.3, 0.2, 0.932738, -2 } };
     const kit_camera c = looking_along_z(W, H, 0);
     kit_image frame;
@@ -48,7 +51,11 @@ static void light_is_followed(void)
             if (!t) run.frame.history = 0;
             else if (!TRY(kit_run_follow(&run, &run, t, &err))) return;
             /* from three frames on the filter takes five texels in place of nine, and is taken to know less */
-            const double most = (double)run.frame.history, n = t ? fmin(frames + 1, most) : 1,
+            const double now = row[i].uneven ? took[t % 5] : 1, last = row[i].uneven ? took[(t + 4) % 5] : 1;
+            if (t && !CHECK(ssgi_gl_frame_time(&run.frame, 16 / 60.0f, (float)(now / 60), (float)(last / 60), NULL)
+                            == SSGI_OK, "a time is refused"))
+                return;
+            const double most = 16 / now, n = t ? fmin(frames * last / now + 1, most) : 1,
                          few = n < 3 ? 1 : 9.0 / 5, deviation = 0.1 * v * sqrt((few - 1) * few),
                          drift = 0.2 * deviation + 0.005 * v,
                          jump = 0.7 * deviation + 0.02 * v;
@@ -111,28 +118,32 @@ static int frames_kept(float kept[W * H], kit_run *run)
 {
     static float texel[4 * W * H];
     const kit_pass *p = pass_of(run, SSGI_GL_PASS_HISTORY);
-    if (!CHECK(p->width == W && p->height == H && !kit_texture_read(p->target[0], W, H, 4, texel),
+    if (!CHECK(p->width * p->height <= W * H && !kit_texture_read(p->target[0], p->width, p->height, 4, texel),
                "what history kept cannot be read"))
         return 0;
-    for (int i = 0; i < W * H; ++i) kept[i] = texel[4 * i + 3];
+    for (int i = 0; i < p->width * p->height; ++i) kept[i] = texel[4 * i + 3];
     return 1;
 }
 
-/* A frame of a picture that went on by so much: each pixel takes up what the four around its last place counted, at
-   most 16 and fewer the farther that is from a pixel's centre; up to a pixel beyond the border counts as the border. */
-static void count(float kept[W * H], double dx, double dy)
+/* A frame of a picture that went on by so much, and before had another size: each pixel takes up what the four around
+   its last place counted, at most 16 and fewer the farther that is from a pixel's centre; up to a pixel beyond the
+   border counts as the border, and up to a hundredth from a pixel's centre as that. */
+static void count(float kept[W * H], const int size[2], const int was[2], double dx, double dy)
 {
     static float last[W * H];
     memcpy(last, kept, sizeof last);
-    for (int i = 0; i < W * H; ++i) {
-        const double x = i % W - dx, y = i / W - dy, u = x - floor(x), v = y - floor(y);
+    for (int i = 0; i < size[0] * size[1]; ++i) {
+        const double x = (i % size[0] - dx + 0.5) * was[0] / size[0] - 0.5,
+                     y = (i / size[0] - dy + 0.5) * was[1] / size[1] - 0.5,
+                     u = fmin(fmax(1.02 * (x - floor(x)) - 0.01, 0), 1), v = fmin(fmax(1.02 * (y - floor(y)) - 0.01, 0), 1);
         double sum = 0;
         kept[i] = 1;
-        if (x <= -1.5 || y <= -1.5 || x >= W + 0.5 || y >= H + 0.5) continue;
+        if (x <= -1.5 || y <= -1.5 || x >= was[0] + 0.5 || y >= was[1] + 0.5) continue;
         for (int k = 0; k < 4; ++k) {
             const int p = (int)floor(x) + (k & 1), q = (int)floor(y) + k / 2;
             sum += (k & 1 ? u : 1 - u) * (k / 2 ? v : 1 - v)
-                   * (double)last[(q < 0 ? 0 : q < H ? q : H - 1) * W + (p < 0 ? 0 : p < W ? p : W - 1)];
+                   * (double)last[(q < 0 ? 0 : q < was[1] ? q : was[1] - 1) * was[0]
+                                  + (p < 0 ? 0 : p < was[0] ? p : was[0] - 1)];
         }
         kept[i] = (float)fmin(sum + 1, 16 / (1 + 2 * (u * (1 - u) + v * (1 - v))));
     }
@@ -143,20 +154,23 @@ static void count(float kept[W * H], double dx, double dy)
 static void frames_are_counted(void)
 {
     enum { FRAMES = 20, BAR = 40, ACROSS = 16, FAR_ = 30 };
-    static const struct { const char *name; double x, y; int cut, bar; } row[] = {
-        { "a still camera", 0, 0, FRAMES, 0 },
-        { "a turn by whole pixels", 3, -2, FRAMES, 0 },
-        { "a turn by half a pixel", 0.5, 0, FRAMES, 0 },
-        { "a turn by half a pixel both ways", 0.5, -0.5, FRAMES, 0 },
-        { "a cut", 0, 0, 15, 0 },
-        { "a bar that comes", 0, 0, FRAMES, 1 } };
+    static const int sizes[4][2] = { { W, H }, { 64, 36 }, { 48, 27 }, { 80, 45 } };
+    static const struct { const char *name; double x, y; int cut, bar, resized; } row[] = {
+        { "a still camera", 0, 0, FRAMES, 0, 0 },
+        { "a turn by whole pixels", 3, -2, FRAMES, 0, 0 },
+        { "a turn by half a pixel", 0.5, 0, FRAMES, 0, 0 },
+        { "a turn by half a pixel both ways", 0.5, -0.5, FRAMES, 0, 0 },
+        { "a cut", 0, 0, 15, 0, 0 },
+        { "a bar that comes", 0, 0, FRAMES, 1, 0 },
+        { "pictures of four sizes in turn", 0, 0, FRAMES, 0, 1 } };
     static const double plane[1][4] = { { 0, 0, 1, -4 } };
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
         static sequence s;
         static float kept[W * H], expected[W * H];
         if (!begin_frames(&s, "half=0,directions=1,steps=33,blur=1,history=1")) return;
         for (int t = 0; t < FRAMES; ++t) {
-            kit_camera c = looking_along_z(W, H, 1);
+            const int *const size = sizes[row[i].resized * t % 4], *const was = sizes[row[i].resized * (t + 3) % 4];
+            kit_camera c = looking_along_z(size[0], size[1], 1);
             kit_image frame;
             c.shift[0] = (float)(row[i].x * t);
             c.shift[1] = (float)(row[i].y * t);
@@ -165,12 +179,13 @@ static void frames_are_counted(void)
                 if (p % W >= BAR && p % W < BAR + ACROSS) frame.data[p] = 3.8f;
             if (t == row[i].cut) kit_frames_close(&s.frames);
             if (!next_frame(&s, &frame, &c)) return;
-            if (t && t != row[i].cut) count(expected, row[i].x, row[i].y);
+            if (t && t != row[i].cut) count(expected, size, was, row[i].x, row[i].y);
             else for (int p = 0; p < W * H; ++p) expected[p] = 1;
         }
         if (!frames_kept(kept, s.frames.now)) return;
         int wrong = 0, anew = 0, on = 0;
-        for (int p = 0; p < W * H; ++p) {
+        const kit_pass *const drawn_by = pass_of(s.frames.now, SSGI_GL_PASS_HISTORY);
+        for (int p = 0; p < drawn_by->width * drawn_by->height; ++p) {
             const int x = p % W;
             /* a place half a pixel beyond the border is in the last picture or not as it is rounded: then one less */
             const float off = expected[p] - kept[p];
@@ -527,7 +542,10 @@ static void poisoned_history(void)
     kit_scene_free(&scene);
 }
 
-/* What a frame says of the last one: of another size refused, by name; jitter and field of view are followed. */
+static const double pi = 3.14159265358979;
+
+/* What a frame says of the last one: size, jitter and field of view are followed; bad matrices and times refused, by
+   name. */
 static void last_frames(void)
 {
     const kit_camera c = looking_along_z(64, 36, 0);
@@ -563,10 +581,17 @@ static void last_frames(void)
             CHECK(fabs(back - p[r]) < 1e-3, "%g comes back as %g", p[r], back);
         }
     }
+    other.width = 96;
+    other.height = 18;
+    CHECK(frame.last_size[0] == 64 && frame.last_size[1] == 36, "the last size is %d x %d", (int)frame.last_size[0],
+          (int)frame.last_size[1]);
+    if (!view_of(&last, &other, 0)) return;
+    CHECK(ssgi_gl_frame_history(&frame, &last, now, then, &why) == SSGI_OK && frame.last_size[0] == 96
+              && frame.last_size[1] == 18
+              && fabs((double)frame.last_footprint / (2 * tan(20 * pi / 180) / tan(22.5 * pi / 180)) - 1) < 1e-5,
+          "of another size: %s; %d x %d, pixels %g times as wide", why, (int)frame.last_size[0],
+          (int)frame.last_size[1], (double)frame.last_footprint);
     was = frame;
-    last.width = 65;
-    CHECK(ssgi_gl_frame_history(&frame, &last, now, then, &why) == SSGI_BAD_ARGUMENT && strstr(why, "view:")
-              && strstr(why, "size") && !memcmp(&frame, &was, sizeof frame), "another size: %s", why);
     memcpy(bad, then, sizeof bad);
     bad[5] = NAN;
     CHECK(ssgi_gl_frame_history(&frame, &view, now, bad, &why) == SSGI_BAD_ARGUMENT
@@ -574,6 +599,12 @@ static void last_frames(void)
               && ssgi_gl_frame_history(&frame, &view, now, NULL, &why) == SSGI_BAD_ARGUMENT
               && ssgi_gl_frame_history(NULL, &view, now, then, NULL) == SSGI_BAD_ARGUMENT
               && !memcmp(&frame, &was, sizeof frame), "bad matrices are taken");
+    static const float times[][3] = { { 0, 1, 1 }, { 1, NAN, 1 }, { 1, 1, -1 } };
+    static const char *const named[] = { "memory:", "elapsed:", "last:" };
+    for (int i = 0; i < 3; ++i)
+        CHECK(ssgi_gl_frame_time(&frame, times[i][0], times[i][1], times[i][2], &why) == SSGI_BAD_ARGUMENT
+                  && !strncmp(why, named[i], strlen(named[i])) && !memcmp(&frame, &was, sizeof frame),
+              "a bad time: %s", why);
 }
 
 void test_history(void)
@@ -586,7 +617,7 @@ void test_history(void)
     RUN("what moves by motion vectors is averaged as what a camera passes by", motion_is_followed);
     RUN("a hundred frames of hostile history leave no trace", hostile_history);
     RUN("a frame of NaN at depths that are right leaves none, whatever is restored", poisoned_history);
-    RUN("a last frame is where both cameras say; one of another size is refused by name", last_frames);
+    RUN("a last frame is where both cameras say, of whatever size; bad ones are refused by name", last_frames);
     RUN("over sixteen frames noise falls; the first after a cut is a single one", history_is_quiet);
     kit_gl_close();
 }

@@ -397,7 +397,7 @@ int  kit_run_picture(kit_image *out, kit_gbuffer *gbuffer, const kit_world *worl
 
 /* ---- >>frames ----------------------------------------------------------------------------------------------- */
 
-/* Before a draw: makes the run the frame after last's, a run of the same method on a picture of the same size, which
+/* Before a draw: makes the run the frame after last's, a run of the same method on a picture of any size, which
    must not be drawn any more: its history is the run's now. Or the run itself, once drawn. frame: its number. */
 int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err);
 int  kit_run_keeps(const kit_run *run);    /* 1: a pass of it averages over frames */
@@ -408,10 +408,13 @@ typedef struct kit_frames {
     kit_run *now;                          /* the frame's, for the caller to draw and read; NULL: there is none */
     unsigned number;                       /* of the next frame, which its noise goes by; the first may be any */
     unsigned since;                        /* frames that follow each other up to now, this one among them */
+    /* how long the next frame takes, in 60ths of a second: KIT_MEMORY of these are averaged then. 0: 16 frames are */
+    float elapsed, took;                   /* took: kit_frames_next's own */
 } kit_frames;
+#define KIT_MEMORY 16.0f
 
 /* Opens the next frame. Where the method keeps history, it follows the last one, with the margin that this had, unless
-   that had another size or other passes: history begins anew then, as it does after kit_frames_close, which who shows
+   that had other passes: history begins anew then, as it does after kit_frames_close, which who shows
    another scene calls. The last one is closed, and its G-buffer must live until then. alone: the frame's picture by the
    same noise, but without history; NULL: not asked. On failure all is closed. */
 int  kit_frames_next(kit_frames *frames, kit_gbuffer *gbuffer, const kit_method *method, float radius,

@@ -29,6 +29,17 @@ static float phase_of(float from, unsigned frame)
     return (float)(phase - floor(phase));
 }
 
+/* Gives a texture the size that a pass draws at, if the frame before had another. */
+static void fit(GLuint texture, const kit_pass *p, GLenum format)
+{
+    GLint width, height;
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
+    if (width != p->width || height != p->height)
+        glTexImage2D(GL_TEXTURE_2D, 0, (GLint)format, p->width, p->height, 0, GL_RGBA, GL_FLOAT, NULL);
+}
+
 int kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
 {
     const kit_gbuffer *g = last->gbuffer;
@@ -46,6 +57,7 @@ int kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
         kit_pass *p = &run->pass[i], *from = &last->pass[i];
         for (unsigned k = 0; k < KIT_HISTORIES && p->last[k]; ++k) {
             const GLuint written = from->target[k], other = p->last[k];
+            if (run == last) fit(other, p, p->step->output[k].format->internal);
             exchange(run, written, last, other);
             p->last[k] = written;
             from->target[k] = other;
@@ -86,21 +98,33 @@ static int same_size(const kit_gbuffer *g, const kit_run *last)
     return g->viewport[2] == was[2] - margin && g->viewport[3] == was[3] - margin;
 }
 
-/* The run can go on with what the last one kept. */
+/* The run can go on with what the last one kept, whatever size that has. */
 static int same_passes(const kit_run *run, const kit_run *last)
 {
     int same = run->passes == last->passes;
-    for (int i = 0; i < run->passes && same; ++i) {
-        const kit_pass *a = &run->pass[i], *b = &last->pass[i];
-        same = a->width == b->width && a->height == b->height && ssgi_gl_key(&a->desc) == ssgi_gl_key(&b->desc);
-    }
+    for (int i = 0; i < run->passes && same; ++i)
+        same = ssgi_gl_key(&run->pass[i].desc) == ssgi_gl_key(&last->pass[i].desc);
     return same;
 }
 
-static int follow_or_begin(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
+/* History in seconds, where the frames tell how long they take. */
+static int keep_time(kit_frames *f, kit_run *run, kit_error *err)
 {
-    if (last) return kit_run_follow(run, last, frame, err);
-    run->frame.phase = phase_of(run->frame.phase, frame);
+    const char *why;
+    const float last = f->took > 0 ? f->took : f->elapsed;
+    if (!(f->elapsed > 0)) return 0;
+    f->took = f->elapsed;
+    if (ssgi_gl_frame_time(&run->frame, KIT_MEMORY, f->elapsed, last, &why) != SSGI_OK)
+        return kit_fail(err, "%s", why);
+    kit_run_update(run);
+    return 0;
+}
+
+static int follow_or_begin(kit_run *run, kit_run *last, kit_frames *f, kit_error *err)
+{
+    if (last) return kit_run_follow(run, last, f->number, err) || keep_time(f, run, err) ? -1 : 0;
+    f->took = f->elapsed;
+    run->frame.phase = phase_of(run->frame.phase, f->number);
     kit_run_update(run);
     return 0;
 }
@@ -113,8 +137,8 @@ int kit_frames_next(kit_frames *f, kit_gbuffer *g, const kit_method *method, flo
     kit_image picture = { 0 };
     int failed = kit_run_open_wide(run, g, method, radius, world, alike ? last->margin : -1, err)
               || (alone && draw_alone(&picture, run, keeps ? f->number : 0, err));
-    const int follows = !failed && alike && same_passes(run, last);
-    failed = failed || (keeps && follow_or_begin(run, follows ? last : NULL, f->number, err));
+    const int follows = !failed && last && keeps && same_passes(run, last);
+    failed = failed || (keeps && follow_or_begin(run, follows ? last : NULL, f, err));
     if (failed) {
         kit_image_free(&picture);
         kit_frames_close(f);

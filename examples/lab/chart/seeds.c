@@ -10,7 +10,7 @@
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
-#include "lab/quiet/bands.h"
+#include "lab/measure/bands.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 

@@ -33,7 +33,7 @@ enum {
    of hue, of all and of what is in shade; the bounce's noise. */
 enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLIT_BOUNCE, SPLITS };
 
-/* Noise by bands of frequency (lab/quiet/bands.h). A peer's share after each of FITS fits (lab/measure/peers.h). */
+/* Noise by bands of frequency (lab/measure/bands.h). A peer's share after each of FITS fits (lab/measure/peers.h). */
 enum { NOISE_BANDS = 4, FIT_GAINS = 9, FIT_EXPONENTS = 9, FITS = 2 * FIT_GAINS * FIT_EXPONENTS };
 
 /* What is known of fields: of the bake; of a picture's error beside its score; the occluders' reach as a share of the

@@ -22,7 +22,7 @@
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
-#include "lab/quiet/bands.h"
+#include "lab/measure/bands.h"
 
 #define DEVICE  "RX 6800"
 #define FIGURES_MD "examples/docs/FIGURES.md"      /* make cost writes the table of chains there */

@@ -5,22 +5,67 @@
 #include <string.h>
 #include "kit/kit_trace.h"
 #include "lab/measure/folder.h"
+#include "lab/measure/stage.h"
 #include "lab/stability/shot.h"
 
-/* The error is that of frame EIGHTH, from 0; deviations are of the frames behind it, by when a history is settled. */
-enum { MOVED = 16, EIGHTH = 7, COUNTED = EIGHTH + 1 };
+/* Deviations are of the first SPAN frames, in which history fills, and of the SPAN behind them. */
+enum { SPAN = 8, MOVED = 2 * SPAN };
 
-static const char *const own_scenes[] = { "room", "random:halls:7", "random:rooms:12", "random:streets:5", NULL };
 static const char *const own_methods[] = { "hsao-fast", "hsao-fast:history=1", "hsao", "hsao:history=1", "hsao-history",
-                                           "hsao-best", "hsao-best:history=1", NULL };
+                                           "hsao-best", NULL };
 
-/* Kinds of moves, which scenes take in turn: pixels to the right, and share of the way to the target, a frame. */
-static const struct {
-    float aside, nearer;
-} kinds[] = { { 1, 0 }, { 0.7f, 0.002f }, { -0.6f, 0.003f }, { 1.3f, 0 } };
+/* Kinds of moves, which scenes take in turn, and of what else a host does to frames, which are asked for. A step each
+   frame: pixels to the right, share of the way to the target, degrees of roll and orbit. */
+enum { EVEN, CUTS, STOPS, JITTERS, RESIZES, UNEVEN };
+static const struct kind {
+    const char *name;
+    float aside, nearer, roll, orbit;
+    int how;
+} kinds[] = { { "aside", 1, 0, 0, 0, EVEN },       { "forward", 0, 0.005f, 0, 0, EVEN },
+              { "roll", 0, 0, 0.3f, 0, EVEN },     { "orbit", 0, 0, 0, 0.25f, EVEN },
+              { "cut", 0.7f, 0, 0, 0, CUTS },      { "stop and go", 1, 0, 0, 0, STOPS },
+              { "fast", 4, 0, 0, 0, EVEN },        { "slow", 0.3f, 0.001f, 0, 0, EVEN },
+              { "still", 0, 0, 0, 0, EVEN },       { "jittered", 0, 0, 0, 0, JITTERS },
+              { "resized", 0.7f, 0, 0, 0, RESIZES }, { "uneven", 1, 0, 0, 0, UNEVEN } };
+enum { KINDS = sizeof kinds / sizeof *kinds, IN_TURN = 8, OF_SEEDS = 8, OF_MODELS = 8 };
 
-enum { KINDS = sizeof kinds / sizeof *kinds };
+/* How many steps a frame takes, where frames are uneven; eighths of the picture's width, where it is resized. */
+static const float step_of[SPAN] = { 1, 1, 0.5f, 3, 0.25f, 1, 2, 0.5f };
+static const int eighths[SPAN] = { 8, 8, 7, 6, 6, 7, 8, 5 };
 
+/* ---- >>path ------------------------------------------------------------------------------------------------------ */
+
+/* The i-th number of Halton's sequence. */
+static float halton(int i, int base)
+{
+    float v = 0, share = 1;
+    for (; i; i /= base) v += (share /= (float)base) * (float)(i % base);
+    return v;
+}
+
+static double steps_until(const struct kind *kind, int frame)
+{
+    double steps = 0;
+    for (int k = 1; k <= frame; ++k)
+        steps += kind->how == STOPS ? k / 4 % 2 == 0 : kind->how == UNEVEN ? (double)step_of[k % SPAN] : 1;
+    return steps;
+}
+
+static look look_of(const char *scene, const struct kind *kind, int frame, int width)
+{
+    const float steps = (float)steps_until(kind, frame);
+    const int cut = kind->how == CUTS && frame >= SPAN, eighth = kind->how == RESIZES ? eighths[frame % SPAN] : 8;
+    look l = { .scene = scene,
+               .width = width * eighth / 8,
+               .height = width * 9 / 16 * eighth / 8,
+               .stride = 1,
+               .aside = kind->aside * steps * (float)eighth / 8 + (cut ? 40.0f : 0),
+               .nearer = 1 - powf(1 - kind->nearer, steps) + (cut ? 0.15f : 0),
+               .roll = kind->roll * steps,
+               .orbit = kind->orbit * steps };
+    for (int i = 0; i < 2 && kind->how == JITTERS; ++i) l.shift[i] = halton(1 + frame % 8, 2 + i) - 0.5f;
+    return l;
+}
 /* ---- >>truth ----------------------------------------------------------------------------------------------------- */
 
 /* The same rays at every pixel, so that the truth of a place hardly depends on the pixel that it is seen by. */
@@ -51,22 +96,22 @@ static int truth_of(kit_image *out, const shot *s, int rays, kit_error *err)
 
 /* ---- >>figures --------------------------------------------------------------------------------------------------- */
 
-/* Mean deviation, over the frames that are counted, of places that all of them show. */
+/* Mean deviation over SPAN frames of places that all of them show. */
 static double deviation(const shot *shots, const kit_image *pictures)
 {
     double sum = 0;
     size_t places = 0;
-    for (int i = 0; i < shots[COUNTED].frame.width * shots[COUNTED].frame.height; ++i) {
-        double v[MOVED], mean = 0, square = 0;
+    for (int i = 0; i < shots->frame.width * shots->frame.height; ++i) {
+        double v[SPAN], mean = 0, square = 0;
         float p[3];
-        int shown = shots[COUNTED].mask[i] > 0;
+        int shown = shots->mask[i] > 0;
         if (!shown) continue;
-        shot_place(&shots[COUNTED], i, p);
-        for (int k = COUNTED; k < MOVED && shown; ++k)
-            shown = shot_value_at(&v[k], &shots[k], &pictures[k], p, shots[COUNTED].object[i]);
+        shot_place(shots, i, p);
+        for (int k = 0; k < SPAN && shown; ++k)
+            shown = shot_value_at(&v[k], &shots[k], &pictures[k], p, shots->object[i]);
         if (!shown) continue;
-        for (int k = COUNTED; k < MOVED; ++k) mean += v[k] / (MOVED - COUNTED);
-        for (int k = COUNTED; k < MOVED; ++k) square += (v[k] - mean) * (v[k] - mean) / (MOVED - COUNTED - 1);
+        for (int k = 0; k < SPAN; ++k) mean += v[k] / SPAN;
+        for (int k = 0; k < SPAN; ++k) square += (v[k] - mean) * (v[k] - mean) / (SPAN - 1);
         sum += sqrt(square);
         ++places;
     }
@@ -88,6 +133,9 @@ static double error_of(const shot *s, const kit_image *picture, const kit_image 
 
 /* ---- >>moves ----------------------------------------------------------------------------------------------------- */
 
+/* A row's figures: deviation while history fills, and after; error of the last frame, and of that frame alone. */
+enum { FILLING, FILLED, LAST, ALONE, MOVE_FIGURES };
+
 static int method_of(kit_method *m, const char *text, kit_error *err)
 {
     char name[64];
@@ -96,14 +144,17 @@ static int method_of(kit_method *m, const char *text, kit_error *err)
     return kit_method_find(m, name, err) || kit_method_set(m, colon ? colon + 1 : "", err) ? -1 : 0;
 }
 
-static int draw_all(kit_image *pictures, shot *shots, const char *text, kit_error *err)
+/* pictures: of all frames, and of the last one alone. */
+static int draw_all(kit_image *pictures, shot *shots, const char *text, const struct kind *kind, kit_error *err)
 {
     static kit_frames frames;
     kit_method m;
     if (method_of(&m, text, err)) return -1;
     for (int k = 0; k < MOVED; ++k) {
         const kit_world world = { &shots[k].scene, &shots[k].lighting };
-        if (kit_frames_next(&frames, &shots[k].gbuffer, &m, shots[k].radius, &world, NULL, err)) return -1;
+        kit_image *alone = k == MOVED - 1 ? &pictures[MOVED] : NULL;
+        if (kind->how == UNEVEN) frames.elapsed = step_of[k % SPAN];
+        if (kit_frames_next(&frames, &shots[k].gbuffer, &m, shots[k].radius, &world, alone, err)) return -1;
         kit_run_draw(frames.now, 0);
         if (kit_run_read(&pictures[k], frames.now, err)) return -1;
     }
@@ -111,30 +162,27 @@ static int draw_all(kit_image *pictures, shot *shots, const char *text, kit_erro
     return 0;
 }
 
-/* A scene's row of every method: figure[0] deviation, [1] error. */
-static int moved(double (*figure)[2], const char *scene, int kind, const char *const *methods, const moves_options *o,
-                 kit_error *err)
+/* Figures of every method in a scene. */
+static int moved(double (*figure)[MOVE_FIGURES], const char *scene, const struct kind *kind, const char *const *methods,
+                 const moves_options *o, kit_error *err)
 {
     static shot shots[MOVED];
-    kit_image truth[MOVED] = { { 0 } }, picture[MOVED];
+    kit_image truth[MOVED] = { { 0 } }, picture[MOVED + 1] = { { 0 } };
     const int none[2] = { 0, 0 };
+    double own[2];
     for (int k = 0; k < MOVED; ++k) {
-        const look l = { .scene = scene,
-                         .width = o->width,
-                         .height = o->width * 9 / 16,
-                         .stride = 1,
-                         .aside = kinds[kind].aside * (float)k,
-                         .nearer = 1 - powf(1 - kinds[kind].nearer, (float)k) };
+        const look l = look_of(scene, kind, k, o->width);
         kit_progress(scene, (double)k / MOVED);
-        if (shot_open(&shots[k], &l, none, err) || (k >= EIGHTH && truth_of(&truth[k], &shots[k], o->rays, err)))
-            return -1;
+        if (shot_open(&shots[k], &l, none, err) || truth_of(&truth[k], &shots[k], o->rays, err)) return -1;
     }
-    const double own = deviation(shots, truth);
+    for (int h = 0; h < 2; ++h) own[h] = deviation(shots + h * SPAN, truth + h * SPAN);
     for (int i = 0; methods[i]; ++i) {
-        if (draw_all(picture, shots, methods[i], err)) return -1;
-        figure[i][0] = deviation(shots, picture) - own;
-        figure[i][1] = error_of(&shots[EIGHTH], &picture[EIGHTH], &truth[EIGHTH]);
-        for (int k = 0; k < MOVED; ++k) kit_image_free(&picture[k]);
+        const shot *last = &shots[MOVED - 1];
+        if (draw_all(picture, shots, methods[i], kind, err)) return -1;
+        for (int h = 0; h < 2; ++h) figure[i][h] = deviation(shots + h * SPAN, picture + h * SPAN) - own[h];
+        for (int k = 0; k < 2; ++k)
+            figure[i][LAST + k] = error_of(last, &picture[MOVED - 1 + k], &truth[MOVED - 1]);
+        for (int k = 0; k <= MOVED; ++k) kit_image_free(&picture[k]);
     }
     for (int k = 0; k < MOVED; ++k) {
         shot_close(&shots[k]);
@@ -144,25 +192,61 @@ static int moved(double (*figure)[2], const char *scene, int kind, const char *c
     return 0;
 }
 
-int moves(const moves_options *o, kit_error *err)
+static const struct kind *kind_of(const moves_options *o, int k, kit_error *err)
 {
-    const char *const *scenes = o->scene[0] ? o->scene : own_scenes;
+    int kinds_asked = 0;
+    while (o->kind[kinds_asked]) ++kinds_asked;
+    if (!kinds_asked) return &kinds[k % IN_TURN];
+    for (int i = 0; i < KINDS; ++i)
+        if (!strcmp(kinds[i].name, o->kind[k % kinds_asked])) return &kinds[i];
+    kit_fail(err, "--kind %s: is none", o->kind[k % kinds_asked]);
+    return NULL;
+}
+
+/* The k-th scene; 0: there is none. */
+static int scene_of(char path[128], const moves_options *o, int k)
+{
+    if (o->scene[0]) {
+        if (o->scene[k]) snprintf(path, 128, "%s", o->scene[k]);
+        return o->scene[k] != NULL;
+    }
+    if (k >= OF_SEEDS) return k < OF_SEEDS + (o->quick ? 0 : OF_MODELS) && stage_model(path, o->from + k - OF_SEEDS);
+    snprintf(path, 128, "random:%d", o->from + k);
+    return 1;
+}
+
+static void print_figures(const char *name, const double *f)
+{
+    printf("  %-36s %8.5f %8.5f %8.4f %6.3f\n", name, f[FILLING], f[FILLED], f[LAST], f[LAST] / f[ALONE]);
+}
+
+int moves(const moves_options *o, FILE *csv, kit_error *err)
+{
     const char *const *methods = o->method[0] ? o->method : own_methods;
-    static double figure[MOST_MOVES][MOST_MOVES][2];
+    static double figure[MOST_MOVES][MOVE_FIGURES], sum[MOST_MOVES][MOVE_FIGURES];
+    char scene[128];
     int count = 0;
-    for (; scenes[count]; ++count)
-        if (moved(figure[count], scenes[count], count % KINDS, methods, o, err)) return -1;
-    printf("deviation over the truth's, error of the eighth frame\n%-44s", "");
-    for (int k = 0; k < count; ++k) printf(" %-17s", scenes[k]);
-    puts(" mean");
-    for (int i = 0; methods[i]; ++i) {
-        double mean[2] = { 0, 0 };
-        printf("%-44s", methods[i]);
-        for (int k = 0; k < count; ++k) {
-            printf(" %8.5f %7.5f ", figure[k][i][0], figure[k][i][1]);
-            for (int c = 0; c < 2; ++c) mean[c] += figure[k][i][c] / count;
+    memset(sum, 0, sizeof sum);
+    if (csv) fputs("move,scene,method,filling,filled,error,over alone\n", csv);
+    puts("deviation over the truth's in frames 1 to 8, 9 to 16; error of the last, over that of the frame alone");
+    for (; scene_of(scene, o, count); ++count) {
+        const struct kind *kind = kind_of(o, count, err);
+        if (!kind || moved(figure, scene, kind, methods, o, err)) return -1;
+        printf("%s: %s\n", kind->name, scene);
+        for (int i = 0; methods[i]; ++i) {
+            const double *f = figure[i];
+            print_figures(methods[i], f);
+            if (csv)
+                fprintf(csv, "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f\n", kind->name, scene, methods[i], f[FILLING],
+                        f[FILLED], f[LAST], f[LAST] / f[ALONE]);
+            for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] += f[c];
         }
-        printf(" %8.5f %7.5f\n", mean[0], mean[1]);
+        fflush(stdout);
+    }
+    printf("mean of %d\n", count);
+    for (int i = 0; methods[i]; ++i) {
+        for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] /= count;
+        print_figures(methods[i], sum[i]);
     }
     return 0;
 }

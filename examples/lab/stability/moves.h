@@ -3,17 +3,20 @@
 #define LAB_MOVES_H
 
 #include "kit/kit.h"
+#include "lab/page/page.h"
 
-enum { MOST_MOVES = 16 };
+enum { MOST_MOVES = 24 };
 
-/* scene, method: NULL after the last; without any, those of moves.c. A method may have settings behind a colon. */
+/* scene, method, kind: NULL after the last; without any, those of moves.c. A method may have settings behind a colon.
+   from: the first seed of scenes, and number of models. */
 typedef struct moves_options {
-    const char *scene[MOST_MOVES + 1], *method[MOST_MOVES + 1];
-    int width, rays;
+    const char *scene[MOST_MOVES + 1], *method[MOST_MOVES + 1], *kind[MOST_MOVES + 1];
+    int width, rays, from, quick;
 } moves_options;
 
-/* Prints a table: of each method and scene the deviation over frames of places that are followed, less the truth's, and
-   the error of the eighth frame. The truth is kept under build/cache. */
-int moves(const moves_options *o, kit_error *err);
+/* Prints a table: of each scene, by its kind of move, and method the deviation over frames of places that are followed,
+   less the truth's, while history fills and after; the error of the last frame, and that over the error of the frame
+   alone. csv, where it is not NULL: the same as rows. Truths are kept under build/cache. */
+int moves(const moves_options *o, FILE *csv, kit_error *err);
 
 #endif

@@ -59,6 +59,25 @@ static int look_around(shot *s, const look *l, kit_error *err)
     return 0;
 }
 
+/* Turns v about a unit axis. */
+static void turn(float v[3], const float axis[3], float degrees)
+{
+    const float c = cosf(degrees * DEGREE), s = sinf(degrees * DEGREE);
+    float out[3], along = 0;
+    for (int i = 0; i < 3; ++i) along += v[i] * axis[i];
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        out[i] = c * v[i] + s * (axis[j] * v[k] - axis[k] * v[j]) + (1 - c) * along * axis[i];
+    }
+    memcpy(v, out, sizeof out);
+}
+
+static void normalise(float v[3])
+{
+    const float length = sqrtf(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int i = 0; i < 3; ++i) v[i] /= length;
+}
+
 float shot_aim(kit_camera *c, const look *l)
 {
     float away[3], right[3], length = 0, size = 0;
@@ -83,7 +102,20 @@ float shot_aim(kit_camera *c, const look *l)
         const float move = l->aside * pixel * right[i] / sqrtf(size);
         c->eye[i] += move + l->nearer * away[i];
         c->target[i] += move;
+        away[i] = c->target[i] - c->eye[i];
     }
+    if (l->orbit != 0) {
+        float up[3];
+        memcpy(up, c->up, sizeof up);
+        normalise(up);
+        turn(away, up, l->orbit);
+        for (int i = 0; i < 3; ++i) c->eye[i] = c->target[i] - away[i];
+    }
+    if (l->roll != 0) {
+        normalise(away);
+        turn(c->up, away, l->roll);
+    }
+    memcpy(c->shift, l->shift, sizeof c->shift);
     c->width = l->width;
     c->height = l->height;
     if (l->znear > 0) c->znear = l->znear;

@@ -4,8 +4,8 @@
       build/stability [--out report] [--quick] [--cause NAME]... [--method NAME]...     stability.csv, pictures of each
          cause, which index.html shows, a table at the end
 
-      build/stability --moves [--scene NAME]... [--method METHOD[:SETTINGS]]... [--width 320] [--rays 64]     how steady
-         methods are while a camera moves past what stands still: a table
+      build/stability --moves [--scene NAME]... [--method METHOD[:SETTINGS]]... [--kind NAME]... [--from SEED]
+         [--width 640] [--rays 64]     how steady methods are while a camera moves past what stands still: a table
 
    Truth is traced anew each time. Bad input, or a write that fails: one line on stderr, status 2. sweeps.c holds what
    is swept, sweep.c how it is measured, over shot.c's frames; maths.c sweeps the library's maths alone; show.c is what
@@ -14,6 +14,7 @@
 #include <string.h>
 #include "kit/kit_gl.h"
 #include "lab/measure/folder.h"
+#include "lab/measure/rows.h"
 #include "lab/page/page.h"
 #include "lab/stability/moves.h"
 #include "lab/stability/show.h"
@@ -97,26 +98,31 @@ static int parse(sweep_options *o, int argc, char **argv, kit_error *err)
 
 static int parse_moves(moves_options *o, int argc, char **argv, kit_error *err)
 {
-    int scenes = 0, methods = 0;
-    *o = (moves_options){ .width = 320, .rays = 64 };
+    const struct { const char *name, **list; int *number, least; } options[] = {
+        { "--scene", o->scene, NULL, 0 },   { "--method", o->method, NULL, 0 }, { "--kind", o->kind, NULL, 0 },
+        { "--width", NULL, &o->width, 64 }, { "--rays", NULL, &o->rays, 16 },   { "--from", NULL, &o->from, 0 } };
+    *o = (moves_options){ .width = 640, .rays = 64 };
     for (int i = 2; i < argc; i += 2) {
         const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
-        const int scene = !strcmp(a, "--scene"), wide = !strcmp(a, "--width");
-        if (!scene && !wide && strcmp(a, "--method") && strcmp(a, "--rays"))
+        int k = 0, n = 0;
+        while (k < COUNT(options) && strcmp(a, options[k].name)) ++k;
+        if (k == COUNT(options))
             return kit_fail(err,
-                            "--moves %s: there is no such argument (--scene NAME, --method METHOD[:SETTINGS], "
-                            "--width PIXELS, --rays N)",
+                            "--moves %s: there is no such argument (--scene NAME, --method METHOD[:SETTINGS], --kind "
+                            "NAME, --width PIXELS, --rays N, --from SEED)",
                             a);
         if (!v || !*v) return kit_fail(err, "%s: needs a value", a);
-        if (wide || !strcmp(a, "--rays")) {
+        if (options[k].number) {
             char *end;
-            const long n = strtol(v, &end, 10);
-            if (*end || n < 16 || n > 4096) return kit_fail(err, "%s %s: must be 16..4096", a, v);
-            *(wide ? &o->width : &o->rays) = (int)n;
-        } else {
-            if ((scene ? scenes : methods) == MOST_MOVES) return kit_fail(err, "%s: at most %d", a, MOST_MOVES);
-            *(scene ? &o->scene[scenes++] : &o->method[methods++]) = v;
+            const long value = strtol(v, &end, 10);
+            if (*end || value < options[k].least || value > 4096)
+                return kit_fail(err, "%s %s: must be %d..4096", a, v, options[k].least);
+            *options[k].number = (int)value;
+            continue;
         }
+        while (options[k].list[n]) ++n;
+        if (n == MOST_MOVES) return kit_fail(err, "%s: at most %d", a, MOST_MOVES);
+        options[k].list[n] = v;
     }
     return 0;
 }
@@ -129,7 +135,7 @@ int main(int argc, char **argv)
     kit_error err = { "" };
     kit_streams_open();
     if (!(moving ? parse_moves(&m, argc, argv, &err) : parse(&o, argc, argv, &err)) && !kit_gl_open(NULL, &err)
-        && !(moving ? moves(&m, &err) : stability(&o, &err)))
+        && !(moving ? moves(&m, NULL, &err) : stability(&o, &err)))
         kit_streams_close(&err);
     if (*err.text) {
         kit_progress("", 1);

@@ -38,8 +38,9 @@ typedef struct look {
     float placed[16], box[BOXES][6];       /* boxes with y1 > y0 are added */
     float eye[3], target[3], up[3], fovy, znear, zfar;
     /* of the whole scene; the camera then moves by so many of the target's pixels to the right, by that share of the
-       way to it */
-    float scale, aside, nearer;
+       way to it, rolls, and goes around the target, in degrees */
+    float scale, aside, nearer, roll, orbit;
+    float shift[2];                        /* jitter of the projection, in pixels */
     float radius, pixels;                  /* pixels: of the radius at the target */
     float where[2][3];                     /* what is scored: bounds, on each axis where the lower one is lower */
     float sun[3];                          /* direction to the sun, in the sky; else light is white from everywhere */

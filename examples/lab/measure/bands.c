@@ -1,5 +1,5 @@
 /* bands.c - bands of the difference between two pictures. Declared in bands.h. */
-#include "lab/quiet/bands.h"
+#include "lab/measure/bands.h"
 #include <math.h>
 #include <stdlib.h>
 
