@@ -864,8 +864,8 @@ typedef struct ssgi_gl_step {
    Clear the steps' textures to 0 when you make them. Where the picture's size changes, ask for the steps again; the
    texts stay, since none depends on the size. Textures of the greatest size stay, too, and the picture takes a part of
    them, from frame.target on. Otherwise make all anew, of the size that the steps now say, but what is read as the last
-   frame left it (input.last): it is read once more, at its own size. So of such a pair the one that this frame writes is
-   made anew first, and the other a frame later. */
+   frame left it (input.last): it is read once more, at its own size. So of such a pair make the one that this frame
+   writes anew first, and the other a frame later. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
 /* GL's state of the texture at a unit, or of a target. */
