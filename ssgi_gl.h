@@ -4218,7 +4218,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 now; // the pixel's own texel\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    bool settled; // It has an average over frames.\n"
+    "    float frames; // how many are averaged\n"
     "#endif\n"
     "};\n" },
 
@@ -4292,13 +4292,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* From half size the weight is never 0, so that the tap closest to the plane wins if none lies on it. The square of a
    distance from the plane at which a tap has half of its weight: .03 gives hsao-fast an error of .4508, .1 .4460, .3
-   .4451, but mixes surfaces. Frames average its noise, so that history takes it closer: .006 gives hsao-history .3749,
-   .02 .3740, .06 .3744. The scenes are those of SSGI_STEEP. */
+   .4451, but mixes surfaces. The scenes are those of SSGI_STEEP. Frames average its noise, so that history takes it
+   closer the more it has, from three times as far. */
 { "SSGI_HALF_OFF", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
     "const float SSGI_HALF_OFF = 0.1;\n" },
 
 { "SSGI_HALF_OFF", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
-    "const float SSGI_HALF_OFF = 0.02;\n" },
+    "const float SSGI_HALF_OFF = 0.3; // over frames\n" },
+
+/* From so many frames on the filter needs no more than the four texels next to a pixel. */
+{ "SSGI_SETTLED", NULL, __LINE__ + 1,
+    "const float SSGI_SETTLED = 5.0;\n" },
 
 /* Where a pixel has an average over frames, these sharpen the filter: a tap's tent, 1 to 16, is multiplied by this plus
    the tent, so that the nearest texel counts most. 4 gives hsao-history an error of .3737, 12 .3740, 36 .3743. */
@@ -4317,10 +4321,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
     "    float off = ssgi_above_plane(c.plane, t.o, z);\n"
     "#if SSGI_HALF\n"
+    "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 3) - abs(t.o);\n"
+    "    float w = tent.x * tent.y / (SSGI_HALF_OFF / c.frames + off * off);\n"
+    "    if (c.frames >= SSGI_SETTLED) w *= SSGI_TENT + tent.x * tent.y;\n"
+    "#else\n"
     "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(t.o);\n"
     "    float w = tent.x * tent.y / (SSGI_HALF_OFF + off * off);\n"
-    "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    if (c.settled) w *= SSGI_TENT + tent.x * tent.y;\n"
     "#endif\n"
     "#else\n"
     "    const float least = 1.0 / SSGI_STEEP;\n"
@@ -4420,16 +4427,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_filter_tap(f, p, c, ivec2((k & 1) * (k - 2), ((k + 1) & 1) * (k - 1)));\n"
     "#endif\n"
     "    }\n"
+    "#if SSGI_HALF\n"
+    "    const int side = 2 * SSGI_FILTER_RADIUS + 2;\n"
+    "#else\n"
     "    const int side = 2 * SSGI_FILTER_RADIUS + 1;\n"
-    "    int more = c.settled ? 0 : side * side;\n"
+    "#endif\n"
+    "    int more = c.frames < SSGI_SETTLED ? side * side : 0;\n"
     "    for (int k = 0; k < more; ++k) {\n"
     "        ivec2 o = ivec2(k % side, k / side) - SSGI_FILTER_RADIUS;\n"
     "#if SSGI_HALF\n"
-    "        if (((o.x - next.x) | (o.y - next.y)) >> 1 == 0) continue;\n"
+    "        if ((o.x | o.y) >> 1 == 0) continue;\n"
+    "        ssgi_filter_tap(f, p, c, next + o);\n"
     "#else\n"
     "        if (abs(o.x) + abs(o.y) < 2) continue;\n"
-    "#endif\n"
     "        ssgi_filter_tap(f, p, c, o);\n"
+    "#endif\n"
     "    }\n"
     "    return f;\n"
     "}\n" },
@@ -4541,11 +4553,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The share of all surfaces within the radius whose change leaves one frame beside this one. */
 { "SSGI_CHANGED", NULL, __LINE__ + 1,
-    "const float SSGI_CHANGED = 0.01;\n" },
-
-/* From so many frames on the filter needs no more than the four texels next to a pixel. */
-{ "SSGI_SETTLED", NULL, __LINE__ + 1,
-    "const float SSGI_SETTLED = 3.0;\n" },
+    "const float SSGI_CHANGED = 0.007;\n" },
 
 /* Where motion vectors say that nothing moves, fewer changed depths of a tile than this share are edges that pixels
    sample otherwise than in the last frame, such as leaves'. */
@@ -4732,7 +4740,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_blurred c = ssgi_blurred_at(p);\n"
     "    ssgi_last last = ssgi_last_of(p, c.P, c.n);\n"
     "    float frames = ssgi_frames(p, last);\n"
-    "    c.settled = frames >= SSGI_SETTLED || c.z >= SSGI_FAR; // background needs no filter\n"
+    "    c.frames = c.z < SSGI_FAR ? frames : SSGI_SETTLED; // background needs no filter\n"
     "    ssgi_filtered f = ssgi_filter(p, c);\n"
     "    vec4 now = vec4(f.light.xyz / f.light.w, c.z);\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY\n"
@@ -4821,10 +4829,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 at = ssgi_project(E) - 0.5;\n"
     "    if (!came && !ssgi_within(at, u_ssgi_size)) return 0.0;\n"
     "    vec3 seen = came ? vec3(vec2(q), ssgi_depth(q)) : ssgi_nearest(at, false);\n"
-    "    vec3 Q = ssgi_position(seen.xy + 0.5, seen.z), apart = came ? Q - E : E - Q;\n"
-    "    float slack = ssgi_slack(seen.z);\n"
-    "    bool off = seen.z >= SSGI_FAR || abs(dot(ssgi_normal(ivec2(seen.xy), Q), apart)) > slack;\n"
-    "    return off && apart.z > slack ? (came ? seen.z : -E.z) : 0.0;\n"
+    "    float apart = came ? -E.z - seen.z : seen.z + E.z;\n"
+    "    return apart > ssgi_slack(seen.z) ? (came ? seen.z : -E.z) : 0.0;\n"
     "}\n" },
 
 { "ssgi_tile", NULL, __LINE__ + 1,

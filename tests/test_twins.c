@@ -1995,8 +1995,8 @@ static GLuint filled(float value)
 }
 
 /* Frames are counted on where the last one shows the same plane, up to a pixel beyond its picture: of four texels one
-   alone counts whole, if it weighs a quarter. They are 16 at most, amid two texels 10.7, amid four 8. Where a hundredth
-   of what lies within the radius changed two are left; things that move by more than half a pixel on their own, by
+   alone counts whole, if it weighs a quarter. They are 16 at most, amid two texels 10.7, amid four 8. Where .007 of
+   what lies within the radius changed two are left; things that move by more than half a pixel on their own, by
    motion vectors, keep theirs. */
 static void history_counts_on(void)
 {
@@ -2005,7 +2005,7 @@ static void history_counts_on(void)
     const struct { float by, nearby; int alone; float own, kept; double frames; } cases[] = {
         { 0.25f, 0, 1, 0, 5, 6 },   { 0.45f, 0, 1, 0, 5, 6 },  { 0.55f, 0, 1, 0, 5, 1 },    { 0, 0, 0, 0, 5, 6 },
         { 0, 0, 0, 0, 40, 16 },     { 0, 0, 0, 0.5f, 40, 16 / 1.5 }, { 0.5f, 0, 0, 0, 40, 8 }, { 32.9f, 0, 0, 0, 5, 6 },
-        { 33.1f, 0, 0, 0, 5, 1 },   { 0, 0.01f, 0, 0, 5, 2 },  { 0, 1, 0, 0, 5, 1.01 },     { 0, 1, 0, 0.45f, 5, 1.01 },
+        { 33.1f, 0, 0, 0, 5, 1 },   { 0, 0.007f, 0, 0, 5, 2 }, { 0, 1, 0, 0, 5, 1.007 },    { 0, 1, 0, 0.45f, 5, 1.007 },
         { 0, 1, 0, 0.55f, 5, 6 },   { 0, 1, 0, 2, 5, 6 } };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HISTORY,
@@ -2132,9 +2132,9 @@ static void history_follows(void)
             const int x = i % SIDE, y = i / SIDE, even = x < SIDE / 2;
             if ((x + 1) % (SIDE / 2) < 2 || (y + 1) % SIDE < 2) continue;          /* has other neighbours */
             const double h = even ? 0 : (i + y) & 1 ? -0.1 : 0.1, n = (double)means[i][1],
-                         most = n < 1 ? 1 : fmin(n + 1, 16), value = 0.5 + h * (most < 3 ? 1 / 9.0 : -3 / 5.0);
+                         most = n < 1 ? 1 : fmin(n + 1, 16), value = 0.5 + h * (most < 5 ? 1 / 9.0 : -3 / 5.0);
             /* of nine texels; of five, which are few: a tenth of the value more */
-            const double deviation = most < 3 ? fabs(h) * sqrt(10 / 9.0) : 1.2 * sqrt(h * h + 0.01 * value * value),
+            const double deviation = most < 5 ? fabs(h) * sqrt(10 / 9.0) : 1.2 * sqrt(h * h + 0.01 * value * value),
                          jump = 0.7 * deviation + 0.02 * value, drift = 0.2 * deviation + 0.005 * value;
             double quick = value + ((double)means[i][0] - value) * (1 - 1 / fmin(most, 3)),
                    mean = value + ((double)last[i][0] / tint[colour][0] - value) * (1 - 1 / most), frames = most;
@@ -2264,7 +2264,7 @@ static void history_spreads(void)
     GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
     const int went = probe(&d, &frame, texture,
                            "ssgi_blurred c = ssgi_blurred_at(texel);"
-                           "c.settled = false;"
+                           "c.frames = 1.0;"
                            "ssgi_filtered f = ssgi_filter(texel, c);"
                            "float mean = f.light.x / f.light.w;"
                            "o = vec4(mean, ssgi_deviation(f, mean), 0.0, 0.0);");
@@ -2277,8 +2277,9 @@ static void history_spreads(void)
     }
 }
 
-/* Of half size 3x3 texels are averaged by tents two of them long, the less the farther they are off the plane; where
-   frames are averaged, the four next to a pixel by steeper ones. Their weights fall off: all of them count as 7. */
+/* Of half size 4x4 texels are averaged by tents of two and a half of them, the less the farther they are off the plane
+   and the more frames there are; where five are averaged, the four next to a pixel by steeper ones. Their weights fall
+   off: all of them count as 7. */
 static void history_spreads_half_size(void)
 {
     static float map[MANY][4];
@@ -2299,24 +2300,24 @@ static void history_spreads_half_size(void)
         map[i][1] = 10 + t_uniform(0, 0.5f) * (0.01f + 1.0f / 16) * (float)(i & 1);
     }
     GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
-    for (int settled = 0; settled < 2; ++settled) {
+    for (int frames = 1; frames < 16; frames += 5) {
         char statements[300];
         snprintf(statements, sizeof statements,
-                 "ssgi_blurred c = ssgi_blurred_at(texel); c.settled = %s;"
+                 "ssgi_blurred c = ssgi_blurred_at(texel); c.frames = %d.0;"
                  "ssgi_filtered f = ssgi_filter(texel, c); float mean = f.light.x / f.light.w;"
-                 "o = vec4(mean, ssgi_deviation(f, mean), 0.0, 0.0);", settled ? "true" : "false");
+                 "o = vec4(mean, ssgi_deviation(f, mean), 0.0, 0.0);", frames);
         if (!probe(&d, &frame, texture, statements)) break;
         for (int i = 0; i < MANY; ++i) {
             const int x = i % SIDE, y = i / SIDE;
             double weights = 0, both = 0, sum = 0, squares = 0;
-            if (x < 2 || y < 2 || x >= SIDE - 2 || y >= SIDE - 2) continue;
-            for (int k = 0; k < 9; ++k) {
-                const int h[2] = { x / 2 + k % 3 - 1, y / 2 + k / 3 - 1 };
-                const int beside = k % 3 != 2 - 2 * (x & 1) && k / 3 != 2 - 2 * (y & 1);
-                const double tent = (4 - abs(2 * h[0] - x)) * (4 - abs(2 * h[1] - y)),
+            if (x < 4 || y < 4 || x >= SIDE - 4 || y >= SIDE - 4) continue;
+            for (int k = 0; k < 16; ++k) {
+                const int h[2] = { x / 2 + k % 4 - 2 + (x & 1), y / 2 + k / 4 - 2 + (y & 1) }, settled = frames > 4;
+                const int beside = k % 4 % 3 && k / 4 % 3;
+                const double tent = (5 - abs(2 * h[0] - x)) * (5 - abs(2 * h[1] - y)),
                              value = (double)map[h[1] * SIDE + h[0]][0],
                              off = ((double)map[h[1] * SIDE + h[0]][1] - 10) / (0.01 + 1.0 / 16),
-                             weight = (settled ? beside * (12 + tent) : 1) * tent / (0.02 + off * off);
+                             weight = (settled ? beside * (12 + tent) : 1) * tent / (0.3 / frames + off * off);
                 weights += weight, both += weight * weight;
                 sum += weight * value, squares += weight * value * value;
             }

@@ -13,7 +13,8 @@ const body bodies[BODIES] = {
     { "second", "if (t.inside && ll < 1.0 && front.y * r > SSGI_LEVEL) {",
       GATHERED("t.inside && ll < 1.0 && front.y * r > SSGI_LEVEL"), 0 },
     { "sent", "if (first + second > 0.0) {", GATHERED("first + second > 0.0"), 0 },
-    { "unsettled", "int more = c.settled ? 0 : side * side;", "told.x = uint(!c.settled); shown = c.z < SSGI_FAR;", 1 },
+    { "unsettled", "int more = c.frames < SSGI_SETTLED ? side * side : 0;",
+      "told.x = uint(c.frames < SSGI_SETTLED); shown = c.z < SSGI_FAR;", 1 },
     { "changed", "for (int k = 0; differ >> uint(k) != 0u; ++k) {", "told.x = differ; shown = true;", 16 }
 };
 
