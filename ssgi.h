@@ -4987,8 +4987,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    prediction read, is gone. New: desc.light.bounced and ssgi_gl_chain.bounced, for further bounces.
 
    History goes on where the size changes: ssgi_gl_frame_history takes a view of any size, frame.last_size and
-   .last_footprint tell texts. ssgi_gl_frame_time counts it in seconds (frame.pace); frame.motion_shift is for motion
-   vectors that leave out jitter. ssgi_gl_frame has 32 bytes more.
+   .last_footprint tell texts. ssgi_gl_frame_time counts it in seconds (frame.pace); frame.jitter keeps the
+   average sharp where the projection trembles for TAA. ssgi_gl_frame has 32 bytes more.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

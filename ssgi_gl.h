@@ -952,11 +952,14 @@ typedef struct ssgi_gl_frame {
     float pace;           /* history   [limit: > 0] [default: 1]  how long the last frame took over how long this one
                             took: ssgi_gl_frame_time */
     int32_t last_size[2]; /* [units: pixels]  of the last frame's image: ssgi_gl_frame_history */
-    float motion_shift[2]; /* desc.input.motion   [units: pixels]  added to t_ssgi_motion: where its vectors leave out
-                            the projection's jitter, this frame's jitter less the last one's; 0 where they have it */
-    float last_footprint;  /* [limit: >= 1]  width of the last frame's pixels over that of this frame's, at least 1:
+    float jitter[2];      /* [units: pixels of the last frame] [default: 0]  of a projection that trembles for TAA:
+                             this frame's jitter less the last one's. Averages then stand for pixels, not for places in
+                             them, and lose nothing to interpolation; t_ssgi_motion leaves jitter out. Where the
+                             projection moves by jitter alone, project[2], [3] (for another size times last_size over
+                             size) less that of the last frame's view */
+    float last_footprint; /* [limit: >= 1]  width of the last frame's pixels over that of this frame's, at least 1:
                             ssgi_gl_frame_history */
-    int32_t unused[3];     /* fills the block's last 16 bytes */
+    int32_t unused[3];    /* fills the block's last 16 bytes */
 } ssgi_gl_frame;
 
 /* Fills a frame from a view: the image is at the origin of textures and targets, all other members have their defaults.
@@ -4614,7 +4617,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_own_motion", "SSGI_MOTION", __LINE__ + 1,
     "vec2 ssgi_own_motion(ivec2 p, vec2 was) { // returns its own motion; by the camera's it was at `was`\n"
-    "    vec2 moved = texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy + u_ssgi_motion_shift;\n"
+    "    vec2 moved = texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy;\n"
     "    return (vec2(p) + 0.5 - moved) * vec2(u_ssgi_last_size) / vec2(u_ssgi_size) - was;\n"
     "}\n" },
 
@@ -4637,7 +4640,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_last ssgi_last_of(ivec2 p, vec3 P, vec3 n) {\n"
     "    ssgi_last none = ssgi_last_none(), sum = none;\n"
     "    vec3 was = ssgi_reproject(P);\n"
-    "    vec2 at = was.xy;\n"
+    "    vec2 at = was.xy + u_ssgi_jitter;\n"
     "    float footprint = u_ssgi_last_footprint * ssgi_footprint(-P.z);\n"
     "    vec4 plane = vec4(n, 0.0) * u_ssgi_last_from; // It takes pixels and depths of the last frame.\n"
     "    plane.w -= dot(n, P);\n"
@@ -4861,7 +4864,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec3 was = ssgi_pixel_was(q);\n"
     "        if (ssgi_depth_differs(was)) differ |= 1u << uint(k);\n"
     "#if SSGI_MOTION\n"
-    "        if (ssgi_moves(ssgi_own_motion(q, was.xy))) moves = true;\n"
+    "        if (ssgi_moves(ssgi_own_motion(q, was.xy + u_ssgi_jitter))) moves = true;\n"
     "#endif\n"
     "    }\n"
     "    for (int k = 0; differ >> uint(k) != 0u; ++k) {\n"
@@ -4996,7 +4999,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(slice, "int", "of your textures"),
     SSGI_GL__ROW_FRAME(pace, "float", ""),
     SSGI_GL__ROW_FRAME(last_size, "ivec2", "pixels"),
-    SSGI_GL__ROW_FRAME(motion_shift, "vec2", "pixels"),
+    SSGI_GL__ROW_FRAME(jitter, "vec2", "pixels"),
     SSGI_GL__ROW_FRAME(last_footprint, "float", ""),
 
     SSGI_GL__ROW_VIEWS(to, "mat4[4]", "view space to pixels (times depth) and depth"),

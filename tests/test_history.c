@@ -155,14 +155,16 @@ static void frames_are_counted(void)
 {
     enum { FRAMES = 20, BAR = 40, ACROSS = 16, FAR_ = 30 };
     static const int sizes[4][2] = { { W, H }, { 64, 36 }, { 48, 27 }, { 80, 45 } };
-    static const struct { const char *name; double x, y; int cut, bar, resized; } row[] = {
-        { "a still camera", 0, 0, FRAMES, 0, 0 },
-        { "a turn by whole pixels", 3, -2, FRAMES, 0, 0 },
-        { "a turn by half a pixel", 0.5, 0, FRAMES, 0, 0 },
-        { "a turn by half a pixel both ways", 0.5, -0.5, FRAMES, 0, 0 },
-        { "a cut", 0, 0, 15, 0, 0 },
-        { "a bar that comes", 0, 0, FRAMES, 1, 0 },
-        { "pictures of four sizes in turn", 0, 0, FRAMES, 0, 1 } };
+    static const struct { const char *name; double x, y; int cut, bar, resized, jitter; } row[] = {
+        { "a still camera", 0, 0, FRAMES, 0, 0, 0 },
+        { "a turn by whole pixels", 3, -2, FRAMES, 0, 0, 0 },
+        { "a turn by half a pixel", 0.5, 0, FRAMES, 0, 0, 0 },
+        { "a turn by half a pixel both ways", 0.5, -0.5, FRAMES, 0, 0, 0 },
+        { "a cut", 0, 0, 15, 0, 0, 0 },
+        { "a bar that comes", 0, 0, FRAMES, 1, 0, 0 },
+        { "pictures of four sizes in turn", 0, 0, FRAMES, 0, 1, 0 },
+        { "a projection that trembles", 0.4, -0.3, FRAMES, 0, 0, 1 },
+        { "the same, and motion vectors leave it out", 0.4, -0.3, FRAMES, 0, 0, 2 } };
     static const double plane[1][4] = { { 0, 0, 1, -4 } };
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
         static sequence s;
@@ -172,14 +174,16 @@ static void frames_are_counted(void)
             const int *const size = sizes[row[i].resized * t % 4], *const was = sizes[row[i].resized * (t + 3) % 4];
             kit_camera c = looking_along_z(size[0], size[1], 1);
             kit_image frame;
-            c.shift[0] = (float)(row[i].x * t);
-            c.shift[1] = (float)(row[i].y * t);
-            if (!planes_seen(&frame, &c, plane, 1, "")) return;
+            const int jitter = row[i].jitter > 0, went = jitter ? t & 1 : t;
+            c.shift[0] = (float)(row[i].x * went);
+            c.shift[1] = (float)(row[i].y * went);
+            s.frames.jittered = jitter;
+            if (!planes_seen(&frame, &c, plane, 1, row[i].jitter > 1 ? ",motion.X,motion.Y" : "")) return;
             for (int p = 0; p < W * H && row[i].bar && t == FRAMES - 1; ++p)
                 if (p % W >= BAR && p % W < BAR + ACROSS) frame.data[p] = 3.8f;
             if (t == row[i].cut) kit_frames_close(&s.frames);
             if (!next_frame(&s, &frame, &c)) return;
-            if (t && t != row[i].cut) count(expected, size, was, row[i].x, row[i].y);
+            if (t && t != row[i].cut) count(expected, size, was, jitter ? 0 : row[i].x, jitter ? 0 : row[i].y);
             else for (int p = 0; p < W * H; ++p) expected[p] = 1;
         }
         if (!frames_kept(kept, s.frames.now)) return;
@@ -612,7 +616,8 @@ void test_history(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("light that steps, rises and falls is followed as its recurrence says", light_is_followed);
-    RUN("frames are counted while a camera turns by whole and half pixels, after a cut, where a bar comes",
+    RUN("frames are counted while a camera turns by whole and half pixels, after a cut, where a bar comes, at other sizes, "
+        "under jitter",
         frames_are_counted);
     RUN("a bar that passes leaves no trail", nothing_trails);
     RUN("what moves by motion vectors is averaged as what a camera passes by", motion_is_followed);

@@ -410,6 +410,7 @@ typedef struct kit_frames {
     unsigned since;                        /* frames that follow each other up to now, this one among them */
     /* how long the next frame takes, in 60ths of a second: KIT_MEMORY of these are averaged then. 0: 16 frames are */
     float elapsed, took;                   /* took: kit_frames_next's own */
+    int jittered;                          /* 1: camera.shift is jitter, and nothing that moves */
 } kit_frames;
 #define KIT_MEMORY 16.0f
 

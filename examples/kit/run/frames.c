@@ -2,6 +2,7 @@
    before. Declared in kit_gl.h. */
 #include "kit/kit_run.h"
 #include <math.h>
+#include <string.h>
 
 /* ---- >>follow ---------------------------------------------------------------------------------------------------- */
 
@@ -107,6 +108,15 @@ static int same_passes(const kit_run *run, const kit_run *last)
     return same;
 }
 
+/* The cameras differ by the jitter of their projections, besides what they move. */
+static void keep_jitter(kit_run *run, const float last[4])
+{
+    ssgi_gl_frame *f = &run->frame;
+    for (int k = 0; k < 2; ++k)
+        f->jitter[k] = f->project[2 + k] * (float)f->last_size[k] / (float)f->size[k] - last[2 + k];
+    kit_run_update(run);
+}
+
 /* History in seconds, where the frames tell how long they take. */
 static int keep_time(kit_frames *f, kit_run *run, kit_error *err)
 {
@@ -122,7 +132,13 @@ static int keep_time(kit_frames *f, kit_run *run, kit_error *err)
 
 static int follow_or_begin(kit_run *run, kit_run *last, kit_frames *f, kit_error *err)
 {
-    if (last) return kit_run_follow(run, last, f->number, err) || keep_time(f, run, err) ? -1 : 0;
+    if (last) {
+        float project[4];
+        memcpy(project, last->frame.project, sizeof project);
+        if (kit_run_follow(run, last, f->number, err) || keep_time(f, run, err)) return -1;
+        if (f->jittered) keep_jitter(run, project);
+        return 0;
+    }
     f->took = f->elapsed;
     run->frame.phase = phase_of(run->frame.phase, f->number);
     kit_run_update(run);

@@ -131,10 +131,42 @@ static double error_of(const shot *s, const kit_image *picture, const kit_image 
     return sqrt(sum / (count ? count : 1));
 }
 
+/* As a host's TAA shows pictures of a camera that stands: their exponential average by a tenth, against the truth's mean
+   over the last SPAN. */
+static double error_by_taa(const shot *s, const kit_image *pictures, const kit_image *truths)
+{
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < s->frame.width * s->frame.height; ++i) {
+        double seen = 0, truth = 0;
+        int shown = 1;
+        for (int k = 0; k < MOVED && shown; ++k) {
+            shown = s[k].mask[i] > 0;
+            seen += ((double)shot_values(&pictures[k])[i] - seen) * fmax(1.0 / (k + 1), 0.1);
+            if (k >= SPAN) truth += (double)shot_values(&truths[k])[i] / SPAN;
+        }
+        if (!shown) continue;
+        sum += (seen - truth) * (seen - truth);
+        ++count;
+    }
+    return sqrt(sum / (count ? count : 1));
+}
+
 /* ---- >>moves ----------------------------------------------------------------------------------------------------- */
 
-/* A row's figures: deviation while history fills, and after; error of the last frame, and of that frame alone. */
-enum { FILLING, FILLED, LAST, ALONE, MOVE_FIGURES };
+/* A row's figures: deviation while history fills, and after; error of the last frame, and of that frame alone; of what
+   TAA shows. */
+enum { FILLING, FILLED, LAST, ALONE, BY_TAA, MOVE_FIGURES };
+
+/* "turned METHOD": its noise is another each frame, though it keeps no history. "place METHOD": it is not told that the
+   projection trembles by jitter alone. */
+static int told(const char **text, const char *word)
+{
+    const size_t length = strlen(word);
+    if (strncmp(*text, word, length)) return 0;
+    *text += length;
+    return 1;
+}
 
 static int method_of(kit_method *m, const char *text, kit_error *err)
 {
@@ -149,17 +181,28 @@ static int draw_all(kit_image *pictures, shot *shots, const char *text, const st
 {
     static kit_frames frames;
     kit_method m;
+    const int turned = told(&text, "turned "), place = told(&text, "place ");
     if (method_of(&m, text, err)) return -1;
     for (int k = 0; k < MOVED; ++k) {
         const kit_world world = { &shots[k].scene, &shots[k].lighting };
         kit_image *alone = k == MOVED - 1 ? &pictures[MOVED] : NULL;
-        if (kind->how == UNEVEN) frames.elapsed = step_of[k % SPAN];
+        frames.elapsed = kind->how == UNEVEN ? step_of[k % SPAN] : 0;
+        frames.jittered = kind->how == JITTERS && !place;
         if (kit_frames_next(&frames, &shots[k].gbuffer, &m, shots[k].radius, &world, alone, err)) return -1;
+        if (turned) {
+            frames.now->frame.phase = ssgi_gl_phase((uint32_t)k);
+            kit_run_update(frames.now);
+        }
         kit_run_draw(frames.now, 0);
         if (kit_run_read(&pictures[k], frames.now, err)) return -1;
     }
     kit_frames_close(&frames);
     return 0;
+}
+
+static int stands(const struct kind *kind)
+{
+    return !(fabsf(kind->aside) + fabsf(kind->nearer) + fabsf(kind->roll) + fabsf(kind->orbit) > 0);
 }
 
 /* Figures of every method in a scene. */
@@ -182,6 +225,7 @@ static int moved(double (*figure)[MOVE_FIGURES], const char *scene, const struct
         for (int h = 0; h < 2; ++h) figure[i][h] = deviation(shots + h * SPAN, picture + h * SPAN) - own[h];
         for (int k = 0; k < 2; ++k)
             figure[i][LAST + k] = error_of(last, &picture[MOVED - 1 + k], &truth[MOVED - 1]);
+        figure[i][BY_TAA] = stands(kind) ? error_by_taa(shots, picture, truth) : (double)NAN;
         for (int k = 0; k <= MOVED; ++k) kit_image_free(&picture[k]);
     }
     for (int k = 0; k < MOVED; ++k) {
@@ -217,7 +261,8 @@ static int scene_of(char path[128], const moves_options *o, int k)
 
 static void print_figures(const char *name, const double *f)
 {
-    printf("  %-36s %8.5f %8.5f %8.4f %6.3f\n", name, f[FILLING], f[FILLED], f[LAST], f[LAST] / f[ALONE]);
+    printf("  %-36s %8.5f %8.5f %8.4f %6.3f", name, f[FILLING], f[FILLED], f[LAST], f[LAST] / f[ALONE]);
+    printf(isnan(f[BY_TAA]) ? "\n" : " %8.4f\n", f[BY_TAA]);
 }
 
 int moves(const moves_options *o, FILE *csv, kit_error *err)
@@ -228,7 +273,8 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
     int count = 0;
     memset(sum, 0, sizeof sum);
     if (csv) fputs("move,scene,method,filling,filled,error,over alone\n", csv);
-    puts("deviation over the truth's in frames 1 to 8, 9 to 16; error of the last, over that of the frame alone");
+    puts("deviation over the truth's in frames 1 to 8, 9 to 16; error of the last, over that of the frame alone; of a "
+         "camera that stands, what TAA shows");
     for (; scene_of(scene, o, count); ++count) {
         const struct kind *kind = kind_of(o, count, err);
         if (!kind || moved(figure, scene, kind, methods, o, err)) return -1;
