@@ -131,8 +131,8 @@ static double error_of(const shot *s, const kit_image *picture, const kit_image 
     return sqrt(sum / (count ? count : 1));
 }
 
-/* As a host's TAA shows pictures of a camera that stands: their exponential average by a tenth, against the truth's mean
-   over the last SPAN. */
+/* As a host's TAA shows pictures of a camera that stands: their exponential average by a tenth, against the truth's
+   mean over the last SPAN. */
 static double error_by_taa(const shot *s, const kit_image *pictures, const kit_image *truths)
 {
     double sum = 0;
@@ -236,6 +236,19 @@ static int moved(double (*figure)[MOVE_FIGURES], const char *scene, const struct
     return 0;
 }
 
+/* Kinds of what a host does, each on as many scenes, and methods beside these. */
+static const char *const host_kinds[] = { "still", "jittered", "resized", "uneven", NULL };
+static const char *const host_methods[] = { "hsao-fast", "turned hsao-fast", "hsao-fast:history=1", "turned hsao",
+                                            "hsao-history", "place hsao-history", "hsao-best", NULL };
+enum { OF_HOSTS = 8 };
+
+void moves_of_hosts(moves_options *o)
+{
+    memcpy(o->kind, host_kinds, sizeof host_kinds);
+    memcpy(o->method, host_methods, sizeof host_methods);
+    o->count = OF_HOSTS;
+}
+
 static const struct kind *kind_of(const moves_options *o, int k, kit_error *err)
 {
     int kinds_asked = 0;
@@ -254,6 +267,7 @@ static int scene_of(char path[128], const moves_options *o, int k)
         if (o->scene[k]) snprintf(path, 128, "%s", o->scene[k]);
         return o->scene[k] != NULL;
     }
+    if (o->count && k >= o->count) return 0;
     if (k >= OF_SEEDS) return k < OF_SEEDS + (o->quick ? 0 : OF_MODELS) && stage_model(path, o->from + k - OF_SEEDS);
     snprintf(path, 128, "random:%d", o->from + k);
     return 1;
@@ -272,7 +286,6 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
     char scene[128];
     int count = 0;
     memset(sum, 0, sizeof sum);
-    if (csv) fputs("move,scene,method,filling,filled,error,over alone\n", csv);
     puts("deviation over the truth's in frames 1 to 8, 9 to 16; error of the last, over that of the frame alone; of a "
          "camera that stands, what TAA shows");
     for (; scene_of(scene, o, count); ++count) {
@@ -283,8 +296,9 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
             const double *f = figure[i];
             print_figures(methods[i], f);
             if (csv)
-                fprintf(csv, "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f\n", kind->name, scene, methods[i], f[FILLING],
-                        f[FILLED], f[LAST], f[LAST] / f[ALONE]);
+                fprintf(csv, stands(kind) ? "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f,%.5f\n"
+                                          : "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f,\n",
+                        kind->name, scene, methods[i], f[FILLING], f[FILLED], f[LAST], f[LAST] / f[ALONE], f[BY_TAA]);
             for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] += f[c];
         }
         fflush(stdout);

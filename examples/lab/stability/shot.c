@@ -155,7 +155,8 @@ static int furnish(shot *s, const look *l, kit_error *err)
 
 static int light_up(shot *s, const look *l, kit_error *err)
 {
-    const kit_light sun = { KIT_SUN, { l->sun[0], l->sun[1], l->sun[2] }, { 3, 3, 3 } };
+    const float b = 3 * (1 - l->dimmed);
+    const kit_light sun = { KIT_SUN, { l->sun[0], l->sun[1], l->sun[2] }, { b, b, b } };
     const int lit = l->sun[1] > 0;
     if (kit_env_read(&s->lighting.env, lit ? "sky" : "white", err)) return -1;
     return lit ? kit_env_add_sun(&s->lighting.env, &sun, SUN_DEGREES, err) : 0;

@@ -15,10 +15,33 @@
 #include "kit/kit_gl.h"
 #include "lab/measure/folder.h"
 #include "lab/measure/rows.h"
+#include "lab/measure/stage.h"
 #include "lab/page/page.h"
 #include "lab/stability/moves.h"
 #include "lab/stability/show.h"
 #include "lab/stability/sweep.h"
+
+/* Moves through scenes that nothing was tuned on, and what hosts do to frames, as tables. */
+static int add_moves(page *record, const sweep_options *o, kit_error *err)
+{
+    for (int hosts = 0; hosts < 2; ++hosts) {
+        moves_options m = { .width = 640, .rays = 64, .from = SEEDS_JUDGED, .quick = o->quick };
+        page csv;
+        if (hosts) moves_of_hosts(&m);
+        if (o->quick) m.width = 320, m.count = 4;
+        if (page_open(&csv, err)) return -1;
+        fputs(MOVES_HEAD "\n", csv.file);
+        if (moves(&m, csv.file, err)) return -1;
+        page_heading(record->file, 3, hosts ? "What hosts do to frames" : "Cameras that move");
+        page_paragraph(record->file,
+                       "640x360, 16 frames. Deviation of places that are followed, less the truth's: in the first "
+                       "eight frames, in which history fills, and in the next; error of the last frame, and that over "
+                       "the error of the frame alone; where the camera stands, the error of what TAA shows.");
+        if (page_csv(record->file, "rows", &csv, o->out, hosts ? "stability-hosts.csv" : "stability-moves.csv", err))
+            return -1;
+    }
+    return 0;
+}
 
 /* The record and the CSV of all that was swept. */
 static int write_all(const sweep_options *o, const result *results, const int *shown, kit_error *err)
@@ -35,6 +58,7 @@ static int write_all(const sweep_options *o, const result *results, const int *s
     show_csv_head(csv.file);
     for (int k = 0; k < sweeps_causes; ++k)
         if (shown[k] && show_cause(record.file, csv.file, &results[k], o->out, err)) return -1;
+    if (!o->causes && !o->methods && add_moves(&record, o, err)) return -1;
     return page_close(&csv, o->out, "stability.csv", err) || page_end(&record, o->out, "stability", err) ? -1 : 0;
 }
 

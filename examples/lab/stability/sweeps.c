@@ -211,6 +211,18 @@ static void lit_within(look *l, double value, int frame)
     l->within = 1;
 }
 
+static void switched(look *l, double value, int frame)
+{
+    (void)value;
+    lit_within(l, 0, frame);
+    l->dimmed = frame < CHANGED ? 0 : 0.95f;
+}
+static void trembling(look *l, double value, int frame)
+{
+    lit_within(l, 0, frame);
+    l->dimmed = frame & 1 ? 0.01f * (float)value : 0;
+}
+
 static void turning(look *l, double value, int frame)
 {
     const float a = (20 + (float)value * (float)frame) * DEGREE, size = 1.4f, c = size * cosf(a), s = size * sinf(a);
@@ -500,6 +512,18 @@ const cause sweeps_cause[] = {
       .value = { 1e-4, 0.5, 2, 8 },
       .about = "Three boxes under the sky and a soft sun; the first value stands still. Nothing tells that light "
                "changed: what is seen is its lag." },
+    { .name = "kept-switch",
+      .title = "Over frames: the sun goes out",
+      .across = "frames after",
+      .kind = AFTER, .of = KEPT_LIGHT, .width = 160, .rays = 64, .log = 1, .at = switched,
+      .value = { 1, 2, 3, 5, 8 },
+      .about = "The same, and nineteen parts of twenty of the sun are gone at once." },
+    { .name = "kept-tremble",
+      .title = "Over frames: the sun flickers",
+      .across = "percent that each second frame lacks",
+      .kind = FOLLOWS, .of = KEPT_LIGHT, .width = 160, .rays = 64, .log = 1, .at = trembling,
+      .value = { 3, 10, 30, 90 },
+      .about = "The same: light that flickers must be seen to." },
     { .name = "resolution",
       .title = "Resolution at constant angular radius",
       .across = "pixels across",
