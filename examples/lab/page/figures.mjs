@@ -245,7 +245,7 @@ function moved(record, heading, key) {
     const named = r => (key ? `${r[key]}, ` : '') + r.method;
     const figures = ['filling', 'filled', 'error', 'over alone', 'by TAA'];
     const of = (list, f) => {
-        const v = list.map(r => r[f]).filter(x => x !== '' && x !== undefined).map(Number);
+        const v = list.map(r => r[f]).filter(x => f !== 'by TAA' || x > 0);
         const mean = v.reduce((s, x) => s + x, 0) / v.length;
         return v.length ? `${cell(mean, 4)} (${cell(Math.max(...v), 4)})` : '';
     };

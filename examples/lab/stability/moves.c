@@ -205,6 +205,12 @@ static int stands(const struct kind *kind)
     return !(fabsf(kind->aside) + fabsf(kind->nearer) + fabsf(kind->roll) + fabsf(kind->orbit) > 0);
 }
 
+/* Noise that turns is for TAA, which is tried where a camera stands; a projection that trembles is told of or not. */
+static int skipped(const char *method, const struct kind *kind)
+{
+    return (told(&method, "turned ") && !stands(kind)) || (told(&method, "place ") && kind->how != JITTERS);
+}
+
 /* Figures of every method in a scene. */
 static int moved(double (*figure)[MOVE_FIGURES], const char *scene, const struct kind *kind, const char *const *methods,
                  const moves_options *o, kit_error *err)
@@ -221,6 +227,7 @@ static int moved(double (*figure)[MOVE_FIGURES], const char *scene, const struct
     for (int h = 0; h < 2; ++h) own[h] = deviation(shots + h * SPAN, truth + h * SPAN);
     for (int i = 0; methods[i]; ++i) {
         const shot *last = &shots[MOVED - 1];
+        if (skipped(methods[i], kind)) continue;
         if (draw_all(picture, shots, methods[i], kind, err)) return -1;
         for (int h = 0; h < 2; ++h) figure[i][h] = deviation(shots + h * SPAN, picture + h * SPAN) - own[h];
         for (int k = 0; k < 2; ++k)
@@ -284,7 +291,7 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
     const char *const *methods = o->method[0] ? o->method : own_methods;
     static double figure[MOST_MOVES][MOVE_FIGURES], sum[MOST_MOVES][MOVE_FIGURES];
     char scene[128];
-    int count = 0;
+    int count = 0, of[MOST_MOVES] = { 0 };
     memset(sum, 0, sizeof sum);
     puts("deviation over the truth's in frames 1 to 8, 9 to 16; error of the last, over that of the frame alone; of a "
          "camera that stands, what TAA shows");
@@ -294,18 +301,20 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
         printf("%s: %s\n", kind->name, scene);
         for (int i = 0; methods[i]; ++i) {
             const double *f = figure[i];
+            if (skipped(methods[i], kind)) continue;
             print_figures(methods[i], f);
             if (csv)
                 fprintf(csv, stands(kind) ? "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f,%.5f\n"
                                           : "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f,\n",
                         kind->name, scene, methods[i], f[FILLING], f[FILLED], f[LAST], f[LAST] / f[ALONE], f[BY_TAA]);
             for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] += f[c];
+            ++of[i];
         }
         fflush(stdout);
     }
     printf("mean of %d\n", count);
     for (int i = 0; methods[i]; ++i) {
-        for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] /= count;
+        for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] /= of[i] ? of[i] : 1;
         print_figures(methods[i], sum[i]);
     }
     return 0;
