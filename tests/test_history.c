@@ -135,7 +135,8 @@ static void count(float kept[W * H], const int size[2], const int was[2], double
     for (int i = 0; i < size[0] * size[1]; ++i) {
         const double x = (i % size[0] - dx + 0.5) * was[0] / size[0] - 0.5,
                      y = (i / size[0] - dy + 0.5) * was[1] / size[1] - 0.5,
-                     u = fmin(fmax(1.02 * (x - floor(x)) - 0.01, 0), 1), v = fmin(fmax(1.02 * (y - floor(y)) - 0.01, 0), 1);
+                     u = fmin(fmax(1.02 * (x - floor(x)) - 0.01, 0), 1),
+                     v = fmin(fmax(1.02 * (y - floor(y)) - 0.01, 0), 1);
         double sum = 0;
         kept[i] = 1;
         if (x <= -1.5 || y <= -1.5 || x >= was[0] + 0.5 || y >= was[1] + 0.5) continue;
@@ -281,8 +282,8 @@ static void history_is_quiet(void)
         }
         noise[0] = difference(&first[0], &first[1], 0, 0, 0);
         noise[1] = difference(&last[0], &last[1], 0, 0, 0);
-        CHECK(noise[0] > 0.003 && noise[0] < kept[i].alone && noise[1] < kept[i].kept, "%s %s: noise of %.4f becomes %.4f",
-              kept[i].method, kept[i].set, noise[0], noise[1]);
+        CHECK(noise[0] > 0.003 && noise[0] < kept[i].alone && noise[1] < kept[i].kept,
+              "%s %s: noise of %.4f becomes %.4f", kept[i].method, kept[i].set, noise[0], noise[1]);
         t_note("%s %s: noise of %.4f becomes %.4f", kept[i].method, kept[i].set, noise[0], noise[1]);
         run.frame.history = 0;
         run.frame.phase = 0;
@@ -616,8 +617,8 @@ void test_history(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("light that steps, rises and falls is followed as its recurrence says", light_is_followed);
-    RUN("frames are counted while a camera turns by whole and half pixels, after a cut, where a bar comes, at other sizes, "
-        "under jitter",
+    RUN("frames are counted while a camera turns by whole and half pixels, after a cut, where a bar comes, at other "
+        "sizes, under jitter",
         frames_are_counted);
     RUN("a bar that passes leaves no trail", nothing_trails);
     RUN("what moves by motion vectors is averaged as what a camera passes by", motion_is_followed);

@@ -1,6 +1,7 @@
 /* test_steps.c - an embedder that knows nothing but ssgi_gl_steps and the rows: what it draws is what the kit draws;
    ssgi_gl_step_check names what is bound wrong; and results stand on a picture. */
 #include "frames.h"
+#include "kit/kit_run.h"
 #include "t.h"
 #include <stdlib.h>
 #include <string.h>
@@ -92,6 +93,9 @@ static void draw_step(host *h, const ssgi_gl_frame *frame, int i)
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, h->block);
     glBufferData(GL_UNIFORM_BUFFER, sizeof *frame, frame, GL_DYNAMIC_DRAW);
     glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer[i]);
+    for (int k = 0; k < s->outputs && s->output[k].kept; ++k)
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)k, GL_TEXTURE_2D,
+                               h->made[s->output[k].texture][0], 0);
     glViewport(0, 0, s->width, s->height);
     glUseProgram(h->program[i]);
     for (int k = 0; k < s->inputs; ++k) {
@@ -429,6 +433,161 @@ static void refusals(void)
     CHECK(!ssgi_gl_steps(NULL, 0, NULL, NULL), "a chain of NULL");
 }
 
+/* ---- two eyes over frames */
+
+enum { EYES = 2, EYE_FRAMES = 6 };
+static const int eye_size[EYE_FRAMES][2] = { { W, H }, { W, H }, { 88, 52 }, { 100, 60 }, { 100, 60 }, { W, H } };
+
+/* The frame of an eye, which follows the one before. */
+static int eye_frame(ssgi_gl_frame *f, const kit_gbuffer *now, const kit_gbuffer *last, float radius, int k)
+{
+    const char *why = "";
+    ssgi_view view;
+    float to[16], from[16], projection[16];
+    if (!TRY(kit_view_of(&view, now->projection, now->camera.depth, now->width, now->height, &err))
+        || !CHECK(ssgi_gl_frame_init(f, &view, radius, &why) == SSGI_OK, "%s", why))
+        return 0;
+    f->phase = ssgi_gl_phase((uint32_t)k);
+    if (!k) return 1;
+    kit_camera_matrices(&now->camera, to, projection);
+    kit_camera_matrices(&last->camera, from, projection);
+    return TRY(kit_view_of(&view, last->projection, last->camera.depth, last->width, last->height, &err))
+        && CHECK(ssgi_gl_frame_history(f, &view, to, from, &why) == SSGI_OK, "%s", why);
+}
+
+/* The texture that the last step wrote, as this frame left it. */
+static GLuint written_by(const host *h)
+{
+    const ssgi_gl_output *o = &h->step[h->steps - 1].output[0];
+    return h->made[o->texture][o->kept];
+}
+
+/* Textures of another size, but for those that the last frame left. */
+static int resized(host *h, const ssgi_gl_chain *chain)
+{
+    host old = *h;
+    memset(h, 0, sizeof *h);
+    memcpy(h->yours, old.yours, sizeof h->yours);
+    if (!opened(h, chain)) return 0;
+    for (int i = 0; i < h->steps; ++i)
+        for (int k = 0; k < h->step[i].outputs && h->step[i].output[k].kept; ++k) {
+            GLuint *const pair = h->made[h->step[i].output[k].texture];
+            for (int t = 0; t < old.textures; ++t)
+                if (old.all[t] == old.made[h->step[i].output[k].texture][1]) old.all[t] = pair[1];
+            for (int t = 0; t < h->textures; ++t)
+                if (h->all[t] == pair[1]) h->all[t] = old.made[h->step[i].output[k].texture][1];
+            pair[1] = old.made[h->step[i].output[k].texture][1];
+        }
+    shut(&old);
+    return 1;
+}
+
+/* G-buffers become layers of array textures, in their corner. */
+static int into_layers(GLuint array[2], const kit_gbuffer g[EYES])
+{
+    static float texel[4 * W * H], layers[EYES * 4 * W * H];
+    const int w = g->width, h = g->height;
+    glDeleteTextures(2, array);
+    for (int i = 0; i < 2; ++i) {
+        const int n = i ? 4 : 1;
+        memset(layers, 0, sizeof layers);
+        for (int eye = 0; eye < EYES; ++eye) {
+            if (!CHECK(!kit_texture_read(i ? g[eye].normal : g[eye].depth, w, h, n, texel), "no G-buffer")) return 0;
+            for (int y = 0; y < h; ++y)
+                memcpy(layers + n * ((eye * H + y) * W), texel + n * y * w, (size_t)(n * w) * sizeof *texel);
+        }
+        array[i] = kit_texture_array(W, H, EYES, i ? GL_RGBA32F : GL_R32F, layers);
+    }
+    return 1;
+}
+
+/* What a camera sees, with depth that a texture of any kind can hold. */
+static int eye_seen(kit_gbuffer *g, const kit_scene *scene, int k, int eye)
+{
+    kit_camera c = scene->camera;
+    kit_gbuffer drawn;
+    kit_image frame;
+    c.width = eye_size[k][0];
+    c.height = eye_size[k][1];
+    c.eye[0] += 0.06f * (float)(k + eye);
+    c.target[0] += 0.06f * (float)(k + eye);
+    if (!TRY(kit_gbuffer_from_scene(&drawn, scene, &c, NULL, &err)) || !TRY(kit_gbuffer_read(&frame, &drawn, &err)))
+        return 0;
+    kit_gbuffer_free(&drawn);
+    const int made = TRY(kit_gbuffer_from_frame(g, &frame, &c, &err));
+    kit_image_free(&frame);
+    return made;
+}
+
+/* Two eyes, each with a history of its own, while the picture's size changes: as layers of array textures of the
+   greatest size, of which the picture takes a part; and alone, with textures that are made anew at each size. */
+static void eyes(void)
+{
+    static kit_gbuffer g[EYE_FRAMES][EYES];
+    static host layers[EYES], alone[EYES];
+    static float want[4 * W * H], got[4 * W * H];
+    kit_scene scene;
+    kit_run run;
+    ssgi_gl_chain chain[2];
+    double noise = 0;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
+    for (int k = 0; k < EYE_FRAMES; ++k)
+        for (int eye = 0; eye < EYES; ++eye)
+            if (!eye_seen(&g[k][eye], &scene, k, eye)) return;
+    const kit_world world = { &scene, NULL };
+    kit_method m;
+    if (!TRY(kit_method_find(&m, "hsao-history", &err))
+        || !TRY(kit_run_open(&run, &g[0][0], &m, scene.radius, &world, &err)))
+        return;
+    chain[0] = chain_of(&alone[0], &run, SSGI_GL_PASS_HSAO);
+    chain[0].blur = chain[0].history = 1;
+    chain[1] = chain[0];
+    chain[1].desc.input.array = 1;
+    GLuint array[2] = { 0, 0 };
+    for (int eye = 0; eye < EYES; ++eye)
+        if (!opened(&layers[eye], &chain[1]) || !opened(&alone[eye], &chain[0])) return;
+    for (int k = 0; k < EYE_FRAMES; ++k) {
+        if (!into_layers(array, g[k])) return;
+        for (int eye = 0; eye < EYES; ++eye) {
+            /* of a pair one texture is made anew at once, the other a frame later */
+            const int w = eye_size[k][0], h = eye_size[k][1],
+                      anew = (k && w != eye_size[k - 1][0]) || (k > 1 && w != eye_size[k - 2][0]);
+            ssgi_gl_frame frame;
+            for (int c = 0; c < 2; ++c) chain[c].width = w, chain[c].height = h;
+            if (anew && !resized(&alone[eye], &chain[0])) return;
+            ssgi_gl_steps(layers[eye].step, STEPS, &chain[1], NULL);
+            alone[eye].yours[SSGI_GL_YOUR_DEPTH] = g[k][eye].depth;
+            alone[eye].yours[SSGI_GL_YOUR_NORMAL] = g[k][eye].normal;
+            layers[eye].yours[SSGI_GL_YOUR_DEPTH] = array[0];
+            layers[eye].yours[SSGI_GL_YOUR_NORMAL] = array[1];
+            if (!eye_frame(&frame, &g[k][eye], k ? &g[k - 1][eye] : NULL, scene.radius, k)) return;
+            draw(&alone[eye], &frame);
+            frame.slice = eye;
+            draw(&layers[eye], &frame);
+            if (!CHECK(!kit_texture_read(written_by(&alone[eye]), w, h, 4, want)
+                           && !kit_texture_read(written_by(&layers[eye]), W, H, 4, got), "no result"))
+                return;
+            int differ = 0, grown = 0;
+            for (int i = 0; i < w * h; ++i) {
+                differ += memcmp(want + 4 * i, got + 4 * (i / w * W + i % w), 4 * sizeof *want) != 0;
+                grown += want[4 * i + 3] > (float)k;
+            }
+            CHECK(!differ && grown > w * h / 4, "frame %d, eye %d: %d pixels differ, %d average all frames", k, eye,
+                  differ, grown);
+            noise += grown;
+        }
+    }
+    t_note("%.0f pixels average all frames", noise / (EYES * EYE_FRAMES));
+    for (int eye = 0; eye < EYES; ++eye) {
+        shut(&layers[eye]);
+        shut(&alone[eye]);
+        for (int k = 0; k < EYE_FRAMES; ++k) kit_gbuffer_free(&g[k][eye]);
+    }
+    glDeleteTextures(2, array);
+    kit_run_close(&run);
+    kit_scene_free(&scene);
+}
+
 /* Pass width: once, before all that read it, for the one that wants the most of it; only where slices read it. A tap
    costs as many fetches with it as without. */
 static void widths(void)
@@ -704,6 +863,7 @@ void test_steps(void)
             RUN("ambient visibility stands on a picture", onto_a_picture);
             RUN("a chain that cannot be drawn is refused", refusals);
             RUN("pass thickness is drawn once, where slices read it, and costs a tap nothing", widths);
+            RUN("two eyes as layers have histories of their own, in parts of textures as in textures made anew", eyes);
             RUN("formats of targets are those that rows name", formats);
             RUN("every chain ends with its result, or on the picture", results);
             RUN("chains by chance are refused, or draw without an error", random_chains);

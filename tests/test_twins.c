@@ -2005,7 +2005,8 @@ static void history_counts_on(void)
     const struct { float by, nearby; int alone; float own, kept; double frames; } cases[] = {
         { 0.25f, 0, 1, 0, 5, 6 },   { 0.45f, 0, 1, 0, 5, 6 },  { 0.55f, 0, 1, 0, 5, 1 },    { 0, 0, 0, 0, 5, 6 },
         { 0, 0, 0, 0, 40, 16 },     { 0, 0, 0, 0.5f, 40, 16 / 1.5 }, { 0.5f, 0, 0, 0, 40, 8 }, { 32.9f, 0, 0, 0, 5, 6 },
-        { 33.1f, 0, 0, 0, 5, 1 },   { 0, 0.007f, 0, 0, 5, 2 }, { 0, 1, 0, 0, 5, 1.007 },    { 0, 1, 0, 0.45f, 5, 1.007 },
+        { 33.1f, 0, 0, 0, 5, 1 },   { 0, 0.007f, 0, 0, 5, 2 }, { 0, 1, 0, 0, 5, 1.007 },
+        { 0, 1, 0, 0.45f, 5, 1.007 },
         { 0, 1, 0, 0.55f, 5, 6 },   { 0, 1, 0, 2, 5, 6 } };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HISTORY,
