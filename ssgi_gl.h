@@ -4847,21 +4847,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pixel_was", NULL, __LINE__ + 1,
-    "vec3 ssgi_pixel_was(ivec2 q) { // where a pixel's point was in the last frame, unless it moved on its own\n"
-    "    return ssgi_reproject(ssgi_position(vec2(q) + 0.5, ssgi_depth(q)));\n"
+    "vec3 ssgi_pixel_was(ivec2 q, float z) { // where a pixel's point was in the last frame, unless it moves\n"
+    "    return ssgi_reproject(ssgi_position(vec2(q) + 0.5, z));\n"
     "}\n" },
 
 /* The places where depths differ are found first, since they are few: the loop over them ends at once elsewhere. */
 { "main_change_mask", NULL, __LINE__ + 1,
     "void main() {\n"
     "    vec4 mask = vec4(0.0, SSGI_FAR, 0.0, 0.0);\n"
+    "    float nearest = SSGI_FAR, farthest = 0.0;\n"
     "    uint differ = 0u;\n"
     "#if SSGI_MOTION\n"
     "    bool moves = false;\n"
     "#endif\n"
     "    for (int k = 0; k < 16; ++k) {\n"
     "        ivec2 q = ssgi_tested(k);\n"
-    "        vec3 was = ssgi_pixel_was(q);\n"
+    "        float z = ssgi_depth(q);\n"
+    "        vec3 was = ssgi_pixel_was(q, z);\n"
+    "        nearest = min(nearest, z);\n"
+    "        if (z < SSGI_FAR) farthest = max(farthest, z);\n"
     "        if (ssgi_depth_differs(was)) differ |= 1u << uint(k);\n"
     "#if SSGI_MOTION\n"
     "        if (ssgi_moves(ssgi_own_motion(q, was.xy + u_ssgi_jitter))) moves = true;\n"
@@ -4870,25 +4874,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int k = 0; differ >> uint(k) != 0u; ++k) {\n"
     "        if ((differ >> uint(k) & 1u) == 0u) continue;\n"
     "        ivec2 q = ssgi_tested(k);\n"
-    "        float z = ssgi_change(q, ssgi_pixel_was(q));\n"
+    "        float z = ssgi_change(q, ssgi_pixel_was(q, ssgi_depth(q)));\n"
     "        if (z > 0.0) mask = vec4(mask.x + 1.0 / 16.0, min(mask.y, z), max(mask.z, z), 0.0);\n"
     "    }\n"
     "#if SSGI_MOTION\n"
     "    if (!moves && mask.x < SSGI_APPEARED) mask.x = 0.0;\n"
     "#endif\n"
-    "    o_ssgi_change_mask = mask;\n"
+    "    if (mask.x <= 0.0) mask.yz = vec2(nearest, farthest);\n"
+    "    o_ssgi_change_mask = vec4(mask.xyz, nearest);\n"
     "}\n" },
 
 /* Seven tiles on a side are read, farther apart where the radius reaches beyond them. */
 { "main_change_share", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 tile = ssgi_tile(), tiles = (u_ssgi_size + 7) / 8;\n"
-    "    float nearest = SSGI_FAR, farthest = 0.0, share = 0.0;\n"
-    "    for (int k = 0; k < 4; ++k) {\n"
-    "        float z = ssgi_depth(min(8 * tile + 2 + 4 * ivec2(k & 1, k >> 1), u_ssgi_size - 1));\n"
-    "        nearest = min(nearest, z);\n"
-    "        if (z < SSGI_FAR) farthest = max(farthest, z);\n"
-    "    }\n"
+    "    vec4 own = texelFetch(t_ssgi_change_mask, tile + u_ssgi_target / 8, 0);\n"
+    "    float nearest = own.w, farthest = max(own.z, nearest), share = 0.0;\n"
+    "    o_ssgi_change_share = 0.0;\n"
+    "    if (nearest >= SSGI_FAR) return; // background is neither near nor far\n"
     "    float reach = u_ssgi_radius / ssgi_footprint(nearest) / 8.0, apart = max(reach / 3.0, 1.0);\n"
     "    for (int y = -3; y <= 3; ++y)\n"
     "        for (int x = -3; x <= 3; ++x) {\n"
@@ -5085,7 +5088,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                         "RGBA32UI: of each pixel of a 2x2 view depth; its last 6 bits are thickness in radii / 63"),
     SSGI_GL__ROW_OUTPUT("change_mask", NULL, "vec4",
                         SSGI_GL__HDR ": of 8x8 pixels the share where an occluder came or went; the least and the "
-                        "greatest view depth of these"),
+                        "greatest view depth of these, or where there are none of all; the least of all"),
     SSGI_GL__ROW_OUTPUT("change_share", NULL, "float",
                         "R32F or R16F: of all surfaces within the radius of 8x8 pixels, the share that came or went"),
     SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",

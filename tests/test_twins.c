@@ -2202,6 +2202,7 @@ static void changes_are_counted(void)
         if (!pass_drawn(got[0], 0, 4, TILES, TILES, &d, &frame, t, 2 + cases[k].motion)) return;
         const float *low = got[LOW * TILES + LOW], *high = got[HIGH * TILES + HIGH], *away = got[0];
         CHECK(fabs((double)low[0] - cases[k].low) + fabs((double)high[0] - cases[k].high) + (double)away[0] < 1e-6
+                  && fabsf(away[1] - 10) + fabsf(away[2] - 10) + fabsf(away[3] - 10) < 1e-3f
                   && (high[0] <= 0 || fabsf(high[1] - cases[k].depth) + fabsf(high[2] - cases[k].depth) < 1e-3f),
               "case %zu: shares %g %g, away %g, depths %g %g", k, (double)low[0], (double)high[0], (double)away[0],
               (double)high[1], (double)high[2]);
@@ -2210,35 +2211,33 @@ static void changes_are_counted(void)
 }
 
 /* One tile changed, whole; the radius is two tiles long. Within it and a tile more a sixteenth of what lies there did,
-   unless that is nearer or farther than the radius. Where it is six tiles every other one is looked at, and counts for
-   four; where it is one, a quarter changed. */
+   unless that is nearer or farther than the radius; of its own surfaces those that changed are some. Where it is six
+   tiles every other one is looked at, and counts for four; where it is one, a quarter changed. */
 static void changes_are_nearby(void)
 {
     enum { TILES = SIDE / 8, AT = TILES / 2 };
     static float changes[TILES * TILES][4], got[TILES * TILES];
     const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_CHANGE_SHARE,
                              .text.dialect = SSGI_GL_DIALECT_450,
-                             .input.orthographic = 1,
-                             .input.depth = SSGI_GL_DEPTH_LINEAR };
+                             .input.orthographic = 1 };
     const struct { float radius, depth; int tiles, apart; double share; } cases[] = {
-        { 1, 9.5f, 3, 1, 1 / 16.0 }, { 1, 8.9f, 0, 1, 0 }, { 1, 11.1f, 0, 1, 0 }, { 3, 9.5f, 7, 2, 4 / 144.0 },
+        { 1, 9.5f, 3, 1, 1 / 16.0 }, { 1, 8.9f, 0, 1, 0 }, { 1, 11.1f, 0, 1, 1 / 16.0 }, { 3, 9.5f, 7, 2, 4 / 144.0 },
         { 0.5f, 9.7f, 2, 1, 1 / 4.0 } };
     for (int k = 0; k < (int)(sizeof cases / sizeof *cases); ++k) {
-        const float changed[4] = { 1, cases[k].depth, cases[k].depth, 0 };
+        const float changed[4] = { 1, cases[k].depth, cases[k].depth, 10 };
         ssgi_gl_frame frame;
         ssgi_view view;
         if (!facing(&view, &frame, cases[k].radius)) return;
-        for (int i = 0; i < TILES * TILES; ++i) changes[i][1] = 1e18f;
+        for (int i = 0; i < TILES * TILES; ++i) changes[i][1] = changes[i][2] = changes[i][3] = 10;
         memcpy(changes[AT * TILES + AT], changed, sizeof changed);
-        const given t[2] = { { "t_ssgi_depth", filled(10) },
-                             { "t_ssgi_change_mask", kit_texture(TILES, TILES, GL_RGBA32F, changes[0]) } };
-        if (!pass_drawn(got, 0, 1, TILES, TILES, &d, &frame, t, 2)) return;
+        const given t[1] = { { "t_ssgi_change_mask", kit_texture(TILES, TILES, GL_RGBA32F, changes[0]) } };
+        if (!pass_drawn(got, 0, 1, TILES, TILES, &d, &frame, t, 1)) return;
         for (int i = 0; i < TILES * TILES; ++i) {
             const int x = abs(i % TILES - AT), y = abs(i / TILES - AT);
             const int met = x <= cases[k].tiles && y <= cases[k].tiles && !((x | y) % cases[k].apart);
             NEAR(got[i], met ? cases[k].share : 0, 1e-6, "the share nearby");
         }
-        for (int i = 0; i < 2; ++i) glDeleteTextures(1, &t[i].texture);
+        glDeleteTextures(1, &t[0].texture);
     }
 }
 
