@@ -156,16 +156,17 @@ static void frames_are_counted(void)
 {
     enum { FRAMES = 20, BAR = 40, ACROSS = 16, FAR_ = 30 };
     static const int sizes[4][2] = { { W, H }, { 64, 36 }, { 48, 27 }, { 80, 45 } };
-    static const struct { const char *name; double x, y; int cut, bar, resized, jitter; } row[] = {
-        { "a still camera", 0, 0, FRAMES, 0, 0, 0 },
-        { "a turn by whole pixels", 3, -2, FRAMES, 0, 0, 0 },
-        { "a turn by half a pixel", 0.5, 0, FRAMES, 0, 0, 0 },
-        { "a turn by half a pixel both ways", 0.5, -0.5, FRAMES, 0, 0, 0 },
-        { "a cut", 0, 0, 15, 0, 0, 0 },
-        { "a bar that comes", 0, 0, FRAMES, 1, 0, 0 },
-        { "pictures of four sizes in turn", 0, 0, FRAMES, 0, 1, 0 },
-        { "a projection that trembles", 0.4, -0.3, FRAMES, 0, 0, 1 },
-        { "the same, and motion vectors leave it out", 0.4, -0.3, FRAMES, 0, 0, 2 } };
+    static const struct { const char *name; double x, y; int cut, bar, resized, jitter, told; } row[] = {
+        { "a still camera", 0, 0, FRAMES, 0, 0, 0, 0 },
+        { "a turn by whole pixels", 3, -2, FRAMES, 0, 0, 0, 0 },
+        { "a turn by half a pixel", 0.5, 0, FRAMES, 0, 0, 0, 0 },
+        { "a turn by half a pixel both ways", 0.5, -0.5, FRAMES, 0, 0, 0, 0 },
+        { "a cut", 0, 0, 15, 0, 0, 0, 0 },
+        { "a bar that comes", 0, 0, FRAMES, 1, 0, 0, 0 },
+        { "pictures of four sizes in turn", 0, 0, FRAMES, 0, 1, 0, 0 },
+        { "the same, and motion vectors of what stands", 0, 0, FRAMES, 0, 1, 0, 1 },
+        { "a projection that trembles", 0.4, -0.3, FRAMES, 0, 0, 1, 0 },
+        { "the same, and motion vectors leave it out", 0.4, -0.3, FRAMES, 0, 0, 1, 1 } };
     static const double plane[1][4] = { { 0, 0, 1, -4 } };
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
         static sequence s;
@@ -175,11 +176,11 @@ static void frames_are_counted(void)
             const int *const size = sizes[row[i].resized * t % 4], *const was = sizes[row[i].resized * (t + 3) % 4];
             kit_camera c = looking_along_z(size[0], size[1], 1);
             kit_image frame;
-            const int jitter = row[i].jitter > 0, went = jitter ? t & 1 : t;
+            const int jitter = row[i].jitter, went = jitter ? t & 1 : t;
             c.shift[0] = (float)(row[i].x * went);
             c.shift[1] = (float)(row[i].y * went);
             s.frames.jittered = jitter;
-            if (!planes_seen(&frame, &c, plane, 1, row[i].jitter > 1 ? ",motion.X,motion.Y" : "")) return;
+            if (!planes_seen(&frame, &c, plane, 1, row[i].told ? ",motion.X,motion.Y" : "")) return;
             for (int p = 0; p < W * H && row[i].bar && t == FRAMES - 1; ++p)
                 if (p % W >= BAR && p % W < BAR + ACROSS) frame.data[p] = 3.8f;
             if (t == row[i].cut) kit_frames_close(&s.frames);
@@ -558,7 +559,7 @@ static void last_frames(void)
     kit_camera other = c;
     const char *why = "";
     float now[16], then[16], projection[16], bad[16];
-    ssgi_view view, last;
+    ssgi_view view, last, finer;
     ssgi_gl_frame frame, was;
     other.eye[0] = 0.2f;
     other.target[0] = 0.1f;
@@ -592,11 +593,16 @@ static void last_frames(void)
     CHECK(frame.last_size[0] == 64 && frame.last_size[1] == 36, "the last size is %d x %d", (int)frame.last_size[0],
           (int)frame.last_size[1]);
     if (!view_of(&last, &other, 0)) return;
+    other.width = 256;
+    other.height = 144;
+    if (!view_of(&finer, &other, 0)) return;
     CHECK(ssgi_gl_frame_history(&frame, &last, now, then, &why) == SSGI_OK && frame.last_size[0] == 96
               && frame.last_size[1] == 18
               && fabs((double)frame.last_footprint / (2 * tan(20 * pi / 180) / tan(22.5 * pi / 180)) - 1) < 1e-5,
           "of another size: %s; %d x %d, pixels %g times as wide", why, (int)frame.last_size[0],
           (int)frame.last_size[1], (double)frame.last_footprint);
+    CHECK(ssgi_gl_frame_history(&frame, &finer, now, then, &why) == SSGI_OK && !(frame.last_footprint > 1)
+              && !(frame.last_footprint < 1), "of a finer one: pixels %g times as wide", (double)frame.last_footprint);
     was = frame;
     memcpy(bad, then, sizeof bad);
     bad[5] = NAN;

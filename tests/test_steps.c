@@ -171,6 +171,23 @@ static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
     return chain;
 }
 
+/* What is bound for every step is what it asks for. */
+static void nothing_wrong(const host *h, const char *of)
+{
+    for (int i = 0; i < h->steps; ++i) {
+        ssgi_gl_bound units[16], targets[6];
+        char why[256];
+        for (int k = 0; k < h->step[i].inputs; ++k)
+            units[h->step[i].input[k].unit] = bound(read_by(h, &h->step[i].input[k]), h->step[i].input[k].target);
+        for (int k = 0; k < h->step[i].outputs; ++k) {
+            const ssgi_gl_output *o = &h->step[i].output[k];
+            targets[k] = bound(h->made[o->texture][0], o->slices ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D);
+        }
+        CHECK(!glGetTexLevelParameteriv || !ssgi_gl_step_check(why, sizeof why, &h->step[i], units, targets), "%s: %s",
+              of, why);
+    }
+}
+
 /* es: in a context of GLES as well */
 static const struct { const char *method, *set; int pass, lit, es; } methods[] = {
     { "ssao", "", SSGI_GL_PASS_SSAO, 0, 0 }, { "hsao", "", SSGI_GL_PASS_HSAO, 0, 1 },
@@ -213,19 +230,12 @@ static void every_method(void)
         double worst = 0;
         if (!ready(&run, &h, &chain, m, &scene, &g, &l)) return;
         kit_run_draw(&run, 0);
-        for (int i = 0; i < h.steps; ++i) {
-            ssgi_gl_bound units[16], targets[6];
-            char why[256];
-            for (int k = 0; k < h.step[i].inputs; ++k)
-                units[h.step[i].input[k].unit] = bound(read_by(&h, &h.step[i].input[k]), h.step[i].input[k].target);
+        for (int i = 0; i < h.steps; ++i)
             for (int k = 0; k < h.step[i].outputs; ++k) {
                 const ssgi_gl_output *o = &h.step[i].output[k];
-                targets[k] = bound(h.made[o->texture][0], o->slices ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D);
                 if (o->result) result[o->result - 1] = h.made[o->texture][0];
             }
-            CHECK(!glGetTexLevelParameteriv || !ssgi_gl_step_check(why, sizeof why, &h.step[i], units, targets),
-                  "%s: %s", methods[m].method, why);
-        }
+        nothing_wrong(&h, methods[m].method);
         draw(&h, &run.frame);
         draws += h.steps;
         kits[0] = run.light;
@@ -560,6 +570,7 @@ static void eyes(void)
             alone[eye].yours[SSGI_GL_YOUR_NORMAL] = g[k][eye].normal;
             layers[eye].yours[SSGI_GL_YOUR_DEPTH] = array[0];
             layers[eye].yours[SSGI_GL_YOUR_NORMAL] = array[1];
+            nothing_wrong(&alone[eye], "an eye");
             if (!eye_frame(&frame, &g[k][eye], k ? &g[k - 1][eye] : NULL, scene.radius, k)) return;
             draw(&alone[eye], &frame);
             frame.slice = eye;

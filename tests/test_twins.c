@@ -2042,13 +2042,14 @@ static void history_counts_on(void)
    the view, and where a camera came nearer from what it saw before. */
 static void history_keeps_its_plane(void)
 {
-    static const struct { const char *normal; double cosine; float own, nearer; } row[] = {
-        { "0.0, 0.0, 1.0", 1, 0, 0 }, { "0.0, 0.8, 0.6", 0.6, 0, 0 }, { "0.0, 0.0, 1.0", 1, 0, 3 },
-        { "0.0, 0.0, 1.0", 1, 1, 0 }, { "0.0, 0.0, 1.0", 1, 3, 0 } };
+    static const struct { const char *normal; double cosine; float own, nearer, coarser; } row[] = {
+        { "0.0, 0.0, 1.0", 1, 0, 0, 1 }, { "0.0, 0.8, 0.6", 0.6, 0, 0, 1 }, { "0.0, 0.0, 1.0", 1, 0, 3, 1 },
+        { "0.0, 0.0, 1.0", 1, 1, 0, 1 }, { "0.0, 0.0, 1.0", 1, 3, 0, 1 }, { "0.0, 0.0, 1.0", 1, 0, 0, 1.7f } };
     static float now[MANY][2], last[MANY][4], went[MANY][2], got[MANY][4];
     const float still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
-        const double pixel = 1.0 / 16, slack = 0.5 * pixel + 0.001 * 10 + fmax((double)row[k].own - 0.5, 0) * pixel;
+        const double pixel = (double)row[k].coarser / 16;
+        const double slack = 0.5 * pixel + 0.001 * 10 + fmax((double)row[k].own - 0.5, 0) * pixel;
         const int moved = (int)row[k].own;
         char fetch[100];
         snprintf(fetch, sizeof fetch, "vec3 ssgi_custom_normal(ivec2 texel) { return vec3(%s); }\n", row[k].normal);
@@ -2067,6 +2068,7 @@ static void history_keeps_its_plane(void)
         if (!facing(&view, &frame, 1)
             || !CHECK(ssgi_gl_frame_history(&frame, &view, still, before, &why) == SSGI_OK, "%s", why))
             return;
+        frame.last_footprint = row[k].coarser;
         for (int i = 0; i < MANY; ++i) {
             const double off = slack / row[k].cosine * (4.0 * i / MANY - 2);
             const float texel[4] = { 0.5f, (float)(10 + (double)row[k].nearer + off), 0.5f, 5 };
@@ -2091,7 +2093,7 @@ static void history_keeps_its_plane(void)
 }
 
 /* Any last state, and this frame a checkerboard beside an even half. A pixel's value is the mean of 3x3 texels up to
-   two frames, of five from three on. The mean over three frames goes a third of the way to it and stays within 0.7
+   four frames, of five from five on. The mean over three frames goes a third of the way to it and stays within 0.7
    deviations and 2 % of it; that over all goes 1/frames of it, at most 16, and stays within 0.2 and 0.5 % of the other,
    for which it forgets up to 0.85 of the frames. Light that has to become three times as bright begins anew. */
 static void history_follows(void)
