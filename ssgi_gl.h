@@ -4634,9 +4634,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_CENTRED", NULL, __LINE__ + 1,
     "const float SSGI_CENTRED = 0.01; // A place this close to a texel's centre, in texels, is that texel's.\n" },
 
-/* A texel shows P's plane if it is within the slack of it: half a footprint and the rounding of kept depths. */
+/* Reprojects P and interpolates between those of the last frame's four texels around it that show P's plane. A texel
+   shows it if it is within the slack of it: half a footprint and the rounding of kept depths. */
 { "ssgi_last_of", NULL, __LINE__ + 1,
-    "// Reprojects P and interpolates between those of the last frame's four texels around it that show P's plane.\n"
     "ssgi_last ssgi_last_of(ivec2 p, vec3 P, vec3 n) {\n"
     "    ssgi_last none = ssgi_last_none(), sum = none;\n"
     "    vec3 was = ssgi_reproject(P);\n"
@@ -4784,9 +4784,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_BESIDE", NULL, __LINE__ + 1,
     "const float SSGI_BESIDE = 0.02; // A place that is this close to a pixel, in pixels, counts as that one.\n" },
 
+/* Finds the pixel of least depth among the four that a place lies between, in the last frame or in this: its place and
+   its depth. */
 { "ssgi_nearest", NULL, __LINE__ + 1,
-    "// Finds the pixel of least depth among the four that a place lies between, in the last frame or in this: its\n"
-    "// place and its depth.\n"
     "vec3 ssgi_nearest(vec2 at, bool last) {\n"
     "    vec3 nearest = vec3(at, 2.0 * SSGI_FAR);\n"
     "    for (int k = 0; k < 4; ++k) {\n"
@@ -4799,7 +4799,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_within", NULL, __LINE__ + 1,
-    "bool ssgi_within(vec2 at, ivec2 size) { // whether a place is in a picture; whole numbers are centres of pixels\n"
+    "bool ssgi_within(vec2 at, ivec2 size) { // whole numbers are centres of pixels\n"
     "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(size) - 0.5));\n"
     "}\n" },
 
@@ -4808,8 +4808,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return u_ssgi_last_footprint * ssgi_footprint(z) + 2.0 * SSGI_KEPT_ROUNDS * z;\n"
     "}\n" },
 
+/* Whether the last frame had another depth where a point was, which is seldom so. */
 { "ssgi_depth_differs", NULL, __LINE__ + 1,
-    "// Whether the last frame had another depth where a point was, which is seldom so.\n"
     "bool ssgi_depth_differs(vec3 was) {\n"
     "    float z = ssgi_depth_last(ivec2(floor(was.xy)));\n"
     "    bool shown = ssgi_within(was.xy - 0.5, u_ssgi_last_size) && min(z, was.z) < 0.5 * SSGI_FAR;\n"
@@ -4847,7 +4847,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pixel_was", NULL, __LINE__ + 1,
-    "vec3 ssgi_pixel_was(ivec2 q, float z) { // where a pixel's point was in the last frame, unless it moves\n"
+    "vec3 ssgi_pixel_was(ivec2 q, float z) { // where its point was in the last frame, unless it moves\n"
     "    return ssgi_reproject(ssgi_position(vec2(q) + 0.5, z));\n"
     "}\n" },
 
@@ -4891,7 +4891,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 own = texelFetch(t_ssgi_change_mask, tile + u_ssgi_target / 8, 0);\n"
     "    float nearest = own.w, farthest = max(own.z, nearest), share = 0.0;\n"
     "    o_ssgi_change_share = 0.0;\n"
-    "    if (nearest >= SSGI_FAR) return; // background is neither near nor far\n"
+    "    if (nearest >= SSGI_FAR) return; // background\n"
     "    float reach = u_ssgi_radius / ssgi_footprint(nearest) / 8.0, apart = max(reach / 3.0, 1.0);\n"
     "    for (int y = -3; y <= 3; ++y)\n"
     "        for (int x = -3; x <= 3; ++x) {\n"
