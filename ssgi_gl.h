@@ -4303,9 +4303,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_HALF_OFF", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
     "const float SSGI_HALF_OFF = 0.3; // over frames\n" },
 
-/* From so many frames on the filter needs no more than the four texels next to a pixel. */
+/* From five frames on the filter needs no more than the four texels next to a pixel. Counts are whole where a camera
+   stands, so that rounding must not decide. */
 { "SSGI_SETTLED", NULL, __LINE__ + 1,
-    "const float SSGI_SETTLED = 5.0;\n" },
+    "const float SSGI_SETTLED = 4.5;\n" },
 
 /* Where a pixel has an average over frames, these sharpen the filter: a tap's tent, 1 to 16, is multiplied by this plus
    the tent, so that the nearest texel counts most. 4 gives hsao-history an error of .3737, 12 .3740, 36 .3743. */

@@ -56,7 +56,7 @@ static void light_is_followed(void)
                             == SSGI_OK, "a time is refused"))
                 return;
             const double most = 16 / now, n = t ? fmin(frames * last / now + 1, most) : 1,
-                         few = n < 5 ? 1 : 9.0 / 5, deviation = 0.1 * v * sqrt((few - 1) * few),
+                         few = n < 4.5 ? 1 : 9.0 / 5, deviation = 0.1 * v * sqrt((few - 1) * few),
                          drift = 0.2 * deviation + 0.005 * v,
                          jump = 0.7 * deviation + 0.02 * v;
             const float uniform[3] = { (float)(v * 3.5449077), (float)(v * 3.5449077), (float)(v * 3.5449077) };

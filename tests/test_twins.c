@@ -2135,9 +2135,9 @@ static void history_follows(void)
             const int x = i % SIDE, y = i / SIDE, even = x < SIDE / 2;
             if ((x + 1) % (SIDE / 2) < 2 || (y + 1) % SIDE < 2) continue;          /* has other neighbours */
             const double h = even ? 0 : (i + y) & 1 ? -0.1 : 0.1, n = (double)means[i][1],
-                         most = n < 1 ? 1 : fmin(n + 1, 16), value = 0.5 + h * (most < 5 ? 1 / 9.0 : -3 / 5.0);
+                         most = n < 1 ? 1 : fmin(n + 1, 16), value = 0.5 + h * (most < 4.5 ? 1 / 9.0 : -3 / 5.0);
             /* of nine texels; of five, which are few: a tenth of the value more */
-            const double deviation = most < 5 ? fabs(h) * sqrt(10 / 9.0) : 1.2 * sqrt(h * h + 0.01 * value * value),
+            const double deviation = most < 4.5 ? fabs(h) * sqrt(10 / 9.0) : 1.2 * sqrt(h * h + 0.01 * value * value),
                          jump = 0.7 * deviation + 0.02 * value, drift = 0.2 * deviation + 0.005 * value;
             double quick = value + ((double)means[i][0] - value) * (1 - 1 / fmin(most, 3)),
                    mean = value + ((double)last[i][0] / tint[colour][0] - value) * (1 - 1 / most), frames = most;
