@@ -863,8 +863,8 @@ typedef struct ssgi_gl_step {
 
    Clear the steps' textures to 0 when you make them. Where the picture's size changes, ask for the steps again; the
    texts stay, since none depends on the size. Textures of the greatest size stay, too, and the picture takes a part of
-   them, from frame.target on. Otherwise make all anew, of the size that the steps now say, but what is read as the last
-   frame left it (input.last): it is read once more, at its own size. So of such a pair make the one that this frame
+   them, from frame.target on. Otherwise make them anew, of the size that the steps now say; but one that is read as the
+   last frame left it (input.last) is read once more, at its own size. So of such a pair make the one that this frame
    writes anew first, and the other a frame later. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
@@ -976,7 +976,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
                                            const char **why);
 
 /* Counts history in seconds, for frames that take unequal times: sets history and pace, after ssgi_gl_frame_history.
-     memory          [units: seconds] [limit: > 0] what is older hardly counts: 0.27 is 16 frames of 60 a second
+     memory          [units: seconds] [limit: > 0] older frames hardly count: 0.27 is 16 frames of 60 a second
      elapsed, last   [units: seconds] [limit: > 0] how long this frame and the last one take: times from picture to
                      picture. The average then follows changes as fast at any rate of frames */
 SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, float elapsed, float last,
@@ -4296,15 +4296,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* From half size the weight is never 0, so that the tap closest to the plane wins if none lies on it. The square of a
    distance from the plane at which a tap has half of its weight: .03 gives hsao-fast an error of .4508, .1 .4460, .3
    .4451, but mixes surfaces. The scenes are those of SSGI_STEEP. Frames average its noise, so that history takes it
-   closer the more it has, from three times as far. */
+   closer the more it has: over four moves by seed its first eight frames deviate by .0038 over the truth's with .02
+   throughout, .0030 with .3 over the frames, .0028 with .6. */
 { "SSGI_HALF_OFF", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
     "const float SSGI_HALF_OFF = 0.1;\n" },
 
 { "SSGI_HALF_OFF", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
     "const float SSGI_HALF_OFF = 0.3; // over frames\n" },
 
-/* From five frames on the filter needs no more than the four texels next to a pixel. Counts are whole where a camera
-   stands, so that rounding must not decide. */
+/* From five frames on the filter needs no more than the four texels next to a pixel: from three on it deviates by a
+   third more (as above). Counts are whole where a camera stands, so that rounding must not decide. */
 { "SSGI_SETTLED", NULL, __LINE__ + 1,
     "const float SSGI_SETTLED = 4.5;\n" },
 
@@ -4555,7 +4556,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_BLURRED", NULL, __LINE__ + 1,
     "const float SSGI_BLURRED = 2.0;\n" },
 
-/* The share of all surfaces within the radius whose change leaves one frame beside this one. */
+/* The share of all surfaces within the radius whose change leaves one frame beside this one: of .01 a box that slides
+   errs 1.051 times as its frame alone, of .007 1.042 (make stability, kept-slide). */
 { "SSGI_CHANGED", NULL, __LINE__ + 1,
     "const float SSGI_CHANGED = 0.007;\n" },
 

@@ -539,7 +539,7 @@ static void eyes(void)
     kit_scene scene;
     kit_run run;
     ssgi_gl_chain chain[2];
-    double noise = 0;
+    double all = 0;
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
     for (int k = 0; k < EYE_FRAMES; ++k)
         for (int eye = 0; eye < EYES; ++eye)
@@ -585,10 +585,10 @@ static void eyes(void)
             }
             CHECK(!differ && grown > w * h / 4, "frame %d, eye %d: %d pixels differ, %d average all frames", k, eye,
                   differ, grown);
-            noise += grown;
+            all += grown;
         }
     }
-    t_note("%.0f pixels average all frames", noise / (EYES * EYE_FRAMES));
+    t_note("%.0f pixels average all frames", all / (EYES * EYE_FRAMES));
     for (int eye = 0; eye < EYES; ++eye) {
         shut(&layers[eye]);
         shut(&alone[eye]);

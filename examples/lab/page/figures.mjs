@@ -253,7 +253,7 @@ function moved(record, heading, key) {
         rows.length &&
         `${heading}, ${new Set(rows.map(r => r.scene)).size} scenes of seeds from 1000 on and models, 640x360.
 The mean (the worst) of the deviation over the truth's in frames 1 to 8 and 9 to 16, of the last frame's error, of that
-over the error of the frame alone, and of the error of what TAA shows of a camera that stands.
+over the error of the frame alone, and of the error of TAA's picture of a camera that stands.
 
 ${table(
     ['', ...figures],
@@ -267,7 +267,7 @@ ${table(
 function stability(record) {
     const causes = by_cause(record), still = causes.filter(c => 'hsao' in c);
     const moving = causes.filter(c => !still.includes(c) && Object.keys(c).some(key => key.endsWith('-history')));
-    const hosts = moved(record, 'What hosts do to frames', 'move');
+    const hosts = moved(record, 'Frames as hosts make them', 'move');
     const moves = [moved(record, 'Cameras that move'), hosts].filter(Boolean);
     return (
         causes.length &&

@@ -293,6 +293,7 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
     char scene[128];
     int count = 0, of[MOST_MOVES] = { 0 };
     memset(sum, 0, sizeof sum);
+    if (csv) fputs("move,scene,method,filling,filled,error,over alone,by TAA\n", csv);
     puts("deviation over the truth's in frames 1 to 8, 9 to 16; error of the last, over that of the frame alone; of a "
          "camera that stands, what TAA shows");
     for (; scene_of(scene, o, count); ++count) {
@@ -314,7 +315,8 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
     }
     printf("mean of %d\n", count);
     for (int i = 0; methods[i]; ++i) {
-        for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] /= of[i] ? of[i] : 1;
+        if (!of[i]) continue;
+        for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] /= of[i];
         print_figures(methods[i], sum[i]);
     }
     return 0;

@@ -59,23 +59,19 @@ static int look_around(shot *s, const look *l, kit_error *err)
     return 0;
 }
 
-/* Turns v about a unit axis. */
-static void turn(float v[3], const float axis[3], float degrees)
+/* Turns v about an axis. */
+static void turn(float v[3], const float about[3], float degrees)
 {
     const float c = cosf(degrees * DEGREE), s = sinf(degrees * DEGREE);
+    double axis[3] = { (double)about[0], (double)about[1], (double)about[2] };
     float out[3], along = 0;
-    for (int i = 0; i < 3; ++i) along += v[i] * axis[i];
+    kit_unit(axis);
+    for (int i = 0; i < 3; ++i) along += v[i] * (float)axis[i];
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        out[i] = c * v[i] + s * (axis[j] * v[k] - axis[k] * v[j]) + (1 - c) * along * axis[i];
+        out[i] = c * v[i] + s * ((float)axis[j] * v[k] - (float)axis[k] * v[j]) + (1 - c) * along * (float)axis[i];
     }
     memcpy(v, out, sizeof out);
-}
-
-static void normalise(float v[3])
-{
-    const float length = sqrtf(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (int i = 0; i < 3; ++i) v[i] /= length;
 }
 
 float shot_aim(kit_camera *c, const look *l)
@@ -105,16 +101,10 @@ float shot_aim(kit_camera *c, const look *l)
         away[i] = c->target[i] - c->eye[i];
     }
     if (l->orbit != 0) {
-        float up[3];
-        memcpy(up, c->up, sizeof up);
-        normalise(up);
-        turn(away, up, l->orbit);
+        turn(away, c->up, l->orbit);
         for (int i = 0; i < 3; ++i) c->eye[i] = c->target[i] - away[i];
     }
-    if (l->roll != 0) {
-        normalise(away);
-        turn(c->up, away, l->roll);
-    }
+    if (l->roll != 0) turn(c->up, away, l->roll);
     memcpy(c->shift, l->shift, sizeof c->shift);
     c->width = l->width;
     c->height = l->height;

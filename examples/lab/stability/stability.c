@@ -21,7 +21,7 @@
 #include "lab/stability/show.h"
 #include "lab/stability/sweep.h"
 
-/* Moves through scenes that nothing was tuned on, and what hosts do to frames, as tables. */
+/* Moves through scenes that nothing was tuned on, and frames as hosts make them, as tables. */
 static int add_moves(page *record, const sweep_options *o, kit_error *err)
 {
     for (int hosts = 0; hosts < 2; ++hosts) {
@@ -30,13 +30,13 @@ static int add_moves(page *record, const sweep_options *o, kit_error *err)
         if (hosts) moves_of_hosts(&m);
         if (o->quick) m.width = 320, m.count = 4;
         if (page_open(&csv, err)) return -1;
-        fputs(MOVES_HEAD "\n", csv.file);
         if (moves(&m, csv.file, err)) return -1;
-        page_heading(record->file, 3, hosts ? "What hosts do to frames" : "Cameras that move");
+        page_heading(record->file, 3, hosts ? "Frames as hosts make them" : "Cameras that move");
         page_paragraph(record->file,
-                       "640x360, 16 frames. Deviation of places that are followed, less the truth's: in the first "
-                       "eight frames, in which history fills, and in the next; error of the last frame, and that over "
-                       "the error of the frame alone; where the camera stands, the error of what TAA shows.");
+                       "%dx%d, 16 frames. Deviation of places that are followed, less the truth's: in the first eight "
+                       "frames, in which history fills, and in the next; error of the last frame, and that over the "
+                       "error of the frame alone; where the camera stands, the error of TAA's picture.",
+                       m.width, m.width * 9 / 16);
         if (page_csv(record->file, "rows", &csv, o->out, hosts ? "stability-hosts.csv" : "stability-moves.csv", err))
             return -1;
     }
