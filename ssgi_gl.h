@@ -443,9 +443,11 @@ typedef enum ssgi_gl_filter {
 
 /* desc.gather.half: the pixels that a gather writes. Blur or history brings its result to full size. */
 typedef enum ssgi_gl_half {
-    SSGI_GL_HALF_NONE = 0, /* all of them */
-    SSGI_GL_HALF_FIRST,    /* the first pixel of every 2x2, so that the size is half, rounded up */
-    SSGI_GL_HALF_IN_TURN,  /* each of the four in turn, by frame.phase: ssgi_gl_steps sets this before history */
+    SSGI_GL_HALF_NONE = 0,        /* all of them */
+    SSGI_GL_HALF_FIRST,           /* the first pixel of every 2x2, so that the size is half, rounded up */
+    SSGI_GL_HALF_IN_TURN,         /* each of the four in turn, by frame.phase: ssgi_gl_steps sets this before history */
+    SSGI_GL_HALF_QUARTER,         /* the first pixel of every 4x4: a quarter of the size */
+    SSGI_GL_HALF_QUARTER_IN_TURN, /* each of these sixteen in turn */
     SSGI_GL_HALF_FORCE = SSGI_FORCE
 } ssgi_gl_half;
 
@@ -683,6 +685,24 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
    desc returns 0. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
+/* Writes the GLSL by which your own shaders read a result where they light a surface: in forward rendering, on edges of
+   multisampled pictures, on transparent surfaces. It stands in for the filter's pass (chain.blur 0), and weighs the
+   texels around the pixel as that pass does, but for the surface that you shade.
+     float ssgi_visibility_at(vec2 pixel, float depth, vec3 normal);              of SSAO, HSAO
+     vec3 ssgi_irradiance_at(vec2 pixel, float depth, vec3 normal);               of SSDO, SHADE, LIGHTS, S3HO shaded
+     ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float depth, vec3 normal);    of S3HO: sets of ssgi_gl_sh's
+         struct, and ssgi_sh_dot
+   Of HISTORY, SUM, and of a BLUR of light or coefficients, which are filtered already, they read the pixel's own texel,
+   and those around it where it shows another surface.
+     desc      of the step that wrote the result. Another pass, and a BLUR of visibility, which holds no depth, return 0
+     pixel     [units: pixels] gl_FragCoord.xy less the first corner of your viewport
+     depth     [units: view] positive; ssgi_fragment_depth(pixel, gl_FragCoord.z) where desc.input.depth is WINDOW
+     normal    as desc.input says: in view space, or in the world
+   A surface that no texel shows, as a pane far in front of all else, is unoccluded: visibility and restored light go
+   there over the distance to the surfaces that are shown, by half at half a radius. The block ssgi_frame is
+   ssgi_gl_frame. In GLES the text needs the lines that ssgi_gl_field needs. It works like snprintf. */
+SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc);
+
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
 SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* "330", "vulkan"; NULL past the last */
 
@@ -756,6 +776,8 @@ typedef struct ssgi_gl_chain {
 
     /* ---- targets */
     int precise; /* 0: 16-bit floats, and 8 bits for final visibility; 1: 32-bit floats; 2: for coefficients, too */
+    int rgba8;   /* 1: these 8 bits are those of RGBA8, four times as many bytes, for devices that cannot draw into R8;
+                    GLES 3.0 and Vulkan demand that they can, but some drivers of phones cannot */
 } ssgi_gl_chain;
 
 /* The content of a texture of yours: ssgi_gl_input.meaning. */
@@ -832,13 +854,15 @@ enum {
     SSGI_GL_SIZE_HALF,   /* half of the image, rounded up */
     SSGI_GL_SIZE_LEVELS, /* the size of all levels: ssgi_splat_size */
     SSGI_GL_SIZE_TILES,  /* an eighth of the image, rounded up */
+    SSGI_GL_SIZE_QUARTER /* a quarter of the image, rounded up */
 };
 
 /* One draw. ssgi_gl_emit of desc writes the text of each stage. */
 typedef struct ssgi_gl_step {
     ssgi_gl_desc desc;
 
-    /* ---- where: the image begins at frame.target in the targets, at half of that for HALF, at an eighth for TILES */
+    /* ---- where: the image begins at frame.target in the targets, at half of that for HALF, at a quarter for QUARTER,
+       at an eighth for TILES */
     int size;          /* SSGI_GL_SIZE_FULL .. */
     int width, height; /* [units: pixels] of that image */
 
@@ -901,7 +925,7 @@ typedef struct ssgi_gl_frame {
                           the passes (but width, emitters, and those that light emitters) to the inner rectangle and the
                           texels that their filters read */
     int32_t target[2]; /* [units: texels]  first texel of the image in the textures that passes write; half of it in
-                          half size */
+                          half size, a quarter in quarter size */
 
     /* ---- gathers */
     float radius; /* [units: view] [limit: > 0]  distance of the farthest occluder */
@@ -959,7 +983,9 @@ typedef struct ssgi_gl_frame {
                              size) less that of the last frame's view */
     float last_footprint; /* [limit: >= 1]  width of the last frame's pixels over that of this frame's, at least 1:
                             ssgi_gl_frame_history */
-    int32_t unused[3];    /* fills the block's last 16 bytes */
+    float strength;       /* desc.filter.onto   [limit: >= 0] [default: 1]  visibility v goes onto your picture as 1 +
+                             strength * (v - 1), and not below 0: for looks, as all but 1 departs from the truth */
+    int32_t unused[2];    /* fills the block's last 16 bytes */
 } ssgi_gl_frame;
 
 /* Fills a frame from a view: the image is at the origin of textures and targets, all other members have their defaults.
@@ -982,8 +1008,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
 SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, float elapsed, float last,
                                         const char **why);
 
-/* frame.phase of frame number k, in [0,1), which spreads the noise of any few frames in a row evenly. The last 2 of its
-   24 bits are k's, by which passes tell the pixel that is gathered (desc.gather.half 2). */
+/* frame.phase of frame number k, in [0,1), which spreads the noise of any few frames in a row evenly. The last 4 of its
+   24 bits are k's, by which passes tell the pixel that is gathered (desc.gather.half IN_TURN, QUARTER_IN_TURN). */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
 /* Sets the members that surfels are made with, except desc->overhang, which the text has: ssgi_gl_desc.overhang. Draw
@@ -1135,7 +1161,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_gathered_texel", NULL, __LINE__ + 1,
     "ivec2 ssgi_gathered_texel() { // this texel's place in the image that gathers write\n"
-    "#if SSGI_HALF\n"
+    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 4;\n"
+    "#elif SSGI_HALF\n"
     "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 2;\n"
     "#else\n"
     "    return ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
@@ -1149,10 +1177,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ivec2(turn, turn + (turn >> 1)) & 1;\n"
     "}\n" },
 
+{ "ssgi_turn_of_16", NULL, __LINE__ + 1,
+    "ivec2 ssgi_turn_of_16() { // which pixel of every 4x4: any four frames in a row take one of each 2x2 of it\n"
+    "    int turn = int(16777216.0 * u_ssgi_phase) >> 2;\n"
+    "    return 2 * ssgi_turn() + (ivec2(turn, turn + (turn >> 1)) & 1);\n"
+    "}\n" },
+
 { "ssgi_gathered", NULL, __LINE__ + 1,
     "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of that image stands for\n"
     "#if SSGI_HALF == SSGI_HALF_IN_TURN\n"
     "    return min(2 * texel + ssgi_turn(), max(u_ssgi_size - 1, 2 * texel)); // texels beyond the image stay there\n"
+    "#elif SSGI_HALF == SSGI_HALF_QUARTER_IN_TURN\n"
+    "    return min(4 * texel + ssgi_turn_of_16(), max(u_ssgi_size - 1, 4 * texel));\n"
+    "#elif SSGI_HALF == SSGI_HALF_QUARTER\n"
+    "    return 4 * texel; // It is the first pixel of its 4x4.\n"
     "#elif SSGI_HALF\n"
     "    return 2 * texel; // It is the first pixel of its 2x2.\n"
     "#else\n"
@@ -1404,16 +1442,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return dot(n, ssgi_toward(P)) < 0.0 ? -n : n;\n"
     "}\n" },
 
+{ "ssgi_turned", NULL, __LINE__ + 1,
+    "vec3 ssgi_turned(vec3 n) { // returns your normal in view space, of length 1\n"
+    "#if SSGI_WORLD_NORMALS\n"
+    "    return ssgi_unit(u_ssgi_rotation * n);\n"
+    "#elif SSGI_LEFT_HANDED && !SSGI_WORLD_NORMALS\n"
+    "    return ssgi_unit(n * vec3(1.0, 1.0, -1.0));\n"
+    "#else\n"
+    "    return ssgi_unit(n);\n"
+    "#endif\n"
+    "}\n" },
+
 { "ssgi_normal", "SSGI_NORMAL != SSGI_NORMAL_FROM_DEPTH", __LINE__ + 1,
     "// Returns the unit view-space normal at a pixel whose point is P.\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
-    "#if SSGI_WORLD_NORMALS\n"
-    "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p));\n"
-    "#elif SSGI_LEFT_HANDED && !SSGI_WORLD_NORMALS\n"
-    "    return ssgi_unit(ssgi_raw_normal(p) * vec3(1.0, 1.0, -1.0));\n"
-    "#else\n"
-    "    return ssgi_unit(ssgi_raw_normal(p));\n"
-    "#endif\n"
+    "    return ssgi_turned(ssgi_raw_normal(p));\n"
     "}\n" },
 
 { "ssgi_noise", NULL, __LINE__ + 1,
@@ -4273,16 +4316,28 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 o; // how many pixels away the neighbour is\n"
     "};\n" },
 
+{ "ssgi_from_gathered", NULL, __LINE__ + 1,
+    "ivec2 ssgi_from_gathered(ivec2 p) { // how far p is from the pixel that is gathered of the first 4x4\n"
+    "#if SSGI_HALF == SSGI_HALF_QUARTER_IN_TURN\n"
+    "    return p - ssgi_turn_of_16();\n"
+    "#else\n"
+    "    return p;\n"
+    "#endif\n"
+    "}\n" },
+
 { "ssgi_neighbour_at", NULL, __LINE__ + 1,
     "ssgi_neighbour ssgi_neighbour_at(ivec2 p, int x, int y) {\n"
-    "#if SSGI_HALF\n"
+    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "    ivec2 h = (ssgi_from_gathered(p) + 2 >> 2) + ivec2(x, y), q = ssgi_gathered(h); // from the nearest one on\n"
+    "    return ssgi_neighbour(h + (u_ssgi_target >> 2), q, vec2(q - p));\n"
+    "#elif SSGI_HALF\n"
     "    ivec2 h = (p >> 1) + ivec2(x, y), q = ssgi_gathered(h);\n"
     "#endif\n"
     "#if SSGI_HALF == SSGI_HALF_IN_TURN\n"
     "    return ssgi_neighbour(h + (u_ssgi_target >> 1), q, vec2(q - p));\n"
     "#elif SSGI_HALF == SSGI_HALF_FIRST\n"
     "    return ssgi_neighbour(h + (u_ssgi_target >> 1), q, vec2(2 * x, 2 * y) - vec2(p & 1));\n"
-    "#else\n"
+    "#elif !SSGI_HALF\n"
     "    return ssgi_neighbour(p + ivec2(x, y) + u_ssgi_target, p + ivec2(x, y), vec2(x, y));\n"
     "#endif\n"
     "}\n" },
@@ -4325,6 +4380,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// A box over a tile of noise, in which a neighbour counts the less the farther it is off the plane.\n"
     "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
     "    float off = ssgi_above_plane(c.plane, t.o, z);\n"
+    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "    t.o *= 0.5; // The tent is twice as wide.\n"
+    "#endif\n"
     "#if SSGI_HALF\n"
     "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
     "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 3) - abs(t.o);\n"
@@ -4348,6 +4406,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_onto", "SSGI_ONTO", __LINE__ + 1,
     "vec4 ssgi_onto(ivec2 p, float ao) { // the colour that is blended onto your picture\n"
+    "    ao = max(1.0 + u_ssgi_strength * (ao - 1.0), 0.0);\n"
     "#if SSGI_ONTO == SSGI_ONTO_AMBIENT\n"
     "    return vec4((1.0 - ao) * texelFetch(t_ssgi_ambient, p + u_ssgi_origin, 0).xyz, 0.0);\n"
     "#elif SSGI_ONTO == SSGI_ONTO_MULTIPLY_SRGB\n"
@@ -4369,6 +4428,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_filtered", NULL, __LINE__ + 1,
     "struct ssgi_filtered { // sums over a pixel and its neighbours\n"
     "    vec4 light; // xyz: light or visibility, times weight; w: weights\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
+    "    ssgi_coefficients sums; // times weight\n"
+    "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
     "    vec2 spread; // x: the sum of squares in grey, times weight; y: the sum of squared weights\n"
     "#endif\n"
@@ -4378,12 +4440,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_filtered ssgi_filtered_none() {\n"
     "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
     "    return ssgi_filtered(vec4(0.0), vec2(0.0));\n"
+    "#elif SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
+    "    return ssgi_filtered(vec4(0.0), ssgi_coefficients_none());\n"
     "#else\n"
     "    return ssgi_filtered(vec4(0.0));\n"
     "#endif\n"
     "}\n" },
 
-{ "ssgi_filtered_add", NULL, __LINE__ + 1,
+{ "ssgi_filtered_add", "SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
+    "void ssgi_filtered_add(inout ssgi_filtered f, ssgi_coefficients t, float w) {\n"
+    "    for (int k = 0; k < t.c.length(); ++k) ssgi_sh_add(f.sums.c[k], t.c[k], w);\n"
+    "    f.light.w += w;\n"
+    "}\n" },
+
+{ "ssgi_filtered_add", "SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
     "void ssgi_filtered_add(inout ssgi_filtered f, vec4 t, float w) {\n"
     "    f.light += vec4(t.xyz, 1.0) * w;\n"
     "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
@@ -4392,7 +4462,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_filter_tap", NULL, __LINE__ + 1,
+{ "ssgi_filter_tap", "SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
+    "void ssgi_filter_tap(inout ssgi_filtered f, ivec2 p, ssgi_blurred c, ivec2 o) {\n"
+    "    ssgi_neighbour t = ssgi_neighbour_at(p, o.x, o.y);\n"
+    "    float d = ssgi_depth(t.q), w = ssgi_blur_weight(c, t, d);\n"
+    "    if (ssgi_inside(t.q) && d < SSGI_FAR && w > 0.0) ssgi_filtered_add(f, ssgi_load(t.at), w);\n"
+    "}\n" },
+
+{ "ssgi_filter_tap", "SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
     "void ssgi_filter_tap(inout ssgi_filtered f, ivec2 p, ssgi_blurred c, ivec2 o) {\n"
     "    ssgi_neighbour t = ssgi_neighbour_at(p, o.x, o.y);\n"
     "    vec4 s = ssgi_now(t.at);\n"
@@ -4400,10 +4477,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (ssgi_inside(t.q) && s.w < SSGI_FAR) ssgi_filtered_add(f, s, ssgi_blur_weight(c, t, s.w));\n"
     "}\n" },
 
-{ "ssgi_filter", "SSGI_PASS != SSGI_PASS_HISTORY && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
+{ "ssgi_filter", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
     "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over p and the pixels around it\n"
     "    ssgi_filtered f = ssgi_filtered_none();\n"
-    "#if !SSGI_HALF\n"
+    "#if !SSGI_HALF && SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
+    "    ssgi_filtered_add(f, ssgi_load(p + u_ssgi_target), 1.0);\n"
+    "#elif !SSGI_HALF\n"
     "    ssgi_filtered_add(f, c.now, 1.0);\n"
     "#endif\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
@@ -4422,6 +4501,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_filtered f = ssgi_filtered_none();\n"
     "#if !SSGI_HALF\n"
     "    ssgi_filtered_add(f, c.now, 1.0);\n"
+    "#elif SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "    ivec2 next = -(ssgi_from_gathered(p) >> 1 & 1);\n"
     "#else\n"
     "    ivec2 next = (p & 1) - 1;\n"
     "#endif\n"
@@ -4484,35 +4565,98 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light.xyz = c.z < SSGI_FAR ? ssgi_restored(o_ssgi_light.xyz, c) : vec3(0.0);\n"
     "}\n" },
 
+{ "ssgi_scaled", NULL, __LINE__ + 1,
+    "ssgi_coefficients ssgi_scaled(ssgi_coefficients v, float by) {\n"
+    "    for (int k = 0; k < v.c.length(); ++k) ssgi_sh_add(v.c[k], v.c[k], by - 1.0);\n"
+    "    return v;\n"
+    "}\n" },
+
 { "main_blur_coefficients", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "#if SSGI_HALF\n"
-    "    ssgi_coefficients sum = ssgi_coefficients_none();\n"
-    "#else\n"
-    "    ssgi_coefficients sum = ssgi_load(p + u_ssgi_target);\n"
-    "#endif\n"
-    "#if SSGI_HALF\n"
-    "    float weights = 0.0;\n"
-    "#else\n"
-    "    float weights = 1.0;\n"
-    "#endif\n"
     "    ssgi_blurred c = ssgi_blurred_at(p);\n"
-    "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
-    "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
-    "#if !SSGI_HALF\n"
-    "            if (x == 0 && y == 0) continue;\n"
+    "    ssgi_filtered f = ssgi_filter(p, c);\n"
+    "    ssgi_store(ssgi_scaled(f.sums, c.z < SSGI_FAR && f.light.w > 0.0 ? 1.0 / f.light.w : 0.0));\n"
+    "}\n" },
+
+/* ---- ssgi_gl_read: functions by which your own shaders read what gathers, or filters behind them, wrote. They weigh
+   texels as blur does, but for the surface that you shade, which need not be the one that the depth buffer shows. */
+
+/* Where no texel shows that surface, as in front of all others, nothing is known to occlude it: this is the weight of
+   no occlusion. From half size it is that of a texel whose surface is half a radius off. */
+{ "SSGI_UNSHOWN", "SSGI_HALF", __LINE__ + 1,
+    "const float SSGI_UNSHOWN = 0.0064;\n" },
+
+{ "SSGI_UNSHOWN", "!SSGI_HALF", __LINE__ + 1,
+    "const float SSGI_UNSHOWN = 1e-4;\n" },
+
+{ "ssgi_surface_at", NULL, __LINE__ + 1,
+    "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 n) { // the place need not be a pixel's centre\n"
+    "    ssgi_blurred c;\n"
+    "    vec2 off = fract(pixel) - 0.5;\n"
+    "    c.z = z, c.n = ssgi_turned(n), c.P = ssgi_position(pixel, z), c.footprint = ssgi_footprint(z);\n"
+    "    c.plane = ssgi_plane(c.P, c.n) / (SSGI_OFF * u_ssgi_radius + c.footprint);\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    c.plane.w -= dot(c.plane.xy, off);\n"
+    "#else\n"
+    "    c.plane.z -= dot(c.plane.xy, off);\n"
     "#endif\n"
-    "            ssgi_neighbour t = ssgi_neighbour_at(p, x, y);\n"
-    "            float d = ssgi_depth(t.q), w = ssgi_blur_weight(c, t, d);\n"
-    "            if (!ssgi_inside(t.q) || d >= SSGI_FAR || w <= 0.0) continue;\n"
-    "            ssgi_coefficients s = ssgi_load(t.at);\n"
-    "            for (int k = 0; k < s.c.length(); ++k) ssgi_sh_add(sum.c[k], s.c[k], w);\n"
-    "            weights += w;\n"
-    "        }\n"
-    "    float scale = c.z < SSGI_FAR && weights > 0.0 ? 1.0 / weights : 0.0;\n"
-    "    for (int k = 0; k < sum.c.length(); ++k) ssgi_sh_add(sum.c[k], sum.c[k], scale - 1.0);\n"
-    "    ssgi_store(sum);\n"
+    "#if !SSGI_HALF && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
+    "    c.now = vec4(0.0); // Nothing reads it here.\n"
+    "#endif\n"
+    "    return c;\n"
+    "}\n" },
+
+{ "ssgi_read", NULL, __LINE__ + 1,
+    "ssgi_filtered ssgi_read(vec2 pixel, ssgi_blurred c) { // sums over the texels around, if they show the surface\n"
+    "    const int side = 2 * SSGI_FILTER_RADIUS + 1;\n"
+    "    ivec2 p = ivec2(floor(pixel));\n"
+    "    ssgi_filtered f = ssgi_filtered_none();\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY || SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
+    "    f.light = vec4(SSGI_UNSHOWN);\n"
+    "#elif SSGI_RESTORE == SSGI_RESTORE_DIFFERENCE\n"
+    "    f.light.w = SSGI_UNSHOWN;\n"
+    "#endif\n"
+    "#if SSGI_PASS == SSGI_PASS_COMPOSE\n"
+    "    ssgi_filter_tap(f, p, c, ivec2(0)); // It is filtered already.\n"
+    "    int more = f.light.w < 0.5 ? side * side : 0;\n"
+    "#else\n"
+    "    const int more = side * side;\n"
+    "#endif\n"
+    "    for (int k = 0; k < more; ++k) ssgi_filter_tap(f, p, c, ivec2(k % side, k / side) - SSGI_FILTER_RADIUS);\n"
+    "    return f;\n"
+    "}\n" },
+
+{ "ssgi_fragment_depth", "SSGI_DEPTH == SSGI_DEPTH_WINDOW", __LINE__ + 1,
+    "float ssgi_fragment_depth(vec2 pixel, float window) { // returns the view depth of gl_FragCoord.z\n"
+    "#if SSGI_OBLIQUE\n"
+    "    return ssgi_decode(ssgi_unskew(window, ivec2(floor(pixel))));\n"
+    "#else\n"
+    "    return ssgi_decode(window);\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_visibility_at", "SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY", __LINE__ + 1,
+    "// Returns the ambient visibility of a surface of view depth z and unit normal n that is seen at a place in the\n"
+    "// picture, in pixels from its first corner.\n"
+    "float ssgi_visibility_at(vec2 pixel, float z, vec3 n) {\n"
+    "    ssgi_filtered f = ssgi_read(pixel, ssgi_surface_at(pixel, z, n));\n"
+    "    return f.light.x / f.light.w;\n"
+    "}\n" },
+
+{ "ssgi_irradiance_at", "SSGI_QUANTITY == SSGI_QUANTITY_LIGHT", __LINE__ + 1,
+    "// Returns irradiance over pi; 0 where no texel near shows the surface, and nothing is restored.\n"
+    "vec3 ssgi_irradiance_at(vec2 pixel, float z, vec3 n) {\n"
+    "    ssgi_blurred c = ssgi_surface_at(pixel, z, n);\n"
+    "    ssgi_filtered f = ssgi_read(pixel, c);\n"
+    "    return f.light.w > 0.0 ? ssgi_restored(f.light.xyz / f.light.w, c) : vec3(0.0);\n"
+    "}\n" },
+
+{ "ssgi_coefficients_at", "SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
+    "// Returns coefficients, for ssgi_sh_dot; 0 where no texel near shows the surface.\n"
+    "ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float z, vec3 n) {\n"
+    "    ssgi_filtered f = ssgi_read(pixel, ssgi_surface_at(pixel, z, n));\n"
+    "    return ssgi_scaled(f.sums, f.light.w > 0.0 ? 1.0 / f.light.w : 0.0);\n"
     "}\n" },
 
 /* ---- compose */
@@ -5007,6 +5151,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(last_size, "ivec2", "pixels"),
     SSGI_GL__ROW_FRAME(jitter, "vec2", "pixels"),
     SSGI_GL__ROW_FRAME(last_footprint, "float", ""),
+    SSGI_GL__ROW_FRAME(strength, "float", ""),
 
     SSGI_GL__ROW_VIEWS(to, "mat4[4]", "view space to pixels (times depth) and depth"),
     SSGI_GL__ROW_VIEWS(from, "mat4[4]", "and back"),
@@ -5069,8 +5214,8 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                          "R32F or R16F, an eighth of the size, NEAREST: of pass change_share"),
     SSGI_GL__ROW_YOURS("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
-    SSGI_GL__ROW_OUTPUT("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
-    SSGI_GL__ROW_OUTPUT("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
+    SSGI_GL__ROW_OUTPUT("ao", "pass == FIELD", "float", "R8, RGBA8, R16F ..: factor of ambient visibility"),
+    SSGI_GL__ROW_OUTPUT("ao", "pass == BLUR", "float", "R8, RGBA8 or R16F: ambient visibility"),
     SSGI_GL__ROW_OUTPUT("ao", "pass == HISTORY", "vec4",
                         SSGI_GL__HDR ": ambient visibility, view depth, its mean over three frames, how many frames"),
     SSGI_GL__ROW_OUTPUT("ao", "pass != FIELD && pass != BLUR && pass != HISTORY", "vec2",
@@ -5168,7 +5313,8 @@ enum {
     SSGI_GL__SIZE_HALF = SSGI_GL_SIZE_HALF,
     SSGI_GL__SIZE_LEVELS = SSGI_GL_SIZE_LEVELS,
     SSGI_GL__SIZE_TILES = SSGI_GL_SIZE_TILES,
-    SSGI_GL__SIZE_CHOSEN /* half where desc.gather.half says so, else full */
+    SSGI_GL__SIZE_QUARTER = SSGI_GL_SIZE_QUARTER,
+    SSGI_GL__SIZE_CHOSEN /* as desc.gather.half says */
 };
 
 enum {
@@ -5351,7 +5497,7 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__ENUM(gather, noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
     SSGI_GL__SWITCH(gather, kernel),
     SSGI_GL__SWITCH(gather, uniform),
-    SSGI_GL__ENUM(gather, half, HALF, IN_TURN, "NONE FIRST IN_TURN"),
+    SSGI_GL__ENUM(gather, half, HALF, QUARTER_IN_TURN, "NONE FIRST IN_TURN QUARTER QUARTER_IN_TURN"),
     SSGI_GL__ENUM(gather, thickness, THICKNESS, SLABS, "DEFAULT CONSTANT SOLID WIDTH BACK SLABS"),
     SSGI_GL__COUNT(gather, layers, 8),
     SSGI_GL__COUNT(gather, views, 4),
@@ -6208,21 +6354,30 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
     return t.hash;
 }
 
-/* Prints functions alone, and the samplers that they read. */
+/* Prints functions alone, for a fragment stage, and the constants, uniforms and samplers that they read. */
 static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots)
 {
-    ssgi_gl__stage stage;
+    ssgi_gl__program p;
+    ssgi_gl__stage *const stage = &p.stage[SSGI_GL_STAGE_FRAGMENT];
     ssgi_gl__text t = { out, capacity, 0, 0 };
     const ssgi_gl__dialect *const in = &ssgi_gl__dialects[d->text.dialect];
-    ssgi_gl__link(&stage, d, roots);
-    for (int i = 0; i < SSGI_GL__ROWS; ++i)
-        if (stage.row[i]) {
-            const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
-            if (in->textures) ssgi_gl__print(&t, "layout(%sbinding = %d) ", in->set, io->slot + in->textures);
-            ssgi_gl__print(&t, "uniform highp %s ", ssgi_gl__word_of(d->text.dialect, io->type, strlen(io->type)));
-            ssgi_gl__print(&t, "%s; // %s\n", io->name, io->format);
+    const char *const set = in->textures ? in->set : NULL;
+    ssgi_gl_io io[SSGI_GL_MAX_IO];
+    memset(&p, 0, sizeof p);
+    p.d = *d;
+    ssgi_gl__link(stage, d, roots);
+    const int n = ssgi_gl__collect(&p, SSGI_GL_STAGE_FRAGMENT, io, SSGI_GL_MAX_IO);
+    for (int i = 0; i < n; ++i)
+        if (io[i].kind == SSGI_GL_IO_CONSTANT) ssgi_gl__print(&t, "const int %s = %d;\n", io[i].name, io[i].slot);
+    ssgi_gl__print_block(&t, io, n, 0, set);
+    for (int i = 0; i < n; ++i)
+        if (io[i].kind == SSGI_GL_IO_TEXTURE) {
+            if (set) ssgi_gl__print(&t, "layout(%sbinding = %d) ", set, io[i].slot + in->textures);
+            ssgi_gl__print(&t, "uniform highp %s %s; // %s\n", io[i].type, io[i].name, io[i].format);
         }
-    ssgi_gl__print_codes(&t, &stage, d);
+    if (stage->fetch > 1) ssgi_gl__print(&t, "\nfloat ssgi_decode(float d);\n");
+    if (d->text.fetch && stage->fetch) ssgi_gl__print(&t, "\n%s\n", d->text.fetch);
+    ssgi_gl__print_codes(&t, stage, d);
     return ssgi_gl__end(&t);
 }
 
@@ -6243,6 +6398,32 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
     d.pass = SSGI_GL_PASS_FIELD;
     d.text.lines = 0;
     return ssgi_gl__functions(out, capacity, &d, "ssgi_field_visibility");
+}
+
+SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc)
+{
+    static const char *const roots[3] = { "ssgi_fragment_depth ssgi_visibility_at",
+                                          "ssgi_fragment_depth ssgi_irradiance_at",
+                                          "ssgi_fragment_depth ssgi_sh_dot ssgi_coefficients_at" };
+    ssgi_gl_desc d;
+    if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
+    d = *desc;
+    const int pass = d.pass, grey = pass == SSGI_GL_PASS_SSAO || pass == SSGI_GL_PASS_HSAO,
+              surfels = pass == SSGI_GL_PASS_SUM, filters = pass == SSGI_GL_PASS_BLUR || pass == SSGI_GL_PASS_HISTORY;
+    const int lit = pass == SSGI_GL_PASS_SSDO || pass == SSGI_GL_PASS_LIGHTS
+                 || (pass == SSGI_GL_PASS_SHADE && d.light.shading != SSGI_GL_SHADING_BENT);
+    if (grey || (surfels && !d.surfel.effect)) d.filter.quantity = SSGI_GL_QUANTITY_VISIBILITY;
+    else if (lit || surfels || (pass == SSGI_GL_PASS_S3HO && d.light.shaded))
+        d.filter.quantity = SSGI_GL_QUANTITY_LIGHT;
+    else if (pass == SSGI_GL_PASS_S3HO) d.filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS;
+    else if (!filters || (pass == SSGI_GL_PASS_BLUR && !d.filter.quantity)) return 0;
+    /* What is filtered already is read as compose does, what a gather wrote as blur does. */
+    d.pass = filters || surfels || pass == SSGI_GL_PASS_LIGHTS ? SSGI_GL_PASS_COMPOSE : SSGI_GL_PASS_BLUR;
+    d.filter.kind = SSGI_GL_FILTER_BILATERAL;
+    d.text.lines = 0;
+    if (ssgi_gl_check(&d, NULL) != SSGI_OK) return 0;
+    d = ssgi_gl_resolve(&d);
+    return ssgi_gl__functions(out, capacity, &d, roots[d.filter.quantity]);
 }
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass)
@@ -6318,7 +6499,11 @@ static const ssgi_gl_format ssgi_gl__formats[SSGI_GL__CHANNELS][SSGI_GL__KINDS] 
       { "RGBA32F", 0x8814, 0x1908, 0x1406, 16, 109, "VK_FORMAT_R32G32B32A32_SFLOAT", "rgba32float" },
       { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16, 107, "VK_FORMAT_R32G32B32A32_UINT", "rgba32uint" } }
 };
-static const ssgi_gl_format ssgi_gl__r8 = { "R8", 0x8229, 0x1903, 0x1401, 1, 9, "VK_FORMAT_R8_UNORM", "r8unorm" };
+/* second, by ssgi_gl_chain.rgba8 */
+static const ssgi_gl_format ssgi_gl__bytes[2] = {
+    { "R8", 0x8229, 0x1903, 0x1401, 1, 9, "VK_FORMAT_R8_UNORM", "r8unorm" },
+    { "RGBA8", 0x8058, 0x1908, 0x1401, 4, 37, "VK_FORMAT_R8G8B8A8_UNORM", "rgba8unorm" }
+};
 
 /* By ssgi_gl_input.meaning: the texture's name less t_ssgi_. */
 static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
@@ -6374,7 +6559,8 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
     if (coefficients && (d->light.bands == 1 || (d->light.bands == 3 && last == (whole ? '1' : '2'))))
         channels = SSGI_GL__R;
     if (coefficients && whole && d->light.bands == 2) channels = SSGI_GL__RG;
-    if (single && !wide && !strncmp(out->format, "R8", 2)) return &ssgi_gl__r8; /* Its row says that a byte holds it. */
+    if (single && !wide && !strncmp(out->format, "R8", 2)) /* Its row says that a byte holds it. */
+        return &ssgi_gl__bytes[chain->rgba8 != 0];
     return &ssgi_gl__formats[channels][whole ? SSGI_GL__UINT : wide ? SSGI_GL__FLOAT : SSGI_GL__HALF];
 }
 
@@ -6382,8 +6568,14 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
 static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
 {
     const int column = ssgi_gl__pass_of(d->pass)->size;
-    const int size = column != SSGI_GL__SIZE_CHOSEN ? column : d->gather.half ? SSGI_GL__SIZE_HALF : SSGI_GL__SIZE_FULL;
-    const int part = size == SSGI_GL__SIZE_TILES ? 8 : size == SSGI_GL__SIZE_HALF ? 2 : 1;
+    const int chosen = d->gather.half >= SSGI_GL_HALF_QUARTER ? SSGI_GL__SIZE_QUARTER
+                     : d->gather.half                         ? SSGI_GL__SIZE_HALF
+                                                              : SSGI_GL__SIZE_FULL;
+    const int size = column != SSGI_GL__SIZE_CHOSEN ? column : chosen;
+    const int part = size == SSGI_GL__SIZE_TILES   ? 8
+                   : size == SSGI_GL__SIZE_QUARTER ? 4
+                   : size == SSGI_GL__SIZE_HALF    ? 2
+                                                   : 1;
     s->size = size;
     s->width = (chain->width + part - 1) / part;
     s->height = (chain->height + part - 1) / part;
@@ -6842,8 +7034,10 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         own.desc.light.shaded = own.desc.light.lights = 0;
     }
     ssgi_gl__thickness(&own.desc);
-    /* Four frames bring all pixels of a 2x2. */
-    if (own.history && own.desc.gather.half) own.desc.gather.half = SSGI_GL_HALF_IN_TURN;
+    /* Four frames bring all pixels of a 2x2, sixteen all of a 4x4. */
+    if (own.history && own.desc.gather.half)
+        own.desc.gather.half = own.desc.gather.half < SSGI_GL_HALF_QUARTER ? SSGI_GL_HALF_IN_TURN
+                                                                           : SSGI_GL_HALF_QUARTER_IN_TURN;
     /* The default of blur is 4. */
     if (own.desc.pass == SSGI_GL_PASS_SSDO && !own.desc.light.bands) own.desc.light.bands = 3;
     /* The first turn checks all, the second writes. */
@@ -7005,7 +7199,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     f.thickness_limit = 0.6f * radius;
     f.fade = 0.3f * radius;
     f.distance_clamp = 0.25f;
-    f.gain = f.sent = f.pace = f.last_footprint = 1.0f;
+    f.gain = f.sent = f.pace = f.last_footprint = f.strength = 1.0f;
     f.max_slope = 20.0f;
     f.lambda = 4.0f;
     ssgi_sh_window(f.window, 4, SSGI_SH_WINDOW_HANN);
@@ -7061,7 +7255,7 @@ SSGI_DEF float ssgi_gl_phase(uint32_t k)
        golden ratio's fraction, and a quarter, so that each of the four spreads as that does. */
     static const uint32_t quarter[4] = { 0, 2, 1, 3 };
     const uint32_t phase = (k >> 2) * 1737350767u + (quarter[k & 3] << 30);
-    return (float)((phase >> 8 & ~3u) | (k & 3)) / 16777216.0f;
+    return (float)((phase >> 8 & ~15u) | (k & 15)) / 16777216.0f;
 }
 
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,

@@ -308,7 +308,8 @@ static void wrong_things(void)
     kit_scene_free(&scene);
 }
 
-/* A picture of 0.5, of which 0.25 is ambient, through each way onto it, next to the visibility that was read back. */
+/* A picture of 0.5, of which 0.25 is ambient, through each way onto it, next to the visibility that was read back, at
+   three strengths; 4 takes some to black. */
 static void onto_a_picture(void)
 {
     kit_scene scene;
@@ -325,7 +326,9 @@ static void onto_a_picture(void)
     shut(&h);
     for (int i = 0; i < 4 * W * H; ++i) { half[i] = 0.5f; quarter[i] = 0.25f; }
     for (int onto = 1; onto <= SSGI_GL_ONTO_AMBIENT; ++onto)
-        for (int blur = 1; blur >= 0; --blur) {                /* by the filter itself, or by compose */
+        for (int way = 0; way < 4; ++way) {
+            const int blur = way != 0;                         /* by the filter itself, or by compose */
+            const double strength = way == 2 ? 0.3 : way == 3 ? 4 : 1;
             const ssgi_gl_chain was = chain;
             double worst = 0;
             memset(&h, 0, sizeof h);
@@ -336,18 +339,21 @@ static void onto_a_picture(void)
             h.picture = keep(&h, kit_texture(W, H, GL_RGBA32F, half));
             h.yours[SSGI_GL_YOUR_AMBIENT] = keep(&h, kit_texture(W, H, GL_RGBA32F, quarter));
             if (!opened(&h, &chain)) return;
+            if (way > 1) run.frame.strength = (float)strength; /* else its default */
             draw(&h, &run.frame);
+            run.frame.strength = 1;
             CHECK(h.step[h.steps - 1].desc.pass == (blur ? SSGI_GL_PASS_BLUR : SSGI_GL_PASS_COMPOSE)
                       && h.step[h.steps - 1].output[0].texture == -1, "onto %d: the last step is another", onto);
             if (!TRY(kit_texture_read(h.picture, W, H, 4, got))) return;
             const GLuint gathered = h.made[h.step[h.steps - 2].output[0].texture][0];
             if (!blur && !TRY(kit_texture_read(gathered, W, H, 1, raw))) return;
             for (int i = 0; i < 4 * W * H; ++i) {
-                const double v = (double)(blur ? filtered : raw)[i / 4], want = i % 4 == 3 ? 0.5
+                const double v = fmax(1 + strength * ((double)(blur ? filtered : raw)[i / 4] - 1), 0),
+                             want = i % 4 == 3 ? 0.5
                     : onto == 1 ? 0.5 * v : onto == 2 ? 0.5 * pow(v, 1 / 2.2) : 0.5 - 0.25 * (1 - v);
                 worst = fmax(worst, fabs((double)got[i] - want));
             }
-            CHECK(worst < 1e-5, "onto %d, blur %d: off by %g", onto, blur, worst);
+            CHECK(worst < 1e-5, "onto %d, blur %d, strength %g: off by %g", onto, blur, strength, worst);
             shut(&h);
             chain = was;
         }
@@ -693,10 +699,17 @@ static void formats(void)
                                             .light.environment = SSGI_GL_ENVIRONMENT_MAP } };
     for (int i = 0; i < (int)(sizeof descs / sizeof *descs); ++i) {
         ssgi_gl_step step[STEPS];
-        const ssgi_gl_chain chain = { .desc = descs[i], .blur = 1, .width = 64, .height = 36 };
+        ssgi_gl_chain chain = { .desc = descs[i], .blur = 1, .width = 64, .height = 36 };
         const char *why = "";
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
+        const ssgi_gl_format *const last = step[n > 0 ? n - 1 : 0].output[0].format;
         CHECK(n > 0, "%d: %s", i, why);
+        if (!strcmp(last->name, "R8")) { /* nothing else is in RGBA8 */
+            chain.rgba8 = 1;
+            ssgi_gl_steps(step, STEPS, &chain, &why);
+            CHECK(step[n - 1].output[0].format->internal == GL_RGBA8 && (n < 2 || step[0].output[0].format->bytes != 4
+                  || strcmp(step[0].output[0].format->name, "RGBA8")), "%d: bytes in RGBA8", i);
+        }
         for (int k = 0; k < n; ++k) {
             ssgi_gl_io row[SSGI_GL_MAX_IO];
             const int rows = ssgi_gl_reflect(&step[k].desc, row, SSGI_GL_MAX_IO);
@@ -796,7 +809,7 @@ static ssgi_gl_chain any_chain(void)
     chain.width = 1 + (int)t_below(24);
     chain.height = 1 + (int)t_below(24);
     int *const flags[] = { &chain.blur, &chain.history, &chain.coefficients, &chain.reuse, &chain.vpls, &chain.direct,
-                           &chain.hidden_sky, &chain.unsmoothed, &chain.precise };
+                           &chain.hidden_sky, &chain.unsmoothed, &chain.precise, &chain.rgba8 };
     for (size_t i = 0; i < sizeof flags / sizeof *flags; ++i) *flags[i] = (int)t_below(2);
     return chain;
 }

@@ -33,7 +33,7 @@ static const choice choices[] = {
     CHOICE(light.lights, 2, 0, 1),        CHOICE(light.albedo, 2, 0, 1),   CHOICE(light.residual, 2, 0, 1),
     CHOICE(light.two_sided, 2, 0, 1),     CHOICE(light.shadow, 4, 0, 1),   CHOICE(light.accumulate, 2, 0, 1),
     CHOICE(light.bounced, 2, 0, 1),
-    CHOICE(light.radiance, 4, 0, 1),      CHOICE(input.objects, 3, 0, 1),  CHOICE(gather.half, 3, 0, 1),
+    CHOICE(light.radiance, 4, 0, 1),      CHOICE(input.objects, 3, 0, 1),  CHOICE(gather.half, 5, 0, 1),
     CHOICE(filter.quantity, 3, 0, 1),        CHOICE(filter.kind, 2, 0, 1),   CHOICE(filter.normals, 2, 0, 1),
     CHOICE(surfel.effect, 6, 0, 1),        CHOICE(surfel.sends, 3, 0, 1),    CHOICE(surfel.near_samples, 2, 1, 3),
     CHOICE(surfel.overhang, 2, 0, 1),      CHOICE(surfel.enlarge, 2, 0, 1),  CHOICE(surfel.combine, 2, 0, 1),
@@ -297,8 +297,14 @@ static int is_es(const ssgi_gl_desc *d)
     return d->text.dialect >= SSGI_GL_DIALECT_300ES && d->text.dialect <= SSGI_GL_DIALECT_320ES;
 }
 
-/* The text of a stage; PROGRAM: of all, one after the other; TOOLBOX: of ssgi_gl_field, whatever the pass, in a
-   fragment shader that calls it. */
+/* The functions of pass FIELD, else those that read the pass's result; 0: it has none. */
+static size_t toolbox_of(char *out, size_t capacity, const ssgi_gl_desc *d)
+{
+    return d->pass == SSGI_GL_PASS_FIELD ? ssgi_gl_field(out, capacity, d) : ssgi_gl_read(out, capacity, d);
+}
+
+/* The text of a stage; PROGRAM: of all, one after the other; TOOLBOX: of toolbox_of, in a fragment shader that calls
+   it. */
 static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
 {
     if (stage == PROGRAM)
@@ -309,11 +315,15 @@ static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
                           is_es(d)                       ? "precision highp float;\nprecision highp int;\n"
                           : d->text.dialect == SSGI_GL_DIALECT_VULKAN ? EXTENSION
                                                          : "");
-    n += ssgi_gl_field(text + n, TEXT - n, d);
+    n += toolbox_of(text + n, TEXT - n, d);
+#define READ "gl_FragCoord.xy, z, vec3(0.0, 0.0, 1.0))"
     snprintf(text + n, TEXT - n,
-             "layout(location = 0) out vec4 o;\nvoid main()\n{\n    "
-             "o = vec4(ssgi_field_visibility(9, 1, gl_FragCoord.xyz, vec3(0.0, 0.0, "
-             "1.0)));\n}\n");
+             "layout(location = 0) out vec4 o;\nvoid main()\n{\n    float z = %s;\n    o = vec4(%s);\n}\n",
+             strstr(text, " ssgi_fragment_depth(") ? "ssgi_fragment_depth(gl_FragCoord.xy, gl_FragCoord.z)" : "2.0",
+             strstr(text, " ssgi_field_visibility(") ? "ssgi_field_visibility(9, 1, gl_FragCoord.xyz, vec3(z))"
+             : strstr(text, " ssgi_visibility_at(")  ? "ssgi_visibility_at(" READ
+             : strstr(text, " ssgi_irradiance_at(")  ? "ssgi_irradiance_at(" READ ", z"
+             : "ssgi_sh_dot(ssgi_coefficients_at(" READ ".c[0], ssgi_coefficients_at(" READ ".c[0])");
     return text;
 }
 
@@ -365,6 +375,10 @@ static void speak(void)
         spoken[at].fresh = way == 2 && is != last;
         spoken[at].stage = has_vertices(&d) || spoken[at].fresh ? PROGRAM : SSGI_GL_STAGE_FRAGMENT;
         if (way == 2) last = is;
+        if (d.pass != SSGI_GL_PASS_FIELD && toolbox_of(NULL, 0, &d)) {
+            spoken[texts].desc = d;
+            spoken[texts++].stage = TOOLBOX;
+        }
         if (!has_vertices(&d)) continue;
         uint64_t hash = (uint64_t)(2 * d.pass + d.surfel.tessellate);
         for (int k = 0, v = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); k < v; ++k)
@@ -378,7 +392,7 @@ static void speak(void)
     }
     each_once();
     for (int i = 0; i < SSGI_GL_DIALECTS; ++i, ++texts) {
-        const ssgi_gl_desc d = { .text.dialect = i };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_FIELD, .text.dialect = i };
         spoken[texts].desc = d;
         spoken[texts].stage = TOOLBOX;
     }
@@ -954,6 +968,7 @@ static void bindings(void)
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* surfels */
         memset(&p, 0, sizeof p);
         if (i == variants) {
+            d.pass = SSGI_GL_PASS_FIELD;
             d.input.cap_table = 1;
             CHECK(read_places(&p, source_of(text, &d, TOOLBOX), &d, TOOLBOX, -1) && p.count == 3
                       && !strcmp(p.bound[4], "t_ssgi_occluders") && !strcmp(p.bound[6], "t_ssgi_fields")
@@ -1166,7 +1181,7 @@ static void closed(void)
     t_note("%d names in %d descs", knowns.count, tried);
 }
 
-/* ssgi_gl_field declares what it uses and nothing else, and its functions are the pass' own. */
+/* ssgi_gl_field and ssgi_gl_read declare what they use and nothing else; the functions of fields are the pass' own. */
 static void toolboxes(void)
 {
     static char text[TEXT], whole[TEXT];
@@ -1177,11 +1192,11 @@ static void toolboxes(void)
         memset(&defined, 0, sizeof defined);
         memset(&used, 0, sizeof used);
         read_names(&defined, &used, source_of(text, &d, TOOLBOX));
-        d.pass = SSGI_GL_PASS_FIELD;
         char *first = strstr(text, "\n\n"), *last = strstr(text, " ssgi_field_visibility(");
         while (last && memcmp(last, "\n}\n", 3) != 0) last = last > text ? last - 1 : 0; /* its comment is its own */
         CHECK(!memcmp(&defined, &used, sizeof used), "%s: its functions alone declare other names than they use",
               describe(&d));
+        if (d.pass != SSGI_GL_PASS_FIELD) continue;
         if (CHECK(first && last, "%s: no functions", describe(&d))) *last = 0;
         CHECK(!last || strstr(emit(whole, &d, SSGI_GL_STAGE_FRAGMENT), first), "%s: its functions alone are others",
               describe(&d));
@@ -1337,7 +1352,7 @@ static const struct { const char *start; size_t offset; int most;
              INT(surfel.sends, 2),
              INT(surfel.near_samples, 16),
              INT(surfel.axis, 1),
-             INT(gather.half, 2),
+             INT(gather.half, 4),
              INT(filter.quantity, 2),
              INT(filter.kind, 1),
              INT(filter.radius, 4),

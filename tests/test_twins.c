@@ -213,14 +213,14 @@ static void phases_spread(void)
     for (uint32_t k = 0; k < FRAMES; ++k) {
         const double phase = (double)ssgi_gl_phase(k), halved = (double)(k & 1) / 2 + (double)(k >> 1 & 1) / 4,
                      off = phase - halved - (double)(k >> 2) * (1 + golden) / 4;
-        CHECK(phase >= 0 && phase < 1 && fabs(off - nearbyint(off)) < 5 / bits,
+        CHECK(phase >= 0 && phase < 1 && fabs(off - nearbyint(off)) < 17 / bits,
               "phase %.8f of frame %u is off by %.8f", phase, k, off - nearbyint(off));
-        CHECK(((uint32_t)(phase * bits) & 3) == (k & 3), "frame %u: the last bits tell another pixel", k);
+        CHECK(((uint32_t)(phase * bits) & 15) == (k & 15), "frame %u: the last bits tell another pixel", k);
     }
     for (uint32_t k = 0; k < 32; ++k)
         for (int i = 0; i < POWERS; ++i) {
             const double want = pow(golden, i) / 4, gap = largest_gap(k, 4 * fibonacci[i] + (k & 3 ? 3 : 0));
-            CHECK(k & 3 ? gap < want + 12 / bits : fabs(gap - want) < 12 / bits,
+            CHECK(k & 3 ? gap < want + 36 / bits : fabs(gap - want) < 36 / bits,
                   "of 4 times %u frames from %u on the largest gap is %.7f, not %.7f", fibonacci[i], k, gap, want);
         }
 }

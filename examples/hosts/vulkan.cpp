@@ -27,6 +27,7 @@ static step step_of(gpu &g, const std::string &folder, const json &manifest, cha
 {
     int size[2] = { width, height };
     if (is["size"] == "HALF") size[0] = (width + 1) / 2, size[1] = (height + 1) / 2;
+    if (is["size"] == "QUARTER") size[0] = (width + 3) / 4, size[1] = (height + 3) / 4;
     if (is["size"] == "TILES") size[0] = (width + 7) / 8, size[1] = (height + 7) / 8;
     if (is["size"] == "LEVELS") {
         const int levels = c.is["chain"]["desc"].value("levels", manifest["defaults"]["splat"]["levels"].get<int>());

@@ -110,19 +110,24 @@ static void bind_inputs(const kit_run *run, const kit_pass *p)
         }
 }
 
+int kit_step_part(const ssgi_gl_step *step)
+{
+    return step->size == SSGI_GL_SIZE_TILES ? 8 : step->size == SSGI_GL_SIZE_QUARTER ? 4
+                                              : step->size == SSGI_GL_SIZE_HALF      ? 2
+                                                                                     : 1;
+}
+
 /* Where a pass draws: its framebuffer, the viewport, a scissor where it has a box. */
 static void bind_targets(const kit_run *run, const kit_pass *p)
 {
     const ssgi_gl_step *step = p->step;
     const ssgi_gl_frame *f = step->frame && step->frame < KIT_FRAME_VPLS ? &run->extra[step->frame - 1] : &run->frame;
-    const int half = step->size == SSGI_GL_SIZE_HALF;
+    const int part = kit_step_part(step);
     /* surfels: any complete one, which a context without a surface has not */
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);
     if (step->size == SSGI_GL_SIZE_LEVELS) glViewport(0, 0, p->width, p->height);
-    else if (step->size == SSGI_GL_SIZE_TILES)
-        glViewport(f->target[0] / 8, f->target[1] / 8, (f->size[0] + 7) / 8, (f->size[1] + 7) / 8);
-    else glViewport(f->target[0] >> half, f->target[1] >> half, (f->size[0] + half) >> half,
-                    (f->size[1] + half) >> half);
+    else glViewport(f->target[0] / part, f->target[1] / part, (f->size[0] + part - 1) / part,
+                    (f->size[1] + part - 1) / part);
     if (!p->box[2]) return;
     glEnable(GL_SCISSOR_TEST);
     glScissor(p->box[0], p->box[1], p->box[2], p->box[3]);

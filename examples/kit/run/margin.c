@@ -71,7 +71,8 @@ static void rims_of(const kit_run *run, int rim[KIT_MAX_PASSES])
         for (int j = 0; j < run->passes; ++j) {
             const kit_pass *p = &run->pass[j];
             const int filters = p->desc.pass == SSGI_GL_PASS_BLUR || p->desc.pass == SSGI_GL_PASS_HISTORY;
-            const int reach = rim[j] + (filters ? 2 * p->desc.filter.radius + 2 : 0);
+            const int texel = p->desc.gather.half >= SSGI_GL_HALF_QUARTER ? 4 : 2;
+            const int reach = rim[j] + (filters ? texel * (p->desc.filter.radius + 1) : 0);
             const int wanted = reach < ALL ? reach : ALL;
             for (int i = 0; i < run->passes && rim[j] >= 0; ++i) {
                 int read = 0;
@@ -92,11 +93,11 @@ void kit_limit_passes(kit_run *run)
     run->fetches = 0;
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
-        const int half = p->step->size == SSGI_GL_SIZE_HALF, from = run->margin - rim[i];
+        const int part = kit_step_part(p->step), from = run->margin - rim[i];
         for (int k = 0; k < 2 && rim[i] >= 0 && from > 0; ++k) {
             const int to = run->frame.size[k] - from;
-            p->box[k] = half ? from / 2 : from;
-            p->box[2 + k] = (half ? (to + 1) / 2 : to) - p->box[k];
+            p->box[k] = from / part;
+            p->box[2 + k] = (to + part - 1) / part - p->box[k];
         }
         if (!p->aside) run->fetches += kit_fetches(&p->desc) * kit_pass_pixels(p) / kit_run_pixels(run);
     }

@@ -47,7 +47,7 @@ OF(thickness_row, thickness, gather.thickness, GATHER, 0, "how thick visible sur
     "else as constant; thickness_limit; unlimited; as thick as wide in the picture; to the back face; two slabs")
 OF(half_row, half, gather.half, GATHER, 0,
    "the pixels that are gathered, brought to full size by the filter: all, one of every 2x2, or each of the four in "
-   "turn")
+   "turn; one of every 4x4, or each of the sixteen in turn")
 ROW(offset_row, offset, "lift of the receiver along its normal, in half pixels",
     NULL, 1.5, 0, 100, FRAME, FRAMED(offset))
 ROW(blur_row, blur, "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, PLAN, 0)

@@ -62,7 +62,8 @@ static const struct { const char *name; size_t offset; int most;
                 { "direct", offsetof(ssgi_gl_chain, direct), 1 },
                 { "surfels", offsetof(ssgi_gl_chain, surfels), 1 },
                 { "hidden_sky", offsetof(ssgi_gl_chain, hidden_sky), 1 },
-                { "precise", offsetof(ssgi_gl_chain, precise), 2 } };
+                { "precise", offsetof(ssgi_gl_chain, precise), 2 },
+                { "rgba8", offsetof(ssgi_gl_chain, rgba8), 1 } };
 enum { MEMBERS = (int)(sizeof members / sizeof members[0]) };
 
 const char *chain_member(const ssgi_gl_chain *chain, int i, int *value)

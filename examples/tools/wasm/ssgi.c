@@ -12,6 +12,7 @@ EXPORT(ssgi_gl_check);
 EXPORT(ssgi_gl_preset);
 EXPORT(ssgi_gl_resolve);
 EXPORT(ssgi_gl_emit);
+EXPORT(ssgi_gl_read);
 EXPORT(ssgi_gl_key);
 EXPORT(ssgi_gl_pass_name);
 EXPORT(ssgi_gl_dialect_name);
@@ -94,7 +95,9 @@ const place *ssgi_wasm_place_at(int i)
                                     CHAIN(surfels),
                                     CHAIN(hidden_sky),
                                     CHAIN(unsmoothed),
+                                    CHAIN(bounced),
                                     CHAIN(precise),
+                                    CHAIN(rgba8),
                                     STEP(desc),
                                     STEP(size),
                                     STEP(width),

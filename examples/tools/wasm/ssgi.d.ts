@@ -26,7 +26,8 @@ export type Frame = { buffer: ArrayBuffer } & { [member: string]: Float32Array |
 export interface Chain {
   desc: Desc; lights?: Desc; width: number; height: number;
   blur?: number; history?: number; coefficients?: number; reuse?: number; vpls?: number; direct?: number;
-  surfels?: number; hidden_sky?: number; unsmoothed?: number; precise?: number;
+  surfels?: number; hidden_sky?: number; unsmoothed?: number; bounced?: number;
+  precise?: number; rgba8?: number;
 }
 
 /** ssgi_gl_format: the numbers that texImage2D takes */
@@ -53,7 +54,7 @@ export interface Output {
 
 /** ssgi_gl_step: one draw */
 export interface Step {
-  desc: Desc; size: 'FULL' | 'HALF' | 'LEVELS' | 'TILES'; width: number; height: number; inputs: Input[];
+  desc: Desc; size: 'FULL' | 'HALF' | 'LEVELS' | 'TILES' | 'QUARTER'; width: number; height: number; inputs: Input[];
   outputs: Output[];
   frame: number; primitive: number; vertices: number; instances: number; blend: number[]; clear: number;
   clear_to: number;
@@ -101,6 +102,8 @@ export class Ssgi {
   readonly passes: string[];
   readonly dialects: string[];
   text(desc: Desc, stage?: Stage): string;
+  /** GLSL of functions that read the result of the step with this desc: ssgi_gl_read */
+  read(desc: Desc): string;
   rows(desc: Desc): Row[];
   check(desc: Desc): void;
   key(desc: Desc): bigint;

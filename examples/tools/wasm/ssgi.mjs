@@ -20,7 +20,7 @@ const presets = ['FAST', 'BALANCED', 'BEST'];
 const meanings = ['DEPTH', 'LAYERS', 'BACK', 'VIEWS', 'NORMAL', 'ALBEDO', 'LAYER_NORMALS', 'LAYER_ALBEDOS', 'DIRECT',
                   'NOISE', 'KERNEL', 'ENVIRONMENT', 'IRRADIANCE', 'LIGHTS', 'SHADOW', 'OCCLUDERS', 'FIELDS', 'OBJECTS',
                   'MOTION', 'AMBIENT', 'CAP'];                                  /* SSGI_GL_YOUR_ .. */
-const results = ['NONE', 'LIGHT', 'BOUNCE'], sizes = ['FULL', 'HALF', 'LEVELS', 'TILES'];
+const results = ['NONE', 'LIGHT', 'BOUNCE'], sizes = ['FULL', 'HALF', 'LEVELS', 'TILES', 'QUARTER'];
 const clips = ['GL', 'ZERO'], lamps = ['SUN', 'POINT', 'SPOT', 'VPL'];
 const floats = { float: 1, int: 1, vec2: 2, ivec2: 2, vec4: 4, mat3: 12, mat4: 16 };     /* in std140 */
 const memoryMost = 0x7fff0000;                                                  /* addresses are signed here */
@@ -126,6 +126,16 @@ export class Ssgi {
             const d = this.#good(desc), s = word('stage', stage, stages);
             const n = this.#c.ssgi_gl_emit(0, 0, d, s), out = this.#room(n + 1);
             this.#c.ssgi_gl_emit(out, n + 1, d, s);
+            return this.#string(out);
+        });
+    }
+
+    /* Functions by which your own shaders read what the step with this desc wrote: ssgi_gl_read. */
+    read(desc) {
+        return this.#scope(() => {
+            const d = this.#good(desc), n = this.#c.ssgi_gl_read(0, 0, d), out = this.#room(n + 1);
+            if (!n) throw new Error('desc.pass: its result has no functions that read it');
+            this.#c.ssgi_gl_read(out, n + 1, d);
             return this.#string(out);
         });
     }
