@@ -336,7 +336,7 @@ glsl-out glsl-in: build/library
 	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
 
 # Groups of tests: those of the library are make test, those of the examples follow in make test-all.
-OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps plan math \
+OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps read plan math \
               twins library
 OF_EXAMPLES = tools stability files models seeds papers cost
 TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model lab/cost/csv \

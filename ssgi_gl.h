@@ -699,8 +699,8 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
      depth     [units: view] positive; ssgi_fragment_depth(pixel, gl_FragCoord.z) where desc.input.depth is WINDOW
      normal    as desc.input says: in view space, or in the world
    A surface that no texel shows, as a pane far in front of all else, is unoccluded: visibility and restored light go
-   there over the distance to the surfaces that are shown, by half at half a radius. The block ssgi_frame is
-   ssgi_gl_frame. In GLES the text needs the lines that ssgi_gl_field needs. It works like snprintf. */
+   there over the distance to the surfaces that are shown, by half at a radius; from full size at once. The block
+   ssgi_frame is ssgi_gl_frame. In GLES the text needs the lines that ssgi_gl_field needs. It works like snprintf. */
 SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
@@ -4582,13 +4582,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- ssgi_gl_read: functions by which your own shaders read what gathers, or filters behind them, wrote. They weigh
    texels as blur does, but for the surface that you shade, which need not be the one that the depth buffer shows. */
 
-/* Where no texel shows that surface, as in front of all others, nothing is known to occlude it: this is the weight of
-   no occlusion. From half size it is that of a texel whose surface is half a radius off. */
-{ "SSGI_UNSHOWN", "SSGI_HALF", __LINE__ + 1,
-    "const float SSGI_UNSHOWN = 0.0064;\n" },
-
-{ "SSGI_UNSHOWN", "!SSGI_HALF", __LINE__ + 1,
-    "const float SSGI_UNSHOWN = 1e-4;\n" },
+/* Where no texel shows that surface, as in front of all others, nothing is known to occlude it, and no occlusion has a
+   weight, too. At full size texels of other surfaces have none. From half size theirs falls off over the distance,
+   and no occlusion has that of 3x3 texels a radius away, or 16 units of SSGI_OFF, if that is more. Half of a radius
+   would serve panes better, but errs more on leaves whose texels are all another leaf's: on grass .272 where the filter
+   has .258, of a whole radius .270 where it has .264, over the pixels that differ by .002. */
+{ "ssgi_unshown", NULL, __LINE__ + 1,
+    "float ssgi_unshown(ssgi_blurred c) {\n"
+    "#if SSGI_HALF\n"
+    "    float away = max(u_ssgi_radius / (SSGI_OFF * u_ssgi_radius + c.footprint), 16.0);\n"
+    "    return 50.0 / (away * away);\n"
+    "#else\n"
+    "    return 1e-4;\n"
+    "#endif\n"
+    "}\n" },
 
 { "ssgi_surface_at", NULL, __LINE__ + 1,
     "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 n) { // the place need not be a pixel's centre\n"
@@ -4613,9 +4620,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 p = ivec2(floor(pixel));\n"
     "    ssgi_filtered f = ssgi_filtered_none();\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY || SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
-    "    f.light = vec4(SSGI_UNSHOWN);\n"
+    "    f.light = vec4(ssgi_unshown(c));\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_DIFFERENCE\n"
-    "    f.light.w = SSGI_UNSHOWN;\n"
+    "    f.light.w = ssgi_unshown(c);\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_COMPOSE\n"
     "    ssgi_filter_tap(f, p, c, ivec2(0)); // It is filtered already.\n"
