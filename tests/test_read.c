@@ -1,0 +1,383 @@
+/* test_read.c - ssgi_gl_read: shaders that light a surface read what gathers and filters wrote, as the filter's pass
+   does where the depth buffer shows that surface, and its own part where it does not. */
+#include "kit/kit_run.h"
+#include "frames.h"
+#include <math.h>
+#include <string.h>
+
+enum { W = 192, H = 108, SIDE = 64, SAMPLES = 4 };
+
+static kit_error err;
+#define TRY(call) CHECK(!(call), "%s", err.text)
+
+static const char triangle[] = "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, "
+                               "0.0, 1.0); }\n";
+
+/* A program of the functions for a desc, with this main; its textures are bound by the caller. 0 on failure. */
+static GLuint program_of(const ssgi_gl_desc *desc, const char *vertex, const char *main_)
+{
+    static char text[1 << 15];
+    ssgi_gl_desc d = *desc;
+    d.text.dialect = kit_dialect();
+    const size_t n = ssgi_gl_read(text, sizeof text, &d);
+    if (!CHECK(n, "%s: there are no functions that read it", ssgi_gl_pass_name(d.pass))) return 0;
+    snprintf(text + n, sizeof text - n, "layout(location = 0) out vec4 o;\n%s", main_);
+    const GLuint program = kit_program_text("", vertex, text, &err);
+    if (!CHECK(program, "%s", err.text)) return 0;
+    glUseProgram(program);
+    glUniformBlockBinding(program, glGetUniformBlockIndex(program, "ssgi_frame"), 0);
+    return program;
+}
+
+static void bind(GLuint program, const char *name, int unit, GLenum target, GLuint texture)
+{
+    glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    glBindTexture(target, texture);
+    glUniform1i(glGetUniformLocation(program, name), unit);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+static GLuint target_of(GLenum kind, GLuint texture)
+{
+    GLuint framebuffer;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind, texture, 0);
+    return framebuffer;
+}
+
+/* ---- as the filter ----------------------------------------------------------------------------------------------- */
+
+typedef struct subject { const char *method, *set, *call; } subject;
+
+/* The filter's pass of an open run, the last; -1: it has none. */
+static int filter_of(const kit_run *run)
+{
+    int at = run->passes - 1;
+    while (at >= 0 && run->pass[at].desc.pass != SSGI_GL_PASS_BLUR && run->pass[at].desc.pass != SSGI_GL_PASS_HISTORY)
+        --at;
+    return at;
+}
+
+/* Draws a picture by the functions, with depths and normals of the G-buffer, next to what the filter wrote. */
+static int drawn_by(float *out, float *filtered, const kit_run *run, const subject *s)
+{
+    char main_[400];
+    const kit_pass *const p = &run->pass[filter_of(run)];
+    const int kept = p->desc.pass == SSGI_GL_PASS_HISTORY;
+    const ssgi_gl_desc *const of = kept ? &p->desc : &p[-1].desc;
+    snprintf(main_, sizeof main_,
+             "uniform highp sampler2D u_depth, u_normal;\nvoid main() {\n    ivec2 p = ivec2(gl_FragCoord.xy);\n"
+             "    float z = ssgi_fragment_depth(gl_FragCoord.xy, texelFetch(u_depth, p, 0).x);\n"
+             "    vec3 n = texelFetch(u_normal, p, 0).xyz;\n    o = vec4(%s);\n}\n", s->call);
+    const GLuint program = program_of(of, triangle, main_), target = kit_texture(W, H, GL_RGBA32F, NULL);
+    if (!program) return 0;
+    for (int i = 0; i < p->rows; ++i)
+        if (p->io[i].kind == SSGI_GL_IO_TEXTURE && glGetUniformLocation(program, p->io[i].name) >= 0)
+            bind(program, p->io[i].name, p->io[i].slot, kit_target_of(&p->io[i]),
+                 kept ? p->target[0] : kit_pass_texture(run, p, p->io[i].name));
+    bind(program, "u_depth", 14, GL_TEXTURE_2D, run->gbuffer->depth);
+    bind(program, "u_normal", 15, GL_TEXTURE_2D, run->gbuffer->normal);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[0]);
+    GLuint framebuffer = target_of(GL_TEXTURE_2D, target);
+    glViewport(0, 0, W, H);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteProgram(program);
+    const int ok = TRY(kit_texture_read(target, W, H, 4, out))
+                && TRY(kit_texture_read(p->target[0], W, H, 4, filtered));
+    glDeleteTextures(1, &target);
+    return ok;
+}
+
+static void as_the_filter(void)
+{
+#define AT "(gl_FragCoord.xy, z, n)"
+    static const subject subjects[] = {
+        { "hsao", "", "vec3(ssgi_visibility_at" AT "), 1.0" },
+        { "hsao", "blur=2", "vec3(ssgi_visibility_at" AT "), 1.0" },
+        { "hsao", "half=0", "vec3(ssgi_visibility_at" AT "), 1.0" },
+        { "hsao", "half=quarter", "vec3(ssgi_visibility_at" AT "), 1.0" },
+        { "hsao", "history=1", "vec3(ssgi_visibility_at" AT "), 1.0" },
+        { "ssdo", "bounce=none", "ssgi_irradiance_at" AT ", 1.0" },
+        { "ssdo", "bounce=none,history=1", "ssgi_irradiance_at" AT ", 1.0" },
+        { "ssdo", "bounce=none,environment=sh,half=0", "ssgi_irradiance_at" AT ", 1.0" },
+        { "s3ho", "indirect=none", "ssgi_irradiance_at" AT ", 1.0" },
+        { "s3ho", "indirect=none,filtered=coefficients,store=float", "ssgi_coefficients_at" AT ".c[0].a" }
+    };
+    static float out[4 * W * H], filtered[4 * W * H];
+    kit_scene scene;
+    kit_lighting light;
+    kit_gbuffer g;
+    kit_image frame;
+    if (!see(&scene, &g, "casters", NULL, 0, NULL, W, H) || !lighten(&light, "sky", NULL)
+        || !TRY(kit_gbuffer_read(&frame, &g, &err)))
+        return;
+    const float *const depth = kit_image_channel(&frame, "Z");
+    for (const subject *s = subjects; s < subjects + sizeof subjects / sizeof *subjects; ++s) {
+        const kit_world world = { &scene, &light };
+        kit_method m;
+        kit_run run;
+        int seen = 0, differ = 0;
+        double worst = 0;
+        if (!TRY(kit_method_find(&m, s->method, &err)) || !TRY(kit_method_set(&m, s->set, &err))
+            || !TRY(kit_run_open(&run, &g, &m, 0.5f, &world, &err)))
+            return;
+        kit_run_update(&run);
+        kit_run_draw(&run, 0);
+        const int channels = *s->call == 'v' ? 1 : *s->set == 'i' && strstr(s->set, "coeff") ? 4 : 3;
+        if (drawn_by(out, filtered, &run, s))
+            for (int i = 0; i < W * H; ++i) {
+                double off = 0;
+                const int row = H - 1 - i / W;
+                if (!(depth[row * W + i % W] > 0)) continue;
+                for (int c = 0; c < channels; ++c)
+                    off = fmax(off, fabs((double)out[4 * i + c] - (double)filtered[4 * i + c]));
+                ++seen;
+                differ += !(off < 0.002);
+                worst = fmax(worst, off);
+            }
+        /* They do where no texel shows the surface: a quarter's are that far apart. */
+        CHECK(seen > W * H / 2 && differ <= seen / (strstr(s->set, "quarter") ? 100 : 1000),
+              "%s %s: of %d pixels %d are not the filter's, by %.4f", s->method, s->set, seen, differ, worst);
+        t_note("%s %s: of %d pixels %d are not the filter's; at most %.4f", s->method, s->set, seen, differ, worst);
+        kit_run_close(&run);
+    }
+    kit_image_free(&frame);
+    kit_image_free(&light.env);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
+/* ---- edges, and surfaces that no texel shows -------------------------------------------------------------------- */
+
+/* A wall that is not square to the view, and a card before it: n P = plane[3]; and the visibility that is read. */
+static const float planes[2][4] = { { 0.3f, 0.2f, 0.9327379f, -5.5f }, { -0.2f, 0.1f, 0.9746794f, -3 } };
+static const float visibility[2] = { 0.9f, 0.2f };
+/* of the card, in NDC; it is turned, so that each of its edges crosses pixels */
+static const float corner[4][2] = { { -0.31f, -0.52f }, { 0.55f, -0.33f }, { -0.48f, 0.27f }, { 0.38f, 0.46f } };
+
+static int inside_card(double x, double y) /* NDC */
+{
+    static const int round[5] = { 0, 1, 3, 2, 0 };
+    int in = 1;
+    for (int k = 0; k < 4; ++k) {
+        const float *const a = corner[round[k]], *const b = corner[round[k + 1]];
+        const double side[2] = { (double)b[0] - (double)a[0], (double)b[1] - (double)a[1] };
+        in &= side[0] * (y - (double)a[1]) - side[1] * (x - (double)a[0]) > 0;
+    }
+    return in;
+}
+
+static double depth_at(const ssgi_gl_frame *f, int orthographic, const float plane[4], double x, double y)
+{
+    const double ray[2] = { x * (double)f->unproject[0] + (double)f->unproject[2],
+                            y * (double)f->unproject[1] + (double)f->unproject[3] };
+    const double across = ray[0] * (double)plane[0] + ray[1] * (double)plane[1];
+    return orthographic ? (across - (double)plane[3]) / (double)plane[2]
+                        : (double)plane[3] / (across - (double)plane[2]);
+}
+
+/* What a gather, or with `kept` pass history, would have written of wall and card. */
+static GLuint result_of(const ssgi_gl_frame *f, const ssgi_gl_desc *d, int kept)
+{
+    static float texel[4 * SIDE * SIDE];
+    const int part = d->gather.half == SSGI_GL_HALF_QUARTER ? 4 : d->gather.half ? 2 : 1, side = SIDE / part,
+              channels = kept ? 4 : 2;
+    for (int i = 0; i < side * side; ++i) {
+        const double x = part * (i % side) + 0.5, y = part * (i / side) + 0.5;
+        const int card = inside_card(2 * x / SIDE - 1, 2 * y / SIDE - 1);
+        texel[channels * i] = visibility[card];
+        texel[channels * i + 1] = (float)depth_at(f, d->input.orthographic, planes[card], x, y);
+        for (int k = 2; k < channels; ++k) texel[channels * i + k] = 1;
+    }
+    return kit_texture(side, side, kept ? GL_RGBA32F : GL_RG32F, texel);
+}
+
+static int frame_of(ssgi_gl_frame *f, int orthographic)
+{
+    const float s = orthographic ? 0.4f : 1.5f, wide[16] = { s, 0, 0, 0, 0, s, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 },
+                deep[16] = { s, 0, 0, 0, 0, s, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2002f, 0 };
+    ssgi_view view;
+    const char *why = "";
+    return CHECK(ssgi_view_from_projection(&view, orthographic ? wide : deep, SSGI_CLIP_GL, SIDE, SIDE, &why) == SSGI_OK
+                     && ssgi_gl_frame_init(f, &view, 1, &why) == SSGI_OK, "%s", why);
+}
+
+static GLuint block_of(const ssgi_gl_frame *f)
+{
+    GLuint block;
+    glGenBuffers(1, &block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, block);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof *f, f, GL_STATIC_DRAW);
+    return block;
+}
+
+/* The mean of a multisampled texture's samples. */
+static int resolved(float *out, GLuint samples)
+{
+    const GLuint target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL);
+    static const char mean_of[] = "uniform sampler2DMS u_samples; layout(location = 0) out vec4 o;\n"
+                                  "void main() { o = vec4(0.0); for (int s = 0; s < 4; ++s) o += 0.25 * "
+                                  "texelFetch(u_samples, ivec2(gl_FragCoord.xy), s); }\n";
+    const GLuint program = kit_program_text("", triangle, mean_of, &err);
+    GLuint framebuffer = target_of(GL_TEXTURE_2D, target);
+    if (!CHECK(program, "%s", err.text)) return 0;
+    glUseProgram(program);
+    bind(program, "u_samples", 0, GL_TEXTURE_2D_MULTISAMPLE, samples);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    const int ok = TRY(kit_texture_read(target, SIDE, SIDE, 1, out));
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteProgram(program);
+    glDeleteTextures(1, &target);
+    return ok;
+}
+
+/* Wall and card, multisampled: each by the functions (read), or as bright as the texture says. */
+static int edges(float *out, const ssgi_gl_desc *d, const ssgi_gl_frame *f, GLuint result, int read)
+{
+    static const char card[] = "uniform vec2 corner[4];\n"
+                               "void main() { gl_Position = vec4(corner[gl_VertexID], 0.0, 1.0); }\n";
+    char main_[500];
+    GLuint samples, block = block_of(f);
+    snprintf(main_, sizeof main_, "uniform vec4 u_plane; uniform float u_is;\nvoid main() {\n"
+             "    vec2 ray = gl_FragCoord.xy * u_ssgi_unproject.xy + u_ssgi_unproject.zw;\n    float z = %s;\n"
+             "    float v = ssgi_visibility_at(gl_FragCoord.xy, z, u_plane.xyz);\n    o = vec4(%s);\n}\n",
+             d->input.orthographic ? "(dot(ray, u_plane.xy) - u_plane.w) / u_plane.z"
+                                   : "u_plane.w / (dot(ray, u_plane.xy) - u_plane.z)", read ? "v" : "v * 1e-9 + u_is");
+    glGenTextures(1, &samples);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples);
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, SAMPLES, GL_RGBA32F, SIDE, SIDE, GL_TRUE);
+    GLuint framebuffer = target_of(GL_TEXTURE_2D_MULTISAMPLE, samples);
+    glViewport(0, 0, SIDE, SIDE);
+    for (int k = 0; k < 2; ++k) {
+        const GLuint program = program_of(d, k ? card : triangle, main_);
+        if (!program) return 0;
+        bind(program, "t_ssgi_ao", 9, GL_TEXTURE_2D, result);
+        glUniform4fv(glGetUniformLocation(program, "u_plane"), 1, planes[k]);
+        glUniform1f(glGetUniformLocation(program, "u_is"), visibility[k]);
+        if (k) glUniform2fv(glGetUniformLocation(program, "corner"), 4, corner[0]);
+        glDrawArrays(k ? GL_TRIANGLE_STRIP : GL_TRIANGLES, 0, 3 + k);
+        glDeleteProgram(program);
+    }
+    glDeleteFramebuffers(1, &framebuffer);
+    const int ok = resolved(out, samples);
+    glDeleteTextures(1, &samples);
+    glDeleteBuffers(1, &block);
+    return ok;
+}
+
+static const ssgi_gl_desc results[] = {
+    { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_FIRST },
+    { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_QUARTER },
+    { .pass = SSGI_GL_PASS_SSAO },
+    { .pass = SSGI_GL_PASS_HISTORY },
+    { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_FIRST, .input.orthographic = 1 },
+    { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }
+};
+
+static void on_edges(void)
+{
+    static float read[SIDE * SIDE], want[SIDE * SIDE];
+    if (!glTexImage2DMultisample) return;
+    for (size_t r = 0; r < sizeof results / sizeof *results; ++r) {
+        const ssgi_gl_desc *const d = &results[r];
+        ssgi_gl_frame f;
+        double worst = 0, plain = 0;
+        if (!frame_of(&f, d->input.orthographic)) return;
+        GLuint result = result_of(&f, d, d->pass == SSGI_GL_PASS_HISTORY);
+        if (!edges(read, d, &f, result, 1) || !edges(want, d, &f, result, 0)) return;
+        for (int i = 0; i < SIDE * SIDE; ++i) {
+            const double x = 2 * (i % SIDE + 0.5) / SIDE - 1, y = 2 * (i / SIDE + 0.5) / SIDE - 1;
+            worst = fmax(worst, fabs((double)read[i] - (double)want[i]));
+            plain = fmax(plain, fabs((double)visibility[inside_card(x, y)] - (double)want[i]));
+        }
+        CHECK(worst < 2e-3 && plain > 0.3, "%s, half %d, orthographic %d: off by %.4f; of one value a pixel by %.4f",
+              ssgi_gl_pass_name(d->pass), d->gather.half, d->input.orthographic, worst, plain);
+        t_note("%s, half %d, orthographic %d: off by %.4f; of one value a pixel by %.4f", ssgi_gl_pass_name(d->pass),
+               d->gather.half, d->input.orthographic, worst, plain);
+        glDeleteTextures(1, &result);
+    }
+}
+
+/* A pane before the card, so far in radii, and a sample's place in the pixel that is not its centre. */
+static void on_panes(void)
+{
+    static const float away[] = { 0, 0.1f, 0.5f, 2 };
+    enum { AWAY = (int)(sizeof away / sizeof *away) };
+    static float out[4 * SIDE * SIDE];
+    const GLuint target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL);
+    for (size_t r = 0; r < sizeof results / sizeof *results; ++r) {
+        const ssgi_gl_desc *const d = &results[r];
+        const int half = d->gather.half != 0;
+        char main_[700];
+        ssgi_gl_frame f;
+        double got[AWAY] = { 0 }, beside = 0;
+        if (!frame_of(&f, d->input.orthographic)) return;
+        snprintf(main_, sizeof main_, "uniform vec4 u_plane; uniform float u_away;\nvoid main() {\n"
+                 "    vec2 place = gl_FragCoord.xy + vec2(0.375, -0.125);\n"
+                 "    vec2 ray = place * u_ssgi_unproject.xy + u_ssgi_unproject.zw;\n    vec4 k = u_plane;\n"
+                 "    k.w += u_away;\n    float z = %s;\n    o = vec4(ssgi_visibility_at(place, z, u_plane.xyz));\n}\n",
+                 d->input.orthographic ? "(dot(ray, k.xy) - k.w) / k.z" : "k.w / (dot(ray, k.xy) - k.z)");
+        GLuint result = result_of(&f, d, d->pass == SSGI_GL_PASS_HISTORY), block = block_of(&f);
+        const GLuint program = program_of(d, triangle, main_);
+        if (!program) return;
+        GLuint framebuffer = target_of(GL_TEXTURE_2D, target);
+        glViewport(0, 0, SIDE, SIDE);
+        bind(program, "t_ssgi_ao", 9, GL_TEXTURE_2D, result);
+        glUniform4fv(glGetUniformLocation(program, "u_plane"), 1, planes[1]);
+        for (int a = 0; a < AWAY; ++a) {
+            glUniform1f(glGetUniformLocation(program, "u_away"), away[a]);
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+            if (!TRY(kit_texture_read(target, SIDE, SIDE, 1, out))) return;
+            got[a] = (double)out[SIDE / 2 * SIDE + SIDE / 2];
+            for (int y = 28; y < 36 && !a; ++y) /* the middle of the card */
+                for (int x = 28; x < 36; ++x)
+                    beside = fmax(beside, fabs((double)out[y * SIDE + x] - (double)visibility[1]));
+        }
+        /* From full size a texel of another surface has no weight at all. */
+        CHECK(beside < 1e-3 && (half ? got[1] < 0.21 && got[2] > 0.25 && got[2] < 0.4 && got[3] > 0.65 && got[3] < 0.9
+                                     : got[1] > 0.999 && got[2] > 0.999 && got[3] > 0.999 && got[3] < 1.0001),
+              "%s, half %d: %.4f beside it; %.3f %.3f %.3f %.3f before it", ssgi_gl_pass_name(d->pass), d->gather.half,
+              beside, got[0], got[1], got[2], got[3]);
+        t_note("%s, half %d: %.4f beside it; %.3f %.3f %.3f %.3f before it", ssgi_gl_pass_name(d->pass), d->gather.half,
+               beside, got[0], got[1], got[2], got[3]);
+        glDeleteFramebuffers(1, &framebuffer);
+        glDeleteProgram(program);
+        glDeleteTextures(1, &result);
+        glDeleteBuffers(1, &block);
+    }
+    glDeleteTextures(1, &target);
+}
+
+static void refused(void)
+{
+    static const struct { ssgi_gl_desc desc; int reads; } rows[] = {
+        { { .pass = SSGI_GL_PASS_SHADE }, 1 },
+        { { .pass = SSGI_GL_PASS_LIGHTS }, 1 },
+        { { .pass = SSGI_GL_PASS_SUM }, 1 },
+        { { .pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_LIGHT }, 1 },
+        { { .pass = SSGI_GL_PASS_BLUR }, 0 },
+        { { .pass = SSGI_GL_PASS_SHADE, .light.shading = SSGI_GL_SHADING_BENT }, 0 },
+        { { .pass = SSGI_GL_PASS_EMITTERS }, 0 },
+        { { .pass = SSGI_GL_PASS_COMPOSE }, 0 },
+        { { .pass = SSGI_GL_PASS_HSAO, .gather.steps = 99 }, 0 }
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
+        char text[8] = "as was";
+        const size_t n = ssgi_gl_read(text, sizeof text, &rows[i].desc);
+        CHECK((n != 0) == rows[i].reads && (n || !strcmp(text, "as was")) && (!n || strlen(text) == 7),
+              "%s, row %d: %zu characters, \"%s\"", ssgi_gl_pass_name(rows[i].desc.pass), (int)i, n, text);
+    }
+    CHECK(!ssgi_gl_read(NULL, 1, &rows[0].desc) && !ssgi_gl_read(NULL, 0, NULL), "nothing to write to, or to read");
+}
+
+void test_read(void)
+{
+    if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
+    RUN("functions that read a result give what the filter gives: visibility, light, coefficients", as_the_filter);
+    RUN("on edges of multisampled pictures each surface reads its own", on_edges);
+    RUN("a pane reads what it lies on; far before all else nothing occludes it", on_panes);
+    RUN("passes that leave nothing to read are refused", refused);
+    kit_gl_close();
+}
