@@ -34,7 +34,7 @@ KIT_SCENE   = $(addprefix scene/,soup mesh texture cards assimp models shapes bu
               scenes scene light seeds catalogue grammar look parts $(KIT_TABLES))
 # Scenes by seed: a table of rows a kind, and one that all share.
 KIT_TABLES  = $(addprefix tables/,shared rooms streets halls foliage machines scans terrain)
-KIT_TRACE   = $(addprefix trace/,camera truth lit scatter floor places)
+KIT_TRACE   = $(addprefix trace/,camera truth lit scatter reflected floor places)
 KIT_GL      = $(addprefix gl/,gl gbuffer shadow field)
 KIT_RUN     = $(addprefix run/,settings fetches truth draw cost passes margin views lights lit occluders deep run \
               frames plan)
@@ -220,6 +220,11 @@ build/bench: $(BENCH:%=build/examples/%.o) $(KIT_O)
 # Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:steps=12.
 TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score ahead)
 build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
+
+# Which light ambient visibility dims: interreflection and glossy lobes beside their truth.
+REFLECTION = lab/reflection $(addprefix lab/measure/,folder rows picture stage score)
+build/reflection: $(REFLECTION:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # What the eye sees as mottling, of the presets and of what make peers brought. Other entries:

@@ -44,6 +44,7 @@
       >>surfels    triangles as discs of about equal size on the screen, their reach, and the cost of splatting them
       >>dipole     multiple scattering under surfaces
       >>cap        occlusion of spherical caps, in closed form and as a table
+      >>reflection occluded light that arrives after all: interreflection; the open share of a glossy lobe
       >>field      ambient occlusion fields: bake, fit, look up, save and load
       >>plan       takes the numbers of a scene, gives a method, settings, predicted error and cost
       and at the end of the file the changes of each version (CHANGES) and the licence
@@ -59,7 +60,9 @@
                 [KEL97]  Keller 1997, Instant radiosity
                 [SLO08]  Sloan 2008, Stupid spherical harmonics tricks
                 [JMLH01] Jensen, Marschner, Levoy, Hanrahan 2001, A practical model for subsurface light transport
-                [JB02]   Jensen, Buhler 2002, A rapid hierarchical rendering technique for translucent materials   */
+                [JB02]   Jensen, Buhler 2002, A rapid hierarchical rendering technique for translucent materials
+                [JWPJ16] Jimenez, Wu, Pesce, Jarabo 2016, Practical real-time strategies for accurate indirect
+                         occlusion   */
 #ifndef SSGI_H
 #define SSGI_H
 
@@ -764,6 +767,34 @@ SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
    1.5 %. */
 SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int bands, float solid_angle,
                                     const float axis[3], const float normal[3], const char **why);
+
+/* ==== >>reflection ============================================================================================= */
+
+/* >>reflection in use (compiled and run by tests/test_build.c)
+
+      float lit = ssgi_interreflected(0.4f, 0.8f);                     // in a white room: brighter than 0.4
+      float gloss = ssgi_specular_visibility(0.4f, 0.9f, 0.7f, 0.1f);  // of a lobe near the open directions
+      printf("%g of the diffuse light, %g of the specular\n", (double)lit, (double)gloss);   */
+
+/* Returns ambient visibility with the light that occluders reflect, bounce after bounce, where they have the surface's
+   albedo and as much light: a cubic of visibility, fitted to path-traced scenes [JWPJ16 section 5]. Multiply the
+   environment's diffuse light by it in place of visibility, each channel by its albedo.
+     visibility, albedo   [limit: 0..1, clamped; what is not finite counts as 0]
+   The result is in [visibility, 1]. GLSL twin: ssgi_interreflected of ssgi_gl_reflection, of three channels. */
+SSGI_DEF float ssgi_interreflected(float visibility, float albedo);
+
+/* Returns the share of a glossy lobe that nothing occludes. Occlusion is taken to first order: visibility is its mean,
+   the bent normal leans away from it, and a lobe sees of the second the less, the wider it is. Both terms are linear in
+   roughness, fitted to traced lobes of 14 scenes. On 14 others it errs 0.47, 0.37, 0.27 and 0.25 of dimming nothing, at
+   roughness 0.05, 0.15, 0.35 and 0.7, where visibility in its place errs 0.66, 0.60, 0.50 and 0.40 (build/reflection);
+   cones for lobe and open directions [JWPJ16 section 6] erred 0.77, 0.67, 0.52 and 0.35 on those that it is fitted to.
+     visibility        [limit: 0..1, clamped] ambient visibility
+     bent, normal      [limit: -1..1, clamped] cosines of the mirrored view direction to the bent normal and to the
+                       normal. Without a bent normal 1 - 1.4 * (1 - visibility) does better than this function
+     roughness         [limit: 0..1, clamped] GGX's alpha
+   Values that are not finite count as 0. The result is in [0,1], and 1 where visibility is 1 and nothing bends the
+   normal. GLSL twin: ssgi_specular_visibility of ssgi_gl_reflection. */
+SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float normal, float roughness);
 
 /* ==== >>field ================================================================================================== */
 
@@ -3592,6 +3623,28 @@ SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int
     }
     for (int c = 0; c < 3; ++c) out[c] = (float)(share * sum[c] / all);
     return SSGI_OK;
+}
+
+/* ==== >>reflection (implementation) =============================================================================== */
+
+/* A value clamped to least..1; 0 where it is not finite. */
+SSGI__FN float ssgi__up_to_one(float x, float least)
+{
+    return ssgi__finite(x) ? ssgi__max(ssgi__min(x, 1.0f), least) : 0.0f;
+}
+
+SSGI_DEF float ssgi_interreflected(float visibility, float albedo)
+{
+    const float v = ssgi__up_to_one(visibility, 0.0f), a = ssgi__up_to_one(albedo, 0.0f);
+    const float lit = (((2.0404f * a - 0.3324f) * v + 0.6417f - 4.7951f * a) * v + 2.7552f * a + 0.6903f) * v;
+    return ssgi__min(ssgi__max(v, lit), 1.0f);
+}
+
+SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float normal, float roughness)
+{
+    const float v = ssgi__up_to_one(visibility, 0.0f), r = ssgi__up_to_one(roughness, 0.0f);
+    const float away = ssgi__up_to_one(normal, -1.0f) - ssgi__up_to_one(bent, -1.0f);
+    return ssgi__up_to_one(1.0f - (0.82f + 0.32f * r) * (1.0f - v) - (2.4f - 1.77f * r) * v * away, 0.0f);
 }
 
 /* ==== >>field (implementation) ================================================================================= */

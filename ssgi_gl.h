@@ -676,6 +676,13 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
    other values return 0. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
+/* Writes the GLSL of functions that tell which light ambient visibility dims, for your own shaders, in any dialect:
+   twins of ssgi_interreflected, of three channels, and of ssgi_specular_visibility. It works like snprintf.
+     vec3 ssgi_interreflected(float visibility, vec3 albedo);
+     float ssgi_specular_visibility(float visibility, float bent, float normal, float roughness);
+   Bent normals are those of S3HO with 2 bands and desc.light.shading BENT; without them take the normal for both. */
+SSGI_DEF size_t ssgi_gl_reflection(char *out, size_t capacity);
+
 /* Writes the GLSL of fields for your own shaders, with its samplers:
      float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal);
    This function returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, except those of
@@ -4579,6 +4586,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_store(ssgi_scaled(f.sums, c.z < SSGI_FAR && f.light.w > 0.0 ? 1.0 / f.light.w : 0.0));\n"
     "}\n" },
 
+/* ---- ssgi_gl_reflection: twins of ssgi.h's >>reflection */
+
+{ "ssgi_interreflected", NULL, __LINE__ + 1,
+    "vec3 ssgi_interreflected(float v, vec3 albedo) {\n"
+    "    vec3 a = 2.0404 * albedo - 0.3324, b = 0.6417 - 4.7951 * albedo, c = 2.7552 * albedo + 0.6903;\n"
+    "    return clamp(((a * v + b) * v + c) * v, v, 1.0);\n"
+    "}\n" },
+
+{ "ssgi_specular_visibility", NULL, __LINE__ + 1,
+    "// bent, normal: cosines of the mirrored view direction to the bent normal and to the normal.\n"
+    "float ssgi_specular_visibility(float v, float bent, float normal, float roughness) {\n"
+    "    vec2 k = vec2(0.82, 2.4) + vec2(0.32, -1.77) * roughness;\n"
+    "    return clamp(1.0 - k.x * (1.0 - v) - k.y * v * (normal - bent), 0.0, 1.0);\n"
+    "}\n" },
+
 /* ---- ssgi_gl_read: functions by which your own shaders read what gathers, or filters behind them, wrote. They weigh
    texels as blur does, but for the surface that you shade, which need not be the one that the depth buffer shows. */
 
@@ -6405,6 +6427,14 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
     d.pass = SSGI_GL_PASS_FIELD;
     d.text.lines = 0;
     return ssgi_gl__functions(out, capacity, &d, "ssgi_field_visibility");
+}
+
+SSGI_DEF size_t ssgi_gl_reflection(char *out, size_t capacity)
+{
+    ssgi_gl_desc d;
+    if (!out && capacity) return 0;
+    memset(&d, 0, sizeof d);
+    return ssgi_gl__functions(out, capacity, &d, "ssgi_interreflected ssgi_specular_visibility");
 }
 
 SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc)

@@ -117,6 +117,7 @@ static void names(void)
     static char reached[CODES], named[ROWS];
     static const char *const roots[] = { "SSGI_COSINE", "ssgi_sh_zonal", "ssgi_sh_add",
                                          "ssgi_sh_dot", "ssgi_sh_turn",  "ssgi_field_visibility",
+                                         "ssgi_interreflected", "ssgi_specular_visibility",
                                          "ssgi_fragment_depth", "ssgi_visibility_at", "ssgi_irradiance_at",
                                          "ssgi_coefficients_at" };
     for (size_t i = 0; i < sizeof roots / sizeof *roots; ++i) {

@@ -1621,6 +1621,42 @@ static void footprints(void)
     }
 }
 
+/* ---- >>reflection ------------------------------------------------------------------------------------------------ */
+
+static void reflections(void)
+{
+    static const float odd[] = { NAN, INFINITY, -INFINITY, -1, 2 }, of[] = { 0, 0, 0, 0, 1 };
+    enum { STEPS = 32 };
+    for (int i = 0; i <= STEPS; ++i)
+        for (int k = 0; k <= STEPS; ++k) {
+            const float v = (float)i / STEPS, a = (float)k / STEPS, lit = ssgi_interreflected(v, a),
+                        gloss = ssgi_specular_visibility(v, 0.3f, 0.7f, a);
+            CHECK(lit >= v && lit <= 1 && (!k || lit >= ssgi_interreflected(v, (float)(k - 1) / STEPS))
+                      && (v < 1 || lit >= 1) && (v > 0 || !(lit > 0)),
+                  "visibility %g, albedo %g: %g", (double)v, (double)a, (double)lit);
+            /* the share of an open lobe, of one that its normal leans away from, and toward */
+            CHECK(ssgi_specular_visibility(1, a, a, v) >= 1 && gloss >= 0 && gloss <= 1
+                      && ssgi_specular_visibility(v, 0.7f, 0.7f, a) >= gloss
+                      && ssgi_specular_visibility(v, 0.9f, 0.7f, a) >= ssgi_specular_visibility(v, 0.7f, 0.7f, a),
+                  "visibility %g, roughness %g: %g", (double)v, (double)a, (double)gloss);
+        }
+    CHECK(fabs((double)ssgi_specular_visibility(0.5f, 0.6f, 0.8f, 0.5f) - (1 - 0.98 * 0.5 - 1.515 * 0.5 * 0.2)) < 1e-6
+              && fabs((double)ssgi_interreflected(0.5f, 0.5f) - ((0.6878 * 0.5 - 1.75585) * 0.5 + 2.0679) * 0.5) < 1e-6,
+          "half of all: %g, %g", (double)ssgi_specular_visibility(0.5f, 0.6f, 0.8f, 0.5f),
+          (double)ssgi_interreflected(0.5f, 0.5f));
+    for (int i = 0; i < 5; ++i) {
+        CHECK(!(fabsf(ssgi_interreflected(odd[i], 0.5f) - ssgi_interreflected(of[i], 0.5f)) > 0)
+                  && !(fabsf(ssgi_interreflected(0.4f, odd[i]) - ssgi_interreflected(0.4f, of[i])) > 0)
+                  && !(fabsf(ssgi_specular_visibility(0.4f, 0.5f, 0.5f, odd[i])
+                             - ssgi_specular_visibility(0.4f, 0.5f, 0.5f, of[i])) > 0)
+                  && !(fabsf(ssgi_specular_visibility(odd[i], 0.5f, 0.5f, 0.5f)
+                             - ssgi_specular_visibility(of[i], 0.5f, 0.5f, 0.5f)) > 0),
+              "of %g", (double)odd[i]);
+        CHECK(ssgi_specular_visibility(0.4f, odd[i], odd[4 - i], 0.5f) >= 0, "cosines %g, %g", (double)odd[i],
+              (double)odd[4 - i]);
+    }
+}
+
 void test_math(void)
 {
     RUN("views: every layout decodes its depth, and pixels come back, as by the matrix in double", views);
@@ -1654,5 +1690,6 @@ void test_math(void)
     RUN("virtual point lights: the map's flux in all, only where it is lit, by share", vpls);
     RUN("virtual point lights: of a square of pixels that are all as bright, one a row and one a column", vpl_strata);
     RUN("area lights as points: the closed form of a rectangle", areas);
+    RUN("reflections: between visibility and 1; nothing occluded is 1; no number gives none", reflections);
     RUN("cameras and lights: bad arguments are named, outputs stay", bad_light);
 }

@@ -1837,8 +1837,9 @@ static void every_line(void)
     static set_of lines;
     static char met[SSGI_GL__ROWS];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
-    for (int i = 0; i < texts + 4; ++i) {
-        if (i >= texts) ssgi_gl_sh(text, sizeof text, i - texts + 1);
+    for (int i = 0; i < texts + 5; ++i) {
+        if (i == texts + 4) ssgi_gl_reflection(text, sizeof text);
+        else if (i >= texts) ssgi_gl_sh(text, sizeof text, i - texts + 1);
         else source_of(text, &spoken[i].desc, spoken[i].stage);
         for (const char *line = text, *end; *line; line = end + (*end != 0)) {
             end = line + strcspn(line, "\n");

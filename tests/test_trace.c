@@ -668,6 +668,47 @@ static void ball_on_plane(void)
     kit_mesh_free(&scene.mesh);
 }
 
+/* Within a ball a chord is 2 r cos long, by its angle to the normal, and the next one does not depend on it. With
+   linear attenuation visibility is 4 r / (3 R), reflections are a geometric series, and a narrow lobe sees hardly more
+   than the chord that mirrors the view. */
+static void inside_a_ball(void)
+{
+    enum { SIZE = 8 };
+    static const float middle[3] = { 0, 0, 0 }, albedos[3] = KIT_REFLECTED_ALBEDOS;
+    const double radius = 3, open = 4 / (3 * radius);
+    kit_scene scene = { 0 };
+    kit_camera camera = { .eye = { 0.3f, 0.1f, 0.2f }, .target = { 1, 0.2f, 0 }, .up = { 0, 1, 0 }, .fovy = 60,
+                          .znear = 0.01f, .zfar = 10, .width = SIZE, .height = SIZE };
+    kit_image out;
+    kit_error err = { "" };
+    double mean[4] = { 0 }, lobe = 0, bent = 0;
+    ball(&scene.mesh, 160, middle, 1, 0);
+    bounds(&scene.mesh);
+    if (CHECK(!kit_truth_reflected(&out, &scene, &camera, (float)radius, 1024, 1, &err), "%s", err.text)) {
+        const float *const normal = kit_image_channel(&out, "normal"), *const by = kit_image_channel(&out, "bent"),
+                    *const narrow = kit_image_channel(&out, "lobe.1");
+        for (int i = 0; i < SIZE * SIZE; ++i) {
+            mean[0] += (double)out.data[i] / (SIZE * SIZE);
+            for (int k = 0; k < 3; ++k) {
+                const char *const names[3] = { "white.1", "white.2", "white.3" };
+                mean[1 + k] += (double)kit_image_channel(&out, names[k])[i] / (SIZE * SIZE);
+            }
+            lobe += ((double)narrow[i] - 2 * (double)normal[i] / radius) / (SIZE * SIZE);
+            bent = fmax(bent, fabs((double)by[i] - (double)normal[i]));
+        }
+        CHECK(fabs(mean[0] - open) < 1e-3 && bent < 0.05 && fabs(lobe) < 0.02,
+              "visibility %.4f, not %.4f; bent normals off by %.3f, a narrow lobe by %.4f", mean[0], open, bent, lobe);
+        for (int k = 0; k < 3; ++k) {
+            const double want = open / (1 - (1 - open) * (double)albedos[k]);
+            const double fitted = (double)ssgi_interreflected((float)open, albedos[k]);
+            CHECK(fabs(mean[1 + k] - want) < 2e-3, "albedo %g: %.4f, not %.4f", (double)albedos[k], mean[1 + k], want);
+            CHECK(fabs(fitted - want) < 0.05, "albedo %g: fitted %.4f, in a ball %.4f", (double)albedos[k], fitted, want);
+        }
+        kit_image_free(&out);
+    }
+    kit_mesh_free(&scene.mesh);
+}
+
 static void threads(void)
 {
     static const float p[3] = { -3, 0, -3 }, z[3] = { 0, 0, 6 }, x[3] = { 6, 0, 0 }, middle[3] = { 0, 1, 0 };
@@ -848,6 +889,7 @@ void test_trace(void)
     RUN("truth: a corner agrees with its closed form", corner);
     RUN("truth: a corner under windows and under lamps of a few texels is what all directions sum to", lit_corner);
     RUN("truth: a ball on a plane agrees with its closed form", ball_on_plane);
+    RUN("truth: within a ball reflections are a geometric series, and a narrow lobe sees one chord", inside_a_ball);
     RUN("truth: the number of threads changes nothing, stride leaves pixels out", threads);
     RUN("boxes and blocks are closed solids with shadows at their feet", solids);
     RUN("floor: planes are open, creases closed, silhouettes cut", floors);

@@ -818,6 +818,28 @@ static const term terms[] = {
       0, 640, want_short_width, 1e-6 },
 };
 
+static void twin_reflections(void)
+{
+    static const char *const statements[2] = {
+        "o = vec4(ssgi_interreflected(a.x, a.yzw), 0.0);",
+        "o = vec4(ssgi_specular_visibility(a.x, 2.0 * a.y - 1.0, 2.0 * a.z - 1.0, a.w));"
+    };
+    static char text[TEXT];
+    ssgi_gl_frame frame;
+    memset(&frame, 0, sizeof frame);
+    for (int k = 0; k < 2; ++k) {
+        const size_t head = (size_t)snprintf(text, sizeof text, "#version 330 core\n");
+        if (!CHECK(ssgi_gl_reflection(text + head, sizeof text - head), "no text")) return;
+        for (int i = 0; i < 4 * MANY; ++i) ins[i] = t_uniform(0, 1);
+        if (!probe_text(text, SSGI_GL_DIALECT_330, &frame, 0, statements[k])) return;
+        for (int i = 0; i < MANY; ++i)
+            for (int c = 0; c < 3; ++c)
+                NEAR(out[i][c], k ? ssgi_specular_visibility(in[i][0], 2 * in[i][1] - 1, 2 * in[i][2] - 1, in[i][3])
+                                  : ssgi_interreflected(in[i][0], in[i][1 + c]), 1e-6, statements[k]);
+    }
+    CHECK(!ssgi_gl_reflection(NULL, 1), "written to nothing");
+}
+
 static void functions_of_numbers(void)
 {
     static float layer[16 * MANY];
@@ -2414,6 +2436,7 @@ void test_twins(void)
     RUN("what emitters pack comes back, as its format says", twin_emitters);
     RUN("an extra camera's points and the octahedral map as in C", twin_views_of_others);
     RUN("harmonics of one to four bands in both languages as in C", twin_harmonics);
+    RUN("reflections as in C", twin_reflections);
     RUN("halves, where the language has them and where it has not", twin_halves);
     RUN("functions of numbers are what their comments say", functions_of_numbers);
     RUN("a slice's arc is the integral that it says", twin_arc);

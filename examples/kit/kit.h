@@ -367,6 +367,20 @@ int kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *came
 int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
                     float radius, int attenuation, double exponent, int rays, int stride, kit_error *err);
 
+/* What ambient visibility stands for when it dims light; NaN where nothing is seen:
+     Y            ambient visibility, as kit_truth_ao has it
+     bent, normal cosines of the mirrored view direction to the mean unoccluded direction, and to the normal
+     white.*      Y of surfaces that reflect, all of one albedo, under light of 1 from everywhere: any number of bounces
+                  within the radius
+     lobe.*       the share of a glossy lobe that nothing occludes: directions by which GGX's half vectors of a
+                  roughness mirror the view, above the surface
+   Rays as in kit_truth_ao, each with a path, and as many a lobe. */
+#define KIT_REFLECTED_ALBEDOS { 0.2f, 0.5f, 0.8f }
+#define KIT_REFLECTED_ROUGHNESSES { 0.05f, 0.15f, 0.35f, 0.7f }     /* alpha, the square of what artists set */
+#define KIT_REFLECTED_CHANNELS "Y,bent,normal,white.1,white.2,white.3,lobe.1,lobe.2,lobe.3,lobe.4"
+int kit_truth_reflected(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int rays,
+                        int stride, kit_error *err);
+
 /* Multiple scattering [Jensen and Buhler 2002], the sum itself instead of their octree: irradiance.* holds M/pi = sum E
    A R_d / pi over samples [limit: 1..2^26] spread evenly over all of the mesh, each with the irradiance E of the lights
    (the environment is not looked at), shadowed by the whole scene, on the side of its normals. unit: world units of the

@@ -1,0 +1,171 @@
+/* reflection.c - which light ambient visibility dims, on scenes by seed: ssgi_interreflected beside path-traced white
+   rooms, ssgi_specular_visibility beside traced glossy lobes.
+
+      build/reflection [--from 1000] [--count 14]
+
+   A row is what stands for the light, the columns are albedos of rooms and roughnesses of lobes; errors are shares of
+   that of dimming nothing, means over the scenes. Visibility and bent normals are once traced, so that the formulas
+   alone err, and once drawn by hsao and by s3ho's coefficients of 2 bands. Pictures are 1280x720; truth is traced at
+   every 22nd pixel both ways, by 128 rays. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "lab/measure/stage.h"
+
+enum { STRIDE = 22, MANY = 128, WIDTH = 1280, HEIGHT = 720, FIRST = 3 };    /* FIRST: the first channel of light */
+static const float albedos[] = KIT_REFLECTED_ALBEDOS, roughnesses[] = KIT_REFLECTED_ROUGHNESSES;
+enum { ALBEDOS = (int)(sizeof albedos / sizeof *albedos), LOBES = (int)(sizeof roughnesses / sizeof *roughnesses),
+       LIGHTS = ALBEDOS + LOBES };
+
+/* What is known at a pixel: traced and drawn. */
+typedef struct seen { double visibility[2], bent[2], normal; } seen;
+enum { TRACED, DRAWN };
+
+static double nothing(const seen *s, int light) { return s && light >= 0 ? 1 : 0; }
+
+static double dimmed(const seen *s, int light, int by, int bends)
+{
+    const float v = (float)s->visibility[by];
+    if (light < ALBEDOS) return (double)ssgi_interreflected(v, albedos[light]);
+    return (double)ssgi_specular_visibility(v, (float)(bends ? s->bent[by] : s->normal), (float)s->normal,
+                                            roughnesses[light - ALBEDOS]);
+}
+
+static double traced(const seen *s, int light) { return light >= 0 ? s->visibility[TRACED] : 0; }
+static double traced_normal(const seen *s, int light) { return dimmed(s, light, TRACED, 0); }
+static double traced_bent(const seen *s, int light) { return dimmed(s, light, TRACED, 1); }
+static double strong(const seen *s, int light)
+{
+    return light >= 0 ? fmax(1 - 1.4 * (1 - s->visibility[TRACED]), 0) : 0;
+}
+static double drawn(const seen *s, int light) { return light >= 0 ? s->visibility[DRAWN] : 0; }
+static double drawn_normal(const seen *s, int light) { return dimmed(s, light, DRAWN, 0); }
+static double drawn_bent(const seen *s, int light) { return dimmed(s, light, DRAWN, 1); }
+
+static const struct { const char *name; double (*of)(const seen *s, int light); } ways[] = {
+    { "nothing is dimmed", nothing },
+    { "visibility, traced", traced },
+    { "the functions of it, about the normal", traced_normal },
+    { "the functions of it, about the bent normal", traced_bent },
+    { "1 - 1.4 (1 - visibility), traced", strong },
+    { "visibility of hsao", drawn },
+    { "the functions of it, about the normal", drawn_normal },
+    { "the functions of it, about s3ho's bent normal", drawn_bent }
+};
+enum { WAYS = (int)(sizeof ways / sizeof *ways) };
+
+/* The cosine of the mirrored view direction to the direction of bands 0 and 1, and to the normal; view space. */
+static void cosines(seen *s, const kit_image *frame, const kit_camera *camera, const float *coefficient, int x, int y)
+{
+    const size_t i = (size_t)y * WIDTH + (size_t)x;
+    const double half = tan(0.5 * (double)camera->fovy * KIT_PI / 180), aspect = (double)WIDTH / HEIGHT;
+    double ray[3] = { (2 * (x + 0.5) / WIDTH - 1) * half * aspect, (1 - 2 * (y + 0.5) / HEIGHT) * half, -1 };
+    double n[3] = { (double)kit_image_channel(frame, "N.X")[i], (double)kit_image_channel(frame, "N.Y")[i],
+                    (double)kit_image_channel(frame, "N.Z")[i] };
+    double bent[3] = { (double)coefficient[3], (double)coefficient[1], (double)coefficient[2] };
+    if (!(camera->fovy > 0)) ray[0] = ray[1] = 0;
+    kit_unit(ray);
+    if (!kit_unit(bent)) memcpy(bent, n, sizeof bent);
+    const double along = 2 * kit_dot(ray, n);
+    for (int k = 0; k < 3; ++k) ray[k] -= along * n[k];
+    s->normal = kit_dot(ray, n);
+    s->bent[DRAWN] = kit_dot(ray, bent);
+}
+
+/* The coefficients that s3ho's filter wrote, rows bottom-up. */
+static int coefficients_of(float *out, stage *s, kit_error *err)
+{
+    kit_run run;
+    kit_image picture;
+    int at;
+    if (stage_run(&run, s, "s3ho", "indirect=none,filtered=coefficients,store=float,bands=2", s->radius, err))
+        return -1;
+    for (at = run.passes - 1; at >= 0 && run.pass[at].desc.pass != SSGI_GL_PASS_BLUR;) --at;
+    const int failed = stage_settled(&picture, s, &run, 0, 0, err)
+                    || (at < 0 ? kit_fail(err, "s3ho: nothing filters it")
+                               : kit_texture_read(run.pass[at].target[0], WIDTH, HEIGHT, 4, out)
+                                     && kit_fail(err, "s3ho: it cannot be read"));
+    if (!failed) kit_image_free(&picture);
+    kit_run_close(&run);
+    return failed ? -1 : 0;
+}
+
+/* Squared errors of a scene: sum[way][light]. */
+static int measure(double sum[WAYS][LIGHTS], int seed, kit_error *err)
+{
+    static float coefficient[4 * WIDTH * HEIGHT];
+    char name[64];
+    stage s;
+    kit_image truth, hsao;
+    kit_run run;
+    snprintf(name, sizeof name, "random:%d", seed);
+    view v = { .name = name, .path = name };
+    if (stage_load(&s, &v, err)) return -1;
+    v.radius = s.scene.radius;
+    if (stage_look(&s, &v, WIDTH, HEIGHT, err) || stage_run(&run, &s, "hsao", "", s.radius, err)
+        || stage_settled(&hsao, &s, &run, 0, 0, err))
+        return -1;
+    kit_run_close(&run);
+    if (coefficients_of(coefficient, &s, err)
+        || kit_truth_reflected(&truth, &s.scene, &s.gbuffer.camera, s.radius, MANY, STRIDE, err))
+        return -1;
+    for (int y = STRIDE / 2; y < HEIGHT; y += STRIDE)
+        for (int x = STRIDE / 2; x < WIDTH; x += STRIDE) {
+            const size_t i = (size_t)y * WIDTH + (size_t)x, pixels = (size_t)WIDTH * HEIGHT;
+            seen at = { { (double)truth.data[i], (double)hsao.data[i] }, { (double)truth.data[pixels + i], 0 }, 0 };
+            if (isnan(truth.data[i])) continue;
+            cosines(&at, &s.frame, &s.gbuffer.camera, coefficient + 4 * ((size_t)(HEIGHT - 1 - y) * WIDTH + (size_t)x),
+                    x, y);
+            for (int w = 0; w < WAYS; ++w)
+                for (int light = 0; light < LIGHTS; ++light) {
+                    const double is = (double)truth.data[(size_t)(FIRST + light) * pixels + i],
+                                 off = ways[w].of(&at, light) - is;
+                    sum[w][light] += off * off;
+                }
+        }
+    kit_image_free(&truth);
+    kit_image_free(&hsao);
+    stage_close(&s);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    int from = 1000, count = 14;
+    double share[WAYS][LIGHTS] = { { 0 } };
+    kit_error err = { "" };
+    for (int i = 1; i + 1 < argc; i += 2) {
+        if (!strcmp(argv[i], "--from")) from = atoi(argv[i + 1]);
+        else if (!strcmp(argv[i], "--count")) count = atoi(argv[i + 1]);
+        else argc = 0;
+    }
+    if (argc % 2 == 0 || from < 0 || count < 1) {
+        fputs("usage: reflection [--from SEED] [--count SCENES]\n", stderr);
+        return 2;
+    }
+    int failed = kit_gl_open(NULL, &err);
+    for (int k = 0; k < count && !failed; ++k) {
+        double sum[WAYS][LIGHTS] = { { 0 } };
+        failed = measure(sum, from + k, &err);
+        for (int w = 0; w < WAYS; ++w)
+            for (int light = 0; light < LIGHTS; ++light) share[w][light] += sqrt(sum[w][light] / sum[0][light]) / count;
+    }
+    if (failed) {
+        fprintf(stderr, "reflection: %s\n", err.text);
+        return 2;
+    }
+    printf("| %d scenes from seed %d | room of albedo", count, from);
+    for (int k = 0; k < ALBEDOS; ++k) printf(" %.1f |", (double)albedos[k]);
+    printf(" lobe of roughness");
+    for (int k = 0; k < LOBES; ++k) printf(" %.2f |", (double)roughnesses[k]);
+    puts("");
+    for (int i = 0; i <= LIGHTS; ++i) printf("|---");
+    puts("|");
+    for (int w = 0; w < WAYS; ++w) {
+        printf("| %s |", ways[w].name);
+        for (int light = 0; light < LIGHTS; ++light) printf(" %.3f |", share[w][light]);
+        puts("");
+    }
+    kit_gl_close();
+    return 0;
+}
