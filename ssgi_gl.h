@@ -680,7 +680,7 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
    twins of ssgi_interreflected, of three channels, and of ssgi_specular_visibility. It works like snprintf.
      vec3 ssgi_interreflected(float visibility, vec3 albedo);
      float ssgi_specular_visibility(float visibility, float bent, float normal, float roughness);
-   Bent normals are those of S3HO with 2 bands and desc.light.shading BENT; without them take the normal for both. */
+   Visibility and bent normals by one gather: S3HO of 2 bands, which ssgi_gl_read reads. */
 SSGI_DEF size_t ssgi_gl_reflection(char *out, size_t capacity);
 
 /* Writes the GLSL of fields for your own shaders, with its samplers:
@@ -697,8 +697,9 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
    texels around the pixel as that pass does, but for the surface that you shade.
      float ssgi_visibility_at(vec2 pixel, float depth, vec3 normal);              of SSAO, HSAO
      vec3 ssgi_irradiance_at(vec2 pixel, float depth, vec3 normal);               of SSDO, SHADE, LIGHTS, S3HO shaded
-     ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float depth, vec3 normal);    of S3HO: sets of ssgi_gl_sh's
-         struct, and ssgi_sh_dot
+     ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float depth, vec3 normal);    of S3HO: c[0] .. are ssgi_gl_sh's
+         struct, for ssgi_sh_dot; ssgi_ambient(coefficients).x is ambient visibility, ssgi_bent(c[0]).xyz of 2 bands or
+         more the bent normal, in view space: both by one gather, for ssgi_specular_visibility
    Of HISTORY, SUM, and of a BLUR of light or coefficients, which are filtered already, they read the pixel's own texel,
    and those around it where it shows another surface.
      desc      of the step that wrote the result. Another pass, and a BLUR of visibility, which holds no depth, return 0
@@ -6439,9 +6440,9 @@ SSGI_DEF size_t ssgi_gl_reflection(char *out, size_t capacity)
 
 SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc)
 {
+    static const char coefficients[] = "ssgi_fragment_depth ssgi_sh_dot ssgi_ambient ssgi_bent ssgi_coefficients_at";
     static const char *const roots[3] = { "ssgi_fragment_depth ssgi_visibility_at",
-                                          "ssgi_fragment_depth ssgi_irradiance_at",
-                                          "ssgi_fragment_depth ssgi_sh_dot ssgi_coefficients_at" };
+                                          "ssgi_fragment_depth ssgi_irradiance_at", coefficients };
     ssgi_gl_desc d;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
     d = *desc;

@@ -104,6 +104,12 @@ if wanted glfw; then
     fi
 fi
 
+if wanted forward; then
+    if ! pkg-config --exists glfw3; then skip 'forward, GLFW is missing (apt-get install libglfw3-dev)'
+    elif build forward examples/hosts/forward.c $strict; then in_both_lights forward gbuffer
+    fi
+fi
+
 if wanted sdl; then
     if ! pkg-config --exists sdl2 glesv2; then skip 'sdl, its libraries are missing (libsdl2-dev libgles-dev)'
     elif build sdl examples/hosts/sdl.c $strict; then in_both_lights sdl depth

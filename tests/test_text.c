@@ -323,7 +323,8 @@ static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
              strstr(text, " ssgi_field_visibility(") ? "ssgi_field_visibility(9, 1, gl_FragCoord.xyz, vec3(z))"
              : strstr(text, " ssgi_visibility_at(")  ? "ssgi_visibility_at(" READ
              : strstr(text, " ssgi_irradiance_at(")  ? "ssgi_irradiance_at(" READ ", z"
-             : "ssgi_sh_dot(ssgi_coefficients_at(" READ ".c[0], ssgi_coefficients_at(" READ ".c[0])");
+             : "ssgi_sh_dot(ssgi_coefficients_at(" READ ".c[0], ssgi_coefficients_at(" READ ".c[0]) * "
+               "ssgi_ambient(ssgi_coefficients_at(" READ ").x + ssgi_bent(ssgi_coefficients_at(" READ ".c[0])");
     return text;
 }
 

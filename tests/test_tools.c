@@ -279,6 +279,7 @@ static void wasm(void)
         "throws(() => ssgi.text({ pass: 'NONE' }), /^Error: desc.pass: must be/);\n"
         "equal(ssgi.read(d).match(/float ssgi_visibility_at/g).length, 1);\n"
         "throws(() => ssgi.read({ pass: 'EMITTERS' }), /^Error: desc.pass: /);\n"
+        "equal(ssgi.reflection().match(/^float ssgi_specular_visibility/m).length, 1);\n"
         "throws(() => ssgi.text({ stpes: 1 }), /^Error: desc.stpes: there is no such field$/);\n"
         "throws(() => ssgi.frame(view, -1), /^Error: radius: /);\n"
         "throws(() => ssgi.view(id, 0, 1), /^Error: width: /);\n"

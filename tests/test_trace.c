@@ -889,7 +889,7 @@ void test_trace(void)
     RUN("truth: a corner agrees with its closed form", corner);
     RUN("truth: a corner under windows and under lamps of a few texels is what all directions sum to", lit_corner);
     RUN("truth: a ball on a plane agrees with its closed form", ball_on_plane);
-    RUN("truth: within a ball reflections are a geometric series, and a narrow lobe sees one chord", inside_a_ball);
+    RUN("truth: within a ball reflections are a geometric series, a narrow lobe is a chord", inside_a_ball);
     RUN("truth: the number of threads changes nothing, stride leaves pixels out", threads);
     RUN("boxes and blocks are closed solids with shadows at their feet", solids);
     RUN("floor: planes are open, creases closed, silhouettes cut", floors);

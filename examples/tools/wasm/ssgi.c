@@ -13,6 +13,7 @@ EXPORT(ssgi_gl_preset);
 EXPORT(ssgi_gl_resolve);
 EXPORT(ssgi_gl_emit);
 EXPORT(ssgi_gl_read);
+EXPORT(ssgi_gl_reflection);
 EXPORT(ssgi_gl_key);
 EXPORT(ssgi_gl_pass_name);
 EXPORT(ssgi_gl_dialect_name);

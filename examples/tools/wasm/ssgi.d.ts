@@ -104,6 +104,8 @@ export class Ssgi {
   text(desc: Desc, stage?: Stage): string;
   /** GLSL of functions that read the result of the step with this desc: ssgi_gl_read */
   read(desc: Desc): string;
+  /** GLSL of ssgi_interreflected and ssgi_specular_visibility: ssgi_gl_reflection */
+  reflection(): string;
   rows(desc: Desc): Row[];
   check(desc: Desc): void;
   key(desc: Desc): bigint;

@@ -139,6 +139,14 @@ export class Ssgi {
             return this.#string(out);
         });
     }
+    /* Functions that tell which light visibility dims: ssgi_gl_reflection. */
+    reflection() {
+        return this.#scope(() => {
+            const n = this.#c.ssgi_gl_reflection(0, 0), out = this.#room(n + 1);
+            this.#c.ssgi_gl_reflection(out, n + 1);
+            return this.#string(out);
+        });
+    }
 
     /* What to bind: ssgi_gl_io. */
     rows(desc) {
