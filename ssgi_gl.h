@@ -468,9 +468,12 @@ typedef struct ssgi_gl_input_desc {
     ssgi_gl_normal normal;
     int world_normals; /* 1: the normals are in world space; frame.rotation turns them into view space */
     int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; you resolve the other textures. Sample 0 is
-                          read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
+                          read: one surface, at one place in every pixel, so that planes stay planes. The other samples
+                          of an edge get their own by ssgi_gl_read. Not in 300es */
     int array;         /* 1: depth, normal, back, albedo, direct, ambient, objects and motion are array textures with a
-                          slice a view, as for stereo: frame.slice. The textures that passes write stay 2D */
+                          slice a view, as for stereo: frame.slice. The textures that passes write stay 2D, and each view
+                          is drawn by itself, with a frame and a history of its own: passes are bound by pixels, of
+                          which multiview saves none, and it would want arrays of all of them */
     int motion;        /* history, change_mask   1: t_ssgi_motion says where each pixel was, so that objects that move
                           on their own keep their average; 0: the camera alone moves */
     ssgi_gl_objects objects; /* field */

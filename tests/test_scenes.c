@@ -207,6 +207,7 @@ static void planes_stay_open(void)
         { "ssao", "thickness=width", 1e-3, 0 },
         { "hsao", "half=1,blur=1", 1e-5, 0 },
         { "hsao-fast", "thickness=slabs,half=1,blur=1", 1e-5, 0 },
+        { "hsao-fast", "half=quarter,blur=1", 1e-5, 0 },
         { "hsao-best", "falloff=none", 1e-5, 0 },
         { "hsao", "thickness=solid", 1e-5, 0 },
         { "hsao", "thickness=back", 1e-5, 0 },

@@ -702,7 +702,7 @@ static void inside_a_ball(void)
             const double want = open / (1 - (1 - open) * (double)albedos[k]);
             const double fitted = (double)ssgi_interreflected((float)open, albedos[k]);
             CHECK(fabs(mean[1 + k] - want) < 2e-3, "albedo %g: %.4f, not %.4f", (double)albedos[k], mean[1 + k], want);
-            CHECK(fabs(fitted - want) < 0.05, "albedo %g: fitted %.4f, in a ball %.4f", (double)albedos[k], fitted, want);
+            CHECK(fabs(fitted - want) < 0.05, "albedo %g: fit %.4f, ball %.4f", (double)albedos[k], fitted, want);
         }
         kit_image_free(&out);
     }
@@ -889,7 +889,7 @@ void test_trace(void)
     RUN("truth: a corner agrees with its closed form", corner);
     RUN("truth: a corner under windows and under lamps of a few texels is what all directions sum to", lit_corner);
     RUN("truth: a ball on a plane agrees with its closed form", ball_on_plane);
-    RUN("truth: within a ball reflections are a geometric series, a narrow lobe is a chord", inside_a_ball);
+    RUN("truth: within a ball reflections are a series, a narrow lobe is a chord", inside_a_ball);
     RUN("truth: the number of threads changes nothing, stride leaves pixels out", threads);
     RUN("boxes and blocks are closed solids with shadows at their feet", solids);
     RUN("floor: planes are open, creases closed, silhouettes cut", floors);

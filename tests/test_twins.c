@@ -2385,6 +2385,48 @@ static void pixels_take_turns(void)
     }
 }
 
+/* Of quarter size sixteen frames draw each pixel of a 4x4 once, any four in a row one of each 2x2 of it. The texel 0, 0
+   of a filter is that of the nearest pixel that is gathered. */
+static void quarters(void)
+{
+    static const char *const statement =
+        "ivec2 p = ivec2(a.xy); ssgi_neighbour t = ssgi_neighbour_at(p, 0, 0), s = ssgi_neighbour_at(p, -1, 1);"
+        " o = texel.x % 2 == 0 ? vec4(t.at, t.q) : vec4(t.o, s.q - t.q);";
+    for (int turns = 0; turns < 2; ++turns) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_BLUR, .text.dialect = SSGI_GL_DIALECT_450,
+                                 .gather.half = turns ? SSGI_GL_HALF_QUARTER_IN_TURN : SSGI_GL_HALF_QUARTER };
+        int met[16] = { 0 }, quadrant[32] = { 0 };
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        if (!facing(&view, &frame, 1)) return;
+        for (uint32_t k = 0; k < (turns ? 32 : 1); ++k) {
+            GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL);
+            frame.phase = ssgi_gl_phase(k + 3);
+            for (int i = 0; i < MANY; ++i) in[i][0] = (float)(20 + i / 2 % 8), in[i][1] = (float)(20 + i / 16 % 8);
+            const int went = probe(&d, &frame, texture, statement);
+            glDeleteTextures(1, &texture);
+            if (!went) return;
+            for (int i = 0; i < MANY / 2; ++i) {
+                const float *of = out[2 * i], *rest = out[2 * i + 1];
+                const int x = (int)(of[2] - 4 * of[0]), y = (int)(of[3] - 4 * of[1]); /* of its 4x4 */
+                if (!CHECK(x >= 0 && x < 4 && y >= 0 && y < 4 && (turns || (!x && !y)) && fabsf(rest[0]) < 2.5f
+                               && fabsf(rest[1]) < 2.5f && fabsf(in[2 * i][0] + rest[0] - of[2]) < 0.1f
+                               && fabsf(in[2 * i][1] + rest[1] - of[3]) < 0.1f && fabsf(rest[2] + 4) < 0.1f
+                               && fabsf(rest[3] - 4) < 0.1f,
+                           "frame %u, pixel %g %g: texel %g %g of pixel %g %g, %g %g away", k, (double)in[2 * i][0],
+                           (double)in[2 * i][1], (double)of[0], (double)of[1], (double)of[2], (double)of[3],
+                           (double)rest[0], (double)rest[1]))
+                    return;
+                if (!i) ++met[4 * y + x], quadrant[k] = x / 2 + 2 * (y / 2);
+            }
+        }
+        for (int i = 0; i < 16 && turns; ++i) CHECK(met[i] == 2, "pixel %d of 4x4: %d of 32 frames", i, met[i]);
+        for (int k = 0; k + 4 <= 32 && turns; ++k)
+            CHECK((1 << quadrant[k] | 1 << quadrant[k + 1] | 1 << quadrant[k + 2] | 1 << quadrant[k + 3]) == 15,
+                  "frames %d to %d leave a 2x2 out", k, k + 3);
+    }
+}
+
 /* ---- >>light of a frame ------------------------------------------------------------------------------------------ */
 
 static void frame_light(void)
@@ -2437,6 +2479,7 @@ void test_twins(void)
     RUN("an extra camera's points and the octahedral map as in C", twin_views_of_others);
     RUN("harmonics of one to four bands in both languages as in C", twin_harmonics);
     RUN("reflections as in C", twin_reflections);
+    RUN("a quarter of the size: the nearest pixel of those that are gathered, each in its turn", quarters);
     RUN("halves, where the language has them and where it has not", twin_halves);
     RUN("functions of numbers are what their comments say", functions_of_numbers);
     RUN("a slice's arc is the integral that it says", twin_arc);

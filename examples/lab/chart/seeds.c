@@ -16,9 +16,12 @@
 
 enum { EACH = 3 * KIT_KINDS, MODELS = 7, SEEDS_QUICK = KIT_KINDS, DRAWN_FROM = 10000, DRAWN = 100000 };
 
+#define QUARTER "half=quarter,directions=2,steps=8"
+
 static const entry visible_entries[] = {
     { "ssao",         "ssao",         "",                      1 },
     { "hsao-fast",    "hsao-fast",    "",                      1 },
+    { "hsao-fast",    "hsao-fast",    QUARTER,                 0 },
     { "hsao",         "hsao",         "",                      1 },
     { "hsao-history", "hsao-history", "",                      1 },
     { "hsao-best",    "hsao-best",    "",                      1 },

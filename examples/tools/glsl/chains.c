@@ -8,6 +8,7 @@ const chain_named chain_names[] = {
     { "hsao-fast", "hsao,fast", "ambient visibility by slices" },
     { "hsao", "hsao,balanced", "ambient visibility by slices" },
     { "hsao-best", "hsao,best", "ambient visibility by slices" },
+    { "hsao-quarter", "hsao,fast,half=QUARTER,directions=2,steps=8", "at a quarter of the size, for weak GPUs" },
     { "hsao-fast-history", "hsao,fast,history=1", "over frames" },
     { "hsao-history", "hsao,balanced,history=1,directions=1,steps=12", "over frames: one slice of many taps" },
     { "hsao-best-history", "hsao,best,history=1", "over frames" },

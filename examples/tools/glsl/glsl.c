@@ -5,10 +5,11 @@
          choice changed; in 450 two, too:
                                      FOLDER/hsao.450.half.slabs.frag
 
-   One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag; the functions of
-   fields alone: FOLDER/field.glsl, FOLDER/field.vulkan.glsl (ssgi_gl_field). ssdo's default here is an environment map.
-   FOLDER/sh4.glsl: ssgi_gl_sh(.., 4), and so on. translate.sh makes WGSL, HLSL and MSL of FOLDER/hsao.vulkan.frag and
-   its like: make glsl WGSL=1.
+   One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag. Functions for
+   shaders of yours: FOLDER/field.glsl, FOLDER/field.vulkan.glsl (ssgi_gl_field); FOLDER/hsao.half.glsl (ssgi_gl_read
+   reads what that pass wrote); FOLDER/sh4.glsl (ssgi_gl_sh(.., 4)), and so on; FOLDER/reflection.glsl
+   (ssgi_gl_reflection). ssdo's default here is an environment map. translate.sh makes WGSL, HLSL and MSL of
+   FOLDER/hsao.vulkan.frag and its like: make glsl WGSL=1.
 
    FOLDER/manifest.json says which files belong together and what they read and write, and what the fields of
    ssgi_gl_desc and the members of the blocks are (its "about" explains it): for build steps in any language.
@@ -59,13 +60,14 @@ static int write_file(const char *path, char *text, size_t n)
 /* The text of a stage, or with SSGI_GL_STAGES of functions alone, for the caller to free; NULL: there is none. */
 static char *text_of(const ssgi_gl_desc *d, int kind, size_t *n)
 {
-    const int alone = kind == SSGI_GL_STAGES;
-    *n = !alone                     ? ssgi_gl_emit(NULL, 0, d, kind)
-         : d->pass == SSGI_GL_PASS_FIELD ? ssgi_gl_field(NULL, 0, d)
-                                    : 0;
-    char *text = *n ? malloc(*n + 1) : NULL;
-    if (text && alone) ssgi_gl_field(text, *n + 1, d);
-    if (text && !alone) ssgi_gl_emit(text, *n + 1, d, kind);
+    char *text = NULL;
+    for (int turn = 0; turn < 2; ++turn) {      /* how long it is, then the text */
+        *n = kind < SSGI_GL_STAGES            ? ssgi_gl_emit(text, text ? *n + 1 : 0, d, kind)
+             : d->pass == SSGI_GL_PASS_FIELD ? ssgi_gl_field(text, text ? *n + 1 : 0, d)
+                                              : ssgi_gl_read(text, text ? *n + 1 : 0, d);
+        if (!turn) text = *n ? malloc(*n + 1) : NULL;
+        if (!text) break;
+    }
     return text;
 }
 
@@ -92,13 +94,13 @@ static int write_text(const char *folder, const ssgi_gl_desc *d, int kind, const
     return write_file(path, text, n);
 }
 
-/* The texts of a desc: of every stage, of functions alone. */
+/* The texts of a desc: of every stage; of functions alone, where at most one choice is changed. */
 static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
 {
     const char *together[SSGI_GL_STAGES + 1] = { NULL };
     char more[64];
     snprintf(more, sizeof more, "%s%s%s%s", *first ? "." : "", first, *second ? "." : "", second);
-    for (int kind = 0; kind <= SSGI_GL_STAGES; ++kind)
+    for (int kind = 0; kind <= (*second ? SSGI_GL_STAGES - 1 : SSGI_GL_STAGES); ++kind)
         if (write_text(folder, d, kind, ssgi_gl_pass_name(d->pass), more, &together[kind])) return -1;
     if (together[SSGI_GL_STAGE_FRAGMENT]) manifest_variant(d, together);
     if (together[SSGI_GL_STAGES]) manifest_functions(together[SSGI_GL_STAGES]);
@@ -398,11 +400,12 @@ static int write_all(const char *folder, int alone, kit_error *err)
                 }
     for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
         if ((alone < 0 || alone == dialect) && write_named_chains(folder, dialect, err)) return -1;
-    for (int bands = 1; bands <= 4; ++bands) {
-        const size_t n = ssgi_gl_sh(NULL, 0, bands);
+    for (int bands = 0; bands <= 4; ++bands) {      /* 0: the functions of reflections */
+        const size_t n = bands ? ssgi_gl_sh(NULL, 0, bands) : ssgi_gl_reflection(NULL, 0);
         char *text = malloc(n + 1), path[1024];
-        if (text) ssgi_gl_sh(text, n + 1, bands);
-        snprintf(path, sizeof path, "%s/sh%d.glsl", folder, bands);
+        if (text && bands) ssgi_gl_sh(text, n + 1, bands);
+        if (text && !bands) ssgi_gl_reflection(text, n + 1);
+        snprintf(path, sizeof path, bands ? "%s/sh%d.glsl" : "%s/reflection.glsl", folder, bands);
         if (write_file(path, text, n)) return -1;
         manifest_functions(strrchr(path, '/') + 1);
     }

@@ -355,7 +355,7 @@ static const char *const about[] = {
     "frame, views: ssgi_gl_frame, ssgi_gl_views, the blocks of the same layout (std140); a mat3 has 3 columns of "
     "4 floats. desc: ssgi_gl_desc, in C; the offsets of ints are the same on every machine, most is the greatest "
     "value, 0 the least. defaults: what the zeros of a desc of that pass mean (ssgi_gl_resolve).",
-    "functions: files without a main, for shaders of your own (ssgi_gl_field, ssgi_gl_sh).",
+    "functions: files without a main, for shaders of your own (ssgi_gl_field, _read, _reflection, _sh).",
     "Python: the field pass is a keyword there: setattr(desc, 'pass', ..), getattr. cffi takes what gcc -E -P "
     "'-D__attribute__(x)=' makes of ssgi_gl.h.",
     "Rust: bindgen ssgi_gl.h -- --target=x86_64-pc-windows-msvc -ffreestanding gives constants the fields' type, "
