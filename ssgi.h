@@ -5043,6 +5043,10 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    .last_footprint tell texts. ssgi_gl_frame_time counts it in seconds (frame.pace); frame.jitter keeps the
    average sharp where the projection trembles for TAA. ssgi_gl_frame has 32 bytes more.
 
+   New: ssgi_gl_read, functions by which shaders that light a surface read a result, in place of the filter's pass;
+   desc.gather.half QUARTER (the last 4 bits of ssgi_gl_phase are the frame's number now); frame.strength;
+   ssgi_gl_chain.rgba8; room >>reflection (ssgi_interreflected, ssgi_specular_visibility), and ssgi_gl_reflection.
+
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.
    Renamed: desc.behind, SSGI_GL_BEHIND_* -> desc.thickness, SSGI_GL_THICKNESS_*; plan_scene.behind, plan.behind ->

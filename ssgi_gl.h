@@ -42,6 +42,11 @@
       projection   take the one that depth was drawn with: some engines (OpenSceneGraph) move its near and far planes,
                    and their getter does not return the result. For left-handed projections see
                    ssgi_view_from_projection (ssgi.h)
+      order        opaque things first, as depth and normals are read; then these draws; then fog and transparent
+                   things, then TAA (frame.jitter). What shall neither occlude nor receive, as weapons in hands, sprites
+                   and liquids, is drawn after depth has been read. In forward rendering a pass of depth and normals
+                   comes first, and what shall receive calls the functions of ssgi_gl_read, glass over what it covers,
+                   too
       This header calls no GL.
 
    PASSES       ssao          ambient visibility from point samples in the hemisphere [SA07]
@@ -471,9 +476,9 @@ typedef struct ssgi_gl_input_desc {
                           read: one surface, at one place in every pixel, so that planes stay planes. The other samples
                           of an edge get their own by ssgi_gl_read. Not in 300es */
     int array;         /* 1: depth, normal, back, albedo, direct, ambient, objects and motion are array textures with a
-                          slice a view, as for stereo: frame.slice. The textures that passes write stay 2D, and each view
-                          is drawn by itself, with a frame and a history of its own: passes are bound by pixels, of
-                          which multiview saves none, and it would want arrays of all of them */
+                          slice a view, as for stereo: frame.slice. The textures that passes write stay 2D, and each
+                          view is drawn by itself, with a frame and a history of its own: passes are bound by pixels,
+                          of which multiview saves none, and it would want arrays of all of them */
     int motion;        /* history, change_mask   1: t_ssgi_motion says where each pixel was, so that objects that move
                           on their own keep their average; 0: the camera alone moves */
     ssgi_gl_objects objects; /* field */

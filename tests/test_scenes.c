@@ -594,6 +594,7 @@ static void targets_have_room(void)
     static const struct { const char *method, *set; } row[] = {
         { "ssao", "samples=8,blur=2" },
         { "hsao", "half=1,blur=1" },
+        { "hsao", "half=quarter,blur=1" },
         { "hsao-march", "directions=2,steps=4,blur=1" },
         { "s3ho-points", "samples=8,store=float,indirect=none,filtered=coefficients,half=1,blur=2" },
         { "s3ho-points", "samples=8,indirect=joint,filtered=light,blur=1" },
