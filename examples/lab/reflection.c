@@ -21,7 +21,12 @@ enum { ALBEDOS = (int)(sizeof albedos / sizeof *albedos), LOBES = (int)(sizeof r
 typedef struct seen { double visibility[2], bent[2], normal; } seen;
 enum { TRACED, DRAWN };
 
-static double nothing(const seen *s, int light) { return s && light >= 0 ? 1 : 0; }
+static double nothing(const seen *s, int light)
+{
+    (void)s;
+    (void)light;
+    return 1;
+}
 
 static double dimmed(const seen *s, int light, int by, int bends)
 {
@@ -31,14 +36,26 @@ static double dimmed(const seen *s, int light, int by, int bends)
                                             roughnesses[light - ALBEDOS]);
 }
 
-static double traced(const seen *s, int light) { return light >= 0 ? s->visibility[TRACED] : 0; }
+static double traced(const seen *s, int light)
+{
+    (void)light;
+    return s->visibility[TRACED];
+}
+
 static double traced_normal(const seen *s, int light) { return dimmed(s, light, TRACED, 0); }
 static double traced_bent(const seen *s, int light) { return dimmed(s, light, TRACED, 1); }
 static double strong(const seen *s, int light)
 {
-    return light >= 0 ? fmax(1 - 1.4 * (1 - s->visibility[TRACED]), 0) : 0;
+    (void)light;
+    return fmax(1 - 1.4 * (1 - s->visibility[TRACED]), 0);
 }
-static double drawn(const seen *s, int light) { return light >= 0 ? s->visibility[DRAWN] : 0; }
+
+static double drawn(const seen *s, int light)
+{
+    (void)light;
+    return s->visibility[DRAWN];
+}
+
 static double drawn_normal(const seen *s, int light) { return dimmed(s, light, DRAWN, 0); }
 static double drawn_bent(const seen *s, int light) { return dimmed(s, light, DRAWN, 1); }
 
