@@ -716,7 +716,9 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
      normal    as desc.input says: in view space, or in the world
    A surface that no texel shows, as a pane far in front of all else, is unoccluded: visibility and restored light go
    there over the distance to the surfaces that are shown, by half at a radius; from full size at once. The block
-   ssgi_frame is ssgi_gl_frame. In GLES the text needs the lines that ssgi_gl_field needs. It works like snprintf. */
+   ssgi_frame is ssgi_gl_frame. A shader holds one such text, which reads one texture, and with coefficients none of
+   ssgi_gl_sh, whose functions it has. In GLES the text needs the lines that ssgi_gl_field needs. It works like
+   snprintf. */
 SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
