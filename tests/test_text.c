@@ -109,12 +109,12 @@ static uint64_t hash_of(const char *text, size_t n)
 }
 
 /* A set of hashes: at which place is this one? It is added where it is not there. */
-typedef struct set_of { uint64_t hash[1 << 13]; int place[1 << 13], count; } set_of;
+typedef struct set_of { uint64_t hash[1 << 14]; int place[1 << 14], count; } set_of;
 static int place_of(set_of *s, uint64_t hash)
 {
-    size_t i = hash >> 20 & ((1 << 13) - 1);
-    while (s->hash[i] && s->hash[i] != hash) i = (i + 1) & ((1 << 13) - 1);
-    if (!s->hash[i] && CHECK(s->count < 1 << 12, "more of a kind than this test has room for")) {
+    size_t i = hash >> 20 & ((1 << 14) - 1);
+    while (s->hash[i] && s->hash[i] != hash) i = (i + 1) & ((1 << 14) - 1);
+    if (!s->hash[i] && CHECK(s->count < 1 << 13, "more of a kind than this test has room for")) {
         s->hash[i] = hash;
         s->place[i] = s->count++;
     }
@@ -288,7 +288,7 @@ static void make_variants(void)
 /* ---- >>compilers ------------------------------------------------------------------------------------------------- */
 
 /* the texts that are compiled; fresh: a program whose stages declare what no other's did */
-static struct { ssgi_gl_desc desc; int stage, fresh; } spoken[3 * MOST + 200];
+static struct { ssgi_gl_desc desc; int stage, fresh; } spoken[4 * MOST];
 static int texts;
 static struct { int texts, linked, vulkan, read; char problem[1000]; } glslang;
 
@@ -360,6 +360,8 @@ static int takes(ssgi_gl_desc *d, int way, int turn)
    every dialect. */
 static void speak(void)
 {
+    static set_of toolboxes_met;
+    static char text[TEXT];
     static uint64_t seen[1 << 10];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     int interfaces = 0;
@@ -376,9 +378,13 @@ static void speak(void)
         spoken[at].fresh = way == 2 && is != last;
         spoken[at].stage = has_vertices(&d) || spoken[at].fresh ? PROGRAM : SSGI_GL_STAGE_FRAGMENT;
         if (way == 2) last = is;
-        if (d.pass != SSGI_GL_PASS_FIELD && toolbox_of(NULL, 0, &d)) {
+        if (d.pass != SSGI_GL_PASS_FIELD && toolbox_of(NULL, 0, &d)) {      /* few are fresh */
+            const char *const source = source_of(text, &d, TOOLBOX);
+            const int before = toolboxes_met.count;
+            place_of(&toolboxes_met, hash_of(source, strlen(source)));
             spoken[texts].desc = d;
-            spoken[texts++].stage = TOOLBOX;
+            spoken[texts].stage = TOOLBOX;
+            texts += toolboxes_met.count > before;
         }
         if (!has_vertices(&d)) continue;
         uint64_t hash = (uint64_t)(2 * d.pass + d.surfel.tessellate);
