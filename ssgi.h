@@ -779,7 +779,7 @@ SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int
 /* Returns ambient visibility with the light that occluders reflect, bounce after bounce, where they have the surface's
    albedo and as much light: a cubic of visibility, fitted to path-traced scenes [JWPJ16 section 5]. Multiply the
    environment's diffuse light by it in place of visibility, each channel by its albedo.
-     visibility, albedo   [limit: 0..1, clamped; what is not finite counts as 0]
+     visibility, albedo   [limit: 0..1, clamped; values that are not finite count as 0]
    The result is in [visibility, 1]. GLSL twin: ssgi_interreflected of ssgi_gl_reflection, of three channels. */
 SSGI_DEF float ssgi_interreflected(float visibility, float albedo);
 

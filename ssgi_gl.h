@@ -43,10 +43,10 @@
                    and their getter does not return the result. For left-handed projections see
                    ssgi_view_from_projection (ssgi.h)
       order        opaque things first, as depth and normals are read; then these draws; then fog and transparent
-                   things, then TAA (frame.jitter). What shall neither occlude nor receive, as weapons in hands, sprites
-                   and liquids, is drawn after depth has been read. In forward rendering a pass of depth and normals
-                   comes first, and what shall receive calls the functions of ssgi_gl_read, glass over what it covers,
-                   too
+                   things, then TAA (frame.jitter). Things that shall neither occlude nor receive, as weapons in hands,
+                   sprites and liquids, are drawn after depth has been read. In forward rendering a pass of depth and
+                   normals comes first, and shaders of things that receive call the functions of ssgi_gl_read, those of
+                   glass, too
       This header calls no GL.
 
    PASSES       ssao          ambient visibility from point samples in the hemisphere [SA07]
@@ -1190,21 +1190,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The last bits of the phase say which: ssgi_gl_phase. */
 { "ssgi_turn", NULL, __LINE__ + 1,
-    "ivec2 ssgi_turn() { // which pixel of every 2x2 has its turn\n"
-    "    int turn = int(16777216.0 * u_ssgi_phase);\n"
+    "ivec2 ssgi_turn(int bit) { // which pixel of every 2x2 has its turn, by two bits from that one on\n"
+    "    int turn = int(16777216.0 * u_ssgi_phase) >> bit;\n"
     "    return ivec2(turn, turn + (turn >> 1)) & 1;\n"
     "}\n" },
 
 { "ssgi_turn_of_16", NULL, __LINE__ + 1,
     "ivec2 ssgi_turn_of_16() { // which pixel of every 4x4: any four frames in a row take one of each 2x2 of it\n"
-    "    int turn = int(16777216.0 * u_ssgi_phase) >> 2;\n"
-    "    return 2 * ssgi_turn() + (ivec2(turn, turn + (turn >> 1)) & 1);\n"
+    "    return 2 * ssgi_turn(0) + ssgi_turn(2);\n"
     "}\n" },
 
 { "ssgi_gathered", NULL, __LINE__ + 1,
     "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of that image stands for\n"
     "#if SSGI_HALF == SSGI_HALF_IN_TURN\n"
-    "    return min(2 * texel + ssgi_turn(), max(u_ssgi_size - 1, 2 * texel)); // texels beyond the image stay there\n"
+    "    return min(2 * texel + ssgi_turn(0), max(u_ssgi_size - 1, 2 * texel)); // texels beyond the image stay there\n"
     "#elif SSGI_HALF == SSGI_HALF_QUARTER_IN_TURN\n"
     "    return min(4 * texel + ssgi_turn_of_16(), max(u_ssgi_size - 1, 4 * texel));\n"
     "#elif SSGI_HALF == SSGI_HALF_QUARTER\n"
@@ -1460,8 +1459,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return dot(n, ssgi_toward(P)) < 0.0 ? -n : n;\n"
     "}\n" },
 
-{ "ssgi_turned", NULL, __LINE__ + 1,
-    "vec3 ssgi_turned(vec3 n) { // returns your normal in view space, of length 1\n"
+{ "ssgi_view_normal", NULL, __LINE__ + 1,
+    "vec3 ssgi_view_normal(vec3 n) { // returns your normal in view space, of length 1\n"
     "#if SSGI_WORLD_NORMALS\n"
     "    return ssgi_unit(u_ssgi_rotation * n);\n"
     "#elif SSGI_LEFT_HANDED && !SSGI_WORLD_NORMALS\n"
@@ -1474,7 +1473,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_normal", "SSGI_NORMAL != SSGI_NORMAL_FROM_DEPTH", __LINE__ + 1,
     "// Returns the unit view-space normal at a pixel whose point is P.\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
-    "    return ssgi_turned(ssgi_raw_normal(p));\n"
+    "    return ssgi_view_normal(ssgi_raw_normal(p));\n"
     "}\n" },
 
 { "ssgi_noise", NULL, __LINE__ + 1,
@@ -4612,7 +4611,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return clamp(1.0 - k.x * (1.0 - v) - k.y * v * (normal - bent), 0.0, 1.0);\n"
     "}\n" },
 
-/* ---- ssgi_gl_read: functions by which your own shaders read what gathers, or filters behind them, wrote. They weigh
+/* ---- ssgi_gl_read: functions by which your own shaders read results of gathers, or of filters behind them. They weigh
    texels as blur does, but for the surface that you shade, which need not be the one that the depth buffer shows. */
 
 /* Where no texel shows that surface, as in front of all others, nothing is known to occlude it, and no occlusion has a
@@ -4634,7 +4633,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 n) { // the place need not be a pixel's centre\n"
     "    ssgi_blurred c;\n"
     "    vec2 off = fract(pixel) - 0.5;\n"
-    "    c.z = z, c.n = ssgi_turned(n), c.P = ssgi_position(pixel, z), c.footprint = ssgi_footprint(z);\n"
+    "    c.z = z, c.n = ssgi_view_normal(n), c.P = ssgi_position(pixel, z), c.footprint = ssgi_footprint(z);\n"
     "    c.plane = ssgi_plane(c.P, c.n) / (SSGI_OFF * u_ssgi_radius + c.footprint);\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    c.plane.w -= dot(c.plane.xy, off);\n"
@@ -4663,7 +4662,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    const int more = side * side;\n"
     "#endif\n"
-    "    for (int k = 0; k < more; ++k) ssgi_filter_tap(f, p, c, ivec2(k % side, k / side) - SSGI_FILTER_RADIUS);\n"
+    "    for (int k = 0; k < more; ++k) {\n"
+    "#if SSGI_PASS == SSGI_PASS_COMPOSE\n"
+    "        if (k == side * side / 2) continue; // the pixel's own\n"
+    "#endif\n"
+    "        ssgi_filter_tap(f, p, c, ivec2(k % side, k / side) - SSGI_FILTER_RADIUS);\n"
+    "    }\n"
     "    return f;\n"
     "}\n" },
 
@@ -5030,7 +5034,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_tested", NULL, __LINE__ + 1,
     "ivec2 ssgi_tested(int k) { // returns the k-th of 16 pixels of the tile, other ones in each frame\n"
-    "    return min(8 * ssgi_tile() + 2 * ivec2(k & 3, k >> 2) + ssgi_turn(), u_ssgi_size - 1);\n"
+    "    return min(8 * ssgi_tile() + 2 * ivec2(k & 3, k >> 2) + ssgi_turn(0), u_ssgi_size - 1);\n"
     "}\n" },
 
 { "ssgi_pixel_was", NULL, __LINE__ + 1,
@@ -6465,7 +6469,7 @@ SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *des
         d.filter.quantity = SSGI_GL_QUANTITY_LIGHT;
     else if (pass == SSGI_GL_PASS_S3HO) d.filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS;
     else if (!filters || (pass == SSGI_GL_PASS_BLUR && !d.filter.quantity)) return 0;
-    /* What is filtered already is read as compose does, what a gather wrote as blur does. */
+    /* Filtered results are read as compose reads them, those of gathers as blur does. */
     d.pass = filters || surfels || pass == SSGI_GL_PASS_LIGHTS ? SSGI_GL_PASS_COMPOSE : SSGI_GL_PASS_BLUR;
     d.filter.kind = SSGI_GL_FILTER_BILATERAL;
     d.text.lines = 0;

@@ -41,7 +41,7 @@ static ssgi_gl_step step[4];
 static int steps;
 static GLuint gather[4], framebuffer[4], texture[4], block;
 
-/* Asks for the steps without the filter, makes what they draw into; writes the functions that read it. */
+/* Asks for the steps without the filter, makes their textures; writes the functions that read the result. */
 static const char *occlusion(char *functions, size_t size, int width, int height)
 {
     static char text[2][32768];
@@ -149,7 +149,7 @@ int main(int argc, char **argv)
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, boxes_texture[BOXES_PICTURE], 0);
     for (; !glfwWindowShouldClose(window); glfwSwapBuffers(window), glfwPollEvents()) {
         const float angle = file ? 0.0f : 0.3f * (float)glfwGetTime();
-        boxes_draw(angle, sun, sky, WIDTH, HEIGHT); /* Depth and normals: what has occlusion, and no more. */
+        boxes_draw(angle, sun, sky, WIDTH, HEIGHT); /* depth and normals of all that occludes */
         if ((why = occlude(boxes_projection, 1, WIDTH, HEIGHT))) return fprintf(stderr, "forward: %s\n", why), 1;
         glActiveTexture(GL_TEXTURE9), glBindTexture(GL_TEXTURE_2D, texture[step[steps - 1].output[0].texture]);
         glBindFramebuffer(GL_FRAMEBUFFER, samples), glViewport(0, 0, WIDTH, HEIGHT), glEnable(GL_DEPTH_TEST);

@@ -367,7 +367,7 @@ int kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *came
 int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
                     float radius, int attenuation, double exponent, int rays, int stride, kit_error *err);
 
-/* What ambient visibility stands for when it dims light; NaN where nothing is seen:
+/* The light that ambient visibility stands for when it dims light; NaN where nothing is seen:
      Y            ambient visibility, as kit_truth_ao has it
      bent, normal cosines of the mirrored view direction to the mean unoccluded direction, and to the normal
      white.*      Y of surfaces that reflect, all of one albedo, under light of 1 from everywhere: any number of bounces

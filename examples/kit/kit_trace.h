@@ -118,6 +118,12 @@ static inline double kit_facing(const float n[3], const float d[3])
     return (double)n[0] * (double)d[0] + (double)n[1] * (double)d[1] + (double)n[2] * (double)d[2];
 }
 
+static inline void kit_mirror(const float d[3], const float n[3], float mirrored[3])    /* n unit */
+{
+    const float along = 2 * (float)kit_facing(n, d);
+    for (int i = 0; i < 3; ++i) mirrored[i] = d[i] - along * n[i];
+}
+
 void   kit_place_of(const kit_mesh *mesh, const ssgi_hit *hit, const float direction[3], kit_place *at);
 /* job: pixel, background and what that needs; channels: of the picture */
 int    kit_truth_run(kit_truth *job, kit_image *out, const char *channels, const kit_scene *scene,

@@ -3,7 +3,7 @@
 
       build/reflection [--from 1000] [--count 14]
 
-   A row is what stands for the light, the columns are albedos of rooms and roughnesses of lobes; errors are shares of
+   A row is a way to dim light, the columns are albedos of rooms and roughnesses of lobes; errors are shares of
    that of dimming nothing, means over the scenes. Visibility and bent normals are once traced, so that the formulas
    alone err, and once drawn by hsao and by s3ho's coefficients of 2 bands. Pictures are 1280x720; truth is traced at
    every 22nd pixel both ways, by 128 rays. */
@@ -17,7 +17,7 @@ static const float albedos[] = KIT_REFLECTED_ALBEDOS, roughnesses[] = KIT_REFLEC
 enum { ALBEDOS = (int)(sizeof albedos / sizeof *albedos), LOBES = (int)(sizeof roughnesses / sizeof *roughnesses),
        LIGHTS = ALBEDOS + LOBES };
 
-/* What is known at a pixel: traced and drawn. */
+/* Visibility and cosines at a pixel, traced and drawn. */
 typedef struct seen { double visibility[2], bent[2], normal; } seen;
 enum { TRACED, DRAWN };
 
@@ -71,22 +71,22 @@ static const struct { const char *name; double (*of)(const seen *s, int light); 
 };
 enum { WAYS = (int)(sizeof ways / sizeof *ways) };
 
-/* The cosine of the mirrored view direction to the direction of bands 0 and 1, and to the normal; view space. */
-static void cosines(seen *s, const kit_image *frame, const kit_camera *camera, const float *coefficient, int x, int y)
+/* The cosine of the mirrored view direction to the direction of bands 0 and 1; view space. */
+static double cosine_to_bent(const kit_camera *camera, const kit_image *frame, const float *coefficient, int x, int y)
 {
     const size_t i = (size_t)y * WIDTH + (size_t)x;
-    const double half = tan(0.5 * (double)camera->fovy * KIT_PI / 180), aspect = (double)WIDTH / HEIGHT;
-    double ray[3] = { (2 * (x + 0.5) / WIDTH - 1) * half * aspect, (1 - 2 * (y + 0.5) / HEIGHT) * half, -1 };
-    double n[3] = { (double)kit_image_channel(frame, "N.X")[i], (double)kit_image_channel(frame, "N.Y")[i],
-                    (double)kit_image_channel(frame, "N.Z")[i] };
-    double bent[3] = { (double)coefficient[3], (double)coefficient[1], (double)coefficient[2] };
-    if (!(camera->fovy > 0)) ray[0] = ray[1] = 0;
-    kit_unit(ray);
+    const double n[3] = { (double)kit_image_channel(frame, "N.X")[i], (double)kit_image_channel(frame, "N.Y")[i],
+                          (double)kit_image_channel(frame, "N.Z")[i] };
+    double bent[3] = { (double)coefficient[3], (double)coefficient[1], (double)coefficient[2] }, ray[3];
+    float to_view[16], projection[16], origin[3], toward[3];
+    kit_camera_matrices(camera, to_view, projection);
+    kit_camera_ray(camera, x, y, origin, toward);
+    for (int k = 0; k < 3; ++k) {
+        ray[k] = 0;
+        for (int c = 0; c < 3; ++c) ray[k] += (double)to_view[4 * c + k] * (double)toward[c];
+    }
     if (!kit_unit(bent)) memcpy(bent, n, sizeof bent);
-    const double along = 2 * kit_dot(ray, n);
-    for (int k = 0; k < 3; ++k) ray[k] -= along * n[k];
-    s->normal = kit_dot(ray, n);
-    s->bent[DRAWN] = kit_dot(ray, bent);
+    return kit_dot(ray, bent) - 2 * kit_dot(ray, n) * kit_dot(n, bent);
 }
 
 /* The coefficients that s3ho's filter wrote, rows bottom-up. */
@@ -129,10 +129,12 @@ static int measure(double sum[WAYS][LIGHTS], int seed, kit_error *err)
     for (int y = STRIDE / 2; y < HEIGHT; y += STRIDE)
         for (int x = STRIDE / 2; x < WIDTH; x += STRIDE) {
             const size_t i = (size_t)y * WIDTH + (size_t)x, pixels = (size_t)WIDTH * HEIGHT;
-            seen at = { { (double)truth.data[i], (double)hsao.data[i] }, { (double)truth.data[pixels + i], 0 }, 0 };
             if (isnan(truth.data[i])) continue;
-            cosines(&at, &s.frame, &s.gbuffer.camera, coefficient + 4 * ((size_t)(HEIGHT - 1 - y) * WIDTH + (size_t)x),
-                    x, y);
+            const float *const drawn_there = coefficient + 4 * ((size_t)(HEIGHT - 1 - y) * WIDTH + (size_t)x);
+            const seen at = { { (double)truth.data[i], (double)hsao.data[i] },
+                              { (double)truth.data[pixels + i],
+                                cosine_to_bent(&s.gbuffer.camera, &s.frame, drawn_there, x, y) },
+                              (double)truth.data[2 * pixels + i] };
             for (int w = 0; w < WAYS; ++w)
                 for (int light = 0; light < LIGHTS; ++light) {
                     const double is = (double)truth.data[(size_t)(FIRST + light) * pixels + i],

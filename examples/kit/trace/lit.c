@@ -293,8 +293,7 @@ static void gloss_pixel(const kit_truth *job, uint32_t pixel, const kit_place *a
     double sum[3] = { 0 };
     kit_camera_ray(&job->camera, (int)(pixel % (uint32_t)job->camera.width), (int)(pixel / (uint32_t)job->camera.width),
                    origin, toward);
-    const float along = 2 * (float)kit_facing(at->n, toward);
-    for (int i = 0; i < 3; ++i) mirrored[i] = toward[i] - along * at->n[i];
+    kit_mirror(toward, at->n, mirrored);
     for (uint32_t r = 0; r < (uint32_t)a->rays; ++r) {
         ssgi_hit hit;
         float u[2], d[3];

@@ -7,7 +7,7 @@ static const float albedos[] = KIT_REFLECTED_ALBEDOS, roughnesses[] = KIT_REFLEC
 enum { ALBEDOS = (int)(sizeof albedos / sizeof *albedos), LOBES = (int)(sizeof roughnesses / sizeof *roughnesses) };
 
 /* Light of 1 from outside the radius reaches the place after any number of reflections: at each surface a path goes on
-   with the weight of what occludes. */
+   with the weight of the occluder there. */
 static void white_of(const kit_ambient *a, const kit_mesh *mesh, const kit_place *at, const float first[3],
                      uint32_t seed, double sum[ALBEDOS])
 {
@@ -43,9 +43,8 @@ static double lobe_of(const kit_ambient *a, const kit_place *at, const float tow
         const double z = sqrt((1 - (double)u[0]) / (1 + (roughness * roughness - 1) * (double)u[0])),
                      flat = sqrt(fmax(0, 1 - z * z)), turn = 2 * KIT_PI * (double)u[1];
         kit_around(at->n, (float)(flat * cos(turn)), (float)(flat * sin(turn)), (float)z, h);
-        const float along = 2 * (float)kit_facing(h, toward);
-        for (int i = 0; i < 3; ++i) d[i] = toward[i] - along * h[i];
-        if (!(along < 0) || !(kit_facing(at->n, d) > 0)) continue;
+        kit_mirror(toward, h, d);
+        if (!(kit_facing(h, toward) < 0) || !(kit_facing(at->n, d) > 0)) continue;
         ++all;
         open += 1 - kit_occluded(a, at->origin, d, NULL);
     }
@@ -60,8 +59,7 @@ static void reflected_pixel(const kit_truth *job, uint32_t pixel, const kit_plac
     float origin[3], toward[3], mirrored[3];
     kit_camera_ray(&job->camera, (int)(pixel % (uint32_t)job->camera.width), (int)(pixel / (uint32_t)job->camera.width),
                    origin, toward);
-    const float along = 2 * (float)kit_facing(at->n, toward);
-    for (int i = 0; i < 3; ++i) mirrored[i] = toward[i] - along * at->n[i];
+    kit_mirror(toward, at->n, mirrored);
     for (uint32_t r = 0; r < (uint32_t)a->rays; ++r) {
         float u[2], d[3];
         kit_ambient_point(a, r, seed, u);

@@ -120,32 +120,32 @@ export class Ssgi {
         this.dialects = this.#list(exports.ssgi_gl_dialect_name, s => this.#string(s));
     }
 
+    /* A text by a function that works like snprintf; '' where it writes none. */
+    #written(write) {
+        const n = write(0, 0), out = this.#room(n + 1);
+        write(out, n + 1);
+        return n ? this.#string(out) : '';
+    }
+
     /* The GLSL of a stage; '' where the pass has none. */
     text(desc, stage = 'frag') {
         return this.#scope(() => {
             const d = this.#good(desc), s = word('stage', stage, stages);
-            const n = this.#c.ssgi_gl_emit(0, 0, d, s), out = this.#room(n + 1);
-            this.#c.ssgi_gl_emit(out, n + 1, d, s);
-            return this.#string(out);
+            return this.#written((out, room) => this.#c.ssgi_gl_emit(out, room, d, s));
         });
     }
 
-    /* Functions by which your own shaders read what the step with this desc wrote: ssgi_gl_read. */
+    /* Functions by which your own shaders read the result of the step with this desc: ssgi_gl_read. */
     read(desc) {
         return this.#scope(() => {
-            const d = this.#good(desc), n = this.#c.ssgi_gl_read(0, 0, d), out = this.#room(n + 1);
-            if (!n) throw new Error('desc.pass: its result has no functions that read it');
-            this.#c.ssgi_gl_read(out, n + 1, d);
-            return this.#string(out);
+            const d = this.#good(desc), text = this.#written((out, room) => this.#c.ssgi_gl_read(out, room, d));
+            if (!text) throw new Error('desc.pass: its result has no functions that read it');
+            return text;
         });
     }
     /* Functions that tell which light visibility dims: ssgi_gl_reflection. */
     reflection() {
-        return this.#scope(() => {
-            const n = this.#c.ssgi_gl_reflection(0, 0), out = this.#room(n + 1);
-            this.#c.ssgi_gl_reflection(out, n + 1);
-            return this.#string(out);
-        });
+        return this.#scope(() => this.#written((out, room) => this.#c.ssgi_gl_reflection(out, room)));
     }
 
     /* What to bind: ssgi_gl_io. */
