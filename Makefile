@@ -35,7 +35,7 @@ KIT_SCENE   = $(addprefix scene/,soup mesh texture cards assimp models shapes bu
 # Scenes by seed: a table of rows a kind, and one that all share.
 KIT_TABLES  = $(addprefix tables/,shared rooms streets halls foliage machines scans terrain)
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter reflected floor places)
-KIT_GL      = $(addprefix gl/,gl gbuffer shadow field)
+KIT_GL      = $(addprefix gl/,gl gbuffer foreign shadow field)
 KIT_RUN     = $(addprefix run/,settings fetches truth draw cost passes margin views lights lit occluders deep run \
               frames plan)
 KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
@@ -327,7 +327,7 @@ npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@rm -rf build/npm && mkdir -p build/npm/wgsl
 	@build/glsl-text --chain all --300es build/npm/glsl >/dev/null
 	@cp build/wgsl/*.wgsl build/wgsl/manifest.json build/npm/wgsl
-	@cp build/wasm/ssgi.wasm examples/tools/wasm/ssgi.mjs LICENSE build/npm
+	@cp build/wasm/ssgi.wasm examples/tools/wasm/*.mjs examples/tools/wasm/*.d.ts LICENSE build/npm
 	@cp examples/tools/packages/npm.md build/npm/README.md
 	@{ build/glsl-text --types && cat examples/tools/wasm/ssgi.d.ts; } >build/npm/ssgi.d.ts
 	@sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/package.json >build/npm/package.json
@@ -443,11 +443,12 @@ viewer-test: build/render build/rmse
 # The pages of examples/hosts, built without a warning and run: their occlusion beside build/render's. What is not
 # installed is named as skipped. ONLY="glfw sdl": those hosts.
 HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl python3-cffi libegl1 libopenscenegraph-dev
-NPM_HOSTS = npm install --prefix build/hosts --no-save --ignore-scripts --no-audit --no-fund --silent babylonjs@9.34.0
+NPM_HOSTS = npm install --prefix build/hosts --no-save --ignore-scripts --no-audit --no-fund --silent babylonjs@9.34.0 \
+            three@0.187.0 vite@7.3.8 typescript@5.9.3 @types/three@0.187.0
 hosts-test: build/render build/rmse web-deps
 	@for p in $(HOST_PACKAGES); do sh examples/kit/install.sh $$p || true; done
 	@mkdir -p build/hosts
-	@test -d build/hosts/node_modules/babylonjs || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
+	@test -d build/hosts/node_modules/vite || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
 	@! command -v wasm-ld >/dev/null || $(MAKE) -s npm
 	@sh tests/hosts.sh $(ONLY)
 
@@ -463,9 +464,10 @@ THREE    = build/three.module.js build/three.core.js LICENSE $(addprefix example
 NPM_WEB  = npm install --prefix build/web-deps --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 \
            puppeteer-core@24.43.1 esbuild@0.25.12
 web: build/web/index.html
-build/web/index.html: $(WEB) build/wasm/ssgi.wasm build/web/three/three.module.js build/web/scenes/scenes.json \
-                      build/web/wgsl/list.json
-	@cp $(WEB) build/wasm/ssgi.mjs build/wasm/ssgi.wasm LICENSE examples/docs/pictures/page/first.jpg build/web
+WEB_SSGI = $(addprefix examples/tools/wasm/,ssgi.mjs webgl.mjs three.mjs)
+build/web/index.html: $(WEB) $(WEB_SSGI) build/wasm/ssgi.wasm build/web/three/three.module.js \
+                      build/web/scenes/scenes.json build/web/wgsl/list.json
+	@cp $(WEB) $(WEB_SSGI) build/wasm/ssgi.wasm LICENSE examples/docs/pictures/page/first.jpg build/web
 	@touch $@
 	@echo 'build/web: cd build/web && python3 -m http.server, then http://localhost:8000'
 

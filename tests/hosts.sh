@@ -71,19 +71,48 @@ if wanted python; then
     fi
 fi
 
-if wanted babylon; then
-    if ! [ -d build/hosts/node_modules/babylonjs ]; then skip 'babylon, npm could not install babylonjs'
-    elif ! [ -e build/npm/ssgi.wasm ]; then skip 'babylon, clang or wasm-ld is missing (apt-get install clang lld)'
-    elif ! [ -d build/web-deps/node_modules/puppeteer-core ]; then skip 'babylon, npm could not install puppeteer-core'
+# Pages for a browser, which take the package as npm installs it. in_browser HOST PACKAGE: whether one can be shown.
+in_browser() {
+    if ! [ -d build/hosts/node_modules/$2 ]; then skip "$1, npm could not install $2"
+    elif ! [ -e build/npm/ssgi.wasm ]; then skip "$1, clang or wasm-ld is missing (apt-get install clang lld)"
+    elif ! [ -d build/web-deps/node_modules/puppeteer-core ]; then skip "$1, npm could not install puppeteer-core"
     elif ! command -v chromium >/dev/null || ! command -v node >/dev/null; then
-        skip 'babylon, no browser or no node (apt-get install chromium nodejs)'
+        skip "$1, no browser or no node (apt-get install chromium nodejs)"
     else
-        cp examples/hosts/babylon.html build/hosts
-        ln -sfn ../../npm build/hosts/node_modules/ssgi
-        said=$(node tests/hosts.mjs build/hosts 'babylon.html' $work/babylon.png 'babylon.html#white' $work/white.png)
-        check "babylon: the console says: $said" "$([ -z "$said" ] && echo 1)"
-        near 'babylon' $work/white.png $work/depth.png $most 2.2
+        rm -rf build/hosts/node_modules/ssgi && cp -r build/npm build/hosts/node_modules/ssgi
+        return
     fi
+    return 1
+}
+# shown HOST FOLDER PAGE#HASH PICTURE.png ..
+shown() {
+    host=$1
+    shift
+    said=$(node tests/hosts.mjs "$@")
+    check "$host: the console says: $said" "$([ -z "$said" ] && echo 1)"
+}
+
+if wanted babylon && in_browser babylon babylonjs; then
+    cp examples/hosts/babylon.html build/hosts
+    shown babylon build/hosts 'babylon.html' $work/babylon.png 'babylon.html#white' $work/white.png
+    near 'babylon' $work/white.png $work/depth.png $most 2.2
+fi
+
+# Built by Vite, whose graph must have no module of node's; types are tried with tsc.
+if wanted three && in_browser three vite; then
+    mkdir -p build/hosts/three && cp examples/hosts/three.html build/hosts/three/index.html
+    cp tests/types.ts build/hosts/three
+    said=$(cd build/hosts/three && ../node_modules/.bin/tsc --noEmit --strict --skipLibCheck --target es2022 \
+        --module esnext --moduleResolution bundler types.ts 2>&1)
+    check "three: tsc: $said" "$([ -z "$said" ] && echo 1)"
+    said=$(cd build/hosts/three && ../node_modules/.bin/vite build 2>&1)
+    check "three: vite: $said" "$(echo "$said" | grep -q 'built in' && ! echo "$said" | grep -qi externalized && echo 1)"
+    shot() { echo "index.html#$1 $work/three-$1.png"; }
+    shown three build/hosts/three/dist $(for of in white white,reversed white,samples white,glass sun sun,none ssdo \
+        ssdo,bounce ssdo,none; do shot $of; done)
+    for of in white white,reversed; do near "three, $of" $work/three-$of.png $work/depth.png $most; done
+    near 'three, four samples' $work/three-white,samples.png $work/depth.png 0.02
+    check 'three: the sun is dimmed' "$(cmp -s $work/three-sun.png $work/three-sun,none.png && echo 1)"
 fi
 
 # in_both_lights HOST NORMALS: a host of boxes.h under both lights; under the sky alone, beside build/render's with

@@ -804,6 +804,57 @@ static void capture(const kit_image *frame, kit_camera camera, const way *w, int
     }
 }
 
+/* View depth and normals as raw floats, the bottom row first, normals in the world: the frame and its camera come back. */
+static void raw_captures(void)
+{
+    char text[4000], path[300], words[800] = "", window[100];
+    float view[16], p[16], *raw[2] = { NULL, NULL };
+    kit_image frame = { 0 }, made;
+    kit_header header;
+    kit_camera camera = { .znear = 0.1f, .zfar = 100, .width = 96, .height = 54 };
+    kit_error err = { "" };
+    snprintf(path, sizeof path, "%s/g.exr", folder);
+    if (!CHECK(!shell(text, sizeof text, "$R room --size 96x54 --save-gbuffer g.exr%s%s", "", ""), "%s", text)
+        || !CHECK(!kit_exr_read(&frame, path, &err) && !kit_exr_header(&header, KIT_HEADER_ALL, path, &err), "%s",
+                  err.text)) return;
+    kit_camera_from_header(&camera, &header);
+    kit_camera_matrices(&camera, view, p);
+    for (int i = 0; i < 16; ++i)
+        snprintf(words + strlen(words), sizeof words - strlen(words), "%s%.9g", i ? "," : "", (double)view[i]);
+    const size_t pixels = 96 * 54;
+    for (int k = 0; k < 2; ++k) raw[k] = malloc((k ? 3 : 1) * pixels * sizeof(float));
+    static const char *const names[4] = { "Z", "N.X", "N.Y", "N.Z" };
+    for (size_t i = 0; i < pixels && raw[0] && raw[1]; ++i) {
+        const size_t from = (53 - i / 96) * 96 + i % 96;
+        float n[3];
+        raw[0][i] = kit_image_channel(&frame, names[0])[from];
+        for (int k = 0; k < 3; ++k) n[k] = kit_image_channel(&frame, names[1 + k])[from];
+        for (size_t k = 0; k < 3; ++k) raw[1][3 * i + k] = view[4 * k] * n[0] + view[4 * k + 1] * n[1] + view[4 * k + 2] * n[2];
+    }
+    for (int k = 0; k < 2 && raw[0] && raw[1]; ++k) {
+        snprintf(path, sizeof path, "%s/%s", folder, k ? "n.raw" : "z.raw");
+        CHECK(!kit_file_write(path, raw[k], (k ? 3 : 1) * pixels * sizeof(float), &err), "%s", err.text);
+    }
+    snprintf(window, sizeof window, "--fovy=%.9g --radius=0.5", (double)camera.fovy);
+    snprintf(path, sizeof path, "%s/raw.exr", folder);
+    setenv("V", words, 1);
+    CHECK(!shell(text, sizeof text, "python3 $C z.raw raw.exr --linear --bottom-up --size=96x54 --normals=n.raw --world "
+                 "--view=$V %s%s", window, ""), "%s", text);
+    if (CHECK(!kit_exr_read(&made, path, &err), "%s", err.text)) {
+        double most = 0;
+        for (int c = 0; c < 4; ++c)
+            for (size_t i = 0; i < pixels; ++i)
+                most = fmax(most, fabs((double)(kit_image_channel(&made, names[c])[i]
+                                                - kit_image_channel(&frame, names[c])[i])));
+        CHECK(most < 1e-5, "a channel is off by %g", most);
+        kit_image_free(&made);
+    }
+    CHECK(!shell(text, sizeof text, "$R --gbuffer g.exr --out a.exr && $R --gbuffer raw.exr --score a.exr%s%s", "", "")
+              && strstr(text, "RMSE 0.000"), "the picture of raw floats: %s", text);
+    for (int k = 0; k < 2; ++k) free(raw[k]);
+    kit_image_free(&frame);
+}
+
 /* Every layout of depth becomes the same frame; what the script makes is rendered as the scene is. */
 static void captures(void)
 {
@@ -819,6 +870,12 @@ static void captures(void)
         { "none.png a.exr --fovy=50 --near=1", "none.png" },
         { "cut.png a.exr --fovy=50 --near=1", "cut.png: is cut off" },
         { "cut.exr a.exr --fovy=50 --near=1", "cut.exr" },
+        { "z.raw a.exr --linear --fovy=50 --size=95x54", "z.raw: must have 20520 bytes, has 20736" },
+        { "z.raw a.exr --linear --fovy=50 --size=96", "--size: must be WIDTHxHEIGHT" },
+        { "depth.exr a.exr --linear --fovy=50 --normals=depth.exr", "depth.exr: has no channels X Y Z or R G B" },
+        { "depth.exr a.exr --linear --fovy=50 --normals=depth.png", "depth.png: must be RGB of 8 or 16 bits" },
+        { "depth.exr a.exr --linear --fovy=50 --normals=f.exr --world", "--world: needs --normals and --view" },
+        { "depth.exr a.exr --linear --fovy=50 --view=1,2", "--view: must be 16 numbers" },
         { "noise.txt a.exr --fovy=50 --near=1", "noise.txt: is neither PNG nor EXR" },
         { "depth.exr a.exr --fovy=50 --near=1 --channel=Q", "has no channel Q" },
         { "depth.exr a.exr", "needs --projection, or --fovy" },
@@ -852,6 +909,7 @@ static void captures(void)
                                 ? -1 : errs_by("--gbuffer made.exr", "ao.exr") };
     CHECK(off[0] >= 0 && off[0] < 0.03 && off[1] >= 0 && off[1] < 0.005, "RMSE of a PNG %g, of an EXR %g", off[0],
           off[1]);
+    raw_captures();
     t_note("a captured room: RMSE %.4f of 16 bits, %.4f of floats", off[0], off[1]);
     write_text("noise.txt", "noise");
     shell(text, sizeof text, "head -c 900 depth.png >cut.png; head -c 900 depth.exr >cut.exr; ls > %s%s", "before", "");

@@ -179,6 +179,12 @@ int  kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, 
    slabs, in place of those that it has. One draw of the scene, or three. Leaves GL as kit_gbuffer_from_scene does. */
 int  kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, kit_error *err);
 
+/* Gives channels of another program's frame the names that kit_gbuffer_from_frame takes: channel[i] is "Z=THEIRS"; where
+   there is no Z then, those of a view layer of Blender's (layer; NULL: the only one): LAYER.Depth.Z, from 9e9 on nothing;
+   .Normal.X .., of the world, which the camera turns (placed: it is known); .DiffCol.R .., .DiffDir.R .. */
+int  kit_frame_rename(kit_image *frame, const char *const *channel, int channels, const char *layer,
+                      const kit_camera *camera, int placed, kit_error *err);
+
 /* From a frame: channels Z (view depth; <= 0, NaN or infinite = background), N.X N.Y N.Z (view space; made unit; a zero
    normal is taken as +z, -z in even layers; a frame of one layer may lack them) and perhaps albedo.R/G/B; the same as
    layer1.Z, layer1.N.X .. of the second layer, layer2.Z .. of the third, and so on to KIT_MAX_LAYERS; and perhaps

@@ -1,10 +1,10 @@
-/* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in steps.mjs. */
+/* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in webgl.mjs. */
 import { load } from './ssgi.mjs';
 import { defaults, halves, methods, normals, presets, read, settings, shadows, sizes, thicknesses, views, write }
     from './settings.mjs';
 import { chainAs, countOf, lightsOf } from './chain.mjs';
 import { skies, equirect } from './sky.mjs';
-import { Drawer } from './steps.mjs';
+import { Drawer } from './webgl.mjs';
 import { Show } from './show.mjs';
 import { cLines } from './code.mjs';
 import { exr } from './exr.mjs';

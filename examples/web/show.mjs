@@ -1,5 +1,6 @@
 /* show.mjs - the last draws, onto the canvas: light times albedo, the views that compare, edges smoothed. Left and
    right are pictures of their own, so that what divides them moves over finished ones. */
+import { harmonicsText } from './three.mjs';
 
 const vertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
@@ -20,14 +21,7 @@ uniform float u_exposure;    // a factor
 uniform float u_effect;      // exponent of what occlusion leaves: 1 as it is; for the eye alone
 out vec4 o_colour;
 
-vec3 harmonics(vec3 n, vec3 band) {
-    vec3 l = u_sky[0] * 0.282095 * band.x;
-    l += (u_sky[1] * n.y + u_sky[2] * n.z + u_sky[3] * n.x) * 0.488603 * band.y;
-    l += (u_sky[4] * 1.092548 * n.x * n.y + u_sky[5] * 1.092548 * n.y * n.z
-          + u_sky[6] * (0.946175 * n.z * n.z - 0.315392) + u_sky[7] * 1.092548 * n.x * n.z
-          + u_sky[8] * 0.546274 * (n.x * n.x - n.y * n.y)) * band.z;
-    return max(l, 0.0);
-}
+${harmonicsText('u_sky')}
 vec3 coded(vec3 c) {
     return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }

@@ -3,22 +3,15 @@
    fourth component tells objects apart. */
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { Behind, rawOf, resetState, writes } from './three.mjs';
 
 /* Albedo's fourth component on object 0, the scene; 1, which moves; 2, a model of the visitor's. */
 const marks = ['1.0', '0.0', '0.75'];
 
 /* Outputs 1 and 2 of a material of three's, which turns its normal to the side that is seen. */
 function seen(material) {
-    material.onBeforeCompile = shader => {
-        shader.fragmentShader = shader.fragmentShader
-            .replace('void main() {', `layout(location = 1) out highp vec4 g_normal;
-                layout(location = 2) out highp vec4 g_albedo;
-                void main() {`)
-            .replace('#include <opaque_fragment>', `#include <opaque_fragment>
-                g_normal = vec4(normal, 0.0);
-                g_albedo = vec4(diffuseColor.rgb, ${marks[material.userData.object]});`);
-    };
-    material.customProgramCacheKey = () => `seen ${material.userData.object}`;
+    writes(material, [{ name: 'g_normal', is: 'vec4(normal, 0.0)' },
+                      { name: 'g_albedo', is: `vec4(diffuseColor.rgb, ${marks[material.userData.object]})` }]);
     return material;
 }
 
@@ -28,44 +21,9 @@ export const lambert = (from, object = 0) => seen(new THREE.MeshLambertMaterial(
     side: THREE.DoubleSide, shadowSide: THREE.DoubleSide, userData: { object }
 }));
 
-/* Window depth alone, of what lies behind a layer. */
-const peeling = side => new THREE.ShaderMaterial({
-    side, glslVersion: THREE.GLSL3, uniforms: { t_before: { value: null } },
-    vertexShader: 'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
-    fragmentShader: `uniform highp sampler2D t_before;
-        out highp vec4 o_nothing;
-        void main() {
-            highp float before = texelFetch(t_before, ivec2(gl_FragCoord.xy), 0).x;
-            if (before >= 1.0 || gl_FragCoord.z <= before + 1e-7) discard;
-            o_nothing = vec4(0.0);
-        }`
-});
-
-/* A triangle over the picture that writes three depths side by side. */
-function packing() {
-    const triangle = new THREE.BufferGeometry();
-    triangle.setAttribute('position', new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
-    const mesh = new THREE.Mesh(triangle, packer());
-    mesh.frustumCulled = false;
-    return mesh;
-}
-const packer = () => new THREE.ShaderMaterial({
-    depthTest: false, depthWrite: false, glslVersion: THREE.GLSL3,
-    uniforms: { t_0: { value: null }, t_1: { value: null }, t_2: { value: null } },
-    vertexShader: 'void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
-    fragmentShader: `uniform highp sampler2D t_0, t_1, t_2;
-        out highp vec4 o_slabs;
-        void main() {
-            ivec2 p = ivec2(gl_FragCoord.xy);
-            o_slabs = vec4(texelFetch(t_0, p, 0).x, texelFetch(t_1, p, 0).x, texelFetch(t_2, p, 0).x, 0.0);
-        }`
-});
-
 export class Stage {
-    #target = null; #back = []; #slabs = null; #model = null; #size = { width: 1, height: 1 };
+    #target = null; #behind = null; #model = null; #size = { width: 1, height: 1 };
     #casts = new THREE.Box3(); #all = new THREE.Box3(); #toSun = new THREE.Vector3(0, 1, 0);
-    #behind = new THREE.MeshBasicMaterial({ side: THREE.BackSide, colorWrite: false });
-    #peels = [peeling(THREE.FrontSide), peeling(THREE.BackSide)]; #pack = null;
     #seenFrom = null;
     mover = null;
 
@@ -95,17 +53,12 @@ export class Stage {
         this.camera.aspect = width / height;
         this.#widen();
         this.#target?.dispose();
-        this.#back.forEach(target => target.dispose());
-        this.#back = [];
-        this.#slabs?.dispose();
-        this.#slabs = null;
-        this.#target = this.#made({ count: 3, type: THREE.HalfFloatType, depthTexture: this.#depth() });
+        this.#behind?.dispose();
+        this.#behind = new Behind(width, height);
+        this.#target = new THREE.WebGLRenderTarget(width, height, {
+            minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, count: 3, type: THREE.HalfFloatType,
+            depthTexture: new THREE.DepthTexture(width, height, THREE.FloatType) });
         this.#target.textures[2].type = THREE.UnsignedByteType;
-    }
-    #depth() { return new THREE.DepthTexture(this.#size.width, this.#size.height, THREE.FloatType); }
-    #made(more) {
-        return new THREE.WebGLRenderTarget(this.#size.width, this.#size.height,
-                                           { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, ...more });
     }
 
     /* What is seen from now on: info tells where from, and the radius. */
@@ -254,39 +207,16 @@ export class Stage {
     /* The G-buffer, as three's textures are in WebGL. backs: 1: depth of the nearest back face, too; 3: of the next
        slab's faces beside it. */
     draw(backs) {
-        const { renderer, scene, camera } = this, raw = texture => renderer.properties.get(texture).__webglTexture;
-        renderer.resetState();
+        const { renderer, scene, camera } = this, raw = texture => rawOf(renderer, texture);
+        resetState(renderer);
         renderer.setRenderTarget(this.#target);
         renderer.clear();
         renderer.render(scene, camera);
-        for (let i = 0; i < backs; ++i) this.#peel(i);
-        if (backs > 1) this.#packSlabs();
+        const back = backs && this.#behind.draw(renderer, scene, camera, backs);
         renderer.setRenderTarget(null);
         const [direct, normal, albedo] = this.#target.textures.map(raw);
         return { DIRECT: direct, NORMAL: normal, ALBEDO: albedo, DEPTH: raw(this.#target.depthTexture), backs,
-                 SHADOW: raw(this.sun.shadow.map.depthTexture),
-                 BACK: backs > 1 ? raw(this.#slabs.texture) : backs ? raw(this.#back[0].depthTexture) : null };
-    }
-
-    /* 0: the nearest back face; 1: the next front face behind that; 2: the next back face behind that. */
-    #peel(i) {
-        const { renderer, scene, camera } = this, material = i ? this.#peels[i - 1] : this.#behind;
-        const target = this.#back[i] ??= this.#made({ depthTexture: this.#depth() });
-        if (i) material.uniforms.t_before.value = this.#back[i - 1].depthTexture;
-        scene.overrideMaterial = material;
-        renderer.setRenderTarget(target);
-        renderer.clear();
-        renderer.render(scene, camera);
-        scene.overrideMaterial = null;
-    }
-
-    #packSlabs() {
-        const { renderer, camera } = this;
-        this.#slabs ??= this.#made({ type: THREE.FloatType, depthBuffer: false });
-        this.#pack ??= packing();
-        this.#back.forEach((target, i) => { this.#pack.material.uniforms[`t_${i}`].value = target.depthTexture; });
-        renderer.setRenderTarget(this.#slabs);
-        renderer.render(this.#pack, camera);
+                 SHADOW: raw(this.sun.shadow.map.depthTexture), BACK: back ? raw(back) : null };
     }
 
     /* The scene's triangles in the world, or those of one object of it. */

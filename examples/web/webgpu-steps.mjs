@@ -1,4 +1,4 @@
-/* webgpu-steps.mjs - draws steps of ssgi with WebGPU, as steps.mjs does with WebGL 2: by what the steps say alone.
+/* webgpu-steps.mjs - draws steps of ssgi with WebGPU, as webgl.mjs does with WebGL 2: by what the steps say alone.
    Texts in WGSL are translated when the page is made; tests draw captured frames with the same Passes.
 
    A plan: textures: [{ format, size: [width, height], slices, kept }]; steps: [{ rows, blend: [operation, source,
@@ -82,7 +82,7 @@ export class Passes {
     free() { this.textures.flat().forEach(texture => texture.destroy()); }
 }
 
-/* ---- of the page: the interface of steps.mjs */
+/* ---- of the page: the interface of webgl.mjs */
 
 /* Counts are constants that a pipeline is given: texts that differ in nothing else are one. */
 export const bare = glsl => glsl.replace(/^(layout\(constant_id = \d+\) const int \w+ =) .*;$/gm, '$1;');

@@ -1,21 +1,30 @@
 #!/usr/bin/env python3
 """Makes a frame for build/render --gbuffer, with its camera, of a captured depth buffer and its projection.
 
-  capture.py DEPTH.png|DEPTH.exr FRAME.exr --projection=M0,M1,..,M15 [--gl]
-  capture.py DEPTH.png|DEPTH.exr FRAME.exr --fovy=DEGREES --near=N [--far=F] [--reversed]
+  capture.py DEPTH FRAME.exr --projection=M0,M1,..,M15 [--gl]
+  capture.py DEPTH FRAME.exr --fovy=DEGREES --near=N [--far=F] [--reversed]
+  capture.py DEPTH FRAME.exr --linear --fovy=DEGREES
   build/render --gbuffer FRAME.exr --radius 0.5 --out ao.png
 
-Depth is what the buffer holds, in [0,1], the picture's top row first; cleared is nothing. The 16 numbers lie as in
-memory: the 12th is -1 or 1; or it is 0, and the 16th 1 (orthographic). --gl: clip space as OpenGL has it, -1 to 1.
-Without --far it is infinite. --radius=R is kept in the frame; --channel=NAME: of an EXR. Python alone is needed."""
+DEPTH is a PNG, an EXR, or with --size=WxH a file of raw floats. It holds what the buffer does, in [0,1], the picture's
+top row first (--bottom-up: last, as glReadPixels has it); cleared is nothing. --linear: it holds view depth, 0 or less
+or 1e9 and more is nothing. The 16 numbers lie as in memory: the 12th is -1 or 1; or it is 0, and the 16th 1
+(orthographic). --gl: clip space as OpenGL has it, -1 to 1. Without --far it is infinite. --radius=R is kept in the
+frame; --channel=NAME: of an EXR.
+
+--normals=FILE: an RGB PNG of n/2 + 1/2, an EXR (X Y Z or R G B), or raw floats, three a pixel; y is up and z toward the
+eye in view space. --view=M0,M1,..,M15 (world to view, as in memory) places the camera; with --world normals are of the
+world, and turned by it. Python alone is needed."""
 import argparse, math, struct, sys, zlib
 sys.dont_write_bytecode = True
 import pictures
 
 def projection_of(a, aspect):
     """By 1/depth, which is linear in what the buffer holds."""
+    y = 1 / math.tan(math.radians(a.fovy) / 2)
+    if a.linear: return [y / aspect, 0, 0, 0, 0, y, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0]
     first, last = (1 / a.far, 1 / a.near) if a.reversed else (1 / a.near, 1 / a.far)
-    y, scale = 1 / math.tan(math.radians(a.fovy) / 2), 1 / (last - first)
+    scale = 1 / (last - first)
     return [y / aspect, 0, 0, 0, 0, y, 0, 0, 0, 0, first * scale, -1, 0, 0, scale, 0]
 
 def view_depth(m, clip):
@@ -24,37 +33,71 @@ def view_depth(m, clip):
     depth = along * m[11] if m[11] else abs(along)
     return depth if 0 < depth < 1e30 else 0                         # 0: nothing, or infinitely far
 
-def write_frame(path, wide, high, depths, m, gl, radius):
-    """The camera is at the origin of a right-handed world and looks down -z."""
-    clip_of = lambda depth: 2 * depth - 1 if gl else depth
+def depths_of(values, m, a):
+    if a.linear: return [depth if 0 < depth < 1e9 else 0 for depth in values]
+    clip_of = lambda depth: 2 * depth - 1 if a.gl and a.projection else depth
     ends = [view_depth(m, clip_of(depth)) or math.inf for depth in (0, 1)]
     cleared = ends.index(max(ends))
-    z = [0 if depth == cleared else view_depth(m, clip_of(depth)) for depth in depths]
+    return [0 if depth == cleared else view_depth(m, clip_of(depth)) for depth in values]
+
+def turned(normals, view):
+    """Of the world, each channel apart, to view space."""
+    x, y, z = normals
+    return [[view[k] * a + view[4 + k] * b + view[8 + k] * c for a, b, c in zip(x, y, z)] for k in range(3)]
+
+def write_frame(path, wide, high, z, normals, m, view, radius):
+    """Without a view the camera is at the origin of a right-handed world and looks down -z. The file's camera looks
+    down +z: its z is turned round."""
     if not any(z): raise ValueError('shows nothing by this projection')
     width, height = 2 / abs(m[0]), 2 / abs(m[5])
     centre = [-(m[8 + i] * m[11] if m[11] else m[12 + i]) / m[5 * i] for i in (0, 1)]
     more = [('ssgi.orthoHeight', 'float', 'f', height)] if not m[11] else []
     if radius: more.append(('ssgi.radius', 'float', 'f', radius))
-    pictures.write_exr(path, wide, high, z, ('pixelAspectRatio', 'float', 'f', width / wide * high / height),
+    rows = [number * (-1 if i % 4 == 2 else 1) for i, number in enumerate(view)]
+    channels = dict(zip(('N.X', 'N.Y', 'N.Z'), normals or ())) | {'Z': z}
+    pictures.write_exr(path, wide, high, channels, ('pixelAspectRatio', 'float', 'f', width / wide * high / height),
                        ('screenWindowCenter', 'v2f', '2f', *centre), ('screenWindowWidth', 'float', 'f', width),
-                       ('worldToCamera', 'm44f', '16f', 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1), *more)
+                       ('worldToCamera', 'm44f', '16f', *rows), *more)
+
+def numbers(text): return [float(number) for number in text.replace(',', ' ').split()]
+
+def read(path, a, channels):
+    """Each of so many channels' values, the top row first; a single one of an EXR is a.channel. Width, height, them."""
+    with open(path, 'rb') as file: data = file.read()
+    if a.size: wide, high, found = pictures.raw(data, *a.size, channels)
+    elif data[:4] == b'\x89PNG': wide, high, found = pictures.png(data, channels)
+    else: wide, high, found = pictures.exr(data, channels, a.channel)
+    if a.bottom_up: found = [[v for y in reversed(range(high)) for v in c[y * wide:(y + 1) * wide]] for c in found]
+    return wide, high, found
 
 ask = argparse.ArgumentParser(None, argparse.SUPPRESS, __doc__, formatter_class=argparse.RawTextHelpFormatter)
-ask.add_argument('--projection', type=lambda text: [float(number) for number in text.replace(',', ' ').split()])
+for name in ('projection', 'view'): ask.add_argument('--' + name, type=numbers)
 for name in ('fovy', 'near', 'far', 'radius'):
     ask.add_argument('--' + name, type=float, default=math.inf if name == 'far' else 0)
-for name in ('gl', 'reversed'): ask.add_argument('--' + name, action='store_true')
-for name in ('--channel', 'depth', 'frame'): ask.add_argument(name)
+for name in ('gl', 'reversed', 'linear', 'bottom-up', 'world'): ask.add_argument('--' + name, action='store_true')
+ask.add_argument('--size', type=lambda text: [int(number) for number in text.split('x')])
+for name in ('--channel', '--normals', 'depth', 'frame'): ask.add_argument(name)
 a = ask.parse_args()
+path = a.depth
 try:
-    with open(a.depth, 'rb') as file: data = file.read()
-    wide, high, depths = pictures.png(data) if data[:4] == b'\x89PNG' else pictures.exr(data, a.channel)
-    if not a.projection and not (0 < a.fovy < 180 and 0 < a.near < a.far):
-        ask.error('needs --projection, or --fovy below 180 and --near below --far')
+    if a.size and (len(a.size) != 2 or min(a.size) < 1): ask.error('--size: must be WIDTHxHEIGHT')
+    wide, high, (values,) = read(a.depth, a, 1)
+    if not a.projection and not (0 < a.fovy < 180 and (a.linear or 0 < a.near < a.far)):
+        ask.error('needs --projection, or --fovy below 180 and --near below --far, or with --linear --fovy alone')
     m = a.projection or projection_of(a, wide / high)
     if len(m) != 16 or not ((abs(m[11]) == 1 and not m[15]) or (not m[11] and m[15] == 1)) or not m[0] * m[5]:
         ask.error('--projection: must be 16 numbers, the 12th -1 or 1, or 0 with 1 for the 16th')
-    write_frame(a.frame, wide, high, depths, m, a.gl and a.projection, a.radius)
+    if a.view and (len(a.view) != 16 or a.view[3::4] != [0, 0, 0, 1]):
+        ask.error('--view: must be 16 numbers, the 4th, 8th and 12th 0, the 16th 1')
+    if a.world and not (a.normals and a.view): ask.error('--world: needs --normals and --view')
+    z, normals = depths_of(values, m, a), None
+    if a.normals:
+        path = a.normals
+        *size, normals = read(a.normals, a, 3)
+        if size != [wide, high]: raise ValueError(f'has {size[0]}x{size[1]} pixels, the depth {wide}x{high}')
+        normals = turned(normals, a.view) if a.world else normals
+    path = a.depth
+    write_frame(a.frame, wide, high, z, normals, m, a.view or [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], a.radius)
 except OSError as why: ask.error(str(why))
-except ValueError as why: ask.error(f'{a.depth}: {why}')
-except (ArithmeticError, LookupError, struct.error, zlib.error): ask.error(f'{a.depth}: is damaged, or the camera is')
+except ValueError as why: ask.error(f'{path}: {why}')
+except (ArithmeticError, LookupError, struct.error, zlib.error): ask.error(f'{path}: is damaged, or the camera is')

@@ -23,7 +23,7 @@
       build/glsl-text --chain hsao,balanced,depth=LINEAR --wgsl FOLDER   those alone, as one writes them (chains.h), or
                                  all; in as many of --330 .. --vulkan and of what translate.sh makes: --spv --wgsl
                                  --hlsl --msl
-      build/glsl-text --types        the fields of ssgi_gl_desc as TypeScript
+      build/glsl-text --types        the fields of ssgi_gl_desc and members of ssgi_gl_frame as TypeScript
 
       build/glsl-text --passes ssgi_gl.h   examples/docs/PASSES.md: what each pass reads and writes, from reflection;
                                  the fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it */

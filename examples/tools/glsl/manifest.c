@@ -450,4 +450,13 @@ void manifest_types(void)
     }
     puts("  /** the first line(s) in place of \"#version ..\" */\n  version?: string;\n"
          "  /** GLSL of CUSTOM choices */\n  fetch?: string;\n}");
+    puts("/** ssgi_gl_frame: buffer is the uniform block \"ssgi_frame\"; its members are arrays in it. */\n"
+         "export interface Frame {\n  readonly buffer: ArrayBuffer;");
+    const ssgi_gl_io *m;
+    for (int i = 0; (m = ssgi_gl_member_at(i)) != NULL; ++i) {
+        if (m->slot) continue;
+        printf("  /** %s */\n  readonly %s: %s;\n", m->type, m->name + strlen("u_ssgi_"),
+               m->type[0] == 'i' ? "Int32Array" : "Float32Array");
+    }
+    puts("}");
 }

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char render_usage[] =
+/* C99 has strings of 4095 characters. */
+static const char *const usage[3] = {
     "usage: render MODEL | NAME | random:SEED | --gbuffer FRAME.exr   [options]\n"
     "  render model.glb --out ao.png\n"
     "  render room --truth 256 --out truth.exr\n"
@@ -22,7 +23,10 @@ const char render_usage[] =
     "the\n"
     "                        defaults of --camera with --up, of --fovy or --ortho-height, and of --radius: files of\n"
     "                        --save-gbuffer have them, and those that examples/tools/capture/capture.py makes of a\n"
-    "                        depth buffer and its projection\n"
+    "                        depth buffer and its projection. Of Blender's multilayer EXR are taken Depth, Normal,\n"
+    "                        which are of the world and need --camera, DiffCol and DiffDir\n"
+    "  --layer NAME          of a frame: the view layer, where there are several\n"
+    "  --channel Z=NAME      of a frame: channel NAME of it is Z; N.X and the others likewise\n"
     "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --near N  --far F  --size WxH\n"
     "  --fovy DEGREES | --ortho-height UNITS\n"
     "  --ground              a square under the mesh\n"
@@ -38,7 +42,7 @@ const char render_usage[] =
     "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target; each is written as\n"
     "                        it is drawn, and those before it stay where one cannot be\n"
     "  --slide X,Y,Z         the first object that casts stands so far from its place; --frames: moves so far a frame\n"
-    "  --still N             the last of N frames of a view that stays, for methods that keep history\n"
+    "  --still N             the last of N frames of a view that stays, for methods that keep history\n",
     "how\n"
     "  --method NAME         [hsao]; --list names all, --list NAME the settings of one with their defaults\n"
     "  --set key=value,..    settings of the method\n"
@@ -48,8 +52,9 @@ const char render_usage[] =
     "                        method predicted to err by ERROR; BUDGET in 16-sample ssaos, or RX 6800 ms: 0.3ms.\n"
     "                        Light and bounce look at --env, --light\n"
     "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples)\n"
-    "  --floor RAYS          the exact answer from the depth buffer instead of a method\n"
-    "  --context osmesa | egl | egl-es   [osmesa, else egl]\n"
+    "  --floor RAYS          instead of a method: rays against the sheet that the frame's pixels make. It has no\n"
+    "                        thickness, and nothing that it hides occludes: methods that guess more may err less\n"
+    "  --context osmesa | egl | egl-es   [osmesa, else egl]\n",
     "what comes out\n"
     "  --out F.exr | F.png   Y = ambient visibility; lit: R G B, irradiance.R .., bounce.R .. (PNG: R G B, sRGB)\n"
     "  --colours             with a method of visibility, of --out: that times the colours of what is seen, R G B\n"
@@ -57,8 +62,15 @@ const char render_usage[] =
     "  --score REF.exr       RMSE, bias, p95 and SSIM against a reference; then edges (within 3 pixels of a jump in\n"
     "                        depth), border (nearer to it than the radius is long) and interior apart\n"
     "  --time N              median GL time of each pass over N frames\n"
-    "  --save-gbuffer F.exr  the G-buffer, as --gbuffer takes it, with camera and radius\n"
-    "  --json                machine-readable\n";
+    "  --save-gbuffer F.exr  the G-buffer, as --gbuffer takes it, with camera and radius; by --set layers=, thickness=\n"
+    "                        of a method, with the channels that these read\n"
+    "  --json                machine-readable\n"
+};
+
+void render_usage(FILE *to)
+{
+    for (size_t i = 0; i < sizeof usage / sizeof *usage; ++i) fputs(usage[i], to);
+}
 
 /* ---- >>values ---------------------------------------------------------------------------------------------------- */
 
@@ -146,8 +158,9 @@ int render_numbered(char *out, size_t size, const char *path, int k)
 static int is_option(const char *name)
 {
     const size_t n = strlen(name);
-    for (const char *at = render_usage; (at = strstr(at, name)) != NULL; ++at)
-        if (at[-1] == ' ' && strchr(" \n", at[n])) return 1;
+    for (size_t i = 0; i < sizeof usage / sizeof *usage; ++i)
+        for (const char *at = usage[i]; (at = strstr(at, name)) != NULL; ++at)
+            if (at[-1] == ' ' && strchr(" \n", at[n])) return 1;
     return 0;
 }
 
@@ -175,6 +188,13 @@ static int take_set(options *o, const char *name, const char *text, kit_error *e
 {
     if (o->sets == RENDER_SETS) return kit_fail(err, "%s %s: at most %d of them", name, text, RENDER_SETS);
     o->set[o->sets++] = text;
+    return 0;
+}
+
+static int take_channel(options *o, const char *name, const char *text, kit_error *err)
+{
+    if (o->channels == RENDER_SETS) return kit_fail(err, "%s %s: at most %d of them", name, text, RENDER_SETS);
+    o->channel[o->channels++] = text;
     return 0;
 }
 
@@ -224,6 +244,8 @@ static const option table[] = {
     { "--save-gbuffer", TEXT, TO(save), 0, 0, NULL },
     { "--context", TEXT, TO(context), 0, 0, NULL },
     { "--set", TAKEN, 0, 0, 0, take_set },
+    { "--layer", TEXT, TO(layer), 0, 0, NULL },
+    { "--channel", TAKEN, 0, 0, 0, take_channel },
     { "--env", TEXT, TO(env), 0, 0, NULL },
     { "--env-turn", NUMBER, TO(turn), -360, 360, NULL },
     { "--env-strength", NUMBER, TO(strength), 0, 1e6, NULL },
@@ -302,6 +324,8 @@ static int check_source(const options *o, kit_error *err)
     if (o->gbuffer && o->truth)
         return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
     if (o->gbuffer && o->guess) return kit_fail(err, "--radius guess: needs a scene; a frame has no mesh");
+    if (!o->gbuffer && (o->layer || o->channels))
+        return kit_fail(err, "--%s: is of a frame (--gbuffer)", o->layer ? "layer" : "channel");
     if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
     if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
     if (o->znear > 0 && o->zfar > 0 && !(o->znear < o->zfar))

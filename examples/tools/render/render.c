@@ -75,8 +75,8 @@ int render_open_settings(job *j, kit_error *err)
     return kit_gl_open(o->context, err);
 }
 
-/* Of a camera that nobody gave, what the frame's header says; the radius likewise. */
-static int ask_header(kit_camera *camera, double *radius, const options *o, kit_error *err)
+/* Of a camera that nobody gave, what the frame's header says; the radius likewise. placed: its place is known. */
+static int ask_header(kit_camera *camera, double *radius, int *placed, const options *o, kit_error *err)
 {
     const int window = !(o->fovy > 0) && !(o->ortho_height > 0), given = *radius > 0;
     const int wanted = (o->has_camera ? 0 : KIT_HEADER_PLACE) | (window ? KIT_HEADER_WINDOW : 0)
@@ -92,6 +92,7 @@ static int ask_header(kit_camera *camera, double *radius, const options *o, kit_
         return kit_fail(err, "--gbuffer %s: needs a camera behind its name: it carries none (worldToCamera)",
                         o->gbuffer);
     kit_camera_from_header(camera, &header);
+    *placed = o->has_camera || header.has & KIT_HEADER_PLACE;
     if (!given) *radius = (double)header.radius;
     return 0;
 }
@@ -101,17 +102,18 @@ int render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err)
     kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 } };
     kit_image frame;
     kit_error why;
-    int failed;
+    int failed, placed = 0;
     if (kit_exr_read(&frame, o->gbuffer, err)) return -1;
     camera.width = frame.width;
     camera.height = frame.height;
-    failed = ask_header(&camera, &j->radius, o, &why);
+    failed = ask_header(&camera, &j->radius, &placed, o, &why);
     if (!failed) camera_of(&camera, o);
     if (failed || camera_check(&camera, &why)) {
         kit_image_free(&frame);
         return kit_fail(err, "%s", why.text);
     }
-    failed = kit_gbuffer_from_frame(g, &frame, &camera, &why);
+    failed = kit_frame_rename(&frame, o->channel, o->channels, o->layer, &camera, placed, &why)
+          || kit_gbuffer_from_frame(g, &frame, &camera, &why);
     kit_image_free(&frame);
     if (failed) return kit_fail(err, "--gbuffer %s: %s", o->gbuffer, why.text);
     if (!j->method.lit || g->direct || o->planned || o->env || o->lights) return 0;
@@ -261,12 +263,21 @@ int render_write(const job *j, const kit_gbuffer *g, kit_image *picture, int lit
                                               : kit_png_write(picture, rgb ? "R,G,B" : "Y", rgb, path, err);
 }
 
-/* The G-buffer, with what it takes to draw on it again. */
-static int save_frame(const job *j, kit_error *err)
+/* The G-buffer, with what it takes to draw on it again: what the settings of a method had drawn into it, too. */
+static int save_frame(job *j, kit_error *err)
 {
     kit_header header = { .has = KIT_HEADER_RADIUS, .radius = (float)j->radius };
+    kit_image frame;
+    int failed = 0;
     kit_camera_to_header(&header, &j->gbuffer.camera);
-    return kit_exr_write_frame(&j->r.frame, &header, j->o.save, err);
+    if (!j->o.sets || !j->world.scene) return kit_exr_write_frame(&j->r.frame, &header, j->o.save, err);
+    if (!j->r.run && kit_run_open(&j->run, &j->gbuffer, &j->method, (float)j->radius, &j->world, err)) return -1;
+    failed = kit_gbuffer_read(&frame, j->run.gbuffer, err);
+    if (!j->r.run) kit_run_close(&j->run);
+    if (failed) return -1;
+    failed = kit_exr_write_frame(&frame, &header, j->o.save, err);
+    kit_image_free(&frame);
+    return failed;
 }
 
 static int do_job(job *j, kit_error *err)
@@ -309,10 +320,10 @@ int main(int argc, char **argv)
     kit_error err = { "" };
     int failed;
     kit_streams_open();
-    if (argc < 2) { fputs(render_usage, stderr); return 2; }
+    if (argc < 2) { render_usage(stderr); return 2; }
     j.world.lighting = &j.lighting;
     failed = render_parse(&j.o, argc, argv, &err);
-    if (!failed && j.o.help) fputs(render_usage, stdout);
+    if (!failed && j.o.help) render_usage(stdout);
     else if (!failed && j.o.list) failed = render_list(j.o.listed, &err);
     else if (!failed) failed = do_job(&j, &err);
     if (failed) return fail(err.text);

@@ -11,7 +11,8 @@ enum { RENDER_SETS = 32 };
 typedef struct options {
     /* what to draw: a scene, a frame, or a list of frames */
     const char *scene, *gbuffer, *sequence, *env, *light[KIT_MAX_LIGHTS];
-    int         lights, ground, frames, still, width, height;
+    const char *layer, *channel[RENDER_SETS];          /* of a frame of another program */
+    int         channels, lights, ground, frames, still, width, height;
     double      turn, strength;            /* of env */
     double      orbit;                     /* degrees a frame */
     float       slide[3];                  /* a frame */
@@ -31,7 +32,8 @@ typedef struct options {
     int         time, json, list, help, colours, backdrop;
 } options;
 
-extern const char render_usage[];
+/* All options. */
+void render_usage(FILE *to);
 int  render_parse(options *o, int argc, char **argv, kit_error *err);
 /* All methods and scenes, a line each; or the settings of one method. */
 int  render_list(const char *name, kit_error *err);

@@ -1,5 +1,5 @@
 
-/** Types of ssgi.mjs. Desc stands above: build/glsl-text --types prints it. What is wrong with an argument is thrown as
+/** Types of ssgi.mjs. Desc and Frame stand above: build/glsl-text --types prints them. What is wrong with an argument is thrown as
  *  an Error whose message names the argument and says what would be right. */
 export type Stage = 'vert' | 'frag' | 'tesc' | 'tese' | 'geom';
 export type Preset = 'FAST' | 'BALANCED' | 'BEST';
@@ -18,9 +18,6 @@ export interface Row {
   offset: number;
   format: string;
 }
-
-/** ssgi_gl_frame: buffer is the uniform block "ssgi_frame"; its members are arrays in it. */
-export type Frame = { buffer: ArrayBuffer } & { [member: string]: Float32Array | Int32Array };
 
 /** ssgi_gl_chain: what is drawn for a desc. What is left out is 0 */
 export interface Chain {

@@ -10,8 +10,8 @@
       gl.bufferSubData(gl.UNIFORM_BUFFER, 0, frame.buffer);  // the block "ssgi_frame"
       for (const step of ssgi.steps({ desc, width, height, blur: 1 })) ..    // what is drawn, in order
 
-   A desc is a flat object of the fields of ssgi_gl_desc (ssgi_gl.h), by the names that ssgi.choices lists, which need no
-   group: steps is gather.steps. Enums go by their words: the C name less its prefix. A wrong argument throws an Error
+   A desc is a flat object of the fields of ssgi_gl_desc (ssgi_gl.h), by the names that ssgi.choices lists, which need
+   no group: steps is gather.steps. Enums go by their words: the C name less its prefix. A wrong argument throws an Error
    of one sentence: the library's, or where the library cannot look (types, lengths, memory) one from here. */
 
 const stages = ['vert', 'frag', 'tesc', 'tese', 'geom'];
@@ -69,8 +69,10 @@ function opaque(name, value, length, from) {
 /* ssgi.wasm, of whatever names it: compiled while it comes, or its bytes where the server names another type. */
 async function moduleOf(source) {
     const url = new URL(source, globalThis.location?.href);
-    if (url.protocol === 'file:' && globalThis.process?.versions?.node)
-        return (await import('node:fs/promises')).readFile(url);
+    if (url.protocol === 'file:' && globalThis.process?.versions?.node) {
+        const files = 'node:fs/promises';           /* no word that bundlers of pages would follow */
+        return (await import(/* webpackIgnore: true */ /* @vite-ignore */ files)).readFile(url);
+    }
     const answer = await fetch(url);
     if (!answer.ok) fail(`${answer.status} ${answer.statusText}`);
     const typed = /^application\/wasm\s*(;|$)/.test(answer.headers.get('content-type') ?? '');

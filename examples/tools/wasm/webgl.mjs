@@ -1,5 +1,12 @@
-/* steps.mjs - draws what ssgi.steps() lists, with WebGL 2 alone: all that an embedder writes. Nothing here knows a
-   method by name; what is drawn, in which order, from what and into what is read from the steps. */
+/* webgl.mjs - draws what ssgi.steps() lists, with WebGL 2 alone. Nothing here knows a method by name; what is drawn, in
+   which order, from what and into what is read from the steps.
+
+      const drawer = new Drawer(gl, ssgi), run = drawer.run({ desc, width, height, blur: 1 });
+      run.draw({ DEPTH: texture }, ssgi.frame(view, 0.5));        // textures of yours by their meanings
+      run.light                                                   // a texture: ambient visibility, or light
+
+   With desc.onto the last step draws onto the framebuffer PICTURE, or onto the canvas. GL's state is left with tests,
+   culling and blending off: an engine that keeps a copy of it must drop that copy. */
 
 export class Drawer {
     #gl; #ssgi; #programs = new Map(); #reader = null;
@@ -10,11 +17,13 @@ export class Drawer {
         this.#gl = gl;
         this.#ssgi = ssgi;
         this.array = gl.createVertexArray();
-        /* nearest texels, and of the sun's map its depths, which three.js compares */
+        /* nearest texels, whatever a texture's own filters are; three.js compares depths of the sun's map */
         this.plain = gl.createSampler();
         for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
             gl.samplerParameteri(this.plain, name, gl.NEAREST);
         gl.getExtension('EXT_float_blend');         /* where depths need 32 bits */
+        /* engines believe to own the first binding */
+        this.binding = gl.getParameter(gl.MAX_UNIFORM_BUFFER_BINDINGS) - 1;
         this.timer = gl.getExtension('EXT_disjoint_timer_query_webgl2');
         /* asks without stopping whether a program is linked */
         this.parallel = gl.getExtension('KHR_parallel_shader_compile');
@@ -51,7 +60,7 @@ export class Drawer {
             if (kind === 'TEXTURE') gl.uniform1i(gl.getUniformLocation(program, name), slot);
         made.attributes = rows.some(({ kind }) => kind === 'ATTRIBUTE');
         const block = gl.getUniformBlockIndex(program, 'ssgi_frame');
-        if (block !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, block, 0);
+        if (block !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, block, this.binding);
         made.finished = true;
         return program;
     }
@@ -116,6 +125,16 @@ export class Drawer {
     text(desc, stage) { return this.#ssgi.text(desc, stage); }
 
     run(chain) { return new Run(this.#gl, this.#ssgi, this, chain); }
+
+    /* Once its runs are freed. */
+    dispose() {
+        const gl = this.#gl;
+        for (const { program } of this.#programs.values()) gl.deleteProgram(program);
+        this.#programs.clear();
+        gl.deleteSampler(this.plain);
+        gl.deleteVertexArray(this.array);
+        gl.deleteFramebuffer(this.#reader);
+    }
 }
 
 /* A chain with its targets, of one size. */
@@ -138,6 +157,7 @@ class Run {
 
     #draw(step) {
         const gl = this.#gl, draw = { step, made: this.#drawer.program(step.desc), framebuffer: [] };
+        if (step.outputs[0].texture < 0) return draw;           /* onto the picture */
         for (const { texture, format, slices, kept } of step.outputs)
             this.#textures[texture] ??= Array.from({ length: kept ? 2 : 1 },
                 () => this.#drawer.texture(step.width, step.height, format, slices));
@@ -159,16 +179,16 @@ class Run {
     #results() {
         for (const { outputs } of this.steps)
             for (const { result, texture, format } of outputs) {
-                if (result === 'LIGHT') { this.light = this.#textures[texture][0]; this.format = format; }
+                if (result === 'LIGHT' && texture >= 0) { this.light = this.#textures[texture][0]; this.format = format; }
                 if (result === 'BOUNCE') this.bounce = this.#textures[texture][0];
             }
     }
 
     get linked() { return this.#draws.every(({ made }) => this.#drawer.linked(made)); }
 
-    /* yours: textures by meaning; array, instances: the vertex array of a step that has attributes, and how many a step
-       draws that names no number. frame: of ssgi.frame(). clock: 1 times each step, 2 by waiting for it where there is
-       no timer. */
+    /* yours: textures by meaning, and PICTURE, the framebuffer that desc.onto draws onto, the canvas if there is none;
+       array, instances: the vertex array of a step that has attributes, and how many a step draws that names no number.
+       frame: of ssgi.frame(). clock: 1 times each step, 2 by waiting for it where there is no timer. */
     draw(yours, frame, clock = 0) {
         const gl = this.#gl, timer = clock === 1 ? this.#drawer.timer : null, queries = [];
         if (this.#pending.length) clock = 0;
@@ -177,7 +197,7 @@ class Run {
         gl.colorMask(true, true, true, true);
         gl.bindBuffer(gl.UNIFORM_BUFFER, this.#block);
         gl.bufferData(gl.UNIFORM_BUFFER, frame.buffer, gl.DYNAMIC_DRAW);
-        gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.#block);
+        gl.bindBufferBase(gl.UNIFORM_BUFFER, this.#drawer.binding, this.#block);
         this.#draws.forEach(({ step, made, framebuffer }, number) => {
             const program = this.#drawer.finish(made), turn = framebuffer.length - 1;
             for (const { name, unit, target, meaning, texture, last } of step.inputs) {
@@ -187,7 +207,7 @@ class Run {
                 gl.bindTexture(target, of);
                 gl.bindSampler(unit, this.#drawer.plain);
             }
-            gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer[turn && this.turned ? 1 : 0]);
+            gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer[turn > 0 && this.turned ? 1 : 0] ?? yours.PICTURE ?? null);
             gl.viewport(0, 0, step.width, step.height);
             gl.useProgram(program);
             if (clock && timer) gl.beginQuery(timer.TIME_ELAPSED_EXT, queries[number] = gl.createQuery());

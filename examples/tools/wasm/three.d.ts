@@ -1,0 +1,75 @@
+import type { Camera, DepthTexture, Material, Object3D, Scene, Texture, WebGLRenderer, WebGLRenderTarget } from 'three';
+import type { Desc, Frame, Preset, Ssgi } from 'ssgi';
+
+/** Fields of a desc, of which pass is the method, and: */
+export interface Options extends Desc {
+  /** default 'BALANCED' */
+  preset?: Preset;
+  /** [units: of the scene] distance of the farthest occluder; default 1 */
+  radius?: number;
+  /** visibility v is shown as 1 + strength (v - 1); default 1 */
+  strength?: number;
+  /** default true: ambient light alone is dimmed; false: all that is drawn */
+  ambient?: boolean;
+  /** default false; true: 16 frames are averaged */
+  history?: boolean;
+  /** of opaque edges; default 0 */
+  samples?: number;
+  /** default 1: the result is filtered; 0: it is not */
+  blur?: 0 | 1;
+}
+
+/** A pass of EffectComposer that draws the scene with occlusion. */
+export class SSGIPass {
+  /** source: by default ssgi.wasm beside three.mjs */
+  constructor(scene: Scene, camera: Camera, options?: Options,
+              source?: Ssgi | string | URL | BufferSource | WebAssembly.Module);
+  /** kept once ssgi.wasm is there: until then the scene is drawn without occlusion */
+  readonly ready: Promise<SSGIPass>;
+  scene: Scene;
+  camera: Camera;
+  readonly isPass: true;
+  enabled: boolean;
+  needsSwap: boolean;
+  clear: boolean;
+  renderToScreen: boolean;
+  radius: number;
+  strength: number;
+  /** the result without the picture */
+  alone: boolean;
+  /** is given each frame's block before it is drawn */
+  adjust: ((frame: Frame) => void) | null;
+  /** textures of yours by meaning, as MOTION */
+  given: { [meaning: string]: Texture };
+  /** what is drawn after occlusion; default: what is transparent */
+  isLate: (object: Object3D) => boolean;
+  /** radiance of the ambient light, nine coefficients of three colours; null: of the scene's lights */
+  harmonics: ArrayLike<number> | null;
+  /** ambient visibility, or light over pi, of the last frame */
+  readonly texture: Texture | null;
+  /** throws an Error of one sentence if an option is wrong */
+  set(options: Options): void;
+  /** the next frame shows another place */
+  cut(): void;
+  setSize(width: number, height: number): void;
+  render(renderer: WebGLRenderer, writeBuffer: WebGLRenderTarget | null, readBuffer?: WebGLRenderTarget | null,
+         deltaTime?: number, maskActive?: boolean): void;
+  dispose(): void;
+}
+
+/** A texture of three's as WebGL has it. */
+export function rawOf(renderer: WebGLRenderer, texture: Texture): WebGLTexture | null;
+/** After draws that three does not know of. */
+export function resetState(renderer: WebGLRenderer): void;
+export function viewOf(ssgi: Ssgi, camera: Camera, width: number, height: number): Uint8Array;
+export function writes(material: Material, outputs: { name: string; is: string; fogged?: boolean }[]): () => void;
+/** Nine coefficients of AmbientLight, HemisphereLight and LightProbe, as radiance in the world. */
+export function ambientOf(scene: Object3D): Float32Array;
+export function harmonicsText(name: string): string;
+
+/** Depth of back faces, for thickness BACK (count 1) and SLABS (3). */
+export class Behind {
+  constructor(width: number, height: number);
+  draw(renderer: WebGLRenderer, scene: Scene, camera: Camera, count: 1 | 3): Texture | DepthTexture;
+  dispose(): void;
+}

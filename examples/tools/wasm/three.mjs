@@ -1,0 +1,543 @@
+/* three.mjs - ssgi in three.js: a pass for EffectComposer of WebGLRenderer, and its parts.
+
+      import { SSGIPass } from 'ssgi/three';
+      composer.addPass(new SSGIPass(scene, camera, { radius: 0.5 }));      // where RenderPass stood
+      composer.addPass(new OutputPass());
+
+   It draws the scene itself: first all that is opaque, with its depth; then occlusion, of ambient light alone; then
+   over it all that is transparent, which neither occludes nor is dimmed. Passes of TAA come after it. Options besides
+   those of SSGIPass.set are the fields of a desc (ssgi.choices), such as pass, thickness, half, steps:
+
+      { pass: 'HSAO', preset: 'FAST', history: true }         // ambient visibility
+      { pass: 'SSDO' }                                        // the scene's ambient light, by its directions
+      { pass: 'SSDO', bounce: 'SOLID_ANGLE' }                 // and one diffuse bounce of all light
+*/
+import * as THREE from 'three';
+import { Ssgi, load } from './ssgi.mjs';
+import { Drawer } from './webgl.mjs';
+
+/* ---- parts, for renderers of your own */
+
+/* A texture of three's as WebGL has it, once three has drawn into it or sent it. */
+export const rawOf = (renderer, texture) => renderer.properties.get(texture).__webglTexture ?? null;
+
+/* The camera as ssgi takes it: after three has drawn with it, since that may reverse its depth. */
+export const viewOf = (ssgi, camera, width, height) =>
+    ssgi.view(camera.projectionMatrix.elements, width, height, camera.reversedDepth ? 'ZERO' : 'GL');
+
+/* After draws that three does not know of. Its own resetState forgets that depth is reversed. */
+export function resetState(renderer) {
+    const { depth } = renderer.state.buffers, reversed = depth.getReversed?.();
+    renderer.resetState();
+    if (!reversed) return;
+    depth.setReversed(true);
+    depth.setClear(1);
+}
+
+/* Makes a material of three's own write outputs 1, 2 .. beside its colour; outputs: [{ name, is, fogged }], is: a vec4
+   in GLSL where its lights are summed up, fogged: fog hides it. Returns a function that takes this back. */
+export function writes(material, outputs) {
+    const { onBeforeCompile: before, customProgramCacheKey: key } = material;
+    const named = key !== THREE.Material.prototype.customProgramCacheKey, all = JSON.stringify(outputs);
+    material.onBeforeCompile = function (shader, renderer) {
+        before.call(this, shader, renderer);
+        const declared = outputs.map(({ name }, i) => `layout(location = ${i + 1}) out highp vec4 ${name};\n`).join('');
+        const written = outputs.map(({ name, is }) => `\n${name} = ${is};`).join('');
+        const fogged = outputs.filter(o => o.fogged).map(({ name }) => `${name} *= 1.0 - fogFactor;\n`).join('');
+        shader.fragmentShader = shader.fragmentShader
+            .replace('void main() {', `${declared}void main() {`)
+            .replace('#include <opaque_fragment>', `#include <opaque_fragment>${written}`)
+            .replace('#include <fog_fragment>', `#include <fog_fragment>\n#ifdef USE_FOG\n${fogged}#endif`);
+    };
+    material.customProgramCacheKey = function () { return `${named ? key.call(this) : before} ${all}`; };
+    material.needsUpdate = true;
+    return () => {
+        Object.assign(material, { onBeforeCompile: before, needsUpdate: true });
+        if (named) material.customProgramCacheKey = key;
+        else delete material.customProgramCacheKey;
+    };
+}
+
+/* A triangle over the picture. */
+function over(parameters) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
+    const mesh = new THREE.Mesh(geometry, new THREE.ShaderMaterial({
+        depthTest: false, depthWrite: false, ...parameters,
+        vertexShader: 'void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }'
+    }));
+    mesh.frustumCulled = false;
+    return mesh;
+}
+
+const nearest = { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
+
+/* Window depth alone, of faces that lie behind others. */
+const peeling = side => new THREE.ShaderMaterial({
+    side, glslVersion: THREE.GLSL3, uniforms: { t_before: { value: null }, u_reversed: { value: false } },
+    vertexShader: `#include <batching_pars_vertex>
+        #include <skinning_pars_vertex>
+        #include <morphtarget_pars_vertex>
+        void main() {
+            #include <batching_vertex>
+            #include <begin_vertex>
+            #include <morphtarget_vertex>
+            #include <skinbase_vertex>
+            #include <skinning_vertex>
+            #include <project_vertex>
+        }`,
+    fragmentShader: `uniform highp sampler2D t_before;
+        uniform bool u_reversed;
+        out highp vec4 o_nothing;
+        void main() {
+            highp float before = texelFetch(t_before, ivec2(gl_FragCoord.xy), 0).x, here = gl_FragCoord.z;
+            if (u_reversed) { before = 1.0 - before; here = 1.0 - here; }
+            if (before >= 1.0 || here <= before + 1e-7) discard;
+            o_nothing = vec4(0.0);
+        }`
+});
+
+/* The back faces that thickness BACK and SLABS read, drawn once more with their sides turned. */
+export class Behind {
+    #size; #targets = []; #slabs = null; #pack = null;
+    #back = new THREE.MeshBasicMaterial({ side: THREE.BackSide, colorWrite: false });
+    #peels = [peeling(THREE.FrontSide), peeling(THREE.BackSide)];
+
+    constructor(width, height) { this.#size = [width, height]; }
+
+    /* count 1: a texture of depth of the nearest back face; 3: of that and of the next object's two sides */
+    draw(renderer, scene, camera, count) {
+        const { overrideMaterial, background } = scene, { autoUpdate } = renderer.shadowMap;
+        Object.assign(scene, { background: null });
+        renderer.shadowMap.autoUpdate = false;
+        for (let i = 0; i < count; ++i) {
+            const target = this.#targets[i] ??= new THREE.WebGLRenderTarget(...this.#size, { ...nearest,
+                depthTexture: new THREE.DepthTexture(...this.#size, THREE.FloatType) });
+            const material = i ? this.#peels[i - 1] : this.#back;
+            if (i) {
+                material.uniforms.t_before.value = this.#targets[i - 1].depthTexture;
+                material.uniforms.u_reversed.value = !!camera.reversedDepth;
+            }
+            scene.overrideMaterial = material;
+            renderer.setRenderTarget(target);
+            renderer.clear();
+            renderer.render(scene, camera);
+        }
+        Object.assign(scene, { overrideMaterial, background });
+        renderer.shadowMap.autoUpdate = autoUpdate;
+        return count > 1 ? this.#packed(renderer, camera) : this.#targets[0].depthTexture;
+    }
+
+    #packed(renderer, camera) {
+        this.#slabs ??= new THREE.WebGLRenderTarget(...this.#size, { ...nearest, type: THREE.FloatType,
+                                                                     depthBuffer: false });
+        this.#pack ??= over({
+            glslVersion: THREE.GLSL3, uniforms: { t_0: { value: null }, t_1: { value: null }, t_2: { value: null } },
+            fragmentShader: `uniform highp sampler2D t_0, t_1, t_2;
+                out highp vec4 o_slabs;
+                void main() {
+                    ivec2 p = ivec2(gl_FragCoord.xy);
+                    o_slabs = vec4(texelFetch(t_0, p, 0).x, texelFetch(t_1, p, 0).x, texelFetch(t_2, p, 0).x, 0.0);
+                }`
+        });
+        this.#targets.forEach((target, i) => { this.#pack.material.uniforms[`t_${i}`].value = target.depthTexture; });
+        renderer.setRenderTarget(this.#slabs);
+        renderer.render(this.#pack, camera);
+        return this.#slabs.texture;
+    }
+
+    dispose() {
+        this.#targets.forEach(target => target.dispose());
+        this.#slabs?.dispose();
+        for (const material of [this.#back, ...this.#peels, this.#pack?.material]) material?.dispose();
+        this.#pack?.geometry.dispose();
+    }
+}
+
+/* GLSL: irradiance over pi along n, of radiance as nine coefficients; band: factors of bands, 1 2/3 1/4 for that. */
+export const harmonicsText = name => `
+    vec3 harmonics(vec3 n, vec3 band) {
+        vec3 l = ${name}[0] * 0.282095 * band.x;
+        l += (${name}[1] * n.y + ${name}[2] * n.z + ${name}[3] * n.x) * 0.488603 * band.y;
+        l += (${name}[4] * 1.092548 * n.x * n.y + ${name}[5] * 1.092548 * n.y * n.z
+              + ${name}[6] * (0.946175 * n.z * n.z - 0.315392) + ${name}[7] * 1.092548 * n.x * n.z
+              + ${name}[8] * 0.546274 * (n.x * n.x - n.y * n.y)) * band.z;
+        return max(l, 0.0);
+    }`;
+
+/* ---- ambient light of a scene, as radiance: nine coefficients of three colours each, in the world */
+
+const Y0 = 0.282095, Y1 = 0.488603;
+const plus = (sum, k, { r, g, b }, by) => [r, g, b].forEach((c, i) => { sum[3 * k + i] += c * by; });
+
+/* Of AmbientLight, HemisphereLight and LightProbe, wherever they are in it. */
+export function ambientOf(scene) {
+    const sum = new Float32Array(27), up = new THREE.Vector3();
+    scene.traverseVisible(light => {
+        const { intensity, color, groundColor } = light;
+        if (light.isAmbientLight) plus(sum, 0, color, intensity / (Math.PI * Y0));
+        if (light.isHemisphereLight) {
+            for (const [c, sign] of [[color, 1], [groundColor, -1]]) {
+                up.setFromMatrixPosition(light.matrixWorld).normalize();
+                plus(sum, 0, c, 0.5 * intensity / (Math.PI * Y0));
+                [up.y, up.z, up.x].forEach((n, i) =>
+                    plus(sum, 1 + i, c, sign * n * 0.75 * intensity / (Math.PI * Y1)));
+            }
+        }
+        if (light.isLightProbe)
+            light.sh.coefficients.forEach(({ x, y, z }, k) => plus(sum, k, { r: x, g: y, b: z }, intensity));
+    });
+    return sum;
+}
+
+/* Rows of an equirectangular texture with data of its own as ssgi has them: rgb, the first row is the sky's top. */
+function pixelsOf({ image: { data, width, height }, flipY }) {
+    const half = data instanceof Uint16Array, channels = data.length / (width * height);
+    const value = data instanceof Uint8Array ? v => v / 255 : half ? THREE.DataUtils.fromHalfFloat : v => v;
+    const rgb = new Float32Array(3 * width * height);
+    for (let y = 0, at = 0; y < height; ++y)
+        for (let x = 0, row = (flipY ? y : height - 1 - y) * width; x < width; ++x)
+            for (let c = 0; c < 3; ++c) rgb[at++] = value(data[channels * (row + x) + c]);
+    return rgb;
+}
+
+/* three looks up longitudes a quarter turn from where ssgi does. */
+const quarter = new THREE.Matrix4().set(0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1);
+
+/* ---- the pass */
+
+/* What materials write besides their colour, by what ssgi calls it; unlit: by those that know no light. */
+const outputsOf = {
+    __proto__: null,
+    AMBIENT: { is: 'vec4(reflectedLight.indirectDiffuse + reflectedLight.indirectSpecular, 0.0)', unlit: 'vec4(0.0)',
+               fogged: true },
+    NORMAL: { is: 'vec4(normal, 0.0)', unlit: 'vec4(0.0, 0.0, 1.0, 0.0)' },
+    ALBEDO: { is: 'vec4(diffuseColor.rgb, 0.0)', unlit: 'vec4(0.0)' },
+    DIRECT: { is: 'vec4(reflectedLight.directDiffuse + totalEmissiveRadiance, 0.0)', unlit: 'vec4(outgoingLight, 0.0)' }
+};
+const isLit = m => m.isMeshStandardMaterial || m.isMeshPhongMaterial || m.isMeshLambertMaterial || m.isMeshToonMaterial;
+const isOwn = m => isLit(m) || m.isMeshBasicMaterial || m.isMeshMatcapMaterial || m.isLineBasicMaterial
+    || m.isPointsMaterial;
+const materialsOf = object => [object.material ?? []].flat();
+const onDevice = new Set(['DEPTH', 'BACK', 'NORMAL', 'ALBEDO', 'DIRECT', 'MOTION']);
+
+const encoded = `
+        #include <tonemapping_fragment>
+        #include <colorspace_fragment>
+    }`;
+const plain = `
+    uniform highp sampler2D t_picture;
+    void main() {
+        gl_FragColor = texelFetch(t_picture, ivec2(gl_FragCoord.xy), 0);${encoded}`;
+const composite = `
+    uniform highp sampler2D t_picture, t_ambient, t_normal, t_albedo, t_light, t_bounce;
+    uniform highp vec3 u_harmonics[9];
+    uniform highp float u_strength;
+    ${harmonicsText('u_harmonics')}
+    void main() {
+        ivec2 p = ivec2(gl_FragCoord.xy);
+        gl_FragColor = texelFetch(t_picture, p, 0);
+        vec3 share = texelFetch(t_light, p, 0).rgb;
+    #if SSGI_LIGHT
+        share /= max(harmonics(texelFetch(t_normal, p, 0).xyz, vec3(1.0, 0.6666667, 0.25)), 1e-5);
+    #else
+        share = share.rrr;
+    #endif
+        share = max(1.0 + u_strength * (share - 1.0), 0.0);
+    #if SSGI_ALONE
+        gl_FragColor = vec4(share, 1.0);
+    #else
+        #if SSGI_AMBIENT // 0 where nothing is lit, whatever the result is there
+            vec3 ambient = texelFetch(t_ambient, p, 0).rgb;
+            if (dot(ambient, vec3(1.0)) > 0.0) gl_FragColor.rgb = max(gl_FragColor.rgb + ambient * (share - 1.0), 0.0);
+        #else
+            gl_FragColor.rgb *= share;
+        #endif
+        #if SSGI_BOUNCE
+            vec3 albedo = texelFetch(t_albedo, p, 0).rgb;
+            if (dot(albedo, vec3(1.0)) > 0.0) gl_FragColor.rgb += u_strength * albedo * texelFetch(t_bounce, p, 0).rgb;
+        #endif
+    #endif${encoded}`;
+
+export class SSGIPass {
+    isPass = true;                                  /* what EffectComposer asks of a pass */
+    enabled = true;
+    needsSwap = true;
+    clear = false;
+    renderToScreen = false;
+
+    /* In units of the scene; how strongly it is seen, 1: as it is; the result alone, without the picture; a function
+       that is given each frame's block, for thickness_limit, jitter, phase; textures of yours by meaning, as MOTION. */
+    radius = 1;
+    strength = 1;
+    alone = false;
+    adjust = null;
+    given = {};
+    /* Whether an object is drawn after occlusion: its materials then are. Things that three calls transmissive see the
+       opaque picture while it is drawn, and stay in it. */
+    isLate = object => object.isSprite || materialsOf(object).some(m => m.transparent && !m.transmission);
+    /* Radiance of ambient light as 27 numbers; null: that of the scene's lights and its equirectangular environment. */
+    harmonics = null;
+
+    #ssgi = null; #asked = {}; #options = {}; #width = 1; #height = 1; #drawer = null; #run = null; #renderer = null; #frames = 0;
+    #last = null; #opaque = null; #over = null; #behind = null; #screen = null; #copy = null; #outputs = [];
+    #light = new THREE.Texture(); #bounce = new THREE.Texture(); #backs = 0; #environment = { of: null, sh: null };
+
+    /* A promise of this pass, kept once ssgi.wasm is there: until then the scene is drawn without occlusion. It is
+       broken by a sentence where ssgi.wasm cannot be read or an option is wrong. */
+    ready;
+
+    /* source: an Ssgi, which is there at once, or where ssgi.wasm is, as load() takes it: by default beside this file. */
+    constructor(scene, camera, options = {}, source = undefined) {
+        Object.assign(this, { scene, camera });
+        if (source instanceof Ssgi) this.#ssgi = source;
+        this.set(options);
+        const held = this.#ssgi ?? loaded.get(source) ?? load(source);
+        if (!this.#ssgi) loaded.set(source, held);
+        this.ready = Promise.resolve(held).then(ssgi => {
+            this.#ssgi = ssgi;
+            this.set(this.#asked);
+            return this;
+        }, e => { loaded.delete(source); throw e; });
+    }
+
+    /* The method and how it is drawn, from now on; a wrong option throws a sentence, and nothing changes.
+       preset: 'FAST', 'BALANCED', 'BEST'. ambient: ambient light alone is dimmed (materials of three's own are made to
+       write it; those of your shaders are not dimmed), false: all that is drawn. history: 16 frames are averaged.
+       samples: of opaque edges. radius, strength: as the members. The rest: fields of a desc. */
+    set(options) {
+        this.#asked = options;
+        if (!this.#ssgi) return;
+        const { preset = 'BALANCED', ambient = true, history = false, samples = 0, blur = 1, radius = this.radius,
+                strength = this.strength, ...own } = options;
+        const lit = own.pass === 'SSDO' || own.pass === 'S3HO';
+        const desc = this.#ssgi.preset({ dialect: '300ES', pass: 'HSAO', normal: lit ? 'SIGNED' : 'FROM_DEPTH',
+                                         orthographic: +!!this.camera.isOrthographicCamera,
+                                         ...(lit && { environment: 'SH' }), ...(own.pass === 'S3HO' && { shaded: 1 }),
+                                         ...own }, preset);
+        const chain = { desc, blur: +blur, history: +history, direct: +!!(desc.bounce && desc.bounce !== 'NONE') };
+        const steps = this.#ssgi.steps({ ...chain, width: 64, height: 64 });
+        const inputs = new Set(steps.flatMap(step => step.inputs).map(input => input.meaning).filter(Boolean));
+        for (const meaning of inputs)
+            if (!onDevice.has(meaning) && !this.given[meaning])
+                throw new Error(`desc.pass: ${desc.pass} with these choices reads ${meaning}, which this pass does not `
+                                + 'make: set given');
+        if (typeof radius !== 'number' || !(radius > 0)) throw new Error('radius: must be a number above 0');
+        if (typeof strength !== 'number' || !(strength >= 0))
+            throw new Error('strength: must be a number of 0 or more');
+        this.#release();
+        Object.assign(this, { radius, strength });
+        this.#options = { ambient, samples, chain, lit };
+        this.#backs = inputs.has('BACK') ? (desc.thickness === 'SLABS' ? 3 : 1) : 0;
+        const names = ['NORMAL', 'ALBEDO', 'DIRECT'].filter(name => inputs.has(name) && !this.given[name]);
+        this.#outputs = [...(ambient ? ['AMBIENT'] : []), ...names];
+    }
+
+    setSize(width, height) {
+        [this.#width, this.#height] = [Math.max(1, Math.round(width)), Math.max(1, Math.round(height))];
+    }
+
+    /* Frames before this one tell nothing of it: the camera stands elsewhere. */
+    cut() { this.#last = null; }
+
+    /* Ambient visibility, or light over pi, of the last frame; null: none has been drawn. */
+    get texture() { return this.#run ? this.#light : null; }
+
+    render(renderer, writeBuffer) {
+        const { scene, camera } = this, { autoClear } = renderer, { autoUpdate } = renderer.shadowMap;
+        if (!this.#ssgi) {
+            renderer.setRenderTarget(this.renderToScreen ? null : writeBuffer);
+            renderer.clear();
+            renderer.render(scene, camera);
+            return;
+        }
+        if (renderer.capabilities.logarithmicDepthBuffer)
+            throw new Error('logarithmicDepthBuffer: must be false: its depth cannot be read; see reversedDepthBuffer');
+        this.#fit(renderer);
+        const late = [], early = [];
+        scene.traverseVisible(o => {
+            if (o.isMesh || o.isLine || o.isPoints || o.isSprite) (this.isLate(o) ? late : early).push(o);
+        });
+        renderer.autoClear = false;
+        try {
+            without(late, () => this.#drawOpaque(renderer, early));
+            const back = this.#backs && masked(late, () => this.#behind.draw(renderer, scene, camera, this.#backs));
+            this.#occlude(renderer, back);
+            const target = this.renderToScreen ? null : writeBuffer;
+            this.#place(renderer, late.length ? this.#over : target);
+            if (late.length) {
+                renderer.shadowMap.autoUpdate = false;
+                const { background } = scene;
+                scene.background = null;
+                masked(early, () => renderer.render(scene, camera));
+                scene.background = background;
+                renderer.setRenderTarget(target);
+                renderer.render(this.#copy, camera);
+            }
+        } finally {
+            renderer.autoClear = autoClear;
+            renderer.shadowMap.autoUpdate = autoUpdate;
+        }
+    }
+
+    #fit(renderer) {
+        const [width, height] = [this.#width, this.#height];
+        if (this.#renderer !== renderer) this.#leave();
+        this.#renderer = renderer;
+        if (this.#run?.steps && this.#opaque?.width === width && this.#opaque.height === height) return;
+        this.#release();
+        this.#drawer ??= new Drawer(renderer.getContext(), this.#ssgi);
+        const { samples, chain } = this.#options, depthTexture = new THREE.DepthTexture(width, height, THREE.FloatType);
+        const like = { ...nearest, type: THREE.HalfFloatType, depthTexture };
+        this.#opaque = new THREE.WebGLRenderTarget(width, height,
+                                                   { ...like, samples, count: 1 + this.#outputs.length });
+        this.#over = new THREE.WebGLRenderTarget(width, height, like);
+        this.#behind = new Behind(width, height);
+        this.#run = this.#drawer.run({ ...chain, width, height, precise: +(this.camera.far > 65504) });
+        const { ambient, lit } = this.#options, names = ['picture', 'ambient', 'normal', 'albedo', 'light', 'bounce'];
+        const uniforms = Object.fromEntries(names.map(name => [`t_${name}`, { value: null }]));
+        this.#screen = over({ fragmentShader: composite, uniforms: { ...uniforms, u_strength: { value: 1 },
+            u_harmonics: { value: Array.from({ length: 9 }, () => new THREE.Vector3()) } },
+            defines: { SSGI_AMBIENT: +ambient, SSGI_LIGHT: +lit, SSGI_BOUNCE: +!!this.#run.bounce, SSGI_ALONE: 0 } });
+        this.#copy = over({ fragmentShader: plain, uniforms: { t_picture: { value: this.#over.texture } } });
+        resetState(renderer);
+    }
+
+    #drawOpaque(renderer, early) {
+        const { scene, camera } = this, { background } = scene, gl = renderer.getContext();
+        for (const material of new Set(early.flatMap(materialsOf))) this.#make(material);
+        const colour = renderer.getClearColor(new THREE.Color()), alpha = renderer.getClearAlpha();
+        if (background?.isColor) {                  /* three would clear the ambient part to it, too */
+            scene.background = null;
+            renderer.setClearColor(background.clone().multiplyScalar(scene.backgroundIntensity ?? 1), 1);
+        }
+        renderer.setRenderTarget(this.#opaque);
+        renderer.clear();
+        this.#outputs.forEach((_, i) => gl.clearBufferfv(gl.COLOR, 1 + i, [0, 0, 0, 0]));
+        renderer.render(scene, camera);
+        scene.background = background;
+        renderer.setClearColor(colour, alpha);
+    }
+
+    #make(material) {
+        if (!this.#outputs.length || this.#made.has(material) || !isOwn(material)) return;
+        const names = this.#outputs.join(' '), held = written.get(material) ?? { names, passes: 0 };
+        if (held.names !== names)
+            throw new Error(`ambient, pass, normal: another pass has materials of this scene write ${held.names}, this `
+                            + `one needs ${names}`);
+        held.undo ??= writes(material, this.#outputs.map(name => {
+            const { is, unlit, fogged } = outputsOf[name];
+            return { name: `o_ssgi_${name.toLowerCase()}`, is: isLit(material) ? is : unlit, fogged: !!fogged };
+        }));
+        ++held.passes;
+        written.set(material, held);
+        this.#made.add(material);
+        material.addEventListener('dispose', this.#gone);
+    }
+    #made = new Set();
+    #gone = ({ target }) => this.#unmake(target);
+    #unmake(material) {
+        const held = written.get(material);
+        material.removeEventListener('dispose', this.#gone);
+        this.#made.delete(material);
+        if (--held.passes) return;
+        held.undo();
+        written.delete(material);
+    }
+
+    #occlude(renderer, back) {
+        const ssgi = this.#ssgi, { camera } = this, run = this.#run, raw = texture => rawOf(renderer, texture);
+        const view = viewOf(ssgi, camera, this.#width, this.#height), frame = ssgi.frame(view, this.radius);
+        const toView = Float32Array.from(camera.matrixWorldInverse.elements);
+        if (this.#options.lit) this.#shine(frame, toView);
+        if (run.chain.history) {
+            if (this.#last) ssgi.history(frame, this.#last.view, toView, this.#last.toView);
+            frame.phase[0] = ssgi.phase(this.#frames++);
+        }
+        this.adjust?.(frame);
+        const yours = { DEPTH: raw(this.#opaque.depthTexture), BACK: back ? raw(back) : null };
+        this.#outputs.forEach((name, i) => { yours[name] = raw(this.#opaque.textures[1 + i]); });
+        for (const [meaning, texture] of Object.entries(this.given)) yours[meaning] = raw(texture);
+        run.draw(yours, frame);
+        for (const [texture, of] of [[this.#light, run.light], [this.#bounce, run.bounce]])
+            Object.assign(renderer.properties.get(texture), { __webglTexture: of, __webglInit: true });
+        if (run.chain.history) { run.turn(); this.#last = { view, toView }; }
+        resetState(renderer);
+    }
+
+    /* The block's harmonics, turned to view space, and as the composite reads them. */
+    #shine(frame, toView) {
+        const ssgi = this.#ssgi, { scene } = this, { environment } = scene, at = new THREE.Matrix4();
+        ssgi.harmonics(frame, this.harmonics ?? ambientOf(scene), 3, toView);
+        const around = environment?.mapping === THREE.EquirectangularReflectionMapping && environment.image?.data;
+        if (!this.harmonics && around) {
+            const { image: { width, height } } = environment, by = scene.environmentIntensity ?? 1;
+            if (this.#environment.of !== environment)
+                this.#environment = { of: environment,
+                                      sh: ssgi.projectEquirect(3, pixelsOf(environment), width, height) };
+            const lights = frame.harmonics.slice(), turn = scene.environmentRotation;
+            at.fromArray(toView);
+            if (turn) at.multiply(new THREE.Matrix4().makeRotationFromEuler(turn));
+            ssgi.harmonics(frame, this.#environment.sh.map(c => c * by), 3, at.multiply(quarter).elements);
+            lights.forEach((c, i) => { frame.harmonics[i] += c; });
+        }
+        this.#screen.material.uniforms.u_harmonics.value.forEach((v, k) =>
+            v.fromArray([0, 1, 2].map(c => frame.harmonics[12 * (k >> 2) + 4 * c + k % 4])));
+    }
+
+    #place(renderer, target) {
+        const { material } = this.#screen, { uniforms, defines } = material, alone = +this.alone;
+        if (defines.SSGI_ALONE !== alone) {
+            defines.SSGI_ALONE = alone;
+            material.needsUpdate = true;
+        }
+        uniforms.t_picture.value = this.#opaque.textures[0];
+        uniforms.t_light.value = this.#light;
+        uniforms.t_bounce.value = this.#bounce;
+        for (const name of ['AMBIENT', 'NORMAL', 'ALBEDO'])
+            uniforms[`t_${name.toLowerCase()}`].value =
+                this.given[name] ?? this.#opaque.textures[1 + this.#outputs.indexOf(name)];
+        uniforms.u_strength.value = this.strength;
+        renderer.setRenderTarget(target);
+        renderer.render(this.#screen, this.camera);
+    }
+
+    /* What is made for a size, and what was done to materials. */
+    #release() {
+        for (const material of [...this.#made]) this.#unmake(material);
+        this.#opaque?.dispose();
+        this.#over?.dispose();
+        this.#behind?.dispose();
+        this.#run?.free();
+        for (const mesh of [this.#screen, this.#copy]) { mesh?.material.dispose(); mesh?.geometry.dispose(); }
+        this.#opaque = this.#over = this.#behind = this.#run = this.#screen = this.#copy = null;
+        this.#last = null;
+    }
+    #leave() {
+        this.#release();
+        this.#drawer?.dispose();
+        this.#drawer = null;
+    }
+
+    dispose() { this.#leave(); }
+}
+
+const loaded = new Map();                           /* promises of Ssgi by source */
+const written = new WeakMap();                      /* what materials write, and for how many passes */
+
+/* Draws without a trace of these objects, which keep their shadows. */
+function without(objects, draw) {
+    const held = new Map();
+    for (const material of new Set(objects.flatMap(materialsOf))) {
+        held.set(material, { colorWrite: material.colorWrite, depthWrite: material.depthWrite });
+        Object.assign(material, { colorWrite: false, depthWrite: false });
+    }
+    try { return draw(); } finally { for (const [material, was] of held) Object.assign(material, was); }
+}
+
+/* Draws as if these objects were not there. */
+function masked(objects, draw) {
+    const masks = objects.map(({ layers }) => layers.mask);
+    for (const { layers } of objects) layers.mask = 0;
+    try { return draw(); } finally { objects.forEach(({ layers }, i) => { layers.mask = masks[i]; }); }
+}
