@@ -680,7 +680,74 @@ static void frames_carry_cameras(void)
             CHECK(errs_by(line, "lit.exr") > 0.01, "%s: %s changes nothing", scenes[i], places[k]);
         }
     }
+    static const char *const behind[] = { "hsao --set thickness=back", "hsao --set thickness=slabs",
+                                          "hsao-march --set layers=2" };
+    for (size_t i = 0; i < sizeof behind / sizeof *behind; ++i) {
+        CHECK(!shell(text, sizeof text, "$R plates --size 96x54 --save-gbuffer f.exr --out ao.exr --method %s%s",
+                     behind[i], ""), "%s", text);
+        snprintf(line, sizeof line, "--gbuffer f.exr --method %s", behind[i]);
+        const double off = errs_by(line, "ao.exr");
+        CHECK(off >= 0 && off < 0.002, "%s, from its frame: RMSE %g", behind[i], off);
+    }
     t_note("RMSE %.1e at most from the saved frame", worst);
+}
+
+/* The saved frame as Blender would write it: two view layers, 1e10 where nothing is, normals of the world. It errs by
+   nothing from the frame's own picture; which layer and which channel is meant is asked for by name. */
+static void frames_of_blender(void)
+{
+    static const char *const theirs[7] = { "Depth.Z",   "Normal.X",  "Normal.Y", "Normal.Z",
+                                           "DiffCol.R", "DiffCol.G", "DiffCol.B" };
+    static const char *const ours[7] = { "Z", "N.X", "N.Y", "N.Z", "albedo.R", "albedo.G", "albedo.B" };
+    static const char *const at = "--gbuffer b.exr --camera 3,2,4,1,1,1 --fovy 70 --radius 0.3";
+    static const struct { const char *arguments, *word; } bad[] = {
+        { "--camera 3,2,4,1,1,1", "has several view layers, of which --layer takes one: A, B" },
+        { "--camera 3,2,4,1,1,1 --layer C", "--layer C: must be one of the frame's view layers: A, B" },
+        { "--layer A", "A.Normal.X is of the world: --camera must say" },
+        { "--channel Z=A.Depth.V", "--channel Z=A.Depth.V: there is no such channel; there are A.Depth.Z, A.DiffCol.B," },
+        { "--channel Z", "--channel Z: must be NAME=CHANNEL" },
+        { "--channel N.X=A.Depth.Z --channel Q=B.Depth.Z",
+          "channel Z is missing, view depth; there are N.X, A.DiffCol.B, A.DiffCol.G" } };
+    char text[4000], path[300], line[300], names[600] = "";
+    kit_image own, frame;
+    kit_camera camera = { .eye = { 3, 2, 4 }, .target = { 1, 1, 1 }, .up = { 0, 1, 0 }, .fovy = 70, .znear = 0.1f,
+                          .zfar = 100, .width = 96, .height = 54 };
+    float view[16], p[16];
+    kit_error err = { "" };
+    snprintf(path, sizeof path, "%s/o.exr", folder);
+    if (!CHECK(!shell(text, sizeof text, "$R room --size 96x54 --camera 3,2,4,1,1,1 --fovy 70 --radius 0.3 "
+                      "--save-gbuffer o.exr --out ao.exr%s%s", "", ""), "%s", text)
+        || !CHECK(!kit_exr_read(&own, path, &err), "%s", err.text)) return;
+    for (int i = 0; i < 14; ++i)
+        snprintf(names + strlen(names), sizeof names - strlen(names), "%s%c.%s", i ? "," : "", "AB"[i / 7],
+                 theirs[i % 7]);
+    kit_camera_matrices(&camera, view, p);
+    if (!CHECK(!kit_image_new(&frame, 96, 54, names, &err), "%s", err.text)) return;
+    const size_t pixels = 96 * 54;
+    for (size_t i = 0; i < pixels; ++i)
+        for (size_t k = 0; k < 7; ++k) {
+            float value = kit_image_channel(&own, ours[k])[i];
+            if (!k && !(value > 0)) value = 1e10f;
+            for (size_t c = 0; c < 3 && k > 0 && k < 4; ++c)
+                value = (c ? value : 0) + view[4 * (k - 1) + c] * kit_image_channel(&own, ours[1 + c])[i];
+            frame.data[k * pixels + i] = value;
+            frame.data[(7 + k) * pixels + i] = k ? value : 1;      /* a wall before all */
+        }
+    snprintf(path, sizeof path, "%s/b.exr", folder);
+    CHECK(!kit_exr_write(&frame, path, &err), "%s", err.text);
+    snprintf(line, sizeof line, "%s --layer A", at);
+    const double off = errs_by(line, "ao.exr");
+    CHECK(off >= 0 && off < 0.001, "Blender's layer A: RMSE %g", off);
+    snprintf(line, sizeof line, "%s --layer B", at);
+    CHECK(errs_by(line, "ao.exr") > 0.01, "layer B is layer A");
+    CHECK(!shell(text, sizeof text, "$R --gbuffer o.exr --set normal=depth --out n.exr%s%s", "", ""), "%s", text);
+    snprintf(line, sizeof line, "%s --channel Z=A.Depth.Z --set normal=depth", at);
+    CHECK(errs_by(line, "n.exr") < 0.001, "a channel by its name");
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
+        CHECK(shell(text, sizeof text, "$R --gbuffer b.exr --fovy 70 --radius 0.3 --out q.exr %s%s", bad[i].arguments,
+                    "") == 2 && strstr(text, bad[i].word), "%s: %s", bad[i].arguments, text);
+    kit_image_free(&own);
+    kit_image_free(&frame);
 }
 
 /* A PNG of 16 bits, grey, its rows filtered in every way by turns; wide is below 500. */
@@ -804,7 +871,8 @@ static void capture(const kit_image *frame, kit_camera camera, const way *w, int
     }
 }
 
-/* View depth and normals as raw floats, the bottom row first, normals in the world: the frame and its camera come back. */
+/* View depth and normals as raw floats, the bottom row first, normals in the world: the frame and its camera come
+   back. */
 static void raw_captures(void)
 {
     char text[4000], path[300], words[800] = "", window[100];
@@ -829,7 +897,8 @@ static void raw_captures(void)
         float n[3];
         raw[0][i] = kit_image_channel(&frame, names[0])[from];
         for (int k = 0; k < 3; ++k) n[k] = kit_image_channel(&frame, names[1 + k])[from];
-        for (size_t k = 0; k < 3; ++k) raw[1][3 * i + k] = view[4 * k] * n[0] + view[4 * k + 1] * n[1] + view[4 * k + 2] * n[2];
+        for (size_t k = 0; k < 3; ++k)
+            raw[1][3 * i + k] = view[4 * k] * n[0] + view[4 * k + 1] * n[1] + view[4 * k + 2] * n[2];
     }
     for (int k = 0; k < 2 && raw[0] && raw[1]; ++k) {
         snprintf(path, sizeof path, "%s/%s", folder, k ? "n.raw" : "z.raw");
@@ -1136,6 +1205,7 @@ void test_tools(void)
     RUN("what make install and make npm leave serves pkg-config, CMake and node", packages);
     RUN("cffi and bindgen take the headers", bindings);
     RUN("a saved frame is rendered by nothing but itself: the scene's picture; options override", frames_carry_cameras);
+    RUN("a frame as Blender writes it is the frame, its view layers and channels are named", frames_of_blender);
     RUN("a captured depth buffer becomes a frame with its camera, however the engine lays it out", captures);
     RUN("render answers bad input with one line, status 2 and no file", command_line);
     RUN("what render prints is JSON, and names defaults", what_is_printed);

@@ -4,7 +4,8 @@ import { load, type Desc, type Frame } from 'ssgi';
 import { Drawer } from 'ssgi/webgl';
 import { SSGIPass, ambientOf } from 'ssgi/three';
 
-const pass = new SSGIPass(new THREE.Scene(), new THREE.PerspectiveCamera(), { pass: 'SSDO', preset: 'FAST', half: 'NONE' });
+const pass = new SSGIPass(new THREE.Scene(), new THREE.PerspectiveCamera(),
+                          { pass: 'SSDO', preset: 'FAST', half: 'NONE' });
 pass.adjust = (frame: Frame) => { frame.thickness_limit[0] = 0.2; };
 pass.given = { MOTION: new THREE.Texture() };
 pass.harmonics = ambientOf(pass.scene);
@@ -16,7 +17,7 @@ pass.set({ pass: 'HSOA' });
 /* @ts-expect-error */
 pass.set({ radus: 1 });
 
-export async function draw(gl: WebGL2RenderingContext, depth: WebGLTexture, projection: number[]): Promise<WebGLTexture | null> {
+export async function draw(gl: WebGL2RenderingContext, depth: WebGLTexture, projection: number[]) {
     const ssgi = await load(), desc: Desc = ssgi.preset({ pass: 'HSAO', dialect: '300ES' }, 'BALANCED');
     const run = new Drawer(gl, ssgi).run({ desc, width: 64, height: 64, blur: 1 });
     run.draw({ DEPTH: depth }, ssgi.frame(ssgi.view(projection, 64, 64), 0.5));

@@ -3,9 +3,9 @@
   blender --background --factory-startup --python-exit-code 1 --python examples/hosts/blender.py -- MESH.obj FOLDER
   build/render --gbuffer FOLDER/frame.exr --camera 0,6,8,0,0,0 --fovy 45 --radius 1 --set falloff=none --out ao.png
 
-FOLDER/frame.exr is a multilayer EXR with the passes that build/render understands: Depth, Normal (in the world), DiffCol.
-FOLDER/ao.exr: Cycles' AO pass of SAMPLES rays within DISTANCE, all alike, as falloff=none takes them. The mesh keeps its
-y up, so the camera is that of the other hosts."""
+FOLDER/frame.exr is a multilayer EXR with the passes that build/render understands: Depth, Normal (in the world) and
+DiffCol. FOLDER/ao0001.exr: Cycles' AO pass of SAMPLES rays within DISTANCE, all alike, as falloff=none takes them. The
+mesh keeps its y up, so the camera is that of the other hosts."""
 import os, sys
 import bpy
 from mathutils import Matrix, Vector

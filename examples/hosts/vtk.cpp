@@ -1,5 +1,5 @@
-/* vtk.cpp - ambient occlusion in VTK 9, by the pass of vtkSSGIPass.h, beside VTK's own. All light is ambient here and all
-   is white, so that the picture is the occlusion. Debian: libvtk9-dev, whose number stands in these names.
+/* vtk.cpp - ambient occlusion in VTK 9, by the pass of vtkSSGIPass.h, beside VTK's own. All light is ambient here and
+   all is white, so that the picture is the occlusion. Debian: libvtk9-dev, whose number stands in these names.
       c++ -std=c++17 examples/hosts/vtk.cpp -I/usr/include/vtk-9.1 -lvtkRenderingOpenGL2-9.1 -lvtkRenderingCore-9.1 \
       -lvtkIOGeometry-9.1 -lvtkIOImage-9.1 -lvtkFiltersSources-9.1 -lvtkCommonExecutionModel-9.1 \
       -lvtkCommonDataModel-9.1 -lvtkCommonMath-9.1 -lvtkCommonCore-9.1 -lvtksys-9.1 -lGL -o vtk && \
@@ -65,7 +65,10 @@ int main(int argc, char **argv)
     mesh->SetFileName(argv[1]);
     mapper->SetInputConnection(mesh->GetOutputPort());
     actor->SetMapper(mapper);
-    for (vtkActor *one : { actor.Get(), pane.Get() }) one->GetProperty()->SetAmbient(1), one->GetProperty()->SetDiffuse(0);
+    for (vtkActor *one : { actor.Get(), pane.Get() }) {
+        one->GetProperty()->SetAmbient(1);
+        one->GetProperty()->SetDiffuse(0);
+    }
     renderer->AddActor(actor);
     renderer->SetBackground(1, 1, 1);
     window->AddRenderer(renderer);

@@ -1,6 +1,6 @@
-/* vtkSSGIPass.h - a pass for VTK 9 that stands where vtkSSAOPass stands: ambient visibility of hsao, from depth alone, by
-   which the picture is multiplied. A program is vtk.cpp. Define SSGI_IMPLEMENTATION and SSGI_GL_IMPLEMENTATION before
-   it in one file.
+/* vtkSSGIPass.h - a pass for VTK 9 that stands where vtkSSAOPass stands: ambient visibility of hsao, from depth alone,
+   by which the picture is multiplied. A program is vtk.cpp. Define SSGI_IMPLEMENTATION and SSGI_GL_IMPLEMENTATION
+   before it in one file.
 
       vtkNew<vtkRenderStepsPass> steps;
       vtkNew<vtkSSGIPass> ssgi;

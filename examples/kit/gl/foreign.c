@@ -112,8 +112,9 @@ int kit_frame_rename(kit_image *frame, const char *const *channel, int channels,
     const int layers = list(all, sizeof all, frame, 1, one);
     if (layers && layer && pass_of(frame, layer, DEPTH) < 0)
         return kit_fail(err, "--layer %s: must be one of the frame's view layers: %s", layer, all);
-    if (layers > 1 && !layer) return kit_fail(err, "frame: has several view layers, of which --layer takes one: %s", all);
+    if (layers > 1 && !layer)
+        return kit_fail(err, "frame: has several view layers, of which --layer takes one: %s", all);
     if (layers) return take_layer(frame, layer ? layer : one, camera, placed, err);
     list(all, sizeof all, frame, 0, NULL);
-    return kit_fail(err, "frame: channel Z is missing, view depth; there are %s; --channel Z=NAME says which it is", all);
+    return kit_fail(err, "frame: channel Z is missing, view depth; there are %s; --channel Z=NAME takes one for it", all);
 }
