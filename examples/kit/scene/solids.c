@@ -9,7 +9,7 @@
 
 void kit_build_cornell(kit_build *b)
 {
-    const double gap = 0.003;
+    const double gap = 0.00002;
     kit_colour(b, 0.73, 0.73, 0.73);
     kit_begin_object(b, "walls", 0);
     /* floor, ceiling, back */
@@ -29,7 +29,7 @@ void kit_build_columns(kit_build *b)
 {
     /* none behind the last */
     static const double hidden[4][3] = { {0.88, 0.16, 0.48}, {0.10, 0.24, 0.85}, {0.88, 0.70, 0.06}, {0, 0, 0} };
-    const double gap = 0.003;
+    const double gap = 0.00002;
     kit_colour(b, 0.60, 0.60, 0.60);
     kit_box(b, -7, -0.2, -1.7, 7, 0, 4); kit_box(b, -7, gap, -1.7, 7, 4, -1.4);
     for (int i = 0; i < 4; i++) {
@@ -109,7 +109,7 @@ void kit_build_pebbles(kit_build *b)
 
 void kit_build_boxes(kit_build *b)
 {
-    const double gap = 0.0005;
+    const double gap = 0.00002;
     kit_colour(b, 0.82, 0.82, 0.82);
     kit_begin_object(b, "floor", 0);
     kit_box(b, -9, -0.2, -9, 9, 0, 5);
@@ -137,7 +137,7 @@ void kit_build_spheres(kit_build *b)
 
 void kit_build_blocks(kit_build *b)
 {
-    const double gap = 0.0005;
+    const double gap = 0.00002;
     kit_colour(b, 0.82, 0.82, 0.82);
     kit_begin_object(b, "floor", 0);
     kit_box(b, -12, -0.2, -12, 12, 0, 7);
