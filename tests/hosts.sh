@@ -15,7 +15,8 @@ wanted() { [ "$only" = '  ' ] || [ "${only#* $1 }" != "$only" ]; }
 # build HOST PAGE FLAGS..: with every compiler that is there; the first one's program is the one that is run. 1: the
 # libraries are missing.
 build() {
-    host=$1 line=$(sed -n "s/^ *c[c+]* \(.*\) -o $1 && .*/\1/p" "$2") compilers=
+    host=$1 compilers=
+    line=$(sed -e :a -e '/\\$/N; s/\\\n *//; ta' "$2" | sed -n "s/^ *c[c+]* \(.*\) -o $1 && .*/\1/p")
     case $2 in *.c) names='gcc clang' ;; *) names='g++ clang++' ;; esac
     shift 2
     for c in $names; do command -v $c >/dev/null && compilers="$compilers $c"; done
@@ -142,6 +143,49 @@ fi
 if wanted sdl; then
     if ! pkg-config --exists sdl2 glesv2; then skip 'sdl, its libraries are missing (libsdl2-dev libgles-dev)'
     elif build sdl examples/hosts/sdl.c $strict; then in_both_lights sdl depth
+    fi
+fi
+
+if wanted raylib; then
+    if ! pkg-config --exists raylib; then skip 'raylib, raylib is missing (from trixie on: apt-get install libraylib-dev)'
+    elif build raylib examples/hosts/raylib.c $strict; then
+        $work/raylib $work/raylib.png 2>/dev/null
+        near 'raylib' $work/raylib.png $work/depth.png $most 2.2
+    fi
+fi
+
+# VTK's own occlusion is another one: it is drawn beside the pass. The pane is half green over all that it covers.
+if wanted vtk; then
+    vtk=$(cd /usr/include && ls -d vtk-9* 2>/dev/null | sed -n '1s/vtk-//p')
+    if [ -z "$vtk" ]; then skip 'vtk, VTK 9 is missing (apt-get install libvtk9-dev)'
+    else
+        sed "s/-9\.1/-$vtk/g" examples/hosts/vtk.cpp >build/hosts/vtk.cpp
+        if build vtk build/hosts/vtk.cpp -Iexamples/hosts; then
+            $work/vtk $work/boxes.obj $place 1 $work/vtk 2>&1 | sed 's/^/  vtk: /'
+            near 'vtk' $work/vtk.png $work/depth.png $most
+            same=$(build/rmse $work/vtk-own.png $work/depth.png)
+            check "vtk: vtkSSAOPass's picture is the pass's ($same)" "$(awk -v a="$same" 'BEGIN { print (a > 0.02) }')"
+            panes=$(build/rmse $work/vtk-pane.png $work/vtk.png)
+            check "vtk: the pane changes it by $panes" "$(awk -v a="$panes" 'BEGIN { print (a > 0.1 && a < 0.3) }')"
+        fi
+    fi
+fi
+
+# Blender's frame as it is, and Cycles' own occlusion beside the truth of build/render.
+if wanted blender; then
+    if ! command -v blender >/dev/null; then skip 'blender, it is missing (apt-get install blender)'
+    else
+        at="--camera $place --fovy 45 --radius 1"
+        said=$(blender --background --factory-startup --python-exit-code 1 --python examples/hosts/blender.py -- \
+            $work/boxes.obj $work 2>&1) || echo "$said" | tail -3
+        build/render --gbuffer $work/frame.exr $at --out $work/blender.png
+        near 'blender, its frame' $work/blender.png $work/gbuffer.png 0.01
+        said=$(build/render $work/boxes.obj $at --near 0.1 --far 100 --size 960x540 --set falloff=none --truth 64 \
+            --score $work/ao0001.exr | head -1)
+        echo "  blender, the truth against Cycles': $said"
+        check "blender: Cycles' occlusion is not the truth's: $said" "$(echo "$said" | awk '{
+            sub(/.*RMSE /, ""); rmse = $1 + 0; sub(/.*bias /, ""); off = $1 + 0
+            print (rmse < 0.04 && off < 0.005 && off > -0.005) }')"
     fi
 fi
 
