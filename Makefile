@@ -442,7 +442,8 @@ viewer-test: build/render build/rmse
 
 # The pages of examples/hosts, built without a warning and run: their occlusion beside build/render's. What is not
 # installed is named as skipped. ONLY="glfw sdl": those hosts.
-HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl python3-cffi libegl1 libopenscenegraph-dev
+HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl python3-cffi libegl1 libopenscenegraph-dev \
+                libvtk9-dev
 NPM_HOSTS = npm install --prefix build/hosts --no-save --ignore-scripts --no-audit --no-fund --silent babylonjs@9.34.0 \
             three@0.187.0 vite@7.3.8 typescript@5.9.3 @types/three@0.187.0
 hosts-test: build/render build/rmse web-deps
@@ -475,7 +476,7 @@ build/web-deps/node_modules/three/package.json:
 	@command -v npm >/dev/null || sh examples/kit/install.sh npm || \
 	  { echo 'web: npm is missing (apt-get install npm)' >&2; exit 2; }
 	@mkdir -p build/web-deps
-	$(NPM_WEB)
+	@echo '  npm three, esbuild, puppeteer-core'; $(NPM_WEB)
 
 # Of three.js without blanks two thirds are gone; where esbuild is not to be had, as it is.
 MINIFY   = build/web-deps/node_modules/.bin/esbuild
@@ -502,7 +503,7 @@ build/web-scenes: build/examples/web/scenes.o $(KIT_O)
 THUMB = --method ssdo --env sky --light sun:0.58,0.57,0.58,0.5,0.5,0.4 --size 160x100
 build/web/scenes/scenes.json: build/web-scenes build/render
 	@mkdir -p $(@D)
-	@build/web-scenes --list | while read name from; do \
+	@echo '  pictures of the scenes'; build/web-scenes --list | while read name from; do \
 	  build/render "$$from" $(THUMB) --out $(@D)/$$name.png >/dev/null 2>&1 || rm -f $(@D)/$$name.png; done
 	@build/web-scenes $(@D)
 

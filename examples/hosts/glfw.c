@@ -1,6 +1,8 @@
 /* glfw.c - ambient occlusion in a window: GLFW 3, GL 3.3 core. boxes.h is the engine: it draws a picture, the part of
    it that is ambient light, normals and depth. Between the lines of "====" ssgi dims that part, and leaves the sun's.
       cc examples/hosts/glfw.c -lglfw -lGL -lm -o glfw && ./glfw             (Debian: libglfw3-dev)
+   Fog, glass, sprites and weapons in hands would be drawn between occlude and boxes_show, with the depth that it read,
+   and TAA last: so they are not dimmed. A thing that shall not occlude either is kept out of that depth.
    ./glfw FILE.ppm [SUN SKY]: one picture, with lights so bright, after the window has changed its size. */
 #define GL_GLEXT_PROTOTYPES /* libGL has all functions; elsewhere a loader declares them: glad, for instance */
 #define GLFW_INCLUDE_GLCOREARB

@@ -18,8 +18,8 @@
 static RenderTexture2D load_target(int width, int height)
 {
     RenderTexture2D target = { .id = rlLoadFramebuffer() };
-    target.texture = (Texture2D){ rlLoadTexture(NULL, width, height, PIXELFORMAT_UNCOMPRESSED_R8G8B8A8, 1), width, height,
-                                  1, PIXELFORMAT_UNCOMPRESSED_R8G8B8A8 };
+    const int rgba = PIXELFORMAT_UNCOMPRESSED_R8G8B8A8;
+    target.texture = (Texture2D){ rlLoadTexture(NULL, width, height, rgba, 1), width, height, 1, rgba };
     target.depth = (Texture2D){ rlLoadTextureDepth(width, height, false), width, height, 1, 19 };
     rlFramebufferAttach(target.id, target.texture.id, RL_ATTACHMENT_COLOR_CHANNEL0, RL_ATTACHMENT_TEXTURE2D, 0);
     rlFramebufferAttach(target.id, target.depth.id, RL_ATTACHMENT_DEPTH, RL_ATTACHMENT_TEXTURE2D, 0);
@@ -69,7 +69,7 @@ static const char *resize(GLuint picture, int width, int height)
     return NULL;
 }
 
-/* Every frame, with the projection that depth was drawn with: rlGetMatrixProjection() between BeginMode3D, EndMode3D. */
+/* Every frame, with the projection that depth was drawn with: rlGetMatrixProjection() within BeginMode3D. */
 static const char *occlude(GLuint depth, Matrix projection, float radius, int width, int height)
 {
     ssgi_view view;

@@ -1,6 +1,7 @@
 /* sdl.c - ambient occlusion in a window: SDL 2, GLES 3.0. boxes.h is the engine: it draws a picture, the part of it
    that is ambient light, and depth. Between the lines of "====" ssgi dims that part; normals it takes from depth.
       cc examples/hosts/sdl.c -lSDL2 -lGLESv2 -lm -o sdl && ./sdl            (Debian: libsdl2-dev libgles-dev)
+   What is drawn between occlude and boxes_show (fog, glass, sprites) is not dimmed; TAA comes last.
    ./sdl FILE.ppm [SUN SKY]: one picture, with lights so bright, after the window has changed its size. */
 #include <GLES3/gl3.h>
 #include <SDL2/SDL.h>

@@ -13,8 +13,8 @@
       renderer->SetPass(steps);
 
    SetRadius is in units of the scene; a tenth of its diagonal is a start. Depth has one sample a pixel here, so edges
-   are as with SetMultiSamples(0); FXAA smooths them. What an engine must do for ssgi stands between the lines of "====";
-   (1) to (3) are what VTK asks of whoever draws by GL itself. */
+   are as with SetMultiSamples(0); FXAA smooths them. What an engine must do for ssgi stands between the lines of
+   "===="; (1) to (3) are what VTK asks of whoever draws by GL itself. */
 #ifndef vtkSSGIPass_h
 #define vtkSSGIPass_h
 #define GL_GLEXT_PROTOTYPES
@@ -68,7 +68,7 @@ public:
         state->vtkglGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &into);
         if (s->GetFrameBuffer()) x = y = 0;
         if (width < 1 || height < 1) return;
-        /* (1) Bindings, viewport, tests and blending go through VTK's own copy of GL's state, so that it stays right. */
+        /* (1) Bindings, viewport, tests and blending go through VTK's copy of GL's state, so that it stays right. */
         vtkOpenGLState::ScopedglViewport viewport(state);
         vtkOpenGLState::ScopedglBlendFuncSeparate blend(state);
         vtkOpenGLState::ScopedglDepthFunc depth(state);
@@ -115,7 +115,8 @@ private:
     vtkNew<vtkOpenGLFramebufferObject> Drawn;
 
     /* The picture so far is what the delegate draws over, unless it clears it: a vtkOpaquePass does not. */
-    void RenderDelegate(const vtkRenderState *s, vtkOpenGLState *state, GLuint into, int x, int y, int width, int height)
+    void RenderDelegate(const vtkRenderState *s, vtkOpenGLState *state, GLuint into, int x, int y, int width,
+                        int height)
     {
         Drawn->Bind();
         Drawn->AddColorAttachment(0, Colour);

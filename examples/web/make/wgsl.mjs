@@ -59,6 +59,7 @@ for (const path of [folder, to]) {
 }
 const nameOf = ([key, { stage }]) => join(folder, `${key}.vulkan.${stage}`);
 for (const one of texts) writeFileSync(nameOf(one), one[1].text);
+console.log(`  ${texts.size} texts of WebGPU are translated, by glslangValidator and tint: some minutes`);
 const { status } = spawnSync('sh', [translate, folder, 'wgsl'], { stdio: ['ignore', 'ignore', 'inherit'] });
 if (status === 2) {
     writeFileSync(join(to, 'list.json'), '[]');
