@@ -107,13 +107,19 @@ if wanted three && in_browser three vite; then
         --module esnext --moduleResolution bundler types.ts 2>&1)
     check "three: tsc: $said" "$([ -z "$said" ] && echo 1)"
     said=$(cd build/hosts/three && ../node_modules/.bin/vite build 2>&1)
-    check "three: vite: $said" "$(echo "$said" | grep -q 'built in' && ! echo "$said" | grep -qi externalized && echo 1)"
+    check "three: vite: $said" \
+        "$(echo "$said" | grep -q 'built in' && ! echo "$said" | grep -qi externalized && echo 1)"
     shot() { echo "index.html#$1 $work/three-$1.png"; }
     shown three build/hosts/three/dist $(for of in white white,reversed white,samples white,glass sun sun,none ssdo \
         ssdo,bounce ssdo,none; do shot $of; done)
     for of in white white,reversed; do near "three, $of" $work/three-$of.png $work/depth.png $most; done
     near 'three, four samples' $work/three-white,samples.png $work/depth.png 0.02
     check 'three: the sun is dimmed' "$(cmp -s $work/three-sun.png $work/three-sun,none.png && echo 1)"
+    for pair in 'white,glass white' 'ssdo ssdo,none' 'ssdo,bounce ssdo'; do
+        set -- $pair
+        by=$(build/rmse $work/three-$1.png $work/three-$2.png)
+        check "three: $1 is $2 but for $by" "$(awk -v a="$by" 'BEGIN { print (a > 0.01) }')"
+    done
 fi
 
 # in_both_lights HOST NORMALS: a host of boxes.h under both lights; under the sky alone, beside build/render's with
@@ -147,7 +153,7 @@ if wanted sdl; then
 fi
 
 if wanted raylib; then
-    if ! pkg-config --exists raylib; then skip 'raylib, raylib is missing (from trixie on: apt-get install libraylib-dev)'
+    if ! pkg-config --exists raylib; then skip 'raylib, it is missing (from trixie on: apt-get install libraylib-dev)'
     elif build raylib examples/hosts/raylib.c $strict; then
         $work/raylib $work/raylib.png 2>/dev/null
         near 'raylib' $work/raylib.png $work/depth.png $most 2.2

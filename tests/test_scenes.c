@@ -600,8 +600,8 @@ static int on_a_plane(const kit_image *frame, long i, long step)
         && fabs(1 / (double)z[before] + 1 / (double)z[after] - 2 / (double)z[i]) < 1e-3 / (double)z[i];
 }
 
-/* No pixel of a built-in scene's truth is darker by a quarter than all around it on its own plane: solids that hovered let the
-   eye see under them, in black dots. Blades, laths and pebbles are left out, which do cover single pixels. */
+/* No pixel of a built-in scene's truth is darker by a quarter than all around it on its own plane: solids that hovered
+   let the eye see under them, in black dots. Blades, laths and pebbles are left out, which do cover single pixels. */
 static void no_pixel_stands_alone(void)
 {
     static const struct { const char *name; int width; } row[] = {

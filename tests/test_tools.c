@@ -704,7 +704,8 @@ static void frames_of_blender(void)
         { "--camera 3,2,4,1,1,1", "has several view layers, of which --layer takes one: A, B" },
         { "--camera 3,2,4,1,1,1 --layer C", "--layer C: must be one of the frame's view layers: A, B" },
         { "--layer A", "A.Normal.X is of the world: --camera must say" },
-        { "--channel Z=A.Depth.V", "--channel Z=A.Depth.V: there is no such channel; there are A.Depth.Z, A.DiffCol.B," },
+        { "--channel Z=A.Depth.V",
+          "--channel Z=A.Depth.V: there is no such channel; there are A.Depth.Z, A.DiffCol.B," },
         { "--channel Z", "--channel Z: must be NAME=CHANNEL" },
         { "--channel N.X=A.Depth.Z --channel Q=B.Depth.Z",
           "channel Z is missing, view depth; there are N.X, A.DiffCol.B, A.DiffCol.G" } };
@@ -907,8 +908,8 @@ static void raw_captures(void)
     snprintf(window, sizeof window, "--fovy=%.9g --radius=0.5", (double)camera.fovy);
     snprintf(path, sizeof path, "%s/raw.exr", folder);
     setenv("V", words, 1);
-    CHECK(!shell(text, sizeof text, "python3 $C z.raw raw.exr --linear --bottom-up --size=96x54 --normals=n.raw --world "
-                 "--view=$V %s%s", window, ""), "%s", text);
+    CHECK(!shell(text, sizeof text, "python3 $C z.raw raw.exr --linear --bottom-up --size=96x54 --normals=n.raw "
+                 "--world --view=$V %s%s", window, ""), "%s", text);
     if (CHECK(!kit_exr_read(&made, path, &err), "%s", err.text)) {
         double most = 0;
         for (int c = 0; c < 4; ++c)

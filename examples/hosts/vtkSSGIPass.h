@@ -51,7 +51,7 @@ public:
     vtkGetMacro(Preset, int);
     void SetPreset(int preset)          /* SSGI_GL_PRESET_FAST, _BALANCED, _BEST */
     {
-        if (preset != Preset) Steps = 0, Preset = preset, Modified();
+        if (preset != Preset) Steps = Compiled = 0, Preset = preset, Modified();
     }
 
     void Render(const vtkRenderState *s) override
@@ -97,7 +97,7 @@ public:
         for (GLuint &p : Program) glDeleteProgram(p), p = 0;
         glDeleteProgram(Combined), glDeleteTextures(MOST, Texture), glDeleteFramebuffers(MOST, Framebuffer);
         glDeleteBuffers(1, &Block), glDeleteVertexArrays(1, &Array);
-        Block = Combined = 0, Steps = Width = 0;
+        Block = Combined = 0, Steps = Compiled = Width = 0;
         Colour->ReleaseGraphicsResources(w), Depth->ReleaseGraphicsResources(w), Drawn->ReleaseGraphicsResources(w);
     }
 
@@ -109,7 +109,7 @@ private:
     enum { MOST = 8 };
     ssgi_gl_step Step[MOST];
     GLuint Program[MOST] = {}, Texture[MOST] = {}, Framebuffer[MOST] = {}, Block = 0, Array = 0, Combined = 0;
-    int Steps = 0, Width = 0, Height = 0, Preset = SSGI_GL_PRESET_BALANCED, Orthographic = 0;
+    int Steps = 0, Compiled = 0, Width = 0, Height = 0, Preset = SSGI_GL_PRESET_BALANCED, Orthographic = 0;
     double Radius = 0.5, Strength = 1;
     vtkNew<vtkTextureObject> Colour, Depth;
     vtkNew<vtkOpenGLFramebufferObject> Drawn;
@@ -200,6 +200,10 @@ private:
         }
         for (int i = 0; i < Steps; ++i) {
             const ssgi_gl_output &to = Step[i].output[0];       /* of hsao one each */
+            glBindTexture(GL_TEXTURE_2D, Texture[to.texture]);
+            glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), Step[i].width, Step[i].height, 0,
+                         to.format->format, to.format->type, nullptr);
+            if (Compiled) continue;                             /* programs are the same for every size */
             for (int k = 0; k < 2; ++k) {
                 const size_t length = ssgi_gl_emit(nullptr, 0, &Step[i].desc, k);
                 text[k].resize(length + 1);
@@ -210,12 +214,8 @@ private:
             for (int k = 0; k < Step[i].inputs; ++k)
                 glUniform1i(glGetUniformLocation(Program[i], Step[i].input[k].name), Step[i].input[k].unit);
             glUniformBlockBinding(Program[i], glGetUniformBlockIndex(Program[i], "ssgi_frame"), 0);
-            glBindTexture(GL_TEXTURE_2D, Texture[to.texture]);
-            glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), Step[i].width, Step[i].height, 0,
-                         to.format->format, to.format->type, nullptr);
-            for (GLenum filter : { GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER })
-                glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
         }
+        Compiled = 1;
         return nullptr;
     }
 
@@ -229,7 +229,10 @@ private:
         const char *why = "";
         camera->GetKeyMatrices(renderer, toWorld, normals, toClip, all);
         for (int i = 0; i < 16; ++i) projection[i] = float(toClip->GetData()[i]);   /* VTK keeps it as GL reads it */
-        if (Orthographic != camera->GetParallelProjection()) Orthographic = camera->GetParallelProjection(), Steps = 0;
+        if (Orthographic != camera->GetParallelProjection()) {
+            Orthographic = camera->GetParallelProjection();
+            Steps = Compiled = 0;
+        }
         if (!Steps && (why = Open()) != nullptr) return Steps = 0, why;
         if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, width, height, &why)
             || ssgi_gl_frame_init(&frame, &view, float(Radius), &why)) return why;

@@ -179,9 +179,9 @@ int  kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, 
    slabs, in place of those that it has. One draw of the scene, or three. Leaves GL as kit_gbuffer_from_scene does. */
 int  kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, kit_error *err);
 
-/* Gives channels of another program's frame the names that kit_gbuffer_from_frame takes: channel[i] is "Z=THEIRS"; where
-   there is no Z then, those of a view layer of Blender's (layer; NULL: the only one): LAYER.Depth.Z, from 9e9 on nothing;
-   .Normal.X .., of the world, which the camera turns (placed: it is known); .DiffCol.R .., .DiffDir.R .. */
+/* Gives channels of another program's frame the names that kit_gbuffer_from_frame takes: channel[i] is "Z=THEIRS";
+   where there is no Z then, those of a view layer of Blender's (layer; NULL: the only one): LAYER.Depth.Z, from 9e9 on
+   nothing; .Normal.X .., of the world, which the camera turns (placed: it is known); .DiffCol.R .., .DiffDir.R .. */
 int  kit_frame_rename(kit_image *frame, const char *const *channel, int channels, const char *layer,
                       const kit_camera *camera, int placed, kit_error *err);
 

@@ -39,7 +39,8 @@ static int list(char *text, size_t size, const kit_image *frame, int layers, cha
         const int shown = layers ? (int)(end - frame->name[c]) : (int)strlen(frame->name[c]);
         if (layers) snprintf(one, 32, "%.*s", shown, frame->name[c]);
         if (length < size)
-            length += (size_t)snprintf(text + length, size - length, "%s%.*s", count ? ", " : "", shown, frame->name[c]);
+            length += (size_t)snprintf(text + length, size - length, "%s%.*s", count ? ", " : "", shown,
+                                       frame->name[c]);
         ++count;
     }
     return count;
@@ -116,5 +117,6 @@ int kit_frame_rename(kit_image *frame, const char *const *channel, int channels,
         return kit_fail(err, "frame: has several view layers, of which --layer takes one: %s", all);
     if (layers) return take_layer(frame, layer ? layer : one, camera, placed, err);
     list(all, sizeof all, frame, 0, NULL);
-    return kit_fail(err, "frame: channel Z is missing, view depth; there are %s; --channel Z=NAME takes one for it", all);
+    return kit_fail(err, "frame: channel Z is missing, view depth; there are %s; --channel Z=NAME takes one for it",
+                    all);
 }

@@ -97,7 +97,8 @@ try:
         if size != [wide, high]: raise ValueError(f'has {size[0]}x{size[1]} pixels, the depth {wide}x{high}')
         normals = turned(normals, a.view) if a.world else normals
     path = a.depth
-    write_frame(a.frame, wide, high, z, normals, m, a.view or [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], a.radius)
+    view = a.view or [float(i % 5 == 0) for i in range(16)]
+    write_frame(a.frame, wide, high, z, normals, m, view, a.radius)
 except OSError as why: ask.error(str(why))
 except ValueError as why: ask.error(f'{path}: {why}')
 except (ArithmeticError, LookupError, struct.error, zlib.error): ask.error(f'{path}: is damaged, or the camera is')

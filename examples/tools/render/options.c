@@ -62,8 +62,8 @@ static const char *const usage[3] = {
     "  --score REF.exr       RMSE, bias, p95 and SSIM against a reference; then edges (within 3 pixels of a jump in\n"
     "                        depth), border (nearer to it than the radius is long) and interior apart\n"
     "  --time N              median GL time of each pass over N frames\n"
-    "  --save-gbuffer F.exr  the G-buffer, as --gbuffer takes it, with camera and radius; by --set layers=, thickness=\n"
-    "                        of a method, with the channels that these read\n"
+    "  --save-gbuffer F.exr  the G-buffer, as --gbuffer takes it, with camera and radius, and with the channels that\n"
+    "                        --set layers=, thickness= of a method read\n"
     "  --json                machine-readable\n"
 };
 
@@ -184,25 +184,27 @@ static int take_radius(options *o, const char *name, const char *text, kit_error
     return 0;
 }
 
+/* One more of an option that may be repeated. */
+static int add(const char **list, int *count, int most, const char *name, const char *text, kit_error *err)
+{
+    if (*count == most) return kit_fail(err, "%s %s: at most %d of them", name, text, most);
+    list[(*count)++] = text;
+    return 0;
+}
+
 static int take_set(options *o, const char *name, const char *text, kit_error *err)
 {
-    if (o->sets == RENDER_SETS) return kit_fail(err, "%s %s: at most %d of them", name, text, RENDER_SETS);
-    o->set[o->sets++] = text;
-    return 0;
+    return add(o->set, &o->sets, RENDER_SETS, name, text, err);
 }
 
 static int take_channel(options *o, const char *name, const char *text, kit_error *err)
 {
-    if (o->channels == RENDER_SETS) return kit_fail(err, "%s %s: at most %d of them", name, text, RENDER_SETS);
-    o->channel[o->channels++] = text;
-    return 0;
+    return add(o->channel, &o->channels, RENDER_SETS, name, text, err);
 }
 
 static int take_light(options *o, const char *name, const char *text, kit_error *err)
 {
-    if (o->lights == KIT_MAX_LIGHTS) return kit_fail(err, "%s %s: at most %d of them", name, text, KIT_MAX_LIGHTS);
-    o->light[o->lights++] = text;
-    return 0;
+    return add(o->light, &o->lights, KIT_MAX_LIGHTS, name, text, err);
 }
 
 static int take_camera(options *o, const char *name, const char *text, kit_error *err)

@@ -1,6 +1,6 @@
 
-/** Types of ssgi.mjs. Desc and Frame stand above: build/glsl-text --types prints them. What is wrong with an argument is thrown as
- *  an Error whose message names the argument and says what would be right. */
+/** Types of ssgi.mjs. Desc and Frame stand above: build/glsl-text --types prints them. What is wrong with an argument
+ *  is thrown as an Error whose message names the argument and says what would be right. */
 export type Stage = 'vert' | 'frag' | 'tesc' | 'tese' | 'geom';
 export type Preset = 'FAST' | 'BALANCED' | 'BEST';
 

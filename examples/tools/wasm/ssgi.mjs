@@ -11,8 +11,8 @@
       for (const step of ssgi.steps({ desc, width, height, blur: 1 })) ..    // what is drawn, in order
 
    A desc is a flat object of the fields of ssgi_gl_desc (ssgi_gl.h), by the names that ssgi.choices lists, which need
-   no group: steps is gather.steps. Enums go by their words: the C name less its prefix. A wrong argument throws an Error
-   of one sentence: the library's, or where the library cannot look (types, lengths, memory) one from here. */
+   no group: steps is gather.steps. Enums go by their words: the C name less its prefix. A wrong argument throws an
+   Error of one sentence: the library's, or where the library cannot look (types, lengths, memory) one from here. */
 
 const stages = ['vert', 'frag', 'tesc', 'tese', 'geom'];
 const kinds = ['TEXTURE', 'PARAM', 'OUTPUT', 'CONSTANT', 'ATTRIBUTE', 'CAPTURE'];

@@ -25,7 +25,8 @@ export const rawOf = (renderer, texture) => renderer.properties.get(texture).__w
 export const viewOf = (ssgi, camera, width, height) =>
     ssgi.view(camera.projectionMatrix.elements, width, height, camera.reversedDepth ? 'ZERO' : 'GL');
 
-/* After draws that three does not know of. Its own resetState forgets that depth is reversed. */
+/* Tells three, after draws that it does not know of, that its copy of GL's state is stale. three's own resetState
+   forgets that depth is reversed. */
 export function resetState(renderer) {
     const { depth } = renderer.state.buffers, reversed = depth.getReversed?.();
     renderer.resetState();
@@ -273,28 +274,28 @@ export class SSGIPass {
     alone = false;
     adjust = null;
     given = {};
-    /* Whether an object is drawn after occlusion: its materials then are. Things that three calls transmissive see the
-       opaque picture while it is drawn, and stay in it. */
+    /* Whether an object is drawn after occlusion; all objects with its materials must be, too. Things that three calls
+       transmissive look through to the opaque picture while three draws it, and stay in it. */
     isLate = object => object.isSprite || materialsOf(object).some(m => m.transparent && !m.transmission);
     /* Radiance of ambient light as 27 numbers; null: that of the scene's lights and its equirectangular environment. */
     harmonics = null;
 
-    #ssgi = null; #asked = {}; #options = {}; #width = 1; #height = 1; #drawer = null; #run = null; #renderer = null; #frames = 0;
-    #last = null; #opaque = null; #over = null; #behind = null; #screen = null; #copy = null; #outputs = [];
-    #light = new THREE.Texture(); #bounce = new THREE.Texture(); #backs = 0; #environment = { of: null, sh: null };
+    #ssgi = null; #asked = {}; #options = {}; #width = 1; #height = 1; #drawer = null; #run = null; #renderer = null;
+    #frames = 0; #last = null; #opaque = null; #over = null; #behind = null; #screen = null; #copy = null;
+    #outputs = []; #light = new THREE.Texture(); #bounce = new THREE.Texture(); #backs = 0; #environment = { of: null, sh: null };
 
     /* A promise of this pass, kept once ssgi.wasm is there: until then the scene is drawn without occlusion. It is
        broken by a sentence where ssgi.wasm cannot be read or an option is wrong. */
     ready;
 
-    /* source: an Ssgi, which is there at once, or where ssgi.wasm is, as load() takes it: by default beside this file. */
+    /* source: an Ssgi, which is there at once, or where ssgi.wasm is, as load() takes it: by default beside it */
     constructor(scene, camera, options = {}, source = undefined) {
         Object.assign(this, { scene, camera });
-        if (source instanceof Ssgi) this.#ssgi = source;
+        const there = source instanceof Ssgi;
+        if (there) this.#ssgi = source;
         this.set(options);
-        const held = this.#ssgi ?? loaded.get(source) ?? load(source);
-        if (!this.#ssgi) loaded.set(source, held);
-        this.ready = Promise.resolve(held).then(ssgi => {
+        if (!there && !loaded.has(source)) loaded.set(source, load(source));
+        this.ready = there ? Promise.resolve(this) : loaded.get(source).then(ssgi => {
             this.#ssgi = ssgi;
             this.set(this.#asked);
             return this;
@@ -326,6 +327,7 @@ export class SSGIPass {
         if (typeof strength !== 'number' || !(strength >= 0))
             throw new Error('strength: must be a number of 0 or more');
         this.#release();
+        this.#unmakeAll();
         Object.assign(this, { radius, strength });
         this.#options = { ambient, samples, chain, lit };
         this.#backs = inputs.has('BACK') ? (desc.thickness === 'SLABS' ? 3 : 1) : 0;
@@ -384,7 +386,7 @@ export class SSGIPass {
         const [width, height] = [this.#width, this.#height];
         if (this.#renderer !== renderer) this.#leave();
         this.#renderer = renderer;
-        if (this.#run?.steps && this.#opaque?.width === width && this.#opaque.height === height) return;
+        if (this.#opaque?.width === width && this.#opaque.height === height) return;
         this.#release();
         this.#drawer ??= new Drawer(renderer.getContext(), this.#ssgi);
         const { samples, chain } = this.#options, depthTexture = new THREE.DepthTexture(width, height, THREE.FloatType);
@@ -502,9 +504,10 @@ export class SSGIPass {
         renderer.render(this.#screen, this.camera);
     }
 
-    /* What is made for a size, and what was done to materials. */
+    #unmakeAll() { for (const material of [...this.#made]) this.#unmake(material); }
+
+    /* What is made for a size. */
     #release() {
-        for (const material of [...this.#made]) this.#unmake(material);
         this.#opaque?.dispose();
         this.#over?.dispose();
         this.#behind?.dispose();
@@ -515,6 +518,7 @@ export class SSGIPass {
     }
     #leave() {
         this.#release();
+        this.#unmakeAll();
         this.#drawer?.dispose();
         this.#drawer = null;
     }

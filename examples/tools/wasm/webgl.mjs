@@ -179,7 +179,8 @@ class Run {
     #results() {
         for (const { outputs } of this.steps)
             for (const { result, texture, format } of outputs) {
-                if (result === 'LIGHT' && texture >= 0) { this.light = this.#textures[texture][0]; this.format = format; }
+                if (texture < 0) continue;                      /* onto the picture */
+                if (result === 'LIGHT') { this.light = this.#textures[texture][0]; this.format = format; }
                 if (result === 'BOUNCE') this.bounce = this.#textures[texture][0];
             }
     }
