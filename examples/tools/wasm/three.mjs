@@ -282,7 +282,8 @@ export class SSGIPass {
 
     #ssgi = null; #asked = {}; #options = {}; #width = 1; #height = 1; #drawer = null; #run = null; #renderer = null;
     #frames = 0; #last = null; #opaque = null; #over = null; #behind = null; #screen = null; #copy = null;
-    #outputs = []; #light = new THREE.Texture(); #bounce = new THREE.Texture(); #backs = 0; #environment = { of: null, sh: null };
+    #outputs = []; #light = new THREE.Texture(); #bounce = new THREE.Texture(); #backs = 0;
+    #environment = { of: null, sh: null };
 
     /* A promise of this pass, kept once ssgi.wasm is there: until then the scene is drawn without occlusion. It is
        broken by a sentence where ssgi.wasm cannot be read or an option is wrong. */
