@@ -468,6 +468,7 @@ web: build/web/index.html
 WEB_SSGI = $(addprefix examples/tools/wasm/,ssgi.mjs webgl.mjs three.mjs)
 build/web/index.html: $(WEB) $(WEB_SSGI) build/wasm/ssgi.wasm build/web/three/three.module.js \
                       build/web/scenes/scenes.json build/web/wgsl/list.json
+	@rm -f build/web/*.mjs # A module that was renamed would hide the address that still asks for it.
 	@cp $(WEB) $(WEB_SSGI) build/wasm/ssgi.wasm LICENSE examples/docs/pictures/page/first.jpg build/web
 	@touch $@
 	@echo 'build/web: cd build/web && python3 -m http.server, then http://localhost:8000'
