@@ -327,6 +327,7 @@ npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@rm -rf build/npm && mkdir -p build/npm/wgsl
 	@build/glsl-text --chain all --300es build/npm/glsl >/dev/null
 	@cp build/wgsl/*.wgsl build/wgsl/manifest.json build/npm/wgsl
+	@node examples/tools/packages/chains.mjs build/npm/wgsl build/npm/chains
 	@cp build/wasm/ssgi.wasm examples/tools/wasm/*.mjs examples/tools/wasm/*.d.ts LICENSE build/npm
 	@cp examples/tools/packages/npm.md build/npm/README.md
 	@{ build/glsl-text --types && cat examples/tools/wasm/ssgi.d.ts; } >build/npm/ssgi.d.ts
@@ -445,11 +446,11 @@ viewer-test: build/render build/rmse
 HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl python3-cffi libegl1 libopenscenegraph-dev \
                 libvtk9-dev
 NPM_HOSTS = npm install --prefix build/hosts --no-save --ignore-scripts --no-audit --no-fund --silent babylonjs@9.34.0 \
-            three@0.187.0 vite@7.3.8 typescript@5.9.3 @types/three@0.187.0
+            playcanvas@2.23.3 three@0.187.0 vite@7.3.8 typescript@5.9.3 @types/three@0.187.0
 hosts-test: build/render build/rmse web-deps
 	@for p in $(HOST_PACKAGES); do sh examples/kit/install.sh $$p || true; done
 	@mkdir -p build/hosts
-	@test -d build/hosts/node_modules/vite || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
+	@test -d build/hosts/node_modules/playcanvas || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
 	@! command -v wasm-ld >/dev/null || $(MAKE) -s npm
 	@sh tests/hosts.sh $(ONLY)
 
@@ -465,7 +466,7 @@ THREE    = build/three.module.js build/three.core.js LICENSE $(addprefix example
 NPM_WEB  = npm install --prefix build/web-deps --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 \
            puppeteer-core@24.43.1 esbuild@0.25.12
 web: build/web/index.html
-WEB_SSGI = $(addprefix examples/tools/wasm/,ssgi.mjs webgl.mjs three.mjs)
+WEB_SSGI = $(addprefix examples/tools/wasm/,ssgi.mjs webgl.mjs three.mjs webgpu.mjs)
 build/web/index.html: $(WEB) $(WEB_SSGI) build/wasm/ssgi.wasm build/web/three/three.module.js \
                       build/web/scenes/scenes.json build/web/wgsl/list.json
 	@rm -f build/web/*.mjs # A module that was renamed would hide the address that still asks for it.
@@ -509,7 +510,7 @@ build/web/scenes/scenes.json: build/web-scenes build/render
 	@build/web-scenes $(@D)
 
 # Every text that its settings can ask for, in WGSL; without a translator the page has WebGL 2 alone.
-TO_WGSL = examples/web/make/wgsl.mjs $(addprefix examples/web/,chain.mjs settings.mjs webgpu-steps.mjs) \
+TO_WGSL = examples/web/make/wgsl.mjs $(addprefix examples/web/,chain.mjs settings.mjs webgpu-keys.mjs) \
           $(addprefix examples/tools/glsl/,translate.sh wgsl.mjs)
 build/web/wgsl/list.json: build/wasm/ssgi.wasm $(TO_WGSL)
 	@echo '  wgsl $(@D)'; node $(firstword $(TO_WGSL)) build/wasm/ssgi.wasm build/wasm/ssgi.mjs build/web-wgsl $(@D)

@@ -5,7 +5,9 @@ import { launch, serve } from './web-kit.mjs';
 
 const [folder, ...pairs] = process.argv.slice(2), root = await serve(folder);
 const browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
-                             '--hide-scrollbars', '--force-color-profile=srgb');
+                             '--hide-scrollbars', '--force-color-profile=srgb', '--enable-unsafe-webgpu',
+                             '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan',
+                             '--use-vulkan=swiftshader');
 const said = [];
 for (let i = 0; i + 1 < pairs.length; i += 2) {
     const page = await browser.newPage(), [address, path] = pairs.slice(i, i + 2);

@@ -99,19 +99,32 @@ if wanted babylon && in_browser babylon babylonjs; then
     near 'babylon' $work/white.png $work/depth.png $most 2.2
 fi
 
-# Built by Vite, whose graph must have no module of node's; types are tried with tsc.
+if wanted playcanvas && in_browser playcanvas playcanvas; then
+    cp examples/hosts/playcanvas.html build/hosts
+    shown playcanvas build/hosts 'playcanvas.html' $work/playcanvas.png 'playcanvas.html#white' $work/white.png \
+        'playcanvas.html#white,pane' $work/pane.png
+    near 'playcanvas' $work/white.png $work/depth.png $most 2.2
+    panes=$(build/rmse $work/pane.png $work/white.png)
+    check "playcanvas: the pane changes it by $panes" "$(awk -v a="$panes" 'BEGIN { print (a > 0.1 && a < 0.2) }')"
+fi
+
+# by_vite HOST HASH..: builds it, whose graph must have no module of node's, and draws it with each of these.
+by_vite() {
+    page=$1
+    shift
+    mkdir -p build/hosts/$page && cp examples/hosts/$page.html build/hosts/$page/index.html
+    said=$(cd build/hosts/$page && ../node_modules/.bin/vite build 2>&1)
+    check "$page: vite: $said" \
+        "$(echo "$said" | grep -q 'built in' && ! echo "$said" | grep -qi externalized && echo 1)"
+    shown $page build/hosts/$page/dist $(for of in "$@"; do echo "index.html#$of $work/$page-$of.png"; done)
+}
+
 if wanted three && in_browser three vite; then
-    mkdir -p build/hosts/three && cp examples/hosts/three.html build/hosts/three/index.html
+    by_vite three white white,reversed white,samples white,glass sun sun,none ssdo ssdo,bounce ssdo,none
     cp tests/types.ts build/hosts/three
     said=$(cd build/hosts/three && ../node_modules/.bin/tsc --noEmit --strict --skipLibCheck --target es2022 \
         --module esnext --moduleResolution bundler types.ts 2>&1)
     check "three: tsc: $said" "$([ -z "$said" ] && echo 1)"
-    said=$(cd build/hosts/three && ../node_modules/.bin/vite build 2>&1)
-    check "three: vite: $said" \
-        "$(echo "$said" | grep -q 'built in' && ! echo "$said" | grep -qi externalized && echo 1)"
-    shot() { echo "index.html#$1 $work/three-$1.png"; }
-    shown three build/hosts/three/dist $(for of in white white,reversed white,samples white,glass sun sun,none ssdo \
-        ssdo,bounce ssdo,none; do shot $of; done)
     for of in white white,reversed; do near "three, $of" $work/three-$of.png $work/depth.png $most; done
     near 'three, four samples' $work/three-white,samples.png $work/depth.png 0.02
     check 'three: the sun is dimmed' "$(cmp -s $work/three-sun.png $work/three-sun,none.png && echo 1)"
@@ -120,6 +133,18 @@ if wanted three && in_browser three vite; then
         by=$(build/rmse $work/three-$1.png $work/three-$2.png)
         check "three: $1 is $2 but for $by" "$(awk -v a="$by" 'BEGIN { print (a > 0.01) }')"
     done
+fi
+
+# Its rows run down, by which the dither's pattern is another one: two of those differ by more than two renderers.
+if wanted three-webgpu && in_browser three-webgpu vite; then
+    by_vite three-webgpu white white,reversed white,history sun sun,none
+    for of in white white,reversed white,history; do
+        near "three-webgpu, $of" $work/three-webgpu-$of.png $work/gbuffer.png 0.02
+    done
+    check 'three-webgpu: history draws what one frame does' \
+        "$(cmp -s $work/three-webgpu-white.png $work/three-webgpu-white,history.png || echo 1)"
+    check 'three-webgpu: the sun is dimmed' \
+        "$(cmp -s $work/three-webgpu-sun.png $work/three-webgpu-sun,none.png && echo 1)"
 fi
 
 # in_both_lights HOST NORMALS: a host of boxes.h under both lights; under the sky alone, beside build/render's with

@@ -3,6 +3,10 @@ import * as THREE from 'three';
 import { load, type Desc, type Frame } from 'ssgi';
 import { Drawer } from 'ssgi/webgl';
 import { SSGIPass, ambientOf } from 'ssgi/three';
+import hsao from 'ssgi/chains/hsao';
+import { occlusion } from 'ssgi/three/webgpu';
+import { Passes, sized } from 'ssgi/webgpu';
+import { pass as passOf } from 'three/tsl';
 
 const pass = new SSGIPass(new THREE.Scene(), new THREE.PerspectiveCamera(),
                           { pass: 'SSDO', preset: 'FAST', half: 'NONE' });
@@ -16,6 +20,14 @@ pass.adjust = frame => { frame.thicknes[0] = 0.2; };
 pass.set({ pass: 'HSOA' });
 /* @ts-expect-error */
 pass.set({ radus: 1 });
+
+const picture = passOf(pass.scene, pass.camera), depth = picture.getTextureNode('depth');
+occlusion(hsao, { DEPTH: depth, NORMAL: new THREE.Texture() }, pass.camera, { radius: 2 }).getTextureNode();
+new Passes(null, sized(hsao, 64, 64)).result('LIGHT');
+/* @ts-expect-error */
+occlusion(hsao, { DEPTH: depth }, pass.camera, { radius: '2' });
+/* @ts-expect-error */
+new Passes(null, hsao).result('LIHGT');
 
 export async function draw(gl: WebGL2RenderingContext, depth: WebGLTexture, projection: number[]) {
     const ssgi = await load(), desc: Desc = ssgi.preset({ pass: 'HSAO', dialect: '300ES' }, 'BALANCED');

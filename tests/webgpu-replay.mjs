@@ -1,6 +1,6 @@
 /* webgpu-replay.mjs - in a page: what build/capture wrote (tests/capture.c tells its format), drawn by WebGPU by the
    data of manifest.json and capture.json alone. */
-import { Passes } from './webgpu-steps.mjs';
+import { Passes, planOf } from './webgpu.mjs';
 import { texelsOf } from './webgpu-texels.mjs';
 
 /* WGSL asks sines to be right to 2^-11, and Dawn's software adapter gives no more, by which some taps fall on other
@@ -16,18 +16,6 @@ const sines = `
     }
     fn exact_cos(x: f32) -> f32 { return exact_sin(x + 1.57079633); }`;
 const exact = code => /\b(sin|cos)\(/.test(code) ? code.replace(/\b(sin|cos)\(/g, 'exact_$1(') + sines : code;
-
-/* A chain of the manifest as the page's Passes take it; sizes: of its textures, where they are made. */
-export function planOf(manifest, chain, sizes = []) {
-    const formatOf = texture => (texture < 0 ? 'rgba16float'
-        : manifest.formats[chain.textures[texture].format].webgpu);
-    return {
-        textures: chain.textures.map(({ slices, kept }, i) => ({ format: formatOf(i), size: sizes[i], slices, kept })),
-        steps: chain.steps.map(step => ({
-            ...step, rows: step.rows.map(i => manifest.rows[i]), blend: step.blend?.webgpu,
-            outputs: step.outputs.map(output => ({ ...output, format: formatOf(output.texture) })) }))
-    };
-}
 
 /* texts: of another capture, whose constants differ. Returns, of each frame's results, the root of the mean square of
    differences to what capture.json says it is. */

@@ -27,8 +27,8 @@ const browser = await launch('--enable-unsafe-webgpu', '--use-webgpu-adapter=swi
 const page = await browser.newPage();
 const address = await serve(top);
 copyFileSync('tests/webgpu-replay.mjs', `${top}/replay.mjs`);
-for (const name of ['webgpu-steps', 'webgpu-texels', 'fetch'])
-    copyFileSync(`examples/web/${name}.mjs`, `${top}/${name}.mjs`);
+for (const path of ['tools/wasm/webgpu', 'web/webgpu-texels'])
+    copyFileSync(`examples/${path}.mjs`, `${top}/${path.split('/').at(-1)}.mjs`);
 await page.goto(`${address}/empty.html`);
 const adapter = await page.evaluate(async () => {
     const adapter = await navigator.gpu?.requestAdapter();
@@ -85,7 +85,7 @@ await run('both stages of every program make a pipeline', async () => {
 
 await run('every step of every chain makes a pipeline of its formats, blending and constants', async () => {
     const wrong = await page.evaluate(async manifest => {
-        const [{ planOf }, { pipelineOf }] = await Promise.all([import('./replay.mjs'), import('./webgpu-steps.mjs')]);
+        const { planOf, pipelineOf } = await import('./webgpu.mjs');
         return (await Promise.all(manifest.chains.flatMap(chain => planOf(manifest, chain).steps.map((step, i) => {
             const { vert, frag } = step.files, modules = { vert: `${vert}.wgsl`, frag: `${frag}.wgsl` };
             return device.createRenderPipelineAsync({ layout: 'auto', ...pipelineOf(step, {

@@ -20,7 +20,7 @@ const settled = 32;                                 /* frames at rest, after whi
 const kept = 31;                                    /* times of a pass that a median is of */
 
 let ssgi, stage, drawer, show, truth, scenes = [], gl, software = false;
-let own, gpu = null;                                /* of WebGL 2: drawer, show; what webgpu.mjs opened, if it draws */
+let own, gpu = null;                                /* of WebGL 2: drawer, show; what webgpu-canvas.mjs opened */
 let sides = [null, null];                           /* { run, key, frame number, .. } left and right */
 let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0, frames = 0;
 let calm = null;                                    /* the view that is not moved for the sake of edges */
@@ -836,7 +836,7 @@ async function chooseGpu(wanted) {
     }
     if (wanted) {
         if (told) loading('Opening WebGPU');
-        made = await import('./webgpu.mjs').then(({ open }) => open(ssgi, canvas, lost => {
+        made = await import('./webgpu-canvas.mjs').then(({ open }) => open(ssgi, canvas, lost => {
             drawBy(null);
             notice(lost);
         })).catch(e => notice(e.message));

@@ -1,96 +1,10 @@
-/* webgpu-steps.mjs - draws steps of ssgi with WebGPU, as webgl.mjs does with WebGL 2: by what the steps say alone.
-   Texts in WGSL are translated when the page is made; tests draw captured frames with the same Passes.
-
-   A plan: textures: [{ format, size: [width, height], slices, kept }]; steps: [{ rows, blend: [operation, source,
-   destination] or null, clear: null or a number, vertices, instances, inputs: [{ binding, sample, dimension, yours,
-   texture, last }], outputs: [{ texture, slice, format }] }], formats in WebGPU's words. */
+/* webgpu-steps.mjs - the interface of webgl.mjs on WebGPU. Texts in WGSL are translated when the page is made. */
 import { fetchFile } from './fetch.mjs';
+import { Passes } from './webgpu.mjs';
+import { keyOf } from './webgpu-keys.mjs';
 import { texelsOf } from './webgpu-texels.mjs';
 
-const usage = { texture: 1 | 2 | 4 | 16, uniform: 64 | 8, vertex: 32 | 8 };     /* bits of GPUTextureUsage and so on */
-const both = 3;                                     /* visible in VERTEX and FRAGMENT */
-const of = (rows, kind) => rows.filter(row => row.kind === kind);
-
-/* What a pipeline needs besides its layout. stride: of the buffer of attributes, if there are some. */
-export function pipelineOf({ rows, blend, outputs }, modules, stride) {
-    const [operation, srcFactor, dstFactor] = blend ?? [], by = { operation, srcFactor, dstFactor };
-    const blending = blend && { blend: { color: by, alpha: by } };
-    const attributes = of(rows, 'ATTRIBUTE').map(({ slot }) => ({
-        shaderLocation: slot, offset: 16 * slot, format: 'float32x4' }));
-    const counts = of(rows, 'CONSTANT').filter(row => row.offset);
-    return {
-        vertex: { module: modules.vert, buffers: attributes.length
-            ? [{ arrayStride: stride ?? 16 * attributes.length, stepMode: 'instance', attributes }] : [] },
-        fragment: { module: modules.frag, constants: Object.fromEntries(counts.map(row => [row.offset, row.slot])),
-                    targets: outputs.map(({ format }) => ({ format, ...blending })) }
-    };
-}
-
-function layoutOf(device, { rows, inputs }) {
-    const blocks = new Set(of(rows, 'PARAM').map(row => row.slot));
-    return device.createBindGroupLayout({ entries: [
-        ...[...blocks].map(binding => ({ binding, visibility: both, buffer: {} })),
-        ...inputs.map(({ binding, sample, dimension }) => ({
-            binding, visibility: both, texture: { sampleType: sample, viewDimension: dimension } }))] });
-}
-
-/* A chain with its pipelines and textures. */
-export class Passes {
-    #device; #draws = [];
-    textures;                                       /* by number; of a kept one two: [0] is drawn into */
-
-    /* modulesOf: a step's { vert, frag }, or a promise of them */
-    constructor(device, { steps, textures }, modulesOf, stride) {
-        this.#device = device;
-        this.textures = textures.map(({ format, size, slices, kept }) => Array.from({ length: kept ? 2 : 1 },
-            () => device.createTexture({ format, size: [...size, slices || 1], usage: usage.texture })));
-        this.ready = Promise.all(steps.map(async step => {
-            const layout = layoutOf(device, step), modules = await modulesOf(step);
-            const pipeline = await device.createRenderPipelineAsync({
-                layout: device.createPipelineLayout({ bindGroupLayouts: [layout] }),
-                ...pipelineOf(step, modules, stride) });
-            return { step, layout, pipeline };
-        })).then(draws => { this.#draws = draws; });
-    }
-
-    /* block(number of the step): its uniform buffer; yours(number, input): a texture of yours, null: one of the
-       chain's; instances(number) and surfels where a step draws those; stamps(number): where its times are written. */
-    draw(encoder, { block, yours, instances, surfels, stamps }) {
-        this.#draws.forEach(({ step, layout, pipeline }, number) => {
-            const entries = [{ binding: 0, resource: { buffer: block(number) } }];
-            for (const input of step.inputs) {
-                const { binding, dimension, texture, last } = input;
-                const read = yours(number, input) ?? this.textures[texture].at(last ? -1 : 0);
-                entries.push({ binding, resource: read.createView({ dimension }) });
-            }
-            const pass = encoder.beginRenderPass({ timestampWrites: stamps?.(number),
-                colorAttachments: step.outputs.map(({ texture, slice }) => ({
-                    view: this.textures[texture][0].createView({ dimension: '2d', baseArrayLayer: slice,
-                                                                 arrayLayerCount: 1 }),
-                    loadOp: step.clear === null ? 'load' : 'clear', storeOp: 'store',
-                    clearValue: Array(4).fill(step.clear ?? 0) })) });
-            pass.setPipeline(pipeline);
-            pass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
-            if (surfels) pass.setVertexBuffer(0, surfels);
-            pass.draw(step.vertices, instances?.(number) ?? step.instances);
-            pass.end();
-        });
-    }
-
-    /* After a frame whose history is kept. */
-    turn() { this.textures.forEach(pair => pair.reverse()); }
-    free() { this.textures.flat().forEach(texture => texture.destroy()); }
-}
-
-/* ---- of the page: the interface of webgl.mjs */
-
-/* Counts are constants that a pipeline is given: texts that differ in nothing else are one. */
-export const bare = glsl => glsl.replace(/^(layout\(constant_id = \d+\) const int \w+ =) .*;$/gm, '$1;');
-export function keyOf(glsl) {                       /* [FNV-1a] */
-    let hash = 0x811c9dc5;
-    for (const c of bare(glsl)) hash = Math.imul(hash ^ c.charCodeAt(0), 0x01000193);
-    return (hash >>> 0).toString(36);
-}
+const usage = { texture: 1 | 2 | 4 | 16, uniform: 64 | 8 };                     /* bits of GPUTextureUsage and so on */
 
 /* Steps of Ssgi.steps as a plan. */
 function planOf(ssgi, steps) {

@@ -129,3 +129,5 @@ export class Ssgi {
 
 /** source: by default ssgi.wasm beside this file */
 export function load(source?: string | URL | BufferSource | WebAssembly.Module): Promise<Ssgi>;
+/** as load, but a source is read once; an Ssgi is given back */
+export function loadOnce(source?: Ssgi | string | URL | BufferSource | WebAssembly.Module): Promise<Ssgi>;

@@ -92,6 +92,16 @@ export async function load(source = new URL('ssgi.wasm', import.meta.url)) {
     return new Ssgi((made.instance ?? made).exports);
 }
 
+const loaded = new Map();                       /* promises of Ssgi by source */
+
+/* As load, but a source is read once. source may be an Ssgi, too. */
+export function loadOnce(source) {
+    if (source instanceof Ssgi) return Promise.resolve(source);
+    if (!loaded.has(source))
+        loaded.set(source, load(source).catch(e => { loaded.delete(source); throw e; }));
+    return loaded.get(source);
+}
+
 export class Ssgi {
     #c; #top; #strings;
     #at = {};                                   /* sizes and places by name */

@@ -13,7 +13,7 @@
       { pass: 'SSDO', bounce: 'SOLID_ANGLE' }                 // and one diffuse bounce of all light
 */
 import * as THREE from 'three';
-import { Ssgi, load } from './ssgi.mjs';
+import { Ssgi, loadOnce } from './ssgi.mjs';
 import { Drawer } from './webgl.mjs';
 
 /* ---- parts, for renderers of your own */
@@ -295,12 +295,12 @@ export class SSGIPass {
         const there = source instanceof Ssgi;
         if (there) this.#ssgi = source;
         this.set(options);
-        if (!there && !loaded.has(source)) loaded.set(source, load(source));
-        this.ready = there ? Promise.resolve(this) : loaded.get(source).then(ssgi => {
+        this.ready = loadOnce(source).then(ssgi => {
+            if (there) return this;
             this.#ssgi = ssgi;
             this.set(this.#asked);
             return this;
-        }, e => { loaded.delete(source); throw e; });
+        });
     }
 
     /* The method and how it is drawn, from now on; a wrong option throws a sentence, and nothing changes.
@@ -527,7 +527,6 @@ export class SSGIPass {
     dispose() { this.#leave(); }
 }
 
-const loaded = new Map();                           /* promises of Ssgi by source */
 const written = new WeakMap();                      /* what materials write, and for how many passes */
 
 /* Draws without a trace of these objects, which keep their shadows. */

@@ -9,7 +9,7 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chainAs } from '../chain.mjs';
 import { defaults, halves, methods, normals, presets, shadows, thicknesses } from '../settings.mjs';
-import { bare, keyOf } from '../webgpu-steps.mjs';
+import { bare, keyOf } from '../webgpu-keys.mjs';
 
 const [wasm, loader, folder, to] = process.argv.slice(2);
 const { load } = await import(pathToFileURL(resolve(loader)).href), ssgi = await load(readFileSync(wasm));

@@ -1,5 +1,5 @@
-/* webgpu.mjs - the page in WebGPU: a canvas over the one of WebGL 2, which keeps what is touched, and what draws onto
-   it. Fetched when it is asked for. */
+/* webgpu-canvas.mjs - the page in WebGPU: a canvas over the one of WebGL 2, which keeps what is touched, and what draws
+   onto it. Fetched when it is asked for. */
 import { fetchFile } from './fetch.mjs';
 import { Drawer } from './webgpu-steps.mjs';
 import { Scene } from './webgpu-scene.mjs';

@@ -1,0 +1,123 @@
+/* webgpu.mjs - draws a chain of ssgi with WebGPU, by what its plan says alone.
+
+      import hsao from 'ssgi/chains/hsao';
+      const passes = new Passes(device, sized(hsao, width, height));
+      await passes.ready;
+      passes.draw(encoder, { block: () => block, yours: (number, { yours }) => textures[yours] });
+      passes.result('LIGHT')                                         // a GPUTexture: ambient visibility, or light
+
+   A plan: textures: [{ format, size, slices, kept, result }]; steps: [{ rows, blend: [operation, source, destination]
+   or null, clear: null or a number, vertices, instances, inputs: [{ binding, sample, dimension, yours, texture,
+   last }], outputs: [{ texture, slice, format }], code: { vert, frag } }], formats in WebGPU's words. */
+
+const usage = 1 | 2 | 4 | 16;                       /* COPY_SRC, COPY_DST, TEXTURE_BINDING, RENDER_ATTACHMENT */
+const both = 3;                                     /* visible in VERTEX and FRAGMENT */
+const of = (rows, kind) => rows.filter(row => row.kind === kind);
+
+/* A chain of a manifest as a plan without code; sizes: of its textures. */
+export function planOf(manifest, chain, sizes = chain.textures.map(({ size }) => size)) {
+    const formatOf = texture => (texture < 0 ? 'rgba16float'        /* a picture of yours */
+        : manifest.formats[chain.textures[texture].format].webgpu);
+    return {
+        name: chain.name,
+        textures: chain.textures.map(({ slices, kept, result }, i) => ({
+            format: formatOf(i), size: sizes[i], slices, kept, result })),
+        steps: chain.steps.map(({ files, rows, blend, clear, vertices, instances, inputs, outputs }) => ({
+            files, rows: rows.map(i => manifest.rows[i]), blend: blend?.webgpu, clear, vertices, instances, inputs,
+            outputs: outputs.map(output => ({ ...output, format: formatOf(output.texture) })) }))
+    };
+}
+
+/* A plan of the package for pictures of this size. */
+export function sized({ name, textures, steps }, width, height) {
+    const shares = { FULL: 1, HALF: 2, QUARTER: 4, TILES: 8 };
+    return { name, steps, textures: textures.map(texture => {
+        const share = shares[texture.size];
+        if (!share) throw new Error(`${name}: must be a chain without surfels, whose levels have sizes of their own`);
+        return { ...texture, size: [width, height].map(n => Math.ceil(n / share)) };
+    }) };
+}
+
+/* What a pipeline needs besides its layout. stride: of the buffer of attributes, if there are some. */
+export function pipelineOf({ rows, blend, outputs }, modules, stride) {
+    const [operation, srcFactor, dstFactor] = blend ?? [], by = { operation, srcFactor, dstFactor };
+    const blending = blend && { blend: { color: by, alpha: by } };
+    const attributes = of(rows, 'ATTRIBUTE').map(({ slot }) => ({
+        shaderLocation: slot, offset: 16 * slot, format: 'float32x4' }));
+    const counts = of(rows, 'CONSTANT').filter(row => row.offset);
+    return {
+        vertex: { module: modules.vert, buffers: attributes.length
+            ? [{ arrayStride: stride ?? 16 * attributes.length, stepMode: 'instance', attributes }] : [] },
+        fragment: { module: modules.frag, constants: Object.fromEntries(counts.map(row => [row.offset, row.slot])),
+                    targets: outputs.map(({ format }) => ({ format, ...blending })) }
+    };
+}
+
+function layoutOf(device, { rows, inputs }) {
+    const blocks = new Set(of(rows, 'PARAM').map(row => row.slot));
+    return device.createBindGroupLayout({ entries: [
+        ...[...blocks].map(binding => ({ binding, visibility: both, buffer: {} })),
+        ...inputs.map(({ binding, sample, dimension }) => ({
+            binding, visibility: both, texture: { sampleType: sample, viewDimension: dimension } }))] });
+}
+
+/* A chain with its pipelines and textures. */
+export class Passes {
+    #device; #draws = []; #results;
+    textures = [];                                  /* by number; of a kept one two: [0] is drawn into */
+    ready;                                          /* a promise: its pipelines are there */
+
+    /* modulesOf: a step's { vert, frag }, or a promise of them; default: of the plan's code */
+    constructor(device, { steps, textures }, modulesOf = null, stride = undefined) {
+        const moduleOf = code => device.createShaderModule({ code });
+        this.#device = device;
+        this.resize(textures);
+        this.ready = Promise.all(steps.map(async step => {
+            const layout = layoutOf(device, step), modules = modulesOf ? await modulesOf(step)
+                : { vert: moduleOf(step.code.vert), frag: moduleOf(step.code.frag) };
+            const pipeline = await device.createRenderPipelineAsync({
+                layout: device.createPipelineLayout({ bindGroupLayouts: [layout] }),
+                ...pipelineOf(step, modules, stride) });
+            return { step, layout, pipeline };
+        })).then(draws => { this.#draws = draws; });
+    }
+
+    /* New textures, of a plan of the same chain. */
+    resize(textures) {
+        this.free();
+        this.#results = textures.map(({ result }) => result);
+        this.textures = textures.map(({ format, size, slices, kept }) => Array.from({ length: kept ? 2 : 1 },
+            () => this.#device.createTexture({ format, size: [...size, slices || 1], usage })));
+    }
+
+    /* LIGHT or BOUNCE of the last frame; undefined: the chain has none. */
+    result(name) { return this.textures[this.#results.indexOf(name)]?.[0]; }
+
+    /* block(number of the step): its uniform buffer; yours(number, input): a texture of yours, null: one of the
+       chain's; instances(number) and surfels where a step draws those; stamps(number): where its times are written. */
+    draw(encoder, { block, yours, instances, surfels, stamps }) {
+        this.#draws.forEach(({ step, layout, pipeline }, number) => {
+            const entries = [{ binding: 0, resource: { buffer: block(number) } }];
+            for (const input of step.inputs) {
+                const { binding, dimension, texture, last } = input;
+                const read = yours(number, input) ?? this.textures[texture].at(last ? -1 : 0);
+                entries.push({ binding, resource: read.createView({ dimension }) });
+            }
+            const pass = encoder.beginRenderPass({ timestampWrites: stamps?.(number),
+                colorAttachments: step.outputs.map(({ texture, slice }) => ({
+                    view: this.textures[texture][0].createView({ dimension: '2d', baseArrayLayer: slice,
+                                                                 arrayLayerCount: 1 }),
+                    loadOp: step.clear === null ? 'load' : 'clear', storeOp: 'store',
+                    clearValue: Array(4).fill(step.clear ?? 0) })) });
+            pass.setPipeline(pipeline);
+            pass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
+            if (surfels) pass.setVertexBuffer(0, surfels);
+            pass.draw(step.vertices, instances?.(number) ?? step.instances);
+            pass.end();
+        });
+    }
+
+    /* After a frame whose history is kept. */
+    turn() { this.textures.forEach(pair => pair.reverse()); }
+    free() { this.textures.flat().forEach(texture => texture.destroy()); }
+}
