@@ -593,7 +593,7 @@ typedef enum ssgi_overhang {
 
 /* How surfels are made. Zero is the default everywhere. */
 typedef struct ssgi_surfel_desc {
-    /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.015] diameter of a surfel that faces the viewer: s */
+    /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.03] diameter of a surfel that faces the viewer: s */
     float size;
     /* [limit: 0..32] [default: 8] into how many parts an edge may be split where the tessellator's last level, 64, is
        too coarse for the triangle */
@@ -625,7 +625,7 @@ typedef struct ssgi_surfel_source {
    alpha is the vertical angle of view. It is half of `size` image heights on the screen; behind the near plane surfels
    grow again. With an orthographic projection it is half of `size` image heights everywhere. It is 0 where size is not
    above 0, and for arguments that are not finite floats.
-     size     [units: image heights] s: ssgi_surfel_desc.size, whose default 0.015 is not put in
+     size     [units: image heights] s: ssgi_surfel_desc.size, whose default 0.03 is not put in
      depth    [units: view] of the triangle's centroid; below 0 behind the eye
    GLSL twin: ssgi_surfel_radius. */
 SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth);
@@ -678,17 +678,19 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 
 /* How surfels are splatted: ssgi_gl_frame has epsilon, radius and near_depth. */
 typedef struct ssgi_splat {
-    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] form factor at the end of level 0 */
+    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.3] form factor at the end of level 0 */
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
     float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent, over ssgi_gl_frame.sent */
     float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
-    int levels; /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 5] every level doubles the reach, at about equal cost */
+    int levels; /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 4] every level doubles the reach, at about equal cost */
+    int part;   /* [limit: 0, 1, 2 or 4] [default: 1] one in so many pixels is drawn, each way: desc.gather.half */
 } ssgi_splat;
 
 enum { SSGI_SPLAT_LEVELS = 7 };
 
-/* Writes the texels along x and y of one level in the interleaved layout: the frame's size, rounded up to multiples of
-   2^(levels - 1). The levels lie below each other in one texture of size[0] x (levels * size[1]) texels.
+/* Writes the texels along x and y of one level in the interleaved layout: the size of what is interleaved, the frame or
+   what desc.gather.half leaves of it, rounded up to multiples of 2^(levels - 1). The levels lie below each other in one
+   texture of size[0] x (levels * size[1]) texels.
      width, height   [limit: 1..65536]
      levels          [limit: 1..7] */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
@@ -815,7 +817,8 @@ SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float norm
 typedef struct ssgi_field_desc {
     int resolution; /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
     int radii;      /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
-    int rays;       /* [limit: 0, 16..65536] [default: 128] traced at each distance */
+    int rays;       /* [limit: 0, 16..65536] [default: 128] traced from the hull; farther out the occluder takes less
+                       of the light, and as many fewer are traced as the hull is nearer, 16 at least */
     float reach;    /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] where the field ends */
     int unfiltered; /* [limit: 0 or 1] 1: directions are sampled at the resolution itself, without the Gaussian, in a
                        quarter of the time: figure 5 of the paper shows the effect on thin parts */
@@ -885,7 +888,7 @@ SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangl
    The same input gives the same bytes, with any number of threads and at any optimisation that keeps IEEE arithmetic
    (not -ffast-math; with FMA instructions -ffp-contract=off). The bake fails with SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL
    (work_size) or SSGI_CANCELLED; *field is then untouched, but texels and work may be written. Resolution 16 with 128
-   rays takes 9.4 million rays. For an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below
+   rays takes about 4 million. For an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below
    it. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
@@ -3272,7 +3275,7 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
                 "desc.overhang: must be SSGI_OVERHANG_INCENTRE or _CENTROID");
     *out = *desc;
     if (!(out->offscreen_growth > 0.0f)) out->offscreen_growth = 0.1f;
-    if (!(out->size > 0.0f)) out->size = 0.015f;
+    if (!(out->size > 0.0f)) out->size = 0.03f;
     if (!out->splits) out->splits = 8;
     return SSGI_OK;
 }
@@ -3454,11 +3457,13 @@ SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, co
     SSGI__CHECK(ssgi__positive(&splat->max_radiance, 1), "splat.max_radiance: must be 0 or more and finite");
     SSGI__CHECK(ssgi__positive(&splat->near_depth, 1), "splat.near_depth: must be 0 or more and finite");
     SSGI__CHECK(splat->levels >= 0 && splat->levels <= SSGI_SPLAT_LEVELS, "splat.levels: must be 0..7");
+    SSGI__CHECK(splat->part >= 0 && splat->part <= 4 && splat->part != 3, "splat.part: must be 1, 2 or 4");
     *s = *splat;
-    if (!(s->epsilon > 0.0f)) s->epsilon = 0.1f;
+    if (!(s->epsilon > 0.0f)) s->epsilon = 0.3f;
     if (!(s->max_distance > 0.0f)) s->max_distance = SSGI_FAR;
     if (!(s->max_radiance > 0.0f)) s->max_radiance = 1.0f;
-    if (!s->levels) s->levels = 5;
+    if (!s->levels) s->levels = 4;
+    if (!s->part) s->part = 1;
     if (!(s->near_depth > 0.0f)) s->near_depth = ssgi_view_near(view);
     return SSGI_OK;
 }
@@ -3480,12 +3485,13 @@ SSGI__FN void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, co
 {
     const double reach = ssgi_surfel_reach(radius, brightest, (double)s->epsilon);
     for (int l = 0; l < s->levels; ++l) {
+        const double side = ldexp((double)s->part, l);
         double shell[2];
         float b[4];
         ssgi_surfel_shell(shell, reach, l, (double)s->max_distance);
         if (!(shell[1] > shell[0]) || !ssgi__sphere_bounds(b, view, centre, (float)shell[1], s->near_depth)) continue;
-        cost->pixels[l] += count * (ceil(ldexp((double)b[2], -l)) - floor(ldexp((double)b[0], -l)))
-                         * (ceil(ldexp((double)b[3], -l)) - floor(ldexp((double)b[1], -l)));
+        cost->pixels[l] += count * (ceil((double)b[2] / side) - floor((double)b[0] / side))
+                         * (ceil((double)b[3] / side) - floor((double)b[1] / side));
     }
 }
 
@@ -4092,6 +4098,13 @@ SSGI__FN void ssgi__field_yours(double sum[][4], const ssgi__field_bake *b, cons
     }
 }
 
+/* Returns how many rays are traced at a distance; share: the hull's over that. */
+SSGI__FN int ssgi__field_rays(int rays, double share)
+{
+    const int fewer = (int)((double)rays * share);
+    return fewer > 16 ? fewer : 16;
+}
+
 /* Makes one texel of the fine map: takes samples along its direction and fits the components to them. */
 SSGI__FN void ssgi__field_texel(void *context, int job)
 {
@@ -4110,8 +4123,8 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     for (int i = 0; i < b->desc->radii; ++i) {
         double *sum = sums[i];
         if (!b->desc->sample)
-            ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->desc->rays,
-                             (uint32_t)(texel * 64 + i));
+            ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal,
+                             ssgi__field_rays(b->desc->rays, hull / radii[i]), (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
         values[i] = length < SSGI__PI ? length : SSGI__PI;
         if (sum[0] > 0.0) { /* covered share of the cap with this vector irradiance and solid angle */
@@ -5046,6 +5059,12 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    New: ssgi_gl_read, functions by which shaders that light a surface read a result, in place of the filter's pass;
    desc.gather.half QUARTER (the last 4 bits of ssgi_gl_phase are the frame's number now); frame.strength;
    ssgi_gl_chain.rgba8; room >>reflection (ssgi_interreflected, ssgi_specular_visibility), and ssgi_gl_reflection.
+
+   Surfels heed desc.gather.half, by which they cost a quarter, and a chain with blur = 1 filters them; they have
+   presets. Their slices near by heed desc.gather too, 2x8 and thickness WIDTH where it names nothing else. Defaults:
+   size 0.03, not 0.015; epsilon 0.3, not 0.1 (SCATTER wants 0.02); 4 levels, not 5 (SCATTER wants 7). Texts work out
+   the size of a level: ssgi_gl_surfels_set has no argument `levels`, and ssgi_gl_frame, which is 16 bytes shorter, no
+   `level`. New: ssgi_splat.part. A field's rays are fewer the farther out they begin.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

@@ -570,16 +570,17 @@ typedef struct ssgi_gl_light_desc {
 /* ---- desc.surfel: surfels, interleave, splat, deinterleave, smooth, sum */
 typedef struct ssgi_gl_surfel_desc {
     ssgi_gl_effect effect;   /* splat, deinterleave, smooth, sum */
-    int levels;              /* [limit: 0..7] [default: 5]  each level doubles the reach, and has twice the smoothing
-                                taps of the level before */
+    int levels;              /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice the smoothing
+                                taps of the level before. SCATTER wants 7 */
     int tessellate;          /* surfels, splat   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
                                 310es */
     ssgi_overhang overhang;  /* surfels, splat when tessellate   how triangles shrink, as in ssgi_surfel_desc
                                 (ssgi.h) */
     ssgi_gl_sends sends;     /* surfels, splat when tessellate */
     int span;                /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
-                                nearer surfaces are left to slices, farther and hidden ones to surfels; 0: all to
-                                surfels */
+                                nearer surfaces are left to slices, farther and hidden ones to surfels; 6 err least;
+                                0: all to surfels. The slices are 2x8 where desc.gather names no other number, and WIDTH
+                                where it names no thickness */
     int near_samples;        /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii;
                                 0, 1: its centre alone, as published, which finds half of the true effect at 1/3 radius
                                 from a wall */
@@ -648,6 +649,7 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
+     splat         quarter size, half, full; 4 levels, but of SCATTER; slices near by, with a span: 2x8, 2x8, 2x7
    All other fields stay: set thickness BACK or SLABS where you can draw those passes. Passes without such settings are
    left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_PRESET_FAST, SSGI_GL_PRESET_BALANCED, SSGI_GL_PRESET_BEST };
@@ -870,7 +872,7 @@ typedef struct ssgi_gl_output {
 enum {
     SSGI_GL_SIZE_FULL = 0,
     SSGI_GL_SIZE_HALF,   /* half of the image, rounded up */
-    SSGI_GL_SIZE_LEVELS, /* the size of all levels: ssgi_splat_size */
+    SSGI_GL_SIZE_LEVELS, /* the size of all levels: ssgi_splat_size of what desc.gather.half leaves */
     SSGI_GL_SIZE_TILES,  /* an eighth of the image, rounded up */
     SSGI_GL_SIZE_QUARTER /* a quarter of the image, rounded up */
 };
@@ -977,19 +979,18 @@ typedef struct ssgi_gl_frame {
                          the last frame's minimum, for instance, culls most occluders and surfels around the eye */
     float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
                          ssgi_gl_sent_set makes the result linear in the light */
-    float epsilon;    /* splat   [default: 0.1]  the least effect that a surfel is drawn for: its form factor, or that
-                         times the radiance that it sends over `sent` (times the lobe's peak) */
+    float epsilon;    /* splat   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or that
+                         times the radiance that it sends over `sent` (times the lobe's peak). SCATTER wants 0.02 */
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
 
     /* ---- the rest, where std140 has room for it */
     float history;        /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  how many frames are averaged; 0:
                             the average begins anew. Seconds: ssgi_gl_frame_time */
-    int32_t level[2];     /* surfels   [units: texels]  size of one level: ssgi_splat_size */
+    float oblique[2];     /* desc.input.oblique: from ssgi_view */
     float window[4];      /* desc.light.lights: ssgi_sh_window of 4 bands, or of as many as desc.light.bands; Hann's by
                             default */
     float last_to[16];    /* history: view space to the last frame's pixels (times depth when perspective) and depth */
     float last_from[16];  /* and back: ssgi_gl_frame_history */
-    float oblique[2];     /* desc.input.oblique: from ssgi_view */
     int32_t slice;        /* desc.input.array: the layer of your array textures */
     float pace;           /* history   [limit: > 0] [default: 1]  how long the last frame took over how long this one
                             took: ssgi_gl_frame_time */
@@ -1003,7 +1004,6 @@ typedef struct ssgi_gl_frame {
                             ssgi_gl_frame_history */
     float strength;       /* desc.filter.onto   [limit: >= 0] [default: 1]  visibility v goes onto your picture as 1 +
                              strength * (v - 1), and not below 0: for looks, as all but 1 departs from the truth */
-    int32_t unused[2];    /* fills the block's last 16 bytes */
 } ssgi_gl_frame;
 
 /* Fills a frame from a view: the image is at the origin of textures and targets, all other members have their defaults.
@@ -1033,10 +1033,9 @@ SSGI_DEF float ssgi_gl_phase(uint32_t k);
 /* Sets the members that surfels are made with, except desc->overhang, which the text has: ssgi_gl_desc.overhang. Draw
    the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
      view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
-     levels         desc.surfel.levels [limit: 1..7]
      mesh_to_view   as source.to_view; NULL: frame->mesh stays as it is */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
-                                         int levels, const float *mesh_to_view, const char **why);
+                                         const float *mesh_to_view, const char **why);
 
 /* Sets frame->dipole.
      unit   [limit: > 0] view units in the dipole's unit of length (0.001 when it is in mm and the scene in m) */
@@ -3942,16 +3941,38 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n"
     "}\n" },
 
+{ "ssgi_shift", NULL, __LINE__ + 1,
+    "int ssgi_shift() { // One pixel in 2 to this power is dealt out, each way.\n"
+    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "    return 2;\n"
+    "#elif SSGI_HALF\n"
+    "    return 1;\n"
+    "#else\n"
+    "    return 0;\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_dealt", NULL, __LINE__ + 1,
+    "ivec2 ssgi_dealt() { // size of the image whose pixels are dealt out to sub-buffers: the one that gathers write\n"
+    "    return (u_ssgi_size + ((1 << ssgi_shift()) - 1)) >> ssgi_shift();\n"
+    "}\n" },
+
+{ "ssgi_level", NULL, __LINE__ + 1,
+    "ivec2 ssgi_level() { // size of one level, a multiple of its largest block\n"
+    "    int last = (1 << (SSGI_LEVELS - 1)) - 1;\n"
+    "    return (ssgi_dealt() + last) & ~last;\n"
+    "}\n" },
+
 /* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. Texels hold a
    position in view space, or SSGI_FAR, and an octahedral normal. */
 
 { "main_interleave", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
-    "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
-    "    q.y -= l * u_ssgi_level.y;\n"
-    "    ivec2 across = (u_ssgi_size + mask) >> l, sub = q / across, block = q - sub * across;\n"
-    "    ivec2 p = (block << l) | ((sub ^ ssgi_interleave(block, mask)) & mask);\n"
+    "    ivec2 q = ivec2(gl_FragCoord.xy), level = ssgi_level();\n"
+    "    int l = q.y / level.y, mask = (1 << l) - 1;\n"
+    "    q.y -= l * level.y;\n"
+    "    ivec2 across = (ssgi_dealt() + mask) >> l, sub = q / across, block = q - sub * across;\n"
+    "    ivec2 p = ssgi_gathered((block << l) | ((sub ^ ssgi_interleave(block, mask)) & mask));\n"
     "    o_ssgi_interleaved = uvec4(floatBitsToUint(vec3(SSGI_FAR)), 0u);\n"
     "    if (max(sub.x, sub.y) > mask || !ssgi_inside(p)) return; // the size need not be a multiple\n"
     "    float z = ssgi_depth(p);\n"
@@ -3963,12 +3984,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_deinterleave", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
-    "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
-    "    ivec2 p = ivec2(q.x, q.y - l * u_ssgi_level.y), block = p >> l, across = (u_ssgi_size + mask) >> l;\n"
+    "    ivec2 q = ivec2(gl_FragCoord.xy), level = ssgi_level(), dealt = ssgi_dealt();\n"
+    "    int l = q.y / level.y, mask = (1 << l) - 1;\n"
+    "    ivec2 p = ivec2(q.x, q.y - l * level.y), block = p >> l, across = (dealt + mask) >> l;\n"
     "    ivec2 sub = (p & mask) ^ ssgi_interleave(block, mask);\n"
-    "    if (p.x >= u_ssgi_size.x || p.y >= u_ssgi_size.y) discard;\n"
-    "    ivec2 at = sub * across + block + ivec2(0, l * u_ssgi_level.y);\n"
+    "    if (p.x >= dealt.x || p.y >= dealt.y) discard;\n"
+    "    ivec2 at = sub * across + block + ivec2(0, l * level.y);\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_OCCLUSION\n"
     "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0).x;\n"
     "#else\n"
@@ -4010,12 +4031,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float inner = l > 0 ? reach * 0.5 * block : -1.0, outer = min(reach * block, u_ssgi_radius);\n"
     "    if (!(outer > max(inner, 0.0))) return vec4(0.0);\n"
     "    vec4 b = clamp(ssgi_sphere(vec4(at.xyz, outer)), vec4(0.0), vec2(u_ssgi_size).xyxy);\n"
-    "    b = vec4(floor(b.xy / block), ceil(b.zw / block));\n"
+    "    float side = block * float(1 << ssgi_shift());\n"
+    "    b = vec4(floor(b.xy / side), ceil(b.zw / side));\n"
     "    if (b.x >= b.z || b.y >= b.w) return vec4(0.0);\n"
     "    // Sub-buffers are chosen by a hash, as taking turns would correlate with the tessellator's order.\n"
     "    int mask = (1 << uint(l)) - 1, seed = int(turned.w * 16777216.0);\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
-    "    vec2 corner = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
+    "    vec2 corner = vec2(sub * ((ssgi_dealt() + mask) >> l) + ivec2(0, l * ssgi_level().y));\n"
     "#if SSGI_ENLARGE\n"
     "    // Of block * block surfels a pixel meets one, which stands for all of them.\n"
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w * block * block);\n"
@@ -4033,7 +4055,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "void main() {\n"
     "    int corner = gl_VertexID % 6 < 3 ? gl_VertexID % 6 : 6 - gl_VertexID % 6;\n"
     "    vec4 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, gl_VertexID / 6);\n"
-    "    gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n"
+    "    gl_Position = ssgi_corner(b, corner, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
     "}\n" },
 
 { "main_strip", NULL, __LINE__ + 1,
@@ -4045,7 +4067,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        for (int corner = 0; corner < 4; ++corner) { // anew, as EmitVertex() leaves outputs undefined\n"
     "            vec4 b = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, l);\n"
     "            if (b.x >= b.z) break;\n"
-    "            gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n"
+    "            gl_Position = ssgi_corner(b, corner, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
     "            EmitVertex();\n"
     "            if (corner == 3) EndPrimitive();\n"
     "        }\n"
@@ -4174,18 +4196,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_smooth", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
-    "    int l = q.y / u_ssgi_level.y, reach = (1 << l) >> 1;\n"
-    "    ivec2 first = ivec2(0, l * u_ssgi_level.y), p = q - first;\n"
+    "    ivec2 q = ivec2(gl_FragCoord.xy), level = ssgi_level();\n"
+    "    int l = q.y / level.y, reach = (1 << l) >> 1;\n"
+    "    ivec2 p = ssgi_gathered(q - ivec2(0, l * level.y));\n"
     "    float z = ssgi_inside(p) ? ssgi_depth(p) : SSGI_FAR;\n"
     "    if (z >= SSGI_FAR) discard;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
     "    vec4 plane = ssgi_plane(P, n);\n"
-    "    float footprint = ssgi_footprint(z), near = 1.0 / (footprint * (1.0 + float(reach)));\n"
+    "    float footprint = ssgi_footprint(z), near = 1.0 / (footprint * (1.0 + float(reach << ssgi_shift())));\n"
     "    vec4 sum = vec4(texelFetch(t_ssgi_levels, q, 0));\n"
     "    float weights = 1.0;\n"
     "    for (int i = -reach; i <= reach; ++i) { // This is the mean over the block that the level interleaves.\n"
-    "        ivec2 o = SSGI_AXIS == 0 ? ivec2(i, 0) : ivec2(0, i);\n"
+    "        ivec2 along = SSGI_AXIS == 0 ? ivec2(i, 0) : ivec2(0, i), o = along << ssgi_shift();\n"
     "        if (i == 0 || !ssgi_inside(p + o)) continue;\n"
     "        float d = ssgi_depth(p + o), off = abs(ssgi_above_plane(plane, vec2(o), d)) * near;\n"
     "        float w = max(1.0 - off, 0.0) * (abs(i) == reach ? 0.5 : 1.0);\n"
@@ -4193,7 +4215,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (w > 0.0) w *= max(dot(n, ssgi_normal(p + o, ssgi_position(vec2(p + o) + 0.5, d))), 0.0);\n"
     "#endif\n"
     "        if (!(w > 0.0) || d >= SSGI_FAR) continue;\n"
-    "        sum += w * texelFetch(t_ssgi_levels, q + o, 0), weights += w;\n"
+    "        sum += w * texelFetch(t_ssgi_levels, q + along, 0), weights += w;\n"
     "    }\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_OCCLUSION\n"
     "    o_ssgi_levels = sum.x / weights;\n"
@@ -4215,47 +4237,52 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sum_levels", NULL, __LINE__ + 1,
-    "vec4 ssgi_sum_levels(ivec2 p, float z) {\n"
+    "vec4 ssgi_sum_levels(ivec2 texel, float z) {\n"
     "    vec4 sum = vec4(0.0);\n"
     "    for (int l = 0; l < SSGI_LEVELS && z < SSGI_FAR; ++l)\n"
-    "        sum += texelFetch(t_ssgi_levels, p + ivec2(0, l * u_ssgi_level.y), 0);\n"
+    "        sum += texelFetch(t_ssgi_levels, texel + ivec2(0, l * ssgi_level().y), 0);\n"
     "    return sum;\n"
     "}\n" },
 
 { "main_sum_occlusion", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_depth(p), sum = ssgi_sum_levels(p, z).x;\n"
+    "    ivec2 texel = ssgi_gathered_texel();\n"
+    "    float z = ssgi_depth(ssgi_gathered(texel)), sum = ssgi_sum_levels(texel, z).x;\n"
     "    o_ssgi_ao = vec2(1.0 - sum * ssgi_saturate_form(sum), z);\n"
     "#if SSGI_SPAN\n"
-    "    o_ssgi_ao.x *= texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x;\n"
+    "    o_ssgi_ao.x *= texelFetch(t_ssgi_ao, ivec2(gl_FragCoord.xy), 0).x;\n"
     "#endif\n"
     "}\n" },
 
 { "main_sum_light", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
     "    float z = ssgi_depth(p);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec4 sum = ssgi_sum_levels(p, z);\n"
+    "    vec4 sum = ssgi_sum_levels(texel, z);\n"
     "    vec3 n = transpose(u_ssgi_rotation) * ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
-    "    o_ssgi_light.xyz = max(ssgi_irradiance_map(n, 0) - sum.xyz * ssgi_saturate_form(sum.w), 0.0);\n"
+    "    vec3 open = ssgi_irradiance_map(n, 0), dark = sum.xyz * ssgi_saturate_form(sum.w);\n"
+    "#if SSGI_RESTORE\n"
+    "    o_ssgi_light.xyz = max(1.0 - dark / max(open, 1e-9), 0.0);\n"
+    "#else\n"
+    "    o_ssgi_light.xyz = max(open - dark, 0.0);\n"
+    "#endif\n"
     "#if SSGI_SPAN\n"
-    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
+    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_light, ivec2(gl_FragCoord.xy), 0).xyz;\n"
     "#endif\n"
     "}\n" },
 
 { "main_sum_sent", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_depth(p);\n"
-    "    vec4 sum = ssgi_sum_levels(p, z);\n"
+    "    ivec2 texel = ssgi_gathered_texel();\n"
+    "    float z = ssgi_depth(ssgi_gathered(texel));\n"
+    "    vec4 sum = ssgi_sum_levels(texel, z);\n"
     "#if SSGI_EFFECT != SSGI_EFFECT_SCATTER\n"
     "    sum.xyz *= ssgi_saturate_form(sum.w);\n"
     "#endif\n"
     "#if SSGI_SPAN\n"
-    "    sum += texelFetch(t_ssgi_light, p + u_ssgi_target, 0);\n"
+    "    sum += texelFetch(t_ssgi_light, ivec2(gl_FragCoord.xy), 0);\n"
     "#endif\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
     "    o_ssgi_bounce = vec4(sum.xyz, z);\n"
@@ -5185,11 +5212,10 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(epsilon, "float", ""),
     SSGI_GL__ROW_FRAME(exponent, "float", ""),
     SSGI_GL__ROW_FRAME(history, "float", "frames"),
-    SSGI_GL__ROW_FRAME(level, "ivec2", "texels of a level"),
+    SSGI_GL__ROW_FRAME(oblique, "vec2", "window depth per pixel"),
     SSGI_GL__ROW_FRAME(window, "vec4", "a band"),
     SSGI_GL__ROW_FRAME(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
     SSGI_GL__ROW_FRAME(last_from, "mat4", "and back"),
-    SSGI_GL__ROW_FRAME(oblique, "vec2", "window depth per pixel"),
     SSGI_GL__ROW_FRAME(slice, "int", "of your textures"),
     SSGI_GL__ROW_FRAME(pace, "float", ""),
     SSGI_GL__ROW_FRAME(last_size, "ivec2", "pixels"),
@@ -5348,6 +5374,7 @@ enum {
     SSGI_GL__PRESET_NONE = 0, /* nothing in it trades cost for accuracy */
     SSGI_GL__PRESET_SSAO,     /* this and those below number the rows of ssgi_gl__presets */
     SSGI_GL__PRESET_LIGHTS,
+    SSGI_GL__PRESET_SPLAT,
     SSGI_GL__PRESET_SEARCH, /* that of desc.gather.search, so that a desc also serves the passes around its own */
     SSGI_GL__PRESET_LIT     /* likewise, but light has slices of its own */
 };
@@ -5432,7 +5459,7 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
       { { NULL, "main_nothing" } } },
     { SSGI_GL__PASS(INTERLEAVE, "interleave", NONE, NONE,   NONE,     NONE,   LEVELS, IMAGE,   ONTO,     NEW),
       { { NULL, "main_interleave" } } },
-    { SSGI_GL__PASS(SPLAT, "splat", OWN,      NONE,   NONE,     NONE,   LEVELS, SPLATS,  ADD,      NEW),
+    { SSGI_GL__PASS(SPLAT, "splat", OWN,      NONE,   NONE,     SPLAT,  LEVELS, SPLATS,  ADD,      NEW),
       { { "effect < SCATTER", "main_splat" },
         { "effect == SCATTER", "main_splat_scatter" },
         { "effect == CUSTOM", "main_splat_custom" } } },
@@ -5440,7 +5467,7 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
       { { NULL, "main_deinterleave" } } },
     { SSGI_GL__PASS(SMOOTH, "smooth", NONE,   NONE,   NONE,     NONE,   LEVELS, IMAGE,   ONTO,     NEW),
       { { NULL, "main_smooth" } } },
-    { SSGI_GL__PASS(SUM, "sum",     NONE,     NONE,   NONE,     NONE,   FULL,   IMAGE,   ONTO,     NEW),
+    { SSGI_GL__PASS(SUM, "sum",     NONE,     NONE,   NONE,     NONE,   CHOSEN,  IMAGE,   ONTO,     NEW),
       { { "effect == OCCLUSION", "main_sum_occlusion" },
         { "effect == LIGHT", "main_sum_light" },
         { "effect > LIGHT", "main_sum_sent" } } },
@@ -5709,6 +5736,7 @@ typedef struct ssgi_gl__preset {
     int half, samples, directions, steps, normal_rays;
     int fades;    /* 1: range, and fade SMOOTH */
     int constant; /* slices   1: thickness CONSTANT, 0: DEFAULT */
+    int levels;   /* surfels */
 } ssgi_gl__preset;
 
 /* By the passes' column preset, from SSGI_GL__PRESET_SSAO on; those of SSGI_GL__PRESET_SEARCH by desc.gather.search,
@@ -5719,26 +5747,29 @@ typedef struct ssgi_gl__preset {
    grooves that are a pixel wide. */
 /* clang-format off */
 static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_PRESET_BEST + 1] = {
-    /* half, samples, directions, steps, normal_rays, fades, constant */
-    { { 0,  8, 0,  1, 0, 0, 0 },       /* ssao: FAST */
-      { 0, 16, 0,  1, 0, 0, 0 },       /*       BALANCED */
-      { 0, 32, 0,  1, 0, 0, 0 } },     /*       BEST */
-    { { 0,  4, 0,  1, 0, 0, 0 },       /* segments of lights: FAST */
-      { 0,  8, 0,  1, 0, 0, 0 },       /*                     BALANCED */
-      { 0, 16, 0,  1, 0, 0, 0 } },     /*                     BEST */
-    { { 1,  0, 1, 10, 0, 0, 1 },       /* slices of hsao: FAST */
-      { 1,  0, 2,  6, 0, 0, 0 },       /*                 BALANCED */
-      { 0,  0, 2,  7, 0, 0, 0 } },     /*                 BEST */
+    /* half, samples, directions, steps, normal_rays, fades, constant, levels */
+    { { 0,  8, 0,  1, 0, 0, 0, 0 },       /* ssao: FAST */
+      { 0, 16, 0,  1, 0, 0, 0, 0 },       /*       BALANCED */
+      { 0, 32, 0,  1, 0, 0, 0, 0 } },     /*       BEST */
+    { { 0,  4, 0,  1, 0, 0, 0, 0 },       /* segments of lights: FAST */
+      { 0,  8, 0,  1, 0, 0, 0, 0 },       /*                     BALANCED */
+      { 0, 16, 0,  1, 0, 0, 0, 0 } },     /*                     BEST */
+    { { 3,  0, 2,  8, 0, 0, 0, 4 },       /* surfels, and slices near by: FAST */
+      { 1,  0, 2,  8, 0, 0, 0, 4 },       /*                              BALANCED */
+      { 0,  0, 2,  7, 0, 0, 0, 4 } },     /*                              BEST */
+    { { 1,  0, 1, 10, 0, 0, 1, 0 },       /* slices of hsao: FAST */
+      { 1,  0, 2,  6, 0, 0, 0, 0 },       /*                 BALANCED */
+      { 0,  0, 2,  7, 0, 0, 0, 0 } },     /*                 BEST */
     /* Several points lie along a direction, as single ones miss more. */
-    { { 1,  4, 0,  4, 0, 1, 0 },       /* points of ssdo, s3ho: FAST */
-      { 0,  4, 0,  4, 0, 1, 0 },       /*                       BALANCED */
-      { 0,  8, 0,  6, 0, 1, 0 } },     /*                       BEST */
-    { { 0,  0, 4,  6, 0, 0, 0 },       /* march: FAST */
-      { 0,  0, 6,  9, 1, 0, 0 },       /*        BALANCED */
-      { 0,  0, 8, 18, 2, 0, 0 } },     /*        BEST */
-    { { 1,  0, 1,  5, 0, 0, 0 },       /* slices of ssdo, s3ho: FAST */
-      { 1,  0, 2,  9, 0, 0, 0 },       /*                       BALANCED */
-      { 0,  0, 2,  9, 0, 0, 0 } } };   /*                       BEST */
+    { { 1,  4, 0,  4, 0, 1, 0, 0 },       /* points of ssdo, s3ho: FAST */
+      { 0,  4, 0,  4, 0, 1, 0, 0 },       /*                       BALANCED */
+      { 0,  8, 0,  6, 0, 1, 0, 0 } },     /*                       BEST */
+    { { 0,  0, 4,  6, 0, 0, 0, 0 },       /* march: FAST */
+      { 0,  0, 6,  9, 1, 0, 0, 0 },       /*        BALANCED */
+      { 0,  0, 8, 18, 2, 0, 0, 0 } },     /*        BEST */
+    { { 1,  0, 1,  5, 0, 0, 0, 0 },       /* slices of ssdo, s3ho: FAST */
+      { 1,  0, 2,  9, 0, 0, 0, 0 },       /*                       BALANCED */
+      { 0,  0, 2,  9, 0, 0, 0, 0 } } };   /*                       BEST */
 
 /* clang-format on */
 
@@ -5760,8 +5791,9 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
                  : of == SSGI_GL__PRESET_LIT && slices ? SLICES_OF_LIGHT
                                                        : SEARCHES + desc->gather.search;
     const ssgi_gl__preset *const set = &ssgi_gl__presets[at][preset];
-    desc->gather.half = set->half ? SSGI_GL_HALF_FIRST : SSGI_GL_HALF_NONE;
+    desc->gather.half = (ssgi_gl_half)set->half;
     desc->gather.steps = set->steps;
+    if (set->levels && desc->surfel.effect < SSGI_GL_EFFECT_SCATTER) desc->surfel.levels = set->levels;
     if (slices && desc->gather.thickness <= SSGI_GL_THICKNESS_CONSTANT)
         desc->gather.thickness = set->constant ? SSGI_GL_THICKNESS_CONSTANT : SSGI_GL_THICKNESS_DEFAULT;
     if (set->samples) {
@@ -5849,10 +5881,10 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     if (d.gather.terms == SSGI_GL_TERMS_RAYS) d.gather.spheres = 0;
     if (!d.filter.radius) d.filter.radius = d.filter.kind == SSGI_GL_FILTER_GAUSSIAN ? 2 : 1;
     if (!d.light.bands) d.light.bands = ssdo ? 3 : 4;
-    if (!d.surfel.levels) d.surfel.levels = 5;
+    if (!d.surfel.levels) d.surfel.levels = 4;
     if (!d.gather.layers) d.gather.layers = 1;
     if (!d.gather.view_layers) d.gather.view_layers = 1;
-    if (row->size != SSGI_GL__SIZE_CHOSEN && !averages)
+    if (row->size != SSGI_GL__SIZE_CHOSEN && row->size != SSGI_GL__SIZE_LEVELS && !averages)
         d.gather.half = row->size == SSGI_GL__SIZE_HALF ? SSGI_GL_HALF_FIRST : SSGI_GL_HALF_NONE;
     if (!d.gather.thickness) d.gather.thickness = measures ? SSGI_GL_THICKNESS_WIDTH : SSGI_GL_THICKNESS_CONSTANT;
     if (d.gather.thickness == SSGI_GL_THICKNESS_BACK && slices) /* Pass thickness reads the back faces. */
@@ -5871,7 +5903,8 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     else if (!ssdo && !surfels && !restores) d.light.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (!(shade || (restores && !d.light.shaded))) d.light.shading = SSGI_GL_SHADING_HARMONICS;
     if (reflected || d.light.shading == SSGI_GL_SHADING_BENT
-        || !(restores || shade || (ssdo && d.light.environment) || (s3ho && d.light.shaded)))
+        || !(restores || shade || (ssdo && d.light.environment) || (s3ho && d.light.shaded)
+             || (pass == SSGI_GL_PASS_SUM && d.gather.half && d.surfel.effect == SSGI_GL_EFFECT_LIGHT)))
         d.light.restore = SSGI_GL_RESTORE_NONE;
     if (!(shade || (restores && !d.light.shaded)) || d.light.shading == SSGI_GL_SHADING_BENT) d.light.lights = 0;
     if (reflected || (d.light.shading && !d.light.lights) || d.light.environment == SSGI_GL_ENVIRONMENT_MAP
@@ -6624,16 +6657,14 @@ static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, cons
                      : d->gather.half                         ? SSGI_GL__SIZE_HALF
                                                               : SSGI_GL__SIZE_FULL;
     const int size = column != SSGI_GL__SIZE_CHOSEN ? column : chosen;
-    const int part = size == SSGI_GL__SIZE_TILES   ? 8
-                   : size == SSGI_GL__SIZE_QUARTER ? 4
-                   : size == SSGI_GL__SIZE_HALF    ? 2
-                                                   : 1;
+    const int of = size == SSGI_GL__SIZE_LEVELS ? chosen : size;
+    const int part = of == SSGI_GL__SIZE_TILES ? 8 : of == SSGI_GL__SIZE_QUARTER ? 4 : of == SSGI_GL__SIZE_HALF ? 2 : 1;
     s->size = size;
     s->width = (chain->width + part - 1) / part;
     s->height = (chain->height + part - 1) / part;
     if (size == SSGI_GL__SIZE_LEVELS) {
         int level[2] = { 0, 0 };
-        ssgi_splat_size(level, chain->width, chain->height, d->surfel.levels, NULL);
+        ssgi_splat_size(level, s->width, s->height, d->surfel.levels, NULL);
         s->width = level[0];
         s->height = level[1] * d->surfel.levels;
     }
@@ -6952,8 +6983,9 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
     if (effect > SSGI_GL_EFFECT_BOUNCE || (bounce && light < 0)) d.surfel.span = 0;
     if (effect < SSGI_GL_EFFECT_BOUNCE) d.surfel.sends = SSGI_GL_SENDS_COLOUR;
     if (d.surfel.span) {
-        slices.gather.directions = 2;
-        slices.gather.steps = 4;
+        if (!slices.gather.directions) slices.gather.directions = 2;
+        if (!slices.gather.steps) slices.gather.steps = 8;
+        if (!slices.gather.thickness) slices.gather.thickness = SSGI_GL_THICKNESS_WIDTH;
         if (lit) slices.gather.falloff = SSGI_GL_FALLOFF_NONE; /* Light does not fade. */
         slices.gather.search = SSGI_GL_SEARCH_SLICES;
         slices.light.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
@@ -6963,6 +6995,8 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         if (bounce) ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_LIGHT);
         ssgi_gl__add(b, &slices, lit ? SSGI_GL_PASS_SSDO : SSGI_GL_PASS_HSAO, 0);
         if (bounce) *ssgi_gl__texture(b, "light") = *ssgi_gl__texture(b, "bounce");
+    }
+    if (d.surfel.span && !d.gather.half) {
         slices.light.environment = SSGI_GL_ENVIRONMENT_NONE;
         slices.light.bounce = SSGI_GL_BOUNCE_NONE;
         slices.light.restore = SSGI_GL_RESTORE_NONE;
@@ -6972,12 +7006,21 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         slices.filter.onto = SSGI_GL_ONTO_NONE; /* Pass sum reads it. */
         ssgi_gl__add(b, &slices, SSGI_GL_PASS_BLUR, 0);
     }
+    /* In half size one filter serves slices and surfels. */
+    d.light.restore = d.gather.half && effect == SSGI_GL_EFFECT_LIGHT ? SSGI_GL_RESTORE_RATIO : SSGI_GL_RESTORE_NONE;
     ssgi_gl__add(b, &d, SSGI_GL_PASS_SPLAT, 0);
     ssgi_gl__add(b, &d, SSGI_GL_PASS_DEINTERLEAVE, 0);
     for (d.surfel.axis = 0; d.surfel.axis < 2 && d.surfel.levels != 1 && !b->chain->unsmoothed; ++d.surfel.axis)
         ssgi_gl__add(b, &d, SSGI_GL_PASS_SMOOTH, 0);
     d.surfel.axis = 0;
-    return ssgi_gl__add(b, &d, SSGI_GL_PASS_SUM, 0)->output[0].texture;
+    light = ssgi_gl__add(b, &d, SSGI_GL_PASS_SUM, 0)->output[0].texture;
+    if (!d.gather.half || !b->chain->blur) return light;
+    *ssgi_gl__texture(b, lit ? "light" : "ao") = light;
+    d.light.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
+    d.light.environment = effect == SSGI_GL_EFFECT_LIGHT ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
+    d.filter.quantity = lit ? SSGI_GL_QUANTITY_LIGHT : SSGI_GL_QUANTITY_VISIBILITY;
+    d.filter.normals |= effect > SSGI_GL_EFFECT_LIGHT;
+    return ssgi_gl__add(b, &d, SSGI_GL_PASS_BLUR, 0)->output[0].texture;
 }
 
 /* Adds surfels, and their effect; of light its bounce, too, as a second effect. */
@@ -7257,7 +7300,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     ssgi_sh_window(f.window, 4, SSGI_SH_WINDOW_HANN);
     for (int i = 0; i < 3; ++i) f.rotation[5 * i] = f.mesh[5 * i] = 1.0f;
     f.mesh[15] = 1.0f;
-    f.epsilon = 0.1f;
+    f.epsilon = 0.3f;
     f.exponent = 32.0f;
     *frame = f;
     return SSGI_OK;
@@ -7311,17 +7354,14 @@ SSGI_DEF float ssgi_gl_phase(uint32_t k)
 }
 
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
-                                         int levels, const float *mesh_to_view, const char **why)
+                                         const float *mesh_to_view, const char **why)
 {
     float scale[4];
-    int size[2] = { 0, 0 };
     SSGI_GL__THERE(frame);
     if (mesh_to_view) SSGI_GL__MATRIX(mesh_to_view);
     SSGI_GL__TRY(ssgi_surfel_scale(scale, desc, view, why));
-    SSGI_GL__TRY(ssgi_splat_size(size, view->width, view->height, levels, why));
     memcpy(frame->surfel, scale, sizeof scale);
     frame->keep_small = (float)desc->keep_small;
-    memcpy(frame->level, size, sizeof size);
     if (mesh_to_view) memcpy(frame->mesh, mesh_to_view, sizeof frame->mesh);
     return SSGI_OK;
 }

@@ -304,7 +304,7 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
         MUST(cost.surfels == many);
         for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) MUST(cost.pixels[l] >= 0.0);
     }
-    if (ssgi_gl_surfels_set(&frame, view, &d, levels, source.to_view, &why) != SSGI_OK) MUST(strchr(why, ':'));
+    if (ssgi_gl_surfels_set(&frame, view, &d, source.to_view, &why) != SSGI_OK) MUST(strchr(why, ':'));
 }
 
 /* Bakes of whatever triangles: few, they take long. What is baked is saved, damaged with a checksum that fits, and

@@ -68,7 +68,7 @@ CALL(calibrate, ssgi_plan_calibrate(&out.calibration, &trace, up, up, &number, N
 CALL(plan, ssgi_plan_make(&out.plan, &scene, &why))
 CALL(frame, ssgi_gl_frame_init(&out.frame, &view, number, &why))
 CALL(last, ssgi_gl_frame_history(&out.frame, &view, rigid, other, &why))
-CALL(surfels_of, ssgi_gl_surfels_set(&out.frame, &view, &surfels, 4, rigid, &why))
+CALL(surfels_of, ssgi_gl_surfels_set(&out.frame, &view, &surfels, rigid, &why))
 CALL(sent, ssgi_gl_sent_set(&out.frame, surfel, 2, &light, 1, up, &why))
 CALL(dipole_of, ssgi_gl_dipole_set(&out.frame, &dipole, number, &why))
 CALL(harmonics, ssgi_gl_harmonics_set(&out.frame, coefficients, 4, rigid, &why))

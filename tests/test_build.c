@@ -120,7 +120,7 @@ static const char *const deep_rooms =
     "    bad += ssgi_surfels_predict(&cost, &desc, &splat, &v, &source, NULL) != SSGI_OK || cost.surfels != n;\n"
     "    bad += ssgi_dipole_set(&dipole, marble[0], marble[1], 1.5f, NULL) != SSGI_OK;\n"
     "    bad += !(ssgi_dipole_reflectance(&dipole, 0, 1.0) > 0.0);\n"
-    "    bad += ssgi_gl_frame_init(&frame, &v, 1.0f, NULL) != SSGI_OK || ssgi_gl_surfels_set(&frame, &v, &desc, 4, "
+    "    bad += ssgi_gl_frame_init(&frame, &v, 1.0f, NULL) != SSGI_OK || ssgi_gl_surfels_set(&frame, &v, &desc, "
     "still, NULL) != SSGI_OK || ssgi_gl_dipole_set(&frame, &dipole, 0.001f, NULL) != SSGI_OK;\n"
     "    return bad;\n"
     "}\n";

@@ -154,7 +154,7 @@ static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
         if (d->pass == SSGI_GL_PASS_LIGHTS) chain.lights = *d;
         h->yours[SSGI_GL_YOUR_LIGHTS] = run->pass[i].lights;
         if (d->pass == SSGI_GL_PASS_FIELD) h->yours[SSGI_GL_YOUR_OCCLUDERS] = run->pass[i].lights;
-        chain.blur |= d->pass == SSGI_GL_PASS_BLUR && pass != SSGI_GL_PASS_SPLAT;
+        chain.blur |= d->pass == SSGI_GL_PASS_BLUR;
     }
     h->yours[SSGI_GL_YOUR_DEPTH] = g->depth;
     h->yours[SSGI_GL_YOUR_NORMAL] = g->normal;
@@ -630,7 +630,12 @@ static void widths(void)
         { -1, 0, { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.search = SSGI_GL_SEARCH_MARCH, .gather.layers = 2 } } },
         { -1, 0, { .desc = { .pass = SSGI_GL_PASS_SSAO } } },
         { -1, 0, { .desc = { .pass = SSGI_GL_PASS_SSAO, .gather.thickness = SSGI_GL_THICKNESS_BACK } } },
-        { -1, 0, { .desc = { .pass = SSGI_GL_PASS_SPLAT, .surfel.span = 4 } } },
+        { 1, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_PASS_SPLAT, .surfel.span = 4 } } },
+        { -1,
+          0,
+          { .desc = { .pass = SSGI_GL_PASS_SPLAT,
+                      .surfel.span = 4,
+                      .gather.thickness = SSGI_GL_THICKNESS_CONSTANT } } },
         { 0,
           SSGI_GL_THICKNESS_WIDTH,
           { .desc = { .pass = SSGI_GL_PASS_SSAO, .gather.thickness = SSGI_GL_THICKNESS_WIDTH } } },
@@ -752,7 +757,7 @@ static void results(void)
             .width = 8,
             .height = 8 } },
         { "o_ssgi_picture",
-          9,
+          10,
           { .desc = { .pass = SSGI_GL_PASS_SPLAT,
                       .surfel.span = 4,
                       .surfel.levels = 2,

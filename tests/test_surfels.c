@@ -836,7 +836,7 @@ static void refusals(void)
         REFUSED(ssgi_surfels_predict(&o.cost, desc, &splat, v, from, &why), names[k]);
         if (k >= 8 && k != 12) continue;
         REFUSED(ssgi_surfel_scale(o.scale, desc, v, &why), names[k]);
-        REFUSED(ssgi_gl_surfels_set(&o.frame, v, desc, 4, NULL, &why), names[k]);
+        REFUSED(ssgi_gl_surfels_set(&o.frame, v, desc, NULL, &why), names[k]);
     }
     const ssgi_surfel_desc d = { 0 };
     ssgi_surfel_source source = source_of(p, 1);
@@ -873,8 +873,7 @@ static void refusals(void)
     CHECK(ssgi_dipole_reflectance(&fine, 3, 1) == 0 && ssgi_dipole_reflectance(&fine, -1, 1) == 0
               && ssgi_dipole_reflectance(&fine, 2, 1) > 0,
           "a channel that there is not");
-    REFUSED(ssgi_gl_surfels_set(NULL, &view, &d, 4, NULL, &why), "frame");
-    REFUSED(ssgi_gl_surfels_set(&o.frame, &view, &d, 8, NULL, &why), "levels");
+    REFUSED(ssgi_gl_surfels_set(NULL, &view, &d, NULL, &why), "frame");
     const float black[3] = { 0, 0, -1 };
     REFUSED(ssgi_gl_sent_set(NULL, NULL, 0, NULL, 0, NULL, &why), "frame");
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 1, NULL, 0, NULL, &why), "surfels");
@@ -990,7 +989,8 @@ static int begin_deep(deep *d, const char *method, const char *set, float radius
 {
     const kit_world world = { &d->scene, lighting };
     kit_method m;
-    return TRY(kit_method_find(&m, method, &err)) && TRY(kit_method_set(&m, set, &err))
+    return TRY(kit_method_find(&m, method, &err)) && TRY(kit_method_set(&m, "half=0", &err))
+           && TRY(kit_method_set(&m, set, &err))
            && TRY(kit_run_open(&d->run, &d->g, &m, radius, &world, &err));
 }
 
@@ -1123,46 +1123,60 @@ static void three_ways(void)
     }
 }
 
-/* SSGI_GL_PASS_INTERLEAVE: every pixel once in every level, in the texel of its block, by chance. */
+/* SSGI_GL_PASS_INTERLEAVE: every pixel that is dealt out once in every level, in the texel of its block, by chance; of
+   half size the first of every 2x2 is dealt out, of a quarter the first of every 4x4. */
 static void interleaving(void)
 {
-    enum { SW = 53, SH = 37, LEVELS = 5 };
-    deep d;
-    int wrong = 0, other = 0, surfaces = 0;
-    if (!dive(&d, "boxes", NULL, 0, NULL, SW, SH, "dss", "size=0.2,levels=5", 0, NULL)) return;
-    kit_run_draw(&d.run, 0);
-    const int wide = d.run.frame.level[0], high = d.run.frame.level[1];
-    float *texel = malloc((size_t)(4 * wide * high * LEVELS) * sizeof *texel);
-    if (!CHECK(wide == 64 && high == 48, "%d x %d", wide, high)
-        || !CHECK(!kit_texture_read(kit_run_input(&d.run, "t_ssgi_interleaved", 0), wide, high * LEVELS, 4, texel),
-                  "it cannot be read"))
-        return;
-    for (int i = 0; i < SW * SH; ++i) surfaces += d.frame.data[i] > 0;
-    for (int l = 0; l < LEVELS; ++l) {
-        unsigned char met[SH][SW] = { { 0 } };
-        const int across[2] = { (SW + (1 << l) - 1) >> l, (SH + (1 << l) - 1) >> l };
-        int found = 0;
-        for (int y = 0; y < high; ++y)
-            for (int x = 0; x < wide; ++x) {
-                const float *p = texel + 4 * ((l * high + y) * wide + x);
-                const int block[2] = { x % across[0], y % across[1] }, sub[2] = { x / across[0], y / across[1] };
-                float at[3];
-                if (p[0] > 1e17f) continue;
-                ssgi_view_project(at, &d.view, p);
-                const int px = (int)floorf(at[0]), py = (int)floorf(at[1]);
-                if (px < 0 || px >= SW || py < 0 || py >= SH) { ++wrong; continue; }
-                wrong += px >> l != block[0] || py >> l != block[1] || sub[0] >> l || sub[1] >> l || met[py][px]++
-                         || fabs((double)(at[0] - (float)px) - 0.5) > 1e-3
-                         || fabs((double)(at[2] / d.frame.data[(SH - 1 - py) * SW + px]) - 1) > 1e-4;
-                other += (px & ((1 << l) - 1)) != sub[0] || (py & ((1 << l) - 1)) != sub[1];
-                ++found;
-            }
-        CHECK(found == surfaces, "level %d: %d of %d pixels", l, found, surfaces);
+    enum { W = 53, H = 37, LEVELS = 5 };
+    static const struct {
+        const char *set;
+        int part, level[2];
+    } row[3] = { { "size=0.2,levels=5", 1, { 64, 48 } },
+                 { "size=0.2,levels=5,half=first", 2, { 32, 32 } },
+                 { "size=0.2,levels=5,half=quarter", 4, { 16, 16 } } };
+    for (int k = 0; k < 3; ++k) {
+        const int part = row[k].part, w = (W + part - 1) / part, h = (H + part - 1) / part;
+        deep d;
+        int wrong = 0, other = 0, surfaces = 0, level[2] = { 0, 0 };
+        if (!dive(&d, "boxes", NULL, 0, NULL, W, H, "dss", row[k].set, 0, NULL)) return;
+        kit_run_draw(&d.run, 0);
+        ssgi_splat_size(level, w, h, LEVELS, NULL);
+        const int wide = level[0], high = level[1];
+        float *texel = malloc((size_t)(4 * wide * high * LEVELS) * sizeof *texel);
+        if (!CHECK(wide == row[k].level[0] && high == row[k].level[1], "%d x %d", wide, high)
+            || !CHECK(!kit_texture_read(kit_run_input(&d.run, "t_ssgi_interleaved", 0), wide, high * LEVELS, 4, texel),
+                      "it cannot be read"))
+            return;
+        for (int y = 0; y < H; y += part)
+            for (int x = 0; x < W; x += part) surfaces += d.frame.data[(H - 1 - y) * W + x] > 0;
+        for (int l = 0; l < LEVELS; ++l) {
+            unsigned char met[H][W] = { { 0 } };
+            const int across[2] = { (w + (1 << l) - 1) >> l, (h + (1 << l) - 1) >> l };
+            int found = 0;
+            for (int y = 0; y < high; ++y)
+                for (int x = 0; x < wide; ++x) {
+                    const float *p = texel + 4 * ((l * high + y) * wide + x);
+                    const int block[2] = { x % across[0], y % across[1] }, sub[2] = { x / across[0], y / across[1] };
+                    float at[3];
+                    if (p[0] > 1e17f) continue;
+                    ssgi_view_project(at, &d.view, p);
+                    const int px = (int)floorf(at[0]), py = (int)floorf(at[1]);
+                    if (px < 0 || px >= W || py < 0 || py >= H || px % part || py % part) { ++wrong; continue; }
+                    const int q[2] = { px / part, py / part };
+                    wrong += q[0] >> l != block[0] || q[1] >> l != block[1] || sub[0] >> l || sub[1] >> l
+                             || met[py][px]++ || fabs((double)(at[0] - (float)px) - 0.5) > 1e-3
+                             || fabs((double)(at[2] / d.frame.data[(H - 1 - py) * W + px]) - 1) > 1e-4;
+                    other += (q[0] & ((1 << l) - 1)) != sub[0] || (q[1] & ((1 << l) - 1)) != sub[1];
+                    ++found;
+                }
+            CHECK(found == surfaces, "%s, level %d: %d of %d pixels", row[k].set, l, found, surfaces);
+        }
+        CHECK(!wrong && 2 * other > 7 * surfaces && surfaces > w * h / 2,
+              "%s: %d texels are wrong, %d of %d pixels elsewhere than in fixed order", row[k].set, wrong, other,
+              surfaces);
+        free(texel);
+        surface(&d);
     }
-    CHECK(!wrong && 2 * other > 7 * surfaces && surfaces > SW * SH / 2,
-          "%d texels are wrong, %d of %d pixels elsewhere than in fixed order", wrong, other, surfaces);
-    free(texel);
-    surface(&d);
 }
 
 /* Occlusion of a point by surfels within their reach on so many levels, before overlap. */
@@ -1319,8 +1333,8 @@ static int of_these(kit_image *out, deep *d, const ssgi_surfel *s, size_t count)
    k-th surfel goes to that of k modulo 4^level, so that neighbours do not meet. */
 static void in_turn(void)
 {
-    static const char *const sets[2] = { "levels=5,size=0.04,near_samples=1,span=0,smooth=0",
-                                         "levels=5,size=0.04,near_samples=1,span=0" };
+    static const char *const sets[2] = { "levels=5,epsilon=0.1,size=0.04,span=0,smooth=0",
+                                         "levels=5,epsilon=0.1,size=0.04,span=0" };
     for (int m = 0; m < 2; ++m) {
         double squares[2] = { 0, 0 };
         int pixels = 0;
@@ -1543,7 +1557,7 @@ static void custom(void)
         kit_method m;
         double worst = 0, dark = 0;
         snprintf(set[0], sizeof set[0], "size=0.04,falloff=none,near_samples=1,span=0,%s", sets[k % COUNT(sets)]);
-        snprintf(set[1], sizeof set[1], "size=0.04,shadows=none,near_samples=1,%s", sets[k % COUNT(sets)]);
+        snprintf(set[1], sizeof set[1], "half=0,size=0.04,shadows=none,near_samples=1,%s", sets[k % COUNT(sets)]);
         if (!dive(&d[0], "boxes", NULL, 0, NULL, 96, 54, "dss", set[0], 0.6f, NULL) || !drawn(&out[0], &d[0].run)
             || !dive(&d[1], "boxes", NULL, 0, NULL, 96, 54, "dss-gloss", set[1], 0.6f, &l))
             return;
@@ -1681,7 +1695,8 @@ static void lit_against_truth(void)
         "bounce.R", "bounce.G", "bounce.B"
     };
     deep d;
-    if (!lighten(&l, "sky", "sun:1,2,0.5,2,2,2") || !dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss-lit", "sky=1", 0.8f,
+    if (!lighten(&l, "sky", "sun:1,2,0.5,2,2,2") || !dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss-lit",
+                                                             "sky=1,levels=5", 0.8f,
                                                              &l)
         || !drawn(&out, &d.run)
         || !TRY(kit_truth_lit(&truth, &d.scene, &d.g.camera, &l, 0.8f, KIT_ATTENUATION_NONE, 1, 32, 1, &err))

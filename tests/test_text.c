@@ -1561,7 +1561,7 @@ static void sentences(void)
               && frame.rotation[0] == 1.0f && frame.rotation[5] == 1.0f && frame.rotation[10] == 1.0f
               && frame.size[0] == 64 && frame.size[1] == 32 && frame.mesh[0] == 1.0f && frame.mesh[5] == 1.0f
               && frame.mesh[10] == 1.0f && frame.mesh[15] == 1.0f && frame.near_depth == ssgi_view_near(&view)
-              && frame.epsilon == 0.1f && frame.exponent == 32.0f,
+              && frame.epsilon == 0.3f && frame.exponent == 32.0f,
           "the frame's defaults");
     for (int i = 0; i < 48; ++i) light += fabsf(frame.harmonics[i]);
     CHECK(light == 0.0f, "a frame's light is not black");
@@ -1651,18 +1651,18 @@ static void defaults(void)
              .surfel.sends = SSGI_GL_SENDS_LIGHTS, .light.shadow = SSGI_GL_SHADOW_MAP,
              .light.environment = SSGI_GL_ENVIRONMENT_SH),
             (.gather.half = 1)),
-        ROW(5, (.pass = SSGI_GL_PASS_INTERLEAVE, .input.normal = SSGI_GL_NORMAL_FROM_DEPTH), (.surfel.levels = 5)),
+        ROW(5, (.pass = SSGI_GL_PASS_INTERLEAVE, .input.normal = SSGI_GL_NORMAL_FROM_DEPTH), (.surfel.levels = 4)),
         ROW(1, (.pass = SSGI_GL_PASS_SPLAT),
-            (.surfel.levels = 5, .surfel.near_samples = 1, .surfel.sends = SSGI_GL_SENDS_LIGHTS)),
+            (.surfel.levels = 4, .surfel.near_samples = 1, .surfel.sends = SSGI_GL_SENDS_LIGHTS)),
         ROW(1 + 1, (.pass = SSGI_GL_PASS_SPLAT, .surfel.effect = SSGI_GL_EFFECT_LIGHT),
-            (.surfel.levels = 5, .gather.falloff = SSGI_GL_FALLOFF_NONE)),
-        ROW(1, (.pass = SSGI_GL_PASS_DEINTERLEAVE, .surfel.effect = SSGI_GL_EFFECT_SCATTER), (.surfel.levels = 7)),
-        ROW(2 + 1 + 16 * 2, (.pass = SSGI_GL_PASS_SMOOTH), (.surfel.levels = 5)),
+            (.surfel.levels = 4, .gather.falloff = SSGI_GL_FALLOFF_NONE)),
+        ROW(1, (.pass = SSGI_GL_PASS_DEINTERLEAVE, .surfel.effect = SSGI_GL_EFFECT_SCATTER), (.surfel.levels = 4)),
+        ROW(2 + 1 + 8 * 2, (.pass = SSGI_GL_PASS_SMOOTH), (.surfel.levels = 4)),
         ROW(5 + 1 + 2 * (1 + 1 + 4),
             (.pass = SSGI_GL_PASS_SMOOTH, .surfel.levels = 2, .filter.normals = 1,
              .input.normal = SSGI_GL_NORMAL_FROM_DEPTH),
             (.surfel.near_samples = 1)),
-        ROW(1 + 5, (.pass = SSGI_GL_PASS_SUM), (.surfel.levels = 5)),
+        ROW(1 + 4, (.pass = SSGI_GL_PASS_SUM), (.surfel.levels = 4)),
         ROW(2 + 3 + 4, (.pass = SSGI_GL_PASS_SUM, .surfel.levels = 3, .surfel.effect = SSGI_GL_EFFECT_LIGHT),
             (.surfel.axis = 1)),
         ROW(2 + 4 + 8 * 5, (.pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS),

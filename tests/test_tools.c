@@ -227,7 +227,7 @@ static void wasm(void)
         "    ssgi_gl_frame_history(&f, &v, id, last, NULL);\n"
         "    ssgi_gl_harmonics_set(&f, sh, 1, NULL, NULL);\n"
         "    f.phase = ssgi_gl_phase(5);\n"
-        "    ssgi_gl_surfels_set(&f, &v, &(ssgi_surfel_desc){ .size = 0.03f, .keep_small = 1 }, 3, NULL, NULL);\n"
+        "    ssgi_gl_surfels_set(&f, &v, &(ssgi_surfel_desc){ .size = 0.03f, .keep_small = 1 }, NULL, NULL);\n"
         "    return fwrite(&f, 1, sizeof f, stdout) != sizeof f;\n"
         "}\n";
     static const char *const script =

@@ -1606,7 +1606,6 @@ static void smooth_weights(void)
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
-    frame.level[0] = frame.level[1] = SIDE;
     for (int i = 0; i < MANY; ++i) normal[i][2] = 1;
     for (int l = 0; l < LEVELS; ++l) level[l * MANY + 32 * SIDE + 32] = 1;
     const given t[3] = { { "t_ssgi_levels", kit_texture(SIDE, LEVELS * SIDE, GL_R32F, level) },
@@ -1773,7 +1772,6 @@ static void slices_see_surfels(void)
         ssgi_view view;
         if (!facing(&view, &frame, 50)) return;
         frame.surfel[0] = 0.25f;
-        frame.level[0] = frame.level[1] = SIDE;
         frame.epsilon = 1e-4f;
         for (int i = 0; i < MANY; ++i) {
             const float P[3] = { row[k].x, 0.03f, row[k].z + row[k].toward * (float)(1.25 * span * (i + 1) / MANY) };
@@ -1915,7 +1913,7 @@ static void twin_tessellation(void)
         ssgi_view view;
         if (!CHECK(ssgi_view_from_projection(&view, m[k & 1], SSGI_CLIP_GL, 640, 480, &why) == SSGI_OK
                        && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK
-                       && ssgi_gl_surfels_set(&frame, &view, &made, 5, NULL, &why) == SSGI_OK, "%s", why))
+                       && ssgi_gl_surfels_set(&frame, &view, &made, NULL, &why) == SSGI_OK, "%s", why))
             return;
         ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_TESS_CONTROL);
         char *const rest = strstr(text, "layout(vertices");

@@ -490,7 +490,7 @@ function frameOf(side, now) {
     if (desc.environment === 'SH') ssgi.harmonics(frame, coefficients(desc.bands), desc.bands, v);
     if (desc.pass === 'SPLAT') {
         const { size, epsilon } = side.about;
-        ssgi.surfels(frame, now.made, { size, max_distance: radius() }, desc.levels);
+        ssgi.surfels(frame, now.made, { size, max_distance: radius() });
         frame.epsilon[0] = epsilon;
     }
     if (side.run.chain.history) {

@@ -14,12 +14,9 @@ export const methods = {
               light: true },
     s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1,
                                    restore: 'RATIO' }, thickness_limit: 0.4, light: true },
-    dss: { title: 'Deep screen space', desc: { pass: 'SPLAT', near_samples: 4, span: 4 }, thickness_limit: 0.6,
-           module: 'surfels', presets: {         /* rows of FIGURES.md, each costs more */
-               FAST: { size: 0.06, levels: 5, epsilon: 0.1 },
-               BALANCED: { size: 0.03, levels: 5, epsilon: 0.1 },
-               BEST: { size: 0.03, levels: 4, epsilon: 0.02 }
-           } },
+    dss: { title: 'Deep screen space', desc: { pass: 'SPLAT', span: 6 }, thickness_limit: 0.6, module: 'surfels',
+           presets: { FAST: { size: 0.03, levels: 4, epsilon: 0.3 }, BALANCED: { size: 0.03, levels: 4, epsilon: 0.3 },
+                      BEST: { size: 0.03, levels: 4, epsilon: 0.3 } } },
     aof: { title: 'Fields of objects', desc: { pass: 'FIELD', objects: 'TEXTURE' }, module: 'fields', presets: {
         FAST: { resolution: 8, rays: 64 }, BALANCED: { resolution: 16, rays: 128 },
         BEST: { resolution: 32, rays: 128 } } }

@@ -144,7 +144,8 @@ static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const 
     const int scatter = m->desc.surfel.effect == SSGI_GL_EFFECT_SCATTER;
     kit_run *run = m->run;
     const ssgi_splat splat = { .epsilon = run->frame.epsilon, .max_distance = s->desc.max_distance,
-                               .levels = m->desc.surfel.levels, .near_depth = run->frame.near_depth };
+                               .levels = m->desc.surfel.levels, .near_depth = run->frame.near_depth,
+                               .part = m->desc.gather.half >= SSGI_GL_HALF_QUARTER ? 4 : m->desc.gather.half ? 2 : 1 };
     ssgi_surfel_cost cost;
     const char *why = "out of memory";
     float sky[3] = { 0, 0, 0 };
@@ -189,7 +190,7 @@ static ssgi_gl_chain chain_of(const kit_making *m, const surfels *s)
 {
     const int way = m->set->way, lit = m->run->lit;
     ssgi_gl_chain chain = kit_chain(m);
-    chain.blur = chain.history = 0;
+    chain.history = 0;
     chain.desc.surfel.tessellate = way != KIT_WAY_CPU;
     chain.desc.light.bounce = m->desc.surfel.effect == SSGI_GL_EFFECT_LIGHT && m->set->bounce;
     chain.desc.light.environment =
@@ -260,7 +261,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene",
                         m->method->name);
     if (set->way && !glPatchParameteri) return kit_fail(m->err, "--set way: %s has no tessellation", kit_gl_name());
-    if (ssgi_gl_surfels_set(&run->frame, view, &s.desc, m->desc.surfel.levels, picture, &why) != SSGI_OK)
+    if (ssgi_gl_surfels_set(&run->frame, view, &s.desc, picture, &why) != SSGI_OK)
         return kit_fail(m->err, "%s", why);
     if (set->near_depth && nearest_of(&run->frame.near_depth, run->gbuffer, m->err)) return -1;
     const int failed = add_surfel_passes(m, &s, view, picture);

@@ -158,18 +158,19 @@ ROW(occluders_row, occluders, "objects that occlude: solid ones that contain no 
 ROW(cap_table_row, cap_table, "texels along a side of the table that a cap's occlusion is looked up in, 2 or more; "
     "0: its closed form", NULL, 0, 0, 4096, PLAN, 0)
 
-ROW(size_row, size, "s: diameter of a surfel, in image heights", NULL, 0.015, 1e-4, 1, PLAN, 0)
+ROW(size_row, size, "s: diameter of a surfel, in image heights", NULL, 0.03, 1e-4, 1, PLAN, 0)
+ROW(fine_size_row, size, "s: diameter of a surfel, in image heights", NULL, 0.015, 1e-4, 1, PLAN, 0)
 ROW(epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
-    NULL, 0.1, 1e-6, 1, FRAME, FRAMED(epsilon))
+    NULL, 0.3, 1e-6, 1, FRAME, FRAMED(epsilon))
 ROW(deep_epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
     NULL, 0.02, 1e-6, 1, FRAME, FRAMED(epsilon))
 COUNT(deep_levels_row, levels, surfel.levels, GATHER, 7, "levels of sub-buffers: each doubles the reach")
-COUNT(levels_row, levels, surfel.levels, GATHER, 5, "levels of sub-buffers: each doubles the reach")
+COUNT(levels_row, levels, surfel.levels, GATHER, 4, "levels of sub-buffers: each doubles the reach")
 ROW(way_row, way, "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once",
     "cpu capture direct", 0, 0, 2, PLAN, 0)
-COUNT(near_row, near_samples, surfel.near_samples, GATHER, 4, "points over a surfel for pixels within 4 of its radii; "
+COUNT(near_row, near_samples, surfel.near_samples, GATHER, 1, "points over a surfel for pixels within 4 of its radii; "
     "1: its centre alone")
-OF(span_row, span, surfel.span, GATHER, 4, "surfaces nearer than so many surfel radii are left to slices, all others "
+OF(span_row, span, surfel.span, GATHER, 6, "surfaces nearer than so many surfel radii are left to slices, all others "
     "to surfels")
 ROW(hidden_sky_row, sky, "1: --env lights surfels that the picture does not show, too, unoccluded; span=0: always, all",
     NULL, 0, 0, 1, PLAN, 0)
@@ -236,10 +237,12 @@ typedef struct plan {
     SETTINGS(&bands_row, &indirect_row, &dimmed_row, &residual_row, &two_sided_row, \
              COEFFICIENTS(&packed_row, &lights_row, __VA_ARGS__))
 #define SSBN(...) SETTINGS(&cone_row, &lamp_residual_row, COEFFICIENTS(&store_row, &shadowed_row, __VA_ARGS__))
-#define SURFELS(every, epsilon, levels, ...) \
-    SETTINGS(&size_row, epsilon, levels, &way_row, &splits_row, &overhang_row, &offscreen_growth_row, every, \
-             &near_depth_row, &near_row, &both_row, &smooth_row, &likeness_row, &normal_row, __VA_ARGS__)
+#define SURFELS(size, every, epsilon, levels, ...) \
+    SETTINGS(size, epsilon, levels, &way_row, &splits_row, &overhang_row, &offscreen_growth_row, every, \
+             &near_depth_row, &near_row, &both_row, &smooth_row, &likeness_row, &normal_row, &half_row, &blur_row, \
+             __VA_ARGS__)
 #define PUBLISHED &enlarge_row, &combine_row
+#define NEAR &span_row, &slices_row, &steps_row, &thickness_row
 #define LIT_SURFELS &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_PASS_SSAO, 0, SSGI_GL_PRESET_BALANCED,
@@ -279,17 +282,21 @@ static const plan plans[] = {
       SSGI_GL_PRESET_BALANCED, SSBN(POINTS) },
     { "dss", "deep screen space: surfels of all triangles, on screen or not, splatted: occlusion", SSGI_GL_PASS_SPLAT,
       SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_BALANCED,
-      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &falloff_row, PUBLISHED, &span_row) },
+      SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, &falloff_row, PUBLISHED, NEAR) },
+    { "dss-fast", "dss at a quarter of the size", SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_FAST,
+      SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, &falloff_row, PUBLISHED, NEAR) },
+    { "dss-best", "dss at full size", SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_BEST,
+      SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, &falloff_row, PUBLISHED, NEAR) },
     { "dss-lit", "dss as directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_PASS_SPLAT,
       SSGI_GL_EFFECT_LIGHT, SSGI_GL_PRESET_BALANCED,
-      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &sent_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED,
-              &span_row) },
+      SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, &sent_row, &hidden_sky_row, LIT_SURFELS,
+              PUBLISHED, NEAR) },
     { "dss-gloss", "dss as one specular bounce; irradiance: radiance of the lobe", SSGI_GL_PASS_SPLAT,
       SSGI_GL_EFFECT_SPECULAR, SSGI_GL_PRESET_BALANCED,
-      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
+      SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, &sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
     { "dss-scatter", "dss as multiple scattering under surfaces; irradiance: radiance that leaves them",
       SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_PRESET_BALANCED,
-      SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row, &unit_row) },
+      SURFELS(&fine_size_row, &each_row, &deep_epsilon_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row, &unit_row) },
     { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius",
       SSGI_GL_PASS_FIELD, 0, SSGI_GL_PRESET_BALANCED,
       SETTINGS(&resolution_row, &radii_row, &rays_a_row, &unfiltered_row, &reach_row, &ramp_row, &inside_row,

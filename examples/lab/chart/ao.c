@@ -47,7 +47,9 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
     { "march, 2 layers",  "hsao-march",   "layers=2",                     1 },
     { "march, 4 cameras", "hsao-march",   "directions=4,steps=6,views=4", 0 },
     { "hsao, margin",     "hsao",         "margin=0.25",                  1 },
-    { "dss",              "dss",          "",                             0 }
+    { "dss",              "dss-fast",     "",                             0 },
+    { "dss",              "dss",          "",                             0 },
+    { "dss",              "dss-best",     "",                             0 }
 };
 
 static const float DEMO_ERROR = 0.03f;      /* what the demo's planned row is asked for */

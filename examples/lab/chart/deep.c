@@ -18,22 +18,24 @@ static const entry deep_ao[] = { /* rows of one label make one curve */
     { "hsao", "hsao-fast", "", 1 },
     { "hsao", "hsao", "", 1 },
     { "hsao", "hsao-best", "", 1 },
-    DSS("dss", "size=0.06", 0),
-    DSS("dss", "size=0.03", 1),
-    DSS("dss", "", 1),
-    DSS("dss, epsilon 0.02, 4 levels", "size=0.03,epsilon=0.02,levels=4", 0)
+    { "dss", "dss-fast", "", 1 },
+    { "dss", "dss", "", 1 },
+    { "dss", "dss-best", "", 1 },
+    DSS("dss, small surfels, far, at full size", "half=0,size=0.015,epsilon=0.1,levels=5,near_samples=4", 0),
+    DSS("dss, epsilon 0.02, at full size", "half=0,epsilon=0.02", 0)
 };
 static const entry deep_figure8[] = {
-    DSS("epsilon", COARSE ",levels=4,epsilon=0.2", 1),  DSS("epsilon", COARSE ",levels=4,epsilon=0.1", 1),
-    DSS("epsilon", COARSE ",levels=4,epsilon=0.02", 1), DSS("levels", COARSE ",epsilon=0.1,levels=1", 0),
-    DSS("levels", COARSE ",epsilon=0.1,levels=2", 1),   DSS("levels", COARSE ",epsilon=0.1,levels=6", 0)
+    DSS("epsilon", COARSE ",half=0,levels=4,epsilon=0.2", 1),  DSS("epsilon", COARSE ",half=0,levels=4,epsilon=0.1", 1),
+    DSS("epsilon", COARSE ",half=0,levels=4,epsilon=0.02", 1), DSS("levels", COARSE ",half=0,epsilon=0.1,levels=1", 0),
+    DSS("levels", COARSE ",half=0,epsilon=0.1,levels=2", 1),   DSS("levels", COARSE ",half=0,epsilon=0.1,levels=6", 0)
 };
 static const entry deep_choices[] = {
     DSS("defaults", COARSE, 1),
     DSS("every triangle", COARSE ",keep_small=1", 0),
     DSS("no growth off screen: as published", COARSE ",offscreen_growth=0", 0),
     DSS("from the near plane on", COARSE ",near_depth=0", 0),
-    DSS("near_samples: the centre alone", COARSE ",near_samples=1", 0),
+    DSS("near_samples: 4 points", COARSE ",near_samples=4", 0),
+    DSS("full size", COARSE ",half=0", 0),
     DSS("corners move to the centroid: as published", COARSE ",overhang=centroid", 0),
     DSS("larger surfels on farther levels: as published", COARSE ",enlarge=1", 0),
     DSS("form factors add up: as published", COARSE ",combine=add", 0),
@@ -74,10 +76,10 @@ static const entry deep_effects[] = {
 /* The same reach, radius sqrt(1 / epsilon - 1) 2^(levels - 1): 16^2 (1/0.1 - 1) = 1/0.000433839 - 1. half: of the
    picture's width and height, brought to full size bilinearly. */
 static const sized deep_figure9[] = {
-    { DSS("5 levels", COARSE ",levels=5,epsilon=0.1", 1), 0 },
-    { DSS("full size, 1 level", COARSE ",levels=1,epsilon=0.000433839", 1), 0 },
-    { DSS("half size, 1 level", COARSE ",levels=1,epsilon=0.000433839", 1), 1 },
-    { DSS("half size, 5 levels", COARSE ",levels=5,epsilon=0.1", 0), 1 }
+    { DSS("5 levels", COARSE ",half=0,levels=5,epsilon=0.1", 1), 0 },
+    { DSS("full size, 1 level", COARSE ",half=0,levels=1,epsilon=0.000433839", 1), 0 },
+    { DSS("half size, 1 level", COARSE ",half=0,levels=1,epsilon=0.000433839", 1), 1 },
+    { DSS("half size, 5 levels", COARSE ",half=0,levels=5,epsilon=0.1", 0), 1 }
 };
 
 typedef struct growth { const char *label, *settings; int width, quick; } growth;

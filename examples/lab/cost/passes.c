@@ -186,7 +186,7 @@ int work_add_file(work *w, const char *path, kit_error *err)
 const assumed assumptions[] = {
     { "change_mask", { 16, 0 }, "of the 16 places of a tile all have changed, or none" },
     { "lights", { 1, 1 }, "there is one light" },
-    { "smooth", { 7, 7 }, "the mean of five levels" }
+    { "smooth", { 5, 5 }, "the mean of four levels, rounded up" }
 };
 const int assumptions_count = (int)(sizeof assumptions / sizeof *assumptions);
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PUBLISHED "span=0,overhang=centroid,enlarge=1,combine=add,near_samples=1"
+#define PUBLISHED "half=0,epsilon=0.1,levels=5,span=0,overhang=centroid,enlarge=1,combine=add,near_samples=1"
 enum { LEVELS = 5, FAN = 6, FINE = 256, SURFEL_RAYS = 64, COLUMNS = 8, CELLS = 32 };
 
 /* What a pixel has by each way, before it is put into 0..1. */
@@ -274,7 +274,7 @@ static int draw(double *out, job *j, int keep, const char *method, const char *s
 static const struct { const char *name, *method, *set; } pictures[] = {
     { "drawn, unsmoothed", "dss", PUBLISHED ",smooth=0" },
     { "drawn: as published", "dss", PUBLISHED },
-    { "the library's surfels alone, span=0", "dss", "span=0" },
+    { "the library's surfels alone, span=0", "dss", "half=0,epsilon=0.1,levels=5,span=0" },
     { "the library's dss: what is near by slices", "dss", "" },
     { "hsao", "hsao", NULL },
     { "hsao-best", "hsao-best", NULL }

@@ -3,7 +3,9 @@
 #include "lab/papers/sheet.h"
 
 /* as published: corners move to the centroid, surfels of farther levels are larger, form factors are of centres */
-#define SURFELS_AS   "overhang=centroid,near_samples=1"
+#define SURFELS_AS   "half=0,overhang=centroid,near_samples=1"
+/* and small ones, where nothing else is said */
+#define FINE         "size=0.015,epsilon=0.1,levels=5,"
 #define SPLATS_AS    SURFELS_AS ",enlarge=1,combine=add"
 /* and surfels are all that there is */
 #define PUBLISHED    "span=0," SPLATS_AS
@@ -13,7 +15,7 @@
 /* ---- >>Table 1 --------------------------------------------------------------------------------------------------- */
 
 #define STAGE_ROW(name, ao, do_, gi, sss) { .what = name, .printed = { ao, do_, gi, sss }, .method = "dss", \
-      .settings = "way=capture," PUBLISHED }
+      .settings = "way=capture," FINE PUBLISHED }
 enum { SPLATTING = 2, TOTAL = 6 };
 static const paper_row stage_rows[] = {
     STAGE_ROW("Tessellation", "1.6", "1.6", "1.6", "1.6"), STAGE_ROW("Shuffling", "2", "2", "3", "2"),
@@ -32,10 +34,10 @@ static const claim stage_claims[] = {
 /* A column an effect, a row a stage: of each effect's frame its stages' shares. The quick form has AO alone. */
 static int stage_times(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
-    static const entry effects[] = { { "AO", "dss", "way=capture," PUBLISHED, 1 },
-                                     { "DO", "dss-lit", "way=capture,bounce=none," PUBLISHED, 1 },
-                                     { "DO, GI", "dss-lit", "way=capture," PUBLISHED, 1 },
-                                     { "specular", "dss-gloss", "way=capture," SPLATS_AS, 1 },
+    static const entry effects[] = { { "AO", "dss", "way=capture," FINE PUBLISHED, 1 },
+                                     { "DO", "dss-lit", "way=capture,bounce=none," FINE PUBLISHED, 1 },
+                                     { "DO, GI", "dss-lit", "way=capture," FINE PUBLISHED, 1 },
+                                     { "specular", "dss-gloss", "way=capture," FINE SPLATS_AS, 1 },
                                      { "SSS", "dss-scatter", "way=capture," SURFELS_AS "," MARBLE, 1 },
                                      { "AO, the library's", "dss", "way=capture", 1 } };
     const int count = o->quick ? 1 : COUNT(effects);
@@ -69,8 +71,9 @@ static const sheet stage_sheet = {
 /* ---- >>Figure 4 -------------------------------------------------------------------------------------------------- */
 
 static const paper_row small_rows[] = {
-    { .what = "(a) the size asked for", .method = "dss", .settings = "size=0.06,levels=3," PUBLISHED },
-    { .what = "(b) a mesh finer than that", .method = "dss", .settings = "size=0.06,levels=3,keep_small=1," PUBLISHED }
+    { .what = "(a) the size asked for", .method = "dss", .settings = "size=0.06,epsilon=0.1,levels=3," PUBLISHED },
+    { .what = "(b) a mesh finer than that", .method = "dss",
+      .settings = "size=0.06,epsilon=0.1,levels=3,keep_small=1," PUBLISHED }
 };
 static const claim small_claims[] = {
     { "Surfels of (b) reach less far, so that it is lighter", LESS(0, 0, 1), NULL }
@@ -93,7 +96,7 @@ static const sheet small_sheet = {
 #define RASTERISER "a software rasteriser draws all splats one after another"
 static const paper_row ao_rows[] = {
     { .what = "screen space: HBAO", .method = "hsao", .settings = "" },
-    { .what = "deep screen space", .printed = { "22" }, .method = "dss", .settings = PUBLISHED_ALL, .ours = 3 },
+    { .what = "deep screen space", .printed = { "22" }, .method = "dss", .settings = FINE PUBLISHED_ALL, .ours = 3 },
     { .what = "the library's: near slices, shares", .method = "dss", .settings = "" },
     { .what = "screen space at full size", .method = "hsao-best", .settings = "", .note = "not in the figure" }
 };
@@ -115,11 +118,11 @@ static const paper_row light_rows[] = {
     { .what = "screen space: SSDO", .method = "ssdo-points", .ours = 3,
       .settings = "uniform=1,sets=16,samples=16,steps=1,range=0,bounce=patch,blur=2,filter_normals=1" },
     { .what = "deep screen space, GI", .printed = { NULL, "56" }, .method = "dss-lit",
-      .settings = COARSE "," PUBLISHED_ALL, .ours = 4 },
+      .settings = COARSE ",epsilon=0.1,levels=5," PUBLISHED_ALL, .ours = 4 },
     { .what = "the library's screen space", .method = "ssdo", .settings = "" },
     { .what = "the library's deep screen space", .method = "dss-lit", .settings = COARSE },
     { .what = "deep screen space, DO alone", .printed = { "24" }, .method = "dss-lit",
-      .settings = COARSE ",bounce=none," PUBLISHED_ALL }
+      .settings = COARSE ",epsilon=0.1,levels=5,bounce=none," PUBLISHED_ALL }
 };
 static const claim light_claims[] = {
     { "Directional occlusion is nearer to the reference", LESS(0, 1, 0), NULL },
@@ -140,7 +143,8 @@ static const sheet light_sheet = {
 #define NO_BASELINE "the library has no screen-space effect of this kind to set beside it"
 static const paper_row gloss_rows[] = {
     { .what = "screen space", .note = NO_BASELINE },
-    { .what = "deep screen space", .method = "dss-gloss", .settings = "exponent=8,size=0.03," SPLATS_AS, .ours = 3 },
+    { .what = "deep screen space", .method = "dss-gloss",
+      .settings = "exponent=8,size=0.03,epsilon=0.1,levels=5," SPLATS_AS, .ours = 3 },
     { .what = "the library's", .method = "dss-gloss", .settings = "exponent=8,size=0.03" },
     { .what = "the library's, smaller surfels", .method = "dss-gloss", .settings = "exponent=8",
       .note = "not in the figure" }

@@ -40,13 +40,16 @@ const chain_named chain_names[] = {
     { "s3ho-coefficients", "s3ho,balanced,packed=1,residual=1,coefficients=1", "coefficients, filtered, then shaded" },
     { "ssbn", "s3ho,balanced,bands=2,shading=BENT_CONE", "bent normals and cones" },
     { "aof", "field", "occlusion by baked fields" },
-    { "dss", "splat", "occlusion by surfels" },
-    { "dss-near", "splat,span=4", "near ones by slices" },
-    { "dss-light", "splat,effect=LIGHT,environment=MAP", "light of an environment" },
-    { "dss-lit", "splat,effect=LIGHT,environment=MAP,bounce=SOLID_ANGLE,surfels=1,sends=LIGHTS,hidden_sky=1,"
-                 "lights.shadow=MAP", "environment, lights, one bounce; surfels lit by transform feedback" },
-    { "dss-gloss", "splat,effect=SPECULAR", "specular bounce" },
-    { "dss-scatter", "splat,effect=SCATTER", "light under the surface" },
+    { "dss-fast", "splat,fast,span=6", "occlusion by surfels, near ones by slices" },
+    { "dss", "splat,balanced,span=6", "occlusion by surfels, near ones by slices" },
+    { "dss-best", "splat,best,span=6", "occlusion by surfels, near ones by slices" },
+    { "dss-alone", "splat", "occlusion by surfels alone" },
+    { "dss-light", "splat,balanced,span=6,effect=LIGHT,environment=MAP", "light of an environment" },
+    { "dss-lit", "splat,balanced,span=6,effect=LIGHT,environment=MAP,bounce=SOLID_ANGLE,surfels=1,sends=LIGHTS,"
+                 "hidden_sky=1,lights.shadow=MAP",
+      "environment, lights, one bounce; surfels lit by transform feedback" },
+    { "dss-gloss", "splat,balanced,effect=SPECULAR", "specular bounce" },
+    { "dss-scatter", "splat,balanced,effect=SCATTER,levels=7", "light under the surface" },
 };
 const int chain_names_count = (int)(sizeof chain_names / sizeof chain_names[0]);
 

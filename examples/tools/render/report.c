@@ -162,6 +162,9 @@ static void text_times(const result *r)
                kit_fetches(&r->run->pass[i].desc));
         sum += r->ms[i];
     }
+    if (r->run->surfels)
+        printf("surfels   %zu, whose splats cover %.1f texels a pixel of the picture\n", r->run->surfels,
+               r->run->splat_pixels / ((double)r->picture.width * r->picture.height));
     if (slabs_ms(r->run) > 0)
         printf("%-8s %9.3f ms: the scene's back faces, not in the sum\n", "slabs", slabs_ms(r->run));
     if (r->run->margin)

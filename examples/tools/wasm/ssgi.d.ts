@@ -113,7 +113,7 @@ export class Ssgi {
   history(frame: Frame, view: Uint8Array, worldToView: ArrayLike<number>, lastWorldToView: ArrayLike<number>): Frame;
   harmonics(frame: Frame, coefficients: ArrayLike<number>, bands: number,
             worldToView?: ArrayLike<number> | null): Frame;
-  surfels(frame: Frame, view: Uint8Array, desc?: SurfelDesc, levels?: number): Frame;
+  surfels(frame: Frame, view: Uint8Array, desc?: SurfelDesc): Frame;
   /** a row of t_ssgi_lights: 8 texels of RGBA32F */
   light(light: Light, map?: LightMap | null): Float32Array;
   phase(k: number): number;

@@ -248,8 +248,8 @@ export class Ssgi {
             this.#try(why => this.#c.ssgi_gl_harmonics_set(f, from, bands, turn, why));
         });
     }
-    /* What surfels are made with; desc: members of ssgi_surfel_desc, 0 where left out. levels: as the chain's desc. */
-    surfels(frame, view, desc = {}, levels = 5) {
+    /* What surfels are made with; desc: members of ssgi_surfel_desc, 0 where left out. */
+    surfels(frame, view, desc = {}) {
         return this.#onFrame(frame, f => {
             const { ssgi_surfel_desc: places } = this.#of, d = this.#room(this.#at.ssgi_surfel_desc);
             for (const [name, value] of Object.entries(object('desc', desc))) {
@@ -257,8 +257,8 @@ export class Ssgi {
                 if (/^(splits|keep_small|overhang)$/.test(name)) this.#setInt(d + places[name], whole(name, value));
                 else this.#setFloats(d + places[name], [number(name, value)]);
             }
-            const v = this.#view(view), l = whole('levels', levels);
-            this.#try(why => this.#c.ssgi_gl_surfels_set(f, v, d, l, 0, why));
+            const v = this.#view(view);
+            this.#try(why => this.#c.ssgi_gl_surfels_set(f, v, d, 0, why));
         });
     }
     /* Its row of t_ssgi_lights: 8 texels of RGBA32F. light: members of ssgi_gl_light; map: where its shadow map is in
