@@ -624,7 +624,14 @@ static void predictions(void)
         }
         CHECK(fabs(sum[0] / sum[1] - 1) < 0.25 && sum[0] > 0, "%s: %g pixels of triangles, %g of surfels", names[k],
               sum[0], sum[1]);
-        t_note("%s: %zu surfels, pixels of triangles %.3f of surfels'", names[k], n, sum[0] / sum[1]);
+        ssgi_splat half = splat;
+        double halved = 0;
+        half.part = 2;
+        CHECK(ssgi_surfels_predict(&surfels, &d, &half, &view, &source, NULL) == SSGI_OK, "%s, half size", names[k]);
+        for (int l = 0; l < 4; ++l) halved += surfels.pixels[l] / sum[0];
+        CHECK(halved > 0.25 && halved < 0.35, "%s: half size has %.3f of the pixels", names[k], halved);
+        t_note("%s: %zu surfels, pixels of triangles %.3f of surfels', of half size %.3f", names[k], n,
+               sum[0] / sum[1], halved);
         free(s);
         kit_scene_free(&scene);
     }
@@ -840,16 +847,17 @@ static void refusals(void)
     }
     const ssgi_surfel_desc d = { 0 };
     ssgi_surfel_source source = source_of(p, 1);
-    for (int k = 0; k < 7; ++k) {
+    for (int k = 0; k < 8; ++k) {
         static const char *const names[] = {
-            "splat",       "view", "splat.epsilon", "splat.max_distance", "splat.max_radiance", "splat.near_depth",
-            "splat.levels"
+            "splat",        "view",         "splat.epsilon", "splat.max_distance", "splat.max_radiance",
+            "splat.near_depth", "splat.levels", "splat.part"
         };
         const ssgi_splat splat = { .epsilon = k == 2 ? 2.0f : 0,
                                    .max_distance = k == 3 ? NAN : 0,
                                    .max_radiance = k == 4 ? -1.0f : 0,
                                    .near_depth = k == 5 ? INFINITY : 0,
-                                   .levels = k == 6 ? 8 : 0 };
+                                   .levels = k == 6 ? 8 : 0,
+                                   .part = k == 7 ? 3 : 0 };
         if (k != 1) REFUSED(ssgi_surfels_predict(&o.cost, &d, k ? &splat : NULL, &view, &source, &why), names[k]);
     }
     const ssgi_splat splat = { 0 };
@@ -1696,8 +1704,7 @@ static void lit_against_truth(void)
     };
     deep d;
     if (!lighten(&l, "sky", "sun:1,2,0.5,2,2,2") || !dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss-lit",
-                                                             "sky=1,levels=5", 0.8f,
-                                                             &l)
+                                                             "sky=1,levels=5", 0.8f, &l)
         || !drawn(&out, &d.run)
         || !TRY(kit_truth_lit(&truth, &d.scene, &d.g.camera, &l, 0.8f, KIT_ATTENUATION_NONE, 1, 32, 1, &err))
         || !TRY(kit_image_new(&none, 96, 54, KIT_LIT_CHANNELS, &err)))
@@ -1715,6 +1722,44 @@ static void lit_against_truth(void)
     kit_image_free(&none);
     kit_image_free(&l.env);
     surface(&d);
+}
+
+/* Of half size: what its filter brings to full size is near what is drawn there, with and without slices near by. */
+static void half_size(void)
+{
+    static const char *const channels[3][3] = { { "Y" },
+                                                { "irradiance.R", "irradiance.G", "irradiance.B" },
+                                                { "bounce.R", "bounce.G", "bounce.B" } };
+    static const double most[2][3] = { { 0.12, 0.013, 0.125 }, { 0.3, 0.018, 0.26 } };
+    kit_lighting l;
+    if (!lighten(&l, "sky", "sun:1,2,0.5,2,2,2")) return;
+    for (int k = 0; k < 4; ++k) {
+        const int lit = k & 1, alone = k >> 1;
+        char set[64];
+        deep d[2];
+        kit_image out[2], none;
+        for (int half = 0; half < 2; ++half) {
+            snprintf(set, sizeof set, "size=0.06,half=%s,span=%d", half ? "first" : "none", alone ? 0 : 6);
+            if (!dive(&d[half], "boxes", NULL, 0, NULL, 256, 144, lit ? "dss-lit" : "dss", set, 0.6f, lit ? &l : NULL)
+                || !drawn(&out[half], &d[half].run))
+                return;
+        }
+        if (!TRY(kit_image_new(&none, 256, 144, lit ? KIT_LIT_CHANNELS : "Y", &err))) return;
+        for (int i = 0; i < 256 * 144 && !lit; ++i) none.data[i] = 1;
+        for (int b = lit; b < 1 + 2 * lit; ++b) {
+            kit_score score, nothing;
+            TRY(kit_score_channels(&nothing, &none, &out[0], channels[b], lit ? 3 : 1, NULL, &err));
+            TRY(kit_score_channels(&score, &out[1], &out[0], channels[b], lit ? 3 : 1, NULL, &err));
+            CHECK(score.rmse < most[alone][b] * nothing.rmse && fabs(score.bias) < 0.002 * nothing.rmse,
+                  "%s, %s: differs by %.4f of %.4f, bias %.4f", set, channels[b][0], score.rmse, nothing.rmse,
+                  score.bias);
+            t_note("%s, %s: differs by %.3f, bias %+.4f", set, channels[b][0], score.rmse / nothing.rmse,
+                   score.bias / nothing.rmse);
+        }
+        kit_image_free(&none);
+        for (int half = 0; half < 2; ++half) { kit_image_free(&out[half]); surface(&d[half]); }
+    }
+    kit_image_free(&l.env);
 }
 
 /* Floor within a surfel's radius of a wall: surfels alone leave it too bright, slices see the wall. */
@@ -1940,5 +1985,6 @@ void test_surfels(void)
     RUN("a bounce is linear in its light, from 0.1 to 100", linear);
     RUN("occlusion against rays", against_truth);
     RUN("light and bounce against rays", lit_against_truth);
+    RUN("of half size occlusion, light and bounce are near those of full size", half_size);
     kit_gl_close();
 }
