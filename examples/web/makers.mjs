@@ -56,8 +56,8 @@ export function setOf(name, preset, set, own) {
 }
 
 /* Their chain, as settings have it. */
-export function madeChain(name, preset, set, own, { dialect, width, height, precise }) {
+export function madeChain(ssgi, name, preset, set, own, { dialect, width, height, precise }) {
     const { levels } = setOf(name, preset, set, own);
-    return { desc: { ...methods[name].desc, dialect, normal: set.normals, ...(levels && { levels }) }, width, height,
-             precise };
+    const desc = ssgi.preset({ ...methods[name].desc, dialect, normal: set.normals }, preset);
+    return { desc: { ...desc, ...(levels && { levels }) }, width, height, blur: 1, precise };
 }

@@ -429,10 +429,11 @@ function chainOf(name, preset, own) {
                                                    precise: +(stage.info?.far > farthestHalf) });
 }
 
-/* What is made of triangles has no noise that frames or neighbours average. */
+/* What is made of triangles has no noise that frames average; of half size neighbours bring it to full size. */
 function chainFor(name, preset, own) {
     if (!methods[name].module) return chainOf(name, preset, own);
-    return madeChain(name, preset, set, own, { ...size, dialect: '300ES', precise: +(stage.info?.far > farthestHalf) });
+    return madeChain(ssgi, name, preset, set, own, { ...size, dialect: '300ES',
+                                                     precise: +(stage.info?.far > farthestHalf) });
 }
 
 /* The C that makes a side's chain; null: it has none. */
