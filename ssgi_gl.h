@@ -6974,6 +6974,14 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
     b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
 }
 
+/* DEFAULT in a chain: slices have WIDTH, which errs least of all choices that need no further input. The other passes
+   may read layers and cameras, which have no widths. */
+static void ssgi_gl__thickness(ssgi_gl_desc *d)
+{
+    if (d->gather.thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__slices(d))
+        d->gather.thickness = SSGI_GL_THICKNESS_WIDTH;
+}
+
 /* Adds one effect of surfels, and of slices near by (desc.surfel.span). light: the texture of the light on visible
    surfaces, -1: there is none. Returns the texture that holds the effect. */
 static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_effect effect, int light)
@@ -6984,17 +6992,18 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
     if (effect > SSGI_GL_EFFECT_BOUNCE || (bounce && light < 0)) d.surfel.span = 0;
     if (effect < SSGI_GL_EFFECT_BOUNCE) d.surfel.sends = SSGI_GL_SENDS_COLOUR;
     if (d.surfel.span) {
+        slices.pass = lit ? SSGI_GL_PASS_SSDO : SSGI_GL_PASS_HSAO;
+        slices.gather.search = SSGI_GL_SEARCH_SLICES;
+        ssgi_gl__thickness(&slices);
         if (!slices.gather.directions) slices.gather.directions = 2;
         if (!slices.gather.steps) slices.gather.steps = 8;
-        if (!slices.gather.thickness) slices.gather.thickness = SSGI_GL_THICKNESS_WIDTH;
         if (lit) slices.gather.falloff = SSGI_GL_FALLOFF_NONE; /* Light does not fade. */
-        slices.gather.search = SSGI_GL_SEARCH_SLICES;
         slices.light.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
         slices.light.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
         slices.light.restore = SSGI_GL_RESTORE_RATIO; /* Pass sum multiplies by it. */
         *ssgi_gl__texture(b, "light") = light;
         if (bounce) ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_LIGHT);
-        ssgi_gl__add(b, &slices, lit ? SSGI_GL_PASS_SSDO : SSGI_GL_PASS_HSAO, 0);
+        ssgi_gl__add(b, &slices, slices.pass, 0);
         if (bounce) *ssgi_gl__texture(b, "light") = *ssgi_gl__texture(b, "bounce");
     }
     if (d.surfel.span && !d.gather.half) {
@@ -7015,13 +7024,12 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         ssgi_gl__add(b, &d, SSGI_GL_PASS_SMOOTH, 0);
     d.surfel.axis = 0;
     light = ssgi_gl__add(b, &d, SSGI_GL_PASS_SUM, 0)->output[0].texture;
-    if (!d.gather.half || !b->chain->blur) return light;
+    if (!d.gather.half) return light;
     *ssgi_gl__texture(b, lit ? "light" : "ao") = light;
     d.light.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
     d.light.environment = effect == SSGI_GL_EFFECT_LIGHT ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
-    d.filter.quantity = lit ? SSGI_GL_QUANTITY_LIGHT : SSGI_GL_QUANTITY_VISIBILITY;
     d.filter.normals |= effect > SSGI_GL_EFFECT_LIGHT;
-    return ssgi_gl__add(b, &d, SSGI_GL_PASS_BLUR, 0)->output[0].texture;
+    return ssgi_gl__filter(b, &d, lit ? "light" : "ao");
 }
 
 /* Adds surfels, and their effect; of light its bounce, too, as a second effect. */
@@ -7096,14 +7104,6 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b)
     if (!b->why && b->light < 0 && b->bounce < 0 && !b->picture)
         b->why = "chain: nothing lights it: desc.light.environment, lights, or direct";
     if (!b->why) ssgi_gl__compose(b);
-}
-
-/* DEFAULT in a chain: slices have WIDTH, which errs least of all choices that need no further input. The other passes
-   may read layers and cameras, which have no widths. */
-static void ssgi_gl__thickness(ssgi_gl_desc *d)
-{
-    if (d->gather.thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__slices(d))
-        d->gather.thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
 /* Returns the texture of an input that no step before it writes: the last frame's light, depth or coefficients. */

@@ -94,13 +94,13 @@ shown() {
 }
 
 if wanted babylon && in_browser babylon babylonjs; then
-    cp examples/hosts/babylon.html build/hosts
+    cp examples/hosts/babylon.html examples/hosts/boxes.mjs build/hosts
     shown babylon build/hosts 'babylon.html' $work/babylon.png 'babylon.html#white' $work/white.png
     near 'babylon' $work/white.png $work/depth.png $most 2.2
 fi
 
 if wanted playcanvas && in_browser playcanvas playcanvas; then
-    cp examples/hosts/playcanvas.html build/hosts
+    cp examples/hosts/playcanvas.html examples/hosts/boxes.mjs build/hosts
     shown playcanvas build/hosts 'playcanvas.html' $work/playcanvas.png 'playcanvas.html#white' $work/white.png \
         'playcanvas.html#white,pane' $work/pane.png
     near 'playcanvas' $work/white.png $work/depth.png $most 2.2
@@ -113,6 +113,7 @@ by_vite() {
     page=$1
     shift
     mkdir -p build/hosts/$page && cp examples/hosts/$page.html build/hosts/$page/index.html
+    cp examples/hosts/boxes.mjs build/hosts/$page
     said=$(cd build/hosts/$page && ../node_modules/.bin/vite build 2>&1)
     check "$page: vite: $said" \
         "$(echo "$said" | grep -q 'built in' && ! echo "$said" | grep -qi externalized && echo 1)"

@@ -3,6 +3,8 @@
    Tables have no prototype: words of the address are looked up in them, and "constructor" is in every other object. */
 import { skies } from './sky.mjs';
 
+const surfels = { size: 0.03, levels: 4, epsilon: 0.3 };      /* the library's defaults */
+
 export const methods = {
     __proto__: null,
     none: { title: 'no occlusion' },
@@ -15,8 +17,7 @@ export const methods = {
     s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1,
                                    restore: 'RATIO' }, thickness_limit: 0.4, light: true },
     dss: { title: 'Deep screen space', desc: { pass: 'SPLAT', span: 6 }, thickness_limit: 0.6, module: 'surfels',
-           presets: { FAST: { size: 0.03, levels: 4, epsilon: 0.3 }, BALANCED: { size: 0.03, levels: 4, epsilon: 0.3 },
-                      BEST: { size: 0.03, levels: 4, epsilon: 0.3 } } },
+           presets: { FAST: surfels, BALANCED: surfels, BEST: surfels } },
     aof: { title: 'Fields of objects', desc: { pass: 'FIELD', objects: 'TEXTURE' }, module: 'fields', presets: {
         FAST: { resolution: 8, rays: 64 }, BALANCED: { resolution: 16, rays: 128 },
         BEST: { resolution: 32, rays: 128 } } }

@@ -10,8 +10,8 @@ const usage = { texture: 1 | 2 | 4 | 16, uniform: 64 | 8 };                     
 function planOf(ssgi, steps) {
     const textures = [];
     for (const { outputs, width, height } of steps)
-        for (const { texture, format: { webgpu }, slices, kept } of outputs)
-            textures[texture] = { format: webgpu, size: [width, height], slices, kept };
+        for (const { texture, format: { webgpu }, slices, kept, result } of outputs)
+            textures[texture] = { format: webgpu, size: [width, height], slices, kept, result };
     return { textures, steps: steps.map(step => ({
         desc: step.desc, rows: ssgi.rows(step.desc), blend: null, clear: step.clear ? step.clear_to : null,
         vertices: step.vertices, instances: step.instances,
@@ -89,9 +89,7 @@ export class Drawer {
 /* A chain with its targets, of one size. */
 class Run {
     #device; #passes; #block; #clock = null; #fresh = null; #wrong = null; #linked = false; #freed = false;
-    light = null;
     format = null;
-    bounce = null;
     ms = [];
 
     constructor(device, ssgi, drawer, chain) {
@@ -105,16 +103,11 @@ class Run {
             return { vert, frag };
         });
         this.#passes.ready.then(() => { this.#linked = true; }, error => { this.#wrong = error; });
-        this.#results();
+        this.format = this.steps.flatMap(step => step.outputs).find(({ result }) => result === 'LIGHT')?.format ?? null;
     }
 
-    #results() {
-        for (const { outputs } of this.steps)
-            for (const { result, texture, format } of outputs) {
-                if (result === 'LIGHT') { this.light = this.#passes.textures[texture][0]; this.format = format; }
-                if (result === 'BOUNCE') this.bounce = this.#passes.textures[texture][0];
-            }
-    }
+    get light() { return this.#passes.result('LIGHT') ?? null; }
+    get bounce() { return this.#passes.result('BOUNCE') ?? null; }
 
     get linked() {
         if (this.#wrong) throw this.#wrong;
@@ -166,10 +159,7 @@ class Run {
         return true;
     }
 
-    turn() {
-        this.#passes.turn();
-        this.#results();
-    }
+    turn() { this.#passes.turn(); }
 
     free() {
         if (this.#freed) return;

@@ -243,6 +243,9 @@ typedef struct plan {
              __VA_ARGS__)
 #define PUBLISHED &enlarge_row, &combine_row
 #define NEAR &span_row, &slices_row, &steps_row, &thickness_row
+/* where nothing asks for finer ones */
+#define PLAIN_SURFELS(...) SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, __VA_ARGS__)
+#define DSS PLAIN_SURFELS(&falloff_row, PUBLISHED, NEAR)
 #define LIT_SURFELS &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_PASS_SSAO, 0, SSGI_GL_PRESET_BALANCED,
@@ -281,22 +284,20 @@ static const plan plans[] = {
     { "ssbn-points", "ssbn by points along directions", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS,
       SSGI_GL_PRESET_BALANCED, SSBN(POINTS) },
     { "dss", "deep screen space: surfels of all triangles, on screen or not, splatted: occlusion", SSGI_GL_PASS_SPLAT,
-      SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_BALANCED,
-      SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, &falloff_row, PUBLISHED, NEAR) },
+      SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_BALANCED, DSS },
     { "dss-fast", "dss at a quarter of the size", SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_FAST,
-      SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, &falloff_row, PUBLISHED, NEAR) },
-    { "dss-best", "dss at full size", SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_BEST,
-      SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, &falloff_row, PUBLISHED, NEAR) },
+      DSS },
+    { "dss-best", "dss at full size", SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_BEST, DSS },
     { "dss-lit", "dss as directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_PASS_SPLAT,
       SSGI_GL_EFFECT_LIGHT, SSGI_GL_PRESET_BALANCED,
-      SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, &sent_row, &hidden_sky_row, LIT_SURFELS,
-              PUBLISHED, NEAR) },
+      PLAIN_SURFELS(&sent_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED, NEAR) },
     { "dss-gloss", "dss as one specular bounce; irradiance: radiance of the lobe", SSGI_GL_PASS_SPLAT,
       SSGI_GL_EFFECT_SPECULAR, SSGI_GL_PRESET_BALANCED,
-      SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, &sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
+      PLAIN_SURFELS(&sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
     { "dss-scatter", "dss as multiple scattering under surfaces; irradiance: radiance that leaves them",
       SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_PRESET_BALANCED,
-      SURFELS(&fine_size_row, &each_row, &deep_epsilon_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row, &unit_row) },
+      SURFELS(&fine_size_row, &each_row, &deep_epsilon_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row,
+              &unit_row) },
     { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius",
       SSGI_GL_PASS_FIELD, 0, SSGI_GL_PRESET_BALANCED,
       SETTINGS(&resolution_row, &radii_row, &rays_a_row, &unfiltered_row, &reach_row, &ramp_row, &inside_row,

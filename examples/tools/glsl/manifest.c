@@ -341,8 +341,8 @@ static const char *const about[] = {
     "variants' key: what tells a variant from others: its fragment stage's file less the ending.",
     "chains: what methods draw, by the names of build/render, once a dialect. chain: the ssgi_gl_chain, what is not 0. "
     "textures: what its steps write, by their numbers: format: a number in formats; size: FULL, HALF (rounded up), "
-    "LEVELS (ssgi_splat_size of what desc.half leaves: width, height of a level times levels), TILES (an eighth, rounded up), QUARTER (rounded "
-    "up); slices: 0: 2D, else an array of so many layers; "
+    "LEVELS (ssgi_splat_size of what desc.half leaves: width, height of a level times levels), TILES (an eighth, "
+    "rounded up), QUARTER (rounded up); slices: 0: 2D, else an array of so many layers; "
     "kept: 1: two of it, which change places each frame; clear them to 0 when they are made. steps, in order: files; "
     "rows: numbers in rows; frame: ssgi_gl_step.frame; vertices, instances: 0: as many as you have; blend: null: off, "
     "else equation, source, destination; clear: null, or what the targets are cleared to first. inputs: yours: the "
