@@ -234,7 +234,6 @@ export function calls({ load, Ssgi }, ssgi) {
         [() => ssgi.surfels(frame, view, { size: '1' }), 'size: must be a number'],
         [() => ssgi.surfels(frame, view, { splits: 1.5 }), 'splits: must be a whole number'],
         [() => ssgi.surfels(frame, view, { size: 2 }), /^desc\.size: must be /],
-        [() => ssgi.surfels(frame, view, {}, 9), /^levels: must be 1\.\./],
         [() => ssgi.light(), 'light: must be an object'],
         [() => ssgi.light({ kind: 'MOON', at: up, colour: up }), 'light.kind: must be one of SUN POINT SPOT VPL'],
         [() => ssgi.light({ kind: 'SUN', at: [0, 1], colour: up }), 'light.at: must have 3 numbers, has 2'],
