@@ -16,6 +16,7 @@ const said = [];                                    /* what consoles said that i
 async function open(hash, { width = 1280, height = 800, scale = 1, before = null, motion = null } = {}) {
     const page = await browser.newPage();
     page.on('console', m => {
+        if (/was preloaded .* but not used/.test(m.text())) return;     /* on a busy machine: a name that is wrong is a 404 */
         if (['error', 'warn', 'warning'].includes(m.type())) said.push(`${hash}: ${m.type()}: ${m.text()}`);
     });
     page.on('pageerror', e => said.push(`${hash}: ${e.message}`));
@@ -272,6 +273,100 @@ await run('and of light: the same error of ssdo under the sky', async () => {
     const is = await page.evaluate('page.error(0)');
     note(`RMSE ${is.toFixed(4)}, ${wanted.toFixed(4)} by build/render, noise of its 64 rays and all`);
     check(Math.abs(is - wanted) < 0.004, `${is} against ${wanted}`);
+});
+
+await run('the truth is there soon, the error readable: a map, its worst, the pointer\'s pixel, a share', async () => {
+    const begun = said.length, page = await open('size=320x180&a=hsao&b=truth&view=difference&history=0');
+    const seconds = rays => page.evaluate(async rays => {
+        const since = performance.now();
+        while (!(page.truth()?.rays >= rays)) await new Promise(requestAnimationFrame);
+        return (performance.now() - since) / 1000;
+    }, rays);
+    note(`16 rays at every 4th pixel ${(await seconds(16)).toFixed(1)} s after the picture`);
+    const box = await page.evaluate(() => {
+        const { left, top, width, height } = document.getElementById('canvas').getBoundingClientRect();
+        return { left, top, width, height };
+    });
+    await page.mouse.move(box.left + 0.25 * box.width, box.top + 0.6 * box.height);
+    await page.waitForFunction(`!document.getElementById('worst').hidden`, { timeout: 20000 });
+    const told = await page.evaluate(() => {
+        const text = id => document.getElementById(id).textContent, at = document.getElementById('worst');
+        const all = page.picture(), { width, height } = page.inside().size, sides = [[], []];
+        for (let i = 0; i < width * height; ++i)
+            sides[+(i % width > width / 2)].push((all[4 * i] + all[4 * i + 1] + all[4 * i + 2]) / 765);
+        const mean = v => v.reduce((sum, x) => sum + x, 0) / v.length;
+        const spread = v => Math.sqrt(mean(v.map(x => (x - mean(v)) ** 2)));
+        const { left, top } = at.getBoundingClientRect();
+        const wide = id => document.getElementById(id).offsetWidth;
+        return { error: text('error'), here: text('here'), rays: text('rays'), worst: at.textContent, left, top,
+                 mean: sides.map(mean), spread: sides.map(spread), legend: wide('legend'),
+                 overflow: document.getElementById('status').scrollWidth - wide('picture') };
+    });
+    note(`${told.error}; ${told.here}; worst ${told.worst}; ${told.rays}`);
+    check(/^RMSE 0\.\d{4}, \d+ % of no occlusion’s$/.test(told.error), told.error);
+    check(/^here 0\.\d{3}, truth [01]\.\d{3} ± 0\.\d{3}$/.test(told.here), told.here);
+    check(/^[−+]0\.\d\d$/.test(told.worst) && told.left < box.left + box.width / 2 && told.top > 0, `${told.worst}`);
+    check(told.legend > 150 && told.overflow < 0, 'no legend, or out of the picture');
+    check(told.mean[0] > 0.6 && told.spread[0] > 0.03 && told.spread[1] > 0.08,
+          `map ${told.mean[0]} +- ${told.spread[0]}, truth +- ${told.spread[1]}`);
+    await page.waitForFunction('page.rays() >= 16', { timeout: 60000 });
+    const { rmse, none, wanted } = await page.evaluate(() => {
+        const truth = page.truth(), all = truth.texels(), { none, rmse } = page.errors()[0];
+        let sum = 0, n = 0;
+        for (let i = 3; i < all.length; i += 4) {          /* what its rays leave open is taken off */
+            const v = all[i];
+            if (v > 0) { sum += (1 - v) ** 2 - v * (1 - v) / truth.rays / 2; ++n; }
+        }
+        return { none, rmse, wanted: Math.sqrt(sum / n) };
+    });
+    check(Math.abs(none / wanted - 1) < 0.03 && rmse < 0.6 * none, `no occlusion errs ${none}, ${wanted} by its truth`);
+    check(said.length === begun, said.slice(begun).join('\n'));
+    await page.close();
+});
+await run('a scene has its light, a method the view that shows it, and what moves is seen everywhere', async () => {
+    const begun = said.length, page = await open('size=160x90&history=0'), is = what => page.evaluate(what);
+    const put = (name, value) => page.evaluate((name, value) => {
+        const control = [...document.querySelectorAll(`[name=${name}]`)]
+            .find(({ type, value: its }) => type !== 'radio' || its === value);
+        if (control.type === 'radio') control.checked = true; else control.value = value;
+        control.dispatchEvent(new Event('input', { bubbles: true }));
+    }, name, value);
+    check(await is('page.set.sky') === 'windows' && await is('page.set.view') === 'lit', 'the first scene');
+    await put('scene', 'cornell');
+    check(await is('page.set.bounce && !page.set.sun && page.set.sky') === 'white', 'Cornell\'s box');
+    await put('scene', 'casters');
+    check(await is('!page.set.bounce && page.set.sun && page.set.sky') === 'sky', 'after Cornell\'s box');
+    await put('a', 'ssdo');
+    check(await is('page.set.bounce && page.set.view') === 'ambient', 'SSDO is chosen');
+    await put('view', 'lit');
+    await put('a', 'hsao');
+    check(await is('page.set.view') === 'lit', 'a view that was chosen does not stay');
+    await is('page.go("size=160x90&history=0&moves=1")');
+    const shares = [];
+    for (const scene of await is('[...document.querySelector("[name=scene]").options].map(o => o.value)')) {
+        await put('scene', scene);
+        await page.waitForFunction(`page.inside().stage.info.name === '${scene}'`, { timeout: 30000 });
+        await rest(300);
+        shares.push([scene, ...await page.evaluate(() => {
+            const { stage, show, size: { width, height }, gl } = page.inside(), seen = [];
+            const framebuffer = gl.createFramebuffer(), all = new Uint32Array(4 * width * height);
+            for (const seconds of [0, 2.2, 4.5, 6.7]) {
+                stage.move(seconds);
+                const drawn = stage.draw(0), texture = show.objects(width, height, drawn);
+                const { Z } = show.frame(width, height, drawn, [0, 1]);         /* 0: nothing is there */
+                gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+                gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+                gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, all);
+                seen.push(Z.filter((z, i) => z > 0 && all[4 * i] === 1).length / (width * height));
+            }
+            gl.deleteFramebuffer(framebuffer);
+            return seen;
+        })]);
+    }
+    note(shares.map(([scene, ...seen]) => `${scene} ${seen.map(s => (100 * s).toFixed(1)).join(' ')} %`).join(', '));
+    for (const [scene, ...seen] of shares) check(seen.filter(s => s > 0.002).length >= 3, `${scene}: ${seen}`);
+    check(said.length === begun, said.slice(begun).join('\n'));
+    await page.close();
 });
 
 /* A side's light, and the sun that is in it, as a file that build/render scores against. */
@@ -810,6 +905,8 @@ await run('buttons over the picture and keys', async () => {
     await page.keyboard.type('?');
     check(await is('document.getElementById("keys").open'), '?');
     check(await is('document.querySelectorAll("#keys kbd").length') === 11, 'keys that are not listed');
+    check(await is('["HSAO", "SSDO", "S3HO", "Deep screen space", "Fields of objects", "SSAO"].every(name => '
+                   + 'document.getElementById("keys").innerText.includes(name))'), 'methods that are not told');
     await page.keyboard.press('Escape');
     await page.keyboard.press('m');
     check(await is('page.set.moves'), 'm');
@@ -923,10 +1020,10 @@ const sunMain = `static const float to[3] = { 0, 0, 1 }, white[3] = { 1, 1, 1 };
         printf("%s", wrong);`;
 await run('the C lines compile, and make the chain that is drawn', async () => {
     const page = await open('size=160x90&history=0'), made = [];
-    for (const hash of ['a=hsao', 'a=hsao&history=1&slices=3&steps=7&half=NONE&filter=2&thickness=SLABS', 'a=ssao&p=BEST',
-                        'a=ssdo&bounce=1&history=1', 'a=march&filter=0&half=NONE', 'a=s3ho&history=1', 'a=s3ho&p=FAST',
-                        'a=points&thickness=BACK&normals=FROM_DEPTH', 'a=dss&levels=3', 'a=aof&p=FAST&reach=0.5',
-                        'a=ssdo&shadow=FILL']) {
+    for (const hash of ['a=hsao', 'a=hsao&history=1&slices=3&steps=7&half=NONE&filter=2&thickness=SLABS',
+                        'a=ssao&p=BEST', 'a=ssdo&bounce=1&history=1', 'a=march&filter=0&half=NONE', 'a=s3ho&history=1',
+                        'a=s3ho&p=FAST', 'a=points&thickness=BACK&normals=FROM_DEPTH', 'a=dss&levels=3',
+                        'a=aof&p=FAST&reach=0.5', 'a=ssdo&shadow=FILL']) {
         await page.evaluate(h => page.go(h), `size=160x90&history=0&b=off&${hash}`);
         const { code, chain, list, given } = await page.evaluate(() => ({ code: page.code(0), ...page.chain(0) }));
         const history = !!chain.history, bands = /coefficients\[(\d+)\]/.exec(code)?.[1];

@@ -13,7 +13,7 @@ export function bar(set, { choose, home, save, fit }) {
     const actions = {
         __proto__: null,
         1: ['lit', view('lit')],
-        2: ['ambient light alone', view('ambient')],
+        2: ['what the method finds, alone', view('ambient')],
         3: ['difference from the truth', view('difference')],
         c: ['circle about the scene', turn('circle')],
         m: ['an object that moves', turn('moves')],

@@ -3,6 +3,7 @@
    file. Readers are fetched when they are wanted. */
 import * as THREE from 'three';
 import { fetchFile } from './fetch.mjs';
+import { finish, placesOf } from './finishes.mjs';
 import { skyOf } from './sky.mjs';
 import { lambert } from './stage.mjs';
 
@@ -20,8 +21,29 @@ export async function readScene(path) {
     geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(file, at[0], 3 * vertices), 3));
     geometry.setAttribute('normal', fours(Int16Array, at[1]));
     geometry.setAttribute('color', fours(Uint16Array, at[2]));
-    geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(file, at[3], indices), 1));
-    return new THREE.Mesh(geometry, lambert({ color: 0xffffff, vertexColors: true }));
+
+    const index = new Uint32Array(file, at[3], indices), covers = new Uint16Array(file, at[2], 4 * vertices);
+    const numberOf = i => covers[4 * index[i] + 3], model = new THREE.Group(), parts = new Map();
+    for (let i = 0; i < indices; i += 3) {
+        const number = numberOf(i);
+        if (!parts.has(number)) parts.set(number, []);
+        parts.get(number).push(index[i], index[i + 1], index[i + 2]);
+    }
+    for (const [number, corners] of parts) {
+        const { span, map } = number ? finish(number) : {};
+        let part = new THREE.BufferGeometry();
+        for (const name in geometry.attributes) part.setAttribute(name, geometry.attributes[name]);
+        part.setIndex(corners);
+        if (map) {
+            part = part.toNonIndexed();
+            const { position } = part.attributes;
+            const at = corners.map((_, i) => new THREE.Vector3().fromBufferAttribute(position, i));
+            const places = at.flatMap((_, i) => (i % 3 ? [] : placesOf(at.slice(i, i + 3), span)));
+            part.setAttribute('uv', new THREE.Float32BufferAttribute(places.flat(), 2));
+        }
+        model.add(new THREE.Mesh(part, lambert({ color: 0xffffff, vertexColors: true, map })));
+    }
+    return model;
 }
 
 /* ---- files of the visitor's */

@@ -1,7 +1,7 @@
 /* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in webgl.mjs. */
 import { load } from './ssgi.mjs';
-import { defaults, halves, methods, normals, presets, read, settings, shadows, sizes, thicknesses, views, write }
-    from './settings.mjs';
+import { defaults, halves, lookOf, methods, normals, presets, read, settings, shadows, shows, sizes, thicknesses, views,
+         write } from './settings.mjs';
 import { chainAs, countOf, lightsOf } from './chain.mjs';
 import { skies, equirect } from './sky.mjs';
 import { Drawer } from './webgl.mjs';
@@ -13,7 +13,7 @@ import { bar } from './bar.mjs';
 import { Makers, madeChain, setOf } from './makers.mjs';
 
 const $ = id => document.getElementById(id), panel = $('panel'), canvas = $('canvas');
-const set = { ...defaults };
+const set = lookOf(defaults.scene);
 const most = 4096;                                  /* rays a pixel, after which the truth is left alone */
 
 const settled = 32;                                 /* frames at rest, after which history changes no more */
@@ -100,6 +100,7 @@ function toPanel() {
     on('.of-thickness', set.thickness !== 'SOLID');
     on('.of-bounce', [set.a, set.b].some(m => methods[m]?.desc?.pass === 'SSDO'));
     if (is) $('slices-field').textContent = `desc.gather.${countOf(is)}`;
+    $('smooth').checked = set.filter !== 0;
     panel.elements.truth.checked = wantsTruth();
     panel.elements.truth.disabled = wantsTruth() && !set.truth;
     $('own').hidden = !method(set.a) || !(module ? made.size !== methods[set.a].presets[set.p].size
@@ -136,11 +137,14 @@ function listen() {
         const { value } = target.closest('button') ?? {};
         if (value && value !== set.scene) choose('scene', value);
     };
+    $('smooth').onchange = ({ target }) => choose('filter', target.checked ? -1 : 0);
     $('own').onclick = () => {
         Object.assign(set, { slices: 0, steps: 0, filter: -1, half: 'preset', surfel: 0, levels: 0, field: 0 });
         changed('half');
     };
     $('canvas').addEventListener('pointerdown', () => stand());
+    $('picture').addEventListener('pointermove', e => { pointer = e; writeHere(); });
+    $('picture').addEventListener('pointerleave', () => { pointer = null; writeHere(); });
     $('canvas').addEventListener('wheel', () => stand(), { passive: true });
     $('canvas').addEventListener('keydown', e => { if (e.key.startsWith('Arrow')) stand(); });
     panel.addEventListener('submit', e => e.preventDefault());
@@ -245,10 +249,21 @@ function notice(...sentences) {
     $('notice').textContent = [...shown, ...(more ? [`and ${more} more`] : [])].join('\n');
 }
 
+let ownView = false;                                 /* it was chosen, and stays */
 function choose(name, value) {
+    const was = lookOf(set.scene), is = lookOf(value);
     set[name] = value;
     notice();
-    if (name === 'scene') { set.cam = ''; openScene(); }
+    if (name === 'scene') {                             /* its light, where no other was chosen */
+        for (const key in is) if (key !== name && set[key] === was[key]) set[key] = is[key];
+        set.cam = '';
+        openScene();
+    }
+    if (name === 'view') ownView = true;
+    if (name === 'a' || name === 'b') {
+        Object.assign(set, shows[value]);
+        if (!ownView && methods[value]?.desc) set.view = 'ambient';
+    }
     if (name === 'circle' && !value) set.cam = lookedFrom();
     changed(name);
 }
@@ -527,8 +542,8 @@ function fit() {
 
 function shownBox() {                               /* where the picture is on the page: it may have bars */
     const box = canvas.getBoundingClientRect(), scale = Math.min(box.width / size.width, box.height / size.height);
-    const width = size.width * scale;
-    return { left: box.left + (box.width - width) / 2, width };
+    const width = size.width * scale, height = size.height * scale;
+    return { left: box.left + (box.width - width) / 2, width, top: box.top + (box.height - height) / 2, height };
 }
 function placeSplit() {
     const box = shownBox(), frame = $('picture').getBoundingClientRect();
@@ -696,9 +711,15 @@ function present(now) {
         t_depth: buffers.DEPTH, t_normal: buffers.NORMAL, t_albedo: buffers.ALBEDO, t_direct: buffers.DIRECT,
         t_truth: truthTexture()
     }, [shown(sides[0], set.a), set.b === 'off' ? null : shown(sides[1], set.b)],
-    { sky: coefficients(3), world: now.world, ray: now.ray, light: +light, range: light ? 0.5 : 0.4,
+    { sky: coefficients(3), world: now.world, ray: now.ray, light: +light, range: 0.4, decode: decodeOf(),
       view: views.indexOf(set.view), split: splitAt(), exposure: 0.45 * 2 ** set.exposure,
-      effect: set.effect }, samples);
+      effect: set.effect, step: truth?.step || 1, rough: +!!truth?.rough }, samples);
+}
+
+/* 1 / view depth is linear in window depth, whatever the planes. */
+function decodeOf() {
+    const { elements: p } = stage.camera.projectionMatrix;
+    return [(p[10] - 1) / p[14], 2 / p[14]];
 }
 
 /* Times of the passes come frames later: the median of the last is what is written. */
@@ -757,8 +778,10 @@ let truthMade = null, truthGiven = null;
 async function beginTruth() {
     const { Truth } = await import('./truth.mjs');
     if (!wantsTruth() || traced || moving() || !calm) return;
-    truth ??= new Truth(error => {
+    truth ??= new Truth((error, shown) => {
         if (error) { notice(error.message); return; }
+        writeStatus();
+        if (!shown) return;
         truthMade = null;
         score();
         if (set.b === 'truth' || set.view === 'difference') dirty.picture = true;
@@ -777,7 +800,7 @@ async function beginTruth() {
 }
 let truthHeld = null;
 function truthTexture() {
-    if (!traced || !truth?.rows) return null;
+    if (!traced || !truth?.step) return null;
     if (truthMade) return truthMade;
     const { width, height } = truth;
     if (truthHeld?.width !== width || truthHeld.height !== height) {
@@ -799,10 +822,10 @@ function pixelsOf(side) {
 function score() {
     errors = {};
     sides.forEach(async (s, i) => {
-        if (!s || !traced || !truth.rays || truth.width !== size.width) return;
+        if (!s || !traced || !truth.rays) return;
         const of = traced, pixels = pixelsOf(s), is = gpu ? await pixels : pixels;
         if (sides[i] !== s || traced !== of) return;
-        errors[i] = truth.rmse(is, methods[s.name].light ? 3 : 1);
+        errors[i] = truth.score(is, methods[s.name].light ? 3 : 1, size.width, splitAt());
         if (gpu) writeStatus();
     });
     writeStatus();
@@ -818,8 +841,7 @@ function frameFile() {
     request();
     const { projectionMatrix, matrixWorldInverse } = stage.camera, p = projectionMatrix.elements;
     const { width, height } = size, worldToCamera = matrixWorldInverse.elements.map((v, i) => i % 4 === 2 ? 0 - v : v);
-    /* 1 / view depth is linear in window depth, whatever the planes */
-    const channels = own.show.frame(width, height, drawn, [(p[10] - 1) / p[14], 2 / p[14]]);
+    const channels = own.show.frame(width, height, drawn, decodeOf());
     return exr(width, height, channels, { screenWindowWidth: 2 / p[0], worldToCamera, 'ssgi.radius': radius() });
 }
 
@@ -892,20 +914,46 @@ const sum = ms => ms.reduce((all, one) => all + one, 0);
 function writeStatus() {
     const ms = sides.filter(s => s?.ms).map(s => `${digits(sum(s.ms))} ms`);
     const clock = software ? 'in software' : clockless ? 'by the CPU’s clock' : 'on the GPU';
-    const found = [0, 1].filter(i => errors[i] != null).map(i => errors[i].toFixed(4));
+    const found = [0, 1].filter(i => errors[i]).map(i => errors[i]);
+    const shares = found.filter(({ none }) => none).map(({ rmse, none }) => `${(100 * rmse / none).toFixed(0)} %`);
     const paused = wantsTruth() && moving();
     $('cost').textContent = ms.join(' | ');
     $('clock').textContent = ms.length ? clock : '';
     $('rate').textContent = times.length > 1 ? `${times.length} frames/s` : '';
-    $('error').textContent = found.length ? `RMSE ${found.join(' | ')}` : '';
+    $('error').textContent = !found.length ? '' : `RMSE ${found.map(({ rmse }) => rmse.toFixed(4)).join(' | ')}`
+        + (shares.length ? `, ${shares.join(' | ')} of no occlusion’s` : '');
     $('legend').hidden = set.view !== 'difference';
+    const which = { 1: 'a pixel', 2: 'at every 2nd pixel', 4: 'at every 4th pixel' }[truth?.step];
     $('rays').textContent = paused ? 'no rays while something moves' : !traced ? ''
-        : truth.rays ? `${truth.rays} rays a pixel` : 'tracing';
-    $('ring').hidden = !traced || truth.rays >= most;
-    /* the first two rays are a third of the way: what is seen changes less and less */
-    const share = !traced ? 0 : truth.rays ? (1 + 2 * Math.log2(truth.rays) / Math.log2(most)) / 3 : truth.rows / 3;
-    $('ring').style.setProperty('--share', share.toFixed(3));
+        : truth.rays ? `${truth.rays} rays ${which}${truth.rough ? ', smoothed' : ''}` : 'tracing';
+    $('ring').hidden = !traced || page.rays() >= most;
+    $('ring').style.setProperty('--share', (traced ? truth.share : 0).toFixed(3));
+    placeWorst();
+    writeHere();
     $('status').hidden = !ms.length && !traced && !paused && $('legend').hidden && times.length < 2;
+}
+/* The pixel under the pointer: left and right, and its truth. */
+let pointer = null;
+function writeHere() {
+    const box = shownBox(), x = Math.floor((pointer?.clientX - box.left) / box.width * size.width);
+    const y = Math.floor((1 - (pointer?.clientY - box.top) / box.height) * size.height);
+    const seen = traced && x >= 0 && y >= 0 && x < size.width && y < size.height ? truth.at(x, y) : null;
+    const mean = v => (v[0] + v[1] + v[2]) / 3, light = sides.some(s => s && methods[s.name].light);
+    const values = sides.filter(s => s?.pixels?.length).map(({ pixels, name }) => {
+        const i = y * size.width + x;
+        return (methods[name].light ? mean(pixels.subarray(4 * i)) : pixels[i] * (light ? NaN : 1)).toFixed(3);
+    });
+    $('here').textContent = !seen ? '' : `here ${values.map(v => (v === 'NaN' ? '–' : v)).join(' | ')}, truth ${
+        (light ? mean(seen.light) : seen.visibility).toFixed(3)} ± ${seen.off.toFixed(3)}`;
+}
+/* Where the left side errs most for certain. */
+function placeWorst() {
+    const { worst } = errors[0] ?? {}, box = shownBox(), frame = $('picture').getBoundingClientRect();
+    $('worst').hidden = set.view !== 'difference' || !worst || worst.x > splitAt();
+    if ($('worst').hidden) return;
+    $('worst').style.left = `${box.left - frame.left + (worst.x + 0.5) / size.width * box.width}px`;
+    $('worst').style.top = `${box.top - frame.top + (1 - (worst.y + 0.5) / size.height) * box.height}px`;
+    $('worst').textContent = `${worst.off < 0 ? '−' : '+'}${Math.abs(worst.off).toFixed(2)}`;
 }
 function writePasses() {
     const rows = [];
@@ -990,7 +1038,8 @@ function first() {
 
 /* For scripts: make web-test waits for it, and reads results. */
 const page = globalThis.page = { set, first: null, lacks: null, result,
-                                 error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0,
+                                 error: i => errors[i]?.rmse ?? null, errors: () => errors,
+                                 rays: () => (truth?.step === 1 ? truth.rays : 0), truth: () => truth,
                                  ms: i => sides[i]?.ms ?? null,
                                  settled: () => !averages() || still >= settled,
                                  making: () => makers.busy, makers: () => makers,
@@ -1078,7 +1127,8 @@ async function start() {
     drawer = new Drawer(gl, ssgi);
     show = new Show(gl, drawer);
     own = { drawer, show, name: $('device').textContent };
-    const named = Object.entries(methods).map(([name, { title }]) => [name, title]);
+    const named = Object.entries(methods).map(([name, { title, module }]) =>
+        [name, title + (software && module === 'surfels' ? ', seconds a frame here' : '')]);
     options(panel.elements.scene, scenes.map(s => [s.name, s.title]));
     options(panel.elements.sky, Object.entries(skies).map(([name, { title }]) => [name, title]));
     options(panel.elements.a, named);

@@ -3,19 +3,38 @@
    each name and what build/render calls it; FOLDER/NAME.png, if it is there, is named as the scene's picture.
 
    NAME.bin, little-endian: vertices, indices (uint32); positions (3 floats a vertex); normals (3 int16 and a 0, of
-   32767), albedo (3 uint16 and a 0, linear, of 65535); indices (uint32, counter-clockwise as their normals say). */
+   32767), albedo (3 uint16, linear, of 65535, and the number of its finish, 0: none); indices (uint32,
+   counter-clockwise as their normals say). */
 #include "kit/kit.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* What the page covers surfaces of these colours with: numbers of finishes.mjs. */
+static const struct { const char *scene; float albedo[3]; uint16_t finish; } finishes[] = {
+    { "room", { 0.62f, 0.52f, 0.42f }, 1 },                                                                /* floor */
+    { "room", { 0.66f, 0.24f, 0.18f }, 2 }, { "room", { 0.30f, 0.50f, 0.34f }, 2 },                        /* walls */
+    { "room", { 0.60f, 0.42f, 0.25f }, 3 }, { "room", { 0.55f, 0.38f, 0.22f }, 3 },            /* table, bookcase */
+    { "room", { 0.25f, 0.17f, 0.10f }, 3 }, { "room", { 0.70f, 0.62f, 0.48f }, 3 },                /* frame, boxes */
+    { "room", { 0.45f, 0.12f, 0.14f }, 4 }, { "room", { 0.75f, 0.70f, 0.55f }, 5 },                 /* rug, picture */
+    { "colonnade", { 0.72f, 0.70f, 0.64f }, 6 }, { "colonnade", { 0.70f, 0.58f, 0.46f }, 7 }       /* floor, walls */
+};
+
 typedef struct corner { float at[3]; int16_t normal[4]; uint16_t albedo[4]; } corner;
 
 static int16_t snorm(float v) { return (int16_t)lrintf(32767 * fminf(fmaxf(v, -1), 1)); }
 static uint16_t unorm(float v) { return (uint16_t)lrintf(65535 * fminf(fmaxf(v, 0), 1)); }
 
-static corner corner_of(const kit_mesh *mesh, size_t triangle, size_t k)
+static uint16_t finish_of(const char *scene, const float *albedo)
+{
+    for (size_t i = 0; i < sizeof finishes / sizeof *finishes; ++i)
+        if (!strcmp(scene, finishes[i].scene) && !memcmp(albedo, finishes[i].albedo, sizeof finishes[i].albedo))
+            return finishes[i].finish;
+    return 0;
+}
+
+static corner corner_of(const kit_mesh *mesh, const char *scene, size_t triangle, size_t k)
 {
     corner c;
     memset(&c, 0, sizeof c);
@@ -24,6 +43,7 @@ static corner corner_of(const kit_mesh *mesh, size_t triangle, size_t k)
         c.normal[i] = snorm(mesh->normal[9 * triangle + 3 * k + i]);
         c.albedo[i] = unorm(mesh->albedo[3 * triangle + i]);
     }
+    c.albedo[3] = finish_of(scene, mesh->albedo + 3 * triangle);
     return c;
 }
 
@@ -83,7 +103,7 @@ static void grey(kit_mesh *mesh)
 }
 
 /* Equal corners become one vertex. */
-static int write_mesh(const kit_mesh *mesh, const char *path, uint32_t head[2])
+static int write_mesh(const kit_mesh *mesh, const char *scene, const char *path, uint32_t head[2])
 {
     const size_t corners = 3 * mesh->triangles;
     size_t slots = 16;
@@ -95,7 +115,7 @@ static int write_mesh(const kit_mesh *mesh, const char *path, uint32_t head[2])
     int failed = !file;
     for (size_t i = 0; i < corners && !failed; ++i) {
         const size_t t = i / 3, k = i % 3, flip = k && turned(mesh, t) ? 3 - k : k;
-        const corner c = corner_of(mesh, t, flip);
+        const corner c = corner_of(mesh, scene, t, flip);
         size_t at = (size_t)kit_hash(KIT_HASH, &c, sizeof c) & (slots - 1);
         while (slot[at] && memcmp(&vertex[slot[at] - 1], &c, sizeof c)) at = (at + 1) & (slots - 1);
         if (!slot[at]) { vertex[vertices] = c; slot[at] = ++vertices; }
@@ -154,7 +174,7 @@ int main(int count, char **word)
         kit_camera_planes(&c, &scene.mesh);
         snprintf(path, sizeof path, "%s/%s.bin", word[1], wanted[i].name);
         if (wanted[i].scan) grey(&scene.mesh);
-        if ((wanted[i].scan && smooth(&scene.mesh)) || write_mesh(&scene.mesh, path, head)) {
+        if ((wanted[i].scan && smooth(&scene.mesh)) || write_mesh(&scene.mesh, wanted[i].name, path, head)) {
             fprintf(stderr, "scenes: %s: cannot be written\n", path);
             return 2;
         }

@@ -22,6 +22,17 @@ export const methods = {
         FAST: { resolution: 8, rays: 64 }, BALANCED: { resolution: 16, rays: 128 },
         BEST: { resolution: 32, rays: 128 } } }
 };
+/* What is set, too, when a method is chosen: so that what it does is seen. */
+export const shows = {
+    __proto__: null,
+    ssdo: { bounce: true }, points: { bounce: true }, aof: { moves: true }
+};
+/* How the scenes are lit before anything else is chosen. */
+export const looks = {
+    __proto__: null,
+    room: { sky: 'windows' },
+    cornell: { sky: 'white', sun: false, bounce: true }
+};
 export const presets = { __proto__: null, FAST: 'fast', BALANCED: 'balanced', BEST: 'best' };
 export const views = ['lit', 'ambient', 'difference'];
 export const thicknesses = { __proto__: null, DEFAULT: 'as thick as wide', CONSTANT: 'constant',
@@ -135,6 +146,7 @@ export const settings = {
     cam: camera
 };
 export const defaults = Object.fromEntries(Object.entries(settings).map(([name, { initial }]) => [name, initial]));
+export const lookOf = scene => ({ ...defaults, ...looks[scene] });
 
 /* [name, value] in an address made before 0.4, as it is called now. */
 function renamed(name, text) {
@@ -153,7 +165,8 @@ function quoted(text) {
 /* { set, wrong }: all settings, and a sentence for each that cannot be had, which stays as in before. hash: the address
    after its #; of a name that is repeated the last counts. limits: { scenes: names, side, pixels: of a picture } */
 export function read(hash, limits, before = defaults) {
-    const set = { ...defaults }, wrong = [];
+    const named = new URLSearchParams(hash).getAll('scene').at(-1) ?? defaults.scene;
+    const set = lookOf(scene.read(named, limits) ?? before.scene), wrong = [];
     for (const pair of new URLSearchParams(hash)) {
         const [name, text] = renamed(...pair);
         const setting = settings[name], value = setting?.read(text, limits);
@@ -165,9 +178,10 @@ export function read(hash, limits, before = defaults) {
     return { set, wrong };
 }
 
-/* The address of what is not as by default. */
+/* The address of what is not as the scene has it by itself. */
 export function write(set) {
     const short = value => (typeof value === 'string' ? value : +Number(value).toFixed(3));
-    return Object.entries(set).filter(([name, value]) => value !== defaults[name])
+    const look = lookOf(set.scene);
+    return Object.entries(set).filter(([name, value]) => value !== (name === 'scene' ? defaults : look)[name])
         .map(([name, value]) => `${name}=${short(value)}`).join('&');
 }

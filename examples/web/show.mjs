@@ -16,6 +16,9 @@ uniform int u_kind;
 uniform int u_view;          // 0 lit, 1 ambient light alone, 2 difference
 uniform int u_light;         // 1: the truth of light, else of visibility
 uniform int u_traced;        // 1: there is a truth
+uniform int u_step;          // pixels between those of t_truth
+uniform int u_rough;         // 1: neighbours of t_truth on the same surface are averaged
+uniform vec2 u_decode;       // 1 / view depth = x + y * window depth
 uniform float u_sun, u_range;
 uniform float u_exposure;    // a factor
 uniform float u_effect;      // exponent of what occlusion leaves: 1 as it is; for the eye alone
@@ -29,6 +32,34 @@ vec3 shown(vec3 c) { // the curve of film [Narkowicz 2016], then sRGB
     c = max(c, 0.0) * u_exposure;
     return coded(clamp(c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14), 0.0, 1.0));
 }
+float near(ivec2 p) { // 1 / view depth, which is linear on planes of the picture
+    return u_decode.x + u_decode.y * texelFetch(t_depth, p, 0).x;
+}
+vec4 traced(ivec2 p) { // a: -1: nothing is known
+    ivec2 last = textureSize(t_truth, 0) - 1, from = ivec2(u_step >> 1);
+    ivec2 nearest = clamp((p - from + (u_step >> 1)) / u_step, ivec2(0), last);
+    vec4 here = texelFetch(t_truth, nearest, 0), sum = vec4(0.0);
+    if (u_rough == 0) return here;
+    vec3 n = texelFetch(t_normal, p, 0).xyz;
+    float at = near(p) / dot(n, vec3((vec2(p) + 0.5) * u_ray.xy + u_ray.zw, -1.0)), all = 0.0;
+    for (int i = 0; i < 25; ++i) {
+        ivec2 t = clamp(nearest + ivec2(i % 5 - 2, i / 5 - 2), ivec2(0), last), q = from + u_step * t;
+        float there = near(q), plane = at * dot(n, vec3((vec2(q) + 0.5) * u_ray.xy + u_ray.zw, -1.0));
+        vec4 of = texelFetch(t_truth, t, 0);
+        vec2 off = max(2.5 - abs(vec2(p - q)) / float(u_step), 0.0);
+        float weight = pow(max(dot(n, texelFetch(t_normal, q, 0).xyz), 0.0), 16.0) * off.x * off.y
+            * exp2(-100.0 * abs(there / plane - 1.0)) * step(0.0, of.a);
+        sum += weight * of;
+        all += weight;
+    }
+    return all > 0.01 ? sum / all : here;
+}
+vec3 error(float e) { // from -1, too dark, to 1, too bright: the root, so that small ones are seen
+    float a = sqrt(abs(e));
+    vec3 white = vec3(0.96), middle = e < 0.0 ? vec3(0.45, 0.68, 0.9) : vec3(0.98, 0.62, 0.42);
+    vec3 end = e < 0.0 ? vec3(0.05, 0.18, 0.55) : vec3(0.6, 0.02, 0.12);
+    return a < 0.5 ? mix(white, middle, 2.0 * a) : mix(middle, end, 2.0 * a - 1.0);
+}
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
     o_colour = vec4(0.0, 0.0, 0.0, 1.0);
@@ -39,15 +70,15 @@ void main() {
     }
     vec3 n = normalize(u_world * texelFetch(t_normal, p, 0).xyz);
     vec3 open = harmonics(n, vec3(1.0, 0.6666667, 0.25)), light = open;
-    vec4 seen = u_traced == 1 ? texelFetch(t_truth, p, 0) : vec4(-1.0);
-    bool traced = seen.a >= 0.0;
+    vec4 seen = u_traced == 1 ? traced(p) : vec4(-1.0);
+    bool known = seen.a >= 0.0;
     vec3 truth = u_light == 1 ? seen.rgb : open * seen.a;
     float visible = 1.0;
     vec4 of = texelFetch(t_light, p, 0);
     if (u_kind == 1) light = open * (visible = of.r);
     if (u_kind == 2 || u_kind == 3) light = of.rgb;
     if (u_kind == 3) light += texelFetch(t_bounce, p, 0).rgb;
-    if (u_kind == 4 && traced) { light = truth; visible = seen.a; }
+    if (u_kind == 4 && known) { light = truth; visible = seen.a; }
     if (u_view < 2) {
         vec3 share = max(light, 0.0) / max(open, 1e-4); // above 1 is what a lamp adds
         light = open * pow(min(share, 1.0), vec3(u_effect)) * max(share, 1.0);
@@ -56,13 +87,12 @@ void main() {
     if (u_view == 0) {
         vec3 sun = texelFetch(t_direct, p, 0).rgb * u_sun;
         o_colour.rgb = shown(texelFetch(t_albedo, p, 0).rgb * light + sun);
-    } else if (u_view == 1) {
+    } else if (u_view == 1 || u_kind == 4) {
         o_colour.rgb = u_light == 1 ? shown(light) : vec3(visible);
     } else {
         float off = u_light == 1 ? dot(light - truth, vec3(0.3333333)) : visible - seen.a;
-        off = traced ? clamp(off / u_range, -1.0, 1.0) : 0.0;
-        vec3 none = vec3(0.16, 0.165, 0.175), less = vec3(0.25, 0.56, 1.0), more = vec3(1.0, 0.48, 0.25);
-        o_colour.rgb = mix(none, off < 0.0 ? less : more, abs(off));
+        o_colour.rgb = known ? error(clamp(off / u_range, -1.0, 1.0)) : vec3(0.5);
+        o_colour.rgb *= 0.8 + 0.2 * dot(texelFetch(t_normal, p, 0).xyz, -normalize(way * u_world)); // as a relief
     }
 }`;
 
@@ -229,7 +259,8 @@ export class Show {
 
     /* sides: [left, right or null], each { light, bounce, kind, sun: 0 where its light has the sun's }. sample: 0: the
        picture of this frame; n: the n-th of those whose mean is shown. */
-    draw(width, height, bound, sides, { sky, world, ray, view, light, split, range, exposure, effect }, sample) {
+    draw(width, height, bound, sides,
+         { sky, world, ray, view, light, split, range, exposure, effect, step, rough, decode }, sample) {
         const gl = this.#gl, at = this.#use(this.#picture);
         const targets = sample ? this.#fit(this.#means, width, height, gl.RGBA16F)
             : this.#fit(this.#sides, width, height, gl.RGBA8);
@@ -239,6 +270,9 @@ export class Show {
         gl.uniform1i(at.u_view, view);
         gl.uniform1i(at.u_light, light);
         gl.uniform1i(at.u_traced, +!!bound.t_truth);
+        gl.uniform1i(at.u_step, step);
+        gl.uniform1i(at.u_rough, rough);
+        gl.uniform2fv(at.u_decode, decode);
         gl.uniform1f(at.u_range, range);
         gl.uniform1f(at.u_exposure, exposure);
         gl.uniform1f(at.u_effect, effect);

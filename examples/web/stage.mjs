@@ -78,6 +78,7 @@ export class Stage {
         });
         this.scene.add(this.#model = model);
         this.info = info;
+        if (this.mover) this.mover.around = null;
         this.#all.setFromObject(model);
         info.key ??= ++shown;
         Object.assign(this.camera, { near: info.near, far: info.far });
@@ -144,11 +145,10 @@ export class Stage {
             mesh.castShadow = mesh.receiveShadow = true;
             this.mover = { mesh, now: new THREE.Matrix4(), before: null };
         }
-        const { mesh } = this.mover, at = new THREE.Vector3(...this.info.target), turn = 0.7 * seconds;
-        const wide = 0.55 * this.info.radius, far = 2.2 * this.info.radius;
+        const { mesh } = this.mover, turn = 0.7 * seconds, { wide } = this.mover.around ??= this.#around();
         mesh.scale.setScalar(wide * 0.55);
-        mesh.position.copy(at).add(new THREE.Vector3(Math.sin(turn) * far, 0.3 * wide * Math.sin(2.3 * turn),
-                                                     Math.cos(turn) * far));
+        mesh.position.copy(this.#onCircle(this.mover.around, turn));
+        mesh.position.y += 0.3 * wide * Math.sin(2.3 * turn);
         mesh.rotation.set(0.6 * turn, turn, 0);
         if (mesh.parent !== this.scene) this.scene.add(mesh);
         mesh.updateMatrixWorld(true);
@@ -157,6 +157,27 @@ export class Stage {
         this.mover.now.copy(mesh.matrixWorld);
         this.mover.started = true;
         this.renderer.shadowMap.needsUpdate = true;
+    }
+
+    #onCircle({ at, far }, turn) {
+        return at.clone().add(new THREE.Vector3(Math.sin(turn) * far, 0, Math.cos(turn) * far));
+    }
+    /* A circle about the view's target, as high above it as it takes for most of it to be seen; how wide is what moves
+       there, at least a part of the picture. */
+    #around() {
+        const { info } = this, eye = new THREE.Vector3(...info.eye), target = new THREE.Vector3(...info.target);
+        const half = eye.distanceTo(target) * Math.tan(info.fovy * Math.PI / 360);
+        const far = Math.min(2.2 * info.radius, 0.5 * half), wide = Math.max(0.55 * info.radius, 0.17 * half);
+        const circles = [0, 1, 2, 3, 4].map(lift => {
+            const circle = { at: target.clone().setY(target.y + lift * 0.6 * info.radius), far, wide };
+            circle.seen = Array.from({ length: 12 }, (_, i) => {
+                const way = this.#onCircle(circle, i * Math.PI / 6).sub(eye), length = way.length();
+                const ray = new THREE.Raycaster(eye, way.normalize(), 0, length + 0.3 * info.radius);
+                return +!ray.intersectObject(this.#model).length;
+            }).reduce((sum, one) => sum + one);
+            return circle;
+        });
+        return circles.find(({ seen }) => seen >= 9) ?? circles.sort((a, b) => b.seen - a.seen)[0];
     }
 
     /* For where each pixel was in the last frame that asked: the way back from here, and there, of what rests and of

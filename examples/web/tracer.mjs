@@ -48,6 +48,7 @@ function begin() {
     job.n = new Float32Array(3 * width * rows).fill(NaN);
     job.lit = new Uint8Array(width * rows);          /* 1: the sun shines there */
     job.sums = [new Float32Array(4 * width * rows), new Float32Array(4 * width * rows)];
+    job.taken = [new Float32Array(3 * width * rows), new Float32Array(3 * width * rows)];  /* light, by occluders */
     job.radiance = typeof job.sky === 'string' ? skies[job.sky].radiance : radianceOf(job.sky);
     job.order = spread(rows);
     job.done = 0;                                   /* rows of that order that have been begun */
@@ -64,10 +65,11 @@ function spread(rows) {
 
 /* Where a row's rays start. */
 function look(r) {
-    const { width, camera, first, every } = job, origin = [0, 0, 0], n = [0, 0, 0], way = [0, 0, 0];
+    const { width, camera, first, every, step } = job, origin = [0, 0, 0], n = [0, 0, 0], way = [0, 0, 0];
+    const middle = (step >> 1) + 0.5;
     for (let x = 0; x < width; ++x) {
-        const sx = camera.ray[0] * (x + 0.5) + camera.ray[2];
-        const sy = camera.ray[1] * (first + r * every + 0.5) + camera.ray[3];
+        const sx = camera.ray[0] * (step * x + middle) + camera.ray[2];
+        const sy = camera.ray[1] * (step * (first + r * every) + middle) + camera.ray[3];
         for (let i = 0; i < 3; ++i) way[i] = camera.world[i] * sx + camera.world[3 + i] * sy - camera.world[6 + i];
         if (!place(camera.eye, way, origin, n)) continue;
         job.origin.set(origin, 3 * (r * width + x));
@@ -84,7 +86,8 @@ function shines(origin, n, to) {
 /* One ray more of each pixel of some rows, into one half. */
 function round(k, firstRow, rows) {
     const { width, first, every, radius, origin, n, radiance, lit, sun } = job;
-    const half = k & 1, sums = job.sums[half], index = k >> 1, from = [0, 0, 0], d = [0, 0, 0], light = [0, 0, 0];
+    const half = k & 1, sums = job.sums[half], taken = job.taken[half], index = k >> 1;
+    const from = [0, 0, 0], d = [0, 0, 0], light = [0, 0, 0];
     for (let i = width * firstRow; i < width * (firstRow + rows); ++i) {
         const nx = n[3 * i], ny = n[3 * i + 1], nz = n[3 * i + 2];
         if (nx !== nx) continue;
@@ -100,16 +103,32 @@ function round(k, firstRow, rows) {
         from[0] = origin[3 * i];
         from[1] = origin[3 * i + 1];
         from[2] = origin[3 * i + 2];
-        const hit = trace.closest(from, d, 0, radius), open = hit ? hit.t / radius : 1;
+        /* Not from 0: a corner that is rounded into the floor would see nothing else. */
+        const hit = trace.closest(from, d, 1e-4 * radius, radius), open = hit ? hit.t / radius : 1;
         radiance(d, light);
         const level = lit[i] ? (nx * sun.toSun[0] + ny * sun.toSun[1] + nz * sun.toSun[2]) / Math.PI : 0;
-        for (let c = 0; c < 3; ++c)
+        for (let c = 0; c < 3; ++c) {
             sums[4 * i + c] += light[c] * open + (level && level * sun.irradiance[c]);
+            taken[3 * i + c] += light[c] * (1 - open);
+        }
         sums[4 * i + 3] += open;
     }
 }
 
-let told = 0, working = false;
+/* The squares of the errors of no occlusion, summed, from both halves as all errors are. */
+function ofNone() {
+    const { sums: [a, b], taken: [c, d], n, round: rays } = job, k = 2 / rays;
+    let visibility = 0, light = 0, pixels = 0;
+    for (let i = 0; i < n.length / 3; ++i) {
+        if (!a[4 * i + 3] && !b[4 * i + 3]) continue;
+        visibility += (1 - a[4 * i + 3] * k) * (1 - b[4 * i + 3] * k);
+        for (let j = 3 * i; j < 3 * i + 3; ++j) light += c[j] * k * d[j] * k;
+        ++pixels;
+    }
+    return { visibility, light, pixels };
+}
+
+let told = 0, begunAt = 0, working = false;
 function work() {
     const mine = job;
     working = mine !== null;
@@ -127,11 +146,12 @@ function work() {
         mine.round = 2;
     } else round(mine.round++, 0, mine.rows);
     const now = performance.now(), even = mine.round % 2 === 0, all = mine.done === mine.rows;
-    if (even && (now - told > (all ? 400 : 200) || mine.round >= mine.most || (begun && all))) {
+    const pause = all ? Math.max(400, (now - begunAt) / 8) : 200;   /* seldom where little changes: it costs time */
+    if (even && (now - told > pause || mine.round >= mine.most || (begun && all))) {
         told = now;
         const sums = mine.sums.map(s => s.slice());
         postMessage({ id: mine.id, first: mine.first, every: mine.every, rays: mine.round, sums,
-                      done: all ? null : mine.order.slice(0, mine.done) }, sums.map(s => s.buffer));
+                      none: ofNone(), done: all ? null : mine.order.slice(0, mine.done) }, sums.map(s => s.buffer));
     }
     if (mine.round >= mine.most && all) job = null;
     setTimeout(work);                               /* after what was heard meanwhile: another job, or none */
@@ -149,8 +169,9 @@ async function take(scene) {
 onmessage = ({ data }) => {
     if (data.scene) take(data.scene).catch(e => postMessage({ error: e.message }));
     else if (data.job) {
-        job = trace && { ...data.job, corner: self.corner };
+        job = trace && data.job.first < data.job.height && { ...data.job, corner: self.corner } || null;
         told = 0;
+        begunAt = performance.now();
         if (!working && job) work();
     } else job = null;
 };

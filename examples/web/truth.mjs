@@ -1,92 +1,143 @@
-/* truth.mjs - the traced truth of the picture as it grows: gives workers their rows, gathers their sums, scores. */
+/* truth.mjs - the traced truth of the picture as it grows: gives workers their rows, gathers their sums, scores.
+
+   Every fourth pixel in both ways comes first, then every second, then all: a picture is there after a sixteenth of the
+   rays, and an error of these pixels is one of the whole picture. What was traced stays until the finer is as good. */
+
+const steps = [4, 2, 1], enough = 16, good = 8;     /* rays a pixel: to go on to finer steps; to be shown in place */
+const smoothed = 64;                                /* below so many rays what is shown is smoothed */
+
+/* Pixel of a picture that a lattice has at i. */
+const pixelAt = (step, i) => (step >> 1) + step * i;
+const latticeSize = (step, size) => Math.floor((size - 1 - (step >> 1)) / step) + 1;
 
 export class Truth {
-    #workers = []; #id = 0; #job = null;
-    rays = 0;                                       /* of each pixel at least */
-    rows = 0;                                       /* share of those that have some */
+    #workers = []; #id = 0; #job = null; #growing = null; #shown = null;
 
+    /* changed(error, shown): something came: an error, or rays; whether these are shown. */
     constructor(changed) {
         this.changed = changed;
+    }
+    get rays() { return this.#shown?.rays ?? 0; }   /* of each of its pixels at least */
+    get step() { return this.#shown?.step ?? 0; }   /* pixels between its pixels */
+    get width() { return this.#shown?.width ?? 0; }
+    get height() { return this.#shown?.height ?? 0; }
+    get rough() { return this.step > 1 || this.rays < smoothed; }
+    /* How far it is traced, 0 to 1: what is seen changes less and less. */
+    get share() {
+        if (!this.#growing) return 0;
+        const { step, rays, rows } = this.#growing, done = steps.indexOf(step);
+        return (done + (step > 1 ? Math.min(1, (rows + rays) / (1 + enough))
+            : rays ? Math.log2(1 + rays) / Math.log2(1 + this.#job.most) : 0)) / steps.length;
     }
 
     /* position, normal: nine numbers a triangle. */
     scene({ position, normal }) {
         this.stop();
         if (!this.#workers.length)
-            for (let i = 0, n = Math.min(4, Math.max(1, (navigator.hardwareConcurrency ?? 2) - 1)); i < n; ++i) {
+            for (let i = 0, n = Math.min(16, Math.max(1, (navigator.hardwareConcurrency ?? 2) - 1)); i < n; ++i) {
                 const worker = new Worker(new URL('tracer.mjs', import.meta.url), { type: 'module' });
-                worker.onmessage = ({ data }) => this.#hear(worker, data);
+                worker.onmessage = ({ data }) => this.#hear(i, data);
                 worker.onerror = e => this.changed(new Error(`the tracer failed: ${e.message}`));
                 this.#workers.push(worker);
             }
         this.#workers.forEach(w => w.postMessage({ scene: { position, normal } }));
     }
 
+    /* job: width, height of the picture, camera, sky, sun, radius, most: rays a pixel at last. */
     start(job) {
-        const { width, height } = job;
         this.stop();
-        this.#job = { ...job, id: ++this.#id };
-        this.width = width;
-        this.height = height;
-        this.sums = [new Float32Array(4 * width * height), new Float32Array(4 * width * height)];
-        this.count = new Uint16Array(height);       /* rays of each row's pixels, both halves */
-        this.#send(this.#workers);
+        this.#job = job;
+        this.#grow(steps[0]);
     }
-    #send(workers) {
-        if (this.#job) workers.forEach(w => w.postMessage({ job: { ...this.#job, first: this.#workers.indexOf(w),
-                                                                   every: this.#workers.length } }));
+    #grow(step) {
+        const width = latticeSize(step, this.#job.width), height = latticeSize(step, this.#job.height);
+        this.#growing = { id: ++this.#id, step, width, height, rays: 0, rows: 0, none: [],
+                          count: new Uint16Array(height),
+                          sums: [0, 1].map(() => new Float32Array(4 * width * height)) };
+        this.#workers.forEach((_, i) => this.#send(i));
+    }
+    #send(i) {
+        if (!this.#growing) return;
+        const { id, step, width, height } = this.#growing, most = step > 1 ? enough : this.#job.most;
+        this.#workers[i].postMessage({ job: { ...this.#job, id, step, width, height, most, first: i,
+                                              every: this.#workers.length } });
     }
 
     stop() {
-        this.#job = null;
-        this.rays = this.rows = 0;
+        this.#job = this.#growing = this.#shown = null;
         this.#workers.forEach(w => w.postMessage({}));
     }
-    get busy() { return this.#job !== null; }
 
-    #hear(worker, data) {
+    #hear(i, data) {
         if (data.error) return this.changed(new Error(`the truth: ${data.error}`));
-        if (data.ready) return this.#send([worker]);
-        if (!this.#job || data.id !== this.#job.id) return;
-        const { width, height } = this;
+        if (data.ready) return this.#send(i);
+        const of = this.#growing;
+        if (!of || data.id !== of.id) return;
+        const { width, height, step } = of;
         const rows = data.done ?? Array.from({ length: data.sums[0].length / (4 * width) }, (_, r) => r);
         for (const r of rows) {
             const y = data.first + r * data.every;
-            this.count[y] = data.rays;
+            of.count[y] = data.rays;
             for (let h = 0; h < 2; ++h)
-                this.sums[h].set(data.sums[h].subarray(4 * width * r, 4 * width * (r + 1)), 4 * width * y);
+                of.sums[h].set(data.sums[h].subarray(4 * width * r, 4 * width * (r + 1)), 4 * width * y);
         }
-        this.rays = this.count.reduce((least, n) => Math.min(least, n), 65535);
-        this.rows = this.count.reduce((sum, n) => sum + (n > 0), 0) / height;
-        this.changed(null);
+        of.none[i] = data.none;
+        of.rays = of.count.reduce((least, n) => Math.min(least, n), 65535);
+        of.rows = of.count.reduce((sum, n) => sum + (n > 0), 0) / height;
+        if (!this.#shown || this.#shown === of || of.rays >= good) this.#shown = of;
+        if (step > 1 && of.rays >= enough) this.#grow(steps[steps.indexOf(step) + 1]);
+        this.changed(null, this.#shown === of);
     }
 
-    /* For a texture: light in rgb, visibility in a; a is -1 where nothing is known. */
+    /* For a texture of its width and height: light in rgb, visibility in a; a is -1 where nothing is known. */
     texels() {
-        const { width, height, sums: [a, b], count } = this, out = new Float32Array(4 * width * height);
+        const { width, height, sums: [a, b], count } = this.#shown, out = new Float32Array(4 * width * height);
         for (let y = 0, i = 0; y < height; ++y)
             for (let x = 0; x < 4 * width; ++x, ++i)
                 out[i] = count[y] ? (a[i] + b[i]) / count[y] : x % 4 === 3 ? -1 : 0;
         return out;
     }
 
-    /* Root of the mean square error of a result over the pixels that show something, or null. components 1: ambient
-       visibility; 3: light, first three of four. */
-    rmse(result, components) {
-        const { width, height, sums: [a, b], count } = this, stride = components === 1 ? 1 : 4;
-        let sum = 0, n = 0;
+    /* Of a result of the picture's size against it: rmse, the root of the mean square error over the pixels that show
+       something; none, that of no occlusion; worst: the pixel whose error is the largest for certain, beyond twice what
+       its rays leave open, left of the column until: { x, y, off }. null: not all of it is traced. components 1:
+       ambient visibility; 3: light, first three of four. */
+    score(result, components, pictureWidth, until) {
+        const { width, height, sums: [a, b], count, step, rays, none } = this.#shown ?? {}, four = components > 1;
+        let sum = 0, n = 0, most = 0, worst = null;
+        if (!rays) return null;
         for (let y = 0; y < height; ++y) {
-            if (!count[y]) return null;
-            const k = 2 / count[y];
+            const k = 2 / count[y], row = pixelAt(step, y) * pictureWidth;
             for (let x = 0, i = y * width; x < width; ++x, ++i) {
                 if (!a[4 * i + 3] && !b[4 * i + 3]) continue;
+                const at = (row + pixelAt(step, x)) * (four ? 4 : 1);
+                let off = 0;
                 for (let c = 0; c < components; ++c) {
-                    const at = 4 * i + (components === 1 ? 3 : c), m = result[stride * i + c];
-                    sum += (m - a[at] * k) * (m - b[at] * k);
+                    const from = 4 * i + (four ? c : 3), m = result[at + c];
+                    sum += (m - a[from] * k) * (m - b[from] * k);
+                    off += (m - (a[from] + b[from]) * k / 2) / components;
                 }
                 n += components;
+                const seen = (a[4 * i + 3] + b[4 * i + 3]) * k / 2;
+                const sure = Math.abs(off) - 2 * Math.sqrt(seen * (1 - seen) / count[y]);
+                if (sure > most && pixelAt(step, x) < until) { most = sure; worst = { x: pixelAt(step, x), y: pixelAt(step, y), off }; }
             }
         }
-        return n ? Math.sqrt(Math.max(0, sum / n)) : null;
+        const [of, all] = none.reduce(([s, m], { light, visibility, pixels }) =>
+            [s + (four ? light : visibility), m + pixels * components], [0, 0]);
+        const root = (s, m) => (m ? Math.sqrt(Math.max(0, s / m)) : null);
+        return n ? { rmse: root(sum, n), none: root(of, all), worst } : null;
+    }
+
+    /* What is known of the pixel, or of its nearest that is traced: visibility, light, and how far visibility may be
+       off, one standard deviation at most; null: nothing is known, or nothing is there. */
+    at(x, y) {
+        const { width, height, sums: [a, b] = [], count, step } = this.#shown ?? {};
+        if (!count) return null;
+        const near = (v, size) => Math.min(size - 1, Math.max(0, Math.round((v - (step >> 1)) / step)));
+        const row = near(y, height), i = 4 * (row * width + near(x, width)), n = count[row];
+        const [red, green, blue, visibility] = [0, 1, 2, 3].map(c => (a[i + c] + b[i + c]) / n);
+        return visibility ? { visibility, light: [red, green, blue], off: Math.sqrt(visibility * (1 - visibility) / n) }
+            : null;
     }
 }

@@ -13,6 +13,9 @@ struct Look {
     ray: vec4f,                 // a pixel's way in view space: xy * [0,1] + [2,3], -1
     view: f32, light: f32, traced: f32, sun: f32,
     range: f32, exposure: f32, effect: f32, kind: f32,
+    decode: vec2f,              // 1 / view depth = x + y * window depth
+    step: f32,                  // pixels between those of t_truth
+    rough: f32,                 // 1: neighbours of t_truth on the same surface are averaged
 }
 @group(0) @binding(0) var<uniform> look: Look;
 @group(0) @binding(1) var t_depth: texture_2d<f32>;
@@ -38,6 +41,39 @@ fn shown(light: vec3f) -> vec3f { // the curve of film [Narkowicz 2016], then sR
     let c = max(light, vec3f(0)) * look.exposure;
     return coded(clamp(c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14), vec3f(0), vec3f(1)));
 }
+fn near(p: vec2i) -> f32 { // 1 / view depth, which is linear on planes of the picture
+    return look.decode.x + look.decode.y * textureLoad(t_depth, p, 0).x;
+}
+fn traced(p: vec2i) -> vec4f { // a: -1: nothing is known
+    let last = vec2i(textureDimensions(t_truth)) - 1;
+    let apart = i32(look.step);
+    let start = vec2i(apart >> 1);
+    let nearest = clamp((p - start + (apart >> 1)) / apart, vec2i(0), last);
+    let here = textureLoad(t_truth, nearest, 0);
+    if (look.rough == 0) { return here; }
+    let n = textureLoad(t_normal, p, 0).xyz;
+    let at = near(p) / dot(n, vec3f((vec2f(p) + 0.5) * look.ray.xy + look.ray.zw, -1));
+    var sum = vec4f(0);
+    var all = 0.0;
+    for (var i = 0; i < 25; i++) {
+        let t = clamp(nearest + vec2i(i % 5 - 2, i / 5 - 2), vec2i(0), last);
+        let q = start + apart * t;
+        let plane = at * dot(n, vec3f((vec2f(q) + 0.5) * look.ray.xy + look.ray.zw, -1));
+        let seen = textureLoad(t_truth, t, 0);
+        let off = max(2.5 - abs(vec2f(p - q)) / look.step, vec2f(0));
+        let weight = pow(max(dot(n, textureLoad(t_normal, q, 0).xyz), 0), 16) * off.x * off.y
+            * exp2(-100 * abs(near(q) / plane - 1)) * step(0, seen.a);
+        sum += weight * seen;
+        all += weight;
+    }
+    return select(here, sum / max(all, 1e-6), all > 0.01);
+}
+fn error(e: f32) -> vec3f { // from -1, too dark, to 1, too bright: the root, so that small ones are seen
+    let a = sqrt(abs(e));
+    let middle = select(vec3f(0.98, 0.62, 0.42), vec3f(0.45, 0.68, 0.9), e < 0);
+    let end = select(vec3f(0.6, 0.02, 0.12), vec3f(0.05, 0.18, 0.55), e < 0);
+    return select(mix(middle, end, 2 * a - 1), mix(vec3f(0.96), middle, 2 * a), a < 0.5);
+}
 fn coloured(place: vec2f) -> vec3f {
     let p = vec2u(place);
     let way = look.world * vec3f(place * look.ray.xy + look.ray.zw, -1);
@@ -46,8 +82,9 @@ fn coloured(place: vec2f) -> vec3f {
     }
     let n = normalize(look.world * textureLoad(t_normal, p, 0).xyz);
     let open = harmonics(n, vec3f(1, 0.6666667, 0.25));
-    let seen = select(vec4f(-1), textureLoad(t_truth, p, 0), look.traced > 0);
-    let traced = seen.a >= 0;
+    var seen = vec4f(-1);
+    if (look.traced > 0) { seen = traced(vec2i(p)); }
+    let known = seen.a >= 0;
     let truth = select(open * seen.a, seen.rgb, look.light > 0);
     let got = textureLoad(t_light, p, 0);
     var light = open;
@@ -55,7 +92,7 @@ fn coloured(place: vec2f) -> vec3f {
     if (look.kind == 1) { visible = got.r; light = open * visible; }
     if (look.kind == 2 || look.kind == 3) { light = got.rgb; }
     if (look.kind == 3) { light += textureLoad(t_bounce, p, 0).rgb; }
-    if (look.kind == 4 && traced) { light = truth; visible = seen.a; }
+    if (look.kind == 4 && known) { light = truth; visible = seen.a; }
     if (look.view < 2) {
         let share = max(light, vec3f(0)) / max(open, vec3f(1e-4)); // above 1 is what a lamp adds
         light = open * pow(min(share, vec3f(1)), vec3f(look.effect)) * max(share, vec3f(1));
@@ -64,12 +101,10 @@ fn coloured(place: vec2f) -> vec3f {
     if (look.view == 0) {
         return shown(textureLoad(t_albedo, p, 0).rgb * light + textureLoad(t_direct, p, 0).rgb * look.sun);
     }
-    if (look.view == 1) { return select(vec3f(visible), shown(light), look.light > 0); }
+    if (look.view == 1 || look.kind == 4) { return select(vec3f(visible), shown(light), look.light > 0); }
     var off = select(visible - seen.a, dot(light - truth, vec3f(0.3333333)), look.light > 0);
-    off = select(0, clamp(off / look.range, -1, 1), traced);
-    let less = vec3f(0.25, 0.56, 1);
-    let more = vec3f(1, 0.48, 0.25);
-    return mix(vec3f(0.16, 0.165, 0.175), select(more, less, off < 0), abs(off));
+    let map = select(vec3f(0.5), error(clamp(off / look.range, -1, 1)), known);
+    return map * (0.8 + 0.2 * dot(textureLoad(t_normal, p, 0).xyz, -normalize(way * look.world))); // as a relief
 }
 @fragment fn main(@builtin(position) p: vec4f) -> @location(0) vec4f { return vec4f(coloured(p.xy), 1); }`;
 
@@ -184,7 +219,8 @@ export class Show {
     }
 
     /* As Show.draw of show.mjs. */
-    draw(width, height, bound, sides, { sky, world, ray, view, light, split, range, exposure, effect }, sample) {
+    draw(width, height, bound, sides,
+         { sky, world, ray, view, light, split, range, exposure, effect, step, rough, decode }, sample) {
         const targets = sample ? this.#fit(this.#means, width, height, 'rgba16float')
             : this.#fit(this.#sides, width, height, 'rgba8unorm');
         const { t_depth, t_normal, t_albedo, t_direct, t_truth } = bound;
@@ -192,7 +228,7 @@ export class Show {
             if (!side) return;
             this.#draw(picture, targets[i], `picture ${i}`,
                        [...four(sky), ...rows(world), ...ray, view, light, +!!t_truth, side.sun, range, exposure,
-                        effect, side.kind],
+                        effect, side.kind, ...decode, step, rough],
                        [t_depth, t_normal, t_albedo, t_direct, t_truth, side.t_light, side.t_bounce], false, sample);
         });
         this.place(width, height, split, view === 2 || sample > 0, sample);
