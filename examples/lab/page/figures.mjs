@@ -409,7 +409,7 @@ function page(kind, old) {
 async function draw(into) {
     const here = name => resolve('build/page/node_modules', name);
     const rows = found(records('chart'), 'ambient'), all = rows.length ? report.ambient(rows, 'mean') : [];
-    if (!all.length || !existsSync(here('linkedom'))) return;
+    if (!existsSync(here('linkedom'))) return;
     const Plot = await import(here('@observablehq/plot/src/index.js'));
     const { parseHTML } = await import(here('linkedom/esm/index.js'));
     const { document } = parseHTML('<html><body></body></html>');
@@ -423,11 +423,54 @@ async function draw(into) {
         if (list.filter(r => r[clock.x] !== null).length < 6) continue;
         const floor = report.floor_of(list);
         const options = report.scatter(Plot, list, { ...clock, y: 'share', floor, up });
-        const svg = Plot.plot({ ...options, document, style });
-        svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-        write(`${into}/${name}.svg`, `${svg.outerHTML.replaceAll('currentColor', '#222')}\n`);
-        console.log(`figures: ${into}/${name}.svg`);
+        keep(`${into}/${name}.svg`, [Plot.plot({ ...options, document, style })]);
     }
+    const list = bars(sums), names = list.map(r => r.label);
+    if (list.length < 3) return;
+    const halves = [
+        ['share', 'error, of that of no occlusion'],
+        ['_ms', 'milliseconds of an RX 6800 at 1920x1080, modelled']
+    ].map(([x, label], i) =>
+        Plot.plot({
+            document,
+            style,
+            width: i ? 380 : 480,
+            height: 56 + 22 * list.length,
+            marginTop: 46,
+            marginBottom: 10,
+            marginLeft: i ? 12 : 150,
+            marginRight: 36,
+            x: { label, labelAnchor: 'left', labelArrow: 'none', labelOffset: 40, axis: 'top', grid: true, ticks: 5 },
+            y: { domain: names, label: null, axis: i ? null : 'left', tickSize: 0 },
+            marks: [
+                Plot.barX(list, { x, y: 'label', fill: r => (peer(r) ? '#a9adb5' : '#0072b2') }),
+                Plot.text(list, { x, y: 'label', text: r => r[x].toFixed(2), dx: 4, textAnchor: 'start' })
+            ]
+        })
+    );
+    keep(`${into}/bars.svg`, halves);
+}
+/* Pictures beside each other. */
+function keep(path, all) {
+    const sizes = side => all.map(svg => +svg.getAttribute(side)),
+        startOf = i => sizes('width').slice(0, i).reduce((sum, w) => sum + w, 0);
+    const placed = all.map((svg, i) => {
+        svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+        svg.setAttribute('x', startOf(i));
+        return svg.outerHTML.replaceAll('currentColor', '#222');
+    });
+    const size = `width="${startOf(all.length)}" height="${Math.max(...sizes('height'))}"`;
+    write(path, `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${placed.join('')}</svg>\n`);
+    console.log(`figures: ${path}`);
+}
+/* Presets and, of each other library, the effect that errs least, the least error first. */
+function bars(sums) {
+    const timed = sums.filter(r => Number.isFinite(r._ms) && !given(r));
+    const own = timed.filter(r => !peer(r) && !r.settings && r.method !== 'hsao-march');
+    const others = [...grouped(timed.filter(peer), 'label').values()].map(
+        g => g.toSorted((a, b) => a.share - b.share)[0]
+    );
+    return [...own, ...others].sort((a, b) => a.share - b.share);
 }
 
 for (const name of ['chart', 'light', 'stability', 'papers', 'cost', 'cost-peers']) {
