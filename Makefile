@@ -12,6 +12,7 @@
 #   make passes    examples/docs/PASSES.md, the table of them
 #   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
 #   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
+#   make demo-test     the page of make demo, in a browser without a window
 #   make web-first     how long it takes to its first picture. make web-shots: pictures of it, and of others' beside it
 #   make viewer, bench   a window; milliseconds on a GPU. make viewer-test
 #   make hosts-test   the pages of examples/hosts, built and run
@@ -138,6 +139,12 @@ build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 # The main job: a scanned mesh with every method beside the truth; report/index.html.
 demo: build/render build/report
 	build/report demo
+report/demo.js: build/report $(wildcard examples/lab/page/*.html examples/lab/page/*.js)
+	build/report demo
+# Headless Chromium opens the page that it wrote.
+demo-test: report/demo.js web-deps
+	@command -v node >/dev/null || { echo "skipped: everything: no node"; echo "0 passed, 0 failed"; exit 0; }; \
+	node tests/demo.mjs $(ONLY)
 
 # Speed against accuracy, and error on scenes by seed; report/index.html. QUICK=1 is smaller; SCENE=room METHOD=hsao shows
 # one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
@@ -386,6 +393,7 @@ test-all:
 	T_ALL=1 $(MAKE) test
 	$(MAKE) tree
 	$(MAKE) test ONLY='$(OF_EXAMPLES)'
+	$(MAKE) demo-test
 	$(MAKE) web-test
 	$(MAKE) webgpu-test
 	$(MAKE) hosts-test
@@ -404,7 +412,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo test test-all tree chart light seeds papers peers cost-peers \
+.PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo demo-test test test-all tree chart light seeds papers peers cost-peers \
         stability quiet against fit fit-gpu fit-cost cost cost-test cost-record cost-shares cost-plan glsl mutants deps \
         unlisted format clean
 

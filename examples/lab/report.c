@@ -63,9 +63,6 @@ static int demo(const options *o, kit_error *err)
     if (ao_demo_measure(&s, o, err) || page_begin(&record, "demo", "full", "make demo", kit_gl_name(), err)) return -1;
     FILE *const f = record.file;
     table_columns(f);
-    page_paragraph(f,
-                   "%s, %zu triangles, %d x %d pixels, radius %g. Ambient visibility: white is open, black is closed.",
-                   s.name, s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius);
     if (ao_demo(f, &s, o->out, err) || strip_demo(f, &s, o->out, err)) return -1;
     stage_close(&s);
     if (!mesh && (lit_demo(f, o->out, err) || fields_demo(f, o->out, err) || deep_demo(f, o->out, err))) return -1;

@@ -149,6 +149,9 @@ int ao_demo(FILE *record, const stage *s, const char *out, kit_error *err)
     char note[64];
     snprintf(note, sizeof note, "%d rays a pixel", RAYS);
     page_heading(record, 2, "Ambient occlusion");
+    page_paragraph(record,
+                   "%s, %zu triangles, %d x %d pixels, radius %g. Ambient visibility: white is open, black is closed.",
+                   s->name, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius);
     page_figure(record, "truth", "ray-traced truth", note, DEMO_WIDTH, DEMO_HEIGHT, 0);
     page_key(record, 0.5);
     for (int i = 0; i < shown.count; ++i)

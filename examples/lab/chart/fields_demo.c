@@ -76,7 +76,7 @@ static int demo_figure(FILE *record, const char *out, kit_image *whole, const st
     const double range = 0.2;
     char note[64];
     if (dimmed(whole, s, visibility, err) || pictures_save(whole, "R,G,B", 1, out, p->slug, ".png", err)) return -1;
-    if (r) snprintf(note, sizeof note, "time %.2f, RMSE %.4f", r->relative, r->score.rmse);
+    if (r) snprintf(note, sizeof note, "time %.2f, error %.3f", r->relative, r->share);
     else snprintf(note, sizeof note, "%d rays a pixel", s->rays);
     if (r && pictures_difference(visibility, &s->truth, (float)range, out, p->slug, err)) return -1;
     page_figure(record, p->slug, p->label, note, whole->width, whole->height, r != NULL);

@@ -256,7 +256,8 @@ function table(rows, keys = null) {
     fill(rows);
     return el('div', { className: 'wide' }, el('table', {}, el('thead', {}, el('tr', {},
         names ? el('th', { onclick: () => fill(rows) }, 'method') : null, ...keys.map(k =>
-            el('th', { title: columns.get(k)?.[2] ?? '', onclick: sort(k) },
+            el('th', { className: typeof rows[0]?.[k] === 'string' ? 'words' : '', title: columns.get(k)?.[2] ?? '',
+                       onclick: sort(k) },
                columns.get(k)?.[1] || k.replaceAll('_', ' '))))), body));
 }
 /* What is drawn anew whenever something is chosen. */
@@ -439,13 +440,16 @@ function worst(record) {
     return rows.length ? [table(rows, unique(rows.flatMap(Object.keys)))] : [];
 }
 
+/* The first two stand above the demo's first figures, for they are read there. */
 const terms = [
-    ['time', 'GL time of all passes, over that of one unblurred 16-sample ssao drawn right before and after it in the '
-        + 'same run; the median of several rounds. Modelled: milliseconds of a device, of a compiler\'s count.'],
+    ['time', 'How long a picture takes, filters included, over a plain occlusion (ssao) of 16 samples without a filter '
+        + 'on the same machine: 2 is twice as long. Both are drawn in turns; the median of several rounds counts.'],
+    ['error', 'How far a picture is from the ray-traced truth: root mean square difference (RMSE), no gain or exponent '
+        + 'fitted. For occlusion it is divided by the RMSE of a picture without any (tables: share): 0 is the truth, 1 '
+        + 'no better than doing nothing. For light it is divided by the truth\'s mean (radiance).'],
+    ['milliseconds, modelled', 'Of a device, by a compiler\'s count of instructions.'],
     ['fetches, bytes', 'A pixel, all passes: texels fetched; what is read and written, each texel of a pass\'s inputs '
         + 'and outputs once.'],
-    ['RMSE, share', 'Root mean square difference to the ray-traced truth, over the pixels that show something, as it '
-        + 'comes: no gain, no exponent. The share is that over the RMSE of having no ambient occlusion at all.'],
     ['bias, p95, SSIM', 'The mean difference (below 0: too dark), the difference that 95 % of the pixels stay under, '
         + 'structural similarity.'],
     ['edge, border, inside', 'Shares of the squared error within 3 pixels of a jump in depth; elsewhere, nearer to the '
@@ -461,23 +465,100 @@ const terms = [
         + 'Fitted: after the better of a v^b and 1 - a (1 - v)^b for each picture, found with the truth in hand.']
 ];
 
+/* Each record's command and subject; the page lists those that have not run, so that they are found. */
+const commands = [
+    ['demo', 'make demo', 'every method beside its truth'],
+    ['chart', 'make chart', 'speed against accuracy'],
+    ['light', 'make light', 'light on every pair of a scene and a probe'],
+    ['seeds', 'make seeds', 'scenes by seed'],
+    ['plan', 'build/report plan', "the planner's choices"],
+    ['stability', 'make stability', 'where methods fail'],
+    ['papers', 'make papers', "the papers' tables and figures"],
+    ['cost', 'make cost', 'milliseconds of a GPU, modelled'],
+    ['cost-peers', 'make cost-peers', "the same of others' effects"],
+    ['quiet', 'make quiet', 'mottling'],
+    ['bench', 'make bench', 'milliseconds, measured on a GPU']
+];
+function missing() {
+    const list = commands.filter(([name]) => !records[name]).flatMap(([, command, about], i) =>
+        [i ? ', ' : '', el('code', {}, command), ` (${about})`]);
+    return list.length && el('p', { className: 'faint' }, 'More pages, once their commands have run: ', ...list, '.');
+}
+
+/* Methods in README's order, with the picture of the demo that shows each best (drawn: by another preset). */
+const methods = [
+    { method: 'hsao', drawn: 'hsao-best', picture: 'hsao-best', truth: 'truth',
+      'take it for': 'ambient occlusion; times irradiance, cheap light',
+      'instead, or besides': 'hsao-fast, hsao-best; hsao-history over frames; thickness BACK for wide plates' },
+    { method: 'ssdo', picture: 'lit-bunny-ssdo-with-bounce', truth: 'lit-bunny-ray-traced-truth',
+      'take it for': 'coloured light with direction, and a diffuse bounce',
+      'instead, or besides': 'ssdo-best; thickness SLABS errs least; chain.reuse makes the bounce cheap' },
+    { method: 's3ho', picture: 'lit-blocks-s3ho', truth: 'lit-blocks-ray-traced-truth',
+      'take it for': 'the same, of light kept as spherical harmonics',
+      'instead, or besides': 's3ho-fast, s3ho-best; shadow maps for long shadows of suns' },
+    { method: 'aof', picture: 'aof-occluders-0-casters', truth: 'aof-occluders-0-truth',
+      'take it for': 'occlusion by rigid objects that move, seen or not',
+      'instead, or besides': 'a shorter reach in a crowd; hsao within an object' },
+    { method: 'dss', picture: 'deep-bunny-on-floor-dss', truth: 'deep-bunny-on-floor-ray-traced-truth',
+      'take it for': 'occlusion wherever the camera looks, of hidden things, too',
+      'instead, or besides': 'dss-lit for a bounce, dss-gloss for a specular one, dss-scatter under the surface' }
+];
+function front(entries) {
+    const shown = (slug, label) => {
+        const e = entries.find(e => e?.picture === slug);
+        return e && figure({ ...e, label, difference: 0 });
+    };
+    return [defined(terms.slice(0, 2)), el('div', { className: 'grid methods' }, ...methods.map(m =>
+        el('div', {}, shown(m.picture, m.drawn ?? m.method), shown(m.truth, 'truth')))),
+            el('div', { className: 'when' }, table(methods, ['take it for', 'instead, or besides']))];
+}
+const defined = list => el('dl', {}, ...list.flatMap(([t, d]) => [el('dt', {}, t), el('dd', {}, d)]));
+
+/* A section that an address names may lie in a folded one, so all around it opens, too. */
+function reveal(id) {
+    const at = document.getElementById(id);
+    for (let e = at; e; e = e.parentElement) if ('open' in e) e.open = true;
+    at ? at.scrollIntoView() : scrollTo(0, 0);
+}
+/* All sections but the first are folded, which keeps the page short. Their text is made at once, since a search in the
+   page opens the section that it finds a word in. */
+function record(of) {
+    const lead = [], parts = [];
+    for (const e of of.entries)
+        if (e?.level !== 2) (parts.at(-1)?.entries ?? lead).push(e);
+        else parts.push({ title: e.heading, id: `${of.name}/${e.heading.toLowerCase().replace(/\W+/g, '-')}`,
+                          entries: [] });
+    columns = new Map();
+    const is_demo = of === records.demo, above = shown_entries(lead);
+    return [
+        el('p', { className: 'contents' }, ...parts.map(({ id, title }, i) => {
+            const [, group, rest] = title.match(/(.+?: )(.+)/) ?? [];
+            return el('a', { href: `#${id}`, onclick: () => reveal(id) },
+                      group && parts[i - 1]?.title.startsWith(group) ? rest : title);
+        })),
+        ...(is_demo ? front(of.entries) : []), missing() || '',
+        el('p', { className: 'faint' }, `${of.command}: ${of.kind === 'full' ? '' :
+            `a ${of.kind === 'quick' ? 'quick run, smaller and with fewer rows' : 'part'}; `}commit ${of.commit}, ${
+            of.cores} cores (${of.processor}), ${of.driver}`),
+        ...worst(of), ...above, ...parts.map(({ title, id, entries }, i) => el('details', { id, open: !i },
+            el('summary', {}, el('h2', {}, title)), ...shown_entries(entries))),
+        fold('What the figures mean', () => [defined(terms.slice(is_demo ? 2 : 0))])];
+}
+
 let Plot_;
 function show() {
     Plot_ = typeof Plot === 'undefined' ? new Proxy({}, { get: () => () => null }) : Plot;
     const names = Object.keys(records), main = document.getElementById('main');
-    if (!names.length) return;
+    if (!names.length) return main.append(missing());
+    let now;
     const open = () => {
-        const name = decodeURIComponent(location.hash.slice(1)), of = records[name] ?? records[names[0]];
+        const id = decodeURIComponent(location.hash.slice(1)), of = records[id.split('/')[0]] ?? records[names[0]];
         document.getElementById('records').replaceChildren(...names.map(n => el('a', { href: `#${n}`,
             className: records[n] === of ? 'now' : '' }, n)));
-        columns = new Map();
-        main.replaceChildren(el('p', { className: 'faint' }, `${of.command}: ${of.kind === 'full' ? '' :
-            `a ${of.kind === 'quick' ? 'quick run, smaller and with fewer rows' : 'part'}; `}commit ${of.commit}, ${
-            of.cores} cores (${of.processor}), ${of.driver}`), ...worst(of), ...shown_entries(of.entries),
-            fold('What the figures mean', () => [el('dl', {}, ...terms.flatMap(([t, d]) =>
-                [el('dt', {}, t), el('dd', {}, d)]))]));
+        if (of !== now) main.replaceChildren(...record(now = of));
+        reveal(id);
     };
-    addEventListener('hashchange', () => { open(); scrollTo(0, 0); });
+    addEventListener('hashchange', open);
     open();
 }
 
