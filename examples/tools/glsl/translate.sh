@@ -11,16 +11,23 @@
 folder=$1
 tint=$(dirname "$0")/../../../build/tint/twgsl
 work=$(mktemp -d) || exit 2
+cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 trap 'rm -rf "$work"' EXIT
 
 has() {                                     # TOOL HOW
     command -v "$1" >/dev/null 2>&1 || { echo "translate: $1 is missing: $2" >&2; exit 2; }
 }
 
-# glslangValidator into a folder, a file a text: one call could take no more than one program.
-compile() {                                 # TO FLAGS
-    xargs -P 2 -I{} sh -c 'glslangValidator -V $3 "$1" -o "$2/$(basename "$1").spv" >"$2/log.$$" || cat "$2/log.$$" >&2
-                           rm -f "$2/log.$$"' sh {} "$1" "$2"
+# glslangValidator into a folder, a file a text: one call could take no more than one program. On a terminal it tells
+# how many are done, and the seconds that are left.
+compile() {                                 # TO FLAGS HOW MANY
+    xargs -P "$cores" -I{} sh -c 'glslangValidator -V $3 "$1" -o "$2/$(basename "$1").spv" >"$2/log.$$" ||
+            cat "$2/log.$$" >&2
+        rm -f "$2/log.$$"
+        [ ! -t 2 ] || { done=$(ls "$2" | grep -c "spv$") && passed=$(($(date +%s) - $5)) &&
+            printf "\r  glslangValidator: %d of %d, %d s left   " "$done" "$4" $((passed * ($4 - done) / done)) >&2; }
+        ' sh {} "$1" "$2" "$3" "$(date +%s)"
+    [ ! -t 2 ] || echo >&2
 }
 
 # The vertex and fragment stages with y up, compiled into a folder, once.
@@ -34,8 +41,8 @@ turn() {                                    # TO FLAGS
                    "$f" >"$work/$(basename "$f")" ;;            # else tessellation follows, which these have not
         esac
     done
-    ls "$work"/*.vert "$work"/*.frag | compile "$1" "$2"
     of=$(ls "$work"/*.vert "$work"/*.frag | wc -l)
+    ls "$work"/*.vert "$work"/*.frag | compile "$1" "$2" "$of"
 }
 
 count() {                                   # NAME ENDING OF
@@ -53,7 +60,7 @@ for target in "$@"; do
         spv)
             ls "$folder"/*.vulkan.*vert "$folder"/*.vulkan.*frag "$folder"/*.vulkan.*tes[ce] "$folder"/*.vulkan.*geom \
                 2>/dev/null >"$work/list"
-            compile "$folder" <"$work/list"
+            compile "$folder" '' "$(wc -l <"$work/list")" <"$work/list"
             count 'SPIR-V' spv "$(wc -l <"$work/list")" ;;
         wgsl)
             has node 'apt-get install nodejs npm'
@@ -67,12 +74,12 @@ for target in "$@"; do
             fi
             turn "$work/small" -Os
             (cd "$work/small" && ls *.spv) | (tint=$(realpath "$tint") script=$(realpath "$(dirname "$0")/wgsl.mjs")
-                cd "$work/small" && xargs node "$script" "$tint")
+                cd "$work/small" && xargs -P "$cores" -n 150 node "$script" "$tint" "$of")
             mv "$work"/small/*.wgsl "$folder"
             count WGSL wgsl "$of" ;;
         hlsl|msl)
             has spirv-cross 'apt-get install spirv-cross'
-            turn "$work/up"
+            turn "$work/up" ''
             how='--msl --msl-version 20100 --msl-decoration-binding'
             [ "$target" = msl ] || how='--hlsl --shader-model 50'
             for f in "$work"/up/*.spv; do

@@ -1,8 +1,8 @@
 /* wgsl.mjs - SPIR-V to WGSL by tint, which is inside npm's @babylonjs/core: assets/twgsl. For translate.sh.
 
-      node wgsl.mjs TWGSL FILE.spv ..      TWGSL.cjs (their twgsl.js) and TWGSL.wasm; writes FILE.wgsl, or says why not:
-         then its status is 1 */
-import { readFileSync, writeFileSync } from 'node:fs';
+      node wgsl.mjs TWGSL OF FILE.spv ..      TWGSL.cjs (their twgsl.js) and TWGSL.wasm; writes FILE.wgsl, or says why not:
+         then its status is 1. On a terminal it tells how many of OF are there */
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 
@@ -10,7 +10,7 @@ import { resolve } from 'node:path';
 const compact = text => text.replace(/^ *\/\* @offset\(\d+\) \*\/\n/gm, '').replace(/^\s+/gm, '')
     .replace(/^let (\w+) : .*? = /gm, 'let $1 = ');
 
-const [tint, ...files] = process.argv.slice(2), said = [];
+const [tint, of, ...files] = process.argv.slice(2), said = [];
 console.log = console.warn = console.error = line => said.push(line);        /* where tint complains */
 const twgsl = await createRequire(import.meta.url)(resolve(`${tint}.cjs`))(resolve(`${tint}.wasm`));
 for (const file of files) {
@@ -20,4 +20,6 @@ for (const file of files) {
         process.stderr.write(`${file}: tint: ${said.join(' ').replace(/\s+/g, ' ') || 'no text'}\n`);
         process.exitCode = 1;
     } else writeFileSync(file.replace(/\.spv$/, '.wgsl'), compact(text));
+    if (process.stderr.isTTY)
+        process.stderr.write(`\r  tint: ${readdirSync('.').filter(name => name.endsWith('.wgsl')).length} of ${of}   `);
 }

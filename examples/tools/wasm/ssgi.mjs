@@ -181,10 +181,9 @@ export class Ssgi {
                 if (name === 'desc' || name === 'lights') this.#desc(value, at + places[name], `chain.${name}`);
                 else this.#setInt(at + places[name], int32(value) ?? fail(`chain.${name}: must be a whole number`));
             }
-            const why = this.#room(4), n = this.#c.ssgi_gl_steps(0, 0, at, why);
+            const why = this.#room(4), most = 32;       /* chains have fewer; once, since it takes a millisecond */
+            const steps = this.#room(most * size), n = this.#c.ssgi_gl_steps(steps, most, at, why);
             if (!n) fail(this.#string(this.#int(why)));
-            const steps = this.#room(n * size);
-            this.#c.ssgi_gl_steps(steps, n, at, why);
             return Array.from({ length: n }, (_, i) => this.#step(steps + i * size, step, { ...chain.lights,
                                                                                             ...chain.desc }));
         });

@@ -4,9 +4,12 @@
                                                       GLSL that it comes from, and list.json of these keys: none of
                                                       them where there is no translator */
 import { spawnSync } from 'node:child_process';
+import { once } from 'node:events';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { Worker, isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { chainAs } from '../chain.mjs';
 import { defaults, halves, methods, normals, presets, shadows, thicknesses } from '../settings.mjs';
 import { bare, keyOf } from '../webgpu-keys.mjs';
@@ -34,39 +37,57 @@ function* products([[name, values], ...rest]) {
         for (const others of products(rest.length ? rest : [[]])) yield { [name]: value, ...others };
 }
 
-const texts = new Map(), seen = new Set();
-for (const { name, preset, precise, ...choice } of [...products(Object.entries(every)),
-                                                   ...products(Object.entries(ofLights))]) {
+/* Texts of a part of all choices. */
+const texts = new Map(), seen = new Set(), block = 2048;
+const choices = [...products(Object.entries(every)), ...products(Object.entries(ofLights))]
+    .filter((_, i) => !isMainThread && Math.floor(i / block) % workerData.parts === workerData.part);
+for (const { name, preset, precise, ...choice } of choices) {
     const chain = chainAs(ssgi, { ...defaults, ...choice }, name, preset, true,
                           { dialect: 'VULKAN', width: 64, height: 64, precise }), whole = JSON.stringify(chain);
     if (seen.has(whole)) continue;
     seen.add(whole);
     for (const { desc } of ssgi.steps(chain)) {
+        const said = JSON.stringify(desc);              /* its key alone takes as long as all else */
+        if (seen.has(said)) continue;
+        seen.add(said);
         const key = `${desc.pass} ${ssgi.key(desc)}`;
         if (seen.has(key)) continue;
         seen.add(key);
         for (const stage of ['vert', 'frag']) {
-            const text = ssgi.text(desc, stage), at = keyOf(text), had = texts.get(at);
-            if (had && bare(had.text) !== bare(text)) throw new Error(`two texts of key ${at}`);
-            texts.set(at, { text, stage });
+            const text = ssgi.text(desc, stage);
+            add(keyOf(text), { text, stage });
         }
     }
 }
-
-for (const path of [folder, to]) {
-    rmSync(path, { recursive: true, force: true });
-    mkdirSync(path, { recursive: true });
+function add(at, is) {
+    const had = texts.get(at);
+    if (had && bare(had.text) !== bare(is.text)) throw new Error(`two texts of key ${at}`);
+    texts.set(at, is);
 }
-const nameOf = ([key, { stage }]) => join(folder, `${key}.vulkan.${stage}`);
-for (const one of texts) writeFileSync(nameOf(one), one[1].text);
-console.log(`  ${texts.size} texts of WebGPU are translated, by glslangValidator and tint: some minutes`);
-const { status } = spawnSync('sh', [translate, folder, 'wgsl'], { stdio: ['ignore', 'ignore', 'inherit'] });
-if (status === 2) {
-    writeFileSync(join(to, 'list.json'), '[]');
-    console.error('web: the page is made without WebGPU');
-} else if (status) process.exit(status);
-else {
-    for (const one of texts) copyFileSync(`${nameOf(one)}.wgsl`, join(to, `${one[0]}.wgsl`));
-    writeFileSync(join(to, 'list.json'), JSON.stringify([...texts.keys()]));
-    console.log(`${to}: ${texts.size} texts`);
+if (!isMainThread) parentPort.postMessage([...texts]);
+else await translated();
+
+async function translated() {
+    const parts = availableParallelism(), argv = process.argv.slice(2), all = await Promise.all(
+        Array.from({ length: parts }, (_, part) =>
+            once(new Worker(new URL(import.meta.url), { argv, workerData: { part, parts } }), 'message')));
+    for (const [some] of all) for (const [at, is] of some) add(at, is);
+
+    for (const path of [folder, to]) {
+        rmSync(path, { recursive: true, force: true });
+        mkdirSync(path, { recursive: true });
+    }
+    const nameOf = ([key, { stage }]) => join(folder, `${key}.vulkan.${stage}`);
+    for (const one of texts) writeFileSync(nameOf(one), one[1].text);
+    console.log(`  ${texts.size} texts of WebGPU are translated, by glslangValidator and tint`);
+    const { status } = spawnSync('sh', [translate, folder, 'wgsl'], { stdio: ['ignore', 'ignore', 'inherit'] });
+    if (status === 2) {
+        writeFileSync(join(to, 'list.json'), '[]');
+        console.error('web: the page is made without WebGPU');
+    } else if (status) process.exit(status);
+    else {
+        for (const one of texts) copyFileSync(`${nameOf(one)}.wgsl`, join(to, `${one[0]}.wgsl`));
+        writeFileSync(join(to, 'list.json'), JSON.stringify([...texts.keys()]));
+        console.log(`${to}: ${texts.size} texts`);
+    }
 }
