@@ -189,25 +189,67 @@ check "viewer, drop of an OBJ: $line" "$(printf %s "$line" | grep -qF "$work/yar
 end
 
 # ---- the size that there is time for
+took_of() { printf '%s\n' "$1" | sed -n 's/.* - \([0-9.]*\) ms.*/\1/p'; }    # TITLE: ms of its frame
+middle() { printf '%s\n' "$@" | sort -n | sed -n 5p; }
 for m in dss ssdo; do
     begin room --size 1280x720 --panel 0 --method $m
-    build/press wait wait wait wait wait wait wait wait
-    ask
+    build/press a wait wait wait wait wait wait wait wait
+    waited= drawn=
+    for i in 1 2 3 4 5 6 7 8 9; do
+        drawn="$drawn $(took_of "$(build/press wait title)")"
+        ask i
+        waited="$waited $took"
+    done
     small=$(value size)
     check "viewer, $m: a window of 1280x720 is drawn at $small" "$([ -n "$small" ] && echo 1)"
-    waited=
-    for i in 1 2 3 4 5 6 7 8 9; do build/press i wait; ask i; waited="$waited $took"; done
-    middle=$(printf '%s\n' $waited | sort -n | sed -n 5p)
-    echo "  viewer, $m: a window of 1280x720 is drawn at $small; keys are answered after$waited ms of"
-    echo "    processor"
-    check "viewer, $m: keys take 500 ms of processor at most: the middle of$waited" \
-        "$([ "$middle" -le 500 ] && echo 1)"
+    echo "  viewer, $m: while it moves, a window of 1280x720 is drawn at $small, frames take$drawn ms;"
+    echo "    keys are answered after$waited ms of processor"
+    check "viewer, $m: frames take 100 to 250 ms, or less of the whole window: the middle of$drawn" \
+        "$(middle $drawn | awk -v size=$small '{ print ($1 <= 250 && ($1 >= 100 || size == "1280x720")) }')"
+    check "viewer, $m: keys take 500 ms of all processors at most: the middle of$waited" \
+        "$(middle $waited | awk -v n="$(nproc)" '{ print ($1 <= 500 * n) }')"
     [ $m = ssdo ] || end
 done
 build/press size:320x180 wait wait wait wait wait wait wait wait wait wait i wait wait wait wait
 ask
 check "viewer, of a window of 320x180 a larger share is drawn: $(value size)" \
     "$(awk -v a="$small" -v b="$(value size)" 'BEGIN { print (a + 0 == 1280 || b / 320 > a / 1280) }')"
+end
+# ---- what a view that stays becomes; a radius of nothing leaves the scene's own colours, which are few
+shown() {    # PATTERN: the window's title is so
+    title=$(build/press title)
+    case $title in $1) ;; *) false ;; esac
+}
+reaches() {    # PATTERN SECONDS FRAMES: after so many seconds at most; or where frames are slow, after so many of them
+    was=$(took_of "$(build/press title)")
+    from=$(date +%s%N)
+    soon shown "$1"
+    waited=$((($(date +%s%N) - from) / 1000000))
+    echo "  viewer, at rest: '$title' after $waited ms"
+    case $title in $1) so=1 ;; *) so=0 ;; esac
+    check "viewer: '$title' after $waited ms; $1 is wanted after $2 s, or $3 frames" \
+        "$(echo $so $waited $was $(took_of "$title") | awk -v most=$(($2 * 1000)) -v frames=$3 \
+            '{ print ($1 && ($2 <= most || $2 <= 1000 + frames * ($3 > $4 ? $3 : $4))) }')"
+}
+colours() { tail -c $((3 * 640 * 360)) "$1" | od -An -v -tu1 -w3 | sort -u | wc -l; }
+set -- room --size 640x360 --panel 0 --method hsao --set history=0 --radius 1e-6
+begin "$@" --scale 1
+build/press wait wait wait grab:$work/frame.ppm
+end
+begin "$@"
+reaches '*640x360 - * - mean of 32' 10 32
+build/press wait grab:$work/mean.ppm
+end
+few=$(colours $work/frame.ppm) many=$(colours $work/mean.ppm)
+echo "  viewer, at rest: the mean has $many colours, a frame $few"
+check "viewer, at rest: the mean has $many colours, a frame $few" "$([ $many -gt $((2 * few)) ] && echo 1)"
+begin room --size 1280x720 --panel 0
+reaches '*1280x720 - * - mean of [4-9]*' 10 4
+build/press drag:40,10
+reaches '* ms' 1 1
+reaches '*1280x720 - * - mean of *' 2 2
+build/press i
+reaches '* ms' 1 1
 end
 begin room --size 1280x720 --panel 0 --method ssdo-best --scale 0.25
 ask

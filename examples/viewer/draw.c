@@ -1,4 +1,5 @@
 /* draw.c - a frame: the kit's G-buffer, each half's method on it as the kit draws frames, both halves into the window.
+   At rest each frame's projection moves by less than a pixel, and the mean of the frames is shown: edges are smooth.
    Declared in viewer.h. */
 #include "viewer.h"
 #include <GLFW/glfw3.h>
@@ -24,7 +25,7 @@ static const char resolve_fs[] = /* visibility; or albedo * (light + bounce), li
 /* kind 0: visibility; 1: that on colours; 2: radiance, before the environment. ray: of a pixel, in view space. */
 static const char display_fs[] =
     "uniform sampler2D half0, half1, albedo, sky;\n"
-    "uniform vec4 ray, window; uniform mat3 to_world; uniform float split, behind;\n"
+    "uniform vec4 ray, window; uniform mat3 to_world; uniform float split, behind, part;\n"
     "uniform int kind0, kind1, environment; out vec4 o;\n"
     "vec3 sky_of(vec3 d) {\n"
     "    ivec2 size = textureSize(sky, 0);\n"
@@ -49,7 +50,8 @@ static const char display_fs[] =
     "    }\n"
     "    vec3 encoded = 1.055 * pow(max(c.rgb, 0.0), vec3(1.0 / 2.4)) - 0.055;\n"
     "    if (kind > 0) c.rgb = mix(encoded, 12.92 * c.rgb, lessThan(c.rgb, vec3(0.0031308)));\n"
-    "    o = vec4(abs(gl_FragCoord.x - split) < 1.0 ? vec3(1.0, 0.6, 0.1) : c.rgb, 1.0);\n"
+    "    c.rgb = clamp(c.rgb, 0.0, 1.0);\n"
+    "    o = vec4(abs(gl_FragCoord.x - split) < 1.0 ? vec3(1.0, 0.6, 0.1) : c.rgb, part);\n"
     "}\n";
 
 /* ---- >>programs -------------------------------------------------------------------------------------------------- */
@@ -71,6 +73,7 @@ int draw_open(viewer *v)
     v->display = v->resolve ? kit_program_text("", screen_vs, display_fs, &v->err) : 0;
     if (!v->display) return -1;
     for (int p = 0; p < 2; ++p) {
+        v->side[p].frames.jittered = 1;
         glUseProgram(*of[p]);
         for (int i = 0; i < 5 && samplers[p][i]; ++i) glUniform1i(place(*of[p], samplers[p][i]), i);
     }
@@ -94,6 +97,18 @@ void draw_close(viewer *v)
 
 /* ---- >>frame ----------------------------------------------------------------------------------------------------- */
 
+/* A picture of another size to draw into, in place of the one that is there. */
+static void renew(GLuint *picture, GLuint *framebuffer, const int size[2])
+{
+    if (*picture) glDeleteTextures(1, picture);
+    if (!*framebuffer) glGenFramebuffers(1, framebuffer);
+    *picture = kit_texture(size[0], size[1], GL_RGBA32F, NULL);
+    bind(0, *picture);
+    kit_texture_linear(GL_TEXTURE_2D);
+    glBindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, *picture, 0);
+}
+
 static int drawn(const viewer *v, int i) { return (!i || v->split_on) && !v->side[i].truth; }
 
 /* Sizes are the window's, or less. 1: they are others than before. */
@@ -105,16 +120,7 @@ static int fit(viewer *v)
     pace_size(&v->pace, v->size, size);
     if (!memcmp(size, v->drawn, sizeof size) && v->side[0].picture) return 0;
     memcpy(v->drawn, size, sizeof size);
-    for (int i = 0; i < 2; ++i) {
-        side *s = &v->side[i];
-        if (s->picture) glDeleteTextures(1, &s->picture);
-        if (!s->framebuffer) glGenFramebuffers(1, &s->framebuffer);
-        s->picture = kit_texture(size[0], size[1], GL_RGBA32F, NULL);
-        bind(0, s->picture);
-        kit_texture_linear(GL_TEXTURE_2D);
-        glBindFramebuffer(GL_FRAMEBUFFER, s->framebuffer);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, s->picture, 0);
-    }
+    for (int i = 0; i < 2; ++i) renew(&v->side[i].picture, &v->side[i].framebuffer, size);
     v->camera.width = size[0];
     v->camera.height = size[1];
     return 1;
@@ -168,15 +174,20 @@ static int side_draw(viewer *v, side *s, int opens)
     return 0;
 }
 
+/* The truth is of the pixels' centres, and is compared with a picture of these. */
+static int averages(const viewer *v) { return v->pace.still && !v->error && !(v->split_on && v->side[1].truth); }
+
 /* The halves' runs are of the last frame's G-buffer until they have moved on to this one's. */
 static int draw_sides(viewer *v, int opens)
 {
     kit_gbuffer *next = v->seen == &v->gbuffer[0] ? &v->gbuffer[1] : &v->gbuffer[0];
     kit_gbuffer *last = v->seen;
+    kit_camera camera = v->camera;
+    for (unsigned k = 0; k < 2 && averages(v); ++k) camera.shift[k] += ssgi_radical_inverse(2 + k, v->mean + 1) - 0.5f;
     if (opens) {
         if (!v->kept && kit_mesh_keep(&v->scene.mesh, &v->err)) return -1;
         v->kept = 1;
-        if (kit_gbuffer_from_scene(next, &v->scene, &v->camera, NULL, &v->err)) return -1;
+        if (kit_gbuffer_from_scene(next, &v->scene, &camera, NULL, &v->err)) return -1;
         memcpy(v->stood[next - v->gbuffer], v->slid, sizeof v->slid);
         if (last && v->slides && motion_draw(v, next, last)) return -1;
         v->seen = next;
@@ -189,10 +200,91 @@ static int draw_sides(viewer *v, int opens)
     return 0;
 }
 
-/* Once something was chosen, the first frame compiles; the next two tell what a frame takes. */
+/* ---- >>window ---------------------------------------------------------------------------------------------------- */
+
+/* The environment for what lies behind the scene. */
+static GLuint sky_of(viewer *v)
+{
+    const kit_image *env = &v->light.now.env;
+    const size_t texels = (size_t)env->width * (size_t)env->height;
+    if (!env->data || v->light.texture) return v->light.texture;
+    float *rgba = malloc(4 * texels * sizeof *rgba);
+    for (size_t i = 0; rgba && i < 4 * texels; ++i) rgba[i] = i % 4 < 3 ? env->data[i % 4 * texels + i / 4] : 1;
+    if (rgba) v->light.texture = kit_texture(env->width, env->height, GL_RGBA32F, rgba);
+    free(rgba);
+    return v->light.texture;
+}
+
+/* Where a pixel looks. */
+static void aim(const viewer *v, GLuint program, int sky)
+{
+    const float *p = v->seen->projection, width = (float)v->size[0], height = (float)v->size[1];
+    const float ray[4] = { p[8], p[9], 1 / p[0], 1 / p[5] }, window[4] = { width, height, 1 / width, 1 / height };
+    float view[16], projection[16], to_world[9];
+    kit_camera_matrices(&v->seen->camera, view, projection);
+    for (int i = 0; i < 9; ++i) to_world[i] = view[4 * (i % 3) + i / 3];
+    glUniform4fv(place(program, "ray"), 1, ray);
+    glUniform4fv(place(program, "window"), 1, window);
+    glUniformMatrix3fv(place(program, "to_world"), 1, GL_FALSE, to_world);
+    glUniform1i(place(program, "environment"), !sky ? 0 : v->seen->camera.fovy > 0 ? 1 : 2);
+}
+
+static int kind_of(const viewer *v, const side *s)
+{
+    return (s->truth ? v->truth.method.lit : s->method.lit) ? 2 : v->colours;
+}
+
+/* Both halves; part: their weight over what is there. */
+static void show(viewer *v, GLuint framebuffer, float part)
+{
+    const side *s = v->side, *right = v->split_on ? &s[1] : s;
+    const GLuint sky = sky_of(v);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, v->size[0], v->size[1]);
+    glUseProgram(v->display);
+    bind(0, s->picture);
+    bind(1, right->truth ? v->truth_picture : right->picture);
+    bind(2, v->seen->albedo);
+    bind(3, sky);
+    aim(v, v->display, sky != 0);
+    glUniform1f(place(v->display, "split"), v->split_on ? floorf(v->split * (float)v->size[0]) : 4 * (float)v->size[0]);
+    glUniform1f(place(v->display, "behind"), KIT_BEHIND);
+    glUniform1f(place(v->display, "part"), part);
+    glUniform1i(place(v->display, "kind0"), kind_of(v, s));
+    glUniform1i(place(v->display, "kind1"), kind_of(v, right));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+/* A picture that is new may hold what are no numbers: a mean's first frame is not blended. */
+static void add_to_mean(viewer *v)
+{
+    if (v->mean) glEnable(GL_BLEND);
+    else renew(&v->mean_picture, &v->mean_framebuffer, v->size);
+    ++v->mean;
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    show(v, v->mean_framebuffer, 1 / (float)v->mean);
+    glDisable(GL_BLEND);
+}
+
+static void show_mean(const viewer *v)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, v->size[0], v->size[1]);
+    glUseProgram(v->display);
+    bind(0, v->mean_picture);
+    glUniform1f(place(v->display, "split"), 4 * (float)v->size[0]);
+    glUniform1i(place(v->display, "kind0"), 0);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/* ---- >>next ---------------------------------------------------------------------------------------------------- */
+
+/* Once something was chosen, the first frame compiles; the next two tell how long a frame takes. */
 static int opens_again(const viewer *v)
 {
-    return v->moved || v->restart || !v->seen || (v->pace.opened < (v->pace.still ? 1 : 3) && !v->shot);
+    return v->moved || v->restart || !v->seen || averages(v) || (v->pace.opened < (v->pace.still ? 1 : 3) && !v->shot);
 }
 
 /* Another frame of the same size would not differ. */
@@ -206,7 +298,8 @@ static int drawn_enough(const viewer *v)
 
 int draw_settled(const viewer *v)
 {
-    return drawn_enough(v) && (v->pace.still ? !pace_tries(&v->pace) : pace_waits(&v->pace));
+    if (averages(v) && !v->moved && !v->restart) return v->mean >= VIEWER_STILL;
+    return drawn_enough(v) && pace_waits(&v->pace);
 }
 
 /* A method draws of surfels. */
@@ -221,13 +314,14 @@ int draw_frame(viewer *v)
 {
     const double coarse = pace_coarse(&v->pace);
     if (v->moved || v->restart) pace_moves(&v->pace);
-    else if (drawn_enough(v)) pace_still(&v->pace);
+    else if (!v->shot) pace_stays(&v->pace);
     const int sized = fit(v) || coarse != pace_coarse(&v->pace);
     if (v->restart || sized) v->pace.opened = 0;
-    if (v->moved || v->restart || sized) v->still = 0;
+    if (v->moved || v->restart || sized) v->still = v->mean = 0;
     const int opens = sized || opens_again(v);
     const double began = kit_seconds();
     if (draw_sides(v, opens)) return -1;
+    if (averages(v)) add_to_mean(v);
     glFinish();
     if (glGetError() == GL_OUT_OF_MEMORY)
         return kit_fail(&v->err, "the GPU has no memory for a window of %d x %d", v->size[0], v->size[1]);
@@ -235,12 +329,12 @@ int draw_frame(viewer *v)
     v->moved = v->restart = 0;
     ++v->still;
     ++v->frame;
-    if (!opens || (++v->pace.opened < 2 && !v->pace.rest) || !pace_took(&v->pace, v->ms, of_surfels(v))) return 0;
+    if (!opens || ++v->pace.opened < 2 || !pace_took(&v->pace, v->ms, of_surfels(v))) return 0;
     if (!v->panel) panel_say(v, "the size goes by what there is time for (f: fixed)");
     return 0;
 }
 
-/* ---- >>window ---------------------------------------------------------------------------------------------------- */
+/* ---- >>truth ---------------------------------------------------------------------------------------------------- */
 
 /* The truth so far as a texture; rows turn over. */
 static int truth_upload(viewer *v)
@@ -281,55 +375,9 @@ static void show_truth(viewer *v)
     if (failed || truth_upload(v)) panel_say(v, v->err.text);
 }
 
-/* The environment for what lies behind the scene. */
-static GLuint sky_of(viewer *v)
-{
-    const kit_image *env = &v->light.now.env;
-    const size_t texels = (size_t)env->width * (size_t)env->height;
-    if (!env->data || v->light.texture) return v->light.texture;
-    float *rgba = malloc(4 * texels * sizeof *rgba);
-    for (size_t i = 0; rgba && i < 4 * texels; ++i) rgba[i] = i % 4 < 3 ? env->data[i % 4 * texels + i / 4] : 1;
-    if (rgba) v->light.texture = kit_texture(env->width, env->height, GL_RGBA32F, rgba);
-    free(rgba);
-    return v->light.texture;
-}
-
-/* Where a pixel looks. */
-static void aim(const viewer *v, GLuint program, int sky)
-{
-    const float *p = v->seen->projection, width = (float)v->size[0], height = (float)v->size[1];
-    const float ray[4] = { p[8], p[9], 1 / p[0], 1 / p[5] }, window[4] = { width, height, 1 / width, 1 / height };
-    float view[16], projection[16], to_world[9];
-    kit_camera_matrices(&v->seen->camera, view, projection);
-    for (int i = 0; i < 9; ++i) to_world[i] = view[4 * (i % 3) + i / 3];
-    glUniform4fv(place(program, "ray"), 1, ray);
-    glUniform4fv(place(program, "window"), 1, window);
-    glUniformMatrix3fv(place(program, "to_world"), 1, GL_FALSE, to_world);
-    glUniform1i(place(program, "environment"), !sky ? 0 : v->seen->camera.fovy > 0 ? 1 : 2);
-}
-
-static int kind_of(const viewer *v, const side *s)
-{
-    return (s->truth ? v->truth.method.lit : s->method.lit) ? 2 : v->colours;
-}
-
 void draw_window(viewer *v)
 {
-    const side *s = v->side, *right = v->split_on ? &s[1] : s;
-    const GLuint sky = sky_of(v);
-    if (v->error || (v->split_on && s[1].truth)) show_truth(v);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, v->size[0], v->size[1]);
-    glUseProgram(v->display);
-    bind(0, s->picture);
-    bind(1, right->truth ? v->truth_picture : right->picture);
-    bind(2, v->seen->albedo);
-    bind(3, sky);
-    aim(v, v->display, sky != 0);
-    glUniform1f(place(v->display, "split"), v->split_on ? floorf(v->split * (float)v->size[0]) : 4 * (float)v->size[0]);
-    glUniform1f(place(v->display, "behind"), KIT_BEHIND);
-    glUniform1i(place(v->display, "kind0"), kind_of(v, s));
-    glUniform1i(place(v->display, "kind1"), kind_of(v, right));
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glActiveTexture(GL_TEXTURE0);
+    if (v->error || (v->split_on && v->side[1].truth)) show_truth(v);
+    if (v->mean) show_mean(v);
+    else show(v, 0, 1);
 }

@@ -81,7 +81,7 @@ static void on_size(GLFWwindow *window, int width, int height)
 {
     (void)width;
     (void)height;
-    on_change(window);
+    ((viewer *)glfwGetWindowUserPointer(window))->moved = 1;
 }
 
 void input_open(viewer *v)

@@ -114,7 +114,11 @@ static void split(viewer *v, int shift)
     v->restart = 1;
 }
 
-static void by_split(viewer *v, float by) { v->split = fminf(fmaxf(v->split + by, 0.05f), 0.95f); }
+static void by_split(viewer *v, float by)
+{
+    v->split = fminf(fmaxf(v->split + by, 0.05f), 0.95f);
+    v->mean = 0;
+}
 
 static void split_left(viewer *v, int shift)
 {
@@ -132,12 +136,14 @@ static void error(viewer *v, int shift)
 {
     (void)shift;
     v->error = !v->error;
+    v->moved = 1;
 }
 
 static void colours(viewer *v, int shift)
 {
     (void)shift;
     v->colours = !v->colours;
+    v->mean = 0;
 }
 
 /* ---- >>light ----------------------------------------------------------------------------------------------------- */

@@ -176,7 +176,7 @@ static void describe_passes(char *text, size_t size, const kit_run *run)
         if (next - i > 1) add(text, size, " x %d", next - i);
         add(text, size, "\t%dx%d\t%.*f ms", p->width, p->height, digits, ms);
     }
-    add(text, size, "\nall\t\t%.*f ms", digits, all);
+    add(text, size, "\nall passes\t\t%.*f ms", digits, all);
 }
 
 static void describe(char *text, size_t size, const viewer *v, const side *s)
@@ -196,15 +196,17 @@ static void describe_frame(char *text, size_t size, const viewer *v)
 {
     const double about = v->scene.mesh.triangles < 100000 ? 1 : 1e-3;
     const char *slash = strrchr(v->path, '/');
-    char set[300];
+    char set[300], size_by[80] = "";
+    if (v->pace.fixed > 0) snprintf(size_by, sizeof size_by, "%s", v->pace.fixed < 1 ? ", fixed (f)" : "");
+    else if (v->mean > 1) snprintf(size_by, sizeof size_by, ", the mean of %u frames", v->mean);
+    else if (pace_share(&v->pace) < 1)
+        snprintf(size_by, sizeof size_by, " while it moves, so that a frame takes 250 ms at most (f: fixed)");
     kit_method_text(set, sizeof set, &v->side[0].method);
-    add(text, size, "%.60s, %.0f%s triangles, a frame %.0f ms%s", slash && slash[1] ? slash + 1 : v->path,
-        (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "", v->pace.ms > 0 ? v->pace.ms : v->ms,
+    add(text, size, "%.60s, %.0f%s triangles, a frame %.0f ms: the scene and all passes%s",
+        slash && slash[1] ? slash + 1 : v->path, (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "", v->ms,
         kit_gl_is_software() ? ", drawn by the CPU" : "");
-    add(text, size, "\n%dx%d%s\nradius %.3g%s%s\nh: keys", v->drawn[0], v->drawn[1],
-        pace_share(&v->pace) < 1 ? v->pace.fixed > 0 ? ", fixed (f)" : " so that keys are answered in time (f: fixed)"
-                                 : "",
-        (double)v->radius, *set ? ", " : "", set);
+    add(text, size, "\n%dx%d%s\nradius %.3g%s%s\nh: keys", v->drawn[0], v->drawn[1], size_by, (double)v->radius,
+        *set ? ", " : "", set);
 }
 
 static void describe_keys(char *text, size_t size)

@@ -63,13 +63,11 @@ typedef struct light {
 
 typedef struct pace {
     double fixed;                           /* share of the window's sides that is drawn; 0: as there is time for */
-    int    level, lowest;                   /* of the shares, where it is not fixed; the lowest of this window */
-    int    still, rest;                     /* the view stays: so many levels larger; still: 1, and a try each */
+    int    level, lowest;                   /* of the shares, while the view moves; the lowest of this window */
+    int    still;                           /* the view stays: all of the window's size is drawn */
     int    coarse;                          /* while it moves surfels are 2^coarse times as wide */
-    double failed;                          /* when a size took too long */
-    double tried;                           /* when it moved last, or another size was tried at rest */
+    double moved;                           /* when it moved last, or another setting was chosen */
     int    opened;                          /* frames since settings changed that were drawn from the G-buffer on */
-    double ms;                              /* that the last of these took */
 } pace;
 
 typedef struct viewer {
@@ -94,6 +92,8 @@ typedef struct viewer {
     int          drawn[2];                  /* size */
     int          moved, restart, redraw;    /* since the last frame: the view; anything of the methods; the text */
     unsigned     frame, still;              /* all frames; those since the view moved */
+    unsigned     mean;                      /* frames at rest whose mean is shown; 0: the last frame is */
+    GLuint       mean_picture, mean_framebuffer;
     double       ms;
     /* what moves by itself */
     int          circles, slides;
@@ -148,11 +148,10 @@ int    motion_draw(viewer *v, kit_gbuffer *next, const kit_gbuffer *last);
 void   pace_begin(pace *p, const int window[2], int software);
 void   pace_size(pace *p, const int window[2], int size[2]);
 int    pace_took(pace *p, double ms, int surfels);  /* of such a frame; 1: the next one is drawn otherwise */
-void   pace_still(pace *p);                 /* nothing but another size would make the picture another */
-int    pace_tries(const pace *p);           /* it would do so again: a size that took too long, once more */
-int    pace_waits(const pace *p);           /* not yet */
 double pace_coarse(const pace *p);
 void   pace_moves(pace *p);
+void   pace_stays(pace *p);                 /* after a while of that the size is the window's */
+int    pace_waits(const pace *p);           /* staying would not change the size now */
 double pace_share(const pace *p);
 
 /* ---- >>panel.c */

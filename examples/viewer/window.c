@@ -29,19 +29,20 @@ int window_open(viewer *v)
     return kit_gl_adopt(glfwGetProcAddress, &v->err);
 }
 
-/* Scene, method, size, milliseconds; no more than four times a second. */
+/* Scene, method, size, milliseconds, frames of a mean; no more than four times a second. */
 void window_title(viewer *v)
 {
     const char *slash = strrchr(v->path, '/');
     const side *s = v->side;
-    char title[sizeof v->title];
+    char title[sizeof v->title], mean[40] = "";
     if (kit_seconds() < v->titled + 0.25) return;
-    snprintf(title, sizeof title, "%.100s - %s%s%s - %dx%d - %.*f ms", slash && slash[1] ? slash + 1 : v->path,
+    if (v->mean) snprintf(mean, sizeof mean, " - mean of %u", v->mean);
+    snprintf(title, sizeof title, "%.100s - %s%s%s - %dx%d - %.*f ms%s", slash && slash[1] ? slash + 1 : v->path,
              s[0].method.name, v->split_on ? " | " : "",
              !v->split_on ? ""
              : s[1].truth ? "truth"
                           : s[1].method.name,
-             v->drawn[0], v->drawn[1], v->ms < 10 ? 1 : 0, v->ms);
+             v->drawn[0], v->drawn[1], v->ms < 10 ? 1 : 0, v->ms, mean);
     v->titled = kit_seconds();
     if (!strcmp(title, v->title)) return;
     strcpy(v->title, title);
