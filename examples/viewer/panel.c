@@ -95,7 +95,8 @@ static void draw_quads(viewer *v, const corner *quads, int count, const float co
     kit_soup_close(&soup);
 }
 
-static float scale_of(const viewer *v) { return v->size[1] >= 500 ? 2 : 1; }
+/* The list of keys is small enough to stay one column where that is possible. */
+static float scale_of(const viewer *v) { return v->help ? v->size[1] >= 700 ? 1.5f : 1 : v->size[1] >= 500 ? 2 : 1; }
 
 /* At a corner, or beside it so that it ends in the window: x, y may be as large as they please. Where it ends. */
 static float print(viewer *v, float x, float y, const char *text)
@@ -209,18 +210,26 @@ static void describe_frame(char *text, size_t size, const viewer *v)
         *set ? ", " : "", set);
 }
 
-static void describe_keys(char *text, size_t size)
+/* In as few columns as the window is high enough for, at its left side: the middle of the picture stays to be seen. */
+static void describe_keys(char *text, size_t size, const viewer *v)
 {
-    int count = 0;
-    while (keys[count].code) ++count;
-    add(text, size, "drag\torbit\t\t\t\tright drag\tpan\nwheel\tzoom\t\t\t\tdrop\ta model, or .hdr .exr as the sky");
-    for (int i = 0; i < (count + 1) / 2; ++i) {
-        const key *a = &keys[i], *b = &keys[i + (count + 1) / 2];
-        const int stops = stb_easy_font_width((char *)(size_t)a->about) / 64;
-        add(text, size, "\n%s\t%s", a->label, a->about);
-        for (int k = stops; k < 4 && b->code; ++k) add(text, size, "\t");
-        if (b->code) add(text, size, "%s\t%s", b->label, b->about);
-    }
+    static const char *const mouse[][2] = { { "drag", "orbit; right drag: pan; wheel: zoom" },
+                                            { "drop", "a model, or .hdr .exr as the sky" } };
+
+    enum { MOUSE = (int)(sizeof mouse / sizeof *mouse), STOPS = 4 };
+
+    const int room = (int)fmaxf(1, ((float)v->size[1] / scale_of(v) - 16) / LINE);
+    int count = MOUSE;
+    while (keys[count - MOUSE].code) ++count;
+    const int columns = (count + room - 1) / room, rows = (count + columns - 1) / columns;
+    for (int i = 0; i < rows; ++i)
+        for (int k = i; k < count; k += rows) {
+            const char *label = k < MOUSE ? mouse[k][0] : keys[k - MOUSE].label;
+            const char *about = k < MOUSE ? mouse[k][1] : keys[k - MOUSE].about;
+            add(text, size, "%s%s\t%s", k == i && i ? "\n" : "", label, about);
+            const int stops = k + rows < count ? stb_easy_font_width((char *)(size_t)about) / 64 : STOPS;
+            for (int stop = stops; stop < STOPS; ++stop) add(text, size, "\t");
+        }
 }
 
 void panel_draw(viewer *v)
@@ -231,8 +240,8 @@ void panel_draw(viewer *v)
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, v->size[0], v->size[1]);
     if (v->help) {
-        describe_keys(text, sizeof text);
-        print(v, 0.5f * width - 240, 8, text);
+        describe_keys(text, sizeof text, v);
+        print(v, 0, 0, text);
     } else if (v->panel) {
         describe(text, sizeof text, v, &v->side[0]);
         print(v, 0, 0, text);
