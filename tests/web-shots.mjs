@@ -23,20 +23,26 @@ async function shoot(page, name, quality = 82) {
     console.log(`${folder}/${name}.jpg: ${(readFileSync(`${folder}/${name}.jpg`).length / 1000).toFixed(0)} KB`);
 }
 
-const wide = [1280, 800];
+const wide = [1280, 800], phone = [390, 844];
 for (const [name, hash, [width, height], then] of [
     ['first', '', wide],
     ['ssdo', 'a=ssdo&b=none&bounce=1&shadow=FILL&scene=colonnade&history=0&size=720x605', wide],
     ['s3ho', 'a=s3ho&b=none&sky=windows&sun=0&view=ambient&history=0&size=720x605', wide],
     ['dss', 'a=dss&b=hsao&view=ambient&scene=slats&history=0', wide],
     ['aof', 'a=aof&b=none&scene=casters&p=FAST', wide],
+    ['bounce', 'scene=cornell&a=ssdo&b=none', wide],
+    ['colonnade', 'scene=colonnade&a=ssdo&b=none', wide],
+    ['moves', 'scene=grass&moves=1&a=hsao&b=off', wide],
     ['error', 'a=hsao&b=ssao&view=difference', wide, 'page.rays() >= 8'],
-    ['phone', '', [390, 844]],
-    ['phone-panel', '', [390, 844], 'scrollTo(0, 520) || true']]) {
+    ['truth-soon', 'a=hsao&b=truth&view=ambient', wide, 'page.truth()?.rays >= 16'],
+    ['help', '', wide, `document.getElementById('help').click() || true`],
+    ['phone', '', phone],
+    ['phone-error', 'a=hsao&b=truth&view=difference', phone, 'page.truth()?.rays >= 16'],
+    ['phone-panel', '', phone, 'scrollTo(0, 520) || true']]) {
     if (!name.includes(only)) continue;
     const page = await open(hash, width, height);
     if (then) await page.waitForFunction(then, { timeout: 180000, polling: 250 });
-    if (then?.startsWith('scroll')) await rest(1000);
+    if (then && !then.startsWith('page')) await rest(1000);
     await shoot(page, name);
     await page.close();
 }

@@ -393,7 +393,7 @@ const scored = (words, file, sets) => {
 await run('the sun through its shadow map is build/render\'s', async () => {
     const found = [], file = `${out}/light.exr`;
     for (const [shadow, scene] of [['MAP', 'casters'], ['FILL', 'casters'], ['MAP', 'room']]) {
-        await go(`scene=${scene}&a=ssdo&b=off&size=480x270&history=0&radius=0&shadow=${shadow}`);
+        await go(`scene=${scene}&a=ssdo&b=off&sky=sky&size=480x270&history=0&radius=0&shadow=${shadow}`);
         const sun = await lightFile(file), words = [scene, '--size', '480x270', '--light', sun];
         const is = scored(words, file, `shadows=${shadow.toLowerCase()},shadow_size=2048`);
         const open = scored(words, file, 'shadows=none');
@@ -404,7 +404,7 @@ await run('the sun through its shadow map is build/render\'s', async () => {
     found.forEach(note);
 });
 await run('the sun by points on the screen is build/render\'s of one G-buffer', async () => {
-    await go('scene=room&a=ssdo&b=off&size=480x270&history=0&radius=0&shadow=SEGMENT');
+    await go('scene=room&a=ssdo&b=off&sky=sky&size=480x270&history=0&radius=0&shadow=SEGMENT');
     const sun = await lightFile(`${out}/light.exr`), bytes = await page.evaluate(() => {
         const file = page.frame();
         let text = '';

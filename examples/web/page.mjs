@@ -249,13 +249,17 @@ function notice(...sentences) {
     $('notice').textContent = [...shown, ...(more ? [`and ${more} more`] : [])].join('\n');
 }
 
+/* The light of another scene, where none was chosen. */
+function takeLook(scene) {
+    const was = lookOf(set.scene), is = lookOf(scene);
+    for (const key in is) if (key !== 'scene' && set[key] === was[key]) set[key] = is[key];
+}
 let ownView = false;                                 /* it was chosen, and stays */
 function choose(name, value) {
-    const was = lookOf(set.scene), is = lookOf(value);
+    if (name === 'scene') takeLook(value);
     set[name] = value;
     notice();
-    if (name === 'scene') {                             /* its light, where no other was chosen */
-        for (const key in is) if (key !== name && set[key] === was[key]) set[key] = is[key];
+    if (name === 'scene') {
         set.cam = '';
         openScene();
     }
@@ -312,6 +316,7 @@ async function openScene() {
         if (mine !== opening) return;
         loading(null);
         notice(e.message);
+        takeLook(stage.info?.name ?? info.name);
         set.scene = stage.info?.name ?? info.name;
         if (stage.info) set.cam = lookedFrom();
         toPanel();

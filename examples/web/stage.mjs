@@ -162,12 +162,12 @@ export class Stage {
     #onCircle({ at, far }, turn) {
         return at.clone().add(new THREE.Vector3(Math.sin(turn) * far, 0, Math.cos(turn) * far));
     }
-    /* A circle about the view's target, as high above it as it takes for most of it to be seen; how wide is what moves
-       there, at least a part of the picture. */
+    /* A circle about the view's target, as high above it as it takes for more than half of it to be seen, and the width
+       of what moves there, at least a part of the picture. */
     #around() {
         const { info } = this, eye = new THREE.Vector3(...info.eye), target = new THREE.Vector3(...info.target);
         const half = eye.distanceTo(target) * Math.tan(info.fovy * Math.PI / 360);
-        const far = Math.min(2.2 * info.radius, 0.5 * half), wide = Math.max(0.55 * info.radius, 0.17 * half);
+        const far = Math.min(2.2 * info.radius, 0.8 * half), wide = Math.max(0.55 * info.radius, 0.17 * half);
         const circles = [0, 1, 2, 3, 4].map(lift => {
             const circle = { at: target.clone().setY(target.y + lift * 0.6 * info.radius), far, wide };
             circle.seen = Array.from({ length: 12 }, (_, i) => {
@@ -177,7 +177,7 @@ export class Stage {
             }).reduce((sum, one) => sum + one);
             return circle;
         });
-        return circles.find(({ seen }) => seen >= 9) ?? circles.sort((a, b) => b.seen - a.seen)[0];
+        return circles.find(({ seen }) => seen >= 7) ?? circles.sort((a, b) => b.seen - a.seen)[0];
     }
 
     /* For where each pixel was in the last frame that asked: the way back from here, and there, of what rests and of

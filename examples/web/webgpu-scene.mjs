@@ -259,6 +259,7 @@ export class Scene {
         const like = !from ? { minFilter: 'linear', magFilter: 'linear' } : {
             addressModeU: wraps[from.wrapS], addressModeV: wraps[from.wrapT], minFilter: filter(from.minFilter),
             magFilter: filter(from.magFilter), mipmapFilter: /Nearest$/.test(from.minFilter) ? 'nearest' : 'linear' };
+        if (from && Object.values(like).slice(2).every(kind => kind === 'linear')) like.maxAnisotropy = from.anisotropy;
         const key = JSON.stringify(like);
         if (!this.#samplers.has(key)) this.#samplers.set(key, this.#device.createSampler(like));
         return this.#samplers.get(key);
