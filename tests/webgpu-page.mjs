@@ -56,7 +56,7 @@ const first = await open('?webgpu', 'size=320x180&history=0&b=off');
 if ((await state(first)).notice) console.log(`skipped: the page in WebGPU: ${(await state(first)).notice}`);
 else {
     /* Both rasterise: a pixel of a silhouette that one of them covers is most of this. */
-    const most = 0.006, small = 'size=320x180&history=0';
+    const most = 0.006, small = 'sky=sky&size=320x180&history=0';
     for (const [what, hashes] of Object.entries({
         'hsao in each preset': [`${small}&p=FAST&b=hsao&q=BEST`, small],
         'ssao, and the march': [`${small}&a=ssao&b=march`],
@@ -65,7 +65,7 @@ else {
         's3ho in each preset': [`${small}&a=s3ho&p=FAST&b=s3ho&q=BEST`, `${small}&a=s3ho`],
         'the sun through its shadow map, on the screen': [`${small}&a=ssdo&shadow=FILL&b=s3ho`,
                                                           `${small}&a=ssdo&shadow=SEGMENT&bounce=1`],
-        'history': ['size=320x180&a=hsao&b=s3ho'],
+        'history': ['sky=sky&size=320x180&a=hsao&b=s3ho'],
         'two slabs, back faces': [`${small}&thickness=SLABS&b=ssdo`, `${small}&thickness=BACK&scene=casters`],
         'normals from depth, numbers of one\'s own': [`${small}&normals=FROM_DEPTH&slices=3&steps=4&half=FIRST&filter=3`]
     }))
