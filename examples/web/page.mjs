@@ -266,6 +266,7 @@ function choose(name, value) {
     if (name === 'view') ownView = true;
     if (name === 'a' || name === 'b') {
         Object.assign(set, shows[value]);
+        if (software && methods[value]?.module === 'surfels') set[name === 'a' ? 'p' : 'q'] = 'FAST';
         if (!ownView && methods[value]?.desc) set.view = 'ambient';
     }
     if (name === 'circle' && !value) set.cam = lookedFrom();
@@ -1132,8 +1133,7 @@ async function start() {
     drawer = new Drawer(gl, ssgi);
     show = new Show(gl, drawer);
     own = { drawer, show, name: $('device').textContent };
-    const named = Object.entries(methods).map(([name, { title, module }]) =>
-        [name, title + (software && module === 'surfels' ? ', seconds a frame here' : '')]);
+    const named = Object.entries(methods).map(([name, { title }]) => [name, title]);
     options(panel.elements.scene, scenes.map(s => [s.name, s.title]));
     options(panel.elements.sky, Object.entries(skies).map(([name, { title }]) => [name, title]));
     options(panel.elements.a, named);
