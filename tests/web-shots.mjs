@@ -47,9 +47,10 @@ for (const [name, hash, [width, height], then] of [
     await page.close();
 }
 
-/* Four pictures of one view: the page's at rest, without what is written over it, and the others'. */
+/* One view by four: the page at rest, without its texts, and the others; of a scene whose surfaces have no pictures of
+   their own, which the others would lack. */
 if ('beside'.includes(only) && existsSync('build/peers/beside.js')) {
-    const [width, height] = [800, 500], page = await open(`b=off&size=${width}x${height}`, 1400, 900);
+    const [width, height] = [800, 500], page = await open(`scene=slats&b=off&size=${width}x${height}`, 1400, 900);
     const look = await page.evaluate(() => {
         const { stage, sky } = page.inside(), { camera, controls, sun, info } = stage, { shadow } = sun;
         return { file: `/web/scenes/${info.name}.bin`, radius: info.radius * 2 ** page.set.radius, sky: [...sky()],

@@ -1,4 +1,5 @@
-/* bar.mjs - the buttons over the picture, and keys. */
+/* bar.mjs - the buttons over the picture, keys, help. */
+import { methods } from './settings.mjs';
 
 const $ = id => document.getElementById(id);
 
@@ -38,6 +39,11 @@ export function bar(set, { choose, home, save, fit }) {
         term.append(Object.assign(document.createElement('kbd'), { textContent: key }));
         sentence.textContent = what;
         return [term, sentence];
+    }));
+    $('methods').replaceChildren(...Object.values(methods).map(({ title, about }) => {
+        const item = document.createElement('li');
+        item.append(Object.assign(document.createElement('b'), { textContent: title }), ` ${about}`);
+        return item;
     }));
     $('keys').onclick = e => { if (e.target === $('keys') || e.target.tagName === 'BUTTON') $('keys').close(); };
     addEventListener('keydown', e => {

@@ -101,6 +101,8 @@ function toPanel() {
     on('.of-bounce', [set.a, set.b].some(m => methods[m]?.desc?.pass === 'SSDO'));
     if (is) $('slices-field').textContent = `desc.gather.${countOf(is)}`;
     $('smooth').checked = set.filter !== 0;
+    $('about').textContent = `${methods[set.a].title} ${methods[set.a].about}`;
+    $('alone').textContent = [set.a, set.b].some(name => methods[name]?.light) ? 'Light alone' : 'AO alone';
     panel.elements.truth.checked = wantsTruth();
     panel.elements.truth.disabled = wantsTruth() && !set.truth;
     $('own').hidden = !method(set.a) || !(module ? made.size !== methods[set.a].presets[set.p].size
@@ -239,7 +241,7 @@ async function copied(button, text) {
     const was = button.textContent;
     try { await navigator.clipboard.writeText(text); button.textContent = 'Copied'; }
     catch { button.textContent = 'Cannot copy'; }
-    setTimeout(() => { button.textContent = was; }, 1200);
+    setTimeout(() => { button.textContent = was; }, 4000);
 }
 
 /* A line each; none: there is nothing to say. */
@@ -359,6 +361,7 @@ function takeModel({ model, info }) {
     const select = panel.elements.scene;
     if (!scenes.some(s => s.name === 'file')) select.add(new Option(info.title, 'file'));
     scenes = [...scenes.filter(s => s.name !== 'file'), Object.assign(info, { model })];
+    takeLook('file');
     [...select.options].find(o => o.value === 'file').text = info.title;
     set.scene = 'file';
     showModel(model, info);
@@ -902,7 +905,7 @@ function drawBy(made) {
     if (gpu) gpu.canvas.style.objectFit = canvas.style.objectFit;
     $('device').textContent = gpu?.name ?? own.name;
     $('webgpu-box').checked = !!gpu;
-    $('read').textContent = `Read the ${drawer.language}`;
+    $('read').textContent = `Read ${drawer.language} and C`;
     $('copy-glsl').textContent = `Copy the ${drawer.language}`;
     for (const select of [panel.elements.a, panel.elements.b])
         for (const option of select.options) {          /* what only WebGL 2 has is grey, and says why */
@@ -927,7 +930,7 @@ function writeStatus() {
     $('clock').textContent = ms.length ? clock : '';
     $('rate').textContent = times.length > 1 ? `${times.length} frames/s` : '';
     $('error').textContent = !found.length ? '' : `RMSE ${found.map(({ rmse }) => rmse.toFixed(4)).join(' | ')}`
-        + (shares.length ? `, ${shares.join(' | ')} of no occlusion’s` : '');
+        + (shares.length ? `, ${shares.join(' | ')} of no occlusion’s ${found[0].none.toFixed(4)}` : '');
     $('legend').hidden = set.view !== 'difference';
     const which = { 1: 'a pixel', 2: 'at every 2nd pixel', 4: 'at every 4th pixel' }[truth?.step];
     $('rays').textContent = paused ? 'no rays while something moves' : !traced ? ''
@@ -938,18 +941,17 @@ function writeStatus() {
     writeHere();
     $('status').hidden = !ms.length && !traced && !paused && $('legend').hidden && times.length < 2;
 }
-/* The pixel under the pointer: left and right, and its truth. */
+/* The pixel under the pointer, of the side that is seen there, and its truth. */
 let pointer = null;
 function writeHere() {
     const box = shownBox(), x = Math.floor((pointer?.clientX - box.left) / box.width * size.width);
     const y = Math.floor((1 - (pointer?.clientY - box.top) / box.height) * size.height);
     const seen = traced && x >= 0 && y >= 0 && x < size.width && y < size.height ? truth.at(x, y) : null;
     const mean = v => (v[0] + v[1] + v[2]) / 3, light = sides.some(s => s && methods[s.name].light);
-    const values = sides.filter(s => s?.pixels?.length).map(({ pixels, name }) => {
-        const i = y * size.width + x;
-        return (methods[name].light ? mean(pixels.subarray(4 * i)) : pixels[i] * (light ? NaN : 1)).toFixed(3);
-    });
-    $('here').textContent = !seen ? '' : `here ${values.map(v => (v === 'NaN' ? '–' : v)).join(' | ')}, truth ${
+    const side = +(x > splitAt()), { pixels, name } = sides[side] ?? {}, i = y * size.width + x;
+    const is = !pixels?.length ? set[side ? 'b' : 'a'] === 'none' && !light ? 1 : NaN
+        : methods[name].light ? mean(pixels.subarray(4 * i)) : light ? NaN : pixels[i];
+    $('here').textContent = !seen ? '' : `${Number.isNaN(is) ? '' : `here ${is.toFixed(3)}, `}truth ${
         (light ? mean(seen.light) : seen.visibility).toFixed(3)} ± ${seen.off.toFixed(3)}`;
 }
 /* Where the left side errs most for certain. */
@@ -959,7 +961,7 @@ function placeWorst() {
     if ($('worst').hidden) return;
     $('worst').style.left = `${box.left - frame.left + (worst.x + 0.5) / size.width * box.width}px`;
     $('worst').style.top = `${box.top - frame.top + (1 - (worst.y + 0.5) / size.height) * box.height}px`;
-    $('worst').textContent = `${worst.off < 0 ? '−' : '+'}${Math.abs(worst.off).toFixed(2)}`;
+    $('worst').textContent = `worst ${worst.off < 0 ? '−' : '+'}${Math.abs(worst.off).toFixed(2)}`;
 }
 function writePasses() {
     const rows = [];

@@ -7,20 +7,26 @@ const surfels = { size: 0.03, levels: 4, epsilon: 0.3 };      /* the library's d
 
 export const methods = {
     __proto__: null,
-    none: { title: 'no occlusion' },
-    ssao: { title: 'SSAO', desc: { pass: 'SSAO' }, thickness_limit: 1 },
-    hsao: { title: 'HSAO', desc: { pass: 'HSAO' }, thickness_limit: 0.6 },
-    march: { title: 'HSAO, march', desc: { pass: 'HSAO', search: 'MARCH' }, thickness_limit: 0.5 },
-    ssdo: { title: 'SSDO', desc: { pass: 'SSDO', environment: 'MAP' }, thickness_limit: 0.4, light: true },
+    none: { title: 'no occlusion', about: 'leaves all light as it comes.' },
+    ssao: { title: 'SSAO', desc: { pass: 'SSAO' }, thickness_limit: 1, about: 'is the old way, to compare with.' },
+    hsao: { title: 'HSAO', desc: { pass: 'HSAO' }, thickness_limit: 0.6,
+            about: 'finds ambient occlusion, how much of the sky nearby surfaces hide: the choice for most.' },
+    march: { title: 'HSAO, march', desc: { pass: 'HSAO', search: 'MARCH' }, thickness_limit: 0.5,
+             about: 'is the search of the paper: slower, for depth layers and extra cameras.' },
+    ssdo: { title: 'SSDO', desc: { pass: 'SSDO', environment: 'MAP' }, thickness_limit: 0.4, light: true,
+            about: 'keeps directions: shadows take the colour of missing light, surfaces send a bounce. Try Cornell.' },
     points: { title: 'SSDO, points', desc: { pass: 'SSDO', search: 'POINTS', environment: 'MAP' }, thickness_limit: 1,
-              light: true },
+              light: true, about: 'is the sampling of the paper, for depth layers and extra cameras.' },
     s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1,
-                                   restore: 'RATIO' }, thickness_limit: 0.4, light: true },
+                                   restore: 'RATIO' }, thickness_limit: 0.4, light: true,
+            about: 'is for engines that keep light as spherical harmonics: it has visibility as such.' },
     dss: { title: 'Deep screen space', desc: { pass: 'SPLAT', span: 6 }, thickness_limit: 0.6, module: 'surfels',
-           presets: { FAST: surfels, BALANCED: surfels, BEST: surfels } },
+           presets: { FAST: surfels, BALANCED: surfels, BEST: surfels },
+           about: 'splats all triangles: hidden surfaces and those off screen count, at a higher price.' },
     aof: { title: 'Fields of objects', desc: { pass: 'FIELD', objects: 'TEXTURE' }, module: 'fields', presets: {
         FAST: { resolution: 8, rays: 64 }, BALANCED: { resolution: 16, rays: 128 },
-        BEST: { resolution: 32, rays: 128 } } }
+        BEST: { resolution: 32, rays: 128 } },
+           about: 'are baked once, and darken what rigid objects come near.' }
 };
 /* What is set, too, when a method is chosen: so that what it does is seen. */
 export const shows = {
