@@ -1086,7 +1086,7 @@ async function shoot(name, hash, options, settle = 1500) {
 }
 await run('on a desktop (1280 x 800)', async () => {
     await (await shoot('desktop', '', {}, 'page.smooth()')).close();
-    const page = await shoot('difference', 'b=ssao&view=difference', {}, 'page.rays() >= 4');
+    const page = await shoot('difference', 'b=ssao&view=difference', {}, 'page.truth()?.rays >= 16');
     await page.click('#read');
     await rest(300);
     const text = await page.$eval('#text pre', pre => pre.textContent);
