@@ -275,6 +275,17 @@ await run('and of light: the same error of ssdo under the sky', async () => {
     check(Math.abs(is - wanted) < 0.004, `${is} against ${wanted}`);
 });
 
+/* A control of the panel is set as a visitor does it; resolves when that is drawn. */
+const put = (page, name, value) => page.evaluate(async (name, value) => {
+    const all = [...document.getElementById('panel').elements].filter(e => e.name === name);
+    const control = all.length > 1 ? all.find(e => e.value === value) : all[0];
+    if (!control || control.disabled) throw new Error(`${name}: there is no such control`);
+    if (control.type === 'checkbox' || control.type === 'radio') control.checked = value !== false;
+    else control.value = value;
+    control.dispatchEvent(new Event('input', { bubbles: true }));
+    for (let i = 0; i < 3 || page.making(); ++i) await new Promise(requestAnimationFrame);
+}, name, value);
+
 await run('the truth is there soon, the error readable: a map, its worst, the pointer\'s pixel, a share', async () => {
     const begun = said.length, page = await open('size=320x180&a=hsao&b=truth&view=difference&history=0');
     const seconds = rays => page.evaluate(async rays => {
@@ -330,26 +341,20 @@ await run('the truth is there soon, the error readable: a map, its worst, the po
 });
 await run('a scene has its light, a method the view that shows it, and what moves is seen everywhere', async () => {
     const begun = said.length, page = await open('size=160x90&history=0'), is = what => page.evaluate(what);
-    const put = (name, value) => page.evaluate((name, value) => {
-        const control = [...document.querySelectorAll(`[name=${name}]`)]
-            .find(({ type, value: its }) => type !== 'radio' || its === value);
-        if (control.type === 'radio') control.checked = true; else control.value = value;
-        control.dispatchEvent(new Event('input', { bubbles: true }));
-    }, name, value);
     check(await is('page.set.sky') === 'windows' && await is('page.set.view') === 'lit', 'the first scene');
-    await put('scene', 'cornell');
+    await put(page, 'scene', 'cornell');
     check(await is('page.set.bounce && !page.set.sun && page.set.sky') === 'white', 'Cornell\'s box');
-    await put('scene', 'casters');
+    await put(page, 'scene', 'casters');
     check(await is('!page.set.bounce && page.set.sun && page.set.sky') === 'sky', 'after Cornell\'s box');
-    await put('a', 'ssdo');
+    await put(page, 'a', 'ssdo');
     check(await is('page.set.bounce && page.set.view') === 'ambient', 'SSDO is chosen');
-    await put('view', 'lit');
-    await put('a', 'hsao');
+    await put(page, 'view', 'lit');
+    await put(page, 'a', 'hsao');
     check(await is('page.set.view') === 'lit', 'a view that was chosen does not stay');
     await is('page.go("size=160x90&history=0&moves=1")');
     const shares = [];
     for (const scene of await is('[...document.querySelector("[name=scene]").options].map(o => o.value)')) {
-        await put('scene', scene);
+        await put(page, 'scene', scene);
         await page.waitForFunction(`page.inside().stage.info.name === '${scene}'`, { timeout: 30000 });
         await rest(300);
         shares.push([scene, ...await page.evaluate(() => {
@@ -825,15 +830,6 @@ for (const [width, height] of [[1280, 800], [390, 844]])
             for (let i = 0; i < is.length; ++i) sum += Math.abs(is[i] - (was[i] ?? 0));
             return { other: sum / is.length, chain, steps, set: { ...page.set } };
         });
-        const put = (name, value) => page.evaluate(async (name, value) => {
-            const all = [...document.getElementById('panel').elements].filter(e => e.name === name);
-            const control = all.length > 1 ? all.find(e => e.value === value) : all[0];
-            if (!control || control.disabled) throw new Error(`${name}: there is no such control`);
-            if (control.type === 'checkbox' || control.type === 'radio') control.checked = value !== false;
-            else control.value = value;
-            control.dispatchEvent(new Event('input', { bubbles: true }));
-            for (let i = 0; i < 3 || page.making(); ++i) await new Promise(requestAnimationFrame);
-        }, name, value);
         const named = await page.evaluate(() => [...document.getElementById('panel').elements].map(e => e.name)
             .filter(name => Object.hasOwn(page.set, name)));
         const missing = Object.keys(await page.evaluate('page.set'))
@@ -867,7 +863,7 @@ for (const [width, height] of [[1280, 800], [390, 844]])
             ['size', '480x270', ({ chain }) => chain.width === 480],
             ['truth', true, ({ set }) => set.truth]]) {
             await state();
-            await put(name, value);
+            await put(page, name, value);
             const after = await state();
             check(seen === 'picture' ? after.other > 0.2 : seen(after),
                   `${name}=${value} does nothing: ${JSON.stringify(after.chain)}`);

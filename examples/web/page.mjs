@@ -251,7 +251,7 @@ function notice(...sentences) {
     $('notice').textContent = [...shown, ...(more ? [`and ${more} more`] : [])].join('\n');
 }
 
-/* The light of another scene, where none was chosen. */
+/* Another scene brings its light, where none was chosen. */
 function takeLook(scene) {
     const was = lookOf(set.scene), is = lookOf(scene);
     for (const key in is) if (key !== 'scene' && set[key] === was[key]) set[key] = is[key];
@@ -557,6 +557,7 @@ function shownBox() {                               /* where the picture is on t
 function placeSplit() {
     const box = shownBox(), frame = $('picture').getBoundingClientRect();
     $('split').style.left = `${box.left - frame.left + set.split * box.width}px`;
+    placeWorst();
 }
 
 let failure = null;                                 /* of the last picture */
@@ -925,18 +926,20 @@ function writeStatus() {
     const clock = software ? 'in software' : clockless ? 'by the CPU’s clock' : 'on the GPU';
     const found = [0, 1].filter(i => errors[i]).map(i => errors[i]);
     const shares = found.filter(({ none }) => none).map(({ rmse, none }) => `${(100 * rmse / none).toFixed(0)} %`);
+    const nones = new Set(found.map(({ none }) => none?.toFixed(4)));   /* light and visibility have one each */
     const paused = wantsTruth() && moving();
     $('cost').textContent = ms.join(' | ');
     $('clock').textContent = ms.length ? clock : '';
     $('rate').textContent = times.length > 1 ? `${times.length} frames/s` : '';
     $('error').textContent = !found.length ? '' : `RMSE ${found.map(({ rmse }) => rmse.toFixed(4)).join(' | ')}`
-        + (shares.length ? `, ${shares.join(' | ')} of no occlusion’s ${found[0].none.toFixed(4)}` : '');
+        + (shares.length ? `, ${shares.join(' | ')} of no occlusion’s ${[...nones].join(' | ')}` : '');
     $('legend').hidden = set.view !== 'difference';
     const which = { 1: 'a pixel', 2: 'at every 2nd pixel', 4: 'at every 4th pixel' }[truth?.step];
     $('rays').textContent = paused ? 'no rays while something moves' : !traced ? ''
         : truth.rays ? `${truth.rays} rays ${which}${truth.rough ? ', smoothed' : ''}` : 'tracing';
-    $('ring').hidden = !traced || page.rays() >= most;
-    $('ring').style.setProperty('--share', (traced ? truth.share : 0).toFixed(3));
+    const share = traced ? truth.share : 1;
+    $('ring').hidden = share >= 1;
+    $('ring').style.setProperty('--share', share.toFixed(3));
     placeWorst();
     writeHere();
     $('status').hidden = !ms.length && !traced && !paused && $('legend').hidden && times.length < 2;

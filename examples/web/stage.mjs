@@ -168,16 +168,17 @@ export class Stage {
         const { info } = this, eye = new THREE.Vector3(...info.eye), target = new THREE.Vector3(...info.target);
         const half = eye.distanceTo(target) * Math.tan(info.fovy * Math.PI / 360);
         const far = Math.min(2.2 * info.radius, 0.8 * half), wide = Math.max(0.55 * info.radius, 0.17 * half);
-        const circles = [0, 1, 2, 3, 4].map(lift => {
-            const circle = { at: target.clone().setY(target.y + lift * 0.6 * info.radius), far, wide };
-            circle.seen = Array.from({ length: 12 }, (_, i) => {
+        let best = null;
+        for (let lift = 0; lift < 5 && !(best?.seen >= 7); ++lift) {
+            const circle = { at: target.clone().setY(target.y + lift * 0.6 * info.radius), far, wide, seen: 0 };
+            for (let i = 0; i < 12; ++i) {
                 const way = this.#onCircle(circle, i * Math.PI / 6).sub(eye), length = way.length();
                 const ray = new THREE.Raycaster(eye, way.normalize(), 0, length + 0.3 * info.radius);
-                return +!ray.intersectObject(this.#model).length;
-            }).reduce((sum, one) => sum + one);
-            return circle;
-        });
-        return circles.find(({ seen }) => seen >= 7) ?? circles.sort((a, b) => b.seen - a.seen)[0];
+                circle.seen += !ray.intersectObject(this.#model).length;
+            }
+            if (!(best?.seen >= circle.seen)) best = circle;
+        }
+        return best;
     }
 
     /* For where each pixel was in the last frame that asked: the way back from here, and there, of what rests and of

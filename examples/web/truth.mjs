@@ -107,10 +107,10 @@ export class Truth {
         let sum = 0, n = 0, most = 0, worst = null;
         if (!rays) return null;
         for (let y = 0; y < height; ++y) {
-            const k = 2 / count[y], row = pixelAt(step, y) * pictureWidth;
+            const k = 2 / count[y], line = pixelAt(step, y);
             for (let x = 0, i = y * width; x < width; ++x, ++i) {
                 if (!a[4 * i + 3] && !b[4 * i + 3]) continue;
-                const at = (row + pixelAt(step, x)) * (four ? 4 : 1);
+                const column = pixelAt(step, x), at = (line * pictureWidth + column) * (four ? 4 : 1);
                 let off = 0;
                 for (let c = 0; c < components; ++c) {
                     const from = 4 * i + (four ? c : 3), m = result[at + c];
@@ -120,7 +120,10 @@ export class Truth {
                 n += components;
                 const seen = (a[4 * i + 3] + b[4 * i + 3]) * k / 2;
                 const sure = Math.abs(off) - 2 * Math.sqrt(seen * (1 - seen) / count[y]);
-                if (sure > most && pixelAt(step, x) < until) { most = sure; worst = { x: pixelAt(step, x), y: pixelAt(step, y), off }; }
+                if (sure > most && column < until) {
+                    most = sure;
+                    worst = { x: column, y: line, off };
+                }
             }
         }
         const [of, all] = none.reduce(([s, m], { light, visibility, pixels }) =>

@@ -256,10 +256,12 @@ export class Scene {
     #sampler(from) {
         const nearest = [THREE.NearestFilter, THREE.NearestMipmapNearestFilter, THREE.NearestMipmapLinearFilter];
         const filter = kind => (nearest.includes(kind) ? 'nearest' : 'linear');
-        const like = !from ? { minFilter: 'linear', magFilter: 'linear' } : {
-            addressModeU: wraps[from.wrapS], addressModeV: wraps[from.wrapT], minFilter: filter(from.minFilter),
-            magFilter: filter(from.magFilter), mipmapFilter: /Nearest$/.test(from.minFilter) ? 'nearest' : 'linear' };
-        if (from && Object.values(like).slice(2).every(kind => kind === 'linear')) like.maxAnisotropy = from.anisotropy;
+        const filters = !from ? { minFilter: 'linear', magFilter: 'linear' } : {
+            minFilter: filter(from.minFilter), magFilter: filter(from.magFilter),
+            mipmapFilter: /Nearest$/.test(from.minFilter) ? 'nearest' : 'linear' };
+        const smooth = Object.values(filters).every(kind => kind === 'linear');     /* else it may not be anisotropic */
+        const like = !from ? filters : { addressModeU: wraps[from.wrapS], addressModeV: wraps[from.wrapT], ...filters,
+                                         maxAnisotropy: smooth ? from.anisotropy : 1 };
         const key = JSON.stringify(like);
         if (!this.#samplers.has(key)) this.#samplers.set(key, this.#device.createSampler(like));
         return this.#samplers.get(key);

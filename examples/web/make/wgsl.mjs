@@ -39,8 +39,8 @@ function* products([[name, values], ...rest]) {
 
 /* Texts of a part of all choices. */
 const texts = new Map(), seen = new Set(), block = 2048;
-const choices = [...products(Object.entries(every)), ...products(Object.entries(ofLights))]
-    .filter((_, i) => !isMainThread && Math.floor(i / block) % workerData.parts === workerData.part);
+const choices = isMainThread ? [] : [...products(Object.entries(every)), ...products(Object.entries(ofLights))]
+    .filter((_, i) => Math.floor(i / block) % workerData.parts === workerData.part);
 for (const { name, preset, precise, ...choice } of choices) {
     const chain = chainAs(ssgi, { ...defaults, ...choice }, name, preset, true,
                           { dialect: 'VULKAN', width: 64, height: 64, precise }), whole = JSON.stringify(chain);
