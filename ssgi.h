@@ -682,8 +682,9 @@ typedef struct ssgi_splat {
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
     float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent, over ssgi_gl_frame.sent */
     float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
-    int levels; /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 4] every level doubles the reach, at about equal cost */
-    int part;   /* [limit: 0, 1, 2 or 4] [default: 1] one in so many pixels is drawn, each way: desc.gather.half */
+    int levels;    /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 4] every level doubles the reach, at about equal cost */
+    int part;      /* [limit: 0, 1, 2 or 4] [default: 1] one in so many pixels is drawn, each way: desc.gather.half */
+    int two_sided; /* 1: surfels affect what is behind them, too: desc.light.two_sided, effects SCATTER and CUSTOM */
 } ssgi_splat;
 
 enum { SSGI_SPLAT_LEVELS = 7 };
@@ -3239,21 +3240,29 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     return 1;
 }
 
+/* Writes the unit normal of a surfel: the mean of the corners', or the triangle's own where that is 0. */
+SSGI__FN void ssgi__surfel_normal(float out[3], const ssgi__surfel_maker *m, const ssgi__patch *p,
+                                  const double weight[3])
+{
+    double normal[3];
+    ssgi__surfel_mix(normal, p->normal, weight);
+    if (!(ssgi__normalise(normal) > 0.0))
+        for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
+    ssgi__floats(out, normal);
+}
+
 /* Makes the surfel at a point of the patch's level. GLSL twin: main_points. */
 SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p,
                                  const ssgi__tess_point *point)
 {
     const uint32_t number = (uint32_t)(point->place[0] | point->place[1] << 7 | point->ring << 14),
                    h = ssgi__hash(ssgi__hash(p->key) + number);
-    double at[3], normal[3], colour[3], w[3];
+    double at[3], colour[3], w[3];
     ssgi__tess_weights(w, point);
     ssgi__surfel_mix(at, p->at, w);
-    ssgi__surfel_mix(normal, p->normal, w);
     ssgi__surfel_mix(colour, p->colour, w);
-    if (!(ssgi__normalise(normal) > 0.0))
-        for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
     ssgi__floats(out->position, at);
-    ssgi__floats(out->normal, normal);
+    ssgi__surfel_normal(out->normal, m, p, w);
     ssgi__floats(out->colour, colour);
     out->radius = (float)p->radius;
     out->seed = (float)(h >> 8) / 16777216.0f;
@@ -3416,31 +3425,37 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 }
 
 /* Writes the bounds x0, y0, x1, y1 of the pixels that the part of a sphere deeper than front (> 0 when perspective)
-   covers, clipped to the frame, exact in each axis [Mara, McGuire 2013]. Returns 0 if it covers none, with bounds
-   untouched. GLSL twin: ssgi_sphere. */
-SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius,
-                                 float front)
+   covers, clipped to the frame, exact in each axis [Mara, McGuire 2013]. Unless the normal is 0, the part is of the
+   half that lies before the disc with this unit normal; its bounds are exact where the disc is deeper than front.
+   Returns 0 if the part covers none, with bounds untouched. GLSL twin: ssgi_sphere. */
+SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], const float normal[3],
+                                 float radius, float front)
 {
-    const double z = -(double)centre[2], r = (double)radius, begin = (double)front,
-                 chord = r * r - (begin - z) * (begin - z);
+    const double n[3] = { (double)normal[0], (double)normal[1], (double)normal[2] }, z = -(double)centre[2],
+                 r = (double)radius, begin = (double)front, chord = r * r - (begin - z) * (begin - z),
+                 cut = chord > 0.0 ? sqrt(chord) : 0.0, deep = r * sqrt(n[0] * n[0] + n[1] * n[1]);
     const int size[2] = { view->width, view->height };
     float out[4];
-    if (!(z + r > begin)) return 0;
+    if (!(z + (n[2] > 0.0 ? deep : r) > begin)) return 0;
     for (int axis = 0; axis < 2; ++axis) {
-        const double x = (double)centre[axis], off = x * x + z * z - r * r, t = off > 0.0 ? sqrt(off) : 0.0;
-        double end[2];
-        for (int side = 0; side < 2; ++side) {
-            const double e = side ? r : -r, depth = z * t - x * e; /* depth of the point of tangency, times |c|^2 / t */
-            /* where the sphere meets the front */
-            const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);
-            double slope = z < begin ? cut : x + e;
-            if (!view->orthographic)
-                slope = off > 0.0 && depth * t > begin * (x * x + z * z) ? (x * t + z * e) / depth : cut / begin;
-            end[side] = slope * (double)view->project[axis] + (double)view->project[2 + axis];
-        }
-        for (int side = 0; side < 2; ++side) {
-            const double p = end[(view->project[axis] < 0.0f) != (side != 0)];
-            out[axis + 2 * side] = (float)(p < 0.0 ? 0.0 : p > size[axis] ? size[axis] : p);
+        const double aside = n[1 - axis] * n[1 - axis];
+        for (int high = 0; high < 2; ++high) {
+            /* the axis is mirrored where the lower bound is wanted, so that it is the upper one; with perspective it
+               is a slope, of the tangent or of the point where the sphere meets the front */
+            const double side = (view->project[axis] < 0.0f) != (high != 0) ? 1.0 : -1.0,
+                         x = side * (double)centre[axis], m = side * n[axis], cc = x * x + z * z, off = cc - r * r,
+                         t = off > 0.0 ? sqrt(off) : 0.0, depth = z * t - x * r, plane = x * m - z * n[2];
+            const double root = off * aside + plane * plane;
+            double e = x + (z > begin ? r : cut), disc = x + r * sqrt(aside + n[2] * n[2]), facing = m;
+            if (!view->orthographic) {
+                e = depth * t > begin * cc ? (x * t + z * r) / depth : (x + cut) / begin;
+                disc = (x * z - r * r * n[2] * m + r * sqrt(root > 0.0 ? root : 0.0)) / ((z - deep) * (z + deep));
+                facing = z - deep > begin ? m + disc * n[2] : 0.0;
+            }
+            /* where a tangent touches the other half, the bound is that of the disc */
+            if (facing < 0.0 && disc < e) e = disc;
+            e = side * e * (double)view->project[axis] + (double)view->project[2 + axis];
+            out[axis + 2 * high] = (float)(e < 0.0 ? 0.0 : e > size[axis] ? size[axis] : e);
         }
         if (!(out[axis] < out[axis + 2])) return 0;
     }
@@ -3458,6 +3473,7 @@ SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, co
     SSGI__CHECK(ssgi__positive(&splat->near_depth, 1), "splat.near_depth: must be 0 or more and finite");
     SSGI__CHECK(splat->levels >= 0 && splat->levels <= SSGI_SPLAT_LEVELS, "splat.levels: must be 0..7");
     SSGI__CHECK(splat->part >= 0 && splat->part <= 4 && splat->part != 3, "splat.part: must be 1, 2 or 4");
+    SSGI__CHECK(splat->two_sided >= 0 && splat->two_sided <= 1, "splat.two_sided: must be 0 or 1");
     *s = *splat;
     if (!(s->epsilon > 0.0f)) s->epsilon = 0.3f;
     if (!(s->max_distance > 0.0f)) s->max_distance = SSGI_FAR;
@@ -3479,17 +3495,21 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
     return SSGI_OK;
 }
 
-/* Adds to each level's pixels the texels that `count` surfels of this centre and radius cover. */
+/* Adds to each level's pixels the texels that `count` surfels of this centre, normal and radius cover. */
 SSGI__FN void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view,
-                                 const float centre[3], double radius, double brightest, double count)
+                                 const float centre[3], const float normal[3], double radius, double brightest,
+                                 double count)
 {
+    static const float whole[3] = { 0.0f, 0.0f, 0.0f };
     const double reach = ssgi_surfel_reach(radius, brightest, (double)s->epsilon);
     for (int l = 0; l < s->levels; ++l) {
         const double side = ldexp((double)s->part, l);
         double shell[2];
         float b[4];
         ssgi_surfel_shell(shell, reach, l, (double)s->max_distance);
-        if (!(shell[1] > shell[0]) || !ssgi__sphere_bounds(b, view, centre, (float)shell[1], s->near_depth)) continue;
+        if (!(shell[1] > shell[0])
+            || !ssgi__sphere_bounds(b, view, centre, s->two_sided ? whole : normal, (float)shell[1], s->near_depth))
+            continue;
         cost->pixels[l] += count * (ceil((double)b[2] / side) - floor((double)b[0] / side))
                          * (ceil((double)b[3] / side) - floor((double)b[1] / side));
     }
@@ -3511,11 +3531,13 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
         if (n > cost->splits) cost->splits = n;
         if (n > m.desc.splits) n = m.desc.splits;
         for (int part = 0; part < n * n; ++part) {
-            float centre[3];
+            static const double middle[3] = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
+            float centre[3], normal[3];
             if (!ssgi__surfel_part(&p, &m, &whole, n, part)) continue;
             for (int k = 0; k < 3; ++k) centre[k] = (float)((p.at[0][k] + p.at[1][k] + p.at[2][k]) / 3.0);
+            ssgi__surfel_normal(normal, &m, &p, middle);
             cost->surfels += (size_t)p.count;
-            ssgi__splat_pixels(cost, &s, view, centre, p.radius, (double)s.max_radiance, p.count);
+            ssgi__splat_pixels(cost, &s, view, centre, normal, p.radius, (double)s.max_radiance, p.count);
         }
     }
     return SSGI_OK;
@@ -5064,7 +5086,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    presets. Their slices near by heed desc.gather too, 2x8 and thickness WIDTH where it names nothing else. Defaults:
    size 0.03, not 0.015; epsilon 0.3, not 0.1 (SCATTER wants 0.02); 4 levels, not 5 (SCATTER wants 7). Texts work out
    the size of a level: ssgi_gl_surfels_set has no argument `levels`, and ssgi_gl_frame, which is 16 bytes shorter, no
-   `level`. New: ssgi_splat.part. A field's rays are fewer the farther out they begin.
+   `level`. New: ssgi_splat.part, .two_sided. A field's rays are fewer the farther out they begin.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

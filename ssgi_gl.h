@@ -1378,27 +1378,27 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sphere", NULL, __LINE__ + 1,
-    "// Returns pixel bounds of a sphere's part beyond the near depth; they are empty where no part is.\n"
-    "vec4 ssgi_sphere(vec4 at) {\n"
-    "#if SSGI_ORTHOGRAPHIC\n"
-    "    if (at.w - at.z <= u_ssgi_near_depth) return vec4(0.0);\n"
-    "    float off = max(u_ssgi_near_depth + at.z, 0.0), r = sqrt(max(at.w * at.w - off * off, 0.0));\n"
-    "    vec4 p = vec4(at.xy - r, at.xy + r) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
-    "#else\n"
-    "    // The bounds are slopes: of its tangents in the planes of x and y, or of the points where it meets the near\n"
-    "    // depth.\n"
-    "    float near = u_ssgi_near_depth, z = -at.z, r = at.w;\n"
+    "// Returns the corner, 0 or 1 along x and y, of a sphere's pixels beyond the near depth; empty: all are one.\n"
+    "// Unless n is 0, only the half before its disc counts.\n"
+    "vec2 ssgi_sphere(vec4 at, vec3 n, vec2 corner) {\n"
+    "    float near = u_ssgi_near_depth, z = -at.z, r = at.w, deep = r * length(n.xy);\n"
+    "    if (z + (n.z > 0.0 ? deep : r) <= near) return vec2(0.0);\n"
+    "    // Axes are mirrored so that the bound is the upper one.\n"
+    "    vec2 side = (corner * 2.0 - 1.0) * sign(u_ssgi_project.xy), x = side * at.xy, m = side * n.xy;\n"
     "    float chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
-    "    if (z + r <= near) return vec4(0.0);\n"
-    "    vec2 x = at.xy, cc = x * x + z * z, off = cc - r * r, t = sqrt(max(off, 0.0));\n"
-    "    vec2 a = z * t + x * r, b = z * t - x * r, low = (x - chord) / near, high = (x + chord) / near;\n"
-    "    if (off.x > 0.0 && a.x * t.x > near * cc.x) low.x = (x.x * t.x - z * r) / a.x;\n"
-    "    if (off.y > 0.0 && a.y * t.y > near * cc.y) low.y = (x.y * t.y - z * r) / a.y;\n"
-    "    if (off.x > 0.0 && b.x * t.x > near * cc.x) high.x = (x.x * t.x + z * r) / b.x;\n"
-    "    if (off.y > 0.0 && b.y * t.y > near * cc.y) high.y = (x.y * t.y + z * r) / b.y;\n"
-    "    vec4 p = vec4(low, high) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    vec2 e = x + (z > near ? r : chord), disc = x + r * sqrt(n.yx * n.yx + n.z * n.z), away = m;\n"
+    "#else\n"
+    "    // It is the slope of the tangent, or where the near depth cuts the sphere.\n"
+    "    vec2 cc = x * x + z * z, off = cc - r * r, t = sqrt(max(off, 0.0)), b = z * t - x * r;\n"
+    "    vec2 e = mix((x + chord) / near, (x * t + z * r) / b, greaterThan(b * t, near * cc));\n"
+    "    vec2 plane = x * m - z * n.z, wide = sqrt(max(off * n.yx * n.yx + plane * plane, 0.0));\n"
+    "    vec2 disc = (x * z - r * r * n.z * m + r * wide) / ((z - deep) * (z + deep));\n"
+    "    vec2 away = z - deep > near ? m + disc * n.z : vec2(0.0);\n"
     "#endif\n"
-    "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n"
+    "    // Where a tangent touches the other half, the disc's counts.\n"
+    "    e = mix(e, min(e, disc), lessThan(away, vec2(0.0)));\n"
+    "    return side * e * u_ssgi_project.xy + u_ssgi_project.zw;\n"
     "}\n" },
 
 { "ssgi_octahedral", NULL, __LINE__ + 1,
@@ -3617,11 +3617,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
 
-/* Returns corner 0..3 of a rectangle of pixels in clip space. */
-{ "ssgi_corner", NULL, __LINE__ + 1,
-    "// Returns the clip position of a corner, 0 .. 3, of a rectangle of pixels.\n"
-    "vec4 ssgi_corner(vec4 bounds, int corner, ivec2 size) {\n"
-    "    vec2 at = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
+{ "ssgi_quad", NULL, __LINE__ + 1,
+    "vec2 ssgi_quad(int i) { // returns a unit square's corner at vertex 0 .. 5\n"
+    "    int c = i < 3 ? i : 6 - i;\n"
+    "    return vec2(c & 1, c >> 1);\n"
+    "}\n" },
+
+{ "ssgi_clip", NULL, __LINE__ + 1,
+    "vec4 ssgi_clip(vec2 at, ivec2 size) { // returns a pixel's clip position\n"
     "    return vec4(at / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
     "}\n" },
 
@@ -3629,10 +3632,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "flat out vec4 v_ssgi_occluder[9]; // They are the members of ssgi_gl_occluder from to_field on.\n"
     "void main() {\n"
     "    // The occluder darkens nothing outside this sphere.\n"
-    "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0));\n"
+    "    vec4 sphere = texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0);\n"
     "    for (int i = 0; i < 9; ++i)\n"
     "        v_ssgi_occluder[i] = texelFetch(t_ssgi_occluders, ivec2(i + 1, gl_InstanceID), 0);\n"
-    "    gl_Position = ssgi_corner(bounds, gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID, u_ssgi_size);\n"
+    "    gl_Position = ssgi_clip(ssgi_sphere(sphere, vec3(0.0), ssgi_quad(gl_VertexID)), u_ssgi_size);\n"
     "}\n" },
 
 { "ssgi_field_texel", NULL, __LINE__ + 1,
@@ -3998,7 +4001,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Writes a surfel's shell at level l, and returns its rectangle in the sub-buffer that turned.w picks [DSS14 3.2]. */
+/* Writes a surfel's shell at level l, and returns a corner of its rectangle in the sub-buffer that turned.w picks
+   [DSS14 3.2]. */
 { "ssgi_shell", NULL, __LINE__ + 1,
     "// position, squared radius; normal, weight; radiance, square of the distance from which on the level counts\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
@@ -4006,7 +4010,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_SPAN\n"
     "flat out float v_ssgi_seen; // 1: slices can see the surfel\n"
     "#endif\n"
-    "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) { // in texels; it is empty if none is covered\n"
+    "vec2 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l, vec2 corner) { // in texels; empty: all are one\n"
     "#if SSGI_SPAN\n"
     "    ivec2 p = ivec2(floor(ssgi_project(at.xyz)));\n"
     "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w);\n"
@@ -4030,15 +4034,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    float block = exp2(float(l));\n"
     "    float inner = l > 0 ? reach * 0.5 * block : -1.0, outer = min(reach * block, u_ssgi_radius);\n"
-    "    if (!(outer > max(inner, 0.0))) return vec4(0.0);\n"
-    "    vec4 b = clamp(ssgi_sphere(vec4(at.xyz, outer)), vec4(0.0), vec2(u_ssgi_size).xyxy);\n"
+    "    if (!(outer > max(inner, 0.0))) return vec2(0.0);\n"
+    "    vec3 n = turned.xyz; // Nothing behind the surfel receives.\n"
+    "#if SSGI_TWO_SIDED || SSGI_EFFECT > SSGI_EFFECT_SPECULAR\n"
+    "    n = vec3(0.0);\n"
+    "#endif\n"
     "    float side = block * float(1 << ssgi_shift());\n"
-    "    b = vec4(floor(b.xy / side), ceil(b.zw / side));\n"
-    "    if (b.x >= b.z || b.y >= b.w) return vec4(0.0);\n"
+    "    vec2 b = ssgi_sphere(vec4(at.xyz, outer), n, corner) / side;\n"
+    "    b = clamp(mix(floor(b), ceil(b), corner), vec2(0.0), ceil(vec2(u_ssgi_size) / side));\n"
     "    // Sub-buffers are chosen by a hash, as taking turns would correlate with the tessellator's order.\n"
     "    int mask = (1 << uint(l)) - 1, seed = int(turned.w * 16777216.0);\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
-    "    vec2 corner = vec2(sub * ((ssgi_dealt() + mask) >> l) + ivec2(0, l * ssgi_level().y));\n"
+    "    b += vec2(sub * ((ssgi_dealt() + mask) >> l) + ivec2(0, l * ssgi_level().y));\n"
     "#if SSGI_ENLARGE\n"
     "    // Of block * block surfels a pixel meets one, which stands for all of them.\n"
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w * block * block);\n"
@@ -4049,14 +4056,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
-    "    return b + corner.xyxy;\n"
+    "    return b;\n"
     "}\n" },
 
 { "main_quad", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    int corner = gl_VertexID % 6 < 3 ? gl_VertexID % 6 : 6 - gl_VertexID % 6;\n"
-    "    vec4 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, gl_VertexID / 6);\n"
-    "    gl_Position = ssgi_corner(b, corner, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
+    "    int l = gl_VertexID / 6;\n"
+    "    vec2 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, l, ssgi_quad(gl_VertexID % 6));\n"
+    "    gl_Position = ssgi_clip(b, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
     "}\n" },
 
 { "main_strip", NULL, __LINE__ + 1,
@@ -4064,14 +4071,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "layout(triangle_strip, max_vertices = 28) out; // Each level has 4.\n"
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
     "void main() {\n"
-    "    for (int l = 0; l < SSGI_LEVELS; ++l)\n"
-    "        for (int corner = 0; corner < 4; ++corner) { // anew, as EmitVertex() leaves outputs undefined\n"
-    "            vec4 b = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, l);\n"
-    "            if (b.x >= b.z) break;\n"
-    "            gl_Position = ssgi_corner(b, corner, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
-    "            EmitVertex();\n"
-    "            if (corner == 3) EndPrimitive();\n"
-    "        }\n"
+    "    for (int i = 0; i < SSGI_LEVELS * 4; ++i) { // anew, as EmitVertex() leaves outputs undefined\n"
+    "        vec2 at = ssgi_quad(i % 4);\n"
+    "        at = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, i / 4, at);\n"
+    "        gl_Position = ssgi_clip(at, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
+    "        EmitVertex();\n"
+    "        if (i % 4 == 3) EndPrimitive();\n"
+    "    }\n"
     "}\n" },
 
 { "ssgi_gloss", NULL, __LINE__ + 1,

@@ -284,6 +284,7 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     d.keep_small = (int)(count & 1);
     d.overhang = (int)(count % 5) - 1;
     splat.levels = levels;
+    splat.two_sided = (int)(count & 1);
     source.position = f;
     source.normal = count & 2 ? f + 3 : NULL;
     source.triangles = count >= 21 ? 2 : 1;

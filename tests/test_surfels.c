@@ -481,6 +481,8 @@ static void closed_forms(void)
 
 /* ---- what splats cover ------------------------------------------------------------------------------------------- */
 
+static const float both_sides[3] = { 0, 0, 0 };
+
 static void bounds(void)
 {
     static const float row[][5] = { { 0, 10, 1, -0.100503781526f, 0.100503781526f },
@@ -503,15 +505,15 @@ static void bounds(void)
         for (int axis = 0; axis < 2; ++axis) {
             float centre[3] = { 0, 0, -row[i][1] };
             centre[axis] = row[i][0];
-            CHECK(ssgi__sphere_bounds(b, &view, centre, row[i][2], 0.01f)
+            CHECK(ssgi__sphere_bounds(b, &view, centre, both_sides, row[i][2], 0.01f)
                       && fabs((double)b[axis] - (double)(row[i][3] * 125 + 500)) < 2e-3
                       && fabs((double)b[axis + 2] - (double)(row[i][4] * 125 + 500)) < 2e-3,
                   "sphere %d, axis %d: %.4f to %.4f", i, axis, ((double)b[axis] - 500) / 125,
                   ((double)b[axis + 2] - 500) / 125);
         }
     for (int k = 0; k < 4000; ++k) {
-        const int flipped = k & 1, orthographic = k >> 1 & 1;
-        float centre[3], front, low[2] = { 1e9f, 1e9f }, high[2] = { -1e9f, -1e9f };
+        const int flipped = k & 1, orthographic = k >> 1 & 1, half = k >> 2 & 1;
+        float centre[3], normal[3] = { 0, 0, 0 }, front, low[2] = { 1e9f, 1e9f }, high[2] = { -1e9f, -1e9f };
         const float r = powf(10, 2 * t_uniform(0, 1) - 1.3f);
         c = looking_along_z(160, 90, orthographic);
         c.shift[0] = 30 * t_uniform(0, 1);
@@ -519,11 +521,15 @@ static void bounds(void)
         if (!view_of(&view, &c, flipped)) return;
         for (int i = 0; i < 3; ++i) centre[i] = 4 * t_uniform(0, 1) - (i == 2 ? 3.5f : 2);
         front = k % 3 ? 0.05f : 2 * t_uniform(0, 1) + 0.05f;
-        /* circles through the centre hold the extremes, or points at the front; others are for sure */
-        for (int i = 0; i < 1200; ++i) {
+        if (half) direction(normal);
+        /* circles through the centre hold the extremes, or points at the front; so does the edge of a half; others are
+           for sure */
+        for (int i = 0; i < 1200 + 500 * half; ++i) {
             const double a = 2 * pi * i / 500;
-            float p[3], out[3];
+            float p[3], edge[3], out[3];
             direction(p);
+            cross(normal, p, edge);
+            for (int x = 0; x < 3 && i >= 1200; ++x) p[x] = edge[x] / sqrtf((float)dot(edge, edge));
             for (int x = 0; x < 3 && i < 1000; ++x) p[x] = x == 2 ? (float)sin(a) : x == i / 500 ? (float)cos(a) : 0;
             for (int x = 0; x < 3; ++x) p[x] = centre[x] + r * p[x];
             if (i < 1000 && i % 500 < 2) {                                     /* where the circle meets the front */
@@ -533,7 +539,8 @@ static void bounds(void)
                 p[i / 500] = centre[i / 500] + (i % 500 ? -sqrtf(chord) : sqrtf(chord));
                 p[1 - i / 500] = centre[1 - i / 500];
             }
-            if (-p[2] < front) continue;
+            for (int x = 0; x < 3; ++x) edge[x] = p[x] - centre[x];
+            if (-p[2] < front || (i < 1200 && dot(edge, normal) < 0)) continue;
             ssgi_view_project(out, &view, p);
             for (int x = 0; x < 2; ++x) { low[x] = fminf(low[x], out[x]); high[x] = fmaxf(high[x], out[x]); }
         }
@@ -541,18 +548,20 @@ static void bounds(void)
             low[x] = fmaxf(low[x], 0);
             high[x] = fminf(high[x], (float)(x ? view.height : view.width));
         }
-        const int met = low[0] < high[0] && low[1] < high[1], is = ssgi__sphere_bounds(b, &view, centre, r, front);
+        const int met = low[0] < high[0] && low[1] < high[1],
+                  is = ssgi__sphere_bounds(b, &view, centre, normal, r, front),
+                  exact = !half || -centre[2] - r * hypotf(normal[0], normal[1]) > front;
         some += met;
         if (met && !is) ++outside;
-        if (!met && is && (b[2] - b[0] > 0.1f && b[3] - b[1] > 0.1f)) ++loose;
+        if (exact && !met && is && (b[2] - b[0] > 0.1f && b[3] - b[1] > 0.1f)) ++loose;
         for (int x = 0; x < 2 && met && is; ++x) {
             const double wide = (double)(high[x] - low[x]),
                          out = fmax((double)(b[x] - low[x]), (double)(high[x] - b[x + 2])),
                          in = fmax((double)(low[x] - b[x]), (double)(b[x + 2] - high[x]));
             outside += out > 1e-3;
-            loose += in > 0.01 * wide + 0.02;
+            loose += exact && in > 0.01 * wide + 0.02;
             worst[0] = fmax(worst[0], out);
-            worst[1] = fmax(worst[1], in);
+            worst[1] = fmax(worst[1], exact ? in : 0);
         }
     }
     CHECK(!outside && !loose && some > 1500,
@@ -575,7 +584,7 @@ static void radii(void)
         if (k % 3 == 0) c.depth = KIT_DEPTH_REVERSED;
         if (!view_of(&view, &c, k & 1)) return;
         const double r = ssgi_surfel_radius(&view, 0.05, (double)depth);
-        CHECK(ssgi__sphere_bounds(b, &view, centre, (float)r, 0.2f)
+        CHECK(ssgi__sphere_bounds(b, &view, centre, both_sides, (float)r, 0.2f)
                   && fabs((double)(b[3] - b[1]) / (0.05 * 90) - 1) < 1e-3,
               "depth %g: %g pixels, 4.5 wanted", (double)depth, (double)(b[3] - b[1]));
         CHECK(fabs((double)ssgi_view_near(&view) - 0.2) < 1e-4, "near plane at %g", (double)ssgi_view_near(&view));
@@ -615,7 +624,7 @@ static void predictions(void)
         ssgi_splat full;
         ssgi__splat_open(&full, &splat, &view, NULL);
         for (size_t i = 0; i < n; ++i)
-            ssgi__splat_pixels(&surfels, &full, &view, s[i].position, (double)s[i].radius, 1, 1);
+            ssgi__splat_pixels(&surfels, &full, &view, s[i].position, s[i].normal, (double)s[i].radius, 1, 1);
         for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) {
             if (l >= 4) CHECK(triangles.pixels[l] == 0 && surfels.pixels[l] == 0, "level %d is not drawn", l);
             sum[0] += triangles.pixels[l];
@@ -624,14 +633,18 @@ static void predictions(void)
         }
         CHECK(fabs(sum[0] / sum[1] - 1) < 0.25 && sum[0] > 0, "%s: %g pixels of triangles, %g of surfels", names[k],
               sum[0], sum[1]);
-        ssgi_splat half = splat;
-        double halved = 0;
+        ssgi_splat half = splat, both = splat;
+        double halved = 0, doubled = 0;
         half.part = 2;
         CHECK(ssgi_surfels_predict(&surfels, &d, &half, &view, &source, NULL) == SSGI_OK, "%s, half size", names[k]);
         for (int l = 0; l < 4; ++l) halved += surfels.pixels[l] / sum[0];
         CHECK(halved > 0.25 && halved < 0.35, "%s: half size has %.3f of the pixels", names[k], halved);
-        t_note("%s: %zu surfels, pixels of triangles %.3f of surfels', of half size %.3f", names[k], n,
-               sum[0] / sum[1], halved);
+        both.two_sided = 1;
+        CHECK(ssgi_surfels_predict(&surfels, &d, &both, &view, &source, NULL) == SSGI_OK, "%s, two-sided", names[k]);
+        for (int l = 0; l < 4; ++l) doubled += surfels.pixels[l] / sum[0];
+        CHECK(doubled > 1.15 && doubled < 2, "%s: both sides have %.3f of the pixels", names[k], doubled);
+        t_note("%s: %zu surfels, pixels of triangles %.3f of surfels', of half size %.3f, of both sides %.3f", names[k],
+               n, sum[0] / sum[1], halved, doubled);
         free(s);
         kit_scene_free(&scene);
     }
@@ -847,17 +860,18 @@ static void refusals(void)
     }
     const ssgi_surfel_desc d = { 0 };
     ssgi_surfel_source source = source_of(p, 1);
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k < 9; ++k) {
         static const char *const names[] = {
             "splat",        "view",         "splat.epsilon", "splat.max_distance", "splat.max_radiance",
-            "splat.near_depth", "splat.levels", "splat.part"
+            "splat.near_depth", "splat.levels", "splat.part", "splat.two_sided"
         };
         const ssgi_splat splat = { .epsilon = k == 2 ? 2.0f : 0,
                                    .max_distance = k == 3 ? NAN : 0,
                                    .max_radiance = k == 4 ? -1.0f : 0,
                                    .near_depth = k == 5 ? INFINITY : 0,
                                    .levels = k == 6 ? 8 : 0,
-                                   .part = k == 7 ? 3 : 0 };
+                                   .part = k == 7 ? 3 : 0,
+                                   .two_sided = k == 8 ? 2 : 0 };
         if (k != 1) REFUSED(ssgi_surfels_predict(&o.cost, &d, k ? &splat : NULL, &view, &source, &why), names[k]);
     }
     const ssgi_splat splat = { 0 };
@@ -1637,6 +1651,43 @@ static void scattering(void)
     kit_image_free(&l.env);
 }
 
+/* Surfels of two sides, light under the surface and an effect of one's own reach what is behind a surfel, too. */
+static void turned_over(void)
+{
+    static const char even[] =
+        "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 c, float e) { return r * sqrt(1.0 / e - 1.0); }\n"
+        "vec4 ssgi_custom_effect(vec3 p, vec3 n, float r, vec3 c, vec3 P, vec3 m) { return vec4(0.1); }\n";
+    static const struct { const char *method, *set, *channel, *custom;
+    } row[] = { { "dss", "two_sided=1,near_samples=1,span=0", "Y", NULL },
+                { "dss-scatter", "shadows=none,levels=1,epsilon=0.3,unit=0.05", "irradiance.R", NULL },
+                { "dss-gloss", "half=0,shadows=none", "irradiance.R", even } };
+    kit_lighting l;
+    if (!lighten(&l, "white", NULL)) return;
+    for (int k = 0; k < COUNT(row); ++k) {
+        const kit_lighting *lighting = k ? &l : NULL;
+        double is[3] = { 0 };
+        kit_image out;
+        kit_method m;
+        deep d;
+        if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, row[k].method, row[k].set, 0, lighting)) return;
+        kit_run_close(&d.run);
+        const kit_world world = { &d.scene, lighting };
+        if (!TRY(kit_method_find(&m, row[k].method, &err)) || !TRY(kit_method_set(&m, row[k].set, &err))) return;
+        m.custom = row[k].custom;
+        if (!TRY(kit_run_open(&d.run, &d.g, &m, 5e17f, &world, &err))) return;
+        for (int i = 0; i < 3; ++i) {
+            const ssgi_surfel s = placed(&d, 0.2f, 0.2f, 0, 0, i < 2 ? 1 - 2 * (float)i : 1, 0, i < 2 ? 0.3f : 0, 0);
+            if (!of_these(&out, &d, &s, 1)) return;
+            is[i] = mean(&out, row[k].channel);
+            kit_image_free(&out);
+        }
+        CHECK(fabs(is[1] - is[2]) > 1e-4 && fabs(is[0] - is[1]) < 1e-3 * fabs(is[1] - is[2]),
+              "%s: %g facing up, %g facing down, %g without it", row[k].method, is[0], is[1], is[2]);
+        surface(&d);
+    }
+    kit_image_free(&l.env);
+}
+
 /* A disc close above a plane, looked at as several, against the sum over 4000 of its parts. */
 static void near_samples(void)
 {
@@ -1958,7 +2009,7 @@ void test_surfels(void)
     RUN("reach is tight and linear; every distance is in one shell", reach_and_shells);
     RUN("form factors as Wallace's, from fronts alone; what enlarging loses", form_factors);
     RUN("a ball, a room and a wall of surfels are what they subtend", closed_forms);
-    RUN("bounds of spheres hold what is deeper than the front, and no more", bounds);
+    RUN("bounds of spheres and halves of them hold what is deeper than the front, and no more", bounds);
     RUN("surfels are as large on the screen as asked for", radii);
     RUN("predicted surfels are exact, pixels near", predictions);
     RUN("huge triangles are divided, small ones stay", divided);
@@ -1978,6 +2029,7 @@ void test_surfels(void)
     RUN("seeds of one's own: sub-buffers in turn", in_turn);
     RUN("overlap: shares of what is left, or sums", overlap);
     RUN("an effect and a reach of one's own: a disc is what occlusion is", custom);
+    RUN("of two sides, under the surface and by one's own effect a surfel reaches what is behind it", turned_over);
     RUN("a disc at hand, looked at more near_samples", near_samples);
     RUN("a scattering plane is as bright as its dipole's total", scattering);
     RUN("beside a wall slices see what surfels are too coarse for", creases);

@@ -1801,11 +1801,14 @@ static void slices_see_surfels(void)
     glDeleteBuffers(1, &buffer);
 }
 
-/* Pixel bounds of spheres, also of those that the near depth cuts. */
+/* Pixel bounds of spheres and of halves of them, also of those that the near depth cuts. */
 static void twin_spheres(void)
 {
     static const float m[2][16] = { { 1, 0, 0, 0, 0, -1.5f, 0, 0, 0.1f, 0.2f, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
                                     { 0.5f, 0, 0, 0, 0, 0.7f, 0, 0, 0, 0, -0.02f, 0, 0.1f, -0.2f, -1, 1 } };
+    static const float normal[8][3] = {
+        [4] = { 0, 0.6f, 0.8f }, { 0.6f, 0, -0.8f }, { -0.8f, 0.36f, -0.48f }, { -0.36f, -0.8f, 0.48f }
+    };
     static char text[TEXT];
     t_seed(41);
     for (int k = 0; k < 8; ++k) {
@@ -1815,7 +1818,11 @@ static void twin_spheres(void)
         const char *why = "";
         ssgi_gl_frame frame;
         ssgi_view view;
+        char code[160];
         int cut = 0, empty = 0;
+        snprintf(code, sizeof code,
+                 "vec3 n = vec3(%g, %g, %g); o = vec4(ssgi_sphere(a, n, vec2(0.0)), ssgi_sphere(a, n, vec2(1.0)));",
+                 (double)normal[k][0], (double)normal[k][1], (double)normal[k][2]);
         if (!CHECK(ssgi_view_from_projection(&view, m[k & 1], SSGI_CLIP_GL, 640, 480, &why) == SSGI_OK
                        && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK, "%s", why))
             return;
@@ -1828,11 +1835,10 @@ static void twin_spheres(void)
         ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_VERTEX);
         char *const rest = strstr(text, "flat out");
         if (rest) *rest = 0;
-        if (!CHECK(rest, "no vertex stage") || !probe_text(text, d.text.dialect, &frame, 0, "o = ssgi_sphere(a);"))
-            return;
+        if (!CHECK(rest, "no vertex stage") || !probe_text(text, d.text.dialect, &frame, 0, code)) return;
         for (int i = 0; i < MANY; ++i) {
             float b[4] = { 0, 0, 0, 0 }, got[4];
-            const int is = ssgi__sphere_bounds(b, &view, in[i], in[i][3], frame.near_depth);
+            const int is = ssgi__sphere_bounds(b, &view, in[i], normal[k], in[i][3], frame.near_depth);
             for (int c = 0; c < 4; ++c) got[c] = fminf(fmaxf(out[i][c], 0), c & 1 ? 480 : 640);
             if (is) for (int c = 0; c < 4; ++c) NEAR(got[c], b[c], 0.02, "ssgi_sphere");
             else CHECK(got[2] - got[0] < 0.02f || got[3] - got[1] < 0.02f, "a sphere that is not seen is drawn");

@@ -141,11 +141,13 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
 static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const float picture[16])
 {
     const kit_image *env = &m->world->lighting->env;
-    const int scatter = m->desc.surfel.effect == SSGI_GL_EFFECT_SCATTER;
+    const int scatter = m->desc.surfel.effect == SSGI_GL_EFFECT_SCATTER,
+              custom = m->desc.surfel.effect == SSGI_GL_EFFECT_CUSTOM;
     kit_run *run = m->run;
     const ssgi_splat splat = { .epsilon = run->frame.epsilon, .max_distance = s->desc.max_distance,
                                .levels = m->desc.surfel.levels, .near_depth = run->frame.near_depth,
-                               .part = m->desc.gather.half >= SSGI_GL_HALF_QUARTER ? 4 : m->desc.gather.half ? 2 : 1 };
+                               .part = m->desc.gather.half >= SSGI_GL_HALF_QUARTER ? 4 : m->desc.gather.half ? 2 : 1,
+                               .two_sided = m->desc.light.two_sided || scatter || custom };
     ssgi_surfel_cost cost;
     const char *why = "out of memory";
     float sky[3] = { 0, 0, 0 };
