@@ -572,7 +572,8 @@ typedef struct ssgi_gl_surfel_desc {
     ssgi_gl_effect effect;   /* splat, deinterleave, smooth, sum */
     int levels;              /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice the smoothing
                                 taps of the level before. 4 reach 12 surfel radii where epsilon is 0.3, 0.18 image
-                                heights of size 0.03: a radius that is wider on the screen wants more, SCATTER 7 */
+                                heights of size 0.03. ssgi_splat_levels says how many your radius wants; SCATTER
+                                wants 7 */
     int tessellate;          /* surfels, splat   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
                                 310es */
     ssgi_overhang overhang;  /* surfels, splat when tessellate   how triangles shrink, as in ssgi_surfel_desc
@@ -650,7 +651,7 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
-     splat         quarter size, half, full; 4 levels, but of SCATTER; slices near by, with a span: 2x8, 2x8, 2x7
+     splat         quarter size, half, full; slices near by, with a span: 2x8, 2x8, 2x7
    All other fields stay: set thickness BACK or SLABS where you can draw those passes. Passes without such settings are
    left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_PRESET_FAST, SSGI_GL_PRESET_BALANCED, SSGI_GL_PRESET_BEST };
@@ -5743,7 +5744,6 @@ typedef struct ssgi_gl__preset {
     int half, samples, directions, steps, normal_rays;
     int fades;    /* 1: range, and fade SMOOTH */
     int constant; /* slices   1: thickness CONSTANT, 0: DEFAULT */
-    int levels;   /* surfels */
 } ssgi_gl__preset;
 
 /* By the passes' column preset, from SSGI_GL__PRESET_SSAO on; those of SSGI_GL__PRESET_SEARCH by desc.gather.search,
@@ -5754,29 +5754,29 @@ typedef struct ssgi_gl__preset {
    grooves that are a pixel wide. */
 /* clang-format off */
 static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_PRESET_BEST + 1] = {
-    /* half, samples, directions, steps, normal_rays, fades, constant, levels */
-    { { 0,  8, 0,  1, 0, 0, 0, 0 },       /* ssao: FAST */
-      { 0, 16, 0,  1, 0, 0, 0, 0 },       /*       BALANCED */
-      { 0, 32, 0,  1, 0, 0, 0, 0 } },     /*       BEST */
-    { { 0,  4, 0,  1, 0, 0, 0, 0 },       /* segments of lights: FAST */
-      { 0,  8, 0,  1, 0, 0, 0, 0 },       /*                     BALANCED */
-      { 0, 16, 0,  1, 0, 0, 0, 0 } },     /*                     BEST */
-    { { 3,  0, 2,  8, 0, 0, 0, 4 },       /* surfels, and slices near by: FAST */
-      { 1,  0, 2,  8, 0, 0, 0, 4 },       /*                              BALANCED */
-      { 0,  0, 2,  7, 0, 0, 0, 4 } },     /*                              BEST */
-    { { 1,  0, 1, 10, 0, 0, 1, 0 },       /* slices of hsao: FAST */
-      { 1,  0, 2,  6, 0, 0, 0, 0 },       /*                 BALANCED */
-      { 0,  0, 2,  7, 0, 0, 0, 0 } },     /*                 BEST */
+    /* half, samples, directions, steps, normal_rays, fades, constant */
+    { { 0,  8, 0,  1, 0, 0, 0 },       /* ssao: FAST */
+      { 0, 16, 0,  1, 0, 0, 0 },       /*       BALANCED */
+      { 0, 32, 0,  1, 0, 0, 0 } },     /*       BEST */
+    { { 0,  4, 0,  1, 0, 0, 0 },       /* segments of lights: FAST */
+      { 0,  8, 0,  1, 0, 0, 0 },       /*                     BALANCED */
+      { 0, 16, 0,  1, 0, 0, 0 } },     /*                     BEST */
+    { { 3,  0, 2,  8, 0, 0, 0 },       /* surfels, and slices near by: FAST */
+      { 1,  0, 2,  8, 0, 0, 0 },       /*                              BALANCED */
+      { 0,  0, 2,  7, 0, 0, 0 } },     /*                              BEST */
+    { { 1,  0, 1, 10, 0, 0, 1 },       /* slices of hsao: FAST */
+      { 1,  0, 2,  6, 0, 0, 0 },       /*                 BALANCED */
+      { 0,  0, 2,  7, 0, 0, 0 } },     /*                 BEST */
     /* Several points lie along a direction, as single ones miss more. */
-    { { 1,  4, 0,  4, 0, 1, 0, 0 },       /* points of ssdo, s3ho: FAST */
-      { 0,  4, 0,  4, 0, 1, 0, 0 },       /*                       BALANCED */
-      { 0,  8, 0,  6, 0, 1, 0, 0 } },     /*                       BEST */
-    { { 0,  0, 4,  6, 0, 0, 0, 0 },       /* march: FAST */
-      { 0,  0, 6,  9, 1, 0, 0, 0 },       /*        BALANCED */
-      { 0,  0, 8, 18, 2, 0, 0, 0 } },     /*        BEST */
-    { { 1,  0, 1,  5, 0, 0, 0, 0 },       /* slices of ssdo, s3ho: FAST */
-      { 1,  0, 2,  9, 0, 0, 0, 0 },       /*                       BALANCED */
-      { 0,  0, 2,  9, 0, 0, 0, 0 } } };   /*                       BEST */
+    { { 1,  4, 0,  4, 0, 1, 0 },       /* points of ssdo, s3ho: FAST */
+      { 0,  4, 0,  4, 0, 1, 0 },       /*                       BALANCED */
+      { 0,  8, 0,  6, 0, 1, 0 } },     /*                       BEST */
+    { { 0,  0, 4,  6, 0, 0, 0 },       /* march: FAST */
+      { 0,  0, 6,  9, 1, 0, 0 },       /*        BALANCED */
+      { 0,  0, 8, 18, 2, 0, 0 } },     /*        BEST */
+    { { 1,  0, 1,  5, 0, 0, 0 },       /* slices of ssdo, s3ho: FAST */
+      { 1,  0, 2,  9, 0, 0, 0 },       /*                       BALANCED */
+      { 0,  0, 2,  9, 0, 0, 0 } } };   /*                       BEST */
 
 /* clang-format on */
 
@@ -5800,7 +5800,6 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     const ssgi_gl__preset *const set = &ssgi_gl__presets[at][preset];
     desc->gather.half = (ssgi_gl_half)set->half;
     desc->gather.steps = set->steps;
-    if (set->levels && desc->surfel.effect < SSGI_GL_EFFECT_SCATTER) desc->surfel.levels = set->levels;
     if (slices && desc->gather.thickness <= SSGI_GL_THICKNESS_CONSTANT)
         desc->gather.thickness = set->constant ? SSGI_GL_THICKNESS_CONSTANT : SSGI_GL_THICKNESS_DEFAULT;
     if (set->samples) {
@@ -5834,7 +5833,7 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     d.gather.search = SSGI_GL_SEARCH_SLICES;
     if (d.pass == SSGI_GL_PASS_SSDO && !d.light.environment) d.light.environment = SSGI_GL_ENVIRONMENT_MAP;
     SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_PRESET_BALANCED, why));
-    d.gather.half = plan->half ? SSGI_GL_HALF_FIRST : SSGI_GL_HALF_NONE;
+    d.gather.half = (ssgi_gl_half)plan->half;
     d.gather.directions = plan->directions;
     d.gather.steps = plan->steps;
     d.gather.thickness = thickness[plan->thickness];

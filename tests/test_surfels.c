@@ -914,6 +914,21 @@ static void refusals(void)
           "53 x 37 becomes %d x %d", o.size[0], o.size[1]);
 }
 
+/* Level 0 of surfels of diameter 0.04 ends at 3 of their radii of 0.02 where epsilon is 0.1. */
+static void levels_wanted(void)
+{
+    static const struct {
+        double size, epsilon, radius;
+        int levels;
+    } row[] = { { 0.04, 0.1, 0, 1 },      { 0.04, 0.1, 0.0599, 1 }, { 0.04, 0.1, 0.0601, 2 }, { 0.04, 0.1, 0.12, 2 },
+                { 0.04, 0.1, 0.1201, 3 }, { 0.04, 0.1, 1.91, 6 },   { 0.04, 0.1, 1.93, 7 },   { 0.04, 0.1, 1e9, 7 },
+                { 0.04, 1, 0.1, 7 },      { 0, 0.1, 0.1, 7 },       { 0.04, 0.1, NAN, 7 },    { NAN, 0.1, 0.1, 7 } };
+    for (int i = 0; i < COUNT(row); ++i)
+        CHECK(ssgi_splat_levels(row[i].size, row[i].epsilon, row[i].radius) == row[i].levels,
+              "size %g, epsilon %g, radius %g: %d levels", row[i].size, row[i].epsilon, row[i].radius,
+              ssgi_splat_levels(row[i].size, row[i].epsilon, row[i].radius));
+}
+
 /* ---- the real tessellator ---------------------------------------------------------------------------------------- */
 
 static void real_tessellator(void)
@@ -1201,6 +1216,32 @@ static void interleaving(void)
     }
 }
 
+/* dss draws as many levels as its radius wants where its settings name none: a radius of 0.4 in a picture 2.5 high is
+   0.16 image heights, level 0 ends at 0.06, and half of the radius suffices where occlusion fades. */
+static void levels_drawn(void)
+{
+    kit_scene scene;
+    if (!TRY(kit_scene_load(&scene, "boxes", 0, &err))) return;
+    kit_camera c = scene.camera;
+    kit_scene_free(&scene);
+    c.fovy = 0;
+    c.ortho_height = 2.5f;
+    for (int hard = 0; hard < 2; ++hard) {
+        kit_image out[3];
+        const char *const more[3] = { "", hard ? ",levels=3" : ",levels=2", hard ? ",levels=2" : ",levels=1" };
+        for (int k = 0; k < 3; ++k) {
+            deep d;
+            char set[96];
+            snprintf(set, sizeof set, "size=0.04,epsilon=0.1,span=0,falloff=%s%s", hard ? "none" : "linear", more[k]);
+            if (!dive(&d, "boxes", NULL, 0, &c, 96, 54, "dss", set, 0.4f, NULL) || !drawn(&out[k], &d.run)) return;
+            surface(&d);
+        }
+        CHECK(apart(&out[0], &out[1]) == 0 && apart(&out[0], &out[2]) > 1e-4, "the default is %.2g from%s, %.2g from%s",
+              apart(&out[0], &out[1]), more[1], apart(&out[0], &out[2]), more[2]);
+        for (int k = 0; k < 3; ++k) kit_image_free(&out[k]);
+    }
+}
+
 /* Occlusion of a point by surfels within their reach on so many levels, before overlap. */
 static double hidden(const deep *d, const ssgi_surfel *s, size_t count, int levels, int hard, const float p[3],
                      const float n[3])
@@ -1306,7 +1347,7 @@ static void as_sub_buffers(void)
         kit_image out;
         double worst = 0, most = 0;
         int off = 0;
-        snprintf(set, sizeof set, "size=0.05,smooth=0,near_samples=1,span=0,combine=add,enlarge=%d", m);
+        snprintf(set, sizeof set, "size=0.05,levels=4,smooth=0,near_samples=1,span=0,combine=add,enlarge=%d", m);
         if (!dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss", set, 0.6f, NULL) || !drawn(&out, &d.run)) return;
         ssgi_surfel *s = held(&d, 0);
         for (int i = 0; i < 96 * 54; i += 2) {
@@ -1790,7 +1831,7 @@ static void half_size(void)
         deep d[2];
         kit_image out[2], none;
         for (int half = 0; half < 2; ++half) {
-            snprintf(set, sizeof set, "size=0.06,half=%s,span=%d", half ? "first" : "none", alone ? 0 : 6);
+            snprintf(set, sizeof set, "size=0.06,levels=4,half=%s,span=%d", half ? "first" : "none", alone ? 0 : 6);
             if (!dive(&d[half], "boxes", NULL, 0, NULL, 256, 144, lit ? "dss-lit" : "dss", set, 0.6f, lit ? &l : NULL)
                 || !drawn(&out[half], &d[half].run))
                 return;
@@ -2012,6 +2053,7 @@ void test_surfels(void)
     RUN("bounds of spheres and halves of them hold what is deeper than the front, and no more", bounds);
     RUN("surfels are as large on the screen as asked for", radii);
     RUN("predicted surfels are exact, pixels near", predictions);
+    RUN("levels of splats: the fewest that end beyond the radius", levels_wanted);
     RUN("huge triangles are divided, small ones stay", divided);
     RUN("dipoles as published; a plane of them sums to its total", dipoles);
     RUN("surfels: what is too small, too far or not finite has no radius or normal of 0", smallest);
@@ -2022,6 +2064,7 @@ void test_surfels(void)
     RUN("the real tessellator places the same points, all 64 levels", real_tessellator);
     RUN("tessellation shaders make the CPU's surfels; three ways give one picture", three_ways);
     RUN("interleaving deals every pixel out once a level", interleaving);
+    RUN("dss draws as many levels as its radius wants", levels_drawn);
     RUN("splats are what brute force over all surfels is", as_brute_force);
     RUN("each pixel is what brute force over its own sub-buffers is", as_sub_buffers);
     RUN("surfels beside the picture, behind the eye, hidden and across the near plane darken what they face", unseen);

@@ -116,24 +116,31 @@ static void know(measured *row, int count)
 static measured row[MOST_ROWS];
 static equation equations[MOST_ROWS];
 
-/* What splats cost, in both columns: a constant, which rows have, times their texels, times the surfels. */
-static void fit_splats(int count, double base[2])
+/* Terms of what surfels cost: a choice's own, which its row has (the slices near by, the filter), times the splats'
+   texels, times the surfels. */
+enum { OF_FULL, OF_HALF, OF_QUARTER, OF_TEXELS, OF_SURFELS, SPLAT_TERMS };
+
+static int own_term(const ssgi__plan_row *r)
 {
-    double x[MOST_TERMS];
+    return r->half == SSGI__PLAN_QUARTER ? OF_QUARTER : r->half ? OF_HALF : OF_FULL;
+}
+
+/* What splats cost, in both columns. */
+static void fit_splats(int count, double own[2][MOST_TERMS])
+{
     for (int c = 0; c < 2; ++c) {
         int n = 0;
         for (int i = 0; i < count; ++i) {
             const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
-            const double larger = r->size > 0 ? 0.015 / (double)r->size : 0;
             if (r->method != SSGI_PLAN_METHOD_SURFELS) continue;
-            equations[n].square = row[i].cost[c];
-            equations[n].term[0] = 1;
-            equations[n].term[1] = row[i].scene.splats * sqrt(larger);
-            equations[n++].term[2] = row[i].scene.surfels * larger * larger;
+            equations[n] = (equation){ { 0 }, row[i].cost[c] };
+            equations[n].term[own_term(r)] = 1;
+            equations[n].term[OF_TEXELS] = row[i].scene.splats / ssgi__plan_drawn(r);
+            equations[n++].term[OF_SURFELS] = row[i].scene.surfels;
         }
-        const double spread = solve(x, equations, n, 3);
-        base[c] = x[0];
-        fprintf(stderr, "splats, column %d: %.4g %.4g %.4g, spread %.3f of %d\n", c, x[0], x[1], x[2], 2 * spread, n);
+        const double spread = solve(own[c], equations, n, SPLAT_TERMS);
+        fprintf(stderr, "splats, column %d: %.4g a texel, %.4g a surfel, spread %.3f of %d\n", c, own[c][OF_TEXELS],
+                own[c][OF_SURFELS], 2 * spread, n);
     }
 }
 
@@ -216,18 +223,18 @@ static int equations_of(double costs[2][MOST_ROWS], int *timed, int c, int count
 }
 
 /* In software, and on a GPU: as given, else by fetches and operations; what was not measured stays as it is. */
-static double cost_of(double *costs, int n, const ssgi__plan_row *r, int column, double base, double gpu)
+static double cost_of(double *costs, int n, const ssgi__plan_row *r, int column, double own, double gpu)
 {
     qsort(costs, (size_t)n, sizeof *costs, by_value);
     return column && gpu > 0                    ? gpu
-           : r->method == SSGI_PLAN_METHOD_SURFELS && base > 0
-                                                ? floor(10 * base + 0.5) / 10
+           : r->method == SSGI_PLAN_METHOD_SURFELS && own > 0
+                                                ? own
            : r->method == SSGI_PLAN_METHOD_FIELD || !n ? (double)r->cost[column]
                                                 : costs[n / 2];
 }
 
 /* A line of the table. */
-static void print_choice(int c, int count, const double base[2], double gpu)
+static void print_choice(int c, int count, double own[2][MOST_TERMS], double gpu)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
                              *const method[] = { "NOTHING", "HSAO", "SSDO", "S3HO", "SURFELS", "FIELD" },
@@ -244,7 +251,7 @@ static void print_choice(int c, int count, const double base[2], double gpu)
            "",
            r->half, r->directions, r->steps, r->steps < 10, "", r->bands, r->history, r->resolution);
     literal((double)r->size, 5, ",");
-    for (int k = 0; k < 2; ++k) literal(cost_of(costs[k], timed, r, k, base[k], gpu), 5, ",");
+    for (int k = 0; k < 2; ++k) literal(cost_of(costs[k], timed, r, k, own[k][own_term(r)], gpu), 5, ",");
     for (int k = 0; k < MOST_TERMS; ++k)
         literal(x[k] < 1e-3 ? 0 : x[k], "555450"[k] - '0', k + 1 < MOST_TERMS ? "," : ")");
     puts(c + 1 < SSGI_PLAN_CHOICES ? "," : "");
@@ -253,7 +260,7 @@ static void print_choice(int c, int count, const double base[2], double gpu)
 
 int main(int argc, char **argv)
 {
-    double base[2], gpu[SSGI_PLAN_CHOICES] = { 0 };
+    double own[2][MOST_TERMS], gpu[SSGI_PLAN_CHOICES] = { 0 };
     FILE *f = argc == 2 || argc == 3 ? fopen(argv[1], "r") : NULL;
     FILE *measured_gpu = argc == 3 ? fopen(argv[2], "r") : NULL;
     if (!f || (argc == 3 && !measured_gpu)) {
@@ -266,8 +273,8 @@ int main(int argc, char **argv)
     fclose(f);
     if (count < 0) return 2;
     know(row, count);
-    fit_splats(count, base);
+    fit_splats(count, own);
     fit_survey(count);
-    for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) print_choice(c, count, base, gpu[c]);
+    for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) print_choice(c, count, own, gpu[c]);
     return 0;
 }

@@ -65,19 +65,6 @@ static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, cons
     return sorted;
 }
 
-/* The least depth that the G-buffer shows, a little less; stays where it shows nothing. */
-static int nearest_of(float *front, const kit_gbuffer *g, kit_error *err)
-{
-    kit_image frame;
-    float least = INFINITY;
-    if (kit_gbuffer_read_depth(&frame, g, err)) return -1;
-    const float *z = kit_image_channel(&frame, "Z");
-    for (int i = 0; i < frame.width * frame.height; ++i) if (z[i] > 0 && z[i] < least) least = z[i];
-    if (least < INFINITY) *front = fmaxf(0.999f * least, *front);
-    kit_image_free(&frame);
-    return 0;
-}
-
 /* The environment's mean radiance. */
 static void mean_of(float sky[3], const kit_image *env)
 {
@@ -101,6 +88,27 @@ typedef struct surfels {
     ssgi_gl_light   *rows;                 /* lamps as the picture's camera has them, so many */
     int              lamps;
 } surfels;
+
+/* What is asked of the frame's depth: the least that it shows, a little less, which stays where it shows nothing; and as
+   many levels as the radius wants, as it is seen. */
+static int look_at_frame(kit_making *m, const surfels *s)
+{
+    kit_run *run = m->run;
+    kit_image frame;
+    float least = INFINITY;
+    if (!m->set->near_depth && m->desc.surfel.levels) return 0;
+    if (kit_gbuffer_read_depth(&frame, run->gbuffer, m->err)) return -1;
+    const float *z = kit_image_channel(&frame, "Z");
+    for (int i = 0; i < frame.width * frame.height; ++i) if (z[i] > 0 && z[i] < least) least = z[i];
+    if (m->set->near_depth && least < INFINITY) run->frame.near_depth = fmaxf(0.999f * least, run->frame.near_depth);
+    /* Half of it suffices where occlusion fades; light, which does not, errs more with another level. */
+    const double share = m->desc.gather.falloff == SSGI_GL_FALLOFF_NONE ? 1 : 0.5,
+                 radius = kit_screen_radius(&frame, &run->gbuffer->camera, run->frame.radius);
+    if (!m->desc.surfel.levels)
+        m->desc.surfel.levels = ssgi_splat_levels((double)s->desc.size, (double)run->frame.epsilon, share * radius);
+    kit_image_free(&frame);
+    return 0;
+}
 
 static void surfels_free(surfels *s)
 {
@@ -265,7 +273,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     if (set->way && !glPatchParameteri) return kit_fail(m->err, "--set way: %s has no tessellation", kit_gl_name());
     if (ssgi_gl_surfels_set(&run->frame, view, &s.desc, picture, &why) != SSGI_OK)
         return kit_fail(m->err, "%s", why);
-    if (set->near_depth && nearest_of(&run->frame.near_depth, run->gbuffer, m->err)) return -1;
+    if (look_at_frame(m, &s)) return -1;
     const int failed = add_surfel_passes(m, &s, view, picture);
     surfels_free(&s);
     return failed;

@@ -157,7 +157,11 @@ static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame
 static int surfels_of(ssgi_plan_scene *s, const kit_gbuffer *g, const kit_scene *scene, float radius, kit_error *err)
 {
     const ssgi_surfel_desc desc = { .max_distance = radius };
-    const ssgi_splat splat = { .max_distance = radius };
+    kit_method dss;
+    if (kit_method_find(&dss, "dss", err)) return -1;
+    const ssgi_splat splat = { .max_distance = radius,
+                               .levels = ssgi_splat_levels(dss.set.size, dss.set.epsilon,
+                                                           0.5 * (double)s->screen_radius) };
     ssgi_surfel_source source = { .position = scene->mesh.position, .triangles = scene->mesh.triangles };
     ssgi_surfel_cost cost;
     ssgi_view view;
@@ -196,15 +200,27 @@ static int objects_of(ssgi_plan_scene *s, const kit_image *frame, const kit_gbuf
     return 0;
 }
 
+double kit_screen_radius(const kit_image *frame, const kit_camera *camera, float radius)
+{
+    const float *z = kit_image_channel(frame, "Z");
+    double sum = 0;
+    float to_view[16], projection[16];
+    size_t seen = 0;
+    kit_camera_matrices(camera, to_view, projection);
+    for (int i = 0; i < frame->width * frame->height; ++i) {
+        if (!(z[i] > 0)) continue;
+        sum += camera->fovy > 0 ? 1 / (double)z[i] : 1;
+        ++seen;
+    }
+    return fabs((double)projection[5]) / 2 * (double)radius * sum / fmax(1, (double)seen);
+}
+
 int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world, float radius, int wanted,
                      kit_error *err)
 {
     const kit_world dark = { world->scene, NULL };
     const int slabs = world->scene || g->slabs, count = slabs ? PICTURES : HSAO_SLABS;
     kit_image frame, picture[PICTURES];
-    double reach = 0;
-    float to_view[16], projection[16];
-    size_t seen = 0;
     memset(s, 0, sizeof *s);
     s->wanted = wanted;
     s->thickness = slabs   ? SSGI_PLAN_THICKNESS_SLABS
@@ -213,16 +229,9 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     for (int k = 0; k < count; ++k)
         if (kit_run_picture(&picture[k], g, &dark, pictures[k][0], pictures[k][1], radius, err)) return -1;
     if (kit_gbuffer_read(&frame, g, err)) return -1;
-    const float *z = kit_image_channel(&frame, "Z");
-    kit_camera_matrices(&g->camera, to_view, projection);
-    for (int i = 0; i < frame.width * frame.height; ++i) {
-        if (!(z[i] > 0)) continue;
-        reach += fabs((double)projection[5]) / 2 * (double)radius / (g->camera.fovy > 0 ? (double)z[i] : 1);
-        ++seen;
-    }
-    s->screen_radius = (float)(reach / fmax(1, (double)seen));
+    s->screen_radius = (float)kit_screen_radius(&frame, &g->camera, radius);
     s->map = world->lighting && world->lighting->env.data;
-    int failed = survey_of(&s->survey, picture, count, z, err);
+    int failed = survey_of(&s->survey, picture, count, kit_image_channel(&frame, "Z"), err);
     if (!failed && world->scene && wanted == SSGI_PLAN_WANTED_VISIBILITY)
         failed = calibrate_visibility(&s->calibration, &frame, picture, world->scene, &g->camera, radius, err);
     else if (!failed && world->scene && wanted != SSGI_PLAN_WANTED_OBJECTS && world->lighting)
