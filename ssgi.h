@@ -696,9 +696,9 @@ enum { SSGI_SPLAT_LEVELS = 7 };
      levels          [limit: 1..7] */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
 
-/* Returns the least number of levels, 1..SSGI_SPLAT_LEVELS, whose last one ends at the occlusion radius or beyond. It is
-   SSGI_SPLAT_LEVELS where none does, and for arguments that are not finite floats. Fewer lose far occluders; more find
-   none and cost as much as those before.
+/* Returns the least number of levels, 1..SSGI_SPLAT_LEVELS, whose last one ends at the occlusion radius or beyond. It
+   is SSGI_SPLAT_LEVELS where none does, and for arguments that are not finite floats. Fewer lose far occluders; more
+   find none and cost as much as those before.
      size       [units: image heights] [limit: > 0] ssgi_surfel_desc.size
      epsilon    [limit: > 0] ssgi_splat.epsilon
      radius     [units: image heights] the radius as it is seen (ssgi_plan_scene.screen_radius); half of it suffices
