@@ -1051,7 +1051,7 @@ typedef struct ssgi_plan_scene {
     double surfels;   /* VISIBILITY: surfels that the triangles become at size 0.03 (ssgi_surfels_predict), over the
                          frame's pixels; 0: none may be made */
     double splats;    /* VISIBILITY: texels of their splats at full size, all levels, over the frame's pixels
-                         [default: 14] */
+                         [default: 55] */
     int occluders;    /* OBJECTS: number of those with fields */
     float coverage;   /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
@@ -4767,7 +4767,7 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 
 /* The values that stand in for numbers which a scene leaves 0. */
 #define SSGI__PLAN_RADIUS 0.15   /* screen_radius */
-#define SSGI__PLAN_TEXELS 14.0   /* splats */
+#define SSGI__PLAN_TEXELS 55.0   /* splats */
 #define SSGI__PLAN_COVERAGE 0.1f /* coverage */
 #define SSGI__PLAN_QUARTER 3     /* a row's half: SSGI_GL_HALF_QUARTER */
 /* An unblurred 16-sample ssao takes a Radeon RX 6800 so many milliseconds at 1920x1080, modelled (make cost). */

@@ -69,6 +69,7 @@ static const entry deep_marbles[] = {
 };
 static const entry deep_effects[] = {
     { "ambient occlusion", "dss", "way=capture", 1 },
+    { "directional occlusion", "dss-lit", "way=capture,bounce=none", 1 },
     { "directional occlusion, a bounce", "dss-lit", "way=capture", 1 },
     { "one specular bounce", "dss-gloss", "way=capture", 1 },
     { "scattering", "dss-scatter", "way=capture," MARBLE, 1 }

@@ -25,14 +25,26 @@ sum sum_of(const work *w, const cost_chain *c, int family)
     return s;
 }
 
+double splat_ms(const work *w, const cost_pass *p, int family, way how, const device *d, double texels, double surfels,
+                bound *which)
+{
+    const compiled *of = &w->program[p->program].of[family];
+    const counts *c = &of->way[how];
+    const double bytes = 2 * p->bytes_out / ((double)p->width * p->height);
+    const load l = { texels, c->vector + of->vertex * p->vertices * surfels / texels, c->transcendental, c->fetches,
+                     c->wide_fetches, bytes * texels, of->waves };
+    return model(d, &l, which);
+}
+
 double pass_ms(const work *w, const cost_pass *p, int family, way how, const device *d, bound *which)
 {
     const compiled *of = &w->program[p->program].of[family];
     const counts *c = &of->way[how];
-    const load l = { (double)p->width * p->height, c->vector, c->transcendental, c->fetches, c->wide_fetches,
-                     p->bytes_in + p->bytes_out, of->waves };
-    *which = ALU;
-    return p->vertices ? 0 : model(d, &l, which);
+    const double texels = (double)p->width * p->height;
+    const load l = { texels, c->vector, c->transcendental, c->fetches, c->wide_fetches, p->bytes_in + p->bytes_out,
+                     of->waves };
+    return p->vertices ? splat_ms(w, p, family, how, d, SPLATS * texels / (p->vertices / QUAD), SURFELS, which)
+                       : model(d, &l, which);
 }
 
 double chain_ms(const work *w, const cost_chain *c, int family, way how, const device *d)
@@ -89,7 +101,7 @@ static void show_chain(const work *w, const cost_chain *c, int family)
         for (way how = BUSY; how < WAYS; ++how) ms[how] = chain_ms(w, c, family, how, &devices[k]);
         print_ms(ms);
     }
-    if (s.splats) fputs("  and splats", stdout);
+    if (s.splats) fputs("  counts less splats", stdout);
     print_trouble(s.spilled, s.scratch);
     puts("");
 }
@@ -101,7 +113,7 @@ static void show_pass(const work *w, const cost_pass *p, int family)
     char name[64];
     snprintf(name, sizeof name, "  %s, %dx%d", p->name, p->width, p->height);
     print_counts(name, of->way, p->bytes_in / texels, p->bytes_out / texels, of->vgprs, of->waves);
-    for (int k = 0; k < devices_count && !p->vertices; ++k) {
+    for (int k = 0; k < devices_count; ++k) {
         bound which[WAYS];
         double ms[WAYS];
         if (family_of(w, &devices[k]) != family) continue;
@@ -109,7 +121,8 @@ static void show_pass(const work *w, const cost_pass *p, int family)
         print_ms(ms);
         printf(" %s", bound_names[which[WEIGHED]]);
     }
-    if (p->vertices) printf("  of a splat's fragment; a surfel has %d vertices of %.0f VALU", p->vertices, of->vertex);
+    if (p->vertices)
+        printf("  counts of a splat's fragment; a surfel has %d vertices of %.0f VALU", p->vertices, of->vertex);
     print_trouble(of->spilled, of->scratch);
     if (of->report.loops) fputs("  *", stdout);
     if (of->untold) fputs("  BODIES ARE NOT TOLD APART: weighed is busy", stdout);
@@ -290,7 +303,7 @@ static void write_row(FILE *f, const work *w, int family, const cost_chain *c, c
                                        : chain_ms(w, c, family, how, &devices[k]));
         }
     }
-    fprintf(f, ",%s", p && !p->vertices ? bound_names[which] : "");
+    fprintf(f, ",%s", p ? bound_names[which] : "");
     if (p) fputs(",,,,,,,,,\n", f);
     else {
         const int programs = programs_of(w, c, family, &text, &ms);

@@ -6,8 +6,7 @@
 #include "lab/cost/passes.h"
 #include <stdio.h>
 
-/* Of a chain in a family; counts a pixel of the picture. Splats are not among them: what they cost depends on how many
-   there are. */
+/* Of a chain in a family; counts a pixel of the picture. Splats are not among them, as their number is the scene's. */
 typedef struct sum {
     counts way[WAYS];
     double bytes_in, bytes_out;             /* a pixel */
@@ -15,7 +14,17 @@ typedef struct sum {
 } sum;
 
 sum sum_of(const work *w, const cost_chain *c, int family);
-/* Milliseconds on a device, of one pass or of all. */
+/* Scenes by seed have so many surfels at 1920x1080, and so many texels of their splats on a texel that is gathered (0 to
+   20: build/render random:N --size 1920x1080 --method dss --time 1, which says both; dss of half size draws a quarter of
+   the pixels). */
+#define SPLATS 55.0
+#define SURFELS 33e3
+enum { QUAD = 6 };                          /* vertices of a surfel on a level */
+
+/* Milliseconds on a device, of one pass or of all; of a pass that splats, where so many texels are covered. Each of
+   these is read and written, as if no cache kept it. */
+double splat_ms(const work *w, const cost_pass *p, int family, way how, const device *d, double texels, double surfels,
+                bound *which);
 double pass_ms(const work *w, const cost_pass *p, int family, way how, const device *d, bound *which);
 double chain_ms(const work *w, const cost_chain *c, int family, way how, const device *d);
 

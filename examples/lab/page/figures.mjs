@@ -329,7 +329,7 @@ ${table(
     of
         .filter(beside)
         .map(r => [
-            `${r.chain}${r.splats ? ', less splats' : ''}`,
+            `${r.chain}${r.splats ? ', counts less splats' : ''}`,
             ways(r, '', 0),
             cell(r.fetches, 1),
             cell(r.bytes_in, 1),

@@ -71,7 +71,7 @@ function modelled(r, device = 'RX 6800') {
     const name = r.method + settings.map(s => chain_words[s]).join('');
     const bounces = { ssdo: 'ssdo-bounce', s3ho: 's3ho-bounce' }, is = r.what === 'bounce' ? bounces[name] : name;
     const row = table.find(c => c.chain === is && !c.pass && known(c[`${device} weighed`]));
-    return row && !row.splats ? row[`${device} weighed`] : null;
+    return row?.[`${device} weighed`] ?? null;
 }
 /* A record's tables with the heading above each, parsed once; the first of a kind, null: there is none. */
 function tables(record) {
