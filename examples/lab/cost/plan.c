@@ -27,7 +27,7 @@ static int chain_of(ssgi_gl_chain *chain, const ssgi_plan *plan, int wanted, kit
 
 int plan_add(work *w, kit_error *err)
 {
-    ssgi_plan_scene s = { .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .map = 1 };
+    ssgi_plan_scene s = { .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .surfels = 1, .map = 1 };
     if (work_add_chain(w, "ssao,balanced,samples=16,blur=0", err)) return -1;
     for (s.wanted = 0; s.wanted < SSGI_PLAN_WANTED_OBJECTS; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
