@@ -4728,9 +4728,9 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
   SSGI__P(V, HSAO,    SLABS,    1, 3, 16, 0, 0, 0, 0,     6.43f, 4.98f, 0,     0,     .75f,  0,    0,     .2f),
   SSGI__P(V, HSAO,    SLABS,    0, 2, 7,  0, 0, 0, 0,     9.67f, 5.83f, 0,     0,     .79f,  0,    0,     0),
   SSGI__P(V, HSAO,    SLABS,    0, 2, 12, 0, 0, 0, 0,     12.4f, 8.97f, 0,     0,     .68f,  0,    0,     0),
-  SSGI__P(V, SURFELS, WIDTH,    3, 2, 8,  0, 0, 0, .03f,  1.6f,  .5f,   .017f, .26f,  .49f,  .032f,0,     0),
-  SSGI__P(V, SURFELS, WIDTH,    1, 2, 8,  0, 0, 0, .03f,  1.6f,  .5f,   .017f, .26f,  .49f,  .032f,0,     0),
-  SSGI__P(V, SURFELS, WIDTH,    0, 2, 7,  0, 0, 0, .03f,  1.6f,  .5f,   .046f, .09f,  .54f,  0,    0,     0),
+  SSGI__P(V, SURFELS, WIDTH,    3, 2, 8,  0, 0, 0, .03f,  1.28f, 1.94f, .025f, .78f,  0,     .037f,0,     .93f),
+  SSGI__P(V, SURFELS, WIDTH,    1, 2, 8,  0, 0, 0, .03f,  2.38f, 3.2f,  .002f, .8f,   0,     .01f, 0,     .2f),
+  SSGI__P(V, SURFELS, WIDTH,    0, 2, 7,  0, 0, 0, .03f,  5.4f,  8.21f, 0,     .75f,  0,     .002f,0,     0),
   SSGI__P(L, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
   SSGI__P(L, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.05f, .92f,  .017f, 1.08f, 0,     0,    0,     .54f),
   SSGI__P(L, HSAO,    WIDTH,    1, 2, 6,  0, 0, 0, 0,     1.74f, 1.55f, 0,     1.0f,  0,     0,    0,     0),
@@ -4790,7 +4790,7 @@ static const float ssgi__plan_survey[2][3][4] = {
 static const struct {
     float texel, surfel; /* per texel of splats and per surfel, over the frame's pixels */
     float occluder;      /* per occluder that reaches all pixels */
-} ssgi__plan_costs[2] = { { 0.154f, 104.0f, 0.75f }, { 0.22f, 63.5f, 0.3f } };
+} ssgi__plan_costs[2] = { { 0.173f, 21.3f, 0.75f }, { 0.105f, 7.6f, 0.3f } };
 
 SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s)
 {

@@ -660,9 +660,10 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
 
 /* Writes a plan of ssgi_plan_make (ssgi.h) into a desc: the pass that does most of the work (of surfels and fields the
    pass that draws them), with its settings and the filter's; the other fields stay. ssdo and s3ho get restore; s3ho
-   gets shaded and residual; ssdo without an environment gets MAP; thickness is the plan's: where the plan draws no back
-   faces it is DEFAULT, which in chains is WIDTH. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and
-   plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
+   gets shaded and residual; ssdo without an environment gets MAP; surfels leave near surfaces to slices (span 6).
+   thickness is the plan's: where the plan draws no back faces it is DEFAULT, which in chains is WIDTH. Left to you: a
+   bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of
+   NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
 /* Returns desc with its pass's defaults in place, and with 0 in fields that the pass does not look at. Both descs have
@@ -5839,6 +5840,7 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     d.gather.thickness = thickness[plan->thickness];
     d.light.bands = plan->bands;
     d.surfel.levels = plan->levels;
+    if (d.pass == SSGI_GL_PASS_SPLAT) d.surfel.span = 6;
     d.filter.radius = plan->filter_radius;
     if (d.pass == SSGI_GL_PASS_S3HO) {
         d.light.shaded = d.light.residual = 1;

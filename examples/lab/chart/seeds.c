@@ -32,7 +32,10 @@ static const entry visible_entries[] = {
     { "hsao-best",    "hsao-best",    "thickness=slabs",       1 },
     { "hsao",         "hsao",         "margin=0.25",           0 },
     { "hsao-best",    "hsao-best",    "directions=4,steps=24", 0 },
-    { "hsao-march",   "hsao-march",   "",                      0 }
+    { "hsao-march",   "hsao-march",   "",                      0 },
+    { "dss-fast",     "dss-fast",     "",                      0 },
+    { "dss",          "dss",          "",                      0 },
+    { "dss-best",     "dss-best",     "",                      0 }
 };
 static const entry light_entries[] = {
     { "ssdo-fast", "ssdo-fast", "bounce=none",                   0 },
