@@ -2466,20 +2466,22 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
 
 /* ==== >>trace (implementation) ================================================================================= */
 
-/* A tree with four children a node and four triangles a leaf, both laid out so that a loop over the four is one vector
-   operation. The tree comes from binary splits at the middle of the longest axis; the left side of a split always gets
-   a multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there are
-   at most 2 L / 3 + 1 nodes, as a node with fewer than four children has only leaves. */
+/* A tree with eight children a node and four triangles a leaf, both laid out so that a loop over them is one or two
+   vector operations. A large tree does not fit the caches; eight children halve the nodes that a ray waits for one
+   after the other. The tree comes from binary splits at the middle of the longest axis; the left side of a split always
+   gets a multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there
+   are at most 4 L / 7 + 1 nodes, as a node with fewer than eight children has only leaves, two at least. */
 
 #define SSGI__TRACE_LIMIT 1e12f /* products of three such lengths stay finite */
 #define SSGI__TRACE_LEAF 0x80000000u
 #define SSGI__TRACE_NONE 0xffffffffu
 #define SSGI__TRACE_DEEP 32 /* binary levels that split in the middle; at most 30 more split by count */
-#define SSGI__TRACE_STACK (3 * (SSGI__TRACE_DEEP + 30) + 4)
+#define SSGI__TRACE_WIDE 8 /* children of a node */
+#define SSGI__TRACE_STACK ((SSGI__TRACE_WIDE - 1) * (SSGI__TRACE_DEEP + 30) + SSGI__TRACE_WIDE)
 
 typedef struct ssgi__trace_node {
-    float bound[2][3][4]; /* lower and upper; axis; child */
-    uint32_t child[4];    /* node, or block + LEAF */
+    float bound[2][3][SSGI__TRACE_WIDE]; /* lower and upper; axis; child */
+    uint32_t child[SSGI__TRACE_WIDE];    /* node, or block + LEAF */
 } ssgi__trace_node;
 
 typedef struct ssgi__trace_block {
@@ -2521,7 +2523,7 @@ static int ssgi__trace_sane(float x)
 
 SSGI_DEF size_t ssgi_trace_size(size_t triangles)
 {
-    const size_t most = (size_t)-1, blocks = (triangles + 3) / 4, nodes = blocks * 2 / 3 + 1;
+    const size_t most = (size_t)-1, blocks = (triangles + 3) / 4, nodes = blocks * 4 / 7 + 1;
     if (triangles == 0 || triangles > SSGI_TRACE_MAX_TRIANGLES) return 0;
     if (blocks > (most - 1024) / (sizeof(ssgi__trace_block) + sizeof(ssgi__trace_node))) return 0;
     return 64 + blocks * sizeof(ssgi__trace_block) + nodes * sizeof(ssgi__trace_node);
@@ -2653,15 +2655,15 @@ SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_rang
     }
 }
 
-/* Makes a node of a range, with all below it, and returns its number. The widest child is split until there are four,
-   or until each child fits into a leaf. */
+/* Makes a node of a range, with all below it, and returns its number. The widest child is split until there are
+   eight, or until each child fits into a leaf. */
 SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_range *whole)
 {
-    ssgi__trace_range range[4];
+    ssgi__trace_range range[SSGI__TRACE_WIDE];
     const uint32_t self = job->node_count++;
     int count = 1;
     range[0] = *whole;
-    while (count < 4) {
+    while (count < SSGI__TRACE_WIDE) {
         int widest = -1;
         float most = 0.0f;
         for (int k = 0; k < count; k++) {
@@ -2676,7 +2678,7 @@ SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_r
         const ssgi__trace_range both = range[widest];
         ssgi__trace_split(job->items, &both, &range[widest], &range[widest + 1]);
     }
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < SSGI__TRACE_WIDE; k++) {
         ssgi__trace_node *node = job->nodes + self;
         for (int i = 0; i < 3; i++) { /* the box of an empty child is inside out and never entered */
             node->bound[0][i][k] = k < count ? range[k].lower[i] : 2.0f * SSGI__TRACE_LIMIT;
@@ -2834,14 +2836,14 @@ static int ssgi__trace_leaf(const ssgi__trace_block *block, const ssgi__trace_ra
 /* Writes the t at which the ray enters and leaves the boxes of a node's children, within tmin .. tmax. The ray misses a
    box where enter > leave. */
 static void ssgi__trace_boxes(const ssgi__trace_node *node, const ssgi__trace_ray *ray, float tmin, float tmax,
-                              float enter[4], float leave[4])
+                              float enter[SSGI__TRACE_WIDE], float leave[SSGI__TRACE_WIDE])
 {
     const float *o = ray->origin, *inverse = ray->inverse;
     const int *sign = ray->sign;
     const float *x0 = node->bound[sign[0]][0], *x1 = node->bound[1 - sign[0]][0];
     const float *y0 = node->bound[sign[1]][1], *y1 = node->bound[1 - sign[1]][1];
     const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < SSGI__TRACE_WIDE; k++) {
         const float ex = (x0[k] - o[0]) * inverse[0], lx = (x1[k] - o[0]) * inverse[0];
         const float ey = (y0[k] - o[1]) * inverse[1], ly = (y1[k] - o[1]) * inverse[1];
         const float ez = (z0[k] - o[2]) * inverse[2], lz = (z1[k] - o[2]) * inverse[2];
@@ -2862,7 +2864,7 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
     struct {
         uint32_t child;
         float t;
-    } stack[SSGI__TRACE_STACK];
+    } stack[SSGI__TRACE_STACK + 1]; /* one more, as a child that is missed is written too */
 
     ssgi__trace_ray ray;
     int top = 0, found = 0;
@@ -2872,7 +2874,7 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
     stack[top++].t = tmin;
     while (top) {
         const uint32_t child = stack[--top].child;
-        float enter[4], leave[4];
+        float enter[SSGI__TRACE_WIDE], leave[SSGI__TRACE_WIDE];
         const int base = top;
         if (stack[top].t > tmax) continue;
         if (child & SSGI__TRACE_LEAF) {
@@ -2881,13 +2883,14 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
             continue;
         }
         ssgi__trace_boxes(nodes + child, &ray, tmin, tmax, enter, leave);
-        for (int k = 0; k < 4; k++)
-            if (enter[k] <= leave[k]) { /* the nearest goes on top, where the order matters */
-                int j = top++;
-                for (; hit && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
-                stack[j].child = nodes[child].child[k];
-                stack[j].t = enter[k];
-            }
+        for (int k = 0; k < SSGI__TRACE_WIDE; k++) { /* without an if on `in`, which is as random as the ray */
+            const int in = enter[k] <= leave[k];
+            int j = top;
+            for (; hit && in && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1]; /* nearest on top */
+            stack[j].child = nodes[child].child[k];
+            stack[j].t = enter[k];
+            top += in;
+        }
     }
     return found;
 }
@@ -2929,7 +2932,7 @@ SSGI__FN float ssgi__trace_extent(const ssgi_trace *trace)
 {
     const ssgi__trace_node *root = (const ssgi__trace_node *)trace->nodes;
     float most = 0.0f;
-    for (int k = 0; k < 4 && trace->node_count; ++k)
+    for (int k = 0; k < SSGI__TRACE_WIDE && trace->node_count; ++k)
         for (int i = 0; i < 3 && root->bound[0][i][k] <= root->bound[1][i][k]; ++i)
             most = ssgi__max(most, ssgi__max(ssgi__abs(root->bound[0][i][k]), ssgi__abs(root->bound[1][i][k])));
     return most;
@@ -3914,7 +3917,7 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
         } else {
             const ssgi__trace_node *node = nodes + child;
             const int base = top;
-            for (int k = 0; k < 4; ++k) {
+            for (int k = 0; k < SSGI__TRACE_WIDE; ++k) {
                 double most = 0.0;
                 int j;
                 if (node->bound[0][0][k] > node->bound[1][0][k]) continue; /* empty */
