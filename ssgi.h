@@ -487,7 +487,7 @@ typedef struct ssgi_hit {
 
 #define SSGI_TRACE_MAX_TRIANGLES 0x3fffffffu
 
-/* Returns the bytes that ssgi_trace_build needs, about 59 a triangle; 0 for no triangles, for more than
+/* Returns the bytes that ssgi_trace_build needs, about 72 a triangle; 0 for no triangles, for more than
    SSGI_TRACE_MAX_TRIANGLES and for more than size_t can count. */
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
@@ -877,7 +877,7 @@ typedef struct ssgi_field_limits {
 /* Returns the bytes of a field's texels; 0 for a bad resolution [limit: 2..128]. */
 SSGI_DEF size_t ssgi_field_size(int resolution);
 
-/* Returns the bytes of a bake's work memory, which is not needed later: about 59 a triangle + 960 resolution^2; 0 for
+/* Returns the bytes of a bake's work memory, which is not needed later: about 72 a triangle + 960 resolution^2; 0 for
    bad arguments. */
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
@@ -2476,7 +2476,7 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
 #define SSGI__TRACE_LEAF 0x80000000u
 #define SSGI__TRACE_NONE 0xffffffffu
 #define SSGI__TRACE_DEEP 32 /* binary levels that split in the middle; at most 30 more split by count */
-#define SSGI__TRACE_WIDE 8 /* children of a node */
+#define SSGI__TRACE_WIDE 8  /* children of a node */
 #define SSGI__TRACE_STACK ((SSGI__TRACE_WIDE - 1) * (SSGI__TRACE_DEEP + 30) + SSGI__TRACE_WIDE)
 
 typedef struct ssgi__trace_node {
@@ -2883,10 +2883,11 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
             continue;
         }
         ssgi__trace_boxes(nodes + child, &ray, tmin, tmax, enter, leave);
-        for (int k = 0; k < SSGI__TRACE_WIDE; k++) { /* without an if on `in`, which is as random as the ray */
+        /* the nearest goes on top, where the order matters; else there is no branch on `in`, often guessed wrong */
+        for (int k = 0; k < SSGI__TRACE_WIDE; k++) {
             const int in = enter[k] <= leave[k];
             int j = top;
-            for (; hit && in && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1]; /* nearest on top */
+            for (; hit && in && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
             stack[j].child = nodes[child].child[k];
             stack[j].t = enter[k];
             top += in;
