@@ -487,7 +487,7 @@ typedef struct ssgi_hit {
 
 #define SSGI_TRACE_MAX_TRIANGLES 0x3fffffffu
 
-/* Returns the bytes that ssgi_trace_build needs, about 59 a triangle; 0 for no triangles, for more than
+/* Returns the bytes that ssgi_trace_build needs, about 72 a triangle; 0 for no triangles, for more than
    SSGI_TRACE_MAX_TRIANGLES and for more than size_t can count. */
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
@@ -887,7 +887,7 @@ typedef struct ssgi_field_limits {
 /* Returns the bytes of a field's texels; 0 for a bad resolution [limit: 2..128]. */
 SSGI_DEF size_t ssgi_field_size(int resolution);
 
-/* Returns the bytes of a bake's work memory, which is not needed later: about 59 a triangle + 960 resolution^2; 0 for
+/* Returns the bytes of a bake's work memory, which is not needed later: about 72 a triangle + 960 resolution^2; 0 for
    bad arguments. */
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
@@ -2477,20 +2477,22 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
 
 /* ==== >>trace (implementation) ================================================================================= */
 
-/* A tree with four children a node and four triangles a leaf, both laid out so that a loop over the four is one vector
-   operation. The tree comes from binary splits at the middle of the longest axis; the left side of a split always gets
-   a multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there are
-   at most 2 L / 3 + 1 nodes, as a node with fewer than four children has only leaves. */
+/* A tree with eight children a node and four triangles a leaf, both laid out so that a loop over them is one or two
+   vector operations. A large tree does not fit the caches; eight children halve the nodes that a ray waits for one
+   after the other. The tree comes from binary splits at the middle of the longest axis; the left side of a split always
+   gets a multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there
+   are at most 4 L / 7 + 1 nodes, as a node with fewer than eight children has only leaves, two at least. */
 
 #define SSGI__TRACE_LIMIT 1e12f /* products of three such lengths stay finite */
 #define SSGI__TRACE_LEAF 0x80000000u
 #define SSGI__TRACE_NONE 0xffffffffu
 #define SSGI__TRACE_DEEP 32 /* binary levels that split in the middle; at most 30 more split by count */
-#define SSGI__TRACE_STACK (3 * (SSGI__TRACE_DEEP + 30) + 4)
+#define SSGI__TRACE_WIDE 8  /* children of a node */
+#define SSGI__TRACE_STACK ((SSGI__TRACE_WIDE - 1) * (SSGI__TRACE_DEEP + 30) + SSGI__TRACE_WIDE)
 
 typedef struct ssgi__trace_node {
-    float bound[2][3][4]; /* lower and upper; axis; child */
-    uint32_t child[4];    /* node, or block + LEAF */
+    float bound[2][3][SSGI__TRACE_WIDE]; /* lower and upper; axis; child */
+    uint32_t child[SSGI__TRACE_WIDE];    /* node, or block + LEAF */
 } ssgi__trace_node;
 
 typedef struct ssgi__trace_block {
@@ -2532,7 +2534,7 @@ static int ssgi__trace_sane(float x)
 
 SSGI_DEF size_t ssgi_trace_size(size_t triangles)
 {
-    const size_t most = (size_t)-1, blocks = (triangles + 3) / 4, nodes = blocks * 2 / 3 + 1;
+    const size_t most = (size_t)-1, blocks = (triangles + 3) / 4, nodes = blocks * 4 / 7 + 1;
     if (triangles == 0 || triangles > SSGI_TRACE_MAX_TRIANGLES) return 0;
     if (blocks > (most - 1024) / (sizeof(ssgi__trace_block) + sizeof(ssgi__trace_node))) return 0;
     return 64 + blocks * sizeof(ssgi__trace_block) + nodes * sizeof(ssgi__trace_node);
@@ -2664,15 +2666,15 @@ SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_rang
     }
 }
 
-/* Makes a node of a range, with all below it, and returns its number. The widest child is split until there are four,
-   or until each child fits into a leaf. */
+/* Makes a node of a range, with all below it, and returns its number. The widest child is split until there are
+   eight, or until each child fits into a leaf. */
 SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_range *whole)
 {
-    ssgi__trace_range range[4];
+    ssgi__trace_range range[SSGI__TRACE_WIDE];
     const uint32_t self = job->node_count++;
     int count = 1;
     range[0] = *whole;
-    while (count < 4) {
+    while (count < SSGI__TRACE_WIDE) {
         int widest = -1;
         float most = 0.0f;
         for (int k = 0; k < count; k++) {
@@ -2687,7 +2689,7 @@ SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_r
         const ssgi__trace_range both = range[widest];
         ssgi__trace_split(job->items, &both, &range[widest], &range[widest + 1]);
     }
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < SSGI__TRACE_WIDE; k++) {
         ssgi__trace_node *node = job->nodes + self;
         for (int i = 0; i < 3; i++) { /* the box of an empty child is inside out and never entered */
             node->bound[0][i][k] = k < count ? range[k].lower[i] : 2.0f * SSGI__TRACE_LIMIT;
@@ -2845,14 +2847,14 @@ static int ssgi__trace_leaf(const ssgi__trace_block *block, const ssgi__trace_ra
 /* Writes the t at which the ray enters and leaves the boxes of a node's children, within tmin .. tmax. The ray misses a
    box where enter > leave. */
 static void ssgi__trace_boxes(const ssgi__trace_node *node, const ssgi__trace_ray *ray, float tmin, float tmax,
-                              float enter[4], float leave[4])
+                              float enter[SSGI__TRACE_WIDE], float leave[SSGI__TRACE_WIDE])
 {
     const float *o = ray->origin, *inverse = ray->inverse;
     const int *sign = ray->sign;
     const float *x0 = node->bound[sign[0]][0], *x1 = node->bound[1 - sign[0]][0];
     const float *y0 = node->bound[sign[1]][1], *y1 = node->bound[1 - sign[1]][1];
     const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < SSGI__TRACE_WIDE; k++) {
         const float ex = (x0[k] - o[0]) * inverse[0], lx = (x1[k] - o[0]) * inverse[0];
         const float ey = (y0[k] - o[1]) * inverse[1], ly = (y1[k] - o[1]) * inverse[1];
         const float ez = (z0[k] - o[2]) * inverse[2], lz = (z1[k] - o[2]) * inverse[2];
@@ -2873,7 +2875,7 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
     struct {
         uint32_t child;
         float t;
-    } stack[SSGI__TRACE_STACK];
+    } stack[SSGI__TRACE_STACK + 1]; /* one more, as a child that is missed is written too */
 
     ssgi__trace_ray ray;
     int top = 0, found = 0;
@@ -2883,7 +2885,7 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
     stack[top++].t = tmin;
     while (top) {
         const uint32_t child = stack[--top].child;
-        float enter[4], leave[4];
+        float enter[SSGI__TRACE_WIDE], leave[SSGI__TRACE_WIDE];
         const int base = top;
         if (stack[top].t > tmax) continue;
         if (child & SSGI__TRACE_LEAF) {
@@ -2892,13 +2894,15 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
             continue;
         }
         ssgi__trace_boxes(nodes + child, &ray, tmin, tmax, enter, leave);
-        for (int k = 0; k < 4; k++)
-            if (enter[k] <= leave[k]) { /* the nearest goes on top, where the order matters */
-                int j = top++;
-                for (; hit && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
-                stack[j].child = nodes[child].child[k];
-                stack[j].t = enter[k];
-            }
+        /* the nearest goes on top, where the order matters; else there is no branch on `in`, often guessed wrong */
+        for (int k = 0; k < SSGI__TRACE_WIDE; k++) {
+            const int in = enter[k] <= leave[k];
+            int j = top;
+            for (; hit && in && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
+            stack[j].child = nodes[child].child[k];
+            stack[j].t = enter[k];
+            top += in;
+        }
     }
     return found;
 }
@@ -2940,7 +2944,7 @@ SSGI__FN float ssgi__trace_extent(const ssgi_trace *trace)
 {
     const ssgi__trace_node *root = (const ssgi__trace_node *)trace->nodes;
     float most = 0.0f;
-    for (int k = 0; k < 4 && trace->node_count; ++k)
+    for (int k = 0; k < SSGI__TRACE_WIDE && trace->node_count; ++k)
         for (int i = 0; i < 3 && root->bound[0][i][k] <= root->bound[1][i][k]; ++i)
             most = ssgi__max(most, ssgi__max(ssgi__abs(root->bound[0][i][k]), ssgi__abs(root->bound[1][i][k])));
     return most;
@@ -3851,10 +3855,11 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
     for (int i = 0; i < data->count; ++i) {
         const double *y = data->values + 3 * i;
         double v[3], length, cosine, residual;
-        if (!(ssgi__dot(y, y) > 0.25)) continue;
+        if (!(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] > 0.25)) continue; /* all without calls, for speed */
         for (int k = 0; k < 3; ++k) v[k] = c[k] - data->radii[i] * data->w[k];
-        length = ssgi__normalise(v);
-        cosine = ssgi__dot(v, y);
+        length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); /* above 0, as c is below the first radius along w */
+        for (int k = 0; k < 3; ++k) v[k] /= length;
+        cosine = v[0] * y[0] + v[1] * y[1] + v[2] * y[2];
         residual = 1.0 - cosine;
         sum += data->chord ? 2.0 * residual : residual * residual;
         for (int n = 0; a && n < (data->chord ? 3 : 1); ++n) { /* one row for each residual: of v - y, or of 1 -
@@ -3935,7 +3940,7 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
         } else {
             const ssgi__trace_node *node = nodes + child;
             const int base = top;
-            for (int k = 0; k < 4; ++k) {
+            for (int k = 0; k < SSGI__TRACE_WIDE; ++k) {
                 double most = 0.0;
                 int j;
                 if (node->bound[0][0][k] > node->bound[1][0][k]) continue; /* empty */
@@ -4057,17 +4062,23 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, const double point[3],
                                 const double normal[3])
 {
-    double least = 1.0, d[SSGI__FIELD_FEW][3], length[SSGI__FIELD_FEW];
-    memset(axis, 0, 3 * sizeof *axis);
-    for (int i = 0; i < SSGI__FIELD_FEW; ++i) {
-        ssgi__along(d[i], m->few[i], -1.0, point);
-        length[i] = ssgi__normalise(d[i]);
-        ssgi__along(axis, axis, 1.0, d[i]);
+    double least = 1.0, d[SSGI__FIELD_FEW][4], ax = 0.0, ay = 0.0, az = 0.0; /* d: unit vectors and lengths */
+    for (int i = 0; i < SSGI__FIELD_FEW; ++i) { /* without calls, as these are a sixth of a bake's time */
+        const double x = m->few[i][0] - point[0], y = m->few[i][1] - point[1], z = m->few[i][2] - point[2],
+                     length = sqrt(x * x + y * y + z * z), some = length > 0.0 ? length : 1.0;
+        ax += d[i][0] = x / some;
+        ay += d[i][1] = y / some;
+        az += d[i][2] = z / some;
+        d[i][3] = length;
     }
+    axis[0] = ax;
+    axis[1] = ay;
+    axis[2] = az;
     if (!(ssgi__normalise(axis) > 0.0)) least = -1.0;
     for (int i = 0; i < SSGI__FIELD_FEW && least > 0.0; ++i) {
-        const double c = ssgi__dot(d[i], axis), s = m->loose / length[i],
-                     wide = s < 1.0 ? c * sqrt(1.0 - s * s) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * s : -1.0;
+        const double c = d[i][0] * axis[0] + d[i][1] * axis[1] + d[i][2] * axis[2], s = m->loose / d[i][3];
+        if (c - s - s * s > least + 1e-9) continue; /* less than `wide`, which is then not the least */
+        const double wide = s < 1.0 ? c * sqrt(1.0 - s * s) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * s : -1.0;
         if (wide < least) least = wide;
     }
     if (least > 0.0) return (float)(least * (1.0 - 1e-6));

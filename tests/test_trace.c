@@ -267,8 +267,8 @@ static void bad_arguments(void)
           "a refused build wrote something");
     CHECK(ssgi_trace_size(0) == 0 && ssgi_trace_size((size_t)-1) == 0, "sizes that cannot be have a size");
     /* the size named suffices: nothing is written beyond it */
-    for (size_t n = 1; n < 40; ++n) {
-        static float soup[40][9];
+    for (size_t n = 1; n < 400; ++n) {
+        static float soup[400][9];
         for (size_t t = 0; t < n; ++t)
             for (int i = 0; i < 9; ++i) soup[t][i] = triangle[i] + (i % 3 ? 0 : (float)(t * t));
         const size_t all = ssgi_trace_size(n);
