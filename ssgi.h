@@ -487,7 +487,7 @@ typedef struct ssgi_hit {
 
 #define SSGI_TRACE_MAX_TRIANGLES 0x3fffffffu
 
-/* Returns the bytes that ssgi_trace_build needs, about 72 a triangle; 0 for no triangles, for more than
+/* Returns the bytes that ssgi_trace_build needs, about 62 a triangle; 0 for no triangles, for more than
    SSGI_TRACE_MAX_TRIANGLES and for more than size_t can count. */
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
@@ -828,7 +828,7 @@ SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float norm
 typedef struct ssgi_field_desc {
     int resolution; /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
     int radii;      /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
-    int rays;       /* [limit: 0, 16..65536] [default: 128] traced from the hull; farther out the occluder takes less
+    int rays;       /* [limit: 0, 16..65536] [default: 96] traced from the hull; farther out the occluder takes less
                        of the light, and as many fewer are traced as the hull is nearer, 16 at least */
     float reach;    /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] where the field ends */
     int unfiltered; /* [limit: 0 or 1] 1: directions are sampled at the resolution itself, without the Gaussian, in a
@@ -887,7 +887,7 @@ typedef struct ssgi_field_limits {
 /* Returns the bytes of a field's texels; 0 for a bad resolution [limit: 2..128]. */
 SSGI_DEF size_t ssgi_field_size(int resolution);
 
-/* Returns the bytes of a bake's work memory, which is not needed later: about 72 a triangle + 960 resolution^2; 0 for
+/* Returns the bytes of a bake's work memory, which is not needed later: about 62 a triangle + 960 resolution^2; 0 for
    bad arguments. */
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
@@ -898,8 +898,8 @@ SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangl
      position, stride_bytes, index, triangles   as in ssgi_trace_build, which names the triangles that are left out
    The same input gives the same bytes, with any number of threads and at any optimisation that keeps IEEE arithmetic
    (not -ffast-math; with FMA instructions -ffp-contract=off). The bake fails with SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL
-   (work_size) or SSGI_CANCELLED; *field is then untouched, but texels and work may be written. Resolution 16 with 128
-   rays takes about 4 million. For an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below
+   (work_size) or SSGI_CANCELLED; *field is then untouched, but texels and work may be written. Resolution 16 with 96
+   rays takes about 3.5 million. For an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below
    it. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
@@ -4339,7 +4339,7 @@ SSGI__FN ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
     ssgi_field_desc d = *desc;
     if (!d.resolution) d.resolution = 16;
     if (!d.radii) d.radii = 12;
-    if (!d.rays) d.rays = 128;
+    if (!d.rays) d.rays = 96;
     if (!(d.reach > 0.0f)) d.reach = 8.0f;
     return d;
 }
@@ -5121,7 +5121,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    size 0.03, not 0.015; epsilon 0.3, not 0.1 (SCATTER wants 0.02); 4 levels, not 5 (SCATTER wants 7). Texts work out
    the size of a level: ssgi_gl_surfels_set has no argument `levels`, and ssgi_gl_frame, which is 16 bytes shorter, no
    `level`. New: ssgi_splat.part, .two_sided; ssgi_splat_levels. plan_scene.surfels and .splats count surfels of size
-   0.03, and plans of surfels are the presets. A field's rays are fewer the farther out they begin.
+   0.03, and plans of surfels are the presets. A field's rays are fewer the farther out they begin,
+   and 96 at the hull, not 128.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

@@ -24,8 +24,8 @@ export const methods = {
            presets: { FAST: surfels, BALANCED: surfels, BEST: surfels },
            about: 'splats all triangles: hidden surfaces and those off screen count, at a higher price.' },
     aof: { title: 'Fields of objects', desc: { pass: 'FIELD', objects: 'TEXTURE' }, module: 'fields', presets: {
-        FAST: { resolution: 8, rays: 64 }, BALANCED: { resolution: 16, rays: 128 },
-        BEST: { resolution: 32, rays: 128 } },
+        FAST: { resolution: 8, rays: 64 }, BALANCED: { resolution: 16, rays: 96 },
+        BEST: { resolution: 32, rays: 96 } },
            about: 'are baked once, and darken what rigid objects come near.' }
 };
 /* What is set, too, when a method is chosen: so that what it does is seen. */

@@ -146,7 +146,7 @@ ROW(cone_row, cone, "environment over the cone of unoccluded directions, or irra
 
 ROW(resolution_row, resolution, "texels along a side of a field's cube map", NULL, 16, 2, 128, PLAN, 0)
 ROW(radii_row, radii, "distances sampled along each direction", NULL, 12, 4, 64, PLAN, 0)
-ROW(rays_a_row, rays, "rays a sample of the bake", NULL, 128, 16, 65536, PLAN, 0)
+ROW(rays_a_row, rays, "rays a sample of the bake", NULL, 96, 16, 65536, PLAN, 0)
 ROW(unfiltered_row, unfiltered, "1: a bake without the doubled resolution and the Gaussian", NULL, 0, 0, 1, PLAN, 0)
 ROW(reach_row, reach, "influence of occluders, in radii of their bounding spheres", NULL, 8, 1.5, 64, PLAN, 0)
 ROW(ramp_row, ramp, "where occluders begin to fade, as a share of the reach", NULL, 0.75, 0, 0.99, PLAN, 0)
