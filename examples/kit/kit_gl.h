@@ -362,7 +362,8 @@ typedef struct kit_run {
     GLuint        fields;                  /* field: all shapes' fields as one array */
     int           occluders;
     size_t        surfels;                 /* that the splats' buffer holds */
-    double        splat_pixels;            /* predicted, all splats of the first splat pass */
+    double        splat_pixels;            /* predicted, all splats of the first splat pass; of each level */
+    double        level_pixels[SSGI_SPLAT_LEVELS];
     GLuint        arrays[3], buffers[3], query;
     size_t        field_bytes;             /* of those fields */
     GLuint        joint;                   /* what bounce holds beside the bounce; 0 = nothing */

@@ -181,7 +181,10 @@ static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const 
                                  != SSGI_OK;
     }
     if (failed) return kit_fail(m->err, "surfels: %s", why);
-    for (int l = 0; l < m->desc.surfel.levels; ++l) s->pixels += cost.pixels[l];
+    for (int l = 0; l < m->desc.surfel.levels; ++l) {
+        s->pixels += cost.pixels[l];
+        run->level_pixels[l] = cost.pixels[l];
+    }
     return 0;
 }
 

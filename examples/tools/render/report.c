@@ -162,9 +162,14 @@ static void text_times(const result *r)
                kit_fetches(&r->run->pass[i].desc));
         sum += r->ms[i];
     }
-    if (r->run->surfels)
-        printf("surfels   %zu, whose splats cover %.1f texels a pixel of the picture\n", r->run->surfels,
-               r->run->splat_pixels / ((double)r->picture.width * r->picture.height));
+    if (r->run->surfels) {
+        const double pixels = (double)r->picture.width * r->picture.height;
+        printf("surfels   %zu, whose splats cover %.1f texels a pixel of the picture, by level:", r->run->surfels,
+               r->run->splat_pixels / pixels);
+        for (int l = 0; l < SSGI_SPLAT_LEVELS && r->run->level_pixels[l] > 0; ++l)
+            printf(" %.1f", r->run->level_pixels[l] / pixels);
+        puts("");
+    }
     if (slabs_ms(r->run) > 0)
         printf("%-8s %9.3f ms: the scene's back faces, not in the sum\n", "slabs", slabs_ms(r->run));
     if (r->run->margin)
