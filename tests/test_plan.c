@@ -124,7 +124,7 @@ static void follows(void)
           "choices: %d %d %d %d", choices[0], choices[1], choices[2], choices[3]);
 }
 
-/* Predicted errors and costs of four choices, worked out by hand from the table's numbers: the square is nothing's^2,
+/* Predicted errors and costs of five choices, worked out by hand from the table's numbers: the square is nothing's^2,
    hsao's^2, slabs'^2, nothing's^2 size / radius, nothing's^2 unevenness and 1e-4, each times the row's. */
 static void by_hand(void)
 {
@@ -148,6 +148,8 @@ static void by_hand(void)
         { &dim, SSGI_PLAN_METHOD_HSAO, 0, 2, 0, 0, 0.00091104336, 4.64 },
         /* nothing 0.002, hsao 0.8, coarse 0.01, constant 0.2; a quarter of 250 texels, 0.2 surfels */
         { &hidden, SSGI_PLAN_METHOD_SURFELS, 1, 2, 0, 0.03f, 0.045934736, 17.4525 },
+        /* nothing 0.025, hsao 0.78, coarse 0.037, constant 0.93; a sixteenth of the texels */
+        { &hidden, SSGI_PLAN_METHOD_SURFELS, 3, 2, 0, 0.03f, 0.052649786, 8.243125 },
         /* nothing 0.008, hsao 0.59 */
         { &lit, SSGI_PLAN_METHOD_SSDO, 1, 2, 0, 0, 0.0039433488, 2.41 },
         /* nothing 0.23, hsao 0.048, uneven 0.027 */
@@ -164,6 +166,8 @@ static void by_hand(void)
             CHECK(fabs((double)p.error / row[k].error - 1) < 1e-4 && fabs((double)p.cost / row[k].cost - 1) < 1e-4,
                   "row %zu: %.8g predicted at %.8g, %.8g at %g by hand", k, (double)p.error, (double)p.cost,
                   row[k].error, row[k].cost);
+            /* half of the radius is 0.075; levels of surfels of 0.03 end at 0.0229, 0.0458 and 0.0917 */
+            CHECK(p.levels == (p.method == SSGI_PLAN_METHOD_SURFELS ? 3 : 0), "row %zu: %d levels", k, p.levels);
             ++met;
         }
         CHECK(met == 1, "row %zu: %d choices are meant", k, met);
