@@ -266,11 +266,11 @@ static void bad_arguments(void)
     CHECK(!memcmp(memory, before, sizeof memory) && !memcmp(&trace, &same, sizeof trace),
           "a refused build wrote something");
     CHECK(ssgi_trace_size(0) == 0 && ssgi_trace_size((size_t)-1) == 0, "sizes that cannot be have a size");
-    /* the size named suffices: nothing is written beyond it */
-    for (size_t n = 1; n < 400; ++n) {
-        static float soup[400][9];
+    /* the size named suffices: nothing is written beyond it, of even rows, whose nodes are full (512), and of others */
+    for (size_t n = 1; n <= 512; ++n) {
+        static float soup[512][9];
         for (size_t t = 0; t < n; ++t)
-            for (int i = 0; i < 9; ++i) soup[t][i] = triangle[i] + (i % 3 ? 0 : (float)(t * t));
+            for (int i = 0; i < 9; ++i) soup[t][i] = triangle[i] + (i % 3 ? 0 : (float)(n % 2 ? t * t : t));
         const size_t all = ssgi_trace_size(n);
         unsigned char *exact = malloc(all + 64);
         if (!exact) return;
