@@ -416,8 +416,8 @@ int  kit_score_places(kit_score_place place[KIT_PLACES], const kit_image *a, con
 int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation,
                  int rays, int stride, kit_error *err);
 
-/* How well a frame's normals agree with those that its depth has by the camera. frame: channels as for the floor. Looked
-   at are pixels, at most some 500 to a side, whose neighbours lie on one surface with them. */
+/* How well a frame's normals agree with those that its depth has by the camera. frame: channels as for the floor. It
+   looks at pixels, at most some 500 to a side, whose neighbours lie on one surface with them. */
 #define KIT_OFF 45.0
 typedef struct kit_agreement {
     int    pixels;
