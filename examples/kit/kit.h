@@ -325,6 +325,8 @@ void kit_camera_from_header(kit_camera *camera, const kit_header *header);
 void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3]);
 /* the point in the world that such a pixel shows at a view depth */
 void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth, float point[3]);
+/* A radius over the frame's height, as it is seen: the mean over the pixels that Z has. */
+double kit_screen_radius(const kit_image *frame, const kit_camera *camera, float radius);
 
 /* weight of a occluder at distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2; 0 beyond R */
 enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE };
