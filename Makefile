@@ -35,7 +35,7 @@ KIT_SCENE   = $(addprefix scene/,soup mesh texture cards assimp models shapes bu
               scenes scene light seeds catalogue grammar look parts $(KIT_TABLES))
 # Scenes by seed: a table of rows a kind, and one that all share.
 KIT_TABLES  = $(addprefix tables/,shared rooms streets halls foliage machines scans terrain)
-KIT_TRACE   = $(addprefix trace/,camera truth lit scatter reflected floor places)
+KIT_TRACE   = $(addprefix trace/,camera truth lit scatter reflected floor places agree)
 KIT_GL      = $(addprefix gl/,gl gbuffer foreign shadow field)
 KIT_RUN     = $(addprefix run/,settings fetches truth draw cost passes margin views lights lit occluders deep run \
               frames plan)

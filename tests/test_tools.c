@@ -693,7 +693,8 @@ static void frames_carry_cameras(void)
 }
 
 /* The saved frame as Blender would write it: two view layers, 1e10 where nothing is, normals of the world. It errs by
-   nothing from the frame's own picture; which layer and which channel is meant is asked for by name. */
+   nothing from the frame's own picture; which layer and which channel is meant is asked for by name. A camera that is
+   another one's turns the normals: it is refused, unless they are not read; the horizontal angle is told. */
 static void frames_of_blender(void)
 {
     static const char *const theirs[7] = { "Depth.Z",   "Normal.X",  "Normal.Y", "Normal.Z",
@@ -704,6 +705,7 @@ static void frames_of_blender(void)
         { "--camera 3,2,4,1,1,1", "has several view layers, of which --layer takes one: A, B" },
         { "--camera 3,2,4,1,1,1 --layer C", "--layer C: must be one of the frame's view layers: A, B" },
         { "--layer A", "A.Normal.X is of the world: --camera must say" },
+        { "--camera 3,2,4,1,1,1 --layer A --up 0,0,1", "is --up right (Blender: 0,0,1), is --fovy the vertical" },
         { "--channel Z=A.Depth.V",
           "--channel Z=A.Depth.V: there is no such channel; there are A.Depth.Z, A.DiffCol.B," },
         { "--channel Z", "--channel Z: must be NAME=CHANNEL" },
@@ -732,7 +734,8 @@ static void frames_of_blender(void)
             for (size_t c = 0; c < 3 && k > 0 && k < 4; ++c)
                 value = (c ? value : 0) + view[4 * (k - 1) + c] * kit_image_channel(&own, ours[1 + c])[i];
             frame.data[k * pixels + i] = value;
-            frame.data[(7 + k) * pixels + i] = k ? value : 1;      /* a wall before all */
+            if (k < 4) value = k ? view[4 * (k - 1) + 2] : 1;      /* a wall before all */
+            frame.data[(7 + k) * pixels + i] = value;
         }
     snprintf(path, sizeof path, "%s/b.exr", folder);
     CHECK(!kit_exr_write(&frame, path, &err), "%s", err.text);
@@ -744,6 +747,12 @@ static void frames_of_blender(void)
     CHECK(!shell(text, sizeof text, "$R --gbuffer o.exr --set normal=depth --out n.exr%s%s", "", ""), "%s", text);
     snprintf(line, sizeof line, "%s --channel Z=A.Depth.Z --set normal=depth", at);
     CHECK(errs_by(line, "n.exr") < 0.001, "a channel by its name");
+    snprintf(line, sizeof line, "%s --layer A --up 0,0,1 --set normal=depth", at);
+    CHECK(errs_by(line, "n.exr") < 0.001, "another --up, which nothing reads");
+    CHECK(!shell(text, sizeof text, "$R %s --layer A --fovy 102.4 --out q.exr%s", at, "")
+              && strstr(text, "note: --gbuffer b.exr: its normals agree with --fovy 70.0 better than with 102.4"),
+          "the horizontal angle: %s", text);
+    CHECK(!shell(text, sizeof text, "$R %s --layer A --out q.exr%s", at, "") && !strstr(text, "note:"), "%s", text);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
         CHECK(shell(text, sizeof text, "$R --gbuffer b.exr --fovy 70 --radius 0.3 --out q.exr %s%s", bad[i].arguments,
                     "") == 2 && strstr(text, bad[i].word), "%s: %s", bad[i].arguments, text);

@@ -5,7 +5,8 @@
 
 FOLDER/frame.exr is a multilayer EXR with the passes that build/render understands: Depth, Normal (in the world) and
 DiffCol. FOLDER/ao0001.exr: Cycles' AO pass of SAMPLES rays within DISTANCE, all alike, as falloff=none takes them. The
-mesh keeps its y up, so the camera is that of the other hosts."""
+mesh keeps its y up, so the camera is that of the other hosts. A scene of Blender's own has z up: --up 0,0,1 then, and
+--fovy is the vertical angle, where camera.data.angle is the longer side's by default."""
 import os, sys
 import bpy
 from mathutils import Matrix, Vector

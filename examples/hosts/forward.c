@@ -4,7 +4,8 @@
    mixed in afterwards, in the same shader. A sign is held before the camera: it is not in the first pass, so that it
    occludes nothing, and its shader reads nothing.
       cc examples/hosts/forward.c -lglfw -lGL -lm -o forward && ./forward    (Debian: libglfw3-dev)
-   ./forward FILE.ppm [SUN SKY]: one picture; with lights so bright it has neither samples, pane, sign nor fog. */
+   ./forward FILE.ppm [SUN SKY]: one picture; with lights so bright it has neither samples, pane, sign nor fog. The
+   window keeps its size; glfw.c shows what a change of it asks for. */
 #define GL_GLEXT_PROTOTYPES /* libGL has all functions; elsewhere a loader declares them: glad, for instance */
 #define GLFW_INCLUDE_GLCOREARB
 #include <GLFW/glfw3.h>

@@ -1,7 +1,8 @@
 /* openscenegraph.cpp - ambient occlusion in an engine that knows nothing of ssgi: OpenSceneGraph draws a mesh as ever;
    its own depth buffer is all that is read, and the last step of hsao multiplies onto its picture. Between the lines of
    "====" stands what ssgi asks of an engine; (1) to (3) are traps of this one. Glass and fog would have a camera of
-   their own (POST_RENDER), which draws after this one's callback. Debian: libopenscenegraph-dev.
+   their own (POST_RENDER), which draws after this one's callback. One frame of one size is drawn; glfw.c shows what a
+   change of size asks for. Debian: libopenscenegraph-dev.
       c++ -std=c++17 examples/hosts/openscenegraph.cpp -losgViewer -losgDB -losg -lGL -o openscenegraph && \
       ./openscenegraph MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT         writes OUT-before.png, OUT-after.png, OUT-ao.png */
 #define GL_GLEXT_PROTOTYPES

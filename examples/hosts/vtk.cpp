@@ -74,12 +74,10 @@ int main(int argc, char **argv)
     window->AddRenderer(renderer);
     window->SetOffScreenRendering(1);
     window->SetMultiSamples(0);
-    window->SetSize(800, 450);
+    window->SetSize(960, 540);
     vtkCamera *camera = renderer->GetActiveCamera();
     camera->SetPosition(p), camera->SetFocalPoint(p + 3), camera->SetViewUp(0, 1, 0), camera->SetViewAngle(45);
     renderer->ResetCameraClippingRange();
-    window->Render();
-    window->SetSize(960, 540);
     const double plain = timed(window);
 
     vtkNew<vtkRenderStepsPass> steps;
@@ -87,6 +85,10 @@ int main(int argc, char **argv)
     ssgi->SetDelegatePass(steps);
     ssgi->SetRadius(radius);
     renderer->SetPass(ssgi);
+    /* Once at another size: the pass makes its textures anew. */
+    window->SetSize(800, 450);
+    window->Render();
+    window->SetSize(960, 540);
     const double ours = timed(window);
     save(window, out + ".png");
     ssgi->SetPreset(SSGI_GL_PRESET_FAST);

@@ -1,6 +1,7 @@
 /* vtkSSGIPass.h - a pass for VTK 9 that stands where vtkSSAOPass stands: ambient visibility of hsao, from depth alone,
    by which the picture is multiplied. A program is vtk.cpp. Define SSGI_IMPLEMENTATION and SSGI_GL_IMPLEMENTATION
-   before it in one file.
+   before it in one file. Include it from where it lies, for it includes ../../ssgi_gl.h. It calls GL itself, so link
+   that besides VTK's modules: CMake's find_package(OpenGL) and OpenGL::GL, or -lGL.
 
       vtkNew<vtkRenderStepsPass> steps;
       vtkNew<vtkSSGIPass> ssgi;
@@ -158,6 +159,9 @@ private:
     {
         Drawn->SetContext(window);
         if (width == Width && height == Height) return;
+        /* A framebuffer object keeps what is attached to it: the textures' old names, unless it is made anew. */
+        Drawn->ReleaseGraphicsResources(window);
+        Drawn->SetContext(window);
         for (vtkTextureObject *one : { Colour.Get(), Depth.Get() }) {
             one->ReleaseGraphicsResources(window);
             one->SetContext(window);

@@ -15,6 +15,7 @@
                 truth.c    ray-traced truth over ssgi.h's trace room; lit.c: of light, scatter.c: under surfaces
                 floor.c    what one depth layer can know
                 places.c   where a picture's error sits: edges, border, interior
+                agree.c    whether a frame's normals and its depth are of one camera
      gl/        gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
                 gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
                 shadow.c   shadow maps as one atlas, reflective shadow maps
@@ -324,6 +325,8 @@ void kit_camera_from_header(kit_camera *camera, const kit_header *header);
 void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3]);
 /* the point in the world that such a pixel shows at a view depth */
 void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth, float point[3]);
+/* A radius over the frame's height, as it is seen: the mean over the pixels that Z has. */
+double kit_screen_radius(const kit_image *frame, const kit_camera *camera, float radius);
 
 /* weight of a occluder at distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2; 0 beyond R */
 enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE };
@@ -414,6 +417,17 @@ int  kit_score_places(kit_score_place place[KIT_PLACES], const kit_image *a, con
    are joined where they lie on one surface) and traced likewise. */
 int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation,
                  int rays, int stride, kit_error *err);
+
+/* How well a frame's normals agree with those that its depth has by the camera. frame: channels as for the floor. It
+   looks at pixels, at most some 500 to a side, whose neighbours lie on one surface with them. */
+#define KIT_OFF 45.0
+typedef struct kit_agreement {
+    int    pixels;
+    double off, angle;                     /* share of them where they differ by more than KIT_OFF degrees; median */
+    /* how much steeper normals are to the view axis than those of depth, median of tangents: a lens so much too wide */
+    double steeper;
+} kit_agreement;
+int  kit_frame_agreement(kit_agreement *out, const kit_image *frame, const kit_camera *camera, kit_error *err);
 
 /* ---- >>gl, >>gbuffer, >>method: see kit_gl.h ------------------------------------------------------------------- */
 #endif

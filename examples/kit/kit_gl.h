@@ -436,9 +436,6 @@ int  kit_frames_still(kit_run *run, unsigned first, unsigned k, int timed, kit_e
 
 /* ---- >>plan: what a scene needs ----------------------------------------------------------------------------- */
 
-/* A radius over the frame's height, as it is seen: the mean over the pixels that Z has. */
-double kit_screen_radius(const kit_image *frame, const kit_camera *camera, float radius);
-
 /* The numbers of a picture that ssgi_plan_make asks for, but error, budget, device and history: a survey; where there
    is a scene, a calibration by tracing it and what surfels of it cost; the harmonics of the environment. */
 int kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted,

@@ -200,21 +200,6 @@ static int objects_of(ssgi_plan_scene *s, const kit_image *frame, const kit_gbuf
     return 0;
 }
 
-double kit_screen_radius(const kit_image *frame, const kit_camera *camera, float radius)
-{
-    const float *z = kit_image_channel(frame, "Z");
-    double sum = 0;
-    float to_view[16], projection[16];
-    size_t seen = 0;
-    kit_camera_matrices(camera, to_view, projection);
-    for (int i = 0; i < frame->width * frame->height; ++i) {
-        if (!(z[i] > 0)) continue;
-        sum += camera->fovy > 0 ? 1 / (double)z[i] : 1;
-        ++seen;
-    }
-    return fabs((double)projection[5]) / 2 * (double)radius * sum / fmax(1, (double)seen);
-}
-
 int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world, float radius, int wanted,
                      kit_error *err)
 {

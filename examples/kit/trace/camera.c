@@ -184,6 +184,21 @@ void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth,
     }
 }
 
+double kit_screen_radius(const kit_image *frame, const kit_camera *camera, float radius)
+{
+    const float *z = kit_image_channel(frame, "Z");
+    double sum = 0;
+    float to_view[16], projection[16];
+    size_t seen = 0;
+    kit_camera_matrices(camera, to_view, projection);
+    for (int i = 0; i < frame->width * frame->height; ++i) {
+        if (!(z[i] > 0)) continue;
+        sum += camera->fovy > 0 ? 1 / (double)z[i] : 1;
+        ++seen;
+    }
+    return fabs((double)projection[5]) / 2 * (double)radius * sum / fmax(1, (double)seen);
+}
+
 int kit_camera_check(const kit_camera *camera, const char *what, kit_error *err)
 {
     if (camera->width < 1 || camera->height < 1)

@@ -97,6 +97,31 @@ static int ask_header(kit_camera *camera, double *radius, int *placed, const opt
     return 0;
 }
 
+/* Normals of the world that a wrong camera turned would draw garbage: they are refused where most of them are off. Of
+   scenes as they are 15 % are off at most; of those that were turned by a quarter nine in ten are refused. A wrong lens
+   turns them by less, but all alike: it is told where a lens that agrees better follows from them. */
+static int check_normals(job *j, const options *o, const kit_image *frame, const kit_camera *camera, kit_error *err)
+{
+    enum { ENOUGH = 256 };
+    kit_agreement now, then;
+    kit_camera other = *camera;
+    if (j->method.set.normal || !kit_image_channel(frame, "N.X")) return 0;
+    if (kit_frame_agreement(&now, frame, camera, err)) return -1;
+    if (now.pixels < ENOUGH) return 0;
+    if (now.off > 0.5)
+        return kit_fail(err, "the normals disagree with the depth at %.0f %% of the pixels: is --up right (Blender: "
+                             "0,0,1), is --fovy the vertical angle? N.X .. are of view space; --set normal=depth draws "
+                             "without them", 100 * now.off);
+    if (!(camera->fovy > 0) || now.angle < 2 || j->noted) return 0;
+    other.fovy = (float)(atan(tan((double)camera->fovy * KIT_PI / 360) / now.steeper) * 360 / KIT_PI);
+    if (kit_frame_agreement(&then, frame, &other, err)) return -1;
+    if (then.angle > 0.75 * now.angle) return 0;
+    j->noted = 1;
+    fprintf(stderr, "render: note: --gbuffer %s: its normals agree with --fovy %.1f better than with %.1f: is that the "
+                    "vertical angle?\n", o->gbuffer, (double)other.fovy, (double)camera->fovy);
+    return 0;
+}
+
 int render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err)
 {
     kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 } };
@@ -113,7 +138,7 @@ int render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err)
         return kit_fail(err, "%s", why.text);
     }
     failed = kit_frame_rename(&frame, o->channel, o->channels, o->layer, &camera, placed, &why)
-          || kit_gbuffer_from_frame(g, &frame, &camera, &why);
+          || check_normals(j, o, &frame, &camera, &why) || kit_gbuffer_from_frame(g, &frame, &camera, &why);
     kit_image_free(&frame);
     if (failed) return kit_fail(err, "--gbuffer %s: %s", o->gbuffer, why.text);
     if (!j->method.lit || g->direct || o->planned || o->env || o->lights) return 0;

@@ -76,6 +76,7 @@ typedef struct job {
     kit_world    world;
     ssgi_plan    plan;
     double       radius;
+    int          noted;                    /* that a frame's normals agree with another lens */
     result       r;
 } job;
 
