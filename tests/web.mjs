@@ -189,8 +189,8 @@ for (const [scene, hash, words] of [
     });
 await run('deep screen space is build/render\'s: its surfels are made in a worker', async () => {
     const found = [];
-    for (const [scene, hash, words] of [['casters', '', []],
-                                        ['plates', '&p=BEST', ['--set', 'half=0,steps=7']],
+    for (const [scene, hash, words] of [['casters', '', ['--set', 'levels=4']],
+                                        ['plates', '&p=BEST', ['--set', 'levels=4,half=0,steps=7']],
                                         ['cornell', '&surfel=1.5&levels=3', ['--set', 'size=0.015,levels=3']]]) {
         render(scene, '--method', 'dss', ...words, '--size', '320x180', '--out', `${out}/ao.png`);
         await go(`scene=${scene}&b=off&size=320x180&history=0&radius=0&a=dss${hash}`);
