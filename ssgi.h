@@ -487,7 +487,7 @@ typedef struct ssgi_hit {
 
 #define SSGI_TRACE_MAX_TRIANGLES 0x3fffffffu
 
-/* Returns the bytes that ssgi_trace_build needs, about 62 a triangle; 0 for no triangles, for more than
+/* Returns the bytes that ssgi_trace_build needs, about 72 a triangle; 0 for no triangles, for more than
    SSGI_TRACE_MAX_TRIANGLES and for more than size_t can count. */
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
@@ -887,7 +887,7 @@ typedef struct ssgi_field_limits {
 /* Returns the bytes of a field's texels; 0 for a bad resolution [limit: 2..128]. */
 SSGI_DEF size_t ssgi_field_size(int resolution);
 
-/* Returns the bytes of a bake's work memory, which is not needed later: about 62 a triangle + 960 resolution^2; 0 for
+/* Returns the bytes of a bake's work memory, which is not needed later: about 72 a triangle + 960 resolution^2; 0 for
    bad arguments. */
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
