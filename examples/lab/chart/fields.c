@@ -70,6 +70,8 @@ static const bake bakes[] = {
     { "lumpy ball", "", 10000, 0, 0 },
     { "lumpy ball", "", 100000, 0, 0 },
     { "lumpy ball", "", 10000, 1, 0 },
+    { "lumpy ball", "", 100000, 1, 0 },
+    { "lumpy ball", "resolution=32", 100000, 1, 0 },
     { "lumpy ball", "resolution=4", 10000, 0, 0 },
     { "lumpy ball", "resolution=8", 10000, 0, 1 },
     { "lumpy ball", "rays=32", 10000, 0, 1 },
