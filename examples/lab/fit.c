@@ -116,7 +116,7 @@ static void know(measured *row, int count)
 static measured row[MOST_ROWS];
 static equation equations[MOST_ROWS];
 
-/* Terms of what surfels cost: a choice's own, which its row has (the slices near by, the filter), times the splats'
+/* Terms of surfels' cost: a choice's own, which its row has (the slices near by, the filter), times the splats'
    texels, times the surfels. */
 enum { OF_FULL, OF_HALF, OF_QUARTER, OF_TEXELS, OF_SURFELS, SPLAT_TERMS };
 
@@ -125,7 +125,7 @@ static int own_term(const ssgi__plan_row *r)
     return r->half == SSGI__PLAN_QUARTER ? OF_QUARTER : r->half ? OF_HALF : OF_FULL;
 }
 
-/* What splats cost, in both columns. */
+/* Fits the cost of splats, in both columns. */
 static void fit_splats(int count, double own[2][MOST_TERMS])
 {
     for (int c = 0; c < 2; ++c) {

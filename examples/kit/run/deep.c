@@ -89,8 +89,8 @@ typedef struct surfels {
     int              lamps;
 } surfels;
 
-/* What is asked of the frame's depth: the least that it shows, a little less, which stays where it shows nothing; and as
-   many levels as the radius wants, as it is seen. */
+/* Reads two things off the frame's depth: the least that it shows, a little less, which stays where it shows nothing;
+   and as many levels as the radius wants, as it is seen. */
 static int look_at_frame(kit_making *m, const surfels *s)
 {
     kit_run *run = m->run;

@@ -165,8 +165,8 @@ ROW(epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
 ROW(deep_epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
     NULL, 0.02, 1e-6, 1, FRAME, FRAMED(epsilon))
 COUNT(deep_levels_row, levels, surfel.levels, GATHER, 7, "levels of sub-buffers: each doubles the reach")
-OF(levels_row, levels, surfel.levels, GATHER, 0, "levels of sub-buffers: each doubles the reach; 0: what the radius "
-    "wants")
+OF(levels_row, levels, surfel.levels, GATHER, 0, "levels of sub-buffers: each doubles the reach; 0: as many as the "
+    "radius wants")
 ROW(way_row, way, "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once",
     "cpu capture direct", 0, 0, 2, PLAN, 0)
 COUNT(near_row, near_samples, surfel.near_samples, GATHER, 1, "points over a surfel for pixels within 4 of its radii; "
