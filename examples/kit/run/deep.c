@@ -101,11 +101,12 @@ static int look_at_frame(kit_making *m, const surfels *s)
     const float *z = kit_image_channel(&frame, "Z");
     for (int i = 0; i < frame.width * frame.height; ++i) if (z[i] > 0 && z[i] < least) least = z[i];
     if (m->set->near_depth && least < INFINITY) run->frame.near_depth = fmaxf(0.999f * least, run->frame.near_depth);
-    /* Half of it suffices where occlusion fades; light, which does not, errs more with another level. */
-    const double share = m->desc.gather.falloff == SSGI_GL_FALLOFF_NONE ? 1 : 0.5,
-                 radius = kit_screen_radius(&frame, &run->gbuffer->camera, run->frame.radius);
-    if (!m->desc.surfel.levels)
+    if (!m->desc.surfel.levels) {
+        /* Half of it suffices where occlusion fades; light, which does not, errs more with another level. */
+        const double share = m->desc.gather.falloff == SSGI_GL_FALLOFF_NONE ? 1 : 0.5,
+                     radius = kit_screen_radius(&frame, &run->gbuffer->camera, run->frame.radius);
         m->desc.surfel.levels = ssgi_splat_levels((double)s->desc.size, (double)run->frame.epsilon, share * radius);
+    }
     kit_image_free(&frame);
     return 0;
 }
