@@ -90,18 +90,18 @@ typedef struct surfels {
 } surfels;
 
 /* Reads two things off the frame's depth: the least that it shows, a little less, which stays where it shows nothing;
-   and as many levels as the radius wants, as it is seen. */
+   and as many levels as the radius wants, as it is seen; without an end of it the library's default stays. */
 static int look_at_frame(kit_making *m, const surfels *s)
 {
     kit_run *run = m->run;
     kit_image frame;
     float least = INFINITY;
-    if (!m->set->near_depth && m->desc.surfel.levels) return 0;
+    if (!m->set->near_depth && (m->desc.surfel.levels || !(s->desc.max_distance > 0))) return 0;
     if (kit_gbuffer_read_depth(&frame, run->gbuffer, m->err)) return -1;
     const float *z = kit_image_channel(&frame, "Z");
     for (int i = 0; i < frame.width * frame.height; ++i) if (z[i] > 0 && z[i] < least) least = z[i];
     if (m->set->near_depth && least < INFINITY) run->frame.near_depth = fmaxf(0.999f * least, run->frame.near_depth);
-    if (!m->desc.surfel.levels) {
+    if (!m->desc.surfel.levels && s->desc.max_distance > 0) {
         /* Half of it suffices where occlusion fades; light, which does not, errs more with another level. */
         const double share = m->desc.gather.falloff == SSGI_GL_FALLOFF_NONE ? 1 : 0.5,
                      radius = kit_screen_radius(&frame, &run->gbuffer->camera, run->frame.radius);
@@ -182,7 +182,7 @@ static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const 
                                  != SSGI_OK;
     }
     if (failed) return kit_fail(m->err, "surfels: %s", why);
-    for (int l = 0; l < m->desc.surfel.levels; ++l) {
+    for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) {
         s->pixels += cost.pixels[l];
         run->level_pixels[l] = cost.pixels[l];
     }
