@@ -413,8 +413,8 @@ clean:
 	rm -rf build report
 
 .PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo demo-test test test-all tree \
-        chart light seeds papers peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test cost-record \
-        cost-shares cost-plan glsl mutants deps unlisted format clean
+        chart light seeds papers peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
+        cost-record cost-shares cost-plan glsl mutants deps unlisted format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)

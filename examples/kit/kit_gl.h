@@ -299,6 +299,9 @@ size_t kit_setting_word(char *out, size_t size, const kit_setting *setting, int 
 /* The settings that are not the method's defaults, as kit_method_set takes them; "" = none. */
 void kit_method_text(char *text, size_t size, const kit_method *method);
 ssgi_field_desc kit_method_field(const kit_method *method);    /* what aof's settings ask of a bake */
+/* Levels of surfels that a radius wants, in image heights as it is seen. Half of it suffices where occlusion fades;
+   light, which does not, errs more with another level. */
+int  kit_method_levels(const kit_method *method, double radius);
 int  kit_method_attenuation(const kit_method *method);         /* KIT_ATTENUATION_LINEAR .. of its occluders */
 /* The ray-traced truth of what a method computes, as kit_truth_ao and its like have it; of dss-scatter rays are
    thousands of samples. */
@@ -362,8 +365,8 @@ typedef struct kit_run {
     GLuint        fields;                  /* field: all shapes' fields as one array */
     int           occluders;
     size_t        surfels;                 /* that the splats' buffer holds */
-    double        splat_pixels;            /* predicted, all splats of the first splat pass; of each level */
-    double        level_pixels[SSGI_SPLAT_LEVELS];
+    /* predicted, all splats of the first splat pass; of each level */
+    double        splat_pixels, level_pixels[SSGI_SPLAT_LEVELS];
     GLuint        arrays[3], buffers[3], query;
     size_t        field_bytes;             /* of those fields */
     GLuint        joint;                   /* what bounce holds beside the bounce; 0 = nothing */

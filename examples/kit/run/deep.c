@@ -84,7 +84,6 @@ typedef struct surfels {
     ssgi_surfel     *surfel;               /* so many as the run says */
     float           *vertices;             /* of patches, 9 floats each */
     int              patches[2];
-    double           pixels;               /* of their splats, predicted */
     ssgi_gl_light   *rows;                 /* lamps as the picture's camera has them, so many */
     int              lamps;
 } surfels;
@@ -102,10 +101,8 @@ static int look_at_frame(kit_making *m, const surfels *s)
     for (int i = 0; i < frame.width * frame.height; ++i) if (z[i] > 0 && z[i] < least) least = z[i];
     if (m->set->near_depth && least < INFINITY) run->frame.near_depth = fmaxf(0.999f * least, run->frame.near_depth);
     if (!m->desc.surfel.levels && s->desc.max_distance > 0) {
-        /* Half of it suffices where occlusion fades; light, which does not, errs more with another level. */
-        const double share = m->desc.gather.falloff == SSGI_GL_FALLOFF_NONE ? 1 : 0.5,
-                     radius = kit_screen_radius(&frame, &run->gbuffer->camera, run->frame.radius);
-        m->desc.surfel.levels = ssgi_splat_levels((double)s->desc.size, (double)run->frame.epsilon, share * radius);
+        const double radius = kit_screen_radius(&frame, &run->gbuffer->camera, run->frame.radius);
+        m->desc.surfel.levels = kit_method_levels(m->method, radius);
     }
     kit_image_free(&frame);
     return 0;
@@ -182,10 +179,7 @@ static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const 
                                  != SSGI_OK;
     }
     if (failed) return kit_fail(m->err, "surfels: %s", why);
-    for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) {
-        s->pixels += cost.pixels[l];
-        run->level_pixels[l] = cost.pixels[l];
-    }
+    for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) run->splat_pixels += run->level_pixels[l] = cost.pixels[l];
     return 0;
 }
 
@@ -249,7 +243,6 @@ static int add_surfel_passes(kit_making *m, surfels *s, const ssgi_view *view, c
 {
     kit_run *run = m->run;
     if ((run->lit && light_surfels(m, s, picture)) || make_surfels(m, s, view, picture)) return -1;
-    run->splat_pixels += s->pixels;
     run->fetches += run->splat_pixels / ((double)view->width * view->height);
     add_buffers(run, s, m->set->way);
     const ssgi_gl_chain chain = chain_of(m, s);

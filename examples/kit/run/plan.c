@@ -160,8 +160,7 @@ static int surfels_of(ssgi_plan_scene *s, const kit_gbuffer *g, const kit_scene 
     kit_method dss;
     if (kit_method_find(&dss, "dss", err)) return -1;
     const ssgi_splat splat = { .max_distance = radius,
-                               .levels = ssgi_splat_levels(dss.set.size, dss.set.epsilon,
-                                                           0.5 * (double)s->screen_radius) };
+                               .levels = kit_method_levels(&dss, (double)s->screen_radius) };
     ssgi_surfel_source source = { .position = scene->mesh.position, .triangles = scene->mesh.triangles };
     ssgi_surfel_cost cost;
     ssgi_view view;

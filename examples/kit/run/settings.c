@@ -499,6 +499,12 @@ void kit_method_text(char *text, size_t size, const kit_method *method)
     }
 }
 
+int kit_method_levels(const kit_method *method, double radius)
+{
+    const kit_settings *set = &method->set;
+    return ssgi_splat_levels(set->size, set->epsilon, set->falloff == SSGI_GL_FALLOFF_NONE ? radius : 0.5 * radius);
+}
+
 ssgi_field_desc kit_method_field(const kit_method *method)
 {
     ssgi_field_desc d;

@@ -2,7 +2,6 @@
 #include "kit/kit_trace.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* A picture is looked at by about so many pixels across. */
 enum { ACROSS = 512 };

@@ -48,16 +48,15 @@ void plan_write(FILE *f, const work *w)
     fprintf(f, "# modelled: %s, %dx%d, %s; make fit-cost\n", devices[0].name, WIDTH, HEIGHT, w->driver);
     for (int i = 1; i < w->chains; ++i) {
         const cost_chain *c = &w->chain[i];
-        double ms = chain_ms(w, c, 0, WEIGHED, &devices[0]);
+        double ms = 0;
         for (int k = 0; k < c->passes; ++k) {
             const cost_pass *p = &c->pass[k];
             bound which;
-            if (!p->vertices) continue;
-            /* the plan adds splats by their number, which the scene tells */
-            ms -= pass_ms(w, p, 0, WEIGHED, &devices[0], &which);
-            fprintf(f, "# %d: %.3g a texel of splats on each pixel, %.3g a surfel\n", choice[i],
-                    splat_ms(w, p, 0, WEIGHED, &devices[0], pixels, 0, &which) / unit,
-                    splat_ms(w, p, 0, WEIGHED, &devices[0], 1, pixels, &which) / unit);
+            if (!p->vertices) ms += pass_ms(w, p, 0, WEIGHED, &devices[0], &which);
+            else /* The plan adds splats by their number, which the scene tells. */
+                fprintf(f, "# %d: %.3g a texel of splats on each pixel, %.3g a surfel\n", choice[i],
+                        splat_ms(w, p, 0, WEIGHED, &devices[0], pixels, 0, &which) / unit,
+                        splat_ms(w, p, 0, WEIGHED, &devices[0], 1, pixels, &which) / unit);
         }
         if (c->passes) fprintf(f, "%d,%.3f\n", choice[i], ms / unit);
     }

@@ -303,7 +303,7 @@ static void write_row(FILE *f, const work *w, int family, const cost_chain *c, c
                                        : chain_ms(w, c, family, how, &devices[k]));
         }
     }
-    fprintf(f, ",%s", p ? bound_names[which] : "");
+    fprintf(f, ",%s", p && which < BOUNDS ? bound_names[which] : "");
     if (p) fputs(",,,,,,,,,\n", f);
     else {
         const int programs = programs_of(w, c, family, &text, &ms);
