@@ -122,7 +122,9 @@ typedef struct ssgi_view {
    reversed, infinite far plane), off-centre (sub-pixel jitter, stereo), with y up or down, with an oblique near plane
    (planar reflections: desc.input.oblique of ssgi_gl.h), right-handed or left-handed.
    If it is left-handed, your camera looks along +z, and view space here is yours with z negated. (An orthographic
-   projection is taken for left-handed where a right-handed camera would have all of its depth range behind the eye.)
+   projection is taken for left-handed where a right-handed camera would have all of its depth range behind the eye.
+   Where the range of a left-handed one reaches behind the eye, negate elements 8 to 11 yourself: nothing in the matrix
+   tells it from a right-handed one of reversed depth.)
    Negate z of the vectors that you give in view space (lights; for normals there is desc.input.left_handed) and the
    third row (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation included. Vectors that come back have
    z negated likewise.
@@ -133,9 +135,10 @@ typedef struct ssgi_view {
 SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width,
                                                int height, const char **why);
 
-/* Returns the view depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth
-   of 1 / SSGI_FAR or less, or of SSGI_FAR or more) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use
-   ssgi_view_depth_at, whose pixel is a position, with texel centres at .5. GLSL twin: ssgi_decode. */
+/* Returns the view depth [units: view] of a window depth. It is negative behind an orthographic camera's eye, where the
+   near plane may lie. Background (the clear value, NaN, beyond [0,1], a view depth of SSGI_FAR or more, or when
+   perspective of 1 / SSGI_FAR or less) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use
+   ssgi_view_depth_at, whose pixel is a position, with texel centres at .5. GLSL twin: ssgi_window_depth. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
 #define SSGI_FAR 1e18f /* the view depth of the background: it is beyond any scene, and its square is a finite float */
@@ -1335,7 +1338,8 @@ SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float x, float y, float
 {
     float z = view->depth[0] + view->depth[1] * (d + (x * view->oblique[0] + y * view->oblique[1]));
     if (!ssgi__finite(d) || !(d >= 0.0f && d <= 1.0f) || d == view->clear) return SSGI_FAR;
-    if (!view->orthographic) z = z > 1.0f / SSGI_FAR ? 1.0f / z : SSGI_FAR;
+    if (view->orthographic) return z > -SSGI_FAR && z < SSGI_FAR ? z : SSGI_FAR;
+    z = z > 1.0f / SSGI_FAR ? 1.0f / z : SSGI_FAR;
     return z > 1.0f / SSGI_FAR && z < SSGI_FAR ? z : SSGI_FAR;
 }
 

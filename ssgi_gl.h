@@ -212,9 +212,11 @@ enum {
 /* desc.input.depth: the content of the depth texture. Layer 0 of CUSTOM is the visible surface. */
 typedef enum ssgi_gl_depth {
     SSGI_GL_DEPTH_WINDOW = 0, /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
-    SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background */
-    SSGI_GL_DEPTH_CUSTOM,     /* desc.text.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call
-                                 ssgi_decode */
+    SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background. Where the near plane of
+                                 an orthographic camera is at the eye or behind it, view depth may be negative: then 0,
+                                 and what lies in front of the near plane, is background */
+    SSGI_GL_DEPTH_CUSTOM,     /* desc.text.fetch: float ssgi_custom_depth(ivec2 texel, int layer) returns what LINEAR
+                                 holds; may call ssgi_decode */
     SSGI_GL_DEPTH_FORCE = SSGI_FORCE
 } ssgi_gl_depth;
 
@@ -940,7 +942,9 @@ typedef struct ssgi_gl_frame {
     /* ---- the camera: from ssgi_view */
     float project[4];
     float unproject[4];
-    float decode[4]; /* ssgi_view.depth[0], [1], clear; 0 */
+    float decode[4]; /* ssgi_view.depth[0], [1], clear; 0. Where an orthographic camera stands behind its near plane or
+                        far away, [3] is the view depth at which the shaders' own space begins, which is then that of
+                        the depths that passes write, and [0] is counted from there */
 
     /* ---- the image */
     int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
@@ -1217,14 +1221,67 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_decode", NULL, __LINE__ + 1,
-    "float ssgi_decode(float d) {\n"
+/* The space of the shaders begins at u_ssgi_decode.w in front of an orthographic camera's eye, as floats would lose
+   depth where that eye is far away: ssgi_gl_frame_init. Perspective cameras have 0 there, and the functions below
+   return what they get. */
+{ "ssgi_own_depth", NULL, __LINE__ + 1,
+    "float ssgi_own_depth(float z) { // returns a depth of your view space in the space of the shaders\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    z -= u_ssgi_decode.w;\n"
+    "#endif\n"
+    "    return z;\n"
+    "}\n" },
+
+{ "ssgi_from_yours", NULL, __LINE__ + 1,
+    "vec3 ssgi_from_yours(vec3 P) { // returns a point of your view space in the space of the shaders\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    P.z += u_ssgi_decode.w;\n"
+    "#endif\n"
+    "    return P;\n"
+    "}\n" },
+
+{ "ssgi_to_yours", NULL, __LINE__ + 1,
+    "vec3 ssgi_to_yours(vec3 P) { // returns a point of the shaders' space in your view space\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    P.z -= u_ssgi_decode.w;\n"
+    "#endif\n"
+    "    return P;\n"
+    "}\n" },
+
+{ "ssgi_row_of_yours", NULL, __LINE__ + 1,
+    "vec4 ssgi_row_of_yours(vec4 row) { // turns a row that takes your view space into one of the shaders' space\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    row.w -= row.z * u_ssgi_decode.w;\n"
+    "#endif\n"
+    "    return row;\n"
+    "}\n" },
+
+{ "ssgi_window_depth", NULL, __LINE__ + 1,
+    "float ssgi_window_depth(float d) { // returns the view depth of a window depth\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    float z = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
     "#else\n"
     "    float z = 1.0 / (u_ssgi_decode.x + u_ssgi_decode.y * d);\n"
     "#endif\n"
     "    return d != u_ssgi_decode.z && z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "}\n" },
+
+{ "ssgi_linear_depth", NULL, __LINE__ + 1,
+    "float ssgi_linear_depth(float z) { // returns the view depth of one of yours\n"
+    "    float own = ssgi_own_depth(z);\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    if (z == 0.0) own = SSGI_FAR; // It is background where yours may be negative, too.\n"
+    "#endif\n"
+    "    return own > SSGI_NEAR && own < SSGI_FAR ? own : SSGI_FAR;\n"
+    "}\n" },
+
+{ "ssgi_decode", NULL, __LINE__ + 1,
+    "float ssgi_decode(float d) { // returns the depth in your view space of a window depth\n"
+    "    return ssgi_window_depth(d)\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "        + u_ssgi_decode.w\n"
+    "#endif\n"
+    "        ;\n"
     "}\n" },
 
 { "ssgi_unskew", NULL, __LINE__ + 1,
@@ -1238,44 +1295,56 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return u_ssgi_target & -2;\n"
     "}\n" },
 
+/* A texel of pass thickness holds a 2x2. Perspective: each pixel has a float of view depth, whose last 6 bits are
+   thickness instead. An orthographic camera may be so far away that these bits matter. There x is the whole view depth
+   of the first pixel, or of the nearest one if the first is background; y, z and w are for the others: their difference
+   to it in the first 24 bits of a float, then 2 bits of the first one's thickness, then the 6 bits of their own.
+   Thickness 0 is background, as are fetches beyond the picture. */
 { "ssgi_measured_texel", NULL, __LINE__ + 1,
-    "// View depth of pixel p, which is counted from texel 0,0, as pass thickness wrote it: the last 6 bits are the\n"
-    "// thickness of its surface in radii / 63.\n"
-    "uint ssgi_measured_texel(ivec2 p) {\n"
+    "// Returns view depth, and thickness in radii / 63, as pass thickness wrote them for pixel p of its texture.\n"
+    "vec2 ssgi_measured_texel(ivec2 p) {\n"
     "    uvec4 m = texelFetch(t_ssgi_thickness, p >> 1, 0);\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    uvec3 first = m.yzw >> 6u & 3u;\n"
+    "    float z = uintBitsToFloat(m.x);\n"
+    "    m.x = first.x | first.y << 2u | first.z << 4u; // a difference of 0, and its thickness\n"
+    "#endif\n"
     "    m.xy = (p.y & 1) == 0 ? m.xy : m.zw;\n"
-    "    return (p.x & 1) == 0 ? m.x : m.y;\n"
+    "    m.x = (p.x & 1) == 0 ? m.x : m.y;\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return vec2((m.x & 63u) == 0u ? SSGI_FAR : z + uintBitsToFloat(m.x & 0xffffff00u), m.x & 63u);\n"
+    "#else\n"
+    "    return vec2(uintBitsToFloat(m.x & 0xffffffc0u), m.x & 63u);\n"
+    "#endif\n"
     "}\n" },
 
 { "ssgi_measured", NULL, __LINE__ + 1,
-    "uint ssgi_measured(ivec2 p) {\n"
+    "vec2 ssgi_measured(ivec2 p) { // returns these for pixel p of the picture\n"
     "    return ssgi_measured_texel(p + ssgi_measured_origin());\n"
     "}\n" },
 
-{ "ssgi_measured_depth", NULL, __LINE__ + 1,
-    "float ssgi_measured_depth(uint m) {\n"
-    "    float z = uintBitsToFloat(m & 0xffffffc0u);\n"
-    "    return z > 0.0 ? z : SSGI_FAR; // fetches beyond the picture give 0\n"
-    "}\n" },
+{ "SSGI_MEASURED_ROUNDS", NULL, __LINE__ + 1,
+    "const float SSGI_MEASURED_ROUNDS = 4e-6; // the share by which packing changes a depth, at most\n" },
 
 { "ssgi_depth", "SSGI_MEASURED", __LINE__ + 1,
     "float ssgi_depth(ivec2 p) { // returns the view depth at a pixel\n"
-    "    return ssgi_measured_depth(ssgi_measured(p));\n"
+    "    float z = ssgi_measured(p).x;\n"
+    "    return z > 0.0 ? z : SSGI_FAR; // fetches beyond the picture give 0\n"
     "}\n" },
 
 { "ssgi_depth", "!SSGI_MEASURED", __LINE__ + 1,
     "float ssgi_depth(ivec2 p) { // returns the view depth at a pixel\n"
     "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && !SSGI_OBLIQUE\n"
-    "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x);\n"
+    "    return ssgi_window_depth(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x);\n"
     "#elif SSGI_DEPTH == SSGI_DEPTH_LINEAR || !SSGI_DEPTH && SSGI_OBLIQUE\n"
     "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x;\n"
     "#else\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0);\n"
     "#endif\n"
     "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && SSGI_OBLIQUE\n"
-    "    return ssgi_decode(ssgi_unskew(z, p));\n"
+    "    return ssgi_window_depth(ssgi_unskew(z, p));\n"
     "#elif SSGI_DEPTH != SSGI_DEPTH_WINDOW\n"
-    "    return z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "    return ssgi_linear_depth(z);\n"
     "#endif\n"
     "}\n" },
 
@@ -1287,11 +1356,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, j);\n"
     "#endif\n"
     "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && !SSGI_OBLIQUE\n"
-    "    return ssgi_decode(z);\n"
+    "    return ssgi_window_depth(z);\n"
     "#elif SSGI_DEPTH == SSGI_DEPTH_WINDOW && SSGI_OBLIQUE\n"
-    "    return ssgi_decode(ssgi_unskew(z, p));\n"
+    "    return ssgi_window_depth(ssgi_unskew(z, p));\n"
     "#else\n"
-    "    return z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "    return ssgi_linear_depth(z);\n"
     "#endif\n"
     "}\n" },
 
@@ -1307,9 +1376,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    z = vec3(ssgi_unskew(z.x, p), ssgi_unskew(z.y, p), ssgi_unskew(z.z, p));\n"
     "#endif\n"
     "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW\n"
-    "    return vec3(ssgi_decode(z.x), ssgi_decode(z.y), ssgi_decode(z.z));\n"
+    "    return vec3(ssgi_window_depth(z.x), ssgi_window_depth(z.y), ssgi_window_depth(z.z));\n"
     "#else\n"
-    "    return min(mix(vec3(SSGI_FAR), z, greaterThan(z, vec3(0.0))), SSGI_FAR);\n"
+    "    return vec3(ssgi_linear_depth(z.x), ssgi_linear_depth(z.y), ssgi_linear_depth(z.z));\n"
     "#endif\n"
     "}\n" },
 
@@ -1383,7 +1452,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Returns the corner, 0 or 1 along x and y, of a sphere's pixels beyond the near depth; empty: all are one.\n"
     "// Unless n is 0, only the half before its disc counts.\n"
     "vec2 ssgi_sphere(vec4 at, vec3 n, vec2 corner) {\n"
-    "    float near = u_ssgi_near_depth, z = -at.z, r = at.w, deep = r * length(n.xy);\n"
+    "    float near = ssgi_own_depth(u_ssgi_near_depth), z = -at.z, r = at.w, deep = r * length(n.xy);\n"
     "    if (z + (n.z > 0.0 ? deep : r) <= near) return vec2(0.0);\n"
     "    // Axes are mirrored so that the bound is the upper one.\n"
     "    vec2 side = (corner * 2.0 - 1.0) * sign(u_ssgi_project.xy), x = side * at.xy, m = side * n.xy;\n"
@@ -1573,9 +1642,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_segment_length; // of the segment that pass lights tests, in view units\n" },
 
 { "ssgi_measured_width", NULL, __LINE__ + 1,
-    "// Returns the thickness of the visible surface in view units, which the last bits of ssgi_measured hold.\n"
-    "float ssgi_measured_width(uint m) {\n"
-    "    float width = float(m & 63u) * (u_ssgi_radius / 63.0);\n"
+    "float ssgi_measured_width(float thickness) { // returns a thickness that ssgi_measured gave in view units\n"
+    "    float width = thickness * (u_ssgi_radius / 63.0);\n"
     "#if SSGI_PASS == SSGI_PASS_LIGHTS\n"
     "    return min(width, 2.0 * ssgi_segment_length);\n"
     "#else\n"
@@ -1671,10 +1739,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pack_measured", NULL, __LINE__ + 1,
-    "// a view depth, which loses 4e-6 of itself, and a thickness in [0, 1] of the radius\n"
+    "// of a 2x2 view depths, and thicknesses in [0, 1] of the radius\n"
     "uvec4 ssgi_pack_measured(vec4 z, vec4 width) {\n"
+    "    uvec4 thickness = uvec4(width * 63.0 + 0.5);\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    thickness *= uvec4(lessThan(z, vec4(SSGI_FAR)));\n"
+    "    float origin = z.x < SSGI_FAR ? z.x : min(z.y, min(z.z, z.w));\n"
+    "    uvec3 first = uvec3(thickness.x, thickness.x >> 2u, thickness.x >> 4u) & 3u;\n"
+    "    uvec3 others = (floatBitsToUint(z.yzw - origin) + 128u) & 0xffffff00u;\n"
+    "    return uvec4(floatBitsToUint(origin), others | first << 6u | thickness.yzw);\n"
+    "#else\n"
     "    z = mix(z, vec4(2.0 * SSGI_FAR), greaterThanEqual(z, vec4(SSGI_FAR)));\n"
-    "    return ((floatBitsToUint(z) + 32u) & 0xffffffc0u) | uvec4(width * 63.0 + 0.5);\n"
+    "    return ((floatBitsToUint(z) + 32u) & 0xffffffc0u) | thickness;\n"
+    "#endif\n"
     "}\n" },
 
 { "main_thickness", NULL, __LINE__ + 1,
@@ -1714,7 +1791,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_point(int v, ivec2 p, float z) {\n"
     "#if SSGI_VIEWS\n"
     "    float unit = u_ssgi_view_decode[max(v, 0)].w > 0.0 ? 1.0 : z;\n"
-    "    if (v >= 0) return (u_ssgi_view_from[v] * vec4((vec2(p) + 0.5) * unit, z, 1.0)).xyz;\n"
+    "    if (v >= 0) return ssgi_from_yours((u_ssgi_view_from[v] * vec4((vec2(p) + 0.5) * unit, z, 1.0)).xyz);\n"
     "#endif\n"
     "    return ssgi_position(vec2(p) + 0.5, z);\n"
     "}\n" },
@@ -1886,7 +1963,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_occupancy_of_view", NULL, __LINE__ + 1,
     "// Returns where S lies as extra camera v sees it, as ssgi_occupancy says; 0 out of its picture.\n"
     "float ssgi_occupancy_of_view(int v, vec3 S) {\n"
-    "    vec3 q = (u_ssgi_view_to[v] * vec4(S, 1.0)).xyz;\n"
+    "    vec3 shift = u_ssgi_view_to[v][3].xyz;\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    shift -= u_ssgi_view_to[v][2].xyz * u_ssgi_decode.w; // Of S.z it would round each point by itself.\n"
+    "#endif\n"
+    "    vec3 q = mat3(u_ssgi_view_to[v]) * S + shift;\n"
     "    float unit = u_ssgi_view_decode[v].w > 0.0 ? 1.0 : q.z;\n"
     "    ivec2 p = ivec2(floor(q.xy / unit)), size = ivec2(u_ssgi_view_size[v].xy);\n"
     "    if (!(q.z > 0.0 && p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y)) return 0.0;\n"
@@ -1925,7 +2006,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_thickness_at", NULL, __LINE__ + 1,
     "float ssgi_thickness_at(ivec2 p, float z) { // The visible surface at depth z is a pixel thick at least.\n"
-    "    return max(ssgi_measured_width(ssgi_measured(p)), ssgi_footprint(z));\n"
+    "    return max(ssgi_measured_width(ssgi_measured(p).y), ssgi_footprint(z));\n"
     "}\n" },
 
 { "ssgi_in_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
@@ -2309,7 +2390,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Irradiance by your coefficients i to i + count - 1: each channel's transfer has a lane for each of them.\n"
     "vec3 ssgi_incoming(int i, int count, vec4 r, vec4 g, vec4 b) {\n"
     "    vec3 e = vec3(0.0);\n"
-    "    for (int k = 0; k < count; ++k) e += ssgi_custom_harmonic(i + k, ssgi_lit_at) * vec3(r[k], g[k], b[k]);\n"
+    "    vec3 at = ssgi_to_yours(ssgi_lit_at);\n"
+    "    for (int k = 0; k < count; ++k) e += ssgi_custom_harmonic(i + k, at) * vec3(r[k], g[k], b[k]);\n"
     "    return e;\n"
     "}\n" },
 
@@ -2357,7 +2439,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_light s;\n"
     "    s.at = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
     "    s.colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0), s.facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
-    "    s.way = s.at.w > SSGI_SUN ? s.at.xyz - P : s.at.xyz;\n"
+    "    s.way = s.at.w > SSGI_SUN ? ssgi_from_yours(s.at.xyz) - P : s.at.xyz;\n"
     "    float dd = max(dot(s.way, s.way), 1e-30);\n"
     "    s.distance = sqrt(dd), s.way /= s.distance;\n"
     "    s.falloff = s.at.w > SSGI_SUN ? 1.0 / max(dd, s.colour.w * s.colour.w) : 1.0;\n"
@@ -2398,7 +2480,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 axis = texelFetch(t_ssgi_lights, ivec2(5, i), 0), Q = vec4(P, 1.0);\n"
     "    vec4 across = texelFetch(t_ssgi_lights, ivec2(3, i), 0), down = texelFetch(t_ssgi_lights, ivec2(4, i), 0);\n"
     "    // q.z is the depth in the map; q.xy are in texels, times that depth if the map is perspective.\n"
-    "    vec3 q = vec3(dot(across, Q), dot(down, Q), dot(axis, Q));\n"
+    "    vec3 q = vec3(dot(ssgi_row_of_yours(across), Q), dot(ssgi_row_of_yours(down), Q),\n"
+    "        dot(ssgi_row_of_yours(axis), Q));\n"
     "    bool flat_ = decode.w > 0.0; // the map is orthographic\n"
     "    vec2 texel = floor(flat_ ? q.xy : q.xy / q.z);\n"
     "    contact = -1.0;\n"
@@ -2409,6 +2492,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + texel), 0).x);\n"
     "    // The slack is a fiftieth of a texel, the rounding of the map's depth, and that of P.\n"
     "    float slack = 0.02 * width + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    slack += 2e-7 * abs(u_ssgi_decode.w); // the rounding of matrices that hold a far eye\n"
+    "#endif\n"
     "    contact = max(q.z - slack - z, 0.0) * ray;\n"
     "    return q.z - bias - slack > z ? 1.0 : 0.0;\n"
     "}\n" },
@@ -3066,7 +3152,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    r.ray = per / V.z;\n"
     "#endif\n"
-    "    r.rounded = max(SSGI_ROUNDED * ssgi_footprint(-P.z) * per, 1e-18);\n"
+    "    float rounded = SSGI_ROUNDED * ssgi_footprint(-P.z);\n"
+    "#if SSGI_MEASURED && !SSGI_ORTHOGRAPHIC\n"
+    "    rounded = max(rounded, SSGI_MEASURED_ROUNDS * -P.z);\n"
+    "#elif SSGI_ORTHOGRAPHIC && SSGI_DEPTH == SSGI_DEPTH_WINDOW\n"
+    "    rounded = max(rounded, 6e-8 * -P.z); // of a float\n"
+    "#elif SSGI_ORTHOGRAPHIC\n"
+    "    rounded = max(rounded, 6e-8 * (abs(u_ssgi_decode.w) - P.z)); // Floats count your depths from the eye on.\n"
+    "#endif\n"
+    "    r.rounded = max(rounded * per, 1e-18);\n"
     "    return r;\n"
     "}\n" },
 
@@ -3207,8 +3301,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_THICKNESS < SSGI_THICKNESS_WIDTH\n"
     "    t.z = ssgi_depth(t.q);\n"
     "#else\n"
-    "    uint m = ssgi_measured_texel(t.q);\n"
-    "    t.z = uintBitsToFloat(m & 0xffffffc0u), t.width = float(m & 63u) * s.grain;\n"
+    "    vec2 m = ssgi_measured_texel(t.q);\n"
+    "    t.z = m.x, t.width = m.y * s.grain;\n"
     "#endif\n"
     "    vec2 q = vec2(t.q);\n"
     "    t.k = ssgi_ray_of(s, e, q);\n"
@@ -3635,8 +3729,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "void main() {\n"
     "    // The occluder darkens nothing outside this sphere.\n"
     "    vec4 sphere = texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0);\n"
+    "    sphere.xyz = ssgi_from_yours(sphere.xyz);\n"
     "    for (int i = 0; i < 9; ++i)\n"
     "        v_ssgi_occluder[i] = texelFetch(t_ssgi_occluders, ivec2(i + 1, gl_InstanceID), 0);\n"
+    "    for (int i = 0; i < 3; ++i) v_ssgi_occluder[i] = ssgi_row_of_yours(v_ssgi_occluder[i]);\n"
     "    gl_Position = ssgi_clip(ssgi_sphere(sphere, vec3(0.0), ssgi_quad(gl_VertexID)), u_ssgi_size);\n"
     "}\n" },
 
@@ -3766,7 +3862,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "void main() {\n"
     "    mat3 m = mat3(u_ssgi_mesh);\n"
     "    vec3 x = cross(m[1], m[2]);\n"
-    "    v_ssgi_position = (u_ssgi_mesh * vec4(a_ssgi_position, 1.0)).xyz;\n"
+    "    v_ssgi_position = m * a_ssgi_position + ssgi_from_yours(u_ssgi_mesh[3].xyz);\n"
     "    v_ssgi_normal = mat3(x, cross(m[2], m[0]), cross(m[0], m[1])) * a_ssgi_normal * sign(dot(x, m[0]));\n"
     "    v_ssgi_colour = a_ssgi_colour;\n"
     "    v_ssgi_part = vec2(gl_InstanceID, gl_VertexID & 16777215);\n"
@@ -3796,7 +3892,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 below = (low * -P.z - P.xy) * inversesqrt(1.0 + low * low);\n"
     "    vec2 d = max(below, (P.xy + high * P.z) * inversesqrt(1.0 + high * high));\n"
     "#endif\n"
-    "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n"
+    "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + ssgi_to_yours(P).z, 0.0));\n"
     "}\n" },
 
 { "SSGI_MOST", NULL, __LINE__ + 1,
@@ -3898,7 +3994,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_SENDS == SSGI_SENDS_COLOUR\n"
     "    return colour;\n"
     "#elif SSGI_SENDS == SSGI_SENDS_CUSTOM\n"
-    "    return ssgi_custom_surfel(P, n, colour);\n"
+    "    return ssgi_custom_surfel(ssgi_to_yours(P), n, colour);\n"
     "#else\n"
     "    vec3 sum = ssgi_lit(P, n, 0.0) * SSGI_OVER_PI;\n"
     "#endif\n"
@@ -3926,14 +4022,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uint h = ssgi_hash((uint(v_ssgi_patch.z) << 16) | uint(v_ssgi_patch.w));\n"
     "    h = ssgi_hash(h + (place.x | (place.y << 7) | (uint(ring) << 14)));\n"
     "    bool kept = v_ssgi_patch.y > 1.0 || (uint(v_ssgi_patch.z) >> (16u + place.y + 2u * place.z) & 1u) > 0u;\n"
-    "    v_ssgi_surfel0 = vec4(P, kept ? v_ssgi_patch.x : 0.0); // A surfel of radius 0 affects nothing.\n"
+    "    v_ssgi_surfel0 = vec4(ssgi_to_yours(P), kept ? v_ssgi_patch.x : 0.0); // Of radius 0 it affects nothing.\n"
     "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, n, colour), 0.0);\n"
     "}\n" },
 
 { "main_buffer", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(a_ssgi_surfel0.xyz, a_ssgi_surfel1.xyz, a_ssgi_surfel2.xyz), 0.0);\n"
+    "    vec3 P = ssgi_from_yours(a_ssgi_surfel0.xyz);\n"
+    "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, a_ssgi_surfel1.xyz, a_ssgi_surfel2.xyz), 0.0);\n"
     "    v_ssgi_surfel0 = a_ssgi_surfel0, v_ssgi_surfel1 = a_ssgi_surfel1;\n"
     "}\n" },
 
@@ -4013,6 +4110,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "flat out float v_ssgi_seen; // 1: slices can see the surfel\n"
     "#endif\n"
     "vec2 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l, vec2 corner) { // in texels; empty: all are one\n"
+    "    at.xyz = ssgi_from_yours(at.xyz);\n"
     "#if SSGI_SPAN\n"
     "    ivec2 p = ivec2(floor(ssgi_project(at.xyz)));\n"
     "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w);\n"
@@ -4029,7 +4127,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
     "    most *= 0.5 * (u_ssgi_exponent + 1.0); // This is the peak of the lobe.\n"
     "#elif SSGI_EFFECT == SSGI_EFFECT_CUSTOM\n"
-    "    float reach = ssgi_custom_reach(at.xyz, turned.xyz, at.w, sent, u_ssgi_epsilon);\n"
+    "    float reach = ssgi_custom_reach(ssgi_to_yours(at.xyz), turned.xyz, at.w, sent, u_ssgi_epsilon);\n"
     "#endif\n"
     "#if SSGI_EFFECT != SSGI_EFFECT_CUSTOM\n"
     "    float reach = at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0));\n"
@@ -4196,7 +4294,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float dd = dot(v, v), r = sqrt(v_ssgi_at.w);\n"
     "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
     "    vec3 n = normalize(ssgi_octahedral_decode((vec2(t.w >> 16, t.w & 65535u) - 32768.0) * (1.0 / 32767.0)));\n"
-    "    o_ssgi_levels = ssgi_custom_effect(v_ssgi_at.xyz, m, r, v_ssgi_sent.xyz, P, n) * v_ssgi_turned.w;\n"
+    "    vec3 at = ssgi_to_yours(v_ssgi_at.xyz);\n"
+    "    o_ssgi_levels = ssgi_custom_effect(at, m, r, v_ssgi_sent.xyz, ssgi_to_yours(P), n) * v_ssgi_turned.w;\n"
     "}\n" },
 
 /* ==== >>filter: within surfaces, over frames, onto your picture ================================================= */
@@ -4668,6 +4767,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_surface_at", NULL, __LINE__ + 1,
     "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 n) { // the place need not be a pixel's centre\n"
     "    ssgi_blurred c;\n"
+    "    z = ssgi_own_depth(z);\n"
     "    vec2 off = fract(pixel) - 0.5;\n"
     "    c.z = z, c.n = ssgi_view_normal(n), c.P = ssgi_position(pixel, z), c.footprint = ssgi_footprint(z);\n"
     "    c.plane = ssgi_plane(c.P, c.n) / (SSGI_OFF * u_ssgi_radius + c.footprint);\n"
@@ -5312,7 +5412,8 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                         "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent "
                         "and 14, octahedral view-space normal as 6 6"),
     SSGI_GL__ROW_OUTPUT("thickness", NULL, "uvec4",
-                        "RGBA32UI: of each pixel of a 2x2 view depth; its last 6 bits are thickness in radii / 63"),
+                        "RGBA32UI: of each pixel of a 2x2 view depth; its last 6 bits are thickness in radii / 63 "
+                        "(orthographic: see ssgi_measured_texel)"),
     SSGI_GL__ROW_OUTPUT("change_mask", NULL, "vec4",
                         SSGI_GL__HDR ": of 8x8 pixels the share where an occluder came or went; the least and the "
                         "greatest view depth of these, or where there are none of all; the least of all"),
@@ -7253,18 +7354,44 @@ static void ssgi_gl__relative(double out[16], const float a[16], const float b[1
     }
 }
 
+/* Writes how depth is decoded in the shaders' space: view depth, or its inverse when perspective, is [0] + [1] * window
+   depth; [2] is the clear depth. Returns the view depth at which that space begins. It is 0 unless an orthographic
+   camera stands behind the near plane, or so far away that floats would lose more than a bit of depth; then it is a
+   pixel's width in front of the near plane. */
+static double ssgi_gl__decoded(float decode[3], const ssgi_view *view)
+{
+    const double near_plane = (double)ssgi_view_near(view), deep = fabs((double)view->depth[1]);
+    memcpy(decode, view->depth, sizeof view->depth);
+    decode[2] = view->clear;
+    if (!view->orthographic || (near_plane >= 0.0 && near_plane <= deep)) return 0.0;
+    /* Without the view's own depth[0], which a far eye rounds: the depth behind the near plane is a difference. */
+    const double pixel = (double)ssgi_pixel_footprint(view, 1.0f);
+    double behind = -(double)view->depth[1] * (1.0 - (double)view->clear);
+    for (int i = 0; i < 2; ++i) {
+        const double skew = (double)view->depth[1] * (double)view->oblique[i] * (i ? view->height : view->width);
+        if (skew < 0.0) behind -= skew;
+    }
+    decode[0] = (float)(behind + pixel);
+    return (double)(float)(near_plane - pixel);
+}
+
 /* Fills two column-major matrices: from a point of the main camera's view space to x, y (pixels, times depth when
-   perspective), view depth, 1 of another camera; and back. */
+   perspective), view depth, 1 of another camera; and back. Each space begins at a view depth: ssgi_gl__decoded. */
 static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
-                                      const float *other, const char **why)
+                                      const float *other, double begins, double other_begins, const char **why)
 {
     double m[16], b[16];
-    SSGI_GL__VIEW(view);
     SSGI_GL__CHECK(main_view, "main_world_to_view: must not be NULL");
     SSGI_GL__CHECK(ssgi_gl__within(main_view, 16, SSGI_FAR) && ssgi_gl__within(other, 16, SSGI_FAR),
                    "main_world_to_view: both matrices must be finite");
     ssgi_gl__relative(m, other, main_view);
     ssgi_gl__relative(b, main_view, other);
+    for (int r = 0; r < 3; ++r) {
+        m[12 + r] -= begins * m[8 + r];
+        b[12 + r] -= other_begins * b[8 + r];
+    }
+    m[14] += other_begins;
+    b[14] += begins;
     for (int c = 0; c < 4; ++c) {
         const double z = -m[4 * c + 2], unit = view->orthographic ? (c == 3 ? 1.0 : 0.0) : z;
         to[4 * c + 0] = (float)((double)view->project[0] * m[4 * c + 0] + (double)view->project[2] * unit);
@@ -7291,8 +7418,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     memset(&f, 0, sizeof f);
     memcpy(f.project, view->project, sizeof f.project);
     memcpy(f.unproject, view->unproject, sizeof f.unproject);
-    memcpy(f.decode, view->depth, sizeof view->depth);
-    f.decode[2] = view->clear;
+    f.decode[3] = (float)ssgi_gl__decoded(f.decode, view);
     memcpy(f.oblique, view->oblique, sizeof f.oblique);
     f.size[0] = f.last_size[0] = view->width;
     f.size[1] = f.last_size[1] = view->height;
@@ -7326,10 +7452,12 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
                                            const float main_world_to_view[16], const float last_world_to_view[16],
                                            const char **why)
 {
-    float to[16], from[16];
+    float to[16], from[16], decode[3];
     SSGI_GL__THERE(frame);
+    SSGI_GL__VIEW(view);
     SSGI_GL__THERE(last_world_to_view);
-    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, last_world_to_view, why));
+    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, last_world_to_view, (double)frame->decode[3],
+                                    ssgi_gl__decoded(decode, view), why));
     const float last = ssgi_gl__footprint(view->unproject), now = ssgi_gl__footprint(frame->unproject);
     memcpy(frame->last_to, to, sizeof to);
     memcpy(frame->last_from, from, sizeof from);
@@ -7450,15 +7578,8 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
     return SSGI_OK;
 }
 
-static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
-{
-    memcpy(decode, view->depth, sizeof view->depth);
-    decode[2] = view->clear;
-    decode[3] = (float)view->orthographic;
-}
-
 #define SSGI_GL__STRAIGHT(view) \
-    SSGI_GL__CHECK(!(view) || ((view)->oblique[0] == 0.0f && (view)->oblique[1] == 0.0f), \
+    SSGI_GL__CHECK((view)->oblique[0] == 0.0f && (view)->oblique[1] == 0.0f, \
                    "view: its near plane must not be oblique; only the picture's may be")
 
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
@@ -7468,9 +7589,14 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
     SSGI_GL__THERE(views);
     SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
     SSGI_GL__THERE(extra_world_to_view);
+    SSGI_GL__VIEW(view);
     SSGI_GL__STRAIGHT(view);
-    SSGI_GL__TRY(ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view, why));
-    ssgi_gl__decode(views->decode[i], view);
+    float decode[4];
+    const double begins = ssgi_gl__decoded(decode, view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view, 0.0,
+                                    begins, why));
+    decode[3] = (float)view->orthographic;
+    memcpy(views->decode[i], decode, sizeof decode);
     const float size[4] = { (float)view->width, (float)view->height, 2.0f * ssgi_pixel_footprint(view, 1.0f), 0.0f };
     memcpy(views->size[i], size, sizeof size);
     return SSGI_OK;
@@ -7480,15 +7606,18 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
                                        const float main_world_to_view[16], const float light_world_to_view[16],
                                        const char **why)
 {
-    float to[16], from[16];
+    float to[16], from[16], decode[4];
     SSGI_GL__THERE(light);
     SSGI_GL__CHECK(x >= 0 && y >= 0, "x: the tile must lie in the atlas, x and y >= 0");
     SSGI_GL__THERE(light_world_to_view);
+    SSGI_GL__VIEW(view);
     SSGI_GL__STRAIGHT(view);
-    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view, why));
+    const double begins = ssgi_gl__decoded(decode, view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view, 0.0, begins, why));
+    decode[3] = (float)view->orthographic;
     for (int i = 0; i < 12; ++i) light->map[i / 4][i % 4] = to[4 * (i % 4) + i / 4];
     light->patch = ssgi_pixel_footprint(view, 1.0f);
-    ssgi_gl__decode(light->decode, view);
+    memcpy(light->decode, decode, sizeof decode);
     const float tile[4] = { (float)x, (float)y, (float)view->width, (float)view->height };
     memcpy(light->tile, tile, sizeof tile);
     return SSGI_OK;

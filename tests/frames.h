@@ -4,6 +4,7 @@
 #include "kit/kit_gl.h"
 #include "t.h"
 #include <math.h>
+#include <string.h>
 
 /* A unit vector, evenly over the sphere. */
 static inline void direction(float d[3])
@@ -12,6 +13,33 @@ static inline void direction(float d[3])
     d[0] = r * cosf(a);
     d[1] = r * sinf(a);
     d[2] = z;
+}
+
+/* A texel of pass thickness, as ssgi_measured_texel reads it: view depths of a 2x2, thicknesses in radii / 63. */
+static inline void pack_measured(uint32_t texel[4], const float z[4], const unsigned thickness[4], int orthographic)
+{
+    float first = z[0];
+    for (int i = 1; i < 4 && !(z[0] < 1e17f); ++i) first = fminf(first, z[i]);
+    for (int i = 0; i < 4; ++i) {
+        const float kept = orthographic ? i ? z[i] - first : first : z[i] < 1e17f ? z[i] : 2e18f;
+        const unsigned own = orthographic && !(z[i] < 1e17f) ? 0 : thickness[i],
+                       of_first = z[0] < 1e17f ? thickness[0] : 0;
+        memcpy(&texel[i], &kept, sizeof kept);
+        if (!orthographic) texel[i] = ((texel[i] + 32) & ~63u) | own;
+        else if (i) texel[i] = ((texel[i] + 128) & ~255u) | (of_first >> 2 * (i - 1) & 3) << 6 | own;
+    }
+}
+
+/* Reads pixel i of it: its view depth, and its thickness. */
+static inline float unpack_measured(unsigned *thickness, const uint32_t texel[4], int i, int orthographic)
+{
+    const uint32_t first = (texel[1] >> 6 & 3) | (texel[2] >> 6 & 3) << 2 | (texel[3] >> 6 & 3) << 4,
+                   bits = orthographic ? i ? texel[i] & ~255u : 0 : texel[i] & ~63u;
+    float z, from;
+    *thickness = orthographic && !i ? first : texel[i] & 63;
+    memcpy(&z, &bits, sizeof z);
+    memcpy(&from, &texel[0], sizeof from);
+    return !orthographic ? z : *thickness ? from + z : 1e18f;
 }
 
 kit_camera looking_along_z(int width, int height, int orthographic);

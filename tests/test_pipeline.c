@@ -923,12 +923,11 @@ static void widths_are_measured(void)
         glReadPixels(0, 0, W / 2, H / 2, GL_RGBA_INTEGER, GL_UNSIGNED_INT, got);
         for (int y = 8; y < H - 8; ++y)
             for (int x = 8; x < W - 8; ++x) {
-                const uint32_t texel = got[4 * (y / 2 * W / 2 + x / 2) + 2 * (y & 1) + (x & 1)], bits = texel & ~63u;
-                const double thick = (texel & 63) / 63.0 * 32;          /* pixels */
+                unsigned code;
+                const float z = unpack_measured(&code, &got[4 * (y / 2 * W / 2 + x / 2)], 2 * (y & 1) + (x & 1), 1);
+                const double thick = code / 63.0 * 32;                  /* pixels */
                 const int post = x >= POST && x < POST + ACROSS;
-                float z;
-                memcpy(&z, &bits, sizeof z);
-                bad[0] += !(fabsf(z / depth[y * W + x] - 1) < 4e-6f);
+                bad[0] += z != depth[y * W + x];
                 if (post && m && y < H / 2) bad[1] += fabs(thick - 16) > 0.3;           /* 0.5 units */
                 else if (post) bad[1] += !(thick >= (m ? 0.25 : 0.5) * ACROSS - 0.3 && thick <= (m ? 0.5 : 1) * ACROSS);
                 else if (x == POLE) bad[2] += fabs(thick - (m ? 1.6 : 3.2)) > 0.3;      /* not of its 2x2's surface */

@@ -2,6 +2,7 @@
    read: extra cameras, those of shadow maps, the light of a frame; and what a weight or a limit that no formula gives
    does in GLSL, by cases worked out by hand. */
 #include "own.h"
+#include "frames.h"
 #include "kit/kit_gl.h"
 
 #include <math.h>
@@ -46,7 +47,7 @@ static void rigid(float m[16])
 }
 
 /* Row r of a matrix times a point; lost: what may be lost of it, as rigid matrices of floats are not quite. */
-static double row_of(const float m[16], int r, const double p[4], double *lost)
+static double product_of(const float m[16], int r, const double p[4], double *lost)
 {
     double sum = 0;
     *lost = 0;
@@ -105,10 +106,10 @@ static void cameras(void)
             at[k] = world;
         }
         at[3] = 1;
-        for (int k = 0; k < 3; ++k) q[k] = row_of(picture, k, at, &lost);
+        for (int k = 0; k < 3; ++k) q[k] = product_of(picture, k, at, &lost);
         ssgi_view_project(seen, &view, spot);
         for (int k = 0; k < 3; ++k) {
-            const double want = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]), got = row_of(v.to[slot], k, q, &lost);
+            const double want = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]), got = product_of(v.to[slot], k, q, &lost);
             CHECK(fabs(got - want) <= lost + 4e-7 * fabs(want), "to, %s, row %d: %.9g, ssgi_view_project says %.9g",
                   ortho ? "orthographic" : "perspective", k, got, want);
             worst[0] = fmax(worst[0], fabs(got - want) / (lost + 4e-7 * fabs(want)));
@@ -118,7 +119,7 @@ static void cameras(void)
                       k);
         }
         for (int k = 0; k < 3; ++k) {
-            const double got = row_of(v.from[slot], k, at, &lost);
+            const double got = product_of(v.from[slot], k, at, &lost);
             CHECK(fabs(got - q[k]) <= lost + 4e-7 * fabs(q[k]), "from, %s, row %d: %.9g, the point is at %.9g",
                   ortho ? "orthographic" : "perspective", k, got, q[k]);
             worst[1] = fmax(worst[1], fabs(got - q[k]) / (lost + 4e-7 * fabs(q[k])));
@@ -337,7 +338,7 @@ static void twin_views(void)
                            t_uniform(-50, 1330), t_uniform(-50, 770), expf(t_uniform(-4, 7)) };
             memcpy(in[i], a, sizeof a);
         }
-        if (!probe(&d, &frame, 0, "o = vec4(ssgi_decode(a.x), ssgi_position(a.yz, a.w));")) break;
+        if (!probe(&d, &frame, 0, "o = vec4(ssgi_window_depth(a.x), ssgi_position(a.yz, a.w));")) break;
         for (int i = 0; i < MANY; ++i) {
             double depth = (double)ssgi_view_depth(&view, in[i][0]),
                    x = fabs((double)in[i][1] * (double)view.unproject[0]) + fabs((double)view.unproject[2]);
@@ -348,11 +349,11 @@ static void twin_views(void)
             float p[3];
             ssgi_view_position(p, &view, in[i][1], in[i][2], in[i][3]);
             if (depth >= 1e17)
-                CHECK(out[i][0] >= 1e17f, "ssgi_decode(%.9g), layout %d: %g, in C %g", (double)in[i][0], k,
+                CHECK(out[i][0] >= 1e17f, "ssgi_window_depth(%.9g), layout %d: %g, in C %g", (double)in[i][0], k,
                       (double)out[i][0], depth);
             else
                 NEAR(out[i][0], depth, ortho ? lost : depth * (3e-7 + depth * lost) * (1 + depth * lost),
-                     "ssgi_decode");
+                     "ssgi_window_depth");
             NEAR(out[i][1], p[0], 3e-7 * x * scale, "ssgi_position.x");
             NEAR(out[i][2], p[1], 3e-7 * y * scale, "ssgi_position.y");
             NEAR(out[i][3], p[2], 0, "ssgi_position.z");
@@ -597,7 +598,7 @@ static void twin_views_of_others(void)
                          p[4] = { ((double)in[i][0] + 0.5) * scale, ((double)in[i][1] + 0.5) * scale, (double)in[i][2],
                                   1 };
             for (int k = 0; k < 3; ++k) {
-                double lost, want = row_of(probed.from[2], k, p, &lost);
+                double lost, want = product_of(probed.from[2], k, p, &lost);
                 NEAR(out[i][k], want, lost, "ssgi_point");
             }
             NEAR(out[i][3], view.depth[0], 0, "u_ssgi_view_decode");
@@ -782,12 +783,12 @@ static void want_way(double *o, const double *a) { for (int k = 0; k < 3; ++k) o
 /* of the radius, which is 1; and at most twice a segment's length */
 static void want_width(double *o, const double *a)
 {
-    for (int k = 0; k < 3; ++k) o[k] = fmod(floor(a[k]), 64) / 63;
+    for (int k = 0; k < 3; ++k) o[k] = a[k] / 63;
 }
 
 static void want_short_width(double *o, const double *a)
 {
-    for (int k = 0; k < 3; ++k) o[k] = fmin(fmod(floor(a[k]), 64) / 63, 2 * a[3] / 640);
+    for (int k = 0; k < 3; ++k) o[k] = fmin(a[k] / 63, 2 * a[3] / 63);
 }
 
 #define LAYERS_OF(pass_, ...) { .pass = SSGI_GL_PASS_##pass_, .gather.layers = 4, .text.dialect = SSGI_GL_DIALECT_450, \
@@ -810,12 +811,12 @@ static const term terms[] = {
       " o = vec4(ssgi_way, found);",
       -2, 2, want_way, 1e-6 },
     { "the width that a texel holds", POINTS_OF(SSAO),
-      "o = vec4(ssgi_measured_width(uint(a.x)), ssgi_measured_width(uint(a.y)), ssgi_measured_width(uint(a.z)), 0.0);",
-      0, 640, want_width, 1e-6 },
+      "o = vec4(ssgi_measured_width(a.x), ssgi_measured_width(a.y), ssgi_measured_width(a.z), 0.0);", 0, 63, want_width,
+      1e-6 },
     { "the width that a segment to a light takes", POINTS_OF(LIGHTS),
-      "ssgi_segment_length = a.w / 640.0; o = vec4(ssgi_measured_width(uint(a.x)), ssgi_measured_width(uint(a.y)), "
-      "ssgi_measured_width(uint(a.z)), 0.0);",
-      0, 640, want_short_width, 1e-6 },
+      "ssgi_segment_length = a.w / 63.0; o = vec4(ssgi_measured_width(a.x), ssgi_measured_width(a.y), "
+      "ssgi_measured_width(a.z), 0.0);",
+      0, 63, want_short_width, 1e-6 },
 };
 
 static void twin_reflections(void)
@@ -1120,15 +1121,20 @@ static void backs_lie_on_their_rays(void)
     }
 }
 
-/* What pass thickness would write of view depths in x, were all as thick as the radius. */
-static GLuint as_thick_as_the_radius(const float (*map)[4])
+/* What pass thickness would write of view depths in x and thicknesses in w, in radii / 63. It leaves there what is read
+   back. */
+static GLuint measured(float (*map)[4], int orthographic)
 {
-    static uint32_t packed[MANY];
-    for (int i = 0; i < MANY; ++i) {                       /* a texel a 2x2 */
-        const int x = i % SIDE, y = i / SIDE;
-        uint32_t bits;
-        memcpy(&bits, &map[i][0], sizeof bits);
-        packed[4 * (y / 2 * SIDE / 2 + x / 2) + 2 * (y & 1) + (x & 1)] = ((bits + 32) & ~63u) | 63;
+    static uint32_t packed[MANY / 4][4];
+    for (int t = 0; t < MANY / 4; ++t) {                   /* a texel a 2x2 */
+        float z[4];
+        unsigned thickness[4];
+        for (int i = 0; i < 8; ++i) {                      /* in, then out */
+            float *const of = map[(t / (SIDE / 2) * 2 + (i >> 1 & 1)) * SIDE + t % (SIDE / 2) * 2 + (i & 1)];
+            if (i == 4) pack_measured(packed[t], z, thickness, orthographic);
+            if (i < 4) { z[i] = of[0]; thickness[i] = (unsigned)of[3]; }
+            else { of[0] = unpack_measured(thickness, packed[t], i & 3, orthographic); of[3] = (float)*thickness; }
+        }
     }
     return kit_texture(SIDE / 2, SIDE / 2, GL_RGBA32UI, (const float *)(const void *)packed);
 }
@@ -1166,9 +1172,10 @@ static void what_covers_nothing(void)
                 const int aside = abs(i % SIDE - SIDE / 2);
                 map[i][0] = !aside ? 10 : aside > 8 ? 9 : pole ? 7.9f : 100;
                 if (pole && aside <= 8) memcpy(&map[i][1], row[k].back, sizeof row[k].back);
+                map[i][3] = 63;
             }
             GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
-            probed_width = as_thick_as_the_radius((const float (*)[4])map);
+            probed_width = measured(map, 1);
             const int went = probe(&d, &frame, texture,
                                    "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel));"
                                    "o = vec4(ssgi_gather(texel, P, vec3(a.x, 0.0, a.y), vec2(0.0, 0.5)).all);");
@@ -1300,8 +1307,7 @@ static double fraction(double x) { return x - floor(x); }
 static void walks_by_vectors(void)
 {
     enum { SLICES = 2, STEPS = 5 };
-    static float map[MANY][4], seen[MANY][4], blocked[MANY];
-    static uint32_t packed[MANY];
+    static float map[MANY][4], blocked[MANY];
     static const float m[2][16] = { { 2, 0, 0, 0, 0, 2.5f, 0, 0, 0.1f, -0.05f, -1.02f, -1, 0, 0, -0.2f, 0 },
                                     { 0.3f, 0, 0, 0, 0, 0.25f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
     for (int k = 0; k < 8; ++k) {
@@ -1333,16 +1339,9 @@ static void walks_by_vectors(void)
             map[i][1] = x % 3 ? z + t_uniform(0.1f, 0.5f) : 0;
             map[i][2] = map[i][1] > 0 && y % 3 ? map[i][1] + t_uniform(0.1f, 1) : 0;
             map[i][3] = (float)(1 + (int)t_uniform(0, 62.9f));
-            uint32_t bits;
-            const float deep = map[i][0] < 1e17f ? map[i][0] : 2e18f;
-            memcpy(&bits, &deep, sizeof bits);
-            bits = (bits + 32) & ~63u;
-            packed[4 * (y / 2 * SIDE / 2 + x / 2) + 2 * (y & 1) + (x & 1)] = bits | (uint32_t)map[i][3];
-            memcpy(&seen[i][0], &bits, sizeof bits);       /* as pass thickness rounds it */
-            memcpy(&seen[i][1], &map[i][1], 3 * sizeof map[i][1]);
         }
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
-        probed_width = kit_texture(SIDE / 2, SIDE / 2, GL_RGBA32UI, (const float *)(const void *)packed);
+        if (d.gather.thickness > SSGI_GL_THICKNESS_SOLID) probed_width = measured(map, k & 1);
 #define WALK "float z = ssgi_depth(texel); vec2 xi = vec2(a.w, fract(7.0 * a.w)); " \
              "ssgi_sums s = ssgi_gather(texel, ssgi_position(vec2(texel) + 0.5, z), a.xyz, xi);"
         int went = probe(&d, &frame, texture, WALK "o = vec4(s.all);");
@@ -1356,7 +1355,6 @@ static void walks_by_vectors(void)
         glDeleteTextures(1, &probed_width);
         probed_width = 0;
         if (!went) return;
-        if (d.gather.thickness > SSGI_GL_THICKNESS_SOLID) memcpy(map, seen, sizeof map);
         int off = 0, many = 0, astray = 0;
         double bias = 0, mean = 0;
         for (int i = 0; i < MANY; ++i) {
