@@ -2493,7 +2493,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // The slack is a fiftieth of a texel, the rounding of the map's depth, and that of P.\n"
     "    float slack = 0.02 * width + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    slack += 2e-7 * abs(u_ssgi_decode.w); // the rounding of matrices that hold a far eye\n"
+    "    slack += 6e-8 * abs(u_ssgi_decode.w); // the rounding of matrices that hold a far eye\n"
     "#endif\n"
     "    contact = max(q.z - slack - z, 0.0) * ray;\n"
     "    return q.z - bias - slack > z ? 1.0 : 0.0;\n"
@@ -7341,13 +7341,20 @@ static int ssgi_gl__above(float x) { return ssgi_gl__within(&x, 1, SSGI_FAR) && 
 
 #define SSGI_GL__MATRIX(m) SSGI_GL__CHECK(ssgi_gl__within(m, 16, SSGI_FAR), #m ": must be finite")
 
-/* Composes two rigid world-to-view matrices: a after the inverse of b. */
+/* Composes two rigid world-to-view matrices: a after the inverse of b. The transpose of b would not do: its floats are
+   rounded, and a camera that stands far away multiplies by how far. */
 static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
 {
+    double inverse[9], volume = 0.0;
+    for (int i = 0; i < 9; ++i) { /* row i % 3 of column i / 3: the cofactor of the transposed element */
+        const int r = i % 3, c = i / 3, c1 = (r + 1) % 3 * 4, c2 = (r + 2) % 3 * 4, r1 = (c + 1) % 3, r2 = (c + 2) % 3;
+        inverse[i] = (double)b[c1 + r1] * (double)b[c2 + r2] - (double)b[c1 + r2] * (double)b[c2 + r1];
+    }
+    for (int k = 0; k < 3; ++k) volume += (double)b[k] * inverse[3 * k];
     memset(out, 0, 16 * sizeof *out);
     for (int c = 0; c < 3; ++c)
         for (int r = 0; r < 3; ++r)
-            for (int k = 0; k < 3; ++k) out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
+            for (int k = 0; k < 3; ++k) out[4 * c + r] += (double)a[4 * k + r] * inverse[3 * c + k] / volume;
     for (int r = 0; r < 3; ++r) {
         out[12 + r] = (double)a[12 + r];
         for (int c = 0; c < 3; ++c) out[12 + r] -= out[4 * c + r] * (double)b[12 + c];

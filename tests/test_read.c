@@ -180,8 +180,8 @@ static double depth_at(const ssgi_gl_frame *f, int orthographic, const float pla
                         : (double)plane[3] / (across - (double)plane[2]);
 }
 
-/* What a gather, or pass history, would have written of wall and card. */
-static GLuint result_of(const ssgi_gl_frame *f, const ssgi_gl_desc *d, const float of_card[4])
+/* What a gather, or pass history, would have written of wall and card; the eye is so far before them. */
+static GLuint result_of(const ssgi_gl_frame *f, const ssgi_gl_desc *d, const float of_card[4], double eye)
 {
     static float texel[4 * SIDE * SIDE];
     const int part = d->gather.half == SSGI_GL_HALF_QUARTER ? 4 : d->gather.half ? 2 : 1, side = SIDE / part,
@@ -190,15 +190,17 @@ static GLuint result_of(const ssgi_gl_frame *f, const ssgi_gl_desc *d, const flo
         const double x = part * (i % side) + 0.5, y = part * (i / side) + 0.5;
         const int card = inside_card(2 * x / SIDE - 1, 2 * y / SIDE - 1);
         texel[channels * i] = visibility[card];
-        texel[channels * i + 1] = (float)depth_at(f, d->input.orthographic, card ? of_card : planes[0], x, y);
+        texel[channels * i + 1] = (float)(depth_at(f, d->input.orthographic, card ? of_card : planes[0], x, y)
+                                          + eye - (double)f->decode[3]);
         for (int k = 2; k < channels; ++k) texel[channels * i + k] = 1;
     }
     return kit_texture(side, side, kept ? GL_RGBA32F : GL_RG32F, texel);
 }
 
-static int frame_of(ssgi_gl_frame *f, int orthographic)
+static int frame_of(ssgi_gl_frame *f, int orthographic, float eye)
 {
-    const float s = orthographic ? 0.4f : 1.5f, wide[16] = { s, 0, 0, 0, 0, s, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 },
+    const float s = orthographic ? 0.4f : 1.5f,
+                wide[16] = { s, 0, 0, 0, 0, s, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1 - 0.02f * eye, 1 },
                 deep[16] = { s, 0, 0, 0, 0, s, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2002f, 0 };
     ssgi_view view;
     const char *why = "";
@@ -236,17 +238,18 @@ static int resolved(float *out, GLuint samples)
 }
 
 /* Wall and card, multisampled: each by the functions (read), or as bright as the texture says. */
-static int edges(float *out, const ssgi_gl_desc *d, const ssgi_gl_frame *f, GLuint result, int read)
+static int edges(float *out, const ssgi_gl_desc *d, const ssgi_gl_frame *f, GLuint result, int read, double eye)
 {
     static const char card[] = "uniform vec2 corner[4];\n"
                                "void main() { gl_Position = vec4(corner[gl_VertexID], 0.0, 1.0); }\n";
     char main_[500];
     GLuint samples, block = block_of(f);
     snprintf(main_, sizeof main_, "uniform vec4 u_plane; uniform float u_is;\nvoid main() {\n"
-             "    vec2 ray = gl_FragCoord.xy * u_ssgi_unproject.xy + u_ssgi_unproject.zw;\n    float z = %s;\n"
+             "    vec2 ray = gl_FragCoord.xy * u_ssgi_unproject.xy + u_ssgi_unproject.zw;\n    float z = %s + %.1f;\n"
              "    float v = ssgi_visibility_at(gl_FragCoord.xy, z, u_plane.xyz);\n    o = vec4(%s);\n}\n",
              d->input.orthographic ? "(dot(ray, u_plane.xy) - u_plane.w) / u_plane.z"
-                                   : "u_plane.w / (dot(ray, u_plane.xy) - u_plane.z)", read ? "v" : "v * 1e-9 + u_is");
+                                   : "u_plane.w / (dot(ray, u_plane.xy) - u_plane.z)", eye,
+             read ? "v" : "v * 1e-9 + u_is");
     glGenTextures(1, &samples);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples);
     glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, SAMPLES, GL_RGBA32F, SIDE, SIDE, GL_TRUE);
@@ -269,13 +272,17 @@ static int edges(float *out, const ssgi_gl_desc *d, const ssgi_gl_frame *f, GLui
     return ok;
 }
 
-static const ssgi_gl_desc results[] = {
-    { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_FIRST },
-    { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_QUARTER },
-    { .pass = SSGI_GL_PASS_SSAO },
-    { .pass = SSGI_GL_PASS_HISTORY },
-    { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_FIRST, .input.orthographic = 1 },
-    { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }
+/* Results, and how far the eye stands before what is seen. */
+static const struct { ssgi_gl_desc desc; float eye; } results[] = {
+    { { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_FIRST }, 0 },
+    { { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_QUARTER }, 0 },
+    { { .pass = SSGI_GL_PASS_SSAO }, 0 },
+    { { .pass = SSGI_GL_PASS_HISTORY }, 0 },
+    { { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_FIRST, .input.orthographic = 1 }, 0 },
+    { { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }, 0 },
+    { { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_FIRST, .input.orthographic = 1 }, 1e5f },
+    { { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }, 1e5f },
+    { { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }, -20 }
 };
 
 static void on_edges(void)
@@ -283,21 +290,22 @@ static void on_edges(void)
     static float read[SIDE * SIDE], want[SIDE * SIDE];
     if (!glTexImage2DMultisample) return;
     for (size_t r = 0; r < sizeof results / sizeof *results; ++r) {
-        const ssgi_gl_desc *const d = &results[r];
+        const ssgi_gl_desc *const d = &results[r].desc;
+        const float eye = results[r].eye;
         ssgi_gl_frame f;
         double worst = 0, plain = 0;
-        if (!frame_of(&f, d->input.orthographic)) return;
-        GLuint result = result_of(&f, d, planes[1]);
-        if (!edges(read, d, &f, result, 1) || !edges(want, d, &f, result, 0)) return;
+        if (!frame_of(&f, d->input.orthographic, eye)) return;
+        GLuint result = result_of(&f, d, planes[1], (double)eye);
+        if (!edges(read, d, &f, result, 1, (double)eye) || !edges(want, d, &f, result, 0, (double)eye)) return;
         for (int i = 0; i < SIDE * SIDE; ++i) {
             const double x = 2 * (i % SIDE + 0.5) / SIDE - 1, y = 2 * (i / SIDE + 0.5) / SIDE - 1;
             worst = fmax(worst, fabs((double)read[i] - (double)want[i]));
             plain = fmax(plain, fabs((double)visibility[inside_card(x, y)] - (double)want[i]));
         }
-        CHECK(worst < 2e-3 && plain > 0.3, "%s, half %d, orthographic %d: off by %.4f; of one value a pixel by %.4f",
-              ssgi_gl_pass_name(d->pass), d->gather.half, d->input.orthographic, worst, plain);
-        t_note("%s, half %d, orthographic %d: off by %.4f; of one value a pixel by %.4f", ssgi_gl_pass_name(d->pass),
-               d->gather.half, d->input.orthographic, worst, plain);
+        CHECK(worst < 2e-3 && plain > 0.3, "%s, half %d, orthographic %d, eye %g: off by %.4f; of one value a pixel by "
+              "%.4f", ssgi_gl_pass_name(d->pass), d->gather.half, d->input.orthographic, (double)eye, worst, plain);
+        t_note("%s, half %d, orthographic %d, eye %g: off by %.4f; of one value a pixel by %.4f",
+               ssgi_gl_pass_name(d->pass), d->gather.half, d->input.orthographic, (double)eye, worst, plain);
         glDeleteTextures(1, &result);
     }
 }
@@ -310,18 +318,21 @@ static void on_panes(void)
     static float out[4 * SIDE * SIDE];
     const GLuint target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL);
     for (size_t r = 0; r < sizeof results / sizeof *results; ++r) {
-        const ssgi_gl_desc *const d = &results[r];
+        const ssgi_gl_desc *const d = &results[r].desc;
+        const float eye = results[r].eye;
         const int half = d->gather.half != 0;
         char main_[700];
         ssgi_gl_frame f;
         double got[AWAY] = { 0 }, beside = 0, steeply = 0;
-        if (!frame_of(&f, d->input.orthographic)) return;
+        if (!frame_of(&f, d->input.orthographic, eye)) return;
         snprintf(main_, sizeof main_, "uniform vec4 u_plane; uniform float u_away;\nvoid main() {\n"
                  "    vec2 place = gl_FragCoord.xy + vec2(0.375, -0.125);\n"
                  "    vec2 ray = place * u_ssgi_unproject.xy + u_ssgi_unproject.zw;\n    vec4 k = u_plane;\n"
-                 "    k.w += u_away;\n    float z = %s;\n    o = vec4(ssgi_visibility_at(place, z, u_plane.xyz));\n}\n",
-                 d->input.orthographic ? "(dot(ray, k.xy) - k.w) / k.z" : "k.w / (dot(ray, k.xy) - k.z)");
-        GLuint result = result_of(&f, d, planes[1]), other = result_of(&f, d, steep), block = block_of(&f);
+                 "    k.w += u_away;\n    float z = %s + %.1f;\n"
+                 "    o = vec4(ssgi_visibility_at(place, z, u_plane.xyz));\n}\n",
+                 d->input.orthographic ? "(dot(ray, k.xy) - k.w) / k.z" : "k.w / (dot(ray, k.xy) - k.z)", (double)eye);
+        GLuint result = result_of(&f, d, planes[1], (double)eye), other = result_of(&f, d, steep, (double)eye),
+               block = block_of(&f);
         const GLuint program = program_of(d, triangle, main_);
         if (!program) return;
         GLuint framebuffer = target_of(GL_TEXTURE_2D, target);

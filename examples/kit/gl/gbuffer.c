@@ -1,6 +1,7 @@
 /* gbuffer.c - the G-buffer: rasterised from a scene, or taken from a frame, and read back as one. Declared in
    kit_gl.h. */
 #include "kit/kit_gl.h"
+#include "kit/kit_trace.h"
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -147,11 +148,21 @@ static GLuint begin(const kit_gbuffer *g, GLuint program)
     float view[16], projection[16];
     GLuint framebuffer;
     kit_camera_matrices(&g->camera, view, projection);
+    memcpy(projection, g->projection, sizeof projection);
+    /* An orthographic eye that is far away would round depths: they are drawn from the near plane on. */
+    if (!(g->camera.fovy > 0) && g->camera.znear > g->camera.zfar - g->camera.znear) {
+        const double near = (double)g->camera.znear;
+        double axes[3][3], eye = near;
+        kit_camera_axes(&g->camera, axes);
+        for (int i = 0; i < 3; i++) eye -= axes[2][i] * (double)g->camera.eye[i];
+        view[14] = (float)eye;
+        projection[14] = (float)((double)projection[14] - (double)projection[10] * near);
+    }
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glUseProgram(program);
     glUniformMatrix4fv(glGetUniformLocation(program, "u_view"), 1, GL_FALSE, view);
-    glUniformMatrix4fv(glGetUniformLocation(program, "u_projection"), 1, GL_FALSE, g->projection);
+    glUniformMatrix4fv(glGetUniformLocation(program, "u_projection"), 1, GL_FALSE, projection);
     glUniform3fv(glGetUniformLocation(program, "u_eye"), 1, g->camera.eye);
     glUniform3fv(glGetUniformLocation(program, "u_target"), 1, g->camera.target);
     glUniform1f(glGetUniformLocation(program, "u_orthographic"), g->camera.fovy > 0 ? 0.0f : 1.0f);
@@ -404,6 +415,11 @@ static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
             farthest = z[i] > farthest ? z[i] : farthest;
         }
     if (farthest <= 0) { nearest = 1; farthest = 100; }
+    if (!(camera->fovy > 0) && !(camera->znear > 0)) {     /* close, so that ssgi counts depth from there */
+        const float spare = 1e-3f * nearest + 0.01f * (farthest - nearest);
+        camera->znear = nearest - spare;
+        if (!(camera->zfar > 0)) camera->zfar = farthest + spare;
+    }
     if (!(camera->znear > 0)) camera->znear = 0.5f * nearest;
     if (!(camera->zfar > 0))  camera->zfar  = 2.0f * farthest;
     if (!(camera->zfar > camera->znear)) camera->zfar = 2.0f * camera->znear;

@@ -90,9 +90,14 @@ static int extra_camera(kit_camera *c, int v, const float picture[16], const kit
                         kit_error *err)
 {
     const char *why = "";
-    float to[16], projection[16], displacement[3];
+    float to[16], projection[16], displacement[3], from[16];
+    memcpy(from, picture, sizeof from);
+    double depth = -(double)from[14];
+    for (int k = 0; k < 3; ++k) depth -= (double)from[4 * k + 2] * (double)about->centre[k];
+    if (!(c->fovy > 0) && depth > 8 * (double)about->radius)       /* From afar all of them would see the same. */
+        from[14] += (float)(depth - 3 * (double)about->radius);
     ssgi_extra_displacement(displacement, v);
-    if (ssgi_extra_camera(to, projection, picture, about->centre, about->radius, displacement, &why) != SSGI_OK)
+    if (ssgi_extra_camera(to, projection, from, about->centre, about->radius, displacement, &why) != SSGI_OK)
         return kit_fail(err, "extra camera: %s", why);
     for (int k = 0; k < 3; ++k) {
         c->eye[k] = -(to[4 * k] * to[12] + to[4 * k + 1] * to[13] + to[4 * k + 2] * to[14]);

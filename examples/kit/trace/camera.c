@@ -49,10 +49,11 @@ void kit_camera_view_ray(const kit_camera *camera, int x, int y, double o[3], do
 }
 
 /* The near plane lies a little before the bounds, but at a thousandth of the far plane at least: window depth must stay
-   usable. */
+   usable. Orthographic depth is even, and a far eye must not widen its range. */
 void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
 {
     double axes[3][3], nearest = 1e300, farthest = 0;
+    const int flat = !(camera->fovy > 0);
     kit_camera_axes(camera, axes);
     for (int corner = 0; mesh->triangles && corner < 8; ++corner) {
         double depth = 0;
@@ -63,6 +64,12 @@ void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
         farthest = fmax(farthest, depth);
     }
     if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;      /* nothing before the camera */
+    if (flat) {
+        const double spare = 0.01 * (farthest - fmin(fmax(nearest, 0), 0.9 * farthest));
+        if (!(camera->zfar > 0)) camera->zfar = (float)(fmax(farthest, (double)camera->znear) + spare);
+        if (!(camera->znear > 0)) camera->znear = (float)fmax(fmin(nearest, farthest) - spare, 1e-3 * farthest);
+        return;
+    }
     if (!(camera->zfar > 0)) camera->zfar = (float)fmax(farthest * 1.01, (double)camera->znear * 2);
     if (!(camera->znear > 0))
         camera->znear = (float)fmin(fmax(nearest * 0.99, (double)camera->zfar * 1e-3), (double)camera->zfar * 0.9);

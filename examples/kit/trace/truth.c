@@ -154,6 +154,14 @@ static int truth_primary(const kit_truth *job, int x, int y, kit_place *at)
     for (int i = 0; i < 3; ++i) d[i] = (double)direction[i];
     /* the planes cut as they do in the G-buffer */
     const double slant = -kit_dot(d, axes[2]);
+    if (!(job->camera.fovy > 0)) {             /* from the near plane on: a far eye would round the ray's place */
+        kit_camera_point(&job->camera, x, y, (double)job->camera.znear, origin);
+        if (!ssgi_trace_closest(&hit, &job->ambient.trace, origin, direction, 0,
+                                job->camera.zfar - job->camera.znear))
+            return 0;
+        kit_place_of(job->mesh, &hit, direction, at);
+        return 1;
+    }
     const float  first = (float)((double)job->camera.znear / slant);
     const float last = job->camera.depth == KIT_DEPTH_INFINITE && job->camera.fovy > 0
                            ? 1e30f

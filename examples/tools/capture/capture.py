@@ -29,16 +29,24 @@ def projection_of(a, aspect):
 
 def view_depth(m, clip):
     below = clip * m[11] - m[10]
-    along = (m[14] - clip * m[15]) / below if below else math.inf
-    depth = along * m[11] if m[11] else abs(along)
+    depth = m[11] * (m[14] - clip * m[15]) / below if below and m[11] else math.inf
     return depth if 0 < depth < 1e30 else 0                         # 0: nothing, or infinitely far
 
 def depths_of(values, m, a):
-    if a.linear: return [depth if 0 < depth < 1e9 else 0 for depth in values]
+    """Depths, and by how much they are more than in view space: those of an orthographic camera begin at the near plane
+    where the eye is behind that or far away, as a frame's depths are above 0 and floats."""
+    if a.linear: return [depth if 0 < depth < 1e9 else 0 for depth in values], 0
     clip_of = lambda depth: 2 * depth - 1 if a.gl and a.projection else depth
-    ends = [view_depth(m, clip_of(depth)) or math.inf for depth in (0, 1)]
-    cleared = ends.index(max(ends))
-    return [0 if depth == cleared else view_depth(m, clip_of(depth)) for depth in values]
+    if m[11]:
+        ends = [view_depth(m, clip_of(depth)) or math.inf for depth in (0, 1)]
+        cleared = ends.index(max(ends))
+        return [0 if depth == cleared else view_depth(m, clip_of(depth)) for depth in values], 0
+    ends = [(m[14] - clip_of(depth)) / m[10] for depth in (0, 1)]
+    if max(ends) <= 0: ends = [-depth for depth in ends]            # left-handed
+    near, deep, cleared = min(ends), max(ends) - min(ends), ends.index(max(ends))
+    more = 0 if 0 < near <= deep else 1e-3 * deep - near
+    along = lambda depth: ends[0] + depth * (ends[1] - ends[0]) + more
+    return [0 if depth == cleared or not 0 <= depth <= 1 else along(depth) for depth in values], more
 
 def turned(normals, view):
     """Of the world, each channel apart, to view space."""
@@ -90,7 +98,7 @@ try:
     if a.view and (len(a.view) != 16 or a.view[3::4] != [0, 0, 0, 1]):
         ask.error('--view: must be 16 numbers, the 4th, 8th and 12th 0, the 16th 1')
     if a.world and not (a.normals and a.view): ask.error('--world: needs --normals and --view')
-    z, normals = depths_of(values, m, a), None
+    (z, more), normals = depths_of(values, m, a), None
     if a.normals:
         path = a.normals
         *size, normals = read(a.normals, a, 3)
@@ -98,6 +106,7 @@ try:
         normals = turned(normals, a.view) if a.world else normals
     path = a.depth
     view = a.view or [float(i % 5 == 0) for i in range(16)]
+    view[14] -= more                                                # the eye that depths are counted from
     write_frame(a.frame, wide, high, z, normals, m, view, a.radius)
 except OSError as why: ask.error(str(why))
 except ValueError as why: ask.error(f'{path}: {why}')

@@ -28,6 +28,7 @@ static const char *const usage[3] = {
     "  --layer NAME          of a frame: the view layer, where there are several\n"
     "  --channel Z=NAME      of a frame: channel NAME of it is Z; N.X and the others likewise\n"
     "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  [0,1,0; Blender: 0,0,1]  --near N  --far F  --size WxH\n"
+    "                        planes: view depths; an orthographic near plane may lie behind the eye (below 0)\n"
     "  --fovy DEGREES | --ortho-height UNITS   the picture's height: an angle, vertical; units of the scene\n"
     "  --ground              a square under the mesh\n"
     "  --env F.exr | F.hdr | sky | probe | windows | street | white     radiance, latitude-longitude; lit methods\n"
@@ -184,6 +185,12 @@ static int take_radius(options *o, const char *name, const char *text, kit_error
     return 0;
 }
 
+static int take_near(options *o, const char *name, const char *text, kit_error *err)
+{
+    o->has_near = 1;
+    return number(name, text, -KIT_MOST, KIT_MOST, &o->znear, err);
+}
+
 /* One more of an option that may be repeated. */
 static int add(const char **list, int *count, int most, const char *name, const char *text, kit_error *err)
 {
@@ -256,7 +263,7 @@ static const option table[] = {
     { "--up", TAKEN, 0, 0, 0, take_up },
     { "--fovy", NUMBER, TO(fovy), 0.1, 179, NULL },
     { "--ortho-height", NUMBER, TO(ortho_height), 1e-12, KIT_MOST, NULL },
-    { "--near", NUMBER, TO(znear), 1e-12, KIT_MOST, NULL },
+    { "--near", TAKEN, 0, 0, 0, take_near },
     { "--far", NUMBER, TO(zfar), 1e-12, KIT_MOST, NULL },
     { "--plan", TAKEN, 0, 0, 0, take_plan },
     { "--radius", TAKEN, 0, 0, 0, take_radius },
@@ -330,8 +337,11 @@ static int check_source(const options *o, kit_error *err)
         return kit_fail(err, "--%s: is of a frame (--gbuffer)", o->layer ? "layer" : "channel");
     if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
     if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
-    if (o->znear > 0 && o->zfar > 0 && !(o->znear < o->zfar))
+    if (o->has_near && o->zfar > 0 && !(o->znear < o->zfar))
         return kit_fail(err, "--far %g: must be beyond --near %g", o->zfar, o->znear);
+    if (o->has_near && !(o->znear > 0) && !(o->ortho_height > 0 && o->scene))
+        return kit_fail(err, "--near %g: must be above 0: only a scene's orthographic camera (--ortho-height) sees "
+                             "what is behind its eye", o->znear);
     return 0;
 }
 

@@ -35,6 +35,14 @@ static void camera_of(kit_camera *c, const options *o)
     if (o->ortho_height > 0) { c->fovy = 0; c->ortho_height = (float)o->ortho_height; }
     if (o->znear > 0) c->znear = (float)o->znear;
     if (o->zfar > 0) c->zfar = (float)o->zfar;
+    if (o->has_near && !(o->znear > 0)) {      /* Frames have positive depths: the eye moves back, the picture stays. */
+        const double before = 1e-3 * fmax(o->zfar - o->znear, (double)c->ortho_height), by = before - o->znear;
+        float view[16], projection[16];
+        kit_camera_matrices(c, view, projection);
+        for (int i = 0; i < 3; ++i) c->eye[i] = (float)((double)c->eye[i] + by * (double)view[4 * i + 2]);
+        c->znear = (float)before;
+        if (o->zfar > 0) c->zfar = (float)(o->zfar + by);
+    }
     if (o->width) { c->width = o->width; c->height = o->height; }
 }
 

@@ -16,7 +16,7 @@ typedef struct options {
     double      turn, strength;            /* of env */
     double      orbit;                     /* degrees a frame */
     float       slide[3];                  /* a frame */
-    int         has_camera, has_up;
+    int         has_camera, has_up, has_near;
     float       camera[6], up[3];          /* eye, target */
     double      fovy, ortho_height, znear, zfar;       /* 0: not said */
     /* how */
