@@ -158,8 +158,8 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
 /* Makes an extra camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
-   radius * displacement and looks at centre. From far away all of these cameras would see the same: where the main camera
-   is orthographic, give a matrix whose eye is some 3 radii from the centre.
+   radius * displacement and looks at centre. From far away all of these cameras would see the same: where the main
+   camera is orthographic, give a matrix whose eye is some 3 radii from the centre.
      main_world_to_view  [limit: rigid: rotation and translation; z may be negated]
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
      displacement        [units: radii] along the main camera's axes: x right, y up, z toward the viewer
