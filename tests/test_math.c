@@ -53,10 +53,13 @@ static void matrix(float m[16], const layout *l, int i)
 
 static void views(void)
 {
-    const double n = 1, f = 100;
-    for (int i = 0; i < LAYOUTS; ++i) {
+    static const double eyes[] = { 0, 1e5, -1, -50 };     /* how much farther away orthographic eyes stand */
+    for (int e = 0; e < 4 * LAYOUTS; ++e) {
+        const int i = e / 4;
+        if (e % 4 && !layout_at(i, 1, 100).ortho) continue;
+        const double n = 1 + eyes[e % 4], f = 100 + eyes[e % 4];
         const layout l = layout_at(i, n, f);
-        const double depths[3] = { n, 0.5 * (n + f), 0.5 * f };
+        const double depths[3] = { n, 0.5 * (n + f), 0.51 * n + 0.49 * f };
         const float nothing[] = { l.reversed ? 0.0f : 1.0f, NAN, INFINITY, -INFINITY, -0.5f, -1e-30f, 1.5f };
         const char *why = "";
         float m[16];
@@ -73,7 +76,7 @@ static void views(void)
             const double a = fabs((double)view.depth[0]), b = fabs((double)view.depth[1] * (double)window);
             /* roundings of window depth and of the sum's terms: the layout's own cost */
             const double lost = 1.2e-7 * fmax(a, b), within = l.ortho ? lost : z * z * lost;
-            CHECK(fabs((double)ssgi_view_depth(&view, window) - z) <= 1e-6 * z + within, "%s: depth %.9g of %g", l.name,
+            CHECK(fabs((double)ssgi_view_depth(&view, window) - z) <= 1e-6 * fabs(z) + within, "%s: depth %.9g of %g", l.name,
                   (double)ssgi_view_depth(&view, window), z);
             if (l.reversed && !l.ortho && l.clip == SSGI_CLIP_ZERO)
                 CHECK(within <= 1e-6 * z, "%s: reversed depth loses %g", l.name, within);

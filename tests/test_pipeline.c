@@ -708,6 +708,70 @@ static void what_engines_have(void)
     kit_scene_free(&scene);
 }
 
+/* One orthographic depth buffer, whose eye is said to stand elsewhere: far away, at the near plane, beyond that. */
+static void orthographic_eyes(void)
+{
+    static const double eyes[] = { 100000, 0, -2, -4 };
+    static const char fetch[] = "uniform sampler2D my_depth;\nfloat ssgi_custom_depth(ivec2 texel, int layer) {\n"
+                                "    return %s(texelFetch(my_depth, texel, layer).x);\n}";
+    static const struct { const char *name, *decodes; int depth; } ways[] = {
+        { "window depth", NULL, SSGI_GL_DEPTH_WINDOW }, { "view depth", NULL, SSGI_GL_DEPTH_LINEAR },
+        { "window depth that is decoded", "ssgi_decode", SSGI_GL_DEPTH_CUSTOM },
+        { "view depth of one's own", "", SSGI_GL_DEPTH_CUSTOM } };
+    static float z[ENGINE], window[ENGINE];
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_run run = { 0 };
+    kit_image want, got, frame;
+    double worst = 0;
+    if (!TRY(kit_scene_load(&scene, "boxes", 0, &err))) return;
+    scene.camera.width = ENGINE_W;
+    scene.camera.height = ENGINE_H;
+    scene.camera.znear = scene.camera.zfar = 0;
+    scene.camera.fovy = 0;
+    scene.camera.ortho_height = 3.6f;
+    if (!TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err)) || !TRY(kit_gbuffer_read(&frame, &g, &err))
+        || !TRY(kit_texture_read(g.depth, ENGINE_W, ENGINE_H, 1, window))
+        || !start(&run, &g, "hsao-best", "steps=4,directions=2,blur=0,noise=texture", scene.radius)
+        || !picture(&want, &run, &g, NULL, NULL, scene.radius, 0, 0))
+        return;
+    for (int e = 0; e < (int)(sizeof eyes / sizeof *eyes); ++e)
+        for (int w = 0; w < (int)(sizeof ways / sizeof *ways); ++w) {
+            char text[sizeof fetch + 16];
+            float view[16];
+            kit_gbuffer other = g;
+            ssgi_gl_desc d = *gather_of(&run);
+            const double near = (double)g.camera.znear;
+            other.camera.znear = (float)eyes[e];
+            other.camera.zfar = (float)(eyes[e] + (double)g.camera.zfar - near);
+            kit_camera_matrices(&other.camera, view, other.projection);
+            for (int i = 0; i < ENGINE; ++i) {             /* frames begin with the top row, textures with the last */
+                const float deep = frame.data[(ENGINE_H - 1 - i / ENGINE_W) * ENGINE_W + i % ENGINE_W];
+                z[i] = deep > 0 ? (float)((double)deep - near + eyes[e]) : 1e18f;
+            }
+            d.input.depth = ways[w].depth;
+            if (ways[w].decodes) {
+                snprintf(text, sizeof text, fetch, ways[w].decodes);
+                d.text.fetch = text;
+            }
+            other.depth = w & 1 ? kit_texture(ENGINE_W, ENGINE_H, GL_R32F, z)
+                                : kit_texture(ENGINE_W, ENGINE_H, GL_DEPTH_COMPONENT32F, window);
+            const int drawn = otherwise(&got, &run, &other, d, scene.radius, 0);
+            glDeleteTextures(1, &other.depth);
+            if (!drawn) return;
+            const double off = difference(&want, &got, 0, 0, 0);
+            worst = fmax(worst, off);
+            CHECK(off < 0.006, "%s, near plane at %g: RMSE %.4f", ways[w].name, eyes[e], off);
+            kit_image_free(&got);
+        }
+    t_note("RMSE %.4f at most", worst);
+    kit_image_free(&want);
+    kit_image_free(&frame);
+    kit_run_close(&run);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
 /* ---- sizes, radii, garbage --------------------------------------------------------------------------------------- */
 
 /* How many pixels of any pass that writes visibility are not in [0,1], or not 1 where nothing holds no depth. A GPU's
@@ -1215,6 +1279,7 @@ void test_pipeline(void)
     RUN("back faces and slabs are what rays meet, and come back from a frame", back_faces_are_drawn);
     RUN("what engines have: left-handed, upside down, oblique, sampled, sliced, decoded by a text of one's own",
         what_engines_have);
+    RUN("an orthographic eye may stand anywhere, whichever way depth is given", orthographic_eyes);
     RUN("every size of picture gives sound values, and 1 where nothing is", sizes_do_not_matter);
     RUN("a tiny radius sees nothing, a huge one no nonsense", radii_do_not_matter);
     RUN("garbage in depth and normals stays within [0,1]", garbage_is_survived);

@@ -584,6 +584,186 @@ static void nothing_changes(int first, int last, int projections)
     kit_image_free(&l.env);
 }
 
+/* The same picture, however far an orthographic camera's eye stands from it. The kit places shadow maps and extra cameras
+   by depths, which a far eye rounds: those of a row with OWN_MAP or OWN_CAMERAS stay where they are. */
+enum { OVER_FRAMES = 1, IN_LINEAR = 2, OWN_MAP = 4, OWN_CAMERAS = 8 };
+static const struct { const char *method, *set; int how; } from_afar[] = {
+    { "hsao", "", 0 },
+    { "hsao", "", IN_LINEAR },
+    { "hsao", "thickness=slabs", 0 },
+    { "hsao", "history=1", OVER_FRAMES },
+    { "ssao", "", 0 },
+    { "hsao-march", "layers=2", 0 },
+    { "ssdo", "bounce=solid-angle,shadow_size=256", 0 },
+    { "ssdo", "bounce=none,history=1,shadows=segment", OVER_FRAMES },
+    { "ssdo", "bounce=none,shadows=map", OWN_MAP },
+    { "ssdo-points", "bounce=none,environment=map,views=2,view_layers=2,layers=2", OWN_CAMERAS },
+    { "s3ho", "lights=shadowed,shadow_size=256", 0 },
+    { "dss-lit", "size=0.06,shadow_size=256", 0 },
+    { "aof", "resolution=4,radii=4,rays=32", 0 } };
+
+/* The world to the view of a camera that looks from 10 units above, right and before at the origin; what it sees. */
+static int own_camera(kit_gbuffer *g, ssgi_view *view, float to[16], const kit_scene *scene, float right)
+{
+    float projection[16];
+    kit_camera c = scene->camera;
+    memcpy(c.eye, (float[3]) { right, 8, 6 }, sizeof c.eye);
+    memset(c.target, 0, sizeof c.target);
+    c.fovy = 0;
+    c.ortho_height = 8;
+    c.znear = c.zfar = 0;
+    c.width = c.height = 256;
+    c.depth = KIT_DEPTH_NORMAL;
+    if (!TRY(kit_gbuffer_from_scene(g, scene, &c, NULL, &err))
+        || !CHECK(ssgi_view_from_projection(view, g->projection, SSGI_CLIP_GL, 256, 256, NULL) == SSGI_OK, "no view"))
+        return 0;
+    kit_camera_matrices(&g->camera, to, projection);
+    return 1;
+}
+
+/* Gives a run a sun whose map is seen by that camera, or two of them as extra cameras. */
+static int own_sources(kit_run *run, const kit_scene *scene, const float main_view[16], int how, GLuint made[2])
+{
+    static float depth[4 * 256 * 256];                         /* layers behind the first show nothing */
+    float to[16];
+    ssgi_view view;
+    for (int i = 0; i < 4 * 256 * 256; ++i) depth[i] = 1;
+    for (int v = 0; v < (how & OWN_CAMERAS ? 2 : 1); ++v) {
+        kit_gbuffer g = { 0 };
+        if (!own_camera(&g, &view, to, scene, v ? -5 : 5)
+            || !TRY(kit_texture_read(g.depth, 256, 256, 1, depth + 2 * v * 256 * 256)))
+            return 0;
+        kit_gbuffer_free(&g);
+        if (how & OWN_CAMERAS) ssgi_gl_views_set(&run->cameras, v, &view, main_view, to, NULL);
+    }
+    if (how & OWN_CAMERAS) {
+        made[0] = run->view_depth = kit_texture_array(256, 256, 4, GL_DEPTH_COMPONENT32F, depth);
+    } else {
+        ssgi_gl_light sun = { .kind = SSGI_GL_LIGHT_SUN, .colour = { 2, 2, 2 } };
+        for (int i = 0; i < 3; ++i)                            /* +z of the camera, turned to the main view space */
+            for (int k = 0; k < 3; ++k) sun.at[i] += main_view[4 * k + i] * to[4 * k + 2];
+        ssgi_gl_light_map(&sun, &view, 0, 0, main_view, to, NULL);
+        made[0] = run->atlas = kit_texture(256, 256, GL_DEPTH_COMPONENT32F, depth);
+        made[1] = kit_texture(8, 1, GL_RGBA32F, &sun.at[0]);
+        for (int i = 0; i < run->passes; ++i)
+            if (run->pass[i].lights) run->pass[i].lights = made[1];
+        run->frame.lights = 1;
+    }
+    kit_run_update(run);
+    return 1;
+}
+
+static int seen_from(kit_image *out, int row, float away, const kit_lighting *l)
+{
+    static const float toward[3] = { 2, 3, 6 };                /* of length 7: floats hold the place of a far eye */
+    enum { FRAMES = 4 };
+    const int how = from_afar[row].how, frames = how & OVER_FRAMES ? FRAMES : 1;
+    kit_scene scene;
+    kit_gbuffer g[2] = { 0 };
+    kit_frames sequence = { 0 };
+    kit_method method;
+    GLuint made[2] = { 0 };
+    int good = TRY(kit_scene_load(&scene, "boxes", 0, &err)) && TRY(kit_method_find(&method, from_afar[row].method, &err))
+            && TRY(kit_method_set(&method, from_afar[row].set, &err));
+    if (!good) return 0;
+    const kit_world world = { &scene, l };
+    kit_camera c = scene.camera;
+    c.width = 160;
+    c.height = 96;
+    c.fovy = 0;
+    c.ortho_height = 3.6f;
+    for (int k = 0; k < frames && good; ++k) {
+        float view[16], projection[16];
+        for (int i = 0; i < 3; ++i) {
+            c.target[i] = floorf(128 * scene.camera.target[i]) / 128 + (i == 0 ? 0.03125f * (float)k : 0);
+            c.eye[i] = c.target[i] + away / 7 * toward[i];
+        }
+        c.znear = c.zfar = 0;
+        kit_gbuffer_free(&g[k & 1]);
+        good = TRY(kit_gbuffer_from_scene(&g[k & 1], &scene, &c, NULL, &err));
+        if (good && how & IN_LINEAR) {
+            kit_gbuffer window = g[k & 1];
+            kit_image frame = { 0 };
+            good = TRY(kit_gbuffer_read(&frame, &window, &err))
+                && TRY(kit_gbuffer_from_frame(&g[k & 1], &frame, &window.camera, &err));
+            kit_image_free(&frame);
+            kit_gbuffer_free(&window);
+        }
+        kit_camera_matrices(&c, view, projection);
+        good = good && TRY(kit_frames_next(&sequence, &g[k & 1], &method, scene.radius, &world, NULL, &err))
+            && (how < OWN_MAP || own_sources(sequence.now, &scene, view, how, made));
+        if (good) kit_run_draw(sequence.now, 0);
+    }
+    good = good && TRY(kit_run_read(out, sequence.now, &err));
+    kit_frames_close(&sequence);
+    glDeleteTextures(2, made);
+    for (int k = 0; k < 2; ++k) kit_gbuffer_free(&g[k]);
+    kit_scene_free(&scene);
+    return good;
+}
+
+static void eyes_stand_anywhere(void)
+{
+    kit_lighting l;
+    if (!lighten(&l, NULL, "point:1.5,2.2,2.5,4,3,2") || !TRY(kit_image_new(&l.env, 16, 8, "R,G,B", &err))) return;
+    for (int i = 0; i < 3 * 128; ++i) l.env.data[i] = 0.5f + (float)(i % 7) / 7 + (float)(i / 16 % 8) / 8;
+    for (int k = 0; k < COUNT(from_afar); ++k) {
+        kit_image near, far;
+        if (!seen_from(&near, k, 10.5f, &l) || !seen_from(&far, k, 100352, &l)) return;
+        const int channels = near.channels > 1 ? 3 : 1;
+        const size_t n = (size_t)(channels * near.width * near.height);
+        const double middle = channels > 1 ? mean(&near, "G") : 1;
+        double sum = 0;
+        for (size_t i = 0; i < n; ++i) sum += pow((double)near.data[i] - (double)far.data[i], 2);
+        const double off = sqrt(sum / (double)n) / middle;
+        CHECK(off <= 0.006, "%s %s%s: RMSE %.4f", from_afar[k].method, from_afar[k].set,
+              from_afar[k].how & IN_LINEAR ? " of view depth" : "", off);
+        t_note("%s %s%s: RMSE %.4f", from_afar[k].method, from_afar[k].set,
+               from_afar[k].how & IN_LINEAR ? " of view depth" : "", off);
+        kit_image_free(&near);
+        kit_image_free(&far);
+    }
+    kit_image_free(&l.env);
+}
+
+/* A strip of 720 rows through a telescope: its error is that of a common lens, as rounded depths are nothing to see. */
+static void lenses_do_not_matter(void)
+{
+    static const float lens[] = { 20, 1, 0.2f };
+    double share[COUNT(lens)];
+    for (int k = 0; k < COUNT(lens); ++k) {
+        kit_scene scene;
+        kit_gbuffer g;
+        kit_image truth, out;
+        kit_score score;
+        if (!TRY(kit_scene_load(&scene, "boxes", 0, &err))) return;
+        kit_camera *c = &scene.camera;
+        for (int i = 0; i < 3; ++i)
+            c->eye[i] = c->target[i] + (float[3]) { 2, 3, 6 }[i] / 7 * 1.8f / tanf(lens[k] * 0.00872664626f);
+        c->fovy = lens[k];
+        c->znear = c->zfar = 0;
+        c->width = 40;
+        c->height = 720;
+        const kit_world world = { &scene, NULL };
+        if (!TRY(kit_gbuffer_from_scene(&g, &scene, c, NULL, &err))
+            || !TRY(kit_truth_ao(&truth, &scene, &g.camera, scene.radius, KIT_ATTENUATION_LINEAR, 64, 1, &err))
+            || !TRY(kit_run_picture(&out, &g, &world, "hsao", "", scene.radius, &err))
+            || !TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err)))
+            return;
+        double none = 0;
+        for (int i = 0; i < 40 * 720; ++i) none += pow(1 - (double)truth.data[i], 2) / (40 * 720);
+        share[k] = score.rmse / sqrt(none);
+        kit_image_free(&truth);
+        kit_image_free(&out);
+        kit_gbuffer_free(&g);
+        kit_scene_free(&scene);
+    }
+    for (int k = 1; k < COUNT(lens); ++k)
+        CHECK(share[k] < 1.1 * share[0], "%g degrees: an error of %.3f of no AO's, of 20 degrees %.3f", (double)lens[k],
+              share[k], share[0]);
+    t_note("20, 1 and 0.2 degrees: errors of %.3f, %.3f, %.3f of no AO's", share[0], share[1], share[2]);
+}
+
 /* Whether three pixels in a row, i in the middle, show one plane. */
 static int on_a_plane(const kit_image *frame, long i, long step)
 {
@@ -726,6 +906,8 @@ void test_scenes(void)
         rooms_are_seen);
     RUN("depth layout, place in the textures and shift change no method's picture", layouts_do_not_matter);
     RUN("neither do units nor roll", units_do_not_matter);
+    RUN("nor does an orthographic eye that is far away", eyes_stand_anywhere);
+    RUN("nor does a narrow lens", lenses_do_not_matter);
     RUN("no pixel of the truth stands alone: built-in solids do not hover", no_pixel_stands_alone);
     RUN("pictures stand where they should in larger targets", targets_have_room);
     kit_gl_close();

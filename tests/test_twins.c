@@ -2188,7 +2188,7 @@ static void history_follows(void)
    less than a pixel and a 500th. With motion vectors of 0 fewer than four pixels are an edge's, not a change. */
 static void changes_are_counted(void)
 {
-    enum { TILES = SIDE / 8, LOW = TILES / 2 - 1, HIGH = TILES / 2 };
+    enum { TILES = SIDE / 8, LOW = TILES / 2 - 1, TALL = TILES / 2 };
     static float depth[MANY], last[MANY][4], still[MANY][2], got[TILES * TILES][4];
     const struct { int came, went, wide, high_, motion, moved; float by, depth; double low, high; } cases[] = {
         { 0, 0, 6, 6, 0, 0, 0, 9, 0, 0 },
@@ -2226,7 +2226,7 @@ static void changes_are_counted(void)
                              { "t_ssgi_history", kit_texture(SIDE, SIDE, GL_RGBA32F, last[0]) },
                              { "t_ssgi_motion", kit_texture(SIDE, SIDE, GL_RG32F, still[0]) } };
         if (!pass_drawn(got[0], 0, 4, TILES, TILES, &d, &frame, t, 2 + cases[k].motion)) return;
-        const float *low = got[LOW * TILES + LOW], *high = got[HIGH * TILES + HIGH], *away = got[0];
+        const float *low = got[LOW * TILES + LOW], *high = got[TALL * TILES + TALL], *away = got[0];
         CHECK(fabs((double)low[0] - cases[k].low) + fabs((double)high[0] - cases[k].high) + (double)away[0] < 1e-6
                   && fabsf(away[1] - 10) + fabsf(away[2] - 10) + fabsf(away[3] - 10) < 1e-3f
                   && (high[0] <= 0 || fabsf(high[1] - cases[k].depth) + fabsf(high[2] - cases[k].depth) < 1e-3f),
