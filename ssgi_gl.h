@@ -700,11 +700,11 @@ SSGI_DEF size_t ssgi_gl_reflection(char *out, size_t capacity);
 
 /* Writes the GLSL of fields for your own shaders, with its samplers:
      float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal);
-   This function returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, except those of
-   that object (0: none), in the space that ssgi_gl_occluder_set was given. ssgi_gl_field reads desc->cap_table, and
-   whether desc->dialect is VULKAN, which has another text. In GLES the text needs "precision highp float; precision
-   highp int;" before it, in VULKAN the extension GL_EXT_samplerless_texture_functions. It works like snprintf; a bad
-   desc returns 0. */
+   This function returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, or as many as it
+   has, except those of that object (0: none), in the space that ssgi_gl_occluder_set was given. ssgi_gl_field reads
+   desc->input.cap_table, and whether desc->text.dialect is VULKAN, which has another text. In GLES the text needs
+   "precision highp float; precision highp int;" before it, in VULKAN the extension
+   GL_EXT_samplerless_texture_functions. It works like snprintf; a bad desc returns 0. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 /* Writes the GLSL by which your own shaders read a result where they light a surface: in forward rendering, on edges of
@@ -969,7 +969,7 @@ typedef struct ssgi_gl_frame {
                              bounce */
     float max_slope;      /* [default: 20]  shadow maps: their bias grows with the slope, tan of light against normal,
                              up to this slope */
-    int32_t lights;       /* how many rows of t_ssgi_lights are read */
+    int32_t lights;       /* how many rows of t_ssgi_lights are read, at most as many as it has */
     float lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.gather.fade LAMBDA */
 
     /* ---- the world */
@@ -1083,7 +1083,7 @@ typedef struct ssgi_gl_light {
     float kind;         /* SSGI_GL_LIGHT_SUN .. */
     float colour[3];    /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: this along its normal */
     float min_distance; /* clamp of the distance in 1/d^2. SUN: how many of the following rows are the same sun, each
-                           with a wider map (desc.light.shadow MAP or FILL) */
+                           with a wider map (desc.light.shadow MAP or FILL) [limit: whole, 0 .. the rows that follow] */
     float normal[3];    /* VPL: unit normal; its intensity falls off by the cosine from this direction */
 
     /* ---- the shadow map: ssgi_gl_light_map */
@@ -2503,7 +2503,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Returns the irradiance of P by the lights of t_ssgi_lights, with shadows as desc.light.shadow says.\n"
     "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
     "    vec3 sum = vec3(0.0);\n"
-    "    for (int i = 0; i < u_ssgi_lights; ++i) {\n"
+    "    int lights = min(u_ssgi_lights, textureSize(t_ssgi_lights, 0).y); // A wrong count must not hang the GPU.\n"
+    "    for (int i = 0; i < lights; ++i) {\n"
     "        ssgi_light s = ssgi_light_at(i, P);\n"
     "        float cosine = dot(n, s.way), g = s.falloff * cosine;\n"
     "        if (cosine <= 0.0 || g <= 0.0) continue;\n"
@@ -2512,7 +2513,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_MAP || SSGI_SHADOW == SSGI_SHADOW_FILL\n"
     "        float contact, shadow = ssgi_shadow(i, P, n, s, cosine, contact);\n"
-    "        int wider = s.at.w < SSGI_SUN ? int(s.colour.w) : 0; // how many rows of this sun follow\n"
+    "        // How many rows of this sun follow. It is never less than 0, since that would visit rows again.\n"
+    "        int wider = s.at.w < SSGI_SUN ? clamp(int(s.colour.w), 0, lights) : 0;\n"
     "        if (contact < 0.0 && (wider > 0 || (s.at.w > SSGI_POINT && s.at.w < SSGI_SPOT))) continue;\n"
     "        i += wider;\n"
     "        if (shadow > 0.0) continue;\n"
@@ -2653,7 +2655,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    vec3 sum = ssgi_shade(v, n);\n"
     "#if SSGI_LIGHTS\n"
-    "    for (int i = 0; i < u_ssgi_lights; ++i)\n"
+    "    int lights = min(u_ssgi_lights, textureSize(t_ssgi_lights, 0).y);\n"
+    "    for (int i = 0; i < lights; ++i)\n"
     "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * SSGI_OVER_PI;\n"
     "#endif\n"
     "    return sum;\n"
@@ -3834,7 +3837,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Returns the ambient visibility that all occluders leave, but for those of the object itself.\n"
     "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 n) {\n"
     "    float visibility = 1.0;\n"
-    "    for (int i = 0; i < occluders; ++i) {\n"
+    "    int rows = min(occluders, textureSize(t_ssgi_occluders, 0).y);\n"
+    "    for (int i = 0; i < rows; ++i) {\n"
     "        vec4 sphere = texelFetch(t_ssgi_occluders, ivec2(0, i), 0), occluder[9];\n"
     "        if (!(distance(P, sphere.xyz) < sphere.w)) continue;\n"
     "        for (int k = 0; k < 9; ++k) occluder[k] = texelFetch(t_ssgi_occluders, ivec2(k + 1, i), 0);\n"
@@ -4314,7 +4318,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "main_smooth", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy), level = ssgi_level();\n"
-    "    int l = q.y / level.y, reach = (1 << l) >> 1;\n"
+    "    int l = clamp(q.y / level.y, 0, SSGI_LEVELS - 1), reach = (1 << l) >> 1;\n"
     "    ivec2 p = ssgi_gathered(q - ivec2(0, l * level.y));\n"
     "    float z = ssgi_inside(p) ? ssgi_depth(p) : SSGI_FAR;\n"
     "    if (z >= SSGI_FAR) discard;\n"
@@ -7518,6 +7522,13 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
     return SSGI_OK;
 }
 
+/* Whether as many rows follow a light as it says that its sun has wider maps. */
+static int ssgi_gl__maps_follow(const ssgi_gl_light *l, int rows)
+{
+    const float wider = l->min_distance;
+    return l->kind >= 0.5f || (wider >= 0.0f && wider <= (float)rows && (float)(int)wider == wider);
+}
+
 /* Returns the irradiance over pi of a surfel by a light of colour 1, without occlusion; the light's kind as >>light of
    the library tells it apart. */
 static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
@@ -7659,6 +7670,9 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
     for (int k = 0; k < light_count; ++k)
         SSGI_GL__CHECK(ssgi_gl__within((const float *)&lights[k], (int)(sizeof *lights / sizeof(float)), 1e30f),
                        "lights: must be finite");
+    for (int k = 0; k < light_count; ++k)
+        SSGI_GL__CHECK(ssgi_gl__maps_follow(&lights[k], light_count - 1 - k),
+                       "lights.min_distance: of a SUN must be a whole number, 0 or more, of rows that follow");
     for (size_t i = 0; i < count; ++i) {
         const double sent = ssgi_gl__sent_by(&surfels[i], lights, light_count, sky);
         most = sent > most ? sent : most;

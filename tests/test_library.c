@@ -191,6 +191,76 @@ static void names(void)
     }
 }
 
+/* Whether all lines of a text that set a name have one of two words, and there is a line. */
+static int set_by(const char *text, const char *name, const char *word, const char *other)
+{
+    char is[40], line[160];
+    int lines = 0;
+    snprintf(is, sizeof is, " %s = ", name);
+    for (const char *s = text; (s = strstr(s, is)) != NULL; ++s, ++lines) {
+        const char *from = s;
+        while (from > text && from[-1] != '\n') --from;
+        snprintf(line, sizeof line, "%.*s", (int)strcspn(from, "\n"), from);
+        if (!strstr(line, word) && !strstr(line, other)) return 0;
+    }
+    return lines > 0;
+}
+
+/* Whether no texture and no frame moves what a loop counts to: literals, constants, lengths of arrays; a name that is
+   clamped by a constant or by the rows of the texture; counts that are one of two constants, or that calls give. */
+static int bounded(const char *text, const char *bound)
+{
+    static const char *const constants[] = { "more", "layers", "count" };
+    bound += *bound == '-';
+    for (size_t k = 0; k < sizeof constants / sizeof *constants; ++k) if (!strcmp(bound, constants[k])) return 1;
+    return strcspn(bound, "abcdefghijklmnopqrstuvwxyz") == strlen(bound) || strstr(bound, ".c.length()")
+           || set_by(text, bound, ", SSGI_", ", textureSize(");
+}
+
+/* Returns the loop of a text that might not end whatever textures and the frame hold; NULL: all do. Loops count up by a
+   literal, or over the bits of an integer; what else moves the counter is clamped to 0 or more. */
+static const char *endless(const char *text)
+{
+    char i[16], from[24], test[80], step[16], of[16], less[3], bound[64], counted[2][40], by[16];
+    if (strstr(text, "while (") || strstr(text, "do {")) return text;
+    for (const char *s = text, *move; (s = strstr(s, "for (")) != NULL; ++s) {
+        if (sscanf(s, "for (int %15[a-z] = %23[^;]; %79[^;]; %15[^)]", i, from, test, step) != 4) return s;
+        snprintf(counted[0], sizeof counted[0], "++%s", i);
+        snprintf(counted[1], sizeof counted[1], "%s += 2", i);
+        if ((strcmp(step, counted[0]) && strcmp(step, counted[1])) || !bounded(text, from)) return s;
+        const int bits = sscanf(test, "%*[a-z] >> uint(%15[a-z]) %2[!=] 0u", of, less) == 2;
+        if (!bits && sscanf(test, "%15[a-z] %2[<=] %63[^& ]", of, less, bound) != 3) return s;
+        if (strcmp(of, i) || (!bits && (*less != '<' || !bounded(text, bound)))) return s;
+        snprintf(counted[0], sizeof counted[0], " %s ", i);
+        for (move = s + strlen("for (int i"); (move = strstr(move, counted[0])) != NULL; ++move) {
+            const char *const sign = move + strlen(counted[0]);
+            if (!strchr("+-*/", *sign) || sign[1] != '=' || move[-1] == ';') continue;
+            if (sscanf(sign, "+= %15[a-z];", by) != 1 || !set_by(text, by, "clamp(", "clamp(")) return move;
+        }
+    }
+    return NULL;
+}
+
+static void loops(void)
+{
+    int count = 0;
+    for (int i = 0; i < CODES; ++i) {
+        const char *const text = ssgi_gl__library[i].text, *const loop = endless(text);
+        CHECK(!loop, "%s: a loop might not end: clamp what it counts to, by a constant or the rows of its texture: %.*s",
+              ssgi_gl__library[i].name, loop ? (int)strcspn(loop, "\n") : 0, loop);
+        for (const char *s = text; (s = strstr(s, "for (")) != NULL; ++s) ++count;
+    }
+    static const char *const none[] = {
+        "for (int i = 0; i < u_ssgi_lights; ++i) {\n", "for (int i = 0; i < n; ++i) {\n", "while (x > 0) {\n",
+        "int n = u_ssgi_lights;\nfor (int i = 0; i < n; ++i) {\n", "for (int i = 3; i > 0; --i) {\n",
+        "for (int i = 0; i < 3; i += u_ssgi_lights) {\n", "for (int i = -u_ssgi_lights; i < 3; ++i) {\n",
+        "for (int i = 0; i < 3; ++i) {\n    i += int(x.w);\n", "int n = int(x.w);\nfor (int i = 0; i < 3; ++i) i += n;\n",
+        "int n = clamp(x, 0, 3);\nfor (int i = 0; i < 3; ++i) i -= n;\n"
+    };
+    for (size_t i = 0; i < sizeof none / sizeof *none; ++i) CHECK(endless(none[i]), "%s is taken", none[i]);
+    t_note("%d loops", count);
+}
+
 static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
 {
     memcpy((char *)d + c->offset, &value, sizeof value);
@@ -257,5 +327,6 @@ void test_library(void)
         reflection);
     RUN("tests stand in their repository, wherever they were started", at_home);
     RUN("every #if names fields of the desc and their values", conditions);
+    RUN("every loop ends, whatever textures and the frame hold", loops);
     RUN("every name in the library is a function before it or a row; none is out of reach", names);
 }

@@ -902,6 +902,10 @@ static void refusals(void)
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, 1, NULL, &why), "lights");
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, -1, NULL, &why), "light_count");
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, 0, black, &why), "sky");
+    for (int k = 0; k < 4; ++k) { /* of a sun, of which one row follows */
+        const ssgi_gl_light suns[2] = { { .min_distance = (const float[]){ -1, 0.5f, 2, 1e30f }[k] } };
+        REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, suns, 2, NULL, &why), "lights.min_distance");
+    }
     REFUSED(ssgi_gl_dipole_set(&o.frame, NULL, 1, &why), "frame, dipole");
     REFUSED(ssgi_gl_dipole_set(&o.frame, &fine, 0, &why), "unit");
     /* small capacity: what fits, and the whole count */
@@ -1933,7 +1937,7 @@ static void sent_by_one(void)
     } row[] = {
         { "a sun", { .at = { 0, 0.6f, 0.8f } }, 0.8, 0 },
         { "a sun behind", { .at = { 0, 0.6f, -0.8f } }, 0, 0 },
-        { "a sun of which a wider map follows", { .at = { 0, 0.6f, 0.8f }, .min_distance = 1 }, 0, 0 },
+        { "a sun with a wider map, in two rows", { .at = { 0, 0.6f, 0.8f }, .min_distance = 1 }, 0.8 / 2, 0 },
         { "a point", { .kind = SSGI_GL_LIGHT_POINT, .at = { SIDE } }, 0.8 / 25, 0 },
         { "a near point", { .kind = SSGI_GL_LIGHT_POINT, .at = { 1, 2, -4.9f }, .min_distance = 0.5f }, 4, 0 },
         { "a virtual point", { .kind = SSGI_GL_LIGHT_VPL, .at = { SIDE }, .normal = { 0, -1, 0 } }, 0.8 * 0.6 / 25, 0 },
@@ -1958,6 +1962,7 @@ static void sent_by_one(void)
         double sent = 0;
         memcpy(light[0].colour, colour, sizeof colour);
         memcpy(light[1].colour, colour, sizeof colour);
+        if (light[1].kind == SSGI_GL_LIGHT_SUN) light[1].min_distance = 0; /* no row follows */
         for (int c = 0; c < 3; ++c)
             sent = fmax(sent, (double)surfel.colour[c] * ((row[i].sky ? (double)sky[c] : 0)
                                                           + 2 * (double)colour[c] * row[i].facing / pi));

@@ -5,6 +5,7 @@
 #include "frames.h"
 #include "kit/kit_gl.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -1502,6 +1503,37 @@ static void shadow_bias(void)
     }
 }
 
+/* As many rows as the texture has, each a sun that its map shows. The first says how many of the others are the same sun
+   with wider maps; where that is no number of rows, it may be none or all, but no row is visited again. */
+static void rows_are_visited_once(void)
+{
+    static const struct { float wider; int lights; float sum, or_; } row[] = {
+        { 0, 3, 3, 3 },    { 1, 3, 2, 2 },   { 2, 3, 1, 1 },       { 3, 3, 1, 1 },         { -1, 3, 3, 3 },
+        { -9, 3, 3, 3 },   { 3e9f, 3, 3, 1 }, { -3e9f, 3, 3, 1 },  { INFINITY, 3, 3, 1 }, { NAN, 3, 3, 1 },
+        { 0, -5, 0, 0 },   { 0, INT_MAX, SIDE, SIDE } };
+    static float map[MANY][4];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_LIGHTS,
+                             .text.dialect = SSGI_GL_DIALECT_450,
+                             .light.shadow = SSGI_GL_SHADOW_MAP };
+    for (int i = 0; i < SIDE; ++i) {
+        const float light[8][4] = { { 0, 0, 1, SSGI_GL_LIGHT_SUN }, { 1, 1, 1, 0 }, { 0 }, { 1, 0, 0, 0 },
+                                    { 0, 1, 0, 0 },                 { 0, 0, -1, 0 }, { 0, 1, -1, 1 }, { 8, 32, 8, 1 } };
+        memcpy(map[SIDE * i], light, sizeof light);
+        map[SIDE * 32 + 8][0] = 1000;                    /* what the map shows is far behind the point */
+        memcpy(in[i], (float[4]){ 0.5f, 0.5f, -1, 0 }, sizeof in[i]);
+    }
+    for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
+        const ssgi_gl_frame frame = { .radius = 1, .max_slope = 20, .lights = row[k].lights };
+        map[1][3] = row[k].wider;
+        GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+        const int went = probe(&d, &frame, texture, "o = vec4(ssgi_lit(a.xyz, vec3(0.0, 0.0, 1.0), 0.0), 1.0);");
+        glDeleteTextures(1, &texture);
+        if (!went) return;
+        CHECK(out[0][0] == row[k].sum || out[0][0] == row[k].or_, "%g rows follow of %d lights: they sum up to %g, not %g",
+              (double)row[k].wider, row[k].lights, (double)out[0][0], (double)row[k].sum);
+    }
+}
+
 /* A point that the picture has in matter, and an extra camera before a wall at depth 2: it is open if it stands before
    that by more than two pixels there, which are 2/32 of its depth. */
 static void view_slack(void)
@@ -2495,6 +2527,8 @@ void test_twins(void)
         walks_by_vectors);
     RUN("before a shadow map's surface it is lit for as far as depths are rounded", shadow_slack);
     RUN("a shadow map's bias as in C, up to the largest slope", shadow_bias);
+    RUN("of lights each row is visited once, whatever a sun says of its maps and the frame of their number",
+        rows_are_visited_once);
     RUN("an extra camera knows what is open two pixels before its surfaces", view_slack);
     RUN("smooth averages 2^l pixels, whose ends share a weight", smooth_weights);
     RUN("the Gaussian filter has its radius' deviation", gaussian_weights);
