@@ -205,6 +205,10 @@ static void own_chain(void)
     CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --chain hsao,balanced,depth=LINEAR,lights=0 --300es --450 "
                  "own && test $(ls own | wc -l) = 13 && grep -q 'SSGI_STEPS = 6' own/*2-hsao.450.frag && "
                  "! grep -q ssgi_decode own/*.frag%s", t_root, ""), "%s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --chain ssdo,environment=SH,bounce=PATCH,search=POINTS,"
+                 "layers=8,views=4,view_layers=8,lights.layers=8,lights.views=4,lights.view_layers=8,vpls=1 --450 many && "
+                 "ls many/*.100-* && grep -q 'vpls=1\", \"dialect\": \"450\", \"about' many/manifest.json%s", t_root, ""),
+          "124 steps: %s", text);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
         snprintf(line, sizeof line, "'%s/build/glsl-text' --chain %s", t_root, wrong[i].chain);
         const int status = shell(text, sizeof text, "%s%s", line, "");
@@ -248,6 +252,7 @@ static void wasm(void)
         "    for (const c of m.chains) {\n"
         "        const steps = ssgi.steps({ ...c.chain, width: 1, height: 1 });\n"
         "        equal(steps.length, c.steps.length, c.name);\n"
+        "        equal(steps.length <= 32, true, `${c.name} does not fit into SSGI_GL_MAX_STEPS`);\n"
         "        for (const [i, step] of steps.entries()) {\n"
         "            const said = c.steps[i];\n"
         "            for (const [stage, file] of Object.entries(said.files))\n"
@@ -283,7 +288,19 @@ static void wasm(void)
         "throws(() => ssgi.text({ stpes: 1 }), /^Error: desc.stpes: there is no such field$/);\n"
         "throws(() => ssgi.frame(view, -1), /^Error: radius: /);\n"
         "throws(() => ssgi.view(id, 0, 1), /^Error: width: /);\n"
-        "throws(() => ssgi.preset({}, 'GOOD'), /^Error: preset: /);\n";
+        "throws(() => ssgi.preset({}, 'GOOD'), /^Error: preset: /);\n"
+        "const many = { search: 'POINTS', layers: 8, views: 4, view_layers: 8 };\n"
+        "const all = ssgi.steps({ desc: { pass: 'SSDO', bounce: 'PATCH', environment: 'SH', ...many }, blur: 1, vpls: 1,\n"
+        "                         lights: { pass: 'LIGHTS', ...many }, width: 64, height: 64 });\n"
+        "equal(all.length, 124);\n"
+        "equal(all.at(-1).outputs[0].result, 'BOUNCE');\n"
+        "const { calls, works } = await import(process.argv[3] + '/tests/web-hostile.mjs');\n"
+        "for (const [call, says] of calls({ load, Ssgi: ssgi.constructor }, ssgi)) {\n"
+        "    const e = await Promise.resolve().then(call).then(() => null, e => e);\n"
+        "    equal(e?.constructor === Error && (says.test ? says.test(e.message) : says === e.message), true,\n"
+        "          `${call}: ${e?.name}: ${e?.message}`);\n"
+        "}\n"
+        "equal(works(ssgi), true);\n";
     char text[4000], path[256], *bytes = NULL;
     size_t size = 0;
     if (!(has("clang") & has("wasm-ld") & has("node"))) return;
@@ -296,7 +313,7 @@ static void wasm(void)
     write_text("wasm.mjs", script);
     CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' others 330 && gcc -I. blocks.c -o blocks %s && "
                  "./blocks >frame.bin", t_root, "-lm"), "%s", text);
-    CHECK(!shell(text, sizeof text, "node wasm.mjs '%s/build/wasm'%s", t_root, ""), "%s", text);
+    CHECK(!shell(text, sizeof text, "node wasm.mjs '%s/build/wasm' '%s'", t_root, t_root), "%s", text);
 }
 
 /* What make install and make npm leave serves their tools. */

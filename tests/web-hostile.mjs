@@ -179,6 +179,9 @@ const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 const projection = [1.3, 0, 0, 0, 0, 2.4, 0, 0, 0, 0, -1.002, -1, 0, 0, -0.2002, 0];
 const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0];
 
+/* A list of 16 that iterates over more. */
+const endless = list => Object.assign(list, { length: 16, *[Symbol.iterator]() { yield* new Array(1e5).fill(1); } });
+
 export function calls({ load, Ssgi }, ssgi) {
     const nothing = identity.map(() => NaN), rgb = new Float32Array(3 * 8 * 4).fill(1), hsao = { pass: 'HSAO' };
     const view = ssgi.view(projection, 64, 48), frame = ssgi.frame(view, 0.5), trace = ssgi.trace(corners);
@@ -223,9 +226,11 @@ export function calls({ load, Ssgi }, ssgi) {
         [() => ssgi.history(frame, null, identity, identity), 'view: must be what view() gave'],
         [() => ssgi.history(frame, view, identity, [1]), 'lastWorldToView: must have 16 numbers, has 1'],
         [() => ssgi.history(frame, view, nothing, identity), /must be finite$/],
+        [() => ssgi.history(frame, view, endless([]), identity), 'worldToView: must be an array of numbers'],
         [() => ssgi.harmonics(frame), 'coefficients: must be an array of numbers'],
         [() => ssgi.harmonics(frame, [1, 2, 3], 4), 'coefficients: must have at least 48 numbers, has 3'],
         [() => ssgi.harmonics(frame, [1, 2, NaN], 1), 'coefficients: must be finite'],
+        [() => ssgi.harmonics(frame, { length: 2 ** 31 }, 4), 'coefficients: must be an array of numbers'],
         [() => ssgi.harmonics(frame, [1, 2, 3], NaN), 'bands: must be a whole number'],
         [() => ssgi.harmonics(frame, [1, 2, 3], -1), 'bands: must be 1..4'],
         [() => ssgi.harmonics(frame, [1, 2, 3], 1, nothing), 'worldToView: must be finite'],
@@ -238,6 +243,8 @@ export function calls({ load, Ssgi }, ssgi) {
         [() => ssgi.light({ kind: 'MOON', at: up, colour: up }), 'light.kind: must be one of SUN POINT SPOT VPL'],
         [() => ssgi.light({ kind: 'SUN', at: [0, 1], colour: up }), 'light.at: must have 3 numbers, has 2'],
         [() => ssgi.light({ kind: 'SUN', at: up, colour: [1, NaN, 1] }), 'light.colour: must be finite'],
+        ...[-1, 0.5, 2 ** 31, 3e9].map(min_distance => [() => ssgi.light({ kind: 'SUN', at: up, colour: up, min_distance }),
+            'light.min_distance: of a SUN must be a whole number of rows that follow, 0..16383']),
         [() => ssgi.light({ kind: 'SUN', at: up, colour: up }, { view, worldToView: identity }),
          'map.worldToLight: must be an array of numbers'],
         [() => ssgi.light({ kind: 'SUN', at: up, colour: up },
@@ -279,4 +286,5 @@ export function calls({ load, Ssgi }, ssgi) {
 /* What is right is still done after all that. */
 export const works = ssgi => ssgi.text({ pass: 'HSAO', half: true }).startsWith('#version')
     && ssgi.steps({ desc: { pass: 'HSAO' }, width: 64, height: 48, blur: 1, history: true }).length > 1
+    && ssgi.view(endless([...projection]), 64, 48).join() === ssgi.view(projection, 64, 48).join()
     && ssgi.trace(corners, [0, 1, 2]).closest([0.2, 0.2, 1], [0, 0, -1], 0, 10).t === 1;

@@ -5,7 +5,7 @@
 #include "kit/kit.h"
 #include "ssgi_gl.h"
 
-enum { MOST_STEPS = 64 };
+enum { MOST_STEPS = 128 }; /* With 8 layers and 4 extra cameras of 8 layers a chain has 127. */
 
 /* A chain by the name that build/render gives its method, as chain_parse reads it. */
 typedef struct chain_named { const char *name, *means, *about; } chain_named;

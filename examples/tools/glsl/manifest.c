@@ -217,7 +217,7 @@ static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSG
 void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *chain, const ssgi_gl_step *steps,
                     int count, const char *const (*files)[SSGI_GL_STAGES])
 {
-    char *line = NULL, key[160];
+    char *line = NULL, key[4096];                           /* names are as one writes them */
     const char *member;
     size_t size;
     int value;

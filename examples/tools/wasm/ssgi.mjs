@@ -24,6 +24,7 @@ const results = ['NONE', 'LIGHT', 'BOUNCE'], sizes = ['FULL', 'HALF', 'LEVELS', 
 const clips = ['GL', 'ZERO'], lamps = ['SUN', 'POINT', 'SPOT', 'VPL'];
 const floats = { float: 1, int: 1, vec2: 2, ivec2: 2, vec4: 4, mat3: 12, mat4: 16 };     /* in std140 */
 const memoryMost = 0x7fff0000;                                                  /* addresses are signed here */
+const rowsMost = 16384;                                                         /* of a texture */
 
 /* ---- what the library cannot see of an argument */
 
@@ -49,17 +50,13 @@ function object(name, value) {
         : fail(`${name}: must be an object`);
 }
 
-/* An array of numbers, plain or typed, of so many. */
-function numbers(name, list, least = 0, most = least || Infinity) {
-    if (typeof list !== 'object' || !Number.isInteger(list?.length) || typeof list[0] === 'bigint')
-        fail(`${name}: must be an array of numbers`);
-    if (list.length < least || list.length > most)
-        fail(`${name}: must have ${most > least ? 'at least ' : ''}${least} numbers, has ${list.length}`);
-    return list;
-}
-
-function finite(name, list) {
-    return Array.prototype.every.call(numbers(name, list), Number.isFinite) ? list : fail(`${name}: must be finite`);
+/* How many numbers there are in an array, plain or typed: so many, or at least so many. */
+function countOf(name, list, least = 0, most = least || Infinity) {
+    const { length } = typeof list === 'object' && list !== null ? list : {};
+    if (!Number.isInteger(length)) fail(`${name}: must be an array of numbers`);
+    if (length < least || length > most)
+        fail(`${name}: must have ${most > least ? 'at least ' : ''}${least} numbers, has ${length}`);
+    return length;
 }
 
 function opaque(name, value, length, from) {
@@ -181,9 +178,10 @@ export class Ssgi {
                 if (name === 'desc' || name === 'lights') this.#desc(value, at + places[name], `chain.${name}`);
                 else this.#setInt(at + places[name], int32(value) ?? fail(`chain.${name}: must be a whole number`));
             }
-            const why = this.#room(4), most = 32;       /* chains have fewer; once, since it takes a millisecond */
-            const steps = this.#room(most * size), n = this.#c.ssgi_gl_steps(steps, most, at, why);
+            const why = this.#room(4), n = this.#c.ssgi_gl_steps(0, 0, at, why);
             if (!n) fail(this.#string(this.#int(why)));
+            const steps = this.#room(n * size);
+            this.#c.ssgi_gl_steps(steps, n, at, why);
             return Array.from({ length: n }, (_, i) => this.#step(steps + i * size, step, { ...chain.lights,
                                                                                             ...chain.desc }));
         });
@@ -243,7 +241,7 @@ export class Ssgi {
     harmonics(frame, coefficients, bands, worldToView = null) {
         return this.#onFrame(frame, f => {
             const from = this.#coefficients(coefficients, bands);
-            const turn = worldToView === null ? 0 : this.#floats('worldToView', finite('worldToView', worldToView), 16);
+            const turn = worldToView === null ? 0 : this.#floats('worldToView', worldToView, 16, 16, true);
             this.#try(why => this.#c.ssgi_gl_harmonics_set(f, from, bands, turn, why));
         });
     }
@@ -254,7 +252,7 @@ export class Ssgi {
             for (const [name, value] of Object.entries(object('desc', desc))) {
                 if (!Object.hasOwn(places, name)) fail(`desc.${name}: there is no such member`);
                 if (/^(splits|keep_small|overhang)$/.test(name)) this.#setInt(d + places[name], whole(name, value));
-                else this.#setFloats(d + places[name], [number(name, value)]);
+                else this.#setFloats(d + places[name], [number(name, value)], 1, name);
             }
             const v = this.#view(view);
             this.#try(why => this.#c.ssgi_gl_surfels_set(f, v, d, 0, why));
@@ -266,11 +264,13 @@ export class Ssgi {
         return this.#scope(() => {
             const { kind, at, colour, min_distance = 0, normal = [0, 0, 0] } = object('light', light);
             const { ssgi_gl_light: places } = this.#of, l = this.#room(this.#at.ssgi_gl_light);
-            const put = (name, list) => this.#setFloats(l + places[name], finite(`light.${name}`, list));
-            for (const [name, list] of Object.entries({ at, colour, normal }))
-                put(name, numbers(`light.${name}`, list, 3, 3));
-            put('kind', [word('light.kind', kind, lamps)]);
-            put('min_distance', [number('light.min_distance', min_distance)]);
+            const put = (name, list, n) =>
+                this.#setFloats(l + places[name], list, countOf(`light.${name}`, list, n), `light.${name}`, true);
+            for (const [name, list] of Object.entries({ at, colour, normal })) put(name, list, 3);
+            put('kind', [word('light.kind', kind, lamps)], 1);
+            put('min_distance', [number('light.min_distance', min_distance)], 1);
+            if (kind === 'SUN' && !(Number.isInteger(min_distance) && min_distance >= 0 && min_distance < rowsMost))
+                fail(`light.min_distance: of a SUN must be a whole number of rows that follow, 0..${rowsMost - 1}`);
             if (map !== null) {
                 const { view, x = 0, y = 0, worldToView, worldToLight } = object('map', map), v = this.#view(view);
                 const left = whole('map.x', x), low = whole('map.y', y);
@@ -302,7 +302,7 @@ export class Ssgi {
     }
     residual(size, map, coefficients, bands) {
         return this.#made('size', size, at => {
-            this.#setFloats(at, numbers('map', map, 3 * size * size, 3 * size * size));
+            this.#setFloats(at, map, countOf('map', map, 3 * size * size), 'map');
             const from = this.#coefficients(coefficients, bands);
             this.#try(why => this.#c.ssgi_sh_residual(at, size, from, bands, 0, 0, why));
         });
@@ -352,13 +352,13 @@ export class Ssgi {
        takes is kept for as long as this Ssgi is. As in C, triangles and rays with a number that is not finite are
        never hit and hit nothing. */
     trace(position, index = null) {
-        const triangles = this.#triangles(position, index), size = this.#c.ssgi_trace_size(triangles) >>> 0;
+        const [triangles, places] = this.#counts(position, index), size = this.#c.ssgi_trace_size(triangles) >>> 0;
         const [trace, ray, hit] = this.#kept(() => {
             const all = [this.#at.ssgi_trace, 24, this.#at.ssgi_hit].map(n => this.#room(n));
             const memory = this.#room(size, 'position');
             this.#scope(() => {
-                const p = this.#floats('position', position);
-                const i = index ? this.#copy(new Uint8Array(Uint32Array.from(index).buffer)) : 0;
+                const p = this.#floats('position', position, places);
+                const i = index ? this.#corners(index, 3 * triangles, places / 3) : 0;
                 this.#try(why => this.#c.ssgi_trace_build(all[0], memory, size, p, 12, i, triangles, why));
             });
             return all;
@@ -391,18 +391,25 @@ export class Ssgi {
         };
     }
 
-    /* How many there are, of corners that are there. */
-    #triangles(position, index) {
-        const [of, what] = index === null ? [9, 'triangle'] : [3, 'vertex'];
-        const places = numbers('position', position).length;
+    /* Of triangles, and of numbers of positions. */
+    #counts(position, index) {
+        const [of, what] = index === null ? [9, 'triangle'] : [3, 'vertex'], places = countOf('position', position);
         if (!places || places % of) fail(`position: must have ${of} numbers a ${what}, has ${places}`);
-        if (index === null) return places / 9;
-        const corners = numbers('index', index).length, vertices = places / 3;
+        if (index === null) return [places / 9, places];
+        const corners = countOf('index', index);
         if (corners % 3) fail(`index: must have 3 numbers a triangle, has ${corners}`);
-        for (let i = 0; i < corners; ++i)
-            if (!(Number.isInteger(index[i]) && index[i] >= 0 && index[i] < vertices))
-                fail(`index[${i}]: must be a vertex, 0..${vertices - 1}, is ${String(index[i])}`);
-        return corners / 3;
+        return [corners / 3, places];
+    }
+    /* Corners of triangles that are there. */
+    #corners(index, n, vertices) {
+        const at = this.#room(4 * n, 'index'), to = new Uint32Array(this.#c.memory.buffer, at, n);
+        for (let i = 0; i < n; ++i) {
+            const vertex = index[i];
+            if (!(Number.isInteger(vertex) && vertex >= 0 && vertex < vertices))
+                fail(`index[${i}]: must be a vertex, 0..${vertices - 1}, is ${String(vertex)}`);
+            to[i] = vertex;
+        }
+        return at;
     }
 
     /* ---- memory: what a call needs is taken from #top on, and given back when its scope ends */
@@ -436,15 +443,26 @@ export class Ssgi {
         this.#bytes(at, bytes.byteLength).set(bytes);
         return at;
     }
-    #setFloats(at, list) { this.#bytes(at, 4 * list.length).set(new Uint8Array(Float32Array.from(list).buffer)); }
-    #floats(name, list, least, most) {
-        const at = this.#room(4 * numbers(name, list, least, most).length, name);
-        this.#setFloats(at, list);
+    /* The first n of a list, by their places: an iterator may give more than there is room for. */
+    #setFloats(at, list, n, name, finite = false) {
+        const to = new Float32Array(this.#c.memory.buffer, at, n);
+        for (let i = 0; i < n; ++i) {
+            const value = list[i];
+            to[i] = typeof value === 'number' ? value : fail(`${name}: must be an array of numbers`);
+            if (finite && !Number.isFinite(to[i])) fail(`${name}: must be finite`);
+        }
+    }
+    /* Of at least so many, those that are asked for. */
+    #floats(name, list, least, most, finite) {
+        const all = countOf(name, list, least, most), n = most === Infinity ? least : all;
+        const at = this.#room(4 * n, name);
+        this.#setFloats(at, list, n, name, finite);
         return at;
     }
     #view(view) { return this.#copy(opaque('view', view, this.#at.ssgi_view, 'view()')); }
     #coefficients(list, bands) {
-        return this.#floats('coefficients', finite('coefficients', list), 3 * whole('bands', bands) ** 2, Infinity);
+        countOf('coefficients', list);
+        return this.#floats('coefficients', list, 3 * whole('bands', bands) ** 2, Infinity, true);
     }
     #image(rgb, width, height) {                            /* the library says what is wrong with sides below 1 */
         const pixels = whole('width', width) > 0 && whole('height', height) > 0 ? width * height : 0;
