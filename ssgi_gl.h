@@ -853,7 +853,8 @@ typedef struct ssgi_gl_input {
     int last;                     /* 1: it is read as the last frame left it */
     const ssgi_gl_format *format; /* that of the steps' texture; NULL: it is yours, as ssgi_gl_io.format says */
     int width, height;            /* the size of the steps' texture, as this frame writes it where it is read as the
-                                     last one left it; of yours the least size that is needed */
+                                     last one left it; of yours the least size that is needed, 0 where that is not the
+                                     picture's */
 } ssgi_gl_input;
 
 /* ssgi_gl_output.result. A chain has one texture of LIGHT, or of BOUNCE, or both; with desc.filter.onto it has
@@ -907,8 +908,14 @@ typedef struct ssgi_gl_step {
     float clear_to;
 } ssgi_gl_step;
 
+/* Room for the steps of a chain of one camera (desc.gather.views 0) and one layer of depth (desc.gather.layers up to
+   1), and for the textures that they write, whatever else it has: for what presets, ssgi_gl_plan and the methods of
+   build/render draw. Other chains may have more than a hundred steps: ssgi_gl_steps(NULL, 0, ..) tells how many. */
+#define SSGI_GL_MAX_STEPS 32
+
 /* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0.
-   A bad chain returns 0, and why says the reason. With desc.filter.onto the last step draws onto your picture.
+   Where that is more than `capacity`, the rest is not written: read no step from there on. A bad chain returns 0, and
+   why says the reason. With desc.filter.onto the last step draws onto your picture.
 
    Clear the steps' textures to 0 when you make them. Where the picture's size changes, ask for the steps again; the
    texts stay, since none depends on the size. Textures of the greatest size stay, too, and the picture takes a part of
@@ -6719,6 +6726,15 @@ static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
     "shadow", "occluders", "fields", "objects", "motion",      "ambient",    "cap"
 };
 
+/* Those that are as large as the picture, a bit each by meaning. */
+enum {
+    SSGI_GL__OF_PICTURE = 1 << SSGI_GL_YOUR_DEPTH | 1 << SSGI_GL_YOUR_LAYERS | 1 << SSGI_GL_YOUR_BACK
+                        | 1 << SSGI_GL_YOUR_NORMAL | 1 << SSGI_GL_YOUR_ALBEDO | 1 << SSGI_GL_YOUR_DIRECT
+                        | 1 << SSGI_GL_YOUR_OBJECTS | 1 << SSGI_GL_YOUR_MOTION | 1 << SSGI_GL_YOUR_AMBIENT
+};
+
+enum { SSGI_GL__FRAME_VPLS = 9 }; /* ssgi_gl_step.frame: yours, with virtual point lights as lights */
+
 /* A chain whose steps are being added. */
 typedef struct ssgi_gl__build {
     const ssgi_gl_chain *chain;
@@ -6835,7 +6851,7 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
         in->meaning = m;
         if (d->light.receiver && m == SSGI_GL_YOUR_NORMAL) in->meaning = SSGI_GL_YOUR_LAYER_NORMALS;
         if (d->light.receiver && m == SSGI_GL_YOUR_ALBEDO) in->meaning = SSGI_GL_YOUR_LAYER_ALBEDOS;
-        if (m != SSGI_GL_YOUR_VIEWS && m <= SSGI_GL_YOUR_ALBEDO && !s->frame) {
+        if (SSGI_GL__OF_PICTURE >> m & 1 && (!s->frame || s->frame == SSGI_GL__FRAME_VPLS)) {
             in->width = b->chain->width;
             in->height = b->chain->height;
         }
@@ -7055,7 +7071,7 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b)
         ssgi_gl__add(b, &d, SSGI_GL_PASS_SSDO, 0);
         b->bounce = ssgi_gl__filter(b, &d, "bounce");
     }
-    if (chain->vpls) b->bounce = ssgi_gl__light(b, &chain->lights, b->bounce, 9);
+    if (chain->vpls) b->bounce = ssgi_gl__light(b, &chain->lights, b->bounce, SSGI_GL__FRAME_VPLS);
 }
 
 /* Whether the chain ends with bent normals instead of light. */
@@ -7273,7 +7289,8 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
     for (int i = 0; i < b.count && i < b.capacity; ++i)
         for (int k = 0; k < steps[i].outputs; ++k) {
             ssgi_gl_output *const out = &steps[i].output[k];
-            out->result = out->texture == b.light                   ? SSGI_GL_RESULT_LIGHT
+            out->result = b.picture                                 ? SSGI_GL_RESULT_NONE
+                        : out->texture == b.light                   ? SSGI_GL_RESULT_LIGHT
                         : out->texture == b.bounce && b.bounce >= 0 ? SSGI_GL_RESULT_BOUNCE
                                                                     : SSGI_GL_RESULT_NONE;
             for (int m = 0; m < b.count && m < b.capacity; ++m)

@@ -55,17 +55,19 @@ static GLuint target(GLenum attachment, GLenum internal, GLenum format, GLenum t
     return t;
 }
 /* ==== ssgi: ambient visibility is what the framebuffer holds that is bound last =================================== */
-static void draw(const ssgi_gl_chain *chain, const ssgi_gl_frame *frame, const GLuint yours[SSGI_GL_YOURS])
+static int draw(const ssgi_gl_chain *chain, const ssgi_gl_frame *frame, const GLuint yours[SSGI_GL_YOURS])
 {
     static char text[2][32768];
-    ssgi_gl_step step[8], *s = step;
-    GLuint made[16], name, p;
+    ssgi_gl_step step[SSGI_GL_MAX_STEPS], *s = step;
+    GLuint made[SSGI_GL_MAX_STEPS], name, p;
+    const char *why = "the chain has more steps than SSGI_GL_MAX_STEPS";
+    const int count = ssgi_gl_steps(step, SSGI_GL_MAX_STEPS, chain, &why);
+    if (count < 1 || count > SSGI_GL_MAX_STEPS) return puts(why), 0;
     glGenBuffers(1, &name), glBindBufferBase(GL_UNIFORM_BUFFER, 0, name);
     glBufferData(GL_UNIFORM_BUFFER, sizeof *frame, frame, GL_DYNAMIC_DRAW);
-    for (int k, count = ssgi_gl_steps(step, 8, chain, NULL); s < step + count; ++s) {
-        for (k = 0; k < 2; ++k) ssgi_gl_emit(text[k], sizeof text[k], &s->desc, k);
-        p = program(text[0], text[1]);
-        glUniformBlockBinding(p, glGetUniformBlockIndex(p, "ssgi_frame"), 0);
+    for (; s < step + count; ++s) {
+        for (int k = 0; k < 2; ++k) ssgi_gl_emit(text[k], sizeof text[k], &s->desc, k);
+        p = program(text[0], text[1]), glUniformBlockBinding(p, glGetUniformBlockIndex(p, "ssgi_frame"), 0);
         glGenFramebuffers(1, &name), glBindFramebuffer(GL_FRAMEBUFFER, name);
         for (const ssgi_gl_output *o = s->output; o < s->output + s->outputs; ++o)
             made[o->texture] = target(GL_COLOR_ATTACHMENT0 + (GLenum)(o - s->output), o->format->internal,
@@ -75,9 +77,9 @@ static void draw(const ssgi_gl_chain *chain, const ssgi_gl_frame *frame, const G
             glActiveTexture(GL_TEXTURE0 + (GLenum)in->unit);
             glBindTexture(in->target, in->texture < 0 ? yours[in->meaning] : made[in->texture]);
         }
-        glViewport(0, 0, s->width, s->height);
-        glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances);
+        glViewport(0, 0, s->width, s->height), glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances);
     }
+    return 1;
 }
 /* ================================================================================================================== */
 int main(void)
@@ -98,7 +100,7 @@ int main(void)
     ssgi_gl_preset(&chain.desc, SSGI_GL_PRESET_BALANCED, NULL);
     ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, W, H, NULL);
     ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);                           /* radius: 0.5 units of the scene */
-    draw(&chain, &frame, yours);
+    if (!draw(&chain, &frame, yours)) return 1;
     glReadPixels(0, 0, W, H, GL_RED, GL_UNSIGNED_BYTE, pixels);
     FILE *file = fopen("ao.pgm", "wb");
     if (!file) return perror("ao.pgm"), 1;

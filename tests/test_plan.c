@@ -291,6 +291,9 @@ static void drawable(void)
                       && (!s3ho || (desc.light.restore == SSGI_GL_RESTORE_RATIO && desc.light.bands == p.bands)),
                   "choice %d: shaded %d, residual %d, restore %d, %d bands", i, desc.light.shaded, desc.light.residual,
                   desc.light.restore, desc.light.bands);
+            const ssgi_gl_chain chain = { .desc = desc, .blur = 1, .history = p.history, .width = 64, .height = 64 };
+            const int steps = ssgi_gl_steps(NULL, 0, &chain, &why);
+            CHECK(steps > 0 && steps <= SSGI_GL_MAX_STEPS, "choice %d has %d steps: %s", i, steps, why);
             CHECK(!kit_plan_method(&m, &p, s.wanted, &err), "choice %d: %s", i, err.text);
             CHECK((p.method == SSGI_PLAN_METHOD_FIELD || m.set.steps == p.steps) && desc.surfel.span == m.set.span,
                   "choice %d: %d steps, span %d", i, m.set.steps, m.set.span);

@@ -756,14 +756,37 @@ static void results(void)
                       .filter.onto = SSGI_GL_ONTO_AMBIENT },
             .width = 8,
             .height = 8 } },
+        { "o_ssgi_light", /* of virtual point lights, added to the bounce */
+          6,
+          { .desc = { .pass = SSGI_GL_PASS_SSDO,
+                      .light.environment = SSGI_GL_ENVIRONMENT_MAP,
+                      .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
+            .lights = { .pass = SSGI_GL_PASS_LIGHTS },
+            .width = 8,
+            .height = 8,
+            .vpls = 1,
+            .direct = 1 } },
         { "o_ssgi_picture",
           10,
           { .desc = { .pass = SSGI_GL_PASS_SPLAT,
                       .surfel.span = 4,
                       .surfel.levels = 2,
-                      .filter.onto = SSGI_GL_ONTO_MULTIPLY },
+                      .filter.onto = SSGI_GL_ONTO_AMBIENT },
             .width = 8,
             .height = 8 } },
+        { "o_ssgi_ao",
+          1,
+          { .desc = { .pass = SSGI_GL_PASS_FIELD, .input.objects = SSGI_GL_OBJECTS_TEXTURE }, .width = 8, .height = 8 } },
+        { "o_ssgi_ao",
+          1,
+          { .desc = { .pass = SSGI_GL_PASS_SSAO, .gather.layers = 2 }, .width = 8, .height = 8 } },
+        { "o_ssgi_ao",
+          5,
+          { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.thickness = SSGI_GL_THICKNESS_SLABS, .input.motion = 1 },
+            .width = 8,
+            .height = 8,
+            .blur = 1,
+            .history = 1 } },
     };
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
         ssgi_gl_step step[STEPS];
@@ -772,18 +795,75 @@ static void results(void)
         if (!CHECK(n == row[i].steps, "%d: %d steps: %s", i, n, why)) continue;
         const ssgi_gl_output *last = step[n - 1].output;
         CHECK(!strcmp(last->name, row[i].output) && picture == (last->texture < 0)
-                  && (picture || last->result == SSGI_GL_RESULT_LIGHT),
+                  && last->result == (picture ? SSGI_GL_RESULT_NONE
+                                      : row[i].chain.vpls ? SSGI_GL_RESULT_BOUNCE : SSGI_GL_RESULT_LIGHT),
               "%d: the last step writes %s, result %d, texture %d", i, last->name, last->result, last->texture);
         for (int k = 0; k < n - 1; ++k)
             for (int o = 0; o < step[k].outputs; ++o)
-                CHECK(step[k].output[o].texture >= 0, "%d: step %d draws onto the picture", i, k);
+                CHECK(step[k].output[o].texture >= 0 && (!picture || !step[k].output[o].result),
+                      "%d: step %d writes texture %d, result %d", i, k, step[k].output[o].texture,
+                      step[k].output[o].result);
         CHECK(!picture || last->texture == -1, "%d: the picture is texture %d", i, last->texture);
         for (int k = 0; k < n; ++k)
-            for (int m = 0; m < step[k].inputs; ++m)
-                CHECK(step[k].input[m].texture >= 0
-                          || (step[k].input[m].texture == -1 && step[k].input[m].meaning >= 0),
-                      "%d: step %d reads texture %d", i, k, step[k].input[m].texture);
+            for (int m = 0; m < step[k].inputs; ++m) {
+                static const char others[] = "t_ssgi_environment t_ssgi_irradiance t_ssgi_lights t_ssgi_occluders "
+                                             "t_ssgi_fields"; /* of any size */
+                const ssgi_gl_input *in = &step[k].input[m];
+                const int size = strstr(others, in->name) ? 0 : 8;
+                CHECK(in->texture >= 0 || (in->texture == -1 && in->meaning >= 0), "%d: step %d reads texture %d", i, k,
+                      in->texture);
+                CHECK(in->texture >= 0 || (in->width == size && in->height == size), "%d: step %d, %s: %dx%d", i, k,
+                      in->name, in->width, in->height);
+            }
     }
+}
+
+/* Of one camera and one layer of depth: every part of a chain there and not, in each preset. */
+static void room_for_steps(void)
+{
+    enum { ENVIRONMENT = 1, BOUNCE = 2, LIGHTS = 4, HISTORY = 8, ONTO = 16, A = 32, B = 64, C = 128, ALL = 256 };
+    static const struct { ssgi_gl_pass pass; int parts, effects; } row[] = {
+        { SSGI_GL_PASS_SSAO, HISTORY | ONTO, 1 }, { SSGI_GL_PASS_HSAO, HISTORY | ONTO, 1 },
+        { SSGI_GL_PASS_SSDO, ALL - 1, 1 },        { SSGI_GL_PASS_S3HO, ALL - 1 - ENVIRONMENT, 1 },
+        { SSGI_GL_PASS_FIELD, ONTO, 1 },          { SSGI_GL_PASS_SPLAT, ALL - 1 - C, SSGI_GL_EFFECT_SPECULAR } };
+    static ssgi_gl_step step[STEPS];
+    int most = 0, textures = 0, chains = 0;
+    for (size_t i = 0; i < sizeof row / sizeof *row; ++i)
+        for (int way = 0; way < 3 * row[i].effects * ALL; ++way) {
+            const int has = way % ALL, effect = way / ALL % row[i].effects, ssdo = row[i].pass == SSGI_GL_PASS_SSDO;
+            if (has & ~row[i].parts) continue;
+            ssgi_gl_chain c = { .desc = { .pass = row[i].pass,
+                                          .gather.thickness = SSGI_GL_THICKNESS_SLABS,
+                                          .light.environment = has & ENVIRONMENT ? SSGI_GL_ENVIRONMENT_MAP : 0,
+                                          .light.bounce = has & BOUNCE ? SSGI_GL_BOUNCE_SOLID_ANGLE : 0,
+                                          .light.transfer = has & BOUNCE ? SSGI_GL_TRANSFER_BOTH : 0,
+                                          .light.packed = (has & BOUNCE) != 0,
+                                          .light.shaded = (has & B) != 0,
+                                          .surfel.effect = effect,
+                                          .surfel.span = has & B ? 6 : 0,
+                                          .filter.onto = has & ONTO ? SSGI_GL_ONTO_MULTIPLY : 0 },
+                                .lights = { .pass = has & LIGHTS ? SSGI_GL_PASS_LIGHTS : SSGI_GL_PASS_SSAO },
+                                .width = 8,
+                                .height = 8,
+                                .blur = 1,
+                                .history = (has & HISTORY) != 0,
+                                .coefficients = (has & A) != 0,
+                                .vpls = ssdo && has & A,
+                                .direct = ssdo && has & B,
+                                .reuse = ssdo && has & C,
+                                .surfels = (has & A) != 0 };
+            ssgi_gl_preset(&c.desc, way / ALL / row[i].effects, NULL);
+            const int n = ssgi_gl_steps(step, STEPS, &c, NULL);
+            chains += n > 0;
+            most = n > most ? n : most;
+            for (int k = 0; k < n && k < STEPS; ++k)
+                for (int o = 0; o < step[k].outputs; ++o)
+                    if (step[k].output[o].texture >= textures) textures = step[k].output[o].texture + 1;
+        }
+    CHECK(most == 22 && textures <= SSGI_GL_MAX_STEPS, "%d steps and %d textures at most, not 22 and %d", most, textures,
+          SSGI_GL_MAX_STEPS);
+    CHECK(chains > 500, "only %d chains", chains);
+    t_note("%d chains, of up to %d steps and %d textures", chains, most, textures);
 }
 
 /* ---- >>chains by chance ------------------------------------------------------------------------------------------ */
@@ -895,6 +975,7 @@ void test_steps(void)
             RUN("two eyes as layers have histories of their own, in parts of textures as in textures made anew", eyes);
             RUN("formats of targets are those that rows name", formats);
             RUN("every chain ends with its result, or on the picture", results);
+            RUN("every chain of one camera and one layer has steps and textures for which there is room", room_for_steps);
             RUN("chains by chance are refused, or draw without an error", random_chains);
         }
         kit_fields_free();

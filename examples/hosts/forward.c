@@ -38,9 +38,10 @@ static const char lit[] =
 static const char board[] = "out vec4 picture; void main() { picture = vec4(0.2, 0.05, 0.05, 1); }\n";
 
 /* ==== ssgi ======================================================================================================== */
-static ssgi_gl_step step[4];
+enum { MOST = SSGI_GL_MAX_STEPS };
+static ssgi_gl_step step[MOST];
 static int steps;
-static GLuint gather[4], framebuffer[4], texture[4], block;
+static GLuint gather[MOST], framebuffer[MOST], texture[MOST], block;
 
 /* Asks for the steps without the filter, makes their textures; writes the functions that read the result. */
 static const char *occlusion(char *functions, size_t size, int width, int height)
@@ -50,8 +51,9 @@ static const char *occlusion(char *functions, size_t size, int width, int height
     ssgi_gl_chain chain = { .desc = desc, .width = width, .height = height };
     const char *why = "";
     if (ssgi_gl_preset(&chain.desc, SSGI_GL_PRESET_BALANCED, &why)) return why;
-    if (!(steps = ssgi_gl_steps(step, 4, &chain, &why))) return why;
-    glGenBuffers(1, &block), glGenTextures(4, texture), glGenFramebuffers(4, framebuffer);
+    if (!(steps = ssgi_gl_steps(step, MOST, &chain, &why))) return why;
+    if (steps > MOST) return "the chain has more steps than SSGI_GL_MAX_STEPS";
+    glGenBuffers(1, &block), glGenTextures(MOST, texture), glGenFramebuffers(MOST, framebuffer);
     for (int i = 0; i < steps; ++i) {
         const ssgi_gl_output *to = step[i].output;
         glBindTexture(GL_TEXTURE_2D, texture[to->texture]);

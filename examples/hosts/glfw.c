@@ -13,9 +13,10 @@
 #include "../../ssgi_gl.h"
 
 /* ==== ssgi ======================================================================================================== */
-static ssgi_gl_step step[8];
+enum { MOST = SSGI_GL_MAX_STEPS };
+static ssgi_gl_step step[MOST];
 static int steps;
-static GLuint program[8], framebuffer[8], texture[8], block, yours[SSGI_GL_YOURS];
+static GLuint program[MOST], framebuffer[MOST], texture[MOST], block, yours[SSGI_GL_YOURS];
 
 /* When the size changes: asks for the steps and makes what they draw into. Programs are the same for every size. */
 static const char *resize(int width, int height)
@@ -27,8 +28,9 @@ static const char *resize(int width, int height)
     ssgi_gl_chain chain = { .desc = desc, .blur = 1, .width = width, .height = height };
     const char *why = "";
     if (ssgi_gl_preset(&chain.desc, SSGI_GL_PRESET_BALANCED, &why)) return why;
-    if (!(steps = ssgi_gl_steps(step, 8, &chain, &why))) return why;
-    if (!block) glGenBuffers(1, &block), glGenTextures(8, texture), glGenFramebuffers(8, framebuffer);
+    if (!(steps = ssgi_gl_steps(step, MOST, &chain, &why))) return why;
+    if (steps > MOST) return "the chain has more steps than SSGI_GL_MAX_STEPS";
+    if (!block) glGenBuffers(1, &block), glGenTextures(MOST, texture), glGenFramebuffers(MOST, framebuffer);
     for (int i = 0; i < steps; ++i) {
         const ssgi_gl_output *to = step[i].output; /* of hsao one each; its texture -1: the picture */
         const GLuint into = to->texture < 0 ? boxes_texture[BOXES_PICTURE] : texture[to->texture];

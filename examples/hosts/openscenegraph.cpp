@@ -15,7 +15,7 @@
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
 #include "../../ssgi_gl.h"
-enum { W = 960, H = 540, STEPS = 8 };
+enum { W = 960, H = 540, STEPS = SSGI_GL_MAX_STEPS };
 
 static GLuint program_of(const char *vertex, const char *fragment)
 {
@@ -43,13 +43,16 @@ struct Occlusion {
     {
         static char text[2][32768];
         ssgi_gl_chain chain = {};
+        const char *why = "";
         chain.desc.pass = SSGI_GL_PASS_HSAO;
         ssgi_gl_preset(&chain.desc, SSGI_GL_PRESET_BALANCED, nullptr);
         chain.desc.input.normal = SSGI_GL_NORMAL_FROM_DEPTH;
         chain.desc.filter.onto = SSGI_GL_ONTO_MULTIPLY;
         chain.blur = 1;
         chain.width = W, chain.height = H;
-        steps = ssgi_gl_steps(step, STEPS, &chain, nullptr);
+        steps = ssgi_gl_steps(step, STEPS, &chain, &why);
+        if (steps > STEPS) steps = 0, why = "the chain has more steps than SSGI_GL_MAX_STEPS";
+        if (!steps) std::puts(why);
         glGenBuffers(1, &block);
         glGenTextures(STEPS, texture);
         for (int i = 0; i < steps; ++i) {

@@ -27,9 +27,10 @@ static RenderTexture2D load_target(int width, int height)
 }
 
 /* ==== ssgi ======================================================================================================== */
-static ssgi_gl_step step[8];
+enum { MOST = SSGI_GL_MAX_STEPS };
+static ssgi_gl_step step[MOST];
 static int steps;
-static GLuint program[8], framebuffer[8], texture[8], block, array;
+static GLuint program[MOST], framebuffer[MOST], texture[MOST], block, array;
 
 /* When the size changes. picture: a texture of encoded values, which the last step multiplies. */
 static const char *resize(GLuint picture, int width, int height)
@@ -41,10 +42,11 @@ static const char *resize(GLuint picture, int width, int height)
     chain.desc.input.normal = SSGI_GL_NORMAL_FROM_DEPTH;
     chain.desc.filter.onto = SSGI_GL_ONTO_MULTIPLY_SRGB;
     if (ssgi_gl_preset(&chain.desc, SSGI_GL_PRESET_BALANCED, &why)) return why;
-    if (!(steps = ssgi_gl_steps(step, 8, &chain, &why))) return why;
+    if (!(steps = ssgi_gl_steps(step, MOST, &chain, &why))) return why;
+    if (steps > MOST) return "the chain has more steps than SSGI_GL_MAX_STEPS";
     if (!block) {
         glGenBuffers(1, &block), glGenVertexArrays(1, &array);
-        glGenTextures(8, texture), glGenFramebuffers(8, framebuffer);
+        glGenTextures(MOST, texture), glGenFramebuffers(MOST, framebuffer);
     }
     for (int i = 0; i < steps; ++i) {
         const ssgi_gl_output *to = step[i].output; /* of hsao one each; its texture -1: the picture */

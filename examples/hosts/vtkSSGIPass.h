@@ -107,7 +107,7 @@ protected:
     ~vtkSSGIPass() override = default;
 
 private:
-    enum { MOST = 8 };
+    enum { MOST = SSGI_GL_MAX_STEPS };
     ssgi_gl_step Step[MOST];
     GLuint Program[MOST] = {}, Texture[MOST] = {}, Framebuffer[MOST] = {}, Block = 0, Array = 0, Combined = 0;
     int Steps = 0, Compiled = 0, Width = 0, Height = 0, Preset = SSGI_GL_PRESET_BALANCED, Orthographic = 0;
@@ -195,6 +195,7 @@ private:
         chain.width = Width, chain.height = Height;
         if (ssgi_gl_preset(&chain.desc, Preset, &why)) return why;
         if (!(Steps = ssgi_gl_steps(Step, MOST, &chain, &why))) return why;
+        if (Steps > MOST) return "the chain has more steps than SSGI_GL_MAX_STEPS";
         if (!Block) {
             glGenBuffers(1, &Block), glGenVertexArrays(1, &Array);
             glGenTextures(MOST, Texture), glGenFramebuffers(MOST, Framebuffer);

@@ -28,7 +28,10 @@ function stepsLines(ssgi, { desc, width, height, ...members }) {
         '    chain.height = height;',
         ...(lights ? fieldsOf(ssgi, lights).map(([field, value]) => `    chain.lights.${field} = ${value};`) : []),
         ...rest.map(([name, value]) => `    chain.${name} = ${Number(value)};`),
-        '    return ssgi_gl_steps(steps, STEPS, &chain, why);',
+        '    const int count = ssgi_gl_steps(steps, STEPS, &chain, why);',
+        '    if (count <= STEPS) return count;',
+        '    if (why) *why = "STEPS: must be as many as the chain has";',
+        '    return 0;',
         '}'
     ];
 }
