@@ -818,15 +818,21 @@ SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float norm
 /* An ambient occlusion field [AOF05] holds the occlusion of its surroundings by a rigid occluder. It is baked once and
    evaluated at any point, at a cost that does not depend on the number of triangles. For each direction of a cube map
    about the occluder's centre the field stores the spherical cap that the occluder subtends, as a function of the
-   distance from the centre, between the convex hull and the field's reach.
+   distance from the centre, between the convex hull and the field's reach.  */
 
-      ssgi_field_desc d = { 0 };                                   every choice at its default
-      uint32_t *texels = malloc(ssgi_field_size(16));              16 x 16 texels a face
-      size_t    size = ssgi_field_bake_size(&d, triangles);
-      void     *work = malloc(size);
-      if (ssgi_field_bake(&field, texels, work, size, &d, position, 12, NULL, triangles, &why) != SSGI_OK) puts(why);
-      free(work);                                                  the field needs its texels only
-      occlusion = ssgi_field_occlusion(&field, NULL, point, normal);      */
+/* >>field in use (compiled and run by tests/test_build.c)
+
+      float triangle[9] = { 0, 0, 0,  1, 0, 0,  0, 1, 0 }, point[3] = { 0.3f, 0.3f, 1 }, normal[3] = { 0, 0, -1 };
+      ssgi_field field;
+      ssgi_field_desc d;
+      memset(&d, 0, sizeof d);                                         // every choice at its default, but for
+      d.resolution = 8;                                                // 8 x 8 texels a face
+      size_t size = ssgi_field_bake_size(&d, 1);                       // of one triangle
+      uint32_t *texels = (uint32_t *)malloc(ssgi_field_size(8));
+      void *work = malloc(size);
+      if (ssgi_field_bake(&field, texels, work, size, &d, triangle, 12, NULL, 1, &why) != SSGI_OK) puts(why);
+      free(work);                                                      // the field needs its texels only
+      printf("it occludes %g\n", ssgi_field_occlusion(&field, NULL, point, normal));   */
 
 /* How a field is baked. Zero is the default everywhere. */
 typedef struct ssgi_field_desc {
@@ -941,16 +947,21 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 
 /* Chooses the cheapest method and settings whose predicted error meets yours, or the least error within your budget.
    The predictions were fitted to ray-traced truth of 34 views at 1280x720 and tested on other scenes: README. A survey
-   improves predictions; a calibration improves them most.
+   improves predictions; a calibration improves them most.  */
 
-      ssgi_plan_scene s = { 0 };                                       a number left 0 is not known
-      s.wanted = SSGI_PLAN_WANTED_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;
-      s.thickness = SSGI_PLAN_THICKNESS_SLABS;
-      ssgi_survey_of(&s.survey, hsao, best, solid, hsao_slabs, pixels, NULL);     pictures of hsao
-      ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, hsao_slabs, 3000, 64, radius, NULL);
+/* >>plan in use (compiled and run by tests/test_build.c)
+
+      ssgi_plan_scene s;
+      memset(&s, 0, sizeof s);                                         // a number left 0 is not known
+      s.wanted = SSGI_PLAN_WANTED_VISIBILITY;
+      s.thickness = SSGI_PLAN_THICKNESS_SLABS;                         // what you can draw
+      s.error = 0.03f;
+      s.screen_radius = 0.2f;
+      ssgi_survey_of(&s.survey, hsao, best, solid, slabs, 3000, NULL);  // pictures of hsao, here 3000 pixels of them
+      ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, slabs, 3000, 64, radius, NULL);
       ssgi_plan plan;
       if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK) puts(plan.why);
-      ssgi_gl_plan(&desc, &plan, NULL);                                of ssgi_gl.h: sets a desc                   */
+      ssgi_gl_plan(&desc, &plan, NULL);                                // of ssgi_gl.h: sets a desc   */
 
 enum {
     SSGI_PLAN_WANTED_VISIBILITY = 0, /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
@@ -5128,6 +5139,10 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    `level`. New: ssgi_splat.part, .two_sided; ssgi_splat_levels. plan_scene.surfels and .splats count surfels of size
    0.03, and plans of surfels are the presets. A field's rays are fewer the farther out they begin,
    and 96 at the hull, not 128.
+
+   SSGI_GL_IMPLEMENTATION is an error in a file without SSGI_IMPLEMENTATION, unless SSGI_IMPLEMENTED_ELSEWHERE says that
+   another file has ssgi.h's code. New: SSGI_GL_MAX_STEPS. With desc.filter.onto no output is a result. ssgi_gl_sent_set
+   refuses suns whose min_distance is not a number of rows that follow.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

@@ -4,11 +4,14 @@
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION          (unless ssgi.h is implemented elsewhere)
                                         #define SSGI_GL_IMPLEMENTATION
                                         #include "ssgi_gl.h"
+   and include it plainly elsewhere. Where another file implements ssgi.h, define SSGI_IMPLEMENTED_ELSEWHERE in place of
+   SSGI_IMPLEMENTATION.
 
    QUICK USE  of one pass alone, by ssgi_gl_emit and ssgi_gl_reflect (compiled and run by tests/test_build.c)
 
       // ssgi_gl_steps lists the draws of whole chains, with filter and history: see the README, examples/minimal.c.
-      ssgi_gl_desc d = { 0 };                               // every choice at its default; C++: ssgi_gl_desc d = {};
+      ssgi_gl_desc d;
+      memset(&d, 0, sizeof d);                              // every choice at its default
       d.pass = SSGI_GL_PASS_HSAO;
       size_t length = ssgi_gl_emit(NULL, 0, &d, SSGI_GL_STAGE_FRAGMENT);       // it works like snprintf
       char *text = (char *)malloc(length + 1);
@@ -1144,6 +1147,10 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 
 #if defined(SSGI_GL_IMPLEMENTATION) && !defined(SSGI_GL_IMPLEMENTED)
 #define SSGI_GL_IMPLEMENTED
+
+#if !defined(SSGI_IMPLEMENTED) && !defined(SSGI_IMPLEMENTED_ELSEWHERE)
+#error "SSGI_GL_IMPLEMENTATION: define SSGI_IMPLEMENTATION, too, or SSGI_IMPLEMENTED_ELSEWHERE if another file does"
+#endif
 
 #include <math.h>
 #include <stdarg.h>
@@ -5918,7 +5925,7 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     if (of == SSGI_GL__PRESET_NONE) return SSGI_OK;
     const int at = of < SSGI_GL__PRESET_SEARCH         ? of - SSGI_GL__PRESET_SSAO
                  : of == SSGI_GL__PRESET_LIT && slices ? SLICES_OF_LIGHT
-                                                       : SEARCHES + desc->gather.search;
+                                                       : SEARCHES + (int)desc->gather.search;
     const ssgi_gl__preset *const set = &ssgi_gl__presets[at][preset];
     desc->gather.half = (ssgi_gl_half)set->half;
     desc->gather.steps = set->steps;

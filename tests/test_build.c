@@ -136,8 +136,8 @@ static void compilers(void)
         const char *whole, *one;
     } modes[] = { { "gcc -std=c11 -xc", "gcc -std=c99 -ffast-math -xc" },
                   { "clang -Wcomma -std=c99 -xc", "clang -std=c11 -xc" },
-                  { "g++ -std=c++11 -xc++", "g++ -std=c++17 -xc++" },
-                  { "clang++ -std=c++17 -xc++", "clang++ -std=c++11 -xc++" } };
+                  { "g++ -std=c++11 -xc++", "g++ -std=c++20 -xc++" },
+                  { "clang++ -std=c++20 -xc++", "clang++ -std=c++11 -xc++" } };
     char text[4000], compiler[40], compile[200];
     int ran = 0;
     write_text("implementation.c",
@@ -176,6 +176,20 @@ static void compilers(void)
               "%s, SSGI_STATIC: %s", modes[i].one, text);
     }
     CHECK(ran >= 2, "only %d compilers were there", ran);
+}
+
+/* ssgi_gl.h's code alone is refused in one line, unless the file says that another one has ssgi.h's. */
+static void alone(void)
+{
+    char text[4000];
+    write_text("alone.c", "#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n");
+    CHECK(shell(text, sizeof text, "gcc -std=c99 " WARNINGS " -I. -fsyntax-only alone.c%s%s", "", "")
+              && strstr(text, "error: #error \"SSGI_GL_IMPLEMENTATION: define SSGI_IMPLEMENTATION, too, or "
+                              "SSGI_IMPLEMENTED_ELSEWHERE if another file does\"")
+              && !strstr(strstr(text, "error: ") + 1, "error: "),
+          "without ssgi.h's code: %s", text);
+    CHECK(!shell(text, sizeof text, "gcc -std=c99 " WARNINGS " -DSSGI_IMPLEMENTED_ELSEWHERE -I. -fsyntax-only alone.c"
+                 "%s%s", "", "") && !text[0], "with ssgi.h's code elsewhere: %s", text);
 }
 
 /* Behind the macros of many hosts, behind windows.h, and for MSVC's dialect. -Wpedantic holds literals to 4,095
@@ -262,7 +276,7 @@ static void compile_time(void)
     t_note("both implementations at -O2 take %.1f times as long as at -O0", best[1] / best[0]);
 }
 
-/* The text between two marks, comment stars and all, as the body of a program. */
+/* The text between two marks, comment stars and all, as the body of a program. It is added to snippets.cpp, too. */
 static int snippet(const char *file, const char *from, const char *to, const char *before, const char *after,
                    char *output, size_t size)
 {
@@ -278,6 +292,8 @@ static int snippet(const char *file, const char *from, const char *to, const cha
             sprintf(program, "%s%s%s", before, a, after);
             write_text("snippet.c", program);
             status = shell(output, size,
+                           "{ echo '#define main main_'$((n = $(grep -c undef snippets.cpp)))_; cat snippet.c; "
+                           "echo '#undef main'; } >>snippets.cpp && "
                            "gcc -std=c99 -Wall -Wextra -Werror -I. snippet.c implementation.o -lm -o snippet && "
                            "./snippet%s%s", "", "");
         }
@@ -290,7 +306,7 @@ static int snippet(const char *file, const char *from, const char *to, const cha
 static void documentation(void)
 {
     static const char *const head = "#include \"ssgi_gl.h\"\n#include <stdio.h>\n#include <stdlib.h>\n"
-                                    "int main(void) {\n";
+                                    "#include <string.h>\nint main(void) {\n";
     static const char *const view = "    float m[16] = { 1,0,0,0, 0,1,0,0, 0,0,-1,-1, 0,0,-1,0 }; ssgi_view view; "
                                     "ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, 64, 64, NULL);\n";
     static const char *const used[][2] = {
@@ -299,9 +315,22 @@ static void documentation(void)
         { "kernel", "\n    (void)view; return !(up > 0.666f && up < 0.668f); }\n" },
         { "sh", "\n    (void)view; return !(irradiance > 3.140f && irradiance < 3.142f); }\n" },
         { "tessellate", "\n    (void)view; free(uvw); return !(level == 9 && points == 75); }\n" },
-        { "cap", "\n    (void)view; return !(share > 0.1 && share < 0.2 && table[0] == 0 && table[1023] == 1); }\n" }
+        { "cap", "\n    (void)view; return !(share > 0.1 && share < 0.2 && table[0] == 0 && table[1023] == 1); }\n" },
+        { "reflection", "\n    (void)view; (void)why; return !(lit > 0.4f && lit < 1 && gloss > 0.4f && gloss < 1); }\n" },
+        { "field",
+          "\n    (void)view; float o = ssgi_field_occlusion(&field, NULL, point, normal); free(texels);\n"
+          "    return !(o > 0.05f && o < 0.3f); }\n" },
+        { "plan", "\n    (void)view; return !(plan.meets && plan.method == SSGI_PLAN_METHOD_NOTHING); }\n" }
     };
+    /* what a plan is made of: a plane of 3000 points, of which nothing is occluded */
+    static const char *const given =
+        "    static float hsao[3000], best[3000], solid[3000], slabs[3000], position[9000], normal[9000], floor[9] = { 0, "
+        "0, 0, 1, 0, 0, 0, 0, -1 }, radius = 0.5f;\n"
+        "    static double memory[500]; ssgi_trace trace; ssgi_gl_desc desc; memset(&desc, 0, sizeof desc);\n"
+        "    ssgi_trace_build(&trace, memory, sizeof memory, floor, 12, NULL, 1, NULL);\n"
+        "    for (int i = 0; i < 3000; ++i) hsao[i] = best[i] = solid[i] = slabs[i] = normal[3 * i + 1] = 1;\n";
     char text[4000], both[2000], mark[40];
+    write_text("snippets.cpp", "");
     int status = snippet("ssgi.h", "   QUICK USE", "   CONVENTIONS", head, "    return 0;\n}\n", text, sizeof text);
     CHECK(!status && strstr(text, "a pixel is"), "ssgi.h's usage: %s", text);
     snprintf(both, sizeof both, "%s%s", head, view);
@@ -310,13 +339,21 @@ static void documentation(void)
     CHECK(!status && strstr(text, "unit 0: t_ssgi_depth"), "ssgi_gl.h's usage: %s", text);
     strcat(both, "    const char *why = \"\";\n");
     for (size_t i = 0; i < sizeof used / sizeof *used; ++i) {
+        char before[3000];
+        snprintf(before, sizeof before, "%s%s", both, strcmp(used[i][0], "plan") ? "" : given);
         snprintf(mark, sizeof mark, "/* >>%s in use", used[i][0]);
-        status = snippet("ssgi.h", mark, "*/", both, used[i][1], text, sizeof text);
+        status = snippet("ssgi.h", mark, "*/", before, used[i][1], text, sizeof text);
         CHECK(!status, "ssgi.h's usage of >>%s: %s", used[i][0], text);
     }
     status = snippet("README.md", "<!-- usage -->\n```c", "```\n<!-- /usage -->", both,
                      "    return !(count == 3 && length && frame.radius == 0.5f);\n}\n", text, sizeof text);
     CHECK(!status, "README.md's usage: %s", text);
+    snprintf(mark, sizeof mark, "%zu", sizeof used / sizeof *used);
+    CHECK(!shell(text, sizeof text, "test $(grep -c ' in use (compiled' ssgi.h) = %s%s", mark, ""),
+          "ssgi.h says of others than %s usages that they are compiled", mark);
+    if (has("g++"))
+        CHECK(!shell(text, sizeof text, "for s in c++11 c++20; do g++ -std=$s -Wall -Wextra -Werror -fsyntax-only -I. "
+                     "snippets.cpp || exit 1; done%s%s", "", ""), "usages as C++: %s", text);
     CHECK(!shell(text, sizeof text,
                  "awk 'length($0) > 120 || NR > 250 { print \"line \" NR; bad = 1 } END { exit bad }' '%s/README.md'%s",
                  t_root, ""),
@@ -391,10 +428,11 @@ static void formatted(void)
 void test_build(void)
 {
     if (!folder_begin()) return;
-    RUN("both headers compile without a warning and link, as C99, C11, C++11 and C++17, whole and static", compilers);
+    RUN("both headers compile without a warning and link, as C99, C11, C++11 and C++20, whole and static", compilers);
+    RUN("ssgi_gl.h's code without ssgi.h's is a sentence where it is compiled", alone);
     RUN("both headers compile behind a hundred macros of hosts, behind windows.h, and in MSVC's dialect", hosts);
     RUN("both headers are as make format leaves them, in 120 columns", formatted);
-    RUN("the code in the headers' openings and in the README compiles and runs", documentation);
+    RUN("the code in the headers' comments and in the README compiles as C99, C++11 and C++20, and runs", documentation);
     RUN("no function takes NaN or infinity for a number, by whatever rules of arithmetic", not_numbers);
     if (t_all()) {                                 /* these compile the library again and again */
         RUN("random inputs and chains neither crash nor trip a sanitizer", fuzz);
