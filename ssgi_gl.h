@@ -1,7 +1,7 @@
 /* ssgi_gl.h - v0.4 - screen-space illumination: the GLSL of every pass, as text. C99, includes ssgi.h only.
    Licence: end of ssgi.h.
 
-   Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION          (unless ssgi.h is implemented elsewhere)
+   Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION
                                         #define SSGI_GL_IMPLEMENTATION
                                         #include "ssgi_gl.h"
    and include it plainly elsewhere. Where another file implements ssgi.h, define SSGI_IMPLEMENTED_ELSEWHERE in place of
@@ -25,7 +25,8 @@
 
    HOW A PASS IS DRAWN
       draw         link the vertex and the fragment stage that ssgi_gl_emit writes, bind an empty vertex array, set the
-                   viewport to the image inside the target (ssgi_gl_step.size), call glDrawArrays(GL_TRIANGLES, 0, 3)
+                   viewport to the image inside the target (ssgi_gl_step.width and .height, from the corner that
+                   frame.target gives), call glDrawArrays(GL_TRIANGLES, 0, 3)
       state        switch off the tests of depth (its mask does not matter then), of stencil, scissor and alpha (in
                    compatibility contexts); blending, except where ssgi_gl_step.blend asks for it; culling, rasteriser
                    discard, logic op, clip distances. Leave the colour mask on and polygons filled
@@ -417,7 +418,7 @@ typedef enum ssgi_gl_sends {
     SSGI_GL_SENDS_FORCE = SSGI_FORCE
 } ssgi_gl_sends;
 
-/* desc.quantity: the quantity that blur and history filter. */
+/* desc.filter.quantity: the quantity that blur and history filter. */
 typedef enum ssgi_gl_quantity {
     SSGI_GL_QUANTITY_VISIBILITY = 0, /* ambient visibility */
     SSGI_GL_QUANTITY_LIGHT,          /* light, three channels */
@@ -598,7 +599,7 @@ typedef struct ssgi_gl_surfel_desc {
     int axis;                /* smooth   0: along x; 1: along y */
 } ssgi_gl_surfel_desc;
 
-/* ---- desc.filter.kind: blur and history, smooth, and the way onto your picture */
+/* ---- desc.filter: blur and history, smooth, and the way onto your picture */
 typedef struct ssgi_gl_filter_desc {
     ssgi_gl_quantity quantity; /* blur alone filters coefficients, as history averages the light of shade */
     ssgi_gl_filter kind;       /* blur, history: choice "filter" */
@@ -892,8 +893,8 @@ typedef struct ssgi_gl_step {
 
     /* ---- where: the image begins at frame.target in the targets, at half of that for HALF, at a quarter for QUARTER,
        at an eighth for TILES */
-    int size;          /* SSGI_GL_SIZE_FULL .. */
-    int width, height; /* [units: pixels] of that image */
+    int size;          /* SSGI_GL_SIZE_FULL ..: which part of the image's size; the pixels are width and height */
+    int width, height; /* [units: pixels] of that image: the viewport */
 
     /* ---- its inputs and outputs */
     int inputs, outputs; /* how many */
@@ -959,8 +960,9 @@ typedef struct ssgi_gl_frame {
     /* ---- the image */
     int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
     int32_t size[2];   /* [units: pixels]  of the image. With a margin it is larger than the part that is shown: scissor
-                          the passes (but width, emitters, and those that light emitters) to the inner rectangle and the
-                          texels that their filters read */
+                          steps to the inner rectangle and the texels that their filters read, but not those of size
+                          LEVELS and TILES, nor passes thickness and emitters and those that light emitters, which are
+                          read a radius away */
     int32_t target[2]; /* [units: texels]  first texel of the image in the textures that passes write; half of it in
                           half size, a quarter in quarter size */
 
@@ -1047,8 +1049,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, floa
    24 bits are k's, by which passes tell the pixel that is gathered (desc.gather.half IN_TURN, QUARTER_IN_TURN). */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
-/* Sets the members that surfels are made with, except desc->overhang, which the text has: ssgi_gl_desc.overhang. Draw
-   the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
+/* Sets the members that surfels are made with, except desc->overhang, which the text has: ssgi_gl_desc.surfel.overhang.
+   Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
      view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
      mesh_to_view   as source.to_view; NULL: frame->mesh stays as it is */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
@@ -6066,7 +6068,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 /* ==== >>emit (implementation) ===================================================================================== */
 
 /* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, numbers, and facts of the
-   pass. Tables of C have "shading == BENT", GLSL has "SSGI_SHADING == SSGI_SHADING_BENT". A function reads from *s on
+   pass. Tables of C have "effect == LIGHT", GLSL has "SSGI_EFFECT == SSGI_EFFECT_LIGHT". A function reads from *s on
    and leaves *s behind the part that it has read. */
 
 static int ssgi_gl__letter(char c)

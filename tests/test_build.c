@@ -192,6 +192,26 @@ static void alone(void)
                  "%s%s", "", "") && !text[0], "with ssgi.h's code elsewhere: %s", text);
 }
 
+/* Comments name what there is. Names that were left behind by renames are found where they are put back. */
+static void names(void)
+{
+    static const char *const stale[][2] = {
+        { "desc\\.filter\\.quantity: the", "desc.quantity: the" }, { "desc->input\\.cap_table", "desc->cap_table" },
+        { "desc->text\\.dialect", "desc->dialect" },              { "_desc\\.surfel\\.overhang", "_desc.overhang" },
+        { "---- desc\\.filter:", "---- desc.filter.kind:" },      { "passes thickness and", "passes (but width," },
+        { "ssgi_gl_step\\.width", "ssgi_gl_step.viewport" },       { "SSGI_THICKNESS_SLABS for", "SSGI_SLABS for" },
+        { "ssgi_gl_frame_history except", "ssgi_gl_history except" }
+    };
+    char text[4000], line[400];
+    CHECK(!shell(text, sizeof text, "f='ssgi.h ssgi_gl.h' && awk -f '%s/tests/names.awk' $f look=1 $f '%s/README.md'",
+                 t_root, t_root), "no such name: %s", text);
+    for (size_t i = 0; i < sizeof stale / sizeof *stale; ++i) {
+        snprintf(line, sizeof line, "sed 's/%s/%s/' ssgi_gl.h >stale.h && ! cmp -s stale.h ssgi_gl.h && f='ssgi.h stale.h' "
+                 "&& ! awk -f '%s/tests/names.awk' $f look=1 $f", stale[i][0], stale[i][1], t_root);
+        CHECK(!shell(text, sizeof text, "%s%s", line, ""), "%s is taken: %s", stale[i][1], text);
+    }
+}
+
 /* Behind the macros of many hosts, behind windows.h, and for MSVC's dialect. -Wpedantic holds literals to 4,095
    characters, a quarter of what MSVC takes. */
 static void hosts(void)
@@ -433,6 +453,7 @@ void test_build(void)
     RUN("both headers compile behind a hundred macros of hosts, behind windows.h, and in MSVC's dialect", hosts);
     RUN("both headers are as make format leaves them, in 120 columns", formatted);
     RUN("the code in the headers' comments and in the README compiles as C99, C++11 and C++20, and runs", documentation);
+    RUN("comments and the README name fields, functions and passes that there are", names);
     RUN("no function takes NaN or infinity for a number, by whatever rules of arithmetic", not_numbers);
     if (t_all()) {                                 /* these compile the library again and again */
         RUN("random inputs and chains neither crash nor trip a sanitizer", fuzz);
