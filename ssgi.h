@@ -4727,7 +4727,7 @@ enum {
 };
 
 /* make fit prints the rows. NOTHING is no ambient occlusion; E, hsao, slabs and the columns behind are weights of the
-   terms above. */
+   terms above. The three rows of CONSTANT have CPU costs and weights of pictures of SOLID: make fit is due for them. */
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
   /*                  thickness
                       |         half

@@ -1,6 +1,6 @@
 /* test_plan.c - what a scene needs: survey, calibration, choice. */
 #include "t.h"
-#include "kit/kit_gl.h"
+#include "frames.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -264,7 +264,41 @@ static void refused(void)
           "nothing becomes a desc");
 }
 
-/* Every choice becomes a desc that is good, and a method of the kit with the same settings. */
+enum { SHADER = 1 << 17 };
+
+/* The first field in which descs differ; "" where there is none. */
+static const char *differs(const ssgi_gl_desc *a, const ssgi_gl_desc *b)
+{
+    const ssgi_gl_choice *c;
+    for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i)
+        if (memcmp((const char *)a + c->offset, (const char *)b + c->offset, sizeof(int))) return c->name;
+    return "";
+}
+
+/* The kit draws the passes of a chain, each by the same shader but for the frame's format. */
+static void draws(const kit_run *run, const ssgi_gl_chain *chain, int i)
+{
+    static ssgi_gl_step step[KIT_MAX_PASSES];
+    static char text[2][SHADER];
+    const char *why = "";
+    const int steps = ssgi_gl_steps(step, KIT_MAX_PASSES, chain, &why);
+    int n = 0;
+    for (int k = 0; k < run->passes; ++k) {
+        if (run->pass[k].aside) continue;
+        if (n++ >= steps) break;
+        ssgi_gl_desc want = step[n - 1].desc, is = run->pass[k].desc;
+        want.input = is.input;
+        want.text = is.text;
+        CHECK(ssgi_gl_emit(text[0], SHADER, &is, SSGI_GL_STAGE_FRAGMENT) < SHADER
+                  && ssgi_gl_emit(text[1], SHADER, &want, SSGI_GL_STAGE_FRAGMENT) < SHADER
+                  && !strcmp(text[0], text[1]),
+              "choice %d: in pass %s the kit has another %s than ssgi_gl_plan", i, ssgi_gl_pass_name(is.pass),
+              differs(&is, &want));
+    }
+    CHECK(n == steps, "choice %d: the kit draws %d passes, ssgi_gl_plan has %d: %s", i, n, steps, why);
+}
+
+/* Every choice becomes a desc that is good, and the kit draws that. */
 static void drawable(void)
 {
     static const int thickness[] = { [SSGI_PLAN_THICKNESS_WIDTH] = SSGI_GL_THICKNESS_DEFAULT,
@@ -274,32 +308,54 @@ static void drawable(void)
     ssgi_plan_scene s = {
         .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .surfels = 1, .occluders = 1, .map = 1
     };
+    kit_error err = { "" };
+    kit_lighting light;
+    kit_scene scene;
+    kit_gbuffer g;
+    CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
+    if (!lighten(&light, "white", NULL) || !see(&scene, &g, "boxes", NULL, 0, NULL, 16, 16)) return;
+    const kit_world world = { &scene, &light };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
-            ssgi_gl_desc desc = { .input.depth = SSGI_GL_DEPTH_LINEAR };
+            const int bounces = s.wanted == SSGI_PLAN_WANTED_BOUNCE;
+            ssgi_gl_chain chain = { .desc.input.depth = SSGI_GL_DEPTH_LINEAR, .width = 16, .height = 16, .blur = 1 };
+            ssgi_gl_desc *desc = &chain.desc;
             const char *why = "";
             kit_method m;
-            kit_error err = { "" };
+            kit_run run;
             ssgi_plan p;
             if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_METHOD_NOTHING) continue;
-            CHECK(ssgi_gl_plan(&desc, &p, &why) == SSGI_OK && desc.input.depth == SSGI_GL_DEPTH_LINEAR
-                      && desc.gather.steps == p.steps && desc.gather.thickness == thickness[p.thickness]
-                      && desc.gather.half == p.half,
+            if (bounces && p.method == SSGI_PLAN_METHOD_S3HO) desc->light.transfer = SSGI_GL_TRANSFER_BOTH;
+            desc->light.packed = desc->light.transfer > 0;
+            CHECK(ssgi_gl_plan(desc, &p, &why) == SSGI_OK && desc->input.depth == SSGI_GL_DEPTH_LINEAR
+                      && desc->gather.steps == p.steps && desc->gather.thickness == thickness[p.thickness]
+                      && desc->gather.half == p.half,
                   "choice %d: %s", i, why);
-            const int s3ho = desc.pass == SSGI_GL_PASS_S3HO;
-            CHECK(desc.light.shaded == s3ho && desc.light.residual == s3ho
-                      && (!s3ho || (desc.light.restore == SSGI_GL_RESTORE_RATIO && desc.light.bands == p.bands)),
-                  "choice %d: shaded %d, residual %d, restore %d, %d bands", i, desc.light.shaded, desc.light.residual,
-                  desc.light.restore, desc.light.bands);
-            const ssgi_gl_chain chain = { .desc = desc, .blur = 1, .history = p.history, .width = 64, .height = 64 };
+            const int s3ho = desc->pass == SSGI_GL_PASS_S3HO;
+            CHECK(desc->light.shaded == s3ho && desc->light.residual == s3ho
+                      && (!s3ho
+                          || (desc->light.bands == p.bands
+                              && desc->light.restore
+                                     == (bounces ? SSGI_GL_RESTORE_DIFFERENCE : SSGI_GL_RESTORE_RATIO))),
+                  "choice %d: shaded %d, residual %d, restore %d, %d bands", i, desc->light.shaded,
+                  desc->light.residual, desc->light.restore, desc->light.bands);
+            chain.history = p.history;
+            if (bounces && p.method == SSGI_PLAN_METHOD_SSDO) {
+                desc->light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE;
+                chain.reuse = 1;
+            }
             const int steps = ssgi_gl_steps(NULL, 0, &chain, &why);
             CHECK(steps > 0 && steps <= SSGI_GL_MAX_STEPS, "choice %d has %d steps: %s", i, steps, why);
-            CHECK(!kit_plan_method(&m, &p, s.wanted, &err), "choice %d: %s", i, err.text);
-            CHECK((p.method == SSGI_PLAN_METHOD_FIELD || m.set.steps == p.steps) && desc.surfel.span == m.set.span,
-                  "choice %d: %d steps, span %d", i, m.set.steps, m.set.span);
-            CHECK(p.method != SSGI_PLAN_METHOD_SSDO || (m.set.bounce > 0) == (s.wanted == SSGI_PLAN_WANTED_BOUNCE),
-                  "choice %d: its bounce", i);
+            if (!CHECK(!kit_plan_method(&m, &p, s.wanted, &err)
+                           && !kit_run_open(&run, &g, &m, scene.radius, &world, &err),
+                       "choice %d: %s", i, err.text))
+                continue;
+            draws(&run, &chain, i);
+            kit_run_close(&run);
         }
+    kit_image_free(&light.env);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
 }
 
 /* A survey's figures, of pixels by hand; a plane's is empty, a corner's is not; a calibration of the truth itself finds
@@ -399,6 +455,6 @@ void test_plan(void)
         follows);
     RUN("plan: predicted errors and costs are what the table's numbers come to by hand", by_hand);
     RUN("plan: bad numbers are named, and nothing is touched", refused);
-    RUN("plan: every choice can be drawn", drawable);
+    RUN("plan: the kit draws every choice as ssgi_gl_plan has it, by the same shaders", drawable);
     RUN("plan: survey and calibration find what the truth says", measured);
 }

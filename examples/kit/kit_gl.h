@@ -443,10 +443,12 @@ int  kit_frames_still(kit_run *run, unsigned first, unsigned k, int timed, kit_e
    is a scene, a calibration by tracing it and what surfels of it cost; the harmonics of the environment. */
 int kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted,
                      kit_error *err);
-/* The method that a plan means, and its settings as kit_method_set takes them; NULL for NOTHING. The same as a method:
-   a plan of NOTHING fails. */
-const char *kit_plan_text(char set[256], const ssgi_plan *plan, int wanted);
+/* A plan as a chain: the desc that ssgi_gl_plan makes of it, and what that leaves to its caller. The same as a method. A
+   plan of NOTHING fails. */
+int  kit_plan_chain(ssgi_gl_chain *chain, const ssgi_plan *plan, int wanted, kit_error *err);
 int  kit_plan_method(kit_method *method, const ssgi_plan *plan, int wanted, kit_error *err);
+/* That method, and those of its settings that are not its defaults, as kit_method_set takes them; NULL for NOTHING. */
+const char *kit_plan_text(char set[256], const ssgi_plan *plan, int wanted);
 /* A picture's error as plans have it, where the frame shows something and the truth is known (not NAN): RMSE of Y; of
    irradiance, or with the bounce, over their mean. */
 double kit_plan_error(const kit_image *picture, const kit_image *truth, const kit_image *frame, int wanted);

@@ -37,6 +37,8 @@ typedef struct kit_making {
 /* The method's pass and settings, over what the passes' descs have in common (m->desc): the descs, and what of the
    frame they set. */
 int       kit_settings_apply(kit_making *m, float radius);
+/* The settings that are fields of the desc become what it has there; a count that it leaves 0 stays. */
+void      kit_method_take(kit_method *method, const ssgi_gl_desc *desc);
 
 /* ---- >>draw */
 

@@ -230,35 +230,47 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     return failed || !world->scene ? failed : surfels_of(s, g, world->scene, radius, err);
 }
 
-const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
+int kit_plan_chain(ssgi_gl_chain *chain, const ssgi_plan *p, int wanted, kit_error *err)
 {
-    static const char *const names[] = { NULL, "hsao", "ssdo", "s3ho", "dss", "aof" },
-                      *const behind[] = { "width", "solid", "back", "slabs" };
-    const struct { const char *key; int value, least; } asked[] = {
-        { "half", p->half, p->directions ? 0 : 1 }, { "directions", p->directions, 1 }, { "steps", p->steps, 1 },
-        { "bands", p->bands, 1 }, { "history", p->history, 1 }, { "blur", p->filter_radius, 1 },
-        { "levels", p->levels, 1 }, { "resolution", p->resolution, 1 } };
-    size_t n = 0;
-    *set = 0;
-    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i)
-        if (asked[i].value >= asked[i].least)
-            n += (size_t)snprintf(set + n, 256 - n, "%s%s=%d", n ? "," : "", asked[i].key, asked[i].value);
-    if (p->method == SSGI_PLAN_METHOD_HSAO || p->method == SSGI_PLAN_METHOD_SSDO || p->method == SSGI_PLAN_METHOD_S3HO)
-        n += (size_t)snprintf(set + n, 256 - n, ",thickness=%s", behind[p->thickness]);
-    if (p->method == SSGI_PLAN_METHOD_SURFELS) n += (size_t)snprintf(set + n, 256 - n, ",size=%g", (double)p->size);
-    if (wanted == SSGI_PLAN_WANTED_BOUNCE && p->method == SSGI_PLAN_METHOD_SSDO) snprintf(set + n, 256 - n, ",reuse=1");
-    if (wanted != SSGI_PLAN_WANTED_BOUNCE && (p->method == SSGI_PLAN_METHOD_SSDO || p->method == SSGI_PLAN_METHOD_S3HO))
-        snprintf(set + n, 256 - n, p->method == SSGI_PLAN_METHOD_SSDO ? ",bounce=none" : ",indirect=none");
-    return names[p->method];
+    const char *why = "";
+    memset(chain, 0, sizeof *chain);
+    if (wanted == SSGI_PLAN_WANTED_BOUNCE && p->method == SSGI_PLAN_METHOD_S3HO) {
+        chain->desc.light.transfer = SSGI_GL_TRANSFER_BOTH;
+        chain->desc.light.packed = 1;
+    }
+    if (ssgi_gl_plan(&chain->desc, p, &why) != SSGI_OK) return kit_fail(err, "%s", why);
+    if (wanted == SSGI_PLAN_WANTED_BOUNCE && p->method == SSGI_PLAN_METHOD_SSDO) {
+        chain->desc.light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE;
+        chain->reuse = 1;
+    }
+    chain->blur = p->filter_radius > 0;
+    chain->history = p->history;
+    return 0;
 }
 
 int kit_plan_method(kit_method *m, const ssgi_plan *p, int wanted, kit_error *err)
 {
-    char set[256];
-    const char *name = kit_plan_text(set, p, wanted);
-    return !name                                                          ? kit_fail(err, "nothing needs no method")
-           : kit_method_find(m, name, err) || kit_method_set(m, set, err) ? -1
-                                                                          : 0;
+    static const char *const names[] = { NULL, "hsao", "ssdo", "s3ho", "dss", "aof" };
+    ssgi_gl_chain chain;
+    char size[32] = "";
+    if (kit_plan_chain(&chain, p, wanted, err) || kit_method_find(m, names[p->method], err)) return -1;
+    kit_method_take(m, &chain.desc);
+    m->set.blur = chain.blur ? chain.desc.filter.radius : 0;
+    m->set.history = chain.history;
+    m->set.reuse = chain.reuse;
+    m->set.indirect = chain.desc.light.transfer ? KIT_INDIRECT_JOINT : KIT_INDIRECT_NONE;
+    if (p->resolution) m->set.resolution = p->resolution;
+    if (p->size > 0) snprintf(size, sizeof size, "size=%g", (double)p->size);
+    return kit_method_set(m, size, err);
+}
+
+const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
+{
+    kit_method m;
+    kit_error err;
+    if (kit_plan_method(&m, p, wanted, &err)) return NULL;
+    kit_method_text(set, 256, &m);
+    return m.name;
 }
 
 int kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err)

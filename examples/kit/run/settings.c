@@ -481,6 +481,18 @@ int kit_method_set(kit_method *method, const char *text, kit_error *err)
     return 0;
 }
 
+void kit_method_take(kit_method *method, const ssgi_gl_desc *desc)
+{
+    const plan *of = &plans[method->number];
+    for (int i = 0; i < of->count; ++i) {
+        const row *w = of->rows[i];
+        int value;
+        if (!(w->where & GATHER)) continue;
+        memcpy(&value, (const char *)desc + w->offset, sizeof value);
+        if (value >= w->setting.least) set_value(&method->set, w, value);
+    }
+}
+
 void kit_method_text(char *text, size_t size, const kit_method *method)
 {
     const plan *of = &plans[method->number];

@@ -22,7 +22,7 @@ static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
 {
     char set[256];
     const char *name = kit_plan_text(set, p, wanted);
-    snprintf(out, 320, name ? "%s %s" : "nothing", name, set);
+    snprintf(out, 320, "%s%s%s", name ? name : "nothing", name && *set ? " " : "", name ? set : "");
     for (char *at = out; *at; ++at) if (*at == ',') *at = ' ';        /* CSV */
     return out;
 }

@@ -1,29 +1,10 @@
 /* plan.c - chains of the plan's choices, and their milliseconds over the unit's. Declared in plan.h. */
 #include "lab/cost/plan.h"
-#include <string.h>
+#include "kit/kit_gl.h"
 #include "lab/cost/show.h"
 
 /* Chain 0 is the unit; number i of those behind it is of choice[i]. */
 static int choice[MOST_CHAINS];
-
-/* A plan as a chain, as ssgi_gl_plan has it and with what that leaves to its caller. */
-static int chain_of(ssgi_gl_chain *chain, const ssgi_plan *plan, int wanted, kit_error *err)
-{
-    const char *why = "";
-    memset(chain, 0, sizeof *chain);
-    if (wanted == SSGI_PLAN_WANTED_BOUNCE && plan->method == SSGI_PLAN_METHOD_S3HO) {
-        chain->desc.light.transfer = SSGI_GL_TRANSFER_BOTH;
-        chain->desc.light.packed = 1;
-    }
-    if (ssgi_gl_plan(&chain->desc, plan, &why) != SSGI_OK) return kit_fail(err, "%s", why);
-    if (wanted == SSGI_PLAN_WANTED_BOUNCE && plan->method == SSGI_PLAN_METHOD_SSDO) {
-        chain->desc.light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE;
-        chain->reuse = 1;
-    }
-    chain->blur = plan->filter_radius > 0;
-    chain->history = plan->history;
-    return 0;
-}
 
 int plan_add(work *w, kit_error *err)
 {
@@ -37,7 +18,7 @@ int plan_add(work *w, kit_error *err)
             if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_METHOD_NOTHING) continue;
             snprintf(name, sizeof name, "%d", i);
             choice[w->chains] = i;
-            if (chain_of(&chain, &p, s.wanted, err) || work_add(w, name, &chain, err)) return -1;
+            if (kit_plan_chain(&chain, &p, s.wanted, err) || work_add(w, name, &chain, err)) return -1;
         }
     return 0;
 }
