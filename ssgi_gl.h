@@ -380,9 +380,15 @@ typedef enum ssgi_gl_effect {
                                      NONE by 1 */
     SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less the environment's light that surfels occlude */
     SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from the light that surfels send */
-    SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
+    SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised. No
+                                     slices see what is near by, so that the defaults are too coarse: it wants
+                                     SSGI_GL_PRESET_BEST, 5 levels, near_samples 4, frame.epsilon 0.1, and surfels of
+                                     size 0.015. It then errs in a Cornell box, exponent 8, by 0.73 of its mean; at
+                                     the defaults with PRESET_BALANCED by 1.23, for 1/13 of the splats' texels */
     SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface, by frame.dipole from the light that
-                                     surfels receive */
+                                     surfels receive. It wants SSGI_GL_PRESET_BEST, 7 levels, frame.epsilon 0.02, and
+                                     surfels of size 0.015, every triangle's (keep_small). A bunny of marble then errs
+                                     by 0.10 of its mean; with PRESET_BALANCED by 0.32, for a third of the texels */
     SSGI_GL_EFFECT_CUSTOM,        /* your own effect: two functions in desc.text.fetch */
     SSGI_GL_EFFECT_FORCE = SSGI_FORCE
 } ssgi_gl_effect;
@@ -578,8 +584,8 @@ typedef struct ssgi_gl_surfel_desc {
     ssgi_gl_effect effect;   /* splat, deinterleave, smooth, sum */
     int levels;              /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice the smoothing
                                 taps of the level before. 4 reach 12 surfel radii where epsilon is 0.3, 0.18 image
-                                heights of size 0.03. ssgi_splat_levels says how many your radius wants; SCATTER
-                                wants 7 */
+                                heights of size 0.03. ssgi_splat_levels says how many your radius wants; SPECULAR
+                                wants 5, SCATTER 7 */
     int tessellate;          /* surfels, splat   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
                                 310es */
     ssgi_overhang overhang;  /* surfels, splat when tessellate   how triangles shrink, as in ssgi_surfel_desc
@@ -591,7 +597,7 @@ typedef struct ssgi_gl_surfel_desc {
                                 where it names no thickness */
     int near_samples;        /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii;
                                 0, 1: its centre alone, as published, which finds half of the true effect at 1/3 radius
-                                from a wall */
+                                from a wall. SPECULAR wants 4, SCATTER does not look at it */
     int enlarge;             /* splat, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they
                                 count 4^l times. Wider ones bring up to a third less than the surfels that they stand
                                 for, where epsilon is 0.1 */
@@ -657,7 +663,8 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
-     splat         quarter size, half, full; slices near by, with a span: 2x8, 2x8, 2x7
+     splat         quarter size, half, full; slices near by, with a span: 2x8, 2x8, 2x7. SPECULAR and SCATTER, which
+                   have no slices, want BEST
    All other fields stay: set thickness BACK or SLABS where you can draw those passes. Passes without such settings are
    left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_PRESET_FAST, SSGI_GL_PRESET_BALANCED, SSGI_GL_PRESET_BEST };
@@ -999,7 +1006,8 @@ typedef struct ssgi_gl_frame {
     float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
                          ssgi_gl_sent_set makes the result linear in the light */
     float epsilon;    /* splat   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or that
-                         times the radiance that it sends over `sent` (times the lobe's peak). SCATTER wants 0.02 */
+                         times the radiance that it sends over `sent` (times the lobe's peak). SPECULAR wants 0.1,
+                         SCATTER 0.02 */
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
 
     /* ---- the rest, where std140 has room for it */

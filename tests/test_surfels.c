@@ -1624,7 +1624,7 @@ static void custom(void)
         kit_method m;
         double worst = 0, dark = 0;
         snprintf(set[0], sizeof set[0], "size=0.04,falloff=none,near_samples=1,span=0,%s", sets[k % COUNT(sets)]);
-        snprintf(set[1], sizeof set[1], "half=0,size=0.04,shadows=none,near_samples=1,%s", sets[k % COUNT(sets)]);
+        snprintf(set[1], sizeof set[1], "size=0.04,epsilon=0.3,shadows=none,near_samples=1,%s", sets[k % COUNT(sets)]);
         if (!dive(&d[0], "boxes", NULL, 0, NULL, 96, 54, "dss", set[0], 0.6f, NULL) || !drawn(&out[0], &d[0].run)
             || !dive(&d[1], "boxes", NULL, 0, NULL, 96, 54, "dss-gloss", set[1], 0.6f, &l))
             return;

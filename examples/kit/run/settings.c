@@ -293,10 +293,10 @@ static const plan plans[] = {
       SSGI_GL_EFFECT_LIGHT, SSGI_GL_PRESET_BALANCED,
       PLAIN_SURFELS(&sent_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED, NEAR) },
     { "dss-gloss", "dss as one specular bounce; irradiance: radiance of the lobe", SSGI_GL_PASS_SPLAT,
-      SSGI_GL_EFFECT_SPECULAR, SSGI_GL_PRESET_BALANCED,
+      SSGI_GL_EFFECT_SPECULAR, SSGI_GL_PRESET_BEST,
       PLAIN_SURFELS(&sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
     { "dss-scatter", "dss as multiple scattering under surfaces; irradiance: radiance that leaves them",
-      SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_PRESET_BALANCED,
+      SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_PRESET_BEST,
       SURFELS(&fine_size_row, &each_row, &deep_epsilon_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row,
               &unit_row) },
     { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius",
@@ -305,9 +305,10 @@ static const plan plans[] = {
                &power_row, &own_row, &occluders_row, &normal_row, &cap_table_row) }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
-/* Settings of methods that are not all the preset's. */
+/* Settings of methods that are not all the preset's. A lobe has no slices for what is near by. */
 static const char *const instead[][2] = {
-    { "hsao-history", "directions=1,steps=12,half=1,history=1" }
+    { "hsao-history", "directions=1,steps=12,half=1,history=1" },
+    { "dss-gloss", "size=0.015,epsilon=0.1,levels=5,near_samples=4" }
 };
 
 /* A row's setting, with the words and limits of the desc's field that it sets, if it sets one. */

@@ -58,7 +58,8 @@ static const entry deep_ssdos[] = {
 };
 static const entry deep_mirrors[] = {
     { "dss-gloss", "dss-gloss", "exponent=8,size=0.06", 0 },
-    { "dss-gloss", "dss-gloss", "exponent=8,size=0.03", 1 },
+    { "dss-gloss", "dss-gloss", "exponent=8,size=0.03", 0 },
+    { "dss-gloss", "dss-gloss", "exponent=8", 1 },
     { "dss-gloss, epsilon 0.02", "dss-gloss", "exponent=8,size=0.03,epsilon=0.02", 0 }
 };
 static const entry deep_marbles[] = {

@@ -48,8 +48,8 @@ const chain_named chain_names[] = {
     { "dss-lit", "splat,balanced,span=6,effect=LIGHT,environment=MAP,bounce=SOLID_ANGLE,surfels=1,sends=LIGHTS,"
                  "hidden_sky=1,lights.shadow=MAP",
       "environment, lights, one bounce; surfels lit by transform feedback" },
-    { "dss-gloss", "splat,balanced,effect=SPECULAR", "specular bounce" },
-    { "dss-scatter", "splat,balanced,effect=SCATTER,levels=7", "light under the surface" },
+    { "dss-gloss", "splat,best,effect=SPECULAR,levels=5,near_samples=4", "specular bounce" },
+    { "dss-scatter", "splat,best,effect=SCATTER,levels=7", "light under the surface" },
 };
 const int chain_names_count = (int)(sizeof chain_names / sizeof chain_names[0]);
 
