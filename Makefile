@@ -351,7 +351,7 @@ glsl-out glsl-in: build/library
 # Groups of tests: those of the library are make test, those of the examples follow in make test-all.
 OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps read plan math \
               twins library
-OF_EXAMPLES = tools stability files models seeds papers cost
+OF_EXAMPLES = tools stability errors files models seeds papers cost
 TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model lab/cost/csv \
          $(filter-out lab/report,$(REPORT)))
 build/test: $(addprefix build/tests/,main.o t.o frames.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
@@ -363,6 +363,11 @@ build/test-examples: | model-deps
 build/test-examples: $(addprefix build/tests/,main.o t.o others.o $(OF_EXAMPLES:%=test_%.o)) \
                      $(TESTED:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -lOpenEXR-3_1 -o $@
+
+# tests/errors.csv with the errors, noise and bounds of this tree; test group errors holds it to them.
+errors: build/test-examples
+	T_ERRORS=build/errors.csv build/test-examples errors
+	mv build/errors.csv tests/errors.csv
 
 # Damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
 build/fuzz-files: $(addprefix build/sanitized/,tests/fuzz_files.o tests/others.o $(KIT_BASE:%=%.o) trace/camera.o)
@@ -413,7 +418,7 @@ clean:
 	rm -rf build report
 
 .PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo demo-test test test-all tree \
-        chart light seeds papers peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
+        chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
         cost-record cost-shares cost-plan glsl mutants deps unlisted format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
