@@ -129,6 +129,8 @@ if wanted three && in_browser three vite; then
     for of in white white,reversed; do near "three, $of" $work/three-$of.png $work/depth.png $most; done
     near 'three, four samples' $work/three-white,samples.png $work/depth.png 0.02
     check 'three: the sun is dimmed' "$(cmp -s $work/three-sun.png $work/three-sun,none.png && echo 1)"
+    cp tests/three.html build/hosts/three-pass.html
+    shown 'three, beside RenderPass' build/hosts three-pass.html $work/three-pass.png
     for pair in 'white,glass white' 'ssdo ssdo,none' 'ssdo,bounce ssdo'; do
         set -- $pair
         by=$(build/rmse $work/three-$1.png $work/three-$2.png)

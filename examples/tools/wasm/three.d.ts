@@ -27,6 +27,7 @@ export class SSGIPass {
   /** kept once ssgi.wasm is there: until then the scene is drawn without occlusion */
   readonly ready: Promise<SSGIPass>;
   scene: Scene;
+  /** of any kind: another one is followed */
   camera: Camera;
   readonly isPass: true;
   enabled: boolean;
@@ -47,6 +48,8 @@ export class SSGIPass {
   harmonics: ArrayLike<number> | null;
   /** ambient visibility, or light over pi, of the last frame */
   readonly texture: Texture | null;
+  /** the scene's depth in the last frame, which render's target has, too */
+  readonly depthTexture: DepthTexture | null;
   /** throws an Error of one sentence if an option is wrong */
   set(options: Options): void;
   /** the next frame shows another place */

@@ -25,11 +25,19 @@ export const rawOf = (renderer, texture) => renderer.properties.get(texture).__w
 export const viewOf = (ssgi, camera, width, height) =>
     ssgi.view(camera.projectionMatrix.elements, width, height, camera.reversedDepth ? 'ZERO' : 'GL');
 
+/* Whether its lines of sight are parallel, as a desc has it. */
+const isOrthographic = camera => +(camera.projectionMatrix.elements[11] === 0);
+
+/* Sets the colour to clear to, which three turns into one of the target that is bound then. */
+const setClear = renderer =>
+    renderer.setClearColor(renderer.getClearColor(new THREE.Color()), renderer.getClearAlpha());
+
 /* Tells three, after draws that it does not know of, that its copy of GL's state is stale. three's own resetState
-   forgets that depth is reversed. */
+   forgets the colour to clear to, and that depth is reversed. */
 export function resetState(renderer) {
     const { depth } = renderer.state.buffers, reversed = depth.getReversed?.();
     renderer.resetState();
+    setClear(renderer);
     if (!reversed) return;
     depth.setReversed(true);
     depth.setClear(1);
@@ -71,6 +79,21 @@ function over(parameters) {
     return mesh;
 }
 
+/* Draws while these members of all of these objects are others. */
+function changed(objects, members, draw) {
+    const names = Object.keys(members), were = objects.map(object => names.map(name => object[name]));
+    for (const object of objects) Object.assign(object, members);
+    try { return draw(); } finally {
+        objects.forEach((object, i) => names.forEach((name, k) => { object[name] = were[i][k]; }));
+    }
+}
+/* Draws what is left of a scene without these objects. */
+const masked = (objects, draw) => changed(objects.map(({ layers }) => layers), { mask: 0 }, draw);
+/* Draws a scene without its background and its shadow maps, which are there. */
+const again = (renderer, scene, camera, members = {}) =>
+    changed([renderer.shadowMap], { autoUpdate: false, needsUpdate: false }, () =>
+        changed([scene], { background: null, ...members }, () => renderer.render(scene, camera)));
+
 const nearest = { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
 
 /* Window depth alone, of faces that lie behind others. */
@@ -108,9 +131,6 @@ export class Behind {
 
     /* count 1: a texture of depth of the nearest back face; 3: of that and of the next object's two sides */
     draw(renderer, scene, camera, count) {
-        const { overrideMaterial, background } = scene, { autoUpdate } = renderer.shadowMap;
-        Object.assign(scene, { background: null });
-        renderer.shadowMap.autoUpdate = false;
         for (let i = 0; i < count; ++i) {
             const target = this.#targets[i] ??= new THREE.WebGLRenderTarget(...this.#size, { ...nearest,
                 depthTexture: new THREE.DepthTexture(...this.#size, THREE.FloatType) });
@@ -119,13 +139,10 @@ export class Behind {
                 material.uniforms.t_before.value = this.#targets[i - 1].depthTexture;
                 material.uniforms.u_reversed.value = !!camera.reversedDepth;
             }
-            scene.overrideMaterial = material;
             renderer.setRenderTarget(target);
             renderer.clear();
-            renderer.render(scene, camera);
+            again(renderer, scene, camera, { overrideMaterial: material });
         }
-        Object.assign(scene, { overrideMaterial, background });
-        renderer.shadowMap.autoUpdate = autoUpdate;
         return count > 1 ? this.#packed(renderer, camera) : this.#targets[0].depthTexture;
     }
 
@@ -219,7 +236,7 @@ const outputsOf = {
 const isLit = m => m.isMeshStandardMaterial || m.isMeshPhongMaterial || m.isMeshLambertMaterial || m.isMeshToonMaterial;
 const isOwn = m => isLit(m) || m.isMeshBasicMaterial || m.isMeshMatcapMaterial || m.isLineBasicMaterial
     || m.isPointsMaterial;
-const materialsOf = object => [object.material ?? []].flat();
+const materialsOf = objects => [...new Set(objects.flatMap(({ material }) => material ?? []))];
 const onDevice = new Set(['DEPTH', 'BACK', 'NORMAL', 'ALBEDO', 'DIRECT', 'MOTION']);
 
 const encoded = `
@@ -230,6 +247,12 @@ const plain = `
     uniform highp sampler2D t_picture;
     void main() {
         gl_FragColor = texelFetch(t_picture, ivec2(gl_FragCoord.xy), 0);${encoded}`;
+const deep = `
+    uniform highp sampler2D t_depth;
+    void main() {
+        gl_FragColor = vec4(0.0);
+        gl_FragDepth = texelFetch(t_depth, ivec2(gl_FragCoord.xy), 0).x;
+    }`;
 const composite = `
     uniform highp sampler2D t_picture, t_ambient, t_normal, t_albedo, t_light, t_bounce;
     uniform highp vec3 u_harmonics[9];
@@ -276,13 +299,13 @@ export class SSGIPass {
     given = {};
     /* Whether an object is drawn after occlusion; all objects with its materials must be, too. Things that three calls
        transmissive look through to the opaque picture while three draws it, and stay in it. */
-    isLate = object => object.isSprite || materialsOf(object).some(m => m.transparent && !m.transmission);
+    isLate = object => object.isSprite || materialsOf([object]).some(m => m.transparent && !m.transmission);
     /* Radiance of ambient light as 27 numbers; null: that of the scene's lights and its equirectangular environment. */
     harmonics = null;
 
     #ssgi = null; #asked = {}; #options = {}; #width = 1; #height = 1; #drawer = null; #run = null; #renderer = null;
     #frames = 0; #last = null; #opaque = null; #over = null; #behind = null; #screen = null; #copy = null;
-    #outputs = []; #light = new THREE.Texture(); #bounce = new THREE.Texture(); #backs = 0;
+    #deep = null; #outputs = []; #light = new THREE.Texture(); #bounce = new THREE.Texture(); #backs = 0;
     #environment = { of: null, sh: null };
 
     /* A promise of this pass, kept once ssgi.wasm is there: until then the scene is drawn without occlusion. It is
@@ -314,7 +337,7 @@ export class SSGIPass {
                 strength = this.strength, ...own } = options;
         const lit = own.pass === 'SSDO' || own.pass === 'S3HO';
         const desc = this.#ssgi.preset({ dialect: '300ES', pass: 'HSAO', normal: lit ? 'SIGNED' : 'FROM_DEPTH',
-                                         orthographic: +!!this.camera.isOrthographicCamera,
+                                         orthographic: isOrthographic(this.camera),
                                          ...(lit && { environment: 'SH' }), ...(own.pass === 'S3HO' && { shaded: 1 }),
                                          ...own }, preset);
         const chain = { desc, blur: +blur, history: +history, direct: +!!(desc.bounce && desc.bounce !== 'NONE') };
@@ -346,14 +369,24 @@ export class SSGIPass {
     /* Ambient visibility, or light over pi, of the last frame; null: none has been drawn. */
     get texture() { return this.#run ? this.#light : null; }
 
+    /* The scene's depth in the last frame; null: none has been drawn. */
+    get depthTexture() { return this.#opaque?.depthTexture ?? null; }
+
     render(renderer, writeBuffer) {
-        const { scene, camera } = this, { autoClear } = renderer, { autoUpdate } = renderer.shadowMap;
-        if (!this.#ssgi) {
-            renderer.setRenderTarget(this.renderToScreen ? null : writeBuffer);
-            renderer.clear();
-            renderer.render(scene, camera);
-            return;
-        }
+        const target = this.renderToScreen ? null : writeBuffer;
+        changed([renderer], { autoClear: false }, () => {
+            if (this.#ssgi) this.#drawInto(renderer, target);
+            else {
+                renderer.setRenderTarget(target);
+                renderer.clear();
+                renderer.render(this.scene, this.camera);
+            }
+        });
+    }
+
+    /* Into the target's depth buffer goes the scene's depth, as RenderPass leaves it for later passes. */
+    #drawInto(renderer, target) {
+        const { scene, camera } = this;
         if (renderer.capabilities.logarithmicDepthBuffer)
             throw new Error('logarithmicDepthBuffer: must be false: its depth cannot be read; see reversedDepthBuffer');
         this.#fit(renderer);
@@ -361,65 +394,80 @@ export class SSGIPass {
         scene.traverseVisible(o => {
             if (o.isMesh || o.isLine || o.isPoints || o.isSprite) (this.isLate(o) ? late : early).push(o);
         });
-        renderer.autoClear = false;
-        try {
-            without(late, () => this.#drawOpaque(renderer, early));
-            const back = this.#backs && masked(late, () => this.#behind.draw(renderer, scene, camera, this.#backs));
-            this.#occlude(renderer, back);
-            const target = this.renderToScreen ? null : writeBuffer;
-            this.#place(renderer, late.length ? this.#over : target);
-            if (late.length) {
-                renderer.shadowMap.autoUpdate = false;
-                const { background } = scene;
-                scene.background = null;
-                masked(early, () => renderer.render(scene, camera));
-                scene.background = background;
-                renderer.setRenderTarget(target);
-                renderer.render(this.#copy, camera);
-            }
-        } finally {
-            renderer.autoClear = autoClear;
-            renderer.shadowMap.autoUpdate = autoUpdate;
+        changed(materialsOf(late), { colorWrite: false, depthWrite: false }, () =>      /* they keep their shadows */
+            this.#drawOpaque(renderer, early, late));
+        const back = this.#backs && masked(late, () => this.#behind.draw(renderer, scene, camera, this.#backs));
+        this.#occlude(renderer, back);
+        this.#place(renderer, late.length ? this.#over : target);
+        if (late.length) {
+            masked(early, () => again(renderer, scene, camera));
+            renderer.setRenderTarget(target);
+            renderer.render(this.#copy, camera);
         }
+        if (target?.depthBuffer ?? true) renderer.render(this.#deep, camera);
     }
 
+    /* Makes what the picture's size, the kind of its camera and how far that sees ask for, unless it is there. */
     #fit(renderer) {
-        const [width, height] = [this.#width, this.#height];
+        const [width, height] = [this.#width, this.#height], { near, far } = this.camera, { chain } = this.#options;
+        const orthographic = this.#asked.orthographic ?? isOrthographic(this.camera);
+        const precise = +(Math.max(far, far - near) > 65504);           /* the most that 16-bit floats hold */
         if (this.#renderer !== renderer) this.#leave();
         this.#renderer = renderer;
-        if (this.#opaque?.width === width && this.#opaque.height === height) return;
+        if (this.#opaque?.width === width && this.#opaque.height === height && chain.precise === precise
+            && chain.desc.orthographic === orthographic) return;
         this.#release();
+        chain.precise = precise;
+        chain.desc.orthographic = orthographic;
         this.#drawer ??= new Drawer(renderer.getContext(), this.#ssgi);
-        const { samples, chain } = this.#options, depthTexture = new THREE.DepthTexture(width, height, THREE.FloatType);
+        const { samples } = this.#options, depthTexture = new THREE.DepthTexture(width, height, THREE.FloatType);
         const like = { ...nearest, type: THREE.HalfFloatType, depthTexture };
         this.#opaque = new THREE.WebGLRenderTarget(width, height,
                                                    { ...like, samples, count: 1 + this.#outputs.length });
         this.#over = new THREE.WebGLRenderTarget(width, height, like);
         this.#behind = new Behind(width, height);
-        this.#run = this.#drawer.run({ ...chain, width, height, precise: +(this.camera.far > 65504) });
+        this.#run = this.#drawer.run({ ...chain, width, height });
         const { ambient, lit } = this.#options, names = ['picture', 'ambient', 'normal', 'albedo', 'light', 'bounce'];
         const uniforms = Object.fromEntries(names.map(name => [`t_${name}`, { value: null }]));
         this.#screen = over({ fragmentShader: composite, uniforms: { ...uniforms, u_strength: { value: 1 },
             u_harmonics: { value: Array.from({ length: 9 }, () => new THREE.Vector3()) } },
             defines: { SSGI_AMBIENT: +ambient, SSGI_LIGHT: +lit, SSGI_BOUNCE: +!!this.#run.bounce, SSGI_ALONE: 0 } });
         this.#copy = over({ fragmentShader: plain, uniforms: { t_picture: { value: this.#over.texture } } });
+        this.#deep = over({ fragmentShader: deep, uniforms: { t_depth: { value: depthTexture } }, colorWrite: false,
+                            depthTest: true, depthFunc: THREE.AlwaysDepth, depthWrite: true });
         resetState(renderer);
     }
 
-    #drawOpaque(renderer, early) {
-        const { scene, camera } = this, { background } = scene, gl = renderer.getContext();
-        for (const material of new Set(early.flatMap(materialsOf))) this.#make(material);
-        const colour = renderer.getClearColor(new THREE.Color()), alpha = renderer.getClearAlpha();
-        if (background?.isColor) {                  /* three would clear the ambient part to it, too */
-            scene.background = null;
-            renderer.setClearColor(background.clone().multiplyScalar(scene.backgroundIntensity ?? 1), 1);
+    /* WebGL refuses a material that writes its colour alone, as those of your shaders and three's background do, while
+       more than the picture is drawn into. So the rest is bound for materials that write it. Depth of what does not
+       write it comes first: nothing behind it may leave ambient light there. */
+    #drawOpaque(renderer, early, late) {
+        const gl = renderer.getContext(), opaque = this.#opaque, made = this.#made, { scene, camera } = this;
+        const materials = materialsOf(early), hooks = new Map(materials.map(m => [m, m.onBeforeRender]));
+        const all = opaque.textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i);
+        for (const material of materials) this.#make(material);
+        const isStrange = object => materialsOf([object]).some(material => !made.has(material));
+        const strange = new Set(all.length > 1 ? early.filter(isStrange) : []);
+        let bound = 0;
+        function bind(count) {
+            if (bound !== count) gl.drawBuffers(all.map((to, i) => (i < count ? to : gl.NONE)));
+            bound = count;
         }
-        renderer.setRenderTarget(this.#opaque);
+        function onBeforeRender(...its) {
+            if (renderer.getRenderTarget() === opaque) bind(made.has(this) ? all.length : 1);
+            hooks.get(this).apply(this, its);
+        }
+        renderer.setRenderTarget(opaque);
+        bind(all.length);
+        if (this.renderToScreen) setClear(renderer);
         renderer.clear();
         this.#outputs.forEach((_, i) => gl.clearBufferfv(gl.COLOR, 1 + i, [0, 0, 0, 0]));
-        renderer.render(scene, camera);
-        scene.background = background;
-        renderer.setClearColor(colour, alpha);
+        if (strange.size)
+            masked([...early, ...late].filter(object => !strange.has(object)), () =>
+                changed(materialsOf([...strange]), { colorWrite: false }, () => again(renderer, scene, camera)));
+        bind(1);
+        changed([renderer], { autoClearDepth: false }, () =>            /* three clears once more to a colour */
+            changed(materials, { onBeforeRender }, () => renderer.render(scene, camera)));
     }
 
     #make(material) {
@@ -513,8 +561,11 @@ export class SSGIPass {
         this.#over?.dispose();
         this.#behind?.dispose();
         this.#run?.free();
-        for (const mesh of [this.#screen, this.#copy]) { mesh?.material.dispose(); mesh?.geometry.dispose(); }
-        this.#opaque = this.#over = this.#behind = this.#run = this.#screen = this.#copy = null;
+        for (const mesh of [this.#screen, this.#copy, this.#deep]) {
+            mesh?.material.dispose();
+            mesh?.geometry.dispose();
+        }
+        this.#opaque = this.#over = this.#behind = this.#run = this.#screen = this.#copy = this.#deep = null;
         this.#last = null;
     }
     #leave() {
@@ -528,20 +579,3 @@ export class SSGIPass {
 }
 
 const written = new WeakMap();                      /* what materials write, and for how many passes */
-
-/* Draws without a trace of these objects, which keep their shadows. */
-function without(objects, draw) {
-    const held = new Map();
-    for (const material of new Set(objects.flatMap(materialsOf))) {
-        held.set(material, { colorWrite: material.colorWrite, depthWrite: material.depthWrite });
-        Object.assign(material, { colorWrite: false, depthWrite: false });
-    }
-    try { return draw(); } finally { for (const [material, was] of held) Object.assign(material, was); }
-}
-
-/* Draws as if these objects were not there. */
-function masked(objects, draw) {
-    const masks = objects.map(({ layers }) => layers.mask);
-    for (const { layers } of objects) layers.mask = 0;
-    try { return draw(); } finally { objects.forEach(({ layers }, i) => { layers.mask = masks[i]; }); }
-}
