@@ -146,6 +146,20 @@ if wanted three-webgpu && in_browser three-webgpu vite; then
     done
     check 'three-webgpu: history draws what one frame does' \
         "$(cmp -s $work/three-webgpu-white.png $work/three-webgpu-white,history.png || echo 1)"
+    said=$(cd build/hosts && node --input-type=module -e "
+        import { OrthographicCamera, PerspectiveCamera, Texture } from 'three/webgpu';
+        import hsao from 'ssgi/chains/hsao';
+        import { occlusion } from 'ssgi/three/webgpu';
+        const bytes = (await import('node:fs')).readFileSync('node_modules/ssgi/ssgi.wasm'), texture = new Texture();
+        const seen = occlusion(hsao, { DEPTH: texture, NORMAL: texture }, new PerspectiveCamera(), {}, bytes);
+        const frame = { renderer: { backend: { isWebGPUBackend: true, get: () => ({}) } } };
+        for (const camera of [seen.camera, new OrthographicCamera(), seen.camera]) {
+            seen.camera = camera;
+            seen.updateBefore(frame);
+            console.log(String(seen.lacks));
+        }" 2>&1)
+    check "three-webgpu: of a camera that turns orthographic and back: $said" "$([ "$(echo $said)" = \
+        'null camera: must be one of perspective, as these chains are null' ] && echo 1)"
     check 'three-webgpu: the sun is dimmed' \
         "$(cmp -s $work/three-webgpu-sun.png $work/three-webgpu-sun,none.png && echo 1)"
 fi

@@ -15,6 +15,8 @@ export class OcclusionNode extends Node {
               source?: Ssgi | string | URL | BufferSource | WebAssembly.Module);
   /** kept once ssgi.wasm is there: until then it is white */
   readonly ready: Promise<OcclusionNode>;
+  /** must be one of perspective: while it is not, nothing is drawn */
+  camera: Camera;
   /** [units: of the scene] */
   radius: number;
   adjust: ((frame: Frame) => void) | null;

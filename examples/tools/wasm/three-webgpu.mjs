@@ -9,15 +9,17 @@
       picture.contextNode = builtinAOContext(seen.getTextureNode().sample(screenUV).r);   // ambient light alone
       pipeline.outputNode = picture;
 
-   Where three has fallen back to WebGL 2 the node is white, and node.lacks says why: nothing resets the copy of GL's
-   state that three keeps there. */
+   Where three has fallen back to WebGL 2, and while node.camera is orthographic, the node is white, and node.lacks says
+   why: nothing resets the copy of GL's state that three keeps there; these chains are of perspective. */
 import { DataTexture, ExternalTexture, Matrix4, NearestFilter, Node, NodeUpdateType } from 'three/webgpu';
 import { passTexture } from 'three/tsl';
 import { loadOnce } from './ssgi.mjs';
 import { Passes, sized } from './webgpu.mjs';
 
 const fallen = 'renderer: must draw with WebGPU; WebGLRenderer has a pass in ssgi/three';
+const parallel = 'camera: must be one of perspective, as these chains are';
 const down = new Matrix4().makeScale(1, -1, 1);     /* rows of a picture run down in WebGPU */
+const isOrthographic = camera => camera.projectionMatrix.elements[11] === 0;
 const textureOf = input => (input.isTexture ? input : input.value);
 
 function white() {
@@ -47,7 +49,7 @@ export class OcclusionNode extends Node {
         if (typeof radius !== 'number' || !(radius > 0)) throw new Error('radius: must be a number above 0');
         for (const { yours } of chain.steps.flatMap(step => step.inputs))
             if (yours && !inputs[yours]) throw new Error(`inputs: ${chain.name} reads ${yours}: give its texture node`);
-        if (camera.isOrthographicCamera) throw new Error('camera: must be one of perspective, as these chains are');
+        if (isOrthographic(camera)) throw new Error(parallel);
         sized(chain, 1, 1);                         /* throws where this cannot be drawn */
         Object.assign(this, { inputs, camera, radius, adjust, updateBeforeType: NodeUpdateType.FRAME });
         this.#chain = chain;
@@ -76,7 +78,11 @@ export class OcclusionNode extends Node {
     updateBefore(frame) {
         const { renderer: { backend } } = frame, ssgi = this.#ssgi;
         for (const { passNode } of Object.values(this.inputs)) if (passNode) frame.updateBeforeNode(passNode);
-        this.lacks = backend.isWebGPUBackend ? null : fallen;
+        this.lacks = !backend.isWebGPUBackend ? fallen : isOrthographic(this.camera) ? parallel : null;
+        if (this.lacks) {
+            this.cut();
+            this.#hide();
+        }
         if (this.lacks || !ssgi) return;
         const raw = Object.fromEntries(Object.entries(this.inputs).map(([meaning, input]) =>
             [meaning, backend.get(textureOf(input)).texture]));
