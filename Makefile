@@ -19,7 +19,7 @@
 #   make vulkan, vulkan-test     examples/hosts/vulkan.cpp, and its pictures beside GL's on lavapipe
 #   make cost      what a GPU's compiler makes of every chain, and milliseconds by a model; make cost-test for CI
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
-#   make wasm      the headers as WebAssembly       make npm         a package with it, for WebGL 2 and WebGPU
+#   make wasm      the headers as WebAssembly       make npm         a package with it, as npm install takes it
 #   make format    the layout of both headers, by clang-format 14
 #   make clean
 
@@ -329,9 +329,12 @@ build/wgsl/manifest.json: build/glsl-text examples/tools/glsl/translate.sh examp
 	  { echo 'npm: glslangValidator is missing (apt-get install glslang-tools)' >&2; exit 2; }
 	@rm -rf build/wgsl && build/glsl-text --chain all --wgsl build/wgsl || { rm -rf build/wgsl; exit 2; }
 
-# An npm package: ssgi.mjs with its types and ssgi.wasm; the chains in WebGL 2's GLSL and in WGSL, with manifests.
+# An npm package: ssgi.mjs with its types and ssgi.wasm; the chains in WebGL 2's GLSL and in WGSL, with manifests. It is
+# packed, since npm makes a link of a folder, sooner or later, from where bundlers do not find three.
 npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
-	@rm -rf build/npm && mkdir -p build/npm/wgsl
+	@command -v npm >/dev/null || sh examples/kit/install.sh npm || \
+	  { echo 'npm: npm is missing (apt-get install npm)' >&2; exit 2; }
+	@rm -rf build/npm build/ssgi-*.tgz && mkdir -p build/npm/wgsl
 	@build/glsl-text --chain all --300es build/npm/glsl >/dev/null
 	@cp build/wgsl/*.wgsl build/wgsl/manifest.json build/npm/wgsl
 	@node examples/tools/packages/chains.mjs build/npm/wgsl build/npm/chains
@@ -339,7 +342,7 @@ npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@cp examples/tools/packages/npm.md build/npm/README.md
 	@{ build/glsl-text --types && cat examples/tools/wasm/ssgi.d.ts; } >build/npm/ssgi.d.ts
 	@sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/package.json >build/npm/package.json
-	@echo 'build/npm: ssgi $(VERSION)'
+	@packed=$$(npm pack ./build/npm --pack-destination build --silent) && echo "npm install $(CURDIR)/build/$$packed"
 
 # The GLSL of ssgi_gl.h as files, for an editor: make glsl-out DIR=d writes them, make glsl-in DIR=d reads them back.
 build/library: $(addprefix build/examples/tools/glsl/,library.o choices.o) build/kit/util.o $(LIBRARY:%=build/kit/%)

@@ -80,7 +80,8 @@ in_browser() {
     elif ! command -v chromium >/dev/null || ! command -v node >/dev/null; then
         skip "$1, no browser or no node (apt-get install chromium nodejs)"
     else
-        rm -rf build/hosts/node_modules/ssgi && cp -r build/npm build/hosts/node_modules/ssgi
+        rm -rf build/hosts/node_modules/ssgi && mkdir build/hosts/node_modules/ssgi &&
+            tar -xzf build/ssgi-*.tgz --strip-components=1 -C build/hosts/node_modules/ssgi
         return
     fi
     return 1

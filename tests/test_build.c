@@ -386,7 +386,7 @@ static void documentation(void)
           "a link leads nowhere: %s", text);
     /* figures: decimals but versions and those of code, "3 of 4" from the chart on */
     CHECK(!shell(text, sizeof text,
-                 "cd '%s' && { sed -E '/^    /d; s/(GL|ES|From|Mesa|Version) [0-9.]+//g' README.md | "
+                 "cd '%s' && { sed -E '/^    /d; s/((GL|ES|From|Mesa|Version) |ssgi-)[0-9.]+//g' README.md | "
                  "grep -oE '[0-9]+\\.[0-9]+'; sed -n '/^## Speed/,$p' README.md | tr '\\n' ' ' | "
                  "grep -oE '[0-9]+ of [0-9]+'; } | sort -u | "
                  "while read -r n; do grep -E \"(^|[^0-9.])$(echo \"$n\" | sed 's/[.]/[.]/')([^0-9.]|%s)\" "

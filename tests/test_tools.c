@@ -342,7 +342,10 @@ static void packages(void)
         "for (const { steps } of gpu.chains)\n"
         "    for (const { files } of steps)\n"
         "        for (const [stage, word] of [['vert', '@vertex'], ['frag', '@fragment']])\n"
-        "            check(text(`wgsl/${files[stage]}.wgsl`).includes(word), files[stage]);\n";
+        "            check(text(`wgsl/${files[stage]}.wgsl`).includes(word), files[stage]);\n"
+        "const before = Reflect.ownKeys(globalThis).length;\n"
+        "for (const name of ['three', 'webgl', 'webgpu', 'chains/hsao']) await import(`ssgi/${name}`);\n"
+        "check(Reflect.ownKeys(globalThis).length === before, 'modules have side effects');\n";
     char text[4000];
     CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' install DESTDIR='%s/to' PREFIX=/usr", t_root,
                  folder), "%s", text);
@@ -365,10 +368,26 @@ static void packages(void)
     snprintf(text, sizeof text, "%s/build/tint/twgsl.wasm", t_root);
     const int translates = !access(text, R_OK) && has("glslangValidator");
     if (!translates) t_note("package not tried, without tint: make npm brings it");
-    if (has("clang") & has("wasm-ld") & has("node") & translates) {
-        write_text("npm.mjs", script);
-        CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' npm && mkdir node_modules && ln -s '%s/build/npm' "
-                     "node_modules/ssgi && node npm.mjs", t_root, t_root), "%s", text);
+    if (has("clang") & has("wasm-ld") & has("node") & has("npm") & translates) {
+        shell(text, sizeof text, "mkdir page page/three%s%s", "", "");
+        write_text("page/npm.mjs", script);
+        write_text("page/used.mjs", "export { SSGIPass } from 'ssgi/three';\n");
+        write_text("page/bare.mjs", "import 'ssgi';\nimport 'ssgi/three';\nimport 'ssgi/chains/hsao';\n");
+        write_text("page/three/package.json", "{ \"name\": \"three\", \"version\": \"0.187.0\", \"type\": \"module\", "
+                   "\"exports\": \"./three.js\" }");
+        write_text("page/three/three.js", "export class Matrix4 { set() { return this; } }\n");
+        CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' npm && cd page && for of in '%s'/build/ssgi-*.tgz "
+                     "./three ./three; do npm install --offline --no-audit --no-fund --silent \"$of\" || exit 1; "
+                     "done && test -d node_modules/ssgi && ! test -L node_modules/ssgi && node npm.mjs", t_root, t_root),
+              "the package as npm installs it, then another one: %s", text);
+        CHECK(!shell(text, sizeof text, "cd '%s/build' && grep -q \"npm install PATH/TO/build/$(echo ssgi-*.tgz)\" "
+                     "../README.md%s", t_root, ""), "README does not name what make npm packs");
+        snprintf(text, sizeof text, "%s/build/web-deps/node_modules/.bin/esbuild", t_root);
+        if (access(text, X_OK)) t_note("esbuild is not here: no bundle tried");
+        else CHECK(!shell(text, sizeof text, "cd page && '%s/build/web-deps/node_modules/.bin/esbuild' --bundle "
+                          "--format=esm --log-level=error --outdir=out used.mjs bare.mjs && "
+                          "test $(wc -c <out/bare.js) -lt 100 && test $(wc -c <out/used.js) -gt 10000%s", t_root, ""),
+                   "a bundle: %s", text);
     }
 }
 

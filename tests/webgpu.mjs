@@ -1,6 +1,6 @@
 /* webgpu.mjs - make webgpu-test: WGSL in a browser. Every text that make glsl WGSL=1 makes becomes a module and, with
    its other stage, a pipeline (the tint that translates lets pass what browsers refuse: words that WGSL reserves);
-   chains draw what tests/capture.c took from GL; examples/hosts/webgpu.html draws out of what npm pack makes.
+   chains draw what tests/capture.c took from GL; examples/hosts/webgpu.html draws out of what make npm packs.
    node tests/webgpu.mjs [WORD OF A TEST], from the repository's root; the texts lie in build/webgpu-test. */
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
@@ -142,15 +142,14 @@ for (const [what, name = what, texts = name] of draws)
 
 const has = program => spawnSync('sh', ['-c', `command -v ${program}`]).status === 0;
 if (!has('clang') || !has('wasm-ld')) console.log('skipped: examples/hosts/webgpu.html: no clang or wasm-ld');
-else await run('examples/hosts/webgpu.html draws hsao out of npm pack', async () => {
+else await run('examples/hosts/webgpu.html draws hsao out of what make npm packs', async () => {
     const to = `${top}/page`;
     execFileSync('make', ['-s', 'npm'], { stdio: ['ignore', 'ignore', 'inherit'],
                                           env: { ...process.env, MAKEFLAGS: '' } });
     mkdirSync(to, { recursive: true });
-    const npm = (...words) =>
-        execFileSync('npm', [...words, '--silent', '--no-audit', '--no-fund'], { cwd: to }).toString();
-    const packed = npm('pack', '../../npm').trim();
-    npm('install', '--no-save', `./${packed}`);
+    const packed = readdirSync('build').find(name => /^ssgi-.*\.tgz$/.test(name));
+    execFileSync('npm', ['install', '--no-save', '--silent', '--no-audit', '--no-fund', `../../${packed}`],
+                 { cwd: to });
     copyFileSync('examples/hosts/webgpu.html', `${to}/index.html`);
     const said = [], host = await browser.newPage();
     host.on('console', line => said.push(line.text()));
