@@ -196,7 +196,7 @@ FIGURES = if command -v node >/dev/null; then node examples/lab/page/figures.mjs
 page-deps:
 	@test -d build/page/node_modules/linkedom || ! command -v npm >/dev/null || { mkdir -p build/page && npm install \
 	  --prefix build/page --no-save --ignore-scripts --no-audit --no-fund --silent @observablehq/plot@0.6.17 \
-	  linkedom@0.18.12; } || echo 'page: npm brought no @observablehq/plot; the page has tables and pictures alone'
+	  linkedom@0.18.12; } || { rm -rf build/page/node_modules; false; } || echo 'page: npm brought no @observablehq/plot; the page has tables and pictures alone'
 
 # Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table (never on seeds from
 # 1000 on, which only report). Its second column of costs is what make bench measured on a GPU; else what fit-cost
@@ -388,7 +388,8 @@ ASKED     = $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
 PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text fuzz-files library bench fit)
 NAMED_IN  = $(filter $(PROGRAMS),$(shell grep -oh 'build/[a-z-]*' $(1:%=tests/test_%.c) /dev/null 2>/dev/null))
 RUN      := $(or $(strip $(ASKED)),$(OF_LIBRARY))
-test: $(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test) $(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples) \
+test: $(if $(filter files,$(RUN)),page-deps) \
+      $(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test) $(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples) \
       $(sort $(call NAMED_IN,$(RUN)))
 	$(if $(PASS),$(if $(call GROUPS_OF,$(PASS)),,$(error PASS=$(PASS): no group of tests names it)))
 	$(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples $(filter $(OF_EXAMPLES),$(RUN)))

@@ -523,6 +523,41 @@ static void figures(void)
 #undef ROW
 }
 
+/* README's charts: each stands on white, since the page around it may be dark, and is what the csv make of it; a line
+   has its name where a method stands without settings, else at the least error, and of a sweep at its end. */
+static void charts(void)
+{
+    char said[4096] = "";
+    CHECK(!program(said, sizeof said, "find examples -name '*.svg' | grep -c . && ! find examples -name '*.svg' | "
+                   "xargs grep -L '^<svg [^>]*><rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>' | grep .%s",
+                   ""), "has no ground: %s", said);
+    if (!program(said, sizeof said, "! command -v node%s", "")) {
+        t_note("node is not there: not tried");
+        return;
+    }
+    CHECK(!program(said, sizeof said, "node -e '%s' 2>&1",
+                   "const { ssgi_report: report } = require(\"./examples/lab/page/report.js\");"
+                   "const rows = [[\"hsao\", \"hsao\", \"\", 1, 4], [\"hsao\", \"hsao\", \"thickness=slabs\", 2, 3],"
+                   "    [\"dss\", \"dss-fast\", \"\", 3, 6], [\"dss\", \"dss\", \"\", 4, 5],"
+                   "    [\"dss\", \"dss-best\", \"\", 5, 4],"
+                   "    [\"hsao, two slabs\", \"hsao\", \"thickness=slabs\", 6, 3],"
+                   "    [\"hsao, two slabs\", \"hsao-best\", \"thickness=slabs\", 7, 2],"
+                   "    [\"another\", \"another\", \"half\", 8, 2], [\"another\", \"another\", \"full\", 9, 3],"
+                   "    [\"turned\", \"ssao\", \"\", 10, 1], [\"turned\", \"ssao\", \"\", 11, 2]]"
+                   "    .map(([label, method, settings, x, y]) => ({ label, method, settings, x, y }));"
+                   "const Plot = new Proxy({}, { get: (_, mark) => (data, options) => ({ mark, data, options }) });"
+                   "const { marks } = report.scatter(Plot, rows, { x: \"x\", y: \"y\" });"
+                   "const at = marks.find(({ mark }) => mark === \"text\").data.map(({ x }) => x).join();"
+                   "if (at !== \"1,4,6,8,11\") throw new Error(at);"), "lines have their names at %s", said);
+    if (access("build/page/node_modules/linkedom", R_OK)) {
+        t_note("Observable Plot is not there: charts are not drawn (make page-deps)");
+        return;
+    }
+    CHECK(!program(said, sizeof said, "d='%s' && node examples/lab/page/figures.mjs --csv \"$d\" && for f in "
+                   "\"$d\"/*.svg; do cmp \"$f\" examples/docs/pictures/${f##*/} || exit 1; done && rm \"$d\"/*.svg",
+                   folder), "%s", said);
+}
+
 /* ---- JSON ---------------------------------------------------------------------------------------------------- */
 
 static void json(void)
@@ -1397,6 +1432,7 @@ void test_files(void)
     RUN("a malformed camera is an error that names the attribute, unless nobody asks", exr_camera_bad);
     RUN("what cannot be written leaves nothing behind and the old file alone", unwritable);
     RUN("damaged pictures neither crash nor trip a sanitizer", fuzzed);
+    RUN("README's charts stand on white, and are drawn of the csv beside them", charts);
     RUN("figures of full runs take their parts of the page, others stay; of a broken record none", figures);
     RUN("JSON: any bytes make a string, what is no number is null", json);
     RUN("a Radiance HDR gives the values of its format, a cut one an error", hdr);

@@ -2,6 +2,7 @@
    light, stability, papers, cost and cost-peers left.
 
       node examples/lab/page/figures.mjs [report]
+      node examples/lab/page/figures.mjs --csv [FOLDER]       README's charts alone, of the csv in examples/docs/figures
 
    A part of the page whose run is a full one goes to examples/docs, where the others stay as they are; of quick runs
    the page lies beside the records. A part of a run (SCENE, METHOD, PAPER) changes nothing. A record that cannot be
@@ -13,7 +14,7 @@ import vm from 'node:vm';
 
 const { ssgi_report: report, ssgi_record } = createRequire(import.meta.url)('./report.js');
 const { grouped, means, given, peer, by_pair, by_kind, by_cause, chains, devices, modelled, tables } = report;
-const folder = process.argv[2] ?? 'report',
+const [folder = 'report', drawn] = process.argv.slice(2),
     docs = 'examples/docs';
 
 /* ---- >>markdown -------------------------------------------------------------------------------------------------- */
@@ -405,6 +406,15 @@ function page(kind, old) {
             .join('')
     );
 }
+/* README's charts of the csv of full runs, whichever of these is the newest. */
+async function redraw(into) {
+    const path = name => `${docs}/figures/${name}.csv`,
+        of = (table, name) => ({ table, csv: readFileSync(path(name), 'utf8') });
+    if (!['chart', 'seeds', 'cost', 'cost-peers'].every(name => existsSync(path(name)))) return;
+    ssgi_record({ name: 'chart', entries: [of('ambient', 'chart'), of('seeds', 'seeds')] });
+    for (const name of ['cost', 'cost-peers']) ssgi_record({ name, entries: [of('cost', name)] });
+    await draw(into);
+}
 /* README's chart, on a GPU's clock, and that of this machine's; without Plot they stay as they are. */
 async function draw(into) {
     const here = name => resolve('build/page/node_modules', name);
@@ -413,7 +423,7 @@ async function draw(into) {
     const Plot = await import(here('@observablehq/plot/src/index.js'));
     const { parseHTML } = await import(here('linkedom/esm/index.js'));
     const { document } = parseHTML('<html><body></body></html>');
-    const up = 'error (RMSE), share of having no AO at all', style = { background: '#fff', fontSize: '12px' };
+    const up = 'error (RMSE), share of having no AO at all', style = { fontSize: '12px' };
     const [cpu, gpu] = Object.values(report.clocks);
     const sums = report.on_gpu(found(records('chart'), 'seeds').filter(r => r.what === 'visibility'));
     for (const [name, clock, list] of [
@@ -450,7 +460,7 @@ async function draw(into) {
     );
     keep(`${into}/bars.svg`, halves);
 }
-/* Pictures beside each other. */
+/* Pictures beside each other, on white: the page that shows them may be dark. */
 function keep(path, all) {
     const sizes = side => all.map(svg => +svg.getAttribute(side)),
         startOf = i => sizes('width').slice(0, i).reduce((sum, w) => sum + w, 0);
@@ -460,7 +470,8 @@ function keep(path, all) {
         return svg.outerHTML.replaceAll('currentColor', '#222');
     });
     const size = `width="${startOf(all.length)}" height="${Math.max(...sizes('height'))}"`;
-    write(path, `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${placed.join('')}</svg>\n`);
+    const ground = '<rect width="100%" height="100%" fill="#fff"/>';
+    write(path, `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${ground}${placed.join('')}</svg>\n`);
     console.log(`figures: ${path}`);
 }
 /* Presets and, of each other library, the effect that errs least, the least error first. */
@@ -473,6 +484,10 @@ function bars(sums) {
     return [...own, ...others].sort((a, b) => a.share - b.share);
 }
 
+if (folder === '--csv') {
+    await redraw(drawn ?? `${docs}/pictures`);
+    process.exit();
+}
 for (const name of ['chart', 'light', 'stability', 'papers', 'cost', 'cost-peers']) {
     const file = `${folder}/${name}.js`;
     if (!existsSync(file)) continue;
@@ -499,8 +514,10 @@ for (const [kind, into] of [
     const path = `${into}/FIGURES.md`;
     write(path, page(kind, existsSync(path) && kind === 'full' ? readFileSync(path, 'utf8') : ''));
     console.log(`figures: ${path}${kind === 'full' ? '' : ` (${docs}/FIGURES.md has full runs alone)`}`);
-    if (records('chart')?.kind === kind) await draw(kind === 'full' ? `${docs}/pictures` : folder);
-    if (kind !== 'full') continue;
+    if (kind !== 'full') {
+        if (records('chart')?.kind === kind) await draw(folder);
+        continue;
+    }
     mkdirSync(`${docs}/figures`, { recursive: true });
     for (const file of readdirSync(folder))
         for (const name of ['chart', 'light', 'stability', 'papers', 'cost'])
@@ -511,4 +528,5 @@ for (const [kind, into] of [
             )
                 copyFileSync(`${folder}/${file}`, `${docs}/figures/${file}`);
 }
+if (kinds.includes('full')) await redraw(`${docs}/pictures`);
 if (kinds.includes('part')) console.log('figures: some are left as they are, for a part alone was measured');

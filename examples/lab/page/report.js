@@ -142,6 +142,14 @@ const colours = { ssao: '#e69f00', hsao: '#0072b2', ssdo: '#009e73', s3ho: '#cc7
 const tip = r => Object.entries(r).filter(([key, v]) => known(v) && v !== '' && key[0] !== '_').map(([key, v]) =>
     `${key.replaceAll('_', ' ')}: ${typeof v === 'number' ? +v.toPrecision(4) : v}`).slice(0, 16).join('\n');
 
+/* The point of a line that its name means: a method as it is, without settings, and first the one that the name begins
+   with; of several settings the one that errs least; of a sweep its end. */
+function meant(group, x, y) {
+    const fits = r => 2 * !r.settings + (r.method === String(r.label).split(',')[0]);
+    const most = Math.max(...group.map(fits)), of = group.filter(r => fits(r) === most);
+    return of.reduce(unique(of.map(named)).length > 1 ? (a, b) => b[y] < a[y] ? b : a : (a, b) => b[x] > a[x] ? b : a);
+}
+
 /* Points of rows, joined along a label; x as logarithms. The broad line joins those that nothing beats. */
 function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, width = 900, height = 520 }) {
     const points = rows.filter(r => known(r[x]) && known(r[y]) && !given(r))
@@ -149,9 +157,9 @@ function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, wid
     const front = [];
     for (const r of points)
         if (!front.length || r[y] < front.at(-1)[y]) front.push(r);
-    const labels = [...grouped(points, 'label').values()].map(g => g.reduce((a, b) => b[x] > a[x] ? b : a));
+    const labels = [...grouped(points, 'label').values()].map(g => meant(g, x, y));
     return {
-        width, height, marginLeft: 56, marginRight: 90, grid: true,
+        width, height, marginLeft: 56, marginRight: 110, grid: true,
         x: { type: even ? 'linear' : 'log', label: across, tickFormat: even ? undefined : '~g' },
         y: { label: up, zero: Math.min(...points.map(r => r[y])) < 0.35 * Math.max(...points.map(r => r[y])) },
         color: { domain: Object.keys(colours), range: Object.values(colours),
@@ -160,8 +168,9 @@ function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, wid
             even ? null : Plot.line(front, { x, y, curve: 'step-after', stroke: '#8884', strokeWidth: 7 }),
             floor === null ? null : Plot.ruleY([floor], { stroke: '#888', strokeDasharray: '6 4' }),
             Plot.line(points, { x, y, z: 'label', stroke: family, strokeOpacity: 0.55 }),
-            Plot.dot(points, { x, y, fill: family, r: 4, title: tip, tip: typeof window !== 'undefined' }),
-            Plot.text(labels, { x, y, text: 'label', dx: 7, textAnchor: 'start', fill: family, fontSize: 11 })
+            Plot.text(labels, { x, y, text: 'label', dx: 7, textAnchor: 'start', fill: family, fontSize: 11,
+                                stroke: 'var(--plot-background)', strokeWidth: 3 }),
+            Plot.dot(points, { x, y, fill: family, r: 4, title: tip, tip: typeof window !== 'undefined' })
         ].filter(Boolean)
     };
 }
