@@ -362,6 +362,11 @@ static void packages(void)
                    "endif()\nadd_executable(app app.c)\ntarget_link_libraries(app ssgi::ssgi)\n");
         CHECK(!shell(text, sizeof text, "cmake -S app -B app/build -DCMAKE_PREFIX_PATH=$PWD/to/usr -DCMAKE_C_COMPILER_"
                      "WORKS=1 && cmake --build app/build && app/build/app%s%s", "", ""), "%s", text);
+        CHECK(!shell(text, sizeof text, "cmake -S '%s' -B cmake && cmake --install cmake --prefix by-cmake && "
+                     "diff -r by-cmake to/usr%s", t_root, ""), "cmake installs otherwise: %s", text);
+        CHECK(!shell(text, sizeof text, "sed -i 's|^find.* REQUIRED.*|add_subdirectory(\"%s\" ssgi)|; "
+                     "/^find/,/^endif/d' app/CMakeLists.txt && cmake -S app -B app/within -DCMAKE_C_COMPILER_WORKS=1 "
+                     "&& cmake --build app/within && app/within/app%s", t_root, ""), "as a part of another project: %s", text);
     }
     CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' uninstall DESTDIR='%s/to' PREFIX=/usr && test -z "
                  "\"$(find to -type f)\"", t_root, folder), "left behind: %s", text);
@@ -378,7 +383,8 @@ static void packages(void)
         write_text("page/three/three.js", "export class Matrix4 { set() { return this; } }\n");
         CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' npm && cd page && for of in '%s'/build/ssgi-*.tgz "
                      "./three ./three; do npm install --offline --no-audit --no-fund --silent \"$of\" || exit 1; "
-                     "done && test -d node_modules/ssgi && ! test -L node_modules/ssgi && node npm.mjs", t_root, t_root),
+                     "done && test -d node_modules/ssgi && ! test -L node_modules/ssgi && node npm.mjs", t_root,
+                     t_root),
               "the package as npm installs it, then another one: %s", text);
         CHECK(!shell(text, sizeof text, "cd '%s/build' && grep -q \"npm install PATH/TO/build/$(echo ssgi-*.tgz)\" "
                      "../README.md%s", t_root, ""), "README does not name what make npm packs");
