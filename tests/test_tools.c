@@ -362,9 +362,9 @@ static void packages(void)
                    "endif()\nadd_executable(app app.c)\ntarget_link_libraries(app ssgi::ssgi)\n");
         CHECK(!shell(text, sizeof text, "cmake -S app -B app/build -DCMAKE_PREFIX_PATH=$PWD/to/usr -DCMAKE_C_COMPILER_"
                      "WORKS=1 && cmake --build app/build && app/build/app%s%s", "", ""), "%s", text);
-        CHECK(!shell(text, sizeof text, "cmake -S '%s' -B cmake && cmake --install cmake --prefix by-cmake && "
+        CHECK(!shell(text, sizeof text, "cmake -S '%s/examples/tools/packages' -B cmake && cmake --install cmake --prefix by-cmake && "
                      "diff -r by-cmake to/usr%s", t_root, ""), "cmake installs otherwise: %s", text);
-        CHECK(!shell(text, sizeof text, "sed -i 's|^find.* REQUIRED.*|add_subdirectory(\"%s\" ssgi)|; "
+        CHECK(!shell(text, sizeof text, "sed -i 's|^find.* REQUIRED.*|add_subdirectory(\"%s/examples/tools/packages\" ssgi)|; "
                      "/^find/,/^endif/d' app/CMakeLists.txt && cmake -S app -B app/within -DCMAKE_C_COMPILER_WORKS=1 "
                      "&& cmake --build app/within && app/within/app%s", t_root, ""), "as a part of another project: %s", text);
     }
