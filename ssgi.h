@@ -1162,13 +1162,19 @@ SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
         if (r_ != SSGI_OK) return r_; \
     } while (0)
 
-/* Whether x is finite. The bits tell, as -ffast-math lets a compiler assume that x - x == 0. */
-static int ssgi__finite(float x)
+/* Returns the bits of a float. With -ffast-math compilers take arguments and sums to be finite; clang, from 18 on, even
+   takes a test of their bits for true. Of what is volatile they know nothing. */
+static uint32_t ssgi__bits(float x)
 {
     uint32_t bits;
+    volatile uint32_t kept;
     memcpy(&bits, &x, sizeof bits);
-    return (bits & 0x7f800000u) != 0x7f800000u;
+    kept = bits;
+    return kept;
 }
+
+/* Whether x is finite. Ask it of what was given: of a sum a compiler may leave out terms. */
+static int ssgi__finite(float x) { return (ssgi__bits(x) & 0x7f800000u) != 0x7f800000u; }
 
 /* Whether v is not NULL and all its values are finite. */
 SSGI__FN int ssgi__finites(const float *v, int count)
@@ -1191,8 +1197,33 @@ SSGI__FN int ssgi__positive(const float *v, int count)
     return count == 0;
 }
 
+/* Whether a float can hold x, which is then neither NaN nor infinite. */
+SSGI__FN int ssgi__fits(double x)
+{
+    uint64_t bits;
+    volatile uint64_t kept;
+    memcpy(&bits, &x, sizeof bits);
+    kept = bits;
+    return (kept & 0x7fffffffffffffffu) <= 0x47efffffe0000000u; /* FLT_MAX */
+}
+
+/* Writes x as a float. Returns 0, and writes 0, where a float cannot hold it. */
+SSGI__FN int ssgi__fit(float *out, double x)
+{
+    const int fits = ssgi__fits(x);
+    *out = fits ? (float)x : 0.0f;
+    return fits;
+}
+
 /* Whether x is finite and above 0 as a float, so that doubles hold its square and its inverse. */
-SSGI__FN int ssgi__above_zero(double x) { return ssgi__finite((float)x) && (float)x > 0.0f; }
+SSGI__FN int ssgi__above_zero(double x) { return ssgi__fits(x) && (float)x > 0.0f; }
+
+/* Returns x clamped to 0..most; NaN counts as 0. NaN, and what is below 0, have larger bits than infinity. */
+static float ssgi__clamped(float x, float most)
+{
+    if (ssgi__bits(x) > 0x7f800000u) return 0.0f;
+    return x < most ? x : most;
+}
 
 SSGI__FN int ssgi__within(float x, float least, float most) { return ssgi__finite(x) && x >= least && x <= most; }
 
@@ -1289,8 +1320,9 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
                                                int height, const char **why)
 {
     double m[16], w, scale, shift, skew = 0.0;
+    float near_plane;
     ssgi_view v;
-    int perspective;
+    int perspective, fits = 1;
     SSGI__THERE2(view, projection);
     SSGI__CHECK(clip == SSGI_CLIP_GL || clip == SSGI_CLIP_ZERO, "clip: must be SSGI_CLIP_GL or SSGI_CLIP_ZERO");
     SSGI__SIZE(width, height);
@@ -1319,26 +1351,25 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
     v.orthographic = !perspective;
     for (int i = 0; i < 2; ++i) {
         double size = i ? height : width, gain = m[i * 5], centre = perspective ? -m[8 + i] : m[12 + i];
-        v.project[i] = (float)(gain * 0.5 * size);
-        v.project[2 + i] = (float)((centre * 0.5 + 0.5) * size);
-        v.unproject[i] = (float)(2.0 / (size * gain));
-        v.unproject[2 + i] = (float)(-(1.0 + centre) / gain);
-        v.oblique[i] = (float)(-2.0 * m[2 + 4 * i] / (size * gain * scale));
+        fits &= ssgi__fit(&v.project[i], gain * 0.5 * size);
+        fits &= ssgi__fit(&v.project[2 + i], (centre * 0.5 + 0.5) * size);
+        fits &= ssgi__fit(&v.unproject[i], 2.0 / (size * gain));
+        fits &= ssgi__fit(&v.unproject[2 + i], -(1.0 + centre) / gain);
+        fits &= ssgi__fit(&v.oblique[i], -2.0 * m[2 + 4 * i] / (size * gain * scale));
         skew -= m[2 + 4 * i] * (1.0 + centre) / gain;
     }
     if (perspective) { /* NDC z = m14/z - m10, and m2 x/z + m6 y/z where it is oblique */
-        v.depth[0] = (float)((shift + m[10] - skew) / m[14]);
-        v.depth[1] = (float)(scale / m[14]);
+        fits &= ssgi__fit(&v.depth[0], (shift + m[10] - skew) / m[14]);
+        fits &= ssgi__fit(&v.depth[1], scale / m[14]);
         v.clear = v.depth[1] > 0.0f ? 0.0f : 1.0f; /* if nearness grows with window depth, depth is reversed */
     } else {                                       /* NDC z = -m10 z + m14, and m2 x + m6 y */
-        v.depth[0] = (float)((m[14] - shift + skew) / m[10]);
-        v.depth[1] = (float)(-scale / m[10]);
+        fits &= ssgi__fit(&v.depth[0], (m[14] - shift + skew) / m[10]);
+        fits &= ssgi__fit(&v.depth[1], -scale / m[10]);
         v.clear = v.depth[1] > 0.0f ? 1.0f : 0.0f;
     }
-    SSGI__CHECK(ssgi__finites(v.project, 4) && ssgi__finites(v.unproject, 4) && ssgi__finites(v.depth, 2)
-                    && ssgi__finites(v.oblique, 2),
-                "projection: its elements are too large or too small for float arithmetic");
-    SSGI__CHECK(v.orthographic || ssgi__above_zero((double)ssgi_view_near(&v)),
+    SSGI__CHECK(fits, "projection: its elements are too large or too small for float arithmetic");
+    near_plane = ssgi_view_near(&v);
+    SSGI__CHECK(near_plane > (v.orthographic ? -3e38f : 0.0f) && near_plane < 3e38f,
                 "projection: shows nothing that is in front of the camera (elements 10 and 14)");
     *view = v;
     return SSGI_OK;
@@ -1428,6 +1459,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     const double r = (double)radius;
     double was[3][3], axis[3][3], turn[3], eye[3] = { 0, 0, 0 }, distance, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
+    int fits = 1;
     ssgi_view seen;
     SSGI__THERE3(world_to_view, projection, main_world_to_view);
     SSGI__TRY(ssgi__main_axes(was, main_world_to_view, why));
@@ -1457,18 +1489,18 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     for (int k = 0; k < 3 && ssgi__dot(turn, was[2]) < 0.0; ++k) axis[0][k] = -axis[0][k]; /* mirrored */
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
-        view[12 + i] = (float)-ssgi__dot(axis[i], eye);
+        fits &= ssgi__fit(&view[12 + i], -ssgi__dot(axis[i], eye));
     }
     view[15] = 1.0f;
 
     near_plane = 0.02 * r;
     far_plane = distance + r;
-    clip[0] = clip[5] = (float)(distance * sin50 > r ? sqrt((distance - r) * far_plane) / r : cot50);
+    fits &= ssgi__fit(&clip[0], distance * sin50 > r ? sqrt((distance - r) * far_plane) / r : cot50);
+    clip[5] = clip[0];
     clip[10] = (float)(-(far_plane + near_plane) / (far_plane - near_plane));
     clip[11] = -1.0f;
-    clip[14] = (float)(-2.0 * far_plane * near_plane / (far_plane - near_plane));
-    SSGI__CHECK(ssgi__finites(view, 16), "radius: too large for float arithmetic");
-    SSGI__CHECK(ssgi_view_from_projection(&seen, clip, SSGI_CLIP_GL, 65536, 65536, NULL) == SSGI_OK,
+    fits &= ssgi__fit(&clip[14], -2.0 * far_plane * near_plane / (far_plane - near_plane));
+    SSGI__CHECK(fits && ssgi_view_from_projection(&seen, clip, SSGI_CLIP_GL, 65536, 65536, NULL) == SSGI_OK,
                 "radius: too small or too large for float arithmetic");
     memcpy(world_to_view, view, sizeof view);
     memcpy(projection, clip, sizeof clip);
@@ -1487,17 +1519,13 @@ SSGI_DEF void ssgi_extra_displacement(float out[3], int i)
 /* ==== >>bias (implementation) ================================================================================== */
 
 /* Returns x clamped to 0..SSGI_FAR; NaN counts as 0. */
-SSGI__FN float ssgi__clamped_length(float x)
-{
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    if (!ssgi__finite(x)) return bits == 0x7f800000u ? SSGI_FAR : 0.0f;
-    return ssgi__min(ssgi__max(x, 0.0f), SSGI_FAR);
-}
+SSGI__FN float ssgi__clamped_length(float x) { return ssgi__clamped(x, SSGI_FAR); }
 
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float z)
 {
-    return ssgi__clamped_length(0.5f * ssgi_pixel_footprint(view, ssgi__clamped_length(z)));
+    const double depth = view->orthographic ? 1.0 : (double)ssgi__clamped_length(z);
+    const double offset = 0.5 * (double)ssgi_pixel_footprint(view, 1.0f) * depth;
+    return offset < (double)SSGI_FAR ? (float)offset : SSGI_FAR;
 }
 
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution)
@@ -1659,7 +1687,7 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
         double p[3][3];
         int inside = 1;
         for (int k = 0; k < 3; ++k) ssgi__peaks_at(p[k], &m, (uint32_t)(3 * i) + (uint32_t)k);
-        for (int k = 0; k < 9; ++k) inside &= ssgi__within((float)p[k / 3][k % 3], -1e12f, 1e12f);
+        for (int k = 0; k < 9; ++k) inside &= ssgi__fits(p[k / 3][k % 3]) && fabs(p[k / 3][k % 3]) <= 1e12;
         for (int k = 0; k < 3 && inside; ++k) {
             m.corner[corners++] = (uint32_t)(3 * i) + (uint32_t)k;
             for (int c = 0; c < 3; ++c) {
@@ -3062,7 +3090,7 @@ SSGI_DEF ssgi_result ssgi_tess_points(float *uvw, int level, const char **why)
 SSGI_DEF int ssgi_tess_level(double area, double radius)
 {
     double discs;
-    if (!ssgi__above_zero(area) || !ssgi__finite((float)radius)) return 1;
+    if (!ssgi__above_zero(area) || !ssgi__fits(radius)) return 1;
     if (!((float)radius > 0.0f)) return 64;
     discs = area / (SSGI__PI * radius * radius);
     if (!(discs > 3.0)) return 1;
@@ -3092,20 +3120,20 @@ SSGI__FN double ssgi__surfel_radius(const double scale[2], int orthographic, dou
 SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth)
 {
     double scale[2];
-    if (!ssgi__above_zero(size) || !ssgi__finite((float)depth)) return 0.0;
+    if (!ssgi__above_zero(size) || !ssgi__fits(depth)) return 0.0;
     ssgi__surfel_scale(scale, view, size);
     return ssgi__surfel_radius(scale, view->orthographic, depth);
 }
 
 SSGI_DEF double ssgi_surfel_form_factor(double radius, double distance)
 {
-    if (!ssgi__above_zero(radius) || !ssgi__finite((float)distance)) return 0.0;
+    if (!ssgi__above_zero(radius) || !ssgi__fits(distance)) return 0.0;
     return radius * radius / (distance * distance + radius * radius);
 }
 
 SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon)
 {
-    if (!ssgi__above_zero(radius) || !ssgi__above_zero(brightest) || !ssgi__finite((float)epsilon)) return 0.0;
+    if (!ssgi__above_zero(radius) || !ssgi__above_zero(brightest) || !ssgi__fits(epsilon)) return 0.0;
     if (!((float)epsilon > 0.0f)) return (double)SSGI_FAR;
     return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
 }
@@ -3168,7 +3196,7 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
     ssgi__cross(p->face, a, b);
     p->area = 0.5 * ssgi__normalise(p->face);
     for (int i = 0; i < 9 && !s->normal; ++i) p->normal[i / 3][i % 3] = m->side * p->face[i % 3];
-    return p->area > 0.0 && ssgi__finite((float)p->area);
+    return p->area > 0.0 && ssgi__fits(p->area);
 }
 
 /* Returns the smallest surfel radius in a patch, which is that at the patch's depth nearest to the near plane. A patch
@@ -3611,7 +3639,7 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 {
     double sum = 0.0;
-    if (c < 0 || c > 2 || !ssgi__finite((float)r)) return 0.0;
+    if (c < 0 || c > 2 || !ssgi__fits(r)) return 0.0;
     for (int k = 0; k < 2; ++k) {
         const double z = k ? d->z_v[c] : d->z_r[c], length = sqrt(r * r + z * z);
         sum += z * (d->sigma_tr[c] + 1.0 / length) * exp(-d->sigma_tr[c] * length) / (length * length);
@@ -3625,8 +3653,8 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
    horizon. */
 SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine)
 {
-    double h = ssgi__finite((float)solid_angle) && solid_angle > 0.0 ? solid_angle / (2.0 * SSGI__PI) : 0.0;
-    double c = !ssgi__finite((float)cosine) ? 0.0 : cosine < -1.0 ? -1.0 : cosine > 1.0 ? 1.0 : cosine, s, a = 0.0;
+    double h = ssgi__fits(solid_angle) && solid_angle > 0.0 ? solid_angle / (2.0 * SSGI__PI) : 0.0;
+    double c = !ssgi__fits(cosine) ? 0.0 : cosine < -1.0 ? -1.0 : cosine > 1.0 ? 1.0 : cosine, s, a = 0.0;
     const int large = h > 1.0; /* a cap larger than a hemisphere, whose complement is a cap, too */
     if (large) {
         h = h < 2.0 ? 2.0 - h : 0.0;
@@ -4645,13 +4673,18 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, cons
     SSGI__THERE3(survey, hsao, best);
     SSGI__THERE(solid);
     for (size_t i = 0; i < count; ++i) {
-        const float slab = slabs ? slabs[i] : hsao[i];
-        const float change[4] = { 1.0f - slab, best[i] - hsao[i], solid[i] - hsao[i], slab - hsao[i] };
-        if (!ssgi__finite(change[0] + change[1] + change[2] + change[3])) continue;
-        for (int k = 0; k < 4; ++k) sum[k] += (double)change[k] * (double)change[k];
-        ++covered;
+        const float *const shown[4] = { hsao + i, best + i, solid + i, slabs ? slabs + i : hsao + i };
+        double v[4];
+        int known = 1;
+        for (int k = 0; k < 4; ++k) {
+            known &= ssgi__finite(*shown[k]);
+            v[k] = (double)*shown[k];
+        }
+        const double change[4] = { 1.0 - v[3], v[1] - v[0], v[2] - v[0], v[3] - v[0] };
+        for (int k = 0; k < 4 && known; ++k) sum[k] += change[k] * change[k];
+        covered += (size_t)known;
     }
-    for (int k = 0; k < 4; ++k) sum[k] = covered ? sqrt(sum[k] / (double)covered) : 0.0;
+    for (int k = 0; k < 4; ++k) sum[k] = covered ? fmin(sqrt(sum[k] / (double)covered), (double)SSGI_FAR) : 0.0;
     survey->occlusion = (float)sum[0];
     survey->detail = (float)sum[1];
     survey->solid = (float)sum[2];
@@ -4915,10 +4948,12 @@ SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
     SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
                     && ssgi__positive(&s->depth_pass, 1) && ssgi__positive(&s->coverage, 1),
                 "scene.error, .budget, .screen_radius, .depth_pass, .coverage: must be finite and 0 or more");
-    SSGI__CHECK(ssgi__within((float)s->surfels, 0.0f, 1e18f) && ssgi__within((float)s->splats, 0.0f, 1e18f),
+    SSGI__CHECK(ssgi__fits(s->surfels) && s->surfels >= 0.0 && s->surfels <= 1e18 && ssgi__fits(s->splats)
+                    && s->splats >= 0.0 && s->splats <= 1e18,
                 "scene.surfels, .splats: must be finite and 0 or more");
     SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");
-    SSGI__CHECK(ssgi__finite(s->calibration.unoccluded + s->calibration.hsao + s->calibration.slabs),
+    SSGI__CHECK(ssgi__finite(s->calibration.unoccluded) && ssgi__finite(s->calibration.hsao)
+                    && ssgi__finite(s->calibration.slabs),
                 "scene.calibration: must be finite");
     SSGI__CHECK(ssgi__positive(&s->survey.occlusion, 1) && ssgi__positive(&s->survey.detail, 1)
                     && ssgi__positive(&s->survey.solid, 1) && ssgi__positive(&s->survey.slabs, 1),

@@ -7372,14 +7372,17 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
 
 /* ==== >>frame (implementation) ==================================================================================== */
 
-/* Whether all are finite and none is larger than `most` [limit: >= 0], by the bits, which -ffast-math leaves. */
+/* Whether all are finite and none is larger than `most` [limit: >= 0], by the bits. With -ffast-math compilers take
+   arguments and sums to be finite, and recent ones of clang even a test of their bits, but for what is volatile. */
 static int ssgi_gl__within(const float *v, int count, float most)
 {
     uint32_t limit, bits;
+    volatile uint32_t kept;
     memcpy(&limit, &most, sizeof limit);
     for (; count > 0; ++v, --count) {
         memcpy(&bits, v, sizeof bits);
-        if ((bits & 0x7fffffffu) > limit) return 0;
+        kept = bits;
+        if ((kept & 0x7fffffffu) > limit) return 0;
     }
     return 1;
 }
@@ -7614,12 +7617,17 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
     SSGI_GL__CHECK(frame && dipole, "frame, dipole: must not be NULL");
     SSGI_GL__CHECK(ssgi_gl__above(unit), "unit: must be > 0 and finite");
     for (int c = 0; c < 3; ++c) {
-        scaled[c] = (float)dipole->z_r[c] * unit;
-        scaled[4 + c] = (float)dipole->z_v[c] * unit;
-        scaled[8 + c] = (float)dipole->sigma_tr[c] / unit;
-        scaled[12 + c] = 0.25f * (float)dipole->albedo[c]; /* pi r^2 over 4 pi */
+        const float given[4] = { (float)dipole->z_r[c], (float)dipole->z_v[c], (float)dipole->sigma_tr[c],
+                                 (float)dipole->albedo[c] };
+        SSGI_GL__CHECK(ssgi_gl__within(given, 4, SSGI_FAR) && fabs((double)given[0] * (double)unit) <= (double)SSGI_FAR
+                           && fabs((double)given[1] * (double)unit) <= (double)SSGI_FAR
+                           && fabs((double)given[2] / (double)unit) <= (double)SSGI_FAR,
+                       "dipole: must be finite, also times and over unit");
+        scaled[c] = given[0] * unit;
+        scaled[4 + c] = given[1] * unit;
+        scaled[8 + c] = given[2] / unit;
+        scaled[12 + c] = 0.25f * given[3]; /* pi r^2 over 4 pi */
     }
-    SSGI_GL__CHECK(ssgi_gl__within(scaled, 16, SSGI_FAR), "dipole: must be finite, also times and over unit");
     memcpy(frame->dipole, scaled, sizeof scaled);
     return SSGI_OK;
 }

@@ -166,6 +166,29 @@ static void expect(int good, const char *sentence)
     ++wrong;
 }
 
+/* A pixel that is not finite in one picture of a survey, whichever, is left out. */
+static void surveyed(void)
+{
+    static float picture[4][4] = { { 0.5f, 0.5f, 0.5f, 0.9f }, { 0.5f, 0.6f, 0.5f, 0.8f },
+                                   { 0.4f, 0.5f, 0.5f, 0.8f }, { 0.5f, 0.5f, 0.6f, 0.9f } };
+    for (int i = 0; i < 16; ++i)
+        for (size_t k = 0; k < sizeof bad / sizeof *bad; ++k) {
+            const float was = picture[i / 4][i % 4];
+            float left[4][3]; /* the other pixels */
+            ssgi_survey all, others;
+            for (int n = 0; n < 12; ++n) left[n / 3][n % 3] = picture[n / 3][n % 3 + (n % 3 >= i % 4)];
+            memcpy(&picture[i / 4][i % 4], &bad[k], sizeof bad[k]);
+            ssgi_survey_of(&all, picture[0], picture[1], picture[2], picture[3], 4, &why);
+            ssgi_survey_of(&others, left[0], left[1], left[2], left[3], 3, &why);
+            expect(!memcmp(&all, &others, sizeof all), "a survey counts a pixel that is not finite in one picture");
+            picture[i / 4][i % 4] = was;
+        }
+    float far_apart[2] = { 3e38f, -3e38f };
+    ssgi_survey s;
+    ssgi_survey_of(&s, far_apart, far_apart + 1, far_apart, NULL, 1, &why);
+    expect(ssgi_gl__within(&s.occlusion, 4, SSGI_FAR), "a survey is larger than SSGI_FAR");
+}
+
 /* Finite input whose squares, inverses or products are none. */
 static void extremes(void)
 {
@@ -235,6 +258,7 @@ int main(void)
     formulas();
     surfel_formulas();
     extremes();
+    surveyed();
     REFUSES(view_of, &projection);
     REFUSES(extra, &rigid); REFUSES(extra, &up); REFUSES(extra, &colour); REFUSES_ONE(extra, &number);
     REFUSES(sh_light, &up); REFUSES(sh_light, &colour); REFUSES_ONE(sh_light, &number);
