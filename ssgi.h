@@ -467,7 +467,7 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
 
 /* Traces rays against triangles, for the nearest hit or for any hit, to bake fields and to ray-trace references. Build
    once, then trace from any number of threads. Triangles are two-sided; rays do not pass between triangles that share
-   an edge.
+   an edge, whether or not a compiler fuses multiply and add, nor with -ffast-math.
 
       size_t      size = ssgi_trace_size(triangles);
       void       *memory = malloc(size);
@@ -507,8 +507,8 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why);
 
 /* Finds the hit with the smallest t in tmin < t < tmax. Returns 1 with *hit filled, or 0 with *hit untouched. The
-   direction may have any length, which is the unit of t. tmin below 0 counts as 0. A ray that is not finite, beyond
-   1e12, or without direction hits nothing. */
+   direction may have any length, which is the unit of t. tmin and tmax count as 0 where they are below 0 or NaN; tmax
+   may be infinite. A ray that is not finite, beyond 1e12, or without direction hits nothing. */
 SSGI_DEF int ssgi_trace_closest(ssgi_hit *hit, const ssgi_trace *trace, const float origin[3], const float direction[3],
                                 float tmin, float tmax);
 
@@ -2566,14 +2566,14 @@ typedef struct ssgi__trace_job {
     const uint32_t *index;
 } ssgi__trace_job;
 
-/* Whether x is finite and within the limit, by the bits: -ffast-math may drop any comparison. */
-static int ssgi__trace_sane(float x)
+/* Whether a point or a direction is finite and within the limit, by the bits: -ffast-math may drop any comparison. */
+static int ssgi__trace_sane(const float v[3])
 {
     const float limit = SSGI__TRACE_LIMIT;
-    uint32_t bits, most;
-    memcpy(&bits, &x, sizeof bits);
+    uint32_t bits[3], most;
+    memcpy(bits, v, sizeof bits);
     memcpy(&most, &limit, sizeof most);
-    return (bits & 0x7fffffffu) <= most;
+    return (bits[0] & 0x7fffffffu) <= most && (bits[1] & 0x7fffffffu) <= most && (bits[2] & 0x7fffffffu) <= most;
 }
 
 SSGI_DEF size_t ssgi_trace_size(size_t triangles)
@@ -2596,8 +2596,8 @@ SSGI__FN int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle,
     const float *a = ssgi__trace_corner(job, triangle, 0), *b = ssgi__trace_corner(job, triangle, 1),
                 *c = ssgi__trace_corner(job, triangle, 2);
     double e[3], f[3];
+    if (!ssgi__trace_sane(a) || !ssgi__trace_sane(b) || !ssgi__trace_sane(c)) return 0;
     for (int i = 0; i < 3; i++) {
-        if (!ssgi__trace_sane(a[i]) || !ssgi__trace_sane(b[i]) || !ssgi__trace_sane(c[i])) return 0;
         item->lower[i] = ssgi__min(a[i], ssgi__min(b[i], c[i]));
         item->upper[i] = ssgi__max(a[i], ssgi__max(b[i], c[i]));
         e[i] = (double)b[i] - (double)a[i];
@@ -2710,6 +2710,21 @@ SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_rang
     }
 }
 
+/* Writes the box of child k of a node. A ray that meets a triangle has to enter its box, but corners are rounded when
+   they are sheared (ssgi__trace_block_hit), which moves a side by some 1e-7 of its length: the box is wider by more.
+   ssgi__trace_boxes covers the rounding that grows with the way to the box. */
+SSGI__FN void ssgi__trace_box_set(ssgi__trace_node *node, int k, const ssgi__trace_range *range)
+{
+    float longest = 0.0f;
+    for (int i = 0; i < 3; i++) longest = ssgi__max(longest, range->upper[i] - range->lower[i]);
+    for (int i = 0; i < 3; i++) {
+        const float l = range->lower[i], u = range->upper[i];
+        const float slack = 4e-7f * (longest + (u - l)) + 1.2e-7f * ssgi__max(ssgi__abs(l), ssgi__abs(u));
+        node->bound[0][i][k] = l - slack;
+        node->bound[1][i][k] = u + slack;
+    }
+}
+
 /* Makes a node of a range, with all below it, and returns its number. The widest child is split until there are
    eight, or until each child fits into a leaf. */
 SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_range *whole)
@@ -2736,11 +2751,12 @@ SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_r
     for (int k = 0; k < SSGI__TRACE_WIDE; k++) {
         ssgi__trace_node *node = job->nodes + self;
         for (int i = 0; i < 3; i++) { /* the box of an empty child is inside out and never entered */
-            node->bound[0][i][k] = k < count ? range[k].lower[i] : 2.0f * SSGI__TRACE_LIMIT;
-            node->bound[1][i][k] = k < count ? range[k].upper[i] : -2.0f * SSGI__TRACE_LIMIT;
+            node->bound[0][i][k] = 2.0f * SSGI__TRACE_LIMIT;
+            node->bound[1][i][k] = -2.0f * SSGI__TRACE_LIMIT;
         }
         node->child[k] = SSGI__TRACE_LEAF;
         if (k >= count) continue;
+        ssgi__trace_box_set(node, k, &range[k]);
         if (range[k].count > 4) node->child[k] = ssgi__trace_node_set(job, &range[k]);
         else {
             ssgi__trace_block_set(job, &range[k]);
@@ -2801,16 +2817,16 @@ typedef struct ssgi__trace_ray {
 /* Returns 0 for a ray that can hit nothing: it is not finite, too far out, or without direction. */
 static int ssgi__trace_ray_set(ssgi__trace_ray *ray, const float origin[3], const float direction[3])
 {
-    float size = 0.0f, longest = 0.0f;
+    float longest = 0.0f;
+    if (!ssgi__trace_sane(origin) || !ssgi__trace_sane(direction)) return 0;
     for (int i = 0; i < 3; i++) {
         ray->origin[i] = origin[i];
         ray->direction[i] = direction[i];
-        size += ssgi__abs(origin[i]) + ssgi__abs(direction[i]);
+        longest = ssgi__max(ssgi__abs(direction[i]), longest);
     }
-    for (int i = 2; i >= 0; i--) longest = ssgi__max(ssgi__abs(direction[i]), longest);
-    if (!ssgi__trace_sane(size) || !(longest > 1e-18f)) return 0;
+    if (!(longest > 1e-18f)) return 0;
     for (int i = 0; i < 3; i++) { /* no infinity, as 0 * infinity would be NaN on the face of a box */
-        const float least = longest * 1e-12f;
+        const float least = ssgi__max(longest * 1e-24f, 1e-37f);
         ray->sign[i] = direction[i] < 0.0f;
         ray->inverse[i] = 1.0f / (ray->sign[i] ? ssgi__min(direction[i], -least) : ssgi__max(direction[i], least));
     }
@@ -2822,13 +2838,17 @@ static int ssgi__trace_ray_set(ssgi__trace_ray *ray, const float origin[3], cons
     return 1;
 }
 
-/* Writes to weight[c][k] the unnormalised barycentric weight of corner c of triangle k; where outside[k] is above 0,
-   the ray's line misses the triangle. The corners are sheared so that the ray is the z axis; a weight's sign is then
-   exact for the sheared corners, which triangles share, so that neither edges nor corners leave gaps [Woop, Benthin,
-   Wald 2013]. */
-static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float weight[3][4],
-                                  float outside[4])
+/* Writes to at[c][i][k] corner c of triangle k, sheared so that the ray is the z axis, and to inside[k] whether the
+   ray's line meets the triangle. Two products tell on which hand of the line a side lies. They are compared, not
+   subtracted: compilers may fuse a product with a difference, and then the two triangles of a side disagree. As they
+   share sheared corners, too, neither edges nor corners leave gaps [Woop, Benthin, Wald 2013]. Sums are not to be taken
+   apart, either: the difference from the origin comes first, which is exact where it is small. */
+static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float at[3][2][4],
+                                  int inside[4])
 {
+#if defined(__clang__) && __clang_major__ >= 13
+#pragma clang fp reassociate(off)
+#endif
     const float ox = ray->from[0], oy = ray->from[1], oz = ray->from[2], sx = ray->slope[0], sy = ray->slope[1];
     const int x = ray->axis[0], y = ray->axis[1], z = ray->axis[2];
     const float *x0 = block->corner[0][x], *y0 = block->corner[0][y], *z0 = block->corner[0][z];
@@ -2838,31 +2858,46 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
         const float az = z0[k] - oz, ax = x0[k] - ox - sx * az, ay = y0[k] - oy - sy * az;
         const float bz = z1[k] - oz, bx = x1[k] - ox - sx * bz, by = y1[k] - oy - sy * bz;
         const float cz = z2[k] - oz, cx = x2[k] - ox - sx * cz, cy = y2[k] - oy - sy * cz;
-        const float a = cx * by - cy * bx, b = ax * cy - ay * cx, c = bx * ay - by * ax;
-        const float least = ssgi__min(a, ssgi__min(b, c)), most = ssgi__max(a, ssgi__max(b, c));
-        weight[0][k] = a;
-        weight[1][k] = b;
-        weight[2][k] = c;
-        outside[k] = ssgi__min(-least, most);
+        const float a0 = cx * by, a1 = cy * bx, b0 = ax * cy, b1 = ay * cx, c0 = bx * ay, c1 = by * ax;
+        at[0][0][k] = ax;
+        at[0][1][k] = ay;
+        at[1][0][k] = bx;
+        at[1][1][k] = by;
+        at[2][0][k] = cx;
+        at[2][1][k] = cy;
+        inside[k] = ((a0 < a1) | (b0 < b1) | (c0 < c1)) ^ ((a0 > a1) | (b0 > b1) | (c0 > c1));
     }
 }
 
-/* Returns the t at which the ray meets the plane of triangle k, -1 if the ray is parallel to it. It is computed in
-   double, for small details on large triangles. */
-static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
+/* Returns the t at which the ray meets triangle k, whose corners have these weights. It is where the ray meets the
+   triangle's plane, computed in double for small details on large triangles. Where that is not between the corners, the
+   triangle is seen along its plane, and the mean of the corners counts. */
+static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const ssgi__trace_ray *ray,
+                                  const float weight[3], float sum)
 {
-    double e[3], f[3], facing = 0.0, height = 0.0;
+    double e[3], f[3], z[3], facing = 0.0, height = 0.0, low, high;
+    const double way = (double)ray->direction[ray->axis[2]];
     for (int i = 0; i < 3; i++) {
         e[i] = (double)block->corner[1][i][k] - (double)block->corner[0][i][k];
         f[i] = (double)block->corner[2][i][k] - (double)block->corner[0][i][k];
+        z[i] = (double)block->corner[i][ray->axis[2]][k] - (double)ray->from[2];
     }
     for (int i = 0; i < 3; i++) {
         const int p = i < 2 ? i + 1 : 0, q = i > 0 ? i - 1 : 2;
         const double normal = e[p] * f[q] - e[q] * f[p];
-        facing += normal * (double)d[i];
-        height += normal * ((double)block->corner[0][i][k] - (double)o[i]);
+        facing += normal * (double)ray->direction[i];
+        height += normal * ((double)block->corner[0][i][k] - (double)ray->origin[i]);
     }
-    return facing < 0.0 || facing > 0.0 ? (float)(height / facing) : -1.0f;
+    low = z[0] < z[1] ? z[0] : z[1];
+    low = low < z[2] ? low : z[2];
+    high = z[0] > z[1] ? z[0] : z[1];
+    high = high > z[2] ? high : z[2];
+    if (facing < 0.0 || facing > 0.0) {
+        const double t = height / facing, slack = 1e-3 * (fabs(low) + fabs(high));
+        if (t * way >= low - slack && t * way <= high + slack) return (float)t;
+    }
+    const double mean = (double)weight[0] * z[0] + (double)weight[1] * z[1] + (double)weight[2] * z[2];
+    return (float)(mean / ((double)sum * way));
 }
 
 /* Finds the closest hit in tmin < t < tmax of a leaf's triangles, or with `hit` NULL any hit. Returns 1 if there is
@@ -2870,19 +2905,25 @@ static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const f
 static int ssgi__trace_leaf(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float tmin, float *tmax,
                             ssgi_hit *hit)
 {
-    float weight[3][4], outside[4];
-    int found = 0;
-    ssgi__trace_block_hit(block, ray, weight, outside);
+    float at[3][2][4];
+    int inside[4], found = 0;
+    ssgi__trace_block_hit(block, ray, at, inside);
     for (int k = 0; k < 4; k++) {
-        if (outside[k] > 0.0f) continue;
-        const float t = ssgi__trace_distance(block, k, ray->origin, ray->direction);
-        const float sum = weight[0][k] + weight[1][k] + weight[2][k];
-        if (!(t > tmin && t < *tmax && ssgi__abs(sum) > 0.0f)) continue;
+        if (!inside[k]) continue;
+        float weight[3], sum; /* barycentric weights of the corners, not yet over their sum */
+        for (int c = 0; c < 3; c++) {
+            const int a = c > 0 ? c - 1 : 2, b = c < 2 ? c + 1 : 0;
+            weight[c] = at[a][0][k] * at[b][1][k] - at[a][1][k] * at[b][0][k];
+        }
+        sum = weight[0] + weight[1] + weight[2];
+        sum = ssgi__abs(sum) > 0.0f ? sum : 1.0f;
+        const float t = ssgi__trace_distance(block, k, ray, weight, sum);
+        if (!(t > tmin && t < *tmax)) continue;
         if (!hit) return 1;
         found = 1;
         hit->t = *tmax = t;
-        hit->u = ssgi__min(1.0f, ssgi__max(0.0f, weight[1][k] / sum));
-        hit->v = ssgi__min(1.0f - hit->u, ssgi__max(0.0f, weight[2][k] / sum));
+        hit->u = ssgi__min(1.0f, ssgi__max(0.0f, weight[1] / sum));
+        hit->v = ssgi__min(1.0f - hit->u, ssgi__max(0.0f, weight[2] / sum));
         hit->triangle = block->triangle[k];
     }
     return found;
@@ -2903,7 +2944,7 @@ static void ssgi__trace_boxes(const ssgi__trace_node *node, const ssgi__trace_ra
         const float ey = (y0[k] - o[1]) * inverse[1], ly = (y1[k] - o[1]) * inverse[1];
         const float ez = (z0[k] - o[2]) * inverse[2], lz = (z1[k] - o[2]) * inverse[2];
         enter[k] = ssgi__max(ssgi__max(ex, ey), ssgi__max(ez, tmin));
-        leave[k] = ssgi__min(ssgi__min(lx, ly), lz) * 1.0000006f; /* covers the rounding of both ends [Ize 2013] */
+        leave[k] = ssgi__min(ssgi__min(lx, ly), lz) * 1.000001f; /* covers the rounding of both ends [Ize 2013] */
         leave[k] = ssgi__min(leave[k], tmax);
     }
 }
@@ -2924,7 +2965,6 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
     ssgi__trace_ray ray;
     int top = 0, found = 0;
     if (trace->node_count == 0 || !ssgi__trace_ray_set(&ray, origin, direction)) return 0;
-    tmin = tmin > 0.0f ? tmin : 0.0f;
     stack[top].child = 0;
     stack[top++].t = tmin;
     while (top) {
@@ -2954,13 +2994,13 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
 SSGI_DEF int ssgi_trace_closest(ssgi_hit *hit, const ssgi_trace *trace, const float origin[3], const float direction[3],
                                 float tmin, float tmax)
 {
-    return ssgi__trace_walk(trace, origin, direction, tmin, tmax, hit);
+    return ssgi__trace_walk(trace, origin, direction, ssgi__clamped(tmin, 3e38f), ssgi__clamped(tmax, 3e38f), hit);
 }
 
 SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                             float tmax)
 {
-    return ssgi__trace_walk(trace, origin, direction, tmin, tmax, NULL);
+    return ssgi__trace_walk(trace, origin, direction, ssgi__clamped(tmin, 3e38f), ssgi__clamped(tmax, 3e38f), NULL);
 }
 
 /* Returns the cosine-weighted occlusion of a point whose normal is axes[2], by stratified rays; the seed turns them.
@@ -2999,7 +3039,7 @@ SSGI__FN uint32_t ssgi__trace_seed(const float p[3])
 {
     uint32_t seed = 0, bits;
     for (int i = 0; i < 3; ++i) {
-        memcpy(&bits, &p[i], sizeof bits);
+        bits = ssgi__bits(p[i]);
         seed = ssgi__hash(seed ^ (bits & 0x7fffffffu ? bits : 0u));
     }
     return seed;

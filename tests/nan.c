@@ -189,6 +189,22 @@ static void surveyed(void)
     expect(ssgi_gl__within(&s.occlusion, 4, SSGI_FAR), "a survey is larger than SSGI_FAR");
 }
 
+/* Rays that are not finite hit nothing, by either question, and write nothing. */
+static void rays(void)
+{
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; ++k)
+        for (int i = 0; i < 6; ++i) {
+            float ray[6] = { 0.2f, 0.2f, 1, 0, 0, -1 };
+            ssgi_hit hit = { -1, -1, -1, 7 };
+            expect(ssgi_trace_any(&trace, ray, ray + 3, 0, 10) && !ssgi_trace_any(&trace, ray, ray + 3, 0, 1),
+                   "the triangle is not two away");
+            memcpy(&ray[i], &bad[k], sizeof bad[k]);
+            expect(!ssgi_trace_any(&trace, ray, ray + 3, 0, 10)
+                       && !ssgi_trace_closest(&hit, &trace, ray, ray + 3, 0, 10) && hit.triangle == 7,
+                   "a ray that is not finite hits");
+        }
+}
+
 /* Finite input whose squares, inverses or products are none. */
 static void extremes(void)
 {
@@ -259,6 +275,7 @@ int main(void)
     surfel_formulas();
     extremes();
     surveyed();
+    rays();
     REFUSES(view_of, &projection);
     REFUSES(extra, &rigid); REFUSES(extra, &up); REFUSES(extra, &colour); REFUSES_ONE(extra, &number);
     REFUSES(sh_light, &up); REFUSES(sh_light, &colour); REFUSES_ONE(sh_light, &number);

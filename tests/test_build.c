@@ -454,6 +454,22 @@ static void not_numbers(void)
     programs("nan", modes, sizeof modes / sizeof *modes);
 }
 
+/* Compilers for ARM64 fuse multiply and add unasked, others where they may use the processor's own instructions. */
+static void closed_meshes(void)
+{
+    static const program_mode modes[] = { { "gcc -O2 -march=native", "", "1000" },
+                                          { "gcc -O3 -march=native -ffast-math", "", "1000" },
+                                          { "clang -O2 -march=native -ffast-math", "", "5000" },
+                                          { "clang-19 -O3 -march=native", "", "1000" },
+                                          { "gcc -O2", "", "1000" },
+                                          { "aarch64-linux-gnu-gcc -O2 -static", "qemu-aarch64", "300" } };
+    char text[400];
+    if (shell(text, sizeof text, "gcc -march=native -dM -E -xc /dev/null | grep -qE '__FMA__|%s'%s",
+              "__ARM_FEATURE_FMA", ""))
+        t_note("this processor does not fuse multiply and add");
+    programs("leaks", modes, sizeof modes / sizeof *modes);
+}
+
 /* Another version lays out otherwise: only 14 judges. */
 static void formatted(void)
 {
@@ -479,6 +495,7 @@ void test_build(void)
     RUN("the code in the headers' comments and in the README compiles as C99, C++11 and C++20, and runs", documentation);
     RUN("comments and the README name fields, functions and passes that there are", names);
     RUN("no function takes NaN or infinity for a number, by whatever rules of arithmetic", not_numbers);
+    RUN("no ray leaves a closed mesh between its triangles, by whatever rules of arithmetic", closed_meshes);
     if (t_all()) {                                 /* these compile the library again and again */
         RUN("random inputs and chains neither crash nor trip a sanitizer", fuzz);
         RUN("a baked field has the same bytes at any optimisation", optimised);
