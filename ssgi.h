@@ -667,7 +667,8 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
    four, recursively, at most ten times. Drops triangles farther outside the frustum than desc->max_distance, without
    area, or with corners that are not finite or beyond SSGI_FAR. The others stay unchanged, in their order.
      out      27 floats a triangle: position, normal, colour of each corner in mesh space (normal 0 0 0, colour 1 1 1
-              where the source's are NULL). They are usable as a source of ssgi_surfels and as patches
+              where the source's are NULL; 0 for what is not finite of them). They are usable as a source of
+              ssgi_surfels and as patches
      count    how many triangles result; at most `capacity` of them are written */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
@@ -675,8 +676,8 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
 /* Makes surfels of triangles; their areas sum to the triangle's, on average where small ones are thinned (keep_small
    0). Writes at most `capacity` surfels, and to *count their number (to query it, give out NULL and capacity 0).
    Triangles without area, with corners that are not finite or beyond SSGI_FAR, or too small for a radius above 0 give
-   none; normals that are not finite count as 0. A surfel's seed depends only on the vertex indices of its triangle and
-   on its place in the triangle. */
+   none; normals, and parts of a colour, that are not finite count as 0. A surfel's seed depends only on the vertex
+   indices of its triangle and on its place in the triangle. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -3205,6 +3206,21 @@ static const float *ssgi__surfel_at(const float *data, size_t stride, size_t i)
     return (const float *)(const void *)((const char *)data + i * (stride ? stride : 12));
 }
 
+/* Writes position, normal and colour of a vertex: 0 0 0 and 1 1 1 where the source's are NULL; a normal that is not
+   finite is 0 0 0, and so is such a part of a colour 0. */
+SSGI__FN void ssgi__surfel_vertex(float v[9], const ssgi_surfel_source *s, size_t vertex)
+{
+    const float *part[3];
+    part[0] = ssgi__surfel_at(s->position, s->position_stride, vertex);
+    part[1] = s->normal ? ssgi__surfel_at(s->normal, s->normal_stride, vertex) : NULL;
+    part[2] = s->colour ? ssgi__surfel_at(s->colour, s->colour_stride, vertex) : NULL;
+    const int normal = ssgi__finites(part[1], 3);
+    for (int k = 0; k < 9; ++k) {
+        v[k] = part[k / 3] ? part[k / 3][k % 3] : k > 5 ? 1.0f : 0.0f;
+        if (k > 5 ? !ssgi__finite(v[k]) : k > 2 && !normal) v[k] = 0.0f;
+    }
+}
+
 /* Makes a patch of the whole triangle in view space. Returns 0 if the triangle gives no surfels. */
 SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, size_t triangle)
 {
@@ -3213,21 +3229,19 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
     uint32_t id[3];
     for (int corner = 0; corner < 3; ++corner) {
         const size_t k = 3 * triangle + (size_t)corner, vertex = s->index ? s->index[k] : k;
+        float given[9];
+        ssgi__surfel_vertex(given, s, vertex);
+        if (!ssgi__finites(given, 3)) return 0;
         id[corner] = (uint32_t)vertex & 0xffffffu;
-        ssgi__doubles(v, ssgi__surfel_at(s->position, s->position_stride, vertex));
+        ssgi__doubles(v, given);
         for (int i = 0; i < 3; ++i) {
             p->at[corner][i] = (double)s->to_view[12 + i];
             for (int n = 0; n < 3; ++n) p->at[corner][i] += (double)s->to_view[4 * n + i] * v[n];
-            if (!ssgi__finite((float)p->at[corner][i]) || fabs(p->at[corner][i]) > (double)SSGI_FAR) return 0;
-            p->colour[corner][i] = 1.0;
+            if (fabs(p->at[corner][i]) > (double)SSGI_FAR) return 0;
         }
-        if (s->colour) ssgi__doubles(p->colour[corner], ssgi__surfel_at(s->colour, s->colour_stride, vertex));
-        if (s->normal) {
-            const float *normal = ssgi__surfel_at(s->normal, s->normal_stride, vertex);
-            ssgi__doubles(v, normal);
-            for (int i = 0; i < 3; ++i)
-                p->normal[corner][i] = ssgi__finites(normal, 3) ? ssgi__dot(m->normals[i], v) : 0.0;
-        }
+        ssgi__doubles(p->colour[corner], given + 6);
+        ssgi__doubles(v, given + 3);
+        for (int i = 0; i < 3; ++i) p->normal[corner][i] = ssgi__dot(m->normals[i], v);
     }
     /* the key comes from vertex indices, as GPUs number primitives differently */
     p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;
@@ -3463,7 +3477,7 @@ SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth
         float child[27];
         for (int i = 0; i < 27; ++i) {
             const int k = i / 9, a = c < 3 ? c : k, b = c < 3 ? (c + k) % 3 : (k + 1) % 3;
-            child[i] = 0.5f * (v[9 * a + i % 9] + v[9 * b + i % 9]);
+            child[i] = 0.5f * v[9 * a + i % 9] + 0.5f * v[9 * b + i % 9];
         }
         ssgi__surfel_divide(d, child, depth + 1);
     }
@@ -3481,14 +3495,8 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
     d.count = 0;
     for (size_t i = 0; i < 3 * source->triangles; i += 3) {
         float v[27];
-        for (size_t c = 0; c < 3; ++c) {
-            const size_t vertex = source->index ? source->index[i + c] : i + c;
-            const float *part[3];
-            part[0] = ssgi__surfel_at(source->position, source->position_stride, vertex);
-            part[1] = source->normal ? ssgi__surfel_at(source->normal, source->normal_stride, vertex) : NULL;
-            part[2] = source->colour ? ssgi__surfel_at(source->colour, source->colour_stride, vertex) : NULL;
-            for (size_t k = 0; k < 9; ++k) v[9 * c + k] = part[k / 3] ? part[k / 3][k % 3] : k > 5 ? 1.0f : 0.0f;
-        }
+        for (size_t c = 0; c < 3; ++c)
+            ssgi__surfel_vertex(v + 9 * c, source, source->index ? source->index[i + c] : i + c);
         ssgi__surfel_divide(&d, v, 0);
     }
     *count = d.count;
@@ -4573,7 +4581,7 @@ SSGI_DEF float ssgi_field_cap(float *solid_angle, float axis[3], float *fill, co
     q1 = exp2f(c[1]) - sqrtf(q0 * q2);
     q = q0 * (1.0f - t) * (1.0f - t) + 2.0f * q1 * t * (1.0f - t) + q2 * t * t;
     s = q * most > 1.0f ? 1.0f / (q * most) : 1.0f; /* vector irradiance over pi */
-    *fill = ssgi__max(c[7], s);
+    *fill = ssgi__min(ssgi__max(c[7], s), 1.0f);
     s /= *fill;
     *solid_angle = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
     for (int k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
@@ -4682,10 +4690,12 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     }
     SSGI__CHECK(ssgi__positive(f->span, 8), corrupt);
     SSGI__CHECK(f->median >= 0.0f && f->p95 >= 0.0f && f->max_error >= 0.0f, corrupt);
-    for (int i = 0; i < 3; ++i) /* the logarithms are limited, so that their powers of 2 are finite */
-        SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
-    SSGI__CHECK(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f, corrupt);
+    for (int i = 0; i < 3; ++i) /* the logarithms are limited, so that powers of 2, and products of two, are finite */
+        SSGI__CHECK(f->low[i] >= -64.0f && f->low[i] + f->span[i] <= 62.0f, corrupt);
+    /* bakes make none smaller, and no hull so close to its centre */
+    SSGI__CHECK(f->radius > 9e-13f && f->low[3] > 1e-6f * f->radius && f->reach > f->low[3] + f->span[3], corrupt);
     SSGI__CHECK(ssgi__within(f->inside, 0.0f, 1.0f), corrupt);
+    SSGI__CHECK(f->low[7] >= 0.0f && f->low[7] + f->span[7] <= 1.00001f, "file: its covered share must be 0..1");
     return SSGI_OK;
 }
 

@@ -189,6 +189,32 @@ static void surveyed(void)
     expect(ssgi_gl__within(&s.occlusion, 4, SSGI_FAR), "a survey is larger than SSGI_FAR");
 }
 
+/* Parts of a vertex's colour that are not finite count as 0, and so does such a normal; what is beside them stays. */
+static void coloured(void)
+{
+    static float given[18] = { 0.5f, 0.25f, 1, 0.5f, 0.25f, 1, 0.5f, 0.25f, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1 };
+    static const float kept[9] = { 0, 0, -1, 0, 0, 0, 0.5f, 0, 1 }, none = 0; /* of the first corner */
+    static ssgi_surfel made[64];
+    float divided[54];
+    size_t count, patches;
+    source.colour = given;
+    source.normal = given + 9;
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; ++k) {
+        for (int c = 0; c < 3; ++c) memcpy(&given[3 * c + 1], &bad[k], sizeof bad[k]);
+        memcpy(&given[9], &bad[k], sizeof bad[k]);
+        expect(ssgi_surfels(made, 64, &count, &surfels, &view, &source, &why) == SSGI_OK && count > 0 && count <= 64,
+               "surfels of bad colours are refused");
+        for (size_t i = 0; i < count; ++i)
+            expect(!memcmp(&made[i].colour[1], &none, sizeof none) && fabsf(made[i].colour[0] - 0.5f) < 1e-5f
+                       && fabsf(made[i].colour[2] - 1.0f) < 1e-5f,
+                   "a colour that is not finite reaches a surfel, or takes others along");
+        expect(ssgi_surfels_divide(divided, 2, &patches, &surfels, &view, &source, &why) == SSGI_OK && patches == 1
+                   && !memcmp(divided, kept, sizeof kept) && divided[14] == 1.0f,
+               "an attribute that is not finite reaches a patch, or takes others along");
+    }
+    source.colour = source.normal = NULL;
+}
+
 /* Rays that are not finite hit nothing, by either question, and write nothing. */
 static void rays(void)
 {
@@ -275,6 +301,7 @@ int main(void)
     surfel_formulas();
     extremes();
     surveyed();
+    coloured();
     rays();
     REFUSES(view_of, &projection);
     REFUSES(extra, &rigid); REFUSES(extra, &up); REFUSES(extra, &colour); REFUSES_ONE(extra, &number);

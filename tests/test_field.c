@@ -1438,6 +1438,20 @@ static void files(void)
     copy[6] = 'X';
     repair(copy, size);
     REFUSES("file: is not an ambient occlusion field", SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy, size);
+    enum { RADIUS = 16 + 4 * 3, LOW = 16 + 4 * 6, SPAN = 16 + 4 * 14 };
+    static const struct { const char *start; int at; float value;       /* numbers that no bake writes */
+    } numbers[] = { { "file: its covered share", LOW + 4 * 7, -0.01f },
+                    { "file: its covered share", LOW + 4 * 7, 1.1f },
+                    { "file: its covered share", SPAN + 4 * 7, 1.1f },
+                    { "file: is corrupt", LOW, 63 },                   /* a logarithm whose power of 2 is squared */
+                    { "file: is corrupt", LOW + 4 * 3, 1e-30f },       /* the hull, by which distances are divided */
+                    { "file: is corrupt", RADIUS, 1e-30f } };
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
+        memcpy(copy, file, size);
+        memcpy(copy + numbers[i].at, &numbers[i].value, 4);
+        repair(copy, size);
+        REFUSES(numbers[i].start, SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy, size);
+    }
     memcpy(copy, file, size);
     for (size_t i = 0; i < size; ++i) {              /* the checksum sees every single byte */
         copy[i] ^= (unsigned char)(1 + i % 255);
@@ -1465,7 +1479,11 @@ static void files(void)
                                                               (double)(k % 2 ? f.radius : g.reach) * t_within(0, 1.2),
                                                               w),
                                                      normal);
-                mad += !(a >= 0 && a <= 1);
+                float solid_angle, axis[3], fill;
+                const float *const p = point_at(g.centre, t_within(0, 9), w);
+                const float hulls = ssgi_field_cap(&solid_angle, axis, &fill, &g, p);
+                mad += !(a >= 0 && a <= 1 && fill >= 0 && fill <= 1 && solid_angle >= 0 && solid_angle < 6.3f
+                         && isfinite(hulls));
             }
         }
         memcpy(copy, file, size);
