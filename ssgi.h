@@ -3410,6 +3410,7 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
     SSGI__TRY(ssgi__surfel_desc(&d, desc, view, why));
     SSGI__THERE(scale);
     ssgi__surfel_scale(of_view, view, (double)d.size);
+    SSGI__CHECK(ssgi__fits(of_view[0]), "desc.size: is too large for this view");
     scale[0] = (float)of_view[0];
     scale[1] = (float)of_view[1];
     scale[2] = d.offscreen_growth;
@@ -5198,7 +5199,9 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    miss and those beyond the picture are expected to occlude a little; the filter lets less across edges of a hundredth
    of the radius. NVIDIA's compiler for GL lost a sign in them: they came out too bright there. View depths of 1 /
    SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing in front of the
-   camera, ssgi_gl_plan an unknown thickness. To ssgi_gl_sent_set a radiance of 1e-30 or less is nothing. Without
+   camera, ssgi_gl_plan an unknown thickness, ssgi_gl_frame_history, _views_set, _light_map and _harmonics_set matrices
+   that are not rigid. Rays that met triangles along their plane, or long edges from close by, could pass; and where
+   multiply and add are fused, any edge. To ssgi_gl_sent_set a radiance of 1e-30 or less is nothing. Without
    desc.surfel.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: no other step sent its
    light. Lights of one band bring a quarter to every normal, not all (ssgi_sh_light, desc.light.lights): a bounce of
    them was four times too bright. desc.light.residual holds for desc.light.lights by bent normals and cones, too. The

@@ -7391,6 +7391,24 @@ static int ssgi_gl__above(float x) { return ssgi_gl__within(&x, 1, SSGI_FAR) && 
 
 #define SSGI_GL__MATRIX(m) SSGI_GL__CHECK(ssgi_gl__within(m, 16, SSGI_FAR), #m ": must be finite")
 
+/* Whether a matrix is a rotation and a translation; z, or any axis, may be negated. ssgi_extra_camera has the same
+   tolerance. */
+static int ssgi_gl__rigid(const float m[16])
+{
+    for (int i = 0; i < 9; ++i) {
+        const int r = i / 3, q = i % 3;
+        double dot = r == q ? -1.0 : 0.0;
+        for (int c = 0; c < 3; ++c) dot += (double)m[4 * c + r] * (double)m[4 * c + q];
+        if (fabs(dot) > 1e-3) return 0;
+    }
+    return m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f && m[15] == 1.0f;
+}
+
+#define SSGI_GL__RIGID(m) \
+    SSGI_GL__THERE(m); \
+    SSGI_GL__MATRIX(m); \
+    SSGI_GL__CHECK(ssgi_gl__rigid(m), #m ": must be rigid: a rotation and a translation")
+
 /* Composes two rigid world-to-view matrices: a after the inverse of b. The transpose of b would not do: its floats are
    rounded, and a camera that stands far away multiplies by how far. */
 static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
@@ -7428,19 +7446,17 @@ static double ssgi_gl__decoded(float decode[3], const ssgi_view *view)
         const double skew = (double)view->depth[1] * (double)view->oblique[i] * (i ? view->height : view->width);
         if (skew < 0.0) behind -= skew;
     }
-    decode[0] = (float)(behind + pixel);
+    decode[0] = (float)(behind + pixel < 3e38 ? behind + pixel : 3e38);
     return (double)(float)(near_plane - pixel);
 }
 
-/* Fills two column-major matrices: from a point of the main camera's view space to x, y (pixels, times depth when
-   perspective), view depth, 1 of another camera; and back. Each space begins at a view depth: ssgi_gl__decoded. */
+/* Fills two column-major matrices of rigid ones: from a point of the main camera's view space to x, y (pixels, times
+   depth when perspective), view depth, 1 of another camera; and back. Each space begins at a view depth:
+   ssgi_gl__decoded. Writes nothing if floats cannot hold them. */
 static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
                                       const float *other, double begins, double other_begins, const char **why)
 {
-    double m[16], b[16];
-    SSGI_GL__CHECK(main_view, "main_world_to_view: must not be NULL");
-    SSGI_GL__CHECK(ssgi_gl__within(main_view, 16, SSGI_FAR) && ssgi_gl__within(other, 16, SSGI_FAR),
-                   "main_world_to_view: both matrices must be finite");
+    double m[16], b[16], out[2][16];
     ssgi_gl__relative(m, other, main_view);
     ssgi_gl__relative(b, main_view, other);
     for (int r = 0; r < 3; ++r) {
@@ -7451,17 +7467,24 @@ static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_v
     b[14] += begins;
     for (int c = 0; c < 4; ++c) {
         const double z = -m[4 * c + 2], unit = view->orthographic ? (c == 3 ? 1.0 : 0.0) : z;
-        to[4 * c + 0] = (float)((double)view->project[0] * m[4 * c + 0] + (double)view->project[2] * unit);
-        to[4 * c + 1] = (float)((double)view->project[1] * m[4 * c + 1] + (double)view->project[3] * unit);
-        to[4 * c + 2] = (float)z;
-        to[4 * c + 3] = c == 3 ? 1.0f : 0.0f;
+        out[0][4 * c + 0] = (double)view->project[0] * m[4 * c + 0] + (double)view->project[2] * unit;
+        out[0][4 * c + 1] = (double)view->project[1] * m[4 * c + 1] + (double)view->project[3] * unit;
+        out[0][4 * c + 2] = z;
+        out[0][4 * c + 3] = c == 3 ? 1.0 : 0.0;
     }
     for (int r = 0; r < 4; ++r) { /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
         const double shift = b[r] * (double)view->unproject[2] + b[4 + r] * (double)view->unproject[3];
-        from[r] = (float)(b[r] * (double)view->unproject[0]);
-        from[4 + r] = (float)(b[4 + r] * (double)view->unproject[1]);
-        from[8 + r] = (float)((view->orthographic ? 0.0 : shift) - b[8 + r]);
-        from[12 + r] = (float)((view->orthographic ? shift : 0.0) + b[12 + r]);
+        out[1][r] = b[r] * (double)view->unproject[0];
+        out[1][4 + r] = b[4 + r] * (double)view->unproject[1];
+        out[1][8 + r] = (view->orthographic ? 0.0 : shift) - b[8 + r];
+        out[1][12 + r] = (view->orthographic ? shift : 0.0) + b[12 + r];
+    }
+    for (int i = 0; i < 32; ++i)
+        SSGI_GL__CHECK(fabs(out[i / 16][i % 16]) < 3e38,
+                       "view: is too large, with these matrices, for float arithmetic");
+    for (int i = 0; i < 16; ++i) {
+        to[i] = (float)out[0][i];
+        from[i] = (float)out[1][i];
     }
     return SSGI_OK;
 }
@@ -7512,15 +7535,17 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
     float to[16], from[16], decode[3];
     SSGI_GL__THERE(frame);
     SSGI_GL__VIEW(view);
-    SSGI_GL__THERE(last_world_to_view);
+    SSGI_GL__RIGID(main_world_to_view);
+    SSGI_GL__RIGID(last_world_to_view);
     SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, last_world_to_view, (double)frame->decode[3],
                                     ssgi_gl__decoded(decode, view), why));
-    const float last = ssgi_gl__footprint(view->unproject), now = ssgi_gl__footprint(frame->unproject);
+    const double last = (double)ssgi_gl__footprint(view->unproject), now = (double)ssgi_gl__footprint(frame->unproject);
+    const double wider = last > now ? last < now * (double)SSGI_FAR ? last / now : (double)SSGI_FAR : 1.0;
     memcpy(frame->last_to, to, sizeof to);
     memcpy(frame->last_from, from, sizeof from);
     frame->last_size[0] = view->width;
     frame->last_size[1] = view->height;
-    frame->last_footprint = last > now ? last / now : 1.0f;
+    frame->last_footprint = (float)wider;
     frame->history = 16.0f;
     return SSGI_OK;
 }
@@ -7533,7 +7558,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, floa
     SSGI_GL__CHECK(ssgi_gl__above(last), "last: must be > 0 and finite");
     const double frames = (double)memory / (double)elapsed, pace = (double)last / (double)elapsed;
     frame->history = (float)(frames < 1.0 ? 1.0 : frames > 1024.0 ? 1024.0 : frames);
-    frame->pace = (float)(pace > 1e6 ? 1e6 : pace);
+    frame->pace = (float)(pace > 1e6 ? 1e6 : pace < 1e-6 ? 1e-6 : pace);
     return SSGI_OK;
 }
 
@@ -7640,7 +7665,7 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
     SSGI_GL__THERE(coefficients);
     SSGI_GL__CHECK(bands >= 1 && bands <= 4, "bands: must be 1..4");
     SSGI_GL__CHECK(ssgi_gl__within(coefficients, 3 * bands * bands, 1e30f), "coefficients: must be finite");
-    if (world_to_view) SSGI_GL__MATRIX(world_to_view);
+    if (world_to_view) { SSGI_GL__RIGID(world_to_view); }
     memcpy(turned, coefficients, 3 * (size_t)(bands * bands) * sizeof *turned);
     if (world_to_view) ssgi_sh_rotate(turned, bands, turned, 3, world_to_view);
     for (int i = 0; i < 48; ++i) frame->harmonics[12 * (i / 12) + 4 * (i % 3) + i / 3 % 4] = turned[i];
@@ -7657,9 +7682,10 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
 {
     SSGI_GL__THERE(views);
     SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
-    SSGI_GL__THERE(extra_world_to_view);
     SSGI_GL__VIEW(view);
     SSGI_GL__STRAIGHT(view);
+    SSGI_GL__RIGID(main_world_to_view);
+    SSGI_GL__RIGID(extra_world_to_view);
     float decode[4];
     const double begins = ssgi_gl__decoded(decode, view);
     SSGI_GL__TRY(ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view, 0.0,
@@ -7678,9 +7704,10 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
     float to[16], from[16], decode[4];
     SSGI_GL__THERE(light);
     SSGI_GL__CHECK(x >= 0 && y >= 0, "x: the tile must lie in the atlas, x and y >= 0");
-    SSGI_GL__THERE(light_world_to_view);
     SSGI_GL__VIEW(view);
     SSGI_GL__STRAIGHT(view);
+    SSGI_GL__RIGID(main_world_to_view);
+    SSGI_GL__RIGID(light_world_to_view);
     const double begins = ssgi_gl__decoded(decode, view);
     SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view, 0.0, begins, why));
     decode[3] = (float)view->orthographic;

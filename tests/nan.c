@@ -255,6 +255,14 @@ static void extremes(void)
                && !strncmp(why, "projection: ", 12),
            "a projection that shows nothing is taken");
 
+    const float wide_ortho[16] = { 2e-38f, 0, 0, 0, 0, 2e-38f, 0, 0, 0, 0, -0.1f, 0, 0, 0, -1, 1 };
+    out.frame.last_footprint = 7;
+    expect(ssgi_view_from_projection(&seen, wide_ortho, SSGI_CLIP_GL, 1, 1, &why) == SSGI_OK
+               && ssgi_gl_frame_init(&out.frame, &view, number, &why) == SSGI_OK
+               && ssgi_gl_frame_history(&out.frame, &seen, rigid, other, &why) == SSGI_OK
+               && ssgi_gl__within(&out.frame.last_footprint, 1, SSGI_FAR) && out.frame.last_footprint > 9e17f,
+           "the last frame's pixels are wider than SSGI_FAR times");
+
     many.wanted = SSGI_PLAN_WANTED_OBJECTS;
     many.occluders = 2000000000;
     many.coverage = many.calibration.unoccluded = 3e38f;

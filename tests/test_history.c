@@ -605,10 +605,15 @@ static void last_frames(void)
     CHECK(ssgi_gl_frame_history(&frame, &finer, now, then, &why) == SSGI_OK && !(frame.last_footprint > 1)
               && !(frame.last_footprint < 1), "of a finer one: pixels %g times as wide", (double)frame.last_footprint);
     was = frame;
-    memcpy(bad, then, sizeof bad);
-    bad[5] = NAN;
-    CHECK(ssgi_gl_frame_history(&frame, &view, now, bad, &why) == SSGI_BAD_ARGUMENT
-              && ssgi_gl_frame_history(&frame, NULL, now, then, &why) == SSGI_BAD_ARGUMENT
+    for (int k = 0; k < 4; ++k) {                          /* not finite, scaled; this frame's, the last one's */
+        memcpy(bad, k < 2 ? now : then, sizeof bad);
+        if (k % 2) bad[5] = NAN;
+        else for (int i = 0; i < 12; ++i) bad[i] *= 100;
+        CHECK(ssgi_gl_frame_history(&frame, &view, k < 2 ? bad : now, k < 2 ? then : bad, &why) == SSGI_BAD_ARGUMENT
+                  && !strncmp(why, k < 2 ? "main_world_to_view:" : "last_world_to_view:", 19),
+              "matrix %d: %s", k, why);
+    }
+    CHECK(ssgi_gl_frame_history(&frame, NULL, now, then, &why) == SSGI_BAD_ARGUMENT
               && ssgi_gl_frame_history(&frame, &view, now, NULL, &why) == SSGI_BAD_ARGUMENT
               && ssgi_gl_frame_history(NULL, &view, now, then, NULL) == SSGI_BAD_ARGUMENT
               && !memcmp(&frame, &was, sizeof frame), "bad matrices are taken");
@@ -618,6 +623,8 @@ static void last_frames(void)
         CHECK(ssgi_gl_frame_time(&frame, times[i][0], times[i][1], times[i][2], &why) == SSGI_BAD_ARGUMENT
                   && !strncmp(why, named[i], strlen(named[i])) && !memcmp(&frame, &was, sizeof frame),
               "a bad time: %s", why);
+    CHECK(ssgi_gl_frame_time(&frame, 1e-30f, 1e18f, 1e-30f, &why) == SSGI_OK && frame.pace > 0 && frame.history >= 1,
+          "a frame that took for ever: pace %g", (double)frame.pace);
 }
 
 void test_history(void)

@@ -47,6 +47,21 @@ static void rigid(float m[16])
     for (int k = 0; k < 3; ++k) m[12 + k] = t_uniform(-9, 9);
 }
 
+/* Matrices that are not rigid: scaled, sheared, singular, of another last row, not finite. */
+enum { NOT_RIGID = 7 };
+
+static void not_rigid(float m[16], int i)
+{
+    rigid(m);
+    for (int k = 0; k < 12 && i == 0; ++k) m[k] *= 100;
+    for (int k = 0; k < 12 && i == 1; ++k) m[k] *= 1.001f;
+    if (i == 2) for (int k = 0; k < 3; ++k) m[4 + k] += 0.5f * m[k];
+    if (i == 3) for (int k = 0; k < 3; ++k) m[k] = m[4 + k];
+    if (i == 4) m[15] = 2;
+    if (i == 5) m[3] = 1e-3f;
+    if (i == 6) m[14] = INFINITY;
+}
+
 /* Row r of a matrix times a point; lost: what may be lost of it, as rigid matrices of floats are not quite. */
 static double product_of(const float m[16], int r, const double p[4], double *lost)
 {
@@ -143,7 +158,7 @@ static void cameras(void)
 
 static void refused_cameras(void)
 {
-    static float right[16], odd[2][16];
+    static float right[16], odd[NOT_RIGID][16], mirrored[16];
     ssgi_view view, none;
     ssgi_gl_views v, v_was;
     ssgi_gl_light light, light_was;
@@ -155,10 +170,8 @@ static void refused_cameras(void)
     light = light_was;
     if (!any_view(&view, 0)) return;
     rigid(right);
-    memcpy(odd[0], right, sizeof right);
-    memcpy(odd[1], right, sizeof right);
-    odd[0][5] = NAN;
-    odd[1][14] = INFINITY;
+    for (int i = 0; i < NOT_RIGID; ++i) not_rigid(odd[i], i);
+    for (int k = 0; k < 16; ++k) mirrored[k] = right[k] * (k % 4 == 2 ? -1 : 1) * (k < 12 ? 1.0003f : 1);
     const struct { const char *start[2]; const ssgi_view *view; int i; const float *picture, *other;
     } cases[] = { { { "i:", "x:" }, &view, -1, right, right },
                   { { "i:", NULL }, &view, 4, right, right },
@@ -166,8 +179,9 @@ static void refused_cameras(void)
                   { { "view:", "view:" }, &none, 0, right, right },
                   { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, NULL, right },
                   { { "extra_world_to_view:", "light_world_to_view:" }, &view, 0, right, NULL },
-                  { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, odd[0], right },
-                  { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, right, odd[1] } };
+#define ODD(i) { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, odd[i], right }, \
+               { { "extra_world_to_view:", "light_world_to_view:" }, &view, 0, right, odd[i] }
+                  ODD(0), ODD(1), ODD(2), ODD(3), ODD(4), ODD(5), ODD(6) };
     CHECK(ssgi_gl_views_set(NULL, 0, &view, right, right, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "views:")
               && ssgi_gl_light_map(NULL, &view, 0, 0, right, right, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "light:"),
           "NULL: %s", why);
@@ -187,6 +201,10 @@ static void refused_cameras(void)
     }
     CHECK(!memcmp(&v, &v_was, sizeof v) && !memcmp(&light, &light_was, sizeof light),
           "what was refused was written to");
+    why = "";
+    CHECK(ssgi_gl_views_set(&v, 0, &view, mirrored, right, &why) == SSGI_OK
+              && ssgi_gl_light_map(&light, &view, 0, 0, right, mirrored, &why) == SSGI_OK,
+          "z negated and rounded is refused: %s", why);
 }
 
 /* The largest gap between neighbouring phases of so many frames in a row, round the circle. */
@@ -2472,7 +2490,7 @@ static void frame_light(void)
                 { "bands:", 1, 1, 5 },
                 { "bands:", 1, 1, -1 } };
     ssgi_gl_frame frame, was;
-    float c[48], turned[48], m[16];
+    float c[48], turned[48], m[16], odd[16];
     const char *why = "";
     memset(&was, 0x5a, sizeof was);
     t_seed(15);
@@ -2495,6 +2513,12 @@ static void frame_light(void)
                       == SSGI_BAD_ARGUMENT
                   && NAMES(why, bad[i].start) && !memcmp(&frame, &was, sizeof was),
               "%s \"%s\", or the frame was written to", bad[i].start, why);
+    for (int i = 0; i < NOT_RIGID; ++i) {
+        not_rigid(odd, i);
+        CHECK(ssgi_gl_harmonics_set(&frame, c, 3, odd, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "world_to_view:")
+                  && !memcmp(&frame, &was, sizeof was),
+              "matrix %d that is not rigid: \"%s\", or the frame was written to", i, why);
+    }
 }
 
 void test_twins(void)
