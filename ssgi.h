@@ -1,4 +1,4 @@
-/* ssgi.h - v0.4 - screen-space illumination: the CPU maths. C99, no dependencies. Public domain or MIT: end of file.
+/* ssgi.h - v0.5 - screen-space illumination: the CPU maths. C99, no dependencies. Public domain or MIT: end of file.
 
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION
                                         #include "ssgi.h"
@@ -70,7 +70,7 @@
 #include <stdint.h>
 
 #define SSGI_VERSION_MAJOR 0
-#define SSGI_VERSION_MINOR 4
+#define SSGI_VERSION_MINOR 5
 #define SSGI_VERSION (10000 * SSGI_VERSION_MAJOR + 100 * SSGI_VERSION_MINOR)
 
 /* With SSGI_STATIC a compiler would warn of every function that a file does not call, hence the attribute. */
@@ -5120,17 +5120,37 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    every platform. A stored field (ssgi_field_save) names its format, and another format is refused by name. Keys of
    texts (ssgi_gl_key) and numbers of passes hold for one version: store neither.
 
-   CHANGES in 0.4, November 2026
-   Names are the field's, once each. Enumerators name their group. ssgi_gl_desc has groups, and its enumerations are
-   types: an enumerator of another group is a warning in C and an error in C++. A desc of zeros still means every
-   default. "old -> new" stands in a line of its own; words behind it follow either: "desc. -> desc.gather. search" says
-   that desc.search has become desc.gather.search. awk and GNU sed apply the table where variables are named as here; a
-   compiler names the rest:
+   CHANGES in 0.5, not released yet
+   "old -> new" stands in a line of its own; words behind it follow either: "desc. -> desc.gather. search" says that
+   desc.search has become desc.gather.search. awk and GNU sed apply the table where variables are named as here; a
+   compiler names the rest. For 0.4 write the two numbers that are less by one:
 
-      awk '/^   CHANGES in 0.4/ { on = 1 } /^   CHANGES in 0.3/ { exit }
+      awk '/^   CHANGES in 0.5/ { on = 1 } /^   CHANGES in 0.4/ { exit }
            on && $2 == "->" { if (NF == 3) $4 = ""
                               for (i = 4; i <= NF; ++i) print "s/\\<" $1 $i "\\>/" $3 $i "/g" }' ssgi.h >renames.sed
       sed -i -f renames.sed yours.c
+
+   An orthographic eye may stand anywhere. Inside the shaders depth begins at the near plane where that lies behind the
+   eye or is far away: frame.decode[3] is the view depth of that place, and ssgi_decode returns your own depth, as
+   before. ssgi_view_depth is below 0 for what lies behind an orthographic eye. In the texture of pass thickness an
+   orthographic camera has whole floats.
+
+   A file that defines SSGI_GL_IMPLEMENTATION alone does not compile: define SSGI_IMPLEMENTATION, too, or
+   SSGI_IMPLEMENTED_ELSEWHERE where another file has ssgi.h's code. ssgi_gl_frame_history, _views_set, _light_map and
+   _harmonics_set refuse matrices that are not rigid, ssgi_gl_sent_set suns whose min_distance is not a number of rows
+   that follow, ssgi_field_load a covered share beyond 0..1. With desc.filter.onto no output is a result. Textures of
+   yours that are as large as the picture tell their size, in steps of virtual point lights, too.
+   New: SSGI_GL_MAX_STEPS.
+
+   Mended: rays passed between triangles where multiply and add are fused, past long edges from close by, and through
+   triangles that they meet along their plane. A bad count of lights, occluders or levels could keep a GPU busy for
+   seconds: texts count to the rows that the textures have. Numbers that are not finite were taken for finite by some
+   compilers with -ffast-math. Colours of surfels that are not finite count as 0.
+
+   CHANGES in 0.4, November 2026
+   Names are the field's, once each. Enumerators name their group. ssgi_gl_desc has groups, and its enumerations are
+   types: an enumerator of another group is a warning in C and an error in C++. A desc of zeros still means every
+   default.
 
    SSGI_GL_ -> SSGI_GL_DIALECT_  300ES 310ES 320ES 330 410 450 VULKAN
    SSGI_GL_ -> SSGI_GL_IO_  ATTRIBUTE CAPTURE CONSTANT OUTPUT PARAM TEXTURE
@@ -5199,9 +5219,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    miss and those beyond the picture are expected to occlude a little; the filter lets less across edges of a hundredth
    of the radius. NVIDIA's compiler for GL lost a sign in them: they came out too bright there. View depths of 1 /
    SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing in front of the
-   camera, ssgi_gl_plan an unknown thickness, ssgi_gl_frame_history, _views_set, _light_map and _harmonics_set matrices
-   that are not rigid. Rays that met triangles along their plane, or long edges from close by, could pass; and where
-   multiply and add are fused, any edge. To ssgi_gl_sent_set a radiance of 1e-30 or less is nothing. Without
+   camera, ssgi_gl_plan an unknown thickness. To ssgi_gl_sent_set a radiance of 1e-30 or less is nothing. Without
    desc.surfel.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: no other step sent its
    light. Lights of one band bring a quarter to every normal, not all (ssgi_sh_light, desc.light.lights): a bounce of
    them was four times too bright. desc.light.residual holds for desc.light.lights by bent normals and cones, too. The
@@ -5227,10 +5245,6 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    `level`. New: ssgi_splat.part, .two_sided; ssgi_splat_levels. plan_scene.surfels and .splats count surfels of size
    0.03, and plans of surfels are the presets. A field's rays are fewer the farther out they begin,
    and 96 at the hull, not 128.
-
-   SSGI_GL_IMPLEMENTATION is an error in a file without SSGI_IMPLEMENTATION, unless SSGI_IMPLEMENTED_ELSEWHERE says that
-   another file has ssgi.h's code. New: SSGI_GL_MAX_STEPS. With desc.filter.onto no output is a result. ssgi_gl_sent_set
-   refuses suns whose min_distance is not a number of rows that follow.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.

@@ -1,4 +1,4 @@
-/* ssgi_gl.h - v0.4 - screen-space illumination: the GLSL of every pass, as text. C99, includes ssgi.h only.
+/* ssgi_gl.h - v0.5 - screen-space illumination: the GLSL of every pass, as text. C99, includes ssgi.h only.
    Licence: end of ssgi.h.
 
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION
@@ -811,7 +811,8 @@ typedef struct ssgi_gl_chain {
                        LIGHT without span always has it light all surfels */
 
     /* ---- targets */
-    int precise; /* 0: 16-bit floats, and 8 bits for final visibility; 1: 32-bit floats; 2: for coefficients, too */
+    int precise; /* 0: 16-bit floats, and 8 bits for final visibility; 1: 32-bit floats; 2: for coefficients, too. With
+                    0 nothing beyond a view depth of 65504 occludes or receives, as 16 bits end there */
     int rgba8;   /* 1: these 8 bits are those of RGBA8, four times as many bytes, for devices that cannot draw into R8;
                     GLES 3.0 and Vulkan demand that they can, but some drivers of phones cannot */
 } ssgi_gl_chain;
@@ -1086,7 +1087,8 @@ typedef struct ssgi_gl_views {
                            that lies in front of a surface by less is not taken to be visible; 0 */
 } ssgi_gl_views;
 
-/* Sets camera i of 0..3: view and extra_world_to_view are those of the extra camera. An oblique view is refused.
+/* Sets camera i of 0..3: view and extra_world_to_view are those of the extra camera. An oblique view is refused. With a
+   bounce give a perspective view, whatever yours is: the camera's emitters are packed as one of perspective has them.
      matrices   [limit: rigid, finite] world to view space */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
                                        const float main_world_to_view[16], const float extra_world_to_view[16],

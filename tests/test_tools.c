@@ -353,11 +353,11 @@ static void packages(void)
     write_text("app/app.c", program);
     if (has("pkg-config"))
         CHECK(!shell(text, sizeof text, "export PKG_CONFIG_PATH=$PWD/to/usr/share/pkgconfig && pkg-config "
-                     "--exact-version=0.4 ssgi && gcc $(pkg-config --cflags ssgi) app/app.c -o app/app "
+                     "--exact-version=0.5 ssgi && gcc $(pkg-config --cflags ssgi) app/app.c -o app/app "
                      "$(pkg-config --libs ssgi) && app/app%s%s", "", ""), "%s", text);
     if (has("cmake")) {
         write_text("app/CMakeLists.txt",
-                   "cmake_minimum_required(VERSION 3.5)\nproject(app C)\nfind_package(ssgi 0.4 REQUIRED)\n"
+                   "cmake_minimum_required(VERSION 3.5)\nproject(app C)\nfind_package(ssgi 0.5 REQUIRED)\n"
                    "find_package(ssgi 0.3 QUIET)\nif(ssgi_FOUND)\n  message(FATAL_ERROR \"0.4 passes for 0.3\")\n"
                    "endif()\nadd_executable(app app.c)\ntarget_link_libraries(app ssgi::ssgi)\n");
         CHECK(!shell(text, sizeof text, "cmake -S app -B app/build -DCMAKE_PREFIX_PATH=$PWD/to/usr -DCMAKE_C_COMPILER_"
