@@ -314,7 +314,7 @@ typedef enum ssgi_gl_environment {
 typedef enum ssgi_gl_bounce {
     SSGI_GL_BOUNCE_NONE = 0,
     SSGI_GL_BOUNCE_SOLID_ANGLE, /* the emitter's radiance over the sample's solid angle: never above the emitter's */
-    SSGI_GL_BOUNCE_PATCH,       /* the paper's: a patch of pi r^2/N, clamped at frame.distance_clamp [SSDO09 3] */
+    SSGI_GL_BOUNCE_PATCH,       /* the paper's own: a patch of pi r^2/N, clamped at frame.distance_clamp [SSDO09 3] */
     SSGI_GL_BOUNCE_FORCE = SSGI_FORCE
 } ssgi_gl_bounce;
 
@@ -454,7 +454,7 @@ typedef enum ssgi_gl_restore {
 /* desc.filter.kind: how a neighbour is weighted. */
 typedef enum ssgi_gl_filter {
     SSGI_GL_FILTER_BILATERAL = 0, /* a box over a tile, weighted by the neighbour's distance to the tangent plane */
-    SSGI_GL_FILTER_GAUSSIAN,      /* the paper's, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
+    SSGI_GL_FILTER_GAUSSIAN,      /* the paper's own, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
     SSGI_GL_FILTER_FORCE = SSGI_FORCE
 } ssgi_gl_filter;
 
@@ -471,7 +471,10 @@ typedef enum ssgi_gl_half {
 /* The groups of ssgi_gl_desc hold your choices when a program is built. Zero is the default everywhere; counts
    become literal constants in the text, and a feature that is off leaves no text. A field's comment begins with the
    passes that look at it, where its group does not tell; the other passes ignore the field, but it must be in its
-   limits [0..1 where none is told]. ssgi_gl_check names a field that is not. Each field is four bytes long. */
+   limits [0..1 where none is told]. ssgi_gl_check names a field that is not. Each field is four bytes long.
+   Each group begins with the choices that are yours. "The papers' own" are for those who draw what a paper published:
+   the defaults have a lower error or cost less. "Of the steps" are set by ssgi_gl_steps; set them yourself only where
+   you draw passes without it. ssgi_gl_choice.kind tells the three apart. */
 
 /* ---- desc.input: the camera and your textures, the same for all passes of a frame */
 typedef struct ssgi_gl_input_desc {
@@ -494,9 +497,10 @@ typedef struct ssgi_gl_input_desc {
     int motion;        /* history, change_mask   1: t_ssgi_motion says where each pixel was, so that objects that move
                           on their own keep their average; 0: the camera alone moves */
     ssgi_gl_objects objects; /* field */
-    int cap_table;           /* field   0: a cap's occlusion is computed in closed form; 1: it is read from t_ssgi_cap,
-                                your ssgi_cap_table, as published [AOF05 4.2], by 4 more fetches; ssgi_cap_table states
-                                its error */
+
+    /* the papers' own */
+    int cap_table; /* field   0: a cap's occlusion is computed in closed form; 1: it is read from t_ssgi_cap, your
+                      ssgi_cap_table, as published [AOF05 4.2], by 4 more fetches; ssgi_cap_table states its error */
 } ssgi_gl_input_desc;
 
 /* ---- desc.gather: where ssao, hsao, ssdo and s3ho look for occluders, and what an occluder is. Pass lights tests
@@ -506,18 +510,10 @@ typedef struct ssgi_gl_gather_desc {
     ssgi_gl_search search; /* hsao, ssdo, s3ho; ssao always has points */
     int directions;        /* slices, march   [limit: 0..32] [default: slices 1, march 6]  the paper's N_d; a slice has
                               two directions */
-    int samples;         /* points   [limit: 0..64] [default: 16; lights 8]  directions; lights: points on a segment */
-    int steps;           /* [limit: 0..64] [default: 6; points 1]  steps along each direction, N_s; of the points along
+    int samples; /* points   [limit: 0..64] [default: 16; lights 8]  directions; lights: points on a segment */
+    int steps;   /* [limit: 0..64] [default: 6; points 1]  steps along each direction, N_s; of the points along
                             a direction the first occluded one counts */
-    int normal_rays;     /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
-    ssgi_gl_terms terms; /* hsao by march */
-    int spheres;         /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the
-                            ray, a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
     ssgi_gl_noise noise;
-    int kernel;        /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by noise */
-    int uniform;       /* points of gathers   1: directions are spread evenly, as published, and each is weighted by
-                          2 cos (those in a texture, too); 0: they are spread by the cosine and weigh the same, which
-                          errs less */
     ssgi_gl_half half; /* gathers, shade; blur, history: how their input was written, from which they go to full size */
 
     /* the occluders: gathers and lights */
@@ -530,9 +526,19 @@ typedef struct ssgi_gl_gather_desc {
                                 solid */
     int view_layers;         /* all but slices   [limit: 0..8] [default: 1]  depth layers of each extra camera */
     ssgi_gl_falloff falloff; /* points, slices, march, splat */
-    ssgi_gl_fade fade;       /* points */
-    int range;               /* points   1: surfaces beyond the radius or below the receiver's plane do not occlude
-                                [S3HO12 2.1] */
+
+    /* the papers' own */
+    int normal_rays;     /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
+    ssgi_gl_terms terms; /* hsao by march */
+    int spheres;         /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the
+                            ray, a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
+    int kernel;          /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by noise */
+    int uniform;         /* points of gathers   1: directions are spread evenly, as published, and each is weighted by
+                            2 cos (those in a texture, too); 0: they are spread by the cosine and weigh the same, which
+                            has a lower error */
+    ssgi_gl_fade fade;   /* points */
+    int range;           /* points   1: surfaces beyond the radius or below the receiver's plane do not occlude
+                            [S3HO12 2.1] */
 } ssgi_gl_gather_desc;
 
 /* ---- desc.light: the light of ssdo, lights and emitters, and the coefficients of s3ho, shade and their blur */
@@ -544,13 +550,9 @@ typedef struct ssgi_gl_light_desc {
     int two_sided;                   /* ssdo, s3ho   1: emitters shine from both sides; 0: from their visible side,
                                         while in slices the other side emits 0.35 of its radiance. splat   1: surfels
                                         occlude from both sides, for sheets */
-    ssgi_gl_radiance radiance;       /* emitters */
     int bounced;                     /* emitters   1: with LIGHT or BOTH they send the last frame's bounce, too, so that
                                         each frame adds a further bounce */
-    int receiver;                    /* ssdo, lights, emitters   [limit: 0..7, below layers]  the depth layer that is
-                                        lit, so that hidden surfaces emit, too */
     ssgi_gl_shadow shadow;           /* lights, surfels, splat */
-    int accumulate;                  /* lights   1: adds to t_ssgi_light, which an earlier pass of this frame wrote */
     ssgi_gl_restore restore;         /* ssdo, s3ho shaded, shade, history, blur   with any value but NONE o_ssgi_light
                                         is not light until blur or history has drawn with this desc and filter.quantity
                                         LIGHT. A bounce alone is not restored */
@@ -571,49 +573,61 @@ typedef struct ssgi_gl_light_desc {
     int residual;              /* s3ho shaded, ssdo with SH, shade, transfer not REFLECTED   1: adds ambient visibility
                                   times the residual of unoccluded irradiance (ssgi_sh_residual). With bent normals and
                                   cones, whose environment is exact, the residual of `lights` alone. 0: two bands give a
-                                  lamp's light to surfaces that are turned away from it, which errs more than no
-                                  occlusion */
+                                  lamp's light to surfaces that are turned away from it, whose error is larger than
+                                  without occlusion */
     ssgi_gl_shading shading;   /* shade */
     int lights;                /* shade   1: adds rows of t_ssgi_lights as harmonics, which the coefficients alone
                                   occlude; a POINT is a sphere of radius min_distance */
     int albedo;                /* shade   1: the pass writes outgoing radiance; 0: irradiance over pi */
+
+    /* of the steps */
+    ssgi_gl_radiance radiance; /* emitters */
+    int receiver;              /* ssdo, lights, emitters   [limit: 0..7, below layers]  the depth layer that is lit, so
+                                  that hidden surfaces emit, too */
+    int accumulate;            /* lights   1: adds to t_ssgi_light, which an earlier pass of this frame wrote */
 } ssgi_gl_light_desc;
 
 /* ---- desc.surfel: surfels, interleave, splat, deinterleave, smooth, sum */
 typedef struct ssgi_gl_surfel_desc {
-    ssgi_gl_effect effect;   /* splat, deinterleave, smooth, sum */
-    int levels;              /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice the smoothing
+    ssgi_gl_effect effect; /* splat, deinterleave, smooth, sum */
+    int levels;            /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice the smoothing
                                 taps of the level before. 4 reach 12 surfel radii where epsilon is 0.3, 0.18 image
                                 heights of size 0.03. ssgi_splat_levels says how many your radius wants; SPECULAR
                                 wants 5, SCATTER 7 */
-    int tessellate;          /* surfels, splat   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
+    int tessellate;        /* surfels, splat   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
                                 310es */
-    ssgi_overhang overhang;  /* surfels, splat when tessellate   how triangles shrink, as in ssgi_surfel_desc
-                                (ssgi.h) */
-    ssgi_gl_sends sends;     /* surfels, splat when tessellate */
-    int span;                /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
-                                nearer surfaces are left to slices, farther and hidden ones to surfels; 6 err least;
-                                0: all to surfels. The slices are 2x8 where desc.gather names no other number, and WIDTH
-                                where it names no thickness */
-    int near_samples;        /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii;
+    ssgi_gl_sends sends;   /* surfels, splat when tessellate */
+    int span;              /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
+                                nearer surfaces are left to slices, farther and hidden ones to surfels; 6 have the
+                                lowest error; 0: all to surfels. The slices are 2x8 where desc.gather names no other
+                                number, and WIDTH where it names no thickness */
+    int near_samples;      /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii;
                                 0, 1: its centre alone, as published, which finds half of the true effect at 1/3 radius
                                 from a wall. SPECULAR wants 4, SCATTER does not look at it */
+
+    /* the papers' own */
+    ssgi_overhang overhang;  /* surfels, splat when tessellate   how triangles shrink, as in ssgi_surfel_desc
+                                (ssgi.h) */
     int enlarge;             /* splat, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they
                                 count 4^l times. Wider ones bring up to a third less than the surfels that they stand
                                 for, where epsilon is 0.1 */
     ssgi_gl_combine combine; /* sum, but SCATTER */
-    int axis;                /* smooth   0: along x; 1: along y */
+
+    /* of the steps */
+    int axis; /* smooth   0: along x; 1: along y */
 } ssgi_gl_surfel_desc;
 
 /* ---- desc.filter: blur and history, smooth, and the way onto your picture */
 typedef struct ssgi_gl_filter_desc {
-    ssgi_gl_quantity quantity; /* blur alone filters coefficients, as history averages the light of shade */
-    ssgi_gl_filter kind;       /* blur, history: choice "filter" */
-    int radius;                /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size
+    ssgi_gl_filter kind; /* blur, history: choice "filter" */
+    int radius;          /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size
                                   when gather.half: 1 is 3x3. Choice "filter_radius" */
-    int normals;               /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch
+    int normals;         /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch
                                   each. Choice "filter_normals" */
-    ssgi_gl_onto onto;         /* blur of ambient visibility, compose */
+    ssgi_gl_onto onto;   /* blur of ambient visibility, compose */
+
+    /* of the steps */
+    ssgi_gl_quantity quantity; /* blur alone filters coefficients, as history averages the light of shade */
 } ssgi_gl_filter_desc;
 
 /* ---- desc.text: the language of the text, and your own lines in it */
@@ -640,6 +654,13 @@ typedef struct ssgi_gl_desc {
    0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 
+/* ssgi_gl_choice.kind: who sets a field. */
+enum {
+    SSGI_GL_CHOICE_YOURS = 0, /* you do: the camera, your textures, cost, accuracy, look */
+    SSGI_GL_CHOICE_PAPER,     /* whoever draws what a paper published: better ways are the default */
+    SSGI_GL_CHOICE_STEPS      /* ssgi_gl_steps does, in the descs of its steps */
+};
+
 /* A field of ssgi_gl_desc: all but version and fetch. */
 typedef struct ssgi_gl_choice {
     const char *name;     /* "search": no two fields have the same */
@@ -648,6 +669,7 @@ typedef struct ssgi_gl_choice {
     const char *sentence; /* its limits; of an enum with the prefix that turns the words into enumerators */
     size_t offset;        /* bytes into ssgi_gl_desc */
     int most;             /* its largest value; the least is 0 */
+    int kind;             /* SSGI_GL_CHOICE_YOURS .. */
 } ssgi_gl_choice;
 
 /* The i-th field; NULL past the last. */
@@ -5680,94 +5702,111 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
     } while (0)
 
 /* One row a field, in the struct's order; names and words are those of #if lines, too. COUNT: 0 .. most. SWITCH: 0 or
-   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. */
+   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. kind: who sets it. looks: the condition under
+   which a pass looks at it (NULL: any may); elsewhere it is resolved to 0. */
+typedef struct ssgi_gl__field {
+    ssgi_gl_choice choice;
+    const char *looks;
+} ssgi_gl__field;
+
 /* clang-format off */
-#define SSGI_GL__FIELD(field, name, most, limits, words) \
-    { #name, #field, words, "desc." #field ": " limits words, offsetof(ssgi_gl_desc, field), most }
-#define SSGI_GL__COUNT(group, name, most) SSGI_GL__FIELD(group.name, name, most, "must be 0.." #most, "")
-#define SSGI_GL__SWITCH(group, name) SSGI_GL__FIELD(group.name, name, 1, "must be 0 or 1", "")
-#define SSGI_GL__ENUM(group, name, KIND, LAST, words) \
-    SSGI_GL__FIELD(group.name, name, SSGI_GL_##KIND##_##LAST, "must be SSGI_GL_" #KIND "_ and one of ", words)
-/* clang-format on */
+#define SSGI_GL__FIELD(kind, field, name, most, limits, words, looks) \
+    { { #name, #field, words, "desc." #field ": " limits words, offsetof(ssgi_gl_desc, field), most, kind }, looks }
+#define SSGI_GL__COUNT(kind, group, name, most, looks) \
+    SSGI_GL__FIELD(SSGI_GL_CHOICE_##kind, group.name, name, most, "must be 0.." #most, "", looks)
+#define SSGI_GL__SWITCH(kind, group, name, looks) \
+    SSGI_GL__FIELD(SSGI_GL_CHOICE_##kind, group.name, name, 1, "must be 0 or 1", "", looks)
+#define SSGI_GL__ENUM(kind, group, name, KIND, LAST, words, looks) \
+    SSGI_GL__FIELD(SSGI_GL_CHOICE_##kind, group.name, name, SSGI_GL_##KIND##_##LAST, \
+                   "must be SSGI_GL_" #KIND "_ and one of ", words, looks)
 
-static const ssgi_gl_choice ssgi_gl__fields[] = {
-    SSGI_GL__FIELD(pass, pass, SSGI_GL_PASSES - 1, "must be SSGI_GL_PASS_ and one of ",
+static const ssgi_gl__field ssgi_gl__fields[] = {
+    SSGI_GL__FIELD(SSGI_GL_CHOICE_YOURS, pass, pass, SSGI_GL_PASSES - 1, "must be SSGI_GL_PASS_ and one of ",
                    "SSAO HSAO SSDO S3HO LIGHTS EMITTERS SHADE FIELD SURFELS INTERLEAVE SPLAT DEINTERLEAVE SMOOTH SUM "
-                   "BLUR HISTORY COMPOSE THICKNESS CHANGE_MASK CHANGE_SHARE"),
+                   "BLUR HISTORY COMPOSE THICKNESS CHANGE_MASK CHANGE_SHARE", NULL),
 
-    SSGI_GL__SWITCH(input, orthographic),
-    SSGI_GL__SWITCH(input, oblique),
-    SSGI_GL__SWITCH(input, left_handed),
-    SSGI_GL__ENUM(input, depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM"),
-    SSGI_GL__ENUM(input, normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
-    SSGI_GL__SWITCH(input, world_normals),
-    SSGI_GL__SWITCH(input, multisampled),
-    SSGI_GL__SWITCH(input, array),
-    SSGI_GL__SWITCH(input, motion),
-    SSGI_GL__ENUM(input, objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
-    SSGI_GL__SWITCH(input, cap_table),
+    SSGI_GL__SWITCH(YOURS, input, orthographic, NULL),
+    SSGI_GL__SWITCH(YOURS, input, oblique, NULL),
+    SSGI_GL__SWITCH(YOURS, input, left_handed, NULL),
+    SSGI_GL__ENUM(YOURS, input, depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM", NULL),
+    SSGI_GL__ENUM(YOURS, input, normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM", NULL),
+    SSGI_GL__SWITCH(YOURS, input, world_normals, NULL),
+    SSGI_GL__SWITCH(YOURS, input, multisampled, NULL),
+    SSGI_GL__SWITCH(YOURS, input, array, NULL),
+    SSGI_GL__SWITCH(YOURS, input, motion, "pass == HISTORY || pass == CHANGE_MASK"),
+    SSGI_GL__ENUM(YOURS, input, objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM", "pass == FIELD"),
+    SSGI_GL__SWITCH(PAPER, input, cap_table, "pass == FIELD"),
 
-    SSGI_GL__ENUM(gather, search, SEARCH, MARCH, "SLICES POINTS MARCH"),
-    SSGI_GL__COUNT(gather, directions, 32),
-    SSGI_GL__COUNT(gather, samples, 64),
-    SSGI_GL__COUNT(gather, steps, 64),
-    SSGI_GL__COUNT(gather, normal_rays, 8),
-    SSGI_GL__ENUM(gather, terms, TERMS, RAYS, "BOTH HORIZON NORMAL RAYS"),
-    SSGI_GL__SWITCH(gather, spheres),
-    SSGI_GL__ENUM(gather, noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
-    SSGI_GL__SWITCH(gather, kernel),
-    SSGI_GL__SWITCH(gather, uniform),
-    SSGI_GL__ENUM(gather, half, HALF, QUARTER_IN_TURN, "NONE FIRST IN_TURN QUARTER QUARTER_IN_TURN"),
-    SSGI_GL__ENUM(gather, thickness, THICKNESS, SLABS, "DEFAULT CONSTANT SOLID WIDTH BACK SLABS"),
-    SSGI_GL__COUNT(gather, layers, 8),
-    SSGI_GL__COUNT(gather, views, 4),
-    SSGI_GL__COUNT(gather, view_layers, 8),
-    SSGI_GL__ENUM(gather, falloff, FALLOFF, NONE, "LINEAR SQUARE NONE"),
-    SSGI_GL__ENUM(gather, fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"),
-    SSGI_GL__SWITCH(gather, range),
+    SSGI_GL__ENUM(YOURS, gather, search, SEARCH, MARCH, "SLICES POINTS MARCH", "searches"),
+    SSGI_GL__COUNT(YOURS, gather, directions, 32, "slices || marches"),
+    SSGI_GL__COUNT(YOURS, gather, samples, 64, "by_points"),
+    SSGI_GL__COUNT(YOURS, gather, steps, 64, "gathers"),
+    SSGI_GL__ENUM(YOURS, gather, noise, NOISE, TEXTURE, "GRADIENT TEXTURE", "occludes"),
+    SSGI_GL__ENUM(YOURS, gather, half, HALF, QUARTER_IN_TURN, "NONE FIRST IN_TURN QUARTER QUARTER_IN_TURN",
+                  "any_size || averages"),
+    SSGI_GL__ENUM(YOURS, gather, thickness, THICKNESS, SLABS, "DEFAULT CONSTANT SOLID WIDTH BACK SLABS",
+                  "occludes || measures"),
+    SSGI_GL__COUNT(YOURS, gather, layers, 8, "by_points || marches || pass == EMITTERS"),
+    SSGI_GL__COUNT(YOURS, gather, views, 4, "by_points || marches"),
+    SSGI_GL__COUNT(YOURS, gather, view_layers, 8, "by_points || marches"),
+    SSGI_GL__ENUM(YOURS, gather, falloff, FALLOFF, NONE, "LINEAR SQUARE NONE", "gathers || pass == SPLAT"),
+    SSGI_GL__COUNT(PAPER, gather, normal_rays, 8, "marches && terms != HORIZON"),
+    SSGI_GL__ENUM(PAPER, gather, terms, TERMS, RAYS, "BOTH HORIZON NORMAL RAYS", "marches"),
+    SSGI_GL__SWITCH(PAPER, gather, spheres, "marches && terms != RAYS"),
+    SSGI_GL__SWITCH(PAPER, gather, kernel, "gathers && by_points"),
+    SSGI_GL__SWITCH(PAPER, gather, uniform, "gathers && by_points"),
+    SSGI_GL__ENUM(PAPER, gather, fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA", "gathers && by_points"),
+    SSGI_GL__SWITCH(PAPER, gather, range, "gathers && by_points"),
 
-    SSGI_GL__ENUM(light, environment, ENVIRONMENT, MAP, "NONE SH MAP"),
-    SSGI_GL__ENUM(light, harmonics, HARMONICS, CUSTOM, "FRAME CUSTOM"),
-    SSGI_GL__ENUM(light, bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH"),
-    SSGI_GL__SWITCH(light, two_sided),
-    SSGI_GL__ENUM(light, radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO"),
-    SSGI_GL__COUNT(light, receiver, 7),
-    SSGI_GL__ENUM(light, shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE"),
-    SSGI_GL__SWITCH(light, bounced),
-    SSGI_GL__SWITCH(light, accumulate),
-    SSGI_GL__ENUM(light, restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE"),
-    SSGI_GL__COUNT(light, bands, 4),
-    SSGI_GL__SWITCH(light, packed),
-    SSGI_GL__ENUM(light, transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"),
-    SSGI_GL__SWITCH(light, dimmed),
-    SSGI_GL__SWITCH(light, shaded),
-    SSGI_GL__SWITCH(light, residual),
-    SSGI_GL__ENUM(light, shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
-    SSGI_GL__SWITCH(light, lights),
-    SSGI_GL__SWITCH(light, albedo),
+    SSGI_GL__ENUM(YOURS, light, environment, ENVIRONMENT, MAP, "NONE SH MAP",
+                  "pass == SSDO || surfel_pass || restores"),
+    SSGI_GL__ENUM(YOURS, light, harmonics, HARMONICS, CUSTOM, "FRAME CUSTOM", NULL),
+    SSGI_GL__ENUM(YOURS, light, bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH", "pass == SSDO || pass == COMPOSE"),
+    SSGI_GL__SWITCH(YOURS, light, two_sided, "pass == SSDO || pass == S3HO || pass == SPLAT"),
+    SSGI_GL__SWITCH(YOURS, light, bounced, "pass == EMITTERS"),
+    SSGI_GL__ENUM(YOURS, light, shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE", "pass == LIGHTS || surfel_pass"),
+    SSGI_GL__ENUM(YOURS, light, restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE", NULL),
+    SSGI_GL__COUNT(YOURS, light, bands, 4, "pass == SSDO || coefficients || restores"),
+    SSGI_GL__SWITCH(YOURS, light, packed, "coefficients"),
+    SSGI_GL__ENUM(YOURS, light, transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED", "pass == S3HO || loads"),
+    SSGI_GL__SWITCH(YOURS, light, dimmed, "pass == S3HO && transfer"),
+    SSGI_GL__SWITCH(YOURS, light, shaded, "pass == S3HO || averages"),
+    SSGI_GL__SWITCH(YOURS, light, residual, NULL),
+    SSGI_GL__ENUM(YOURS, light, shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT", "shades"),
+    SSGI_GL__SWITCH(YOURS, light, lights, "shades && shading != BENT"),
+    SSGI_GL__SWITCH(YOURS, light, albedo, "pass == SHADE"),
+    SSGI_GL__ENUM(STEPS, light, radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO", "pass == EMITTERS"),
+    SSGI_GL__COUNT(STEPS, light, receiver, 7, "pass == SSDO || pass == LIGHTS || pass == EMITTERS"),
+    SSGI_GL__SWITCH(STEPS, light, accumulate, "pass == LIGHTS"),
 
-    SSGI_GL__ENUM(surfel, effect, EFFECT, CUSTOM, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER CUSTOM"),
-    SSGI_GL__COUNT(surfel, levels, 7),
-    SSGI_GL__SWITCH(surfel, tessellate),
-    SSGI_GL__FIELD(surfel.overhang, overhang, SSGI_OVERHANG_CENTROID, "must be SSGI_OVERHANG_ and one of ",
-                   "INCENTRE CENTROID"),
-    SSGI_GL__ENUM(surfel, sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"),
-    SSGI_GL__COUNT(surfel, span, 64),
-    SSGI_GL__COUNT(surfel, near_samples, 16),
-    SSGI_GL__SWITCH(surfel, enlarge),
-    SSGI_GL__ENUM(surfel, combine, COMBINE, ADD, "SHARE ADD"),
-    SSGI_GL__SWITCH(surfel, axis),
+    SSGI_GL__ENUM(YOURS, surfel, effect, EFFECT, CUSTOM, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER CUSTOM", "splats"),
+    SSGI_GL__COUNT(YOURS, surfel, levels, 7, "splats || pass == INTERLEAVE"),
+    SSGI_GL__SWITCH(YOURS, surfel, tessellate, "surfel_pass"),
+    SSGI_GL__ENUM(YOURS, surfel, sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM",
+                  "pass == SURFELS || (pass == SPLAT && tessellate && effect > LIGHT)"),
+    SSGI_GL__COUNT(YOURS, surfel, span, 64, "slices || ((pass == SPLAT || pass == SUM) && !(effect > BOUNCE))"),
+    SSGI_GL__COUNT(YOURS, surfel, near_samples, 16, "pass == SPLAT"),
+    SSGI_GL__FIELD(SSGI_GL_CHOICE_PAPER, surfel.overhang, overhang, SSGI_OVERHANG_CENTROID,
+                   "must be SSGI_OVERHANG_ and one of ", "INCENTRE CENTROID", "surfel_pass && tessellate"),
+    SSGI_GL__SWITCH(PAPER, surfel, enlarge, "pass == SPLAT && effect != SCATTER"),
+    SSGI_GL__ENUM(PAPER, surfel, combine, COMBINE, ADD, "SHARE ADD", "pass == SUM && effect != SCATTER"),
+    SSGI_GL__SWITCH(STEPS, surfel, axis, "pass == SMOOTH"),
 
-    SSGI_GL__ENUM(filter, quantity, QUANTITY, COEFFICIENTS, "VISIBILITY LIGHT COEFFICIENTS"),
-    SSGI_GL__FIELD(filter.kind, filter, SSGI_GL_FILTER_GAUSSIAN, "must be SSGI_GL_FILTER_ and one of ",
-                   "BILATERAL GAUSSIAN"),
-    SSGI_GL__FIELD(filter.radius, filter_radius, 4, "must be 0..4", ""),
-    SSGI_GL__FIELD(filter.normals, filter_normals, 1, "must be 0 or 1", ""),
-    SSGI_GL__ENUM(filter, onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT"),
+    SSGI_GL__FIELD(SSGI_GL_CHOICE_YOURS, filter.kind, filter, SSGI_GL_FILTER_GAUSSIAN,
+                   "must be SSGI_GL_FILTER_ and one of ", "BILATERAL GAUSSIAN", "filters"),
+    SSGI_GL__FIELD(SSGI_GL_CHOICE_YOURS, filter.radius, filter_radius, 4, "must be 0..4", "", "filters"),
+    SSGI_GL__FIELD(SSGI_GL_CHOICE_YOURS, filter.normals, filter_normals, 1, "must be 0 or 1", "",
+                   "filters || pass == SMOOTH"),
+    SSGI_GL__ENUM(YOURS, filter, onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT",
+                  "pass == COMPOSE || (pass == BLUR && quantity == VISIBILITY)"),
+    SSGI_GL__ENUM(STEPS, filter, quantity, QUANTITY, COEFFICIENTS, "VISIBILITY LIGHT COEFFICIENTS",
+                  "filters || pass == CHANGE_MASK"),
 
-    SSGI_GL__ENUM(text, dialect, DIALECT, VULKAN, "330 410 450 300ES 310ES 320ES VULKAN"),
-    SSGI_GL__SWITCH(text, lines)
+    SSGI_GL__ENUM(YOURS, text, dialect, DIALECT, VULKAN, "330 410 450 300ES 310ES 320ES VULKAN", NULL),
+    SSGI_GL__SWITCH(YOURS, text, lines, NULL)
 };
+
+/* clang-format on */
 
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
@@ -5798,13 +5837,29 @@ static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
     return value;
 }
 
-static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
+struct ssgi_gl__rule;
 
-static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d) { return !when || ssgi_gl__any(&when, d); }
+/* What a condition is asked about: fields of a desc; those that `after` names, blanks between, as the rules resolve
+   them. */
+typedef struct ssgi_gl__asked {
+    const ssgi_gl_desc *d;
+    const char *after;
+    const struct ssgi_gl__rule *rules;
+    int count;
+} ssgi_gl__asked;
+
+static int ssgi_gl__any(const char **s, const ssgi_gl__asked *asked);
+
+static int ssgi_gl__asks(const char *when, const ssgi_gl__asked *asked) { return !when || ssgi_gl__any(&when, asked); }
+
+static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d)
+{
+    const ssgi_gl__asked asked = { d, NULL, NULL, 0 };
+    return ssgi_gl__asks(when, &asked);
+}
 
 /* Choices that do not go together: a condition as in #if lines, and the sentence of the error. */
-#define SSGI_GL__SLICED "searches && search == SLICES && "
-static const char *const ssgi_gl__rules[][2] = {
+static const char *const ssgi_gl__refusals[][2] = {
     { "pass == HSAO && search == POINTS",
       "desc.gather.search: hsao is SSGI_GL_SEARCH_SLICES or _MARCH; points are ssao's" },
     { "falloff == NONE && (pass == SSAO || ((pass == SSDO || pass == S3HO) && search == POINTS))",
@@ -5813,15 +5868,15 @@ static const char *const ssgi_gl__rules[][2] = {
       "desc.gather.search: only hsao marches; ssdo and s3ho are SSGI_GL_SEARCH_SLICES or _POINTS" },
     { "pass == HSAO && search == SLICES && normal_rays",
       "desc.gather.normal_rays: only SSGI_GL_SEARCH_MARCH has them; slices see above the horizon" },
-    { SSGI_GL__SLICED "layers > 1",
+    { "slices && layers > 1",
       "desc.gather.layers: slices read visible surfaces and their slabs (desc.gather.thickness); hidden layers "
       "need SSGI_GL_SEARCH_POINTS or _MARCH" },
-    { SSGI_GL__SLICED "views",
+    { "slices && views",
       "desc.gather.views: slices read visible surfaces and their slabs (desc.gather.thickness); extra cameras need "
       "SSGI_GL_SEARCH_POINTS or _MARCH" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
       "desc.light.bounce: patches are those of SSGI_GL_SEARCH_POINTS; slices have SOLID_ANGLE" },
-    { "thickness > SOLID && reads_thickness && (layers > 1 || views)",
+    { "thickness > SOLID && occludes && (layers > 1 || views)",
       "desc.gather.thickness: widths and back faces are those of one layer and camera; layers and views want "
       "SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
     { "world_normals && normal == FROM_DEPTH", "desc.input.world_normals: normals from depth are in view space" },
@@ -5859,11 +5914,12 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
 {
     SSGI_GL__THERE(desc);
     for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
-        const int value = ssgi_gl__get(desc, ssgi_gl__fields[i].offset);
-        SSGI_GL__CHECK(value >= 0 && value <= ssgi_gl__fields[i].most, ssgi_gl__fields[i].sentence);
+        const ssgi_gl_choice *const field = &ssgi_gl__fields[i].choice;
+        const int value = ssgi_gl__get(desc, field->offset);
+        SSGI_GL__CHECK(value >= 0 && value <= field->most, field->sentence);
     }
-    for (size_t i = 0; i < sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules; ++i)
-        SSGI_GL__CHECK(!ssgi_gl__holds(ssgi_gl__rules[i][0], desc), ssgi_gl__rules[i][1]);
+    for (size_t i = 0; i < sizeof ssgi_gl__refusals / sizeof *ssgi_gl__refusals; ++i)
+        SSGI_GL__CHECK(!ssgi_gl__holds(ssgi_gl__refusals[i][0], desc), ssgi_gl__refusals[i][1]);
     SSGI_GL__CHECK(!desc->light.receiver || desc->light.receiver < desc->gather.layers,
                    "desc.light.receiver: must be below desc.gather.layers");
     SSGI_GL__CHECK(desc->text.fetch
@@ -5877,7 +5933,7 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
 
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i)
 {
-    return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i] : NULL;
+    return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i].choice : NULL;
 }
 
 /* The fields that a preset sets. Points keep directions and normal_rays as they are, others samples, range and fade. */
@@ -5991,88 +6047,92 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     return SSGI_OK;
 }
 
-static int ssgi_gl__slices(const ssgi_gl_desc *d)
+/* The value of a field where a pass looks at it (`looks`), or has it although it does not: the row whose condition
+   holds, of which there is one at most; else it stays as given. Conditions read the desc as given, but for the fields
+   that `after` names, which they read resolved. So s3ho has a bounce where it has a transfer, and an environment SH
+   where its coefficients hold unoccluded directions: #if lines need not ask for the pass. */
+typedef struct ssgi_gl__rule {
+    size_t field; /* its offset */
+    const char *when;
+    int value;
+    const char *after;
+} ssgi_gl__rule;
+
+/* clang-format off */
+#define SSGI_GL__AT(field) offsetof(ssgi_gl_desc, field)
+static const ssgi_gl__rule ssgi_gl__rules[] = {
+    { SSGI_GL__AT(gather.search), "has_points", SSGI_GL_SEARCH_POINTS, NULL },
+    { SSGI_GL__AT(gather.directions), "slices && !directions", 1, NULL },
+    { SSGI_GL__AT(gather.directions), "marches && !directions", 6, NULL },
+    { SSGI_GL__AT(gather.samples), "by_points && !samples && pass == LIGHTS", 8, NULL },
+    { SSGI_GL__AT(gather.samples), "by_points && !samples && pass != LIGHTS", 16, NULL },
+    { SSGI_GL__AT(gather.steps), "gathers && !steps && (slices || marches)", 6, NULL },
+    { SSGI_GL__AT(gather.steps), "gathers && !steps && by_points", 1, NULL },
+    { SSGI_GL__AT(gather.half), "!any_size && !averages && at_half", SSGI_GL_HALF_FIRST, NULL },
+    { SSGI_GL__AT(gather.thickness), "measures && !thickness", SSGI_GL_THICKNESS_WIDTH, NULL },
+    { SSGI_GL__AT(gather.thickness), "occludes && !thickness", SSGI_GL_THICKNESS_CONSTANT, NULL },
+    /* Pass thickness reads the back faces. */
+    { SSGI_GL__AT(gather.thickness), "slices && thickness == BACK", SSGI_GL_THICKNESS_WIDTH, NULL },
+    { SSGI_GL__AT(gather.layers), "(by_points || marches || pass == EMITTERS) && !layers", 1, NULL },
+    { SSGI_GL__AT(gather.view_layers), "(by_points || marches) && !view_layers", 1, NULL },
+    { SSGI_GL__AT(gather.falloff), "marches && falloff == SQUARE", SSGI_GL_FALLOFF_LINEAR, NULL },
+    { SSGI_GL__AT(gather.terms), "marches && terms == HORIZON", SSGI_GL_TERMS_BOTH, NULL },
+    { SSGI_GL__AT(gather.normal_rays), "marches && terms > HORIZON && !normal_rays", 1, NULL },
+    { SSGI_GL__AT(light.environment), "pass == S3HO && !reflected", SSGI_GL_ENVIRONMENT_SH, NULL },
+    { SSGI_GL__AT(light.harmonics),
+      "shading || environment == MAP || !(pass == SHADE || (pass == S3HO && shaded) || (pass == SSDO && environment) "
+      "|| (averages && restore))",
+      SSGI_GL_HARMONICS_FRAME, "shading environment restore" },
+    { SSGI_GL__AT(light.bounce), "pass == S3HO && transfer", SSGI_GL_BOUNCE_SOLID_ANGLE, NULL },
+    { SSGI_GL__AT(light.shadow), "surfel_pass && shadow == FILL", SSGI_GL_SHADOW_MAP, NULL },
+    { SSGI_GL__AT(light.shadow), "surfel_pass && shadow == SEGMENT", SSGI_GL_SHADOW_NONE, NULL },
+    { SSGI_GL__AT(light.restore),
+      "reflected || shading == BENT || !(restores || pass == SHADE || (pass == SSDO && environment) || "
+      "(pass == S3HO && shaded) || (pass == SUM && half && effect == LIGHT))",
+      SSGI_GL_RESTORE_NONE, "shading" },
+    { SSGI_GL__AT(light.residual),
+      "reflected || (shading && !lights) || environment == MAP || !(pass == SHADE || restores || "
+      "(pass == S3HO && shaded) || (pass == SSDO && environment))",
+      0, "shading lights environment" },
+    /* A mean direction needs two bands. */
+    { SSGI_GL__AT(light.bands), "(loads || restores) && shading && !lights && (!bands || bands > 2)", 2,
+      "shading lights" },
+    { SSGI_GL__AT(light.bands), "pass == SSDO && !bands", 3, NULL },
+    { SSGI_GL__AT(light.bands), "(coefficients || restores) && !(shading && !lights) && !bands", 4, "shading lights" },
+    { SSGI_GL__AT(surfel.levels), "(splats || pass == INTERLEAVE) && !levels", 4, NULL },
+    { SSGI_GL__AT(filter.radius), "filters && !filter_radius && filter == GAUSSIAN", 2, NULL },
+    { SSGI_GL__AT(filter.radius), "filters && !filter_radius && filter != GAUSSIAN", 1, NULL },
+    { SSGI_GL__AT(filter.onto), "pass == COMPOSE && !onto", SSGI_GL_ONTO_MULTIPLY, NULL }
+};
+
+/* clang-format on */
+
+enum { SSGI_GL__RULES = (int)(sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules) };
+
+/* Returns a field of a desc as it is resolved by so many rules, in any order. */
+static int ssgi_gl__resolved(const ssgi_gl__field *field, const ssgi_gl_desc *d, const ssgi_gl__rule *rules, int count)
 {
-    return ssgi_gl__pass_of(d->pass)->search == SSGI_GL__SEARCH_CHOSEN && d->gather.search == SSGI_GL_SEARCH_SLICES;
+    ssgi_gl__asked asked = { d, NULL, rules, count };
+    for (int i = 0; i < count; ++i) {
+        asked.after = rules[i].after;
+        if (rules[i].field == field->choice.offset && ssgi_gl__asks(rules[i].when, &asked)) return rules[i].value;
+    }
+    return ssgi_gl__holds(field->looks, d) ? ssgi_gl__get(d, field->choice.offset) : 0;
 }
 
-/* So that #if lines need not ask for the pass, s3ho has a bounce where it has a transfer, and an environment SH where
-   its coefficients hold unoccluded directions. */
-SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
+static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc, const ssgi_gl__rule *rules, int count)
 {
     ssgi_gl_desc d = *desc;
-    const ssgi_gl__pass *const row = ssgi_gl__pass_of(d.pass);
-    const int pass = d.pass, ssdo = pass == SSGI_GL_PASS_SSDO, s3ho = pass == SSGI_GL_PASS_S3HO,
-              shade = pass == SSGI_GL_PASS_SHADE;
-    const int points = pass == SSGI_GL_PASS_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_PASS_BLUR,
-              splat = pass == SSGI_GL_PASS_SPLAT;
-    const int surfels = pass == SSGI_GL_PASS_SURFELS || splat,
-              reads = shade || (blur && d.filter.quantity == SSGI_GL_QUANTITY_COEFFICIENTS);
-    const int slices = ssgi_gl__slices(&d);
-    const int reflected = (s3ho || reads) && d.light.transfer == SSGI_GL_TRANSFER_REFLECTED;
-    const int averages = blur || pass == SSGI_GL_PASS_HISTORY, measures = row->thickness == SSGI_GL__THICKNESS_MEASURED;
-    const int restores = averages && d.filter.quantity == SSGI_GL_QUANTITY_LIGHT && d.light.restore
-                      && (d.light.environment || !d.light.bounce) && d.light.transfer != SSGI_GL_TRANSFER_REFLECTED;
-    if (!d.gather.samples) d.gather.samples = pass == SSGI_GL_PASS_LIGHTS ? 8 : 16;
-    if (!d.gather.directions) d.gather.directions = d.gather.search == SSGI_GL_SEARCH_MARCH ? 6 : 1;
-    if (!d.gather.steps) d.gather.steps = pass == SSGI_GL_PASS_HSAO || slices ? 6 : 1;
-    if (row->search == SSGI_GL__SEARCH_POINTS) d.gather.search = SSGI_GL_SEARCH_POINTS;
-    if (pass != SSGI_GL_PASS_HSAO || slices) {
-        d.gather.terms = SSGI_GL_TERMS_BOTH;
-        d.gather.spheres = 0;
-    } else if (d.gather.falloff == SSGI_GL_FALLOFF_SQUARE) d.gather.falloff = SSGI_GL_FALLOFF_LINEAR;
-    if (d.gather.terms == SSGI_GL_TERMS_HORIZON) {
-        d.gather.terms = SSGI_GL_TERMS_BOTH;
-        d.gather.normal_rays = 0;
+    for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
+        const int value = ssgi_gl__resolved(&ssgi_gl__fields[i], desc, rules, count);
+        memcpy((char *)&d + ssgi_gl__fields[i].choice.offset, &value, sizeof value);
     }
-    if (d.gather.terms && !d.gather.normal_rays) d.gather.normal_rays = 1;
-    if (d.gather.terms == SSGI_GL_TERMS_RAYS) d.gather.spheres = 0;
-    if (!d.filter.radius) d.filter.radius = d.filter.kind == SSGI_GL_FILTER_GAUSSIAN ? 2 : 1;
-    if (!d.light.bands) d.light.bands = ssdo ? 3 : 4;
-    if (!d.surfel.levels) d.surfel.levels = 4;
-    if (!d.gather.layers) d.gather.layers = 1;
-    if (!d.gather.view_layers) d.gather.view_layers = 1;
-    if (row->size != SSGI_GL__SIZE_CHOSEN && row->size != SSGI_GL__SIZE_LEVELS && !averages)
-        d.gather.half = row->size == SSGI_GL__SIZE_HALF ? SSGI_GL_HALF_FIRST : SSGI_GL_HALF_NONE;
-    if (!d.gather.thickness) d.gather.thickness = measures ? SSGI_GL_THICKNESS_WIDTH : SSGI_GL_THICKNESS_CONSTANT;
-    if (d.gather.thickness == SSGI_GL_THICKNESS_BACK && slices) /* Pass thickness reads the back faces. */
-        d.gather.thickness = SSGI_GL_THICKNESS_WIDTH;
-    if (!ssdo && pass != SSGI_GL_PASS_LIGHTS && pass != SSGI_GL_PASS_EMITTERS) d.light.receiver = 0;
-    if (!points || slices) {
-        d.gather.fade = SSGI_GL_FADE_NONE;
-        d.gather.range = d.gather.uniform = 0;
-    }
-    if (!s3ho && !reads) d.light.transfer = SSGI_GL_TRANSFER_DIRECT;
-    if (pass == SSGI_GL_PASS_COMPOSE) d.filter.onto = d.filter.onto ? d.filter.onto : SSGI_GL_ONTO_MULTIPLY;
-    else if (!blur || d.filter.quantity != SSGI_GL_QUANTITY_VISIBILITY) d.filter.onto = SSGI_GL_ONTO_NONE;
-    if (!ssdo && pass != SSGI_GL_PASS_COMPOSE)
-        d.light.bounce = s3ho && d.light.transfer ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
-    if (s3ho) d.light.environment = reflected ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_SH;
-    else if (!ssdo && !surfels && !restores) d.light.environment = SSGI_GL_ENVIRONMENT_NONE;
-    if (!(shade || (restores && !d.light.shaded))) d.light.shading = SSGI_GL_SHADING_HARMONICS;
-    if (reflected || d.light.shading == SSGI_GL_SHADING_BENT
-        || !(restores || shade || (ssdo && d.light.environment) || (s3ho && d.light.shaded)
-             || (pass == SSGI_GL_PASS_SUM && d.gather.half && d.surfel.effect == SSGI_GL_EFFECT_LIGHT)))
-        d.light.restore = SSGI_GL_RESTORE_NONE;
-    if (!(shade || (restores && !d.light.shaded)) || d.light.shading == SSGI_GL_SHADING_BENT) d.light.lights = 0;
-    if (reflected || (d.light.shading && !d.light.lights) || d.light.environment == SSGI_GL_ENVIRONMENT_MAP
-        || !(shade || restores || (s3ho && d.light.shaded) || (ssdo && d.light.environment)))
-        d.light.residual = 0;
-    if (!s3ho || !d.light.transfer) d.light.dimmed = 0;
-    if (d.light.shading || d.light.environment == SSGI_GL_ENVIRONMENT_MAP
-        || !(shade || (s3ho && d.light.shaded) || (ssdo && d.light.environment) || (averages && d.light.restore)))
-        d.light.harmonics = SSGI_GL_HARMONICS_FRAME;
-    if (d.light.shading && !d.light.lights && d.light.bands > 2) /* A mean direction needs two bands. */
-        d.light.bands = 2;
-    if (surfels && d.light.shadow == SSGI_GL_SHADOW_FILL) d.light.shadow = SSGI_GL_SHADOW_MAP;
-    if (surfels && d.light.shadow == SSGI_GL_SHADOW_SEGMENT) d.light.shadow = SSGI_GL_SHADOW_NONE;
-    if (!slices && ((!splat && pass != SSGI_GL_PASS_SUM) || d.surfel.effect > SSGI_GL_EFFECT_BOUNCE)) d.surfel.span = 0;
-    if (splat && !(d.surfel.tessellate && d.surfel.effect > SSGI_GL_EFFECT_LIGHT))
-        d.surfel.sends = SSGI_GL_SENDS_COLOUR;
-    if (!surfels || !d.surfel.tessellate) d.surfel.overhang = SSGI_OVERHANG_INCENTRE;
-    if (!splat || d.surfel.effect == SSGI_GL_EFFECT_SCATTER) d.surfel.enlarge = 0;
-    if (pass != SSGI_GL_PASS_SUM || d.surfel.effect == SSGI_GL_EFFECT_SCATTER) d.surfel.combine = SSGI_GL_COMBINE_SHARE;
     return d;
+}
+
+SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
+{
+    return ssgi_gl__resolve(desc, ssgi_gl__rules, SSGI_GL__RULES);
 }
 
 /* ==== >>emit (implementation) ===================================================================================== */
@@ -6095,39 +6155,84 @@ static size_t ssgi_gl__word(const char **s)
     return n;
 }
 
-/* Whether a word is `name`, or its macro, SSGI_NAME. */
+/* Whether a word is `name`, or its macro, SSGI_NAME. Most words differ by their first letter. */
 static int ssgi_gl__is(const char *name, const char *word, size_t length)
 {
     size_t i = 0;
-    if (length > 5 && !memcmp(word, "SSGI_", 5)) {
+    if (length > 5 && *word == 'S' && !memcmp(word, "SSGI_", 5)) {
         word += 5;
         length -= 5;
-    }
+    } else if (*name != *word) return 0;
     while (i < length && name[i] && (name[i] == word[i] || (name[i] != '_' && name[i] - 'a' == word[i] - 'A'))) ++i;
     return i == length && !name[i];
 }
 
-static const ssgi_gl_choice *ssgi_gl__field_named(const char *word, size_t length)
+static const ssgi_gl__field *ssgi_gl__field_named(const char *word, size_t length)
 {
     for (int i = 0; i < SSGI_GL__FIELDS; ++i)
-        if (ssgi_gl__is(ssgi_gl__fields[i].name, word, length)) return &ssgi_gl__fields[i];
+        if (ssgi_gl__is(ssgi_gl__fields[i].choice.name, word, length)) return &ssgi_gl__fields[i];
     return NULL;
 }
 
-/* Returns a fact of the pass, 0 or 1, as conditions name facts, too. -1: there is no such name. */
+/* Facts that conditions name, too. Those of the pass's row: its column, less SSGI_GL__, and the value there. Others are
+   conditions themselves, of the desc as given. */
+static const struct {
+    const char *name, *when;
+    signed char search, thickness, size; /* -1: any */
+} ssgi_gl__facts[] = {
+    { "searches", NULL, SSGI_GL__SEARCH_CHOSEN, -1, -1 },
+    { "has_points", NULL, SSGI_GL__SEARCH_POINTS, -1, -1 },
+    { "occludes", NULL, -1, SSGI_GL__THICKNESS_READ, -1 },
+    { "measures", NULL, -1, SSGI_GL__THICKNESS_MEASURED, -1 },
+    { "at_half", NULL, -1, -1, SSGI_GL__SIZE_HALF },
+    { "at_any", NULL, -1, -1, SSGI_GL__SIZE_CHOSEN },
+    { "at_levels", NULL, -1, -1, SSGI_GL__SIZE_LEVELS },
+    { "any_size", "at_any || at_levels", -1, -1, -1 },
+    /* Its depths are those of t_ssgi_thickness. */
+    { "measured", "occludes && thickness > SOLID && (thickness == WIDTH || search == SLICES)", -1, -1, -1 },
+    { "slices", "searches && search == SLICES", -1, -1, -1 },
+    { "marches", "searches && search == MARCH", -1, -1, -1 },
+    { "by_points", "has_points || (searches && search == POINTS)", -1, -1, -1 },
+    { "gathers", "pass == SSAO || searches", -1, -1, -1 },
+    { "averages", "pass == BLUR || pass == HISTORY", -1, -1, -1 },
+    { "filters", "averages || pass == COMPOSE", -1, -1, -1 }, /* ssgi_gl_read reads as compose what is filtered */
+    { "surfel_pass", "pass == SURFELS || pass == SPLAT", -1, -1, -1 },
+    { "splats", "pass == SPLAT || pass == DEINTERLEAVE || pass == SMOOTH || pass == SUM", -1, -1, -1 },
+    { "loads", "pass == SHADE || (pass == BLUR && quantity == COEFFICIENTS)", -1, -1, -1 }, /* coefficients */
+    { "coefficients", "pass == S3HO || loads || (pass == COMPOSE && quantity == COEFFICIENTS)", -1, -1, -1 },
+    { "reflected", "(pass == S3HO || loads) && transfer == REFLECTED", -1, -1, -1 },
+    { "restores", "averages && quantity == LIGHT && restore && (environment || !bounce) && transfer != REFLECTED", -1,
+      -1, -1 },
+    { "shades", "pass == SHADE || (restores && !shaded)", -1, -1, -1 }
+};
+
+enum { SSGI_GL__FACTS = (int)(sizeof ssgi_gl__facts / sizeof *ssgi_gl__facts) };
+
+/* Returns a fact, 0 or 1; -1: there is none of that name. */
 static int ssgi_gl__fact(const char *word, size_t length, const ssgi_gl_desc *d)
 {
-    static const char *const names[3] = { "searches", "reads_thickness", "measured" };
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(d->pass);
-    const int searches = row->search == SSGI_GL__SEARCH_CHOSEN, reads = row->thickness == SSGI_GL__THICKNESS_READ;
-    /* Its depths are those of t_ssgi_thickness. */
-    const int measured = reads && d->gather.thickness >= SSGI_GL_THICKNESS_WIDTH
-                      && (d->gather.thickness == SSGI_GL_THICKNESS_WIDTH || d->gather.search == SSGI_GL_SEARCH_SLICES);
-    const int facts[3] = { searches, reads, measured };
-    for (int i = 0; i < 3; ++i)
-        if (ssgi_gl__is(names[i], word, length)) return facts[i];
+    for (int i = 0; i < SSGI_GL__FACTS; ++i) {
+        const int search = ssgi_gl__facts[i].search, thickness = ssgi_gl__facts[i].thickness,
+                  size = ssgi_gl__facts[i].size;
+        if (!ssgi_gl__is(ssgi_gl__facts[i].name, word, length)) continue;
+        return (search < 0 || search == row->search) && (thickness < 0 || thickness == row->thickness)
+            && (size < 0 || size == row->size) && ssgi_gl__holds(ssgi_gl__facts[i].when, d);
+    }
     return -1;
 }
+
+/* Whether a list of names with blanks between has a name. */
+static int ssgi_gl__lists(const char *names, const char *name)
+{
+    size_t n;
+    for (; names && (n = ssgi_gl__word(&names)) != 0; names += n)
+        if (ssgi_gl__is(name, names, n)) return 1;
+    return 0;
+}
+
+static int ssgi_gl__resolved(const ssgi_gl__field *field, const ssgi_gl_desc *d, const struct ssgi_gl__rule *rules,
+                             int count);
 
 /* Returns the value that a word or number stands for in a field; -1: none. */
 static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length)
@@ -6146,45 +6251,49 @@ static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t 
     return length ? -1 : value;
 }
 
-static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
+/* asked NULL: only goes past it, as what is before it decides. */
+static int ssgi_gl__operand(const char **s, const ssgi_gl__asked *asked)
 {
     size_t n = ssgi_gl__word(s);
     if (**s == '!') {
         ++*s;
-        return !ssgi_gl__operand(s, d);
+        return !ssgi_gl__operand(s, asked);
     }
     if (**s == '(') {
         ++*s;
-        const int inner = ssgi_gl__any(s, d);
+        const int inner = ssgi_gl__any(s, asked);
         ssgi_gl__word(s);
         *s += **s == ')';
         return inner;
     }
-    const ssgi_gl_choice *field = ssgi_gl__field_named(*s, n);
-    const int fact = field ? 0 : ssgi_gl__fact(*s, n, d);
+    const ssgi_gl__field *field = asked ? ssgi_gl__field_named(*s, n) : NULL;
+    const int fact = asked && !field && ssgi_gl__fact(*s, n, asked->d) > 0;
     *s += n;
     ssgi_gl__word(s);
     const char sign = **s;
-    if (!field) return fact > 0;
-    const int value = ssgi_gl__get(d, field->offset);
-    if (sign != '=' && sign != '!' && sign != '<' && sign != '>') return value != 0;
+    const int compared = sign == '=' || sign == '!' || sign == '<' || sign == '>';
+    const int value = !field ? fact
+                    : ssgi_gl__lists(asked->after, field->choice.name)
+                        ? ssgi_gl__resolved(field, asked->d, asked->rules, asked->count)
+                        : ssgi_gl__get(asked->d, field->choice.offset);
+    if (!compared) return value != 0;
     *s += (*s)[1] == '=' ? 2 : 1;
     n = ssgi_gl__word(s);
-    const int other = ssgi_gl__value(field, *s, n);
+    const int other = field ? ssgi_gl__value(&field->choice, *s, n) : 0;
     *s += n;
     return sign == '=' ? value == other : sign == '!' ? value != other : sign == '<' ? value < other : value > other;
 }
 
-static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
+static int ssgi_gl__any(const char **s, const ssgi_gl__asked *asked)
 {
-    int any = 0, all = ssgi_gl__operand(s, d);
+    int any = 0, all = ssgi_gl__operand(s, asked);
     for (;;) {
         ssgi_gl__word(s);
         const char sign = **s;
         if (sign != '&' && sign != '|') return any | all;
         *s += 2;
         if (sign == '|') any |= all;
-        all = ssgi_gl__operand(s, d) & (sign == '|' || all);
+        all = (sign == '|' || all) & ssgi_gl__operand(s, any || (sign == '&' && !all) ? NULL : asked);
     }
 }
 
@@ -6214,12 +6323,12 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
         if (line[1] == 'i') { /* #if */
             const int kept = !r->depth || *state == '+';
             s = line + 3;
-            r->state[r->depth++] = kept ? ssgi_gl__any(&s, r->d) ? '+' : '-' : '.';
+            r->state[r->depth++] = kept ? ssgi_gl__holds(s, r->d) ? '+' : '-' : '.';
         } else if (line[2] == 'n') { /* #endif */
             --r->depth;
         } else { /* #elif, #else */
             s = line + 5;
-            *state = *state != '-' ? '.' : line[3] == 's' || ssgi_gl__any(&s, r->d) ? '+' : '-';
+            *state = *state != '-' ? '.' : line[3] == 's' || ssgi_gl__holds(s, r->d) ? '+' : '-';
         }
     }
     return NULL;
@@ -6310,12 +6419,12 @@ typedef struct ssgi_gl__program {
     ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
 
-/* Links all stages, since rows are shared between them. Returns 0 where the pass does not have `stage`, before it
-   links; SSGI_GL_STAGES asks for none. */
-static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage)
+/* Links all stages of a resolved desc, since rows are shared between them. Returns 0 where the pass does not have
+   `stage`, before it links; SSGI_GL_STAGES asks for none. */
+static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *resolved, int stage)
 {
     memset(p, 0, sizeof *p);
-    p->d = ssgi_gl_resolve(desc);
+    p->d = *resolved;
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(p->d.pass);
     const ssgi_gl__variant *variant = row->variant;
     while (!ssgi_gl__holds(variant->when, &p->d)) ++variant;
@@ -6564,7 +6673,8 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
     ssgi_gl__program p;
     ssgi_gl__text t = { out, capacity, 0, 0 };
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || stage < 0 || stage >= SSGI_GL_STAGES || (!out && capacity)) return 0;
-    if (ssgi_gl__link_all(&p, desc, stage)) ssgi_gl__write(&t, &p, stage);
+    const ssgi_gl_desc d = ssgi_gl_resolve(desc);
+    if (ssgi_gl__link_all(&p, &d, stage)) ssgi_gl__write(&t, &p, stage);
     return ssgi_gl__end(&t);
 }
 
@@ -6573,7 +6683,8 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
     ssgi_gl__program p;
     ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* FNV-1a over the very texts */
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
-    ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
+    const ssgi_gl_desc d = ssgi_gl_resolve(desc);
+    ssgi_gl__link_all(&p, &d, SSGI_GL_STAGES);
     for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
         if (p.mains[stage]) ssgi_gl__write(&t, &p, stage);
     return t.hash;
@@ -6676,7 +6787,8 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
 {
     ssgi_gl__program p;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!rows && capacity > 0)) return 0;
-    ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
+    const ssgi_gl_desc d = ssgi_gl_resolve(desc);
+    ssgi_gl__link_all(&p, &d, SSGI_GL_STAGES);
     return ssgi_gl__collect(&p, SSGI_GL_STAGES, rows, capacity);
 }
 
@@ -7134,7 +7246,7 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
    may read layers and cameras, which have no widths. */
 static void ssgi_gl__thickness(ssgi_gl_desc *d)
 {
-    if (d->gather.thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__slices(d))
+    if (d->gather.thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__holds("slices", d))
         d->gather.thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
@@ -7212,7 +7324,7 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
     if (!chain) return "chain: must not be NULL";
     const int pass = chain->desc.pass, lit = chain->lights.pass == SSGI_GL_PASS_LIGHTS;
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(pass);
-    if (!row) return ssgi_gl__fields[0].sentence;
+    if (!row) return ssgi_gl__fields[0].choice.sentence;
     if (row->chain == SSGI_GL__CHAIN_NONE)
         return "chain.desc.pass: must be a pass with a result of its own, as SSGI_GL_PASS_HSAO is: this one is a step "
                "that ssgi_gl_steps adds where a chain needs it";

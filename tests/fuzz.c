@@ -77,7 +77,7 @@ static void fill(ssgi_gl_desc *d, const uint8_t *data)
     memset(d, 0, sizeof *d);
     for (int i = 0; i < FIELDS; ++i) {
         const int value = data[i];
-        memcpy((char *)d + ssgi_gl__fields[i].offset, &value, sizeof value);
+        memcpy((char *)d + ssgi_gl__fields[i].choice.offset, &value, sizeof value);
     }
     d->text.fetch = " ";
 }
@@ -464,7 +464,7 @@ static uint32_t next(uint32_t *state) { *state = *state * 1664525u + 1013904223u
 
 static uint8_t legal(size_t field, uint32_t *state)
 {
-    return (uint8_t)(next(state) % ((uint32_t)ssgi_gl__fields[field].most + 1u));
+    return (uint8_t)(next(state) % ((uint32_t)ssgi_gl__fields[field].choice.most + 1u));
 }
 
 /* A chain most of whose fields have their default. */

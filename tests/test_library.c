@@ -27,7 +27,8 @@ static int condition(const char *s, const char *end, int glsl)
             if (macro && (n < group + 7 || s[5 + group] != '_' || !ssgi_gl__is(field->name, s, 5 + group))) return 0;
             compared = 0;
         } else if (n) {
-            field = ssgi_gl__field_named(s, n);
+            const ssgi_gl__field *const row = ssgi_gl__field_named(s, n);
+            field = row ? &row->choice : NULL;
             if (macro != glsl || (!field && ssgi_gl__fact(s, n, &none) < 0)) return 0;
             ++terms;
         } else {
@@ -80,7 +81,7 @@ static void conditions(void)
         CHECK(!when || condition(when, when + strlen(when), 0), "pass %s: %s", row->name, when);
     }
     for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
-        const ssgi_gl_choice *f = &ssgi_gl__fields[i];
+        const ssgi_gl_choice *f = &ssgi_gl__fields[i].choice;
         int words = *f->values != 0;
         for (const char *s = f->values; *s; ++s) words += *s == ' ';
         CHECK(!words || words == f->most + 1,
@@ -312,6 +313,74 @@ static void reflection(void)
     CHECK(resolved > 500, "%d descs", resolved);
 }
 
+/* ---- how fields are resolved ------------------------------------------------------------------------------------- */
+
+/* A desc with fields at random, as one field in three is set, that is accepted. */
+static ssgi_gl_desc any_desc(int pass)
+{
+    for (;;) {
+        ssgi_gl_desc d;
+        memset(&d, 0, sizeof d);
+        for (int i = 1; i < SSGI_GL__FIELDS; ++i) {
+            const ssgi_gl_choice *const c = &ssgi_gl__fields[i].choice;
+            if (!t_below(3)) set(&d, c, (int)t_below((uint32_t)(c->most < 8 ? c->most : 8) + 1));
+        }
+        d.pass = (ssgi_gl_pass)pass;
+        d.text.fetch = "float ssgi_custom_depth(ivec2 texel, int layer) { return 1.0; }";
+        if (ssgi_gl_check(&d, NULL) == SSGI_OK) return d;
+    }
+}
+
+/* Rules read the desc as given, and others' results only where they say so. So their order does not matter: of a
+   field's rules one holds at most, and none waits for itself. */
+static void rules_have_no_order(void)
+{
+    enum { ORDERS = 10, DESCS = 400 };
+    static ssgi_gl__rule drawn[ORDERS][SSGI_GL__RULES];
+    t_seed(74);
+    for (int k = 0; k < ORDERS; ++k)
+        for (int i = 0; i < SSGI_GL__RULES; ++i) {         /* Each is put before one of those that are there. */
+            const int at = (int)t_below((uint32_t)i + 1);
+            drawn[k][i] = drawn[k][at];
+            drawn[k][at] = ssgi_gl__rules[i];
+        }
+    for (int n = 0; n < DESCS; ++n) {
+        const ssgi_gl_desc d = any_desc(n % SSGI_GL_PASSES), want = ssgi_gl_resolve(&d);
+        for (int k = 0; k < ORDERS; ++k) {
+            const ssgi_gl_desc got = ssgi_gl__resolve(&d, drawn[k], SSGI_GL__RULES);
+            CHECK(!memcmp(&got, &want, sizeof got), "%s: rules in another order give another desc",
+                  ssgi_gl_pass_name(d.pass));
+        }
+        for (int i = 0; i < SSGI_GL__RULES; ++i)
+            for (int k = 0; k < i; ++k) {
+                const ssgi_gl__rule *const a = &ssgi_gl__rules[i], *const b = &ssgi_gl__rules[k];
+                const ssgi_gl__asked first = { &d, a->after, ssgi_gl__rules, SSGI_GL__RULES },
+                                     second = { &d, b->after, ssgi_gl__rules, SSGI_GL__RULES };
+                CHECK(a->field != b->field || !ssgi_gl__asks(a->when, &first) || !ssgi_gl__asks(b->when, &second),
+                      "two rules of a field hold: %s; %s", a->when, b->when);
+            }
+    }
+}
+
+/* Fields of the camera, of your textures and of the language are of all passes. The row of any other field says which
+   passes look at it, or a rule does: elsewhere it is resolved to 0, so that #if lines need not ask for the pass. */
+static void fields_have_their_passes(void)
+{
+    for (int i = 1; i < SSGI_GL__FIELDS; ++i) {
+        const ssgi_gl__field *const f = &ssgi_gl__fields[i];
+        int told = f->looks || !strncmp(f->choice.field, "input.", 6) || !strncmp(f->choice.field, "text.", 5);
+        int seen = 0;
+        for (int k = 0; k < SSGI_GL__RULES; ++k) told |= ssgi_gl__rules[k].field == f->choice.offset;
+        CHECK(told, "desc.%s: its row in ssgi_gl__fields (ssgi_gl.h, >>desc) does not say which passes look at it",
+              f->choice.field);
+        for (int n = 0; n < 64 * SSGI_GL_PASSES && !seen; ++n) {
+            const ssgi_gl_desc d = any_desc(n % SSGI_GL_PASSES);
+            seen = !f->looks || ssgi_gl__holds(f->looks, &d);
+        }
+        CHECK(seen, "desc.%s: no pass looks at it by its row: %s", f->choice.field, f->looks);
+    }
+}
+
 static void at_home(void)
 {
     struct stat here, there;
@@ -325,6 +394,8 @@ void test_library(void)
     if (!every_pass_has_a_row()) return;
     RUN("tables name every field of a desc and every member of the blocks; what zeros mean gives the same text",
         reflection);
+    RUN("the rules by which fields are resolved may stand in any order", rules_have_no_order);
+    RUN("every field says which passes look at it", fields_have_their_passes);
     RUN("tests stand in their repository, wherever they were started", at_home);
     RUN("every #if names fields of the desc and their values", conditions);
     RUN("every loop ends, whatever textures and the frame hold", loops);

@@ -92,13 +92,12 @@ enum { CODES = SSGI_GL__CODES, ROWS = SSGI_GL__ROWS };
 
 typedef struct head {
     char own[CODES]; /* 1: an entry of this room */
-    char code[CODES], row[ROWS], field[SSGI_GL__FIELDS], fact[3]; /* 1: is declared */
+    char code[CODES], row[ROWS], field[SSGI_GL__FIELDS], fact[SSGI_GL__FACTS]; /* 1: is declared */
     int deep;          /* inside another room's function */
     ssgi_gl_desc base; /* its values are the macros' */
     text macros, declared, defined, reads, writes, needs;
 } head;
 
-static const char *const facts[3] = { "searches", "reads_thickness", "measured" };
 
 static int is_named(const char *name, const char *word, size_t n)
 {
@@ -128,11 +127,13 @@ static void put_macro(text *t, const char *name)
 /* Defines a field's macros, once. */
 static void need_macro(head *h, const char *word, size_t n)
 {
-    const ssgi_gl_choice *const field = ssgi_gl__field_named(word, n);
+    const ssgi_gl__field *const row = ssgi_gl__field_named(word, n);
+    const ssgi_gl_choice *const field = row ? &row->choice : NULL;
     int fact = 0;
-    while (!field && fact < 3 && !ssgi_gl__is(facts[fact], word, n)) ++fact;
-    char *const had = field ? &h->field[field - ssgi_gl__fields] : fact < 3 ? &h->fact[fact] : NULL;
-    const char *const name = field ? field->name : fact < 3 ? facts[fact] : "", *s = field ? field->values : "";
+    while (!field && fact < SSGI_GL__FACTS && !ssgi_gl__is(ssgi_gl__facts[fact].name, word, n)) ++fact;
+    char *const had = field ? &h->field[row - ssgi_gl__fields] : fact < SSGI_GL__FACTS ? &h->fact[fact] : NULL;
+    const char *const name = field ? field->name : fact < SSGI_GL__FACTS ? ssgi_gl__facts[fact].name : "",
+                      *s = field ? field->values : "";
     char number[24];
     if (!had || (*had)++) return;
     snprintf(number, sizeof number, " %d\n",
@@ -164,7 +165,8 @@ static void put_condition(head *h, text *t, const char *s)
             puts_to(t, "_");
             put(t, s, n);
         } else if (n) {
-            field = ssgi_gl__field_named(s, n);
+            const ssgi_gl__field *const row = ssgi_gl__field_named(s, n);
+            field = row ? &row->choice : NULL;
             need_macro(h, s, n);
             put_macro(t, field ? field->name : "");
         }
@@ -206,9 +208,10 @@ static int desc_of(ssgi_gl_desc *desc, const char *main_)
     variant v;
     for (int i = 0; at >= 0 && !found[at].known && variant_at(&v, i); ++i)
         for (int c = 0; c < choices_count && !found[at].known; ++c) {
-            const ssgi_gl_desc d = with_choice(v.desc, c);
+            const ssgi_gl_desc own = with_choice(v.desc, c);
             ssgi_gl__program p;
-            if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;
+            if (ssgi_gl_check(&own, NULL) != SSGI_OK) continue;
+            const ssgi_gl_desc d = ssgi_gl_resolve(&own);
             ssgi_gl__link_all(&p, &d, SSGI_GL_STAGES);
             for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
                 if (p.mains[stage] && !strcmp(p.mains[stage], main_)) {
@@ -376,19 +379,20 @@ static void put_file(text *out, const char *file, head *h, const text *body)
         if (stage < 0) continue;
         PUT(&commands, "//     glslangValidator -l -S ", stages[stage], " -D", name);
         for (int k = 0; k < SSGI_GL__FIELDS; ++k) {
-            const int value = ssgi_gl__get(&d, ssgi_gl__fields[k].offset);
+            const int value = ssgi_gl__get(&d, ssgi_gl__fields[k].choice.offset);
             char number[24];
-            if (!h->field[k] || value == ssgi_gl__get(&h->base, ssgi_gl__fields[k].offset)) continue;
+            if (!h->field[k] || value == ssgi_gl__get(&h->base, ssgi_gl__fields[k].choice.offset)) continue;
             snprintf(number, sizeof number, "=%d", value);
             puts_to(&commands, " -D");
-            put_macro(&commands, ssgi_gl__fields[k].name);
+            put_macro(&commands, ssgi_gl__fields[k].choice.name);
             puts_to(&commands, number);
         }
-        for (int k = 0; k < 3; ++k) {
-            const int value = ssgi_gl__fact(facts[k], strlen(facts[k]), &d);
-            if (!h->fact[k] || value == ssgi_gl__fact(facts[k], strlen(facts[k]), &h->base)) continue;
+        for (int k = 0; k < SSGI_GL__FACTS; ++k) {
+            const char *const name = ssgi_gl__facts[k].name;
+            const int value = ssgi_gl__fact(name, strlen(name), &d);
+            if (!h->fact[k] || value == ssgi_gl__fact(name, strlen(name), &h->base)) continue;
             puts_to(&commands, " -D");
-            put_macro(&commands, facts[k]);
+            put_macro(&commands, name);
             puts_to(&commands, value ? "=1" : "=0");
         }
         PUT(&commands, " ", file, "\n");
