@@ -323,7 +323,7 @@ build/wasm/ssgi.wasm: examples/tools/wasm/ssgi.c examples/tools/wasm/ssgi.mjs $(
 	@echo '  clang $@'; clang $(WASM_FLAGS) $< -o $@
 	@cp examples/tools/wasm/ssgi.mjs $(@D)
 
-# Every chain that has a name in WGSL.
+# Every chain that build/glsl-text --chains names, in WGSL.
 build/wgsl/manifest.json: build/glsl-text examples/tools/glsl/translate.sh examples/tools/glsl/wgsl.mjs
 	@command -v glslangValidator >/dev/null || sh examples/kit/install.sh glslang-tools || \
 	  { echo 'npm: glslangValidator is missing (apt-get install glslang-tools)' >&2; exit 2; }

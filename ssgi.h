@@ -5142,6 +5142,14 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    yours that are as large as the picture tell their size, in steps of virtual point lights, too.
    New: SSGI_GL_MAX_STEPS.
 
+   Methods have names: ssgi_gl_method_at lists them, ssgi_gl_chain_of fills a chain by a name and FIELD=VALUE behind it,
+   ssgi_gl_frame_of sets the frame's values that suit a chain, ssgi_gl_steps_of does all of it. The fields of
+   ssgi_gl_desc stand by who sets them (ssgi_gl_choice.kind), in another order than in 0.4. ssgi_gl_resolve gives 0 to
+   each field that the pass does not look at. ssgi_gl_steps refuses choices of a chain that are out of their limits
+   (ssgi_gl_chain_choice_at). The names of tools follow: of build/glsl-text --chain and make cost "hsao-slabs" is now
+   "hsao,thickness=slabs", "ssdo" has a bounce ("ssdo,bounce=none" has not), as build/render has had it; so it is with
+   "s3ho" ("s3ho,transfer=direct,packed=0,restore=ratio"). PASS,PRESET is NAME,PRESET: "dss,best", not "splat,best".
+
    Mended: rays passed between triangles where multiply and add are fused, past long edges from close by, and through
    triangles that they meet along their plane. A bad count of lights, occluders or levels could keep a GPU busy for
    seconds: texts count to the rows that the textures have. Numbers that are not finite were taken for finite by some

@@ -474,7 +474,7 @@ typedef enum ssgi_gl_half {
    limits [0..1 where none is told]. ssgi_gl_check names a field that is not. Each field is four bytes long.
    Each group begins with the choices that are yours. "The papers' own" are for those who draw what a paper published:
    the defaults have a lower error or cost less. "Of the steps" are set by ssgi_gl_steps; set them yourself only where
-   you draw passes without it. ssgi_gl_choice.kind tells the three apart. */
+   you draw without it. ssgi_gl_choice.kind tells the three apart. */
 
 /* ---- desc.input: the camera and your textures, the same for all passes of a frame */
 typedef struct ssgi_gl_input_desc {
@@ -674,6 +674,8 @@ typedef struct ssgi_gl_choice {
 
 /* The i-th field; NULL past the last. */
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
+/* The i-th choice of ssgi_gl_chain, where offset is into that; NULL past the last. */
+SSGI_DEF const ssgi_gl_choice *ssgi_gl_chain_choice_at(int i);
 
 /* Measured settings: the points of the README's chart. ssgi_gl_preset sets the fields that trade cost for accuracy in
    desc->pass with desc->gather.search, and in its filter, so that the same desc serves blur: half, directions or
@@ -958,6 +960,25 @@ typedef struct ssgi_gl_step {
    writes anew first, and the other a frame later. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
+/* A method: what README, tools and pages call by a name. */
+typedef struct ssgi_gl_method {
+    const char *name;     /* "hsao-history" */
+    const char *sentence; /* what it is for, and what it needs beyond depth and normals */
+    int pass, preset;     /* chain.desc.pass; SSGI_GL_PRESET_FAST .. */
+    const char *settings; /* what differs from the preset, as ssgi_gl_chain_of takes it behind a name: "history=1" */
+} ssgi_gl_method;
+
+/* The i-th method; NULL past the last. The first one of a pass is the plain one. */
+SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i);
+
+/* Fills a chain by a method's name. width and height are 0: set them.
+     name   "NAME[,PRESET][,FIELD=VALUE].." in any case, with - or _: "hsao", "hsao-history,thickness=slabs",
+            "ssdo,best,lights.shadow=map". NAME: one of ssgi_gl_method_at. PRESET: fast, balanced or best. FIELD: a
+            name of ssgi_gl_choice_at, but pass, or of ssgi_gl_chain_choice_at; "lights." and a name: of chain.lights,
+            whose pass is LIGHTS then. VALUE: a number or a word. What is given stands over what the preset sets. An
+            unknown name gets a sentence with those near it. A bad name leaves the chain as it is */
+SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, const char **why);
+
 /* GL's state of the texture at a unit, or of a target. */
 typedef struct ssgi_gl_bound {
     unsigned target; /* GL_TEXTURE_2D ..; not looked at in targets */
@@ -1002,7 +1023,7 @@ typedef struct ssgi_gl_frame {
                              fetches of their planes stay below them: not of slices */
     float thickness_limit; /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces: with
                              desc.gather.thickness CONSTANT; with WIDTH the most; with BACK and SLABS by points where
-                             there is no back face. 1 radius suits ssao, 0.5 march, 0.4 light */
+                             there is no back face. ssgi_gl_frame_of knows what suits a chain */
     float phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
     float fade;           /* [units: view] [default: 0.3 radii]  distance at which occluders begin to fade; at the
                              radius: they do not */
@@ -1029,8 +1050,7 @@ typedef struct ssgi_gl_frame {
     float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
                          ssgi_gl_sent_set makes the result linear in the light */
     float epsilon;    /* splat   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or that
-                         times the radiance that it sends over `sent` (times the lobe's peak). SPECULAR wants 0.1,
-                         SCATTER 0.02 */
+                         times the radiance that it sends over `sent` (times the lobe's peak): ssgi_gl_frame_of */
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
 
     /* ---- the rest, where std140 has room for it */
@@ -1059,6 +1079,18 @@ typedef struct ssgi_gl_frame {
 /* Fills a frame from a view: the image is at the origin of textures and targets, all other members have their defaults.
      radius   [units: view] [limit: > 0] */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
+
+/* The same, with the values that suit a chain: thickness_limit is 1 radius for ssao, 0.7 for light by points, 0.5 for
+   the march, 0.4 for light by slices, else 0.6; epsilon is 0.02 for SCATTER, 0.1 for SPECULAR, else 0.3. */
+SSGI_DEF ssgi_result ssgi_gl_frame_of(ssgi_gl_frame *frame, const ssgi_gl_chain *chain, const ssgi_view *view,
+                                      float radius, const char **why);
+
+/* The steps of a method by its name, and the frame that they share: ssgi_gl_chain_of, of the view's size and kind of
+   projection, then ssgi_gl_frame_of and ssgi_gl_steps. Returns how many steps there are; 0: why says the reason, and
+   frame stays as it is.
+     name   as in ssgi_gl_chain_of: "hsao", "hsao,depth=linear" */
+SSGI_DEF int ssgi_gl_steps_of(ssgi_gl_step *steps, int capacity, ssgi_gl_frame *frame, const char *name,
+                              const ssgi_view *view, float radius, const char **why);
 
 /* Sets history, last_to, last_from, last_size, last_footprint. Leave history 0 at a cut.
      view, last_world_to_view    those of the last frame, as GL had them, jitter and all. view has this frame's kind of
@@ -2658,7 +2690,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    w *= u_ssgi_window;\n"
     "#if SSGI_BANDS == 1\n"
     "    float open = 1.0;\n"
-    "#elif SSGI_BANDS > 1\n"
+    "#else\n"
     "    float open = 0.25 * w.x;\n"
     "    open += 0.5 * w.y;\n"
     "#endif\n"
@@ -5707,11 +5739,15 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
 typedef struct ssgi_gl__field {
     ssgi_gl_choice choice;
     const char *looks;
+    const char *nearest; /* the sentence on a name that is nearest to this one */
 } ssgi_gl__field;
+
+#define SSGI_GL__NEAREST(name) "name: there is no such field; the nearest is " name
 
 /* clang-format off */
 #define SSGI_GL__FIELD(kind, field, name, most, limits, words, looks) \
-    { { #name, #field, words, "desc." #field ": " limits words, offsetof(ssgi_gl_desc, field), most, kind }, looks }
+    { { #name, #field, words, "desc." #field ": " limits words, offsetof(ssgi_gl_desc, field), most, kind }, looks, \
+      SSGI_GL__NEAREST(#name) }
 #define SSGI_GL__COUNT(kind, group, name, most, looks) \
     SSGI_GL__FIELD(SSGI_GL_CHOICE_##kind, group.name, name, most, "must be 0.." #most, "", looks)
 #define SSGI_GL__SWITCH(kind, group, name, looks) \
@@ -5830,10 +5866,11 @@ static const ssgi_gl__dialect ssgi_gl__dialects[] = {
     { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = 0, ", 2 }
 };
 
-static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
+/* A field of a desc or of a chain. */
+static int ssgi_gl__get(const void *from, size_t offset)
 {
     int value;
-    memcpy(&value, (const char *)d + offset, sizeof value);
+    memcpy(&value, (const char *)from + offset, sizeof value);
     return value;
 }
 
@@ -5941,6 +5978,10 @@ typedef struct ssgi_gl__preset {
     int half, samples, directions, steps, normal_rays;
     int fades;    /* 1: range, and fade SMOOTH */
     int constant; /* slices   1: thickness CONSTANT, 0: DEFAULT */
+
+    struct { /* a stage of the filter */
+        int kind, radius;
+    } filter;
 } ssgi_gl__preset;
 
 /* By the passes' column preset, from SSGI_GL__PRESET_SSAO on; those of SSGI_GL__PRESET_SEARCH by desc.gather.search,
@@ -5951,29 +5992,29 @@ typedef struct ssgi_gl__preset {
    grooves that are a pixel wide. */
 /* clang-format off */
 static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_PRESET_BEST + 1] = {
-    /* half, samples, directions, steps, normal_rays, fades, constant */
-    { { 0,  8, 0,  1, 0, 0, 0 },       /* ssao: FAST */
-      { 0, 16, 0,  1, 0, 0, 0 },       /*       BALANCED */
-      { 0, 32, 0,  1, 0, 0, 0 } },     /*       BEST */
-    { { 0,  4, 0,  1, 0, 0, 0 },       /* segments of lights: FAST */
-      { 0,  8, 0,  1, 0, 0, 0 },       /*                     BALANCED */
-      { 0, 16, 0,  1, 0, 0, 0 } },     /*                     BEST */
-    { { 3,  0, 2,  8, 0, 0, 0 },       /* surfels, and slices near by: FAST */
-      { 1,  0, 2,  8, 0, 0, 0 },       /*                              BALANCED */
-      { 0,  0, 2,  7, 0, 0, 0 } },     /*                              BEST */
-    { { 1,  0, 1, 10, 0, 0, 1 },       /* slices of hsao: FAST */
-      { 1,  0, 2,  6, 0, 0, 0 },       /*                 BALANCED */
-      { 0,  0, 2,  7, 0, 0, 0 } },     /*                 BEST */
+    /* half, samples, directions, steps, normal_rays, fades, constant, filter: BILATERAL is 0 */
+    { { 0,  8, 0,  1, 0, 0, 0, { 0, 1 } },       /* ssao: FAST */
+      { 0, 16, 0,  1, 0, 0, 0, { 0, 1 } },       /*       BALANCED */
+      { 0, 32, 0,  1, 0, 0, 0, { 0, 1 } } },     /*       BEST */
+    { { 0,  4, 0,  1, 0, 0, 0, { 0, 1 } },       /* segments of lights: FAST */
+      { 0,  8, 0,  1, 0, 0, 0, { 0, 1 } },       /*                     BALANCED */
+      { 0, 16, 0,  1, 0, 0, 0, { 0, 1 } } },     /*                     BEST */
+    { { 3,  0, 2,  8, 0, 0, 0, { 0, 1 } },       /* surfels, and slices near by: FAST */
+      { 1,  0, 2,  8, 0, 0, 0, { 0, 1 } },       /*                              BALANCED */
+      { 0,  0, 2,  7, 0, 0, 0, { 0, 1 } } },     /*                              BEST */
+    { { 1,  0, 1, 10, 0, 0, 1, { 0, 1 } },       /* slices of hsao: FAST */
+      { 1,  0, 2,  6, 0, 0, 0, { 0, 1 } },       /*                 BALANCED */
+      { 0,  0, 2,  7, 0, 0, 0, { 0, 1 } } },     /*                 BEST */
     /* Several points lie along a direction, as single ones miss more. */
-    { { 1,  4, 0,  4, 0, 1, 0 },       /* points of ssdo, s3ho: FAST */
-      { 0,  4, 0,  4, 0, 1, 0 },       /*                       BALANCED */
-      { 0,  8, 0,  6, 0, 1, 0 } },     /*                       BEST */
-    { { 0,  0, 4,  6, 0, 0, 0 },       /* march: FAST */
-      { 0,  0, 6,  9, 1, 0, 0 },       /*        BALANCED */
-      { 0,  0, 8, 18, 2, 0, 0 } },     /*        BEST */
-    { { 1,  0, 1,  5, 0, 0, 0 },       /* slices of ssdo, s3ho: FAST */
-      { 1,  0, 2,  9, 0, 0, 0 },       /*                       BALANCED */
-      { 0,  0, 2,  9, 0, 0, 0 } } };   /*                       BEST */
+    { { 1,  4, 0,  4, 0, 1, 0, { 0, 1 } },       /* points of ssdo, s3ho: FAST */
+      { 0,  4, 0,  4, 0, 1, 0, { 0, 1 } },       /*                       BALANCED */
+      { 0,  8, 0,  6, 0, 1, 0, { 0, 1 } } },     /*                       BEST */
+    { { 0,  0, 4,  6, 0, 0, 0, { 0, 1 } },       /* march: FAST */
+      { 0,  0, 6,  9, 1, 0, 0, { 0, 1 } },       /*        BALANCED */
+      { 0,  0, 8, 18, 2, 0, 0, { 0, 1 } } },     /*        BEST */
+    { { 1,  0, 1,  5, 0, 0, 0, { 0, 1 } },       /* slices of ssdo, s3ho: FAST */
+      { 1,  0, 2,  9, 0, 0, 0, { 0, 1 } },       /*                       BALANCED */
+      { 0,  0, 2,  9, 0, 0, 0, { 0, 1 } } } };   /*                       BEST */
 
 /* clang-format on */
 
@@ -6008,8 +6049,8 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
         desc->gather.normal_rays = set->normal_rays;
     }
     if (desc->pass == SSGI_GL_PASS_SSDO && desc->light.environment) desc->light.restore = SSGI_GL_RESTORE_RATIO;
-    desc->filter.kind = SSGI_GL_FILTER_BILATERAL;
-    desc->filter.radius = 1;
+    desc->filter.kind = (ssgi_gl_filter)set->filter.kind;
+    desc->filter.radius = set->filter.radius;
     desc->gather.noise = SSGI_GL_NOISE_GRADIENT;
     return SSGI_OK;
 }
@@ -7318,6 +7359,35 @@ static void ssgi_gl__deep(ssgi_gl__build *b)
     if (chain->desc.light.bounce) b->bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, b->light);
 }
 
+/* The choices of a chain, in the struct's order. */
+/* clang-format off */
+#define SSGI_GL__CHAIN_CHOICE(name, most, limits) \
+    { { #name, #name, "", "chain." #name ": must be " limits, offsetof(ssgi_gl_chain, name), most, \
+        SSGI_GL_CHOICE_YOURS }, NULL, SSGI_GL__NEAREST(#name) }
+static const ssgi_gl__field ssgi_gl__chain_choices[] = {
+    SSGI_GL__CHAIN_CHOICE(blur, 1, "0 or 1"),
+    SSGI_GL__CHAIN_CHOICE(history, 1, "0 or 1"),
+    SSGI_GL__CHAIN_CHOICE(coefficients, 1, "0 or 1"),
+    SSGI_GL__CHAIN_CHOICE(unsmoothed, 1, "0 or 1"),
+    SSGI_GL__CHAIN_CHOICE(reuse, 1, "0 or 1"),
+    SSGI_GL__CHAIN_CHOICE(bounced, 1, "0 or 1"),
+    SSGI_GL__CHAIN_CHOICE(vpls, 1, "0 or 1"),
+    SSGI_GL__CHAIN_CHOICE(direct, 1, "0 or 1"),
+    SSGI_GL__CHAIN_CHOICE(surfels, 1, "0 or 1"),
+    SSGI_GL__CHAIN_CHOICE(hidden_sky, 1, "0 or 1"),
+    SSGI_GL__CHAIN_CHOICE(precise, 2, "0..2"),
+    SSGI_GL__CHAIN_CHOICE(rgba8, 1, "0 or 1")
+};
+
+/* clang-format on */
+
+enum { SSGI_GL__CHAIN_CHOICES = (int)(sizeof ssgi_gl__chain_choices / sizeof *ssgi_gl__chain_choices) };
+
+SSGI_DEF const ssgi_gl_choice *ssgi_gl_chain_choice_at(int i)
+{
+    return i >= 0 && i < SSGI_GL__CHAIN_CHOICES ? &ssgi_gl__chain_choices[i].choice : NULL;
+}
+
 /* Returns a sentence on a part that a chain lacks, or on parts that do not go together; NULL: the chain is sound. */
 static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
 {
@@ -7330,6 +7400,11 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
                "that ssgi_gl_steps adds where a chain needs it";
     if (chain->width < 1 || chain->width > 16384 || chain->height < 1 || chain->height > 16384)
         return "chain.width, height: must be 1..16384";
+    for (int i = 0; i < SSGI_GL__CHAIN_CHOICES; ++i) {
+        const ssgi_gl_choice *const choice = &ssgi_gl__chain_choices[i].choice;
+        const int value = ssgi_gl__get(chain, choice->offset);
+        if (value < 0 || value > choice->most) return choice->sentence;
+    }
     if (chain->history && !chain->blur) return "chain.history: filters its average: needs blur = 1";
     if (chain->history && chain->coefficients && pass == SSGI_GL_PASS_S3HO)
         return "chain.history: averages light, not coefficients: needs coefficients = 0";
@@ -7438,6 +7513,249 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
                 }
         }
     return b.count;
+}
+
+/* ---- methods by name */
+
+/* Methods of one kind stand together, the plain one first. */
+/* clang-format off */
+static const ssgi_gl_method ssgi_gl__methods[] = {
+    { "hsao", "Ambient occlusion by slices: the choice for most.",
+      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "" },
+    { "hsao-fast", "HSAO at half size by one slice, with constant thickness.",
+      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_FAST, "" },
+    { "hsao-best", "HSAO at full size, with more taps.",
+      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BEST, "" },
+    { "hsao-quarter", "HSAO at a quarter of the size, for weak GPUs.",
+      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_FAST, "half=QUARTER,directions=2,steps=8" },
+    { "hsao-history", "HSAO averaged over frames: one slice of many taps. It needs the last frame's matrices.",
+      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "history=1,directions=1,steps=12" },
+    { "hsao-march", "The paper's march and normal rays, for depth layers and extra cameras.",
+      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "search=MARCH" },
+    { "ssao", "Ambient occlusion by points in the hemisphere, to compare with.",
+      SSGI_GL_PASS_SSAO, SSGI_GL_PRESET_BALANCED, "" },
+    { "ssdo", "The light of an environment with directional occlusion, and one bounce of it. It needs albedo and an "
+      "environment map.",
+      SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_BALANCED, "environment=MAP,bounce=SOLID_ANGLE" },
+    { "ssdo-fast", "SSDO with fewer taps.",
+      SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_FAST, "environment=MAP,bounce=SOLID_ANGLE" },
+    { "ssdo-best", "SSDO at full size, with more taps.",
+      SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_BEST, "environment=MAP,bounce=SOLID_ANGLE" },
+    { "ssdo-points", "SSDO by the paper's points along directions, for depth layers and extra cameras.",
+      SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_BALANCED, "search=POINTS,environment=MAP,bounce=SOLID_ANGLE" },
+    { "s3ho", "Occlusion as spherical harmonics, dotted with those of light, and one bounce. It needs albedo and "
+      "frame.harmonics.",
+      SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED,
+      "shaded=1,residual=1,transfer=BOTH,packed=1,restore=DIFFERENCE" },
+    { "s3ho-fast", "S3HO with fewer taps.",
+      SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_FAST, "shaded=1,residual=1,transfer=BOTH,packed=1,restore=DIFFERENCE" },
+    { "s3ho-best", "S3HO at full size, with more taps.",
+      SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BEST, "shaded=1,residual=1,transfer=BOTH,packed=1,restore=DIFFERENCE" },
+    { "s3ho-points", "S3HO by the paper's points along directions, for depth layers and extra cameras.",
+      SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED,
+      "search=POINTS,shaded=1,residual=1,transfer=BOTH,packed=1,restore=DIFFERENCE" },
+    { "ssbn", "Bent normals and cones, looked up in an environment that is filtered beforehand.",
+      SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED, "bands=2,shading=BENT_CONE,restore=RATIO" },
+    { "ssbn-points", "Bent normals and cones by points along directions.",
+      SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED, "search=POINTS,bands=2,shading=BENT_CONE,restore=RATIO" },
+    { "dss", "Deep screen space: surfels of all triangles, seen or not, occlude, and near ones by slices. It needs "
+      "triangles.",
+      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_BALANCED, "span=6" },
+    { "dss-fast", "Deep screen space at a quarter of the size.",
+      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_FAST, "span=6" },
+    { "dss-best", "Deep screen space at full size.",
+      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_BEST, "span=6" },
+    { "dss-lit", "Deep screen space as directional occlusion of an environment and of lights with shadow maps, and one "
+      "bounce. It needs triangles with colours, albedo, lights and an environment map.",
+      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_BALANCED,
+      "span=6,effect=LIGHT,environment=MAP,bounce=SOLID_ANGLE,surfels=1,sends=LIGHTS,shadow=MAP,lights.shadow=MAP" },
+    { "dss-gloss", "The specular bounce of light that surfels send. It needs what dss-lit needs.",
+      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_BEST,
+      "effect=SPECULAR,levels=5,near_samples=4,environment=MAP,hidden_sky=1,surfels=1,sends=LIGHTS,shadow=MAP" },
+    { "dss-scatter", "Light that scatters under surfaces. It needs what dss-lit needs.",
+      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_BEST,
+      "effect=SCATTER,levels=7,environment=MAP,hidden_sky=1,surfels=1,sends=LIGHTS,shadow=MAP" },
+    { "aof", "Occlusion between rigid objects, from fields that ssgi_field_bake makes of each.",
+      SSGI_GL_PASS_FIELD, SSGI_GL_PRESET_BALANCED, "" }
+};
+
+/* What a name begins with, other words for it, and the sentence on an unknown name that is nearest to these. */
+#define SSGI_GL__NEAR(names) "name: there is no such method; the nearest are " names
+static const char *const ssgi_gl__families[][2] = {
+    { "hsao gtao hbao", SSGI_GL__NEAR("hsao, hsao-fast, hsao-best, hsao-quarter, hsao-history and hsao-march") },
+    { "ssao", SSGI_GL__NEAR("ssao and hsao") },
+    { "ssdo ssgi ssil", SSGI_GL__NEAR("ssdo, ssdo-fast, ssdo-best and ssdo-points") },
+    { "s3ho", SSGI_GL__NEAR("s3ho, s3ho-fast, s3ho-best and s3ho-points") },
+    { "ssbn bent", SSGI_GL__NEAR("ssbn and ssbn-points") },
+    { "dss splat surfels", SSGI_GL__NEAR("dss, dss-fast, dss-best, dss-lit, dss-gloss and dss-scatter") },
+    { "aof field", SSGI_GL__NEAR("aof") }
+};
+
+/* clang-format on */
+
+enum { SSGI_GL__METHODS = (int)(sizeof ssgi_gl__methods / sizeof *ssgi_gl__methods) };
+
+SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i)
+{
+    return i >= 0 && i < SSGI_GL__METHODS ? &ssgi_gl__methods[i] : NULL;
+}
+
+/* A character of a name: any case, with - for _. */
+static int ssgi_gl__folded(char c) { return c == '-' ? '_' : c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; }
+
+static int ssgi_gl__same(const char *name, const char *word, size_t length)
+{
+    size_t i = 0;
+    while (i < length && name[i] && ssgi_gl__folded(name[i]) == ssgi_gl__folded(word[i])) ++i;
+    return i == length && !name[i];
+}
+
+/* How many characters must be put in, left out or changed to make a name of a word (Levenshtein's distance); of longer
+   words the first 24 count. */
+static int ssgi_gl__distance(const char *name, size_t name_length, const char *word, size_t length)
+{
+    int row[25];
+    if (length > 24) length = 24;
+    for (size_t k = 0; k <= length; ++k) row[k] = (int)k;
+    for (size_t i = 0; i < name_length; ++i) {
+        int before = row[0]++;
+        for (size_t k = 0; k < length; ++k) {
+            const int changed = before + (ssgi_gl__folded(name[i]) != ssgi_gl__folded(word[k]));
+            before = row[k + 1];
+            row[k + 1] = before < row[k] ? before + 1 : row[k] + 1;
+            if (changed < row[k + 1]) row[k + 1] = changed;
+        }
+    }
+    return row[length];
+}
+
+/* Returns the sentence on a method's name that there is not. */
+static const char *ssgi_gl__near_method(const char *word, size_t length)
+{
+    const char *near_it = NULL;
+    int least = 0;
+    for (size_t f = 0; f < sizeof ssgi_gl__families / sizeof *ssgi_gl__families; ++f)
+        for (const char *names = ssgi_gl__families[f][0]; *names;) {
+            const size_t n = strcspn(names, " ");
+            for (int i = -1; i < SSGI_GL__METHODS; ++i) { /* -1: the word itself */
+                const char *const name = i < 0 ? names : ssgi_gl__methods[i].name;
+                if (i >= 0 && (strncmp(name, names, n) || (name[n] && name[n] != '-'))) continue;
+                const int edits = ssgi_gl__distance(name, i < 0 ? n : strlen(name), word, length);
+                if (near_it && edits >= least) continue;
+                near_it = ssgi_gl__families[f][1];
+                least = edits;
+            }
+            names += n + (names[n] == ' ');
+        }
+    return near_it;
+}
+
+/* Returns the row of a field with that name, or else the one whose name is nearest. */
+static const ssgi_gl__field *ssgi_gl__near_field(const ssgi_gl__field *fields, int count, const char *word,
+                                                 size_t length, int *edits)
+{
+    const ssgi_gl__field *nearest = fields;
+    *edits = 99;
+    for (int i = 0; i < count; ++i) {
+        const char *const name = fields[i].choice.name;
+        const int now = ssgi_gl__distance(name, strlen(name), word, length);
+        if (now >= *edits) continue;
+        *edits = now;
+        nearest = &fields[i];
+    }
+    return nearest;
+}
+
+/* Returns the number that a text stands for in a field: a word of it or a whole number; -1: none. */
+static int ssgi_gl__number(const ssgi_gl_choice *choice, const char *text, size_t length)
+{
+    int number = 0;
+    size_t n;
+    for (const char *words = choice->values; *words; words += n + (words[n] == ' '), ++number) {
+        n = strcspn(words, " ");
+        size_t i = 0;
+        while (i < n && i < length && ssgi_gl__folded(words[i]) == ssgi_gl__folded(text[i])) ++i;
+        if (i == n && n == length) return number;
+    }
+    number = 0;
+    for (n = 0; n < length && n < 6 && text[n] >= '0' && text[n] <= '9'; ++n) number = 10 * number + text[n] - '0';
+    return n && n == length && number <= choice->most ? number : -1;
+}
+
+/* Sets FIELD=VALUE in a chain. Returns NULL, or what is wrong. */
+static const char *ssgi_gl__set(ssgi_gl_chain *chain, const char *item, size_t length)
+{
+    static const char lights[] = "lights.";
+
+    enum { PREFIX = sizeof lights - 1 };
+
+    size_t n = 0;
+    int edits, own;
+    while (n < length && item[n] != '=') ++n;
+    if (n == length) return "name: must be NAME[,PRESET][,FIELD=VALUE]..: hsao,best,steps=9";
+    const char *const value = item + n + 1;
+    const size_t value_length = length - n - 1;
+    const int of_lights = n > PREFIX && ssgi_gl__same(lights, item, PREFIX);
+    if (of_lights) {
+        item += PREFIX;
+        n -= PREFIX;
+        chain->lights.pass = SSGI_GL_PASS_LIGHTS;
+    }
+    const ssgi_gl__field *const of_chain = ssgi_gl__near_field(ssgi_gl__chain_choices, SSGI_GL__CHAIN_CHOICES, item, n,
+                                                               &own);
+    const ssgi_gl__field *field = ssgi_gl__near_field(ssgi_gl__fields + 1, SSGI_GL__FIELDS - 1, item, n, &edits);
+    if (own < edits && !of_lights) field = of_chain;
+    if (!ssgi_gl__same(field->choice.name, item, n)) return field->nearest;
+    const int number = ssgi_gl__number(&field->choice, value, value_length);
+    if (number < 0) return field->choice.sentence;
+    char *const to = field == of_chain ? (char *)chain : of_lights ? (char *)&chain->lights : (char *)&chain->desc;
+    memcpy(to + field->choice.offset, &number, sizeof number);
+    return NULL;
+}
+
+/* Sets all of a list with commas between; *preset becomes that of a first item that names one. */
+static const char *ssgi_gl__set_all(ssgi_gl_chain *chain, int *preset, const char *items)
+{
+    static const char *const presets[] = { "fast", "balanced", "best" };
+    const char *bad = NULL;
+    size_t n;
+    for (int first = 1; *items && !bad; items += n + (items[n] == ','), first = 0) {
+        int named = first ? SSGI_GL_PRESET_BEST : -1;
+        n = strcspn(items, ",");
+        while (named >= 0 && !ssgi_gl__same(presets[named], items, n)) --named;
+        if (named >= 0) *preset = named;
+        else bad = ssgi_gl__set(chain, items, n);
+    }
+    return bad;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, const char **why)
+{
+    ssgi_gl_chain c;
+    int m = 0;
+    SSGI_GL__THERE(chain);
+    SSGI_GL__THERE(name);
+    const size_t length = strcspn(name, ",");
+    while (m < SSGI_GL__METHODS && !ssgi_gl__same(ssgi_gl__methods[m].name, name, length)) ++m;
+    SSGI_GL__CHECK(m < SSGI_GL__METHODS, ssgi_gl__near_method(name, length));
+    const char *const own = name + length + (name[length] == ',');
+    int preset = ssgi_gl__methods[m].preset;
+    memset(&c, 0, sizeof c);
+    c.desc.pass = (ssgi_gl_pass)ssgi_gl__methods[m].pass;
+    c.blur = 1;
+    /* The preset depends on the search, and what is given stands over what the preset sets. */
+    for (int turn = 0; turn < 2; ++turn) {
+        const char *bad = ssgi_gl__set_all(&c, &preset, ssgi_gl__methods[m].settings);
+        if (!bad) bad = ssgi_gl__set_all(&c, &preset, own);
+        SSGI_GL__CHECK(!bad, bad);
+        if (turn) break;
+        SSGI_GL__TRY(ssgi_gl_preset(&c.desc, preset, why));
+        if (c.lights.pass == SSGI_GL_PASS_LIGHTS) SSGI_GL__TRY(ssgi_gl_preset(&c.lights, preset, why));
+    }
+    SSGI_GL__TRY(ssgi_gl_check(&c.desc, why));
+    SSGI_GL__TRY(ssgi_gl_check(&c.lights, why));
+    *chain = c;
+    return SSGI_OK;
 }
 
 /* Returns a sentence on a wrong texture of an input, or with `in` NULL of an output; NULL: it is right. */
@@ -7632,6 +7950,47 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     f.exponent = 32.0f;
     *frame = f;
     return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_frame_of(ssgi_gl_frame *frame, const ssgi_gl_chain *chain, const ssgi_view *view,
+                                      float radius, const char **why)
+{
+    static const struct {
+        const char *when;
+        float limit;
+    } limits[] = { { "pass == SSAO", 1.0f },
+                   { "marches", 0.5f },
+                   { "(pass == SSDO || pass == S3HO) && search == POINTS", 0.7f },
+                   { "pass == SSDO || pass == S3HO", 0.4f },
+                   { NULL, 0.6f } };
+
+    SSGI_GL__THERE(chain);
+    SSGI_GL__TRY(ssgi_gl_check(&chain->desc, why));
+    SSGI_GL__TRY(ssgi_gl_frame_init(frame, view, radius, why));
+    int k = 0;
+    while (!ssgi_gl__holds(limits[k].when, &chain->desc)) ++k;
+    frame->thickness_limit = limits[k].limit * radius;
+    if (chain->desc.surfel.effect == SSGI_GL_EFFECT_SPECULAR) frame->epsilon = 0.1f;
+    if (chain->desc.surfel.effect == SSGI_GL_EFFECT_SCATTER) frame->epsilon = 0.02f;
+    return SSGI_OK;
+}
+
+SSGI_DEF int ssgi_gl_steps_of(ssgi_gl_step *steps, int capacity, ssgi_gl_frame *frame, const char *name,
+                              const ssgi_view *view, float radius, const char **why)
+{
+    ssgi_gl_chain chain;
+    ssgi_gl_frame f;
+    if (!frame) ssgi_gl__bad(why, "frame: must not be NULL");
+    if (!frame || ssgi_gl_chain_of(&chain, name, why) != SSGI_OK
+        || ssgi_gl_frame_of(&f, &chain, view, radius, why) != SSGI_OK)
+        return 0;
+    chain.width = view->width;
+    chain.height = view->height;
+    chain.desc.input.orthographic = chain.lights.input.orthographic = view->orthographic;
+    chain.desc.input.oblique = chain.lights.input.oblique = view->oblique[0] != 0.0f || view->oblique[1] != 0.0f;
+    const int count = ssgi_gl_steps(steps, capacity, &chain, why);
+    if (count) *frame = f;
+    return count;
 }
 
 /* The width of a pixel at depth 1, in view units, as ssgi_footprint of the library has it. */

@@ -55,16 +55,17 @@ static GLuint target(GLenum attachment, GLenum internal, GLenum format, GLenum t
     return t;
 }
 /* ==== ssgi: ambient visibility is what the framebuffer holds that is bound last =================================== */
-static int draw(const ssgi_gl_chain *chain, const ssgi_gl_frame *frame, const GLuint yours[SSGI_GL_YOURS])
+static int draw(const char *method, const ssgi_view *view, float radius, const GLuint yours[SSGI_GL_YOURS])
 {
     static char text[2][32768];
     ssgi_gl_step step[SSGI_GL_MAX_STEPS], *s = step;
+    ssgi_gl_frame frame;
     GLuint made[SSGI_GL_MAX_STEPS], name, p;
     const char *why = "the chain has more steps than SSGI_GL_MAX_STEPS";
-    const int count = ssgi_gl_steps(step, SSGI_GL_MAX_STEPS, chain, &why);
+    const int count = ssgi_gl_steps_of(step, SSGI_GL_MAX_STEPS, &frame, method, view, radius, &why);
     if (count < 1 || count > SSGI_GL_MAX_STEPS) return puts(why), 0;
     glGenBuffers(1, &name), glBindBufferBase(GL_UNIFORM_BUFFER, 0, name);
-    glBufferData(GL_UNIFORM_BUFFER, sizeof *frame, frame, GL_DYNAMIC_DRAW);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_DYNAMIC_DRAW);
     for (; s < step + count; ++s) {
         for (int k = 0; k < 2; ++k) ssgi_gl_emit(text[k], sizeof text[k], &s->desc, k);
         p = program(text[0], text[1]), glUniformBlockBinding(p, glGetUniformBlockIndex(p, "ssgi_frame"), 0);
@@ -86,10 +87,8 @@ int main(void)
 {
     static unsigned char pixels[W * H];
     const float g = 2.365f, projection[16] = { g * H / W, 0, 0, 0, 0, g, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2002f, 0 };
-    ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_PASS_HSAO }, .width = W, .height = H, .blur = 1 };
     GLuint name, yours[SSGI_GL_YOURS];
     ssgi_view view;
-    ssgi_gl_frame frame;
     if (!open_context()) return puts("no GL context"), 1;
     glGenFramebuffers(1, &name), glBindFramebuffer(GL_FRAMEBUFFER, name);
     yours[SSGI_GL_YOUR_DEPTH] = target(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, W, H);
@@ -97,10 +96,8 @@ int main(void)
     glUniformMatrix4fv(glGetUniformLocation(program(boxes_vs, boxes_fs), "projection"), 1, GL_FALSE, projection);
     glViewport(0, 0, W, H), glEnable(GL_DEPTH_TEST), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 36, 40), glDisable(GL_DEPTH_TEST);
-    ssgi_gl_preset(&chain.desc, SSGI_GL_PRESET_BALANCED, NULL);
     ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, W, H, NULL);
-    ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);                           /* radius: 0.5 units of the scene */
-    if (!draw(&chain, &frame, yours)) return 1;
+    if (!draw("hsao", &view, 0.5f, yours)) return 1;                         /* radius: 0.5 units of the scene */
     glReadPixels(0, 0, W, H, GL_RED, GL_UNSIGNED_BYTE, pixels);
     FILE *file = fopen("ao.pgm", "wb");
     if (!file) return perror("ao.pgm"), 1;

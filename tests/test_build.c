@@ -206,8 +206,10 @@ static void names(void)
     CHECK(!shell(text, sizeof text, "f='ssgi.h ssgi_gl.h' && awk -f '%s/tests/names.awk' $f look=1 $f '%s/README.md'",
                  t_root, t_root), "no such name: %s", text);
     for (size_t i = 0; i < sizeof stale / sizeof *stale; ++i) {
-        snprintf(line, sizeof line, "sed 's/%s/%s/' ssgi_gl.h >stale.h && ! cmp -s stale.h ssgi_gl.h && f='ssgi.h stale.h' "
-                 "&& ! awk -f '%s/tests/names.awk' $f look=1 $f", stale[i][0], stale[i][1], t_root);
+        snprintf(line, sizeof line,
+                 "sed 's/%s/%s/' ssgi_gl.h >stale.h && ! cmp -s stale.h ssgi_gl.h && f='ssgi.h stale.h' "
+                 "&& ! awk -f '%s/tests/names.awk' $f look=1 $f",
+                 stale[i][0], stale[i][1], t_root);
         CHECK(!shell(text, sizeof text, "%s%s", line, ""), "%s is taken: %s", stale[i][1], text);
     }
 }
@@ -336,19 +338,28 @@ static void documentation(void)
         { "sh", "\n    (void)view; return !(irradiance > 3.140f && irradiance < 3.142f); }\n" },
         { "tessellate", "\n    (void)view; free(uvw); return !(level == 9 && points == 75); }\n" },
         { "cap", "\n    (void)view; return !(share > 0.1 && share < 0.2 && table[0] == 0 && table[1023] == 1); }\n" },
-        { "reflection", "\n    (void)view; (void)why; return !(lit > 0.4f && lit < 1 && gloss > 0.4f && gloss < 1); }\n" },
-        { "field",
-          "\n    (void)view; float o = ssgi_field_occlusion(&field, NULL, point, normal); free(texels);\n"
-          "    return !(o > 0.05f && o < 0.3f); }\n" },
+        { "reflection",
+          "\n    (void)view; (void)why; return !(lit > 0.4f && lit < 1 && gloss > 0.4f && gloss < 1); }\n" },
+        { "field", "\n    (void)view; float o = ssgi_field_occlusion(&field, NULL, point, normal); free(texels);\n"
+                   "    return !(o > 0.05f && o < 0.3f); }\n" },
         { "plan", "\n    (void)view; return !(plan.meets && plan.method == SSGI_PLAN_METHOD_NOTHING); }\n" }
     };
     /* what a plan is made of: a plane of 3000 points, of which nothing is occluded */
     static const char *const given =
-        "    static float hsao[3000], best[3000], solid[3000], slabs[3000], position[9000], normal[9000], floor[9] = { 0, "
+        "    static float hsao[3000], best[3000], solid[3000], slabs[3000], position[9000], normal[9000], floor[9] = { "
+        "0, "
         "0, 0, 1, 0, 0, 0, 0, -1 }, radius = 0.5f;\n"
         "    static double memory[500]; ssgi_trace trace; ssgi_gl_desc desc; memset(&desc, 0, sizeof desc);\n"
         "    ssgi_trace_build(&trace, memory, sizeof memory, floor, 12, NULL, 1, NULL);\n"
         "    for (int i = 0; i < 3000; ++i) hsao[i] = best[i] = solid[i] = slabs[i] = normal[3 * i + 1] = 1;\n";
+    /* GL that counts */
+    static const char *const gl =
+        "#include \"ssgi_gl.h\"\n#ifndef GL_FRAMEBUFFER\ntypedef unsigned GLuint, GLenum; static int draws, bound;\n"
+        "enum { GL_UNIFORM_BUFFER, GL_DYNAMIC_DRAW, GL_TEXTURE0 };\n#define GL_FRAMEBUFFER 0x8D40\n"
+        "#define glBufferData(a, size, data, d) ((void)(data))\n#define glUseProgram(p) ((void)(p))\n"
+        "#define glBindFramebuffer(t, f) ((void)(f))\n#define glViewport(x, y, w, h) ((void)(w))\n"
+        "#define glActiveTexture(u) ((void)(u))\n#define glBindTexture(t, n) ((void)(n), ++bound)\n"
+        "#define glDrawArraysInstanced(m, first, n, times) ((void)(times), ++draws)\n#endif\n";
     char text[4000], both[2000], mark[40];
     write_text("snippets.cpp", "");
     int status = snippet("ssgi.h", "   QUICK USE", "   CONVENTIONS", head, "    return 0;\n}\n", text, sizeof text);
@@ -365,8 +376,11 @@ static void documentation(void)
         status = snippet("ssgi.h", mark, "*/", before, used[i][1], text, sizeof text);
         CHECK(!status, "ssgi.h's usage of >>%s: %s", used[i][0], text);
     }
-    status = snippet("README.md", "<!-- usage -->\n```c", "```\n<!-- /usage -->", both,
-                     "    return !(count == 3 && length && frame.radius == 0.5f);\n}\n", text, sizeof text);
+    status = snippet(
+        "README.md", "<!-- usage -->\n```c", "```\n<!-- /usage -->", gl,
+        "int main(void) {\n    float m[16] = { 1,0,0,0, 0,1,0,0, 0,0,-1,-1, 0,0,-1,0 }; GLuint names[32] = "
+        "{ 0 };\n    draw_ao(m, names, names, names, names);\n    return !(draws == 3 && bound == 7); }\n",
+        text, sizeof text);
     CHECK(!status, "README.md's usage: %s", text);
     snprintf(mark, sizeof mark, "%zu", sizeof used / sizeof *used);
     CHECK(!shell(text, sizeof text, "test $(grep -c ' in use (compiled' ssgi.h) = %s%s", mark, ""),
@@ -494,7 +508,8 @@ void test_build(void)
     RUN("ssgi_gl.h's code without ssgi.h's is a sentence where it is compiled", alone);
     RUN("both headers compile behind a hundred macros of hosts, behind windows.h, and in MSVC's dialect", hosts);
     RUN("both headers are as make format leaves them, in 120 columns", formatted);
-    RUN("the code in the headers' comments and in the README compiles as C99, C++11 and C++20, and runs", documentation);
+    RUN("the code in the headers' comments and in the README compiles as C99, C++11 and C++20, and runs",
+        documentation);
     RUN("comments and the README name fields, functions and passes that there are", names);
     RUN("no function takes NaN or infinity for a number, by whatever rules of arithmetic", not_numbers);
     RUN("no ray leaves a closed mesh between its triangles, by whatever rules of arithmetic", closed_meshes);

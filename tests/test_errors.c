@@ -1,8 +1,9 @@
 /* test_errors.c - no method of build/render errs by more than its bound in tests/errors.csv, so that no default gets
-   worse unseen. Errors are RMSE, of light over its mean; noise is that of the truth. A row by hand, whose truth also has
-   its settings where TRUTH is METHOD; with --still 16 where frames are averaged:
+   worse unseen. Errors are RMSE, of light over its mean; noise is that of the truth. A row by hand, whose truth also
+   has its settings where TRUTH is METHOD; with --still 16 where frames are averaged:
 
-     build/render SCENE [--env ENV] [--light LIGHT] [--radius RADIUS] --size SIZE --method TRUTH --truth RAYS --out t.exr
+     build/render SCENE [--env ENV] [--light LIGHT] [--radius RADIUS] --size SIZE --method TRUTH --truth RAYS \
+       --out t.exr
      build/render SCENE [..] --size SIZE --method METHOD [--set SETTINGS] --score t.exr
 
    make errors writes errors, noise and bounds anew, as this tree has them; a row that is added leaves them empty. */

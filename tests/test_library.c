@@ -247,17 +247,21 @@ static void loops(void)
     int count = 0;
     for (int i = 0; i < CODES; ++i) {
         const char *const text = ssgi_gl__library[i].text, *const loop = endless(text);
-        CHECK(!loop, "%s: a loop might not end: clamp what it counts to, by a constant or the rows of its texture: %.*s",
+        CHECK(!loop,
+              "%s: a loop might not end: clamp what it counts to, by a constant or the rows of its texture: %.*s",
               ssgi_gl__library[i].name, loop ? (int)strcspn(loop, "\n") : 0, loop);
         for (const char *s = text; (s = strstr(s, "for (")) != NULL; ++s) ++count;
     }
-    static const char *const none[] = {
-        "for (int i = 0; i < u_ssgi_lights; ++i) {\n", "for (int i = 0; i < n; ++i) {\n", "while (x > 0) {\n",
-        "int n = u_ssgi_lights;\nfor (int i = 0; i < n; ++i) {\n", "for (int i = 3; i > 0; --i) {\n",
-        "for (int i = 0; i < 3; i += u_ssgi_lights) {\n", "for (int i = -u_ssgi_lights; i < 3; ++i) {\n",
-        "for (int i = 0; i < 3; ++i) {\n    i += int(x.w);\n", "int n = int(x.w);\nfor (int i = 0; i < 3; ++i) i += n;\n",
-        "int n = clamp(x, 0, 3);\nfor (int i = 0; i < 3; ++i) i -= n;\n"
-    };
+    static const char *const none[] = { "for (int i = 0; i < u_ssgi_lights; ++i) {\n",
+                                        "for (int i = 0; i < n; ++i) {\n",
+                                        "while (x > 0) {\n",
+                                        "int n = u_ssgi_lights;\nfor (int i = 0; i < n; ++i) {\n",
+                                        "for (int i = 3; i > 0; --i) {\n",
+                                        "for (int i = 0; i < 3; i += u_ssgi_lights) {\n",
+                                        "for (int i = -u_ssgi_lights; i < 3; ++i) {\n",
+                                        "for (int i = 0; i < 3; ++i) {\n    i += int(x.w);\n",
+                                        "int n = int(x.w);\nfor (int i = 0; i < 3; ++i) i += n;\n",
+                                        "int n = clamp(x, 0, 3);\nfor (int i = 0; i < 3; ++i) i -= n;\n" };
     for (size_t i = 0; i < sizeof none / sizeof *none; ++i) CHECK(endless(none[i]), "%s is taken", none[i]);
     t_note("%d loops", count);
 }

@@ -76,8 +76,8 @@ static void views(void)
             const double a = fabs((double)view.depth[0]), b = fabs((double)view.depth[1] * (double)window);
             /* roundings of window depth and of the sum's terms: the layout's own cost */
             const double lost = 1.2e-7 * fmax(a, b), within = l.ortho ? lost : z * z * lost;
-            CHECK(fabs((double)ssgi_view_depth(&view, window) - z) <= 1e-6 * fabs(z) + within, "%s: depth %.9g of %g", l.name,
-                  (double)ssgi_view_depth(&view, window), z);
+            CHECK(fabs((double)ssgi_view_depth(&view, window) - z) <= 1e-6 * fabs(z) + within, "%s: depth %.9g of %g",
+                  l.name, (double)ssgi_view_depth(&view, window), z);
             if (l.reversed && !l.ortho && l.clip == SSGI_CLIP_ZERO)
                 CHECK(within <= 1e-6 * z, "%s: reversed depth loses %g", l.name, within);
         }

@@ -584,8 +584,8 @@ static void nothing_changes(int first, int last, int projections)
     kit_image_free(&l.env);
 }
 
-/* The same picture, however far an orthographic camera's eye stands from it. The kit places shadow maps and extra cameras
-   by depths, which a far eye rounds: those of a row with OWN_MAP or OWN_CAMERAS stay where they are. */
+/* The same picture, however far an orthographic camera's eye stands from it. The kit places shadow maps and extra
+   cameras by depths, which a far eye rounds: those of a row with OWN_MAP or OWN_CAMERAS stay where they are. */
 enum { OVER_FRAMES = 1, IN_LINEAR = 2, OWN_MAP = 4, OWN_CAMERAS = 8 };
 static const struct { const char *method, *set; int how; } from_afar[] = {
     { "hsao", "", 0 },
@@ -663,7 +663,8 @@ static int seen_from(kit_image *out, int row, float away, const kit_lighting *l)
     kit_frames sequence = { 0 };
     kit_method method;
     GLuint made[2] = { 0 };
-    int good = TRY(kit_scene_load(&scene, "boxes", 0, &err)) && TRY(kit_method_find(&method, from_afar[row].method, &err))
+    int good = TRY(kit_scene_load(&scene, "boxes", 0, &err))
+            && TRY(kit_method_find(&method, from_afar[row].method, &err))
             && TRY(kit_method_set(&method, from_afar[row].set, &err));
     if (!good) return 0;
     const kit_world world = { &scene, l };

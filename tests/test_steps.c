@@ -263,6 +263,96 @@ static void every_method(void)
     kit_image_free(&l.env);
 }
 
+/* The passes of the library's chain of a name are those that build/render draws. The scene alone sets: objects, where
+   there are some, and levels, by the radius. */
+static void methods_by_name(void)
+{
+    const ssgi_gl_method *named;
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_lighting sky, lamp;
+    if (!lighten(&sky, "sky", NULL) || !lighten(&lamp, "sky", "sun:1,2,1,3,3,3")
+        || !see(&scene, &g, "casters", NULL, 0, NULL, W, H)) return;
+    for (int m = 0; (named = ssgi_gl_method_at(m)) != NULL; ++m) {
+        static ssgi_gl_step step[STEPS];
+        const char *why = "";
+        ssgi_gl_chain chain;
+        kit_method method;
+        kit_run run;
+        int at = 0;
+        if (!CHECK(ssgi_gl_chain_of(&chain, named->name, &why) == SSGI_OK, "%s: %s", named->name, why)
+            || !TRY(kit_method_find(&method, named->name, &err))) break;
+        const kit_world world = { &scene, !method.lit ? NULL : method.pass == SSGI_GL_PASS_SPLAT ? &lamp : &sky };
+        if (method.between && !TRY(kit_method_set(&method, "occluders=all,resolution=4,rays=16", &err))) break;
+        if (!TRY(kit_run_open(&run, &g, &method, scene.radius, &world, &err))) break;
+        chain.width = W;
+        chain.height = H;
+        chain.precise = 1;
+        chain.desc.text.dialect = chain.lights.text.dialect = kit_dialect();
+        chain.desc.input.objects = method.between ? SSGI_GL_OBJECTS_TEXTURE : SSGI_GL_OBJECTS_NONE;
+        if (!chain.desc.surfel.levels) chain.desc.surfel.levels = run.pass[run.passes - 1].desc.surfel.levels;
+        const int count = ssgi_gl_steps(step, STEPS, &chain, &why);
+        for (int i = 0; i < run.passes; ++i) {
+            if (run.pass[i].aside) continue;
+            CHECK(at < count && ssgi_gl_key(&run.pass[i].desc) == ssgi_gl_key(&step[at].desc),
+                  "%s: draw %d, %s, is another by the name", named->name, at, ssgi_gl_pass_name(run.pass[i].desc.pass));
+            ++at;
+        }
+        CHECK(at == count, "%s: %d draws, by the name %d", named->name, at, count);
+        kit_run_close(&run);
+    }
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+    kit_image_free(&sky.env);
+    kit_image_free(&lamp.env);
+}
+
+/* What a name means, or how its refusal begins, which leaves the chain as it was. */
+static void names_of_methods(void)
+{
+    static const struct { const char *name, *same, *why; } names[] = {
+        { "HSAO-Best", "hsao_best", NULL }, { "hsao,best", "hsao-best", NULL },
+        { "hsao-best,fast", "hsao-fast", NULL }, { "hsao,half=quarter-in-turn", "hsao,half=4", NULL },
+        { "hsao,", "hsao", NULL }, { "hsao-history", "hsao,history=1,directions=1,steps=12", NULL },
+        { "hsao-fast,thickness=CONSTANT", "hsao-fast", NULL },
+        { "gtao", NULL, "name: there is no such method; the nearest are hsao, hsao-fast" },
+        { "hbao-plus", NULL, "name: there is no such method; the nearest are hsao, hsao-fast" },
+        { "ssdo-bset", NULL, "name: there is no such method; the nearest are ssdo, ssdo-fast" },
+        { "surfels", NULL, "name: there is no such method; the nearest are dss, dss-fast" },
+        { "", NULL, "name: there is" },
+        { "hsao,stepz=3", NULL, "name: there is no such field; the nearest is steps" },
+        { "hsao,histori=1", NULL, "name: there is no such field; the nearest is history" },
+        { "hsao,lights.shadw=1", NULL, "name: there is no such field; the nearest is shadow" },
+        { "hsao,steps=65", NULL, "desc.gather.steps: must be 0..64" },
+        { "hsao,steps=", NULL, "desc.gather.steps: must" }, { "hsao,steps=-1", NULL, "desc.gather.steps: must" },
+        { "hsao,steps=4294967297", NULL, "desc.gather.steps: must" },
+        { "hsao,depth=near", NULL, "desc.input.depth: must be SSGI_GL_DEPTH_" },
+        { "hsao,blur=2", NULL, "chain.blur: must" }, { "hsao,search=points", NULL, "desc.gather.search: hsao is" },
+        { "hsao,steps", NULL, "name: must be NAME[,PRESET]" }, { "hsao,,best", NULL, "name: must be NAME[,PRESET]" },
+        { "hsao,pass=1", NULL, "name: there is no such field" }, { NULL, NULL, "name: must not be NULL" }
+    };
+    ssgi_view view = { .width = 0 };
+    ssgi_gl_frame frame;
+    const char *why = "";
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+        ssgi_gl_chain is, other;
+        memset(&is, 1, sizeof is);
+        other = is;
+        const ssgi_result got = ssgi_gl_chain_of(&is, names[i].name, &why);
+        if (names[i].same)
+            CHECK(ssgi_gl_chain_of(&other, names[i].same, &why) == SSGI_OK, "%s: %s", names[i].same, why);
+        else CHECK(!strncmp(why, names[i].why, strlen(names[i].why)), "%s: %s", names[i].name, why);
+        CHECK(got == (names[i].same ? SSGI_OK : SSGI_BAD_ARGUMENT) && !memcmp(&is, &other, sizeof is), "%s is not %s",
+              names[i].name, names[i].same ? names[i].same : "refused whole");
+    }
+    memset(&frame, 1, sizeof frame);
+    const ssgi_gl_frame was = frame;
+    CHECK(!ssgi_gl_steps_of(NULL, 0, &frame, "hsao", &view, 1, &why) && !strncmp(why, "view: ", 6), "%s", why);
+    CHECK(!ssgi_gl_steps_of(NULL, 0, &frame, "hsoa", &view, 1, &why) && !strncmp(why, "name: ", 6), "%s", why);
+    CHECK(!ssgi_gl_steps_of(NULL, 0, NULL, "hsao", &view, 1, &why) && !strncmp(why, "frame: ", 7), "%s", why);
+    CHECK(!memcmp(&frame, &was, sizeof frame), "a refusal changes the frame");
+}
+
 /* One thing wrong at a time: the sentence names step, texture, unit. */
 static void wrong_things(void)
 {
@@ -776,10 +866,10 @@ static void results(void)
             .height = 8 } },
         { "o_ssgi_ao",
           1,
-          { .desc = { .pass = SSGI_GL_PASS_FIELD, .input.objects = SSGI_GL_OBJECTS_TEXTURE }, .width = 8, .height = 8 } },
-        { "o_ssgi_ao",
-          1,
-          { .desc = { .pass = SSGI_GL_PASS_SSAO, .gather.layers = 2 }, .width = 8, .height = 8 } },
+          { .desc = { .pass = SSGI_GL_PASS_FIELD, .input.objects = SSGI_GL_OBJECTS_TEXTURE },
+            .width = 8,
+            .height = 8 } },
+        { "o_ssgi_ao", 1, { .desc = { .pass = SSGI_GL_PASS_SSAO, .gather.layers = 2 }, .width = 8, .height = 8 } },
         { "o_ssgi_ao",
           5,
           { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.thickness = SSGI_GL_THICKNESS_SLABS, .input.motion = 1 },
@@ -860,8 +950,8 @@ static void room_for_steps(void)
                 for (int o = 0; o < step[k].outputs; ++o)
                     if (step[k].output[o].texture >= textures) textures = step[k].output[o].texture + 1;
         }
-    CHECK(most == 22 && textures <= SSGI_GL_MAX_STEPS, "%d steps and %d textures at most, not 22 and %d", most, textures,
-          SSGI_GL_MAX_STEPS);
+    CHECK(most == 22 && textures <= SSGI_GL_MAX_STEPS, "%d steps and %d textures at most, not 22 and %d", most,
+          textures, SSGI_GL_MAX_STEPS);
     CHECK(chains > 500, "only %d chains", chains);
     t_note("%d chains, of up to %d steps and %d textures", chains, most, textures);
 }
@@ -968,6 +1058,8 @@ void test_steps(void)
         }
         RUN("an embedder that knows steps and rows alone draws what the kit draws", every_method);
         if (!c) {
+            RUN("a method's name gives the passes that build/render draws", methods_by_name);
+            RUN("names of methods are read in any spelling, or refused with those near them", names_of_methods);
             RUN("what is bound wrong is named before it is drawn", wrong_things);
             RUN("ambient visibility stands on a picture", onto_a_picture);
             RUN("a chain that cannot be drawn is refused", refusals);
@@ -975,7 +1067,8 @@ void test_steps(void)
             RUN("two eyes as layers have histories of their own, in parts of textures as in textures made anew", eyes);
             RUN("formats of targets are those that rows name", formats);
             RUN("every chain ends with its result, or on the picture", results);
-            RUN("every chain of one camera and one layer has steps and textures for which there is room", room_for_steps);
+            RUN("every chain of one camera and one layer has steps and textures for which there is room",
+                room_for_steps);
             RUN("chains by chance are refused, or draw without an error", random_chains);
         }
         kit_fields_free();

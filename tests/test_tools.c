@@ -171,7 +171,7 @@ static void manifest(void)
         "    assert any(t['result'] != 'NONE' for t in c['textures']), c\n"
         "    assert all(t['format'] < len(m['formats']) for t in c['textures']), c\n"
         "names = [c['name'] for c in m['chains']]\n"
-        "assert len(set(names)) == len(names) and {'hsao-fast', 'hsao', 'hsao-best', 'ssdo-bounce'} < set(names)\n"
+        "assert len(set(names)) == len(names) and {'hsao-fast', 'hsao', 'hsao-best', 'hsao-history'} < set(names)\n"
         "default = {x['name']: x for x in m['frame']['members']}\n"
         "assert default['offset']['default'] == 1.5 and default['rotation']['default'] == [1,0,0,0, 0,1,0,0, 0,0,1,0]\n"
         "assert default['size']['default'] == 'view' and default['fade']['times'] == 'radius'\n"
@@ -191,23 +191,24 @@ static void manifest(void)
 static void own_chain(void)
 {
     static const struct { const char *chain, *says; } wrong[] = {
-        { "hsao,balanced,depth=NEAR --330 own", "desc.input.depth: must be" },
-        { "hsao,depht=LINEAR --330 own", "depht: is neither a field of ssgi_gl_desc nor a member of ssgi_gl_chain" },
-        { "hsao,best,depth --330 own", "depth: must be FIELD=VALUE" },
-        { "hsao,pass=SSDO --330 own", "pass: is neither" },
-        { "blur --330 own", "--chain blur: chain.desc.pass: must be" }, { "blurr --330 own", "must begin with" },
-        { "hsao,history=2 --330 own", "history: must be 0..1" },
+        { "hsao,best,depth=NEAR --330 own", "desc.input.depth: must be" },
+        { "hsao,depht=LINEAR --330 own", "name: there is no such field; the nearest is depth" },
+        { "hsao,best,depth --330 own", "name: must be NAME[,PRESET]" },
+        { "gtao --330 own", "--chain gtao: name: there is no such method; the nearest are hsao, hsao-fast" },
         { "hsao,multisampled=1 --300es own", "desc.input.multisampled: " },
-        { "splat,surfels=1 --vulkan own", "desc.pass: surfels" },
+        { "dss,surfels=1 --vulkan own", "desc.pass: surfels" },
         { "hsao own", "in which language" }, { "hsao --330", "the folder is missing" },
         { "hsao --glsl own", "--glsl: must be" } };
     char text[4000], line[512];
-    CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --chain hsao,balanced,depth=LINEAR,lights=0 --300es --450 "
+    CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --chain hsao,depth=linear --300es --450 "
                  "own && test $(ls own | wc -l) = 13 && grep -q 'SSGI_STEPS = 6' own/*2-hsao.450.frag && "
                  "! grep -q ssgi_decode own/*.frag%s", t_root, ""), "%s", text);
-    CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --chain ssdo,environment=SH,bounce=PATCH,search=POINTS,"
-                 "layers=8,views=4,view_layers=8,lights.layers=8,lights.views=4,lights.view_layers=8,vpls=1 --450 many && "
-                 "ls many/*.100-* && grep -q 'vpls=1\", \"dialect\": \"450\", \"about' many/manifest.json%s", t_root, ""),
+    CHECK(!shell(
+              text, sizeof text,
+              "'%s/build/glsl-text' --chain ssdo-points,environment=SH,bounce=PATCH,"
+              "layers=8,views=4,view_layers=8,lights.layers=8,lights.views=4,lights.view_layers=8,vpls=1 --450 many && "
+              "ls many/*.100-* && grep -q 'vpls=1\", \"dialect\": \"450\", \"about' many/manifest.json%s",
+              t_root, ""),
           "124 steps: %s", text);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
         snprintf(line, sizeof line, "'%s/build/glsl-text' --chain %s", t_root, wrong[i].chain);
@@ -290,7 +291,8 @@ static void wasm(void)
         "throws(() => ssgi.view(id, 0, 1), /^Error: width: /);\n"
         "throws(() => ssgi.preset({}, 'GOOD'), /^Error: preset: /);\n"
         "const many = { search: 'POINTS', layers: 8, views: 4, view_layers: 8 };\n"
-        "const all = ssgi.steps({ desc: { pass: 'SSDO', bounce: 'PATCH', environment: 'SH', ...many }, blur: 1, vpls: 1,\n"
+        "const all = ssgi.steps({ desc: { pass: 'SSDO', bounce: 'PATCH', environment: 'SH', ...many }, blur: 1, vpls: "
+        "1,\n"
         "                         lights: { pass: 'LIGHTS', ...many }, width: 64, height: 64 });\n"
         "equal(all.length, 124);\n"
         "equal(all.at(-1).outputs[0].result, 'BOUNCE');\n"
@@ -306,7 +308,7 @@ static void wasm(void)
     if (!(has("clang") & has("wasm-ld") & has("node"))) return;
     if (!CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' wasm%s", t_root, ""), "%s", text)) return;
     snprintf(path, sizeof path, "%s/build/wasm/ssgi.wasm", t_root);
-    if (CHECK(!kit_file_read(&bytes, &size, path, NULL) && size <= 232 * 1024, "ssgi.wasm has %zu bytes", size))
+    if (CHECK(!kit_file_read(&bytes, &size, path, NULL) && size <= 252 * 1024, "ssgi.wasm has %zu bytes", size))
         t_note("ssgi.wasm has %zu bytes", size);
     free(bytes);
     write_text("blocks.c", blocks);
@@ -362,11 +364,17 @@ static void packages(void)
                    "endif()\nadd_executable(app app.c)\ntarget_link_libraries(app ssgi::ssgi)\n");
         CHECK(!shell(text, sizeof text, "cmake -S app -B app/build -DCMAKE_PREFIX_PATH=$PWD/to/usr -DCMAKE_C_COMPILER_"
                      "WORKS=1 && cmake --build app/build && app/build/app%s%s", "", ""), "%s", text);
-        CHECK(!shell(text, sizeof text, "cmake -S '%s/examples/tools/packages' -B cmake && cmake --install cmake --prefix by-cmake && "
-                     "diff -r by-cmake to/usr%s", t_root, ""), "cmake installs otherwise: %s", text);
-        CHECK(!shell(text, sizeof text, "sed -i 's|^find.* REQUIRED.*|add_subdirectory(\"%s/examples/tools/packages\" ssgi)|; "
+        CHECK(!shell(text, sizeof text,
+                     "cmake -S '%s/examples/tools/packages' -B cmake && cmake --install cmake --prefix by-cmake && "
+                     "diff -r by-cmake to/usr%s",
+                     t_root, ""),
+              "cmake installs otherwise: %s", text);
+        CHECK(!shell(text, sizeof text,
+                     "sed -i 's|^find.* REQUIRED.*|add_subdirectory(\"%s/examples/tools/packages\" ssgi)|; "
                      "/^find/,/^endif/d' app/CMakeLists.txt && cmake -S app -B app/within -DCMAKE_C_COMPILER_WORKS=1 "
-                     "&& cmake --build app/within && app/within/app%s", t_root, ""), "as a part of another project: %s", text);
+                     "&& cmake --build app/within && app/within/app%s",
+                     t_root, ""),
+              "as a part of another project: %s", text);
     }
     CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' uninstall DESTDIR='%s/to' PREFIX=/usr && test -z "
                  "\"$(find to -type f)\"", t_root, folder), "left behind: %s", text);
@@ -426,6 +434,47 @@ static void bindings(void)
                      "ssgi_gl_pass' bind.rs%s%s",
                      "", ""),
               "%s", text);
+}
+
+/* ssgi_gl_method_at in each language that the headers or the module serve. */
+static void methods_anywhere(void)
+{
+    static const char *const c =
+        "#include \"ssgi_gl.h\"\n#include <stdio.h>\nint main(void) {\n    const ssgi_gl_method *m;\n"
+        "    for (int i = 0; (m = ssgi_gl_method_at(i)) != NULL; ++i)\n"
+        "        printf(\"%s|%s|%s|%d|%s\\n\", m->name, m->sentence, ssgi_gl_pass_name(m->pass), m->preset, "
+        "m->settings);\n"
+        "    return 0;\n}\n";
+    static const char *const python =
+        "import ctypes as c\n"
+        "class Method(c.Structure):\n"
+        "    _fields_ = [('name', c.c_char_p), ('sentence', c.c_char_p), ('pass_', c.c_int), ('preset', c.c_int), "
+        "('settings', c.c_char_p)]\n"
+        "lib = c.CDLL('./libssgi.so')\n"
+        "lib.ssgi_gl_method_at.restype, lib.ssgi_gl_pass_name.restype = c.POINTER(Method), c.c_char_p\n"
+        "i = 0\n"
+        "while m := lib.ssgi_gl_method_at(i):\n"
+        "    m, i = m.contents, i + 1\n"
+        "    texts = [t.decode() for t in (m.name, m.sentence, lib.ssgi_gl_pass_name(m.pass_), m.settings)]\n"
+        "    print('|'.join([*texts[:3], str(m.preset), texts[3]]))\n";
+    static const char *const javascript =
+        "const { load } = await import(process.argv[2] + '/build/wasm/ssgi.mjs'), ssgi = await load();\n"
+        "for (const m of ssgi.methods)\n"
+        "    console.log([m.name, m.sentence, m.pass.toLowerCase(), ['FAST', 'BALANCED', 'BEST'].indexOf(m.preset), "
+        "m.settings].join('|'));\n";
+    char text[4000];
+    write_text("methods.c", c);
+    write_text("methods.py", python);
+    write_text("methods.mjs", javascript);
+    write_text("whole.c", "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n");
+    CHECK(
+        !shell(text, sizeof text,
+               "gcc -shared -fPIC whole.c -o libssgi.so -lm && for s in c99 c++11 c++20; do "
+               "$(case $s in c99) echo gcc;; *) echo g++ -xc++;; esac) -std=$s methods.c -o m -xnone libssgi.so "
+               "'-Wl,-rpath,.' && ./m >$s.txt || exit 1; done; test $(wc -l <c99.txt) -gt 20 && cmp c99.txt c++11.txt "
+               "&& cmp c99.txt c++20.txt && python3 methods.py | cmp c99.txt && node methods.mjs '%s' | cmp c99.txt%s",
+               t_root, ""),
+        "%s", text);
 }
 
 /* One small picture of each method, every object of the kit under address and undefined-behaviour sanitizers. */
@@ -870,8 +919,8 @@ static double depths_off(const kit_image *a, const kit_image *b, double more)
     const float *z[2] = { kit_image_channel(a, "Z"), kit_image_channel(b, "Z") };
     double most = 0;
     for (int i = 0; i < a->width * a->height; ++i)
-        if (z[0][i] > 0 || z[1][i] > 0) most = fmax(most, z[0][i] > 0 && z[1][i] > 0
-                                                              ? fabs((double)z[1][i] / ((double)z[0][i] + more) - 1) : 1);
+        if (z[0][i] > 0 || z[1][i] > 0)
+            most = fmax(most, z[0][i] > 0 && z[1][i] > 0 ? fabs((double)z[1][i] / ((double)z[0][i] + more) - 1) : 1);
     return most;
 }
 
@@ -918,7 +967,8 @@ static void capture(const kit_image *frame, kit_camera camera, const way *w, int
             || !CHECK(!kit_exr_read(&made, path, &err) && !kit_exr_header(&header, KIT_HEADER_ALL, path, &err), "%s",
                       err.text)) return;
         const double off = depths_off(frame, &made, more);
-        CHECK(off < (png ? 2e-3 : 2e-5 + 1e-7 * fabs((double)w->eye)), "%s, %s: depth off by %g", options, png ? "PNG" : "EXR", off);
+        CHECK(off < (png ? 2e-3 : 2e-5 + 1e-7 * fabs((double)w->eye)), "%s, %s: depth off by %g", options,
+              png ? "PNG" : "EXR", off);
         kit_camera c = { .znear = camera.znear, .zfar = camera.zfar, .width = frame->width, .height = frame->height };
         kit_camera_from_header(&c, &header);
         kit_camera_matrices(&camera, view, p);
@@ -989,13 +1039,13 @@ static void captures(void)
     static const char by_numbers[] = "--fovy=50 --near=0.1 --far=100 --radius=0.5",
                       endless[] = "--fovy=50 --near=0.1 --reversed --radius=0.5";
     static const way ways[] = {
-        { KIT_DEPTH_NORMAL, 1, 0, 0, 0, 0, NULL },   { KIT_DEPTH_NORMAL, 0, 0, 0, 0, 3, NULL },
-        { KIT_DEPTH_NORMAL, 0, 1, 0, 0, 3, NULL },   { KIT_DEPTH_REVERSED, 0, 0, 1, 0, 0, NULL },
-        { KIT_DEPTH_INFINITE, 0, 1, 1, 0, 5, NULL }, { KIT_DEPTH_NORMAL, 1, 0, 0, 1, 2, NULL },
-        { KIT_DEPTH_REVERSED, 0, 0, 1, 1, 0, NULL }, { KIT_DEPTH_NORMAL, 1, 0, 0, 1, 0, NULL, 0.1f },
+        { KIT_DEPTH_NORMAL, 1, 0, 0, 0, 0, NULL, 0 },   { KIT_DEPTH_NORMAL, 0, 0, 0, 0, 3, NULL, 0 },
+        { KIT_DEPTH_NORMAL, 0, 1, 0, 0, 3, NULL, 0 },   { KIT_DEPTH_REVERSED, 0, 0, 1, 0, 0, NULL, 0 },
+        { KIT_DEPTH_INFINITE, 0, 1, 1, 0, 5, NULL, 0 }, { KIT_DEPTH_NORMAL, 1, 0, 0, 1, 2, NULL, 0 },
+        { KIT_DEPTH_REVERSED, 0, 0, 1, 1, 0, NULL, 0 }, { KIT_DEPTH_NORMAL, 1, 0, 0, 1, 0, NULL, 0.1f },
         { KIT_DEPTH_NORMAL, 1, 0, 0, 1, 0, NULL, 3 }, { KIT_DEPTH_REVERSED, 0, 0, 0, 1, 0, NULL, 3 },
-        { KIT_DEPTH_REVERSED, 0, 1, 0, 1, 0, NULL, -4096 }, { KIT_DEPTH_NORMAL, 0, 0, 0, 0, 0, by_numbers },
-        { KIT_DEPTH_INFINITE, 0, 0, 0, 0, 0, endless } };
+        { KIT_DEPTH_REVERSED, 0, 1, 0, 1, 0, NULL, -4096 }, { KIT_DEPTH_NORMAL, 0, 0, 0, 0, 0, by_numbers, 0 },
+        { KIT_DEPTH_INFINITE, 0, 0, 0, 0, 0, endless, 0 } };
     static const struct { const char *arguments, *word; } bad[] = {
         { "none.png a.exr --fovy=50 --near=1", "none.png" },
         { "cut.png a.exr --fovy=50 --near=1", "cut.png: is cut off" },
@@ -1265,6 +1315,7 @@ void test_tools(void)
     RUN("the headers as WebAssembly, without a C library, give the same texts, rows and blocks", wasm);
     RUN("what make install and make npm leave serves pkg-config, CMake and node", packages);
     RUN("cffi and bindgen take the headers", bindings);
+    RUN("C, C++, Python and JavaScript have the same methods", methods_anywhere);
     RUN("a saved frame is rendered by nothing but itself: the scene's picture; options override", frames_carry_cameras);
     RUN("a frame as Blender writes it is the frame, its view layers and channels are named", frames_of_blender);
     RUN("a captured depth buffer becomes a frame with its camera, however the engine lays it out", captures);

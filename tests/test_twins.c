@@ -125,7 +125,8 @@ static void cameras(void)
         for (int k = 0; k < 3; ++k) q[k] = product_of(picture, k, at, &lost);
         ssgi_view_project(seen, &view, spot);
         for (int k = 0; k < 3; ++k) {
-            const double want = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]), got = product_of(v.to[slot], k, q, &lost);
+            const double want = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]),
+                         got = product_of(v.to[slot], k, q, &lost);
             CHECK(fabs(got - want) <= lost + 4e-7 * fabs(want), "to, %s, row %d: %.9g, ssgi_view_project says %.9g",
                   ortho ? "orthographic" : "perspective", k, got, want);
             worst[0] = fmax(worst[0], fabs(got - want) / (lost + 4e-7 * fabs(want)));
@@ -1521,8 +1522,8 @@ static void shadow_bias(void)
     }
 }
 
-/* As many rows as the texture has, each a sun that its map shows. The first says how many of the others are the same sun
-   with wider maps; where that is no number of rows, it may be none or all, but no row is visited again. */
+/* As many rows as the texture has, each a sun that its map shows. The first says how many of the others are the same
+   sun with wider maps; where that is no number of rows, it may be none or all, but no row is visited again. */
 static void rows_are_visited_once(void)
 {
     static const struct { float wider; int lights; float sum, or_; } row[] = {
@@ -1547,8 +1548,9 @@ static void rows_are_visited_once(void)
         const int went = probe(&d, &frame, texture, "o = vec4(ssgi_lit(a.xyz, vec3(0.0, 0.0, 1.0), 0.0), 1.0);");
         glDeleteTextures(1, &texture);
         if (!went) return;
-        CHECK(out[0][0] == row[k].sum || out[0][0] == row[k].or_, "%g rows follow of %d lights: they sum up to %g, not %g",
-              (double)row[k].wider, row[k].lights, (double)out[0][0], (double)row[k].sum);
+        CHECK(out[0][0] == row[k].sum || out[0][0] == row[k].or_,
+              "%g rows follow of %d lights: they sum up to %g, not %g", (double)row[k].wider, row[k].lights,
+              (double)out[0][0], (double)row[k].sum);
     }
 }
 

@@ -67,7 +67,7 @@ check "steps by a constant: RMSE $special, at most 0.0005; without it $rmse, mor
     "$(is "$special <= 0.0005 && $rmse > 0.001")"
 
 # The host on a saved frame.
-build/glsl-text --chain hsao,balanced,depth=LINEAR,precise=1 --spv $work/host >$work/log &&
+build/glsl-text --chain hsao,depth=LINEAR,precise=1 --spv $work/host >$work/log &&
     build/render room --size 320x180 --save-gbuffer $work/frame.exr >$work/log &&
     build/vulkan $work/host $work/frame.exr 45 0.5 $work/host.exr validate &&
     rmse=$(build/render --gbuffer $work/frame.exr --fovy 45 --radius 0.5 --score $work/host.exr |
@@ -86,7 +86,7 @@ refused host none.exr none.exr
 refused host frame.exr radius -1
 refused nowhere frame.exr nowhere/manifest.json
 refused hsao frame.exr depth=LINEAR
-build/glsl-text --chain ssdo,balanced,depth=LINEAR --spv $work/lit >$work/log
+build/glsl-text --chain ssdo,bounce=none,depth=LINEAR --spv $work/lit >$work/log
 refused lit frame.exr ENVIRONMENT
 
 finish

@@ -1,6 +1,6 @@
 /* vulkan.cpp - ambient visibility of a saved G-buffer by Vulkan, from the manifest and the SPIR-V of build/glsl-text.
    Any chain of triangles is drawn so. vulkan_engine.hpp is what an engine has; the kit reads and writes pictures.
-      build/glsl-text --chain hsao,balanced,depth=LINEAR --spv DIR    and    build/render SCENE --save-gbuffer FRAME.exr
+      build/glsl-text --chain hsao,depth=LINEAR --spv DIR    and    build/render SCENE --save-gbuffer FRAME.exr
       build/vulkan DIR FRAME.exr FOVY RADIUS OUT.exr|OUT.png [validate] */
 #include <nlohmann/json.hpp>
 #include "vulkan_engine.hpp"

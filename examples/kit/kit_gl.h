@@ -280,7 +280,8 @@ typedef struct kit_setting {
 
 typedef struct kit_method {
     const char  *name, *about;
-    int          number;                   /* of kit_method_at */
+    int          number;                   /* of kit_method_at, and of ssgi_gl_method_at */
+    const struct plan *plan;               /* its settings */
     int          pass, effect;             /* SSGI_GL_PASS_SSAO ..; of surfels SSGI_GL_EFFECT_OCCLUSION .. */
     int          lit;                      /* 0: writes ambient visibility Y */
     int          between;                  /* 1: of other objects alone: its truth is kit_truth_objects */
@@ -443,8 +444,8 @@ int  kit_frames_still(kit_run *run, unsigned first, unsigned k, int timed, kit_e
    is a scene, a calibration by tracing it and what surfels of it cost; the harmonics of the environment. */
 int kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted,
                      kit_error *err);
-/* A plan as a chain: the desc that ssgi_gl_plan makes of it, and what that leaves to its caller. The same as a method. A
-   plan of NOTHING fails. */
+/* A plan as a chain: the desc that ssgi_gl_plan makes of it, and what that leaves to its caller. The same as a method.
+   A plan of NOTHING fails. */
 int  kit_plan_chain(ssgi_gl_chain *chain, const ssgi_plan *plan, int wanted, kit_error *err);
 int  kit_plan_method(kit_method *method, const ssgi_plan *plan, int wanted, kit_error *err);
 /* That method, and those of its settings that are not its defaults, as kit_method_set takes them; NULL for NOTHING. */

@@ -1,10 +1,10 @@
 /* bar.mjs - the buttons over the picture, keys, help. */
-import { methods } from './settings.mjs';
+import { methods, sentenceOf } from './settings.mjs';
 
 const $ = id => document.getElementById(id);
 
 /* set: the page's settings. choose(name, value), home(), save(), fit(): what the page does. */
-export function bar(set, { choose, home, save, fit }) {
+export function bar(ssgi, set, { choose, home, save, fit }) {
     const turn = name => () => choose(name, !set[name]);
     const view = word => () => choose('view', word);
     const whole = () => (document.fullscreenElement ? document.exitFullscreen()
@@ -40,9 +40,9 @@ export function bar(set, { choose, home, save, fit }) {
         sentence.textContent = what;
         return [term, sentence];
     }));
-    $('methods').replaceChildren(...Object.values(methods).map(({ title, about }) => {
+    $('methods').replaceChildren(...Object.entries(methods).map(([name, { title }]) => {
         const item = document.createElement('li');
-        item.append(Object.assign(document.createElement('b'), { textContent: title }), ` ${about}`);
+        item.append(Object.assign(document.createElement('b'), { textContent: title }), `: ${sentenceOf(ssgi, name)}`);
         return item;
     }));
     $('keys').onclick = e => { if (e.target === $('keys') || e.target.tagName === 'BUTTON') $('keys').close(); };

@@ -1,6 +1,6 @@
 /* chain.mjs - the ssgi_gl_chain that settings mean. Pure, as settings.mjs is: make web asks it which texts the page can
    come to need in WGSL. */
-import { methods } from './settings.mjs';
+import { methods, namedChain } from './settings.mjs';
 
 /* The field that says in how many directions a gather looks. */
 export const countOf = desc => (desc.pass === 'SSAO' || desc.search === 'POINTS' ? 'samples' : 'directions');
@@ -10,10 +10,10 @@ export const lightsOf = (set, name) => !!methods[name]?.light && set.sun && set.
 
 /* own: with the numbers that replace the preset's. */
 export function chainAs(ssgi, set, name, preset, own, { dialect, width, height, precise }) {
-    const { desc } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
-    const d = ssgi.preset({ ...desc, dialect, normal: set.normals, thickness: set.thickness }, preset);
-    if (methods[name].desc.restore) d.restore = methods[name].desc.restore;
-    if (bounce) d.bounce = 'SOLID_ANGLE';
+    const d = { ...namedChain(ssgi, name, preset).desc, dialect, normal: set.normals };
+    const bounce = set.bounce && d.pass === 'SSDO';
+    if (set.thickness !== 'DEFAULT') d.thickness = set.thickness;
+    if (!bounce) delete d.bounce;
     if (set.moves && set.history) d.motion = 1;
     if (own && set.slices) d[countOf(d)] = set.slices;
     if (own && set.steps && ssgi.resolve(d).steps) d.steps = set.steps;

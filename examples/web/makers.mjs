@@ -1,6 +1,6 @@
 /* makers.mjs - what methods draw that is made of triangles beforehand: surfels, fields. Each side has its own; their
    modules are fetched when they are first asked for. */
-import { methods } from './settings.mjs';
+import { methods, namedChain } from './settings.mjs';
 
 const modules = { surfels: () => import('./surfels.mjs').then(m => m.Surfels),
                   fields: () => import('./fields.mjs').then(m => m.Fields) };
@@ -58,6 +58,7 @@ export function setOf(name, preset, set, own) {
 /* Their chain, as settings have it. */
 export function madeChain(ssgi, name, preset, set, own, { dialect, width, height, precise }) {
     const { levels } = setOf(name, preset, set, own);
-    const desc = ssgi.preset({ ...methods[name].desc, dialect, normal: set.normals }, preset);
-    return { desc: { ...desc, ...(levels && { levels }) }, width, height, blur: 1, precise };
+    const chain = namedChain(ssgi, name, preset);
+    return { ...chain, desc: { ...chain.desc, dialect, normal: set.normals, ...(levels && { levels }) }, width, height,
+             precise };
 }

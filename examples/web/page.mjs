@@ -1,7 +1,7 @@
 /* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in webgl.mjs. */
 import { load } from './ssgi.mjs';
-import { defaults, halves, lookOf, methods, normals, presets, read, settings, shadows, shows, sizes, thicknesses, views,
-         write } from './settings.mjs';
+import { defaults, halves, lookOf, methods, namedChain, normals, presets, read, sentenceOf, settings, shadows, shows,
+         sizes, thicknesses, views, write } from './settings.mjs';
 import { chainAs, countOf, lightsOf } from './chain.mjs';
 import { skies, equirect } from './sky.mjs';
 import { Drawer } from './webgl.mjs';
@@ -47,8 +47,13 @@ function writeAddress() {
     addressed = setTimeout(() => history.replaceState(null, '', '#' + write(set)), 250);
 }
 const radius = () => stage.info.radius * 2 ** set.radius;
-const thicknessLimit = method =>
-    set.thickness_limit < 0 ? methods[method]?.thickness_limit ?? 0.6 : set.thickness_limit;
+/* In radii; the library's for the method, without a float's digits. */
+function thicknessLimit(method) {
+    if (set.thickness_limit >= 0) return set.thickness_limit;
+    if (!methods[method]?.method) return 0.6;
+    const view = ssgi.view([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0], 1, 1);
+    return Number(ssgi.frame(view, 1, namedChain(ssgi, method, 'BALANCED')).thickness_limit[0].toPrecision(6));
+}
 const wantsTruth = () => set.truth || set.b === 'truth' || set.view === 'difference';
 const moving = () => set.moves || set.circle;
 /* Whether the sun is in what a side's chain writes, and so in the truth of it. */
@@ -58,7 +63,7 @@ const averages = () => sides.some(side => side?.run.chain.history);
 const digits = v => v >= 100 ? v.toFixed(0) : v >= 10 ? v.toFixed(1) : v.toFixed(2);
 
 function toPanel() {
-    const chain = methods[set.a]?.desc ? chainFor(set.a, set.p, true) : null, is = chain && ssgi.resolve(chain.desc);
+    const chain = methods[set.a]?.method ? chainFor(set.a, set.p, true) : null, is = chain && ssgi.resolve(chain.desc);
     const made = chain && setOf(set.a, set.p, set, true), { module } = methods[set.a] ?? {};
     for (const control of panel.elements) {
         if (!Object.hasOwn(set, control.name)) continue;
@@ -87,7 +92,7 @@ function toPanel() {
     write('strength', `${set.strength.toFixed(2)} ×`);
     write('exposure', `${set.exposure > 0 ? '+' : ''}${set.exposure.toFixed(1)}`);
     write('effect', set.effect.toFixed(2));
-    const method = name => !!methods[name]?.desc;
+    const method = name => !!methods[name]?.method;
     const on = (of, yes) => panel.querySelectorAll(of).forEach(e => { e.hidden = !yes; });
     on('.of-a', method(set.a));
     on('.of-b', method(set.b));
@@ -98,10 +103,10 @@ function toPanel() {
     on('.of-sun', set.sun);
     on('.of-lights', set.sun && [set.a, set.b].some(m => methods[m]?.light));
     on('.of-thickness', set.thickness !== 'SOLID');
-    on('.of-bounce', [set.a, set.b].some(m => methods[m]?.desc?.pass === 'SSDO'));
+    on('.of-bounce', [set.a, set.b].some(m => methods[m]?.method?.startsWith('ssdo')));
     if (is) $('slices-field').textContent = `desc.gather.${countOf(is)}`;
     $('smooth').checked = set.filter !== 0;
-    $('about').textContent = `${methods[set.a].title} ${methods[set.a].about}`;
+    $('about').textContent = `${methods[set.a].title}: ${sentenceOf(ssgi, set.a)}`;
     $('alone').textContent = [set.a, set.b].some(name => methods[name]?.light) ? 'Light alone' : 'AO alone';
     panel.elements.truth.checked = wantsTruth();
     panel.elements.truth.disabled = wantsTruth() && !set.truth;
@@ -269,7 +274,7 @@ function choose(name, value) {
     if (name === 'a' || name === 'b') {
         Object.assign(set, shows[value]);
         if (software && methods[value]?.module === 'surfels') set[name === 'a' ? 'p' : 'q'] = 'FAST';
-        if (!ownView && methods[value]?.desc) set.view = 'ambient';
+        if (!ownView && methods[value]?.method) set.view = 'ambient';
     }
     if (name === 'circle' && !value) set.cam = lookedFrom();
     changed(name);
@@ -474,7 +479,7 @@ function codeOf(i) {
 /* Until its programs are linked what was shown stays: true. */
 const coming = [null, null];
 function side(i, name, preset) {
-    const chain = methods[name]?.desc ? chainFor(name, preset, i === 0) : null, key = JSON.stringify(chain);
+    const chain = methods[name]?.method ? chainFor(name, preset, i === 0) : null, key = JSON.stringify(chain);
     if (coming[i] && coming[i].key !== key) { coming[i].run.free(); coming[i] = null; }
     if (!chain) {
         forget(sides[i]);
@@ -882,7 +887,7 @@ async function chooseGpu(wanted) {
 /* Why WebGPU does not draw a method; falsy: it does. */
 function lacksOf(name) {
     if (methods[name]?.module) return 'is not in WebGPU';
-    return methods[name]?.desc && gpu.drawer.lacks(chainOf(name, set.p, false));
+    return methods[name]?.method && gpu.drawer.lacks(chainOf(name, set.p, false));
 }
 
 /* What was made by one of them goes with it. made: null: WebGL 2 draws. */
@@ -1159,7 +1164,7 @@ async function start() {
     notice(...fromAddress());
     if (!software && !calmly.matches && !['circle', 'cam', 'b', 'view', 'truth'].some(name => given.has(name)))
         set.circle = true;
-    page.bar = bar(set, { choose, home: () => $('home').click(), save: savePicture, fit: request });
+    page.bar = bar(ssgi, set, { choose, home: () => $('home').click(), save: savePicture, fit: request });
     listen();
     panel.inert = false;
     fit();

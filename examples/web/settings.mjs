@@ -5,29 +5,30 @@ import { skies } from './sky.mjs';
 
 const surfels = { size: 0.03, levels: 4, epsilon: 0.3 };      /* the library's defaults */
 
+/* method: the library's, as Ssgi.chain takes it; its sentence is shown. settings: what the page has otherwise. */
 export const methods = {
     __proto__: null,
-    none: { title: 'no occlusion', about: 'leaves all light as it comes.' },
-    ssao: { title: 'SSAO', desc: { pass: 'SSAO' }, thickness_limit: 1, about: 'is the old way, to compare with.' },
-    hsao: { title: 'HSAO', desc: { pass: 'HSAO' }, thickness_limit: 0.6,
-            about: 'finds ambient occlusion, how much of the sky nearby surfaces hide: the choice for most.' },
-    march: { title: 'HSAO, march', desc: { pass: 'HSAO', search: 'MARCH' }, thickness_limit: 0.5,
-             about: 'is the search of the paper: slower, for depth layers and extra cameras.' },
-    ssdo: { title: 'SSDO', desc: { pass: 'SSDO', environment: 'MAP' }, thickness_limit: 0.4, light: true,
-            about: 'keeps directions: shadows take the colour of missing light, surfaces send a bounce. Try Cornell.' },
-    points: { title: 'SSDO, points', desc: { pass: 'SSDO', search: 'POINTS', environment: 'MAP' }, thickness_limit: 1,
-              light: true, about: 'is the sampling of the paper, for depth layers and extra cameras.' },
-    s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1,
-                                   restore: 'RATIO' }, thickness_limit: 0.4, light: true,
-            about: 'is for engines that keep light as spherical harmonics: it has visibility as such.' },
-    dss: { title: 'Deep screen space', desc: { pass: 'SPLAT', span: 6 }, thickness_limit: 0.6, module: 'surfels',
-           presets: { FAST: surfels, BALANCED: surfels, BEST: surfels },
-           about: 'splats all triangles: hidden surfaces and those off screen count, at a higher price.' },
-    aof: { title: 'Fields of objects', desc: { pass: 'FIELD', objects: 'TEXTURE' }, module: 'fields', presets: {
+    none: { title: 'No occlusion' },
+    ssao: { title: 'SSAO', method: 'ssao' },
+    hsao: { title: 'HSAO', method: 'hsao' },
+    march: { title: 'HSAO, march', method: 'hsao-march' },
+    ssdo: { title: 'SSDO', method: 'ssdo', light: true },
+    points: { title: 'SSDO, points', method: 'ssdo-points', light: true },
+    s3ho: { title: 'S3HO', method: 's3ho', settings: ',transfer=direct,packed=0,restore=ratio', light: true },
+    dss: { title: 'Deep screen space', method: 'dss', module: 'surfels',
+           presets: { FAST: surfels, BALANCED: surfels, BEST: surfels } },
+    aof: { title: 'Fields of objects', method: 'aof', settings: ',objects=texture', module: 'fields', presets: {
         FAST: { resolution: 8, rays: 64 }, BALANCED: { resolution: 16, rays: 96 },
-        BEST: { resolution: 32, rays: 96 } },
-           about: 'are baked once, and darken what rigid objects come near.' }
+        BEST: { resolution: 32, rays: 96 } } }
 };
+
+/* What a method is for, as the library says it. */
+export const sentenceOf = (ssgi, name) => ssgi.methods.find(m => m.name === methods[name].method)?.sentence
+    ?? 'All light as it comes.';
+
+/* The library's chain of a method with a preset. */
+export const namedChain = (ssgi, name, preset) =>
+    ssgi.chain(`${methods[name].method},${preset}${methods[name].settings ?? ''}`);
 /* What is set, too, when a method is chosen: so that what it does is seen. */
 export const shows = {
     __proto__: null,

@@ -250,10 +250,11 @@ int kit_plan_chain(ssgi_gl_chain *chain, const ssgi_plan *p, int wanted, kit_err
 
 int kit_plan_method(kit_method *m, const ssgi_plan *p, int wanted, kit_error *err)
 {
-    static const char *const names[] = { NULL, "hsao", "ssdo", "s3ho", "dss", "aof" };
     ssgi_gl_chain chain;
     char size[32] = "";
-    if (kit_plan_chain(&chain, p, wanted, err) || kit_method_find(m, names[p->method], err)) return -1;
+    int i = 0;
+    if (kit_plan_chain(&chain, p, wanted, err)) return -1;
+    while (kit_method_at(m, i++) && m->pass != (int)chain.desc.pass) {}     /* the plain one of its pass */
     kit_method_take(m, &chain.desc);
     m->set.blur = chain.blur ? chain.desc.filter.radius : 0;
     m->set.history = chain.history;

@@ -35,21 +35,15 @@ ROW(normal_row, normal, "normals from the G-buffer, or from depth alone, as wher
     "gbuffer depth", 0, 0, 1, PLAN, 0)
 OF(left_handed_row, left_handed, input.left_handed, GATHER, 0, "1: projection and normals are given as by an engine "
     "whose camera looks along +z")
-#define THICKNESS(name, value) \
-    ROW(name, thickness_limit, "constant thickness of visible surfaces, or the most that a width counts, in radii", \
-        NULL, value, 0, 100, SCALED, FRAMED(thickness_limit))
-THICKNESS(limit_row, 1)
-THICKNESS(slice_thick_row, 0.6)
-THICKNESS(lit_thick_row, 0.4)
-THICKNESS(half_thick_row, 0.5)
-THICKNESS(most_thick_row, 0.7)
+ROW(limit_row, thickness_limit, "constant thickness of visible surfaces, or the most that a width counts, in radii",
+    NULL, 0, 0, 100, SCALED, FRAMED(thickness_limit))
 OF(thickness_row, thickness, gather.thickness, GATHER, 0, "how thick visible surfaces are: as width for slices, "
     "else as constant; thickness_limit; unlimited; as thick as wide in the picture; to the back face; two slabs")
 OF(half_row, half, gather.half, GATHER, 0,
    "the pixels that are gathered, brought to full size by the filter: all, one of every 2x2, or each of the four in "
    "turn; one of every 4x4, or each of the sixteen in turn")
 ROW(offset_row, offset, "lift of the receiver along its normal, in half pixels",
-    NULL, 1.5, 0, 100, FRAME, FRAMED(offset))
+    NULL, 0, 0, 100, FRAME, FRAMED(offset))
 ROW(blur_row, blur, "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, PLAN, 0)
 OF(filter_row, filter, filter.kind, GATHER, 0, "kind of filter")
 OF(compare_row, filter_normals, filter.normals, GATHER, 0, "1: the filter compares normals too")
@@ -76,10 +70,10 @@ OF(falloff_row, falloff, gather.falloff, GATHER, 0, "weight of an occluder at di
     "(t/radius)^2, or 1 up to the radius (not of points)")
 OF(fade_row, fade, gather.fade, GATHER, 0, "weight of an occluder by the distance of the surface in the depth buffer; "
     "none: a far surface sends as if it were at the point, and a bounce may err more than none")
-ROW(lambda_row, lambda, "how fast that fade is, per radius: a larger one leaves less", NULL, 4, 0, 1000, FRAME,
+ROW(lambda_row, lambda, "how fast that fade is, per radius: a larger one leaves less", NULL, 0, 0, 1000, FRAME,
     FRAMED(lambda))
 OF(range_row, range, gather.range, GATHER, 0, "1: ignore surfaces beyond the radius or below the receiver's plane")
-ROW(fade_from_row, fade_from, "where smooth fading begins, in radii", NULL, 0.3, 0, 1, SCALED, FRAMED(fade))
+ROW(fade_from_row, fade_from, "where smooth fading begins, in radii", NULL, 0, 0, 1, SCALED, FRAMED(fade))
 ROW(sets_row, sets, "sets of directions in a texture, one per pixel; 0 = one set, rotated", NULL, 0, 0, 256, PLAN, 0)
 OF(uniform_row, uniform, gather.uniform, GATHER, 0, "1: directions are spread evenly and weighted by the "
     "cosine, as published; 0: they are spread by it")
@@ -99,15 +93,15 @@ ROW(bounced_row, bounced, "1: emitters send the last frame's bounce, too: furthe
 ROW(reuse_row, reuse, "1: emitters use the last frame's light, so that one gather does both", NULL, 0, 0, 1, PLAN, 0)
 OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-sided")
 ROW(distance_clamp_row, distance_clamp, "clamp of the distance to a patch, in radii",
-    NULL, 0.25, 0, 100, FRAME, FRAMED(distance_clamp))
-ROW(gain_row, gain, "area of patches, times pi r^2/N", NULL, 1, 0, 1000, FRAME, FRAMED(gain))
+    NULL, 0, 0, 100, FRAME, FRAMED(distance_clamp))
+ROW(gain_row, gain, "area of patches, times pi r^2/N", NULL, 0, 0, 1000, FRAME, FRAMED(gain))
 OF(shadows_row, shadows, light.shadow, LIGHTS, 2, "shadows of --light: by screen-space segments, maps, maps with "
     "segments over their bias")
 OF(shadows_d_row, shadows, light.shadow, LIGHTS, 1, "shadows of --light: by maps, or none")
 COUNT(points_row, points, gather.samples, LIGHTS, 8, "points on a segment toward a light")
 ROW(solid_row, solid, "1: shadows take surfaces as unlimited in thickness", NULL, 0, 0, 1, PLAN, 0)
 ROW(max_slope_row, max_slope, "largest slope that the shadow maps' bias follows",
-    NULL, 20, 0, 1000, FRAME, FRAMED(max_slope))
+    NULL, 0, 0, 1000, FRAME, FRAMED(max_slope))
 ROW(shadow_row, shadow_size, "texels of a shadow map's side", NULL, 1024, 16, 8192, PLAN, 0)
 ROW(suns_row, suns, "the environment as directional lights with shadow maps; 0: directional occlusion",
     NULL, 0, 0, 1024, PLAN, 0)
@@ -161,9 +155,7 @@ ROW(cap_table_row, cap_table, "texels along a side of the table that a cap's occ
 ROW(size_row, size, "s: diameter of a surfel, in image heights", NULL, 0.03, 1e-4, 1, PLAN, 0)
 ROW(fine_size_row, size, "s: diameter of a surfel, in image heights", NULL, 0.015, 1e-4, 1, PLAN, 0)
 ROW(epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
-    NULL, 0.3, 1e-6, 1, FRAME, FRAMED(epsilon))
-ROW(deep_epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
-    NULL, 0.02, 1e-6, 1, FRAME, FRAMED(epsilon))
+    NULL, 0, 1e-6, 1, FRAME, FRAMED(epsilon))
 COUNT(deep_levels_row, levels, surfel.levels, GATHER, 7, "levels of sub-buffers: each doubles the reach")
 OF(levels_row, levels, surfel.levels, GATHER, 0, "levels of sub-buffers: each doubles the reach; 0: as many as the "
     "radius wants")
@@ -193,7 +185,7 @@ OF(combine_row, combine, surfel.combine, GATHER, 0, "form factors share the dire
     "or, as published, add up, to 1 at most")
 ROW(smooth_row, smooth, "0: levels are added unfiltered", NULL, 1, 0, 1, PLAN, 0)
 OF(likeness_row, filter_normals, filter.normals, GATHER, 0, "1: the smoothing compares normals too")
-ROW(exponent_row, exponent, "exponent of the lobe", NULL, 32, 0, 10000, FRAME, FRAMED(exponent))
+ROW(exponent_row, exponent, "exponent of the lobe", NULL, 0, 0, 10000, FRAME, FRAMED(exponent))
 ROW(sky_row, sky, "1: --env lights surfels too, unoccluded", NULL, 1, 0, 1, PLAN, 0)
 ROW(material_row, material, "published scattering constants",
     "apple chicken1 chicken2 cream ketchup marble potato skimmilk skin1 skin2 spectralon wholemilk",
@@ -202,10 +194,10 @@ ROW(unit_row, unit, "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, PLAN, 
 
 enum { MAX_SETTINGS = 48 };
 
-/* A method; search: by slices, points or the march; of surfels: their effect. */
+/* The settings of the methods of a kind. search: by slices, points or the march; of surfels their effect; bent: bent
+   normals. */
 typedef struct plan {
-    const char *name, *about;
-    int         pass, search, preset;
+    int         pass, search, bent;
     const row  *rows[MAX_SETTINGS];
     int         count;
 } plan;
@@ -216,15 +208,11 @@ typedef struct plan {
         _Static_assert((n) <= MAX_SETTINGS, "a method has more than MAX_SETTINGS"); \
         int i; \
     }))
-#define SLICES \
-    SETTINGS(&slices_row, &steps_row, &half_row, &thickness_row, &slice_thick_row, &falloff_row, &normal_row, \
-             &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row, \
-             &left_handed_row)
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define POINTS \
     &samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, \
-        &range_row, &half_row, &thickness_row, &most_thick_row, &offset_row, DEEP
-#define WALK &slices_row, &steps_row, &falloff_row, &half_row, &thickness_row, &lit_thick_row, &offset_row
+        &range_row, &half_row, &thickness_row, &limit_row, &offset_row, DEEP
+#define WALK &slices_row, &steps_row, &falloff_row, &half_row, &thickness_row, &limit_row, &offset_row
 #define SSDO(...) \
     SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &bounced_row, \
              &two_sided_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, \
@@ -238,78 +226,55 @@ typedef struct plan {
     SETTINGS(&bands_row, &indirect_row, &dimmed_row, &residual_row, &two_sided_row, \
              COEFFICIENTS(&packed_row, &lights_row, __VA_ARGS__))
 #define SSBN(...) SETTINGS(&cone_row, &lamp_residual_row, COEFFICIENTS(&store_row, &shadowed_row, __VA_ARGS__))
-#define SURFELS(size, every, epsilon, levels, ...) \
-    SETTINGS(size, epsilon, levels, &way_row, &splits_row, &overhang_row, &offscreen_growth_row, every, \
+#define SURFELS(size, every, levels, ...) \
+    SETTINGS(size, &epsilon_row, levels, &way_row, &splits_row, &overhang_row, &offscreen_growth_row, every, \
              &near_depth_row, &near_row, &both_row, &smooth_row, &likeness_row, &normal_row, &half_row, &blur_row, \
              __VA_ARGS__)
 #define PUBLISHED &enlarge_row, &combine_row
 #define NEAR &span_row, &slices_row, &steps_row, &thickness_row
-/* where nothing asks for finer ones */
-#define PLAIN_SURFELS(...) SURFELS(&size_row, &keep_small_row, &epsilon_row, &levels_row, __VA_ARGS__)
-#define DSS PLAIN_SURFELS(&falloff_row, PUBLISHED, NEAR)
 #define LIT_SURFELS &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
-    { "ssao", "point samples in the hemisphere", SSGI_GL_PASS_SSAO, 0, SSGI_GL_PRESET_BALANCED,
+    { SSGI_GL_PASS_SSAO, SSGI_GL_SEARCH_SLICES, 0,
       SETTINGS(&samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row,
                &range_row, &half_row, &thickness_row, &limit_row, &offset_row, DEEP, &normal_row, &noise_row,
                &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row) },
-    { "hsao", "slices through the view direction, sectors occluded from near to far", SSGI_GL_PASS_HSAO,
-      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SLICES },
-    { "hsao-fast", "hsao by one slice, of constant thickness", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES,
-      SSGI_GL_PRESET_FAST, SLICES },
-    { "hsao-best", "hsao at full size, more taps", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
-      SLICES },
-    { "hsao-history", "hsao for frames, which it averages: half size, one slice of many taps", SSGI_GL_PASS_HSAO,
-      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SLICES },
-    { "hsao-march", "the paper's horizon march and normal rays", SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH,
-      SSGI_GL_PRESET_BALANCED,
-      SETTINGS(&dirs_row, &steps_row, &rays_row, &terms_row, &spheres_row, &half_row, &thickness_row, &half_thick_row,
+    { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, 0,
+      SETTINGS(&slices_row, &steps_row, &half_row, &thickness_row, &limit_row, &falloff_row, &normal_row, &noise_row,
+               &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row, &left_handed_row) },
+    { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH, 0,
+      SETTINGS(&dirs_row, &steps_row, &rays_row, &terms_row, &spheres_row, &half_row, &thickness_row, &limit_row,
                &falloff_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row,
                &compare_row, &margin_row, &history_row) },
-    { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_PASS_SSDO,
-      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SSDO(WALK) },
-    { "ssdo-fast", "ssdo with fewer taps", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, SSDO(WALK) },
-    { "ssdo-best", "ssdo at full size, more taps", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
-      SSDO(WALK) },
-    { "ssdo-points", "ssdo by the paper's points along directions", SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_POINTS,
-      SSGI_GL_PRESET_BALANCED, SSDO(POINTS) },
-    { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_PASS_S3HO,
-      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, S3HO(WALK) },
-    { "s3ho-fast", "s3ho with fewer taps", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_FAST, S3HO(WALK) },
-    { "s3ho-best", "s3ho at full size, more taps", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BEST,
-      S3HO(WALK) },
-    { "s3ho-points", "s3ho by the paper's points along directions", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS,
-      SSGI_GL_PRESET_BALANCED, S3HO(POINTS) },
-    { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_PASS_S3HO,
-      SSGI_GL_SEARCH_SLICES, SSGI_GL_PRESET_BALANCED, SSBN(WALK) },
-    { "ssbn-points", "ssbn by points along directions", SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS,
-      SSGI_GL_PRESET_BALANCED, SSBN(POINTS) },
-    { "dss", "deep screen space: surfels of all triangles, on screen or not, splatted: occlusion", SSGI_GL_PASS_SPLAT,
-      SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_BALANCED, DSS },
-    { "dss-fast", "dss at a quarter of the size", SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_FAST,
-      DSS },
-    { "dss-best", "dss at full size", SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_PRESET_BEST, DSS },
-    { "dss-lit", "dss as directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_PASS_SPLAT,
-      SSGI_GL_EFFECT_LIGHT, SSGI_GL_PRESET_BALANCED,
-      PLAIN_SURFELS(&sent_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED, NEAR) },
-    { "dss-gloss", "dss as one specular bounce; irradiance: radiance of the lobe", SSGI_GL_PASS_SPLAT,
-      SSGI_GL_EFFECT_SPECULAR, SSGI_GL_PRESET_BEST,
-      PLAIN_SURFELS(&sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
-    { "dss-scatter", "dss as multiple scattering under surfaces; irradiance: radiance that leaves them",
-      SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_PRESET_BEST,
-      SURFELS(&fine_size_row, &each_row, &deep_epsilon_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row,
-              &unit_row) },
-    { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius",
-      SSGI_GL_PASS_FIELD, 0, SSGI_GL_PRESET_BALANCED,
+    { SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, 0, SSDO(WALK) },
+    { SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_POINTS, 0, SSDO(POINTS) },
+    { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, 0, S3HO(WALK) },
+    { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS, 0, S3HO(POINTS) },
+    { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, 1, SSBN(WALK) },
+    { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS, 1, SSBN(POINTS) },
+    { SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_OCCLUSION, 0,
+      SURFELS(&size_row, &keep_small_row, &levels_row, &falloff_row, PUBLISHED, NEAR) },
+    { SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_LIGHT, 0,
+      SURFELS(&size_row, &keep_small_row, &levels_row, &sent_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED, NEAR) },
+    { SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SPECULAR, 0,
+      SURFELS(&fine_size_row, &keep_small_row, &levels_row, &sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
+    { SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SCATTER, 0,
+      SURFELS(&fine_size_row, &each_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row, &unit_row) },
+    { SSGI_GL_PASS_FIELD, 0, 0,
       SETTINGS(&resolution_row, &radii_row, &rays_a_row, &unfiltered_row, &reach_row, &ramp_row, &inside_row,
                &power_row, &own_row, &occluders_row, &normal_row, &cap_table_row) }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
-/* Settings of methods that are not all the preset's. A lobe has no slices for what is near by. */
-static const char *const instead[][2] = {
-    { "hsao-history", "directions=1,steps=12,half=1,history=1" },
-    { "dss-gloss", "size=0.015,epsilon=0.1,levels=5,near_samples=4" }
-};
+
+static const plan *plan_of(const ssgi_gl_chain *chain)
+{
+    const ssgi_gl_desc *d = &chain->desc;
+    const int search = d->pass == SSGI_GL_PASS_SPLAT ? (int)d->surfel.effect : (int)d->gather.search;
+    int k = 0;
+    while (k < PLANS - 1 && (plans[k].pass != (int)d->pass || plans[k].search != search
+                             || plans[k].bent != (d->light.shading != SSGI_GL_SHADING_HARMONICS)))
+        ++k;
+    return &plans[k];
+}
 
 /* A row's setting, with the words and limits of the desc's field that it sets, if it sets one. */
 static kit_setting setting_of(const row *w)
@@ -338,54 +303,71 @@ static void set_value(kit_settings *set, const row *w, double value)
 
 int kit_method_setting(kit_setting *setting, const kit_method *method, int i)
 {
-    const plan *of = &plans[method->number];
+    const plan *of = method->plan;
     if (i < 0 || i >= of->count) return 0;
     *setting = setting_of(of->rows[i]);
     setting->value = value_of(&method->set, of->rows[i]);
     return 1;
 }
 
+/* What a setting starts from: what the method's chain has, where that is not 0; the frame that suits it, for a radius
+   of 1; or else the row's own value. */
+static double initial_of(const row *w, const ssgi_gl_chain *chain, const ssgi_gl_frame *frame)
+{
+    int value = 0;
+    float real = 0;
+    if (w == &blur_row) return chain->desc.filter.radius;
+    if (w == &history_row) return chain->history;
+    if (w->where & (FRAME | SCALED)) {
+        memcpy(&real, (const char *)frame + w->offset, sizeof real);
+        return round(1e6 * (double)real) / 1e6;                         /* 0.3f is not 0.3 */
+    }
+    if (w->where & GATHER) memcpy(&value, (const char *)&chain->desc + w->offset, sizeof value);
+    return value ? value : w->setting.value;
+}
+
+/* The chain of a method by its name, and the frame that suits it with a radius of 1. */
+static ssgi_result library_of(ssgi_gl_chain *chain, ssgi_gl_frame *frame, const char *name, const char **why)
+{
+    static const float projection[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0 };
+    ssgi_view view;
+    return ssgi_gl_chain_of(chain, name, why) != SSGI_OK
+        || ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 1, 1, why) != SSGI_OK
+             ? SSGI_BAD_ARGUMENT
+             : ssgi_gl_frame_of(frame, chain, &view, 1, why);
+}
+
 int kit_method_at(kit_method *method, int i)
 {
+    const ssgi_gl_method *named = ssgi_gl_method_at(i);
     kit_method m;
-    ssgi_gl_desc desc;
-    if (i < 0 || i >= PLANS) return 0;
+    ssgi_gl_chain chain;
+    ssgi_gl_frame frame;
+    if (!named || library_of(&chain, &frame, named->name, NULL) != SSGI_OK) return 0;
     memset(&m, 0, sizeof m);
-    m.name = plans[i].name;
-    m.about = plans[i].about;
+    m.name = named->name;
+    m.about = named->sentence;
     m.number = i;
-    m.pass = plans[i].pass;
-    m.effect = m.pass == SSGI_GL_PASS_SPLAT ? plans[i].search : SSGI_GL_EFFECT_OCCLUSION;
+    m.plan = plan_of(&chain);
+    m.pass = named->pass;
+    m.effect = chain.desc.surfel.effect;
     m.between = m.pass == SSGI_GL_PASS_FIELD;
     m.lit = m.pass == SSGI_GL_PASS_SSDO || m.pass == SSGI_GL_PASS_S3HO || m.effect != SSGI_GL_EFFECT_OCCLUSION;
-    memset(&desc, 0, sizeof desc);
-    desc.pass = plans[i].pass;
-    if (plans[i].pass == SSGI_GL_PASS_SPLAT) desc.surfel.effect = plans[i].search;
-    else desc.gather.search = plans[i].search;
-    desc.light.environment = m.lit ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
-    ssgi_gl_preset(&desc, plans[i].preset, NULL);
-    for (int k = 0; k < plans[i].count; ++k) {              /* what the preset sets, the setting starts from */
-        const row *w = plans[i].rows[k];
-        int value = 0;
-        if (w->where & GATHER) memcpy(&value, (const char *)&desc + w->offset, sizeof value);
-        set_value(&m.set, w, value ? value : w->setting.value);
-        if (w == &blur_row) m.set.blur = desc.filter.radius;
-    }
-    for (size_t k = 0; k < sizeof instead / sizeof *instead; ++k)
-        if (!strcmp(m.name, instead[k][0]) && kit_method_set(&m, instead[k][1], NULL)) return 0;
+    for (int k = 0; k < m.plan->count; ++k)
+        set_value(&m.set, m.plan->rows[k], initial_of(m.plan->rows[k], &chain, &frame));
     *method = m;
     return 1;
 }
 
 int kit_method_find(kit_method *method, const char *name, kit_error *err)
 {
-    char names[320] = "";
+    const char *why = "name: must be a method's name alone; settings are given by --set";
+    ssgi_gl_chain chain;
     kit_method m;
-    for (int i = 0; kit_method_at(&m, i); ++i) {
+    for (int i = 0; kit_method_at(&m, i); ++i)
         if (!strcmp(m.name, name)) { *method = m; return 0; }
-        snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? ", " : "", m.name);
-    }
-    return kit_fail(err, "--method %s: there is none of that name (%s)", name, names);
+    ssgi_gl_chain_of(&chain, name, &why);
+    return kit_fail(err, "--method %s: %s (--list names all)", name, why + strlen("name: "));
 }
 
 static const char *const renamed[][2] = { { "thin", "thickness" },     { "hard", "falloff" },
@@ -444,7 +426,7 @@ static int parse_value(double *out, const kit_setting *s, const char *text, kit_
 
 static int set_one(kit_method *m, const char *text, size_t length, kit_error *err)
 {
-    const plan *of = &plans[m->number];
+    const plan *of = m->plan;
     char key[128], *value;
     if (length >= sizeof key) return kit_fail(err, "--set %.40s...: too long", text);
     memcpy(key, text, length);
@@ -484,7 +466,7 @@ int kit_method_set(kit_method *method, const char *text, kit_error *err)
 
 void kit_method_take(kit_method *method, const ssgi_gl_desc *desc)
 {
-    const plan *of = &plans[method->number];
+    const plan *of = method->plan;
     for (int i = 0; i < of->count; ++i) {
         const row *w = of->rows[i];
         int value;
@@ -496,7 +478,7 @@ void kit_method_take(kit_method *method, const ssgi_gl_desc *desc)
 
 void kit_method_text(char *text, size_t size, const kit_method *method)
 {
-    const plan *of = &plans[method->number];
+    const plan *of = method->plan;
     kit_method plain;
     size_t used = 0;
     kit_method_at(&plain, method->number);
@@ -552,7 +534,7 @@ static int check_combination(const kit_making *m)
 
 int kit_settings_apply(kit_making *m, float radius)
 {
-    const plan *of = &plans[m->method->number];
+    const plan *of = m->method->plan;
     const kit_settings *set = m->set;
     ssgi_gl_desc *to[2] = { &m->desc, &m->lights };
     m->desc.pass = of->pass;

@@ -71,8 +71,8 @@ static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *e
     }
     if (a->plan) return plan_add(w, err);
     if (a->peers) return peers_add(w, err);
-    for (int i = 0; i < chain_names_count && !a->some; ++i)
-        if (work_add_chain(w, chain_names[i].name, err)) return -1;
+    for (int i = 0; !a->some && chain_at(i); ++i)
+        if (work_add_chain(w, chain_at(i), err)) return -1;
     return 0;
 }
 

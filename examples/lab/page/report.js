@@ -57,20 +57,18 @@ function means(rows) {
 }
 
 /* The chain of make cost that a row is of; a device's milliseconds of it, where that was modelled. */
-const chain_words = { 'thickness=slabs': '-slabs', 'thickness=back': '-back', 'history=1': '-history',
-                      'normal=depth': '-depth', 'reuse=1': '-reuse' };
+const chain_words = { 'normal=depth': 'normal=from_depth',
+                      'indirect=none': 'transfer=direct,packed=0,restore=ratio' };
+const chain_key = text => text.toLowerCase().split(',').sort().join();
 function modelled(r, device = 'RX 6800') {
     const others = peer(r) ? entry('cost-peers', 'cost') ?? [] : null;
     if (others) return others.find(c => c.chain === `${r.label} / ${r.settings}` && !c.pass
                                        && known(c[`${device} weighed`]))?.[`${device} weighed`] ?? null;
     const table = entry('cost', 'cost');
-    const settings = String(r.settings ?? '').split(',').filter(s => s && s !== 'bounce=none'
-        && s !== 'indirect=none');
-    if (!table || settings.some(s => !chain_words[s])) return null;
-    if (r.method === 'hsao' && settings.includes('history=1')) return null;     /* hsao-history is a method's chain */
-    const name = r.method + settings.map(s => chain_words[s]).join('');
-    const bounces = { ssdo: 'ssdo-bounce', s3ho: 's3ho-bounce' }, is = r.what === 'bounce' ? bounces[name] : name;
-    const row = table.find(c => c.chain === is && !c.pass && known(c[`${device} weighed`]));
+    if (!table) return null;
+    const settings = String(r.settings ?? '').split(',').filter(Boolean).map(s => chain_words[s] ?? s);
+    const is = chain_key([r.method, ...settings].join());
+    const row = table.find(c => chain_key(c.chain) === is && !c.pass && known(c[`${device} weighed`]));
     return row?.[`${device} weighed`] ?? null;
 }
 /* A record's tables with the heading above each, parsed once; the first of a kind, null: there is none. */

@@ -16,11 +16,11 @@
 
       build/glsl-text FOLDER 300es   one dialect alone
 
-   FOLDER/hsao-fast.1-width.vulkan.frag: the first step of a chain that has a name (chains.c), unless a file above has
-   the same text; manifest.json has the chains with their steps in order.
+   FOLDER/hsao-fast.1-hsao.vulkan.frag: the first step of a method (ssgi_gl_method_at), unless a file above has the
+   same text; manifest.json has the chains with their steps in order.
 
-      build/glsl-text --chains       names them
-      build/glsl-text --chain hsao,balanced,depth=LINEAR --wgsl FOLDER   those alone, as one writes them (chains.h), or
+      build/glsl-text --chains       the methods, and settings of them that are checked, too
+      build/glsl-text --chain hsao,depth=LINEAR --wgsl FOLDER   those alone, as ssgi_gl_chain_of takes them, or
                                  all; in as many of --330 .. --vulkan and of what translate.sh makes: --spv --wgsl
                                  --hlsl --msl
       build/glsl-text --types        the fields of ssgi_gl_desc and members of ssgi_gl_frame as TypeScript
@@ -130,11 +130,12 @@ static int write_chain(const char *folder, const char *name, const char *about, 
 /* Those that have a name, in the dialects that have what they ask for. */
 static int write_named_chains(const char *folder, int dialect, kit_error *err)
 {
-    for (int i = 0; i < chain_names_count; ++i) {
+    const char *name;
+    for (int i = 0; (name = chain_at(i)) != NULL; ++i) {
         ssgi_gl_chain chain;
         kit_error lacks = { "" };
-        if (chain_parse(&chain, chain_names[i].name, err)
-            || write_chain(folder, chain_names[i].name, chain_names[i].about, &chain, dialect, &lacks)) return -1;
+        if (chain_parse(&chain, name, err)
+            || write_chain(folder, name, chain_about(name), &chain, dialect, &lacks)) return -1;
     }
     return 0;
 }
@@ -373,7 +374,7 @@ static int do_chains(int argc, char **argv, kit_error *err)
             kit_error lacks = { "" };
             if (!dialects[dialect]) continue;
             if (all ? write_named_chains(folder, dialect, err)
-                    : write_chain(folder, text, "", &chain, dialect, &lacks)) return -1;
+                    : write_chain(folder, text, chain_about(text), &chain, dialect, &lacks)) return -1;
             if (*lacks.text) return kit_fail(err, "--chain %s: %s", text, lacks.text);
         }
     }
@@ -382,8 +383,9 @@ static int do_chains(int argc, char **argv, kit_error *err)
 
 static void list_chains(void)
 {
-    for (int i = 0; i < chain_names_count; ++i)
-        printf("%-18s %s\n%-18s %s\n", chain_names[i].name, chain_names[i].about, "", chain_names[i].means);
+    const char *name;
+    for (int i = 0; (name = chain_at(i)) != NULL; ++i)
+        printf("%-14s%s%s\n", name, *chain_about(name) ? " " : "", chain_about(name));
 }
 
 /* Every pass, dialect (or one alone, >= 0) and choice; every chain that has a name. */

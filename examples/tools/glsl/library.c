@@ -86,7 +86,7 @@ static int unquoted(text *out, const char *line, const char *end)
     return at < end && *at == '"';
 }
 
-/* ---- the head of a room, and its tail: functions of other rooms --------------------------------------------------- */
+/* ---- the head of a room, and its tail: functions of other rooms -------------------------------------------------- */
 
 enum { CODES = SSGI_GL__CODES, ROWS = SSGI_GL__ROWS };
 
@@ -201,6 +201,26 @@ static void reach(void *to, const char *name, size_t n)
 }
 
 /* A desc, of those that tests compile, that draws with a main function. Returns its stage, or -1. */
+/* Gives fields that a pass does not look at, and whose 0 means something else wherever one does, their default: all of
+   a file is compiled. */
+static void fill_defaults(ssgi_gl_desc *desc)
+{
+    for (int k = 0; k < SSGI_GL__FIELDS; ++k) {
+        const size_t at = ssgi_gl__fields[k].choice.offset;
+        int value = 0, zeros = 0;
+        for (int pass = 0; pass < SSGI_GL_PASSES; ++pass) {
+            ssgi_gl_desc d;
+            memset(&d, 0, sizeof d);
+            d.pass = (ssgi_gl_pass)pass;
+            if (!ssgi_gl__holds(ssgi_gl__fields[k].looks, &d)) continue;
+            d = ssgi_gl_resolve(&d);
+            zeros += !ssgi_gl__get(&d, at);
+            if (!value) value = ssgi_gl__get(&d, at);
+        }
+        if (!zeros && !ssgi_gl__get(desc, at)) memcpy((char *)desc + at, &value, sizeof value);
+    }
+}
+
 static int desc_of(ssgi_gl_desc *desc, const char *main_)
 {
     static struct { ssgi_gl_desc desc; int stage; char known; } found[CODES];
@@ -371,6 +391,7 @@ static void put_file(text *out, const char *file, head *h, const text *body)
     text commands = { 0 };
     for (int i = CODES - 1; i >= 0; --i)
         if (h->own[i] && !strncmp(ssgi_gl__library[i].name, "main_", 5)) desc_of(&h->base, ssgi_gl__library[i].name);
+    fill_defaults(&h->base);
     each_name(body->data, body->data + body->size, need, h);
     for (int i = 0; i < CODES; ++i) {
         const char *const name = ssgi_gl__library[i].name;
@@ -381,18 +402,20 @@ static void put_file(text *out, const char *file, head *h, const text *body)
         for (int k = 0; k < SSGI_GL__FIELDS; ++k) {
             const int value = ssgi_gl__get(&d, ssgi_gl__fields[k].choice.offset);
             char number[24];
-            if (!h->field[k] || value == ssgi_gl__get(&h->base, ssgi_gl__fields[k].choice.offset)) continue;
+            /* What the pass does not look at stays as the base has it, since the whole file is compiled. */
+            if (!h->field[k] || (!value && !ssgi_gl__holds(ssgi_gl__fields[k].looks, &d))
+                || value == ssgi_gl__get(&h->base, ssgi_gl__fields[k].choice.offset)) continue;
             snprintf(number, sizeof number, "=%d", value);
             puts_to(&commands, " -D");
             put_macro(&commands, ssgi_gl__fields[k].choice.name);
             puts_to(&commands, number);
         }
         for (int k = 0; k < SSGI_GL__FACTS; ++k) {
-            const char *const name = ssgi_gl__facts[k].name;
-            const int value = ssgi_gl__fact(name, strlen(name), &d);
-            if (!h->fact[k] || value == ssgi_gl__fact(name, strlen(name), &h->base)) continue;
+            const char *const fact = ssgi_gl__facts[k].name;
+            const int value = ssgi_gl__fact(fact, strlen(fact), &d);
+            if (!h->fact[k] || value == ssgi_gl__fact(fact, strlen(fact), &h->base)) continue;
             puts_to(&commands, " -D");
-            put_macro(&commands, name);
+            put_macro(&commands, fact);
             puts_to(&commands, value ? "=1" : "=0");
         }
         PUT(&commands, " ", file, "\n");

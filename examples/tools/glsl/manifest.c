@@ -218,7 +218,7 @@ void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *ch
                     int count, const char *const (*files)[SSGI_GL_STAGES])
 {
     char *line = NULL, key[4096];                           /* names are as one writes them */
-    const char *member;
+    const ssgi_gl_choice *choice;
     size_t size;
     int value;
     FILE *f = open_memstream(&line, &size);
@@ -235,8 +235,10 @@ void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *ch
         fputs(", \"lights\": ", f);
         put_desc(f, &in.lights);
     }
-    for (int i = 0; (member = chain_member(chain, i, &value)) != NULL; ++i)
-        if (value) fprintf(f, ", \"%s\": %d", member, value);
+    for (int i = 0; (choice = ssgi_gl_chain_choice_at(i)) != NULL; ++i) {
+        memcpy(&value, (const char *)chain + choice->offset, sizeof value);
+        if (value) fprintf(f, ", \"%s\": %d", choice->name, value);
+    }
     fputs(" },\n", f);
     put_textures(f, steps, count);
     fputs(",\n\"steps\": [", f);

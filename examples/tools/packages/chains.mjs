@@ -1,4 +1,4 @@
-/* chains.mjs - make npm: each chain that has a name as a module with its texts in WGSL, which bundlers follow.
+/* chains.mjs - make npm: each method's chain as a module with its texts in WGSL, which bundlers follow.
       node chains.mjs FOLDER TO         FOLDER: manifest.json and NAME.wgsl; TO: gets NAME.mjs */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,6 +8,7 @@ const [folder, to] = process.argv.slice(2), read = name => readFileSync(join(fol
 const manifest = JSON.parse(read('manifest.json'));
 mkdirSync(to, { recursive: true });
 for (const chain of manifest.chains) {
+    if (chain.name.includes(',')) continue;                                     /* a method with other settings */
     if (chain.textures.some(({ size }) => size === 'LEVELS')) continue;         /* sized by surfels */
     const { name, textures, steps } = planOf(manifest, chain);
     const plan = { name, textures, steps: steps.map(({ files: { vert, frag }, rows, inputs, outputs, ...step }) => ({

@@ -24,6 +24,10 @@ EXPORT(ssgi_gl_frame_history);
 EXPORT(ssgi_gl_phase);
 EXPORT(ssgi_gl_harmonics_set);
 EXPORT(ssgi_gl_steps);
+EXPORT(ssgi_gl_chain_choice_at);
+EXPORT(ssgi_gl_method_at);
+EXPORT(ssgi_gl_chain_of);
+EXPORT(ssgi_gl_frame_of);
 EXPORT(ssgi_gl_surfels_set);
 EXPORT(ssgi_gl_occluder_set);
 EXPORT(ssgi_gl_light_map);
@@ -87,18 +91,11 @@ const place *ssgi_wasm_place_at(int i)
                                     CHAIN(lights),
                                     CHAIN(width),
                                     CHAIN(height),
-                                    CHAIN(blur),
-                                    CHAIN(history),
-                                    CHAIN(coefficients),
-                                    CHAIN(reuse),
-                                    CHAIN(vpls),
-                                    CHAIN(direct),
-                                    CHAIN(surfels),
-                                    CHAIN(hidden_sky),
-                                    CHAIN(unsmoothed),
-                                    CHAIN(bounced),
-                                    CHAIN(precise),
-                                    CHAIN(rgba8),
+                                    AT(ssgi_gl_method, name),
+                                    AT(ssgi_gl_method, sentence),
+                                    AT(ssgi_gl_method, pass),
+                                    AT(ssgi_gl_method, preset),
+                                    AT(ssgi_gl_method, settings),
                                     STEP(desc),
                                     STEP(size),
                                     STEP(width),

@@ -27,6 +27,9 @@ export interface Chain {
   precise?: number; rgba8?: number;
 }
 
+/** ssgi_gl_method: a chain by a name */
+export interface Method { name: string; sentence: string; pass: string; preset: Preset; settings: string; }
+
 /** ssgi_gl_format: the numbers that texImage2D takes */
 export interface Format {
   name: string; internal: number; format: number; type: number; bytes: number;
@@ -95,6 +98,7 @@ export class Ssgi {
   constructor(exports: WebAssembly.Exports);
   readonly version: string;
   readonly choices: Choice[];
+  readonly methods: Method[];
   readonly members: Row[];
   readonly passes: string[];
   readonly dialects: string[];
@@ -109,7 +113,8 @@ export class Ssgi {
   preset(desc: Desc, preset: Preset): Desc;
   resolve(desc: Desc): Desc;
   view(projection: ArrayLike<number>, width: number, height: number, clip?: 'GL' | 'ZERO'): Uint8Array;
-  frame(view: Uint8Array, radius: number): Frame;
+  /** chain: with the values that suit it */
+  frame(view: Uint8Array, radius: number, chain?: Partial<Chain> | null): Frame;
   history(frame: Frame, view: Uint8Array, worldToView: ArrayLike<number>, lastWorldToView: ArrayLike<number>): Frame;
   harmonics(frame: Frame, coefficients: ArrayLike<number>, bands: number,
             worldToView?: ArrayLike<number> | null): Frame;
@@ -117,6 +122,8 @@ export class Ssgi {
   /** a row of t_ssgi_lights: 8 texels of RGBA32F */
   light(light: Light, map?: LightMap | null): Float32Array;
   phase(k: number): number;
+  /** the chain of a method by its name, "hsao,thickness=slabs": ssgi_gl_chain_of. It lacks width and height */
+  chain(name: string): Omit<Chain, 'width' | 'height'>;
   steps(chain: Chain): Step[];
   environmentMap(size: number, rgb: ArrayLike<number>, width: number, height: number,
                  solidAngle?: number): Float32Array;

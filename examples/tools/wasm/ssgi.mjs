@@ -2,13 +2,14 @@
 
       import { load } from './ssgi.mjs';
       const ssgi = await load();                             // or a URL, bytes, a WebAssembly.Module
-      const desc = ssgi.preset({ pass: 'HSAO', dialect: '300ES', normal: 'FROM_DEPTH' }, 'BALANCED');
-      gl.shaderSource(shader, ssgi.text(desc, 'frag'));      // and 'vert'
-      for (const row of ssgi.rows(desc)) ..                  // { name: 't_ssgi_depth', kind: 'TEXTURE', slot: 0, .. }
+      const chain = ssgi.chain('hsao,dialect=300es,normal=from-depth');       // ssgi.methods lists the names
       const view = ssgi.view(projection, width, height);     // projection: 16 numbers, as GL has them
-      const frame = ssgi.frame(view, 0.5);                   // frame.thickness_limit[0] = 0.2; ..
+      const frame = ssgi.frame(view, 0.5, chain);            // frame.thickness_limit[0] = 0.2; ..
       gl.bufferSubData(gl.UNIFORM_BUFFER, 0, frame.buffer);  // the block "ssgi_frame"
-      for (const step of ssgi.steps({ desc, width, height, blur: 1 })) ..    // what is drawn, in order
+      for (const step of ssgi.steps({ ...chain, width, height })) {           // what is drawn, in order
+          gl.shaderSource(shader, ssgi.text(step.desc, 'frag'));              // and 'vert'
+          for (const row of ssgi.rows(step.desc)) ..         // { name: 't_ssgi_depth', kind: 'TEXTURE', slot: 0, .. }
+      }
 
    A desc is a flat object of the fields of ssgi_gl_desc (ssgi_gl.h), by the names that ssgi.choices lists, which need
    no group: steps is gather.steps. Enums go by their words: the C name less its prefix. A wrong argument throws an
@@ -116,14 +117,20 @@ export class Ssgi {
             if (member) (this.#of[of] ??= {})[member] = this.#at[name];
         }
         if (this.#at.meanings !== meanings.length) fail('ssgi.mjs and ssgi.wasm are of different versions');
-        const { ssgi_gl_choice: choice } = this.#of;
+        const { ssgi_gl_choice: choice, ssgi_gl_method: method } = this.#of;
         this.#strings = { version: this.#at['ssgi_gl_desc.version'], fetch: this.#at['ssgi_gl_desc.fetch'] };
         this.version = `${this.#at.major}.${this.#at.minor}`;
-        this.choices = this.#list(exports.ssgi_gl_choice_at, c => ({
+        const choices = list => this.#list(list, c => ({
             name: this.#string(this.#int(c + choice.name)), field: this.#string(this.#int(c + choice.field)),
             offset: this.#int(c + choice.offset), most: this.#int(c + choice.most),
             values: this.#string(this.#int(c + choice.values)).split(' ').filter(Boolean),
             sentence: this.#string(this.#int(c + choice.sentence)) }));
+        this.choices = choices(exports.ssgi_gl_choice_at);
+        for (const { name, offset } of choices(exports.ssgi_gl_chain_choice_at)) this.#of.ssgi_gl_chain[name] = offset;
+        this.methods = this.#list(exports.ssgi_gl_method_at, m => ({
+            name: this.#string(this.#int(m + method.name)), sentence: this.#string(this.#int(m + method.sentence)),
+            pass: this.choices[0].values[this.#int(m + method.pass)], preset: presets[this.#int(m + method.preset)],
+            settings: this.#string(this.#int(m + method.settings)) }));
         this.members = this.#list(exports.ssgi_gl_member_at, row => this.#row(row));
         this.passes = this.#list(exports.ssgi_gl_pass_name, s => this.#string(s));
         this.dialects = this.#list(exports.ssgi_gl_dialect_name, s => this.#string(s));
@@ -171,19 +178,27 @@ export class Ssgi {
        words less the prefix (an input's meaning null: a texture of the steps). */
     steps(chain) {
         return this.#scope(() => {
-            const { ssgi_gl_chain: places, ssgi_gl_step: step } = this.#of;
-            const size = this.#at.ssgi_gl_step, at = this.#room(this.#at.ssgi_gl_chain);
-            for (const [name, value] of Object.entries(object('chain', chain))) {
-                if (!Object.hasOwn(places, name)) fail(`chain.${name}: there is no such member`);
-                if (name === 'desc' || name === 'lights') this.#desc(value, at + places[name], `chain.${name}`);
-                else this.#setInt(at + places[name], int32(value) ?? fail(`chain.${name}: must be a whole number`));
-            }
-            const why = this.#room(4), n = this.#c.ssgi_gl_steps(0, 0, at, why);
+            const { ssgi_gl_step: step } = this.#of, size = this.#at.ssgi_gl_step, at = this.#chain(chain);
+            const why = this.#room(4), most = 32;       /* hardly a chain has more; asking twice takes as long again */
+            let steps = this.#room(most * size);
+            const n = this.#c.ssgi_gl_steps(steps, most, at, why);
             if (!n) fail(this.#string(this.#int(why)));
-            const steps = this.#room(n * size);
-            this.#c.ssgi_gl_steps(steps, n, at, why);
+            if (n > most) this.#c.ssgi_gl_steps(steps = this.#room(n * size), n, at, why);
             return Array.from({ length: n }, (_, i) => this.#step(steps + i * size, step, { ...chain.lights,
                                                                                             ...chain.desc }));
+        });
+    }
+
+    /* The chain of a method by its name and settings, as ssgi_gl_chain_of has it: { ...chain('hsao'), width, height } */
+    chain(name) {
+        return this.#scope(() => {
+            const { ssgi_gl_chain: places } = this.#of, at = this.#room(this.#at.ssgi_gl_chain);
+            const text = this.#cString('name', name);
+            this.#try(why => this.#c.ssgi_gl_chain_of(at, text, why));
+            const { desc, lights, ...members } = places, all = this.#ints(at, members, Object.keys(members));
+            const lamps = this.#object(at + lights, {});
+            return { desc: this.#object(at + desc, {}), ...(lamps.pass === 'LIGHTS' && { lights: lamps }),
+                     ...Object.fromEntries(Object.entries(all).filter(([, value]) => value)) };
         });
     }
 
@@ -216,8 +231,8 @@ export class Ssgi {
         });
     }
 
-    /* { buffer, and each member of ssgi_gl_frame as a typed array in it } */
-    frame(view, radius) {
+    /* { buffer, and each member of ssgi_gl_frame as a typed array in it }; chain: with the values that suit it */
+    frame(view, radius, chain = null) {
         const frame = { buffer: new ArrayBuffer(this.#at.ssgi_gl_frame) };
         for (const m of this.members.filter(m => m.slot === 0)) {
             const [, type, count] = /^(\w+)(?:\[(\d+)\])?$/.exec(m.type);
@@ -226,7 +241,9 @@ export class Ssgi {
         }
         return this.#onFrame(frame, f => {
             const v = this.#view(view), r = number('radius', radius);
-            this.#try(why => this.#c.ssgi_gl_frame_init(f, v, r, why));
+            const c = chain === null ? 0 : this.#chain(chain);
+            this.#try(why => (c ? this.#c.ssgi_gl_frame_of(f, c, v, r, why)
+                : this.#c.ssgi_gl_frame_init(f, v, r, why)));
         });
     }
 
@@ -551,6 +568,15 @@ export class Ssgi {
             this.#setInt(d + choice.offset, at);
         }
         return d;
+    }
+    #chain(chain) {
+        const { ssgi_gl_chain: places } = this.#of, at = this.#room(this.#at.ssgi_gl_chain);
+        for (const [name, value] of Object.entries(object('chain', chain))) {
+            if (!Object.hasOwn(places, name)) fail(`chain.${name}: there is no such member`);
+            if (name === 'desc' || name === 'lights') this.#desc(value, at + places[name], `chain.${name}`);
+            else this.#setInt(at + places[name], int32(value) ?? fail(`chain.${name}: must be a whole number`));
+        }
+        return at;
     }
     #cString(name, value) {
         if (typeof value !== 'string' || value.includes('\0')) fail(`${name}: must be a string, without a NUL`);

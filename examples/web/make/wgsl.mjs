@@ -20,7 +20,7 @@ const translate = join(dirname(fileURLToPath(import.meta.url)), '../../tools/gls
 
 /* What changes texts, each with all of its values. */
 const every = {
-    name: Object.keys(methods).filter(name => methods[name].desc && !methods[name].module),
+    name: Object.keys(methods).filter(name => methods[name].method && !methods[name].module),
     preset: Object.keys(presets),
     thickness: Object.keys(thicknesses), normals: Object.keys(normals), half: Object.keys(halves),
     filter: [-1, 0, 1, 2, 3, 4],
