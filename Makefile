@@ -225,7 +225,7 @@ build/bench: $(BENCH:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:steps=12.
-TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score ahead)
+TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score ahead bands)
 build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 

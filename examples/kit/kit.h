@@ -339,6 +339,11 @@ enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE };
 int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation,
                  int rays, int stride, kit_error *err);
 
+/* Two such pictures of linear attenuation, channels Y and again, whose noise is independent: the mean product of what a
+   picture is off by from each is its squared error, without the truth's noise. */
+int kit_truth_pair(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int rays,
+                   kit_error *err);
+
 /* The same between objects: rays are blocked at any distance, by objects that cast and are not the one that the pixel
    shows; they pass through all others. */
 int kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *camera, int rays, int stride,

@@ -1,5 +1,5 @@
-/* try.c - settings tried on scenes by seed, for whoever tunes: what each errs by as a share of doing nothing, and how
-   it differs from the first, scene by scene.
+/* try.c - settings tried on scenes by seed, for whoever tunes: the error of each over that of doing nothing, its noise,
+   and how it differs from the first, scene by scene.
 
       build/try [--from 0] [--count 28] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
                 [--scenes random:KIND | models] [--judge yes] METHOD[:key=value,..] ..
@@ -8,6 +8,12 @@
    irradiance under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same
    settings as another build measured them, in the order given; so a change of the headers is tried in two work trees.
    Pictures are 1280x720, truth at every eleventh pixel both ways, kept under build/cache. A process a core.
+
+   Noise, and error by the same bands, of visibility where a surface is smooth and in shade (lab/measure/bands.h), in
+   thousandths: bands to 1.2, 3, 8 and 20 pixels. Noise is what two phases differ by; of light what the same settings
+   differ by from 32 slices, over the light's mean. Error is of two truths at every pixel, without their noise.
+   csv: seed, then of each setting the error, four bands of noise, four of error; nan: not measured.
+
    --scenes random:halls: of one kind alone; models: those of packages, one a seed; model:bunny: that one.
    examples/lab/ranks.py says how alike two such csv rank. */
 #include <math.h>
@@ -15,10 +21,12 @@
 #include <string.h>
 #include <sys/mman.h>
 #include "lab/measure/ahead.h"
+#include "lab/measure/bands.h"
 #include "lab/measure/folder.h"
 #include "lab/measure/score.h"
 
 enum { MOST_TRIED = 64, MOST_SEEDS = 1000 };
+enum { ERROR, NOISE, OFF = NOISE + BANDS, MEASURED = OFF + BANDS };
 
 typedef struct tried {
     char method[64], settings[256];
@@ -29,7 +37,7 @@ typedef struct trial {
     float radius; /* times the scene's own */
     const char *out, *other, *scenes;
     tried entry[MOST_TRIED];
-    double (*share)[2 * MOST_TRIED]; /* of a seed; shared by the processes; NAN: not measured */
+    double (*seed)[2 * MOST_TRIED][MEASURED]; /* shared by the processes; NAN: not measured */
 } trial;
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
@@ -51,32 +59,89 @@ static int name_scene(char name[128], const char *scenes, int seed, kit_error *e
              : kit_fail(err, "--scenes models: no package has brought any: make model-deps");
 }
 
+/* Light, or its bounce, as one channel over its mean. */
+static int grey_of(kit_image *out, const stage *s, const kit_image *light, kit_error *err)
+{
+    const size_t pixels = (size_t)light->width * (size_t)light->height;
+    const float *c[3];
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        char name[16];
+        snprintf(name, sizeof name, "%s.%c", s->lit->bounce ? "bounce" : "irradiance", "RGB"[k]);
+        c[k] = kit_image_channel(light, name);
+    }
+    if (kit_image_new(out, light->width, light->height, "Y", err)) return -1;
+    for (size_t i = 0; i < pixels; ++i) sum += (double)(out->data[i] = (c[0][i] + c[1][i] + c[2][i]) / 3);
+    for (size_t i = 0; i < pixels; ++i) out->data[i] *= (float)((double)pixels / sum);
+    return 0;
+}
+
+/* Of slices alone: others have no directions that could be more. */
+static int noise_of_light(bands *out, stage *s, const tried *e, const shaded *m, const kit_image *picture,
+                          kit_error *err)
+{
+    char set[320];
+    kit_image more, grey[2];
+    kit_method method;
+    *out = bands_unknown;
+    snprintf(set, sizeof set, "%s%sdirections=32", e->settings, *e->settings ? "," : "");
+    if (kit_method_find(&method, e->method, err) || kit_method_set(&method, set, NULL)) return 0;
+    if (stage_drawn(&more, s, e->method, set, s->radius, err)) return -1;
+    const int failed = grey_of(&grey[0], s, picture, err) || grey_of(&grey[1], s, &more, err)
+                    || bands_of(out, NULL, m, &grey[0], &grey[1], err);
+    for (int k = 0; k < 2 && !failed; ++k) kit_image_free(&grey[k]);
+    kit_image_free(&more);
+    return failed ? -1 : 0;
+}
+
+/* Draws one setting and measures it. pair: NULL for light. */
+static int measure_entry(double figure[MEASURED], stage *s, const tried *e, const shaded *m, const kit_image *pair,
+                         double nothing, kit_error *err)
+{
+    bands noise = bands_unknown, off = bands_unknown;
+    kit_image picture;
+    kit_run run;
+    if (stage_run(&run, s, e->method, e->settings, s->radius, err) || stage_settled(&picture, s, &run, 0, 0, err))
+        return -1;
+    int failed = 0;
+    if (m->pixels)
+        failed = pair ? bands_off(&off, m, &picture, pair, err) || bands_noise(&noise, s, &run, m, &picture, err)
+                      : noise_of_light(&noise, s, e, m, &picture, err);
+    figure[ERROR] = error_of(s, &picture, err) / nothing;
+    for (int k = 0; k < BANDS; ++k) {
+        figure[NOISE + k] = noise.rms[k];
+        figure[OFF + k] = off.rms[k];
+    }
+    kit_image_free(&picture);
+    kit_run_close(&run);
+    return failed ? -1 : 0;
+}
+
 static int measure_seed(const trial *t, int k, kit_error *err)
 {
     char name[128];
     stage s;
-    kit_image picture;
+    kit_image whole, pair = { .data = NULL };
+    shaded m;
     const lit of_light = { .rays = SEED_RAYS, .exposure = 1, .bounce = t->bounce };
     view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
     if (name_scene(name, t->scenes, t->from + k, err)) return -1;
     if (stage_load(&s, &v, err)) return -1;
     v.radius = t->radius * s.scene.radius;
     if (stage_look(&s, &v, SEED_WIDTH, SEED_HEIGHT, err)) return -1;
+    if (kit_gbuffer_read(&whole, &s.gbuffer, err) || (!t->light && stage_pair(&pair, &s, err))) return -1;
     s.stride = SEED_STRIDE;
     s.rays = SEED_RAYS;
-    if (stage_compare(&s, err)) return -1;
+    if (stage_compare(&s, err) || shaded_seen(&m, &s, &whole, err)) return -1;
     const double nothing = error_of(&s, &s.given[s.givens - 1].picture, err);
-    for (int i = 0; i < t->entries; ++i) {
-        kit_run run;
-        if (stage_run(&run, &s, t->entry[i].method, t->entry[i].settings, s.radius, err)
-            || stage_settled(&picture, &s, &run, 0, 0, err))
-            return -1;
-        t->share[k][i] = error_of(&s, &picture, err) / nothing;
-        kit_image_free(&picture);
-        kit_run_close(&run);
-    }
+    int failed = 0;
+    for (int i = 0; i < t->entries && !failed; ++i)
+        failed = measure_entry(t->seed[k][i], &s, &t->entry[i], &m, t->light ? NULL : &pair, nothing, err);
+    shaded_free(&m);
+    kit_image_free(&whole);
+    kit_image_free(&pair);
     stage_close(&s);
-    return 0;
+    return failed;
 }
 
 static int measure_one(void *of, int seed, kit_error *err)
@@ -90,10 +155,10 @@ static int measure_all(trial *t, kit_error *err)
 {
     const ahead a = { "seeds", NULL, t->from, t->count, NULL, measure_one, t };
     for (int k = 0; k < t->count; ++k)
-        for (int i = 0; i < MOST_TRIED; ++i) t->share[k][i] = (double)NAN;
+        for (int i = 0; i < MOST_TRIED; ++i) t->seed[k][i][ERROR] = (double)NAN;
     if (ahead_run(&a, err) || kit_gl_open(NULL, err)) return -1;
     for (int k = 0; k < t->count; ++k)
-        if (isnan(t->share[k][t->entries - 1]) && measure_seed(t, k, err)) return -1;
+        if (isnan(t->seed[k][t->entries - 1][ERROR]) && measure_seed(t, k, err)) return -1;
     kit_gl_close();
     return 0;
 }
@@ -105,12 +170,29 @@ static void mean_of(double out[2], const trial *t, int i, int from)
 {
     double sum = 0, squares = 0;
     for (int k = 0; k < t->count; ++k) {
-        const double v = t->share[k][i] - (from < 0 ? 0 : t->share[k][from]);
+        const double v = t->seed[k][i][ERROR] - (from < 0 ? 0 : t->seed[k][from][ERROR]);
         sum += v;
         squares += v * v;
     }
     out[0] = sum / t->count;
     out[1] = 1.96 * sqrt(fmax(0, squares / t->count - out[0] * out[0]) / fmax(1, t->count - 1));
+}
+
+/* Bands of noise or of error, in thousandths, over the scenes where they are known; and how they differ. */
+static void print_bands(const trial *t, int i, int from, int first, const char *what)
+{
+    static double own[MOST_SEEDS], other[MOST_SEEDS];
+    printf("%-14s %s", "", what);
+    for (int b = first; b < first + BANDS; ++b) {
+        int n = 0;
+        for (int k = 0; k < t->count; ++k) {
+            own[n] = t->seed[k][i][b];
+            other[n] = t->seed[k][from][b];
+            n += !isnan(own[n]) && !isnan(other[n]);
+        }
+        if (n) printf(" %6.2f %+5.2f", 1e3 * bands_mean(own, n), 1e3 * (bands_mean(own, n) - bands_mean(other, n)));
+    }
+    puts("");
 }
 
 static void print_row(const trial *t, int i, int from)
@@ -121,14 +203,16 @@ static void print_row(const trial *t, int i, int from)
     mean_of(own, t, i, -1);
     mean_of(off, t, i, from);
     for (int k = 0; k < t->count; ++k) {
-        if (t->share[k][i] > worst) {
-            worst = t->share[k][i];
+        if (t->seed[k][i][ERROR] > worst) {
+            worst = t->seed[k][i][ERROR];
             whose = t->from + k;
         }
-        better += t->share[k][i] < t->share[k][from];
+        better += t->seed[k][i][ERROR] < t->seed[k][from][ERROR];
     }
     printf("%-14s %-34s %6.4f +- %.4f  worst %.3f (%d)  %+.4f +- %.4f, better on %d\n", e->method, e->settings, own[0],
            own[1], worst, whose, off[0], off[1], better);
+    print_bands(t, i, from, NOISE, "noise:");
+    if (!t->light) print_bands(t, i, from, OFF, "error:");
     if (strcmp(t->scenes, "random")) return;
     printf("%-14s by kind:", "");
     for (int kind = 0; kind < KIT_KINDS; ++kind) {
@@ -136,8 +220,8 @@ static void print_row(const trial *t, int i, int from)
         int n = 0;
         for (int k = 0; k < t->count; ++k) {
             if ((t->from + k) % KIT_KINDS != kind) continue;
-            sum += t->share[k][i];
-            change += t->share[k][i] - t->share[k][from];
+            sum += t->seed[k][i][ERROR];
+            change += t->seed[k][i][ERROR] - t->seed[k][from][ERROR];
             ++n;
         }
         if (n) printf(" %s %.3f %+.3f", kit_scene_kind(kind, NULL), sum / n, change / n);
@@ -151,7 +235,8 @@ static int write_csv(const trial *t, kit_error *err)
     if (!f) return kit_fail(err, "%s: cannot be written", t->out);
     for (int k = 0; k < t->count; ++k) {
         fprintf(f, "%d", t->from + k);
-        for (int i = 0; i < t->entries; ++i) fprintf(f, ",%.6f", t->share[k][i]);
+        for (int i = 0; i < t->entries; ++i)
+            for (int n = 0; n < MEASURED; ++n) fprintf(f, ",%.6f", t->seed[k][i][n]);
         fputs("\n", f);
     }
     return fclose(f) ? kit_fail(err, "%s: cannot be written", t->out) : 0;
@@ -164,7 +249,8 @@ static int read_other(trial *t, kit_error *err)
     int seed, bad = !f;
     for (int k = 0; k < t->count && !bad; ++k) {
         bad = fscanf(f, "%d", &seed) != 1 || seed != t->from + k;
-        for (int i = 0; i < t->entries && !bad; ++i) bad = fscanf(f, ",%lf", &t->share[k][MOST_TRIED + i]) != 1;
+        for (int i = 0; i < t->entries && !bad; ++i)
+            for (int n = 0; n < MEASURED && !bad; ++n) bad = fscanf(f, ",%lf", &t->seed[k][MOST_TRIED + i][n]) != 1;
     }
     if (f) fclose(f);
     return bad ? kit_fail(err, "--against %s: is not what try wrote for these seeds and settings", t->other) : 0;
@@ -225,8 +311,8 @@ int main(int argc, char **argv)
     kit_error err = { "" };
     int failed = parse(&t, argc, argv, &err);
     if (!failed) {
-        t.share = mmap(NULL, MOST_SEEDS * sizeof *t.share, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (t.share == MAP_FAILED || folder_make(FOLDER_CACHE, &err)) failed = kit_fail(&err, "out of memory");
+        t.seed = mmap(NULL, MOST_SEEDS * sizeof *t.seed, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        if (t.seed == MAP_FAILED || folder_make(FOLDER_CACHE, &err)) failed = kit_fail(&err, "out of memory");
     }
     if (!failed) failed = measure_all(&t, &err) || write_csv(&t, &err) || (t.other && read_other(&t, &err));
     if (failed) {

@@ -225,6 +225,19 @@ int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camer
     return kit_truth_run(&job, out, "Y", scene, camera, radius, attenuation, rays, stride, err);
 }
 
+static void pair_pixel(const kit_truth *job, uint32_t pixel, const kit_place *at, float *value)
+{
+    value[0] = kit_ambient_at(&job->ambient, pixel, at->origin, at->n);
+    value[1] = kit_ambient_at(&job->ambient, ~pixel, at->origin, at->n);
+}
+
+int kit_truth_pair(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int rays,
+                   kit_error *err)
+{
+    kit_truth job = { .pixel = pair_pixel, .background = 1 };
+    return kit_truth_run(&job, out, "Y again", scene, camera, radius, KIT_ATTENUATION_LINEAR, rays, 1, err);
+}
+
 static void objects_pixel(const kit_truth *job, uint32_t pixel, const kit_place *at, float *value)
 {
     kit_ambient a = job->ambient;

@@ -203,48 +203,19 @@ static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_
     return 1;
 }
 
-/* A preset's noise: half of the squared differences of two of its phases, where the surface is smooth and in shade.
-   shaded without pixels: it is not known. */
-static int measure_noise(row *r, const stage *s, kit_run *run, const kit_image *picture, const shaded *smooth,
-                         kit_error *err)
-{
-    kit_image other;
-    bands b;
-    if (!smooth->pixels) return 0;
-    run->frame.phase = 0.5f;
-    kit_run_update(run);
-    if (stage_settled(&other, s, run, SETTLED, 0, err)) return -1;
-    const int failed = bands_of(&b, NULL, smooth, &other, picture, err);
-    kit_image_free(&other);
-    for (int k = 0; k < BANDS && !failed; ++k) r->figure[NOISE_BAND + k] = b.rms[k] / sqrt(2);
-    return failed;
-}
-
-/* Where noise is seen; no pixels: nowhere. whole: the frame before the truth left most of it out. */
-static int find_smooth(shaded *smooth, stage *s, const kit_image *whole, kit_error *err)
-{
-    stage all = *s;
-    kit_image quiet;
-    kit_error none;
-    all.frame = *whole;
-    *smooth = (shaded){ .on = NULL };
-    if (stage_drawn(&quiet, s, "hsao-best", "directions=8", s->radius, err)) return -1;
-    shaded_find(smooth, &all, &quiet, &none);
-    kit_image_free(&quiet);
-    return 0;
-}
-
 static int visible_row(FILE *record, const options *o, const place *p, row *r, stage *s, const entry *e,
                        const shaded *smooth, kit_error *err)
 {
     kit_image picture;
     kit_run run;
     char note[64];
+    bands noise = bands_unknown;
     *r = row_blank(OF_AO, s->name, e->label, e->method, e->settings);
     if (stage_run(&run, s, e->method, e->settings, s->radius, err)) return -1;
     r->fetches = run.fetches;
     int failed = stage_settled(&picture, s, &run, 0, 0, err) || score_picture(r, s, &picture, err)
-              || (e->quick && measure_noise(r, s, &run, &picture, smooth, err));
+              || (e->quick && smooth->pixels && bands_noise(&noise, s, &run, smooth, &picture, err));
+    for (int k = 0; k < BANDS; ++k) r->figure[NOISE_BAND + k] = noise.rms[k];
     snprintf(note, sizeof note, "error %.3f", r->share);
     if (!failed && !strcmp(e->method, "hsao") && !*e->settings)
         failed = small_picture(record, s, o, p, "hsao", note, &picture, err);
@@ -270,7 +241,7 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
              s.scene.env ? s.scene.env : "none");
     page_heading(record, 4, "%s", p->name);
     if (own_picture(record, &s, o->out, p->name, note, err) || kit_gbuffer_read(&whole, &s.gbuffer, err)
-        || stage_compare(&s, err) || find_smooth(&smooth, &s, &whole, err)
+        || stage_compare(&s, err) || shaded_seen(&smooth, &s, &whole, err)
         || small_picture(record, &s, o, p, "truth", "", &s.truth, err))
         return -1;
     for (int i = 0; i < count && !failed; ++i)

@@ -90,6 +90,20 @@ int shaded_find(shaded *m, const stage *s, const kit_image *visibility, kit_erro
                          "border", s->name, width, height, BORDER);
 }
 
+int shaded_seen(shaded *m, const stage *s, const kit_image *whole, kit_error *err)
+{
+    stage all = *s;
+    kit_image quiet;
+    kit_error none;
+    all.frame = *whole;
+    all.lit = NULL;
+    *m = (shaded){ .on = NULL };
+    if (stage_drawn(&quiet, &all, "hsao-best", "directions=8", s->radius, err)) return -1;
+    shaded_find(m, &all, &quiet, &none);
+    kit_image_free(&quiet);
+    return 0;
+}
+
 void shaded_free(shaded *m)
 {
     free(m->on);
@@ -98,32 +112,74 @@ void shaded_free(shaded *m)
 
 /* ---- >>bands ----------------------------------------------------------------------------------------------------- */
 
-/* Of a - b over the pixels of m. */
-static double rms_of(const float *a, const float *b, const shaded *m)
+/* The mean over the pixels of m of (a - b) (c - d). */
+static double product_of(const float *a, const float *b, const float *c, const float *d, const shaded *m)
 {
     const size_t all = (size_t)m->width * (size_t)m->height;
     double sum = 0;
-    for (size_t i = 0; i < all; ++i) sum += (double)m->on[i] * pow((double)a[i] - (double)b[i], 2);
-    return sqrt(sum / (double)m->pixels);
+    for (size_t i = 0; i < all; ++i)
+        sum += (double)m->on[i] * ((double)a[i] - (double)b[i]) * ((double)c[i] - (double)d[i]);
+    return sum / (double)m->pixels;
+}
+
+/* a - b on the pixels of m, then that blurred by each sigma, into BANDS + 1 levels; room: for BANDS + 2 pictures. */
+static void levels_of(float *level[BANDS + 1], float *room, const shaded *m, const float *a, const float *b)
+{
+    const size_t all = (size_t)m->width * (size_t)m->height;
+    for (size_t k = 0; k <= BANDS; ++k) level[k] = room + k * all;
+    for (size_t i = 0; i < all; ++i) level[0][i] = m->on[i] > 0 ? a[i] - b[i] : 0;
+    for (int k = 0; k < BANDS; ++k) {
+        blur(level[k + 1], level[0], room + (BANDS + 1) * all, m->width, m->height, bands_sigma[k]);
+        for (size_t i = 0; i < all; ++i) level[k + 1][i] = m->on[i] > 0 ? level[k + 1][i] / m->weight[k][i] : 0;
+    }
 }
 
 int bands_of(bands *out, kit_image *picture, const shaded *m, const kit_image *a, const kit_image *b, kit_error *err)
 {
     const size_t all = (size_t)m->width * (size_t)m->height;
-    float *const room = malloc((BANDS + 2) * all * sizeof *room), *level[BANDS + 1];
+    float *const room = malloc((BANDS + 2) * all * sizeof *room), *l[BANDS + 1];
     if (!room || (picture && kit_image_new(picture, m->width, m->height, "Y", err))) {
         free(room);
         return kit_fail(err, "out of memory");
     }
-    for (size_t k = 0; k <= BANDS; ++k) level[k] = room + k * all;
-    for (size_t i = 0; i < all; ++i) level[0][i] = m->on[i] > 0 ? a->data[i] - b->data[i] : 0;
-    for (int k = 0; k < BANDS; ++k) {
-        blur(level[k + 1], level[0], room + (BANDS + 1) * all, m->width, m->height, bands_sigma[k]);
-        for (size_t i = 0; i < all; ++i) level[k + 1][i] = m->on[i] > 0 ? level[k + 1][i] / m->weight[k][i] : 0;
-        out->rms[k] = rms_of(level[k], level[k + 1], m);
-    }
-    out->seen = rms_of(level[1], level[3], m);
-    for (size_t i = 0; i < all && picture; ++i) picture->data[i] = 0.5f + 16 * (level[1][i] - level[3][i]);
+    levels_of(l, room, m, a->data, b->data);
+    for (int k = 0; k < BANDS; ++k) out->rms[k] = sqrt(product_of(l[k], l[k + 1], l[k], l[k + 1], m));
+    out->seen = sqrt(product_of(l[1], l[3], l[1], l[3], m));
+    for (size_t i = 0; i < all && picture; ++i) picture->data[i] = 0.5f + 16 * (l[1][i] - l[3][i]);
     free(room);
     return 0;
+}
+
+static double signed_root(double square) { return square < 0 ? -sqrt(-square) : sqrt(square); }
+
+int bands_off(bands *out, const shaded *m, const kit_image *a, const kit_image *pair, kit_error *err)
+{
+    const size_t all = (size_t)m->width * (size_t)m->height;
+    float *const room = malloc(2 * (BANDS + 2) * all * sizeof *room), *l[2][BANDS + 1];
+    if (!room) return kit_fail(err, "out of memory");
+    for (size_t i = 0; i < 2; ++i) levels_of(l[i], room + i * (BANDS + 2) * all, m, a->data, pair->data + i * all);
+    for (int k = 0; k < BANDS; ++k) out->rms[k] = signed_root(product_of(l[0][k], l[0][k + 1], l[1][k], l[1][k + 1], m));
+    out->seen = signed_root(product_of(l[0][1], l[0][3], l[1][1], l[1][3], m));
+    free(room);
+    return 0;
+}
+
+double bands_mean(const double *rms, int count)
+{
+    double sum = 0;
+    for (int i = 0; i < count; ++i) sum += rms[i] * fabs(rms[i]);
+    return signed_root(sum / count);
+}
+
+int bands_noise(bands *out, const stage *s, kit_run *run, const shaded *m, const kit_image *picture, kit_error *err)
+{
+    kit_image other;
+    run->frame.phase = 0.5f;
+    kit_run_update(run);
+    if (stage_settled(&other, s, run, SETTLED, 0, err)) return -1;
+    const int failed = bands_of(out, NULL, m, &other, picture, err);
+    kit_image_free(&other);
+    for (int k = 0; k < BANDS && !failed; ++k) out->rms[k] /= sqrt(2);
+    out->seen /= sqrt(2);
+    return failed;
 }

@@ -77,8 +77,8 @@ int stage_trace(kit_image *out, const stage *s, int rays, int stride, kit_error 
     return kit_truth_ao(out, &s->scene, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, rays, stride, err);
 }
 
-/* Where the truth is kept: the file's name holds a hash of all that it depends on. */
-static void truth_path(char path[256], const stage *s)
+/* Where the truth is kept: the file's name holds a hash of all that it depends on. paired: of stage_pair. */
+static void truth_path(char path[256], const stage *s, int paired)
 {
     const kit_camera *c = &s->gbuffer.camera;
     const kit_mesh *mesh = &s->scene.mesh;
@@ -100,7 +100,8 @@ static void truth_path(char path[256], const stage *s)
         h = kit_hash(h, &s->scene.object[i].casts, sizeof s->scene.object[i].casts);
     if (s->stride > 1) h = kit_hash(h, &s->stride, sizeof s->stride);
     snprintf(path, 256, FOLDER_CACHE "/%s-%s%dx%d-%g-%d-%016llx.exr", s->name,
-             s->between                   ? "objects-"
+             paired                       ? "pair-"
+             : s->between                 ? "objects-"
              : !s->lit                    ? ""
              : s->otherwise.kind == GLOSS ? "gloss-"
              : s->otherwise.kind          ? "scatter-"
@@ -132,7 +133,7 @@ int stage_truth(stage *s, kit_error *err)
 {
     char path[256];
     kit_error note;
-    truth_path(path, s);
+    truth_path(path, s, 0);
     if (!kit_exr_read(&s->truth, path, NULL)) {
         const int holds = truth_holds(s, err);
         if (holds) return holds < 0 ? -1 : 0;
@@ -142,6 +143,19 @@ int stage_truth(stage *s, kit_error *err)
     if (folder_make(FOLDER_CACHE, &note) || kit_exr_write(&s->truth, path, &note))
         fprintf(stderr, "report: note: the truth is not kept: %s\n", note.text);
     return 0;
+}
+
+int stage_pair(kit_image *out, const stage *s, kit_error *err)
+{
+    stage whole = *s;
+    char path[256];
+    whole.rays = PAIR_RAYS;
+    whole.stride = whole.between = 0;
+    whole.lit = NULL;
+    truth_path(path, &whole, 1);
+    if (!kit_exr_read(out, path, NULL)) return 0;
+    if (kit_truth_pair(out, &s->scene, &s->gbuffer.camera, s->radius, PAIR_RAYS, err)) return -1;
+    return folder_make(FOLDER_CACHE, err) ? -1 : kit_exr_write(out, path, err);
 }
 
 int stage_visibility(kit_image *out, const stage *s, kit_error *err)

@@ -97,6 +97,9 @@ void stage_close(stage *s);
 
 /* The truth alone, of its camera (gbuffer.camera), from build/cache where it was computed before. */
 int stage_truth(stage *s, kit_error *err);
+/* Two truths of ambient visibility at every pixel, PAIR_RAYS each, whose noise is independent: channels Y, again. */
+enum { PAIR_RAYS = 64 };
+int stage_pair(kit_image *out, const stage *s, kit_error *err);
 /* The truth's rays; every stride-th pixel. */
 int stage_trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err);
 /* The true ambient visibility (channel Y) of a stage that is lit. */
