@@ -235,7 +235,7 @@ int kit_truth_pair(kit_image *out, const kit_scene *scene, const kit_camera *cam
                    kit_error *err)
 {
     kit_truth job = { .pixel = pair_pixel, .background = 1 };
-    return kit_truth_run(&job, out, "Y again", scene, camera, radius, KIT_ATTENUATION_LINEAR, rays, 1, err);
+    return kit_truth_run(&job, out, "Y,again", scene, camera, radius, KIT_ATTENUATION_LINEAR, rays, 1, err);
 }
 
 static void objects_pixel(const kit_truth *job, uint32_t pixel, const kit_place *at, float *value)
