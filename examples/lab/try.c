@@ -2,7 +2,7 @@
    and how it differs from the first, scene by scene.
 
       build/try [--from 0] [--count 28] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
-                [--scenes random:KIND | models] [--judge yes] METHOD[:key=value,..] ..
+                [--scenes random:KIND | models] [--judge yes] [--quick] METHOD[:key=value,..] ..
 
    Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused without --judge. --light: of
    irradiance under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same
@@ -12,7 +12,7 @@
    Noise, and error by the same bands, of visibility where a surface is smooth and in shade (lab/measure/bands.h), in
    thousandths: bands to 1.2, 3, 8 and 20 pixels. Noise is what two phases differ by; of light what the same settings
    differ by from 32 slices, over the light's mean. Error is of two truths at every pixel, without their noise.
-   csv: seed, then of each setting the error, four bands of noise, four of error; nan: not measured.
+   --quick: the error alone. csv: seed, then of each setting the error, four bands of noise, four of error; nan: not measured.
 
    --scenes random:halls: of one kind alone; models: those of packages, one a seed; model:bunny: that one.
    examples/lab/ranks.py says how alike two such csv rank. */
@@ -33,7 +33,7 @@ typedef struct tried {
 } tried;
 
 typedef struct trial {
-    int from, count, light, bounce, entries, judge;
+    int from, count, light, bounce, entries, judge, quick;
     float radius; /* times the scene's own */
     const char *out, *other, *scenes;
     tried entry[MOST_TRIED];
@@ -122,17 +122,18 @@ static int measure_seed(const trial *t, int k, kit_error *err)
     char name[128];
     stage s;
     kit_image whole, pair = { .data = NULL };
-    shaded m;
+    shaded m = { .on = NULL };
     const lit of_light = { .rays = SEED_RAYS, .exposure = 1, .bounce = t->bounce };
     view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
     if (name_scene(name, t->scenes, t->from + k, err)) return -1;
     if (stage_load(&s, &v, err)) return -1;
     v.radius = t->radius * s.scene.radius;
     if (stage_look(&s, &v, SEED_WIDTH, SEED_HEIGHT, err)) return -1;
-    if (kit_gbuffer_read(&whole, &s.gbuffer, err) || (!t->light && stage_pair(&pair, &s, err))) return -1;
+    if (kit_gbuffer_read(&whole, &s.gbuffer, err) || (!t->light && !t->quick && stage_pair(&pair, &s, err)))
+        return -1;
     s.stride = SEED_STRIDE;
     s.rays = SEED_RAYS;
-    if (stage_compare(&s, err) || shaded_seen(&m, &s, &whole, err)) return -1;
+    if (stage_compare(&s, err) || (!t->quick && shaded_seen(&m, &s, &whole, err))) return -1;
     const double nothing = error_of(&s, &s.given[s.givens - 1].picture, err);
     int failed = 0;
     for (int i = 0; i < t->entries && !failed; ++i)
@@ -211,8 +212,8 @@ static void print_row(const trial *t, int i, int from)
     }
     printf("%-14s %-34s %6.4f +- %.4f  worst %.3f (%d)  %+.4f +- %.4f, better on %d\n", e->method, e->settings, own[0],
            own[1], worst, whose, off[0], off[1], better);
-    print_bands(t, i, from, NOISE, "noise:");
-    if (!t->light) print_bands(t, i, from, OFF, "error:");
+    if (!t->quick) print_bands(t, i, from, NOISE, "noise:");
+    if (!t->quick && !t->light) print_bands(t, i, from, OFF, "error:");
     if (strcmp(t->scenes, "random")) return;
     printf("%-14s by kind:", "");
     for (int kind = 0; kind < KIT_KINDS; ++kind) {
@@ -279,6 +280,10 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
             t->bounce = !strcmp(a, "--bounce");
             continue;
         }
+        if (!strcmp(a, "--quick")) {
+            t->quick = 1;
+            continue;
+        }
         if (strncmp(a, "--", 2)) {
             if (add_entry(t, a, err)) return -1;
             continue;
@@ -302,7 +307,7 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
              ? 0
              : kit_fail(err, "usage: try [--from 0] [--count 28] [--light | --bounce] [--radius 1] "
                              "[--out build/try.csv] [--against other.csv] [--scenes random:KIND | models] "
-                             "[--judge yes] METHOD[:key=value,..] ..");
+                             "[--judge yes] [--quick] METHOD[:key=value,..] ..");
 }
 
 int main(int argc, char **argv)
