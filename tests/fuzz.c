@@ -82,8 +82,8 @@ static void fill(ssgi_gl_desc *d, const uint8_t *data)
     d->text.fetch = " ";
 }
 
-/* A chain of two descs and flags: either refused with a sentence, or every step can be drawn and there is one result,
-   which is ambient visibility or light, a bounce beside it or alone, or your picture. */
+/* A chain of two descs and flags: either refused with a sentence, or every step can be drawn and there is one result:
+   ambient visibility or light, with a bounce beside it or alone; or your picture. */
 static void chains(const uint8_t *data)
 {
     ssgi_gl_chain chain;
@@ -118,7 +118,8 @@ static void chains(const uint8_t *data)
         }
     }
     if (room == n)
-        MUST(results[1] <= 1 && results[2] <= 1 && results[1] + results[2] > 0 && pictures == !!chain.desc.filter.onto);
+        MUST(results[1] <= 1 && results[2] <= 1 && pictures == !!chain.desc.filter.onto
+             && pictures + results[1] + results[2] > 0 && !(pictures && results[1] + results[2]));
     free(step);
 }
 

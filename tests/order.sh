@@ -5,8 +5,8 @@ cp "$1/ssgi.h" turned
 perl -0pe '
     s/(    SSGI_GL_PASS_SSAO = 0,\n.*?)(?=    SSGI_GL_PASSES,)/
         my $lines = $1; $lines =~ s{ = 0}{}; join("", reverse split m{(?<=\n)}, $lines)/se;
-    s/"SSAO HSAO(.*?)"\),/
-        my $words = "SSAO HSAO$1"; $words =~ s{"\s*"}{}g; "\"" . join(" ", reverse split m{ +}, $words) . "\"),"/se' \
+    s/"SSAO HSAO([A-Z0-9_ "\n]*?)", NULL/
+        my $words = "SSAO HSAO$1"; $words =~ s{"\s*"}{}g; "\"" . join(" ", reverse split m{ +}, $words) . "\", NULL"/se' \
     "$1/ssgi_gl.h" >turned/ssgi_gl.h
 grep -q 'SSGI_GL_PASS_SSAO,' turned/ssgi_gl.h && grep -q 'HSAO SSAO"' turned/ssgi_gl.h
 for headers in "$1" turned; do
