@@ -1730,14 +1730,12 @@ static void fuzz(void)
             stages |= (n > 0) << stage;
             there |= (!bad && (stages_of(&d) >> stage & 1)) << stage;
             whole &= !n
-                     || (n > (stage == SSGI_GL_STAGE_VERTEX                                  ? 150
-                              : d.pass == SSGI_GL_PASS_SURFELS && stage == SSGI_GL_STAGE_FRAGMENT ? 60
-                                                                                       : 500)
+                     || (n > (d.pass == SSGI_GL_PASS_SURFELS && stage == SSGI_GL_STAGE_FRAGMENT ? 60 : 150)
                          && n < TEXT && strlen(text) == n);
         }
         emitted += !bad;
         CHECK(bad ? !rows && !ssgi_gl_key(&d) && !ssgi_gl_field(NULL, 0, &d)
-                  : rows >= 3 && rows <= SSGI_GL_MAX_IO && ssgi_gl_key(&d) && ssgi_gl_field(NULL, 0, &d),
+                  : rows > 0 && rows <= SSGI_GL_MAX_IO && ssgi_gl_key(&d) && ssgi_gl_field(NULL, 0, &d),
               "%s: %d rows", bad ? "refused" : describe(&d), rows);
         CHECK(stages == there && whole, "%s: stages %x, of the pass %x, whole: %d", bad ? "refused" : describe(&d),
               (unsigned)stages, (unsigned)there, whole);
@@ -1889,6 +1887,24 @@ static char *document(const char *name)
     return data;
 }
 
+/* The passes of a chain's steps, none of which reads a texture that it writes. */
+static uint64_t passes_of(const ssgi_gl_chain *chain)
+{
+    static ssgi_gl_step step[128];
+    const int n = ssgi_gl_steps(step, 128, chain, NULL);
+    uint64_t passes = 0;
+    for (int k = 0; k < n && k < 128; ++k) {
+        passes |= (uint64_t)1 << step[k].desc.pass;
+        for (int i = 0; i < step[k].inputs; ++i)
+            for (int o = 0; o < step[k].outputs; ++o)
+                CHECK(step[k].input[i].texture < 0 || step[k].input[i].last
+                          || step[k].input[i].texture != step[k].output[o].texture,
+                      "pass %s reads %s, which it writes: a texture that is new needs a row of its own in "
+                      "ssgi_gl__rows", ssgi_gl_pass_name(step[k].desc.pass), step[k].input[i].name);
+    }
+    return passes;
+}
+
 /* The passes that ssgi_gl_steps draws, of chains that between them ask for everything. */
 static uint64_t drawn_passes(void)
 {
@@ -1909,18 +1925,16 @@ static uint64_t drawn_passes(void)
         const ssgi_gl_chain own = { .desc = { .pass = pass, .light.environment = SSGI_GL_ENVIRONMENT_SH },
                                     .width = 64,
                                     .height = 36 };
-        passes |= (uint64_t)(ssgi_gl_steps(NULL, 0, &own, NULL) > 0) << pass;
+        passes |= passes_of(&own);
     }
     for (size_t i = 0; i < sizeof descs / sizeof *descs; ++i)
         for (int flags = 0; flags < 8; ++flags) {
-            static ssgi_gl_step step[128];
             ssgi_gl_chain chain = { .desc = descs[i], .width = 64, .height = 36 };
             chain.desc.text.dialect = SSGI_GL_DIALECT_450;
             chain.blur = flags & 1;
             chain.history = flags >> 1 & 1;
             chain.lights.pass = flags & 4 ? SSGI_GL_PASS_LIGHTS : 0;
-            const int n = ssgi_gl_steps(step, 128, &chain, NULL);
-            for (int k = 0; k < n && k < 128; ++k) passes |= (uint64_t)1 << step[k].desc.pass;
+            passes |= passes_of(&chain);
         }
     return passes;
 }
