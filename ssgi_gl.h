@@ -4561,6 +4561,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 o; // how many pixels away the neighbour is\n"
     "};\n" },
 
+{ "ssgi_beside", NULL, __LINE__ + 1,
+    "ssgi_blurred ssgi_beside(ssgi_blurred c, vec2 o) { // counts neighbours from o pixels beside the pixel on\n"
+    "#if SSGI_FILTER == SSGI_FILTER_BILATERAL && SSGI_ORTHOGRAPHIC\n"
+    "    c.plane.w += dot(c.plane.xy, o);\n"
+    "#elif SSGI_FILTER == SSGI_FILTER_BILATERAL\n"
+    "    c.plane.z += dot(c.plane.xy, o);\n"
+    "#endif\n"
+    "    return c;\n"
+    "}\n" },
+
+{ "SSGI_STRIDE", NULL, __LINE__ + 1,
+    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "const int SSGI_STRIDE = 4; // pixels from a texel to the next one\n"
+    "#elif SSGI_HALF\n"
+    "const int SSGI_STRIDE = 2; // pixels from a texel to the next one\n"
+    "#else\n"
+    "const int SSGI_STRIDE = 1; // pixels from a texel to the next one\n"
+    "#endif\n" },
+
 { "ssgi_from_gathered", NULL, __LINE__ + 1,
     "ivec2 ssgi_from_gathered(ivec2 p) { // how far p is from the pixel that is gathered of the first 4x4\n"
     "#if SSGI_HALF == SSGI_HALF_QUARTER_IN_TURN\n"
@@ -4614,37 +4633,50 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_TENT", NULL, __LINE__ + 1,
     "const float SSGI_TENT = 12.0;\n" },
 
-{ "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_GAUSSIAN", __LINE__ + 1,
-    "// A Gaussian over the difference of depth, which may be a pixel's footprint [HSAO08 4.1.3].\n"
-    "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
+{ "ssgi_tent", "SSGI_FILTER == SSGI_FILTER_GAUSSIAN", __LINE__ + 1,
+    "// Returns the weight of a neighbour o pixels away along x or y: a Gaussian [HSAO08 4.1.3].\n"
+    "float ssgi_tent(float o) {\n"
     "    float variance = 0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25;\n"
-    "    return exp(-0.5 * dot(t.o, t.o) / variance) * c.footprint / (c.footprint + abs(z - c.z));\n"
+    "    return exp(-0.5 * o * o / variance);\n"
+    "}\n" },
+
+/* From half size a tent of 4 pixels, of 5.5 with radius 2: a wider one smears, a narrower one leaves noise. At full size
+   a box over a tile of noise. */
+{ "ssgi_tent", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
+    "// Returns the weight of a neighbour o pixels away along x or y.\n"
+    "float ssgi_tent(float o) {\n"
+    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "    o *= 0.5; // The tent is twice as wide.\n"
+    "#endif\n"
+    "#if SSGI_HALF && SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "    return float(2 * SSGI_FILTER_RADIUS + 3) - abs(o);\n"
+    "#elif SSGI_HALF\n"
+    "    return 2.5 + 1.5 * float(SSGI_FILTER_RADIUS) - abs(o);\n"
+    "#else\n"
+    "    return SSGI_FILTER_RADIUS > 1 && abs(o) == float(SSGI_FILTER_RADIUS) ? 0.5 : 1.0;\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_GAUSSIAN", __LINE__ + 1,
+    "// How much a neighbour counts, by its view depth z: differences may be a pixel's footprint.\n"
+    "float ssgi_blur_weight(ssgi_blurred c, ivec2 q, vec2 o, float z) {\n"
+    "    return c.footprint / (c.footprint + abs(z - c.z));\n"
     "}\n" },
 
 { "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
-    "// A box over a tile of noise, in which a neighbour counts the less the farther it is off the plane.\n"
-    "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
-    "    float off = ssgi_above_plane(c.plane, t.o, z);\n"
-    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
-    "    t.o *= 0.5; // The tent is twice as wide.\n"
-    "#endif\n"
-    "#if SSGI_HALF\n"
-    "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 3) - abs(t.o);\n"
-    "    float w = tent.x * tent.y / (SSGI_HALF_OFF / c.frames + off * off);\n"
-    "    if (c.frames >= SSGI_SETTLED) w *= SSGI_TENT + tent.x * tent.y;\n"
-    "#else\n"
-    "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(t.o);\n"
-    "    float w = tent.x * tent.y / (SSGI_HALF_OFF + off * off);\n"
-    "#endif\n"
+    "// How much a neighbour counts, the less the farther it is off the plane. o: how many pixels away pixel q is.\n"
+    "float ssgi_blur_weight(ssgi_blurred c, ivec2 q, vec2 o, float z) {\n"
+    "    float off = ssgi_above_plane(c.plane, o, z);\n"
+    "#if SSGI_HALF && SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "    float w = 1.0 / (SSGI_HALF_OFF / c.frames + off * off);\n"
+    "#elif SSGI_HALF\n"
+    "    float w = 1.0 / (SSGI_HALF_OFF + off * off);\n"
     "#else\n"
     "    const float least = 1.0 / SSGI_STEEP;\n"
     "    float w = max((1.0 + least) / (1.0 + SSGI_STEEP * off * off) - least, 0.0);\n"
-    "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
-    "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.y) == float(SSGI_FILTER_RADIUS)) w *= 0.5;\n"
     "#endif\n"
     "#if SSGI_FILTER_NORMALS\n"
-    "    w *= max(dot(c.n, ssgi_normal(t.q, ssgi_position(vec2(t.q) + 0.5, z))), 1e-3);\n"
+    "    w *= max(dot(c.n, ssgi_normal(q, ssgi_position(vec2(q) + 0.5, z))), 1e-3);\n"
     "#endif\n"
     "    return w;\n"
     "}\n" },
@@ -4707,37 +4739,59 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-{ "ssgi_filter_tap", "SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
-    "void ssgi_filter_tap(inout ssgi_filtered f, ivec2 p, ssgi_blurred c, ivec2 o) {\n"
-    "    ssgi_neighbour t = ssgi_neighbour_at(p, o.x, o.y);\n"
-    "    float d = ssgi_depth(t.q), w = ssgi_blur_weight(c, t, d);\n"
-    "    if (ssgi_inside(t.q) && d < SSGI_FAR && w > 0.0) ssgi_filtered_add(f, ssgi_load(t.at), w);\n"
-    "}\n" },
-
-{ "ssgi_filter_tap", "SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
-    "void ssgi_filter_tap(inout ssgi_filtered f, ivec2 p, ssgi_blurred c, ivec2 o) {\n"
-    "    ssgi_neighbour t = ssgi_neighbour_at(p, o.x, o.y);\n"
-    "    vec4 s = ssgi_now(t.at);\n"
-    "    // Not >=, as background in 16 bits is infinity or NaN.\n"
-    "    if (ssgi_inside(t.q) && s.w < SSGI_FAR) ssgi_filtered_add(f, s, ssgi_blur_weight(c, t, s.w));\n"
-    "}\n" },
-
+/* A GPU's compiler computes what a row or a column shares once where the loops are unrolled, which short bodies are. */
 { "ssgi_filter", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
     "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over p and the pixels around it\n"
+    "    const int radius = SSGI_FILTER_RADIUS;\n"
     "    ssgi_filtered f = ssgi_filtered_none();\n"
     "#if !SSGI_HALF && SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
     "    ssgi_filtered_add(f, ssgi_load(p + u_ssgi_target), 1.0);\n"
     "#elif !SSGI_HALF\n"
     "    ssgi_filtered_add(f, c.now, 1.0);\n"
     "#endif\n"
-    "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
-    "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
-    "#if !SSGI_HALF\n"
+    "    ssgi_neighbour nearest = ssgi_neighbour_at(p, 0, 0);\n"
+    "    c = ssgi_beside(c, nearest.o);\n"
+    "    for (int y = -radius; y <= radius; ++y) {\n"
+    "        ssgi_blurred row = ssgi_beside(c, vec2(0.0, SSGI_STRIDE * y));\n"
+    "        float tent = ssgi_tent(nearest.o.y + float(SSGI_STRIDE * y));\n"
+    "        bool inside = uint(nearest.q.y + SSGI_STRIDE * y) < uint(u_ssgi_size.y);\n"
+    "        for (int x = -radius; x <= radius; ++x) {\n"
+    "#if SSGI_HALF\n"
+    "            if (radius > 1 && abs(x) + abs(y) == 2 * radius) continue; // the corners\n"
+    "#else\n"
     "            if (x == 0 && y == 0) continue;\n"
     "#endif\n"
-    "            ssgi_filter_tap(f, p, c, ivec2(x, y));\n"
+    "            ivec2 q = nearest.q + SSGI_STRIDE * ivec2(x, y);\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
+    "            float z = ssgi_depth(q);\n"
+    "#else\n"
+    "            vec4 s = ssgi_now(nearest.at + ivec2(x, y));\n"
+    "            float z = s.w;\n"
+    "#endif\n"
+    "            float w = tent * ssgi_tent(nearest.o.x + float(SSGI_STRIDE * x));\n"
+    "            w *= ssgi_blur_weight(row, q, vec2(SSGI_STRIDE * x, 0.0), z);\n"
+    "            // Not >=, as background in 16 bits is infinity or NaN.\n"
+    "            bool counts = inside && uint(q.x) < uint(u_ssgi_size.x) && z < SSGI_FAR;\n"
+    "#if SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
+    "            if (counts && w > 0.0) ssgi_filtered_add(f, ssgi_load(nearest.at + ivec2(x, y)), w);\n"
+    "#else\n"
+    "            if (counts) ssgi_filtered_add(f, s, w);\n"
+    "#endif\n"
     "        }\n"
+    "    }\n"
     "    return f;\n"
+    "}\n" },
+
+{ "ssgi_filter_tap", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
+    "void ssgi_filter_tap(inout ssgi_filtered f, ivec2 p, ssgi_blurred c, ivec2 o) {\n"
+    "    ssgi_neighbour t = ssgi_neighbour_at(p, o.x, o.y);\n"
+    "    vec4 s = ssgi_now(t.at);\n"
+    "    if (!(ssgi_inside(t.q) && s.w < SSGI_FAR)) return;\n"
+    "    float tent = ssgi_tent(t.o.x) * ssgi_tent(t.o.y), w = tent * ssgi_blur_weight(c, t.q, t.o, s.w);\n"
+    "#if SSGI_HALF\n"
+    "    if (c.frames >= SSGI_SETTLED) w *= SSGI_TENT + tent;\n"
+    "#endif\n"
+    "    ssgi_filtered_add(f, s, w);\n"
     "}\n" },
 
 /* Frames average, too: where a pixel has some, the four texels next to it suffice. */
