@@ -5233,7 +5233,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    them was four times too bright. desc.light.residual holds for desc.light.lights by bent normals and cones, too. The
    plan's costs of a GPU are modelled from its compiler's instructions.
 
-   Presets of slices are cheaper: hsao FAST 1x10 of thickness CONSTANT, BALANCED 2x6, BEST 2x7; ssdo and s3ho 1x5, 2x9,
+   Presets of slices are cheaper: hsao FAST 1x10 of thickness CONSTANT, BALANCED 2x8, BEST 2x7; ssdo and s3ho 1x5, 2x9,
    full 2x9. FAST sets thickness CONSTANT where it is DEFAULT, the others DEFAULT where it is CONSTANT. Plans may choose
    thickness CONSTANT, no longer SOLID; plan_scene.device RX_6800 has costs in milliseconds; plan_scene.albedo, which no
    prediction read, is gone. New: desc.light.bounced and ssgi_gl_chain.bounced, for further bounces.

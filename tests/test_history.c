@@ -354,7 +354,7 @@ static void motion_is_followed(void)
     double noise[WAYS + 1];
     kit_image mean = { 0 }, single = { 0 };
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_method_find(&m, "hsao-fast", &err))
-        || !TRY(kit_method_set(&m, "history=1", &err)))
+        || !TRY(kit_method_set(&m, "history=1,blur=1", &err)))
         return;
     scene.camera.width = 160;
     scene.camera.height = 90;

@@ -40,7 +40,7 @@ static const choice choices[] = {
     CHOICE(surfel.axis, 2, 0, 1),          CHOICE(light.restore, 3, 0, 1),  CHOICE(surfel.span, 2, 0, 4),
     CHOICE(input.motion, 2, 0, 1),        CHOICE(input.left_handed, 2, 0, 1), CHOICE(input.oblique, 2, 0, 1),
     CHOICE(input.multisampled, 2, 0, 1),  CHOICE(input.array, 2, 0, 1),    CHOICE(filter.onto, 4, 0, 1),
-    CHOICE(input.cap_table, 2, 0, 1)
+    CHOICE(input.cap_table, 2, 0, 1),     CHOICE(filter.radius, 2, 1, 1)
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),

@@ -470,7 +470,7 @@ function codeOf(i) {
     const side = sides[i];
     if (!side) return null;
     const { chain } = side.run, { desc } = chain, method = methods[side.name].title;
-    const bands = desc.environment === 'SH' ? desc.bands || (desc.pass === 'SSDO' ? 3 : 4) : 0;
+    const is = ssgi.resolve(desc), bands = is.environment === 'SH' ? is.bands : 0;
     const made = { [methods[side.name].module]: setOf(side.name, i ? set.q : set.p, set, !i) };
     return cLines(ssgi, chain, { radius: radius(), thickness_limit: thicknessLimit(side.name) * radius(), bands,
                                  ...made, title: `${method} of "${stage.info.title}", as the page shows it` });
@@ -512,7 +512,7 @@ function view() {
 }
 
 function frameOf(side, now) {
-    const frame = ssgi.frame(now.made, radius()), { desc } = side.run.chain, v = now.toView;
+    const frame = ssgi.frame(now.made, radius()), desc = ssgi.resolve(side.run.chain.desc), v = now.toView;
     frame.thickness_limit[0] = thicknessLimit(side.name) * radius();
     for (let column = 0; column < 3; ++column)
         for (let row = 0; row < 3; ++row) frame.rotation[4 * column + row] = v[4 * column + row];
