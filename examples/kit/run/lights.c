@@ -9,8 +9,10 @@
 static void look(kit_camera *c, const float eye[3], const float along[3], float fovy, float height, float znear,
                  float zfar, int size)
 {
+    float step = 1; /* A target at 1 from an eye at 1e9 would be the eye. */
     memset(c, 0, sizeof *c);
-    for (int k = 0; k < 3; ++k) { c->eye[k] = eye[k]; c->target[k] = eye[k] + along[k]; }
+    while (step < 1e-3f * fmaxf(fabsf(eye[0]), fmaxf(fabsf(eye[1]), fabsf(eye[2])))) step *= 2;
+    for (int k = 0; k < 3; ++k) { c->eye[k] = eye[k]; c->target[k] = eye[k] + step * along[k]; }
     c->up[fabsf(along[1]) < 0.9f * sqrtf(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]) ? 1 : 0] = 1;
     c->fovy = fovy;
     c->ortho_height = height;
@@ -78,15 +80,17 @@ static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *s
         if (!(side > 0) && k < WHOLE) continue;
         if (!count || 1.25f * side < next) kept[count++] = k;
     }
-    const float margin = 0.01f * (range[1] - range[0]) + 1e-6f, away = range[1] + 2 * margin;
+    const float *all = part[WHOLE], deep = range[1] - range[0];
+    const float spare = fminf(1e-6f, 1e-3f * fmaxf(deep, fmaxf(all[2] - all[0], all[3] - all[1]))); /* all may be flat */
+    const float margin = 0.01f * deep + spare, away = range[1] + 2 * margin;
     for (; count > 0; --count) {                    /* rows: fine ones first */
         const float *p = part[kept[count - 1]];
         kit_placed_light *l = &out[rows++];
         const float across = 0.5f * (p[0] + p[2]), up = 0.5f * (p[1] + p[3]);
         float eye[3];
         for (int k = 0; k < 3; ++k) eye[k] = axes[4 * k] * across + axes[4 * k + 1] * up + at[k] * away;
-        look(&l->camera, eye, along, 0, 1.01f * fmaxf(p[2] - p[0], p[3] - p[1]) + 1e-6f, margin,
-             range[1] - range[0] + 3 * margin, size);
+        look(&l->camera, eye, along, 0, 1.01f * fmaxf(p[2] - p[0], p[3] - p[1]) + spare, margin,
+             deep + 3 * margin, size);
         l->mapped = 1;
         l->light.min_distance = (float)(count - 1);
     }

@@ -59,7 +59,7 @@ int kit_seen(const kit_gbuffer *g, kit_sight *seen, kit_error *err)
         squares -= sum[k] / sum[3] * (sum[k] / sum[3]);
     }
     kit_camera_point(c, c->width / 2, c->height / 2, median, seen->middle.centre);
-    seen->all.radius = (float)(1.8 * sqrt(squares > 0 ? squares : 0)) + 1e-6f;
+    seen->all.radius = (float)(1.8 * sqrt(squares > 0 ? squares : 0)) + fminf(1e-6f, 1e-3f * (float)median);
     seen->middle.radius =
         (float)(c->fovy > 0 ? median * tan((double)c->fovy * KIT_PI / 360) : 0.5 * (double)c->ortho_height)
         * fmaxf(1, (float)c->width / (float)c->height);

@@ -29,7 +29,7 @@ static kit_build resume(const kit_scene *scene)
 /* from the front, above and to the right, as near as has all corners of the bounds in view */
 static void frame_bounds(kit_camera *camera, const kit_mesh *mesh)
 {
-    double back[3] = { 0.45, 0.35, 1 }, up[3] = { 0, 1, 0 }, right[3], centre[3], distance = 1e-6;
+    double back[3] = { 0.45, 0.35, 1 }, up[3] = { 0, 1, 0 }, right[3], centre[3], distance = 0;
     const double tangent = tan((double)camera->fovy * KIT_PI / 360) / 1.06,
                  aspect = (double)camera->width / camera->height;
     kit_unit(back);
