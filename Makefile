@@ -31,7 +31,7 @@ KIT_LIBS  = -lOpenEXRCore-3_1 -lz -lm -lpthread -ldl \
             -Wl,--as-needed $(shell pkg-config --libs assimp 2>/dev/null)
 # The rooms of the kit, each of which calls those before it alone, as make tree proves.
 KIT_BASE    = util image exr hdr png score
-KIT_SCENE   = $(addprefix scene/,soup mesh texture cards assimp models shapes buildings thin solids \
+KIT_SCENE   = $(addprefix scene/,soup mesh texture cards gltf assimp models shapes buildings thin solids \
               scenes scene light seeds catalogue grammar look parts $(KIT_TABLES))
 # Scenes by seed: a table of rows a kind, and one that all share.
 KIT_TABLES  = $(addprefix tables/,shared rooms streets halls foliage machines scans terrain)

@@ -364,7 +364,7 @@ static int light_it(kit_lighting *light, const options *o, const kit_method *met
                     kit_error *err)
 {
     if (!method->lit) return 0;
-    if (o->light && kit_light_parse(&light->light[light->lights++], o->light, err)) return -1;
+    if (o->light && kit_light_parse(&light->light[light->lights++], o->light, NULL, err)) return -1;
     if (!o->env && !o->light && kit_scene_seeded(o->scene)) return kit_light_scene(light, scene, err);
     return o->env || !o->light ? kit_env_read(&light->env, o->env ? o->env : "sky", err) : 0;
 }

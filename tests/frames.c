@@ -114,7 +114,7 @@ double row_of(kit_run *run, kit_gbuffer *g, int row, int phases)
 int lighten(kit_lighting *l, const char *env, const char *light)
 {
     memset(l, 0, sizeof *l);
-    if (light && !TRY(kit_light_parse(&l->light[l->lights++], light, &err))) return 0;
+    if (light && !TRY(kit_light_parse(&l->light[l->lights++], light, NULL, &err))) return 0;
     if (!env) return 1;
     if (strcmp(env, "white")) return TRY(kit_env_read(&l->env, env, &err));
     /* of coarser ones harmonics see the rows */

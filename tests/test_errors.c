@@ -70,7 +70,7 @@ static int enter(struct stage *s, int row)
         || !CHECK(sscanf(cell(row, "size"), "%dx%d", &s->scene.camera.width, &s->scene.camera.height) == 2,
                   "row %d: size \"%s\"", row + 2, cell(row, "size"))
         || (*env && !TRY(kit_env_read(&s->light.env, env, &err)))
-        || (*light && !TRY(kit_light_parse(&s->light.light[s->light.lights++], light, &err)))
+        || (*light && !TRY(kit_light_parse(&s->light.light[s->light.lights++], light, NULL, &err)))
         || !TRY(kit_gbuffer_from_scene(&s->g, &s->scene, &s->scene.camera, NULL, &err))
         || !TRY(kit_gbuffer_read(&s->frame, &s->g, &err)))
         return 0;

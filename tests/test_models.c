@@ -339,11 +339,92 @@ static void ply(void)
 
 #define GLTF(more) \
     "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]," more
-#define MESH_OF(uri, bytes) \
-    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,\"count\":3," \
+#define MESH_OF(uri, bytes) "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]," BUFFER(uri, bytes)
+#define BUFFER(uri, bytes) \
+    "\"accessors\":[{\"bufferView\":0,\"count\":3," \
     "\"componentType\":5126,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}]," \
     "\"buffers\":[{\"byteLength\":" bytes ",\"uri\":\"" uri "\"}]}"
 #define CORNERS_64 "data:application/octet-stream;base64,AACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAA"
+
+/* What stands far from 0 is drawn as there: corners at 1 on the axes, in places of nodes that only doubles hold, or in
+   an OBJ's text. Where they stand, and what is said of numbers that are coarse, of floats: 1.0 so far away. */
+static void far_away(void)
+{
+#define EAST 13487434.75
+#define SOUTH (-3741689.25)
+#define AWAY "[13487434.75,-6.5,-3741689.25]"
+#define NODES(nodes) "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[" nodes "],"
+#define HERE MESH_OF(CORNERS_64 "AIA/", "36")
+#define THERE MESH_OF("data:application/octet-stream;base64,S81NSwAAAAAAAAAASs1NSwAAgD8AAAAASs1NSwAAAAAAAIA/", "36")
+    static const struct { const char *name, *text, *note; double at[3], size; } all[] = {
+        { "a.gltf", NODES("{\"mesh\":0,\"translation\":" AWAY "}") HERE, "drawn about 13487436,-6,-3741689;",
+          { EAST, -6.5, SOUTH }, 1 },
+        { "a.gltf", NODES("{\"matrix\":[0,0,-1,0,0,1,0,0,1,0,0,0,0,0,0,1],\"children\":[1]},"
+                          "{\"mesh\":0,\"translation\":[3741689.25,-6.5,13487434.75],"
+                          "\"rotation\":[0,-0.7071067811865476,0,0.7071067811865476]}") HERE,
+          "it lies far from 0", { EAST, -6.5, SOUTH }, 1 },
+        { "a.gltf", NODES("{\"translation\":" AWAY ",\"children\":[1]},{\"mesh\":0,"
+                          "\"translation\":[-13487434.5,6.5,3741689.25]}") HERE, "", { 0.25, 0, 0 }, 1 },
+        { "a.gltf", NODES("{\"mesh\":0,\"translation\":[0,0,1e-3],\"scale\":[1e-9,1e-9,1e-9]}") HERE,
+          "it lies far from 0", { 0, 0, 1e-3 }, 1e-9 },
+        { "a.gltf", NODES("{\"mesh\":0,\"translation\":[0,3e14,0],\"scale\":[1e9,1e9,1e9]}") HERE,
+          "it lies far from 0", { 0, 3e14, 0 }, 1e9 },
+        { "a.gltf", NODES("{\"mesh\":0,\"scale\":[1e-12,1e-12,1e-12]}") HERE, "", { 0, 0, 0 }, 1e-12 },
+        { "a.gltf", NODES("{\"mesh\":0,\"translation\":[90.25,0,0]}") HERE, "", { 90.25, 0, 0 }, 1 },
+        { "a.gltf", NODES("{\"mesh\":0}") THERE, "read as floats, which so far from 0 are 1 apart, 0.58 of its size; "
+          "it lies far", { 13487434, 0, 0 }, 1 },
+        { "a.gltf", NODES("{\"mesh\":0,\"translation\":[-13487434,0,0]}") THERE,
+          "read as floats, which so far from 0 are 1 apart", { 0, 0, 0 }, 1 },
+        { "a.obj", "v 0 0 0\nv 13487435.75 -6.5 -3741689.25\nv 13487434.75 \\\n -5.5 -3741689.25 # a comment\n"
+                   "v 13487434.75 -6.5 -3741688.25 1 0 0\nf 2/1 3 -1\np 1\n", "it lies far from 0",
+          { EAST, -6.5, SOUTH }, 1 },
+        { "a.obj", "v 1 0.000000000001 1\nv 1 0 1.000000000001\nv 1.000000000001 0 1\nf 1 2 3\n",
+          "read as doubles, which so far from 0 are 2.2e-16 apart", { 1, 0, 1 }, 1e-12 },
+    };
+
+    kit_error err = { { 0 } };
+    kit_scene s;
+    for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
+        double away[3], worst = 0, area = 0.5 * sqrt(3) * all[i].size * all[i].size;
+        put(all[i].name, all[i].text);
+        if (!CHECK(!kit_scene_load(&s, in_folder(all[i].name), 0, &err), "%zu: %s", i, err.text)) continue;
+        for (int k = 0; k < 9; ++k) {
+            const double is = (double)s.mesh.position[k] + (s.mesh.origin[k % 3] - all[i].at[k % 3]);
+            worst = fmax(worst, fmin(fabs(is), fabs(is - all[i].size)));
+        }
+        CHECK(worst < 1e-3 * all[i].size && fabs(area_of(&s) / area - 1) < 1e-3,
+              "%zu: a corner is off by %g of %g, the area by %g", i, worst, all[i].size, area_of(&s) / area);
+        for (int k = 0; k < 3; ++k) away[k] = (double)s.camera.eye[k] - (double)s.camera.target[k];
+        const double sizes = sqrt(kit_dot(away, away)) / all[i].size;
+        CHECK(sizes > 1 && sizes < 10, "%zu: the camera is %g sizes away", i, sizes);
+        CHECK(*all[i].note ? strstr(s.note, all[i].note) != NULL : !*s.note, "%zu: \"%s\"", i, s.note);
+        kit_scene_free(&s);
+    }
+}
+
+/* A morph by its own corners: so many times more of them. The node's weights count before the mesh's. */
+static void morphs(void)
+{
+#define MORPHED(weights) "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0," \
+    "\"targets\":[{\"POSITION\":0}]}]" weights "}]," BUFFER(CORNERS_64 "AIA/", "36")
+#define LIGHT(factor) "\"materials\":[{\"emissiveFactor\":[" factor ",0,0]}],"
+    static const struct { const char *text, *note; double size; } all[] = {
+        { NODES("{\"mesh\":0}") LIGHT("0") MORPHED(""), "", 1 },
+        { NODES("{\"mesh\":0}") LIGHT("0") MORPHED(",\"weights\":[2]"), "", 3 },
+        { NODES("{\"mesh\":0,\"weights\":[0.5]}") LIGHT("0") MORPHED(",\"weights\":[2]"), "", 1.5 },
+        { NODES("{\"mesh\":0,\"weights\":[0]}") LIGHT("0.5") MORPHED(",\"weights\":[2]"),
+          "its materials emit light, which is not read", 1 } };
+    kit_error err = { { 0 } };
+    kit_scene s;
+    for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
+        put("a.gltf", all[i].text);
+        if (!CHECK(!kit_scene_load(&s, in_folder("a.gltf"), 0, &err), "%zu: %s", i, err.text)) continue;
+        const double area = 0.5 * sqrt(3) * all[i].size * all[i].size;
+        CHECK(fabs(area_of(&s) - area) < 1e-6, "%zu: covers %g, not %g", i, area_of(&s), area);
+        CHECK(!strcmp(s.note, all[i].note), "%zu: \"%s\"", i, s.note);
+        kit_scene_free(&s);
+    }
+}
 
 /* One line that names the file, its format and what is wrong. */
 static void refused(void)
@@ -456,6 +537,7 @@ void test_models(void)
 {
     static const char *const made[] = { "one.mtl",   "two.mtl",  "link.mtl", "order.obj", "wound.obj", "pipe",
                                         "nodes.glb", "card.glb", "quad.ply", "bad.gltf",  "bad.glb",   "bad.ply",
+                                        "a.gltf",    "a.obj",
                                         "bad.usdz",  "notes.txt", "note.gltf", "up.fbx" };
     const char *tmp = getenv("TMPDIR");
     snprintf(folder, sizeof folder, "%s/kit-test-XXXXXX", tmp && *tmp ? tmp : "/tmp");
@@ -472,6 +554,8 @@ void test_models(void)
         RUN("a card of very many holes keeps its area, not its holes", fine_card);
         RUN("a PLY's polygons, parts and colours", ply);
         RUN("an FBX whose z axis is up stands upright", upright);
+        RUN("models far from 0 stand where their files say, to doubles; what is coarse is said", far_away);
+        RUN("a glTF's morphs stand by its weights; that it emits light is said", morphs);
         RUN("what cannot be read is refused in one line that says why", refused);
         RUN("a texture that is not there is said, all else is read", textures_missing);
     } else {

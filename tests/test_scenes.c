@@ -458,7 +458,8 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
              2.5 * (double)scale, 4 * (double)(scale * scale), 3 * (double)(scale * scale),
              2 * (double)(scale * scale));
     l->lights = 0;
-    if (!TRY(kit_light_parse(&l->light[l->lights++], light, &err)) || !TRY(kit_scene_load(scene, "room", 0, &err)))
+    if (!TRY(kit_light_parse(&l->light[l->lights++], light, NULL, &err))
+        || !TRY(kit_scene_load(scene, "room", 0, &err)))
         return 0;
     kit_camera *c = &scene->camera;
     c->width = way == ROLLED ? SEEN_H : SEEN_W;

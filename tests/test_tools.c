@@ -738,18 +738,36 @@ static double errs_by(const char *arguments, const char *reference)
     return CHECK(!status && rmse, "render %s: %s", arguments, text) ? strtod(rmse + 8, NULL) : -1;
 }
 
+/* A floor and a wall, so large, at a place. */
+static void write_corner(const char *name, double size, double x, double y, double z)
+{
+    static const double corner[8][3] = { { -2, 0, 2 }, { 2, 0, 2 }, { 2, 0, -2 }, { -2, 0, -2 },
+                                         { -2, 0, -1 }, { 2, 0, -1 }, { 2, 2, -1 }, { -2, 2, -1 } };
+    char text[1000] = "";
+    for (int i = 0; i < 8; ++i)
+        snprintf(text + strlen(text), sizeof text - strlen(text), "v %.11g %.11g %.11g\n", size * corner[i][0] + x,
+                 size * corner[i][1] + y, size * corner[i][2] + z);
+    strcat(text, "f 1 2 3 4\nf 5 6 7 8\n");
+    write_text(name, text);
+}
+
 /* A scene's picture, and that of its saved frame by nothing but that: the same up to the rounding of depths, which a
    few pixels on edges see. Light tells whether the camera looks the same way in the world. */
 static void frames_carry_cameras(void)
 {
     static const char *const scenes[] = {
         "room --size 96x54 --camera 3,2,4,1,1,1 --up 0.3,1,0.1 --fovy 70",
-        "room --size 54x96 --camera 3,2,4,1,1,1 --up 0.3,1,0.1 --ortho-height 3.6 --radius 0.3" };
+        "room --size 54x96 --camera 3,2,4,1,1,1 --up 0.3,1,0.1 --ortho-height 3.6 --radius 0.3",
+        "away.obj --size 96x54 --camera 13487437.764,-4.397,-3741685.403,13487435.764,-5.397,-3741688.403" };
     static const char *const sky = "--method ssdo --env sky --set bounce=none";
     double worst = 0;
     char line[400], text[4000], render[300];
     snprintf(render, sizeof render, "%s/build/render", t_root);
     setenv("R", render, 1);
+    write_corner("corner.obj", 1, 0, 0, 0);
+    write_corner("away.obj", 1, 13487434.764, -6.397, -3741689.403);
+    write_corner("small.obj", 2.5e-13, 0, 0, 0);
+    write_corner("large.obj", 2.5e8, 0, 0, 0);
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; ++i) {
         CHECK(!shell(text, sizeof text, "$R %s --save-gbuffer f.exr --out ao.exr%s", scenes[i], "")
                   && !shell(text, sizeof text, "$R %s %s --out lit.exr", scenes[i], sky),
@@ -770,6 +788,26 @@ static void frames_carry_cameras(void)
             snprintf(line, sizeof line, "--gbuffer f.exr %s %s", sky, places[k]);
             CHECK(errs_by(line, "lit.exr") > 0.01, "%s: %s changes nothing", scenes[i], places[k]);
         }
+    }
+    static const char *const places[2][3] = {
+        { "corner.obj", "3,2,4,1,1,1", "1,3,2" },
+        { "away.obj", "13487437.764,-4.397,-3741685.403,13487435.764,-5.397,-3741688.403",
+          "13487435.764,-3.397,-3741687.403" } };
+    for (int i = 0; i < 6; ++i) {
+        const char *const *p = places[i % 2], *lamp = "--method ssdo --light point:";
+        if (i < 2) snprintf(line, sizeof line, "%s --size 96x54 --camera %s --fovy 45 --truth 16", p[0], p[1]);
+        else if (i < 4)
+            snprintf(line, sizeof line, "%s --size 96x54 --camera %s --fovy 45 --save-gbuffer %d.exr %s%s,9,9,9", p[0],
+                     p[1], i, lamp, p[2]);
+        else snprintf(line, sizeof line, "--gbuffer %d.exr %s%s,9,9,9", i - 2, lamp, p[2]);
+        if (i % 2) CHECK(errs_by(line, "near.exr") < 1e-3, "far from 0 it is another picture: %s", line);
+        else CHECK(!shell(text, sizeof text, "$R %s --out near.exr%s", line, ""), "%s", text);
+    }
+    static const char *const sizes[] = { "corner.obj", "small.obj", "large.obj" };
+    for (int i = 0; i < 3; ++i) {
+        snprintf(line, sizeof line, "%s --size 96x54 --method ssdo --env sky --light sun:1,2,1,3,3,3", sizes[i]);
+        if (i) CHECK(errs_by(line, "near.exr") < 0.01, "of another size it is another picture: %s", line);
+        else CHECK(!shell(text, sizeof text, "$R %s --out near.exr%s", line, ""), "%s", text);
     }
     static const char *const behind[] = { "hsao --set thickness=back", "hsao --set thickness=slabs",
                                           "hsao-march --set layers=2" };

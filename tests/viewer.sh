@@ -87,6 +87,19 @@ else
         near "viewer, hsao of an .$ending" $work/a.png $work/b.png 0.001
         build/viewer "$@" --ground --shot $work/g.png
         check "viewer, --ground under an .$ending" "$(cmp -s $work/a.png $work/g.png || echo 1)"
+        moved=13487434.75,-6.5,-3741689.25          # an .obj's vertices, a .gltf's root
+        at=$(echo $place,$moved | awk -F, -v OFS=, '{ print $1 + $7, $2 + $8, $3 + $9, $4 + $7, $5 + $8, $6 + $9 }' \
+            OFMT=%.12g)
+        sed "s/\"children\":\[1\],/&\"translation\":[$moved],/" $work/yard.$ending | awk -v by=$moved '
+            BEGIN { split(by, o, ",") }
+            $1 == "v" { $0 = sprintf("v %.9f %.9f %.9f", $2 + o[1], $3 + o[2], $4 + o[3]) } { print }' \
+            >$work/far.$ending
+        build/viewer $work/far.$ending --method hsao $plain --camera $at --size $size --radius 0.6 --shot $work/a.png \
+            --command 2>$work/said >$work/line
+        near "viewer, hsao of an .$ending far from 0" $work/a.png $work/b.png 0.001
+        check "viewer, an .$ending far from 0 is said" "$(grep -c 'it lies far from 0' $work/said)"
+        sh -c "$(sed "s|picture.png|$work/g.png|" $work/line) 2>/dev/null"
+        near "viewer, the line for build/render of an .$ending far from 0" $work/g.png $work/a.png 0.001
     done
     for option in '--panel 1' --keys; do
         build/viewer room --size $size --method hsao --shot $work/a.png $option

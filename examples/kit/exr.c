@@ -170,7 +170,8 @@ int kit_exr_read(kit_image *image, const char *path, kit_error *err)
 
 /* ---- the camera of a frame ------------------------------------------------------------------------------------ */
 
-static const char MATRIX[] = "worldToCamera", WIDTH[] = "screenWindowWidth", CENTRE[] = "screenWindowCenter",
+static const char MATRIX[] = "worldToCamera", FAR_MATRIX[] = "ssgi.worldToCamera",
+                  WIDTH[] = "screenWindowWidth", CENTRE[] = "screenWindowCenter",
                   ORTHO_HEIGHT[] = "ssgi.orthoHeight", RADIUS[] = "ssgi.radius";
 
 /* 1: it is there, 0: it is not, -1: it is of another type. */
@@ -209,19 +210,38 @@ static int exr_rigid(const float m[16])
     return kit_dot(across, row[2]) < 0;            /* from a right-handed world to a left-handed camera */
 }
 
+/* The place becomes the eye, which is the origin then. It is solved for: the turn is rounded to floats, and its inverse
+   is not its transpose to more digits than those. */
+static void exr_place_at_eye(kit_header *h, const double place[3])
+{
+    double row[3][3], across[3];
+    for (int i = 0; i < 9; ++i) row[i / 3][i % 3] = (double)h->world_to_camera[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; ++i) {
+        kit_cross(row[(i + 1) % 3], row[(i + 2) % 3], across);
+        h->origin[i] = 0 - kit_dot(place, across) / kit_dot(row[i], across);
+        h->world_to_camera[12 + i] = 0;
+    }
+}
+
 /* 1: worldToCamera is there. */
 static int exr_place(kit_header *h, const exr_reader *r, const char *path, kit_error *err)
 {
     const exr_attribute_t *found;
-    const int is = exr_find(&found, r, MATRIX, EXR_ATTR_M44F, path, err);
+    double place[3];
+    const char *name = FAR_MATRIX;
+    const int away = exr_find(&found, r, name, EXR_ATTR_M44D, path, err);
+    const int is = away ? away : exr_find(&found, r, name = MATRIX, EXR_ATTR_M44F, path, err);
     if (is < 1) return is;
-    memcpy(h->world_to_camera, found->m44f->m, sizeof h->world_to_camera);
-    for (int i = 12; i < 15; ++i)
-        if (!(fabs((double)h->world_to_camera[i]) <= KIT_MOST))
-            return kit_fail(err, "%s: %s: its place must be in -%g..%g", path, MATRIX, KIT_MOST, KIT_MOST);
+    for (int i = 0; i < 16; ++i) h->world_to_camera[i] = away ? (float)found->m44d->m[i] : found->m44f->m[i];
+    for (int i = 0; i < 3; ++i) {
+        place[i] = away ? found->m44d->m[12 + i] : (double)found->m44f->m[12 + i];
+        if (!(fabs(place[i]) <= KIT_MOST))
+            return kit_fail(err, "%s: %s: its place must be in -%g..%g", path, name, KIT_MOST, KIT_MOST);
+    }
     if (!exr_rigid(h->world_to_camera))
         return kit_fail(err, "%s: %s: must turn and move a right-handed world, without scale, to a camera with x to "
-                             "the right, y up, looking down +z", path, MATRIX);
+                             "the right, y up, looking down +z", path, name);
+    if (away) exr_place_at_eye(h, place);
     return 1;
 }
 
@@ -292,10 +312,18 @@ int kit_exr_header(kit_header *header, int wanted, const char *path, kit_error *
 static exr_result_t exr_write_header_of(exr_context_t context, const kit_image *image, const kit_header *h)
 {
     exr_attr_m44f_t matrix;
+    exr_attr_m44d_t far_matrix;
     const exr_attr_v2f_t centre = { { { h->centre[0], h->centre[1] } } };
+    const int away = h->origin[0] != 0 || h->origin[1] != 0 || h->origin[2] != 0;
     exr_result_t result = EXR_ERR_SUCCESS;
-    memcpy(matrix.m, h->world_to_camera, sizeof matrix.m);
+    for (int i = 0; i < 16; ++i) {
+        far_matrix.m[i] = (double)h->world_to_camera[i];
+        for (int k = 0; k < 3 && i >= 12 && i < 15; ++k) far_matrix.m[i] -= h->origin[k] * far_matrix.m[4 * k + i % 4];
+        matrix.m[i] = (float)far_matrix.m[i];
+    }
     if (h->has & KIT_HEADER_PLACE) result = exr_attr_set_m44f(context, 0, MATRIX, &matrix);
+    if (h->has & KIT_HEADER_PLACE && away && result == EXR_ERR_SUCCESS)
+        result = exr_attr_set_m44d(context, 0, FAR_MATRIX, &far_matrix);
     if (h->has & KIT_HEADER_WINDOW && result == EXR_ERR_SUCCESS) {
         result = exr_set_screen_window_width(context, 0, h->height * (float)image->width / (float)image->height);
         if (result == EXR_ERR_SUCCESS) result = exr_set_screen_window_center(context, 0, &centre);

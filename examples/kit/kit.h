@@ -6,7 +6,7 @@
      kit/       util.c     errors, progress, threads, whole files, JSON, vectors
                 image.c    float pictures; exr.c, hdr.c, png.c: read and written; score.c: compared
      scene/     mesh.c     triangles of an OBJ of a package; soup.c: objects of any
-                models.c   users' models, which assimp.c reads; texture.c, cards.c: what cuts them
+                models.c   users' models, which assimp.c reads, with gltf.c; texture.c, cards.c: what cuts them
                 scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of;
                            scenes.c: the built-in ones, of buildings.c, thin.c and solids.c; seeds.c: those drawn from
                            a seed, by the rows of tables/, and models of packages: see kit_seed.h
@@ -113,6 +113,8 @@ int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
      worldToCamera       m44f, as OpenEXR's standard has it: the camera is left-handed (x to the right, y up, looking
                          down +z) and the matrix for row vectors, so that its numbers lie as those of this kit do. It
                          turns and moves a right-handed world, without scale
+     ssgi.worldToCamera  m44d: the same in doubles, of what lies so far from 0 that floats would be coarse; it is taken
+                         instead
      screenWindowWidth, screenWindowCenter   likewise: the picture on the plane at distance 1, +y up; not looked at
                          without worldToCamera, because every EXR has them
      ssgi.orthoHeight    float: the picture is orthographic, so many world units from bottom to top of its display
@@ -122,7 +124,8 @@ int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
 enum { KIT_HEADER_PLACE = 1, KIT_HEADER_WINDOW = 2, KIT_HEADER_RADIUS = 4, KIT_HEADER_ALL = 7 };
 typedef struct kit_header {
     int   has;
-    float world_to_camera[16];
+    float world_to_camera[16];             /* about the origin, a mesh's or the eye */
+    double origin[3];
     int   orthographic;
     float height, centre[2];               /* of the picture: at distance 1, or orthographic in world units */
     float radius;
@@ -163,6 +166,9 @@ typedef struct kit_mesh {
     /* one a triangle: the number of its object, from 1 on; 0 = none. NULL = none at all */
     uint32_t *object;
     float  lower[3], upper[3];             /* bounds */
+    /* What stands at 0 here, in the file's own coordinates: 0 but of what lies more than a hundred of its diagonals
+       from there, where floats would be coarse. Near the middle of its bounds then */
+    double origin[3];
 } kit_mesh;
 
 /* What is rigid and may stand elsewhere than the rest. Object number k + 1 is object[k]. */
@@ -209,7 +215,7 @@ enum { KIT_SCENE_LIGHTS = 4 };
 typedef struct kit_scene {
     const char *name;                      /* built-in name or path */
     const char *about;                     /* one line */
-    char        note[256];                 /* one line: what a model names and is not there, "" = nothing */
+    char        note[512];                 /* one line: what of a model is not as its file has it, "" = nothing */
     kit_mesh    mesh;
     kit_camera  camera;                    /* a view that shows something; width, height 1280 x 720 */
     float       radius;                    /* a radius that suits it, world units */
@@ -231,12 +237,14 @@ typedef struct kit_scene {
    the mean of its texture and of the corners' colours; a card whose texture has holes (glTF: alphaMode MASK, or BLEND
    where alpha is nearly all 0 or 1; others: the latter, or a map of opacity) is cut along its texels, or squares of
    them, of which a triangle has 4096 at most, fewer where more than 512 triangles are cut. FBX, Collada, IFC and 3DS
-   are turned upright, others stand as they are; units stay as they are. A model: the camera looks at the bounds from
-   the front, above and to the side so that all is in view; radius is a tenth of the bounds' diagonal. floor_: adds a
-   square under it, at its lowest y, five diagonals wide, as object "floor". Every triangle has an object. Of a model
-   each is its own shape, at its place (to_world 1), and casts unless it is flat (its bounds' thinnest side below
-   1e-3 of the widest) or its bounds hold those of most other objects entirely, as rooms and grounds do. Built-in scenes
-   say themselves what casts. */
+   are turned upright, others stand as they are; units stay as they are. What lies more than 100 diagonals of its bounds
+   from 0 in x, y or z is read in doubles, as far as its format has them, about mesh.origin: all places here are about
+   that, to be added for the file's own coordinates; its note says so, and where numbers are coarse. A model: the camera
+   looks at the bounds from the front, above and to the side so that all is in view; radius is a tenth of the bounds'
+   diagonal. floor_: adds a square under it, at its lowest y, five diagonals wide, as object "floor". Every triangle has
+   an object. Of a model each is its own shape, at its place (to_world 1), and casts unless it is flat (its bounds'
+   thinnest side below 1e-3 of the widest) or its bounds hold those of most other objects entirely, as rooms and grounds
+   do. Built-in scenes say themselves what casts. */
 int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_error *err);
 void        kit_scene_free(kit_scene *scene);
 int         kit_scene_seeded(const char *name);    /* whether a name is of a scene that brings its own light */
@@ -305,8 +313,8 @@ typedef struct kit_material { const char *name; float sigma_s[3], sigma_a[3], et
 const kit_material *kit_material_of(int i);
 
 /* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers in -KIT_MOST..KIT_MOST, colours 0 or more; a sun's direction need
-   not be unit, but not 0. */
-int  kit_light_parse(kit_light *light, const char *text, kit_error *err);
+   not be unit, but not 0. Places are about a mesh's origin then; NULL: about 0. */
+int  kit_light_parse(kit_light *light, const char *text, const double origin[3], kit_error *err);
 
 /* ---- >>truth ------------------------------------------------------------------------------------------------ */
 

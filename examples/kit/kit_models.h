@@ -1,15 +1,55 @@
-/* kit_models.h - what models.c, assimp.c, texture.c and cards.c share: models that are no OBJ. Private to them. */
+/* kit_models.h - what models.c, mesh.c, gltf.c, assimp.c, texture.c and cards.c share. Private to them. */
 #ifndef KIT_MODELS_H
 #define KIT_MODELS_H
 
 #include "kit/kit_obj.h"
 
-enum { KIT_NOTE = 256 };
+enum { KIT_NOTE = 512 };
 
 /* ---- >>models */
 
 /* The triangles of an OBJ, or of what else can be read. note: KIT_NOTE characters, as a scene has it. */
 int kit_model_read(kit_mesh *mesh, kit_object **object, int *objects, char *note, const char *path, kit_error *err);
+
+/* One sentence more, without its stop, as far as there is room. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+void kit_note(char *note, const char *format, ...);
+/* That one, where floats that are so far apart are coarse beside the bounds. */
+void kit_note_gap(char *note, double gap, const float lower[3], const float upper[3]);
+
+/* ---- >>mesh */
+
+/* The text of an OBJ that lies far from 0, its vertices about its middle, which is then the origin; free(). NULL: it
+   lies near, or cannot be read. */
+char *kit_obj_moved(double origin[3], const char *path);
+
+/* ---- >>gltf */
+
+/* What a glTF says of its nodes; text: all of it, in which node[i] begins. */
+typedef struct kit_gltf {
+    char *data, *text;
+    kit_array node;                        /* const char * */
+} kit_gltf;
+
+/* Its JSON alone; free(data). */
+int kit_gltf_text(kit_gltf *g, const char *path, kit_error *err);
+/* Its nodes, too; of one that is damaged those before the damage. */
+int kit_gltf_open(kit_gltf *g, const char *path, kit_error *err);
+void kit_gltf_close(kit_gltf *g);
+/* Of a value, which may be NULL: the member of a name; the first element, and the next one; NULL: there is none. */
+const char *kit_gltf_member(const char *object, const char *name);
+const char *kit_gltf_first(const char *array);
+const char *kit_gltf_next(const char *element);
+/* The node that an element names. */
+const char *kit_gltf_node(const kit_gltf *g, const char *element);
+/* Those of the scene that is shown: an array. */
+const char *kit_gltf_roots(const kit_gltf *g);
+/* How many numbers an array has; so many of them. */
+size_t kit_gltf_numbers(double *out, size_t most, const char *array);
+/* Rows, from its matrix or its translation, rotation and scale. */
+void kit_gltf_place(double m[3][4], const char *node);
 
 /* ---- >>assimp */
 

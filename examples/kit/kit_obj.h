@@ -4,6 +4,10 @@
 
 #include "kit/kit.h"
 
+/* A mesh farther from 0 than so many of its diagonals is read about its own middle. Numbers that lie farther apart than
+   such a share of it are said to be coarse; floats do where that is not done, from 170 diagonals on. */
+static const double KIT_AWAY = 100, KIT_COARSE = 2e-5;
+
 /* What is read, for errors: its path, and in a text the line, else 0. */
 typedef struct kit_source { const char *path; int line; kit_error *err; } kit_source;
 
@@ -26,6 +30,7 @@ typedef struct kit_soup {
     kit_array line[2];                     /* uint32_t a triangle: which of them */
     kit_array number;                      /* uint32_t a triangle: its object's */
     kit_array objects;                     /* kit_object */
+    double origin[3];                      /* the mesh's */
 } kit_soup;
 int  kit_soup_name(kit_soup *s, int way, kit_key name, const kit_source *from);
 /* A normal that is NULL or 0 becomes the face's. 1; or 0: it has no area, and is left out; or -1. */
@@ -36,5 +41,9 @@ int  kit_soup_objects(kit_soup *s, const kit_source *from);
 /* What was found, with its bounds; object and objects NULL: not wanted. */
 void kit_soup_take(kit_soup *s, kit_mesh *mesh, kit_object **object, int *objects);
 void kit_soup_free(kit_soup *s);
+
+/* 1: what was read about an origin lies farther from it than KIT_AWAY; the origin is then its middle, about which it is
+   to be read anew. Twice at most: floats find a middle to 24 bits, and doubles have 53. */
+int  kit_origin_move(double origin[3], const float lower[3], const float upper[3]);
 
 #endif

@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int floats(const char *text, float *out, int count)
+static int numbers(const char *text, double *out, int count)
 {
     char *end = NULL;
     for (int i = 0; i < count; ++i, text = end + 1) {
-        out[i] = strtof(text, &end);
-        if (end == text || *end != (i + 1 < count ? ',' : 0) || !(fabs((double)out[i]) <= KIT_MOST)) return -1;
+        out[i] = strtod(text, &end);
+        if (end == text || *end != (i + 1 < count ? ',' : 0) || !(fabs(out[i]) <= KIT_MOST)) return -1;
     }
     return 0;
 }
@@ -90,11 +90,11 @@ static int take_place(viewer *v, asked *to, const char *name, const char *value)
 {
     if (!strcmp(name, "--camera")) {
         to->camera = 1;
-        return must(v, !floats(value, to->place, 6), name, value,
+        return must(v, !numbers(value, to->place, 6), name, value,
                     "be six numbers with commas between, each within 1e12 of 0");
     }
     to->up |= !strcmp(name, "--up");
-    return must(v, !floats(value, strcmp(name, "--up") ? to->slide : to->upward, 3), name, value,
+    return must(v, !numbers(value, strcmp(name, "--up") ? to->slide : to->upward, 3), name, value,
                 "be three numbers with commas between, each within 1e12 of 0");
 }
 

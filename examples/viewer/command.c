@@ -37,10 +37,17 @@ static void add_word(line *l, const char *word)
     add(l, "'");
 }
 
-static void add_numbers(line *l, const char *option, const float *a, const float *b)
+static void add_numbers(line *l, const char *before, const float v[3])
 {
-    add(l, " %s ", option);
-    for (int i = 0; i < (b ? 6 : 3); ++i) add(l, "%s%.9g", i ? "," : "", (double)(i < 3 ? a[i] : b[i - 3]));
+    add(l, "%s%.9g,%.9g,%.9g", before, (double)v[0], (double)v[1], (double)v[2]);
+}
+
+/* In the scene's own coordinates. */
+static void add_place(line *l, const viewer *v, const char *before, const float at[3])
+{
+    const double *origin = v->scene.mesh.origin;
+    for (int i = 0; i < 3; ++i)
+        add(l, "%s%.*g", i ? "," : before, origin[i] != 0 ? 17 : 9, origin[i] + (double)at[i]);
 }
 
 static void add_light(line *l, const viewer *v)
@@ -59,8 +66,9 @@ static void add_light(line *l, const viewer *v)
     }
     for (int i = 0; i < now->lights; ++i) {
         const kit_light *at = &now->light[i];
-        add(l, " --light %s:%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", at->kind == KIT_SUN ? "sun" : "point", (double)at->at[0],
-            (double)at->at[1], (double)at->at[2], (double)at->colour[0], (double)at->colour[1], (double)at->colour[2]);
+        if (at->kind == KIT_POINT) add_place(l, v, " --light point:", at->at);
+        else add_numbers(l, " --light sun:", at->at);
+        add_numbers(l, ",", at->colour);
     }
 }
 
@@ -78,14 +86,15 @@ void command_print(viewer *v)
     kit_method_text(set, sizeof set, &s->method);
     if (*set) add(&l, " --set %s", set);
     if (!s->method.between) add(&l, " --radius %.9g", (double)v->radius);
-    add_numbers(&l, "--camera", c->eye, c->target);
-    add_numbers(&l, "--up", c->up, NULL);
+    add_place(&l, v, " --camera ", c->eye);
+    add_place(&l, v, ",", c->target);
+    add_numbers(&l, " --up ", c->up);
     if (c->fovy > 0) add(&l, " --fovy %.9g", (double)c->fovy);
     else add(&l, " --ortho-height %.9g", (double)c->ortho_height);
     add(&l, " --size %dx%d", v->drawn[0], v->drawn[1]);
     if (s->method.lit) add_light(&l, v);
     else if (v->colours) add(&l, " --colours");
-    if (v->slid[0] != 0 || v->slid[1] != 0 || v->slid[2] != 0) add_numbers(&l, "--slide", v->slid, NULL);
+    if (v->slid[0] != 0 || v->slid[1] != 0 || v->slid[2] != 0) add_numbers(&l, " --slide ", v->slid);
     if (s->method.set.history && s->frames.since > 1)
         add(&l, " --still %u", s->frames.since < VIEWER_STILL ? s->frames.since : (unsigned)VIEWER_STILL);
     add(&l, " --out picture.png");

@@ -95,6 +95,9 @@ int scene_open(viewer *v, const char *name)
         return -1;
     }
     truth_stop(&v->truth);
+    for (int i = 0; i < v->light.now.lights && v->light.asked; ++i) /* which stay where they are in the world */
+        for (int k = 0; k < 3 && v->light.now.light[i].kind == KIT_POINT; ++k)
+            v->light.now.light[i].at[k] += (float)(v->scene.mesh.origin[k] - scene.mesh.origin[k]);
     draw_forget(v);
     for (int i = 0; i < 2; ++i) kit_frames_close(&v->side[i].frames);
     kit_fields_free();

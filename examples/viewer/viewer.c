@@ -43,11 +43,11 @@ static int open_camera(viewer *v, const asked *to)
 {
     kit_camera *c = &v->camera;
     double away[3], length = 0, up = 0, along = 0;
-    if (to->camera) {
-        memcpy(c->eye, to->place, sizeof c->eye);
-        memcpy(c->target, to->place + 3, sizeof c->target);
+    for (int i = 0; i < 3 && to->camera; ++i) {
+        c->eye[i] = (float)(to->place[i] - v->scene.mesh.origin[i]);
+        c->target[i] = (float)(to->place[3 + i] - v->scene.mesh.origin[i]);
     }
-    if (to->up) memcpy(c->up, to->upward, sizeof c->up);
+    for (int i = 0; i < 3 && to->up; ++i) c->up[i] = (float)to->upward[i];
     if (to->fovy > 0) {
         c->fovy = (float)to->fovy;
         c->ortho_height = 0;
@@ -77,10 +77,10 @@ static int open_all(viewer *v, const asked *to)
     if (*v->scene.note) fprintf(stderr, "viewer: note: %s: %s\n", to->scene, v->scene.note);
     if (open_camera(v, to)) return -1;
     for (; l->lights < to->lights; ++l->lights)
-        if (kit_light_parse(&l->light[l->lights], to->light[l->lights], &v->err)) return -1;
+        if (kit_light_parse(&l->light[l->lights], to->light[l->lights], v->scene.mesh.origin, &v->err)) return -1;
     if (to->env && env_open(v, to->env)) return -1;
-    memcpy(v->slid, to->slide, sizeof v->slid);
-    return kit_scene_slide(&v->scene, to->slide, 1, &v->err);
+    for (int i = 0; i < 3; ++i) v->slid[i] = (float)to->slide[i];
+    return kit_scene_slide(&v->scene, v->slid, 1, &v->err);
 }
 
 /* ---- >>run ------------------------------------------------------------------------------------------------------- */

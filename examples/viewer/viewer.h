@@ -188,7 +188,7 @@ void   window_title(viewer *v);
 typedef struct asked {
     const char *scene, *method, *right, *env, *set[VIEWER_WISHES], *light[KIT_MAX_LIGHTS];
     int         sets, lights, help, camera, up;
-    float       place[6], upward[3], slide[3];
+    double      place[6], upward[3], slide[3];
     double      fovy, ortho_height;
 } asked;
 int    arguments(viewer *v, asked *to, int argc, char **argv);

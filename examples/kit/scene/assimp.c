@@ -1,10 +1,14 @@
 /* assimp.c - models that Assimp reads, as triangles of the world. Declared in kit_models.h. With KIT_ASSIMP it is
    compiled against the library, else without; no other file knows it.
 
-   Taken: triangles of all nodes, where the file's own pose has them; names of nodes and meshes, for objects; normals
-   where there are any; base or diffuse colours, times the mean of their texture and the corners' own. What alpha cuts
-   is cut. Not taken: morphs, movement, lights, cameras, emission, glass. Units are the file's; so are axes, but for
-   FBX, and for those that Assimp turns upright itself (Collada, IFC, 3DS). */
+   Taken: triangles of all nodes, where the file's own pose has them, of glTF with the morphs that it begins with; names
+   of nodes and meshes, for objects; normals where there are any; base or diffuse colours, times the mean of their
+   texture and the corners' own. What alpha cuts is cut. Not taken: others' morphs, movement, lights, cameras, emission,
+   glass. Units are the file's; so are axes, but for FBX, and for those that Assimp turns upright itself (Collada, IFC,
+   3DS).
+
+   Assimp's numbers are floats. Of what lies far from 0 an OBJ's text is moved before it reads that, and a glTF's places
+   of nodes are taken from its JSON; what stays coarse is said. */
 #include "kit/kit_models.h"
 #include <stddef.h>
 
@@ -25,6 +29,7 @@ int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, c
 #else
 
 #include <assimp/GltfMaterial.h>
+#include <assimp/cfileio.h>
 #include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -44,6 +49,7 @@ int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, c
 enum {
     MOST_MESHES = 1 << 18,
     MOST_TRIANGLES = 1 << 24,
+    MOST_WEIGHTS = 256,
     ALL_CELLS = 1 << 21,
     MOST_CELLS = 4096,
     LEAST_CELLS = 64,
@@ -73,18 +79,34 @@ typedef struct place {
     double m[3][4];
 } place;
 
+/* A node of a glTF's JSON. */
+typedef struct twin {
+    const struct aiNode *node;
+    const char *json;
+} twin;
+
 typedef struct reader {
     const struct aiScene *scene;
-    place root; /* turns all upright */
+    place root;       /* turns all upright, and moves it near 0 */
+    double origin[3]; /* from there */
     kit_soup *soup;
     kit_source from;
     char *note;
-    int missing, gltf;
+    int missing, emits, gltf;
+    kit_gltf json;
+    kit_array twins;    /* twin, by its node; none: another format, or Assimp's nodes are not the file's */
+    int precise;        /* places are the twins' */
+    int measures;       /* what is read is measured, and no more */
+    float lower[3], upper[3];
+    double vertex_gap, node_gap; /* how far apart floats lie: of vertices, and of nodes' places, in the world */
     kit_array textures; /* known */
     look *looks;        /* one a material */
     double cells;       /* a card's */
     size_t meshes, triangles;
     float *position, *normal; /* of the present mesh, 3 a vertex, in the world */
+    char *used;               /* its vertices that triangles name */
+    double weight[MOST_WEIGHTS]; /* of the present node's morphs */
+    size_t weights;              /* that it has of its own */
 } reader;
 
 const char *kit_assimp_version(void)
@@ -102,7 +124,7 @@ static void remark(reader *r, const char *texture, const char *why)
 {
     if (!strncmp(texture, "$texture_dummy", 14)) return; /* Assimp's own */
     if (r->missing++) snprintf(r->note, KIT_NOTE, "%d textures could not be read, and are left out", r->missing);
-    else snprintf(r->note, KIT_NOTE, "texture %.150s %.60s, and is left out", texture, why);
+    else kit_note(r->note, "texture %.150s %.60s, and is left out", texture, why);
 }
 
 /* The whole file that a model names: as it is named, or beside the model. */
@@ -256,11 +278,13 @@ static int least_alpha(const reader *r, const struct aiMaterial *m, float factor
 
 static int look_at(reader *r, look *l, const struct aiMaterial *m)
 {
-    struct aiColor4D colour = { 0.8f, 0.8f, 0.8f, 1 };
+    struct aiColor4D colour = { 0.8f, 0.8f, 0.8f, 1 }, light = { 0, 0, 0, 1 };
     struct aiString path = { 0 }, name = { 0 };
     const int coloured = aiGetMaterialColor(m, AI_MATKEY_BASE_COLOR, &colour) == aiReturn_SUCCESS
                       || aiGetMaterialColor(m, AI_MATKEY_COLOR_DIFFUSE, &colour) == aiReturn_SUCCESS;
     aiGetMaterialString(m, AI_MATKEY_NAME, &name);
+    aiGetMaterialColor(m, AI_MATKEY_COLOR_EMISSIVE, &light);
+    r->emits |= light.r > 0 || light.g > 0 || light.b > 0;
     *l = (look){ .of = -1 };
     const int textured = texture_of(r, m, aiTextureType_BASE_COLOR, &path, l)
                       || texture_of(r, m, aiTextureType_DIFFUSE, &path, l);
@@ -291,6 +315,71 @@ static place place_from(const struct aiMatrix4x4 *m)
                       { (double)m->c1, (double)m->c2, (double)m->c3, (double)m->c4 } } };
 }
 
+static int by_node(const void *a, const void *b)
+{
+    const struct aiNode *const p = ((const twin *)a)->node, *const q = ((const twin *)b)->node;
+    return p < q ? -1 : p > q;
+}
+
+/* NULL: it has none. */
+static const char *json_of(const reader *r, const struct aiNode *n)
+{
+    const twin key = { n, NULL };
+    const twin *found = r->twins.count ? bsearch(&key, r->twins.data, r->twins.count, sizeof key, by_node) : NULL;
+    return found ? found->json : NULL;
+}
+
+static place place_of(const reader *r, const struct aiNode *n)
+{
+    const char *json = r->precise ? json_of(r, n) : NULL;
+    place p = place_from(&n->mTransformation);
+    if (json) kit_gltf_place(p.m, json);
+    return p;
+}
+
+static int pair(reader *r, const struct aiNode *n, const char *json)
+{
+    twin *t = json ? kit_array_add(&r->twins, 1, sizeof *t, &r->from) : NULL;
+    const char *child = kit_gltf_first(kit_gltf_member(json, "children"));
+    if (!t) return -1;
+    *t = (twin){ n, json };
+    for (unsigned i = 0; i < n->mNumChildren; ++i, child = kit_gltf_next(child))
+        if (!child || pair(r, n->mChildren[i], kit_gltf_node(&r->json, child))) return -1;
+    return child ? -1 : 0;
+}
+
+/* Assimp's nodes are the file's, in its order, below one of its own where there are several roots. */
+static void pair_nodes(reader *r)
+{
+    const struct aiNode *root = r->scene->mRootNode;
+    if (!root || kit_gltf_open(&r->json, r->from.path, NULL)) return;
+    const char *first = kit_gltf_first(kit_gltf_roots(&r->json)), *next = first ? kit_gltf_next(first) : NULL;
+    int failed = !first || (!next && pair(r, root, kit_gltf_node(&r->json, first)));
+    for (unsigned i = 0; next && !failed && i < root->mNumChildren; ++i, first = first ? kit_gltf_next(first) : NULL)
+        failed = !first || pair(r, root->mChildren[i], kit_gltf_node(&r->json, first));
+    if (failed) r->twins.count = 0;
+    else qsort(r->twins.data, r->twins.count, sizeof(twin), by_node);
+}
+
+/* From a number to the next float. */
+static double gap_at(double x)
+{
+    const float f = fabsf((float)x);
+    return (double)nextafterf(f, INFINITY) - (double)f;
+}
+
+/* The largest of its coordinates' gaps, of what lies there at a place. */
+static double gap_of(const place *p, const double at[3])
+{
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+        double gap = 0;
+        for (int k = 0; k < 3; ++k) gap += fabs(p->m[i][k]) * gap_at(at[k]);
+        most = fmax(most, gap);
+    }
+    return most;
+}
+
 static place times(const place *a, const place *b)
 {
     place out;
@@ -316,13 +405,30 @@ static double cofactors(const place *p, double out[3][3])
     return determinant;
 }
 
+/* Adds by how much a morph moves, by a weight. */
+static void add_morph(double to[3], const struct aiVector3D *base, const struct aiVector3D *morph, double weight)
+{
+    to[0] += weight * ((double)morph->x - (double)base->x);
+    to[1] += weight * ((double)morph->y - (double)base->y);
+    to[2] += weight * ((double)morph->z - (double)base->z);
+}
+
 /* Adds what a vertex is at a place, by a weight. */
 static void add_vertex(reader *r, const struct aiMesh *m, unsigned v, const place *p, double turn[3][3], double weight)
 {
+    if (!r->used[v]) return;
     const struct aiVector3D *at = &m->mVertices[v], *n = m->mNormals ? &m->mNormals[v] : NULL;
-    const double from[3] = { (double)at->x, (double)at->y, (double)at->z };
-    const double normal[3] = { n ? (double)n->x : 0, n ? (double)n->y : 0, n ? (double)n->z : 0 };
+    double from[3] = { (double)at->x, (double)at->y, (double)at->z };
+    double normal[3] = { n ? (double)n->x : 0, n ? (double)n->y : 0, n ? (double)n->z : 0 };
     double turned[3], length = 0;
+    if (r->measures) r->vertex_gap = fmax(r->vertex_gap, gap_of(p, from));
+    for (unsigned i = 0; r->gltf && i < m->mNumAnimMeshes; ++i) {
+        const struct aiAnimMesh *morph = m->mAnimMeshes[i];
+        const double by = !r->weights ? (double)morph->mWeight : i < r->weights && i < MOST_WEIGHTS ? r->weight[i] : 0;
+        if (by == 0 || v >= morph->mNumVertices) continue;
+        if (morph->mVertices) add_morph(from, at, &morph->mVertices[v], by);
+        if (morph->mNormals && n) add_morph(normal, n, &morph->mNormals[v], by);
+    }
     for (int i = 0; i < 3; ++i) {
         r->position[3 * (size_t)v + (size_t)i] += (float)(weight * (kit_dot(p->m[i], from) + p->m[i][3]));
         turned[i] = kit_dot(turn[i], normal);
@@ -333,14 +439,14 @@ static void add_vertex(reader *r, const struct aiMesh *m, unsigned v, const plac
 }
 
 /* The node of a name and its place; 0: there is none. */
-static int node_named(const struct aiNode *n, const char *name, const place *above, place *out)
+static int node_named(const reader *r, const struct aiNode *n, const char *name, const place *above, place *out)
 {
-    const place own = place_from(&n->mTransformation);
+    const place own = place_of(r, n);
     *out = times(above, &own);
     if (!strcmp(n->mName.data, name)) return 1;
     const place here = *out;
     for (unsigned i = 0; i < n->mNumChildren; ++i)
-        if (n->mChildren[i] && node_named(n->mChildren[i], name, &here, out)) return 1;
+        if (n->mChildren[i] && node_named(r, n->mChildren[i], name, &here, out)) return 1;
     return 0;
 }
 
@@ -354,7 +460,7 @@ static void hold(reader *r, const struct aiMesh *m, float *held)
         const place offset = place_from(&bone->mOffsetMatrix);
         double turn[3][3];
         place p;
-        if (!node_named(r->scene->mRootNode, bone->mName.data, &r->root, &p)) continue;
+        if (!node_named(r, r->scene->mRootNode, bone->mName.data, &r->root, &p)) continue;
         p = times(&p, &offset);
         cofactors(&p, turn);
         for (unsigned w = 0; w < bone->mNumWeights; ++w) {
@@ -446,6 +552,16 @@ static int add_face(reader *r, const struct aiMesh *m, const struct aiFace *f, i
     return kit_soup_triangle(r->soup, c.position, c.normal, c.albedo, &r->from) < 0 ? -1 : 0;
 }
 
+static void measure_mesh(reader *r, const struct aiMesh *m)
+{
+    for (size_t v = 0; v < m->mNumVertices; ++v)
+        for (size_t i = 0; i < 3 && r->used[v]; ++i) {
+            r->lower[i] = fminf(r->lower[i], r->position[3 * v + i]);
+            r->upper[i] = fmaxf(r->upper[i], r->position[3 * v + i]);
+        }
+}
+
+/* Its triangles, at a place; or by how much they widen the bounds. */
 static int add_mesh(reader *r, const struct aiMesh *m, const place *p)
 {
     const size_t n = m->mNumVertices;
@@ -456,35 +572,152 @@ static int add_mesh(reader *r, const struct aiMesh *m, const place *p)
         return kit_fail(r->from.err, "%s: a mesh names a material that is not there", r->from.path);
     r->position = calloc(3 * n + 1, sizeof *r->position);
     r->normal = calloc(3 * n + 1, sizeof *r->normal);
+    r->used = calloc(n + 1, 1);
     float *held = calloc(n + 1, sizeof *held);
     const int mirrored = cofactors(p, turn) < 0 && !m->mNumBones;
-    int failed = r->position && r->normal && held ? 0 : kit_fail(r->from.err, "%s: no memory", r->from.path);
+    const int room = r->position && r->normal && r->used && held;
+    int failed = room ? 0 : kit_fail(r->from.err, "%s: no memory", r->from.path);
+    for (unsigned i = 0; room && i < m->mNumFaces; ++i)
+        for (unsigned k = 0; m->mFaces[i].mNumIndices == 3 && k < 3; ++k)
+            if (m->mFaces[i].mIndices[k] < n) r->used[m->mFaces[i].mIndices[k]] = 1;
     if (!failed) hold(r, m, held);
     for (unsigned v = 0; !failed && v < n; ++v) {
         if (!(held[v] > 0)) add_vertex(r, m, v, p, turn, 1);
         else
             for (size_t i = 0; i < 3; ++i) r->position[3 * v + i] /= held[v];
     }
-    for (unsigned i = 0; !failed && i < m->mNumFaces; ++i)
+    if (r->measures && room) measure_mesh(r, m);
+    for (unsigned i = 0; !failed && !r->measures && i < m->mNumFaces; ++i)
         if (m->mFaces[i].mNumIndices == 3) failed = add_face(r, m, &m->mFaces[i], mirrored);
     free(r->position);
     free(r->normal);
+    free(r->used);
     free(held);
     return failed;
 }
 
 static int add_node(reader *r, const struct aiNode *n, const place *above)
 {
-    const place own = place_from(&n->mTransformation), p = times(above, &own);
+    const place own = place_of(r, n), p = times(above, &own);
+    const double at[3] = { own.m[0][3], own.m[1][3], own.m[2][3] };
+    if (r->measures) r->node_gap = fmax(r->node_gap, gap_of(above, at));
     for (unsigned i = 0; i < n->mNumMeshes; ++i) {
         const struct aiMesh *m = r->scene->mMeshes[n->mMeshes[i]];
         const kit_key name[2] = { { n->mName.data, n->mName.length }, { m->mName.data, m->mName.length } };
-        if (kit_soup_name(r->soup, 0, name[0], &r->from) || kit_soup_name(r->soup, 1, name[1], &r->from)) return -1;
+        const int names = !r->measures;
+        if (names && (kit_soup_name(r->soup, 0, name[0], &r->from) || kit_soup_name(r->soup, 1, name[1], &r->from)))
+            return -1;
+        r->weights = kit_gltf_numbers(r->weight, MOST_WEIGHTS, kit_gltf_member(json_of(r, n), "weights"));
         if (add_mesh(r, m, &p)) return -1;
     }
     for (unsigned i = 0; i < n->mNumChildren; ++i)
         if (n->mChildren[i] && add_node(r, n->mChildren[i], &p)) return -1;
     return 0;
+}
+
+/* ---- >>far away -------------------------------------------------------------------------------------------------- */
+
+static double diagonal_of(const float lower[3], const float upper[3])
+{
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += pow((double)upper[i] - (double)lower[i], 2);
+    return sqrt(sum);
+}
+
+static int measure(reader *r)
+{
+    for (int i = 0; i < 3; ++i) {
+        r->lower[i] = INFINITY;
+        r->upper[i] = -INFINITY;
+        r->root.m[i][3] = 0 - r->origin[i];
+    }
+    r->vertex_gap = r->node_gap = 0;
+    r->meshes = 0;
+    r->measures = 1;
+    const int failed = add_node(r, r->scene->mRootNode, &r->root);
+    r->measures = 0;
+    r->meshes = 0;
+    return failed;
+}
+
+/* Where floats are coarse, places are taken from the file's JSON, if it has that; then all is moved near 0. */
+static int approach(reader *r)
+{
+    if (r->gltf) pair_nodes(r);
+    if (measure(r)) return -1;
+    r->precise = r->twins.count && r->node_gap > KIT_COARSE * diagonal_of(r->lower, r->upper);
+    if (r->precise && measure(r)) return -1;
+    for (int turn = 0; turn < 2 && kit_origin_move(r->origin, r->lower, r->upper); ++turn)
+        if (measure(r)) return -1;
+    if (r->precise) r->node_gap = 0;
+    return 0;
+}
+
+/* ---- >>served ---------------------------------------------------------------------------------------------------- */
+
+/* A text in place of a file's. */
+typedef struct served {
+    const char *path;
+    char *text;
+} served;
+
+static size_t served_read(struct aiFile *file, char *to, size_t size, size_t count)
+{
+    return fread(to, size, count, (FILE *)file->UserData);
+}
+
+static size_t served_write(struct aiFile *file, const char *from, size_t size, size_t count)
+{
+    (void)file;
+    (void)from;
+    (void)size;
+    (void)count;
+    return 0;
+}
+
+static size_t served_tell(struct aiFile *file) { return (size_t)ftell((FILE *)file->UserData); }
+
+static size_t served_size(struct aiFile *file)
+{
+    FILE *f = (FILE *)file->UserData;
+    const long at = ftell(f);
+    fseek(f, 0, SEEK_END);
+    const long size = ftell(f);
+    fseek(f, at, SEEK_SET);
+    return (size_t)size;
+}
+
+static enum aiReturn served_seek(struct aiFile *file, size_t to, enum aiOrigin from)
+{
+    const int whence = from == aiOrigin_SET ? SEEK_SET : from == aiOrigin_CUR ? SEEK_CUR : SEEK_END;
+    return fseek((FILE *)file->UserData, (long)to, whence) ? aiReturn_FAILURE : aiReturn_SUCCESS;
+}
+
+static void served_flush(struct aiFile *file) { (void)file; }
+
+/* An OBJ that is served from memory; all that it names from where that lies. */
+static struct aiFile *open_served(struct aiFileIO *io, const char *path, const char *mode)
+{
+    const served *s = (const served *)io->UserData;
+    FILE *from = strcmp(path, s->path) ? fopen(path, mode) : fmemopen(s->text, strlen(s->text), "rb");
+    struct aiFile *file = from ? malloc(sizeof *file) : NULL;
+    if (file)
+        *file = (struct aiFile){ .ReadProc = served_read,
+                                 .WriteProc = served_write,
+                                 .TellProc = served_tell,
+                                 .FileSizeProc = served_size,
+                                 .SeekProc = served_seek,
+                                 .FlushProc = served_flush,
+                                 .UserData = (char *)from };
+    else if (from) fclose(from);
+    return file;
+}
+
+static void close_served(struct aiFileIO *io, struct aiFile *file)
+{
+    (void)io;
+    fclose((FILE *)file->UserData);
+    free(file);
 }
 
 /* ---- >>guard ----------------------------------------------------------------------------------------------------- */
@@ -591,27 +824,50 @@ static int assimp_fail(const char *path, const char *format, kit_error *err)
     return kit_fail(err, "%s: is %s that cannot be read: %.*s", path, format, (int)(n < 400 ? n : 400), said);
 }
 
+/* Its triangles and their objects. */
+static int take_scene(reader *r)
+{
+    const struct aiNode *root = r->scene->mRootNode;
+    if (open_looks(r) || (root && (approach(r) || add_node(r, root, &r->root)))) return -1;
+    const double gap = fmax(r->vertex_gap, r->node_gap);
+    if (r->soup->position.count) {
+        kit_note_gap(r->note, gap, r->lower, r->upper);
+        if (r->emits) kit_note(r->note, "its materials emit light, which is not read");
+        return kit_soup_objects(r->soup, &r->from);
+    }
+    return gap > KIT_COARSE * diagonal_of(r->lower, r->upper)
+             ? kit_fail(r->from.err,
+                        "%s: no triangles in it: its corners are read as floats, which are %.2g apart there",
+                        r->from.path, gap)
+             : kit_fail(r->from.err, "%s: no triangles in it", r->from.path);
+}
+
 int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, const char *format, kit_error *err)
 {
     reader r = {
         .soup = soup, .from = { path, 0, err }, .note = note, .gltf = !strncmp(format, "glTF", 4)
     };
+    double moved[3] = { 0 };
+    served s = { path, strcmp(format, "OBJ") ? NULL : kit_obj_moved(moved, path) };
+    struct aiFileIO io = { open_served, close_served, (char *)&s };
     guard g;
     struct aiPropertyStore *set = aiCreatePropertyStore();
     if (set) aiSetImportPropertyInteger(set, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     guard_open(&g, size);
     r.scene = aiImportFileExWithProperties(path, aiProcess_Triangulate | (r.gltf ? 0u : aiProcess_TransformUVCoords),
-                                           NULL, set);
+                                           s.text ? &io : NULL, set);
     guard_close(&g);
     if (set) aiReleasePropertyStore(set);
+    free(s.text);
     if (!r.scene) return assimp_fail(path, format, err);
     r.root = strncmp(format, "FBX", 3) ? nowhere : upright(r.scene);
-    int failed = open_looks(&r) || (r.scene->mRootNode && add_node(&r, r.scene->mRootNode, &r.root)) ? -1 : 0;
-    if (!failed)
-        failed = soup->position.count ? kit_soup_objects(soup, &r.from) : kit_fail(err, "%s: no triangles in it", path);
+    const int failed = take_scene(&r);
+    for (int i = 0; i < 3; ++i) soup->origin[i] = moved[i] + r.origin[i];
     for (size_t i = 0; i < r.textures.count; ++i) kit_mask_free(&((known *)r.textures.data)[i].mask);
     free(r.textures.data);
     free(r.looks);
+    free(r.twins.data);
+    kit_gltf_close(&r.json);
     aiReleaseImport(r.scene);
     return failed;
 }

@@ -228,7 +228,7 @@ int kit_env_adjust(kit_image *env, double degrees, double strength, kit_error *e
     return 0;
 }
 
-int kit_light_parse(kit_light *light, const char *text, kit_error *err)
+int kit_light_parse(kit_light *light, const char *text, const double origin[3], kit_error *err)
 {
     static const char *const kinds[] = { [KIT_SUN] = "sun:", [KIT_POINT] = "point:" };
     kit_light read = { 0 };
@@ -242,7 +242,7 @@ int kit_light_parse(kit_light *light, const char *text, kit_error *err)
         return kit_fail(err, "light %s: must be point:x,y,z,r,g,b or sun:x,y,z,r,g,b", text);
     if (read.kind == KIT_SUN) length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     for (int i = 0; i < 3; ++i) {
-        read.at[i] = (float)(v[i] / length);
+        read.at[i] = (float)(v[i] / length - (origin && read.kind == KIT_POINT ? origin[i] : 0));
         read.colour[i] = (float)v[3 + i];
         ok = ok && isfinite(read.at[i]) && isfinite(read.colour[i]) && read.colour[i] >= 0;
         small = small && fabs(v[i]) <= KIT_MOST && v[3 + i] <= KIT_MOST;

@@ -24,6 +24,7 @@ typedef struct obj {
     kit_array lines;                       /* char *: each without its end and its blanks in front */
     kit_array materials, texts;            /* char *: the MTL files, which names are in */
     size_t own_lines;                      /* the lines of the OBJ, which come first */
+    int bare;                              /* without materials */
     const float *albedo;
 } obj;
 
@@ -84,13 +85,13 @@ static int wrong(const obj *o, const char *what, const char *at)
                   : kit_fail(o->from.err, "%s line %d: %s, but the line ends", o->from.path, o->from.line, what);
 }
 
-/* So many numbers; what: of what. Behind them, NULL: they are not there. */
-static char *floats(const obj *o, float *out, int count, char *at, const char *what)
+/* So many numbers, less an origin where there is one; what: of what. Behind them, NULL: they are not there. */
+static char *floats(const obj *o, float *out, int count, char *at, const char *what, const double *origin)
 {
     for (int i = 0; i < count; ++i) {
         char *end;
         at = behind_blanks(at);
-        const float v = strtof(at, &end);
+        const float v = origin ? (float)(strtod(at, &end) - origin[i]) : strtof(at, &end);
         const int digits = (long)strcspn(at, "0123456789") < end - at, whole = !*end || is_blank(*end) || *end == '#';
         if (!digits || !whole || !isfinite(v)) {
             wrong(o, digits && whole ? "a number is too large: at most 3.4e38 is possible" : what, at);
@@ -132,9 +133,9 @@ static int read_material_line(obj *o, char *line)
     if (!(at = behind(line, "Kd")) || !count || !strncmp(at, "xyz", 3) || !strncmp(at, "spectral", 8)) return 0;
     float *const kd = ((material *)o->materials.data)[count - 1].albedo;
     static const char what[] = "Kd needs 1 or 3 numbers";
-    if (!(at = floats(o, kd, 1, at, what))) return -1;
+    if (!(at = floats(o, kd, 1, at, what, NULL))) return -1;
     kd[1] = kd[2] = kd[0];
-    if (*at && *at != '#' && !floats(o, kd + 1, 2, at, what)) return -1;
+    if (*at && *at != '#' && !floats(o, kd + 1, 2, at, what, NULL)) return -1;
     for (int i = 0; i < 3; ++i) kd[i] = fmaxf(0, fminf(1, kd[i]));
     return 0;
 }
@@ -323,12 +324,55 @@ static int read_vertices(obj *o)
         o->from.line = (int)i + 1;
         if (normal || (at = behind(line, "v")) != NULL) {
             float *const v = kit_array_add(normal ? &o->normals : &o->soup.vertices, 3, sizeof *v, &o->from);
-            if (!v || !floats(o, v, 3, at, normal ? "vn needs 3 numbers" : "v needs 3 numbers")) return -1;
+            if (!v || !floats(o, v, 3, at, normal ? "vn needs 3 numbers" : "v needs 3 numbers", NULL)) return -1;
             for (int k = 0; k < 3 && !normal; ++k)
                 if (fabsf(v[k]) > KIT_FARTHEST)
                     return kit_fail(o->from.err, "%s line %d: a coordinate of %g: must be within %g of 0", o->from.path,
                                     o->from.line, (double)v[k], (double)KIT_FARTHEST);
-        } else if ((at = behind(line, "mtllib")) != NULL && *at && read_materials(o, rest_of(at))) return -1;
+        } else if ((at = behind(line, "mtllib")) != NULL && *at && !o->bare && read_materials(o, rest_of(at)))
+            return -1;
+    }
+    return 0;
+}
+
+/* Of the vertices that faces name. */
+static void bounds_of_faces(const obj *o, float lower[3], float upper[3])
+{
+    const long all = (long)(o->soup.vertices.count / 3);
+    long seen = 0;
+    for (int k = 0; k < 3; ++k) {
+        lower[k] = INFINITY;
+        upper[k] = -INFINITY;
+    }
+    for (size_t i = 0; i < o->own_lines; ++i) {
+        char *const line = ((char **)o->lines.data)[i], *at = behind(line, "f");
+        seen += behind(line, "v") != NULL;
+        for (; at && *at && *at != '#'; at = behind_blanks(at + strcspn(at, " \t\r\v\f"))) {
+            const long named = strtol(at, NULL, 10), vertex = named < 0 ? seen + named : named - 1;
+            if (vertex < 0 || vertex >= all) continue;
+            for (int k = 0; k < 3; ++k) {
+                const float v = ((const float *)o->soup.vertices.data)[3 * vertex + k];
+                lower[k] = fminf(lower[k], v);
+                upper[k] = fmaxf(upper[k], v);
+            }
+        }
+    }
+}
+
+/* Vertices that lie far from 0 are read again, in double, about their middle. */
+static int move_origin(obj *o)
+{
+    float lower[3], upper[3];
+    char *at;
+    bounds_of_faces(o, lower, upper);
+    for (int turn = 0; turn < 2 && kit_origin_move(o->soup.origin, lower, upper); ++turn) {
+        float *v = o->soup.vertices.data;
+        for (size_t i = 0; i < o->own_lines; ++i)
+            if ((at = behind(((char **)o->lines.data)[i], "v")) != NULL) {
+                if (!floats(o, v, 3, at, "v needs 3 numbers", o->soup.origin)) return -1;
+                v += 3;
+            }
+        bounds_of_faces(o, lower, upper);
     }
     return 0;
 }
@@ -356,6 +400,52 @@ static int read_faces(obj *o)
                                   : kit_fail(o->from.err, "%s: no triangles in this OBJ file", o->from.path);
 }
 
+static void obj_free(obj *o)
+{
+    kit_soup_free(&o->soup);
+    for (size_t i = 0; i < o->texts.count; ++i) free(((char **)o->texts.data)[i]);
+    free(o->texts.data);
+    free(o->materials.data);
+    free(o->lines.data);
+    free(o->normals.data);
+    free(o->corners.data);
+}
+
+/* All lines but for vertices as they are. */
+static char *text_of(const obj *o, size_t room)
+{
+    const float *v = o->soup.vertices.data;
+    char *const text = malloc(room), *to = text, *rest;
+    float were[3];
+    for (size_t i = 0; text && i < o->own_lines; ++i) {
+        char *const line = ((char **)o->lines.data)[i];
+        if ((rest = behind(line, "v")) != NULL && (rest = floats(o, were, 3, rest, "", NULL)) != NULL) {
+            to += sprintf(to, "v %.9g %.9g %.9g %s\n", (double)v[0], (double)v[1], (double)v[2], rest);
+            v += 3;
+        } else to += sprintf(to, "%s\n", line);
+    }
+    return text;
+}
+
+char *kit_obj_moved(double origin[3], const char *path)
+{
+    enum { NUMBERS = 64 }; /* bytes, of three */
+
+    obj o = { .from = { path, 0, NULL }, .bare = 1 };
+    char *text, *moved = NULL;
+    size_t size;
+    if (kit_file_read(&text, &size, path, NULL)) return NULL;
+    int failed = split(&o, text);
+    o.own_lines = o.lines.count;
+    failed = failed || read_vertices(&o) || move_origin(&o);
+    memcpy(origin, o.soup.origin, sizeof o.soup.origin);
+    if (!failed && (origin[0] != 0 || origin[1] != 0 || origin[2] != 0))
+        moved = text_of(&o, size + o.own_lines + NUMBERS * (o.soup.vertices.count / 3 + 1));
+    obj_free(&o);
+    free(text);
+    return moved;
+}
+
 int kit_mesh_obj(kit_mesh *mesh, kit_object **object, int *objects, const char *path, kit_error *err)
 {
     obj o = { .from = { path, 0, err } };
@@ -364,15 +454,9 @@ int kit_mesh_obj(kit_mesh *mesh, kit_object **object, int *objects, const char *
     if (kit_file_read(&text, &size, path, err)) return -1;
     int failed = split(&o, text);
     o.own_lines = o.lines.count;
-    failed = failed || read_vertices(&o) || read_faces(&o);
+    failed = failed || read_vertices(&o) || move_origin(&o) || read_faces(&o);
     if (!failed) kit_soup_take(&o.soup, mesh, object, objects);
-    kit_soup_free(&o.soup);
-    for (size_t i = 0; i < o.texts.count; ++i) free(((char **)o.texts.data)[i]);
-    free(o.texts.data);
-    free(o.materials.data);
-    free(o.lines.data);
-    free(o.normals.data);
-    free(o.corners.data);
+    obj_free(&o);
     free(text);
     return failed ? -1 : 0;
 }

@@ -5,13 +5,55 @@
    time and memory by the file's size, and its end is an error like any other. */
 #include "kit/kit_models.h"
 #include <errno.h>
+#include <float.h>
+#include <math.h>
 #include <signal.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+/* ---- >>notes ----------------------------------------------------------------------------------------------------- */
+
+void kit_note(char *note, const char *format, ...)
+{
+    const size_t used = strlen(note);
+    va_list list;
+    va_start(list, format);
+    char *to = note + used + (used ? (size_t)snprintf(note + used, KIT_NOTE - used, "; ") : 0);
+    if (to < note + KIT_NOTE) vsnprintf(to, (size_t)(note + KIT_NOTE - to), format, list);
+    va_end(list);
+}
+
+static void note_gap(char *note, const char *kind, double gap, const float lower[3], const float upper[3])
+{
+    double diagonal = 0;
+    for (int i = 0; i < 3; ++i) diagonal += pow((double)upper[i] - (double)lower[i], 2);
+    diagonal = sqrt(diagonal);
+    if (gap > KIT_COARSE * diagonal && isfinite(diagonal))
+        kit_note(note, "its coordinates are read as %s, which so far from 0 are %.2g apart, %.2g of its size", kind,
+                 gap, gap / diagonal);
+}
+
+void kit_note_gap(char *note, double gap, const float lower[3], const float upper[3])
+{
+    note_gap(note, "floats", gap, lower, upper);
+}
+
+/* Where it is drawn, and by how much doubles are off there. */
+static void note_origin(char *note, const kit_mesh *mesh)
+{
+    const double *at = mesh->origin, away = fmax(fabs(at[0]), fmax(fabs(at[1]), fabs(at[2])));
+    if (away == 0) return;
+    note_gap(note, "doubles", DBL_EPSILON * away, mesh->lower, mesh->upper);
+    kit_note(note,
+             "it lies far from 0 beside its size, and is drawn about %.12g,%.12g,%.12g; --camera and --light stay in "
+             "its own coordinates",
+             at[0], at[1], at[2]);
+}
 
 /* ---- >>formats --------------------------------------------------------------------------------------------------- */
 
@@ -111,8 +153,7 @@ static int check_extensions(char *note, const char *path, const char *json, kit_
         ++at;
         const size_t length = strspn(at, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_");
         if (IS_OF(at, length, pictures))
-            snprintf(note, KIT_NOTE, "textures in %.*s are not read, and are left out", length < 80 ? (int)length : 80,
-                     at);
+            kit_note(note, "textures in %.*s are not read, and are left out", length < 80 ? (int)length : 80, at);
         else if (!IS_OF(at, length, harmless))
             return kit_fail(err, "%s: is glTF that needs the extension %.*s, which is not read", path,
                             length < 80 ? (int)length : 80, at);
@@ -123,19 +164,10 @@ static int check_extensions(char *note, const char *path, const char *json, kit_
 
 static int check_gltf(char *note, const char *path, kit_error *err)
 {
-    char *data;
-    size_t size, from = 0, length;
-    if (kit_file_read(&data, &size, path, err)) return -1;
-    length = size;
-    if (size >= 20 && !memcmp(data, "glTF", 4)) { /* a head of 12 bytes, then the JSON's length and kind */
-        const unsigned char *p = (const unsigned char *)data + 12;
-        length = (size_t)p[0] | (size_t)p[1] << 8 | (size_t)p[2] << 16 | (size_t)p[3] << 24;
-        from = 20;
-        if (length > size - from) length = size - from;
-    }
-    data[from + length] = 0;
-    const int failed = check_extensions(note, path, data + from, err);
-    free(data);
+    kit_gltf g;
+    if (kit_gltf_text(&g, path, err)) return -1;
+    const int failed = check_extensions(note, path, g.text, err);
+    free(g.data);
     return failed;
 }
 
@@ -146,6 +178,7 @@ typedef struct answer {
     int failed, objects;
     size_t triangles;
     float lower[3], upper[3];
+    double origin[3];
     char note[KIT_NOTE];
     kit_error err;
 } answer;
@@ -197,6 +230,7 @@ static void read_apart(int to, size_t size, const char *note, const char *path, 
         a.triangles = mesh.triangles;
         memcpy(a.lower, mesh.lower, sizeof a.lower);
         memcpy(a.upper, mesh.upper, sizeof a.upper);
+        memcpy(a.origin, mesh.origin, sizeof a.origin);
     }
     const size_t n = a.triangles;
     _exit(send_all(to, &a, sizeof a) || send_all(to, mesh.position, 9 * n * sizeof *mesh.position)
@@ -222,6 +256,7 @@ static int take_answer(answer *a, kit_mesh *mesh, kit_object **object, int from)
     *object = malloc((size_t)a->objects * sizeof **object);
     memcpy(mesh->lower, a->lower, sizeof a->lower);
     memcpy(mesh->upper, a->upper, sizeof a->upper);
+    memcpy(mesh->origin, a->origin, sizeof a->origin);
     return mesh->position && mesh->normal && mesh->albedo && mesh->object && *object
         && !take_all(from, mesh->position, 9 * n * sizeof *mesh->position)
         && !take_all(from, mesh->normal, 9 * n * sizeof *mesh->normal)
@@ -283,7 +318,7 @@ static int obj_read(kit_mesh *mesh, kit_object **object, int *objects, const cha
 
 /* ---- >>all ------------------------------------------------------------------------------------------------------- */
 
-int kit_model_read(kit_mesh *mesh, kit_object **object, int *objects, char *note, const char *path, kit_error *err)
+static int read_any(kit_mesh *mesh, kit_object **object, int *objects, char *note, const char *path, kit_error *err)
 {
     char bytes[64] = "";
     size_t size;
@@ -304,4 +339,11 @@ int kit_model_read(kit_mesh *mesh, kit_object **object, int *objects, char *note
                         format);
     if (!strncmp(format, "glTF", 4) && check_gltf(note, path, err)) return -1;
     return assimp_read(mesh, object, objects, note, size, path, format, err);
+}
+
+int kit_model_read(kit_mesh *mesh, kit_object **object, int *objects, char *note, const char *path, kit_error *err)
+{
+    if (read_any(mesh, object, objects, note, path, err)) return -1;
+    note_origin(note, mesh);
+    return 0;
 }

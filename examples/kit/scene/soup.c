@@ -220,6 +220,20 @@ int kit_soup_objects(kit_soup *s, const kit_source *from)
     return 0;
 }
 
+int kit_origin_move(double origin[3], const float lower[3], const float upper[3])
+{
+    double middle[3], away = 0, diagonal = 0;
+    for (int i = 0; i < 3; ++i) {
+        middle[i] = 0.5 * ((double)lower[i] + (double)upper[i]);
+        away = fmax(away, fabs(middle[i]));
+        diagonal += ((double)upper[i] - (double)lower[i]) * ((double)upper[i] - (double)lower[i]);
+    }
+    if (!(away > KIT_AWAY * sqrt(diagonal) && away <= (double)KIT_FARTHEST)) return 0;
+    const double step = diagonal > 0 ? exp2(floor(log2(diagonal) / 2)) : 0; /* so that it is a number of few digits */
+    for (int i = 0; i < 3; ++i) origin[i] += step > 0 ? step * rint(middle[i] / step) : middle[i];
+    return 1;
+}
+
 void kit_soup_take(kit_soup *s, kit_mesh *mesh, kit_object **object, int *objects)
 {
     *mesh = (kit_mesh){ .triangles = s->position.count / 9,
@@ -227,6 +241,7 @@ void kit_soup_take(kit_soup *s, kit_mesh *mesh, kit_object **object, int *object
                         .normal = s->normal.data,
                         .albedo = s->albedo.data,
                         .object = s->number.data };
+    memcpy(mesh->origin, s->origin, sizeof mesh->origin);
     s->position.data = s->normal.data = s->albedo.data = s->number.data = NULL;
     for (int i = 0; i < 3; ++i) {
         mesh->lower[i] = mesh->upper[i] = mesh->position[i];

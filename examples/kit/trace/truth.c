@@ -193,6 +193,9 @@ int kit_truth_run(kit_truth *job, kit_image *out, const char *channels, const ki
     if (kit_camera_check(camera, "truth", err)) return -1;
     if (stride < 1) return kit_fail(err, "truth: stride %d: must be 1 or more", stride);
     if (scene->mesh.triangles == 0) return kit_fail(err, "truth: the scene has no triangles");
+    for (int i = 0; i < 3; ++i)
+        if (!(fmaxf(fabsf(camera->eye[i]), fmaxf(fabsf(scene->mesh.lower[i]), fabsf(scene->mesh.upper[i]))) <= 1e12f))
+            return kit_fail(err, "truth: the scene or its camera reaches beyond 1e12 units, where rays hit nothing");
     if (kit_ambient_begin(&job->ambient, radius, attenuation, rays, "truth", err)) return -1;
     job->scene = scene;
     job->mesh = &scene->mesh;

@@ -262,7 +262,7 @@ static int light_up(stage *s, kit_error *err)
     const char *env = l->env ? l->env : s->scene.env;
     if (env && kit_env_read(&s->lighting.env, env, err)) return -1;
     for (int i = 0; i < MOST_SUNS && l->light[i]; ++i)
-        if (kit_light_parse(&s->lighting.light[s->lighting.lights++], l->light[i], err)) return -1;
+        if (kit_light_parse(&s->lighting.light[s->lighting.lights++], l->light[i], NULL, err)) return -1;
     s->traced = s->lighting;
     if (!l->local) return 0;
     memset(&s->traced, 0, sizeof s->traced);

@@ -4,7 +4,12 @@
 #include <string.h>
 
 /* A line of a sequence: a frame, and where it was taken, unless the frame tells. */
-typedef struct line { const char *frame; float camera[6], up[3]; int has_camera, has_up, number; } line;
+typedef struct line {
+    const char *frame;
+    double camera[6];
+    float up[3];
+    int has_camera, has_up, number;
+} line;
 
 typedef struct sequence { char *text; line *line; int lines; } sequence;
 
@@ -18,7 +23,7 @@ static void sequence_free(sequence *s)
 /* What a line's text says; 0: it is blank, -1: it is wrong. */
 static int parse_line(line *l, char *text)
 {
-    float v[9] = { 0 };
+    double v[9] = { 0 };
     int commas = 0;
     text += strspn(text, " \t");
     if (!*text) return 0;
@@ -31,7 +36,7 @@ static int parse_line(line *l, char *text)
     if (render_numbers("camera", camera, v, commas == 8 ? 9 : 6, NULL)) return -1;
     l->has_camera = 1;
     memcpy(l->camera, v, sizeof l->camera);
-    memcpy(l->up, v + 6, sizeof l->up);
+    for (int i = 0; i < 3; ++i) l->up[i] = (float)v[6 + i];
     l->has_up = commas == 8;
     return 1;
 }

@@ -16,7 +16,9 @@ static const char *const usage[3] = {
     "  render --gbuffer frame.exr --out ao.png\n"
     "  render --list | --list hsao\n"
     "what to draw\n"
-    "  MODEL                 OBJ, glTF, GLB, PLY, FBX or what else Assimp reads (without libassimp-dev: OBJ alone)\n"
+    "  MODEL                 OBJ, glTF, GLB, PLY, FBX or what else Assimp reads (without libassimp-dev: OBJ alone).\n"
+    "                        One that lies far from 0 is drawn about its middle; --camera, --light and saved frames\n"
+    "                        stay in its own coordinates\n"
     "  --gbuffer F.exr       a captured frame: Z (view depth > 0), perhaps N.X N.Y N.Z (view space; without them\n"
     "                        normals are of the depth, normal=depth), albedo.R .., direct.R .., farther depth layers\n"
     "                        layer1.Z ..; back.Z, front2.Z, back2.Z (thickness=). Its header's camera and radius are "
@@ -76,16 +78,16 @@ void render_usage(FILE *to)
 /* ---- >>values ---------------------------------------------------------------------------------------------------- */
 
 /* Numbers of the world; beyond that floats leave no room to compute with them. */
-int render_numbers(const char *name, const char *text, float *out, int count, kit_error *err)
+int render_numbers(const char *name, const char *text, double *out, int count, kit_error *err)
 {
-    float v[9];
+    double v[9];
     const char *at = text;
     for (int i = 0; i < count; ++i) {
         char *end;
-        v[i] = strtof(at, &end);
+        v[i] = strtod(at, &end);
         if (end == at || *end != (i + 1 < count ? ',' : 0))
             return kit_fail(err, "%s %s: must be %d numbers with commas between", name, text, count);
-        if (!(fabs((double)v[i]) <= KIT_MOST))
+        if (!(fabs(v[i]) <= KIT_MOST))
             return kit_fail(err, "%s %s: its numbers must be in -%g..%g", name, text, KIT_MOST, KIT_MOST);
         at = end + 1;
     }
@@ -220,15 +222,23 @@ static int take_camera(options *o, const char *name, const char *text, kit_error
     return render_numbers(name, text, o->camera, 6, err);
 }
 
+static int take_way(float out[3], const char *name, const char *text, kit_error *err)
+{
+    double v[3];
+    if (render_numbers(name, text, v, 3, err)) return -1;
+    for (int i = 0; i < 3; ++i) out[i] = (float)v[i];
+    return 0;
+}
+
 static int take_up(options *o, const char *name, const char *text, kit_error *err)
 {
     o->has_up = 1;
-    return render_numbers(name, text, o->up, 3, err);
+    return take_way(o->up, name, text, err);
 }
 
 static int take_slide(options *o, const char *name, const char *text, kit_error *err)
 {
-    return render_numbers(name, text, o->slide, 3, err);
+    return take_way(o->slide, name, text, err);
 }
 
 /* An option with a value: what takes it, or the member that gets it. */

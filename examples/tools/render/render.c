@@ -27,9 +27,12 @@ static int fail(const char *text)
     return 2;
 }
 
-static void camera_of(kit_camera *c, const options *o)
+static void camera_of(kit_camera *c, const options *o, const double origin[3])
 {
-    if (o->has_camera) { memcpy(c->eye, o->camera, sizeof c->eye); memcpy(c->target, o->camera + 3, sizeof c->target); }
+    for (int i = 0; i < 3 && o->has_camera; ++i) {
+        c->eye[i] = (float)(o->camera[i] - origin[i]);
+        c->target[i] = (float)(o->camera[3 + i] - origin[i]);
+    }
     if (o->has_up) memcpy(c->up, o->up, sizeof c->up);
     if (o->fovy > 0) { c->fovy = (float)o->fovy; c->ortho_height = 0; }
     if (o->ortho_height > 0) { c->fovy = 0; c->ortho_height = (float)o->ortho_height; }
@@ -68,7 +71,7 @@ int render_open_settings(job *j, kit_error *err)
     if (kit_method_find(&j->method, o->method, err)) return -1;
     for (int i = 0; i < o->sets; ++i) if (kit_method_set(&j->method, o->set[i], err)) return -1;
     for (; l->lights < o->lights; ++l->lights)
-        if (kit_light_parse(&l->light[l->lights], o->light[l->lights], err)) return -1;
+        if (kit_light_parse(&l->light[l->lights], o->light[l->lights], NULL, err)) return -1;
     if (o->env && (kit_env_read(&l->env, o->env, err) || kit_env_adjust(&l->env, o->turn, o->strength, err))) return -1;
     if (!j->method.lit && !o->planned && (o->env || o->lights))
         return kit_fail(err, "%s: method %s is not lit; ssdo is", o->env ? "--env" : "--light", j->method.name);
@@ -83,9 +86,35 @@ int render_open_settings(job *j, kit_error *err)
     return kit_gl_open(o->context, err);
 }
 
-/* Of a camera that nobody gave, what the frame's header says; the radius likewise. placed: its place is known. */
-static int ask_header(kit_camera *camera, double *radius, int *placed, const options *o, kit_error *err)
+/* Places that the user gives are of his coordinates. */
+static int settle_origin(job *j, const double origin[3], kit_error *err)
 {
+    memcpy(j->origin, origin, sizeof j->origin);
+    for (int i = 0; i < j->o.lights; ++i)
+        if (kit_light_parse(&j->lighting.light[i], j->o.light[i], origin, err)) return -1;
+    return 0;
+}
+
+/* All frames are about one origin. The first one's is its header's, or the eye where a camera that is given stands so
+   far from 0 that floats would turn it. */
+static int settle_frames(job *j, const options *o, const kit_header *header, kit_error *err)
+{
+    static const double nearby[3];
+    double away = 0, length = 0;
+    if (j->framed) return 0;
+    j->framed = 1;
+    if (!o->has_camera) return settle_origin(j, header->origin, err);
+    for (int i = 0; i < 3; ++i) {
+        away = fmax(away, fabs(o->camera[i]));
+        length += pow(o->camera[3 + i] - o->camera[i], 2);
+    }
+    return settle_origin(j, away > 1000 * sqrt(length) ? o->camera : nearby, err);
+}
+
+/* Of a camera that nobody gave, what the frame's header says; the radius likewise. placed: its place is known. */
+static int ask_header(kit_camera *camera, job *j, int *placed, const options *o, kit_error *err)
+{
+    double *radius = &j->radius;
     const int window = !(o->fovy > 0) && !(o->ortho_height > 0), given = *radius > 0;
     const int wanted = (o->has_camera ? 0 : KIT_HEADER_PLACE) | (window ? KIT_HEADER_WINDOW : 0)
                      | (given ? 0 : KIT_HEADER_RADIUS);
@@ -99,7 +128,13 @@ static int ask_header(kit_camera *camera, double *radius, int *placed, const opt
     if (o->sequence && !o->has_camera && !(header.has & KIT_HEADER_PLACE))
         return kit_fail(err, "--gbuffer %s: needs a camera behind its name: it carries none (worldToCamera)",
                         o->gbuffer);
+    if (settle_frames(j, o, &header, err)) return -1;
     kit_camera_from_header(camera, &header);
+    for (int i = 0; i < 3 && header.has & KIT_HEADER_PLACE; ++i) {
+        const double by = header.origin[i] - j->origin[i];
+        camera->eye[i] = (float)((double)camera->eye[i] + by);
+        camera->target[i] = (float)((double)camera->target[i] + by);
+    }
     *placed = o->has_camera || header.has & KIT_HEADER_PLACE;
     if (!given) *radius = (double)header.radius;
     return 0;
@@ -139,8 +174,8 @@ int render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err)
     if (kit_exr_read(&frame, o->gbuffer, err)) return -1;
     camera.width = frame.width;
     camera.height = frame.height;
-    failed = ask_header(&camera, &j->radius, &placed, o, &why);
-    if (!failed) camera_of(&camera, o);
+    failed = ask_header(&camera, j, &placed, o, &why);
+    if (!failed) camera_of(&camera, o, j->origin);
     if (failed || camera_check(&camera, &why)) {
         kit_image_free(&frame);
         return kit_fail(err, "%s", why.text);
@@ -180,7 +215,8 @@ int render_open_scene(job *j, kit_error *err)
     if (kit_scene_load(&j->scene, j->o.scene, j->o.ground, err)) return -1;
     if (*j->scene.note) fprintf(stderr, "render: note: %s: %s\n", j->o.scene, j->scene.note);
     camera = j->scene.camera;
-    camera_of(&camera, &j->o);
+    if (settle_origin(j, j->scene.mesh.origin, err)) return -1;
+    camera_of(&camera, &j->o, j->origin);
     if (!j->o.frames && kit_scene_slide(&j->scene, j->o.slide, 1, err)) return -1;
     if (camera_check(&camera, err) || kit_gbuffer_from_scene(&j->gbuffer, &j->scene, &camera, NULL, err)) return -1;
     if (j->o.guess && guess_radius(&j->radius, &j->scene, j->o.json, err)) return -1;
@@ -302,6 +338,7 @@ static int save_frame(job *j, kit_error *err)
     kit_header header = { .has = KIT_HEADER_RADIUS, .radius = (float)j->radius };
     kit_image frame;
     int failed = 0;
+    memcpy(header.origin, j->origin, sizeof header.origin);
     kit_camera_to_header(&header, &j->gbuffer.camera);
     if (!j->o.sets || !j->world.scene) return kit_exr_write_frame(&j->r.frame, &header, j->o.save, err);
     if (!j->r.run && kit_run_open(&j->run, &j->gbuffer, &j->method, (float)j->radius, &j->world, err)) return -1;

@@ -17,7 +17,8 @@ typedef struct options {
     double      orbit;                     /* degrees a frame */
     float       slide[3];                  /* a frame */
     int         has_camera, has_up, has_near;
-    float       camera[6], up[3];          /* eye, target */
+    double      camera[6];                 /* eye, target */
+    float       up[3];
     double      fovy, ortho_height, znear, zfar;       /* 0: not said */
     /* how */
     const char *method, *set[RENDER_SETS], *context;
@@ -37,7 +38,7 @@ void render_usage(FILE *to);
 int  render_parse(options *o, int argc, char **argv, kit_error *err);
 /* All methods and scenes, a line each; or the settings of one method. */
 int  render_list(const char *name, kit_error *err);
-int  render_numbers(const char *name, const char *text, float *out, int count, kit_error *err);
+int  render_numbers(const char *name, const char *text, double *out, int count, kit_error *err);
 /* Of light, which the planned method may bring by ambient visibility. */
 int  render_plans_light(const options *o);
 /* A path whose one %d, or %04d, is replaced by a number; 0 if it has none, or does not fit. */
@@ -76,6 +77,8 @@ typedef struct job {
     kit_world    world;
     ssgi_plan    plan;
     double       radius;
+    double       origin[3];                /* the user's coordinates of what stands at 0: the scene's, or a frame's */
+    int          framed;                   /* that is settled, by the first frame */
     int          noted;                    /* that a frame's normals agree with another lens */
     result       r;
 } job;
