@@ -5153,7 +5153,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    Mended: rays passed between triangles where multiply and add are fused, past long edges from close by, and through
    triangles that they meet along their plane. A bad count of lights, occluders or levels could keep a GPU busy for
    seconds: texts count to the rows that the textures have. Numbers that are not finite were taken for finite by some
-   compilers with -ffast-math. Colours of surfels that are not finite count as 0.
+   compilers with -ffast-math. Colours of surfels that are not finite count as 0. Shaders divided by 0 in the hull of a
+   field that reaches no farther, and for directions of your own along the horizon (bounce PATCH, uniform).
 
    CHANGES in 0.4, November 2026
    Names are the field's, once each. Enumerators name their group. ssgi_gl_desc has groups, and its enumerations are

@@ -402,7 +402,7 @@ static void corner_bounces(void)
         { "bounce=solid-angle,samples=16", { 0.309233, 0.168214, 0.051965 }, 0.01 },
         { "bounce=patch,distance_clamp=0,samples=64", { 0.5523, 0.19207, 0.050944 }, 0.05 },
         { "bounce=patch,distance_clamp=0,samples=16", { 0.5523, 0.19207, 0.050944 }, 0.1 },
-        { "bounce=patch,distance_clamp=0,samples=16,uniform=1", { 0.5523, 0.19207, 0.050944 }, 0.06 },
+        { "bounce=patch,distance_clamp=0,samples=16,uniform=1,sets=16", { 0.5523, 0.19207, 0.050944 }, 0.06 },
         { "bounce=solid-angle,samples=16,uniform=1", { 0.309233, 0.168214, 0.051965 }, 0.02 },
         { "directions=8", { 0.309233, 0.168214, 0.051965 }, 0.02 }
     };
@@ -421,6 +421,14 @@ static void corner_bounces(void)
                   row[m].set, at[i], found[i], row[m].truth[i]);
         }
         t_note("%s: %.4f %.4f %.4f", row[m].set, found[0], found[1], found[2]);
+        if (run.kernel) {                           /* a kernel of your own, with a direction along the horizon */
+            static const float level[4] = { 0.6f, 0.8f, 0, 0.5f };
+            glBindTexture(GL_TEXTURE_2D, run.kernel);
+            glTexSubImage2D(GL_TEXTURE_2D, 0, 3, 0, 1, 1, GL_RGBA, GL_FLOAT, level);
+            const double is = row_of(&run, &g[1], row_at(at[1]), 64);
+            CHECK(fabs(is - found[1]) < 0.01 * found[1], "%s, a level direction: %.4f, without it %.4f", row[m].set,
+                  is, found[1]);
+        }
         kit_run_close(&run);
     }
     for (int i = 0; i < 3; ++i) kit_gbuffer_free(&g[i]);

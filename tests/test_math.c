@@ -53,11 +53,11 @@ static void matrix(float m[16], const layout *l, int i)
 
 static void views(void)
 {
-    static const double eyes[] = { 0, 1e5, -1, -50 };     /* how much farther away orthographic eyes stand */
+    static const double eyes[] = { 0, 1e5, -1, -50 },     /* how much farther away orthographic eyes stand */
+                        units[] = { 1, 1e-6, 1e-17, 1e9 }; /* what others see */
     for (int e = 0; e < 4 * LAYOUTS; ++e) {
-        const int i = e / 4;
-        if (e % 4 && !layout_at(i, 1, 100).ortho) continue;
-        const double n = 1 + eyes[e % 4], f = 100 + eyes[e % 4];
+        const int i = e / 4, flat = layout_at(i, 1, 100).ortho;
+        const double n = flat ? 1 + eyes[e % 4] : units[e % 4], f = flat ? 100 + eyes[e % 4] : 100 * units[e % 4];
         const layout l = layout_at(i, n, f);
         const double depths[3] = { n, 0.5 * (n + f), 0.51 * n + 0.49 * f };
         const float nothing[] = { l.reversed ? 0.0f : 1.0f, NAN, INFINITY, -INFINITY, -0.5f, -1e-30f, 1.5f };
@@ -1451,6 +1451,22 @@ static void areas(void)
                   worst);
             if (count == 64) t_note("64 lights%s: irradiance at most %.4f off", halves ? ", triangles" : "", worst);
         }
+    }
+    for (int square = 0; square < 2; ++square) { /* what PAPERS.md says of all places at half of the longer side */
+        const double half[2] = { 1, square ? 1 : 0.5 };
+        const float from[3] = { -1, (float)-half[1], 0 }, side[3] = { 0, 2 * (float)half[1], 0 };
+        double worst = 0;
+        CHECK(ssgi_vpl_area(light, 64, from, a, side, 0, radiance, NULL) == SSGI_OK, "refused");
+        for (int k = 0; k < 81 * 81; ++k) {
+            const double p[3] = { k % 81 * 0.05 - 2, k / 81 * 0.05 - 2, 1 };
+            double got = 0;
+            for (int i = 0; i < 64; ++i) {
+                const double x = p[0] - (double)light[i].position[0], y = p[1] - (double)light[i].position[1];
+                got += (double)light[i].intensity[0] / pow(x * x + y * y + 1, 2);
+            }
+            worst = fmax(worst, fabs(got / seen_from(p, half) - 1));
+        }
+        CHECK(fabs(worst - (square ? 0.037 : 0.017)) < 0.0005, "64 lights of 2 x %d: off by %.4f", 1 + square, worst);
     }
 }
 

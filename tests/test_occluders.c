@@ -138,8 +138,9 @@ static void same_as_on_the_cpu(void)
     static float first[4 * POINTS], second[4 * POINTS], out[POINTS], expected[POINTS];
     kit_scene scene;
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
-    for (int m = 0; m < 4; ++m) {
-        const ssgi_field *f[2] = { field_of(&scene, 3 + m, 8), field_of(&scene, 12, 5) };
+    for (int m = 0; m < 5; ++m) {
+        const ssgi_field *f[2] = { field_of(&scene, 3 + m % 4, 8), field_of(&scene, 12, 5) };
+        ssgi_field full;                       /* a hull that ends where the field does */
         const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_FIELD };
         ssgi_gl_occluder occluder[2];
         GLuint textures[2];
@@ -147,6 +148,12 @@ static void same_as_on_the_cpu(void)
         double worst = 0, sum = 0;
         const char *why = "";
         if (!f[0] || !f[1]) return;
+        if (m == 4) {
+            full = *f[0];
+            full.reach = full.low[3];
+            full.span[3] = 0;
+            f[0] = &full;
+        }
         for (int k = 0; k < 2; ++k) {
             ssgi_field_limits l = ssgi_field_limits_of(f[k]);
             l.ramp *= 0.5f + 0.2f * (float)k;

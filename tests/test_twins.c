@@ -327,9 +327,9 @@ static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, GLuint maps,
 static void twin_views(void)
 {
     enum { LAYOUTS = 6 };
-    static const double n = 0.1, f = 1000;                /* planes */
-    /* perspective: GL, reversed, reversed infinite, GL infinite; orthographic: GL, reversed */
+    /* perspective: GL, reversed, reversed infinite, GL infinite, of a tiny scene; orthographic: GL, reversed */
     for (int k = 0; k < LAYOUTS; ++k) {
+        const double n = k == 3 ? 1e-9 : 0.1, f = 1000; /* planes */
         const double z[LAYOUTS][2] = {
             { -(f + n) / (f - n), -2 * f * n / (f - n) }, { n / (f - n), f * n / (f - n) }, { 0, n }, { -1, -2 * n },
             { -2 / (f - n), -(f + n) / (f - n) },         { 1 / (f - n), f / (f - n) }
