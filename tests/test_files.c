@@ -166,6 +166,71 @@ static void write_tiled(const char *path)
     CHECK(!result, "the tiled file could not be made: %s", exr_get_default_error_message(result));
 }
 
+/* A pixel of a part is 1000 times the part, 20 times the row and the column; windows differ. */
+static float of_part(int part, int x, int y) { return (float)(1000 * part + 20 * y + x); }
+
+static const struct { const char *name, *view, *channel, *read; int min[2], max[2]; } several[] = {
+    { "colour", "right", "R", "R", { 2, 1 }, { 9, 6 } },       { "left", "left", "Z", NULL, { 0, 0 }, { 9, 6 } },
+    { "depth", "right", "Z", "Z", { 4, 3 }, { 12, 4 } },       { "albedo", "right", "R", "albedo.R", { 3, 2 }, { 5, 8 } },
+};
+enum { SEVERAL = (int)(sizeof several / sizeof *several) };
+
+static void write_several(const char *path)
+{
+    exr_context_t context = NULL;
+    const exr_attr_v2f_t centre = {{{ 0, 0 }}};
+    exr_chunk_info_t chunk;
+    float row[16];
+    int part, result = exr_start_write(&context, path, EXR_WRITE_FILE_DIRECTLY, NULL);
+    for (int i = 0; i < SEVERAL; ++i) {
+        const exr_attr_box2i_t all = { .max = {{{ 19, 9 }}} },
+                               window = { .min = {{{ several[i].min[0], several[i].min[1] }}},
+                                          .max = {{{ several[i].max[0], several[i].max[1] }}} };
+        result |= exr_add_part(context, several[i].name, EXR_STORAGE_SCANLINE, &part);
+        result |= exr_initialize_required_attr(context, i, &all, &window, 1, &centre, 1, EXR_LINEORDER_INCREASING_Y,
+                                               EXR_COMPRESSION_NONE);
+        result |= exr_attr_set_string(context, i, "view", several[i].view);
+        result |= exr_add_channel(context, i, several[i].channel, EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LINEAR, 1, 1);
+        if (!i) result |= exr_attr_set_float(context, i, "ssgi.orthoHeight", 10);
+    }
+    result |= exr_write_header(context);
+    for (int i = 0; i < SEVERAL; ++i)
+        for (int y = several[i].min[1]; y <= several[i].max[1]; ++y) {
+            for (int x = several[i].min[0]; x <= several[i].max[0]; ++x) row[x - several[i].min[0]] = of_part(i, x, y);
+            result |= exr_write_scanline_chunk_info(context, i, y, &chunk);
+            result |= exr_write_scanline_chunk(context, i, y, row,
+                                               sizeof *row * (size_t)(several[i].max[0] - several[i].min[0] + 1));
+        }
+    result |= exr_finish(&context);
+    CHECK(!result, "the file of parts could not be made: %s", exr_get_default_error_message(result));
+}
+
+static void exr_of_parts(void)
+{
+    kit_image image;
+    kit_header header;
+    kit_error err = {{0}};
+    write_several(in_folder("parts.exr"));
+    if (!CHECK(!kit_exr_read(&image, in_folder("parts.exr"), &err), "%s", err.text)) return;
+    CHECK(image.width == 11 && image.height == 8 && image.channels == 3, "%d x %d of %d channels", image.width,
+          image.height, image.channels);
+    for (int i = 0; i < SEVERAL; ++i) {
+        const float *is = several[i].read ? kit_image_channel(&image, several[i].read) : NULL;
+        if (!CHECK(is || !several[i].read, "there is no %s", several[i].read)) continue;
+        for (int k = 0; is && k < 11 * 8; ++k) {
+            const int x = 2 + k % 11, y = 1 + k / 11,
+                      in = x >= several[i].min[0] && x <= several[i].max[0] && y >= several[i].min[1]
+                        && y <= several[i].max[1];
+            CHECK(is[k] == (in ? of_part(i, x, y) : 0), "%s at %d, %d: %g", several[i].read, x, y, (double)is[k]);
+        }
+    }
+    /* 8 of 10 rows, of 1 each; columns 2 to 12 of 0 to 19, rows 1 to 8 of 0 to 9 */
+    CHECK(!kit_exr_header(&header, KIT_HEADER_WINDOW, in_folder("parts.exr"), &err) && header.height == 8
+              && header.centre[0] == -2.5f && header.centre[1] == 0,
+          "its window: %g high, at %g, %g", (double)header.height, (double)header.centre[0], (double)header.centre[1]);
+    kit_image_free(&image);
+}
+
 static void exr_of_others(void)
 {
     kit_image image;
@@ -382,6 +447,12 @@ static void exr_camera(void)
         for (int i = 0; i < 2; ++i) was.shift[i] = (float)((double)c.shift[i] * scale);
         const double cut = astray(&part, &was, 8, 2);
         CHECK(cut < 0.02, "camera %d, a part of the picture: %.4f pixels astray", k, cut);
+        if (c.shift[0] != 0 || c.shift[1] != 0) continue;
+        back = (kit_header){ .orthographic = k % 2, .height = (float)(k % 2 ? (double)was.ortho_height
+                                                                          : 2 * tan((double)was.fovy * acos(-1) / 360)) };
+        CHECK(!kit_exr_header(&back, KIT_HEADER_PART, in_folder("c.exr"), &err), "%s", err.text);
+        kit_camera_from_header(&part, &back);
+        CHECK(astray(&part, &was, 8, 2) < 0.02, "camera %d, a part by the whole's angle", k);
     }
     t_note("cameras read back: %.1e pixels astray at most", worst);
 }
@@ -1425,6 +1496,7 @@ void test_files(void)
     }
     RUN("an EXR read back is what was written: every bit, every channel", exr_round_trip);
     RUN("EXR files of others are read: tiles, half floats, whole numbers, shifted window", exr_of_others);
+    RUN("parts of an EXR are one picture, but for those of another view; its camera is the whole's", exr_of_parts);
     RUN("an EXR cut off anywhere is one clear error", exr_truncated);
     RUN("absent, empty, deep, huge and garbage pictures are clear errors", exr_bad);
     RUN("whatever packs an EXR, it is read, and refused where it claims more than it can hold", exr_claims);

@@ -1,4 +1,5 @@
 /* test_tools.c - what a shell sees of the examples: what programs print and refuse, packages, files of GLSL, make. */
+#include <float.h>
 #include <math.h>
 #include <zlib.h>
 #include "kit/kit_gl.h"
@@ -821,6 +822,19 @@ static void frames_carry_cameras(void)
     t_note("RMSE %.1e at most from the saved frame", worst);
 }
 
+/* A frame becomes a part of a picture of 192 x 108, down and to the right. */
+static void make_part(const char *path)
+{
+    static const int32_t shown[4] = { -96, -54, 95, 53 };
+    char *bytes;
+    size_t size, at = 0;
+    if (!CHECK(!kit_file_read(&bytes, &size, path, NULL), "%s cannot be read", path)) return;
+    while (at + 60 < size && memcmp(bytes + at, "displayWindow\0box2i", 20)) ++at;
+    memcpy(bytes + at + 24, shown, sizeof shown);
+    CHECK(!kit_file_write(path, bytes, size, NULL), "%s cannot be written", path);
+    free(bytes);
+}
+
 /* The saved frame as Blender would write it: two view layers, 1e10 where nothing is, normals of the world. It errs by
    nothing from the frame's own picture; which layer and which channel is meant is asked for by name. A camera that is
    another one's turns the normals: it is refused, unless they are not read; the horizontal angle is told. */
@@ -885,6 +899,17 @@ static void frames_of_blender(void)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
         CHECK(shell(text, sizeof text, "$R --gbuffer b.exr --fovy 70 --radius 0.3 --out q.exr %s%s", bad[i].arguments,
                     "") == 2 && strstr(text, bad[i].word), "%s: %s", bad[i].arguments, text);
+    float *const z = kit_image_channel(&own, "Z");         /* as others have nothing */
+    for (size_t i = 0; i < pixels; ++i) if (!(z[i] > 0)) z[i] = FLT_MAX;
+    snprintf(path, sizeof path, "%s/far.exr", folder);
+    CHECK(!kit_exr_write(&own, path, &err), "%s", err.text);
+    CHECK(errs_by("--gbuffer far.exr --fovy 70 --radius 0.3", "ao.exr") < 1e-6, "nothing is not FLT_MAX away");
+    snprintf(path, sizeof path, "%s/o.exr", folder);
+    make_part(path);
+    CHECK(!shell(text, sizeof text, "$R --gbuffer o.exr --set normal=depth --out part.exr%s%s", "", "")
+              && errs_by("--gbuffer o.exr --set normal=depth --fovy 70", "part.exr") < 1e-4
+              && errs_by("--gbuffer o.exr --set normal=depth --fovy 70", "n.exr") > 0.01,
+          "the angle of a picture of which the frame is a part: %s", text);
     kit_image_free(&own);
     kit_image_free(&frame);
 }

@@ -30,13 +30,51 @@ static int exr_fail(kit_error *err, const char *path, exr_result_t result)
 
 /* ---- reading -------------------------------------------------------------------------------------------------- */
 
-/* One chunk (some scanlines or a tile) straight into the planar picture; origin: its top-left pixel in the picture. */
-static exr_result_t exr_read_chunk_into(exr_const_context_t context, exr_decode_pipeline_t *decode,
+enum { EXR_PARTS = 64 };
+
+/* The parts that are read: flat ones, of the view that comes first; and a window that holds all of theirs. */
+typedef struct exr_parts {
+    int              count, index[EXR_PARTS];
+    exr_attr_box2i_t window;
+} exr_parts;
+
+static const char *exr_view_of(exr_const_context_t context, int part)
+{
+    const exr_attribute_t *view;
+    const int found = exr_get_attribute_by_name(context, part, "view", &view) == EXR_ERR_SUCCESS;
+    return found && view->type == EXR_ATTR_STRING ? view->string->str : "";
+}
+
+static exr_result_t exr_find_parts(exr_parts *p, exr_const_context_t context)
+{
+    exr_attr_box2i_t *all = &p->window, window;
+    exr_storage_t storage;
+    int count = 0;
+    exr_result_t result = exr_get_count(context, &count);
+    p->count = 0;
+    for (int i = 0; i < count && i < EXR_PARTS && result == EXR_ERR_SUCCESS; ++i) {
+        result = exr_get_storage(context, i, &storage);
+        if (result == EXR_ERR_SUCCESS) result = exr_get_data_window(context, i, &window);
+        if (result != EXR_ERR_SUCCESS || (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
+            || (p->count && strcmp(exr_view_of(context, i), exr_view_of(context, p->index[0])))) continue;
+        if (!p->count) *all = window;
+        if (window.min.x < all->min.x) all->min.x = window.min.x;
+        if (window.min.y < all->min.y) all->min.y = window.min.y;
+        if (window.max.x > all->max.x) all->max.x = window.max.x;
+        if (window.max.y > all->max.y) all->max.y = window.max.y;
+        p->index[p->count++] = i;
+    }
+    return result;
+}
+
+/* One chunk (some scanlines or a tile) straight into the planar picture, whose first channel is the part's; origin: its
+   top-left pixel in the picture. */
+static exr_result_t exr_read_chunk_into(exr_const_context_t context, int part, exr_decode_pipeline_t *decode,
                                         const exr_chunk_info_t *chunk, int x, int y, kit_image *image)
 {
     int first = decode->context == NULL;
-    exr_result_t result =
-        first ? exr_decoding_initialize(context, 0, chunk, decode) : exr_decoding_update(context, 0, chunk, decode);
+    exr_result_t result = first ? exr_decoding_initialize(context, part, chunk, decode)
+                                : exr_decoding_update(context, part, chunk, decode);
     if (result != EXR_ERR_SUCCESS) return result;
     if (x < 0 || y < 0 || chunk->width > image->width - x || chunk->height > image->height - y)
         return EXR_ERR_CORRUPT_CHUNK;
@@ -49,86 +87,122 @@ static exr_result_t exr_read_chunk_into(exr_const_context_t context, exr_decode_
         channel->user_pixel_stride = 4;
         channel->user_line_stride = 4 * image->width;
     }
-    if (first) result = exr_decoding_choose_default_routines(context, 0, decode);
-    return result == EXR_ERR_SUCCESS ? exr_decoding_run(context, 0, decode) : result;
+    if (first) result = exr_decoding_choose_default_routines(context, part, decode);
+    return result == EXR_ERR_SUCCESS ? exr_decoding_run(context, part, decode) : result;
 }
 
-static exr_result_t exr_read_pixels(exr_const_context_t context, int tiled, const exr_attr_box2i_t *window,
+/* all: the picture's window, in which the part has its own. */
+static exr_result_t exr_read_pixels(exr_const_context_t context, int part, const exr_attr_box2i_t *all,
                                     kit_image *image)
 {
     exr_decode_pipeline_t decode = EXR_DECODE_PIPELINE_INITIALIZER;
+    exr_attr_box2i_t window;
+    exr_storage_t storage;
     exr_chunk_info_t chunk;
-    exr_result_t result = EXR_ERR_SUCCESS;
-    int32_t width = image->width, height = 0;
-    if (tiled) result = exr_get_tile_sizes(context, 0, 0, 0, &width, &height);
-    else result = exr_get_scanlines_per_chunk(context, 0, &height);
+    exr_result_t result = exr_get_data_window(context, part, &window);
+    if (result == EXR_ERR_SUCCESS) result = exr_get_storage(context, part, &storage);
+    if (result != EXR_ERR_SUCCESS) return result;
+    const int tiled = storage == EXR_STORAGE_TILED;
+    int32_t wide = window.max.x - window.min.x + 1, high = window.max.y - window.min.y + 1, width = wide, height = 0;
+    if (tiled) result = exr_get_tile_sizes(context, part, 0, 0, &width, &height);
+    else result = exr_get_scanlines_per_chunk(context, part, &height);
     if (result == EXR_ERR_SUCCESS && (width < 1 || height < 1)) result = EXR_ERR_INVALID_ATTR;
-    for (int y = 0; y < image->height && result == EXR_ERR_SUCCESS; y += height)
-        for (int x = 0; x < image->width && result == EXR_ERR_SUCCESS; x += width) {
-            if (tiled) result = exr_read_tile_chunk_info(context, 0, x / width, y / height, 0, 0, &chunk);
-            else result = exr_read_scanline_chunk_info(context, 0, window->min.y + y, &chunk);
-            if (result == EXR_ERR_SUCCESS) result = exr_read_chunk_into(context, &decode, &chunk, x, y, image);
+    for (int y = 0; y < high && result == EXR_ERR_SUCCESS; y += height)
+        for (int x = 0; x < wide && result == EXR_ERR_SUCCESS; x += width) {
+            if (tiled) result = exr_read_tile_chunk_info(context, part, x / width, y / height, 0, 0, &chunk);
+            else result = exr_read_scanline_chunk_info(context, part, window.min.y + y, &chunk);
+            if (result == EXR_ERR_SUCCESS)
+                result = exr_read_chunk_into(context, part, &decode, &chunk, window.min.x - all->min.x + x,
+                                             window.min.y - all->min.y + y, image);
         }
     exr_decoding_destroy(context, &decode);
     return result;
 }
 
-/* Whether a file can hold what its header claims, told before anything is allocated for it (OpenEXR asks whether the
-   table of chunks fits, its #1161, no more): a byte of it holds so many bytes of pixels at most, and each chunk has a
-   place in the table. deflate (ZIP, ZIPS) makes one of 1032; runs are of
-   128 in two bytes; PIZ repeats 255 halves in 9 bits; PXR24 deflates three bytes of a float; B44A has blocks of 32
-   bytes in 3. */
-static int exr_fits(exr_const_context_t context, const exr_attr_chlist_t *list, int64_t pixels, size_t size)
+/* The least bytes that a file has for what a part's header claims, told before anything is allocated for it (OpenEXR
+   asks whether the table of chunks fits, its #1161, no more): a byte of it holds so many bytes of pixels at most, and
+   each chunk has a place in the table. deflate (ZIP, ZIPS) makes one of 1032; runs are of 128 in two bytes; PIZ repeats
+   255 halves in 9 bits; PXR24 deflates three bytes of a float; B44A has blocks of 32 bytes in 3. */
+static double exr_least_size(exr_const_context_t context, int part)
 {
     static const double most[] = {
         [EXR_COMPRESSION_NONE] = 1,          [EXR_COMPRESSION_RLE] = 64,           [EXR_COMPRESSION_ZIPS] = 1032,
         [EXR_COMPRESSION_ZIP] = 1032,        [EXR_COMPRESSION_PIZ] = 510 * 8 / 9., [EXR_COMPRESSION_PXR24] = 1376,
         [EXR_COMPRESSION_B44] = 32 / 3.,     [EXR_COMPRESSION_B44A] = 32 / 3.
     };
+    const exr_attr_chlist_t *list;
+    exr_attr_box2i_t window;
     exr_compression_t compression;
     int32_t chunks;
     double bytes = 0;
-    if (exr_get_compression(context, 0, &compression) != EXR_ERR_SUCCESS
-        || exr_get_chunk_count(context, 0, &chunks) != EXR_ERR_SUCCESS) return 0;
-    if ((size_t)compression >= sizeof most / sizeof *most) return 1;           /* it will say what it is */
+    if (exr_get_compression(context, part, &compression) != EXR_ERR_SUCCESS
+        || exr_get_chunk_count(context, part, &chunks) != EXR_ERR_SUCCESS
+        || exr_get_channels(context, part, &list) != EXR_ERR_SUCCESS
+        || exr_get_data_window(context, part, &window) != EXR_ERR_SUCCESS) return INFINITY;
+    if ((size_t)compression >= sizeof most / sizeof *most) return 0;           /* it will say what it is */
     for (int c = 0; c < list->num_channels; ++c)
-        bytes += (list->entries[c].pixel_type == EXR_PIXEL_HALF ? 2 : 4) * (double)pixels;
-    return bytes / most[compression] + 8.0 * chunks <= (double)size;
+        bytes += (list->entries[c].pixel_type == EXR_PIXEL_HALF ? 2 : 4) * ((double)window.max.x - window.min.x + 1)
+               * ((double)window.max.y - window.min.y + 1);
+    return bytes / most[compression] + 8.0 * chunks;
 }
 
-static int exr_read_part(kit_image *out, const char *path, exr_const_context_t context, size_t size, kit_error *err)
+/* Names of a part's channels behind those of the parts before it. One that these have is its part's, as renderers mean
+   it whose part "albedo" has R, G and B. */
+static int exr_name_channels(kit_image *names, exr_const_context_t context, int part, const char *path, kit_error *err)
 {
     const exr_attr_chlist_t *list = NULL;
-    exr_attr_box2i_t window;
-    exr_storage_t storage;
-    exr_result_t result = exr_get_storage(context, 0, &storage);
-    if (result == EXR_ERR_SUCCESS && storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
-        return kit_fail(err, "%s: deep EXR files are not supported", path);
-    if (result == EXR_ERR_SUCCESS) result = exr_get_channels(context, 0, &list);
-    if (result == EXR_ERR_SUCCESS) result = exr_get_data_window(context, 0, &window);
+    const char *own = NULL;
+    const exr_result_t result = exr_get_channels(context, part, &list);
     if (result != EXR_ERR_SUCCESS) return exr_fail(err, path, result);
-    if (list->num_channels < 1 || list->num_channels > KIT_MAX_CHANNELS)
-        return kit_fail(err, "%s: %d channels; 1 to %d are supported", path, list->num_channels, KIT_MAX_CHANNELS);
+    const int before = names->channels, all = before + list->num_channels;
+    if (list->num_channels < 1 || all > KIT_MAX_CHANNELS)
+        return kit_fail(err, "%s: %d channels; 1 to %d are supported", path, all, KIT_MAX_CHANNELS);
     for (int c = 0; c < list->num_channels; ++c) {
         const exr_attr_chlist_entry_t *entry = &list->entries[c];
+        int known = 0;
         if (entry->x_sampling != 1 || entry->y_sampling != 1)
             return kit_fail(err, "%s: channel %s is subsampled, which is not supported", path, entry->name.str);
-        if (entry->name.length > 31)
-            return kit_fail(err, "%s: channel name %s is longer than 31 characters", path, entry->name.str);
+        for (int k = 0; k < before; ++k) known |= !strcmp(names->name[k], entry->name.str);
+        if (known && exr_get_name(context, part, &own) != EXR_ERR_SUCCESS) own = "";
+        if (snprintf(names->name[before + c], sizeof *names->name, "%s%s%s", known ? own : "", known ? "." : "",
+                     entry->name.str) >= (int)sizeof *names->name)
+            return kit_fail(err, "%s: channel name %s%s%s is longer than 31 characters", path, known ? own : "",
+                            known ? "." : "", entry->name.str);
     }
-    int64_t width = (int64_t)window.max.x - window.min.x + 1, height = (int64_t)window.max.y - window.min.y + 1;
+    names->channels = all;
+    return 0;
+}
+
+static int exr_read_parts(kit_image *out, const char *path, exr_const_context_t context, size_t size, kit_error *err)
+{
+    exr_parts parts;
+    kit_image names = { 0 }, image;
+    double least = 0;
+    int ends[EXR_PARTS + 1] = { 0 };
+    exr_result_t result = exr_find_parts(&parts, context);
+    if (result != EXR_ERR_SUCCESS) return exr_fail(err, path, result);
+    if (!parts.count) return kit_fail(err, "%s: deep EXR files are not supported", path);
+    for (int i = 0; i < parts.count; ++i) {
+        if (exr_name_channels(&names, context, parts.index[i], path, err)) return -1;
+        least += exr_least_size(context, parts.index[i]);
+        ends[i + 1] = names.channels;
+    }
+    const int64_t width = (int64_t)parts.window.max.x - parts.window.min.x + 1,
+                  height = (int64_t)parts.window.max.y - parts.window.min.y + 1;
     if (width < 1 || height < 1 || width > 65536 || height > 65536)
         return kit_fail(err, "%s: a picture of %lld x %lld is not supported", path, (long long)width,
                         (long long)height);
-    if (!exr_fits(context, list, width * height, size))
+    if (!(least <= (double)size))
         return kit_fail(err, "%s: its header claims %lld x %lld pixels of %d channels, which its %zu bytes cannot hold",
-                        path, (long long)width, (long long)height, list->num_channels, size);
+                        path, (long long)width, (long long)height, names.channels, size);
 
-    kit_image image;
-    if (kit_image_alloc(&image, (int)width, (int)height, list->num_channels, path, err)) return -1;
-    for (int c = 0; c < list->num_channels; ++c)
-        snprintf(image.name[c], sizeof image.name[c], "%s", list->entries[c].name.str);
-    result = exr_read_pixels(context, storage == EXR_STORAGE_TILED, &window, &image);
+    if (kit_image_alloc(&image, (int)width, (int)height, names.channels, path, err)) return -1;
+    memcpy(image.name, names.name, sizeof image.name);
+    for (int i = 0; i < parts.count && result == EXR_ERR_SUCCESS; ++i) {
+        kit_image part = image;
+        part.data += (size_t)ends[i] * kit_image_pixels(&image);
+        result = exr_read_pixels(context, parts.index[i], &parts.window, &part);
+    }
     if (result == EXR_ERR_SUCCESS) {
         *out = image;
         return 0;
@@ -163,7 +237,7 @@ static int exr_open(exr_reader *r, const char *path, kit_error *err)
 int kit_exr_read(kit_image *image, const char *path, kit_error *err)
 {
     exr_reader r;
-    const int failed = exr_open(&r, path, err) || exr_read_part(image, path, r.context, r.size, err);
+    const int failed = exr_open(&r, path, err) || exr_read_parts(image, path, r.context, r.size, err);
     exr_close(&r);
     return failed ? -1 : 0;
 }
@@ -245,27 +319,31 @@ static int exr_place(kit_header *h, const exr_reader *r, const char *path, kit_e
     return 1;
 }
 
-/* The screen window is the display window's; the header's is that of the pixels that there are. */
-static int exr_window(kit_header *h, const exr_reader *r, const char *path, kit_error *err)
+/* The screen window is the display window's; the header's is that of the pixels that there are. given: h says how high
+   the display window is, which counts instead of the file's. */
+static int exr_window(kit_header *h, int given, const exr_reader *r, const char *path, kit_error *err)
 {
-    const exr_attribute_t *found;
-    exr_attr_box2i_t data, shown;
+    const exr_attribute_t *found = NULL;
+    exr_attr_box2i_t shown;
+    exr_parts parts;
     float aspect = 1, size = 0;
-    if (exr_get_data_window(r->context, 0, &data) != EXR_ERR_SUCCESS
+    if (exr_find_parts(&parts, r->context) != EXR_ERR_SUCCESS || !parts.count
         || exr_get_display_window(r->context, 0, &shown) != EXR_ERR_SUCCESS)
         return kit_fail(err, "%s: has no data window and display window", path);
+    const exr_attr_box2i_t data = parts.window;
     const double wide = (double)shown.max.x - shown.min.x + 1, high = (double)shown.max.y - shown.min.y + 1;
     const double rows = (double)data.max.y - data.min.y + 1;
     if (!(wide >= 1 && high >= 1 && rows >= 1)) return kit_fail(err, "%s: displayWindow: is empty", path);
-    const int flat = exr_number(&size, r, ORTHO_HEIGHT, 1e-12, KIT_MOST, path, err);
+    if (given && !memcmp(&shown, &data, sizeof data)) return 0;
+    const int flat = given ? h->orthographic : exr_number(&size, r, ORTHO_HEIGHT, 1e-12, KIT_MOST, path, err);
     if (flat < 0 || exr_number(&aspect, r, "pixelAspectRatio", 0.995, 1.005, path, err) < 0
-        || (!flat && exr_number(&size, r, WIDTH, 1e-12, KIT_MOST, path, err) < 0)) return -1;
-    const double pixel = (double)size / (flat ? high : wide), height = pixel * rows;
+        || (!given && !flat && exr_number(&size, r, WIDTH, 1e-12, KIT_MOST, path, err) < 0)) return -1;
+    const double pixel = given ? (double)h->height / high : (double)size / (flat ? high : wide), height = pixel * rows;
     const double angle = 360 / KIT_PI * atan(height / 2);
-    if (!flat && !(angle > 0.09 && angle < 179.1))
+    if (!given && !flat && !(angle > 0.09 && angle < 179.1))
         return kit_fail(err, "%s: %s %g: makes a vertical angle of %g degrees, which must be in 0.1..179", path, WIDTH,
                         (double)size, angle);
-    const int centred = exr_find(&found, r, CENTRE, EXR_ATTR_V2F, path, err);
+    const int centred = given ? 0 : exr_find(&found, r, CENTRE, EXR_ATTR_V2F, path, err);
     if (centred < 0) return -1;
     const double off[2] = { ((double)data.min.x + data.max.x - shown.min.x - shown.max.x) / 2,
                             ((double)shown.min.y + shown.max.y - data.min.y - data.max.y) / 2 };
@@ -277,6 +355,7 @@ static int exr_window(kit_header *h, const exr_reader *r, const char *path, kit_
             return kit_fail(err, "%s: %s: the picture must not be so far from the camera's axis", path, CENTRE);
         h->centre[i] = (float)centre;
     }
+    h->has |= KIT_HEADER_WINDOW;
     return 0;
 }
 
@@ -294,9 +373,12 @@ int kit_exr_header(kit_header *header, int wanted, const char *path, kit_error *
     /* every EXR has a screen window: it is meant where there is a matrix, or a height */
     if (!failed && wanted & KIT_HEADER_WINDOW
         && (exr_get_attribute_by_name(r.context, 0, MATRIX, &none) == EXR_ERR_SUCCESS
-            || exr_get_attribute_by_name(r.context, 0, ORTHO_HEIGHT, &none) == EXR_ERR_SUCCESS)) {
-        failed = exr_window(&h, &r, path, err);
-        h.has |= KIT_HEADER_WINDOW;
+            || exr_get_attribute_by_name(r.context, 0, ORTHO_HEIGHT, &none) == EXR_ERR_SUCCESS))
+        failed = exr_window(&h, 0, &r, path, err);
+    if (!failed && wanted & KIT_HEADER_PART) {
+        h.orthographic = header->orthographic;
+        h.height = header->height;
+        failed = exr_window(&h, 1, &r, path, err);
     }
     if (!failed && wanted & KIT_HEADER_RADIUS) {
         const int is = exr_number(&h.radius, &r, RADIUS, 1e-12, KIT_MOST, path, err);

@@ -103,7 +103,8 @@ float *kit_image_channel(const kit_image *image, const char *name);      /* NULL
 
 /* EXR through OpenEXR's C core; every channel is read as float (half, float, uint; any order; scanline or tiled; deep
    and subsampled files are refused, and those that the C core cannot decompress: DWAA, DWAB in 3.1); look channels up
-   by name. A header that claims more than the file's bytes can hold is refused before there is room for it. Files are
+   by name. Of several parts those are read, on a window that holds all of theirs, which are flat and of the view that
+   comes first; a channel whose name an earlier part has is PART.NAME. A header that claims more than the file's bytes can hold is refused before there is room for it. Files are
    written as 32-bit float, ZIP, to a temporary name beside the target and renamed: never half-written. */
 int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
 int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
@@ -120,8 +121,10 @@ int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
      ssgi.orthoHeight    float: the picture is orthographic, so many world units from bottom to top of its display
                          window; the screen window is in world units then
      ssgi.radius         float: a radius that suits it, world units
-   wanted: others are not looked at. Of those header->has what there is; one that is malformed is an error. */
-enum { KIT_HEADER_PLACE = 1, KIT_HEADER_WINDOW = 2, KIT_HEADER_RADIUS = 4, KIT_HEADER_ALL = 7 };
+   wanted: others are not looked at. Of those header->has what there is; one that is malformed is an error.
+   KIT_HEADER_PART: header->orthographic and height are given, of the display window; where the data window is another,
+   header has that one's window. */
+enum { KIT_HEADER_PLACE = 1, KIT_HEADER_WINDOW = 2, KIT_HEADER_RADIUS = 4, KIT_HEADER_ALL = 7, KIT_HEADER_PART = 8 };
 typedef struct kit_header {
     int   has;
     float world_to_camera[16];             /* about the origin, a mesh's or the eye */

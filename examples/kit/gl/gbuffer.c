@@ -410,7 +410,7 @@ static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
 {
     float nearest = FLT_MAX, farthest = 0;
     for (size_t i = 0; i < count; i++)
-        if (z[i] > 0 && z[i] <= FLT_MAX) {
+        if (z[i] > 0 && z[i] < SSGI_FAR) {
             nearest = z[i] < nearest ? z[i] : nearest;
             farthest = z[i] > farthest ? z[i] : farthest;
         }
@@ -508,7 +508,7 @@ static void take_texel(const kit_gbuffer *g, const frame_channels *f, size_t at,
     const size_t from = frame_row(g, i);
     const float *const *c_of = f->layer[layer];
     double n[3];
-    if (!(c_of[Z][from] > 0 && c_of[Z][from] <= FLT_MAX)) return;
+    if (!(c_of[Z][from] > 0 && c_of[Z][from] < SSGI_FAR)) return;
     depth[at] = c_of[Z][from];
     for (int c = 0; c < 3; c++) n[c] = f->normals ? (double)c_of[N + c][from] : 0;
     const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
@@ -545,7 +545,7 @@ static void take_slabs_and_motion(kit_gbuffer *g, const frame_channels *f, float
     const size_t texels = (size_t)g->width * (size_t)g->height;
     for (size_t at = 0; at < f->slabs * texels; at++) {
         const float z = f->slab[at / texels][frame_row(g, at % texels)];
-        room[at] = z > 0 && z <= FLT_MAX ? z : 0;
+        room[at] = z > 0 && z < SSGI_FAR ? z : 0;
     }
     if (f->slabs) g->back = kit_texture(g->width, g->height, GL_R32F, room);
     if (f->slabs > 1) g->slabs = packed_slabs(g, room);

@@ -1,6 +1,5 @@
 /* places.c - where a picture's error sits: at edges, at the border, elsewhere. Declared in kit.h. */
-#include "kit/kit.h"
-#include <float.h>
+#include "kit/kit_trace.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +8,7 @@
    of a perspective is where planes end, at 0. */
 typedef struct line { const float *z; size_t first, step; int count, perspective; double least; } line;
 
-static int seen(float z) { return z > 0 && z <= FLT_MAX; }
+static int seen(float z) { return z > 0 && z < SSGI_FAR; }
 
 static double u_of(const line *l, int i)
 {

@@ -140,6 +140,16 @@ static int ask_header(kit_camera *camera, job *j, int *placed, const options *o,
     return 0;
 }
 
+/* The angle that is given is of the whole picture, of which a frame may be a part. */
+static int narrow(kit_camera *camera, const options *o, kit_error *err)
+{
+    kit_header header = { .orthographic = !(camera->fovy > 0), .height = camera->ortho_height };
+    if (camera->fovy > 0) header.height = (float)(2 * tan((double)camera->fovy * KIT_PI / 360));
+    if (kit_exr_header(&header, KIT_HEADER_PART, o->gbuffer, err)) return -1;
+    kit_camera_from_header(camera, &header);
+    return 0;
+}
+
 /* Normals of the world that a wrong camera turned would draw garbage: they are refused where most of them are off. Of
    scenes as they are 15 % are off at most; of those that were turned by a quarter nine in ten are refused. A wrong lens
    turns them by less, but all alike: it is told where a lens that agrees better follows from them. */
@@ -176,6 +186,7 @@ int render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err)
     camera.height = frame.height;
     failed = ask_header(&camera, j, &placed, o, &why);
     if (!failed) camera_of(&camera, o, j->origin);
+    if (!failed && (o->fovy > 0 || o->ortho_height > 0)) failed = narrow(&camera, o, &why);
     if (failed || camera_check(&camera, &why)) {
         kit_image_free(&frame);
         return kit_fail(err, "%s", why.text);
