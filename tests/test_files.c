@@ -170,8 +170,8 @@ static void write_tiled(const char *path)
 static float of_part(int part, int x, int y) { return (float)(1000 * part + 20 * y + x); }
 
 static const struct { const char *name, *view, *channel, *read; int min[2], max[2]; } several[] = {
-    { "colour", "right", "R", "R", { 2, 1 }, { 9, 6 } },       { "left", "left", "Z", NULL, { 0, 0 }, { 9, 6 } },
-    { "depth", "right", "Z", "Z", { 4, 3 }, { 12, 4 } },       { "albedo", "right", "R", "albedo.R", { 3, 2 }, { 5, 8 } },
+    { "colour", "right", "R", "R", { 2, 1 }, { 9, 6 } },  { "left", "left", "Z", NULL, { 0, 0 }, { 9, 6 } },
+    { "depth", "right", "Z", "Z", { 4, 3 }, { 12, 4 } },  { "albedo", "right", "R", "albedo.R", { 3, 2 }, { 5, 8 } },
 };
 enum { SEVERAL = (int)(sizeof several / sizeof *several) };
 
@@ -448,8 +448,8 @@ static void exr_camera(void)
         const double cut = astray(&part, &was, 8, 2);
         CHECK(cut < 0.02, "camera %d, a part of the picture: %.4f pixels astray", k, cut);
         if (c.shift[0] != 0 || c.shift[1] != 0) continue;
-        back = (kit_header){ .orthographic = k % 2, .height = (float)(k % 2 ? (double)was.ortho_height
-                                                                          : 2 * tan((double)was.fovy * acos(-1) / 360)) };
+        const double high = 2 * tan((double)was.fovy * acos(-1) / 360);
+        back = (kit_header){ .orthographic = k % 2, .height = k % 2 ? was.ortho_height : (float)high };
         CHECK(!kit_exr_header(&back, KIT_HEADER_PART, in_folder("c.exr"), &err), "%s", err.text);
         kit_camera_from_header(&part, &back);
         CHECK(astray(&part, &was, 8, 2) < 0.02, "camera %d, a part by the whole's angle", k);

@@ -378,12 +378,14 @@ static void far_away(void)
         { "a.obj", "v 0 0 0\nv 13487435.75 -6.5 -3741689.25\nv 13487434.75 \\\n -5.5 -3741689.25 # a comment\n"
                    "v 13487434.75 -6.5 -3741688.25 1 0 0\nf 2/1 3 -1\np 1\n", "it lies far from 0",
           { EAST, -6.5, SOUTH }, 1 },
-        { "a.obj", "v 1 0.000000000001 1\nv 1 0 1.000000000001\nv 1.000000000001 0 1\nf 1 2 3\n",
+        { "a.obj", "mtllib one.mtl\nusemtl red\nv 1 0.000000000001 1\nv 1 0 1.000000000001\nv 1.000000000001 0 1\n"
+                   "f 1 2 3\n",
           "read as doubles, which so far from 0 are 2.2e-16 apart", { 1, 0, 1 }, 1e-12 },
     };
 
     kit_error err = { { 0 } };
     kit_scene s;
+    put("one.mtl", "newmtl red\nKd 1 0 0\n");
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
         double away[3], worst = 0, area = 0.5 * sqrt(3) * all[i].size * all[i].size;
         put(all[i].name, all[i].text);
@@ -397,6 +399,8 @@ static void far_away(void)
         for (int k = 0; k < 3; ++k) away[k] = (double)s.camera.eye[k] - (double)s.camera.target[k];
         const double sizes = sqrt(kit_dot(away, away)) / all[i].size;
         CHECK(sizes > 1 && sizes < 10, "%zu: the camera is %g sizes away", i, sizes);
+        CHECK(!strstr(all[i].text, "mtllib") || (s.mesh.albedo[0] > 0.99f && s.mesh.albedo[1] < 0.01f),
+              "%zu: %g, %g is not red", i, (double)s.mesh.albedo[0], (double)s.mesh.albedo[1]);
         CHECK(*all[i].note ? strstr(s.note, all[i].note) != NULL : !*s.note, "%zu: \"%s\"", i, s.note);
         kit_scene_free(&s);
     }

@@ -104,8 +104,9 @@ float *kit_image_channel(const kit_image *image, const char *name);      /* NULL
 /* EXR through OpenEXR's C core; every channel is read as float (half, float, uint; any order; scanline or tiled; deep
    and subsampled files are refused, and those that the C core cannot decompress: DWAA, DWAB in 3.1); look channels up
    by name. Of several parts those are read, on a window that holds all of theirs, which are flat and of the view that
-   comes first; a channel whose name an earlier part has is PART.NAME. A header that claims more than the file's bytes can hold is refused before there is room for it. Files are
-   written as 32-bit float, ZIP, to a temporary name beside the target and renamed: never half-written. */
+   comes first; a channel whose name an earlier part has is PART.NAME. A header that claims more than the file's bytes
+   can hold is refused before there is room for it. Files are written as 32-bit float, ZIP, to a temporary name beside
+   the target and renamed: never half-written. */
 int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
 int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
 

@@ -42,6 +42,8 @@ int  kit_soup_objects(kit_soup *s, const kit_source *from);
 void kit_soup_take(kit_soup *s, kit_mesh *mesh, kit_object **object, int *objects);
 void kit_soup_free(kit_soup *s);
 
+double kit_diagonal(const float lower[3], const float upper[3]);
+
 /* 1: what was read about an origin lies farther from it than KIT_AWAY; the origin is then its middle, about which it is
    to be read anew. Twice at most: floats find a middle to 24 bits, and doubles have 53. */
 int  kit_origin_move(double origin[3], const float lower[3], const float upper[3]);

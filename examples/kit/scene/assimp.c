@@ -29,7 +29,6 @@ int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, c
 #else
 
 #include <assimp/GltfMaterial.h>
-#include <assimp/cfileio.h>
 #include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -617,13 +616,6 @@ static int add_node(reader *r, const struct aiNode *n, const place *above)
 
 /* ---- >>far away -------------------------------------------------------------------------------------------------- */
 
-static double diagonal_of(const float lower[3], const float upper[3])
-{
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += pow((double)upper[i] - (double)lower[i], 2);
-    return sqrt(sum);
-}
-
 static int measure(reader *r)
 {
     for (int i = 0; i < 3; ++i) {
@@ -645,79 +637,12 @@ static int approach(reader *r)
 {
     if (r->gltf) pair_nodes(r);
     if (measure(r)) return -1;
-    r->precise = r->twins.count && r->node_gap > KIT_COARSE * diagonal_of(r->lower, r->upper);
+    r->precise = r->twins.count && r->node_gap > KIT_COARSE * kit_diagonal(r->lower, r->upper);
     if (r->precise && measure(r)) return -1;
     for (int turn = 0; turn < 2 && kit_origin_move(r->origin, r->lower, r->upper); ++turn)
         if (measure(r)) return -1;
     if (r->precise) r->node_gap = 0;
     return 0;
-}
-
-/* ---- >>served ---------------------------------------------------------------------------------------------------- */
-
-/* A text in place of a file's. */
-typedef struct served {
-    const char *path;
-    char *text;
-} served;
-
-static size_t served_read(struct aiFile *file, char *to, size_t size, size_t count)
-{
-    return fread(to, size, count, (FILE *)file->UserData);
-}
-
-static size_t served_write(struct aiFile *file, const char *from, size_t size, size_t count)
-{
-    (void)file;
-    (void)from;
-    (void)size;
-    (void)count;
-    return 0;
-}
-
-static size_t served_tell(struct aiFile *file) { return (size_t)ftell((FILE *)file->UserData); }
-
-static size_t served_size(struct aiFile *file)
-{
-    FILE *f = (FILE *)file->UserData;
-    const long at = ftell(f);
-    fseek(f, 0, SEEK_END);
-    const long size = ftell(f);
-    fseek(f, at, SEEK_SET);
-    return (size_t)size;
-}
-
-static enum aiReturn served_seek(struct aiFile *file, size_t to, enum aiOrigin from)
-{
-    const int whence = from == aiOrigin_SET ? SEEK_SET : from == aiOrigin_CUR ? SEEK_CUR : SEEK_END;
-    return fseek((FILE *)file->UserData, (long)to, whence) ? aiReturn_FAILURE : aiReturn_SUCCESS;
-}
-
-static void served_flush(struct aiFile *file) { (void)file; }
-
-/* An OBJ that is served from memory; all that it names from where that lies. */
-static struct aiFile *open_served(struct aiFileIO *io, const char *path, const char *mode)
-{
-    const served *s = (const served *)io->UserData;
-    FILE *from = strcmp(path, s->path) ? fopen(path, mode) : fmemopen(s->text, strlen(s->text), "rb");
-    struct aiFile *file = from ? malloc(sizeof *file) : NULL;
-    if (file)
-        *file = (struct aiFile){ .ReadProc = served_read,
-                                 .WriteProc = served_write,
-                                 .TellProc = served_tell,
-                                 .FileSizeProc = served_size,
-                                 .SeekProc = served_seek,
-                                 .FlushProc = served_flush,
-                                 .UserData = (char *)from };
-    else if (from) fclose(from);
-    return file;
-}
-
-static void close_served(struct aiFileIO *io, struct aiFile *file)
-{
-    (void)io;
-    fclose((FILE *)file->UserData);
-    free(file);
 }
 
 /* ---- >>guard ----------------------------------------------------------------------------------------------------- */
@@ -835,7 +760,7 @@ static int take_scene(reader *r)
         if (r->emits) kit_note(r->note, "its materials emit light, which is not read");
         return kit_soup_objects(r->soup, &r->from);
     }
-    return gap > KIT_COARSE * diagonal_of(r->lower, r->upper)
+    return gap > KIT_COARSE * kit_diagonal(r->lower, r->upper)
              ? kit_fail(r->from.err,
                         "%s: no triangles in it: its corners are read as floats, which are %.2g apart there",
                         r->from.path, gap)
@@ -847,18 +772,18 @@ int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, c
     reader r = {
         .soup = soup, .from = { path, 0, err }, .note = note, .gltf = !strncmp(format, "glTF", 4)
     };
+    const unsigned how = aiProcess_Triangulate | (r.gltf ? 0u : aiProcess_TransformUVCoords);
     double moved[3] = { 0 };
-    served s = { path, strcmp(format, "OBJ") ? NULL : kit_obj_moved(moved, path) };
-    struct aiFileIO io = { open_served, close_served, (char *)&s };
+    char *const text = strcmp(format, "OBJ") ? NULL : kit_obj_moved(moved, path);
     guard g;
     struct aiPropertyStore *set = aiCreatePropertyStore();
     if (set) aiSetImportPropertyInteger(set, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     guard_open(&g, size);
-    r.scene = aiImportFileExWithProperties(path, aiProcess_Triangulate | (r.gltf ? 0u : aiProcess_TransformUVCoords),
-                                           s.text ? &io : NULL, set);
+    r.scene = text ? aiImportFileFromMemoryWithProperties(text, (unsigned)strlen(text), how, "obj", set)
+                   : aiImportFileExWithProperties(path, how, NULL, set);
     guard_close(&g);
     if (set) aiReleasePropertyStore(set);
-    free(s.text);
+    free(text);
     if (!r.scene) return assimp_fail(path, format, err);
     r.root = strncmp(format, "FBX", 3) ? nowhere : upright(r.scene);
     const int failed = take_scene(&r);

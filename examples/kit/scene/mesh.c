@@ -24,7 +24,7 @@ typedef struct obj {
     kit_array lines;                       /* char *: each without its end and its blanks in front */
     kit_array materials, texts;            /* char *: the MTL files, which names are in */
     size_t own_lines;                      /* the lines of the OBJ, which come first */
-    int bare;                              /* without materials */
+    int bare;                              /* 0, or its materials are not read: 1, and so many MTL files */
     const float *albedo;
 } obj;
 
@@ -329,8 +329,10 @@ static int read_vertices(obj *o)
                 if (fabsf(v[k]) > KIT_FARTHEST)
                     return kit_fail(o->from.err, "%s line %d: a coordinate of %g: must be within %g of 0", o->from.path,
                                     o->from.line, (double)v[k], (double)KIT_FARTHEST);
-        } else if ((at = behind(line, "mtllib")) != NULL && *at && !o->bare && read_materials(o, rest_of(at)))
-            return -1;
+        } else if ((at = behind(line, "mtllib")) != NULL && *at) {
+            if (o->bare) ++o->bare;
+            else if (read_materials(o, rest_of(at))) return -1;
+        }
     }
     return 0;
 }
@@ -411,9 +413,10 @@ static void obj_free(obj *o)
     free(o->corners.data);
 }
 
-/* All lines but for vertices as they are. */
+/* All lines but for vertices as they are; and MTL files, which lie beside the OBJ. */
 static char *text_of(const obj *o, size_t room)
 {
+    const char *const slash = strrchr(o->from.path, '/');
     const float *v = o->soup.vertices.data;
     char *const text = malloc(room), *to = text, *rest;
     float were[3];
@@ -422,6 +425,8 @@ static char *text_of(const obj *o, size_t room)
         if ((rest = behind(line, "v")) != NULL && (rest = floats(o, were, 3, rest, "", NULL)) != NULL) {
             to += sprintf(to, "v %.9g %.9g %.9g %s\n", (double)v[0], (double)v[1], (double)v[2], rest);
             v += 3;
+        } else if (slash && (rest = behind(line, "mtllib")) != NULL && *rest != '/') {
+            to += sprintf(to, "mtllib %.*s/%s\n", (int)(slash - o->from.path), o->from.path, rest);
         } else to += sprintf(to, "%s\n", line);
     }
     return text;
@@ -440,7 +445,8 @@ char *kit_obj_moved(double origin[3], const char *path)
     failed = failed || read_vertices(&o) || move_origin(&o);
     memcpy(origin, o.soup.origin, sizeof o.soup.origin);
     if (!failed && (origin[0] != 0 || origin[1] != 0 || origin[2] != 0))
-        moved = text_of(&o, size + o.own_lines + NUMBERS * (o.soup.vertices.count / 3 + 1));
+        moved = text_of(&o, size + o.own_lines + NUMBERS * (o.soup.vertices.count / 3 + 1)
+                                + (size_t)o.bare * strlen(path));
     obj_free(&o);
     free(text);
     return moved;

@@ -30,9 +30,7 @@ void kit_note(char *note, const char *format, ...)
 
 static void note_gap(char *note, const char *kind, double gap, const float lower[3], const float upper[3])
 {
-    double diagonal = 0;
-    for (int i = 0; i < 3; ++i) diagonal += pow((double)upper[i] - (double)lower[i], 2);
-    diagonal = sqrt(diagonal);
+    const double diagonal = kit_diagonal(lower, upper);
     if (gap > KIT_COARSE * diagonal && isfinite(diagonal))
         kit_note(note, "its coordinates are read as %s, which so far from 0 are %.2g apart, %.2g of its size", kind,
                  gap, gap / diagonal);

@@ -61,7 +61,6 @@ static void list_names(char *names, size_t size)
 
 static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *err)
 {
-    double diagonal = 0;
     int failed = 0;
     if (access(path, R_OK)) {              /* opening a pipe would wait for who writes it */
         char names[sizeof err->text] = "";
@@ -71,8 +70,7 @@ static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *
     }
     if (kit_model_read(&scene->mesh, &scene->object, &scene->objects, scene->note, path, err)) return -1;
     for (int k = 0; k < scene->objects; k++) scene->object[k].shape = -1;
-    for (int i = 0; i < 3; i++) diagonal += pow((double)scene->mesh.upper[i] - (double)scene->mesh.lower[i], 2);
-    diagonal = sqrt(diagonal);
+    const double diagonal = kit_diagonal(scene->mesh.lower, scene->mesh.upper);
     scene->name = path;
     scene->about = "model from a file";
     scene->radius = (float)(0.1 * diagonal);

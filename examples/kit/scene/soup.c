@@ -220,16 +220,23 @@ int kit_soup_objects(kit_soup *s, const kit_source *from)
     return 0;
 }
 
+double kit_diagonal(const float lower[3], const float upper[3])
+{
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += pow((double)upper[i] - (double)lower[i], 2);
+    return sqrt(sum);
+}
+
 int kit_origin_move(double origin[3], const float lower[3], const float upper[3])
 {
-    double middle[3], away = 0, diagonal = 0;
+    double middle[3], away = 0;
+    const double diagonal = kit_diagonal(lower, upper);
     for (int i = 0; i < 3; ++i) {
         middle[i] = 0.5 * ((double)lower[i] + (double)upper[i]);
         away = fmax(away, fabs(middle[i]));
-        diagonal += ((double)upper[i] - (double)lower[i]) * ((double)upper[i] - (double)lower[i]);
     }
-    if (!(away > KIT_AWAY * sqrt(diagonal) && away <= (double)KIT_FARTHEST)) return 0;
-    const double step = diagonal > 0 ? exp2(floor(log2(diagonal) / 2)) : 0; /* so that it is a number of few digits */
+    if (!(away > KIT_AWAY * diagonal && away <= (double)KIT_FARTHEST)) return 0;
+    const double step = diagonal > 0 ? exp2(floor(log2(diagonal))) : 0; /* so that it is a number of few digits */
     for (int i = 0; i < 3; ++i) origin[i] += step > 0 ? step * rint(middle[i] / step) : middle[i];
     return 1;
 }
