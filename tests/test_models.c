@@ -346,6 +346,17 @@ static void ply(void)
     "\"buffers\":[{\"byteLength\":" bytes ",\"uri\":\"" uri "\"}]}"
 #define CORNERS_64 "data:application/octet-stream;base64,AACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAA"
 
+/* How far a coordinate is from a place, and from one so much farther, whichever is nearer. */
+static double corners_off(const kit_mesh *m, const double at[3], double size)
+{
+    double worst = 0;
+    for (int k = 0; k < 9; ++k) {
+        const double is = (double)m->position[k] + (m->origin[k % 3] - at[k % 3]);
+        worst = fmax(worst, fmin(fabs(is), fabs(is - size)));
+    }
+    return worst;
+}
+
 /* What stands far from 0 is drawn as there: corners at 1 on the axes, in places of nodes that only doubles hold, or in
    an OBJ's text. Where they stand, and what is said of numbers that are coarse, of floats: 1.0 so far away. */
 static void far_away(void)
@@ -387,13 +398,11 @@ static void far_away(void)
     kit_scene s;
     put("one.mtl", "newmtl red\nKd 1 0 0\n");
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
-        double away[3], worst = 0, area = 0.5 * sqrt(3) * all[i].size * all[i].size;
+        double away[3];
+        const double area = 0.5 * sqrt(3) * all[i].size * all[i].size;
         put(all[i].name, all[i].text);
         if (!CHECK(!kit_scene_load(&s, in_folder(all[i].name), 0, &err), "%zu: %s", i, err.text)) continue;
-        for (int k = 0; k < 9; ++k) {
-            const double is = (double)s.mesh.position[k] + (s.mesh.origin[k % 3] - all[i].at[k % 3]);
-            worst = fmax(worst, fmin(fabs(is), fabs(is - all[i].size)));
-        }
+        const double worst = corners_off(&s.mesh, all[i].at, all[i].size);
         CHECK(worst < 1e-3 * all[i].size && fabs(area_of(&s) / area - 1) < 1e-3,
               "%zu: a corner is off by %g of %g, the area by %g", i, worst, all[i].size, area_of(&s) / area);
         for (int k = 0; k < 3; ++k) away[k] = (double)s.camera.eye[k] - (double)s.camera.target[k];
@@ -401,6 +410,12 @@ static void far_away(void)
         CHECK(sizes > 1 && sizes < 10, "%zu: the camera is %g sizes away", i, sizes);
         CHECK(!strstr(all[i].text, "mtllib") || (s.mesh.albedo[0] > 0.99f && s.mesh.albedo[1] < 0.01f),
               "%zu: %g, %g is not red", i, (double)s.mesh.albedo[0], (double)s.mesh.albedo[1]);
+        kit_mesh own; /* without Assimp */
+        if (!strcmp(all[i].name, "a.obj") && CHECK(!kit_mesh_obj(&own, NULL, NULL, in_folder("a.obj"), &err), "%s",
+                                                   err.text)) {
+            CHECK(corners_off(&own, all[i].at, all[i].size) < 1e-3 * all[i].size, "%zu: without Assimp", i);
+            kit_mesh_free(&own);
+        }
         CHECK(*all[i].note ? strstr(s.note, all[i].note) != NULL : !*s.note, "%zu: \"%s\"", i, s.note);
         kit_scene_free(&s);
     }
