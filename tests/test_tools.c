@@ -899,11 +899,15 @@ static void frames_of_blender(void)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
         CHECK(shell(text, sizeof text, "$R --gbuffer b.exr --fovy 70 --radius 0.3 --out q.exr %s%s", bad[i].arguments,
                     "") == 2 && strstr(text, bad[i].word), "%s: %s", bad[i].arguments, text);
-    float *const z = kit_image_channel(&own, "Z");         /* as others have nothing */
-    for (size_t i = 0; i < pixels; ++i) if (!(z[i] > 0)) z[i] = FLT_MAX;
-    snprintf(path, sizeof path, "%s/far.exr", folder);
-    CHECK(!kit_exr_write(&own, path, &err), "%s", err.text);
-    CHECK(errs_by("--gbuffer far.exr --fovy 70 --radius 0.3", "ao.exr") < 1e-6, "nothing is not FLT_MAX away");
+    float *const z = kit_image_channel(&own, "Z");         /* of a sky as others have it */
+    for (int k = 0; k < 2; ++k) {
+        for (size_t i = 0; i < pixels / 2; ++i) z[i] = k ? FLT_MAX : 0;
+        snprintf(path, sizeof path, "%s/sky%d.exr", folder, k);
+        CHECK(!kit_exr_write(&own, path, &err), "%s", err.text);
+    }
+    CHECK(!shell(text, sizeof text, "$R --gbuffer sky0.exr --fovy 70 --radius 0.3 --out sky.exr%s%s", "", "")
+              && errs_by("--gbuffer sky1.exr --fovy 70 --radius 0.3", "sky.exr") < 1e-6,
+          "what is FLT_MAX away is not sky: %s", text);
     snprintf(path, sizeof path, "%s/o.exr", folder);
     make_part(path);
     CHECK(!shell(text, sizeof text, "$R --gbuffer o.exr --set normal=depth --out part.exr%s%s", "", "")
