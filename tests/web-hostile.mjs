@@ -81,8 +81,23 @@ export function indexed(...indices) {
     });
 }
 
-export const wedge = scale => [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
-    .map(at => `v ${at.map(v => v * scale).join(' ')}\n`).join('') + 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n';
+export const wedge = (scale, place = [0, 0, 0]) => [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    .map(at => `v ${at.map((v, i) => v * scale + place[i]).join(' ')}\n`).join('')
+    + 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n';
+/* The same by a node that stands there, as a glTF; it glows. */
+export function glowingWedge(place) {
+    const bytes = new Uint8Array(72);
+    bytes.set(new Uint8Array(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1).buffer));
+    bytes.set(new Uint8Array(Uint16Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3).buffer), 48);
+    return gltf({
+        nodes: [{ translation: place, children: [1] }, { mesh: 0 }], materials: [{ emissiveFactor: [0.001, 0, 0] }],
+        buffers: [{ byteLength: 72,
+                    uri: `data:application/octet-stream;base64,${btoa(String.fromCharCode(...bytes))}` }],
+        bufferViews: [{ buffer: 0, byteLength: 48 }, { buffer: 0, byteOffset: 48, byteLength: 24 }],
+        accessors: wedgeAccessors(bufferView => ({ bufferView })),
+        meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1, material: 0 }] }]
+    });
+}
 
 /* Of one brightness; rows without run lengths. */
 export function hdr(width, height, value) {

@@ -6,7 +6,8 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { read, write } from '../examples/web/settings.mjs';
 import { check, end, launch, note, rest, run, serve } from './web-kit.mjs';
-import { calls, draco, hashes, hdr, indexed, meshopt, models, unsound, wedge, works } from './web-hostile.mjs';
+import { calls, draco, glowingWedge, hashes, hdr, indexed, meshopt, models, unsound, wedge,
+         works } from './web-hostile.mjs';
 
 const browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
                              '--hide-scrollbars');
@@ -677,22 +678,44 @@ await run('a model that cannot be shown is named with what is wrong; scene and t
     const { title, notice } = await seen(page);
     check(title === 'wedge.obj' && !notice, `the model is not found again: ${title}: ${notice}`);
 });
-await run('a model is drawn alike in any unit, and without the lines beside it', async () => {
-    const means = [], begun = said.length;
-    for (const text of [wedge(1), wedge(1e-5), wedge(1e7), `${wedge(1)}l 1 4\np 2\n`]) {
-        await drop(page, 'some.obj', text);
-        check(!(await seen(page)).notice, (await seen(page)).notice);
+await run('a model is drawn alike in any unit and place, and without the lines beside it', async () => {
+    const means = [], begun = said.length, place = [13487434.764, -6.397, -3741689.403];
+    const far = east => `: it lies far from 0 beside its size, and is shown about ${east},-6,-3741689`;
+    for (const [name, text, notes = ''] of [['some.obj', wedge(1)], ['some.obj', wedge(1e-5)], ['some.obj', wedge(1e7)],
+                                            ['some.obj', `${wedge(1)}l 1 4\np 2\n`],
+                                            ['far.obj', wedge(1, place), `far.obj${far(13487436)}`],
+                                            ['tiny.obj', wedge(1e-5, [1, 1, 1]),
+                                             'tiny.obj: it lies far from 0 beside its size, and is shown about 1,1,1'],
+                                            ['far.gltf', glowingWedge(place),
+                                             `far.gltf: its materials emit light, which is not shown\nfar.gltf${far(13487435)}`],
+                                            ['near.gltf', glowingWedge([0, 0, 0]),
+                                             'near.gltf: its materials emit light, which is not shown']]) {
+        await drop(page, name, text);
+        const { notice } = await seen(page);
+        check(notice === notes, `${name}: ${notice}`);
         means.push(await page.evaluate(() => {
             const { pixels } = page.result(0);
             return pixels.reduce((sum, v) => sum + v, 0) / pixels.length;
         }));
+        if (name !== 'far.obj') continue;
+        const off = await page.evaluate(([east, , south]) => {    /* where a saved frame puts a corner, and the page */
+            const { camera } = page.inside().stage, { origin } = page.inside().stage.info, file = page.frame();
+            const at = new TextDecoder('latin1').decode(file).indexOf('ssgi.worldToCamera\0m44d\0') + 28;
+            const view = new DataView(file.buffer.slice(at)), m = i => view.getFloat64(8 * i, true);
+            const x = origin[0] - east, z = origin[2] - south, inverse = camera.matrixWorldInverse.elements;
+            return [0, 1].map(i => m(i) * east + m(8 + i) * south + m(12 + i)
+                - (inverse[12 + i] - inverse[i] * x - inverse[4 + i] * origin[1] - inverse[8 + i] * z));
+        }, place);
+        check(off.every(v => Math.abs(v) < 1e-6), `the saved frame is off by ${off}`);
     }
     await drop(page, 'bounds.gltf', indexed(0, 1, 2));
     const { title, notice } = await seen(page);
     check(title === 'bounds.gltf' && !notice, `${title}: ${notice}`);
     check(said.length === begun, said.slice(begun).join('\n'));
     note(`mean visibility ${means.map(v => v.toFixed(4)).join(', ')}`);
-    check(means[0] < 0.999 && means.every(v => Math.abs(v - means[0]) < 0.001), means.join());
+    const smooth = means.splice(-2);                      /* a glTF's corners share their normals */
+    for (const all of [means, smooth])
+        check(all[0] < 0.999 && all.every(v => Math.abs(v - all[0]) < 0.001), all.join());
 });
 await run('files that belong together are read together: OBJ, MTL and picture; glTF and BIN; packed GLB', async () => {
     const begun = said.length, red = 'newmtl red\nKd 1 0 0\n', dot = await page.evaluate(async () => {

@@ -1,7 +1,7 @@
 /* exr.mjs - a float picture as an OpenEXR file, uncompressed: what build/render --gbuffer reads. */
 
 /* channels: { name: Float32Array of width * height }, bottom row first, as WebGL reads back. attributes: { name: a
-   number, or a matrix's 16 }: of the header, beside those that an EXR must have. */
+   number, or a matrix's 16, in doubles as a Float64Array }: of the header, beside those that an EXR must have. */
 export function exr(width, height, channels, { screenWindowWidth = 1, ...attributes } = {}) {
     const names = Object.keys(channels).sort(), bytes = [], text = new TextEncoder();
     const word = (...values) => values.forEach(v => bytes.push(v & 255, v >> 8 & 255, v >> 16 & 255, v >> 24 & 255));
@@ -28,9 +28,10 @@ export function exr(width, height, channels, { screenWindowWidth = 1, ...attribu
     attribute('screenWindowWidth', 'float', 4);
     float(screenWindowWidth);
     for (const [name, value] of Object.entries(attributes)) {
-        const values = [value].flat();
-        attribute(name, values.length === 16 ? 'm44f' : 'float', 4 * values.length);
-        values.forEach(float);
+        const values = value instanceof Float64Array ? value : new Float32Array([value].flat());
+        const type = values.length < 16 ? 'float' : values instanceof Float64Array ? 'm44d' : 'm44f';
+        attribute(name, type, values.byteLength);
+        bytes.push(...new Uint8Array(values.buffer));
     }
     bytes.push(0);
     const head = bytes.length + 8 * height, row = 4 * width * names.length;

@@ -4,6 +4,7 @@
 import * as THREE from 'three';
 import { fetchFile } from './fetch.mjs';
 import { finish, placesOf } from './finishes.mjs';
+import { floatsAt, gapSaid, originOf } from './origin.mjs';
 import { skyOf } from './sky.mjs';
 import { lambert } from './stage.mjs';
 
@@ -99,7 +100,7 @@ function inWorker(bytes) {
     return new Promise((resolve, reject) => {
         const worker = new Worker(new URL('reader.mjs', import.meta.url), { type: 'module' });
         const end = how => value => { worker.terminate(); how(value); };
-        worker.onmessage = ({ data }) => (data.error ? end(reject)(new Error(data.error)) : end(resolve)(data.meshes));
+        worker.onmessage = ({ data }) => (data.error ? end(reject)(new Error(data.error)) : end(resolve)(data));
         worker.onerror = e => end(reject)(new Error(e.message ?? 'its reader failed'));
         worker.postMessage({ bytes }, [bytes.buffer]);
     });
@@ -137,14 +138,15 @@ async function parseObj(bytes, beside, notes) {
     const materials = await materialsOf(text, beside, notes), model = new THREE.Group();
     const own = ({ name, vertexColors }) => Object.assign(
         (materials.get(name) ?? new THREE.MeshLambertMaterial({ color: 0xc8c2ba })).clone(), { vertexColors });
-    for (const { attributes, groups, materials: named, many } of await inWorker(bytes)) {
+    const { meshes, origin } = await inWorker(bytes);
+    for (const { attributes, groups, materials: named, many } of meshes) {
         const geometry = new THREE.BufferGeometry();
         for (const { name, array, itemSize } of attributes)
             geometry.setAttribute(name, new THREE.BufferAttribute(array, itemSize));
         geometry.groups = groups;
         model.add(new THREE.Mesh(geometry, many ? named.map(own) : own(named[0])));
     }
-    return model;
+    return { model, about: origin };
 }
 
 /* ---- glTF */
@@ -171,7 +173,7 @@ async function parseGltf(bytes, beside) {
     }
     if (extensionsUsed.some(name => /_meshopt_compression$/.test(name)))
         loader.setMeshoptDecoder((await load('libs/meshopt_decoder.module')).MeshoptDecoder);
-    try { return (await loader.parseAsync(bytes.buffer, '')).scene; } finally { draco?.dispose(); }
+    try { return { model: (await loader.parseAsync(bytes.buffer, '')).scene }; } finally { draco?.dispose(); }
 }
 
 /* ---- skies */
@@ -216,9 +218,9 @@ function unsound({ attributes: { position, normal }, index }) {
 }
 
 /* Triangles with materials that the G-buffer knows; lines and points, which nothing here lights, are left out. */
-function prepare(model) {
+function prepare(model, notes) {
     const parts = [];
-    let triangles = 0;
+    let triangles = 0, emits = false;
     model.traverse(part => parts.push(part));
     for (const part of parts) {
         if (part.isLine || part.isPoints || part.isSprite) part.removeFromParent();
@@ -228,18 +230,47 @@ function prepare(model) {
         if (!geometry.attributes.normal) geometry.computeVertexNormals();
         geometry.computeBoundingBox();                  /* a glTF's are what it says they are */
         geometry.computeBoundingSphere();
+        emits ||= [part.material].flat().some(m => m.emissiveIntensity > 0 && m.emissive?.toArray().some(v => v > 0));
         part.material = Array.isArray(part.material) ? part.material.map(m => lambert(m, 2))
             : lambert(part.material, 2);
         triangles += Math.floor((geometry.index ?? geometry.attributes.position).count / 3);
     }
     if (!triangles) fail('holds no triangles; must hold one at least');
+    if (emits) notes.push('its materials emit light, which is not shown');
+}
+
+/* Where a glTF's nodes put floats, these are as far apart as they are where its meshes have them. */
+function gapIn(model) {
+    let most = 0;
+    model.traverse(({ isMesh, geometry, matrixWorld }) => {
+        if (!isMesh) return;
+        const { min, max } = geometry.boundingBox;
+        const gaps = ['x', 'y', 'z'].map(i => floatsAt(Math.max(-min[i], max[i])));
+        const rows = [0, 1, 2].map(row => gaps.map((gap, i) => Math.abs(matrixWorld.elements[4 * i + row]) * gap));
+        most = Math.max(most, ...rows.map(row => row.reduce((a, b) => a + b)));
+    });
+    return most;
+}
+
+/* A model that lies far from 0 is moved there, in doubles, as matrices are; where it was read about another place, from
+   there. The place that stands at 0 then. */
+function approach({ model, about = [0, 0, 0] }, notes) {
+    const box = new THREE.Box3().setFromObject(model);
+    const by = originOf(box.min.toArray(), box.max.toArray()), origin = about.map((v, i) => v + by[i]);
+    const gap = gapSaid(gapIn(model), box.getSize(new THREE.Vector3()).length());
+    model.position.sub(new THREE.Vector3(...by));
+    model.updateMatrixWorld(true);
+    if (gap) notes.push(gap);
+    if (origin.some(v => v)) notes.push(`it lies far from 0 beside its size, and is shown about ${origin.join()}`);
+    return origin;
 }
 
 /* Where float arithmetic has room for radii, planes and areas of such a scene. */
 const narrowest = 1e-6, widest = 1e8;
 
 /* On a floor, seen as a whole. */
-function stagedOnFloor(model, title) {
+function stagedOnFloor(read, title, notes) {
+    const origin = approach(read, notes), { model } = read;
     const box = new THREE.Box3().setFromObject(model), middle = box.getCenter(new THREE.Vector3());
     const wide = box.getSize(new THREE.Vector3()).length();
     if (wide === 0) fail('has all its corners in one place; must span some space');
@@ -250,7 +281,7 @@ function stagedOnFloor(model, title) {
     floor.position.set(middle.x, box.min.y, middle.z);
     floor.userData.ground = true;                       /* shadows nothing */
     const eye = new THREE.Vector3(0.4, 0.32, 0.9).normalize().multiplyScalar(1.25 * wide).add(middle);
-    const info = { name: 'file', title, radius: wide / 10, fovy: 45, near: wide / 100, far: 10 * wide,
+    const info = { name: 'file', title, origin, radius: wide / 10, fovy: 45, near: wide / 100, far: 10 * wide,
                    eye: eye.toArray(), target: middle.toArray() };
     return { model: new THREE.Group().add(model, floor), info };
 }
@@ -258,12 +289,12 @@ function stagedOnFloor(model, title) {
 async function readModel(file, beside, progress, notes) {
     const format = formats[kindOf(file)];
     const bytes = await bytesOf(file, progress).catch(e => fail(`cannot be read: ${e.message}; must be a file`));
-    const model = await format.parse(bytes, beside, notes)
+    const read = await format.parse(bytes, beside, notes)
         .catch(e => fail(`cannot be read: ${plain(e)}; ${format.must}`));
     const [broken] = beside.failed;
     if (broken) fail(`${broken} cannot be read; must be a picture that the browser shows`);
-    prepare(model);
-    return stagedOnFloor(model, file.name);
+    prepare(read.model, notes);
+    return stagedOnFloor(read, file.name, notes);
 }
 
 /* { staged: { model, info } for Stage.show, sky, notes }: of what was dropped or chosen, with what lies beside it. */

@@ -856,8 +856,13 @@ function frameFile() {
     request();
     const { projectionMatrix, matrixWorldInverse } = stage.camera, p = projectionMatrix.elements;
     const { width, height } = size, worldToCamera = matrixWorldInverse.elements.map((v, i) => i % 4 === 2 ? 0 - v : v);
+    const [x, y, z] = stage.info.origin ?? [0, 0, 0], far = x || y || z;
+    for (let i = 12; i < 15; ++i)                       /* from the model's own coordinates */
+        worldToCamera[i] -= x * worldToCamera[i - 12] + y * worldToCamera[i - 8] + z * worldToCamera[i - 4];
+    const precise = far ? { 'ssgi.worldToCamera': new Float64Array(worldToCamera) } : {};
     const channels = own.show.frame(width, height, drawn, decodeOf());
-    return exr(width, height, channels, { screenWindowWidth: 2 / p[0], worldToCamera, 'ssgi.radius': radius() });
+    return exr(width, height, channels,
+               { screenWindowWidth: 2 / p[0], worldToCamera, ...precise, 'ssgi.radius': radius() });
 }
 
 /* ---- WebGPU beside WebGL 2, by the same steps */

@@ -1,5 +1,7 @@
-/* reader.mjs - a worker that reads OBJ, which takes seconds for a large one: { bytes } comes, { meshes } or { error }
-   goes back. A worker knows no import map: make web writes addresses of files into three's loaders. */
+/* reader.mjs - a worker that reads OBJ, which takes seconds for a large one: { bytes } comes, { meshes, origin } or
+   { error } goes back. Meshes are about the origin. A worker knows no import map: make web writes addresses of files
+   into three's loaders. */
+import { originOf } from './origin.mjs';
 import { OBJLoader } from './three/loaders/OBJLoader.js';
 
 /* Without its lines and points: the loader takes faces of the same object for more of them. */
@@ -18,9 +20,39 @@ function meshesOf(text) {
     return meshes;
 }
 
+function boundsOf(meshes) {
+    const lower = [Infinity, Infinity, Infinity], upper = [-Infinity, -Infinity, -Infinity];
+    for (const { attributes } of meshes) {
+        const { array } = attributes.find(({ name }) => name === 'position') ?? { array: [] };
+        array.forEach((v, i) => {
+            if (v < lower[i % 3]) lower[i % 3] = v;
+            if (v > upper[i % 3]) upper[i % 3] = v;
+        });
+    }
+    return [lower, upper];
+}
+
+/* Vertices about an origin: the loader makes floats of their text. */
+const moved = (text, [x, y, z]) => text.replace(/\\\r?\n/g, ' ')
+    .replace(/^([ \t]*v[ \t]+)(\S+)([ \t]+)(\S+)([ \t]+)([^\s#]+)/gm,
+             (_, v, a, b, c, d, e) => v + (a - x) + b + (c - y) + d + (e - z));
+
+/* What lies far from 0 is read again, about its middle, as floats find that: perhaps twice. */
+function read(text) {
+    const origin = [0, 0, 0];
+    let meshes = meshesOf(text);
+    for (let turn = 0; turn < 2; ++turn) {
+        const by = originOf(...boundsOf(meshes));
+        if (!by.some(v => v)) break;
+        by.forEach((v, i) => { origin[i] += v; });
+        meshes = meshesOf(moved(text, origin));
+    }
+    return { meshes, origin };
+}
+
 onmessage = ({ data: { bytes } }) => {
     try {
-        const meshes = meshesOf(new TextDecoder().decode(bytes));
-        postMessage({ meshes }, meshes.flatMap(mesh => mesh.attributes.map(({ array }) => array.buffer)));
+        const { meshes, origin } = read(new TextDecoder().decode(bytes));
+        postMessage({ meshes, origin }, meshes.flatMap(mesh => mesh.attributes.map(({ array }) => array.buffer)));
     } catch (e) { postMessage({ error: e.message }); }
 };
