@@ -804,10 +804,14 @@ static void frames_carry_cameras(void)
         if (i % 2) CHECK(errs_by(line, "near.exr") < 1e-3, "far from 0 it is another picture: %s", line);
         else CHECK(!shell(text, sizeof text, "$R %s --out near.exr%s", line, ""), "%s", text);
     }
-    static const char *const sizes[] = { "corner.obj", "small.obj", "large.obj" };
-    for (int i = 0; i < 3; ++i) {
-        snprintf(line, sizeof line, "%s --size 96x54 --method ssdo --env sky --light sun:1,2,1,3,3,3", sizes[i]);
-        if (i) CHECK(errs_by(line, "near.exr") < 0.01, "of another size it is another picture: %s", line);
+    static const struct { const char *name, *light; } sizes[] = {
+        { "corner.obj", "sun:1,2,-1,3,3,3" }, { "small.obj", "sun:1,2,-1,3,3,3" }, { "large.obj", "sun:1,2,-1,3,3,3" },
+        { "corner.obj", "point:1,3,-2,9,9,9" },
+        { "small.obj", "point:2.5e-13,7.5e-13,-5e-13,5.625e-25,5.625e-25,5.625e-25" } };
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        snprintf(line, sizeof line, "%s --size 96x54 --method ssdo-points --set bounce=none,shadows=map,views=1 "
+                 "--light %s", sizes[i].name, sizes[i].light);
+        if (i % 3) CHECK(errs_by(line, "near.exr") < 0.002, "of another size it is another picture: %s", line);
         else CHECK(!shell(text, sizeof text, "$R %s --out near.exr%s", line, ""), "%s", text);
     }
     static const char *const behind[] = { "hsao --set thickness=back", "hsao --set thickness=slabs",

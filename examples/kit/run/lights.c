@@ -82,7 +82,7 @@ static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *s
     }
     const float *all = part[WHOLE], deep = range[1] - range[0];
     const float wide = fmaxf(all[2] - all[0], all[3] - all[1]);
-    const float spare = fminf(1e-6f, 1e-3f * fmaxf(deep, wide)); /* where either is 0 */
+    const float spare = 1e-6f * fminf(1, fmaxf(deep, wide)); /* where either is 0 */
     const float margin = 0.01f * deep + spare, away = range[1] + 2 * margin;
     for (; count > 0; --count) {                    /* rows: fine ones first */
         const float *p = part[kept[count - 1]];
