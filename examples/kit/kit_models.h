@@ -4,20 +4,10 @@
 
 #include "kit/kit_obj.h"
 
-enum { KIT_NOTE = 512 };
-
 /* ---- >>models */
 
 /* The triangles of an OBJ, or of what else can be read. note: KIT_NOTE characters, as a scene has it. */
 int kit_model_read(kit_mesh *mesh, kit_object **object, int *objects, char *note, const char *path, kit_error *err);
-
-/* One sentence more, without its stop, as far as there is room. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-void kit_note(char *note, const char *format, ...);
-/* That one, where floats that are so far apart are coarse beside the bounds. */
-void kit_note_gap(char *note, double gap, const float lower[3], const float upper[3]);
 
 /* ---- >>mesh */
 

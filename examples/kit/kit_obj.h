@@ -48,4 +48,14 @@ double kit_diagonal(const float lower[3], const float upper[3]);
    to be read anew. Twice at most: floats find a middle to 24 bits, and doubles have 53. */
 int  kit_origin_move(double origin[3], const float lower[3], const float upper[3]);
 
+enum { KIT_NOTE = 512 };
+
+/* One sentence more, without its stop, as far as there is room. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+void kit_note(char *note, const char *format, ...);
+/* That one, where numbers of a kind that are so far apart are coarse beside the bounds. */
+void kit_note_gap(char *note, const char *kind, double gap, const float lower[3], const float upper[3]);
+
 #endif

@@ -756,7 +756,7 @@ static int take_scene(reader *r)
     if (open_looks(r) || (root && (approach(r) || add_node(r, root, &r->root)))) return -1;
     const double gap = fmax(r->vertex_gap, r->node_gap);
     if (r->soup->position.count) {
-        kit_note_gap(r->note, gap, r->lower, r->upper);
+        kit_note_gap(r->note, "floats", gap, r->lower, r->upper);
         if (r->emits) kit_note(r->note, "its materials emit light, which is not read");
         return kit_soup_objects(r->soup, &r->from);
     }

@@ -8,7 +8,6 @@
 #include <float.h>
 #include <math.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,35 +17,12 @@
 
 /* ---- >>notes ----------------------------------------------------------------------------------------------------- */
 
-void kit_note(char *note, const char *format, ...)
-{
-    const size_t used = strlen(note);
-    va_list list;
-    va_start(list, format);
-    char *to = note + used + (used ? (size_t)snprintf(note + used, KIT_NOTE - used, "; ") : 0);
-    if (to < note + KIT_NOTE) vsnprintf(to, (size_t)(note + KIT_NOTE - to), format, list);
-    va_end(list);
-}
-
-static void note_gap(char *note, const char *kind, double gap, const float lower[3], const float upper[3])
-{
-    const double diagonal = kit_diagonal(lower, upper);
-    if (gap > KIT_COARSE * diagonal && isfinite(diagonal))
-        kit_note(note, "its coordinates are read as %s, which so far from 0 are %.2g apart, %.2g of its size", kind,
-                 gap, gap / diagonal);
-}
-
-void kit_note_gap(char *note, double gap, const float lower[3], const float upper[3])
-{
-    note_gap(note, "floats", gap, lower, upper);
-}
-
 /* Where it is drawn, and by how much doubles are off there. */
 static void note_origin(char *note, const kit_mesh *mesh)
 {
     const double *at = mesh->origin, away = fmax(fabs(at[0]), fmax(fabs(at[1]), fabs(at[2])));
     if (away == 0) return;
-    note_gap(note, "doubles", DBL_EPSILON * away, mesh->lower, mesh->upper);
+    kit_note_gap(note, "doubles", DBL_EPSILON * away, mesh->lower, mesh->upper);
     kit_note(note,
              "it lies far from 0 beside its size, and is drawn about %.12g,%.12g,%.12g; --camera and --light stay in "
              "its own coordinates",

@@ -1,6 +1,7 @@
 /* soup.c - triangles as a reader of models finds them, and the objects that they make. Declared in kit_obj.h. */
 #include "kit/kit_obj.h"
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -261,4 +262,24 @@ void kit_soup_take(kit_soup *s, kit_mesh *mesh, kit_object **object, int *object
     *object = s->objects.data;
     *objects = (int)s->objects.count;
     s->objects.data = NULL;
+}
+
+/* ---- >>notes ----------------------------------------------------------------------------------------------------- */
+
+void kit_note(char *note, const char *format, ...)
+{
+    const size_t used = strlen(note);
+    va_list list;
+    va_start(list, format);
+    char *to = note + used + (used ? (size_t)snprintf(note + used, KIT_NOTE - used, "; ") : 0);
+    if (to < note + KIT_NOTE) vsnprintf(to, (size_t)(note + KIT_NOTE - to), format, list);
+    va_end(list);
+}
+
+void kit_note_gap(char *note, const char *kind, double gap, const float lower[3], const float upper[3])
+{
+    const double diagonal = kit_diagonal(lower, upper);
+    if (gap > KIT_COARSE * diagonal && isfinite(diagonal))
+        kit_note(note, "its coordinates are read as %s, which so far from 0 are %.2g apart, %.2g of its size", kind,
+                 gap, gap / diagonal);
 }
