@@ -84,10 +84,10 @@ export function indexed(...indices) {
 export const wedge = (scale, place = [0, 0, 0]) => [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
     .map(at => `v ${at.map((v, i) => v * scale + place[i]).join(' ')}\n`).join('')
     + 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n';
-/* The same by a node that stands there, as a glTF; it glows. */
-export function glowingWedge(place) {
+/* The same by a node that stands there, as a glTF; it glows. east: its own floats begin there. */
+export function glowingWedge(place, east = 0) {
     const bytes = new Uint8Array(72);
-    bytes.set(new Uint8Array(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1).buffer));
+    bytes.set(new Uint8Array(Float32Array.of(east, 0, 0, east + 1, 0, 0, east, 1, 0, east, 0, 1).buffer));
     bytes.set(new Uint8Array(Uint16Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3).buffer), 48);
     return gltf({
         nodes: [{ translation: place, children: [1] }, { mesh: 0 }], materials: [{ emissiveFactor: [0.001, 0, 0] }],

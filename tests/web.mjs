@@ -681,15 +681,18 @@ await run('a model that cannot be shown is named with what is wrong; scene and t
 await run('a model is drawn alike in any unit and place, and without the lines beside it', async () => {
     const means = [], begun = said.length, place = [13487434.764, -6.397, -3741689.403];
     const far = east => `: it lies far from 0 beside its size, and is shown about ${east},-6,-3741689`;
-    for (const [name, text, notes = ''] of [['some.obj', wedge(1)], ['some.obj', wedge(1e-5)], ['some.obj', wedge(1e7)],
-                                            ['some.obj', `${wedge(1)}l 1 4\np 2\n`],
-                                            ['far.obj', wedge(1, place), `far.obj${far(13487436)}`],
-                                            ['tiny.obj', wedge(1e-5, [1, 1, 1]),
-                                             'tiny.obj: it lies far from 0 beside its size, and is shown about 1,1,1'],
-                                            ['far.gltf', glowingWedge(place),
-                                             `far.gltf: its materials emit light, which is not shown\nfar.gltf${far(13487435)}`],
-                                            ['near.gltf', glowingWedge([0, 0, 0]),
-                                             'near.gltf: its materials emit light, which is not shown']]) {
+    const emits = 'its materials emit light, which is not shown';
+    for (const [name, text, notes = ''] of [
+        ['some.obj', wedge(1)], ['some.obj', wedge(1e-5)], ['some.obj', wedge(1e7)],
+        ['some.obj', `${wedge(1)}l 1 4\np 2\n`], ['far.obj', wedge(1, place), `far.obj${far(13487436)}`],
+        ['tiny.obj', wedge(1e-5, [1, 1, 1]),
+         'tiny.obj: it lies far from 0 beside its size, and is shown about 1,1,1'],
+        ['far.gltf', glowingWedge(place), `far.gltf: ${emits}\nfar.gltf${far(13487435)}`],
+        ['near.gltf', glowingWedge([0, 0, 0]), `near.gltf: ${emits}`],
+        ['own.gltf', glowingWedge([0, 0, 0], 13487434),
+         [emits, 'its coordinates are floats, which so far from 0 are 1 apart, 0.58 of its size',
+          'it lies far from 0 beside its size, and is shown about 13487435,1,1'].map(s => `own.gltf: ${s}`).join('\n')]
+    ]) {
         await drop(page, name, text);
         const { notice } = await seen(page);
         check(notice === notes, `${name}: ${notice}`);
@@ -713,7 +716,7 @@ await run('a model is drawn alike in any unit and place, and without the lines b
     check(title === 'bounds.gltf' && !notice, `${title}: ${notice}`);
     check(said.length === begun, said.slice(begun).join('\n'));
     note(`mean visibility ${means.map(v => v.toFixed(4)).join(', ')}`);
-    const smooth = means.splice(-2);                      /* a glTF's corners share their normals */
+    const smooth = means.splice(-3);                      /* a glTF's corners share their normals */
     for (const all of [means, smooth])
         check(all[0] < 0.999 && all.every(v => Math.abs(v - all[0]) < 0.001), all.join());
 });

@@ -252,12 +252,32 @@ function gapIn(model) {
     return most;
 }
 
+/* A mesh whose own floats lie far from 0 has them moved there: floats of a matrix would undo them no more exactly. */
+function moveVertices(model) {
+    const moved = new Map();
+    model.traverse(part => {
+        const { geometry, position, scale, quaternion } = part, floats = geometry?.attributes.position;
+        if (!part.isMesh || part.isSkinnedMesh || !(floats.array instanceof Float32Array)) return;
+        if (!moved.has(geometry)) {
+            const by = originOf(geometry.boundingBox.min.toArray(), geometry.boundingBox.max.toArray());
+            moved.set(geometry, new THREE.Vector3(...by));
+            if (!by.some(v => v)) return;
+            geometry.setAttribute('position', floats.clone());           /* others may share them */
+            geometry.translate(...by.map(v => 0 - v));
+        }
+        const by = moved.get(geometry);
+        position.add(by.clone().multiply(scale).applyQuaternion(quaternion));
+        for (const child of part.children) child.position.sub(by);
+    });
+}
+
 /* A model that lies far from 0 is moved there, in doubles, as matrices are; where it was read about another place, from
    there. The place that stands at 0 then. */
 function approach({ model, about = [0, 0, 0] }, notes) {
     const box = new THREE.Box3().setFromObject(model);
     const by = originOf(box.min.toArray(), box.max.toArray()), origin = about.map((v, i) => v + by[i]);
     const gap = gapSaid(gapIn(model), box.getSize(new THREE.Vector3()).length());
+    if (gap) moveVertices(model);
     model.position.sub(new THREE.Vector3(...by));
     model.updateMatrixWorld(true);
     if (gap) notes.push(gap);

@@ -1,5 +1,5 @@
-/* origin.mjs - where a model that lies far from 0 is shown about, by build/render's rule: floats are coarse so far away,
-   and all that is drawn is floats. */
+/* origin.mjs - where a model that lies far from 0 is shown about, by build/render's rule: floats are coarse so far
+   away, and all that is drawn is floats. */
 
 const away = 100;                                       /* of its diagonals; below that nothing is moved */
 const coarse = 2e-5;                                    /* the share of its diagonal that numbers may lie apart */
