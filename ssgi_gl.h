@@ -526,6 +526,14 @@ typedef struct ssgi_gl_gather_desc {
                                 solid */
     int view_layers;         /* all but slices   [limit: 0..8] [default: 1]  depth layers of each extra camera */
     ssgi_gl_falloff falloff; /* points, slices, march, splat */
+    int facets;              /* gathers, shade   1: occluders are sought above the facet that depth shows, as with
+                   input.normal FROM_DEPTH, but filters, emitters and lights keep your normals, so that restored light
+                   (light.restore) stays smooth. For smooth normals on coarse meshes and for normal maps, whose tangent
+                   plane cuts the surface: each facet then darkens itself */
+    int lift; /* slices; normals from depth   1: slices lift receivers by frame.offset, as points and the march always
+                   do, and normals from depth compare pixels that are so far apart. For depth that has steps, as of
+                   clouds of points: each splat's edge is a wall otherwise. Set frame.offset to twice the pixels that a
+                   splat is wide; 8 suits splats of 3 to 9. Small things under that lift do not occlude */
 
     /* the papers' own */
     int normal_rays;     /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
@@ -550,6 +558,9 @@ typedef struct ssgi_gl_light_desc {
     int two_sided;                   /* ssdo, s3ho   1: emitters shine from both sides; 0: from their visible side,
                                         while in slices the other side emits 0.35 of its radiance. splat   1: surfels
                                         occlude from both sides, for sheets */
+    int one_sided;                   /* ssdo, s3ho by slices   1: surfaces that are not seen send nothing: neither those
+                                        other sides, nor second slabs. For lamps, screens and signs with a dark back,
+                                        which shine on what is behind them otherwise */
     int bounced;                     /* emitters   1: with LIGHT or BOTH they send the last frame's bounce, too, so that
                                         each frame adds a further bounce */
     ssgi_gl_shadow shadow;           /* lights, surfels, splat */
@@ -1020,7 +1031,7 @@ typedef struct ssgi_gl_frame {
     /* ---- gathers */
     float radius; /* [units: view] [limit: > 0]  distance of the farthest occluder */
     float offset; /* [units: half pixels] [default: 1.5]  lift of receivers along their normals, so that nearest
-                             fetches of their planes stay below them: not of slices */
+                             fetches of their planes stay below them: of slices with desc.gather.lift alone */
     float thickness_limit; /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces: with
                              desc.gather.thickness CONSTANT; with WIDTH the most; with BACK and SLABS by points where
                              there is no back face. ssgi_gl_frame_of knows what suits a chain */
@@ -1596,6 +1607,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_tangent", NULL, __LINE__ + 1,
     "// The tangent along +step: the difference to that neighbour of the two whose depth is closer to the pixel's.\n"
     "vec3 ssgi_tangent(ivec2 p, vec3 P, ivec2 step_) {\n"
+    "#if SSGI_LIFT\n"
+    "    step_ *= max(int(ceil(0.5 * u_ssgi_offset)), 1); // neighbours beyond the edge of a splat\n"
+    "#endif\n"
     "    float a = ssgi_inside(p + step_) ? ssgi_depth(p + step_) : SSGI_FAR;\n"
     "    float b = ssgi_inside(p - step_) ? ssgi_depth(p - step_) : SSGI_FAR;\n"
     "    vec3 A = ssgi_position(vec2(p + step_) + 0.5, a) - P, B = P - ssgi_position(vec2(p - step_) + 0.5, b);\n"
@@ -3250,7 +3264,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 unproject; // how many radii a pixel is wide\n"
     "#endif\n"
     "    vec2 across, up; // how many pixels a radius along x and y of the basis is\n"
-    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
+    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED || SSGI_LIFT\n"
     "    float lift; // Taps count as so many radii lower, since the rounding of their depths may lift them.\n"
     "#endif\n"
     "    float ray, rounded; // radii along the ray to P per view depth; the most radii that rounding moves a point\n"
@@ -3276,9 +3290,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float lost = 5e-8 * (abs(u_ssgi_decode.w) - P.z); // Floats count your depths from the eye on.\n"
     "#elif SSGI_MEASURED\n"
     "    float lost = SSGI_MEASURED_ROUNDS * -P.z;\n"
+    "#elif SSGI_LIFT\n"
+    "    float lost = 0.0;\n"
     "#endif\n"
-    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
+    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED || SSGI_LIFT\n"
     "    r.lift = max(lost - rounded, 0.0) * per;\n"
+    "#endif\n"
+    "#if SSGI_LIFT\n"
+    "    r.lift += 0.5 * u_ssgi_offset * ssgi_footprint(-P.z) * per;\n"
     "#endif\n"
     "    r.rounded = max(rounded * per, 1e-18);\n"
     "    return r;\n"
@@ -3322,7 +3341,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    s.x.z -= dot(s.x.xy, q), s.y.z -= dot(s.y.xy, q);\n"
     "#endif\n"
-    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
+    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED || SSGI_LIFT\n"
     "    s.y.w -= r.lift;\n"
     "#endif\n"
     "    s.off.z = -dot(s.off.xy, q);\n"
@@ -3515,9 +3534,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 o = ssgi_unpack_normal(s.y);\n"
     "#if !SSGI_TWO_SIDED\n"
     "    float facing = -dot(o, d), edge = SSGI_EDGE_ON * length(d);\n"
+    "#endif\n"
+    "#if SSGI_ONE_SIDED\n"
+    "    share *= facing > edge ? 1.0 : 0.0;\n"
+    "#elif !SSGI_TWO_SIDED\n"
     "    share *= facing > edge ? 1.0 : facing < -edge ? SSGI_UNSEEN : 0.0;\n"
     "#endif\n"
-    "#if SSGI_THICKNESS == SSGI_THICKNESS_SLABS\n"
+    "#if SSGI_THICKNESS == SSGI_THICKNESS_SLABS && !SSGI_ONE_SIDED\n"
     "    share += SSGI_SECOND * second;\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_SSDO\n"
@@ -5880,6 +5903,8 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__COUNT(YOURS, gather, views, 4, "by_points || marches"),
     SSGI_GL__COUNT(YOURS, gather, view_layers, 8, "by_points || marches"),
     SSGI_GL__ENUM(YOURS, gather, falloff, FALLOFF, NONE, "LINEAR SQUARE NONE", "gathers || pass == SPLAT"),
+    SSGI_GL__SWITCH(YOURS, gather, facets, "gathers || pass == SHADE"),
+    SSGI_GL__SWITCH(YOURS, gather, lift, "slices || normal == FROM_DEPTH || (facets && (gathers || pass == SHADE))"),
     SSGI_GL__COUNT(PAPER, gather, normal_rays, 8, "marches && terms != HORIZON"),
     SSGI_GL__ENUM(PAPER, gather, terms, TERMS, RAYS, "BOTH HORIZON NORMAL RAYS", "marches"),
     SSGI_GL__SWITCH(PAPER, gather, spheres, "marches && terms != RAYS"),
@@ -5893,6 +5918,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__ENUM(YOURS, light, harmonics, HARMONICS, CUSTOM, "FRAME CUSTOM", NULL),
     SSGI_GL__ENUM(YOURS, light, bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH", "pass == SSDO || pass == COMPOSE"),
     SSGI_GL__SWITCH(YOURS, light, two_sided, "pass == SSDO || pass == S3HO || pass == SPLAT"),
+    SSGI_GL__SWITCH(YOURS, light, one_sided, "(pass == SSDO || pass == S3HO) && search == SLICES"),
     SSGI_GL__SWITCH(YOURS, light, bounced, "pass == EMITTERS"),
     SSGI_GL__ENUM(YOURS, light, shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE", "pass == LIGHTS || surfel_pass"),
     SSGI_GL__ENUM(YOURS, light, restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE", NULL),
@@ -6005,6 +6031,7 @@ static const char *const ssgi_gl__refusals[][2] = {
     { "slices && views",
       "desc.gather.views: slices read visible surfaces and their slabs (desc.gather.thickness); extra cameras need "
       "SSGI_GL_SEARCH_POINTS or _MARCH" },
+    { "two_sided && one_sided", "desc.light.one_sided: emitters have one side or two: desc.light.two_sided is 1" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
       "desc.light.bounce: patches are those of SSGI_GL_SEARCH_POINTS; slices have SOLID_ANGLE" },
     { "thickness > SOLID && occludes && (layers > 1 || views)",
@@ -6196,6 +6223,9 @@ typedef struct ssgi_gl__rule {
 /* clang-format off */
 #define SSGI_GL__AT(field) offsetof(ssgi_gl_desc, field)
 static const ssgi_gl__rule ssgi_gl__rules[] = {
+    { SSGI_GL__AT(input.normal), "facets && !receiver && (gathers || pass == SHADE)",
+      SSGI_GL_NORMAL_FROM_DEPTH, NULL },
+    { SSGI_GL__AT(input.world_normals), "facets && !receiver && (gathers || pass == SHADE)", 0, NULL },
     { SSGI_GL__AT(gather.search), "has_points", SSGI_GL_SEARCH_POINTS, NULL },
     { SSGI_GL__AT(gather.directions), "slices && !directions", 1, NULL },
     { SSGI_GL__AT(gather.directions), "marches && !directions", 6, NULL },

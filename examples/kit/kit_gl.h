@@ -251,12 +251,12 @@ typedef struct kit_settings {
     int    layers, views, view_layers, view_size;
     double margin;                         /* radii */
     /* what occludes there, and how much of it */
-    int    thickness, falloff, fade, normal, left_handed;
+    int    thickness, falloff, fade, normal, left_handed, facets, lift;
     double thickness_limit, fade_from, lambda;   /* radii, radii, per radius */
     /* filters */
     int    blur, filter, filter_normals, restore, history;
     /* light */
-    int    environment, bounce, reuse, bounced, two_sided, shadows, points, solid, shadow_size, suns, vpls;
+    int    environment, bounce, reuse, bounced, two_sided, one_sided, shadows, points, solid, shadow_size, suns, vpls;
     double distance_clamp, gain, max_slope;    /* radii; 1: a patch's own area; a slope */
     /* as spherical harmonics, or bent normals */
     int    bands, store, indirect, dimmed, filtered, residual, window, lights, cone;

@@ -68,6 +68,10 @@ COUNT(march_row, steps, gather.steps, GATHER, 1,
       "radius")
 OF(falloff_row, falloff, gather.falloff, GATHER, 0, "weight of an occluder at distance t: 1 - t/radius, 1 - "
     "(t/radius)^2, or 1 up to the radius (not of points)")
+OF(facets_row, facets, gather.facets, GATHER, 0, "1: occluders are sought above the facets that depth shows, light "
+    "meets the given normals: for smooth normals on coarse meshes, and normal maps")
+OF(lift_row, lift, gather.lift, GATHER | LIGHTS, 0, "1: slices lift receivers by offset, normals of depth are taken as "
+    "far apart: for clouds of points, with offset=8, as each splat's edge is a wall otherwise")
 OF(fade_row, fade, gather.fade, GATHER, 0, "weight of an occluder by the distance of the surface in the depth buffer; "
     "none: a far surface sends as if it were at the point, and a bounce may err more than none")
 ROW(lambda_row, lambda, "how fast that fade is, per radius: a larger one leaves less", NULL, 0, 0, 1000, FRAME,
@@ -92,6 +96,8 @@ OF(bounce_row, bounce, light.bounce, GATHER, 1, "estimator of one diffuse bounce
 ROW(bounced_row, bounced, "1: emitters send the last frame's bounce, too: further bounces", NULL, 0, 0, 1, PLAN, 0)
 ROW(reuse_row, reuse, "1: emitters use the last frame's light, so that one gather does both", NULL, 0, 0, 1, PLAN, 0)
 OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-sided")
+OF(one_sided_row, one_sided, light.one_sided, GATHER, 0, "1: what is not seen of emitters sends nothing; 0: their other "
+    "side sends 0.35 of their radiance, as most surfaces are lit from there, too")
 ROW(distance_clamp_row, distance_clamp, "clamp of the distance to a patch, in radii",
     NULL, 0, 0, 100, FRAME, FRAMED(distance_clamp))
 ROW(gain_row, gain, "area of patches, times pi r^2/N", NULL, 0, 0, 1000, FRAME, FRAMED(gain))
@@ -208,11 +214,12 @@ typedef struct plan {
         _Static_assert((n) <= MAX_SETTINGS, "a method has more than MAX_SETTINGS"); \
         int i; \
     }))
+#define ROUGH &facets_row, &lift_row
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define POINTS \
     &samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, \
-        &range_row, &half_row, &thickness_row, &limit_row, &offset_row, DEEP
-#define WALK &slices_row, &steps_row, &falloff_row, &half_row, &thickness_row, &limit_row, &offset_row
+        &range_row, &half_row, &thickness_row, &limit_row, &offset_row, ROUGH, DEEP
+#define WALK &slices_row, &steps_row, &falloff_row, &half_row, &thickness_row, &limit_row, &offset_row, ROUGH
 #define SSDO(...) \
     SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &bounced_row, \
              &two_sided_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, \
@@ -236,18 +243,19 @@ typedef struct plan {
 static const plan plans[] = {
     { SSGI_GL_PASS_SSAO, SSGI_GL_SEARCH_SLICES, 0,
       SETTINGS(&samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row,
-               &range_row, &half_row, &thickness_row, &limit_row, &offset_row, DEEP, &normal_row, &noise_row,
+               &range_row, &half_row, &thickness_row, &limit_row, &offset_row, ROUGH, DEEP, &normal_row, &noise_row,
                &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row) },
     { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, 0,
       SETTINGS(&slices_row, &steps_row, &half_row, &thickness_row, &limit_row, &falloff_row, &normal_row, &noise_row,
-               &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row, &left_handed_row) },
+               &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row, &left_handed_row,
+               &offset_row, ROUGH) },
     { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH, 0,
       SETTINGS(&dirs_row, &steps_row, &rays_row, &terms_row, &spheres_row, &half_row, &thickness_row, &limit_row,
-               &falloff_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row,
+               &falloff_row, &offset_row, ROUGH, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row,
                &compare_row, &margin_row, &history_row) },
-    { SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, 0, SSDO(WALK) },
+    { SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, 0, SSDO(WALK, &one_sided_row) },
     { SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_POINTS, 0, SSDO(POINTS) },
-    { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, 0, S3HO(WALK) },
+    { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, 0, S3HO(WALK, &one_sided_row) },
     { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS, 0, S3HO(POINTS) },
     { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, 1, SSBN(WALK) },
     { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS, 1, SSBN(POINTS) },
