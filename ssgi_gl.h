@@ -563,6 +563,9 @@ typedef struct ssgi_gl_light_desc {
                                         which shine on what is behind them otherwise */
     int bounced;                     /* emitters   1: with LIGHT or BOTH they send the last frame's bounce, too, so that
                                         each frame adds a further bounce */
+    int clamp;                       /* emitters   1: none sends more luminance than frame.sent; its hue stays. A single
+                                        pixel that is far brighter than others (a spark, a glint) makes a bright spot of
+                                        each pixel that meets it otherwise. What is as bright on purpose gets darker */
     ssgi_gl_shadow shadow;           /* lights, surfels, splat */
     ssgi_gl_restore restore;         /* ssdo, s3ho shaded, shade, history, blur   with any value but NONE o_ssgi_light
                                         is not light until blur or history has drawn with this desc and filter.quantity
@@ -1059,7 +1062,8 @@ typedef struct ssgi_gl_frame {
     float near_depth; /* field, splat   [units: view] [default: the near plane]  lower bound of the frame's view depths:
                          the last frame's minimum, for instance, culls most occluders and surfels around the eye */
     float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
-                         ssgi_gl_sent_set makes the result linear in the light */
+                         ssgi_gl_sent_set makes the result linear in the light. desc.light.clamp   the most luminance
+                         that an emitter sends: some times that of your brightest wide surface */
     float epsilon;    /* splat   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or that
                          times the radiance that it sends over `sent` (times the lobe's peak): ssgi_gl_frame_of */
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
@@ -2712,6 +2716,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_RADIANCE == SSGI_RADIANCE_DIRECT || SSGI_RADIANCE == SSGI_RADIANCE_BOTH\n"
     "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz;\n"
     "#endif\n"
+    "#if SSGI_CLAMP\n"
+    "    sum = clamp(sum, 0.0, 65408.0); // Infinity times 0 is no number.\n"
+    "    sum *= min(u_ssgi_sent / max(dot(sum, vec3(0.2126, 0.7152, 0.0722)), 1e-6), 1.0); // The hue stays.\n"
+    "#endif\n"
     "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
     "    o_ssgi_emitter = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n"
     "}\n" },
@@ -3264,8 +3272,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 unproject; // how many radii a pixel is wide\n"
     "#endif\n"
     "    vec2 across, up; // how many pixels a radius along x and y of the basis is\n"
-    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED || SSGI_LIFT\n"
+    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
     "    float lift; // Taps count as so many radii lower, since the rounding of their depths may lift them.\n"
+    "#endif\n"
+    "#if SSGI_LIFT\n"
+    "    float raised; // radii from the surface to the receiver\n"
     "#endif\n"
     "    float ray, rounded; // radii along the ray to P per view depth; the most radii that rounding moves a point\n"
     "};\n" },
@@ -3290,14 +3301,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float lost = 5e-8 * (abs(u_ssgi_decode.w) - P.z); // Floats count your depths from the eye on.\n"
     "#elif SSGI_MEASURED\n"
     "    float lost = SSGI_MEASURED_ROUNDS * -P.z;\n"
-    "#elif SSGI_LIFT\n"
-    "    float lost = 0.0;\n"
     "#endif\n"
-    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED || SSGI_LIFT\n"
+    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
     "    r.lift = max(lost - rounded, 0.0) * per;\n"
     "#endif\n"
     "#if SSGI_LIFT\n"
-    "    r.lift += 0.5 * u_ssgi_offset * ssgi_footprint(-P.z) * per;\n"
+    "    r.raised = 0.5 * u_ssgi_offset * ssgi_footprint(-P.z) * per;\n"
     "#endif\n"
     "    r.rounded = max(rounded * per, 1e-18);\n"
     "    return r;\n"
@@ -3341,8 +3350,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    s.x.z -= dot(s.x.xy, q), s.y.z -= dot(s.y.xy, q);\n"
     "#endif\n"
-    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED || SSGI_LIFT\n"
+    "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
     "    s.y.w -= r.lift;\n"
+    "#endif\n"
+    "#if SSGI_LIFT\n"
+    "    s.y.w -= r.raised * per;\n"
     "#endif\n"
     "    s.off.z = -dot(s.off.xy, q);\n"
     "    // Rounding puts the receiver's own texel beside the receiver, in any direction. As ten times as much is\n"
@@ -5920,6 +5932,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__SWITCH(YOURS, light, two_sided, "pass == SSDO || pass == S3HO || pass == SPLAT"),
     SSGI_GL__SWITCH(YOURS, light, one_sided, "(pass == SSDO || pass == S3HO) && search == SLICES"),
     SSGI_GL__SWITCH(YOURS, light, bounced, "pass == EMITTERS"),
+    SSGI_GL__SWITCH(YOURS, light, clamp, "pass == EMITTERS"),
     SSGI_GL__ENUM(YOURS, light, shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE", "pass == LIGHTS || surfel_pass"),
     SSGI_GL__ENUM(YOURS, light, restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE", NULL),
     SSGI_GL__COUNT(YOURS, light, bands, 4, "pass == SSDO || coefficients || restores"),

@@ -66,7 +66,7 @@ static double blocked(const profile *p)
     return sum / ((double)N * N);
 }
 
-/* The picture, the bars of radiance 1; the receiver is seen through the middle of a row, which is returned; 0: it
+/* The picture, the bars of radiance 1, 0.5, 0.5; the receiver is seen through the middle of a row, which is returned; 0: it
    failed. */
 static int profile_seen(kit_gbuffer *g, const profile *p)
 {
@@ -98,7 +98,7 @@ static int profile_seen(kit_gbuffer *g, const profile *p)
         for (int k = 1; k < found && k < 4; ++k) v[3 + k] = stop[k];
         for (size_t k = 0; k < 10; ++k)
             for (size_t x = 0; x < WIDE; ++x)
-                frame.data[(k * HIGH + (size_t)(HIGH - 1 - row)) * WIDE + x] = (float)(k < 7 ? v[k] : light);
+                frame.data[(k * HIGH + (size_t)(HIGH - 1 - row)) * WIDE + x] = (float)(k < 7 ? v[k] : k == 7 ? light : 0.5 * light);
     }
     const int ok = TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
     kit_image_free(&frame);
@@ -110,9 +110,11 @@ static const double expected_beyond = 0.4;
 
 static void bars_cover_what_they_cover(void)
 {
-    enum { AO, LIGHT /* of a white sky */, BOUNCE /* of the bars */, UNSEEN /* of one-sided bars, by their backs */ };
-    static const double of_it[] = { 1, 1, 1, 0.35 };       /* so much the library takes to leave a back */
-    static const char *const seen[] = { "occlusion", "light", "bounce", "bounce" };
+    enum { AO, LIGHT /* of a white sky */, BOUNCE /* of the bars */, UNSEEN /* of one-sided bars, by their backs */,
+           DARK /* the same, said to be dark */, CLAMPED /* to a luminance of 0.25 */ };
+    /* so much the library takes to leave a back; of a red of 1 */
+    static const double of_it[] = { 1, 1, 1, 0.35, 0, 0.25 / (0.2126 + 0.5 * (0.7152 + 0.0722)) };
+    static const char *const seen[] = { "occlusion", "light", "bounce", "bounce", "bounce", "bounce" };
     /* knows 0: the answer must be another, as these bars are not as thick as the setting assumes */
     static const struct { const char *name; const profile *p; const char *set; int sees, knows; } row[] = {
         { "a plate", &a_plate, "thickness=back", AO, 1 },
@@ -131,6 +133,9 @@ static void bars_cover_what_they_cover(void)
         { "a fence", &a_fence, "thickness=back", LIGHT, 1 },
         { "a fence of double-sided emitters", &a_fence, "thickness=back,two_sided=1", BOUNCE, 1 },
         { "a fence of emitters that face away", &a_fence, "thickness=back,two_sided=0", UNSEEN, 1 },
+        { "a fence of emitters whose backs are dark", &a_fence, "thickness=back,one_sided=1", DARK, 1 },
+        { "a fence of emitters whose backs are dark", &a_fence, "thickness=slabs,one_sided=1", DARK, 1 },
+        { "a fence of clamped emitters", &a_fence, "thickness=back,two_sided=1,clamp=0.25", CLAMPED, 1 },
         { "an emitter beyond the picture", &leaving[0], "thickness=slabs,two_sided=1", BOUNCE, 1 },
         { "an emitter half in it", &leaving[1], "thickness=slabs,two_sided=1", BOUNCE, 1 },
         { "an emitter at its edge", &leaving[2], "thickness=slabs,two_sided=1", BOUNCE, 1 },
@@ -195,12 +200,43 @@ static int floors(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const d
     return TRY(kit_gbuffer_from_frame(g, frame, c, &err));
 }
 
+/* The same plane twice: with normals that lean to the eye, and as splats of 3x3 pixels. */
+static int disagreeing(kit_gbuffer *bent, kit_gbuffer *steps, const kit_image *frame, const kit_camera *c,
+                       const float view[16])
+{
+    const int pixels = frame->width * frame->height;
+    kit_image other;
+    if (!TRY(kit_image_new(&other, frame->width, frame->height, "Z,N.X,N.Y,N.Z", &err))) return 0;
+    for (int i = 0; i < pixels; ++i) {
+        float n[3], l = 0;
+        for (int j = 0; j < 3; ++j) {
+            n[j] = frame->data[(1 + j) * pixels + i] + 0.5f * view[4 * j + 2];
+            l += n[j] * n[j];
+        }
+        other.data[i] = frame->data[i];
+        for (int j = 0; j < 3; ++j) other.data[(1 + j) * pixels + i] = n[j] / sqrtf(l);
+    }
+    if (!TRY(kit_gbuffer_from_frame(bent, &other, c, &err))) return 0;
+    memcpy(other.data, frame->data, 4 * (size_t)pixels * sizeof(float));
+    for (int i = 0; i < pixels; ++i) {
+        const int x = i % frame->width / 3 * 3 + 1, y = i / frame->width / 3 * 3 + 1;
+        other.data[i] = frame->data[(y < frame->height ? y : frame->height - 1) * frame->width
+                                    + (x < frame->width ? x : frame->width - 1)];
+    }
+    const int ok = TRY(kit_gbuffer_from_frame(steps, &other, c, &err));
+    kit_image_free(&other);
+    return ok;
+}
+
 /* Planes at many slants, under a sky: every pixel shows what it shows at no radius, which is 1 or, but for what bands
    lack, the sky's integral. */
 static void planes_stay_open(void)
 {
     enum { WIDTH = 49, HEIGHT = 27, PIXELS = WIDTH * HEIGHT, PLANES = 4 };
     /* darkened: the most; truth: off the integral at most, of the brightest plane's */
+    /* BENT: normals lean to the eye, as smooth ones of a coarse mesh may. STEPS: squares of 3x3 pixels have one depth
+       each, as splats have. */
+    enum { PLAIN, BENT, STEPS, KINDS };
     static const struct { const char *method, *set; double darkened, truth; } row[] = {
         { "ssao", "blur=1", 1e-3, 0 },
         { "ssao", "thickness=solid,normal=depth", 1e-3, 0 },
@@ -227,14 +263,23 @@ static void planes_stay_open(void)
         { "s3ho", "indirect=none,bands=1,residual=1,store=float,filtered=coefficients", 1e-5, 0.01 },
         { "s3ho", "indirect=none,bands=3,store=packed,filtered=coefficients,thickness=slabs", 2e-3, 0.03 },
         { "ssbn", "store=float,thickness=solid", 1e-5, 0.01 },
-        { "ssbn", "store=float,cone=normal,half=1,blur=1", 1e-5, 0.01 } };
+        { "ssbn", "store=float,cone=normal,half=1,blur=1", 1e-5, 0.01 },
+        { "hsao", "facets=1", 1e-5, 0 },
+        { "ssao", "facets=1,blur=1", 1e-3, 0 },
+        { "hsao-march", "facets=1,normal_rays=2,steps=6", 1e-3, 0 },
+        { "ssdo", "facets=1,bounce=none", 1e-5, 9 },
+        { "s3ho", "facets=1,indirect=none", 1e-5, 9 },
+        { "hsao", "lift=1,offset=8", 1e-5, 0 },
+        { "hsao", "lift=1,offset=8,thickness=constant", 1e-5, 0 },
+        { "ssdo", "lift=1,offset=8,bounce=none", 1e-5, 9 },
+        { "hsao", "lift=1,offset=16,normal=depth", 1e-5, 0 } };
     static const double tilts[PLANES] = { 0, 40, 65, 85 };
     static const float targets[3][3] = { { 0, 0, -1 }, { 0.3f, -0.8f, -0.5f }, { 0.9f, 0.2f, 0.4f } };
     kit_lighting sky;
     double worst[COUNT(row)][2] = { { 0 } };
     if (!lighten(&sky, "sky", NULL)) return;
     for (int orthographic = 0; orthographic < 2; ++orthographic) {
-        kit_gbuffer g[PLANES];
+        kit_gbuffer g[KINDS][PLANES];
         kit_image frame[PLANES];
         double world[PLANES][3], truth[PLANES][3], brightest = 0;
         float view[PLANES][16], projection[16];
@@ -247,18 +292,20 @@ static void planes_stay_open(void)
             for (int j = 0; j < 3; ++j)
                 world[k][j] = (double)view[k][4 * j] * n[0] + (double)view[k][4 * j + 1] * n[1]
                               + (double)view[k][4 * j + 2] * n[2];
-            if (!floors(&g[k], &frame[k], &c, n)) return;
+            if (!floors(&g[PLAIN][k], &frame[k], &c, n) || !disagreeing(&g[BENT][k], &g[STEPS][k], &frame[k], &c, view[k]))
+                return;
         }
         cosine_integrals(truth, &sky.env, (const double (*)[3])world, PLANES);
         for (int k = 0; k < 3 * PLANES; ++k) brightest = fmax(brightest, truth[k / 3][k % 3]);
         for (int i = 0; i < COUNT(row); ++i) {
-            const int lit_ = row[i].truth > 0, from = lit_ ? 3 : 0, channels = lit_ ? 3 : 1;
+            const int kind = strstr(row[i].set, "facets") ? BENT : strstr(row[i].set, "lift") ? STEPS : PLAIN,
+                      lit_ = row[i].truth > 0, from = lit_ ? 3 : 0, channels = lit_ ? 3 : 1;
             double *const off = &worst[i][0], *const darkened = &worst[i][1];
             kit_run run;
-            if (!begin(&run, &g[0], row[i].method, row[i].set, 0.5f, NULL, &sky)) return;
+            if (!begin(&run, &g[kind][0], row[i].method, row[i].set, 0.5f, NULL, &sky)) return;
             for (int k = 0; k < PLANES; ++k) {             /* a program a row, turned to every plane */
                 kit_image out[2];
-                turn(&run, &g[k]);
+                turn(&run, &g[kind][k]);
                 for (int j = 0; j < 9; ++j) run.frame.rotation[j / 3 * 4 + j % 3] = view[k][j / 3 * 4 + j % 3];
                 ssgi_gl_harmonics_set(&run.frame, run.harmonics, 4, view[k], NULL);
                 run.frame.phase = (float)k / PLANES;
@@ -281,7 +328,8 @@ static void planes_stay_open(void)
             CHECK(*darkened <= row[i].darkened && *off <= fmax(row[i].truth, 1e-6), "%s %s: off by %.1e where it is "
                   "open, darkened by %.1e", row[i].method, row[i].set, *off, *darkened);
         }
-        for (int k = 0; k < PLANES; ++k) { kit_gbuffer_free(&g[k]); kit_image_free(&frame[k]); }
+        for (int k = 0; k < KINDS * PLANES; ++k) kit_gbuffer_free(&g[k / PLANES][k % PLANES]);
+        for (int k = 0; k < PLANES; ++k) kit_image_free(&frame[k]);
     }
     for (int i = 0; i < COUNT(row); ++i)
         t_note("%s %s: off by %.1e, darkened by %.1e", row[i].method, row[i].set, worst[i][0], worst[i][1]);

@@ -41,7 +41,7 @@ static const choice choices[] = {
     CHOICE(input.motion, 2, 0, 1),        CHOICE(input.left_handed, 2, 0, 1), CHOICE(input.oblique, 2, 0, 1),
     CHOICE(input.multisampled, 2, 0, 1),  CHOICE(input.array, 2, 0, 1),    CHOICE(filter.onto, 4, 0, 1),
     CHOICE(input.cap_table, 2, 0, 1),     CHOICE(gather.facets, 2, 0, 1),  CHOICE(gather.lift, 2, 0, 1),
-    CHOICE(light.one_sided, 2, 0, 1),     CHOICE(filter.radius, 2, 1, 1)
+    CHOICE(light.one_sided, 2, 0, 1),     CHOICE(light.clamp, 2, 0, 1),    CHOICE(filter.radius, 2, 1, 1)
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
@@ -1384,7 +1384,8 @@ static const struct { const char *start; size_t offset; int most;
              INT(surfel.combine, 1),
              INT(gather.facets, 1),
              INT(gather.lift, 1),
-             INT(light.one_sided, 1)
+             INT(light.one_sided, 1),
+             INT(light.clamp, 1)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 

@@ -257,7 +257,7 @@ typedef struct kit_settings {
     int    blur, filter, filter_normals, restore, history;
     /* light */
     int    environment, bounce, reuse, bounced, two_sided, one_sided, shadows, points, solid, shadow_size, suns, vpls;
-    double distance_clamp, gain, max_slope;    /* radii; 1: a patch's own area; a slope */
+    double clamp, distance_clamp, gain, max_slope;    /* radii; 1: a patch's own area; a slope */
     /* as spherical harmonics, or bent normals */
     int    bands, store, indirect, dimmed, filtered, residual, window, lights, cone;
     /* fields */

@@ -98,6 +98,8 @@ ROW(reuse_row, reuse, "1: emitters use the last frame's light, so that one gathe
 OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-sided")
 OF(one_sided_row, one_sided, light.one_sided, GATHER, 0, "1: what is not seen of emitters sends nothing; 0: their other "
     "side sends 0.35 of their radiance, as most surfaces are lit from there, too")
+ROW(clamp_row, clamp, "the most luminance that an emitter sends, its hue kept, against fireflies; 0: any", NULL, 0, 0,
+    65408, PLAN, 0)
 ROW(distance_clamp_row, distance_clamp, "clamp of the distance to a patch, in radii",
     NULL, 0, 0, 100, FRAME, FRAMED(distance_clamp))
 ROW(gain_row, gain, "area of patches, times pi r^2/N", NULL, 0, 0, 1000, FRAME, FRAMED(gain))
@@ -222,7 +224,7 @@ typedef struct plan {
 #define WALK &slices_row, &steps_row, &falloff_row, &half_row, &thickness_row, &limit_row, &offset_row, ROUGH
 #define SSDO(...) \
     SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &bounced_row, \
-             &two_sided_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, \
+             &two_sided_row, &clamp_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, \
              &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \
              &restore_row, &compare_row, &margin_row, &history_row)
 #define COEFFICIENTS(store, lights, ...) \
@@ -230,7 +232,7 @@ typedef struct plan {
         &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \
         &vector_restore_row, &compare_row, &margin_row, &history_row
 #define S3HO(...) \
-    SETTINGS(&bands_row, &indirect_row, &dimmed_row, &residual_row, &two_sided_row, \
+    SETTINGS(&bands_row, &indirect_row, &dimmed_row, &residual_row, &two_sided_row, &clamp_row, \
              COEFFICIENTS(&packed_row, &lights_row, __VA_ARGS__))
 #define SSBN(...) SETTINGS(&cone_row, &lamp_residual_row, COEFFICIENTS(&store_row, &shadowed_row, __VA_ARGS__))
 #define SURFELS(size, every, levels, ...) \
@@ -567,6 +569,8 @@ int kit_settings_apply(kit_making *m, float radius)
     m->desc.filter.radius = set->blur;
     m->desc.gather.noise = m->lights.gather.noise = set->noise;
     m->desc.gather.kernel = set->sets > 0;
+    m->desc.light.clamp = set->clamp > 0;
+    if (set->clamp > 0) m->run->frame.sent = (float)set->clamp;
     m->lights.gather.thickness = set->solid ? SSGI_GL_THICKNESS_SOLID : SSGI_GL_THICKNESS_CONSTANT;
     if (m->desc.pass == SSGI_GL_PASS_S3HO) {
         if (!m->desc.light.bands) {            /* bent normals */
