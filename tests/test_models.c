@@ -467,7 +467,9 @@ static void refused(void)
         { "bad.ply",
           "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
           "end_header\n0 0 0\n",
-          { "bad.ply: ", "" } },
+          { "bad.ply: no triangles in it, but a cloud of 1 points", "lift=1,offset=8" } },
+        { "bad.obj", "v 0 0 0\nv 1 0 0\n", { "a cloud of 2 points", "" } },
+        { "bad.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", { "bad.obj: no triangles in it", "" } },
         { "bad.usdz", "PK\3\4", { "is USDZ, which is not read", "glTF, PLY, FBX" } },
         { "notes.txt", "bread\nmilk\n", { "is of no format that is known; read as an OBJ: no triangles", "" } },
     };

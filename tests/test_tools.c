@@ -622,6 +622,9 @@ static void command_line(void)
                   { "--sequence bare.txt --fovy 57 --out q%d.exr", "line 1: --gbuffer lit.exr: needs --radius" },
                   { "--sequence bare.txt $F", "bare.txt: line 2: --gbuffer lit.exr: needs a camera" },
                   { "--sequence good.txt --fovy 57 --radius guess --out q%d.exr", "--radius guess: needs a scene" },
+                  { "--gbuffer lit.exr --fovy 57 --radius 2 --flat --out a.exr", "--flat: needs a scene" },
+                  { "room --size 8x8 --method ssdo --env sky --set clamp=-1 --out a.exr", "clamp=-1" },
+                  { "room --size 8x8 --method ssdo --env sky --set one_sided=1,two_sided=1 --out a.exr", "one_sided" },
                   { "--gbuffer lit.exr --ortho-height 2 --out a.exr", "lit.exr: needs --radius" },
                   { "--gbuffer lit.exr --radius 2 --out a.exr", "lit.exr: needs --fovy or --ortho-height" },
                   { "--gbuffer bent.exr --out a.exr", "bent.exr: worldToCamera: must turn" },
@@ -750,6 +753,38 @@ static void write_corner(const char *name, double size, double x, double y, doub
                  size * corner[i][1] + y, size * corner[i][2] + z);
     strcat(text, "f 1 2 3 4\nf 5 6 7 8\n");
     write_text(name, text);
+}
+
+/* A cube of eight smooth normals is convex: nothing occludes its faces. By its own normals something does. */
+static void normals_are_told(void)
+{
+    static const char cube[] =
+        "v -1 -1 -1\nv -1 -1 1\nv -1 1 -1\nv -1 1 1\nv 1 -1 -1\nv 1 -1 1\nv 1 1 -1\nv 1 1 1\n"
+        "vn -1 -1 -1\nvn -1 -1 1\nvn -1 1 -1\nvn -1 1 1\nvn 1 -1 -1\nvn 1 -1 1\nvn 1 1 -1\nvn 1 1 1\n"
+        "f 1//1 2//2 4//4 3//3\nf 5//5 7//7 8//8 6//6\nf 1//1 5//5 6//6 2//2\nf 3//3 4//4 8//8 7//7\n"
+        "f 1//1 3//3 7//7 5//5\nf 2//2 6//6 8//8 4//4\n";
+    static const struct { const char *settings; double least, most; const char *about; } row[] = {
+        { "", 0.1, 0.2, "about the mesh's own normals" },
+        { "--set facets=1", 0, 0.01, "about the faces" },
+        { "--set normal=depth", 0, 0.01, "about the faces" },
+        { "--flat", 0, 1e-6, "" } };
+    char text[4000], render[300], line[400];
+    static const char at[] = "cube.obj --camera 2.5,2,4,0,0,0 --fovy 40 --size 96x54 --radius 1";
+    snprintf(render, sizeof render, "%s/build/render", t_root);
+    setenv("R", render, 1);
+    snprintf(line, sizeof line, "%s/cube.obj", folder);
+    if (!CHECK(!kit_file_write(line, cube, sizeof cube - 1, NULL), "%s: cannot be written", line)) return;
+    CHECK(!shell(text, sizeof text, "$R %s --truth 4 --out smooth.exr%s", at, "")
+              && strstr(text, "note: --truth: is about the mesh's own normals"), "%s", text);
+    CHECK(!shell(text, sizeof text, "$R %s --flat --truth 4 --out flat.exr%s", at, "") && !strstr(text, "note"), "%s",
+          text);
+    for (size_t i = 0; i < sizeof row / sizeof *row; ++i) {
+        snprintf(line, sizeof line, "%s %s", at, row[i].settings);
+        const double off = errs_by(line, "flat.exr");
+        CHECK(off >= row[i].least && off <= row[i].most, "%s: RMSE %g", row[i].settings, off);
+        CHECK(!shell(text, sizeof text, "$R %s --score smooth.exr%s", line, "") && strstr(text, row[i].about)
+                  && (*row[i].about || !strstr(text, "note")), "%s: %s", row[i].settings, text);
+    }
 }
 
 /* A scene's picture, and that of its saved frame by nothing but that: the same up to the rounding of depths, which a
@@ -1388,6 +1423,7 @@ void test_tools(void)
     RUN("cffi and bindgen take the headers", bindings);
     RUN("C, C++, Python and JavaScript have the same methods", methods_anywhere);
     RUN("a saved frame is rendered by nothing but itself: the scene's picture; options override", frames_carry_cameras);
+    RUN("truth and scores say whose normals they are about, and can be about faces", normals_are_told);
     RUN("a frame as Blender writes it is the frame, its view layers and channels are named", frames_of_blender);
     RUN("a captured depth buffer becomes a frame with its camera, however the engine lays it out", captures);
     RUN("render answers bad input with one line, status 2 and no file", command_line);

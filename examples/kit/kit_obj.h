@@ -38,6 +38,8 @@ int  kit_soup_triangle(kit_soup *s, const float *const position[3], const float 
                        const kit_source *from);
 /* Who they are, as kit_mesh_obj says; of one triangle at least. */
 int  kit_soup_objects(kit_soup *s, const kit_source *from);
+/* Refuses what has no triangles. points: so many vertices that no line or face joins, a cloud. */
+int  kit_soup_empty(size_t points, const kit_source *from);
 /* What was found, with its bounds; object and objects NULL: not wanted. */
 void kit_soup_take(kit_soup *s, kit_mesh *mesh, kit_object **object, int *objects);
 void kit_soup_free(kit_soup *s);

@@ -749,6 +749,16 @@ static int assimp_fail(const char *path, const char *format, kit_error *err)
     return kit_fail(err, "%s: is %s that cannot be read: %.*s", path, format, (int)(n < 400 ? n : 400), said);
 }
 
+/* Those of meshes without faces, or whose faces are points. */
+static size_t points_of(const struct aiScene *scene)
+{
+    size_t points = 0;
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i)
+        if (!(scene->mMeshes[i]->mPrimitiveTypes & ~(unsigned)aiPrimitiveType_POINT))
+            points += scene->mMeshes[i]->mNumVertices;
+    return points;
+}
+
 /* Its triangles and their objects. */
 static int take_scene(reader *r)
 {
@@ -764,7 +774,7 @@ static int take_scene(reader *r)
              ? kit_fail(r->from.err,
                         "%s: no triangles in it: its corners are read as floats, which are %.2g apart there",
                         r->from.path, gap)
-             : kit_fail(r->from.err, "%s: no triangles in it", r->from.path);
+             : kit_soup_empty(points_of(r->scene), &r->from);
 }
 
 int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, const char *format, kit_error *err)

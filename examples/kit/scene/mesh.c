@@ -382,6 +382,7 @@ static int move_origin(obj *o)
 static int read_faces(obj *o)
 {
     size_t vertices = 0, normals = 0;
+    int joined = 0;
     o->albedo = kit_grey;
     for (int way = 0; way < 2; ++way)
         if (kit_soup_name(&o->soup, way, (kit_key){ "default", 7 }, &o->from)) return -1;
@@ -389,6 +390,7 @@ static int read_faces(obj *o)
         char *const line = ((char **)o->lines.data)[i], *at;
         int way = 0;
         o->from.line = (int)i + 1;
+        joined |= behind(line, "f") != NULL || behind(line, "l") != NULL;
         if ((at = behind(line, "f")) != NULL) {
             if (face(o, at, vertices, normals)) return -1;
         } else if (behind(line, "v")) ++vertices;
@@ -399,7 +401,7 @@ static int read_faces(obj *o)
         }
     }
     return o->soup.position.count ? kit_soup_objects(&o->soup, &o->from)
-                                  : kit_fail(o->from.err, "%s: no triangles in this OBJ file", o->from.path);
+                                  : kit_soup_empty(joined ? 0 : vertices, &o->from);
 }
 
 static void obj_free(obj *o)

@@ -35,6 +35,7 @@ static const char *const usage[3] = {
     "frame\n"
     "                        whose data window is not its display window: that one's height\n"
     "  --ground              a square under the mesh\n"
+    "  --flat                its normals are those of its faces; else as its file has them, or its faces'\n"
     "  --env F.exr | F.hdr | sky | probe | windows | street | white     radiance, latitude-longitude; lit methods\n"
     "                        (without it and --light scenes by seed have their own)\n"
     "  --env-turn DEGREES  --env-strength F   turns it anticlockwise, from above; times F\n"
@@ -56,7 +57,8 @@ static const char *const usage[3] = {
     "  --plan WHAT:ERROR[:BUDGET]   visibility, light, bounce or objects (occlusion between them): the cheapest\n"
     "                        method predicted to err by ERROR; BUDGET in 16-sample ssaos, or RX 6800 ms: 0.3ms.\n"
     "                        Light and bounce look at --env, --light\n"
-    "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples)\n"
+    "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples), by\n"
+    "                        the normals of the mesh; --flat: by those of its faces\n"
     "  --floor RAYS          instead of a method: rays against the sheet that the frame's pixels make. It has no\n"
     "                        thickness, and nothing that it hides occludes: methods that guess more may err less\n"
     "  --context osmesa | egl | egl-es   [osmesa, else egl]\n",
@@ -344,6 +346,8 @@ static int check_source(const options *o, kit_error *err)
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
     if (o->gbuffer && o->truth)
         return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
+    if (o->gbuffer && o->flat)
+        return kit_fail(err, "--flat: needs a scene; --set normal=depth is of a frame's faces");
     if (o->gbuffer && o->guess) return kit_fail(err, "--radius guess: needs a scene; a frame has no mesh");
     if (!o->gbuffer && (o->layer || o->channels))
         return kit_fail(err, "--%s: is of a frame (--gbuffer)", o->layer ? "layer" : "channel");
@@ -380,6 +384,7 @@ static int take_alone(options *o, const char *name, const char *next, int *i)
     if (!strcmp(name, "--help") || !strcmp(name, "-h")) o->help = 1;
     else if (!strcmp(name, "--json")) o->json = 1;
     else if (!strcmp(name, "--ground")) o->ground = 1;
+    else if (!strcmp(name, "--flat")) o->flat = 1;
     else if (!strcmp(name, "--colours")) o->colours = 1;
     else if (!strcmp(name, "--backdrop")) o->backdrop = 1;
     else if (!strcmp(name, "--list")) {

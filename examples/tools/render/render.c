@@ -220,11 +220,30 @@ static int guess_radius(double *radius, const kit_scene *scene, int quiet, kit_e
     return 0;
 }
 
+/* Each corner's normal is that of its face, on the side of those that the mesh has. */
+static void flatten(kit_mesh *mesh)
+{
+    for (size_t t = 0; t < mesh->triangles; ++t) {
+        const float *const p = mesh->position + 9 * t;
+        float *const own = mesh->normal + 9 * t;
+        double a[3], b[3], n[3], along = 0;
+        for (int i = 0; i < 3; ++i) {
+            a[i] = (double)p[3 + i] - (double)p[i];
+            b[i] = (double)p[6 + i] - (double)p[i];
+        }
+        kit_cross(a, b, n);
+        if (!kit_unit(n)) continue;
+        for (int i = 0; i < 9; ++i) along += n[i % 3] * (double)own[i];
+        for (int i = 0; i < 9; ++i) own[i] = (float)(along < 0 ? -n[i % 3] : n[i % 3]);
+    }
+}
+
 int render_open_scene(job *j, kit_error *err)
 {
     kit_camera camera;
     if (kit_scene_load(&j->scene, j->o.scene, j->o.ground, err)) return -1;
     if (*j->scene.note) fprintf(stderr, "render: note: %s: %s\n", j->o.scene, j->scene.note);
+    if (j->o.flat) flatten(&j->scene.mesh);
     camera = j->scene.camera;
     if (settle_origin(j, j->scene.mesh.origin, err)) return -1;
     camera_of(&camera, &j->o, j->origin);
@@ -361,6 +380,23 @@ static int save_frame(job *j, kit_error *err)
     return failed;
 }
 
+/* Which normals truth and scores are about, where that matters: where those of a mesh lean off its faces. */
+static int tell_normals(const job *j, kit_error *err)
+{
+    const options *o = &j->o;
+    kit_agreement a;
+    if (!o->scene || !(o->truth || o->score)) return 0;
+    if (kit_frame_agreement(&a, &j->r.frame, &j->gbuffer.camera, err)) return -1;
+    if (!(a.angle > 5)) return 0;
+    const int faces = !o->truth && (o->flat || j->method.set.normal || j->method.set.facets);
+    fprintf(stderr, "render: note: --%s: is about %s; the mesh's own normals lean off its faces by %.0f degrees (median)%s"
+                    "\n", o->truth ? "truth" : "score", faces ? "the faces" : "the mesh's own normals", a.angle,
+            o->truth ? "; --flat: about the faces"
+            : faces  ? "; a --truth with --flat is about the faces, too"
+                     : "; --set facets=1, or normal=depth: about the faces, as a --truth with --flat");
+    return 0;
+}
+
 static int do_job(job *j, kit_error *err)
 {
     const options *o = &j->o;
@@ -369,7 +405,7 @@ static int do_job(job *j, kit_error *err)
     if (render_open_settings(j, err)
         || (o->gbuffer ? render_open_frame(&j->gbuffer, j, o, err) : render_open_scene(j, err))
         || kit_gbuffer_read(&r->frame, &j->gbuffer, err)) return -1;
-    if (o->planned && plan_it(j, err)) return -1;
+    if (tell_normals(j, err) || (o->planned && plan_it(j, err))) return -1;
     if (o->truth || o->floor) {
         if (trace(j, err)) return -1;
     } else if (!r->picture.data && (o->out || o->score || o->time) && draw(j, err)) return -1;

@@ -12,7 +12,7 @@ typedef struct options {
     /* what to draw: a scene, a frame, or a list of frames */
     const char *scene, *gbuffer, *sequence, *env, *light[KIT_MAX_LIGHTS];
     const char *layer, *channel[RENDER_SETS];          /* of a frame of another program */
-    int         channels, lights, ground, frames, still, width, height;
+    int         channels, lights, ground, flat, frames, still, width, height;
     double      turn, strength;            /* of env */
     double      orbit;                     /* degrees a frame */
     float       slide[3];                  /* a frame */
