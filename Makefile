@@ -8,6 +8,7 @@
 #   make quiet     what the eye sees as mottling, in bands of pixels, of presets and of others' beside them
 #   make seeds   the chart's part on scenes by seed
 #   make against OLD=HEAD   what this tree draws beside what a revision draws, of every accumulator; METHOD=hsao: a row
+#   make failures  each row of README's table of where it fails, and its remedies
 #   make mutants   wrong edits of the headers, each with the test that notices it
 #   make passes    examples/docs/PASSES.md, the table of them
 #   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
@@ -290,6 +291,11 @@ glsl: build/glsl-text
 passes: build/glsl-text
 	build/glsl-text --passes ssgi_gl.h >examples/docs/PASSES.md
 
+# README's table of where it fails, again. ONLY=word: rows whose name has it.
+failures: build/render build/stability
+	@command -v python3 >/dev/null || sh examples/kit/install.sh python3
+	@python3 examples/lab/failures.py $(ONLY)
+
 # Wrong edits of both headers, each with the test that notices it; tests/mutants.py says how. Forty take six minutes.
 mutants: build/test
 	@command -v python3 >/dev/null || sh examples/kit/install.sh python3
@@ -423,7 +429,7 @@ clean:
 
 .PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo demo-test test test-all tree \
         chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
-        cost-record cost-shares cost-plan glsl mutants deps unlisted format clean
+        cost-record cost-shares cost-plan glsl mutants failures deps unlisted format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)

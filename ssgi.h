@@ -5150,6 +5150,12 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    "hsao,thickness=slabs", "ssdo" has a bounce ("ssdo,bounce=none" has not), as build/render has had it; so it is with
    "s3ho" ("s3ho,transfer=direct,packed=0,restore=ratio"). PASS,PRESET is NAME,PRESET: "dss,best", not "splat,best".
 
+   New fields: gather.facets seeks occluders above the facets that depth shows, where smooth normals on coarse meshes
+   or normal maps make facets darken themselves, while light and filters keep your normals; gather.lift has slices lift
+   receivers by frame.offset, for clouds of points, whose splats' edges are walls otherwise. light.one_sided: what is
+   not seen of emitters sends nothing, where their other side sends 0.35 of their radiance; light.clamp: none sends
+   more luminance than frame.sent, against fireflies. All are 0 by default.
+
    Mended: rays passed between triangles where multiply and add are fused, past long edges from close by, and through
    triangles that they meet along their plane. A bad count of lights, occluders or levels could keep a GPU busy for
    seconds: texts count to the rows that the textures have. Numbers that are not finite were taken for finite by some

@@ -527,13 +527,14 @@ typedef struct ssgi_gl_gather_desc {
     int view_layers;         /* all but slices   [limit: 0..8] [default: 1]  depth layers of each extra camera */
     ssgi_gl_falloff falloff; /* points, slices, march, splat */
     int facets;              /* gathers, shade   1: occluders are sought above the facet that depth shows, as with
-                   input.normal FROM_DEPTH, but filters, emitters and lights keep your normals, so that restored light
-                   (light.restore) stays smooth. For smooth normals on coarse meshes and for normal maps, whose tangent
-                   plane cuts the surface: each facet then darkens itself */
-    int lift; /* slices; normals from depth   1: slices lift receivers by frame.offset, as points and the march always
-                   do, and normals from depth compare pixels that are so far apart. For depth that has steps, as of
-                   clouds of points: each splat's edge is a wall otherwise. Set frame.offset to twice the pixels that a
-                   splat is wide; 8 suits splats of 3 to 9. Small things under that lift do not occlude */
+                                input.normal FROM_DEPTH, but filters, emitters and lights keep your normals, so that
+                                restored light (light.restore) stays smooth. For smooth normals on coarse meshes and for
+                                normal maps, whose tangent plane cuts the surface: each facet then darkens itself */
+    int lift;                /* slices; normals from depth   1: slices lift receivers by frame.offset, as points and the
+                                march always do, and normals from depth compare pixels that are so far apart. For depth
+                                that has steps, as of clouds of points: each splat's edge is a wall otherwise. Set
+                                frame.offset to twice the pixels that a splat is wide; 8 suits splats of 3 to 9, 16
+                                where there are holes between them. Things lower than that lift do not occlude */
 
     /* the papers' own */
     int normal_rays;     /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */

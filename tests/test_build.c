@@ -404,9 +404,9 @@ static void documentation(void)
                  "grep -oE '[0-9]+\\.[0-9]+'; sed -n '/^## Speed/,$p' README.md | tr '\\n' ' ' | "
                  "grep -oE '[0-9]+ of [0-9]+'; } | sort -u | "
                  "while read -r n; do grep -E \"(^|[^0-9.])$(echo \"$n\" | sed 's/[.]/[.]/')([^0-9.]|%s)\" "
-                 "examples/docs/FIGURES.md examples/docs/BENCH.md >/dev/null || { echo \"$n\"; exit 1; }; done", t_root,
-                 "$"),
-          "README.md has a figure that examples/docs/FIGURES.md and BENCH.md have not: %s", text);
+                 "examples/docs/FIGURES.md examples/docs/BENCH.md examples/docs/FAILURES.md >/dev/null || "
+                 "{ echo \"$n\"; exit 1; }; done", t_root, "$"),
+          "README.md has a figure that FIGURES.md, BENCH.md and FAILURES.md of examples/docs have not: %s", text);
     CHECK(!shell(text, sizeof text,
                  "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/docs/PASSES.md' passes.md",
                  t_root, t_root),

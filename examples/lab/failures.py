@@ -1,0 +1,206 @@
+"""failures.py - README's table of where it fails: each fault as it is, then with the remedies that the table names.
+
+    make failures                 writes examples/docs/FAILURES.md: four minutes on two cores
+    make failures ONLY=word       prints those rows whose name has the word
+
+Figures are RMSE against truth where nothing else is said. Scenes are drawn small."""
+import math
+import os
+import random
+import re
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, ROOT + "/examples/tools/capture")
+sys.dont_write_bytecode = True
+import pictures
+
+RENDER, STABILITY = ROOT + "/build/render", ROOT + "/build/stability"
+SIZE = "--size 480x270"
+
+
+def said(program, line):
+    return subprocess.run([program] + line.split(), check=True, capture_output=True, text=True).stdout
+
+
+def channel(path, name):
+    wide, high, (values,) = pictures.exr(open(path, "rb").read(), 1, name)
+    return wide, high, list(values)
+
+
+def boxes(name, solids):
+    """Closed boxes; one whose second corner is below its first is a room, seen from within."""
+    quads = (1, 4, 3, 2), (5, 6, 7, 8), (1, 2, 6, 5), (4, 8, 7, 3), (2, 3, 7, 6), (1, 5, 8, 4)
+    with open(name, "w") as f:
+        for k, (a, b) in enumerate(solids):
+            for z in (a[2], b[2]):
+                for x, y in ((a[0], a[1]), (b[0], a[1]), (b[0], b[1]), (a[0], b[1])):
+                    f.write("v %g %g %g\n" % (x, y, z))
+            for q in quads:
+                f.write("f %d %d %d %d\n" % tuple(8 * k + i for i in q))
+
+
+def scored(scene, ways, truth=""):
+    """RMSE of each way to draw a scene against one truth of it."""
+    said(RENDER, "%s %s --truth 128 --out truth.exr" % (scene, truth))
+    for way in ways:
+        found = re.search(r"RMSE ([\d.]+)", said(RENDER, "%s %s --score truth.exr" % (scene, way)))
+        yield way, "%.3f" % float(found.group(1))
+
+
+def swept(cause, *methods):
+    """The figure of build/stability for each method."""
+    asked = "".join(" --method " + m for m in methods)
+    lines = said(STABILITY, "--quick --out stability --cause %s%s" % (cause, asked)).splitlines()
+    for head, row in zip(lines, lines[1:]):
+        if row.startswith(cause + " "):
+            figures = dict(zip(head.split(), row.split()))
+            return [(m, figures[m]) for m in methods]
+    return [(cause, line.split(", ", 1)[1].rstrip(";")) for line in lines if line.startswith(cause + ",")]
+
+
+def slabs(count):
+    boxes("slabs.obj", [((-3, -0.1, -3), (3, 0, 3))]
+          + [((-0.5, 0.1 * k, -0.5), (0.5, 0.1 * k + 0.02, 0.5)) for k in range(1, 1 + count)])
+    return scored("slabs.obj --camera 2,2,3,0,0.3,0 --fovy 40 --radius 2 " + SIZE,
+                  ("", "--set thickness=back", "--method hsao-best", "--method dss"))
+
+
+def far_corner():
+    """Mean and deviation along the lowest row of the far wall."""
+    boxes("within.obj", [((7.5, 14.5, 7.5), (-7.5, -0.5, -7.5))])
+    room = "within.obj --camera 0,0,5,0,0,0 --fovy 45 --size 800x600 --radius 0.5 "
+    for way in ("--truth 64", "", "--set blur=2", "--method hsao-best", "--method hsao-best --set steps=12",
+                "--method hsao-history --still 16"):
+        said(RENDER, room + way + " --out corner.exr")
+        wide, _, y = channel("corner.exr", "Y")
+        row = y[327 * wide + 330:327 * wide + 470]
+        mean = sum(row) / len(row)
+        yield way, "%.2f +- %.2f" % (mean, (sum((v - mean) ** 2 for v in row) / len(row)) ** 0.5)
+
+
+def cloud():
+    """40,000 splats of 3x3 pixels, each of one depth; what no splat covers is open."""
+    boxes("boxes.obj", [((-8, -1, -12), (8, 0, 4)), ((-1, 0, -5), (1, 2, -3)), ((1.5, 0, -3), (3, 1, -1.5))])
+    scene = "boxes.obj --camera 6,5,9,0,1,-4 --fovy 50 --radius 2 " + SIZE
+    said(RENDER, scene + " --save-gbuffer frame.exr --truth 64 --out truth.exr")
+    wide, high, z = channel("frame.exr", "Z")
+    splats, dice = [0.0] * len(z), random.Random(1)
+    seen = [i for i, v in enumerate(z) if v > 0]
+    for i in (dice.choice(seen) for _ in range(40000)):
+        for y in range(max(i // wide - 1, 0), min(i // wide + 2, high)):
+            for x in range(max(i % wide - 1, 0), min(i % wide + 2, wide)):
+                k = y * wide + x
+                splats[k] = min(splats[k], z[i]) if splats[k] > 0 else z[i]
+    pictures.write_exr("cloud.exr", wide, high, {"Z": splats})
+    for way in ("", "--set lift=1,offset=8", "--method ssao --set blur=3"):
+        found = re.search(r"RMSE ([\d.]+)", said(
+            RENDER, "--gbuffer cloud.exr --fovy 50 --radius 2 --score truth.exr " + way))
+        yield way, "%.3f" % float(found.group(1))
+
+
+def facets():
+    corners = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    with open("cube.obj", "w") as f:
+        for kind in ("v", "vn"):
+            for c in corners:
+                f.write("%s %d %d %d\n" % ((kind,) + c))
+        for q in ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)):
+            f.write("f " + " ".join("%d//%d" % (i, i) for i in q) + "\n")
+    return scored("cube.obj --camera 2.5,2,4,0,0,0 --fovy 40 --radius 1 " + SIZE,
+                  ("", "--set facets=1", "--set normal=depth"), "--flat")
+
+
+def shining(spark, ways):
+    """The brightest bounce on the floor: before a wall that shines, with a spark in it, or behind it, without one."""
+    boxes("wall.obj", [((-1, -0.1, -6), (9, 0, 6)), ((-0.02, 0, -2), (0, 2, 2))])
+    camera = "wall.obj --camera 9,6,3,1.8,0.3,0 --fovy 45 --radius 5 " + SIZE
+    said(RENDER, camera + " --save-gbuffer frame.exr --out o.exr")
+    wide, high, z = channel("frame.exr", "Z")
+    ahead = [v / math.hypot(7.2, 5.7, 3) for v in (-7.2, -5.7, -3)]
+    level, half = math.hypot(ahead[0], ahead[2]), math.tan(math.radians(22.5)) / (high / 2)
+    place = []
+    for i, depth in enumerate(z):
+        across, up = half * (i % wide + 0.5 - wide / 2), half * (high / 2 - i // wide - 0.5)
+        place.append((9 + depth * (ahead[0] - across * ahead[2] / level - up * ahead[0] * ahead[1] / level),
+                      6 + depth * (ahead[1] + up * level)))
+    face = [v > 0 and x < 0.05 and y > 0.05 for (x, y), v in zip(place, z)]
+    floor = [v > 0 and abs(y) < 0.01 for (x, y), v in zip(place, z)]
+    light = [(0.05 if spark else 1.0) if f else 0.0 for f in face]
+    if spark:
+        on = [i for i, f in enumerate(face) if f]
+        light[on[len(on) * 3 // 4]] = 1000.0
+    same = {c: light for c in ("direct.R", "direct.G", "direct.B")}
+    grey = {c: [0.5] * len(z) for c in ("albedo.R", "albedo.G", "albedo.B")}
+    pictures.write_exr("shining.exr", wide, high, {"Z": z, **same, **grey})
+    for way in ways:
+        said(RENDER, "--gbuffer shining.exr --fovy 45 --radius %d --out o.exr %s" % (2 if spark else 5, way))
+        bounce = channel("o.exr", "bounce.R")[2]
+        yield way, "%.3f" % max(b for b, f, (x, _) in zip(bounce, floor, place)
+                                if f and (spark or x < -0.1))
+
+
+ROWS = [
+    ("off screen, within a radius of the border", lambda: scored(
+        "casters --fovy 18 " + SIZE, ("", "--set margin=1", "--set thickness=slabs",
+                                      "--set margin=1,thickness=slabs", "--method dss"))),
+    ("off screen, an object", lambda: swept("off-screen", "hsao", "dss", "aof")),
+    ("hidden", lambda: swept("hidden", "hsao", "dss", "aof")),
+    ("wide plates: a slot between two", lambda: swept("slot", "hsao", "hsao-back", "dss")),
+    ("wide plates", lambda: scored("plates " + SIZE, ("", "--set thickness=back", "--set thickness=slabs",
+                                                      "--method dss --set thickness=back"))),
+    ("a lone thin slab over a floor", lambda: slabs(1)),
+    ("eight slabs over each other", lambda: slabs(8)),
+    ("foliage", lambda: scored("random:foliage:3 " + SIZE, ("", "--set half=none"))),
+    ("a radius that is too small, or too large", lambda: swept("radius", "hsao", "dss")),
+    ("a floor seen along itself: a row of the wall", far_corner),
+    ("history: an object moves", lambda: swept("kept-slide", "hsao-history")),
+    ("history: a sun turns", lambda: swept("kept-light", "ssdo-history")),
+    ("a camera moves: deviation, its error", lambda: [tuple(line.split(None, 1)) for line in said(
+        STABILITY, "--moves --scene room --method hsao --method hsao:blur=2 --method hsao-best --method hsao-history").splitlines() if line.startswith("  hsao")][:4]),
+    ("the near plane cuts a solid", lambda: swept("near-plane", "hsao", "dss", "aof")),
+    ("smooth normals on facets", facets),
+    ("a cloud of points", cloud),
+    ("an emitter's back: the most behind it, where 0 is right", lambda: shining(
+        0, ("--method ssdo", "--method ssdo --set one_sided=1", "--method ssdo-best --set one_sided=1"))),
+    ("a spark of 1000 among 0.05: the most that it brings", lambda: shining(
+        1, ("--method ssdo", "--method ssdo-best", "--method ssdo --set clamp=0.2",
+            "--method ssdo-best --set clamp=0.2"))),
+    ("linear depth of 16 bits: good to a view depth of, with the near plane at 0.1", lambda: swept("depth-16f", "hsao")),
+    ("depth of 24 bits, likewise", lambda: swept("depth-24", "hsao")),
+    ("reversed depth of 32 bits, likewise", lambda: swept("depth-reversed", "hsao")),
+    ("a sun as harmonics", lambda: swept("sh-open")),
+    ("aof: inside a hull", lambda: swept("hull")),
+]
+
+
+HEAD = """# Where it fails, measured
+
+By `make failures`, which writes this file: each fault that README names, as it is and with its remedies, on small
+scenes. Figures are RMSE against ray-traced truth where nothing else is said; those of build/stability are the worst of
+a sweep. `--flags` are build/render's, a fault without any is drawn by `hsao`.
+
+| fault | drawn by | figure |
+|---|---|---|
+"""
+
+
+def main():
+    folder = ROOT + "/build/failures"
+    os.makedirs(folder, exist_ok=True)
+    os.chdir(folder)
+    table = HEAD
+    for name, measure in ROWS:
+        if len(sys.argv) > 1 and sys.argv[1] not in name:
+            continue
+        for way, figure in measure():
+            line = "| %s | `%s` | %s |" % (name, way or "hsao", figure)
+            print(line, flush=True)
+            table += line + "\n"
+    if len(sys.argv) == 1:
+        with open(ROOT + "/examples/docs/FAILURES.md", "w") as f:
+            f.write(table)
+
+
+main()
