@@ -561,12 +561,14 @@ typedef struct ssgi_gl_light_desc {
                                         occlude from both sides, for sheets */
     int one_sided;                   /* ssdo, s3ho by slices   1: surfaces that are not seen send nothing: neither those
                                         other sides, nor second slabs. For lamps, screens and signs with a dark back,
-                                        which shine on what is behind them otherwise */
+                                        which shine on what is behind them otherwise. Elsewhere it errs more: surfaces
+                                        that environments light are lit from behind, too */
     int bounced;                     /* emitters   1: with LIGHT or BOTH they send the last frame's bounce, too, so that
                                         each frame adds a further bounce */
     int clamp;                       /* emitters   1: none sends more luminance than frame.sent; its hue stays. A single
                                         pixel that is far brighter than others (a spark, a glint) makes a bright spot of
-                                        each pixel that meets it otherwise. What is as bright on purpose gets darker */
+                                        each pixel that meets it otherwise. What is as bright on purpose gets darker.
+                                        It is 13 instructions of pass emitters */
     ssgi_gl_shadow shadow;           /* lights, surfels, splat */
     ssgi_gl_restore restore;         /* ssdo, s3ho shaded, shade, history, blur   with any value but NONE o_ssgi_light
                                         is not light until blur or history has drawn with this desc and filter.quantity
@@ -3217,6 +3219,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_JOINED = 4.0; // with thickness CONSTANT taps join up to this slope of depth\n" },
 
 /* It holds for environments: of .2 the bounce of ssdo errs by .5418, of .35 by .5048 on 28 scenes by seed at 1280x720.
+   Of 0 (desc.light.one_sided) by .6614, of .35 by .5337 on 14, each of them; where a sun lights scenes they are equal.
    Where a sun alone lights thin sheets their hidden sides are dark: there the bounce is up to 1.5 times too bright. */
 { "SSGI_UNSEEN", NULL, __LINE__ + 1,
     "const float SSGI_UNSEEN = 0.35; // an emitter's hidden side sends this share of its radiance: measured\n" },

@@ -141,6 +141,12 @@ def shining(spark, ways):
                                 if f and (spark or x < -0.1))
 
 
+def moving():
+    ways = "".join(" --method hsao" + w for w in ("", ":blur=2", "-best", "-history"))
+    lines = said(STABILITY, "--moves --scene room" + ways).splitlines()
+    return [(line.split()[0], ", ".join(line.split()[1:])) for line in lines if line.startswith("  hsao")][:4]
+
+
 ROWS = [
     ("off screen, within a radius of the border", lambda: scored(
         "casters --fovy 18 " + SIZE, ("", "--set margin=1", "--set thickness=slabs",
@@ -157,8 +163,7 @@ ROWS = [
     ("a floor seen along itself: a row of the wall", far_corner),
     ("history: an object moves", lambda: swept("kept-slide", "hsao-history")),
     ("history: a sun turns", lambda: swept("kept-light", "ssdo-history")),
-    ("a camera moves: deviation, its error", lambda: [tuple(line.split(None, 1)) for line in said(
-        STABILITY, "--moves --scene room --method hsao --method hsao:blur=2 --method hsao-best --method hsao-history").splitlines() if line.startswith("  hsao")][:4]),
+    ("a camera moves: deviation in frames 1 to 8, 9 to 16; error, over that of one frame", moving),
     ("the near plane cuts a solid", lambda: swept("near-plane", "hsao", "dss", "aof")),
     ("smooth normals on facets", facets),
     ("a cloud of points", cloud),
@@ -167,7 +172,8 @@ ROWS = [
     ("a spark of 1000 among 0.05: the most that it brings", lambda: shining(
         1, ("--method ssdo", "--method ssdo-best", "--method ssdo --set clamp=0.2",
             "--method ssdo-best --set clamp=0.2"))),
-    ("linear depth of 16 bits: good to a view depth of, with the near plane at 0.1", lambda: swept("depth-16f", "hsao")),
+    ("linear depth of 16 bits: good to this view depth, with the near plane at 0.1", lambda: swept(
+        "depth-16f", "hsao")),
     ("depth of 24 bits, likewise", lambda: swept("depth-24", "hsao")),
     ("reversed depth of 32 bits, likewise", lambda: swept("depth-reversed", "hsao")),
     ("a sun as harmonics", lambda: swept("sh-open")),
