@@ -71,7 +71,7 @@ def far_corner():
     """Mean and deviation along the lowest row of the far wall."""
     boxes("within.obj", [((7.5, 14.5, 7.5), (-7.5, -0.5, -7.5))])
     room = "within.obj --camera 0,0,5,0,0,0 --fovy 45 --size 800x600 --radius 0.5 "
-    for way in ("--truth 64", "", "--set blur=2", "--method hsao-best", "--method hsao-best --set steps=12",
+    for way in ("--truth 64", "", "--method hsao-best", "--method hsao-best --set steps=12",
                 "--method hsao-history --still 16"):
         said(RENDER, room + way + " --out corner.exr")
         wide, _, y = channel("corner.exr", "Y")
@@ -142,7 +142,7 @@ def shining(spark, ways):
 
 
 def moving():
-    ways = "".join(" --method hsao" + w for w in ("", ":blur=2", "-best", "-history"))
+    ways = "".join(" --method hsao" + w for w in ("", "-best", "-history"))
     lines = said(STABILITY, "--moves --scene room" + ways).splitlines()
     return [(line.split()[0], ", ".join(line.split()[1:])) for line in lines if line.startswith("  hsao")][:4]
 
