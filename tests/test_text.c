@@ -45,7 +45,7 @@ static const choice choices[] = {
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
-    MOST = 1 << 11,
+    MOST = 1 << 12,
     TEXT = 1 << 16,
     TOOLBOX = SSGI_GL_STAGES,
     PROGRAM
@@ -110,12 +110,12 @@ static uint64_t hash_of(const char *text, size_t n)
 }
 
 /* A set of hashes: at which place is this one? It is added where it is not there. */
-typedef struct set_of { uint64_t hash[1 << 14]; int place[1 << 14], count; } set_of;
+typedef struct set_of { uint64_t hash[1 << 15]; int place[1 << 15], count; } set_of;
 static int place_of(set_of *s, uint64_t hash)
 {
-    size_t i = hash >> 20 & ((1 << 14) - 1);
-    while (s->hash[i] && s->hash[i] != hash) i = (i + 1) & ((1 << 14) - 1);
-    if (!s->hash[i] && CHECK(s->count < 1 << 13, "more of a kind than this test has room for")) {
+    size_t i = hash >> 20 & ((1 << 15) - 1);
+    while (s->hash[i] && s->hash[i] != hash) i = (i + 1) & ((1 << 15) - 1);
+    if (!s->hash[i] && CHECK(s->count < 1 << 14, "more of a kind than this test has room for")) {
         s->hash[i] = hash;
         s->place[i] = s->count++;
     }
