@@ -5157,9 +5157,9 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    more luminance than frame.sent, against fireflies. All are 0 by default.
 
    Presets are quieter: hsao BALANCED has 2x8 instead of 2x6 and a filter of radius 2. FAST has that filter, too, as
-   have methods s3ho and s3ho-fast. From half size a filter of radius 2 is a tent of 5.5 pixels that goes without its corners. Set
-   filter.radius = 1 and gather.steps = 6 for what 0.4 drew. With chain.history radius 1 suffices, as hsao-history has
-   it. Pass thickness reads no normals.
+   have methods s3ho and s3ho-fast. From half size a filter of radius 2 is a tent of 5.5 pixels that goes without its
+   corners. Set filter.radius = 1 and gather.steps = 6 for what 0.4 drew. With chain.history radius 1 suffices, as
+   hsao-history has it. Pass thickness reads no normals.
 
    Mended: rays passed between triangles where multiply and add are fused, past long edges from close by, and through
    triangles that they meet along their plane. A bad count of lights, occluders or levels could keep a GPU busy for
