@@ -29,8 +29,8 @@ for radius in nan inf 0 -1 1x; do
     refused "--radius '$radius': must be a number in 1e-12..1e12" room --radius $radius
 done
 refused "--frames '0': must be a whole number in 1..1000000" room --frames 0
-refused '--method truth: there is none of that name (ssao,' room --method truth
-refused '--method bogus: there is none of that name (ssao,' room --right bogus
+refused '--method truth: there is no such method; the nearest are' room --method truth
+refused '--method bogus: there is no such method; the nearest are' room --right bogus
 refused '--set bogus=1: method ssdo has no such setting' room --set bogus=1
 refused '--set steps=0: must be a whole number' room --method hsao --set steps=0
 refused 'must be key=value' room --set steps

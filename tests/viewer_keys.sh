@@ -127,8 +127,8 @@ saw s "$(differ "$saved" $work/alone.png)" 'the right half has another method'
 saw M "$([ "$(build/press wait title | sed 's/.*hsao | \([^ ]*\).*/\1/')" = hsao-fast ] && echo 1)" 'of the right half'
 cp "$saved" $work/half.png
 for k in Left Right; do picture $k $k $k $k; saw $k "$(differ "$saved" $work/half.png)" 'the split moves'; done
-build/press N N wait wait
-saw N "$([ "$(build/press wait title | sed 's/.*hsao | \([^ ]*\).*/\1/')" = ssao ] && echo 1)" 'of the right half'
+build/press N wait wait
+saw N "$([ "$(build/press wait title | sed 's/.*hsao | \([^ ]*\).*/\1/')" = hsao ] && echo 1)" 'of the right half'
 rm -f $work/ssgi-*.exr
 build/press x wait wait
 saw x "$([ -s "$(ls $work/ssgi-*.exr)" ] && echo 1)" 'an EXR'
