@@ -7668,7 +7668,7 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
     { "hsao-best", "HSAO at full size, with more taps.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BEST, "" },
     { "hsao-quarter", "HSAO at a quarter of the size, for weak GPUs.",
-      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_FAST, "half=QUARTER,directions=2,steps=10,filter_radius=1" },
+      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_FAST, "half=QUARTER,directions=2,steps=8,filter_radius=1" },
     { "hsao-history", "HSAO averaged over frames: one slice of many taps. It needs the last frame's matrices.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "history=1,directions=1,steps=12,filter_radius=1" },
     { "hsao-march", "The paper's march and normal rays, for depth layers and extra cameras.",
