@@ -202,7 +202,7 @@ static void own_chain(void)
         { "hsao --glsl own", "--glsl: must be" } };
     char text[4000], line[512];
     CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --chain hsao,depth=linear --300es --450 "
-                 "own && test $(ls own | wc -l) = 13 && grep -q 'SSGI_STEPS = 6' own/*2-hsao.450.frag && "
+                 "own && test $(ls own | wc -l) = 13 && grep -q 'SSGI_STEPS = 8' own/*2-hsao.450.frag && "
                  "! grep -q ssgi_decode own/*.frag%s", t_root, ""), "%s", text);
     CHECK(!shell(
               text, sizeof text,
