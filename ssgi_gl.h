@@ -1806,13 +1806,31 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_LONGEST = 32.0; // pixels that a run reaches at least\n" },
 
 { "SSGI_STEEPEST", NULL, __LINE__ + 1,
-    "const float SSGI_STEEPEST = 2.0; // footprints a pixel: the slope that a facet has by one neighbour alone\n" },
+    "const float SSGI_STEEPEST = 2.0; // footprints a pixel\n" },
 
-{ "ssgi_gentler", NULL, __LINE__ + 1,
-    "// Returns the lesser of two slopes to neighbours: 0 where both are steep and differ, as of a leaf.\n"
-    "float ssgi_gentler(float a, float b, float steep) {\n"
-    "    float slope = abs(a) < abs(b) ? a : b;\n"
-    "    return abs(slope) < steep || abs(a - b) < abs(slope) ? slope : 0.0;\n"
+{ "ssgi_flat_depth", NULL, __LINE__ + 1,
+    "float ssgi_flat_depth(ivec2 q) { // returns what is linear in the picture on a plane: depth, or one over depth\n"
+    "    float z = ssgi_inside(q) ? ssgi_depth(q) : SSGI_FAR;\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "    return z;\n"
+    "#else\n"
+    "    return 1.0 / z;\n"
+    "#endif\n"
+    "}\n" },
+
+/* Two pixels of one line with p tell on which side p's surface goes on, as p may be the first of it behind an edge.
+   Where neither side has a line, as on leaves, the lesser difference counts, and none if both are steep and differ. By
+   lesser differences alone hsao has an error of .4035 on 14 scenes by seed, so of .4022, by normals of .4016. */
+{ "ssgi_slope", NULL, __LINE__ + 1,
+    "// Returns how much ssgi_flat_depth grows a pixel along a direction of the picture. At p it is `at`, at the next\n"
+    "// pixel `next`. More than `steep` is trusted only if both sides agree.\n"
+    "float ssgi_slope(ivec2 p, ivec2 way, float at, float next, float steep) {\n"
+    "    float last = ssgi_flat_depth(p - way), ahead = next - at, behind = at - last;\n"
+    "    float bend_ahead = abs(ssgi_flat_depth(p + 2 * way) - next - ahead);\n"
+    "    float bend_behind = abs(last - ssgi_flat_depth(p - 2 * way) - behind);\n"
+    "    if (min(bend_ahead, bend_behind) < steep) return bend_ahead < bend_behind ? ahead : behind;\n"
+    "    float lesser = abs(ahead) < abs(behind) ? ahead : behind;\n"
+    "    return abs(lesser) < steep || abs(ahead - behind) < abs(lesser) ? lesser : 0.0;\n"
     "}\n" },
 
 /* Normals would double what the pass reads. */
@@ -1820,17 +1838,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// The plane of the surface at P by depth alone, in the form of ssgi_plane. z: view depths of p and its next\n"
     "// pixels along x and along y.\n"
     "vec4 ssgi_facet(ivec2 p, vec3 P, vec3 z) {\n"
-    "    vec2 last = vec2(p.x > 0 ? ssgi_depth(p - ivec2(1, 0)) : SSGI_FAR,\n"
-    "        p.y > 0 ? ssgi_depth(p - ivec2(0, 1)) : SSGI_FAR);\n"
-    "#if !SSGI_ORTHOGRAPHIC\n"
-    "    z = 1.0 / z, last = 1.0 / last; // On a plane these are linear in the picture.\n"
-    "    float unit = z.x;\n"
-    "#else\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
     "    float unit = 1.0;\n"
+    "#else\n"
+    "    z = 1.0 / z;\n"
+    "    float unit = z.x;\n"
     "#endif\n"
     "    vec2 steep = SSGI_STEEPEST * unit * abs(u_ssgi_unproject.xy);\n"
-    "    vec2 slope = vec2(ssgi_gentler(z.y - z.x, z.x - last.x, steep.x),\n"
-    "        ssgi_gentler(z.z - z.x, z.x - last.y, steep.y)), a = slope / u_ssgi_unproject.xy;\n"
+    "    vec2 slope = vec2(ssgi_slope(p, ivec2(1, 0), z.x, z.y, steep.x),\n"
+    "        ssgi_slope(p, ivec2(0, 1), z.x, z.z, steep.y)), a = slope / u_ssgi_unproject.xy;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return vec4(slope, -1.0, z.x) * inversesqrt(1.0 + dot(a, a));\n"
     "#else\n"
