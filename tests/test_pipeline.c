@@ -957,53 +957,59 @@ static void near_the_truth(void)
     kit_scene_free(&scene);
 }
 
-/* A post 12 pixels wide and a pole of one before a wall: how thick each is taken to be, by its own width, by back
-   faces, and as a sheet, whose back face is what is seen; and that view depths come along. */
+/* A post 12 pixels wide and a pole of one before a wall: how thick each is taken to be, by its own width, though it be
+   turned from the viewer, by back faces, and as a sheet, whose back face is what is seen; and that view depths come
+   along. */
 static void widths_are_measured(void)
 {
     enum { W = 96, H = 64, POST = 20, ACROSS = 12, POLE = 45 };
-    static const char *const sets[] = { "thickness=width", "thickness=back" };
+    static const struct { int orthographic; double slant; /* footprints a pixel */ const char *set; } rows[] = {
+        { 1, 0, "thickness=width" }, { 1, 0, "thickness=back" }, { 1, 3, "thickness=width" },
+        { 0, 1.5, "thickness=width" } };
     static float depth[W * H], back[W * H], normal[4 * W * H];
     static uint32_t got[W * H];
-    const kit_camera c = looking_along_z(W, H, 1);         /* 2 units high: a pixel is 1/32 */
-    const float pixel = 2.0f / H, radius = 32 * pixel;
-    for (int i = 0; i < W * H; ++i) {
-        const int x = i % W, y = i / W, post = x >= POST && x < POST + ACROSS;
-        depth[i] = post ? 5 : x == POLE ? 4 : 10;
-        back[i] = x == POLE ? 4 : !post ? 0 : y < H / 2 ? 5.5f : 5;    /* the post: a solid below, a sheet above */
-        normal[4 * i + 2] = 1;
-    }
-    kit_gbuffer g = raw(&c, 1, GL_R32F, depth, normal);
-    g.back = kit_texture(W, H, GL_R32F, back);
-    for (int m = 0; m < 2; ++m) {
+    for (size_t r = 0; r < sizeof rows / sizeof *rows; ++r) {
+        const int orthographic = rows[r].orthographic, m = !strcmp(rows[r].set, "thickness=back");
+        const kit_camera c = looking_along_z(W, H, orthographic);
+        const double wide = orthographic ? 2.0 / H : 2 * tan(acos(-1) / 8) / H,      /* a pixel, at depth 1 */
+                     close = orthographic ? wide : 5 * wide, radius = 32 * close;
         kit_run run;
         int bad[4] = { 0 };
-        if (!start(&run, &g, "hsao", sets[m], radius)) return;
-        run.frame.thickness_limit = radius;
+        for (int i = 0; i < W * H; ++i) {
+            const int x = i % W, y = i / W, post = x >= POST && x < POST + ACROSS;
+            const double off = rows[r].slant * close * (x - POST);
+            depth[i] = (float)(x == POLE ? 4 : !post ? 10 : orthographic ? 5 + off : 1 / (0.2 - off / 25));
+            back[i] = x == POLE ? 4 : !post ? 0 : y < H / 2 ? 5.5f : 5; /* the post: a solid below, a sheet above */
+            normal[4 * i + 2] = 1;
+        }
+        kit_gbuffer g = raw(&c, 1, GL_R32F, depth, normal);
+        g.back = kit_texture(W, H, GL_R32F, back);
+        if (!start(&run, &g, "hsao", rows[r].set, (float)radius)) return;
+        run.frame.thickness_limit = (float)radius;
         kit_run_update(&run);
         kit_run_draw(&run, 0);
-        if (!CHECK(run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS, "%s: the first pass is another", sets[m])) return;
+        if (!CHECK(run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS, "row %zu: the first pass is another", r)) return;
         glBindFramebuffer(GL_FRAMEBUFFER, run.pass[0].framebuffer);
         glReadPixels(0, 0, W / 2, H / 2, GL_RGBA_INTEGER, GL_UNSIGNED_INT, got);
         for (int y = 8; y < H - 8; ++y)
             for (int x = 8; x < W - 8; ++x) {
                 unsigned code;
-                const float z = unpack_measured(&code, &got[4 * (y / 2 * W / 2 + x / 2)], 2 * (y & 1) + (x & 1), 1);
-                const double thick = code / 63.0 * 32;                  /* pixels */
+                const float z = unpack_measured(&code, &got[4 * (y / 2 * W / 2 + x / 2)], 2 * (y & 1) + (x & 1),
+                                                orthographic), is = depth[y * W + x];
+                const double most = radius / (orthographic ? wide : wide * (double)depth[y * W + (x & ~1)]),
+                             thick = code / 63.0 * most;                            /* pixels */
                 const int post = x >= POST && x < POST + ACROSS;
-                bad[0] += z != depth[y * W + x];
-                if (post && m && y < H / 2) bad[1] += fabs(thick - 16) > 0.3;           /* 0.5 units */
+                bad[0] += orthographic ? z != is : fabsf(z - is) > 1e-5f * is;
+                if (post && m && y < H / 2) bad[1] += fabs(thick - 16) > 0.3;        /* 0.5 units */
                 else if (post) bad[1] += !(thick >= (m ? 0.25 : 0.5) * ACROSS - 0.3 && thick <= (m ? 0.5 : 1) * ACROSS);
-                else if (x == POLE) bad[2] += fabs(thick - (m ? 1.6 : 3.2)) > 0.3;      /* not of its 2x2's surface */
-                else bad[3] += thick < 31.7 && x != POLE - 1;                           /* the wall has no end */
+                else if (x == POLE) bad[2] += fabs(thick / most - (m ? 0.05 : 0.1)) > 0.01; /* not its 2x2's surface */
+                else bad[3] += thick < 0.99 * most && x != POLE - 1;                 /* the wall has no end */
             }
-        CHECK(!bad[0] && !bad[1] && !bad[2] && !bad[3], "%s: wrong are %d depths, %d pixels of the post, %d of the "
-              "pole, %d of the wall", sets[m], bad[0], bad[1], bad[2], bad[3]);
+        CHECK(!bad[0] && !bad[1] && !bad[2] && !bad[3], "row %zu: wrong are %d depths, %d pixels of the post, %d of the "
+              "pole, %d of the wall", r, bad[0], bad[1], bad[2], bad[3]);
         kit_run_close(&run);
+        kit_gbuffer_free(&g);
     }
-    glDeleteTextures(1, &g.back);
-    g.back = 0;
-    kit_gbuffer_free(&g);
 }
 
 /* A ball whose winding is the wrong way round looks like a sheet to who reads back faces: that costs little. */
