@@ -2408,6 +2408,51 @@ static void history_spreads_half_size(void)
     glDeleteTextures(1, &texture);
 }
 
+/* Without frames of half size 3x3 texels are averaged by tents of 4 pixels, 5x5 without their corners by tents of 5.5. */
+static void blur_spreads_half_size(void)
+{
+    static float map[MANY][4];
+    ssgi_gl_frame frame;
+    ssgi_view view;
+    if (!facing(&view, &frame, 1)) return;
+    t_seed(73);
+    for (int i = 0; i < MANY; ++i) {
+        map[i][0] = t_uniform(0, 1);
+        map[i][1] = 10 + t_uniform(0, 2) * (0.01f + 1.0f / 16) * (float)(i & 1);
+    }
+    GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+    for (int radius = 1; radius <= 2; ++radius) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_BLUR,
+                                 .text.dialect = SSGI_GL_DIALECT_450,
+                                 .input.orthographic = 1,
+                                 .gather.half = 1,
+                                 .filter.radius = radius,
+                                 .input.depth = SSGI_GL_DEPTH_CUSTOM,
+                                 .input.normal = SSGI_GL_NORMAL_CUSTOM,
+                                 .text.fetch = FACING
+                                 "float ssgi_custom_depth(ivec2 texel, int layer) { return 10.0; }\n" };
+        if (!probe(&d, &frame, texture, "ssgi_blurred c = ssgi_blurred_at(texel); ssgi_filtered f = "
+                                        "ssgi_filter(texel, c); o = vec4(f.light.x / f.light.w);"))
+            break;
+        for (int i = 0; i < MANY; ++i) {
+            const int x = i % SIDE, y = i / SIDE;
+            double weights = 0, sum = 0;
+            for (int k = 0; k < 25; ++k) {
+                const int o[2] = { k % 5 - 2, k / 5 - 2 }, h[2] = { x / 2 + o[0], y / 2 + o[1] };
+                const double tent[2] = { 2.5 + 1.5 * radius - abs(2 * h[0] - x), 2.5 + 1.5 * radius - abs(2 * h[1] - y) };
+                if (abs(o[0]) > radius || abs(o[1]) > radius || abs(o[0]) + abs(o[1]) == 4) continue;
+                if (h[0] < 0 || h[1] < 0 || 2 * h[0] >= SIDE || 2 * h[1] >= SIDE) continue;
+                const float *const at = map[h[1] * SIDE + h[0]];
+                const double off = ((double)at[1] - 10) / (0.01 + 1.0 / 16),
+                             weight = tent[0] * tent[1] / (0.1 + off * off);
+                weights += weight, sum += weight * (double)at[0];
+            }
+            NEAR(out[i][0], sum / weights, 1e-5, "the mean");
+        }
+    }
+    glDeleteTextures(1, &texture);
+}
+
 /* Of half size each of the four pixels is drawn in turn, as often as the others, whatever its directions; texels beyond
    the image stay beyond. */
 static void pixels_take_turns(void)
@@ -2575,6 +2620,7 @@ void test_twins(void)
         changes_are_counted);
     RUN("changes are nearby within the radius, in the picture and in depth", changes_are_nearby);
     RUN("the fewer texels a surface has, the farther its mean may be off", history_spreads);
+    RUN("from half size texels count by tents and planes, of radius 2 without the corners", blur_spreads_half_size);
     RUN("of half size texels count by tents and planes, and a pixel's four neighbours more where frames are averaged",
         history_spreads_half_size);
     RUN("of half size each pixel of four is drawn in turn", pixels_take_turns);
