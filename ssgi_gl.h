@@ -41,8 +41,8 @@
                    floating-point targets need EXT_color_buffer_float or, if of 16 bits, EXT_color_buffer_half_float
       uniforms     the block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding)
                    the text holds the slots of ssgi_gl_reflect's rows; in the others set them once by name
-                   (glUniform1i, glUniformBlockBinding). An engine that caches GL's state must drop that cache after
-                   these draws
+                   (glUniform1i, glUniformBlockBinding). Engines without blocks: desc.text.uniforms. An engine that
+                   caches GL's state must drop that cache after these draws
       projection   take the one that depth was drawn with: some engines (OpenSceneGraph) move its near and far planes,
                    and their getter does not return the result. For left-handed projections see
                    ssgi_view_from_projection (ssgi.h)
@@ -202,6 +202,20 @@ typedef enum ssgi_gl_dialect {
     SSGI_GL_DIALECTS, /* how many */
     SSGI_GL_DIALECT_FORCE = SSGI_FORCE
 } ssgi_gl_dialect;
+
+/* desc.text.uniforms: how a text declares the values of the frame.
+     BLOCK    uniform blocks: ssgi_frame is ssgi_gl_frame byte for byte, ssgi_views is ssgi_gl_views
+     LOOSE    a uniform of its own for each member that the stage reads, for engines that set uniforms by name and have
+              no blocks: "uniform float u_ssgi_radius;". Before each step set those of ssgi_gl_reflect's rows of kind
+              PARAM: a row's type has the size of an array ("vec4[12]"); its value lies at row.offset in the step's
+              ssgi_gl_frame where row.slot is 0, in ssgi_gl_views where it is 1. There a mat3 has 3 columns of 4 floats,
+              all else is tight. Programs keep such values: steps of equal texts have one program, and may have other
+              frames (ssgi_gl_step.frame). Not in VULKAN */
+typedef enum ssgi_gl_uniforms {
+    SSGI_GL_UNIFORMS_BLOCK = 0,
+    SSGI_GL_UNIFORMS_LOOSE,
+    SSGI_GL_UNIFORMS_FORCE = SSGI_FORCE
+} ssgi_gl_uniforms;
 
 /* Stages of ssgi_gl_emit. */
 enum {
@@ -650,6 +664,7 @@ typedef struct ssgi_gl_filter_desc {
 /* ---- desc.text: the language of the text, and your own lines in it */
 typedef struct ssgi_gl_text_desc {
     ssgi_gl_dialect dialect;
+    ssgi_gl_uniforms uniforms;
     int lines;           /* 1: the text has #line directives, so that a compiler's "0:N" is line N of this header */
     const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: ours */
     const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
@@ -775,9 +790,9 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
      normal    as desc.input says: in view space, or in the world
    A surface that no texel shows, as a pane far in front of all else, is unoccluded: visibility and restored light go
    there over the distance to the surfaces that are shown, by half at a radius; from full size at once. The block
-   ssgi_frame is ssgi_gl_frame. A shader holds one such text, which reads one texture, and with coefficients none of
-   ssgi_gl_sh, whose functions it has. In GLES the text needs the lines that ssgi_gl_field needs. It works like
-   snprintf. */
+   ssgi_frame is ssgi_gl_frame, unless desc.text.uniforms is LOOSE. A shader holds one such text, which reads one
+   texture, and with coefficients none of ssgi_gl_sh, whose functions it has. In GLES the text needs the lines that
+   ssgi_gl_field needs. It works like snprintf. */
 SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
@@ -785,7 +800,8 @@ SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* "330", "vulkan"; NULL
 
 /* ==== >>io ======================================================================================================== */
 
-/* ssgi_gl_io.kind. PARAM: a member of a uniform block. CAPTURE: a varying for transform feedback. */
+/* ssgi_gl_io.kind. PARAM: a member of a uniform block, or with desc.text.uniforms LOOSE a uniform of its own. CAPTURE:
+   a varying for transform feedback. */
 enum {
     SSGI_GL_IO_TEXTURE,
     SSGI_GL_IO_PARAM,
@@ -5992,6 +6008,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
                   "filters || pass == CHANGE_MASK"),
 
     SSGI_GL__ENUM(YOURS, text, dialect, DIALECT, VULKAN, "330 410 450 300ES 310ES 320ES VULKAN", NULL),
+    SSGI_GL__ENUM(YOURS, text, uniforms, UNIFORMS, LOOSE, "BLOCK LOOSE", NULL),
     SSGI_GL__SWITCH(YOURS, text, lines, NULL)
 };
 
@@ -6097,6 +6114,8 @@ static const char *const ssgi_gl__refusals[][2] = {
     { "receiver && normal == FROM_DEPTH", "desc.light.receiver: hidden layers need their normals" },
     { "pass == SURFELS && dialect == VULKAN",
       "desc.pass: surfels needs transform feedback; for SSGI_GL_DIALECT_VULKAN ssgi_surfels makes them on the CPU" },
+    { "uniforms && dialect == VULKAN",
+      "desc.text.uniforms: SSGI_GL_DIALECT_VULKAN has uniforms in blocks alone: SSGI_GL_UNIFORMS_BLOCK" },
     { "tessellate && (pass == SURFELS || pass == SPLAT) && dialect != 410 && dialect != 450 && dialect < 320ES",
       "desc.surfel.tessellate: needs tessellation shaders: SSGI_GL_DIALECT_410, _450, _320ES or _VULKAN" }
 };
@@ -6661,7 +6680,7 @@ static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
 }
 
 /* Collects the rows of a stage, or with SSGI_GL_STAGES of all, each once; a uniform block has the same members in each
-   stage that reads any. Returns how many there are. */
+   stage that reads any, loose uniforms are those that the stage reads. Returns how many there are. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
 {
     int n = 0, next[SSGI_GL_IO_CAPTURE + 1] = { 0 }, block[2] = { 0 };
@@ -6680,8 +6699,8 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
         if (io.kind == SSGI_GL_IO_CAPTURE && p->mains[SSGI_GL_STAGE_GEOMETRY] && stage >= SSGI_GL_STAGE_GEOMETRY)
             continue; /* It goes from stage to stage; the outputs of the last one are captured. */
-        if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_IO_PARAM ? block[io.slot] : p->stage[stage].row[i]))
-            continue;
+        const int in_block = io.kind == SSGI_GL_IO_PARAM && !p->d.text.uniforms;
+        if (stage < SSGI_GL_STAGES && !(in_block ? block[io.slot] : p->stage[stage].row[i])) continue;
         io.type = ssgi_gl__word_of(p->d.text.dialect, io.type, strlen(io.type));
         if (n++ < capacity) out[n - 1] = io;
     }
@@ -6733,28 +6752,29 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
 }
 
 /* Prints a uniform block: members in the order of its struct, which is that of the rows; gaps where this pass reads
-   nothing. */
-static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set)
+   nothing. Loose uniforms have neither block nor gaps. */
+static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set, int loose)
 {
     size_t at = 0;
     int gaps = 0, k;
     for (int i = 0; i < n; ++i) {
         if (io[i].kind != SSGI_GL_IO_PARAM || io[i].slot != block) continue;
-        if (!at && !gaps) {
+        if (!at && !gaps && !loose) {
             ssgi_gl__print(t, set ? "layout(std140, %sbinding = %d) uniform " : "layout(std140) uniform ", set, block);
             ssgi_gl__print(t, "%s {\n", block ? "ssgi_views" : "ssgi_frame");
         }
-        while (at < io[i].offset) {
+        while (at < io[i].offset && !loose) {
             const size_t gap = at % 16 == 0 && io[i].offset - at >= 16 ? (io[i].offset - at) / 16 * 16 : 4;
             ssgi_gl__print(t, "    %s u_ssgi_gap%d", gap == 4 ? "float" : "vec4", 10 * block + gaps++);
             ssgi_gl__print(t, gap > 16 ? "[%d];\n" : ";\n", (int)(gap / 16));
             at += gap;
         }
-        ssgi_gl__print(t, *io[i].format ? "    %s %s; // %s\n" : "    %s %s;\n", io[i].type, io[i].name, io[i].format);
+        ssgi_gl__print(t, loose ? "uniform " : "    ");
+        ssgi_gl__print(t, *io[i].format ? "%s %s; // %s\n" : "%s %s;\n", io[i].type, io[i].name, io[i].format);
         for (k = 0; strcmp(ssgi_gl__rows[k].io.name, io[i].name); ++k) {}
         at += ssgi_gl__rows[k].bytes;
     }
-    if (at) ssgi_gl__print(t, "};\n");
+    if (at && !loose) ssgi_gl__print(t, "};\n");
 }
 
 /* Prints the table of one set of points. */
@@ -6844,7 +6864,7 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
             if (io[i].offset) ssgi_gl__print(t, "layout(constant_id = %d) ", (int)io[i].offset);
             ssgi_gl__print(t, "const int %s = %d;\n", io[i].name, io[i].slot);
         }
-    for (int block = 0; block < 2; ++block) ssgi_gl__print_block(t, io, n, block, dialect->set);
+    for (int block = 0; block < 2; ++block) ssgi_gl__print_block(t, io, n, block, dialect->set, d->text.uniforms);
     for (int i = 0; i < n; ++i) {
         const int kind = io[i].kind;
         if (kind == SSGI_GL_IO_PARAM || kind == SSGI_GL_IO_CONSTANT) continue;
@@ -6903,7 +6923,7 @@ static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc 
     const int n = ssgi_gl__collect(&p, SSGI_GL_STAGE_FRAGMENT, io, SSGI_GL_MAX_IO);
     for (int i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_IO_CONSTANT) ssgi_gl__print(&t, "const int %s = %d;\n", io[i].name, io[i].slot);
-    ssgi_gl__print_block(&t, io, n, 0, set);
+    ssgi_gl__print_block(&t, io, n, 0, set, d->text.uniforms);
     for (int i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_IO_TEXTURE) {
             if (set) ssgi_gl__print(&t, "layout(%sbinding = %d) ", set, io[i].slot + in->textures);

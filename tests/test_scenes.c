@@ -947,6 +947,55 @@ static void targets_have_room(void)
     kit_scene_free(&scene);
 }
 
+/* Values that are set by the names of rows, one by one, draw what blocks draw. */
+static void loose_uniforms(void)
+{
+    static const struct { const char *method, *set; } row[] = {
+        { "hsao", "directions=1,phase=0.3" },
+        { "hsao-march", "directions=2,steps=4,views=2,view_layers=2,view_size=32" },
+        { "ssdo", "vpls=4,shadow_size=32" },
+        { "hsao-history", "directions=1,blur=1" },
+        { "dss-lit", "size=0.06,shadow_size=64" },
+        { "aof", "resolution=4,radii=4,rays=32" } };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_lighting l;
+    if (!lighten(&l, "white", NULL) || !seen_in(&scene, &g, &l, REVERSED, 0)) return;
+    for (int k = 0; k < l.env.width * l.env.height; ++k) l.env.data[k] = (float)(k % l.env.width) / 512;
+    const kit_world world = { &scene, &l };
+    for (int i = 0; i < COUNT(row); ++i) {
+        kit_method m;
+        kit_run run;
+        kit_image out[2];
+        GLuint was[KIT_MAX_PASSES];
+        if (!TRY(kit_method_find(&m, row[i].method, &err)) || !TRY(kit_method_set(&m, row[i].set, &err))
+            || !TRY(kit_run_open(&run, &g, &m, 0.15f, &world, &err)) || !drawn(&out[0], &run))
+            return;
+        for (int k = 0; k < run.passes; ++k) {
+            kit_pass *p = &run.pass[k];
+            was[k] = p->program;
+            p->program = 0;
+            p->desc.text.uniforms = SSGI_GL_UNIFORMS_LOOSE;
+            if (!TRY(kit_pass_make(p, &err))) return;
+        }
+        for (GLuint block = 0; block < 2; ++block) glBindBufferBase(GL_UNIFORM_BUFFER, block, 0);
+        if (!drawn(&out[1], &run)) return;
+        const size_t bytes = (size_t)out[0].channels * SEEN * sizeof *out[0].data;
+        CHECK(!memcmp(out[0].data, out[1].data, bytes) && mean(&out[0], out[0].channels > 1 ? "G" : "Y") > 0,
+              "%s %s: loose uniforms draw another picture", row[i].method, row[i].set);
+        for (int k = 0; k < run.passes; ++k) {
+            glDeleteProgram(run.pass[k].program);
+            run.pass[k].program = was[k];
+        }
+        kit_run_close(&run);
+        kit_image_free(&out[0]);
+        kit_image_free(&out[1]);
+    }
+    kit_image_free(&l.env);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
 void test_scenes(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
@@ -956,6 +1005,7 @@ void test_scenes(void)
         rooms_are_seen);
     RUN("depth layout, place in the textures and shift change no method's picture", layouts_do_not_matter);
     RUN("neither do units nor roll", units_do_not_matter);
+    RUN("values that are set one by one, by their names, draw the same", loose_uniforms);
     RUN("nor does an orthographic eye that is far away", eyes_stand_anywhere);
     RUN("nor does a narrow lens", lenses_do_not_matter);
     RUN("no pixel of the truth stands alone: built-in solids do not hover", no_pixel_stands_alone);

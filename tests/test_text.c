@@ -374,6 +374,7 @@ static void speak(void)
         for (int k = 0; k < 2 && !takes(&d, turn, first); ++k) turn = (turn + 1) % 3;
         if ((!t_all() && way != turn) || !takes(&d, way, first)) continue;
         d.text.lines = first % 8 == 0;
+        d.text.uniforms = first % 5 == 0 && way != 2;
         const int at = texts++, is = 4 * d.pass + d.gather.search + (d.surfel.tessellate ? 3 : 0);
         spoken[at].desc = d;
         spoken[at].fresh = way == 2 && is != last;
@@ -896,6 +897,58 @@ static void reflection(void)
           "reflection of nothing");
 }
 
+/* Loose uniforms: the text is that with blocks, but for a line each of the members that the stage reads; the rows are
+   the same. */
+static void loose_uniforms(void)
+{
+    static char text[TEXT], want[TEXT], got[TEXT];
+    ssgi_gl_io row[2][SSGI_GL_MAX_IO];
+    int read = 0, same = 1;
+    for (int i = 0; i < variants && same; ++i) {
+        ssgi_gl_desc d = variant[i], loose;
+        if (!takes(&d, i & 1, i)) continue;
+        loose = d;
+        loose.text.uniforms = SSGI_GL_UNIFORMS_LOOSE;
+        const int rows = ssgi_gl_reflect(&d, row[0], SSGI_GL_MAX_IO),
+                  others = ssgi_gl_reflect(&loose, row[1], SSGI_GL_MAX_IO);
+        for (int k = 0; k < rows && others == rows; ++k) {
+            const ssgi_gl_io *const a = &row[0][k], *const b = &row[1][k];
+            same &= !strcmp(a->name, b->name) && a->kind == b->kind && !strcmp(a->type, b->type) && a->slot == b->slot
+                    && a->offset == b->offset && !strcmp(a->format, b->format);
+        }
+        CHECK(rows == others && same, "%s: loose uniforms have other rows", describe(&d));
+        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
+            size_t n = 0;
+            int inside = 0;
+            emit(text, &d, stage);
+            for (const char *line = text, *end; *line; line = end) {
+                const size_t length = strcspn(line, "\n") + 1;
+                char name[64], type[32];
+                end = line + length;
+                if (strstr(line, "uniform ssgi_") && strstr(line, "uniform ssgi_") < end) { inside = 1; continue; }
+                if (inside && !strncmp(line, "};", 2)) { inside = 0; continue; }
+                if (inside && sscanf(line, " %31s %63[a-z_]", type, name) == 2) {
+                    const char *at = strchr(line, '\n');
+                    while ((at = strstr(at, name)) != NULL && PART(at[strlen(name)])) ++at;
+                    if (!at) continue;                     /* a gap, or a member of another stage */
+                    n += (size_t)snprintf(want + n, TEXT - n, "uniform ");
+                    line += strspn(line, " ");
+                }
+                n += (size_t)snprintf(want + n, TEXT - n, "%.*s", (int)(end - line), line);
+            }
+            want[n] = 0;
+            emit(got, &loose, stage);
+            size_t at = 0;
+            while (got[at] && got[at] == want[at]) ++at;
+            same &= CHECK(got[at] == want[at], "%s, stage %d: with loose uniforms it has \"%.60s\", not \"%.60s\"",
+                          describe(&d), stage, got + at, want + at);
+            read += strstr(got, "uniform float u_ssgi_radius;") != NULL;
+        }
+    }
+    CHECK(read > variants / 8, "%d texts read u_ssgi_radius", read);
+    t_note("%d texts with a loose u_ssgi_radius", read);
+}
+
 /* ---- >>vulkan ---------------------------------------------------------------------------------------------------- */
 
 /* The name that a declaration at `at` ends with, before ; [ or {. */
@@ -1263,6 +1316,7 @@ static void lint_line(const char *t, const char *end, int vulkan)
         for (const char *next; *name == ' ' && PART(name[1]); name = next) {
             next = name + 1;
             while (PART(*next)) ++next;
+            if (!strncmp(next + strcspn(next, "] ;(="), "] u_", 4)) next += strcspn(next, "]") + 1;    /* a type's */
         }
         while (name > t && PART(name[-1])) --name;
         if (name[1] == '_' && strchr("tuova", *name)) name += 2;
@@ -1365,6 +1419,7 @@ static const struct { const char *start; size_t offset; int most;
              INT(filter.kind, 1),
              INT(filter.radius, 4),
              INT(filter.normals, 1),
+             INT(text.uniforms, 1),
              INT(text.lines, 1),
              INT(light.restore, 2),
              INT(surfel.span, 64),
@@ -1476,6 +1531,8 @@ static void sentences(void)
         { "desc.surfel.tessellate:",
           { .pass = SSGI_GL_PASS_SPLAT, .surfel.tessellate = 1, .text.dialect = SSGI_GL_DIALECT_310ES } },
         { "desc.pass:", { .pass = SSGI_GL_PASS_SURFELS, .text.dialect = SSGI_GL_DIALECT_VULKAN } },
+        { "desc.text.uniforms:",
+          { .text.uniforms = SSGI_GL_UNIFORMS_LOOSE, .text.dialect = SSGI_GL_DIALECT_VULKAN } },
         { "desc.pass:",
           { .pass = SSGI_GL_PASS_SURFELS, .surfel.tessellate = 1, .text.dialect = SSGI_GL_DIALECT_VULKAN } },
         /* and these are none: what is not kept has as many vectors as it likes, what a pass does not look at is no
@@ -1801,7 +1858,7 @@ static void speed(void)
 /* Fields that no choice of >>variants need vary. */
 static const char *const unvaried[][2] = {
     { "pass", "a shape" }, { "dialect", "each text has several" }, { "search", "a shape" }, { "tessellate", "a shape" },
-    { "lines", "every eighth text" }, { "samples", "a constant" }, { "directions", "a constant" },
+    { "lines", "every eighth text" }, { "uniforms", "every fifth text" }, { "samples", "a constant" }, { "directions", "a constant" },
     { "levels", "a constant" }, { "filter_radius", "a constant" } };
 
 /* Every field of the struct's groups, as the header has it, is in the library's table and in both of this file. */
@@ -1986,6 +2043,7 @@ void test_text(void)
         "own links",
         compilers);
     RUN("rows and declarations agree both ways, and with GL's own places", reflection);
+    RUN("loose uniforms: the same rows, and the same text but for their declarations", loose_uniforms);
     RUN("for Vulkan everything has its own binding, which its row tells, and stages agree on locations", bindings);
     RUN("WGSL by tint, HLSL and MSL by spirv-cross: everything is at its binding, y is turned", translated);
     RUN("defaults written out give the same text, and as many fetches as counted by hand", defaults);

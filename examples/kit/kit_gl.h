@@ -42,7 +42,8 @@
     X(PixelStorei, PIXELSTOREI) X(ReadPixels, READPIXELS) X(Scissor, SCISSOR) X(ShaderSource, SHADERSOURCE) \
     X(TexImage2D, TEXIMAGE2D) X(TexImage3D, TEXIMAGE3D) X(TexParameteri, TEXPARAMETERI) \
     X(TexSubImage2D, TEXSUBIMAGE2D) X(TransformFeedbackVaryings, TRANSFORMFEEDBACKVARYINGS) X(Uniform1f, UNIFORM1F) \
-    X(Uniform1fv, UNIFORM1FV) X(Uniform1i, UNIFORM1I) X(Uniform1ui, UNIFORM1UI) X(Uniform2fv, UNIFORM2FV) \
+    X(Uniform1fv, UNIFORM1FV) X(Uniform1i, UNIFORM1I) X(Uniform1iv, UNIFORM1IV) X(Uniform1ui, UNIFORM1UI) \
+    X(Uniform2fv, UNIFORM2FV) X(Uniform2iv, UNIFORM2IV) \
     X(Uniform3fv, UNIFORM3FV) X(Uniform4fv, UNIFORM4FV) X(UniformBlockBinding, UNIFORMBLOCKBINDING) \
     X(UniformMatrix3fv, UNIFORMMATRIX3FV) X(UniformMatrix4fv, UNIFORMMATRIX4FV) \
     X(UseProgram, USEPROGRAM) X(VertexAttribDivisor, VERTEXATTRIBDIVISOR) X(VertexAttribPointer, VERTEXATTRIBPOINTER) \

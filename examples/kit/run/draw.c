@@ -133,6 +133,31 @@ static void bind_targets(const kit_run *run, const kit_pass *p)
     glScissor(p->box[0], p->box[1], p->box[2], p->box[3]);
 }
 
+/* Sets the loose uniforms of a pass, whose program is in use, by its rows. */
+static void set_values(const kit_run *run, const kit_pass *p)
+{
+    const int number = p->step->frame;
+    ssgi_gl_frame frame = number && number < KIT_FRAME_VPLS ? run->extra[number - 1] : run->frame;
+    if (number == KIT_FRAME_VPLS) frame.lights = run->vpls;
+    for (int i = 0; i < p->rows; ++i) {
+        if (p->io[i].kind != SSGI_GL_IO_PARAM) continue;
+        const GLint place = glGetUniformLocation(p->program, p->io[i].name);
+        const char *type = p->io[i].type, *array = strchr(type, '[');
+        const void *at = (p->io[i].slot ? (const char *)&run->cameras : (const char *)&frame) + p->io[i].offset;
+        const GLsizei count = array ? atoi(array + 1) : 1;
+        if (!strncmp(type, "mat3", 4)) {
+            GLfloat tight[9];
+            for (int k = 0; k < 9; ++k) tight[k] = ((const GLfloat *)at)[4 * (k / 3) + k % 3];
+            glUniformMatrix3fv(place, 1, GL_FALSE, tight);
+        } else if (!strncmp(type, "mat4", 4)) glUniformMatrix4fv(place, count, GL_FALSE, at);
+        else if (!strncmp(type, "vec4", 4)) glUniform4fv(place, count, at);
+        else if (!strcmp(type, "vec2")) glUniform2fv(place, 1, at);
+        else if (!strcmp(type, "ivec2")) glUniform2iv(place, 1, at);
+        else if (!strcmp(type, "int")) glUniform1iv(place, 1, at);
+        else glUniform1fv(place, 1, at);
+    }
+}
+
 void kit_run_draw(kit_run *run, int timed)
 {
     glDisable(GL_DEPTH_TEST);
@@ -147,6 +172,7 @@ void kit_run_draw(kit_run *run, int timed)
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[step->frame]);
         bind_targets(run, p);
         glUseProgram(p->program);
+        if (p->desc.text.uniforms == SSGI_GL_UNIFORMS_LOOSE) set_values(run, p);
         if (timed == KIT_PASSES && !p->aside) kit_timer_begin();
         if (step->clear)
             for (GLint k = 0; k < step->outputs; ++k)
