@@ -5159,6 +5159,10 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    desc.text.uniforms LOOSE declares a uniform for each value of the frame, for engines that have no uniform blocks and
    set values by name (Ogre, Cesium, bgfx, Irrlicht).
 
+   In VULKAN desc.text.block_set and texture_set are the sets of the uniform blocks and of the textures, and with
+   desc.text.dense bindings have no gaps: for SDL_GPU, and engines that have sets of their own. ssgi_gl_io.set and
+   .binding, ssgi_gl_input.set and .binding tell them.
+
    Presets are quieter: hsao BALANCED has 2x8 instead of 2x6 and a filter of radius 2. FAST has that filter, too, as
    have methods s3ho and s3ho-fast. From half size a filter of radius 2 is a tent of 5.5 pixels that goes without its
    corners. Set filter.radius = 1 and gather.steps = 6 for what 0.4 drew. With chain.history radius 1 suffices, as

@@ -172,11 +172,12 @@ typedef enum ssgi_gl_pass {
 
 /* desc.text.dialect: the language of the text.
    VULKAN: text for SPIR-V, which other tools translate to HLSL, MSL and WGSL.
-     bindings    all are in set 0: the uniform blocks ssgi_frame and ssgi_views at bindings 0 and 1, the texture of unit
-                 u at 2 + u (ssgi_gl_input.binding): a sampled image, fetched without a sampler, in the layout GENERAL
-                 or SHADER_READ_ONLY_OPTIMAL. Its view is of an array where ssgi_gl_input.array says so, even of one
-                 slice, as that of emitters. Bindings from 18 on and other sets are yours. Depth is viewed by its depth
-                 aspect alone
+     bindings    the uniform blocks ssgi_frame and ssgi_views are at bindings 0 and 1 of set desc.text.block_set, the
+                 texture of unit u is at 2 + u of set desc.text.texture_set, by default both 0; with desc.text.dense
+                 bindings have no gaps (ssgi_gl_io.set, .binding; ssgi_gl_input.set, .binding). A texture is a sampled
+                 image, fetched without a sampler, in the layout GENERAL or SHADER_READ_ONLY_OPTIMAL. Its view is of an
+                 array where ssgi_gl_input.array says so, even of one slice, as that of emitters. Bindings from 18 on
+                 and other sets are yours. Depth is viewed by its depth aspect alone
      formats     ssgi_gl_format has Vulkan's and WebGPU's names
      counts      constants that ssgi_gl_reflect gives an offset other than 0 are specialisation constants of that id
                  (WGSL: overrides): other directions, steps and samples need no other text
@@ -665,6 +666,12 @@ typedef struct ssgi_gl_filter_desc {
 typedef struct ssgi_gl_text_desc {
     ssgi_gl_dialect dialect;
     ssgi_gl_uniforms uniforms;
+    int block_set;       /* VULKAN   [limit: 0..31]  the descriptor set of the uniform blocks */
+    int texture_set;     /* VULKAN   [limit: 0..31]  that of the textures. Fragment stages of SDL_GPU want 2, the blocks
+                            in 3, dense */
+    int dense;           /* VULKAN   1: bindings have no gaps, counted from 0 over all stages of the pass: the blocks
+                            that it reads, then its textures in the order of ssgi_gl_step.input; textures in a set of
+                            their own begin at 0. 0: a name has the same binding in every variant of a pass */
     int lines;           /* 1: the text has #line directives, so that a compiler's "0:N" is line N of this header */
     const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: ours */
     const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
@@ -816,12 +823,13 @@ typedef struct ssgi_gl_io {
     const char *name; /* exactly as in the text: "t_ssgi_depth" */
     int kind;
     const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D" */
-    int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass (and binding, in VULKAN less 2).
-                           OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its value.
-                           PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
+    int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass. OUTPUT, ATTRIBUTE: location.
+                           CAPTURE: place in the interleaved buffer. CONSTANT: its value. PARAM: its block, 0
+                           ssgi_frame, 1 ssgi_views */
     size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views, the same as in the std140 block. CONSTANT in
                            VULKAN: its constant_id where it may be specialised. Otherwise 0 */
     const char *format; /* TEXTURE, OUTPUT: formats and content of the texture. PARAM: units */
+    int set, binding;   /* TEXTURE, PARAM in VULKAN: those of the texture, of the block. In other dialects 0 and slot */
 } ssgi_gl_io;
 
 #define SSGI_GL_MAX_IO 48
@@ -913,7 +921,7 @@ typedef struct ssgi_gl_input {
     const char *name, *type;      /* as in the text: "t_ssgi_depth", "sampler2D" */
     int unit;                     /* the sampler's: ssgi_gl_io.slot */
     unsigned target;              /* GL_TEXTURE_2D .. */
-    int binding;                  /* VULKAN, WebGPU: that of a sampled image in set 0 */
+    int set, binding;             /* VULKAN, WebGPU: those of a sampled image, by default's rule in other dialects */
     int array;                    /* 1: its view is of an array: VK_IMAGE_VIEW_TYPE_2D_ARRAY, "2d-array" */
     int multisampled;             /* 1: it has samples: sampler2DMS, WebGPU's multisampled: true */
     int integer;                  /* 1: of unsigned integers, WebGPU's sampleType "uint"; 0: "unfilterable-float" */
@@ -5510,20 +5518,24 @@ typedef struct ssgi_gl__row {
 
 /* clang-format off */
 #define SSGI_GL__ROW_CONSTANT(name, of) \
-    { NULL, 0, { "SSGI_" #name, SSGI_GL_IO_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "" } }
+    { NULL, 0, { "SSGI_" #name, SSGI_GL_IO_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "", 0, 0 } }
 #define SSGI_GL__ROW_MEMBER(block, prefix, of, member, type, units) \
-    { NULL, sizeof ((of *)0)->member, { prefix #member, SSGI_GL_IO_PARAM, type, block, offsetof(of, member), units } }
+    { NULL, sizeof ((of *)0)->member, \
+      { prefix #member, SSGI_GL_IO_PARAM, type, block, offsetof(of, member), units, 0, block } }
 #define SSGI_GL__ROW_FRAME(member, type, units) \
     SSGI_GL__ROW_MEMBER(0, "u_ssgi_", ssgi_gl_frame, member, type, units)
 #define SSGI_GL__ROW_VIEWS(member, type, units) \
     SSGI_GL__ROW_MEMBER(1, "u_ssgi_view_", ssgi_gl_views, member, type, units)
 #define SSGI_GL__ROW_TEXTURE(name, unit, when, type, is) \
-    { when, 0, { "t_ssgi_" name, SSGI_GL_IO_TEXTURE, type, unit, 0, is } }
+    { when, 0, { "t_ssgi_" name, SSGI_GL_IO_TEXTURE, type, unit, 0, is, 0, unit } }
 #define SSGI_GL__ROW_YOURS(name, unit, when, type, is) \
-    { when, 1, { "t_ssgi_" name, SSGI_GL_IO_TEXTURE, type, unit, 0, is } }
-#define SSGI_GL__ROW_OUTPUT(name, when, type, is) { when, 0, { "o_ssgi_" name, SSGI_GL_IO_OUTPUT, type, 0, 0, is } }
-#define SSGI_GL__ROW_ATTRIBUTE(name, type, is)    { NULL, 0, { "a_ssgi_" name, SSGI_GL_IO_ATTRIBUTE, type, 0, 0, is } }
-#define SSGI_GL__ROW_CAPTURE(name, type, is)      { NULL, 0, { "v_ssgi_" name, SSGI_GL_IO_CAPTURE, type, 0, 0, is } }
+    { when, 1, { "t_ssgi_" name, SSGI_GL_IO_TEXTURE, type, unit, 0, is, 0, unit } }
+#define SSGI_GL__ROW_OUTPUT(name, when, type, is) \
+    { when, 0, { "o_ssgi_" name, SSGI_GL_IO_OUTPUT, type, 0, 0, is, 0, 0 } }
+#define SSGI_GL__ROW_ATTRIBUTE(name, type, is) \
+    { NULL, 0, { "a_ssgi_" name, SSGI_GL_IO_ATTRIBUTE, type, 0, 0, is, 0, 0 } }
+#define SSGI_GL__ROW_CAPTURE(name, type, is) \
+    { NULL, 0, { "v_ssgi_" name, SSGI_GL_IO_CAPTURE, type, 0, 0, is, 0, 0 } }
 
 /* A texture and an output of one name: s3ho writes them, shade and blur read them. */
 #define SSGI_GL__ROWS_FLOATS(name, unit, is) \
@@ -6009,6 +6021,9 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
 
     SSGI_GL__ENUM(YOURS, text, dialect, DIALECT, VULKAN, "330 410 450 300ES 310ES 320ES VULKAN", NULL),
     SSGI_GL__ENUM(YOURS, text, uniforms, UNIFORMS, LOOSE, "BLOCK LOOSE", NULL),
+    SSGI_GL__COUNT(YOURS, text, block_set, 31, "dialect == VULKAN"),
+    SSGI_GL__COUNT(YOURS, text, texture_set, 31, "dialect == VULKAN"),
+    SSGI_GL__SWITCH(YOURS, text, dense, "dialect == VULKAN"),
     SSGI_GL__SWITCH(YOURS, text, lines, NULL)
 };
 
@@ -6020,7 +6035,7 @@ typedef struct ssgi_gl__dialect {
     const char *name, *version;
     const char *head; /* behind the version, be it ours or yours */
     const char *set;  /* in layout(), before a binding; NULL: no layout(binding) */
-    int textures;     /* binding of texture unit 0 */
+    int textures;     /* binding of texture unit 0, unless desc.text.dense */
 } ssgi_gl__dialect;
 
 #define SSGI_GL__ES \
@@ -6033,7 +6048,7 @@ static const ssgi_gl__dialect ssgi_gl__dialects[] = {
     { "300es", "#version 300 es\n", SSGI_GL__ES, NULL, 0 },
     { "310es", "#version 310 es\n", SSGI_GL__ES, "", 0 },
     { "320es", "#version 320 es\n", SSGI_GL__ES, "", 0 },
-    { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = 0, ", 2 }
+    { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = %d, ", 2 }
 };
 
 /* A field of a desc or of a chain. */
@@ -6679,11 +6694,27 @@ static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
     return 0;
 }
 
+/* Gives a texture or a member of a block the place that the text has in VULKAN. block: the bindings of the blocks that
+   rows before it are of, -1: none yet; count: how many blocks and textures there are before it. */
+static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_text_desc *text, int block[2], int count[2])
+{
+    if (text->dialect != SSGI_GL_DIALECT_VULKAN) return;
+    if (io->kind == SSGI_GL_IO_PARAM) {
+        if (block[io->slot] < 0) block[io->slot] = text->dense ? count[0]++ : io->slot;
+        io->set = text->block_set;
+        io->binding = block[io->slot];
+    } else if (io->kind == SSGI_GL_IO_TEXTURE) {
+        const int first = text->block_set == text->texture_set ? count[0] : 0; /* Members come before textures. */
+        io->set = text->texture_set;
+        io->binding = text->dense ? first + count[1]++ : io->slot + ssgi_gl__dialects[text->dialect].textures;
+    }
+}
+
 /* Collects the rows of a stage, or with SSGI_GL_STAGES of all, each once; a uniform block has the same members in each
    stage that reads any, loose uniforms are those that the stage reads. Returns how many there are. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
 {
-    int n = 0, next[SSGI_GL_IO_CAPTURE + 1] = { 0 }, block[2] = { 0 };
+    int n = 0, next[SSGI_GL_IO_CAPTURE + 1] = { 0 }, block[2] = { 0 }, bound[2] = { -1, -1 }, count[2] = { 0 };
     for (int i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
         if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_IO_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
     for (int i = 0; i < SSGI_GL__ROWS; ++i) {
@@ -6691,6 +6722,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         int used = 0;
         for (int s = 0; s < SSGI_GL_STAGES; ++s) used |= p->stage[s].row[i];
         if (!used) continue;
+        ssgi_gl__place(&io, &p->d.text, bound, count);
         if (io.kind == SSGI_GL_IO_CONSTANT) {
             io.slot = ssgi_gl__get(&p->d, io.offset);
             io.offset = ssgi_gl__constant_id(&p->d, io.name);
@@ -6751,6 +6783,14 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
     va_end(args);
 }
 
+/* Prints the inside of layout() that says where a texture or a block is. set: the dialect's. */
+static void ssgi_gl__print_place(ssgi_gl__text *t, const char *before, const char *set, const ssgi_gl_io *io)
+{
+    ssgi_gl__print(t, before);
+    ssgi_gl__print(t, set, io->set);
+    ssgi_gl__print(t, "binding = %d", io->binding);
+}
+
 /* Prints a uniform block: members in the order of its struct, which is that of the rows; gaps where this pass reads
    nothing. Loose uniforms have neither block nor gaps. */
 static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set, int loose)
@@ -6760,8 +6800,9 @@ static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, 
     for (int i = 0; i < n; ++i) {
         if (io[i].kind != SSGI_GL_IO_PARAM || io[i].slot != block) continue;
         if (!at && !gaps && !loose) {
-            ssgi_gl__print(t, set ? "layout(std140, %sbinding = %d) uniform " : "layout(std140) uniform ", set, block);
-            ssgi_gl__print(t, "%s {\n", block ? "ssgi_views" : "ssgi_frame");
+            ssgi_gl__print(t, "layout(std140");
+            if (set) ssgi_gl__print_place(t, ", ", set, &io[i]);
+            ssgi_gl__print(t, ") uniform %s {\n", block ? "ssgi_views" : "ssgi_frame");
         }
         while (at < io[i].offset && !loose) {
             const size_t gap = at % 16 == 0 && io[i].offset - at >= 16 ? (io[i].offset - at) / 16 * 16 : 4;
@@ -6871,8 +6912,10 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
         if (kind == SSGI_GL_IO_OUTPUT || kind == SSGI_GL_IO_ATTRIBUTE
             || (kind == SSGI_GL_IO_CAPTURE && dialect->textures))
             ssgi_gl__print(t, "layout(location = %d) ", io[i].slot);
-        else if (kind == SSGI_GL_IO_TEXTURE && dialect->set)
-            ssgi_gl__print(t, "layout(%sbinding = %d) ", dialect->set, io[i].slot + dialect->textures);
+        else if (kind == SSGI_GL_IO_TEXTURE && dialect->set) {
+            ssgi_gl__print_place(t, "layout(", dialect->set, &io[i]);
+            ssgi_gl__print(t, ") ");
+        }
         ssgi_gl__print(t, "%s %s %s; // %s\n", words[kind], io[i].type, io[i].name, io[i].format);
     }
     if (p->stage[stage].fetch > 1) ssgi_gl__print(t, "\nfloat ssgi_decode(float d);\n");
@@ -6926,7 +6969,10 @@ static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc 
     ssgi_gl__print_block(&t, io, n, 0, set, d->text.uniforms);
     for (int i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_IO_TEXTURE) {
-            if (set) ssgi_gl__print(&t, "layout(%sbinding = %d) ", set, io[i].slot + in->textures);
+            if (set) {
+                ssgi_gl__print_place(&t, "layout(", set, &io[i]);
+                ssgi_gl__print(&t, ") ");
+            }
             ssgi_gl__print(&t, "uniform highp %s %s; // %s\n", io[i].type, io[i].name, io[i].format);
         }
     if (stage->fetch > 1) ssgi_gl__print(&t, "\nfloat ssgi_decode(float d);\n");
@@ -7191,7 +7237,10 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
     in->array = end == 'y';        /* sampler2DArray */
     in->multisampled = end == 'S'; /* sampler2DMS */
     in->integer = *row->type == 'u';
-    in->binding = row->slot + ssgi_gl__dialects[SSGI_GL_DIALECT_VULKAN].textures;
+    in->set = row->set;
+    in->binding = d->text.dialect == SSGI_GL_DIALECT_VULKAN
+                    ? row->binding
+                    : row->slot + ssgi_gl__dialects[SSGI_GL_DIALECT_VULKAN].textures;
     in->target = in->array        ? SSGI_GL__TEXTURE_2D_ARRAY
                : in->multisampled ? SSGI_GL__TEXTURE_2D_MULTISAMPLE
                                   : SSGI_GL__TEXTURE_2D;

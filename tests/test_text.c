@@ -355,6 +355,14 @@ static int takes(ssgi_gl_desc *d, int way, int turn)
     return 0;
 }
 
+/* Gives a desc sets and dense bindings, others by each number: in Vulkan's dialect, which alone looks at them. */
+static void placed(ssgi_gl_desc *d, int number)
+{
+    d->text.block_set = number % 3;
+    d->text.texture_set = number / 3 % 3;
+    d->text.dense = number / 9 % 2;
+}
+
 /* Every variant in a desktop dialect, in an ES one or in Vulkan's, in turn, of those that it may have; with T_ALL in
    all three: each choice meets each other choice, and each dialect. The stages of their own that passes have as one
    program, and in Vulkan's dialect the first of every pass; the others' vertex stage once a dialect; every toolbox in
@@ -375,6 +383,7 @@ static void speak(void)
         if ((!t_all() && way != turn) || !takes(&d, way, first)) continue;
         d.text.lines = first % 8 == 0;
         d.text.uniforms = first % 5 == 0 && way != 2;
+        placed(&d, first);
         const int at = texts++, is = 4 * d.pass + d.gather.search + (d.surfel.tessellate ? 3 : 0);
         spoken[at].desc = d;
         spoken[at].fresh = way == 2 && is != last;
@@ -671,15 +680,15 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
     size_t offset = 0;
     if (!CHECK(end, "%s: no end of the declarations", describe(d))) return 0;
     for (; line < end; line = strchr(line, '\n') + 1) {
-        ssgi_gl_io io = { NULL, -1, "int", 0, 0, "" };
-        char name[64] = "", type[32] = "", format[300] = "", begin[80] = "";
+        ssgi_gl_io io = { NULL, -1, "int", 0, 0, "", 0, 0 };
+        char name[64] = "", type[32] = "", format[300] = "", begin[80] = "", where[40] = "";
         int opened = -1;
         for (int b = 0; b < 2; ++b) {
-            snprintf(begin, sizeof begin, "layout(std140%s%s%s) uniform ssgi_%s {\n", vulkan ? ", set = 0" : "",
-                     bindings ? ", binding = " : "",
-                     !bindings ? ""
-                     : b       ? "1"
-                               : "0",
+            for (int k = 0; k < rows; ++k)
+                if (row[k].kind == SSGI_GL_IO_PARAM && row[k].slot == b)
+                    snprintf(where, sizeof where, vulkan ? ", set = %d, binding = %d" : ", binding = %d",
+                             vulkan ? row[k].set : row[k].binding, row[k].binding);
+            snprintf(begin, sizeof begin, "layout(std140%s) uniform ssgi_%s {\n", bindings ? where : "",
                      b ? "views" : "frame");
             if (!strncmp(line, begin, strlen(begin))) opened = b;
         }
@@ -713,24 +722,24 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
         else if (sscanf(line, "out %31s %63[^;]; // %299[^\n]", type, name, format) == 3) {
             if (d->pass == SSGI_GL_PASS_SPLAT) continue;        /* it goes to the next stage, nothing keeps it */
             io.kind = SSGI_GL_IO_CAPTURE;
-        } else if (vulkan ? sscanf(line, "layout(set = 0, binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot,
-                                   type, name, format)
-                                == 4
+        } else if (vulkan ? sscanf(line, "layout(set = %d, binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.set,
+                                   &io.binding, type, name, format)
+                                == 5
                    : bindings ? sscanf(line, "layout(binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot, type,
                                        name, format)
                                     == 4
                               : sscanf(line, "%63s %31s %63[^;]; // %299[^\n]", begin, type, name, format) == 4
                                     && !strcmp(begin, "uniform")) {
             io.kind = SSGI_GL_IO_TEXTURE;
-            if (vulkan) io.slot -= 2;
         }
         multisampled |= !strcmp(type, "sampler2DMS");
         int at = 0;
         while (at < rows && (found >> at & 1 || (has_vertices(d) && strcmp(row[at].name, name)))) ++at;
         int same = at < rows && row[at].kind == io.kind && !strcmp(row[at].name, name) && !strcmp(row[at].type, type)
                 && !strcmp(row[at].format, format) && row[at].offset == io.offset
-                && (row[at].slot == io.slot || (io.kind == SSGI_GL_IO_TEXTURE && !bindings)
-                    || io.kind == SSGI_GL_IO_CAPTURE);
+                && (io.kind == SSGI_GL_IO_TEXTURE && vulkan ? row[at].set == io.set && row[at].binding == io.binding
+                    : row[at].slot == io.slot || (io.kind == SSGI_GL_IO_TEXTURE && !bindings)
+                          || io.kind == SSGI_GL_IO_CAPTURE);
         if (!CHECK(same, "%s: \"%.*s\" is not row %d, %s", describe(d), (int)strcspn(line, "\n"), line, at,
                    at < rows ? row[at].name : "none"))
             return 0;
@@ -815,6 +824,7 @@ static void reflection(void)
     for (int i = 0; i < variants * SSGI_GL_DIALECTS; ++i) {
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
         d.text.dialect = i % SSGI_GL_DIALECTS;
+        placed(&d, i / SSGI_GL_DIALECTS);
         if (!t_all() && i % 3) continue;    /* the dialects in turn, as their number is no multiple of 3 */
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* no tessellation there */
         const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), before = pairs;
@@ -960,9 +970,9 @@ static int name_of(char name[64], const char *at)
     return snprintf(name, 64, "%.*s", (int)(end - start), start) > 0;
 }
 
-/* Bindings and locations of a program's text, as any reader may count them: bound[b] is the name of binding b of set 0,
-   passed[s][l] of what stage s hands on at location l. */
-typedef struct places { char bound[32][64], passed[SSGI_GL_STAGES][32][64]; int count; } places;
+/* Bindings and locations of a program's text, as any reader may count them: bound[s][b] is the name of binding b of set
+   s, passed[s][l] of what stage s hands on at location l. */
+typedef struct places { char bound[3][32][64], passed[SSGI_GL_STAGES][32][64]; int count; } places;
 
 static int read_places(places *p, const char *text, const ssgi_gl_desc *d, int stage, int before)
 {
@@ -971,14 +981,14 @@ static int read_places(places *p, const char *text, const ssgi_gl_desc *d, int s
         const char *binding = strstr(at, "binding = "), *location = strstr(at, "location = "),
                    *end = at + strcspn(at, ")");
         if (binding && binding < end) {
-            const int b = atoi(binding + strlen("binding = ")), set = !strncmp(binding - 9, "set = 0, ", 9);
-            if (!CHECK(set && b >= 0 && b < 32 && name_of(name, end)
-                           && (!*p->bound[b] || !strcmp(p->bound[b], name)),
+            const int b = atoi(binding + strlen("binding = ")), set = binding[-3] - '0',
+                      is = !strncmp(binding - 9, "set = ", 6) && set >= 0 && set < 3 && b >= 0 && b < 32;
+            if (!CHECK(is && name_of(name, end) && (!*p->bound[set][b] || !strcmp(p->bound[set][b], name)),
                        "%s, stage %d: %.*s: %s is at that binding", describe(d), stage, (int)strcspn(at, "\n"), at,
-                       b >= 0 && b < 32 ? p->bound[b] : "none"))
+                       is ? p->bound[set][b] : "none"))
                 return 0;
-            p->count += !*p->bound[b];
-            strcpy(p->bound[b], name);
+            p->count += !*p->bound[set][b];
+            strcpy(p->bound[set][b], name);
         } else if (location && location < end && name_of(name, end) && *name == 'v') {
             const char *array = end + strcspn(end, ";["), *in = strstr(end, "in ");
             const int l = atoi(location + strlen("location = ")), many = *array == '[' ? atoi(array + 1) : 1;
@@ -1010,8 +1020,9 @@ static int read_places(places *p, const char *text, const ssgi_gl_desc *d, int s
                  "%s, stage %d: has words of GL", describe(d), stage);
 }
 
-/* By the rule of the header: blocks at 0 and 1, the texture of unit u at 2 + u, no two at one place; stages read what
-   they are handed where it is. */
+/* By the rules of the header: blocks at 0 and 1, the texture of unit u at 2 + u; or dense, from 0 on in each set, first
+   the blocks, then the textures in the order of the rows. No two are at one place; stages read what they are handed
+   where it is. */
 static void bindings(void)
 {
     static char text[TEXT];
@@ -1026,15 +1037,16 @@ static void bindings(void)
         ssgi_gl_desc d = variant[i < variants ? i : 0];
         int before = -1, rows, blocks[2] = { 0, 0 }, textures = 0;
         d.text.dialect = SSGI_GL_DIALECT_VULKAN;
+        placed(&d, i < variants ? i : 0);
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* surfels */
         memset(&p, 0, sizeof p);
         if (i == variants) {
             d.pass = SSGI_GL_PASS_FIELD;
             d.input.cap_table = 1;
             CHECK(read_places(&p, source_of(text, &d, TOOLBOX), &d, TOOLBOX, -1) && p.count == 3
-                      && !strcmp(p.bound[4], "t_ssgi_occluders") && !strcmp(p.bound[6], "t_ssgi_fields")
-                      && !strcmp(p.bound[7], "t_ssgi_cap"),
-                  "fields alone: %s, %s, %s, %d in all", p.bound[4], p.bound[6], p.bound[7], p.count);
+                      && !strcmp(p.bound[0][4], "t_ssgi_occluders") && !strcmp(p.bound[0][6], "t_ssgi_fields")
+                      && !strcmp(p.bound[0][7], "t_ssgi_cap"),
+                  "fields alone: %s, %s, %s, %d in all", p.bound[0][4], p.bound[0][6], p.bound[0][7], p.count);
             break;
         }
         for (int k = 0; k < SSGI_GL_STAGES; ++k)
@@ -1044,13 +1056,19 @@ static void bindings(void)
             }
         rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
         for (int k = 0; k < rows; ++k) {
-            const int kind = row[k].kind;
-            const char *wanted = kind == SSGI_GL_IO_TEXTURE ? row[k].name : row[k].slot ? "ssgi_views" : "ssgi_frame";
-            if (kind != SSGI_GL_IO_TEXTURE && kind != SSGI_GL_IO_PARAM) continue;
-            if (!CHECK(!strcmp(p.bound[row[k].slot + (kind == SSGI_GL_IO_TEXTURE ? 2 : 0)], wanted),
-                       "%s: %s of slot %d is not where that leads", describe(&d), wanted, row[k].slot))
+            const int kind = row[k].kind, texture = kind == SSGI_GL_IO_TEXTURE;
+            const char *wanted = texture ? row[k].name : row[k].slot ? "ssgi_views" : "ssgi_frame";
+            if (!texture && kind != SSGI_GL_IO_PARAM) continue;
+            if (!texture) blocks[row[k].slot] = 1;         /* the rows of a block come before all textures' */
+            const int set = texture ? d.text.texture_set : d.text.block_set, first = blocks[0] + blocks[1],
+                      at = !d.text.dense ? row[k].slot + (texture ? 2 : 0)
+                           : !texture    ? first - 1
+                                         : textures + (d.text.block_set == set ? first : 0);
+            if (!CHECK(row[k].set == set && row[k].binding == at && !strcmp(p.bound[set][at], wanted),
+                       "%s: %s of slot %d is not at %d of set %d, where it should be; its row says %d of %d",
+                       describe(&d), wanted, row[k].slot, at, set, row[k].binding, row[k].set))
                 return;
-            if (kind == SSGI_GL_IO_TEXTURE) ++textures; else blocks[row[k].slot] = 1;
+            textures += texture;
         }
         CHECK(p.count == textures + blocks[0] + blocks[1], "%s: %d bindings for %d textures and %d blocks",
               describe(&d), p.count, textures, blocks[0] + blocks[1]);
@@ -1059,6 +1077,89 @@ static void bindings(void)
     }
     CHECK(tried > 9 * variants / 10, "only %d of %d have this dialect", tried, variants);
     t_note("%d bindings of %d programs", told, tried);
+}
+
+/* The set and the binding of a name in SPIR-V, 100 * set + binding; -1: it has none. */
+static int place_in(const uint32_t *word, size_t words, const char *name)
+{
+    enum { NAME = 5, DECORATE = 71, VARIABLE = 59, POINTER = 32, BINDING = 33, SET = 34 };
+    uint32_t id = 0, type = 0, variable = 0;
+    int set = -1, binding = -1;
+    /* A block's name is that of its type, as it has no instance name. Variables come after names and decorations. */
+    for (size_t i = 5; i < words; i += word[i] >> 16) {
+        const uint32_t *const w = word + i, op = *w & 0xffff;
+        if (!(*w >> 16)) return -1;
+        if (op == NAME && !strcmp((const char *)(w + 2), name)) id = w[1];
+        if (op == POINTER && w[3] == id) type = w[1];
+        if (op == VARIABLE && (w[2] == id || w[1] == type)) variable = w[2];
+    }
+    for (size_t i = 5; i < words; i += word[i] >> 16) {
+        const uint32_t *const w = word + i;
+        if ((*w & 0xffff) != DECORATE || w[1] != variable) continue;
+        if (w[2] == SET) set = (int)w[3];
+        if (w[2] == BINDING) binding = (int)w[3];
+    }
+    return set < 0 || binding < 0 ? -1 : 100 * set + binding;
+}
+
+/* What glslang makes of texts for Vulkan has the sets and bindings of the rows, and of the steps' inputs. */
+static void places_in_spirv(void)
+{
+    static const struct { const char *name, *first; int frame, texture; } row[] = {
+        { "hsao,block_set=3,texture_set=2,dense=1,depth=linear", "t_ssgi_depth", 300, 200 },
+        { "ssao,dense=1,blur=0", "t_ssgi_depth", 0, 1 },
+        { "ssao,block_set=1,views=1,blur=0", "t_ssgi_views", 100, 6 } };
+    static char text[TEXT];
+    char folder[] = "/tmp/ssgi-text-XXXXXX", path[100], line[300];
+    int told = 0;
+    if (!CHECK(mkdtemp(folder), "no folder in /tmp")) return;
+    snprintf(path, sizeof path, "%s/a.frag", folder);
+    for (size_t i = 0; i < sizeof row / sizeof *row; ++i) {
+        static ssgi_gl_step step[SSGI_GL_MAX_STEPS];
+        ssgi_gl_io io[SSGI_GL_MAX_IO];
+        ssgi_gl_chain chain;
+        const char *why = "";
+        if (!CHECK(ssgi_gl_chain_of(&chain, row[i].name, &why) == SSGI_OK, "%s: %s", row[i].name, why)) break;
+        chain.width = chain.height = 64;
+        chain.desc.text.dialect = SSGI_GL_DIALECT_VULKAN;
+        const int steps = ssgi_gl_steps(step, SSGI_GL_MAX_STEPS, &chain, &why);
+        CHECK(steps > 0, "%s: %s", row[i].name, why);
+        for (int s = 0; s < steps; ++s) {
+            char *spirv;
+            size_t size;
+            emit(text, &step[s].desc, SSGI_GL_STAGE_FRAGMENT);
+            snprintf(line, sizeof line, "cd '%s' && glslangValidator -V -o a.spv a.frag >/dev/null", folder);
+            if (!CHECK(!kit_file_write(path, text, strlen(text), NULL) && !system(line), "%s", line)) break;
+            snprintf(line, sizeof line, "%s/a.spv", folder);
+            if (!CHECK(!kit_file_read(&spirv, &size, line, NULL), "%s cannot be read", line)) break;
+            const uint32_t *const word = (const uint32_t *)(void *)spirv;
+            for (int k = 0, n = ssgi_gl_reflect(&step[s].desc, io, SSGI_GL_MAX_IO); k < n; ++k) {
+                const int texture = io[k].kind == SSGI_GL_IO_TEXTURE;
+                const char *name = texture ? io[k].name : io[k].slot ? "ssgi_views" : "ssgi_frame";
+                if (!texture && io[k].kind != SSGI_GL_IO_PARAM) continue;
+                const int at = place_in(word, size / 4, name);
+                CHECK(at == 100 * io[k].set + io[k].binding, "%s, step %d: %s is at %d in SPIR-V, its row says %d, %d",
+                      row[i].name, s, name, at, io[k].set, io[k].binding);
+                ++told;
+            }
+            for (int k = 0; k < step[s].inputs; ++k) {
+                const ssgi_gl_input *const in = &step[s].input[k];
+                const int at = place_in(word, size / 4, in->name);
+                CHECK(at == 100 * in->set + in->binding
+                          && (!chain.desc.text.dense || in->binding == k + (in->set ? 0 : 1)),
+                      "%s, step %d: input %d, %s, is at %d in SPIR-V, it says %d, %d", row[i].name, s, k, in->name, at,
+                      in->set, in->binding);
+            }
+            const int frame = place_in(word, size / 4, "ssgi_frame"),
+                      texture = place_in(word, size / 4, row[i].first);
+            CHECK(frame == row[i].frame && (s || texture == row[i].texture), "%s, step %d: ssgi_frame at %d, %s at %d",
+                  row[i].name, s, frame, row[i].first, texture);
+            free(spirv);
+        }
+    }
+    t_note("%d rows at their places", told);
+    snprintf(line, sizeof line, "rm -rf '%s'", folder);
+    CHECK(!system(line), "%s", line);
 }
 
 /* Is `what` with this number, and then something that is none, in the text? */
@@ -1086,7 +1187,7 @@ static void translated(void)
                                             .light.environment = SSGI_GL_ENVIRONMENT_MAP,
                                             .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
                                           { .pass = SSGI_GL_PASS_S3HO },
-                                          { .pass = SSGI_GL_PASS_BLUR },
+                                          { .pass = SSGI_GL_PASS_BLUR, .text.dense = 1 },
                                           { .pass = SSGI_GL_PASS_HISTORY },
                                           { .pass = SSGI_GL_PASS_FIELD },
                                           { .pass = SSGI_GL_PASS_SPLAT } };
@@ -1131,7 +1232,7 @@ static void translated(void)
             emit(text, &d, i % 2 ? SSGI_GL_STAGE_FRAGMENT : SSGI_GL_STAGE_VERTEX);
             for (int r = 0, rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); r < rows; ++r) {
                 if (row[r].kind != SSGI_GL_IO_TEXTURE || !strstr(text, row[r].name)) continue;
-                CHECK(has_place(got, into[k].texture, row[r].slot + 2), "%s: nothing at the place of %s", path,
+                CHECK(has_place(got, into[k].texture, row[r].binding), "%s: nothing at the place of %s", path,
                       row[r].name);
                 ++textures;
             }
@@ -1420,6 +1521,9 @@ static const struct { const char *start; size_t offset; int most;
              INT(filter.radius, 4),
              INT(filter.normals, 1),
              INT(text.uniforms, 1),
+             INT(text.block_set, 31),
+             INT(text.texture_set, 31),
+             INT(text.dense, 1),
              INT(text.lines, 1),
              INT(light.restore, 2),
              INT(surfel.span, 64),
@@ -1858,7 +1962,8 @@ static void speed(void)
 /* Fields that no choice of >>variants need vary. */
 static const char *const unvaried[][2] = {
     { "pass", "a shape" }, { "dialect", "each text has several" }, { "search", "a shape" }, { "tessellate", "a shape" },
-    { "lines", "every eighth text" }, { "uniforms", "every fifth text" }, { "samples", "a constant" }, { "directions", "a constant" },
+    { "lines", "every eighth text" }, { "uniforms", "every fifth text" }, { "block_set", "texts for Vulkan" },
+    { "texture_set", "texts for Vulkan" }, { "dense", "texts for Vulkan" }, { "samples", "a constant" }, { "directions", "a constant" },
     { "levels", "a constant" }, { "filter_radius", "a constant" } };
 
 /* Every field of the struct's groups, as the header has it, is in the library's table and in both of this file. */
@@ -2045,6 +2150,7 @@ void test_text(void)
     RUN("rows and declarations agree both ways, and with GL's own places", reflection);
     RUN("loose uniforms: the same rows, and the same text but for their declarations", loose_uniforms);
     RUN("for Vulkan everything has its own binding, which its row tells, and stages agree on locations", bindings);
+    RUN("SPIR-V has the sets and bindings that rows and steps tell", places_in_spirv);
     RUN("WGSL by tint, HLSL and MSL by spirv-cross: everything is at its binding, y is turned", translated);
     RUN("defaults written out give the same text, and as many fetches as counted by hand", defaults);
     if (desktop) kit_gl_close();

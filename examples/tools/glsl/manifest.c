@@ -164,6 +164,7 @@ static void put_input(FILE *f, const ssgi_gl_input *in)
     fprintf(f, "{ \"name\": \"%s\", \"unit\": %d, \"binding\": %d, \"dimension\": \"%s\", \"sample\": \"%s\", ",
             in->name, in->unit, in->binding, in->array ? "2d-array" : "2d",
             in->integer ? "uint" : "unfilterable-float");
+    if (in->set) fprintf(f, "\"set\": %d, ", in->set);
     if (in->multisampled) fputs("\"multisampled\": true, ", f);
     if (in->meaning < 0) fprintf(f, "\"texture\": %d, \"last\": %d }", in->texture, in->last);
     else fprintf(f, "\"yours\": \"%s\" }", yours[in->meaning]);
@@ -349,7 +350,7 @@ static const char *const about[] = {
     "rows: numbers in rows; frame: ssgi_gl_step.frame; vertices, instances: 0: as many as you have; blend: null: off, "
     "else equation, source, destination; clear: null, or what the targets are cleared to first. inputs: yours: the "
     "meaning, SSGI_GL_YOUR_ without the prefix, else the number of a texture, as the last frame left it where last is "
-    "1; binding and dimension are Vulkan's and WebGPU's, unit GL's. outputs: texture -1: your picture; slice: the "
+    "1; binding, dimension and, where it is not 0, set are Vulkan's and WebGPU's, unit GL's. outputs: texture -1: your picture; slice: the "
     "layer drawn into.",
     "translated texts lie beside those of dialect vulkan: .spv, .wgsl, .hlsl, .msl behind a file's name. Constants "
     "with an offset other than 0 in rows are specialisation constants of that id, in WGSL overrides.",

@@ -121,6 +121,7 @@ const place *ssgi_wasm_place_at(int i)
                                     INPUT(format),
                                     INPUT(width),
                                     INPUT(height),
+                                    INPUT(set),
                                     INPUT(binding),
                                     INPUT(array),
                                     INPUT(multisampled),

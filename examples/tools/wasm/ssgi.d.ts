@@ -40,8 +40,8 @@ export interface Format {
 /** ssgi_gl_input */
 export interface Input {
   name: string; type: string; unit: number; target: number;
-  /** WebGPU: in group 0; 1: a view "2d-array"; 1: multisampled; 1: sampleType "uint", 0: "unfilterable-float" */
-  binding: number; array: number; multisampled: number; integer: number;
+  /** WebGPU: in group `set`; 1: a view "2d-array"; 1: multisampled; 1: sampleType "uint", 0: "unfilterable-float" */
+  set: number; binding: number; array: number; multisampled: number; integer: number;
   /** what texture of yours it is, the words of SSGI_GL_YOUR_*; null: one of the steps, by its number */
   meaning: string | null; texture: number; last: number; format: Format | 0; width: number; height: number;
 }

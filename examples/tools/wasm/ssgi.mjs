@@ -519,8 +519,8 @@ export class Ssgi {
         return {
             ...s, desc: this.#object(at + step.desc, like), size: sizes[this.#int(at + step.size)],
             inputs: of(s.inputs, at + step.input, this.#at.ssgi_gl_input, k => ({
-                ...this.#ints(k, i, ['unit', 'target', 'binding', 'array', 'multisampled', 'integer', 'texture', 'last',
-                                     'width', 'height']),
+                ...this.#ints(k, i, ['unit', 'target', 'set', 'binding', 'array', 'multisampled', 'integer', 'texture',
+                                     'last', 'width', 'height']),
                 name: this.#string(this.#int(k + i.name)), type: this.#string(this.#int(k + i.type)),
                 meaning: meanings[this.#int(k + i.meaning)] ?? null, format: this.#format(this.#int(k + i.format)) })),
             outputs: of(s.outputs, at + step.output, this.#at.ssgi_gl_output, k => ({
