@@ -75,6 +75,10 @@ build/glsl-text --chain hsao,depth=LINEAR,precise=1 --spv $work/host >$work/log 
 rmse=$(number "$rmse")
 echo "  build/vulkan on a saved frame: RMSE $rmse"
 check "build/vulkan on a saved frame: RMSE $rmse, at most 0.0005" "$(is "$rmse <= 0.0005")"
+build/glsl-text --chain hsao,depth=LINEAR,precise=1,dense=1,block_set=2,texture_set=2 --spv $work/dense >$work/log &&
+    build/vulkan $work/dense $work/frame.exr 45 0.5 $work/dense.exr validate && cmp $work/dense.exr $work/host.exr &&
+    same=1 || same=0
+check "other sets and dense bindings draw the same picture, without a message" $same
 refused() {    # FOLDER FRAME WORD [RADIUS]
     said=$(build/vulkan $work/$1 $work/$2 45 ${4:-0.5} $work/no.exr 2>&1)
     status=$?

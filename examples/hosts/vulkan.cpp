@@ -95,7 +95,7 @@ static void draw_step(gpu &g, chain &c, step &s)
     g.barrier();
     g.commands.beginRendering({ {}, { {}, { s.width, s.height } }, 1, 0, targets });
     g.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *s.pipeline);
-    g.commands.pushDescriptorSetKHR(vk::PipelineBindPoint::eGraphics, *g.layout, 0, set);
+    g.commands.pushDescriptorSetKHR(vk::PipelineBindPoint::eGraphics, *g.layout, g.set, set);
     if (s.surfels) g.commands.bindVertexBuffers(0, s.surfels, vk::DeviceSize{ 0 });
     g.commands.draw(s.is["vertices"], s.instances, 0, 0);
     g.commands.endRendering();
@@ -144,7 +144,10 @@ int main(int argc, char **argv)
         const double fovy = argc > 3 ? atof(argv[3]) : 0;
         must(argc > 5 && fovy > 0 && fovy < 180, "usage: vulkan DIR FRAME.exr FOVY RADIUS OUT.exr|OUT.png [validate]");
         const saved_frame frame(argv[2]);
-        gpu g(argc > 6);
+        const json manifest = json::parse(file_of(std::string(argv[1]) + "/manifest.json")),
+                   desc = manifest["chains"].at(0)["chain"]["desc"];
+        must(desc.value("block_set", 0) == desc.value("texture_set", 0), "one set is pushed: block_set=texture_set");
+        gpu g(argc > 6, desc.value("block_set", 0u), desc.value("dense", 0) ? 1 : 2);
         picture(g, argv[1], frame.image, fovy, (float)atof(argv[4]), argv[5]);
     } catch (const std::exception &e) {
         std::cerr << "vulkan: " << e.what() << "\n";

@@ -73,11 +73,13 @@ struct gpu {
     vk::raii::Queue queue = nullptr;
     vk::raii::CommandPool pool = nullptr;
     vk::raii::CommandBuffer commands = nullptr;
-    vk::raii::DescriptorSetLayout bindings = nullptr;       /* for all: blocks at 0 and 1, textures at 2 to 17 */
+    /* for all: blocks from 0 on, then textures, in set `set`; sets before it have none */
+    vk::raii::DescriptorSetLayout bindings = nullptr, nothing = nullptr;
     vk::raii::PipelineLayout layout = nullptr;
+    uint32_t set;
 
-    /* The first device. */
-    explicit gpu(bool validate)
+    /* The first device. blocks: how many bindings come before those of textures. */
+    explicit gpu(bool validate, uint32_t set_ = 0, uint32_t blocks = 2) : set(set_)
     {
         using severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
         using type = vk::DebugUtilsMessageTypeFlagBitsEXT;
@@ -102,10 +104,13 @@ struct gpu {
         commands = std::move(vk::raii::CommandBuffers(device, { *pool, vk::CommandBufferLevel::ePrimary, 1 }).at(0));
         std::vector<vk::DescriptorSetLayoutBinding> all;
         for (uint32_t i = 0; i < 18; ++i)
-            all.push_back({ i, i < 2 ? vk::DescriptorType::eUniformBuffer : vk::DescriptorType::eSampledImage, 1,
+            all.push_back({ i, i < blocks ? vk::DescriptorType::eUniformBuffer : vk::DescriptorType::eSampledImage, 1,
                             vk::ShaderStageFlagBits::eAllGraphics });
         bindings = { device, { vk::DescriptorSetLayoutCreateFlagBits::ePushDescriptorKHR, all } };
-        layout = { device, { {}, *bindings } };
+        nothing = { device, vk::DescriptorSetLayoutCreateInfo() };
+        std::vector<vk::DescriptorSetLayout> sets(set, *nothing);
+        sets.push_back(*bindings);
+        layout = { device, { {}, sets } };
     }
 
     /* What was written is there for all that follows. */
