@@ -244,10 +244,6 @@ build/quiet: $(QUIET:%=build/examples/%.o) $(KIT_O)
 quiet: build/quiet | page-deps
 	build/quiet
 
-# Where a published method errs, step by step beside what is exact at a few hundred pixels: build/oracle surfels.
-build/oracle: $(addprefix build/examples/lab/oracle/,oracle.o surfels.o harmonics.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
-
 # A revision's build/render is made of its own sources, under build/old, once; METHOD="hsao ssdo": those rows, or all whose
 # names begin so. Status 1 is a row that breaks a limit: examples/docs/CONTRIBUTING.md.
 AGAINST = $(addprefix lab/against/,against compared look subjects) $(addprefix lab/measure/,folder rows picture stage) \
