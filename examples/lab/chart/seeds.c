@@ -204,18 +204,20 @@ static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_
 }
 
 static int visible_row(FILE *record, const options *o, const place *p, row *r, stage *s, const entry *e,
-                       const shaded *smooth, kit_error *err)
+                       const shaded *smooth, const kit_image *pair, kit_error *err)
 {
     kit_image picture;
     kit_run run;
     char note[64];
-    bands noise = bands_unknown;
+    bands noise = bands_unknown, off = bands_unknown;
     *r = row_blank(OF_AO, s->name, e->label, e->method, e->settings);
     if (stage_run(&run, s, e->method, e->settings, s->radius, err)) return -1;
     r->fetches = run.fetches;
     int failed = stage_settled(&picture, s, &run, 0, 0, err) || score_picture(r, s, &picture, err)
-              || (e->quick && smooth->pixels && bands_noise(&noise, s, &run, smooth, &picture, err));
-    for (int k = 0; k < BANDS; ++k) r->figure[NOISE_BAND + k] = noise.rms[k];
+              || (e->quick && smooth->pixels
+                  && (bands_noise(&noise, s, &run, smooth, &picture, err)
+                      || bands_off(&off, smooth, &picture, pair, err)));
+    for (int k = 0; k < BANDS; ++k) r->figure[NOISE_BAND + k] = noise.rms[k], r->figure[ERROR_BAND + k] = off.rms[k];
     snprintf(note, sizeof note, "error %.3f", r->share);
     if (!failed && !strcmp(e->method, "hsao") && !*e->settings)
         failed = small_picture(record, s, o, p, "hsao", note, &picture, err);
@@ -231,7 +233,7 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
     const view v = { .name = p->name, .path = p->path };
     entry entries[MOST_ENTRIES];
     shaded smooth;
-    kit_image whole;
+    kit_image whole, pair;
     char note[128];
     stage s;
     int count = units_chosen(entries, WITH_COUNT(visible_entries), o), failed = 0;
@@ -241,11 +243,11 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
              s.scene.env ? s.scene.env : "none");
     page_heading(record, 4, "%s", p->name);
     if (own_picture(record, &s, o->out, p->name, note, err) || kit_gbuffer_read(&whole, &s.gbuffer, err)
-        || stage_compare(&s, err) || shaded_seen(&smooth, &s, &whole, err)
+        || stage_pair(&pair, &s, err) || stage_compare(&s, err) || shaded_seen(&smooth, &s, &whole, err)
         || small_picture(record, &s, o, p, "truth", "", &s.truth, err))
         return -1;
     for (int i = 0; i < count && !failed; ++i)
-        failed = visible_row(record, o, p, &rows[i], &s, &entries[i], &smooth, err);
+        failed = visible_row(record, o, p, &rows[i], &s, &entries[i], &smooth, &pair, err);
     rows[count] = row_blank(OF_AO, s.name, s.given[0].label, s.given[0].method, "");
     failed = failed || score_picture(&rows[count], &s, &s.given[0].picture, err);
     const int peers = failed || o->method ? 0
@@ -253,6 +255,7 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
                                                           NULL, err);
     for (int i = 0; i < peers; ++i) rows[count + 1 + i].of |= OF_PEER;
     shaded_free(&smooth);
+    kit_image_free(&pair);
     kit_image_free(&whole);
     *truth = s.truth;
     memset(&s.truth, 0, sizeof s.truth);

@@ -91,13 +91,15 @@ static void row_csv(FILE *f, const place *p, const row *r, int fit)
     figure_csv(f, fit < 0 ? (double)NAN : r->figure[FIT + fit]);
     figure_csv(f, is_lit ? r->bias[strcmp(r->scene, "bounce") ? 1 : 2] : r->score.bias);
     for (int k = 0; k < NOISE_BANDS; ++k) figure_csv(f, 1e3 * r->figure[NOISE_BAND + k]);
+    for (int k = 0; k < NOISE_BANDS; ++k) figure_csv(f, 1e3 * r->figure[ERROR_BAND + k]);
     fputc('\n', f);
 }
 
 void seeds_csv(FILE *f, const seeds *s)
 {
     const int first = fullest(s);
-    fputs("seed,set,kind,what,label,method,settings,share,fitted,fitted_all,bias,noise_1,noise_3,noise_8,noise_20\n",
+    fputs("seed,set,kind,what,label,method,settings,share,fitted,fitted_all,bias,noise_1,noise_3,noise_8,noise_20,"
+          "error_1,error_3,error_8,error_20\n",
           f);
     for (int i = 0; first >= 0 && i < s->rows[first]; ++i) {
         const row *rows[MOST_SEEDS], *like = &s->row[first][i];
