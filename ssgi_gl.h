@@ -396,14 +396,15 @@ typedef enum ssgi_gl_effect {
     SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less the environment's light that surfels occlude */
     SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from the light that surfels send */
     SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised. No
-                                     slices see what is near by, so that the defaults are too coarse: it wants
+                                     slices see nearby surfaces, so that the defaults are too coarse: it wants
                                      SSGI_GL_PRESET_BEST, 5 levels, near_samples 4, frame.epsilon 0.1, and surfels of
-                                     size 0.015. It then errs in a Cornell box, exponent 8, by 0.73 of its mean; at
-                                     the defaults with PRESET_BALANCED by 1.23, for 1/13 of the splats' texels */
+                                     size 0.015. In a Cornell box, exponent 8, its error is then 0.73 of the mean light;
+                                     at the defaults with PRESET_BALANCED 1.23, for 1/13 of the splats' texels */
     SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface, by frame.dipole from the light that
                                      surfels receive. It wants SSGI_GL_PRESET_BEST, 7 levels, frame.epsilon 0.02, and
-                                     surfels of size 0.015, every triangle's (keep_small). A bunny of marble then errs
-                                     by 0.10 of its mean; with PRESET_BALANCED by 0.32, for a third of the texels */
+                                     surfels of size 0.015, every triangle's (keep_small). On a bunny of marble its
+                                     error is then 0.10 of the mean light; with PRESET_BALANCED 0.32, for a third of the
+                                     texels */
     SSGI_GL_EFFECT_CUSTOM,        /* your own effect: two functions in desc.text.fetch */
     SSGI_GL_EFFECT_FORCE = SSGI_FORCE
 } ssgi_gl_effect;
@@ -576,8 +577,8 @@ typedef struct ssgi_gl_light_desc {
                                         occlude from both sides, for sheets */
     int one_sided;                   /* ssdo, s3ho by slices   1: surfaces that are not seen send nothing: neither those
                                         other sides, nor second slabs. For lamps, screens and signs with a dark back,
-                                        which shine on what is behind them otherwise. Elsewhere it errs more: surfaces
-                                        that environments light are lit from behind, too */
+                                        which shine on surfaces behind them otherwise. Elsewhere it has a larger error:
+                                        surfaces that environments light are lit from behind, too */
     int bounced;                     /* emitters   1: with LIGHT or BOTH they send the last frame's bounce, too, so that
                                         each frame adds a further bounce */
     int clamp;                       /* emitters   1: none sends more luminance than frame.sent; its hue stays. A single
@@ -1833,7 +1834,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_STEEPEST = 2.0; // footprints a pixel\n" },
 
 { "ssgi_flat_depth", NULL, __LINE__ + 1,
-    "float ssgi_flat_depth(ivec2 q) { // returns what is linear in the picture on a plane: depth, or one over depth\n"
+    "float ssgi_flat_depth(ivec2 q) { // returns depth, or one over depth in perspective: linear in q on a plane\n"
     "    float z = ssgi_inside(q) ? ssgi_depth(q) : SSGI_FAR;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return z;\n"
@@ -1843,8 +1844,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* Two pixels of one line with p tell on which side p's surface goes on, as p may be the first of it behind an edge.
-   Where neither side has a line, as on leaves, the lesser difference counts, and none if both are steep and differ. By
-   lesser differences alone hsao has an error of .4035 on 14 scenes by seed, so of .4022, by normals of .4016. */
+   Where neither side has a line, as on leaves, the lesser difference counts, and none if both are steep and differ. On
+   14 scenes by seed hsao has an error of .4022; by lesser differences alone .4035, by normals .4016. */
 { "ssgi_slope", NULL, __LINE__ + 1,
     "// Returns how much ssgi_flat_depth grows a pixel along a direction of the picture. At p it is `at`, at the next\n"
     "// pixel `next`. More than `steep` is trusted only if both sides agree.\n"
@@ -1857,7 +1858,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return abs(lesser) < steep || abs(ahead - behind) < abs(lesser) ? lesser : 0.0;\n"
     "}\n" },
 
-/* Normals would double what the pass reads. */
+/* It needs no normals, which would double the bytes that the pass reads. */
 { "ssgi_facet", NULL, __LINE__ + 1,
     "// The plane of the surface at P by depth alone, in the form of ssgi_plane. z: view depths of p and its next\n"
     "// pixels along x and along y.\n"
@@ -4886,7 +4887,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* A GPU's compiler computes what a row or a column shares once where the loops are unrolled, which short bodies are. */
+/* The loops have short bodies, so that a GPU's compiler unrolls them, and computes a row's or a column's terms once. */
 { "ssgi_filter", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
     "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over p and the pixels around it\n"
     "    int stride = ssgi_stride();\n"

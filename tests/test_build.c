@@ -415,7 +415,7 @@ static void documentation(void)
                  t_root)
               && SSGI_VERSION == 500 && SSGI_VERSION_MAJOR == 0 && SSGI_VERSION_MINOR == 5,
           "the headers' first lines and SSGI_VERSION disagree");
-    /* The tables of renames, read by the header's own script: no old name is left above them, and 0.3 comes out as 0.4. */
+    /* The tables of renames, read by the header's own script: no old name is left above them, 0.3 comes out as 0.4. */
     CHECK(!shell(
               text, sizeof text,
               "sed -n '/^      awk/,/>renames/p' ssgi.h >five && sed 's/0[.]4/0.3/; s/0[.]5/0.4/' five >four && "

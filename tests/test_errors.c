@@ -1,6 +1,6 @@
 /* test_errors.c - each method of build/render keeps its error within its bound in tests/errors.csv, so that no default
-   gets worse unseen. Errors are RMSE, of light over its mean; noise is that of the truth. A row by hand, whose truth also
-   has its settings where TRUTH is METHOD; with --still 16 where frames are averaged:
+   gets worse unseen. Errors are RMSE, of light over its mean; noise is that of the truth. A row by hand, whose truth
+   also has its settings where TRUTH is METHOD; with --still 16 where frames are averaged:
 
      build/render SCENE [--env ENV] [--light LIGHT] [--radius RADIUS] --size SIZE --method TRUTH --truth RAYS \
        --out t.exr
@@ -192,8 +192,8 @@ void test_errors(void)
     for (int k = 0; k < rows.columns && f; ++k) fprintf(f, "%s%s", rows.cell[k], k + 1 < rows.columns ? "," : "\n");
     for (now = 0; now < rows.rows; ++now) {
         char sentence[256];
-        snprintf(sentence, sizeof sentence, "%s%s%s: the error of its %s of %s is within its bound", cell(now, "method"),
-                 *cell(now, "settings") ? ", " : "", cell(now, "settings"), cell(now, "of"), cell(now, "scene"));
+        snprintf(sentence, sizeof sentence, "%s%s%s: the error of its %s of %s is within its bound",
+                 cell(now, "method"), *cell(now, "settings") ? ", " : "", cell(now, "settings"), cell(now, "of"), cell(now, "scene"));
         RUN(sentence, bounded);
         if (f) write_row(f, now);
     }

@@ -1005,8 +1005,8 @@ static void widths_are_measured(void)
                 else if (x == POLE) bad[2] += fabs(thick / most - (m ? 0.05 : 0.1)) > 0.01; /* not its 2x2's surface */
                 else bad[3] += thick < 0.99 * most && x != POLE - 1;                 /* the wall has no end */
             }
-        CHECK(!bad[0] && !bad[1] && !bad[2] && !bad[3], "row %zu: wrong are %d depths, %d pixels of the post, %d of the "
-              "pole, %d of the wall", r, bad[0], bad[1], bad[2], bad[3]);
+        CHECK(!bad[0] && !bad[1] && !bad[2] && !bad[3], "row %zu: wrong are %d depths, %d pixels of the post, %d of "
+              "the pole, %d of the wall", r, bad[0], bad[1], bad[2], bad[3]);
         kit_run_close(&run);
         kit_gbuffer_free(&g);
     }

@@ -66,8 +66,8 @@ static double blocked(const profile *p)
     return sum / ((double)N * N);
 }
 
-/* The picture, the bars of radiance 1, 0.5, 0.5; the receiver is seen through the middle of a row, which is returned; 0: it
-   failed. */
+/* The picture, the bars of radiance 1, 0.5, 0.5; the receiver is seen through the middle of a row, which is returned; 0:
+   it failed. */
 static int profile_seen(kit_gbuffer *g, const profile *p)
 {
     kit_camera camera = looking_along_z(WIDE, HIGH, 1);
@@ -98,7 +98,8 @@ static int profile_seen(kit_gbuffer *g, const profile *p)
         for (int k = 1; k < found && k < 4; ++k) v[3 + k] = stop[k];
         for (size_t k = 0; k < 10; ++k)
             for (size_t x = 0; x < WIDE; ++x)
-                frame.data[(k * HIGH + (size_t)(HIGH - 1 - row)) * WIDE + x] = (float)(k < 7 ? v[k] : k == 7 ? light : 0.5 * light);
+                frame.data[(k * HIGH + (size_t)(HIGH - 1 - row)) * WIDE + x] =
+                    (float)(k < 7 ? v[k] : k == 7 ? light : 0.5 * light);
     }
     const int ok = TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
     kit_image_free(&frame);
@@ -292,7 +293,8 @@ static void planes_stay_open(void)
             for (int j = 0; j < 3; ++j)
                 world[k][j] = (double)view[k][4 * j] * n[0] + (double)view[k][4 * j + 1] * n[1]
                               + (double)view[k][4 * j + 2] * n[2];
-            if (!floors(&g[PLAIN][k], &frame[k], &c, n) || !disagreeing(&g[BENT][k], &g[STEPS][k], &frame[k], &c, view[k]))
+            if (!floors(&g[PLAIN][k], &frame[k], &c, n)
+                || !disagreeing(&g[BENT][k], &g[STEPS][k], &frame[k], &c, view[k]))
                 return;
         }
         cosine_integrals(truth, &sky.env, (const double (*)[3])world, PLANES);

@@ -1963,7 +1963,8 @@ static void speed(void)
 static const char *const unvaried[][2] = {
     { "pass", "a shape" }, { "dialect", "each text has several" }, { "search", "a shape" }, { "tessellate", "a shape" },
     { "lines", "every eighth text" }, { "uniforms", "every fifth text" }, { "block_set", "texts for Vulkan" },
-    { "texture_set", "texts for Vulkan" }, { "dense", "texts for Vulkan" }, { "samples", "a constant" }, { "directions", "a constant" },
+    { "texture_set", "texts for Vulkan" }, { "dense", "texts for Vulkan" }, { "samples", "a constant" },
+    { "directions", "a constant" },
     { "levels", "a constant" }, { "filter_radius", "a constant" } };
 
 /* Every field of the struct's groups, as the header has it, is in the library's table and in both of this file. */

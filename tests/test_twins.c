@@ -2355,20 +2355,27 @@ static void history_spreads(void)
     }
 }
 
+/* A filter from half size of a plane that faces an orthographic camera, 10 away. */
+static ssgi_gl_desc from_half_size(ssgi_gl_pass pass, int radius)
+{
+    return (ssgi_gl_desc) { .pass = pass,
+                            .text.dialect = SSGI_GL_DIALECT_450,
+                            .input.orthographic = 1,
+                            .gather.half = 1,
+                            .filter.radius = radius,
+                            .input.depth = SSGI_GL_DEPTH_CUSTOM,
+                            .input.normal = SSGI_GL_NORMAL_CUSTOM,
+                            .text.fetch = FACING
+                            "float ssgi_custom_depth(ivec2 texel, int layer) { return 10.0; }\n" };
+}
+
 /* Of half size 4x4 texels are averaged by tents of two and a half of them, the less the farther they are off the plane
    and the more frames there are; where five are averaged, the four next to a pixel by steeper ones. Their weights fall
    off: all of them count as 7. */
 static void history_spreads_half_size(void)
 {
     static float map[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_HISTORY,
-                             .text.dialect = SSGI_GL_DIALECT_450,
-                             .input.orthographic = 1,
-                             .gather.half = 1,
-                             .input.depth = SSGI_GL_DEPTH_CUSTOM,
-                             .input.normal = SSGI_GL_NORMAL_CUSTOM,
-                             .text.fetch = FACING
-                             "float ssgi_custom_depth(ivec2 texel, int layer) { return 10.0; }\n" };
+    const ssgi_gl_desc d = from_half_size(SSGI_GL_PASS_HISTORY, 0);
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
@@ -2408,7 +2415,7 @@ static void history_spreads_half_size(void)
     glDeleteTextures(1, &texture);
 }
 
-/* Without frames of half size 3x3 texels are averaged by tents of 4 pixels, 5x5 without their corners by tents of 5.5. */
+/* From half size blur averages 3x3 texels by tents of 4 pixels, and 5x5 without their corners by tents of 5.5. */
 static void blur_spreads_half_size(void)
 {
     static float map[MANY][4];
@@ -2422,15 +2429,7 @@ static void blur_spreads_half_size(void)
     }
     GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
     for (int radius = 1; radius <= 2; ++radius) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_BLUR,
-                                 .text.dialect = SSGI_GL_DIALECT_450,
-                                 .input.orthographic = 1,
-                                 .gather.half = 1,
-                                 .filter.radius = radius,
-                                 .input.depth = SSGI_GL_DEPTH_CUSTOM,
-                                 .input.normal = SSGI_GL_NORMAL_CUSTOM,
-                                 .text.fetch = FACING
-                                 "float ssgi_custom_depth(ivec2 texel, int layer) { return 10.0; }\n" };
+        const ssgi_gl_desc d = from_half_size(SSGI_GL_PASS_BLUR, radius);
         if (!probe(&d, &frame, texture, "ssgi_blurred c = ssgi_blurred_at(texel); ssgi_filtered f = "
                                         "ssgi_filter(texel, c); o = vec4(f.light.x / f.light.w);"))
             break;
@@ -2439,7 +2438,8 @@ static void blur_spreads_half_size(void)
             double weights = 0, sum = 0;
             for (int k = 0; k < 25; ++k) {
                 const int o[2] = { k % 5 - 2, k / 5 - 2 }, h[2] = { x / 2 + o[0], y / 2 + o[1] };
-                const double tent[2] = { 2.5 + 1.5 * radius - abs(2 * h[0] - x), 2.5 + 1.5 * radius - abs(2 * h[1] - y) };
+                const double most = 2.5 + 1.5 * radius,
+                             tent[2] = { most - abs(2 * h[0] - x), most - abs(2 * h[1] - y) };
                 if (abs(o[0]) > radius || abs(o[1]) > radius || abs(o[0]) + abs(o[1]) == 4) continue;
                 if (h[0] < 0 || h[1] < 0 || 2 * h[0] >= SIDE || 2 * h[1] >= SIDE) continue;
                 const float *const at = map[h[1] * SIDE + h[0]];

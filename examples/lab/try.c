@@ -12,7 +12,8 @@
    Noise, and error by the same bands, of visibility where a surface is smooth and in shade (lab/measure/bands.h), in
    thousandths: bands to 1.2, 3, 8 and 20 pixels. Noise is what two phases differ by; of light what the same settings
    differ by from 32 slices, over the light's mean. Error is of two truths at every pixel, without their noise.
-   --quick: the error alone. csv: seed, then of each setting the error, four bands of noise, four of error; nan: not measured.
+   --quick: the error alone. csv: seed, then of each setting the error, four bands of noise, four of error; nan: not
+   measured.
 
    --scenes random:halls: of one kind alone; models: those of packages, one a seed; model:bunny: that one.
    examples/lab/ranks.py says how alike two such csv rank. */

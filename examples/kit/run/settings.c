@@ -96,7 +96,7 @@ OF(bounce_row, bounce, light.bounce, GATHER, 1, "estimator of one diffuse bounce
 ROW(bounced_row, bounced, "1: emitters send the last frame's bounce, too: further bounces", NULL, 0, 0, 1, PLAN, 0)
 ROW(reuse_row, reuse, "1: emitters use the last frame's light, so that one gather does both", NULL, 0, 0, 1, PLAN, 0)
 OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-sided")
-OF(one_sided_row, one_sided, light.one_sided, GATHER, 0, "1: what is not seen of emitters sends nothing; 0: their other "
+OF(one_sided_row, one_sided, light.one_sided, GATHER, 0, "1: the unseen sides of emitters send nothing; 0: an unseen "
     "side sends 0.35 of their radiance, as most surfaces are lit from there, too")
 ROW(clamp_row, clamp, "the most luminance that an emitter sends, its hue kept, against fireflies; 0: any", NULL, 0, 0,
     65408, PLAN, 0)
@@ -224,7 +224,8 @@ typedef struct plan {
 #define WALK &slices_row, &steps_row, &falloff_row, &half_row, &thickness_row, &limit_row, &offset_row, ROUGH
 #define SSDO(...) \
     SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &bounced_row, \
-             &two_sided_row, &clamp_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, \
+             &two_sided_row, &clamp_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, \
+             &max_slope_row, \
              &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \
              &restore_row, &compare_row, &margin_row, &history_row)
 #define COEFFICIENTS(store, lights, ...) \

@@ -158,7 +158,8 @@ int bands_off(bands *out, const shaded *m, const kit_image *a, const kit_image *
     float *const room = malloc(2 * (BANDS + 2) * all * sizeof *room), *l[2][BANDS + 1];
     if (!room) return kit_fail(err, "out of memory");
     for (size_t i = 0; i < 2; ++i) levels_of(l[i], room + i * (BANDS + 2) * all, m, a->data, pair->data + i * all);
-    for (int k = 0; k < BANDS; ++k) out->rms[k] = signed_root(product_of(l[0][k], l[0][k + 1], l[1][k], l[1][k + 1], m));
+    for (int k = 0; k < BANDS; ++k)
+        out->rms[k] = signed_root(product_of(l[0][k], l[0][k + 1], l[1][k], l[1][k + 1], m));
     out->seen = signed_root(product_of(l[0][1], l[0][3], l[1][1], l[1][3], m));
     free(room);
     return 0;

@@ -29,8 +29,8 @@ extern const bands bands_unknown;
 /* picture: NULL, or the second and third band as 0.5 + 16 times it, to be looked at. */
 /* Noise: half of the squared differences of two phases of a run, whose first one's picture is given. */
 int  bands_noise(bands *out, const stage *s, kit_run *run, const shaded *m, const kit_image *picture, kit_error *err);
-/* The same of a picture beside the truth, as kit_truth_pair has it: the truth's own noise is left out. Where chance has a
-   mean square below 0 its root is negative: bands_mean takes the mean of such figures. */
+/* The same of a picture beside the truth, as kit_truth_pair has it: the truth's own noise is left out. Where chance
+   has a mean square below 0 its root is negative: bands_mean takes the mean of such figures. */
 double bands_mean(const double *rms, int count);
 int  bands_off(bands *out, const shaded *m, const kit_image *a, const kit_image *pair, kit_error *err);
 int  bands_of(bands *out, kit_image *picture, const shaded *m, const kit_image *a, const kit_image *b, kit_error *err);

@@ -189,7 +189,7 @@ export class Ssgi {
         });
     }
 
-    /* The chain of a method by its name and settings, as ssgi_gl_chain_of has it: { ...chain('hsao'), width, height } */
+    /* A method's chain by name and settings, as ssgi_gl_chain_of has it: { ...chain('hsao'), width, height } */
     chain(name) {
         return this.#scope(() => {
             const { ssgi_gl_chain: places } = this.#of, at = this.#room(this.#at.ssgi_gl_chain);
