@@ -40,9 +40,9 @@ extern const char *t_root;                 /* the repository's folder, which is 
 /* The groups of tests: test_NAME in a file of its own, called by main.c; long ones first, so that the last to end is a
    short one. A program has those of the library or those of the examples (Makefile): the others are NULL there. */
 #define T_GROUPS(X) \
-    X(build) X(tools) X(text) X(stability) X(errors) X(scenes) X(pipeline) X(history) X(light) X(coefficients) X(surfels) \
-    X(occluders) X(trace) X(field) X(files) X(steps) X(read) X(plan) X(math) X(twins) X(models) X(seeds) X(library) X(papers) \
-    X(cost)
+    X(build) X(tools) X(text) X(stability) X(errors) X(scenes) X(pipeline) X(history) X(light) X(coefficients) \
+    X(surfels) X(occluders) X(trace) X(field) X(files) X(steps) X(read) X(plan) X(math) X(twins) X(models) X(seeds) \
+    X(library) X(papers) X(cost)
 #define T_GROUP(name) __attribute__((weak)) void test_##name(void);
 T_GROUPS(T_GROUP)
 

@@ -193,7 +193,8 @@ void test_errors(void)
     for (now = 0; now < rows.rows; ++now) {
         char sentence[256];
         snprintf(sentence, sizeof sentence, "%s%s%s: the error of its %s of %s is within its bound",
-                 cell(now, "method"), *cell(now, "settings") ? ", " : "", cell(now, "settings"), cell(now, "of"), cell(now, "scene"));
+                 cell(now, "method"), *cell(now, "settings") ? ", " : "", cell(now, "settings"),
+                 cell(now, "of"), cell(now, "scene"));
         RUN(sentence, bounded);
         if (f) write_row(f, now);
     }

@@ -66,8 +66,8 @@ static double blocked(const profile *p)
     return sum / ((double)N * N);
 }
 
-/* The picture, the bars of radiance 1, 0.5, 0.5; the receiver is seen through the middle of a row, which is returned; 0:
-   it failed. */
+/* The picture, the bars of radiance 1, 0.5, 0.5; the receiver is seen through the middle of a row, which is returned;
+   0: it failed. */
 static int profile_seen(kit_gbuffer *g, const profile *p)
 {
     kit_camera camera = looking_along_z(WIDE, HIGH, 1);

@@ -191,8 +191,8 @@ int kit_soup_name(kit_soup *s, int way, kit_key name, const kit_source *from)
 
 int kit_soup_empty(size_t points, const kit_source *from)
 {
-    return points ? kit_fail(from->err, "%s: no triangles in it, but a cloud of %zu points: draw them yourself, and give "
-                                        "their depth: --gbuffer F.exr --set lift=1,offset=8", from->path, points)
+    return points ? kit_fail(from->err, "%s: no triangles in it, but a cloud of %zu points: draw them yourself, and "
+                                        "give their depth: --gbuffer F.exr --set lift=1,offset=8", from->path, points)
                   : kit_fail(from->err, "%s: no triangles in it", from->path);
 }
 

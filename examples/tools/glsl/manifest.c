@@ -350,8 +350,8 @@ static const char *const about[] = {
     "rows: numbers in rows; frame: ssgi_gl_step.frame; vertices, instances: 0: as many as you have; blend: null: off, "
     "else equation, source, destination; clear: null, or what the targets are cleared to first. inputs: yours: the "
     "meaning, SSGI_GL_YOUR_ without the prefix, else the number of a texture, as the last frame left it where last is "
-    "1; binding, dimension and, where it is not 0, set are Vulkan's and WebGPU's, unit GL's. outputs: texture -1: your picture; slice: the "
-    "layer drawn into.",
+    "1; binding, dimension and, where it is not 0, set are Vulkan's and WebGPU's, unit GL's. outputs: "
+    "texture -1: your picture; slice: the layer drawn into.",
     "translated texts lie beside those of dialect vulkan: .spv, .wgsl, .hlsl, .msl behind a file's name. Constants "
     "with an offset other than 0 in rows are specialisation constants of that id, in WGSL overrides.",
     "row_lists: numbers in rows. rows: ssgi_gl_io, what a program reads and writes, in the order of its text.",
