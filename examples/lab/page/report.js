@@ -560,9 +560,11 @@ function show() {
     let now;
     const open = () => {
         const id = decodeURIComponent(location.hash.slice(1)), of = records[id.split('/')[0]] ?? records[names[0]];
-        document.getElementById('records').replaceChildren(...names.map(n => el('a', { href: `#${n}`,
-            className: records[n] === of ? 'now' : '' }, n)));
-        if (of !== now) main.replaceChildren(...record(now = of));
+        if (of !== now) {                          /* what is shown already stays: somebody may be about to click it */
+            document.getElementById('records').replaceChildren(...names.map(n => el('a', { href: `#${n}`,
+                className: records[n] === of ? 'now' : '' }, n)));
+            main.replaceChildren(...record(now = of));
+        }
         reveal(id);
     };
     addEventListener('hashchange', open);
