@@ -58,12 +58,13 @@ await run('other pages are reached from it and lead back; one that is not there 
     for (const name of ['seeds', 'stability', 'papers'])
         check(await page.$(`nav a[href='#${name}']`) || text.includes(`make ${name}`), name);
     const there = of => page.waitForSelector(of, { timeout: 5000 });        /* a click's address is followed later */
-    await page.click("nav a[href='#chart']");
-    await (await there("a[href='#chart/another']")).click();
+    const click = of => page.locator(of).setTimeout(5000).click();          /* waits until the element stands still */
+    await click("nav a[href='#chart']");
+    await click("a[href='#chart/another']");
     await there('#chart\\/another[open]').catch(() => 0);
     const after = await section(page, 'chart/another');
     check(opened(after), JSON.stringify(after));
-    await page.click("nav a[href='#demo']");
+    await click("nav a[href='#demo']");
     check(await there('.methods').catch(() => false), 'no way back');
     await page.close();
 });
