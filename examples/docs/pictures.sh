@@ -1,0 +1,64 @@
+#!/bin/sh
+# pictures.sh - pictures of README and TUNING.md: make pictures [ONLY=radius]. A picture is its name, a crop of 1280x720
+# and by how much that is enlarged (without a filter); then its panels, each a label and what build/render is given.
+set -e
+cd "$(dirname "$0")/../.."
+command -v montage >/dev/null || sh examples/kit/install.sh imagemagick fonts-dejavu-core
+work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
+
+draw() {    # label, flags
+    count=$((count + 1))
+    panel=$work/$name-$count.png
+    build/render $2 --size 1280x720 --out "$panel" >/dev/null
+    convert "$panel" -crop "$crop" +repage -scale "$scale" -set label "$1" "$panel"
+}
+
+finish() {
+    montage "$work/$name"-*.png -font DejaVu-Sans -pointsize 15 -background white -tile "${count}x" -geometry +3+3 \
+        -depth 8 "examples/docs/pictures/$name.png"
+    echo "examples/docs/pictures/$name.png"
+}
+
+while IFS='|' read -r first second third; do
+    case $third:$first in
+        ?*:*) name=$first crop=$second scale=$third count=0 ;;
+        :) case $name in *"$ONLY"*) finish ;; esac ;;
+        *) case $name in *"$ONLY"*) draw "$first" "$second" ;; esac ;;
+    esac
+done <<'ROWS'
+lit|1280x720+0+0|33%
+light without occlusion|room --method ssdo --env sky --radius 0.001
+ssdo, one bounce|room --method ssdo --env sky
+ray tracing, one bounce|room --method ssdo --env sky --truth 32
+
+radius|420x280+560+250|100%
+0.125|room --radius 0.125
+0.5, the default of this scene|room
+2|room --radius 2
+
+half|210x140+560+420|200%
+NONE, hsao-best|grass --method hsao-best
+FIRST, the default|grass
+QUARTER|grass --method hsao-quarter
+
+counts|210x140+620+330|200%
+1 slice of 4 samples|room --set directions=1,steps=4
+2 slices of 8, the default|room
+4 slices of 24|room --set directions=4,steps=24
+
+filter|210x140+620+330|200%
+radius 0, at full resolution|room --set half=none,blur=0
+radius 1|room --set blur=1
+radius 2, the default|room
+
+history|210x140+620+330|200%
+one frame of hsao-history|room --method hsao-history
+its 16th frame|room --method hsao-history --still 16
+ray tracing|room --truth 256
+
+thickness|420x280+640+400|100%
+DEFAULT|plates
+BACK|plates --set thickness=back
+ray tracing|plates --truth 256
+
+ROWS
