@@ -117,8 +117,8 @@ build/render-sanitized: $(SANITIZED)
 REPORT = lab/report \
          $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved script peers ahead bands) \
          $(addprefix lab/page/,page table pictures units) \
-         $(addprefix lab/chart/,ao strip lit pairs seeds seeds_show fields fields_demo fields_stage deep deep_demo \
-         deep_moving deep_stage plan planned) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
+         $(addprefix lab/chart/,section mottled ao strip lit pairs seeds fields fields_stage deep deep_moving deep_stage \
+         plan planned) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 

@@ -19,59 +19,69 @@
    Truth is kept under build/cache/, and so is what an interrupted chart has measured: the same command goes on from
    there. Bad input, or a write that fails: one line on stderr, status 2.
 
-   Here are the commands, which put sections of records together; a section is a file of chart/, a paper one of papers/,
-   which sets up some of its stages as chart/ does. Below them lies page/: how records, tables and pictures are written,
-   what is kept of a chart that is not whole, and the page that shows them; below that measure/: scenes and their truth,
+   Here are the commands, which put sections into records; a section is a table of chart/, a paper one of papers/, which
+   sets up some of its stages as chart/ does. Below them lies page/: how records, tables and pictures are written, what
+   is kept of a chart that is not whole, and the page that shows them; below that measure/: scenes and their truth,
    methods drawn, scored and timed. Nothing calls upward; no section calls another. */
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
-#include "lab/chart/ao.h"
-#include "lab/chart/deep.h"
-#include "lab/chart/fields.h"
-#include "lab/chart/lit.h"
-#include "lab/chart/pairs.h"
-#include "lab/chart/plan.h"
-#include "lab/chart/seeds.h"
-#include "lab/chart/strip.h"
+#include "lab/chart/chart.h"
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
 #include "lab/page/table.h"
 #include "lab/papers/papers.h"
 
-/* ---- >>demo ------------------------------------------------------------------------------------------------------ */
+/* ---- >>commands -------------------------------------------------------------------------------------------------- */
 
-static void demo_text(const char *out, int mesh)
+static int begin(page *record, const options *o, const char *name, const char *command, kit_error *err)
 {
-    ao_demo_text(stdout);
-    strip_text(stdout);
-    if (!mesh) lit_demo_text(stdout);
-    if (!mesh) fields_demo_text(stdout);
-    if (!mesh) deep_demo_text(stdout);
-    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\nshare: RMSE over that of having no AO; floor: the "
-           "exact answer from one depth layer\n",
-           kit_gl_name());
-    if (!mesh) printf("radiance, irradiance, bounce and their biases: over the truth's means\n");
-    printf("pictures: %s/index.html\n", out);
+    const char *const kind = o->method || o->scenes || o->paper ? "part" : o->quick ? "quick" : "full";
+    char line[96];
+    snprintf(line, sizeof line, command, o->quick ? *command == 'm' ? " QUICK=1" : " --quick" : "");
+    if (page_begin(record, name, kind, line, kit_gl_name(), err)) return -1;
+    table_columns(record->file);
+    return 0;
+}
+
+static int end(page *record, const options *o, const char *name, kit_error *err)
+{
+    units_end();
+    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\npage: %s/index.html\n", kit_gl_name(), o->out);
+    return page_end(record, o->out, name, err);
+}
+
+/* Sections of a record, and their text. */
+static int sections(FILE *record, const section *const *c, int count, const options *o, kit_error *err)
+{
+    for (int k = 0; k < count; ++k) {
+        if (section_chart(record, c[k], o, err)) return -1;
+        section_text(stdout, c[k]);
+    }
+    return 0;
+}
+
+static int units_of(const section *const *c, int count, const options *o)
+{
+    int units = 0;
+    for (int k = 0; k < count; ++k) units += section_units(c[k], o);
+    return units;
 }
 
 static int demo(const options *o, kit_error *err)
 {
-    const int mesh = o->mesh != NULL;
-    stage s;
+    static const section *const first[] = { &ao_demo }, *const others[] = { &lit_demo, &fields_demo, &deep_demo };
     page record;
-    if (ao_demo_measure(&s, o, err) || page_begin(&record, "demo", "full", "make demo", kit_gl_name(), err)) return -1;
-    FILE *const f = record.file;
-    table_columns(f);
-    if (ao_demo(f, &s, o->out, err) || strip_demo(f, &s, o->out, err)) return -1;
-    stage_close(&s);
-    if (!mesh && (lit_demo(f, o->out, err) || fields_demo(f, o->out, err) || deep_demo(f, o->out, err))) return -1;
-    if (page_end(&record, o->out, "demo", err)) return -1;
-    demo_text(o->out, mesh);
-    return 0;
+    if (o->mesh) ao_demo_of(o->mesh);
+    units_begin(o, units_of(WITH_COUNT(first), o) + (o->mesh ? 0 : units_of(WITH_COUNT(others), o)));
+    return begin(&record, o, "demo", "make demo", err) || sections(record.file, WITH_COUNT(first), o, err)
+                   || strip_demo(record.file, o, err)
+                   || (!o->mesh && sections(record.file, WITH_COUNT(others), o, err))
+                   || end(&record, o, "demo", err)
+               ? -1
+               : 0;
 }
-
-/* ---- >>chart ----------------------------------------------------------------------------------------------------- */
 
 /* What --method names must be there. */
 static int check_asked(const options *o, kit_error *err)
@@ -89,41 +99,19 @@ static int check_asked(const options *o, kit_error *err)
                : 0;
 }
 
-/* all: not of some scenes alone; whole: nor of some methods. */
-static int chart_sections(FILE *record, const options *o, int all, int whole, kit_error *err)
-{
-    if (ao_entries(o) && ao_chart(record, o, err)) return -1;
-    if (all && (lit_chart(record, o, err) || fields_chart(record, o, err) || deep_chart(record, o, err))) return -1;
-    return whole && (seeds_chart(record, o, err) || plan_chart(record, o, err)) ? -1 : 0;
-}
-
-static void chart_text(const options *o, int all, int whole)
-{
-    if (ao_entries(o)) ao_text(stdout);
-    if (all) lit_chart_text(stdout);
-    if (all) fields_chart_text(stdout);
-    if (all) deep_chart_text(stdout);
-    if (whole) seeds_text(stdout);
-    if (whole) plan_text(stdout);
-    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\ncharts: %s/index.html\n", kit_gl_name(), o->out);
-}
-
+/* Of some scenes ambient occlusion alone; of some methods neither seeds nor the plan. */
 static int chart(const options *o, kit_error *err)
 {
-    const int all = !o->scenes, whole = all && !o->method;
-    const char *kind = o->method || o->scenes ? "part" : o->quick ? "quick" : "full";
+    static const section *const all[] = { &ao_chart, &lit_chart, &fields_chart, &deep_chart, &seeds_chart };
+    const int count = o->scenes ? 1 : o->method ? COUNT(all) - 1 : COUNT(all), first = !ao_entries(o);
     page record;
     if (check_asked(o, err)) return -1;
-    if (o->quick) stage_thrift = QUICK_THRIFT;
-    units_begin(o, ao_units(o) + (all ? lit_units(o) + fields_units(o) + deep_units(o) : 0)
-                       + (whole ? seeds_units(o) : 0));
-    if (page_begin(&record, "chart", kind, o->quick ? "make chart QUICK=1" : "make chart", kit_gl_name(), err))
+    units_begin(o, units_of(all + first, count - first, o));
+    if (begin(&record, o, "chart", "make chart%s", err) || sections(record.file, all + first, count - first, o, err))
         return -1;
-    table_columns(record.file);
-    if (chart_sections(record.file, o, all, whole, err) || page_end(&record, o->out, "chart", err)) return -1;
-    units_end();
-    chart_text(o, all, whole);
-    return 0;
+    if (count == COUNT(all) && plan_chart(record.file, o, err)) return -1;
+    if (count == COUNT(all)) plan_text(stdout);
+    return end(&record, o, "chart", err);
 }
 
 /* Scenes by seed are not timed, so that several are measured at once. */
@@ -132,70 +120,58 @@ static int chart_ahead(const options *o, kit_error *err)
     return o->scenes || o->method ? 0 : seeds_ahead(o, err) || plan_ahead(o, err) ? -1 : 0;
 }
 
-/* A section of the chart alone. */
-typedef int section(FILE *record, const options *o, kit_error *err);
-
-static int alone(const char *name, const char *command, section *draw, const options *o, kit_error *err)
+/* A section alone. */
+static int alone(const section *c, const char *name, const char *command, const options *o, kit_error *err)
 {
     page record;
-    const char *const kind = o->method || o->paper ? "part" : o->quick ? "quick" : "full";
-    if (page_begin(&record, name, kind, command, kit_gl_name(), err)) return -1;
-    table_columns(record.file);
-    return draw(record.file, o, err) || page_end(&record, o->out, name, err) ? -1 : 0;
+    units_begin(o, section_units(c, o));
+    return begin(&record, o, name, command, err) || sections(record.file, &c, 1, o, err) || end(&record, o, name, err)
+               ? -1
+               : 0;
 }
 
 /* Light on every pair of a scene and a probe. */
 static int light(const options *o, kit_error *err)
 {
-    if (o->quick) stage_thrift = QUICK_THRIFT;
     if (o->scenes) return kit_fail(err, "--scene: light shows pairs of all scenes and probes (--quick: few)");
-    if (check_asked(o, err)) return -1;
-    units_begin(o, pairs_units(o));
-    if (alone("light", "make light", pairs_chart, o, err)) return -1;
-    units_end();
-    pairs_text(stdout, o);
-    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\npictures: %s/index.html\n", kit_gl_name(), o->out);
-    return 0;
+    return check_asked(o, err) ? -1 : alone(&pairs_chart, "light", "make light%s", o, err);
 }
 
 static int seeds(const options *o, kit_error *err)
 {
     const int tuned = o->first >= 0 && o->first < SEEDS_JUDGED;
+    section own = seeds_chart;
     char command[96];
-    if (o->quick) stage_thrift = QUICK_THRIFT;
-    if (!seeds_units(o)) return kit_fail(err, "--method %s: no row of the charts is of such a method", o->method);
-    units_begin(o, seeds_units(o));
-    snprintf(command, sizeof command, "build/report seeds%s", o->quick ? " --quick" : "");
+    const int units = section_units(&own, o);
+    if (!units) return kit_fail(err, "--method %s: no row of the charts is of such a method", o->method);
+    if (tuned) own.csv = "seeds-fit.csv";
+    snprintf(command, sizeof command, "build/report seeds%%s");
     if (o->first >= 0)
         snprintf(command + strlen(command), sizeof command - strlen(command), " --from %d --count %d", o->first,
-                 seeds_units(o));
-    if (alone(tuned ? "seeds-fit" : "seeds", command, seeds_chart, o, err)) return -1;
-    units_end();
-    seeds_text(stdout);
-    printf("pictures: %s/index.html\n", o->out);
-    return 0;
+                 units);
+    return alone(&own, tuned ? "seeds-fit" : "seeds", command, o, err);
 }
 
 /* The plan on views that it was not fitted on. */
 static int plan(const options *o, kit_error *err)
 {
-    if (alone("plan", "build/report plan", plan_chart, o, err)) return -1;
+    page record;
+    if (begin(&record, o, "plan", "build/report plan", err) || plan_chart(record.file, o, err)) return -1;
     plan_text(stdout);
-    return 0;
+    return end(&record, o, "plan", err);
 }
 
 /* What five papers print, and the same drawn here on a comparable scene. */
 static int papers(const options *o, kit_error *err)
 {
+    page record;
     if (!papers_units(o))
         return kit_fail(err, "--paper %s: there is none that begins so (\"HSAO08 Table 1\")", o->paper);
     if (o->quick) stage_thrift = PAPERS_THRIFT;
     units_begin(o, papers_units(o));
-    if (alone("papers", o->quick ? "make papers QUICK=1" : "make papers", papers_chart, o, err)) return -1;
-    units_end();
+    if (begin(&record, o, "papers", "make papers%s", err) || papers_chart(record.file, o, err)) return -1;
     papers_text(stdout, o);
-    printf("pictures: %s/index.html\n", o->out);
-    return 0;
+    return end(&record, o, "papers", err);
 }
 
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
@@ -205,87 +181,79 @@ static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err);
 /* What a command takes beside --out and --context. ahead: what it does before there is a GL context; NULL: nothing. */
 enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, COMMIT = 64 };
 typedef int step(const options *o, kit_error *err);
-static const struct command { const char *name; int takes; step *run, *ahead; } commands[] = {
-    { "demo",   MESH,                    demo,   NULL },
-    { "chart",  QUICK | SCENES | METHOD | COMMIT, chart, chart_ahead },
-    { "light",  QUICK | SCENES | METHOD, light,  NULL },
-    { "seeds",  QUICK | METHOD | SEEDS | COMMIT, seeds, seeds_ahead },
-    { "papers", QUICK | PAPER,           papers, NULL },
-    { "fit",    MESH,                    fit,    plan_fit_ahead },
-    { "plan",   MESH,                    plan,   plan_ahead }
+static const struct command { const char *name, *about; int takes; step *run, *ahead; } commands[] = {
+    { "demo",   "pictures beside the truth",                         MESH,           demo,   NULL },
+    { "chart",  "speed against accuracy",     QUICK | SCENES | METHOD | COMMIT,      chart,  chart_ahead },
+    { "light",  "the chart's part on light, every pair",             QUICK | SCENES | METHOD, light,  NULL },
+    { "seeds",  "scenes by seed",             QUICK | METHOD | SEEDS | COMMIT,       seeds,  seeds_ahead },
+    { "papers", "the papers' tables and figures",                    QUICK | PAPER,  papers, NULL },
+    { "fit",    "what the plan's table is fitted to",                MESH,           fit,    plan_fit_ahead },
+    { "plan",   "the plan on views that it was not fitted on",       MESH,           plan,   plan_ahead }
+};
+/* of: the commands that take it; what: of its value, NULL: it has none; most: of a number, 0: it is a text; at: its
+   place in options. */
+static const struct argument { const char *name, *what; int of, most; size_t at; } arguments[] = {
+    { "--out",     "FOLDER",                0,      0,          offsetof(options, out) },
+    { "--context", "osmesa | egl | egl-es", 0,      0,          offsetof(options, context) },
+    { "--mesh",    "MODEL",                 MESH,   0,          offsetof(options, mesh) },
+    { "--quick",   NULL,                    QUICK,  0,          offsetof(options, quick) },
+    { "--scene",   "NAME",                  SCENES, 0,          offsetof(options, scene) },
+    { "--method",  "NAME",                  METHOD, 0,          offsetof(options, method) },
+    { "--paper",   "HSAO08",                PAPER,  0,          offsetof(options, paper) },
+    { "--from",    "SEED",                  SEEDS,  999999,     offsetof(options, first) },
+    { "--count",   "N",                     SEEDS,  MOST_SEEDS, offsetof(options, seeds) },
+    { "--commit",  "HASH",                  COMMIT, 0,          offsetof(options, commit) }
 };
 
 static void usage(void)
 {
-    fputs("usage: report demo  [--out FOLDER] [--context osmesa | egl | egl-es] [--mesh MODEL]     pictures beside "
-          "the truth\n"
-          "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME] "
-          "[--commit HASH]     speed against accuracy\n"
-          "       report light [--out FOLDER] [--context ...] [--quick] [--method NAME]     the chart's part on "
-          "light, every pair\n"
-          "       report seeds [--out FOLDER] [--context ...] [--quick] [--method NAME] [--from SEED] [--count N] "
-          "[--commit HASH]     scenes by seed\n"
-          "       report papers [--out FOLDER] [--context ...] [--quick] [--paper HSAO08]     the papers' tables and "
-          "figures\n"
-          "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n"
-          "       report plan  [--out FOLDER] [--context ...]     the plan on views that it was not fitted on\n",
-          stderr);
+    for (const struct command *c = commands; c < commands + COUNT(commands); ++c) {
+        fprintf(stderr, "%s report %-6s", c == commands ? "usage:" : "      ", c->name);
+        for (int k = 0; k < COUNT(arguments); ++k)
+            if (!arguments[k].of || c->takes & arguments[k].of)
+                fprintf(stderr, " [%s%s%s]", arguments[k].name, arguments[k].what ? " " : "",
+                        arguments[k].what ? arguments[k].what : "");
+        fprintf(stderr, "     %s\n", c->about);
+    }
 }
 
-static int add_scene(options *o, const char *name, kit_error *err)
+static int take_value(options *o, const struct argument *a, const char *value, kit_error *err)
 {
-    if (o->scenes == MOST_SCENES) return kit_fail(err, "--scene %s: at most %d of them", name, MOST_SCENES);
-    o->scene[o->scenes++] = name;
-    return 0;
-}
-
-/* text: a whole number from least to most; NULL: it is not asked for, and *to stays. */
-static int number(int *to, const char *name, const char *text, int least, int most, kit_error *err)
-{
-    char *end;
-    if (!text) return 0;
-    const long v = strtol(text, &end, 10);
-    if (end == text || *end || v < least || v > most)
-        return kit_fail(err, "%s %s: must be a whole number %d..%d", name, text, least, most);
-    *to = (int)v;
+    char *const at = (char *)o + a->at, *end;
+    if (!value || !*value) return kit_fail(err, "%s: needs a value", a->name);
+    if (a->most) {
+        const long v = strtol(value, &end, 10), least = !strcmp(a->name, "--count");
+        if (end == value || *end || v < least || v > a->most)
+            return kit_fail(err, "%s %s: must be a whole number %ld..%d", a->name, value, least, a->most);
+        memcpy(at, &(int){ (int)v }, sizeof(int));
+        return 0;
+    }
+    if (a->of == SCENES && o->scenes == MOST_SCENES)
+        return kit_fail(err, "--scene %s: at most %d of them", value, MOST_SCENES);
+    memcpy(a->of == SCENES ? (char *)&o->scene[o->scenes++] : at, &value, sizeof value);
     return 0;
 }
 
 static int parse(options *o, const struct command *c, int argc, char **argv, kit_error *err)
 {
-    const char *from = NULL, *count = NULL;
-    const struct { const char *name; int of; const char **to; } known[] = {
-        { "--out", 0, &o->out },             { "--context", 0, &o->context }, { "--mesh", MESH, &o->mesh },
-        { "--method", METHOD, &o->method },  { "--paper", PAPER, &o->paper }, { "--scene", SCENES, NULL },
-        { "--from", SEEDS, &from },          { "--count", SEEDS, &count },
-        { "--commit", COMMIT, &o->commit }
-    };
-    memset(o, 0, sizeof *o);
-    o->out = "report";
+    *o = (options){ .out = "report", .first = -1 };
     for (int i = 2; i < argc; ++i) {
-        const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
-        int k = 0;
-        if (c->takes & QUICK && !strcmp(a, "--quick")) { o->quick = 1; continue; }
-        while (k < COUNT(known) && (strcmp(a, known[k].name) || (known[k].of && !(c->takes & known[k].of)))) ++k;
-        if (k == COUNT(known))
-            return kit_fail(err, "%s: %s takes no such argument (report alone prints what there is)", a, argv[1]);
-        if (!v || !*v) return kit_fail(err, "%s: needs a value", a);
-        ++i;
-        if (known[k].to) *known[k].to = v;
-        else if (add_scene(o, v, err)) return -1;
+        const struct argument *a = arguments;
+        while (a < arguments + COUNT(arguments) && (strcmp(argv[i], a->name) || (a->of && !(c->takes & a->of)))) ++a;
+        if (a == arguments + COUNT(arguments))
+            return kit_fail(err, "%s: %s takes no such argument (report alone prints what there is)", argv[i], argv[1]);
+        if (!a->what) o->quick = 1;
+        else if (take_value(o, a, argv[++i], err)) return -1;
     }
-    o->first = -1;
-    return number(&o->first, "--from", from, 0, 999999, err) || number(&o->seeds, "--count", count, 1, MOST_SEEDS, err)
-               ? -1
-               : 0;
+    return 0;
 }
 
 static int run(const struct command *c, int argc, char **argv, kit_error *err)
 {
     options o;
-    return parse(&o, c, argc, argv, err) || folder_make(o.out, err) || (c->ahead && c->ahead(&o, err))
-                   || kit_gl_open(o.context, err)
-                   || c->run(&o, err)
+    if (parse(&o, c, argc, argv, err)) return -1;
+    if (o.quick) stage_thrift = QUICK_THRIFT;
+    return folder_make(o.out, err) || (c->ahead && c->ahead(&o, err)) || kit_gl_open(o.context, err) || c->run(&o, err)
                ? -1
                : kit_streams_close(err);
 }

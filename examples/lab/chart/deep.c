@@ -1,13 +1,8 @@
-/* deep.c - what report.c's chart shows of deep screen space: what size, epsilon, levels and the other choices buy;
-   where the time goes. Declared in deep.h. */
-#include "lab/chart/deep.h"
-#include <math.h>
-#include <string.h>
+/* deep.c - deep screen space: the demo's pictures; what size, epsilon, levels and the other choices buy; where the time
+   goes. Declared in chart.h. */
+#include "lab/chart/chart.h"
 #include "lab/chart/deep_stage.h"
 #include "lab/measure/halved.h"
-#include "lab/page/page.h"
-#include "lab/page/pictures.h"
-#include "lab/page/table.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -68,6 +63,11 @@ static const entry deep_marbles[] = {
     { "dss-scatter, epsilon 0.1", "dss-scatter", MARBLE ",epsilon=0.1", 0 },
     { "dss-scatter, shares of triangles", "dss-scatter", MARBLE ",keep_small=0", 1 }
 };
+static const entry deep_two[]     = { { "hsao", "hsao", "", 1 }, { "dss", "dss", "", 1 } };
+static const entry deep_lit[]     = { { "dss-lit", "dss-lit", "size=0.03", 1 } };
+static const entry deep_mirror[]  = { { "dss-gloss", "dss-gloss", "exponent=8", 1 } };
+static const entry deep_beside[]  = { { "hsao", "hsao", "", 1 }, { "dss", "dss", COARSE, 1 } };
+static const entry deep_under[]   = { { "dss-scatter", "dss-scatter", MARBLE, 1 } };
 static const entry deep_effects[] = {
     { "ambient occlusion", "dss", "way=capture", 1 },
     { "directional occlusion", "dss-lit", "way=capture,bounce=none", 1 },
@@ -84,119 +84,44 @@ static const sized deep_figure9[] = {
     { DSS("half size, 5 levels", COARSE ",half=0,levels=5,epsilon=0.1", 0), 1 }
 };
 
-typedef struct growth { const char *label, *settings; int width, quick; } growth;
+typedef struct growth { const char *label, *settings; int width; } growth;
 static const growth deep_growth[] = {
-    { "surfels", "size=0.06", 320, 1 },
-    { "surfels", COARSE, 320, 1 },
-    { "surfels", "size=0.015", 320, 0 },
-    { "pixels", COARSE, 160, 1 },
-    { "pixels", COARSE, 320, 0 },
-    { "pixels", COARSE, 640, 0 },
-    { "levels", COARSE ",epsilon=0.1,levels=1", 320, 1 },
-    { "levels", COARSE ",epsilon=0.1,levels=2", 320, 0 },
-    { "levels", COARSE ",epsilon=0.1,levels=4", 320, 1 },
-    { "levels", COARSE ",epsilon=0.1,levels=6", 320, 0 }
+    { "surfels", "size=0.06", 320 },
+    { "surfels", COARSE, 320 },
+    { "surfels", "size=0.015", 320 },
+    { "pixels", COARSE, 160 },
+    { "pixels", COARSE, 320 },
+    { "pixels", COARSE, 640 },
+    { "levels", COARSE ",epsilon=0.1,levels=1", 320 },
+    { "levels", COARSE ",epsilon=0.1,levels=2", 320 },
+    { "levels", COARSE ",epsilon=0.1,levels=4", 320 },
+    { "levels", COARSE ",epsilon=0.1,levels=6", 320 }
 };
 
-typedef struct deep_table {
-    const char *title, *about;
-    deep_view see;
-    const entry *entries;
-    int count, quick;
-    int charted;                           /* error against time, too */
-} deep_table;
-static const deep_table deep_tables[] = { /* one without title goes on with the table before it */
-    { "Deep screen space: speed against accuracy, bunny", "Bunny on a floor.",
-      BUNNY_AO, WITH_COUNT(deep_ao), 1, 1 },
-    { "Deep screen space: speed against accuracy, room", "Room.",
-      OWN_VIEW("room"), WITH_COUNT(deep_ao), 0, 1 },
-    { "Deep screen space: epsilon and levels",
-      "The paper's figure 8: epsilon and levels, surfels of 0.03.", BUNNY_AO,
-      WITH_COUNT(deep_figure8), 0, 1 },
-    { "Deep screen space: other choices",
-      "Bunny on a floor, surfels of 0.03; one choice at a time.", BUNNY_AO,
-      WITH_COUNT(deep_choices), 0, 0 },
-    { "Deep screen space: light",
-      "Bunny and four boxes under the sky and a sun, one bounce. Of ssdo: what "
-      "is within the radius weighted by 1 - t/radius, in its truth, too;",
-      FADING, WITH_COUNT(deep_ssdos), 1, 0 },
-    { NULL, "of dss-lit: all whole, in its truth, too.", WHOLE_LIGHT,
-      WITH_COUNT(deep_lights), 1, 0 },
-    { "Deep screen space: one specular bounce",
-      "Open box under a point light, a lobe of exponent 8. Irradiance stands for "
-      "the lobe's radiance.",
-      LOBE, WITH_COUNT(deep_mirrors), 0, 0 },
-    { "Deep screen space: scattering",
-      "A bunny of marble, 4 cm high, lit from behind. Irradiance stands for the "
-      "radiance that leaves it.",
-      OF_MARBLE, WITH_COUNT(deep_marbles), 0, 0 }
-};
+/* ---- >>own sets -------------------------------------------------------------------------------------------------- */
 
-enum {
-    PAPER_SIDE = 512,
-    DEEP_ROUNDS = 2,
-    DEEP_TABLES = COUNT(deep_tables),
-    FULL_SET = DEEP_TABLES,
-    TURN_SET,
-    MOTION_SET,
-    STAGE_SET,
-    GROWTH_SET,
-    DEEP_SETS
-};
-static deep_set sets[DEEP_SETS];
+enum { DEEP_ROUNDS = 2, PAPER_SIDE = 512 };
 
-/* ---- >>chart ----------------------------------------------------------------------------------------------------- */
-
-/* Appends a table to the count rows that there are; how many there are then, -1 = failed. */
-static int deep_table_of(FILE *record, const deep_table *t, const options *o, row *rows, int count, kit_error *err)
-{
-    entry entries[MOST_ENTRIES];
-    kit_image picture[MOST_ENTRIES];
-    const int all = units_chosen(entries, t->entries, t->count, o);
-    stage s;
-    if (!all || (o->quick && !t->quick)) return count;
-    if (!rows) return 1;
-    if (deep_load(&s, &t->see, err)) return -1;
-    if (s.otherwise.kind == SCATTER) s.rays *= 4;
-    if (s.lit) s.stride = LIT_STRIDE;
-    if (stage_show(&s, &t->see.view, DEEP_WIDTH, DEEP_HEIGHT, err)) return -1;
-    const int more = deep_measure(rows + count, &s, t->see.view.name, entries, all,
-                                  t->charted ? QUICK_ROUNDS
-                                  : o->quick ? 1
-                                             : DEEP_ROUNDS,
-                                  picture, err);
-    if (more < 0) return -1;
-    deep_about(record, &s, t->about);
-    if (pictures_thumbs(record, o->out, units_name(), &s, rows + count, picture, all, err)) return -1;
-    for (int i = 0; i < all; ++i) kit_image_free(&picture[i]);
-    stage_close(&s);
-    return count + more;
-}
-
-static int full_sizes_of(FILE *record, int quick, row *rows, kit_error *err)
+static int full_sizes(FILE *record, const options *o, row *rows, kit_error *err)
 {
     static const deep_view see = BUNNY_AO;
-    sized entries[COUNT(deep_figure9)];
-    int count = 0;
     stage s;
-    for (int i = 0; i < COUNT(deep_figure9); ++i)
-        if (!quick || deep_figure9[i].entry.quick) entries[count++] = deep_figure9[i];
-    if (deep_open(&s, &see, err) || halved_entries(rows, &s, entries, count, quick ? 1 : DEEP_ROUNDS, NULL, err))
+    if (deep_open(&s, &see, err)
+        || halved_entries(rows, &s, deep_figure9, COUNT(deep_figure9), DEEP_ROUNDS, NULL, err)
+        || section_about(record, &s, "Bunny on a floor.", 0, 0, err))
         return -1;
-    for (int i = 0; i < count; ++i) {
+    (void)o;
+    for (int i = 0; i < COUNT(deep_figure9); ++i) {
         rows[i].of = OF_DEEP;
         rows[i].scene = see.view.name;
     }
-    deep_about(record, &s,
-               "The paper's figure 9: all reach as far; half sizes are brought to full size bilinearly, which is not "
-               "in their times; their splats are of their own pixels.");
     stage_close(&s);
-    return count;
+    return COUNT(deep_figure9);
 }
 
 /* Times alone, no truth: entries on one picture. How many rows. */
-static int deep_costs(row *rows, const deep_view *v, int width, int height, const entry *entries, int count, int of,
-                      int rounds, kit_error *err)
+static int costs(row *rows, const deep_view *v, int width, int height, const entry *entries, int count, int of,
+                 int rounds, kit_error *err)
 {
     stage s;
     if (deep_load(&s, v, err) || stage_look(&s, &v->view, width, height, err)
@@ -211,80 +136,114 @@ static int deep_costs(row *rows, const deep_view *v, int width, int height, cons
     return count;
 }
 
-static int growth_of(int quick, row *rows, kit_error *err)
+static int stages(FILE *record, const options *o, row *rows, kit_error *err)
 {
-    int count = 0;
+    static const deep_view lights = WHOLE_LIGHT;
+    (void)record;
+    return costs(rows, &lights, PAPER_SIDE, PAPER_SIDE, deep_effects, o->quick ? 1 : COUNT(deep_effects), OF_STAGES, 1,
+                 err);
+}
+
+static int grown(FILE *record, const options *o, row *rows, kit_error *err)
+{
     static const deep_view see = BUNNY_AO;
+    (void)record;
+    (void)o;
     for (int i = 0; i < COUNT(deep_growth); ++i) {
         const growth *g = &deep_growth[i];
         const entry e = { g->label, "dss", g->settings, 1 };
-        if (quick && !g->quick) continue;
-        if (deep_costs(&rows[count++], &see, g->width, g->width * 9 / 16, &e, 1, OF_GROWTH, quick ? 1 : DEEP_ROUNDS,
-                       err)
-            < 0)
-            return -1;
+        if (costs(&rows[i], &see, g->width, g->width * 9 / 16, &e, 1, OF_GROWTH, DEEP_ROUNDS, err) < 0) return -1;
     }
-    return count;
+    return COUNT(deep_growth);
 }
 
-static const char *deep_title(int k)
+/* ---- >>sections -------------------------------------------------------------------------------------------------- */
+
+#define SEEN &(const deep_view)
+static const set demos[] = {
+    { "Deep screen space: ambient occlusion",
+      "Discs of all triangles, seen or not, take from the ambient light of the pixels around them. Bunny on a floor.",
+      SEEN BUNNY_AO, .entries = WITH_COUNT(deep_two) },
+    { "Deep screen space: light",
+      "Bunny and four boxes under the sky and a sun, one bounce; all within the radius counts whole. Surfels of 0.03.",
+      SEEN WHOLE_LIGHT, .entries = WITH_COUNT(deep_lit) },
+    { "Deep screen space: one specular bounce",
+      "Open box under a point light, met by a lobe of exponent 8. Nothing here does that in screen space.",
+      SEEN LOBE, .entries = WITH_COUNT(deep_mirror) },
+    { "Deep screen space: scattering under the surface",
+      "A bunny of marble, 4 cm high, lit from behind. Nothing here does that in screen space. Truth: the dipole over "
+      "samples on all of the mesh.",
+      SEEN OF_MARBLE, .entries = WITH_COUNT(deep_under) },
+    { "Deep screen space: what the picture does not show",
+      "Beside the picture: along its left side stands a wall, off the picture.",
+      SEEN { { "off-screen", "plane", 0, { 0.15f, 0.9f, 2 }, { 1.2f, 0.1f, 0 }, 30, 0.6f, NULL },
+             { { -0.2f, 0.001f, -4, 0, 1, 1.5f } },
+             PLAINLY },
+      .entries = WITH_COUNT(deep_beside) },
+    { NULL,
+      "Hidden: a box behind a screen.",
+      SEEN { { "hidden", "plane", 0, { 0, 1, 4 }, { 0.15f, 0.15f, 0 }, 26, 0.6f, NULL },
+             { { -0.75f, 0.001f, -0.4f, -0.02f, 0.6f, 0.2f }, { -1.2f, 0.001f, 1.2f, 0, 0.75f, 1.24f } },
+             PLAINLY },
+      .entries = WITH_COUNT(deep_beside) },
+    { NULL,
+      "At grazing angle: of a box the side that occludes is seen edge-on.",
+      SEEN { { "grazing", "plane", 0, { 0, 0.45f, 3.2f }, { 0.1f, 0.3f, 0 }, 24, 0.6f, NULL },
+             { { -0.6f, 0.001f, -0.8f, 0, 0.7f, 0.4f } },
+             PLAINLY },
+      .entries = WITH_COUNT(deep_beside) }
+};
+static const set sets[] = {
+    { "Deep screen space: speed against accuracy, bunny", "Bunny on a floor.",
+      SEEN BUNNY_AO, .entries = WITH_COUNT(deep_ao), .quick = 1, .kind = "scatter" },
+    { "Deep screen space: speed against accuracy, room", "Room.",
+      SEEN OWN_VIEW("room"), .entries = WITH_COUNT(deep_ao), .kind = "scatter" },
+    { "Deep screen space: epsilon and levels", "The paper's figure 8: epsilon and levels, surfels of 0.03.",
+      SEEN BUNNY_AO, .entries = WITH_COUNT(deep_figure8), .kind = "scatter" },
+    { "Deep screen space: other choices", "Bunny on a floor, surfels of 0.03; one choice at a time.",
+      SEEN BUNNY_AO, .entries = WITH_COUNT(deep_choices) },
+    { "Deep screen space: light",
+      "Bunny and four boxes under the sky and a sun, one bounce. Of ssdo: what is within the radius weighted by "
+      "1 - t/radius, in its truth, too.",
+      SEEN FADING, .entries = WITH_COUNT(deep_ssdos), .quick = 1 },
+    { NULL, "Of dss-lit: all whole, in its truth, too.", SEEN WHOLE_LIGHT, .entries = WITH_COUNT(deep_lights),
+      .quick = 1 },
+    { "Deep screen space: one specular bounce",
+      "Open box under a point light, a lobe of exponent 8. Irradiance stands for the lobe's radiance.",
+      SEEN LOBE, .entries = WITH_COUNT(deep_mirrors) },
+    { "Deep screen space: scattering",
+      "A bunny of marble, 4 cm high, lit from behind. Irradiance stands for the radiance that leaves it.",
+      SEEN OF_MARBLE, .entries = WITH_COUNT(deep_marbles) },
+    { "Deep screen space: full size, half size",
+      "The paper's figure 9: all reach as far; half sizes are brought to full size bilinearly, which is not in their "
+      "times; their splats are of their own pixels.",
+      .own = full_sizes },
+    { "Deep screen space: the camera turns away",
+      "A tall box on a plane leaves the picture while the camera turns to the right; the ground beside it stays, and "
+      "is what is scored. White light from everywhere.",
+      .quick = 1, .kind = "turn", .own = deep_turns },
+    { "Deep screen space: the camera moves",
+      "Bunny on a floor; camera and target move to the right by about a pixel a frame.", .own = deep_motion },
+    { "Deep screen space: where the time goes",
+      "The paper's test: bunny, floor and four boxes, some 69,000 triangles, 512 x 512 pixels (of a quick chart half "
+      "as wide); surfels by tessellation, captured. Shares of one frame's time.",
+      .quick = 1, .own = stages },
+    { "Deep screen space: what costs grow with", "Bunny on a floor; one thing grows at a time.", .own = grown }
+};
+
+/* The demo's truth of what scatters has fewer samples than the chart's. */
+static int open(stage *s, const section *c, const set *t, kit_error *err)
 {
-    static const char *const titles[] = { "Deep screen space: full size, half size",
-                                          "Deep screen space: the camera turns away",
-                                          "Deep screen space: the camera moves",
-                                          "Deep screen space: where the time goes",
-                                          "Deep screen space: what costs grow with" };
-    return k < DEEP_TABLES ? deep_tables[k].title : titles[k - DEEP_TABLES];
+    if (deep_load(s, t->see, err)) return -1;
+    if (s->otherwise.kind == SCATTER) s->rays = c->csv ? 4 * s->rays : s->rays / 2;
+    if (s->lit) s->stride = c->stride;
+    return stage_show(s, t->see, c->width, c->height, err);
 }
 
-static int deep_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
-{
-    static const deep_view lights = WHOLE_LIGHT;
-    int count = 0;
-    if (rows) page_heading(record, 2, "%s", deep_title(k));
-    if (k < DEEP_TABLES) {
-        for (int j = k; deep_tables[k].title && j < DEEP_TABLES && (j == k || !deep_tables[j].title) && count >= 0; ++j)
-            count = deep_table_of(record, &deep_tables[j], o, rows, count, err);
-        return count;
-    }
-    if (!units_asked(o, "dss") || (o->quick && k != TURN_SET && k != STAGE_SET)) return 0;
-    if (!rows) return 1;
-    if (k == STAGE_SET)
-        page_paragraph(record,
-                "The paper's test: bunny, floor and four boxes, some 69,000 triangles, %d x %d pixels; surfels by "
-                "tessellation, captured. Shares of one frame's time.",
-                PAPER_SIDE / stage_thrift, PAPER_SIDE / stage_thrift);
-    if (k == GROWTH_SET) page_paragraph(record, "Bunny on a floor; one thing grows at a time.");
-    return k == FULL_SET     ? full_sizes_of(record, o->quick, rows, err)
-           : k == TURN_SET   ? deep_turns(record, o->quick, rows, err)
-           : k == MOTION_SET ? deep_motion(record, o->quick, rows, err)
-           : k == STAGE_SET  ? deep_costs(rows, &lights, PAPER_SIDE, PAPER_SIDE, deep_effects,
-                                         o->quick ? 1 : COUNT(deep_effects), OF_STAGES, 1, err)
-                             : growth_of(o->quick, rows, err);
-}
-
-int deep_units(const options *o) { return units_count(deep_unit, DEEP_SETS, o); }
-
-int deep_chart(FILE *record, const options *o, kit_error *err)
-{
-    int shown = 0;
-    page csv;
-    if (page_open(&csv, err)) return -1;
-    for (int k = 0; k < DEEP_SETS; ++k) {
-        deep_set *set = &sets[k];
-        set->title = deep_title(k);
-        set->count = units_measure(record, o, "deep", k, deep_unit, set->row, err);
-        if (set->count < 0) return -1;
-        if (!set->count) continue;
-        const int charted = k < DEEP_TABLES && deep_tables[k].charted;
-        if (table_page(record, k == TURN_SET ? "turn" : charted ? "scatter" : "rows", set->row, set->count, err))
-            return -1;
-        table_csv(csv.file, set->row, set->count, !shown++);
-    }
-    return page_close(&csv, o->out, "chart-deep.csv", err);
-}
-
-void deep_chart_text(FILE *f)
-{
-    for (int k = 0; k < DEEP_SETS; ++k) table_titled(f, sets[k].title, sets[k].row, sets[k].count);
-}
+static found demo_found[COUNT(demos)], chart_found[COUNT(sets)];
+const section deep_demo = { .name = "deep", .sets = WITH_COUNT(demos), .width = DEEP_WIDTH, .height = DEEP_HEIGHT,
+                            .rounds = 1, .of = { OF_DEEP, OF_DEEP_LIT }, .open = open, .range = 0.3,
+                            .found = demo_found };
+const section deep_chart = { .name = "deep", .csv = "chart-deep.csv", .method = "dss", .sets = WITH_COUNT(sets),
+                             .width = DEEP_WIDTH, .height = DEEP_HEIGHT, .stride = LIT_STRIDE, .rounds = QUICK_ROUNDS,
+                             .of = { OF_DEEP, OF_DEEP_LIT }, .open = open, .found = chart_found };

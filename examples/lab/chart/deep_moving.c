@@ -1,13 +1,11 @@
-/* deep_moving.c - what report.c's chart shows of a camera that turns away from what occludes, and of one that moves.
-   Declared in deep_stage.h. */
+/* deep_moving.c - a camera that turns away from what occludes, and one that moves. Declared in deep_stage.h. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "lab/chart/deep_stage.h"
-#include "lab/page/page.h"
 
 /* The eye turns from what occludes, the box, which leaves the picture; the ground beside it stays. */
-enum { TURNS = 9, MOST_FRAMES = 5 };
+enum { TURNS = 9, FRAMES = 5 };
 static const float turn_eye[3] = { 0.35f, 0.9f, 2.8f }, turn_from = -8, turn_to = 21,
                    ground_bounds[2][3] = { { 0.16f, -0.1f, -0.15f }, { 0.5f, 0.1f, 0.2f } };
 #define TURN_BOX { { -0.6f, 0.001f, -0.15f, 0, 1, 0.15f } }
@@ -21,12 +19,12 @@ static const entry deep_watched[] = {
 };
 static const entry deep_moved[] = {
     { "hsao", "hsao", "", 1 },
-    { "ssao", "ssao", "", 0 },
+    { "ssao", "ssao", "", 1 },
     { "dss", "dss", COARSE, 1 },
-    { "dss, every triangle", "dss", COARSE ",keep_small=1", 0 }
+    { "dss, every triangle", "dss", COARSE ",keep_small=1", 1 }
 };
 
-_Static_assert(TURNS * COUNT(deep_watched) <= MOST_DEEP, "more rows than MOST_DEEP");
+_Static_assert(TURNS * COUNT(deep_watched) <= MOST_SET_ROWS, "more rows than MOST_SET_ROWS");
 
 /* ---- >>turn ------------------------------------------------------------------------------------------------------ */
 
@@ -63,11 +61,10 @@ static float *turn_mask(const stage *s)
     return mask;
 }
 
-int deep_turns(FILE *record, int quick, row *rows, kit_error *err)
+int deep_turns(FILE *record, const options *o, row *rows, kit_error *err)
 {
     static const char *const names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" };
-    const int steps = quick ? 5 : TURNS;
-    int methods = 0;
+    const int steps = o->quick ? 5 : TURNS;
     for (int k = 0; k < steps; ++k) {
         const float angle = turn_angle(k, steps);
         kit_score none;
@@ -76,12 +73,10 @@ int deep_turns(FILE *record, int quick, row *rows, kit_error *err)
         float *mask = turn_mask(&s);
         if (!mask) return kit_fail(err, "out of memory");
         if (kit_score_channels(&none, &s.given[0].picture, &s.truth, names, 3, mask, err)) return -1;
-        methods = 0;
         for (int m = 0; m < COUNT(deep_watched); ++m) {
             const entry *e = &deep_watched[m];
             kit_image picture;
-            if (quick && !e->quick) continue;
-            row *r = &rows[methods++ * steps + k];
+            row *r = &rows[m * steps + k];
             *r = row_blank(OF_TURN, "turn", e->label, e->method, e->settings);
             if (stage_drawn(&picture, &s, e->method, e->settings, s.radius, err)
                 || kit_score_channels(&r->score, &picture, &s.truth, names, 3, mask, err))
@@ -90,31 +85,22 @@ int deep_turns(FILE *record, int quick, row *rows, kit_error *err)
             r->share = r->score.rmse / none.rmse;
             kit_image_free(&picture);
         }
-        if (k + 1 == steps)
-            deep_about(record, &s,
-                       "A tall box on a plane leaves the picture while the camera turns to the right; the ground "
-                       "beside it stays, and is what is scored. White light from everywhere.");
+        if (k + 1 == steps && section_about(record, &s, "", 0, 0, err)) return -1;
         free(mask);
         stage_close(&s);
     }
-    return methods * steps;
+    return COUNT(deep_watched) * steps;
 }
 
 /* ---- >>motion ---------------------------------------------------------------------------------------------------- */
 
 /* What is seen in each frame: the truth's pictures first, then a method's, one after the other. */
 enum { MOVED = COUNT(deep_moved) };
-typedef struct motion {
-    int          frames, methods;
-    const entry *entry[MOVED];
-    kit_camera   camera[MOST_FRAMES];
-    kit_image    frame[MOST_FRAMES], picture[1 + MOVED][MOST_FRAMES];
-    double       sum[1 + MOVED];           /* of the places' variances over the frames */
-    size_t       places;
-} motion;
+static kit_camera camera[FRAMES];
+static kit_image frame[FRAMES], moved[1 + MOVED][FRAMES];
 
-/* Frame k, step to the right of the one before. */
-static int motion_frame(FILE *record, motion *m, int k, kit_error *err)
+/* Frame k: camera and target a step to the right of those of the one before. */
+static int motion_frame(int k, kit_error *err)
 {
     const float step = 0.01f;
     deep_view see = BUNNY_AO;
@@ -122,66 +108,59 @@ static int motion_frame(FILE *record, motion *m, int k, kit_error *err)
     see.view.eye[0] += step * (float)k;
     see.view.target[0] += step * (float)k;
     if (deep_open(&s, &see, err)) return -1;
-    for (int i = 0; i < m->methods; ++i)
-        if (stage_drawn(&m->picture[1 + i][k], &s, m->entry[i]->method, m->entry[i]->settings, s.radius, err))
-            return -1;
-    m->camera[k] = s.gbuffer.camera;
-    m->picture[0][k] = s.truth;
-    m->frame[k] = s.frame;
+    for (int i = 0; i < MOVED; ++i)
+        if (stage_drawn(&moved[1 + i][k], &s, deep_moved[i].method, deep_moved[i].settings, s.radius, err)) return -1;
+    camera[k] = s.gbuffer.camera;
+    moved[0][k] = s.truth;
+    frame[k] = s.frame;
     memset(&s.truth, 0, sizeof s.truth);
     memset(&s.frame, 0, sizeof s.frame);
-    if (!k)
-        page_paragraph(record,
-                "Bunny on a floor, %d x %d pixels, radius %g. %d frames; camera and target move to the right by "
-                "%g each, about a pixel.",
-                m->frame[0].width, m->frame[0].height, (double)s.radius, m->frames, (double)step);
     stage_close(&s);
     return 0;
 }
 
-/* The place that a pixel of frame 0 shows, in all frames; of one that some frame does not show nothing counts. */
-static void motion_place(motion *m, int i)
+/* Adds the variances over the frames of the place that a pixel of the first one shows; 0: some frame does not show it,
+   and nothing is added. */
+static int motion_place(double sum[1 + MOVED], int i)
 {
-    const int width = m->frame[0].width;
-    const float z = kit_image_channel(&m->frame[0], "Z")[i];
+    const int width = frame->width;
+    const float z = kit_image_channel(frame, "Z")[i];
     double square[1 + MOVED] = { 0 }, mean[1 + MOVED] = { 0 };
     float p[3];
-    int known = z > 0;
-    kit_camera_point(&m->camera[0], i % width, i / width, (double)z, p);
-    for (int k = 0; k < m->frames && known; ++k) {
-        const picture_view seen = { &m->frame[k], &m->camera[k], NULL };
-        for (int j = 0; j <= m->methods && known; ++j) {
+    if (!(z > 0)) return 0;
+    kit_camera_point(camera, i % width, i / width, (double)z, p);
+    for (int k = 0; k < FRAMES; ++k) {
+        const picture_view seen = { &frame[k], &camera[k], NULL };
+        for (int j = 0; j <= MOVED; ++j) {
             double v = 0;
-            known = picture_at(&v, m->picture[j][k].data, &seen, p, 0);
-            mean[j] += v / m->frames;
+            if (!picture_at(&v, moved[j][k].data, &seen, p, 0)) return 0;
+            mean[j] += v / FRAMES;
             square[j] += v * v;
         }
     }
-    if (!known) return;
-    for (int j = 0; j <= m->methods; ++j)
-        m->sum[j] += fmax(0, square[j] - m->frames * mean[j] * mean[j]) / (m->frames - 1);
-    ++m->places;
+    for (int j = 0; j <= MOVED; ++j) sum[j] += fmax(0, square[j] - FRAMES * mean[j] * mean[j]) / (FRAMES - 1);
+    return 1;
 }
 
-int deep_motion(FILE *record, int quick, row *rows, kit_error *err)
+int deep_motion(FILE *record, const options *o, row *rows, kit_error *err)
 {
-    static motion m;
-    memset(&m, 0, sizeof m);
-    m.frames = quick ? 3 : MOST_FRAMES;
-    for (int i = 0; i < MOVED; ++i) if (deep_moved[i].quick || !quick) m.entry[m.methods++] = &deep_moved[i];
-    for (int k = 0; k < m.frames; ++k) if (motion_frame(record, &m, k, err)) return -1;
-    for (int i = 0; i < m.frame[0].width * m.frame[0].height; ++i) motion_place(&m, i);
-    for (int i = 0; i < m.methods; ++i) {
-        row *r = &rows[i];
-        *r = row_blank(OF_MOTION, "bunny-on-floor", m.entry[i]->label, m.entry[i]->method, m.entry[i]->settings);
-        r->score.pixels = m.places;
-        r->figure[FLICKER] = sqrt(m.sum[1 + i] / (double)m.places);
-        r->figure[FLICKER_TRUE] = sqrt(m.sum[0] / (double)m.places);
-        r->figure[FLICKER_ADDED] = sqrt(fmax(0, m.sum[1 + i] - m.sum[0]) / (double)m.places);
+    double sum[1 + MOVED] = { 0 };
+    size_t places = 0;
+    (void)record;
+    (void)o;
+    for (int k = 0; k < FRAMES; ++k) if (motion_frame(k, err)) return -1;
+    for (int i = 0; i < frame->width * frame->height; ++i) places += (size_t)motion_place(sum, i);
+    for (int i = 0; i < MOVED; ++i) {
+        const entry *e = &deep_moved[i];
+        rows[i] = row_blank(OF_MOTION, "bunny-on-floor", e->label, e->method, e->settings);
+        rows[i].score.pixels = places;
+        rows[i].figure[FLICKER] = sqrt(sum[1 + i] / (double)places);
+        rows[i].figure[FLICKER_TRUE] = sqrt(sum[0] / (double)places);
+        rows[i].figure[FLICKER_ADDED] = sqrt(fmax(0, sum[1 + i] - sum[0]) / (double)places);
     }
-    for (int k = 0; k < m.frames; ++k) {
-        kit_image_free(&m.frame[k]);
-        for (int i = 0; i <= m.methods; ++i) kit_image_free(&m.picture[i][k]);
+    for (int k = 0; k < FRAMES; ++k) {
+        kit_image_free(&frame[k]);
+        for (int i = 0; i <= MOVED; ++i) kit_image_free(&moved[i][k]);
     }
-    return m.methods;
+    return MOVED;
 }

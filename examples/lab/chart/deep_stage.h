@@ -1,9 +1,8 @@
-/* deep_stage.h - what the pages on deep screen space share: their views, rows of them without the floor. */
+/* deep_stage.h - what the pages on deep screen space share: their views; and rows of a camera that moves. */
 #ifndef LAB_DEEP_STAGE_H
 #define LAB_DEEP_STAGE_H
 
-#include <stdio.h>
-#include "lab/measure/measure.h"
+#include "lab/chart/section.h"
 
 /* boxes are added, where their upper y is above their lower one */
 typedef struct deep_view { view view; float box[4][6]; otherwise otherwise; } deep_view;
@@ -28,17 +27,9 @@ extern const lit deep_sky, deep_lamp, deep_behind;
 
 int  deep_load(stage *s, const deep_view *v, kit_error *err);
 int  deep_open(stage *s, const deep_view *v, kit_error *err);
-/* Measured as the others are, but without the floor, and shown with other columns. Returns how many rows, -1 =
-   failed. */
-int  deep_measure(row *rows, stage *s, const char *scene, const entry *entries, int count, int rounds,
-                  kit_image *pictures, kit_error *err);
-/* A table. */
-enum { MOST_DEEP = 32 };
-typedef struct deep_set { const char *title; row row[MOST_DEEP]; int count; } deep_set;
-void deep_about(FILE *record, const stage *s, const char *about);
 
 /* A camera that turns away, and one that moves: how many rows; -1 = failed. */
-int  deep_turns(FILE *record, int quick, row *rows, kit_error *err);
-int  deep_motion(FILE *record, int quick, row *rows, kit_error *err);
+int  deep_turns(FILE *record, const options *o, row *rows, kit_error *err);
+int  deep_motion(FILE *record, const options *o, row *rows, kit_error *err);
 
 #endif

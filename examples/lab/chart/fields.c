@@ -1,14 +1,11 @@
-/* fields.c - what report.c's chart shows of ambient occlusion fields: what resolution buys, what occluders cost, what
-   bakes take, how two occluders add up. Declared in fields.h. */
-#include "lab/chart/fields.h"
+/* fields.c - ambient occlusion fields: the demo's pictures; what resolution buys, what occluders cost, what bakes take,
+   how two occluders add up. Declared in chart.h. */
+#include "lab/chart/chart.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include "lab/chart/fields_stage.h"
-#include "lab/page/page.h"
-#include "lab/page/pictures.h"
-#include "lab/page/table.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -16,20 +13,13 @@ static const entry field_entries[] = { /* rows of one label make one curve */
     AOF("field", "resolution=4", 1), AOF("field", "resolution=8", 1),
     AOF("field", "resolution=16", 1)
 };
-typedef struct field_scene { const char *title; setup setup; } field_scene;
-static const field_scene field_scenes[] = {
-    { "Ball on a ground",
-      { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 512 } },
-    { "Cube on a ground",
-      { CLOSE("cube-on-ground"), { { "cube", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 512 } },
-    { "Bunny on a floor",
-      { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL },
-        NO_SPOTS,
-        NO_BOXES,
-        0,
-        512 } },
-    { "Two dozen occluders", { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 } }
+static const entry moving_entries[]   = { AOF("casters", "resolution=8", 1) };
+static const entry pedestal_entries[] = { AOF("4 x 4", "resolution=4", 1), AOF("8 x 8", "resolution=8", 1) };
+static const entry sunk_entries[] = {
+    AOF("A_0 as measured", "resolution=8", 1),
+    AOF("A_0 = 1, p = 2", "resolution=8,inside=1,power=2", 1)
 };
+
 
 /* occluders: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the
    occluder's bounding sphere in its place. */
@@ -96,37 +86,9 @@ static const struct { const char *label[2]; setup setup; } pairs[] = {
         256 } }
 };
 
-enum {
-    FIELD_SCENES = COUNT(field_scenes),
-    COST_SET = FIELD_SCENES,
-    BAKE_SET,
-    PAIR_SET,
-    FIELD_SETS,
-    MOST_FIELD_ROWS = 32,
-    FIELD_WIDTH = 240,
-    FIELD_HEIGHT = 135,
-    COST_WIDTH = 640,
-    COST_HEIGHT = 360
-};
-typedef struct field_row_set { const char *title; row row[MOST_FIELD_ROWS]; int count; } field_row_set;
-static field_row_set sets[FIELD_SETS];
+enum { FIELD_WIDTH = 240, FIELD_HEIGHT = 135, COST_WIDTH = 640, COST_HEIGHT = 360 };
 
-/* ---- >>measuring ------------------------------------------------------------------------------------------------- */
-
-static int accuracy_of(FILE *record, const field_scene *f, const options *o, row *rows, kit_error *err)
-{
-    const int count = COUNT(field_entries);
-    kit_image picture[COUNT(field_entries)];
-    stage s;
-    if (fields_open(&s, &f->setup, FIELD_WIDTH, FIELD_HEIGHT, err)
-        || fields_measure(rows, &s, field_entries, count, picture, err) || fields_about(record, &s, "", err))
-        return -1;
-    if (pictures_thumbs(record, o->out, units_name(), &s, rows, picture, count, err)) return -1;
-    for (int i = 0; i <= count; ++i) rows[i].scene = f->setup.view.name;
-    for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
-    stage_close(&s);
-    return count + 1;
-}
+/* ---- >>own sets -------------------------------------------------------------------------------------------------- */
 
 /* Who casts, after the G-buffer was drawn: that stays as it is. */
 static int cast_by(stage *s, const cost *c, const ssgi_field_desc *d, kit_error *err)
@@ -154,8 +116,9 @@ static int cast_by(stage *s, const cost *c, const ssgi_field_desc *d, kit_error 
     return 0;
 }
 
-static int costs_of(row *all, int quick, kit_error *err)
+static int costs_of(FILE *record, const options *o, row *all, kit_error *err)
 {
+    (void)record;
     int sum = 0;
     for (int k = 0; k < COUNT(cost_sets); ++k) {
         kit_run run[COUNT(of_occluders)];
@@ -166,7 +129,7 @@ static int costs_of(row *all, int quick, kit_error *err)
         for (int i = 0; i < cost_sets[k].count; ++i) {
             const cost *c = &cost_sets[k].costs[i];
             ssgi_field_desc d;
-            if (quick && !c->quick) continue;
+            if (o->quick && !c->quick) continue;
             rows[count] = row_blank(OF_COST, cost_sets[k].setup.view.name, c->label, "aof", c->settings);
             if (fields_desc(&d, c->settings, err) || cast_by(&s, c, &d, err)
                 || kit_fields_cover(&rows[count].figure[COVERED], &s.frame, &s.gbuffer.camera, &s.scene, &d, err))
@@ -174,7 +137,7 @@ static int costs_of(row *all, int quick, kit_error *err)
             if (stage_run(&run[count], &s, "aof", c->settings, s.radius, err)) return -1;
             kit_run_draw(&run[count++], 1);
         }
-        if (clock_runs(rows, &s, run, count, quick ? QUICK_ROUNDS : CHART_ROUNDS, err)) return -1;
+        if (clock_runs(rows, &s, run, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, err)) return -1;
         sum += count;
         stage_close(&s);
     }
@@ -202,8 +165,9 @@ static int lumpy_ball(kit_mesh *mesh, int triangles, kit_error *err)
     return 0;
 }
 
-static int bakes_of(row *rows, int quick, kit_error *err)
+static int bakes_of(FILE *record, const options *o, row *rows, kit_error *err)
 {
+    (void)record;
     int count = 0;
     kit_scene occluders, bunny;
     const kit_mesh *cube = NULL;
@@ -217,7 +181,7 @@ static int bakes_of(row *rows, int quick, kit_error *err)
         row *r = &rows[count];
         ssgi_field_desc d;
         kit_mesh ball = { 0 };
-        if (quick && !b->quick) continue;
+        if (o->quick && !b->quick) continue;
         *r = row_blank(OF_BAKE, "bake", b->label, "aof", b->settings);
         kit_fields_free();                                      /* all are baked anew, for their times */
         if (b->threads) setenv("KIT_THREADS", "1", 1);
@@ -253,8 +217,10 @@ static void combined(row *r, const stage *s, const kit_image *each)
     r->figure[BETWEEN] = (double)between / (double)n;
 }
 
-static int pairs_of(row *rows, kit_error *err)
+static int pairs_of(FILE *record, const options *o, row *rows, kit_error *err)
 {
+    (void)record;
+    (void)o;
     int count = 0;
     for (int k = 0; k < COUNT(pairs); ++k) {
         kit_image each[2][2];                                   /* traced, by its field */
@@ -281,64 +247,99 @@ static int pairs_of(row *rows, kit_error *err)
     return count;
 }
 
-/* What comes after the scenes. */
-static const struct { const char *title, *about; } other_sets[] = {
+
+/* ---- >>sections -------------------------------------------------------------------------------------------------- */
+
+#define SEEN &(const setup)
+#define MOVING(name, time) SEEN { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, \
+    .entries = WITH_COUNT(moving_entries)
+static const set demos[] = {
+    { "Fields: occluders that move",
+      "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest.",
+      MOVING("occluders-0", 0) },
+    { NULL, "A third of a period later.", MOVING("occluders-1", 1 / 3.0) },
+    { "Fields: how many texels",
+      "The bunny on a box before a wall, its field of 4 x 4 and of 8 x 8 texels a face.",
+      SEEN { { "pedestal", BUNNY, 0, { -1.9f, 0.9f, 4.3f }, { 0, -0.25f, 0 }, 34, 0, NULL },
+             NO_SPOTS,
+             { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f },
+               { -5, -1.6f, -1.3f, 5, 3, -1.2f },
+               { -5, -1.8f, -1.3f, 5, -1.6f, 6 } },
+             0,
+             256 },
+      .entries = WITH_COUNT(pedestal_entries),
+      .crop = { { 108, 114, 107, 54 }, { 70, 4, 107, 54 } } },
+    { "Fields: inside of the hull",
+      "A table and a torus, half of each in the ground: between a table's legs, and in a ring, there is ground inside "
+      "of the convex hull, where occlusion goes to A_0.",
+      SEEN { { "sunk", "casters", 0, { 0.6f, 2.6f, 3.6f }, { 0, 0, 0.1f }, 34, 0, NULL },
+             { { "torus", 1.4f, { 1, 0.05f, 0.1f } }, { "table", 1.6f, { -0.7f, 0.02f, 0 } } },
+             NO_BOXES,
+             0,
+             128 },
+      .entries = WITH_COUNT(sunk_entries) }
+};
+#define ON_GROUND(shape) \
+    SEEN { CLOSE(shape "-on-ground"), { { shape, 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 512 }, \
+    .entries = WITH_COUNT(field_entries)
+static const set sets[] = {
+    { "Fields: error against memory", "Ball on a ground.", ON_GROUND("ball"), .quick = 1, .kind = "memory" },
+    { NULL, "Cube on a ground.", ON_GROUND("cube"), .quick = 1, .kind = "memory" },
+    { NULL, "Bunny on a floor.",
+      SEEN { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL },
+             NO_SPOTS,
+             NO_BOXES,
+             0,
+             512 },
+      .entries = WITH_COUNT(field_entries), .quick = 1, .kind = "memory" },
+    { NULL, "Two dozen occluders.", SEEN { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 },
+      .entries = WITH_COUNT(field_entries), .kind = "memory" },
     { "Fields: what occluders cost",
       "Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand "
-      "for distances. Times are of the pass alone. Covered: pixels within the occluders' reach, "
-      "each occluder's; a software rasteriser works for all pixels of the rectangles around those spheres." },
+      "for distances. Times are of the pass alone, on 640 x 360 pixels (of a quick chart 320 x 180). Covered: pixels "
+      "within the occluders' reach, each occluder's; a software rasteriser works for all pixels of the rectangles "
+      "around those spheres.",
+      .quick = 1, .own = costs_of },
     { "Fields: what a bake takes",
       "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the "
       "smallest resolution, up to 16, and the fewest radii, up to 12, with which 95 % of them are; else the most of "
-      "both." },
+      "both.",
+      .quick = 1, .own = bakes_of },
     { "Fields: two occluders",
       "Two occluders by each other on a ground, one's occlusion a, the other's b, and what both take together. "
-      "Between: 0.002 are for noise." }
+      "Between: 0.002 are for noise.",
+      .own = pairs_of }
 };
 
-static const char *field_title(int k)
+static int open(stage *s, const section *c, const set *t, kit_error *err)
 {
-    return k < FIELD_SCENES ? field_scenes[k].title : other_sets[k - FIELD_SCENES].title;
+    return fields_open(s, t->see, c->width, c->height, err);
 }
 
-static int fields_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
+static int measure(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
+                   kit_error *err)
 {
-    if (!units_asked(o, "aof") || (o->quick && (k == FIELD_SCENES - 1 || k == PAIR_SET))) return 0;
-    if (!rows) return 1;
-    if (!k) page_heading(record, 2, "Fields: error against memory");
-    if (k < FIELD_SCENES) {
-        page_heading(record, 3, "%s", field_title(k));
-        return accuracy_of(record, &field_scenes[k], o, rows, err);
-    }
-    page_heading(record, 2, "%s", field_title(k));
-    if (k == COST_SET)
-        page_paragraph(record, "%d x %d pixels.", COST_WIDTH / stage_thrift, COST_HEIGHT / stage_thrift);
-    page_paragraph(record, "%s", other_sets[k - FIELD_SCENES].about);
-    return k == COST_SET   ? costs_of(rows, o->quick, err)
-           : k == BAKE_SET ? bakes_of(rows, o->quick, err)
-                           : pairs_of(rows, err);
+    (void)record;
+    return fields_measure(rows, s, entries, count, picture, err) ? -1 : count;
 }
 
-int fields_units(const options *o) { return units_count(fields_unit, FIELD_SETS, o); }
-
-int fields_chart(FILE *record, const options *o, kit_error *err)
+/* What white light from everywhere leaves of the colours; visibility itself is channel Y. */
+static int dimmed(kit_image *out, const stage *s, const kit_image *visibility, kit_error *err)
 {
-    int shown = 0;
-    page csv;
-    if (page_open(&csv, err)) return -1;
-    for (int k = 0; k < FIELD_SETS; ++k) {
-        field_row_set *set = &sets[k];
-        set->title = field_title(k);
-        set->count = units_measure(record, o, "fields", k, fields_unit, set->row, err);
-        if (set->count < 0) return -1;
-        if (set->count && table_page(record, k < FIELD_SCENES ? "memory" : "rows", set->row, set->count, err))
-            return -1;
-        if (set->count) table_csv(csv.file, set->row, set->count, !shown++);
-    }
-    return page_close(&csv, o->out, "chart-aof.csv", err);
+    static const char *const names[3] = { "albedo.R", "albedo.G", "albedo.B" };
+    const size_t pixels = (size_t)s->frame.width * (size_t)s->frame.height;
+    if (kit_image_new(out, s->frame.width, s->frame.height, "R,G,B,Y", err)) return -1;
+    for (size_t c = 0; c < 4; ++c)
+        for (size_t i = 0; i < pixels; ++i)
+            out->data[c * pixels + i] =
+                (c < 3 ? kit_image_channel(&s->frame, names[c])[i] : 1) * visibility->data[i];
+    return 0;
 }
 
-void fields_chart_text(FILE *f)
-{
-    for (int k = 0; k < FIELD_SETS; ++k) table_titled(f, sets[k].title, sets[k].row, sets[k].count);
-}
+static found demo_found[COUNT(demos)], chart_found[COUNT(sets)];
+const section fields_demo = { .name = "aof", .sets = WITH_COUNT(demos), .width = 320, .height = 180, .open = open,
+                              .measure = measure, .probe_times = 8, .probe_stride = 13, .range = 0.2, .crop_times = 3,
+                              .seen = dimmed, .found = demo_found };
+const section fields_chart = { .name = "fields", .csv = "chart-aof.csv", .method = "aof", .sets = WITH_COUNT(sets),
+                               .width = FIELD_WIDTH, .height = FIELD_HEIGHT, .open = open, .measure = measure,
+                               .probe_times = 8, .probe_stride = 13, .found = chart_found };

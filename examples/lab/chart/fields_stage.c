@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "lab/page/page.h"
 
 void fields_place(float to_world[16], float size, const float at[3])
 {
@@ -114,16 +113,5 @@ int fields_measure(row *rows, stage *s, const entry *entries, int count, kit_ima
             if (casts(&s->scene, k) && fields_baked(&rows[i], &s->scene.shape[k], &d, err)) return -1;
     }
     free(off);
-    return 0;
-}
-
-int fields_about(FILE *record, stage *s, const char *text, kit_error *err)
-{
-    kit_image probe;
-    row noise;
-    if (stage_trace(&probe, s, 8 * s->rays, 13, err) || score_picture(&noise, s, &probe, err)) return -1;
-    kit_image_free(&probe);
-    page_paragraph(record, "%s %zu triangles, %d x %d pixels. Truth: %d rays a pixel; its own error: %.5f.", text,
-                   s->scene.mesh.triangles, s->truth.width, s->truth.height, s->rays, noise.score.rmse);
     return 0;
 }

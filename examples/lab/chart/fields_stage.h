@@ -3,7 +3,6 @@
 #ifndef LAB_FIELDS_STAGE_H
 #define LAB_FIELDS_STAGE_H
 
-#include <stdio.h>
 #include "lab/measure/measure.h"
 
 /* Where an object of "casters" is put; a view of what is rigid. spot: all other objects are hidden in the ground (none:
@@ -31,7 +30,5 @@ int  fields_desc(ssgi_field_desc *d, const char *settings, kit_error *err);
 int  fields_baked(row *r, const kit_mesh *shape, const ssgi_field_desc *d, kit_error *err);
 /* Occlusions and their fields: fills a row an entry, and one of no AO, beside the entries' pictures. */
 int  fields_measure(row *rows, stage *s, const entry *entries, int count, kit_image *picture, kit_error *err);
-/* What stands under a heading, and how far the truth itself is off, by tracing some of it with more rays. */
-int  fields_about(FILE *record, stage *s, const char *text, kit_error *err);
 
 #endif

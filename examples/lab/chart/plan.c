@@ -1,6 +1,6 @@
 /* plan.c - what report.c shows of the plan: choices measured on scenes that it was not fitted on, and whether it chose
-   well; and what the fit reads, whose numbers stand in ssgi.h's room >>plan. Declared in plan.h. */
-#include "lab/chart/plan.h"
+   well; and what the fit reads, whose numbers stand in ssgi.h's room >>plan. Declared in chart.h. */
+#include "lab/chart/chart.h"
 #include <math.h>
 #include <string.h>
 #include "lab/chart/planned.h"
@@ -20,9 +20,9 @@ typedef struct verdict { int pairs, good, needed, good_needed, within, beyond, t
 
 static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
 {
-    char set[256];
-    const char *name = kit_plan_text(set, p, wanted);
-    snprintf(out, 320, "%s%s%s", name ? name : "nothing", name && *set ? " " : "", name ? set : "");
+    char settings[256];
+    const char *name = kit_plan_text(settings, p, wanted);
+    snprintf(out, 320, "%s%s%s", name ? name : "nothing", name && *settings ? " " : "", name ? settings : "");
     for (char *at = out; *at; ++at) if (*at == ',') *at = ' ';        /* CSV */
     return out;
 }

@@ -1,16 +1,13 @@
-/* seeds.c - the report's section on scenes that nobody picked: each is measured as a unit of its own. Declared in
-   seeds.h. */
-#include "lab/chart/seeds.h"
+/* seeds.c - scenes that nobody picked: each is measured as a unit of its own. Declared in chart.h. */
+#include "lab/chart/chart.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "lab/chart/seeds_show.h"
+#include "lab/chart/mottled.h"
 #include "lab/measure/ahead.h"
-#include "lab/measure/measure.h"
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
-#include "lab/measure/bands.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -77,9 +74,12 @@ static const part parts[] = {
 };
 enum { PARTS = COUNT(parts), BESIDE = 2 };      /* rows of a part without a method */
 _Static_assert(COUNT(visible_entries) + COUNT(light_entries) + COUNT(bounce_entries) + COUNT(small_entries) + 2
-                   + MOST_PEERS + 3 * BESIDE <= MOST_SEED_ROWS, "more rows than MOST_SEED_ROWS");
+                   + MOST_PEERS + 3 * BESIDE <= MOST_SET_ROWS, "more rows than MOST_SET_ROWS");
 
 /* ---- >>scenes ---------------------------------------------------------------------------------------------------- */
+
+/* set: tuned, asked, judged, drawn or models; kind: a word of kit_scene_kind, or models. */
+typedef struct place { char name[64], path[128]; const char *set, *kind; int seed; } place;
 
 static const char *commit_of(const options *o) { return o->commit ? o->commit : ""; }
 
@@ -204,20 +204,16 @@ static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_
 }
 
 static int visible_row(FILE *record, const options *o, const place *p, row *r, stage *s, const entry *e,
-                       const shaded *smooth, const kit_image *pair, kit_error *err)
+                       const mottled *m, kit_error *err)
 {
     kit_image picture;
     kit_run run;
     char note[64];
-    bands noise = bands_unknown, off = bands_unknown;
     *r = row_blank(OF_AO, s->name, e->label, e->method, e->settings);
     if (stage_run(&run, s, e->method, e->settings, s->radius, err)) return -1;
     r->fetches = run.fetches;
     int failed = stage_settled(&picture, s, &run, 0, 0, err) || score_picture(r, s, &picture, err)
-              || (e->quick && smooth->pixels
-                  && (bands_noise(&noise, s, &run, smooth, &picture, err)
-                      || bands_off(&off, smooth, &picture, pair, err)));
-    for (int k = 0; k < BANDS; ++k) r->figure[NOISE_BAND + k] = noise.rms[k], r->figure[ERROR_BAND + k] = off.rms[k];
+              || (e->quick && mottled_row(r, m, s, &run, &picture, err));
     snprintf(note, sizeof note, "error %.3f", r->share);
     if (!failed && !strcmp(e->method, "hsao") && !*e->settings)
         failed = small_picture(record, s, o, p, "hsao", note, &picture, err);
@@ -232,8 +228,7 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
 {
     const view v = { .name = p->name, .path = p->path };
     entry entries[MOST_ENTRIES];
-    shaded smooth;
-    kit_image whole, pair;
+    mottled m;
     char note[128];
     stage s;
     int count = units_chosen(entries, WITH_COUNT(visible_entries), o), failed = 0;
@@ -242,21 +237,17 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
     snprintf(note, sizeof note, "%zu triangles, %d lights, %s", s.scene.mesh.triangles, s.scene.lights,
              s.scene.env ? s.scene.env : "none");
     page_heading(record, 4, "%s", p->name);
-    if (own_picture(record, &s, o->out, p->name, note, err) || kit_gbuffer_read(&whole, &s.gbuffer, err)
-        || stage_pair(&pair, &s, err) || stage_compare(&s, err) || shaded_seen(&smooth, &s, &whole, err)
+    if (own_picture(record, &s, o->out, p->name, note, err) || mottled_open(&m, &s, err) || stage_compare(&s, err)
         || small_picture(record, &s, o, p, "truth", "", &s.truth, err))
         return -1;
-    for (int i = 0; i < count && !failed; ++i)
-        failed = visible_row(record, o, p, &rows[i], &s, &entries[i], &smooth, &pair, err);
+    for (int i = 0; i < count && !failed; ++i) failed = visible_row(record, o, p, &rows[i], &s, &entries[i], &m, err);
     rows[count] = row_blank(OF_AO, s.name, s.given[0].label, s.given[0].method, "");
     failed = failed || score_picture(&rows[count], &s, &s.given[0].picture, err);
     const int peers = failed || o->method ? 0
                                           : peers_measure(rows + count + 1, &s, 0, o->quick ? PEERS_QUICK : MOST_PEERS,
                                                           NULL, err);
     for (int i = 0; i < peers; ++i) rows[count + 1 + i].of |= OF_PEER;
-    shaded_free(&smooth);
-    kit_image_free(&pair);
-    kit_image_free(&whole);
+    mottled_close(&m);
     *truth = s.truth;
     memset(&s.truth, 0, sizeof s.truth);
     stage_close(&s);
@@ -289,12 +280,14 @@ static int part_rows(const options *o, const place *p, const part *of, row *rows
     return count;
 }
 
-static int seed_unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
+static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
     kit_image truth = { 0 };
     place p;
+    entry entries[MOST_ENTRIES];
     int count = 0;
-    if (!rows) return 1;
+    for (int i = 0; i < PARTS && !rows; ++i) count += units_chosen(entries, parts[i].entries, parts[i].count, o);
+    if (!rows) return count > 0;
     place_of(&p, o, k);
     for (int i = 0; i < PARTS; ++i) {
         const int more = i ? part_rows(o, &p, &parts[i], rows + count, &truth, err)
@@ -310,14 +303,6 @@ static int seed_unit(FILE *record, const options *o, int k, row *rows, kit_error
     return count;
 }
 
-int seeds_units(const options *o)
-{
-    entry entries[MOST_ENTRIES];
-    int rows = 0;
-    for (int i = 0; i < PARTS; ++i) rows += units_chosen(entries, parts[i].entries, parts[i].count, o);
-    return rows ? count_of(o) : 0;
-}
-
 /* ---- >>ahead ----------------------------------------------------------------------------------------------------- */
 
 /* What a process measures goes into the units that are kept. */
@@ -326,8 +311,7 @@ typedef struct ahead_of { const options *o; row *rows; page unseen; } ahead_of;
 static int begin(void *of, kit_error *err)
 {
     ahead_of *a = of;
-    if (a->o->quick) stage_thrift = QUICK_THRIFT;
-    a->rows = calloc(MOST_SEED_ROWS, sizeof *a->rows);
+    a->rows = calloc(MOST_SET_ROWS, sizeof *a->rows);
     if (!a->rows) return kit_fail(err, "out of memory");
     units_begin(a->o, count_of(a->o));
     return page_open(&a->unseen, err);
@@ -336,7 +320,7 @@ static int begin(void *of, kit_error *err)
 static int one(void *of, int k, kit_error *err)
 {
     ahead_of *a = of;
-    return units_measure(a->unseen.file, a->o, "seed", k, seed_unit, a->rows, err);
+    return units_measure(a->unseen.file, a->o, "seed", k, unit, a->rows, err);
 }
 
 int seeds_ahead(const options *o, kit_error *err)
@@ -346,58 +330,101 @@ int seeds_ahead(const options *o, kit_error *err)
     return ahead_run(&a, err);
 }
 
+/* ---- >>csv ------------------------------------------------------------------------------------------------------- */
+
+/* The fit of one gain and exponent that is best over all scenes; -1: it is not a peer's row. */
+static int fit_of_all(const row *const *rows, int count, const row *like)
+{
+    int best = -1;
+    double least = HUGE_VAL;
+    for (int fit = 0; fit < FITS && like->of & OF_PEER; ++fit) {
+        double sum = 0;
+        for (int k = 0; k < count; ++k)
+            if (rows[k]) sum += rows[k]->figure[FIT + fit];
+        if (!(sum < least)) continue;
+        least = sum;
+        best = fit;
+    }
+    return best;
+}
+
+static void figure_csv(FILE *f, double v)
+{
+    if (isnan(v)) fputc(',', f);
+    else fprintf(f, ",%.6g", v);
+}
+
+/* fit: of all scenes; -1: there is none. */
+static void row_csv(FILE *f, const place *p, const row *r, int fit)
+{
+    const int is_lit = !(r->of & OF_AO), peer = (r->of & OF_PEER) != 0;
+    fprintf(f, "%d,%s,%s,%s,\"%s\",\"%s\",\"%s\"", p->seed, p->set, p->kind, r->scene, r->label, r->method,
+            r->settings);
+    figure_csv(f, r->share);
+    figure_csv(f, peer ? r->figure[FITTED] : (double)NAN);
+    figure_csv(f, fit < 0 ? (double)NAN : r->figure[FIT + fit]);
+    figure_csv(f, is_lit ? r->bias[strcmp(r->scene, "bounce") ? 1 : 2] : r->score.bias);
+    for (int k = 0; k < NOISE_BANDS; ++k) figure_csv(f, r->figure[NOISE_BAND + k]);
+    for (int k = 0; k < NOISE_BANDS; ++k) figure_csv(f, r->figure[ERROR_BAND + k]);
+    fputc('\n', f);
+}
+
+static found found_seeds[MOST_SEEDS];
+
+/* Row by row, of each on all scenes. */
+static void write_csv(FILE *csv, const options *o)
+{
+    const int count = count_of(o), first = section_fullest(&seeds_chart, count);
+    fputs("seed,set,kind,what,label,method,settings,share,fitted,fitted_all,bias,noise_1,noise_3,noise_8,noise_20,"
+          "error_1,error_3,error_8,error_20\n",
+          csv);
+    for (int i = 0; first >= 0 && i < found_seeds[first].count; ++i) {
+        const row *rows[MOST_SEEDS], *like = &found_seeds[first].row[i];
+        section_alike(rows, &seeds_chart, count, like);
+        const int fit = fit_of_all(rows, count, like);
+        for (int k = 0; k < count; ++k) {
+            place p;
+            place_of(&p, o, k);
+            if (rows[k]) row_csv(csv, &p, rows[k], fit);
+        }
+    }
+}
+
 /* ---- >>section --------------------------------------------------------------------------------------------------- */
 
-static seeds all;
+static int scenes;                               /* that were asked for, there or not */
 
-/* A scene's rows, kept for the tables; those before it were of as many. */
-static int take(int k, const row *rows, int count, kit_error *err)
+static int units(const options *o)
 {
-    row *own = malloc((size_t)count * sizeof *own);
-    if (!own) return kit_fail(err, "out of memory");
-    memcpy(own, rows, (size_t)count * sizeof *own);
-    free((void *)all.row[k]);
-    all.rows[k] = count;
-    all.row[k] = own;
-    return 0;
+    place p;
+    scenes = count_of(o);
+    for (int k = 0; k < scenes && place_of(&p, o, k); ++k)
+        memcpy(found_seeds[k].name, p.name, sizeof p.name);
+    return scenes;
 }
 
-/* The seeds' rows; each scene's pictures. */
-static int measure_all(FILE *record, const options *o, kit_error *err)
+static void head(FILE *record, const options *o)
 {
-    row *rows = calloc(MOST_SEED_ROWS, sizeof *rows);
-    int failed = rows ? 0 : kit_fail(err, "out of memory");
-    for (int k = 0; k < MOST_SEEDS; ++k) free((void *)all.row[k]);
-    all = (seeds){ .base = o->first < 0 || o->first >= SEEDS_JUDGED ? "seeds" : "seeds-fit", .count = count_of(o) };
-    for (int k = 0; k < all.count && !failed; ++k) {
-        place_of(&all.place[k], o, k);
-        const int count = units_measure(record, o, "seed", k, seed_unit, rows, err);
-        failed = count < 0 || (count && take(k, rows, count, err));
-    }
-    free(rows);
-    return failed ? -1 : 0;
-}
-
-int seeds_chart(FILE *record, const options *o, kit_error *err)
-{
-    char name[64];
-    page csv, pictures;
-    if (page_open(&pictures, err) || measure_all(pictures.file, o, err) || page_open(&csv, err)) return -1;
-    seeds_csv(csv.file, &all);
-    snprintf(name, sizeof name, "%s.csv", all.base);
-    page_heading(record, 2, "Scenes by seed");
     page_paragraph(record,
                    "%d scenes, none of them picked by hand: kind, things, camera, radius, units and light are drawn "
                    "from a seed. Judged: seeds from %d on, on which nothing is tuned. Drawn: seeds by the hash of "
                    "commit %s. Models: of packages, seen as a seed says. %d x %d pixels, the truth %d rays at every "
                    "%dth pixel both ways. Shares: RMSE over that of no occlusion, so a pass above 1 is worse than "
                    "none. Noise: thousandths of visibility, between two phases, where a smooth surface is in shade.",
-                   all.count, SEEDS_JUDGED, *commit_of(o) ? commit_of(o) : "(none)", SEED_WIDTH / stage_thrift,
+                   scenes, SEEDS_JUDGED, *commit_of(o) ? commit_of(o) : "(none)", SEED_WIDTH / stage_thrift,
                    SEED_HEIGHT / stage_thrift, SEED_RAYS / (stage_thrift * stage_thrift), SEED_STRIDE);
     if (*peers_missing()) page_paragraph(record, "%s", peers_missing());
-    if (page_csv(record, "seeds", &csv, o->out, name, err)) return -1;
-    page_into(&pictures, record);
-    return 0;
 }
 
-void seeds_text(FILE *f) { seeds_table_text(f, &all); }
+static void text(FILE *f)
+{
+    int out = 0;
+    for (int k = 0; k < scenes; ++k) out += !found_seeds[k].row;
+    fprintf(f, "\n%d scenes by seed: RMSE over that of no occlusion; %d left out for want of a package\n",
+            scenes - out, out);
+    section_spreads(f, &seeds_chart, scenes);
+}
+
+const section seeds_chart = { .name = "seed", .csv = "seeds.csv", .kind = "seeds", .title = "Scenes by seed",
+                              .units = units, .unit = unit, .head = head, .write = write_csv, .text = text,
+                              .found = found_seeds };

@@ -1,8 +1,6 @@
-/* strip.c - what report.c shows of history: one frame alone, and the last of sixteen, beside the truth. Declared in
-   strip.h. */
-#include "lab/chart/strip.h"
+/* strip.c - history: one frame alone, and the last of sixteen, beside the truth. Declared in chart.h. */
+#include "lab/chart/chart.h"
 #include <math.h>
-#include "lab/measure/score.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
 
@@ -13,7 +11,6 @@ enum { STRIP_DRAWN = 4 };                   /* times, each with noise of its own
 
 /* One frame alone and the last of SETTLED, beside the truth; each is drawn STRIP_DRAWN times. */
 typedef struct strip { kit_image picture[2][STRIP_DRAWN]; double rmse[2], share[2], noise[2]; } strip;
-static strip shown;
 
 static int strip_draw(strip *t, stage *s, kit_error *err)
 {
@@ -89,37 +86,34 @@ static int enlarged(kit_image *out, const kit_image *picture, kit_error *err)
     return 0;
 }
 
-int strip_demo(FILE *record, stage *s, const char *out, kit_error *err)
+int strip_demo(FILE *record, const options *o, kit_error *err)
 {
     static const char *const slugs[3] = { "strip-one", "strip-frames", "strip-truth" },
                       *const labels[3] = { "one frame", "sixteen frames", "ray-traced truth" };
-    strip *t = &shown;
-    if (strip_draw(t, s, err) || strip_score(t, s, err)) return -1;
+    const set *demo = ao_demo.sets;
+    strip t;
+    stage s;
+    if (ao_demo.open(&s, &ao_demo, demo, err) || strip_draw(&t, &s, err) || strip_score(&t, &s, err)) return -1;
     page_heading(record, 2, "Over frames");
     page_paragraph(record, "%s, --set %s, while the camera turns by %g degrees a frame: the last frame "
             "alone, as the last of sixteen, and its truth; the middle of the picture, enlarged. Noise: root of a "
             "pixel's variance over %d drawings, its mean over the pixels.",
             strip_method, strip_settings, STRIP_DEGREES, STRIP_DRAWN);
+    printf("\n%s %s, the camera turning %g degrees a frame\n", strip_method, strip_settings, STRIP_DEGREES);
     for (int k = 0; k < 3; ++k) {
         kit_image large;
         char note[96] = "";
-        if (enlarged(&large, k < 2 ? &t->picture[k][0] : &s->truth, err)
-            || pictures_save(&large, "Y", 0, out, slugs[k], ".png", err))
+        if (enlarged(&large, k < 2 ? &t.picture[k][0] : &s.truth, err)
+            || pictures_save(&large, "Y", 0, o->out, slugs[k], ".png", err))
             return -1;
-        if (k < 2) snprintf(note, sizeof note, "RMSE %.4f, error %.3f, noise %.4f", t->rmse[k], t->share[k],
-                            t->noise[k]);
+        if (k < 2) {
+            snprintf(note, sizeof note, "RMSE %.4f, error %.3f, noise %.4f", t.rmse[k], t.share[k], t.noise[k]);
+            printf("%-15s %s\n", labels[k], note);
+        }
         page_figure(record, slugs[k], labels[k], note, large.width, large.height, 0);
         kit_image_free(&large);
     }
-    for (int i = 0; i < 2 * STRIP_DRAWN; ++i) kit_image_free(&t->picture[i % 2][i / 2]);
+    for (int i = 0; i < 2 * STRIP_DRAWN; ++i) kit_image_free(&t.picture[i % 2][i / 2]);
+    stage_close(&s);
     return 0;
-}
-
-void strip_text(FILE *f)
-{
-    static const char *const labels[2] = { "one frame", "sixteen frames" };
-    fprintf(f, "\n%s %s, the camera turning %g degrees a frame\n", strip_method, strip_settings, STRIP_DEGREES);
-    for (int k = 0; k < 2; ++k)
-        fprintf(f, "%-15s RMSE %.4f, share %.3f, noise %.4f\n", labels[k], shown.rmse[k], shown.share[k],
-                shown.noise[k]);
 }

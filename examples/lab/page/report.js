@@ -494,7 +494,7 @@ function missing() {
 
 /* Methods in README's order, with the picture of the demo that shows each best (drawn: by another preset). */
 const methods = [
-    { method: 'hsao', drawn: 'hsao-best', picture: 'hsao-best', truth: 'truth',
+    { method: 'hsao', drawn: 'hsao-best', picture: 'ao-bunny-hsao-best', truth: 'ao-bunny-ray-traced-truth',
       'take it for': 'ambient occlusion; times irradiance, cheap light',
       'instead, or besides': 'hsao-fast, hsao-best; hsao-history over frames; thickness BACK for wide plates' },
     { method: 'ssdo', picture: 'lit-bunny-ssdo-with-bounce', truth: 'lit-bunny-ray-traced-truth',
@@ -503,7 +503,7 @@ const methods = [
     { method: 's3ho', picture: 'lit-blocks-s3ho', truth: 'lit-blocks-ray-traced-truth',
       'take it for': 'the same, of light kept as spherical harmonics',
       'instead, or besides': 's3ho-fast, s3ho-best; shadow maps for long shadows of suns' },
-    { method: 'aof', picture: 'aof-occluders-0-casters', truth: 'aof-occluders-0-truth',
+    { method: 'aof', picture: 'aof-occluders-0-casters', truth: 'aof-occluders-0-ray-traced-truth',
       'take it for': 'occlusion by rigid objects that move, seen or not',
       'instead, or besides': 'a shorter reach in a crowd; hsao within an object' },
     { method: 'dss', picture: 'deep-bunny-on-floor-dss', truth: 'deep-bunny-on-floor-ray-traced-truth',

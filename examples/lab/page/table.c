@@ -10,130 +10,117 @@ const char *table_settings(const row *r) { return *r->settings ? r->settings : i
 /* ---- >>columns --------------------------------------------------------------------------------------------------- */
 
 typedef struct column { int of; const char *head, *key, *about; size_t offset; int digits, sign; } column;
+#define AT(member) offsetof(row, member)
+#define PLACE(head, key, about, k) \
+    { OF_PLACES, head, key "_error", about, AT(figure[PLACE_ERROR + (k)]), 3, 0 }, \
+    { OF_PLACES, NULL, key "_pixels", "share of the pixels", AT(figure[PLACE_AREA + (k)]), 3, 0 }, \
+    { OF_PLACES, NULL, key "_rmse", "RMSE there", AT(figure[PLACE_RMSE + (k)]), 4, 0 }, \
+    { OF_PLACES, NULL, key "_bias", "bias there", AT(figure[PLACE_BIAS + (k)]), 4, 1 }
+#define BANDED(key, figures, about) \
+    { OF_AO, NULL, key "1", about, AT(figure[figures]), 2, 0 }, \
+    { OF_AO, NULL, key "3", about, AT(figure[(figures) + 1]), 2, 0 }, \
+    { OF_AO, NULL, key "8", about, AT(figure[(figures) + 2]), 2, 0 }, \
+    { OF_AO, NULL, key "20", about, AT(figure[(figures) + 3]), 2, 0 }
 static const column columns[] = {
-    { OF_BAKE, "triangles", "triangles", "of the occluder", offsetof(row, figure[TRIANGLES]), 0, 0 },
-    { OF_BAKE, "texels", "resolution", "along the side of a face of the cube map", offsetof(row, figure[RESOLUTION]), 0,
-      0 },
-    { OF_BAKE, "radii", "radii", "distances sampled along each direction", offsetof(row, figure[RADII]), 0, 0 },
-    { OF_BAKE, "rays", "rays", "a sample", offsetof(row, figure[BAKE_RAYS]), 0, 0 },
-    { OF_BAKE, "threads", "threads", "of the bake", offsetof(row, figure[THREADS]), 0, 0 },
-    { OF_FIELD | OF_BAKE, "kB", "kilobytes", "of all fields, 1000 bytes each", offsetof(row, figure[BYTES]), 1, 0 },
-    { OF_BAKE, "work, MB", "work_megabytes", "memory of the bake, free again afterwards", offsetof(row, figure[WORK]),
-      1, 0 },
-    { OF_FIELD | OF_BAKE, "bake, s", "bake_seconds", "the clock's, of all fields' bakes",
-      offsetof(row, figure[SECONDS]), 2, 0 },
+    { OF_BAKE, "triangles", "triangles", "of the occluder", AT(figure[TRIANGLES]), 0, 0 },
+    { OF_BAKE, "texels", "resolution", "along the side of a face of the cube map", AT(figure[RESOLUTION]), 0, 0 },
+    { OF_BAKE, "radii", "radii", "distances sampled along each direction", AT(figure[RADII]), 0, 0 },
+    { OF_BAKE, "rays", "rays", "a sample", AT(figure[BAKE_RAYS]), 0, 0 },
+    { OF_BAKE, "threads", "threads", "of the bake", AT(figure[THREADS]), 0, 0 },
+    { OF_FIELD | OF_BAKE, "kB", "kilobytes", "of all fields, 1000 bytes each", AT(figure[BYTES]), 1, 0 },
+    { OF_BAKE, "work, MB", "work_megabytes", "memory of the bake, free again afterwards", AT(figure[WORK]), 1, 0 },
+    { OF_FIELD | OF_BAKE, "bake, s", "bake_seconds", "the clock's, of all fields' bakes", AT(figure[SECONDS]), 2, 0 },
     { OF_FIELD | OF_BAKE, "b. median", "baked_median",
       "error of occlusion that the bake reports, at receivers that took no part in it: half are off by less; of "
-      "several fields the worst",
-      offsetof(row, figure[BAKED_MEDIAN]), 4, 0 },
-    { OF_FIELD | OF_BAKE, "b. p95", "baked_p95", "the same: 95 % of them", offsetof(row, figure[BAKED_P95]), 4, 0 },
-    { OF_FIELD | OF_BAKE, "b. most", "baked_most", "the same: all of them", offsetof(row, figure[BAKED_MOST]), 4, 0 },
-    { OF_COST, "covered", "covered", "pixels within an occluder's reach over all pixels, summed over the occluders",
-      offsetof(row, figure[COVERED]), 3, 0 },
-    { OF_GROWTH | OF_STAGES, "pixels", "pixels_thousands", "of the picture, thousands", offsetof(row, figure[PICTURE]),
-      1, 0 },
-    { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "surfels", "surfels", "how many discs the triangles became",
-      offsetof(row, figure[SURFELS]), 0, 0 },
+      "several fields the worst", AT(figure[BAKED_MEDIAN]), 4, 0 },
+    { OF_FIELD | OF_BAKE, "b. p95", "baked_p95", "the same: 95 % of them", AT(figure[BAKED_P95]), 4, 0 },
+    { OF_FIELD | OF_BAKE, "b. most", "baked_most", "the same: all of them", AT(figure[BAKED_MOST]), 4, 0 },
+    { OF_COST, "covered", "covered",
+      "pixels within an occluder's reach over all pixels, summed over the occluders", AT(figure[COVERED]), 3, 0 },
+    { OF_GROWTH | OF_STAGES, "pixels", "pixels_thousands", "of the picture, thousands", AT(figure[PICTURE]), 1, 0 },
+    { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "surfels", "surfels",
+      "how many discs the triangles became", AT(figure[SURFELS]), 0, 0 },
     { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "splats", "splat_pixels",
-      "texels that splats cover at all levels, over the picture's pixels; predicted", offsetof(row, figure[SPLATS]), 1,
-      0 },
-    { OF_TURN, "degrees", "degrees", "that the camera has turned away", offsetof(row, figure[DEGREES]), 1, 0 },
-    { OF_AO | OF_LIT | OF_SPLIT, "fetches", "fetches", "texel fetches per pixel, all passes", offsetof(row, fetches), 1,
-      0 },
+      "texels that splats cover at all levels, over the picture's pixels; predicted", AT(figure[SPLATS]), 1, 0 },
+    { OF_TURN, "degrees", "degrees", "that the camera has turned away", AT(figure[DEGREES]), 1, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT, "fetches", "fetches", "texel fetches per pixel, all passes", AT(fetches), 1, 0 },
     { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH, "bytes", "bytes",
-      "moved per pixel, all passes, each texel of a pass's inputs and outputs once", offsetof(row, bytes), 0, 0 },
+      "moved per pixel, all passes, each texel of a pass's inputs and outputs once", AT(bytes), 0, 0 },
     { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "time", "relative_time",
-      "GL time relative to one unblurred 16-sample ssao", offsetof(row, relative), 2, 0 },
+      "GL time relative to one unblurred 16-sample ssao", AT(relative), 2, 0 },
     { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "ms", "ms",
-      "GL time, milliseconds", offsetof(row, ms), 1, 0 },
-    { OF_FIELD, "median", "median", "half of the pixels are off by less", offsetof(row, figure[MEDIAN]), 4, 0 },
-    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "RMSE", "rmse", "root mean square difference to the truth",
-      offsetof(row, score.rmse), 4, 0 },
-    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "share", "share", "RMSE over the RMSE of having no AO",
-      offsetof(row, share), 3, 0 },
-    { OF_PEER, "fitted", "share_fitted", "the share after the best fit of two numbers to this picture",
-      offsetof(row, figure[FITTED]), 3, 0 },
-    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "bias", "bias", "mean difference to the truth; below 0: too dark",
-      offsetof(row, score.bias), 4, 1 },
-    { OF_AO | OF_FIELD | OF_DEEP, "p95", "p95", "95 % of the pixels are off by less", offsetof(row, score.p95), 4, 0 },
+      "GL time, milliseconds", AT(ms), 1, 0 },
+    { OF_FIELD, "median", "median", "half of the pixels are off by less", AT(figure[MEDIAN]), 4, 0 },
+    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "RMSE", "rmse",
+      "root mean square difference to the truth", AT(score.rmse), 4, 0 },
+    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "share", "share", "RMSE over the RMSE of having no AO", AT(share), 3, 0 },
+    { OF_PEER, "fitted", "share_fitted",
+      "the share after the best fit of two numbers to this picture", AT(figure[FITTED]), 3, 0 },
+    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "bias", "bias",
+      "mean difference to the truth; below 0: too dark", AT(score.bias), 4, 1 },
+    { OF_AO | OF_FIELD | OF_DEEP, "p95", "p95", "95 % of the pixels are off by less", AT(score.p95), 4, 0 },
     { OF_PHASES, "model", "model_error",
-      "RMSE of the mean over the phases of the noise, less what noise that still has", offsetof(row, split[1]), 4, 0 },
-    { OF_PHASES, "noise", "noise", "root of a pixel's variance over the phases of the noise, its mean over the pixels",
-      offsetof(row, split[2]), 4, 0 },
-    { OF_FIELD, "most", "most", "the worst pixel", offsetof(row, figure[MOST]), 3, 0 },
-    { OF_PAIR, "product", "product", "RMSE of 1 - (1 - a)(1 - b), a and b being the two occluders' occlusions",
-      offsetof(row, figure[BY_PRODUCT]), 4, 0 },
-    { OF_PAIR, "max", "max_of_two", "RMSE of the larger one", offsetof(row, figure[BY_MOST]), 4, 0 },
-    { OF_PAIR, "sum", "sum_of_two", "RMSE of the sum, at most 1", offsetof(row, figure[BY_SUM]), 4, 0 },
-    { OF_PAIR, "between", "between", "share of the pixels whose true occlusion lies from the larger one to the sum",
-      offsetof(row, figure[BETWEEN]), 3, 0 },
-    { OF_LIT | OF_DEEP_LIT, "radiance", "radiance", "RMSE of outgoing radiance over the truth's mean",
-      offsetof(row, error[0]), 4, 0 },
-    { OF_LIT | OF_DEEP_LIT, "bias", "radiance_bias", "mean difference of radiance over the truth's mean",
-      offsetof(row, bias[0]), 4, 1 },
-    { OF_LIT | OF_DEEP_LIT, "irradiance", "irradiance", "RMSE of irradiance over the truth's mean",
-      offsetof(row, error[1]), 4, 0 },
-    { OF_LIT | OF_DEEP_LIT, "bias", "irradiance_bias", "mean difference of irradiance over the truth's mean",
-      offsetof(row, bias[1]), 4, 1 },
-    { OF_LIT | OF_DEEP_LIT, "bounce", "bounce", "RMSE of the bounce over the truth's mean bounce",
-      offsetof(row, error[2]), 3, 0 },
-    { OF_LIT | OF_DEEP_LIT, "bias", "bounce_bias", "mean difference of the bounce over the truth's mean bounce",
-      offsetof(row, bias[2]), 3, 1 },
-    { OF_STAGES, "surfels", "share_surfels", "share of the time: made and captured, lit",
-      offsetof(row, figure[STAGE + 0]), 3, 0 },
-    { OF_STAGES, "interleave", "share_interleave", "share of the time: positions and normals dealt out to all levels",
-      offsetof(row, figure[STAGE + 1]), 3, 0 },
-    { OF_STAGES, "splat", "share_splat", "share of the time: of all effects", offsetof(row, figure[STAGE + 2]), 3, 0 },
-    { OF_STAGES, "deinterleave", "share_deinterleave", "share of the time: pixels back in place",
-      offsetof(row, figure[STAGE + 3]), 3, 0 },
-    { OF_STAGES, "smooth", "share_smooth", "share of the time: both axes", offsetof(row, figure[STAGE + 4]), 3, 0 },
-    { OF_STAGES, "sum", "share_sum", "share of the time: of the levels", offsetof(row, figure[STAGE + 5]), 3, 0 },
-    { OF_STAGES, "light", "share_light", "share of the time: the lights on what is seen",
-      offsetof(row, figure[STAGE + 6]), 3, 0 },
+      "RMSE of the mean over the phases of the noise, less what noise that still has", AT(split[1]), 4, 0 },
+    { OF_PHASES, "noise", "noise",
+      "root of a pixel's variance over the phases of the noise, its mean over the pixels", AT(split[2]), 4, 0 },
+    { OF_FIELD, "most", "most", "the worst pixel", AT(figure[MOST]), 3, 0 },
+    { OF_PAIR, "product", "product",
+      "RMSE of 1 - (1 - a)(1 - b), a and b being the two occluders' occlusions", AT(figure[BY_PRODUCT]), 4, 0 },
+    { OF_PAIR, "max", "max_of_two", "RMSE of the larger one", AT(figure[BY_MOST]), 4, 0 },
+    { OF_PAIR, "sum", "sum_of_two", "RMSE of the sum, at most 1", AT(figure[BY_SUM]), 4, 0 },
+    { OF_PAIR, "between", "between",
+      "share of the pixels whose true occlusion lies from the larger one to the sum", AT(figure[BETWEEN]), 3, 0 },
+    { OF_LIT | OF_DEEP_LIT, "radiance", "radiance",
+      "RMSE of outgoing radiance over the truth's mean", AT(error[0]), 4, 0 },
+    { OF_LIT | OF_DEEP_LIT, "bias", "radiance_bias",
+      "mean difference of radiance over the truth's mean", AT(bias[0]), 4, 1 },
+    { OF_LIT | OF_DEEP_LIT, "irradiance", "irradiance",
+      "RMSE of irradiance over the truth's mean", AT(error[1]), 4, 0 },
+    { OF_LIT | OF_DEEP_LIT, "bias", "irradiance_bias",
+      "mean difference of irradiance over the truth's mean", AT(bias[1]), 4, 1 },
+    { OF_LIT | OF_DEEP_LIT, "bounce", "bounce", "RMSE of the bounce over the truth's mean bounce", AT(error[2]), 3, 0 },
+    { OF_LIT | OF_DEEP_LIT, "bias", "bounce_bias",
+      "mean difference of the bounce over the truth's mean bounce", AT(bias[2]), 3, 1 },
+    { OF_STAGES, "surfels", "share_surfels", "share of the time: made and captured, lit", AT(figure[STAGE + 0]), 3, 0 },
+    { OF_STAGES, "interleave", "share_interleave",
+      "share of the time: positions and normals dealt out to all levels", AT(figure[STAGE + 1]), 3, 0 },
+    { OF_STAGES, "splat", "share_splat", "share of the time: of all effects", AT(figure[STAGE + 2]), 3, 0 },
+    { OF_STAGES, "deinterleave", "share_deinterleave",
+      "share of the time: pixels back in place", AT(figure[STAGE + 3]), 3, 0 },
+    { OF_STAGES, "smooth", "share_smooth", "share of the time: both axes", AT(figure[STAGE + 4]), 3, 0 },
+    { OF_STAGES, "sum", "share_sum", "share of the time: of the levels", AT(figure[STAGE + 5]), 3, 0 },
+    { OF_STAGES, "light", "share_light", "share of the time: the lights on what is seen", AT(figure[STAGE + 6]), 3, 0 },
     { OF_MOTION, "varies", "varies",
       "standard deviation of a place's ambient visibility over the frames, RMS over the places",
-      offsetof(row, figure[FLICKER]), 4, 0 },
-    { OF_MOTION, "truth's", "varies_true", "the same of the truth: pixels fall elsewhere",
-      offsetof(row, figure[FLICKER_TRUE]), 4, 0 },
-    { OF_MOTION, "added", "varies_added", "root of the difference of their squares",
-      offsetof(row, figure[FLICKER_ADDED]), 4, 0 },
+      AT(figure[FLICKER]), 4, 0 },
+    { OF_MOTION, "truth's", "varies_true",
+      "the same of the truth: pixels fall elsewhere", AT(figure[FLICKER_TRUE]), 4, 0 },
+    { OF_MOTION, "added", "varies_added", "root of the difference of their squares", AT(figure[FLICKER_ADDED]), 4, 0 },
     { OF_SPLIT, "irradiance", "irradiance_phases",
-      "RMSE of irradiance over the truth's mean, over all phases of the noise", offsetof(row, split[0]), 4, 0 },
+      "RMSE of irradiance over the truth's mean, over all phases of the noise", AT(split[0]), 4, 0 },
     { OF_SPLIT, "bias error", "irradiance_bias_error",
-      "RMSE of the mean over the phases of the noise, less what noise that still has", offsetof(row, split[1]), 4, 0 },
+      "RMSE of the mean over the phases of the noise, less what noise that still has", AT(split[1]), 4, 0 },
     { OF_SPLIT, "noise", "irradiance_noise",
-      "root of a pixel's variance over the phases of the noise, its mean over the pixels", offsetof(row, split[2]), 4,
-      0 },
+      "root of a pixel's variance over the phases of the noise, its mean over the pixels", AT(split[2]), 4, 0 },
     { OF_SPLIT, "hue, deg", "hue_degrees",
       "mean angle between the rgb of the mean picture and of the truth, weighted by the truth's luminance",
-      offsetof(row, split[3]), 2, 0 },
+      AT(split[3]), 2, 0 },
     { OF_SPLIT, "in shade", "hue_in_shade_degrees",
-      "the same over pixels that occluders keep 5 % or more of their light from", offsetof(row, split[4]), 2, 0 },
-    { OF_PLACES, "edge", "edge_error", "share of the squared error within 3 pixels of a jump in depth",
-      offsetof(row, figure[PLACE_ERROR + 0]), 3, 0 },
-    { OF_PLACES, NULL, "edge_pixels", "share of the pixels", offsetof(row, figure[PLACE_AREA + 0]), 3, 0 },
-    { OF_PLACES, NULL, "edge_rmse", "RMSE there", offsetof(row, figure[PLACE_RMSE + 0]), 4, 0 },
-    { OF_PLACES, NULL, "edge_bias", "bias there", offsetof(row, figure[PLACE_BIAS + 0]), 4, 1 },
-    { OF_PLACES, "border", "border_error",
-      "share of the squared error elsewhere, nearer to the border than the radius is long",
-      offsetof(row, figure[PLACE_ERROR + 1]), 3, 0 },
-    { OF_PLACES, NULL, "border_pixels", "share of the pixels", offsetof(row, figure[PLACE_AREA + 1]), 3, 0 },
-    { OF_PLACES, NULL, "border_rmse", "RMSE there", offsetof(row, figure[PLACE_RMSE + 1]), 4, 0 },
-    { OF_PLACES, NULL, "border_bias", "bias there", offsetof(row, figure[PLACE_BIAS + 1]), 4, 1 },
-    { OF_PLACES, "inside", "interior_error", "share of the squared error of what is left",
-      offsetof(row, figure[PLACE_ERROR + 2]), 3, 0 },
-    { OF_PLACES, NULL, "interior_pixels", "share of the pixels", offsetof(row, figure[PLACE_AREA + 2]), 3, 0 },
-    { OF_PLACES, NULL, "interior_rmse", "RMSE there", offsetof(row, figure[PLACE_RMSE + 2]), 4, 0 },
-    { OF_PLACES, NULL, "interior_bias", "bias there", offsetof(row, figure[PLACE_BIAS + 2]), 4, 1 },
-    { OF_AO | OF_LIT | OF_DEEP, "SSIM", "ssim", "structural similarity with the truth, 1 = the same",
-      offsetof(row, score.ssim), 4, 0 }
+      "the same over pixels that occluders keep 5 % or more of their light from", AT(split[4]), 2, 0 },
+    PLACE("edge", "edge", "share of the squared error within 3 pixels of a jump in depth", 0),
+    PLACE("border", "border", "share of the squared error elsewhere, nearer to the border than the radius is long", 1),
+    PLACE("inside", "interior", "share of the squared error of what is left", 2),
+    BANDED("noise_", NOISE_BAND, "noise of so many pixels where a smooth surface is in shade, thousandths"),
+    BANDED("error_", ERROR_BAND, "error beside the truth, likewise"),
+    { OF_AO | OF_LIT | OF_DEEP, "SSIM", "ssim",
+      "structural similarity with the truth, 1 = the same", AT(score.ssim), 4, 0 }
 };
 
 /* The next column after c (-1: the first) that is of one of these kinds; -1 past the last. A software rasteriser's
    milliseconds would mislead. Those without a head are in CSV alone. */
 static int next_key(int c, int of)
 {
-    while (++c < (int)(sizeof columns / sizeof columns[0]))
+    while (++c < COUNT(columns))
         if (columns[c].of & of && !(columns[c].offset == offsetof(row, ms) && kit_gl_is_software())) return c;
     return -1;
 }
@@ -157,6 +144,18 @@ static const char *cell(char out[32], const row *r, int c, const char *none)
     if (isnan(v)) return none;
     snprintf(out, 32, columns[c].sign ? "%+.*f" : "%.*f", columns[c].digits, v);
     return out;
+}
+
+void table_mean(row *mean, const row *const *rows, int count)
+{
+    *mean = *rows[0];
+    mean->scene = "mean";
+    for (int c = 0; c < COUNT(columns); ++c) {
+        double sum = 0;
+        for (int i = 0; i < count; ++i) sum += figure_of(rows[i], c);
+        sum /= count;
+        memcpy((char *)mean + columns[c].offset, &sum, sizeof sum);
+    }
 }
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
@@ -229,7 +228,7 @@ int table_page(FILE *f, const char *kind, const row *rows, int count, kit_error 
 void table_columns(FILE *f)
 {
     fputs("{\"columns\":[", f);
-    for (int c = 0; c < (int)(sizeof columns / sizeof columns[0]); ++c)
+    for (int c = 0; c < COUNT(columns); ++c)
         fprintf(f, "%s[\"%s\",\"%s\",\"%s\",%d,%d]", c ? ",\n" : "", columns[c].key,
                 columns[c].head ? columns[c].head : "", columns[c].about, columns[c].digits, columns[c].sign);
     fputs("]},\n", f);

@@ -9,6 +9,8 @@ const char *table_settings(const row *r);       /* "defaults" where a method has
 void table_text(FILE *f, const row *rows, int count);
 /* under a title, where there are any */
 void table_titled(FILE *f, const char *title, const row *rows, int count);
+/* The mean of rows: of their first one's names, and of each column. */
+void table_mean(row *mean, const row *const *rows, int count);
 void table_csv(FILE *f, const row *rows, int count, int head);
 /* Entries of a record: rows; what columns are called there, and what they mean, once. */
 int table_page(FILE *f, const char *kind, const row *rows, int count, kit_error *err);

@@ -34,6 +34,8 @@ enum { EXACT = 1, HALF, UNORM24, FLOAT32, REVERSED32 };
 enum { BOXES = 3, SUN_DEGREES = 3, MOST_VALUES = 12 };
 /* What a frame shows; what is 0 is the scene's own. */
 typedef struct look {
+    float value;                           /* of the cause, at which frame of it */
+    int   frame;
     const char *scene, *only;              /* only: of what casts the first of that name is there alone, placed */
     float placed[16], box[BOXES][6];       /* boxes with y1 > y0 are added */
     float eye[3], target[3], up[3], fovy, znear, zfar;
@@ -59,13 +61,13 @@ enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, T
 enum { FRAMES = 16, CHANGED = 8 };
 typedef struct result result;
 typedef struct cause {
-    const char *name, *title, *across;     /* across: what varies, and its unit */
-    int kind, of, width, rays, log, told;  /* log: the axis is logarithmic; told: with motion vectors */
-    void (*at)(look *l, double value, int frame);
-    int (*curves)(result *r, kit_error *err);      /* instead: of the library's maths alone */
+    const char *name, *title, *across, *about;     /* across: what varies, and its unit */
+    int kind, of, width, rays, log;        /* log: the axis is logarithmic */
+    void (*at)(look *l);
     double value[MOST_VALUES];             /* up to the first 0 after the first value */
-    /* the last two: what the number is, and the chart's other axis; NULL = the kind's */
-    const char *about, *number, *up;
+    int told, format;                      /* with motion vectors; how depth is stored */
+    int (*curves)(result *r, kit_error *err);      /* instead: of the library's maths alone */
+    const char *number, *up;               /* what the number is, and the chart's other axis; NULL = the kind's */
 } cause;
 
 enum { MOST_CAUSES = 48 };
