@@ -31,6 +31,17 @@ const table = (heads, rows) =>
         .join('\n')
         .replaceAll('|  |', '| |')
         .replaceAll('|  |', '| |');
+/* A column each: its head, the key of a row's figure or what makes it of a row (none: the head is the key), digits,
+   whether it has a sign. */
+const listed = (rows, ...columns) =>
+    table(
+        columns.map(([head]) => head),
+        rows.map(r =>
+            columns.map(([head, of = head, digits, sign]) =>
+                cell(typeof of === 'function' ? of(r) : r[of], digits, sign)
+            )
+        )
+    );
 /* A row as the tables name it: its label, and what of method and settings that does not tell. */
 function title(r) {
     const told = r.label === r.method || given(r);
@@ -38,33 +49,24 @@ function title(r) {
         r.settings && !String(r.label).includes(r.settings) ? `: \`${r.settings.replaceAll(',', ', ')}\`` : ''
     }`;
 }
+const METHOD = ['method', title],
+    TIME = ['time', 'relative_time', 2],
+    ON_GPU = ['RX 6800, ms', modelled];
 const found = (record, kind) => report.entry(record.name, kind) ?? [];
 
-/* ---- >>parts ----------------------------------------------------------------------------------------------------- */
+/* ---- >>parts: the text of each, "" where its record has no rows ------------------------------------------------- */
 
 function ambient(record) {
-    const rows = means(found(record, 'ambient')),
+    const rows = means(found(record, 'ambient')).filter(r => !peer(r)),
         scenes = grouped(found(record, 'ambient'), 'scene').size;
-    const own = rows.filter(r => !peer(r));
+    const columns = [METHOD, ['fetches', , 1], ['bytes', , 0], TIME, ON_GPU, ['error', 'share']];
     return (
         rows.length &&
         `![Cost against error](${record.kind === 'full' ? 'pictures/' : ''}chart-cpu.svg)
 
 Mean of ${scenes} scenes. Noise: deviation over two phases of it; model error: RMSE of their mean.
 
-${table(
-    ['method', 'fetches', 'bytes', 'time', 'RX 6800, ms', 'error', 'model error', 'noise'],
-    own.map(r => [
-        title(r),
-        cell(r.fetches, 1),
-        cell(r.bytes, 0),
-        cell(r.relative_time, 2),
-        cell(modelled(r)),
-        cell(r.share),
-        cell(r.model_error),
-        cell(r.noise)
-    ])
-)}`
+${listed(rows, ...columns, ['model error', 'model_error'], ['noise'])}`
     );
 }
 
@@ -75,87 +77,56 @@ function others(record) {
         `Matched: with the radius of ours. Fitted: after the better of a v^b and 1 - a (1 - v)^b for each
 picture, found with the truth in hand.
 
-${table(
-    ['what', 'settings', 'time', 'error', 'error, fitted'],
-    rows.map(r => [r.label, r.settings, cell(r.relative_time, 2), cell(r.share), cell(r.share_fitted)])
-)}`
+${listed(rows, ['what', 'label'], ['settings'], TIME, ['error', 'share'], ['error, fitted', 'share_fitted'])}`
     );
 }
 
 function light(record) {
-    const rows = found(record, 'light');
+    const rows = found(record, 'light'),
+        bias = key => ['bias', `${key}_bias`, 3, true];
+    const columns = [METHOD, ['fetches', , 1], TIME, ['radiance'], ['irradiance'], bias('irradiance')];
     return (
         rows.length &&
         `The bunny and four boxes under a sky, one bounce: RMSE over the mean of the truth.
 
-${table(
-    ['method', 'fetches', 'time', 'radiance', 'irradiance', 'bias', 'bounce', 'bias'],
-    rows.map(r => [
-        title(r),
-        cell(r.fetches, 1),
-        cell(r.relative_time, 2),
-        cell(r.radiance),
-        cell(r.irradiance),
-        cell(r.irradiance_bias, 3, true),
-        cell(r.bounce, 2),
-        cell(r.bounce_bias, 3, true)
-    ])
-)}`
+${listed(rows, ...columns, ['bounce', , 2], bias('bounce'))}`
     );
 }
 
 function pairs(record) {
     const rows = by_pair(found(record, 'pairs'));
+    const columns = [METHOD, ['time', , 2], ['mean'], ['worst'], ['pair']];
     return (
         rows.length &&
         `RMSE of irradiance over that of no occlusion, no bounce, over ${rows[0].pairs} pairs.
 
-${table(
-    ['method', 'time', 'mean', 'worst', 'pair', 'below 1', 'bias'],
-    rows.map(r => [
-        title(r),
-        cell(r.time, 2),
-        cell(r.mean),
-        cell(r.worst),
-        r.pair,
-        `${r['below 1']} of ${r.pairs}`,
-        cell(r.bias, 3, true)
-    ])
-)}`
+${listed(rows, ...columns, ['below 1', r => `${r['below 1']} of ${r.pairs}`], ['bias', , 3, true])}`
     );
 }
-
-/* This machine's clock of a row, among means of the built-in scenes. */
-const clocked = (built_in, r) =>
-    built_in.find(a => a.method === r.method && a.settings === r.settings && (!peer(r) || a.label === r.label))
-        ?.relative_time;
-const spread = r => `${cell(r.mean)} &plusmn; ${cell(r['±'])}`;
 
 function seeds(record) {
     const rows = found(record, 'seeds'),
         built_in = means(found(record, 'ambient')),
-        kinds = [...grouped(rows, 'kind').keys()].filter(k => k !== 'models');
+        kinds = [...grouped(rows, 'kind').keys()].filter(k => k !== 'models').map(k => [k]);
     const list = [...grouped(rows, r => `${r.set} ${r.seed}`).keys()],
         count = set => list.filter(s => s.startsWith(`${set} `)).length;
     const of = (what, others = false) =>
         by_kind(rows.filter(r => r.what === what && peer(r) === others && r.method !== 'none'));
-    const own = what =>
-        table(
-            [
-                ...['method', 'RX 6800, ms', ...(what === 'visibility' ? ['CPU'] : []), 'mean', 'median', 'worst'],
-                ...['above 1', ...(what === 'visibility' ? ['noise'] : []), 'judged', 'drawn', ...kinds],
-                ...['models', 'worst']
-            ],
-            of(what).map(r => [
-                ...[title(r), cell(r['RX 6800, ms'])],
-                ...(what === 'visibility' ? [cell(clocked(built_in, r), 2)] : []),
-                ...[spread(r), cell(r.median), `${cell(r.worst)}, ${r.of}`, r['above 1']],
-                ...(what === 'visibility' ? [cell(r.noise, 1)] : []),
-                ...[cell(r.judged), cell(r.drawn), ...kinds.map(k => cell(r[k])), cell(r.models)],
-                cell(r['models, worst'])
-            ])
+    /* This machine's clock of a row, among means of the built-in scenes. */
+    const clocked = r =>
+        built_in.find(a => a.method === r.method && a.settings === r.settings && (!peer(r) || a.label === r.label))
+            ?.relative_time;
+    const gpu = ['RX 6800, ms'],
+        cpu = ['CPU', clocked, 2],
+        mean = r => `${cell(r.mean)} &plusmn; ${cell(r['±'])}`;
+    const own = (what, seen = what === 'visibility') =>
+        listed(
+            of(what),
+            ...[METHOD, gpu, ...(seen ? [cpu] : []), ['mean', mean], ['median']],
+            ...[['worst', r => `${cell(r.worst)}, ${r.of}`], ['above 1', , 0], ...(seen ? [['noise', , 1]] : [])],
+            ...[['judged'], ['drawn'], ...kinds, ['models'], ['worst', 'models, worst']]
         );
-    const others = of('visibility', true);
+    const effects = of('visibility', true);
     return (
         rows.length &&
         `${count('judged') + count('drawn')} scenes at 1280x720, none picked by hand: ${count('judged')} by seeds on
@@ -178,17 +149,15 @@ Visibility of the same scenes in pictures a quarter as wide and high, where the 
 
 ${own('small')}
 ${
-    others.length
+    effects.length
         ? `
 Effects of other libraries there, raw, and fitted with the truth in hand: by one gain and exponent over all scenes, and
 by two numbers a picture, as by kind.
 
-${table(
-    ['effect', 'settings', 'RX 6800, ms', 'CPU', 'raw', 'fitted over all', 'fitted a picture', ...kinds],
-    others.map(r => [
-        ...[r.label, r.settings, cell(r['RX 6800, ms']), cell(clocked(built_in, r), 2), spread(r)],
-        ...[cell(r['fitted, all']), cell(r.fitted), ...kinds.map(k => cell(r[k]))]
-    ])
+${listed(
+    effects,
+    ...[['effect', 'label'], ['settings'], gpu, cpu, ['raw', mean], ['fitted over all', 'fitted, all']],
+    ...[['fitted a picture', 'fitted'], ...kinds]
 )}
 
 ${leads(rows)}`
@@ -217,17 +186,18 @@ more than the interval: ${lines.join('; ')}.`
         : 'In no kind does one of them, fitted a picture, err less than a row of ours that costs as much or more.';
 }
 
+/* The first table of plain rows under a heading. */
+const under = (record, heading) =>
+    tables(record).find(t => t.heading === heading && t.kind === 'rows')?.rows ?? [];
+
 function plan(record) {
-    const rows = tables(record).find(t => t.heading === 'What a scene needs' && t.kind === 'rows')?.rows ?? [];
+    const rows = under(record, 'What a scene needs');
     return (
         rows.length &&
         `On views that it was not fitted on. Good: at most 1.25 times the cost of the cheapest choice that
 meets the error, and at most 1.2 times the error asked for.
 
-${table(
-    ['', 'good'],
-    rows.map(r => [r.what, `${r.good} of ${r.pairs}`])
-)}`
+${listed(rows, ['', 'what'], ['good', r => `${r.good} of ${r.pairs}`])}`
     );
 }
 
@@ -235,34 +205,22 @@ ${table(
 function worst(causes) {
     const methods = [...new Set(causes.flatMap(Object.keys))].filter(key => key !== 'cause');
     const digits = v => (v > 1000 ? 0 : v > 0.03 ? 3 : 4);
-    return table(
-        ['cause', ...methods],
-        causes.map(c => [c.cause, ...methods.map(m => cell(c[m], digits(c[m])))])
-    );
+    return listed(causes, ['cause'], ...methods.map(m => [m, c => cell(c[m], digits(c[m]))]));
 }
 /* Rows of moves by method: of each figure the mean, and in brackets the worst. */
 function moved(record, heading, key) {
-    const rows = tables(record).find(t => t.heading === heading)?.rows ?? [];
-    const named = r => (key ? `${r[key]}, ` : '') + r.method;
-    const figures = ['filling', 'filled', 'error', 'over alone', 'by TAA'];
-    const of = (list, f) => {
-        const v = list.map(r => r[f]).filter(x => f !== 'by TAA' || x > 0);
-        const mean = v.reduce((s, x) => s + x, 0) / v.length;
-        return v.length ? `${cell(mean, 4)} (${cell(Math.max(...v), 4)})` : '';
-    };
+    const rows = under(record, heading),
+        known = (list, f) => list.map(r => r[f]).filter(x => f !== 'by TAA' || x > 0);
+    const of = ([, list], f, v = known(list, f)) =>
+        v.length ? `${cell(v.reduce((s, x) => s + x, 0) / v.length, 4)} (${cell(Math.max(...v), 4)})` : '';
+    const figures = ['filling', 'filled', 'error', 'over alone', 'by TAA'].map(f => [f, g => of(g, f)]);
     return (
         rows.length &&
         `${heading}, ${new Set(rows.map(r => r.scene)).size} scenes of seeds from 1000 on and models, 640x360.
 The mean (the worst) of the deviation over the truth's in frames 1 to 8 and 9 to 16, of the last frame's error, of that
 over the error of the frame alone, and of the error of TAA's picture of a camera that stands.
 
-${table(
-    ['', ...figures],
-    [...grouped(rows.map(r => ({ ...r, named: named(r) })), 'named')].map(([name, list]) => [
-        name,
-        ...figures.map(f => of(list, f))
-    ])
-)}`
+${listed([...grouped(rows, r => (key ? `${r[key]}, ` : '') + r.method)], ['', 0], ...figures)}`
     );
 }
 function stability(record) {
@@ -283,15 +241,21 @@ ${worst(still)}${moving.length ? `\n\nOver frames:\n\n${worst(moving)}` : ''}${m
 
 function papers(record) {
     const sheets = tables(record).filter(t => t.kind === 'paper');
-    const count = (t, head) => t.rows.filter(c => c.kind === 'claim' && c.head === head).length;
-    const rows = sheets.map(t => [`[${t.rows[0].paper}] ${t.heading}`, count(t, 'agrees'), count(t, 'differs')]);
-    const sum = k => rows.reduce((s, r) => s + r[k], 0);
+    const count = head => t => t.rows.filter(c => c.kind === 'claim' && c.head === head).length;
+    const sum = head => sheets.map(count(head)).reduce((s, n) => s + n, 0);
+    const [figure, agree, not] = ['figure', 'statements that agree', 'that do not'];
+    const rows = sheets.map(t => ({
+        [figure]: `[${t.rows[0].paper}] ${t.heading}`,
+        [agree]: count('agrees')(t),
+        [not]: count('differs')(t)
+    }));
+    const all = { [figure]: 'all', [agree]: sum('agrees'), [not]: sum('differs') };
     return (
         sheets.length &&
         `What the papers say of their tables and figures, judged by what is drawn here on comparable scenes. The
 page has theirs beside ours, pictures, and what does not agree with its cause.
 
-${table(['figure', 'statements that agree', 'that do not'], [...rows, ['all', sum(1), sum(2)]])}`
+${listed([...rows, all], [figure], [agree, , 0], [not, , 0])}`
     );
 }
 
@@ -307,42 +271,22 @@ function cost(record) {
     const [first, second] = [...grouped(rows, 'family').keys()],
         of = rows.filter(r => r.family === first);
     const beside = r => rows.find(o => o.chain === r.chain && o.family === second);
+    const ms = d => [`${d}, ms`, r => ways(typeof r[`${d} weighed`] === 'number' ? r : beside(r), d, 3)];
     return `Never measured: Mesa's compiler made these instructions of the passes, for GPUs that were not there.
 Milliseconds are a model's of 1920x1080 (examples/lab/cost/model.h): weighed as waves of 8x8 texels enter on twelve
 scenes by seed, in brackets busy, all that an \`if\` guards, and calm, none of what a wave may leave out. Splats and
 surfels are left out.
 
-${table(
-    [
-        'chain',
-        `${first}: instructions`,
-        'fetches',
-        'bytes in',
-        'out',
-        'registers',
-        'waves',
-        `${second}: instructions`,
-        ...devices(rows).map(d => `${d}, ms`),
-        'programs',
-        'text, kB',
-        'MB of targets at 1080'
-    ],
-    of
-        .filter(beside)
-        .map(r => [
-            `${r.chain}${r.splats ? ', counts less splats' : ''}`,
-            ways(r, '', 0),
-            cell(r.fetches, 1),
-            cell(r.bytes_in, 1),
-            cell(r.bytes_out, 1),
-            cell(r.vgprs, 0),
-            cell(r.waves, 0),
-            ways(beside(r), '', 0),
-            ...devices(rows).map(d => ways(typeof r[`${d} weighed`] === 'number' ? r : beside(r), d, 3)),
-            cell(r.programs, 0),
-            cell(r.text_bytes / 1e3, 1),
-            cell(r.targets_1080 / 1e6, 1)
-        ])
+${listed(
+    of.filter(beside),
+    ['chain', r => `${r.chain}${r.splats ? ', counts less splats' : ''}`],
+    [`${first}: instructions`, r => ways(r, '', 0)],
+    ...[['fetches', , 1], ['bytes in', 'bytes_in', 1], ['out', 'bytes_out', 1]],
+    ...[['registers', 'vgprs', 0], ['waves', , 0]],
+    [`${second}: instructions`, r => ways(beside(r), '', 0)],
+    ...devices(rows).map(ms),
+    ...[['programs', , 0], ['text, kB', r => r.text_bytes / 1e3, 1]],
+    ['MB of targets at 1080', r => r.targets_1080 / 1e6, 1]
 )}
 
 Cheaper by every figure, in both families, and than all of its kind that take more instructions than the next:
