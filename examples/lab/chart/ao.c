@@ -177,7 +177,7 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
     s.stride = SEED_STRIDE;
     if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, QUICK_ROUNDS, AO_PHASES, picture, err))
         return -1;
-    for (int i = 0; i < count; ++i) if (mottled_again(&rows[i], &m, &s, err)) return -1;
+    for (int i = 0; i < count; ++i) if (mottled_row(&rows[i], &m, &s, err)) return -1;
     mottled_close(&m);
     const int peers = o->method ? 0 : peers_measure(rows + count + s.givens, &s, QUICK_ROUNDS,
                                                     o->quick ? PEERS_QUICK : MOST_PEERS, NULL, err);

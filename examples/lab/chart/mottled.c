@@ -12,26 +12,21 @@ void mottled_close(mottled *m)
     kit_image_free(&m->pair);
 }
 
-int mottled_row(row *r, const mottled *m, const stage *s, kit_run *run, const kit_image *picture, kit_error *err)
+int mottled_row(row *r, const mottled *m, stage *s, kit_error *err)
 {
+    kit_image picture;
+    kit_run run;
     bands noise, off;
     if (!m->smooth.pixels) return 0;
-    if (bands_noise(&noise, s, run, &m->smooth, picture, err) || bands_off(&off, &m->smooth, picture, &m->pair, err))
+    if (stage_run(&run, s, r->method, r->settings, s->radius, err) || stage_settled(&picture, s, &run, 0, 0, err)
+        || bands_noise(&noise, s, &run, &m->smooth, &picture, err)
+        || bands_off(&off, &m->smooth, &picture, &m->pair, err))
         return -1;
     for (int k = 0; k < BANDS; ++k) {
         r->figure[NOISE_BAND + k] = 1e3 * noise.rms[k];
         r->figure[ERROR_BAND + k] = 1e3 * off.rms[k];
     }
-    return 0;
-}
-
-int mottled_again(row *r, const mottled *m, stage *s, kit_error *err)
-{
-    kit_image picture;
-    kit_run run;
-    if (stage_run(&run, s, r->method, r->settings, s->radius, err)) return -1;
-    const int failed = stage_settled(&picture, s, &run, 0, 0, err) || mottled_row(r, m, s, &run, &picture, err);
     kit_image_free(&picture);
     kit_run_close(&run);
-    return failed ? -1 : 0;
+    return 0;
 }

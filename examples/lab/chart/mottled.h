@@ -10,9 +10,7 @@ typedef struct mottled { shaded smooth; kit_image pair; } mottled;
 /* Of a stage that is looked at and not compared yet: all of its frame counts. */
 int  mottled_open(mottled *m, const stage *s, kit_error *err);
 void mottled_close(mottled *m);
-/* picture: what the run has drawn; its next phase is drawn here. */
-int  mottled_row(row *r, const mottled *m, const stage *s, kit_run *run, const kit_image *picture, kit_error *err);
-/* The same of a row's own method, drawn anew. */
-int  mottled_again(row *r, const mottled *m, stage *s, kit_error *err);
+/* Draws the row's method anew, and its next phase. */
+int  mottled_row(row *r, const mottled *m, stage *s, kit_error *err);
 
 #endif

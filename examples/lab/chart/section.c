@@ -40,20 +40,34 @@ static int seen_of(kit_image *out, const section *c, const stage *s, const kit_i
     return 0;
 }
 
+/* The colours of differences, as report.js shows them beside a page_key. */
+static int legend(const char *out, kit_error *err)
+{
+    kit_image ramp, zero;
+    if (kit_image_new(&ramp, 512, 16, "Y", err) || kit_image_new(&zero, 512, 16, "Y", err)) return -1;
+    for (int i = 0; i < 512 * 16; ++i) ramp.data[i] = (float)(i % 512) / 511 - 0.5f;
+    const int failed = pictures_difference(&ramp, &zero, 0.5f, out, "legend", err);
+    kit_image_free(&ramp);
+    kit_image_free(&zero);
+    return failed;
+}
+
 /* One figure and, of a method, its difference to the truth, the first one shown. */
 static int figure(FILE *record, const options *o, const section *c, const stage *s, const pictured *p, const row *r,
                   const kit_image *truth, kit_error *err)
 {
     const int colours = p->picture->channels > 1;
     char note[64];
-    if (pictures_save(p->picture, colours ? "R,G,B" : "Y", colours, o->out, p->slug, ".png", err)) return -1;
+    if (pictures_save(p->picture, colours ? "R,G,B" : "Y", colours, o->out, p->slug, ".png", err)
+        || (!colours && pictures_save(p->picture, "Y", 0, o->out, p->slug, ".exr", err)))
+        return -1;
     if (!r) snprintf(note, sizeof note, "%d %s", s->rays, s->otherwise.kind == SCATTER ? "thousand samples" : "rays");
     else if (isnan(r->relative)) snprintf(note, sizeof note, "error %.3f", r->share);
     else snprintf(note, sizeof note, "time %.2f, error %.3f", r->relative, r->share);
     page_figure(record, p->slug, p->label, note, p->picture->width, p->picture->height, r != NULL);
     if (r) return pictures_difference(p->picture, truth, (float)c->range, o->out, p->slug, err);
     page_key(record, c->range);
-    return 0;
+    return legend(o->out, err);
 }
 
 /* The truth, what is given and the methods: whole, then in part. rows: methods, what is given. */
@@ -67,7 +81,7 @@ static int figures(FILE *record, const options *o, const section *c, const set *
     for (int i = 0; i <= count; ++i) {
         const int at = i > beside ? i - 1 - beside : methods + i - 1;
         const kit_image *from = !i ? &s->truth : i > beside ? &picture[at] : &s->given[i - 1].picture;
-        p[i].label = i ? rows[at].label : "ray-traced truth";
+        p[i].label = i ? rows[at].label : s->otherwise.kind == SCATTER ? "dipole over samples" : "ray-traced truth";
         p[i].picture = &seen[i];
         snprintf(p[i].slug, sizeof p[i].slug, "%s-%s-", c->name, s->name);
         pictures_slug(p[i].slug + strlen(p[i].slug), p[i].label);
@@ -186,7 +200,10 @@ int section_chart(FILE *record, const section *c, const options *o, kit_error *e
     if (c->write) c->write(csv.file, o);
     if (c->title) page_heading(record, 2, "%s", c->title);
     if (c->head) c->head(record, o);
-    if (c->kind ? page_csv(record, c->kind, &csv, o->out, c->csv, err) : page_close(&csv, o->out, c->csv, err))
+    if (!c->csv) {
+        fclose(csv.file);
+        free(csv.text);
+    } else if (c->kind ? page_csv(record, c->kind, &csv, o->out, c->csv, err) : page_close(&csv, o->out, c->csv, err))
         return -1;
     if (c->parts) page_heading(record, 2, "%s", c->parts);
     page_into(&each, record);

@@ -203,55 +203,42 @@ static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_
     return 1;
 }
 
-static int visible_row(FILE *record, const options *o, const place *p, row *r, stage *s, const entry *e,
-                       const mottled *m, kit_error *err)
-{
-    kit_image picture;
-    kit_run run;
-    char note[64];
-    *r = row_blank(OF_AO, s->name, e->label, e->method, e->settings);
-    if (stage_run(&run, s, e->method, e->settings, s->radius, err)) return -1;
-    r->fetches = run.fetches;
-    int failed = stage_settled(&picture, s, &run, 0, 0, err) || score_picture(r, s, &picture, err)
-              || (e->quick && mottled_row(r, m, s, &run, &picture, err));
-    snprintf(note, sizeof note, "error %.3f", r->share);
-    if (!failed && !strcmp(e->method, "hsao") && !*e->settings)
-        failed = small_picture(record, s, o, p, "hsao", note, &picture, err);
-    kit_image_free(&picture);
-    kit_run_close(&run);
-    return failed ? -1 : 0;
-}
-
 /* Ambient visibility's rows, the floor and the peers; its truth, for the caller to free. How many; 0 = the scene is
    left out. */
 static int visible_rows(FILE *record, const options *o, const place *p, row *rows, kit_image *truth, kit_error *err)
 {
     const view v = { .name = p->name, .path = p->path };
     entry entries[MOST_ENTRIES];
+    const int count = units_chosen(entries, WITH_COUNT(visible_entries), o);
+    kit_image picture[MOST_ENTRIES];
     mottled m;
     char note[128];
     stage s;
-    int count = units_chosen(entries, WITH_COUNT(visible_entries), o), failed = 0;
     const int there = seed_open(record, &s, &v, parts, err);
     if (there <= 0) return there;
     snprintf(note, sizeof note, "%zu triangles, %d lights, %s", s.scene.mesh.triangles, s.scene.lights,
              s.scene.env ? s.scene.env : "none");
     page_heading(record, 4, "%s", p->name);
     if (own_picture(record, &s, o->out, p->name, note, err) || mottled_open(&m, &s, err) || stage_compare(&s, err)
-        || small_picture(record, &s, o, p, "truth", "", &s.truth, err))
+        || small_picture(record, &s, o, p, "truth", "", &s.truth, err)
+        || measure_entries(rows, &s, entries, count, 0, 0, picture, err))
         return -1;
-    for (int i = 0; i < count && !failed; ++i) failed = visible_row(record, o, p, &rows[i], &s, &entries[i], &m, err);
-    rows[count] = row_blank(OF_AO, s.name, s.given[0].label, s.given[0].method, "");
-    failed = failed || score_picture(&rows[count], &s, &s.given[0].picture, err);
-    const int peers = failed || o->method ? 0
-                                          : peers_measure(rows + count + 1, &s, 0, o->quick ? PEERS_QUICK : MOST_PEERS,
-                                                          NULL, err);
-    for (int i = 0; i < peers; ++i) rows[count + 1 + i].of |= OF_PEER;
+    for (int i = 0; i < count; ++i) {
+        const int shown = !strcmp(entries[i].method, "hsao") && !*entries[i].settings;
+        snprintf(note, sizeof note, "error %.3f", rows[i].share);
+        if ((entries[i].quick && mottled_row(&rows[i], &m, &s, err))
+            || (shown && small_picture(record, &s, o, p, "hsao", note, &picture[i], err)))
+            return -1;
+        kit_image_free(&picture[i]);
+    }
+    const int most = o->quick ? PEERS_QUICK : MOST_PEERS, behind = count + 1;     /* the floor */
+    const int peers = o->method ? 0 : peers_measure(rows + behind, &s, 0, most, NULL, err);
+    for (int i = 0; i < peers; ++i) rows[behind + i].of |= OF_PEER;
     mottled_close(&m);
     *truth = s.truth;
     memset(&s.truth, 0, sizeof s.truth);
     stage_close(&s);
-    return failed || peers < 0 ? -1 : count + 1 + peers;
+    return peers < 0 ? -1 : behind + peers;
 }
 
 /* Rows of a small picture, of light by the scene's environment, or of its one bounce; behind light's those of the true

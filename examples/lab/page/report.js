@@ -421,7 +421,7 @@ function shown_entries(entries) {
             const style = `--wide: ${e.width > 320 ? 400 : 220}px`;
             if (!grid) out.push(grid = el('div', { className: 'grid', style }));
             grid.append(e.picture ? figure(e) : el('figure', { className: 'key' },
-                el('img', { src: 'difference-legend.png', alt: 'blue over white to red' }),
+                el('img', { src: 'legend-difference.png', alt: 'blue over white to red' }),
                 el('div', { className: 'faint' }, el('span', {}, `−${e.key} too dark`), el('span', {}, '0'),
                    el('span', {}, `too bright +${e.key}`)),
                 el('p', { className: 'faint' }, 'Under each picture: its difference to the truth.')));

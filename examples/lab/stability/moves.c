@@ -99,36 +99,19 @@ static int truth_of(kit_image *out, const shot *s, int rays, kit_error *err)
 /* Mean deviation over SPAN frames of places that all of them show. */
 static double deviation(const shot *shots, const kit_image *pictures)
 {
+    const kit_image *each[SPAN];
     double sum = 0;
     size_t places = 0;
+    for (int k = 0; k < SPAN; ++k) each[k] = &pictures[k];
     for (int i = 0; i < shots->frame.width * shots->frame.height; ++i) {
         double v[SPAN], mean = 0, square = 0;
-        float p[3];
-        int shown = shots->mask[i] > 0;
-        if (!shown) continue;
-        shot_place(shots, i, p);
-        for (int k = 0; k < SPAN && shown; ++k)
-            shown = shot_value_at(&v[k], &shots[k], &pictures[k], p, shots->object[i]);
-        if (!shown) continue;
+        if (!shot_followed(v, shots, SPAN, each, i)) continue;
         for (int k = 0; k < SPAN; ++k) mean += v[k] / SPAN;
         for (int k = 0; k < SPAN; ++k) square += (v[k] - mean) * (v[k] - mean) / (SPAN - 1);
         sum += sqrt(square);
         ++places;
     }
     return sum / (double)(places ? places : 1);
-}
-
-static double error_of(const shot *s, const kit_image *picture, const kit_image *truth)
-{
-    const float *a = shot_values(picture), *b = shot_values(truth);
-    double sum = 0;
-    int count = 0;
-    for (int i = 0; i < truth->width * truth->height; ++i) {
-        if (!(s->mask[i] > 0)) continue;
-        sum += (double)((a[i] - b[i]) * (a[i] - b[i]));
-        ++count;
-    }
-    return sqrt(sum / (count ? count : 1));
 }
 
 /* As a host's TAA shows pictures of a camera that stands: their exponential average by a tenth, against the truth's
@@ -231,7 +214,7 @@ static int moved(double (*figure)[MOVE_FIGURES], const char *scene, const struct
         if (draw_all(picture, shots, methods[i], kind, err)) return -1;
         for (int h = 0; h < 2; ++h) figure[i][h] = deviation(shots + h * SPAN, picture + h * SPAN) - own[h];
         for (int k = 0; k < 2; ++k)
-            figure[i][LAST + k] = error_of(last, &picture[MOVED - 1 + k], &truth[MOVED - 1]);
+            figure[i][LAST + k] = shot_apart(&picture[MOVED - 1 + k], &truth[MOVED - 1], last->mask);
         figure[i][BY_TAA] = stands(kind) ? error_by_taa(shots, picture, truth) : (double)NAN;
         for (int k = 0; k <= MOVED; ++k) kit_image_free(&picture[k]);
     }
@@ -290,7 +273,7 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
 {
     const char *const *methods = o->method[0] ? o->method : own_methods;
     static double figure[MOST_MOVES][MOVE_FIGURES], sum[MOST_MOVES][MOVE_FIGURES];
-    char scene[128];
+    char scene[128], taa[32];
     int count = 0, of[MOST_MOVES] = { 0 };
     memset(sum, 0, sizeof sum);
     if (csv) fputs("move,scene,method,filling,filled,error,over alone,by TAA\n", csv);
@@ -304,10 +287,10 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
             const double *f = figure[i];
             if (skipped(methods[i], kind)) continue;
             print_figures(methods[i], f);
+            snprintf(taa, sizeof taa, stands(kind) ? "%.5f" : "", f[BY_TAA]);
             if (csv)
-                fprintf(csv, stands(kind) ? "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f,%.5f\n"
-                                          : "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f,\n",
-                        kind->name, scene, methods[i], f[FILLING], f[FILLED], f[LAST], f[LAST] / f[ALONE], f[BY_TAA]);
+                fprintf(csv, "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f,%s\n", kind->name, scene, methods[i], f[FILLING],
+                        f[FILLED], f[LAST], f[LAST] / f[ALONE], taa);
             for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] += f[c];
             ++of[i];
         }
@@ -315,9 +298,8 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
     }
     printf("mean of %d\n", count);
     for (int i = 0; methods[i]; ++i) {
-        if (!of[i]) continue;
         for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] /= of[i];
-        print_figures(methods[i], sum[i]);
+        if (of[i]) print_figures(methods[i], sum[i]);
     }
     return 0;
 }

@@ -247,3 +247,46 @@ void shot_place(const shot *s, int pixel, float p[3])
     kit_camera_point(&s->gbuffer.camera, pixel % width, pixel / width,
                      (double)kit_image_channel(&s->frame, "Z")[pixel], p);
 }
+
+/* ---- >>figures --------------------------------------------------------------------------------------------------- */
+
+double shot_apart(const kit_image *a, const kit_image *b, const float *mask)
+{
+    double sum = 0;
+    size_t count = 0;
+    for (int i = 0; i < b->width * b->height; ++i) {
+        if (!(mask[i] > 0) || isnan(shot_values(b)[i])) continue;
+        const double d = (a ? (double)shot_values(a)[i] : 1) - (double)shot_values(b)[i];
+        sum += isnan(d) ? 1 : d * d;
+        ++count;
+    }
+    return sqrt(sum / (double)count);
+}
+
+/* A place of an object that stands elsewhere in another frame. */
+static void carry(float p[3], const float *from, const float *to)
+{
+    const float square = from[0] * from[0] + from[1] * from[1] + from[2] * from[2];
+    float q[3];
+    for (int k = 0; k < 3; ++k)
+        q[k] = (from[4 * k] * (p[0] - from[12]) + from[4 * k + 1] * (p[1] - from[13])
+                + from[4 * k + 2] * (p[2] - from[14]))
+               / square;
+    for (int k = 0; k < 3; ++k) p[k] = to[k] * q[0] + to[4 + k] * q[1] + to[8 + k] * q[2] + to[12 + k];
+}
+
+int shot_followed(double *v, const shot *shots, int frames, const kit_image *const *pictures, int pixel)
+{
+    const uint32_t o = shots->object[pixel];
+    float p[3];
+    if (!(shots->mask[pixel] > 0)) return 0;
+    shot_place(shots, pixel, p);
+    for (int k = 0; k < frames; ++k) {
+        const float *from = shots->to_world[(o - 1) % MOST_OBJECTS], *to = shots[k].to_world[(o - 1) % MOST_OBJECTS];
+        float q[3];
+        memcpy(q, p, sizeof q);
+        if (o > 0 && o <= MOST_OBJECTS && memcmp(from, to, sizeof *shots->to_world)) carry(q, from, to);
+        if (!shot_value_at(&v[k], &shots[k], pictures[k], q, o)) return 0;
+    }
+    return 1;
+}

@@ -33,5 +33,11 @@ float *shot_values(const kit_image *picture);
 int    shot_value_at(double *value, const shot *s, const kit_image *picture, const float p[3], uint32_t object);
 /* The place that a pixel shows. */
 void   shot_place(const shot *s, int pixel, float p[3]);
+/* What pictures of so many frames hold at a place that the first one shows, which moves as its object does; 0: some
+   frame does not show it. */
+int    shot_followed(double *v, const shot *shots, int frames, const kit_image *const *pictures, int pixel);
+/* Root of the mean square difference (a NULL: to 1 everywhere) where b is known and it is scored. What is no number is
+   off by 1. */
+double shot_apart(const kit_image *a, const kit_image *b, const float *mask);
 
 #endif

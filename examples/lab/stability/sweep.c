@@ -8,21 +8,6 @@
 
 /* ---- >>figures of one frame -------------------------------------------------------------------------------------- */
 
-/* Root of the mean square difference (a NULL: 1 everywhere) where b is known and it is scored. What is no number is off
-   by 1. */
-static double apart(const kit_image *a, const kit_image *b, const float *mask)
-{
-    double sum = 0;
-    size_t count = 0;
-    for (int i = 0; i < b->width * b->height; ++i) {
-        if (!(mask[i] > 0) || isnan(shot_values(b)[i])) continue;
-        const double d = (a ? (double)shot_values(a)[i] : 1) - (double)shot_values(b)[i];
-        sum += isnan(d) ? 1 : d * d;
-        ++count;
-    }
-    return sqrt(sum / (double)count);
-}
-
 /* Scores only places that the frame before did not show. */
 static void only_new(shot *s, const shot *last)
 {
@@ -58,35 +43,6 @@ static double remains(const shot *s, const shot *before, int m, int share)
 
 /* ---- >>figures over frames --------------------------------------------------------------------------------------- */
 
-/* A place of an object that stands elsewhere in another frame. */
-static void carry(float p[3], const float *from, const float *to)
-{
-    const float square = from[0] * from[0] + from[1] * from[1] + from[2] * from[2];
-    float q[3];
-    for (int k = 0; k < 3; ++k)
-        q[k] = (from[4 * k] * (p[0] - from[12]) + from[4 * k + 1] * (p[1] - from[13])
-                + from[4 * k + 2] * (p[2] - from[14]))
-               / square;
-    for (int k = 0; k < 3; ++k) p[k] = to[k] * q[0] + to[4 + k] * q[1] + to[8 + k] * q[2] + to[12 + k];
-}
-
-/* A place that the first frame shows, in all frames; 0: some frame does not show it. */
-static int followed(double v[FRAMES], const shot *shots, int frames, const kit_image *const *pictures, int pixel)
-{
-    const uint32_t o = shots->object[pixel];
-    float p[3];
-    if (!(shots->mask[pixel] > 0)) return 0;
-    shot_place(shots, pixel, p);
-    for (int k = 0; k < frames; ++k) {
-        const float *from = shots->to_world[(o - 1) % MOST_OBJECTS], *to = shots[k].to_world[(o - 1) % MOST_OBJECTS];
-        float q[3];
-        memcpy(q, p, sizeof q);
-        if (o > 0 && o <= MOST_OBJECTS && memcmp(from, to, sizeof *shots->to_world)) carry(q, from, to);
-        if (!shot_value_at(&v[k], &shots[k], pictures[k], q, o)) return 0;
-    }
-    return 1;
-}
-
 /* How much places that the first frame shows vary: their deviation over the frames; or, of what changes anyway, the
    second difference, as the deviation of noise that has it (1 -2 1: root of 6). map: the same of each pixel, 0 where it
    is not known. mean: of what is held. */
@@ -98,7 +54,7 @@ static double flicker(float *map, double *mean, const shot *shots, int frames, c
     for (int i = 0; i < shots->frame.width * shots->frame.height; ++i) {
         double v[FRAMES], middle = 0, square = 0;
         map[i] = 0;
-        if (!followed(v, shots, frames, pictures, i)) continue;
+        if (!shot_followed(v, shots, frames, pictures, i)) continue;
         for (int k = 0; k < frames; ++k) middle += v[k] / frames;
         for (int k = 0; k < frames && !second; ++k) square += (v[k] - middle) * (v[k] - middle) / (frames - 1);
         for (int k = 1; k + 1 < frames && second; ++k)
@@ -119,7 +75,7 @@ static double newly_over_alone(const shot *shots, int frames, int m)
     for (int k = 1; k < frames; ++k)
         for (int g = 0; g < 2; ++g) {
             const kit_image *picture = g ? &shots[k].single[m] : &shots[k].picture[m];
-            const double e = apart(picture, &shots[k].truth[0], shots[k].mask);
+            const double e = shot_apart(picture, &shots[k].truth[0], shots[k].mask);
             if (e > 0) sum[g] += e * e;
         }
     return sqrt(sum[0] / sum[1]);
@@ -131,8 +87,8 @@ static double most_over_alone(const shot *shots, int first, int frames, int m)
     double most = 0;
     for (int k = first; k < frames; ++k) {
         const shot *s = &shots[k];
-        most = fmax(most, apart(&s->picture[m], &s->truth[0], s->mask)
-                              / fmax(apart(&s->single[m], &s->truth[0], s->mask), 1e-4));
+        most = fmax(most, shot_apart(&s->picture[m], &s->truth[0], s->mask)
+                              / fmax(shot_apart(&s->single[m], &s->truth[0], s->mask), 1e-4));
     }
     return most;
 }
@@ -195,7 +151,7 @@ static double figure_of(float *map, const shot *shots, int frames, int kind, int
     const shot *s = &shots[frames - 1];
     switch (kind) {
     case ERROR:
-    case PRECISION: return apart(m < 0 ? NULL : &s->picture[m], truth_of(shots, frames, kind, m, between), s->mask);
+    case PRECISION: return shot_apart(m < 0 ? NULL : &s->picture[m], truth_of(shots, frames, kind, m, between), s->mask);
     case NEWLY:     return newly_over_alone(shots, frames, m);
     case TRAIL:     return remains(s, &shots[CHANGED - 1], m, 0);
     case HELD:      return remains(s, &shots[CHANGED - 1], m, 1);
