@@ -336,6 +336,22 @@ static void subjects_sound(void)
     }
 }
 
+/* A row that cannot be drawn would be found an hour into the chart. */
+static void rows_sound(void)
+{
+    const options all = { .quick = 1 };
+    entry some[MOST_ENTRIES];
+    kit_method m;
+    kit_error err = { "" };
+    const entry *e;
+    int k = 0;
+    if (!CHECK(!units_load(&err), "%s", err.text)) return;
+    for (; (e = units_row(k)) != NULL; ++k)
+        CHECK(!kit_method_find(&m, e->method, &err) && !kit_method_set(&m, e->settings, &err), "%s: %s", e->label,
+              err.text);
+    CHECK(k > 200 && units_chosen(some, "ao-demo", &all) == 5 && !strcmp(some[4].method, "hsao-march"), "%d rows", k);
+}
+
 static int measured;
 
 static int one_row(FILE *html, const options *o, int k, row *rows, kit_error *err)
@@ -397,5 +413,6 @@ void test_seeds(void)
     RUN("pictures apart: RMSE, bias and what is like itself, worked out by hand", differences);
     RUN("how far the pixels of a truth leave it in doubt which of two pictures errs more", errors_by_hand);
     RUN("rows that two builds are compared by can be drawn", subjects_sound);
+    RUN("rows of charts are of methods that there are, with settings that they take", rows_sound);
     RUN("a chart of seeds that was interrupted goes on from what it measured", units_resumed);
 }

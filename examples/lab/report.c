@@ -253,7 +253,8 @@ static int run(const struct command *c, int argc, char **argv, kit_error *err)
     options o;
     if (parse(&o, c, argc, argv, err)) return -1;
     if (o.quick) stage_thrift = QUICK_THRIFT;
-    return folder_make(o.out, err) || (c->ahead && c->ahead(&o, err)) || kit_gl_open(o.context, err) || c->run(&o, err)
+    return units_load(err) || folder_make(o.out, err) || (c->ahead && c->ahead(&o, err))
+                   || kit_gl_open(o.context, err) || c->run(&o, err)
                ? -1
                : kit_streams_close(err);
 }

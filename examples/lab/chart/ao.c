@@ -10,54 +10,11 @@
 #include "lab/page/pictures.h"
 #include "lab/page/table.h"
 
-/* ---- >>tables ---------------------------------------------------------------------------------------------------- */
-
-static const entry demo_entries[] = {
-    { "ssao",       "ssao",       "", 1 },
-    { "hsao-fast",  "hsao-fast",  "", 1 },
-    { "hsao",       "hsao",       "", 1 },
-    { "hsao-best",  "hsao-best",  "", 1 },
-    { "hsao-march", "hsao-march", "", 1 }
-};
-
-static const entry chart_entries[] = {      /* rows of one label make one curve */
-    { "ssao",             "ssao",         "samples=8",                    1 },
-    { "ssao",             "ssao",         "",                             1 },
-    { "ssao",             "ssao",         "samples=32",                   1 },
-    { "ssao, no blur",    "ssao",         "samples=16,blur=0",            1 },
-    { "hsao-fast",        "hsao-fast",    "",                             1 },
-    { "hsao, half size",  "hsao",         "directions=1,steps=8",         1 },
-    { "hsao, half size",  "hsao",         "",                             1 },
-    { "hsao, half size",  "hsao",         "steps=10",                     1 },
-    { "hsao, half size",  "hsao",         "directions=3,steps=16",        1 },
-    { "hsao, half size",  "hsao",         "directions=4,steps=24",        0 },
-    { "hsao, 16 frames",  "hsao-fast",    "history=1",                    1 },
-    { "hsao, 16 frames",  "hsao-history", "",                             1 },
-    { "hsao, 16 frames",  "hsao-history", "thickness=slabs",              0 },
-    { "hsao, full size",  "hsao-best",    "directions=1,steps=6",         1 },
-    { "hsao, full size",  "hsao-best",    "",                             1 },
-    { "hsao, full size",  "hsao-best",    "directions=4,steps=24",        0 },
-    { "hsao, constant",   "hsao",         "thickness=constant",           1 },
-    { "hsao, solid",      "hsao",         "thickness=solid",              1 },
-    { "hsao, back faces", "hsao",         "thickness=back",               1 },
-    { "hsao, two slabs",  "hsao-fast",    "thickness=slabs",              1 },
-    { "hsao, two slabs",  "hsao",         "thickness=slabs",              1 },
-    { "hsao, two slabs",  "hsao-best",    "thickness=slabs",              1 },
-    { "hsao-march",       "hsao-march",   "",                             1 },
-    { "march, 2 layers",  "hsao-march",   "layers=2",                     1 },
-    { "march, 4 cameras", "hsao-march",   "directions=4,steps=6,views=4", 0 },
-    { "hsao, margin",     "hsao",         "margin=0.25",                  1 },
-    { "dss",              "dss-fast",     "",                             0 },
-    { "dss",              "dss",          "",                             0 },
-    { "dss",              "dss-best",     "",                             0 }
-};
-
 /* ---- >>demo ------------------------------------------------------------------------------------------------------ */
 
 static const float DEMO_ERROR = 0.03f;      /* what the demo's planned row is asked for */
 enum { DEMO_ROUNDS = 3, AO_PHASES = 2 };
-_Static_assert(COUNT(chart_entries) <= MOST_ENTRIES && (int)MOST_ROWS + (int)MOST_PEERS <= (int)MOST_SET_ROWS,
-               "more rows than MOST_ENTRIES, MOST_SET_ROWS");
+_Static_assert((int)MOST_ROWS + (int)MOST_PEERS <= (int)MOST_SET_ROWS, "more rows than MOST_SET_ROWS");
 
 /* The demo's methods, and what the plan takes for DEMO_ERROR. */
 static int measure_planned(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
@@ -91,7 +48,7 @@ static int open_mesh(stage *s, const section *c, const set *t, kit_error *err)
 
 static const set demos[] = {
     { "Ambient occlusion", "Ambient visibility: white is open, black is closed.", &mesh,
-      .entries = WITH_COUNT(demo_entries) }
+      .rows = "ao-demo" }
 };
 static found demo_found[COUNT(demos)];
 const section ao_demo = { .name = "ao", .sets = WITH_COUNT(demos), .width = 800, .height = 450, .open = open_mesh,
@@ -137,7 +94,7 @@ static int scenes, methods;                      /* of the chart, there or not; 
 int ao_entries(const options *o)
 {
     entry e[MOST_ENTRIES];
-    return units_chosen(e, WITH_COUNT(chart_entries), o);
+    return units_chosen(e, "ao", o);
 }
 
 static int units(const options *o)
@@ -154,7 +111,6 @@ static view view_at(const options *o, int k)
     return v;
 }
 
-
 static int left_out(const options *o, const view *v)
 {
     return !o->scenes && stage_packages(v->path) && access(v->path, R_OK);
@@ -166,7 +122,7 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
     const view v = view_at(o, k);
     entry entries[MOST_ENTRIES];
     kit_image picture[MOST_ENTRIES];
-    const int count = units_chosen(entries, WITH_COUNT(chart_entries), o);
+    const int count = units_chosen(entries, "ao", o);
     mottled m;
     stage s;
     if (!count || left_out(o, &v)) return 0;

@@ -7,74 +7,6 @@
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
 #define DSS(label, settings, quick) { label, "dss", settings, quick }
-static const entry deep_ao[] = { /* rows of one label make one curve */
-    { "ssao", "ssao", "samples=8", 0 },
-    { "ssao", "ssao", "", 1 },
-    { "hsao", "hsao-fast", "", 1 },
-    { "hsao", "hsao", "", 1 },
-    { "hsao", "hsao-best", "", 1 },
-    { "dss", "dss-fast", "", 1 },
-    { "dss", "dss", "", 1 },
-    { "dss", "dss-best", "", 1 },
-    DSS("dss, small surfels, far, at full size", "half=0,size=0.015,epsilon=0.1,levels=5,near_samples=4", 0),
-    DSS("dss, epsilon 0.02, at full size", "half=0,epsilon=0.02", 0)
-};
-static const entry deep_figure8[] = {
-    DSS("epsilon", COARSE ",half=0,levels=4,epsilon=0.2", 1),  DSS("epsilon", COARSE ",half=0,levels=4,epsilon=0.1", 1),
-    DSS("epsilon", COARSE ",half=0,levels=4,epsilon=0.02", 1), DSS("levels", COARSE ",half=0,epsilon=0.1,levels=1", 0),
-    DSS("levels", COARSE ",half=0,epsilon=0.1,levels=2", 1),   DSS("levels", COARSE ",half=0,epsilon=0.1,levels=6", 0)
-};
-static const entry deep_choices[] = {
-    DSS("defaults", COARSE, 1),
-    DSS("every triangle", COARSE ",keep_small=1", 0),
-    DSS("no growth off screen: as published", COARSE ",offscreen_growth=0", 0),
-    DSS("from the near plane on", COARSE ",near_depth=0", 0),
-    DSS("near_samples: 4 points", COARSE ",near_samples=4", 0),
-    DSS("full size", COARSE ",half=0", 0),
-    DSS("corners move to the centroid: as published", COARSE ",overhang=centroid", 0),
-    DSS("larger surfels on farther levels: as published", COARSE ",enlarge=1", 0),
-    DSS("form factors add up: as published", COARSE ",combine=add", 0),
-    DSS("no smoothing", COARSE ",smooth=0", 0),
-    DSS("smoothing compares normals", COARSE ",filter_normals=1", 0),
-    DSS("by tessellation", COARSE ",way=capture", 0),
-    DSS("by geometry shader", COARSE ",way=direct", 0)
-};
-static const entry deep_lights[] = {
-    { "dss-lit", "dss-lit", COARSE, 1 },
-    { "dss-lit", "dss-lit", "", 0 },
-    { "dss-lit, epsilon 0.02", "dss-lit", COARSE ",epsilon=0.02,levels=4", 0 },
-    { "dss-lit, the sky on surfels that are hidden, too", "dss-lit", COARSE ",sky=1", 0 }
-};
-static const entry deep_ssdos[] = {
-    { "ssdo", "ssdo-fast", "", 0 },
-    { "ssdo", "ssdo", "", 1 },
-    { "ssdo", "ssdo-best", "", 0 },
-    { "ssdo, 4 cameras", "ssdo-points", "views=4", 0 }
-};
-static const entry deep_mirrors[] = {
-    { "dss-gloss", "dss-gloss", "exponent=8,size=0.06", 0 },
-    { "dss-gloss", "dss-gloss", "exponent=8,size=0.03", 0 },
-    { "dss-gloss", "dss-gloss", "exponent=8", 1 },
-    { "dss-gloss, epsilon 0.02", "dss-gloss", "exponent=8,size=0.03,epsilon=0.02", 0 }
-};
-static const entry deep_marbles[] = {
-    { "dss-scatter", "dss-scatter", MARBLE, 1 },
-    { "dss-scatter, 5 levels", "dss-scatter", MARBLE ",levels=5", 0 },
-    { "dss-scatter, epsilon 0.1", "dss-scatter", MARBLE ",epsilon=0.1", 0 },
-    { "dss-scatter, shares of triangles", "dss-scatter", MARBLE ",keep_small=0", 1 }
-};
-static const entry deep_two[]     = { { "hsao", "hsao", "", 1 }, { "dss", "dss", "", 1 } };
-static const entry deep_lit[]     = { { "dss-lit", "dss-lit", "size=0.03", 1 } };
-static const entry deep_mirror[]  = { { "dss-gloss", "dss-gloss", "exponent=8", 1 } };
-static const entry deep_beside[]  = { { "hsao", "hsao", "", 1 }, { "dss", "dss", COARSE, 1 } };
-static const entry deep_under[]   = { { "dss-scatter", "dss-scatter", MARBLE, 1 } };
-static const entry deep_effects[] = {
-    { "ambient occlusion", "dss", "way=capture", 1 },
-    { "directional occlusion", "dss-lit", "way=capture,bounce=none", 1 },
-    { "directional occlusion, a bounce", "dss-lit", "way=capture", 1 },
-    { "one specular bounce", "dss-gloss", "way=capture", 1 },
-    { "scattering", "dss-scatter", "way=capture," MARBLE, 1 }
-};
 /* The same reach, radius sqrt(1 / epsilon - 1) 2^(levels - 1): 16^2 (1/0.1 - 1) = 1/0.000433839 - 1. half: of the
    picture's width and height, brought to full size bilinearly. */
 static const sized deep_figure9[] = {
@@ -140,7 +72,8 @@ static int stages(FILE *record, const options *o, row *rows, kit_error *err)
 {
     static const deep_view lights = WHOLE_LIGHT;
     (void)record;
-    return costs(rows, &lights, PAPER_SIDE, PAPER_SIDE, deep_effects, o->quick ? 1 : COUNT(deep_effects), OF_STAGES, 1,
+    entry effects[MOST_ENTRIES];
+    return costs(rows, &lights, PAPER_SIDE, PAPER_SIDE, effects, units_chosen(effects, "deep-effects", o), OF_STAGES, 1,
                  err);
 }
 
@@ -163,57 +96,57 @@ static int grown(FILE *record, const options *o, row *rows, kit_error *err)
 static const set demos[] = {
     { "Deep screen space: ambient occlusion",
       "Discs of all triangles, seen or not, take from the ambient light of the pixels around them. Bunny on a floor.",
-      SEEN BUNNY_AO, .entries = WITH_COUNT(deep_two) },
+      SEEN BUNNY_AO, .rows = "deep-demo" },
     { "Deep screen space: light",
       "Bunny and four boxes under the sky and a sun, one bounce; all within the radius counts whole. Surfels of 0.03.",
-      SEEN WHOLE_LIGHT, .entries = WITH_COUNT(deep_lit) },
+      SEEN WHOLE_LIGHT, .rows = "deep-demo-light" },
     { "Deep screen space: one specular bounce",
       "Open box under a point light, met by a lobe of exponent 8. Nothing here does that in screen space.",
-      SEEN LOBE, .entries = WITH_COUNT(deep_mirror) },
+      SEEN LOBE, .rows = "deep-demo-gloss" },
     { "Deep screen space: scattering under the surface",
       "A bunny of marble, 4 cm high, lit from behind. Nothing here does that in screen space. Truth: the dipole over "
       "samples on all of the mesh.",
-      SEEN OF_MARBLE, .entries = WITH_COUNT(deep_under) },
+      SEEN OF_MARBLE, .rows = "deep-demo-scatter" },
     { "Deep screen space: what the picture does not show",
       "Beside the picture: along its left side stands a wall, off the picture.",
       SEEN { { "off-screen", "plane", 0, { 0.15f, 0.9f, 2 }, { 1.2f, 0.1f, 0 }, 30, 0.6f, NULL },
              { { -0.2f, 0.001f, -4, 0, 1, 1.5f } },
              PLAINLY },
-      .entries = WITH_COUNT(deep_beside) },
+      .rows = "deep-demo-hidden" },
     { NULL,
       "Hidden: a box behind a screen.",
       SEEN { { "hidden", "plane", 0, { 0, 1, 4 }, { 0.15f, 0.15f, 0 }, 26, 0.6f, NULL },
              { { -0.75f, 0.001f, -0.4f, -0.02f, 0.6f, 0.2f }, { -1.2f, 0.001f, 1.2f, 0, 0.75f, 1.24f } },
              PLAINLY },
-      .entries = WITH_COUNT(deep_beside) },
+      .rows = "deep-demo-hidden" },
     { NULL,
       "At grazing angle: of a box the side that occludes is seen edge-on.",
       SEEN { { "grazing", "plane", 0, { 0, 0.45f, 3.2f }, { 0.1f, 0.3f, 0 }, 24, 0.6f, NULL },
              { { -0.6f, 0.001f, -0.8f, 0, 0.7f, 0.4f } },
              PLAINLY },
-      .entries = WITH_COUNT(deep_beside) }
+      .rows = "deep-demo-hidden" }
 };
 static const set sets[] = {
     { "Deep screen space: speed against accuracy, bunny", "Bunny on a floor.",
-      SEEN BUNNY_AO, .entries = WITH_COUNT(deep_ao), .quick = 1, .kind = "scatter" },
+      SEEN BUNNY_AO, .rows = "deep", .quick = 1, .kind = "scatter" },
     { "Deep screen space: speed against accuracy, room", "Room.",
-      SEEN OWN_VIEW("room"), .entries = WITH_COUNT(deep_ao), .kind = "scatter" },
+      SEEN OWN_VIEW("room"), .rows = "deep", .kind = "scatter" },
     { "Deep screen space: epsilon and levels", "The paper's figure 8: epsilon and levels, surfels of 0.03.",
-      SEEN BUNNY_AO, .entries = WITH_COUNT(deep_figure8), .kind = "scatter" },
+      SEEN BUNNY_AO, .rows = "deep-levels", .kind = "scatter" },
     { "Deep screen space: other choices", "Bunny on a floor, surfels of 0.03; one choice at a time.",
-      SEEN BUNNY_AO, .entries = WITH_COUNT(deep_choices) },
+      SEEN BUNNY_AO, .rows = "deep-choices" },
     { "Deep screen space: light",
       "Bunny and four boxes under the sky and a sun, one bounce. Of ssdo: what is within the radius weighted by "
       "1 - t/radius, in its truth, too.",
-      SEEN FADING, .entries = WITH_COUNT(deep_ssdos), .quick = 1 },
-    { NULL, "Of dss-lit: all whole, in its truth, too.", SEEN WHOLE_LIGHT, .entries = WITH_COUNT(deep_lights),
+      SEEN FADING, .rows = "deep-ssdo", .quick = 1 },
+    { NULL, "Of dss-lit: all whole, in its truth, too.", SEEN WHOLE_LIGHT, .rows = "deep-light",
       .quick = 1 },
     { "Deep screen space: one specular bounce",
       "Open box under a point light, a lobe of exponent 8. Irradiance stands for the lobe's radiance.",
-      SEEN LOBE, .entries = WITH_COUNT(deep_mirrors) },
+      SEEN LOBE, .rows = "deep-gloss" },
     { "Deep screen space: scattering",
       "A bunny of marble, 4 cm high, lit from behind. Irradiance stands for the radiance that leaves it.",
-      SEEN OF_MARBLE, .entries = WITH_COUNT(deep_marbles) },
+      SEEN OF_MARBLE, .rows = "deep-scatter" },
     { "Deep screen space: full size, half size",
       "The paper's figure 9: all reach as far; half sizes are brought to full size bilinearly, which is not in their "
       "times; their splats are of their own pixels.",

@@ -9,18 +9,6 @@
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-static const entry field_entries[] = { /* rows of one label make one curve */
-    AOF("field", "resolution=4", 1), AOF("field", "resolution=8", 1),
-    AOF("field", "resolution=16", 1)
-};
-static const entry moving_entries[]   = { AOF("casters", "resolution=8", 1) };
-static const entry pedestal_entries[] = { AOF("4 x 4", "resolution=4", 1), AOF("8 x 8", "resolution=8", 1) };
-static const entry sunk_entries[] = {
-    AOF("A_0 as measured", "resolution=8", 1),
-    AOF("A_0 = 1, p = 2", "resolution=8,inside=1,power=2", 1)
-};
-
-
 /* occluders: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the
    occluder's bounding sphere in its place. */
 typedef struct cost { const char *label, *settings; int occluders; float size; int quick; } cost;
@@ -247,12 +235,11 @@ static int pairs_of(FILE *record, const options *o, row *rows, kit_error *err)
     return count;
 }
 
-
 /* ---- >>sections -------------------------------------------------------------------------------------------------- */
 
 #define SEEN &(const setup)
 #define MOVING(name, time) SEEN { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, \
-    .entries = WITH_COUNT(moving_entries)
+    .rows = "fields-demo"
 static const set demos[] = {
     { "Fields: occluders that move",
       "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest.",
@@ -267,7 +254,7 @@ static const set demos[] = {
                { -5, -1.8f, -1.3f, 5, -1.6f, 6 } },
              0,
              256 },
-      .entries = WITH_COUNT(pedestal_entries),
+      .rows = "fields-demo-texels",
       .crop = { { 108, 114, 107, 54 }, { 70, 4, 107, 54 } } },
     { "Fields: inside of the hull",
       "A table and a torus, half of each in the ground: between a table's legs, and in a ring, there is ground inside "
@@ -277,11 +264,11 @@ static const set demos[] = {
              NO_BOXES,
              0,
              128 },
-      .entries = WITH_COUNT(sunk_entries) }
+      .rows = "fields-demo-inside" }
 };
 #define ON_GROUND(shape) \
     SEEN { CLOSE(shape "-on-ground"), { { shape, 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 512 }, \
-    .entries = WITH_COUNT(field_entries)
+    .rows = "fields"
 static const set sets[] = {
     { "Fields: error against memory", "Ball on a ground.", ON_GROUND("ball"), .quick = 1, .kind = "memory" },
     { NULL, "Cube on a ground.", ON_GROUND("cube"), .quick = 1, .kind = "memory" },
@@ -291,9 +278,9 @@ static const set sets[] = {
              NO_BOXES,
              0,
              512 },
-      .entries = WITH_COUNT(field_entries), .quick = 1, .kind = "memory" },
+      .rows = "fields", .quick = 1, .kind = "memory" },
     { NULL, "Two dozen occluders.", SEEN { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 },
-      .entries = WITH_COUNT(field_entries), .kind = "memory" },
+      .rows = "fields", .kind = "memory" },
     { "Fields: what occluders cost",
       "Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand "
       "for distances. Times are of the pass alone, on 640 x 360 pixels (of a quick chart 320 x 180). Covered: pixels "

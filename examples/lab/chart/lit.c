@@ -31,154 +31,62 @@ static const lit band_lits[] = {
 #define SCENE(name, scene, lit) &(const view){ name, scene, 0, { 0 }, { 0 }, 0, 0, lit }
 #define BOXES(lit) &(const view){ "bunny", BUNNY, 1, { -0.1f, 1.1f, 4.4f }, { 0, -0.25f, 0 }, 32, 0.6f, lit }
 
-static const entry sun_entries[] = {
-    { "SSAO",             "ssao", "",            1 },
-    { "SSDO",             "ssdo", "bounce=none", 1 },
-    { "SSDO with bounce", "ssdo", "",            1 },
-    { "SSDO with bounce, 4 cameras", "ssdo-points", "views=4", 1 }
-};
-static const entry lamp_entries[] = {
-    { "no bounce", "ssdo", "bounce=none", 1 },
-    { "bounce",    "ssdo", "",            1 }
-};
-
-/* 16 points each, one a direction, as the papers of point sampling have it: the same visibility for all methods. */
-#define PLAIN "fade=none,range=0"
-
-static const entry chart_entries[] = {       /* rows of one label make one curve; directions of 4 points */
-    { "slices",              "ssdo-fast", "",                                       0 },
-    { "slices",              "ssdo", "",                                            1 },
-    { "slices",              "ssdo-best", "",                                       1 },
-    { "slices, solid",       "ssdo", "thickness=solid",                                0 },
-    { "slices, back faces",  "ssdo", "thickness=back",                                 1 },
-    { "slices, two slabs",   "ssdo", "thickness=slabs",                                1 },
-    { "slices, last frame",   "ssdo", "reuse=1",                                    1 },
-    { "slices, last frame",   "ssdo", "reuse=1,margin=0.25",                        1 },
-    { "1 layer",             "ssdo-points", "",                                     1 },
-    { "1 layer",             "ssdo-points", "samples=16",                                  1 },
-    { "1 layer, 1 point a direction", "ssdo-points", "samples=16,steps=1," PLAIN,          1 },
-    { "2 layers",            "ssdo-points", "layers=2",                                    1 },
-    { "4 cameras",           "ssdo-points", "views=4",                                     1 },
-    { "harmonics, 1 layer",  "s3ho-points", "",                                     1 },
-    { "harmonics, slices",   "s3ho-fast", "",                                       1 },
-    { "harmonics, slices",   "s3ho", "",                                            1 },
-    { "harmonics, slices",   "s3ho-best", "",                                       0 }
-};
-static const entry extension_entries[] = {
-    { "slices",                              "ssdo", "",                               1 },
-    { "slices, back faces",                  "ssdo", "thickness=back",                    1 },
-    { "slices, two slabs",                   "ssdo", "thickness=slabs",                   1 },
-    { "1 layer",                             "ssdo-points", "",                        1 },
-    { "2 layers",                            "ssdo-points", "layers=2",                       1 },
-    { "4 layers",                            "ssdo-points", "layers=4",                       1 },
-    { "4 cameras",                           "ssdo-points", "views=4",                        1 },
-    { "harmonics, slices",                   "s3ho", "",                               1 },
-    { "harmonics, two slabs",                "s3ho", "thickness=slabs",                   1 },
-    { "slices, a margin",                    "ssdo", "margin=0.25",                    1 },
-    { "slices, last frame",                  "ssdo", "reuse=1",                        1 },
-    { "slices, last frame, a margin",        "ssdo", "reuse=1,margin=0.25",            1 }
-};
-static const entry cost_entries[] = {
-    { "ambient visibility", "ssao", "blur=0", 1 },
-    { "harmonics", "ssdo-points", "samples=16,steps=1,environment=sh,residual=0,bounce=none,blur=0," PLAIN, 1 },
-    { "map", "ssdo-points", "samples=16,steps=1,bounce=none,blur=0," PLAIN, 1 },
-    { "map, bounce, of the last frame", "ssdo-points", "samples=16,steps=1,reuse=1,blur=0," PLAIN, 1 },
-    { "harmonics, bounce, of the last frame", "ssdo-points",
-      "samples=16,steps=1,environment=sh,residual=0,reuse=1,blur=0," PLAIN, 1 }
-};
-
-static const entry harmonics_entries[] = {
-    { "SSAO",                      "ssao", "",                          1 },
-    { "S3HO",                      "s3ho", "indirect=none",             1 },
-    { "S3HO, suns not windowed",   "s3ho", "indirect=none,window=none", 1 }
-};
-static const entry probe_entries[] = {      /* the paper's two steps along a direction */
-    { "S3HO",           "s3ho-points", "samples=16,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
-    { "S3HO, residual",    "s3ho-points", "samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
-    { "SSDO, map",      "ssdo-points", "samples=16,steps=2,bounce=none,blur=0," PLAIN, 1 },
-    { "SSBN, cone",     "ssbn-points", "samples=16,steps=2,blur=0," PLAIN, 1 },
-    { "SSAO",           "ssao", "samples=16,steps=2,blur=0," PLAIN, 1 }
-};
-static const entry band_entries[] = {
-    { "1 band, as published",  "s3ho-points", "bands=1,indirect=none,residual=0", 1 },
-    { "2 bands, as published",  "s3ho-points", "bands=2,indirect=none,residual=0", 1 },
-    { "3 bands, as published",  "s3ho-points", "bands=3,indirect=none,residual=0", 1 },
-    { "4 bands, as published",  "s3ho-points", "bands=4,indirect=none,residual=0", 1 },
-    { "1 band",  "s3ho-points", "bands=1,indirect=none", 1 },
-    { "2 bands",  "s3ho-points", "bands=2,indirect=none", 1 },
-    { "3 bands",  "s3ho-points", "bands=3,indirect=none", 1 },
-    { "4 bands",  "s3ho-points", "bands=4,indirect=none", 1 }
-};
-static const entry vector_entries[] = {
-    { "ambient visibility", "ssao", "samples=16,blur=0," PLAIN, 1 },
-    { "cone", "ssbn-points", "samples=16,steps=2,blur=0," PLAIN, 1 },
-    { "1 band", "s3ho-points", "bands=1,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
-    { "2 bands", "s3ho-points", "bands=2,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
-    { "3 bands", "s3ho-points", "bands=3,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
-    { "4 bands", "s3ho-points", "bands=4,samples=16,steps=1,indirect=none,blur=0," PLAIN, 1 },
-    { "4 bands", "s3ho-points", "bands=4,samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
-    { "4 bands, stored, then met", "s3ho-points",
-      "samples=16,steps=2,indirect=none,filtered=coefficients,blur=0," PLAIN, 1 },
-    { "4 bands, stored packed", "s3ho-points",
-      "samples=16,steps=2,indirect=none,filtered=coefficients,store=packed,blur=0," PLAIN, 1 },
-    { "4 bands, bounce in one", "s3ho-points", "samples=16,steps=2,indirect=joint,blur=0," PLAIN, 1 },
-    { "4 bands, bounce apart", "s3ho-points", "samples=16,steps=2,indirect=apart,blur=0," PLAIN, 0 }
-};
-
+/* Rows of samples=16,fade=none,range=0 have 16 points each, one a direction, as the papers of point sampling have it:
+   the same visibility for all methods. */
 #define LOCAL "Suns are local: blocked within the radius as the environment is, not by the whole scene."
 enum { PROBE_STRIDE = 14, PHASES = 8 };
 _Static_assert(ON_STRIDE(PROBE_STRIDE), "noise is probed where there is no truth");
 static const set demos[] = {
     { "Light: a sky and a sun",
       "Bunny and four boxes under the built-in sky and a sun with shadows.",
-      BOXES(&sun_and_sky), .entries = WITH_COUNT(sun_entries) },
+      BOXES(&sun_and_sky), .rows = "lit-sun" },
     { "Light: one lamp, one bounce", "Open box under a point light with shadows, no environment.",
-      SCENE("cornell", "cornell", &lamp), .entries = WITH_COUNT(lamp_entries) },
+      SCENE("cornell", "cornell", &lamp), .rows = "lit-lamp" },
     { "Harmonics: two suns",
       "Three white boxes between a pink sun from the left and a turquoise one from the right. " LOCAL,
-      SCENE("boxes", "boxes", &two_suns), .entries = WITH_COUNT(harmonics_entries) },
+      SCENE("boxes", "boxes", &two_suns), .rows = "lit-harmonics" },
     { "Harmonics: the suns changed over", "The same boxes, turquoise from the left, pink from the right. " LOCAL,
-      SCENE("boxes-changed", "boxes", &suns_changed), .entries = WITH_COUNT(harmonics_entries) },
+      SCENE("boxes-changed", "boxes", &suns_changed), .rows = "lit-harmonics" },
     { "Harmonics: a sky and a bright sun",
       "White blocks under the built-in sky and a yellow sun from the right; below, their shadow side and their sunny "
       "side. " LOCAL,
-      SCENE("blocks", "blocks", &yellow_sun), .entries = WITH_COUNT(harmonics_entries) }
+      SCENE("blocks", "blocks", &yellow_sun), .rows = "lit-harmonics" }
 };
 static const set sets[] = {
     { "Light: speed against accuracy",
       "Bunny and four boxes under the sky, one bounce.",
-      BOXES(&sky_boxes), .entries = WITH_COUNT(chart_entries), .quick = 1, .kind = "light" },
+      BOXES(&sky_boxes), .rows = "lit", .quick = 1, .kind = "light" },
     { "What light costs",
       "The same scene; 16 directions, no filter.",
-      BOXES(&sky_boxes), .entries = WITH_COUNT(cost_entries) },
+      BOXES(&sky_boxes), .rows = "lit-cost" },
     { "What is hidden: columns",
       "Made to need more than one depth layer: coloured columns behind white ones, a box beside the picture.",
-      SCENE("columns", "columns", &sky_alone), .entries = WITH_COUNT(extension_entries) },
+      SCENE("columns", "columns", &sky_alone), .rows = "lit-hidden" },
     { "What is hidden: plates", "Made to need more: thin plates, bars and hoops over a floor.",
-      SCENE("plates", "plates", &sky_alone), .entries = WITH_COUNT(extension_entries), .quick = 1 },
+      SCENE("plates", "plates", &sky_alone), .rows = "lit-hidden", .quick = 1 },
     { "What is hidden: room",
       "Not made for it: its walls, floor and ceiling are sheets, where layers and cameras want closed solids, and "
       "cameras stand outside.",
-      SCENE("room", "room", &sky_alone), .entries = WITH_COUNT(extension_entries) },
+      SCENE("room", "room", &sky_alone), .rows = "lit-hidden" },
     { "What harmonics cost",
       "Bunny and four boxes under the sky, no filter but where it says so. Filtering vectors is filtering before they "
       "meet the light.",
-      BOXES(&sky_boxes), .entries = WITH_COUNT(vector_entries) },
+      BOXES(&sky_boxes), .rows = "lit-vectors" },
     { "Under a high-contrast probe",
       "White blocks in a dim room with coloured windows and lamps, no bounce, no filter. Hue, in degrees: the mean "
       "angle between rgb vectors, weighted by the truth's luminance; and of that, what occluders keep 5 % or more of "
       "the light from.",
-      SCENE("blocks-probe", "blocks", &probe_alone), .entries = WITH_COUNT(probe_entries), .quick = 1,
+      SCENE("blocks-probe", "blocks", &probe_alone), .rows = "lit-probe", .quick = 1,
       .phases = PHASES },
     { "How many bands", "White: radiance 1 from everywhere.",
-      SCENE("boxes-white", "boxes", &band_lits[0]), .entries = WITH_COUNT(band_entries) },
-    { NULL, "Sky: the built-in one.", SCENE("boxes-sky", "boxes", &band_lits[1]), .entries = WITH_COUNT(band_entries) },
+      SCENE("boxes-white", "boxes", &band_lits[0]), .rows = "lit-bands" },
+    { NULL, "Sky: the built-in one.", SCENE("boxes-sky", "boxes", &band_lits[1]), .rows = "lit-bands" },
     { NULL, "Local suns: pink from the left, turquoise from the right. " LOCAL,
-      SCENE("boxes-suns", "boxes", &band_lits[2]), .entries = WITH_COUNT(band_entries) },
+      SCENE("boxes-suns", "boxes", &band_lits[2]), .rows = "lit-bands" },
     { NULL, "Suns: the same pictures against the whole scene's sharp shadows.",
-      SCENE("boxes-sharp", "boxes", &band_lits[3]), .entries = WITH_COUNT(band_entries) },
+      SCENE("boxes-sharp", "boxes", &band_lits[3]), .rows = "lit-bands" },
     { NULL, "Probe: a dim room with coloured windows and lamps.",
-      SCENE("boxes-probe", "boxes", &band_lits[4]), .entries = WITH_COUNT(band_entries) }
+      SCENE("boxes-probe", "boxes", &band_lits[4]), .rows = "lit-bands" }
 };
 
 /* ---- >>sections -------------------------------------------------------------------------------------------------- */

@@ -30,31 +30,9 @@ static const struct { view view; int boxes, quick; } scenes[] = {
     { { "colonnade", "colonnade", 0, { 0 }, { 0 }, 0, 0, NULL }, 0, 0 },
     { { "iron-bed",  BED,         1, { -170, 125, 270 }, { 0, 40, 0 }, 32, 20, NULL }, 0, 0 }
 };
-static const entry pair_entries[] = {
-    { "ssdo-fast",                   "ssdo-fast", "bounce=none",                     0 },
-    { "ssdo-fast, 16 frames",        "ssdo-fast", "bounce=none,history=1",           0 },
-    { "ssdo",                        "ssdo",      "bounce=none",                     1 },
-    { "ssdo, light filtered",        "ssdo",      "bounce=none,restore=none",        1 },
-    { "ssdo, slabs",                 "ssdo",      "bounce=none,thickness=slabs",        1 },
-    { "ssdo-best",                   "ssdo-best", "bounce=none",                     0 },
-    { "ssdo-best, slabs",            "ssdo-best", "bounce=none,thickness=slabs",        0 },
-    { "ssdo, points",                "ssdo-points", "bounce=none",                   0 },
-    { "s3ho-fast",                   "s3ho-fast", "indirect=none",                   0 },
-    { "s3ho-fast, 16 frames",        "s3ho-fast", "indirect=none,history=1",         0 },
-    { "s3ho",                        "s3ho",      "indirect=none",                   1 },
-    { "s3ho, as published",          "s3ho",      "indirect=none,residual=0",        0 },
-    { "s3ho, slabs",                 "s3ho",      "indirect=none,thickness=slabs",      0 },
-    { "s3ho-best",                   "s3ho-best", "indirect=none",                   0 },
-    { "ssbn",                        "ssbn",      "",                                1 },
-    { "ssbn, slabs",                 "ssbn",      "thickness=slabs",                    0 },
-    { "hsao-fast times irradiance",  "hsao-fast", "",                                0 },
-    { "hsao times irradiance",       "hsao",      "",                                1 },
-    { "hsao, slabs, times irradiance", "hsao",    "thickness=slabs",                    0 }
-};
 enum { SCENES = COUNT(scenes), PROBES = COUNT(probes), PAIRS = SCENES * PROBES, BESIDE = 3 };
 static const char scalar_label[] = "true visibility times irradiance", open_label[] = "no occlusion",
                   noise_label[] = "the truth's own noise";
-_Static_assert(COUNT(pair_entries) + BESIDE <= MOST_ROWS, "more rows than MOST_ROWS");
 
 static found found_pairs[PAIRS];
 
@@ -79,7 +57,7 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
     view v = scenes[k / PROBES].view;
     entry entries[MOST_ENTRIES];
     kit_image picture[MOST_ENTRIES], visible;
-    const int count = units_chosen(entries, WITH_COUNT(pair_entries), o);
+    const int count = units_chosen(entries, "pairs", o);
     char *const name = found_pairs[k].name;
     stage s;
     if (!count || !there(o, k)) return 0;

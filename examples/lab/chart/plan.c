@@ -10,13 +10,23 @@
 
 enum { PLANNED_ERRORS = 6 };
 /* of each wanted */
-static const double planned_errors[4][6] = { { 0.015, 0.02, 0.03, 0.045, 0.07, 0.1 },
+static const double planned_errors[4][PLANNED_ERRORS] = { { 0.015, 0.02, 0.03, 0.045, 0.07, 0.1 },
                                              { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
                                              { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
                                              { 0.01, 0.015, 0.02, 0.03, 0.05, 0.08 } };
-/* needed: pairs where doing nothing errs by more; within: errors at most 1.2 times what was asked. beyond: what no
-   choice meets, of which so many plans say so. */
-typedef struct verdict { int pairs, good, needed, good_needed, within, beyond, told; } verdict;
+/* Of how many plans it is so, of how many it might be. Good: at most 1.2 times the error that was asked for, at most
+   1.25 times the cost of the cheapest choice that meets it. Told: that no choice meets it. */
+enum { GOOD, GOOD_NEEDED, WITHIN, TOLD, VERDICTS };
+static const char *const verdict_names[VERDICTS] = { "", ", where doing nothing would not do",
+                                                     ", within 1.2 of the error alone",
+                                                     ", what no choice meets: told" };
+typedef struct verdict { int is[VERDICTS], of[VERDICTS]; } verdict;
+
+static void count(verdict *v, int k, int is)
+{
+    v->is[k] += is;
+    ++v->of[k];
+}
 
 static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
 {
@@ -34,78 +44,39 @@ static int same_plan(const ssgi_plan *a, const ssgi_plan *b)
            && a->resolution == b->resolution && !(fabsf(a->size - b->size) > 0);
 }
 
-/* What the plan takes for an error that is asked for, and the cheapest choice that meets it; below 0: none. */
-typedef struct judged {
-    const planned_row *row;
-    double    asked;
-    ssgi_plan plan, cheapest;
-    int       taken, best, within, good;
-} judged;
-
 /* What is known: a calibration; a survey alone; of that what a captured frame tells: neither slabs nor surfels. */
 enum { CALIBRATED, SURVEYED, CAPTURED, KNOWN };
 
-/* 0: there is no such plan. */
-static int judge(judged *j, const planned_row *r, double asked, int known, int history)
+/* What the plan takes for an error that is asked for and, where the row knows it, the cheapest choice that meets it.
+   csv: what is taken, what that predicts, what is measured, that choice and its cost; NULL: not asked. */
+static void judge(verdict *v, FILE *csv, const planned_row *r, double asked, int known, int history)
 {
+    static const char *const names[] = { "visibility", "light", "bounce", "objects" };
     ssgi_plan_scene numbers = known == CAPTURED ? r->captured : r->numbers;
-    *j = (judged){ .row = r, .asked = asked, .taken = -1, .best = -1 };
+    ssgi_plan plan, cheapest, p;
+    int taken = -1, best = -1;
+    char text[2][320];
     numbers.error = (float)asked;
     numbers.history = history;
     if (known != CALIBRATED) numbers.calibration.known = 0;
-    if (!(numbers.screen_radius > 0)) return 0;
-    if (ssgi_plan_make(&j->plan, &numbers, NULL) != SSGI_OK) return 0;
+    if (!(numbers.screen_radius > 0) || ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK) return;
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
-        ssgi_plan p;
         if (isnan(r->error[i]) || !ssgi_plan_choice(&p, i, &numbers)) continue;
-        if (same_plan(&p, &j->plan)) j->taken = i;
-        if (r->error[i] <= asked && (j->best < 0 || r->cost[i] < r->cost[j->best])) j->best = i;
+        if (same_plan(&p, &plan)) taken = i;
+        if (r->error[i] <= asked && (best < 0 || r->cost[i] < r->cost[best])) best = i;
     }
-    if (j->best < 0 || j->taken < 0) return 1;
-    j->within = r->error[j->taken] <= 1.2 * asked;
-    j->good = j->within && r->cost[j->taken] <= 1.25 * r->cost[j->best] + 1e-9;
-    ssgi_plan_choice(&j->cheapest, j->best, &numbers);
-    return 1;
-}
-
-static void verdict_add(verdict *v, const judged *j)
-{
-    if (j->best < 0) {                                          /* nothing meets it */
-        ++v->beyond;
-        v->told += !j->plan.meets;
-    }
-    if (j->best < 0 || j->taken < 0) return;
-    const int needed = j->cheapest.method != SSGI_PLAN_METHOD_NOTHING;
-    ++v->pairs;
-    v->good += j->good;
-    v->within += j->within;
-    v->needed += needed;
-    v->good_needed += needed && j->good;
-}
-
-static void judged_print(FILE *csv, const judged *j)
-{
-    static const char *const names[] = { "visibility", "light", "bounce", "objects" };
-    const planned_row *r = j->row;
-    const char *wanted = names[r->numbers.wanted];
-    const int taken = j->taken, best = j->best;
-    char plan[320], cheapest[320];
-    plan_name(plan, &j->plan, r->numbers.wanted);
-    plan_name(cheapest, &j->cheapest, r->numbers.wanted);
-    fprintf(csv, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, wanted, j->asked, plan, (double)j->plan.error,
-            r->error[taken], r->cost[taken], cheapest, r->error[best], r->cost[best], j->good);
-}
-
-/* One row a scene and error asked for: what the plan takes, what it predicts, what is measured, what the cheapest
-   choice that meets the error would cost. csv NULL: counts alone. */
-static void planned_judge(verdict *v, FILE *csv, const planned_row *r, int known, int history)
-{
-    for (int k = 0; k < PLANNED_ERRORS; ++k) {
-        judged j;
-        if (!judge(&j, r, planned_errors[r->numbers.wanted][k], known, history)) continue;
-        verdict_add(v, &j);
-        if (csv && j.best >= 0 && j.taken >= 0) judged_print(csv, &j);
-    }
+    if (best < 0) count(v, TOLD, !plan.meets);
+    if (best < 0 || taken < 0) return;
+    const int within = r->error[taken] <= 1.2 * asked,
+              good = within && r->cost[taken] <= 1.25 * r->cost[best] + 1e-9;
+    ssgi_plan_choice(&cheapest, best, &numbers);
+    count(v, GOOD, good);
+    count(v, WITHIN, within);
+    if (cheapest.method != SSGI_PLAN_METHOD_NOTHING) count(v, GOOD_NEEDED, good);
+    if (csv)
+        fprintf(csv, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, names[r->numbers.wanted], asked,
+                plan_name(text[0], &plan, r->numbers.wanted), (double)plan.error, r->error[taken], r->cost[taken],
+                plan_name(text[1], &cheapest, r->numbers.wanted), r->error[best], r->cost[best], good);
 }
 
 /* fits: 1, or 2 where choices were not timed. */
@@ -165,12 +136,9 @@ static int plan_summary(FILE *record, const char *out, kit_error *err)
     fputs("what,good,pairs\n", csv.file);
     for (int k = 0; k < SETS * KNOWN; ++k) {
         const verdict *v = &verdicts[k / KNOWN][k % KNOWN];
-        const char *of = set_names[k / KNOWN], *known = known_names[k % KNOWN];
-        if (!v->pairs) continue;
-        fprintf(csv.file, "\"%s, %s\",%d,%d\n", of, known, v->good, v->pairs);
-        fprintf(csv.file, "\"%s, %s, where doing nothing would not do\",%d,%d\n", of, known, v->good_needed, v->needed);
-        fprintf(csv.file, "\"%s, %s, within 1.2 of the error alone\",%d,%d\n", of, known, v->within, v->pairs);
-        fprintf(csv.file, "\"%s, %s, what no choice meets: told\",%d,%d\n", of, known, v->told, v->beyond);
+        for (int i = 0; i < VERDICTS && v->of[GOOD]; ++i)
+            fprintf(csv.file, "\"%s, %s%s\",%d,%d\n", set_names[k / KNOWN], known_names[k % KNOWN], verdict_names[i],
+                    v->is[i], v->of[i]);
     }
     return page_csv(record, "rows", &csv, out, "plan-summary.csv", err);
 }
@@ -182,8 +150,9 @@ static void judge_all(verdict v[KNOWN], FILE *csv, const planned_row *rows, int 
     for (int i = first; i < count; ++i)
         for (int known = 0; known < KNOWN; ++known)
             for (int history = 0; history < 2; ++history) {
-                const int shown = known == CALIBRATED && !history;
-                planned_judge(&v[known], shown ? csv : NULL, &rows[i], known, history);
+                FILE *const shown = known == CALIBRATED && !history ? csv : NULL;
+                for (int k = 0; k < PLANNED_ERRORS; ++k)
+                    judge(&v[known], shown, &rows[i], planned_errors[rows[i].numbers.wanted][k], known, history);
             }
 }
 
@@ -217,11 +186,14 @@ int plan_chart(FILE *record, const options *o, kit_error *err)
 
 void plan_text(FILE *f)
 {
-    fputs("\nplan, on what it was not fitted on: good; where something is needed; what cannot be met and is told\n", f);
+    fputs("\nplan, on what it was not fitted on: good; where something is needed; within the error; what cannot be met "
+          "and is told\n",
+          f);
     for (int k = 0; k < SETS * KNOWN; ++k) {
         const verdict *v = &verdicts[k / KNOWN][k % KNOWN];
-        if (!v->pairs) continue;
-        fprintf(f, "%-8s %-55s %4d of %-4d %4d of %-4d %4d of %-4d\n", set_names[k / KNOWN], known_names[k % KNOWN],
-                v->good, v->pairs, v->good_needed, v->needed, v->told, v->beyond);
+        if (!v->of[GOOD]) continue;
+        fprintf(f, "%-8s %-55s", set_names[k / KNOWN], known_names[k % KNOWN]);
+        for (int i = 0; i < VERDICTS; ++i) fprintf(f, " %4d of %-4d", v->is[i], v->of[i]);
+        fputs("\n", f);
     }
 }

@@ -148,12 +148,26 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
     return 0;
 }
 
-/* Measures choices on the k-th view for what is wanted there. quick: fewer rays. 1; 0: its package is not there. */
+static int is_lit(int wanted) { return wanted == SSGI_PLAN_WANTED_LIGHT || wanted == SSGI_PLAN_WANTED_BOUNCE; }
+
+/* Measures choices on a stage that is looked at, for what is wanted, and closes it. */
+static int stage_measure(planned_row *r, stage *s, const char *name, int wanted, int rays, int timed, kit_error *err)
+{
+    kit_image truth;
+    s->between = wanted == SSGI_PLAN_WANTED_OBJECTS;
+    if (stage_trace(&truth, s, rays, SEED_STRIDE, err) || (is_lit(wanted) && stage_light(s, err))
+        || planned_measure(r, s, &truth, name, wanted, timed, err))
+        return -1;
+    kit_image_free(&truth);
+    stage_close(s);
+    return 0;
+}
+
+/* The k-th view, for what is wanted there. quick: fewer rays. 1; 0: its package is not there. */
 static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error *err)
 {
     const plan_view *p = &planned_views[k];
-    const int is_lit = wanted == SSGI_PLAN_WANTED_LIGHT || wanted == SSGI_PLAN_WANTED_BOUNCE,
-              white = !p->fits && k % 5 == 0;
+    const int lights = is_lit(wanted), white = !p->fits && k % 5 == 0;
     const int turn = (p->fits ? k : k + 1) + (wanted == SSGI_PLAN_WANTED_BOUNCE); /* each view has another light */
     const char *const light = planned_lights[white ? 3 : turn % 3];
     const int suns = !strcmp(light, "suns");
@@ -163,16 +177,10 @@ static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error 
                            .exposure = 1 };
     char name[64];
     stage s;
-    kit_image truth;
-    const int there = planned_open(&s, p, is_lit ? &of_light : NULL, suns, err);
+    const int there = planned_open(&s, p, lights ? &of_light : NULL, suns, err);
     if (there <= 0) return there;
-    s.between = wanted == SSGI_PLAN_WANTED_OBJECTS;
-    if (stage_trace(&truth, &s, of_light.rays, SEED_STRIDE, err) || (is_lit && stage_light(&s, err))) return -1;
-    snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, is_lit ? " " : "", is_lit ? light : "");
-    if (planned_measure(r, &s, &truth, name, wanted, 1, err)) return -1;
-    kit_image_free(&truth);
-    stage_close(&s);
-    return 1;
+    snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, lights ? " " : "", lights ? light : "");
+    return stage_measure(r, &s, name, wanted, of_light.rays, 1, err) ? -1 : 1;
 }
 
 int planned_views_measure(planned_row *rows, int *count, int fits, int quick, kit_error *err)
@@ -181,8 +189,7 @@ int planned_views_measure(planned_row *rows, int *count, int fits, int quick, ki
         const plan_view *p = &planned_views[k];
         if (p->fits != fits || (quick && ++shown % 3 != 1)) continue;
         for (int wanted = 0, there = 1; wanted < (p->objects ? 4 : 3) && there; ++wanted) {
-            const int is_lit = wanted == SSGI_PLAN_WANTED_LIGHT || wanted == SSGI_PLAN_WANTED_BOUNCE;
-            if (is_lit && quick && shown % 2) continue;
+            if (is_lit(wanted) && quick && shown % 2) continue;
             there = planned_view(&rows[*count], k, wanted, quick, err);
             if (there < 0) return -1;
             *count += there;
@@ -199,20 +206,15 @@ enum { SEED_WANTED = 3 }; /* visibility, light, bounce */
 
 static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
 {
-    const int is_lit = wanted != SSGI_PLAN_WANTED_VISIBILITY;
-    lit of_light = { .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE, .rays = SEED_RAYS, .exposure = 1 };
+    const lit light = { .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE, .rays = SEED_RAYS, .exposure = 1 };
     char name[32];
-    const view v = { .name = name, .path = name, .lit = is_lit ? &of_light : NULL };
-    kit_image truth;
+    const view v = { .name = name, .path = name, .lit = is_lit(wanted) ? &light : NULL };
     stage s;
     snprintf(name, sizeof name, "random:%d", seed);
-    if (stage_load(&s, &v, err) || stage_look(&s, &v, SEED_WIDTH, SEED_HEIGHT, err)
-        || stage_trace(&truth, &s, of_light.rays, SEED_STRIDE, err)
-        || (is_lit && stage_light(&s, err)) || planned_measure(r, &s, &truth, name, wanted, 0, err))
-        return -1;
-    kit_image_free(&truth);
-    stage_close(&s);
-    return 0;
+    return stage_load(&s, &v, err) || stage_look(&s, &v, SEED_WIDTH, SEED_HEIGHT, err)
+                   || stage_measure(r, &s, name, wanted, light.rays, 0, err)
+               ? -1
+               : 0;
 }
 
 /* What is kept depends on the program and its tables. */

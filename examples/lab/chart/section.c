@@ -140,7 +140,7 @@ static int unit_of_set(FILE *record, const options *o, int k, row *rows, kit_err
 {
     const set *t = &now->sets[k];
     entry entries[MOST_ENTRIES];
-    const int count = t->own ? units_asked(o, now->method) : units_chosen(entries, t->entries, t->count, o);
+    const int count = t->own ? units_asked(o, now->method) : units_chosen(entries, t->rows, o);
     if (!count || (o->quick && !t->quick)) return 0;
     if (!rows) return 1;
     if (!t->own) return set_measure(record, now, t, o, entries, count, rows, err);

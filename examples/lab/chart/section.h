@@ -16,11 +16,11 @@ typedef struct found { char name[64]; row *row; int count; } found;
 struct set {
     const char *title, *about;             /* title NULL: it stands under the heading of the set before it */
     const void *see;                       /* what the section's open takes: a view, or a struct that begins with one */
-    const entry *entries;
-    int count, quick;                      /* quick: chart --quick shows it, too */
+    const char *rows;                      /* a set of UNITS_ROWS */
+    int quick;                             /* chart --quick shows it, too */
     const char *kind;                      /* of report.js' views; NULL: "rows" */
     int phases;                            /* of the noise, that it is split by; 0: it is not */
-    /* instead of entries: fills rows, returns how many; -1 = failed */
+    /* instead of rows: fills them, returns how many; -1 = failed */
     int (*own)(FILE *record, const options *o, row *rows, kit_error *err);
     int crop[MOST_CROPS][4];               /* of the demo's pictures, where the view's light has none */
 };

@@ -13,68 +13,16 @@
 
 enum { EACH = 3 * KIT_KINDS, MODELS = 7, SEEDS_QUICK = KIT_KINDS, DRAWN_FROM = 10000, DRAWN = 100000 };
 
-#define QUARTER "half=quarter,directions=2,steps=8"
-
-static const entry visible_entries[] = {
-    { "ssao",         "ssao",         "",                      1 },
-    { "hsao-fast",    "hsao-fast",    "",                      1 },
-    { "hsao-fast",    "hsao-fast",    QUARTER,                 0 },
-    { "hsao",         "hsao",         "",                      1 },
-    { "hsao-history", "hsao-history", "",                      1 },
-    { "hsao-best",    "hsao-best",    "",                      1 },
-    { "hsao-fast",    "hsao-fast",    "thickness=slabs",       0 },
-    { "hsao",         "hsao",         "thickness=back",        0 },
-    { "hsao",         "hsao",         "thickness=slabs",       1 },
-    { "hsao-history", "hsao-history", "thickness=slabs",       0 },
-    { "hsao-best",    "hsao-best",    "thickness=slabs",       1 },
-    { "hsao",         "hsao",         "margin=0.25",           0 },
-    { "hsao-best",    "hsao-best",    "directions=4,steps=24", 0 },
-    { "hsao-march",   "hsao-march",   "",                      0 },
-    { "dss-fast",     "dss-fast",     "",                      0 },
-    { "dss",          "dss",          "",                      0 },
-    { "dss-best",     "dss-best",     "",                      0 }
-};
-static const entry light_entries[] = {
-    { "ssdo-fast", "ssdo-fast", "bounce=none",                   0 },
-    { "ssdo",      "ssdo",      "bounce=none",                   1 },
-    { "ssdo-best", "ssdo-best", "bounce=none",                   1 },
-    { "ssdo",      "ssdo",      "bounce=none,thickness=slabs",   1 },
-    { "ssdo-best", "ssdo-best", "bounce=none,thickness=slabs",   0 },
-    { "s3ho-fast", "s3ho-fast", "indirect=none",                 0 },
-    { "s3ho",      "s3ho",      "indirect=none",                 1 },
-    { "s3ho-best", "s3ho-best", "indirect=none",                 0 },
-    { "s3ho",      "s3ho",      "indirect=none,thickness=slabs", 0 },
-    { "ssbn",      "ssbn",      "",                              0 },
-    { "hsao, times irradiance", "hsao", "",                      0 }
-};
-static const entry bounce_entries[] = {
-    { "ssdo-fast", "ssdo-fast", "",                0 },
-    { "ssdo",      "ssdo",      "",                1 },
-    { "ssdo-best", "ssdo-best", "",                1 },
-    { "ssdo",      "ssdo",      "thickness=slabs", 1 },
-    { "ssdo-best", "ssdo-best", "thickness=slabs", 0 },
-    { "s3ho",      "s3ho",      "",                0 }
-};
-
-static const entry small_entries[] = {
-    { "hsao-fast", "hsao-fast", "",                1 },
-    { "hsao",      "hsao",      "",                1 },
-    { "hsao-best", "hsao-best", "",                1 },
-    { "hsao-best", "hsao-best", "thickness=slabs", 1 }
-};
-
 /* What a part measures: the first has the peers' rows, too. smaller: the picture's sides, so many times; stride: of its
    truth; error: which of a lit row's, -1: the part is of visibility. */
-typedef struct part { const char *what; const entry *entries; int count, smaller, stride, bounce, error; } part;
+typedef struct part { const char *what, *rows; int smaller, stride, bounce, error; } part;
 static const part parts[] = {
-    { "visibility", WITH_COUNT(visible_entries), 1, SEED_STRIDE, 0, -1 },
-    { "light",      WITH_COUNT(light_entries),   1, SEED_STRIDE, 0, 1 },
-    { "bounce",     WITH_COUNT(bounce_entries),  1, SEED_STRIDE, 1, 2 },
-    { "small",      WITH_COUNT(small_entries),   4, 3,           0, -1 }
+    { "visibility", "seeds",        1, SEED_STRIDE, 0, -1 },
+    { "light",      "seeds-light",  1, SEED_STRIDE, 0, 1 },
+    { "bounce",     "seeds-bounce", 1, SEED_STRIDE, 1, 2 },
+    { "small",      "seeds-small",  4, 3,           0, -1 }
 };
-enum { PARTS = COUNT(parts), BESIDE = 2 };      /* rows of a part without a method */
-_Static_assert(COUNT(visible_entries) + COUNT(light_entries) + COUNT(bounce_entries) + COUNT(small_entries) + 2
-                   + MOST_PEERS + 3 * BESIDE <= MOST_SET_ROWS, "more rows than MOST_SET_ROWS");
+enum { PARTS = COUNT(parts) };
 
 /* ---- >>scenes ---------------------------------------------------------------------------------------------------- */
 
@@ -209,7 +157,7 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
 {
     const view v = { .name = p->name, .path = p->path };
     entry entries[MOST_ENTRIES];
-    const int count = units_chosen(entries, WITH_COUNT(visible_entries), o);
+    const int count = units_chosen(entries, parts->rows, o);
     kit_image picture[MOST_ENTRIES];
     mottled m;
     char note[128];
@@ -248,7 +196,7 @@ static int part_rows(const options *o, const place *p, const part *of, row *rows
     const lit light = { .rays = SEED_RAYS, .exposure = 1, .bounce = of->bounce };
     const view v = { .name = p->name, .path = p->path, .lit = of->error < 0 ? NULL : &light };
     entry entries[MOST_ENTRIES];
-    int count = units_chosen(entries, of->entries, of->count, o);
+    int count = units_chosen(entries, of->rows, o);
     stage s;
     if (!count) return 0;
     if (seed_open(NULL, &s, &v, of, err) <= 0) return -1;
@@ -273,7 +221,7 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
     place p;
     entry entries[MOST_ENTRIES];
     int count = 0;
-    for (int i = 0; i < PARTS && !rows; ++i) count += units_chosen(entries, parts[i].entries, parts[i].count, o);
+    for (int i = 0; i < PARTS && !rows; ++i) count += units_chosen(entries, parts[i].rows, o);
     if (!rows) return count > 0;
     place_of(&p, o, k);
     for (int i = 0; i < PARTS; ++i) {

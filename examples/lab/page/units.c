@@ -14,11 +14,49 @@ int units_asked(const options *o, const char *method)
     return !o->method || !strncmp(method, o->method, strlen(o->method));
 }
 
-int units_chosen(entry *out, const entry *entries, int count, const options *o)
+/* ---- >>rows ------------------------------------------------------------------------------------------------------ */
+
+enum { MOST_LINES = 512 };
+static struct { const char *set; entry entry; } lines[MOST_LINES + 1];
+
+/* The next field of a line, without quotes around it. */
+static char *field(char **at)
+{
+    const int quoted = **at == '"';
+    char *const text = *at + quoted;
+    *at = text + strcspn(text, quoted ? "\"" : ",\n");
+    if (**at) *(*at)++ = 0;
+    if (quoted && **at) ++*at;
+    return text;
+}
+
+int units_load(kit_error *err)
+{
+    char *at;
+    size_t size;
+    int count = 0, of_set = 0;
+    if (kit_file_read(&at, &size, UNITS_ROWS, err)) return -1;      /* it stays: rows point into it */
+    for (at += strcspn(at, "\n") + 1; *at; ++count) {
+        char *f[5];
+        for (int k = 0; k < COUNT(f); ++k) f[k] = field(&at);
+        of_set = count && !strcmp(lines[count - 1].set, f[0]) ? of_set + 1 : 1;
+        if (count == MOST_LINES || of_set > MOST_ENTRIES || (strcmp(f[4], "0") && strcmp(f[4], "1")))
+            return kit_fail(err, "%s: line %d is no row (set, label, method, settings, 0 or 1), or one too many",
+                            UNITS_ROWS, count + 2);
+        lines[count].set = f[0];
+        lines[count].entry = (entry){ f[1], f[2], f[3], *f[4] == '1' };
+    }
+    return 0;
+}
+
+const entry *units_row(int k) { return lines[k].set ? &lines[k].entry : NULL; }
+
+int units_chosen(entry out[MOST_ENTRIES], const char *set, const options *o)
 {
     int n = 0;
-    for (int i = 0; i < count; ++i)
-        if ((entries[i].quick || !o->quick) && units_asked(o, entries[i].method)) out[n++] = entries[i];
+    for (int i = 0; lines[i].set; ++i)
+        if (!strcmp(lines[i].set, set) && (lines[i].entry.quick || !o->quick) && units_asked(o, lines[i].entry.method))
+            out[n++] = lines[i].entry;
     return n;
 }
 
@@ -47,7 +85,7 @@ int units_count(measuring *measure, int count, const options *o)
 /* What all units depend on: the program with its tables, what it is asked for, meshes. */
 void units_begin(const options *o, int all)
 {
-    static const char *const files[] = { BUNNY, BED, MAPLE, HOUSE };
+    static const char *const files[] = { BUNNY, BED, MAPLE, HOUSE, UNITS_ROWS };
     const char *const text[] = { kit_gl_name(), o->out, o->method ? o->method : "", o->paper ? o->paper : "",
                                  o->commit ? o->commit : "", o->mesh ? o->mesh : "", o->quick ? "quick" : "" };
     memset(&units, 0, sizeof units);

@@ -14,9 +14,16 @@ typedef struct options {
     int first, seeds;                        /* of scenes by seed: the first, below 0: not said; how many */
     const char *commit;                      /* that draws half of them */
 } options;
-/* Whether --method asks for a method; the entries that a chart shows, and how many. */
+/* Whether --method asks for a method. */
 int units_asked(const options *o, const char *method);
-int units_chosen(entry *out, const entry *entries, int count, const options *o);
+
+/* What is measured as rows: lines of a csv, of a set each; rows of one label make one curve, and follow each other.
+   Without quick in the last column chart --quick leaves one out. Read once, before the others ask. */
+#define UNITS_ROWS "examples/lab/chart/rows.csv"
+int units_load(kit_error *err);
+/* The k-th line's; NULL past the last. Those of a set that are asked for: how many. */
+const entry *units_row(int k);
+int units_chosen(entry out[MOST_ENTRIES], const char *set, const options *o);
 
 /* Measures the k-th of its kind: its rows, and what stands in the page. How many rows; -1 = failed. rows NULL: whether
    there are any. */
