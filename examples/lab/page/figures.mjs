@@ -54,59 +54,41 @@ const METHOD = ['method', title],
     ON_GPU = ['RX 6800, ms', modelled];
 const found = (record, kind) => report.entry(record.name, kind) ?? [];
 
-/* ---- >>parts: the text of each, "" where its record has no rows ------------------------------------------------- */
+/* ---- >>parts: the text of each, from its rows ------------------------------------------------------------------- */
 
-function ambient(record) {
-    const rows = means(found(record, 'ambient')).filter(r => !peer(r)),
-        scenes = grouped(found(record, 'ambient'), 'scene').size;
+function ambient(all, record) {
     const columns = [METHOD, ['fetches', , 1], ['bytes', , 0], TIME, ON_GPU, ['error', 'share']];
-    return (
-        rows.length &&
-        `![Cost against error](${record.kind === 'full' ? 'pictures/' : ''}chart-cpu.svg)
+    return `![Cost against error](${record.kind === 'full' ? 'pictures/' : ''}chart-cpu.svg)
 
-Mean of ${scenes} scenes. Noise: deviation over two phases of it; model error: RMSE of their mean.
+Mean of ${grouped(all, 'scene').size} scenes. Noise: deviation over two phases of it; model error: RMSE of their mean.
 
-${listed(rows, ...columns, ['model error', 'model_error'], ['noise'])}`
-    );
+${listed(means(all).filter(r => !peer(r)), ...columns, ['model error', 'model_error'], ['noise'])}`;
 }
 
-function others(record) {
-    const rows = means(found(record, 'ambient')).filter(peer);
-    return (
-        rows.length &&
-        `Matched: with the radius of ours. Fitted: after the better of a v^b and 1 - a (1 - v)^b for each
+function others(rows) {
+    return `Matched: with the radius of ours. Fitted: after the better of a v^b and 1 - a (1 - v)^b for each
 picture, found with the truth in hand.
 
-${listed(rows, ['what', 'label'], ['settings'], TIME, ['error', 'share'], ['error, fitted', 'share_fitted'])}`
-    );
+${listed(rows, ['what', 'label'], ['settings'], TIME, ['error', 'share'], ['error, fitted', 'share_fitted'])}`;
 }
 
-function light(record) {
-    const rows = found(record, 'light'),
-        bias = key => ['bias', `${key}_bias`, 3, true];
+function light(rows) {
+    const bias = key => ['bias', `${key}_bias`, 3, true];
     const columns = [METHOD, ['fetches', , 1], TIME, ['radiance'], ['irradiance'], bias('irradiance')];
-    return (
-        rows.length &&
-        `The bunny and four boxes under a sky, one bounce: RMSE over the mean of the truth.
+    return `The bunny and four boxes under a sky, one bounce: RMSE over the mean of the truth.
 
-${listed(rows, ...columns, ['bounce', , 2], bias('bounce'))}`
-    );
+${listed(rows, ...columns, ['bounce', , 2], bias('bounce'))}`;
 }
 
-function pairs(record) {
-    const rows = by_pair(found(record, 'pairs'));
+function pairs(rows) {
     const columns = [METHOD, ['time', , 2], ['mean'], ['worst'], ['pair']];
-    return (
-        rows.length &&
-        `RMSE of irradiance over that of no occlusion, no bounce, over ${rows[0].pairs} pairs.
+    return `RMSE of irradiance over that of no occlusion, no bounce, over ${rows[0].pairs} pairs.
 
-${listed(rows, ...columns, ['below 1', r => `${r['below 1']} of ${r.pairs}`], ['bias', , 3, true])}`
-    );
+${listed(rows, ...columns, ['below 1', r => `${r['below 1']} of ${r.pairs}`], ['bias', , 3, true])}`;
 }
 
-function seeds(record) {
-    const rows = found(record, 'seeds'),
-        built_in = means(found(record, 'ambient')),
+function seeds(rows, record) {
+    const built_in = means(found(record, 'ambient')),
         kinds = [...grouped(rows, 'kind').keys()].filter(k => k !== 'models').map(k => [k]);
     const list = [...grouped(rows, r => `${r.set} ${r.seed}`).keys()],
         count = set => list.filter(s => s.startsWith(`${set} `)).length;
@@ -127,9 +109,7 @@ function seeds(record) {
             ...[['judged'], ['drawn'], ...kinds, ['models'], ['worst', 'models, worst']]
         );
     const effects = of('visibility', true);
-    return (
-        rows.length &&
-        `${count('judged') + count('drawn')} scenes at 1280x720, none picked by hand: ${count('judged')} by seeds on
+    return `${count('judged') + count('drawn')} scenes at 1280x720, none picked by hand: ${count('judged')} by seeds on
 which nothing is tuned (judged), ${count('drawn')} drawn from the commit's hash; beside them ${count('models')} models
 of packages. Error over that of no occlusion: the mean with its 95 % interval, on how many it is worse than nothing,
 means by kind. Noise: thousandths of visibility, of 1.2 to 8 pixels, where a smooth surface is in shade. Milliseconds
@@ -162,8 +142,7 @@ ${listed(
 
 ${leads(rows)}`
         : ''
-}`
-    );
+}`;
 }
 
 /* Where a peer leads although it may not cost more. */
@@ -190,15 +169,11 @@ more than the interval: ${lines.join('; ')}.`
 const under = (record, heading) =>
     tables(record).find(t => t.heading === heading && t.kind === 'rows')?.rows ?? [];
 
-function plan(record) {
-    const rows = under(record, 'What a scene needs');
-    return (
-        rows.length &&
-        `On views that it was not fitted on. Good: at most 1.25 times the cost of the cheapest choice that
+function plan(rows) {
+    return `On views that it was not fitted on. Good: at most 1.25 times the cost of the cheapest choice that
 meets the error, and at most 1.2 times the error asked for.
 
-${listed(rows, ['', 'what'], ['good', r => `${r.good} of ${r.pairs}`])}`
-    );
+${listed(rows, ['', 'what'], ['good', r => `${r.good} of ${r.pairs}`])}`;
 }
 
 /* Causes down, methods across. */
@@ -223,24 +198,20 @@ over the error of the frame alone, and of the error of TAA's picture of a camera
 ${listed([...grouped(rows, r => (key ? `${r[key]}, ` : '') + r.method)], ['', 0], ...figures)}`
     );
 }
-function stability(record) {
-    const causes = by_cause(record), still = causes.filter(c => 'hsao' in c);
+function stability(causes, record) {
+    const still = causes.filter(c => 'hsao' in c);
     const moving = causes.filter(c => !still.includes(c) && Object.keys(c).some(key => key.endsWith('-history')));
     const hosts = moved(record, 'Frames as hosts make them', 'move');
     const moves = [moved(record, 'Cameras that move'), hosts].filter(Boolean);
-    return (
-        causes.length &&
-        `The worst of each sweep: RMSE of ambient visibility, or what the page says of that sweep. Beside: no
+    return `The worst of each sweep: RMSE of ambient visibility, or what the page says of that sweep. Beside: no
 ambient occlusion at all, the truth's own flicker, or open ground.
 
 ${worst(still)}${moving.length ? `\n\nOver frames:\n\n${worst(moving)}` : ''}${moves
     .map(m => `\n\n${m}`)
-    .join('')}`
-    );
+    .join('')}`;
 }
 
-function papers(record) {
-    const sheets = tables(record).filter(t => t.kind === 'paper');
+function papers(sheets) {
     const count = head => t => t.rows.filter(c => c.kind === 'claim' && c.head === head).length;
     const sum = head => sheets.map(count(head)).reduce((s, n) => s + n, 0);
     const [figure, agree, not] = ['figure', 'statements that agree', 'that do not'];
@@ -250,13 +221,10 @@ function papers(record) {
         [not]: count('differs')(t)
     }));
     const all = { [figure]: 'all', [agree]: sum('agrees'), [not]: sum('differs') };
-    return (
-        sheets.length &&
-        `What the papers say of their tables and figures, judged by what is drawn here on comparable scenes. The
+    return `What the papers say of their tables and figures, judged by what is drawn here on comparable scenes. The
 page has theirs beside ours, pictures, and what does not agree with its cause.
 
-${listed([...rows, all], [figure], [agree, , 0], [not, , 0])}`
-    );
+${listed([...rows, all], [figure], [agree, , 0], [not, , 0])}`;
 }
 
 /* "weighed (busy, calm)", one number where all are the same. */
@@ -265,9 +233,7 @@ function ways(r, device, digits) {
     const [weighed, busy, calm] = ['weighed', 'busy', 'calm'].map(way => cell(r[key(way)], digits));
     return weighed === busy && weighed === calm ? weighed : `${weighed} (${busy}, ${calm})`;
 }
-function cost(record) {
-    const rows = chains(found(record, 'cost'));
-    if (!rows.length) return '';
+function cost(rows) {
     const [first, second] = [...grouped(rows, 'family').keys()],
         of = rows.filter(r => r.family === first);
     const beside = r => rows.find(o => o.chain === r.chain && o.family === second);
@@ -296,17 +262,18 @@ ${of
     .join('; ')}.`;
 }
 
-/* The page's parts in their order, each of a record. */
+/* The page's parts in their order, each of a record: what finds its rows there, and makes a text of these. */
+const of_kind = (kind, made = rows => rows) => record => made(found(record, kind));
 const parts = [
-    ['Ambient occlusion', 'chart', ambient],
-    ['What others have', 'chart', others],
-    ['Light: speed against accuracy', 'chart', light],
-    ['Light on every pair of a scene and a probe', 'light', pairs],
-    ['Scenes by seed', 'chart', seeds],
-    ['The plan', 'chart', plan],
-    ['Where methods fail', 'stability', stability],
-    ["The papers' own tables and figures", 'papers', papers],
-    ['What chains cost a GPU, modelled', 'cost', cost]
+    ['Ambient occlusion', 'chart', of_kind('ambient'), ambient],
+    ['What others have', 'chart', of_kind('ambient', rows => means(rows).filter(peer)), others],
+    ['Light: speed against accuracy', 'chart', of_kind('light'), light],
+    ['Light on every pair of a scene and a probe', 'light', of_kind('pairs', by_pair), pairs],
+    ['Scenes by seed', 'chart', of_kind('seeds'), seeds],
+    ['The plan', 'chart', record => under(record, 'What a scene needs'), plan],
+    ['Where methods fail', 'stability', by_cause, stability],
+    ["The papers' own tables and figures", 'papers', record => tables(record).filter(t => t.kind === 'paper'), papers],
+    ['What chains cost a GPU, modelled', 'cost', of_kind('cost', chains), cost]
 ];
 
 const head = `# Figures
@@ -330,25 +297,13 @@ function write(path, text) {
 const records = name => report.records[name];
 const origin = r => `*\`${r.command}\`, commit ${r.commit}, ${r.cores} cores (${r.processor}), ${r.driver}*`;
 function page(kind, old) {
-    const kept = new Map(
-        old
-            .split(/\n(?=## )/)
-            .slice(1)
-            .map(part => [part.slice(3, part.indexOf('\n')), part])
-    );
-    return (
-        head +
-        parts
-            .map(([name, of, write]) => {
-                const text = records(of)?.kind === kind && write(records(of));
-                return text
-                    ? `\n## ${name}\n\n${origin(records(of))}\n\n${text}\n`
-                    : kept.has(name)
-                      ? `\n${kept.get(name)}`
-                      : '';
-            })
-            .join('')
-    );
+    const kept = new Map(old.split(/\n(?=## )/).slice(1).map(part => [part.slice(3, part.indexOf('\n')), part]));
+    const text = ([name, of, rows_of, write]) => {
+        const record = records(of), rows = record?.kind === kind ? rows_of(record) : [];
+        if (rows.length) return `\n## ${name}\n\n${origin(record)}\n\n${write(rows, record)}\n`;
+        return kept.has(name) ? `\n${kept.get(name)}` : '';
+    };
+    return head + parts.map(text).join('');
 }
 /* README's charts of the csv of full runs, whichever of these is the newest. */
 async function redraw(into) {
