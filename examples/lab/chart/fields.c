@@ -9,36 +9,33 @@
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-/* occluders: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the
-   occluder's bounding sphere in its place. */
-typedef struct cost { const char *label, *settings; int occluders; float size; int quick; } cost;
-static const cost of_triangles[] = {
-    { "bunny, 69,000 triangles", "", 0, 0, 1 },
-    { "cube, 12 triangles", "", -1, 0, 1 }
-};
-static const cost of_pixels[] = {
-    { "one ball, size 2", "", 0, 2, 0 },
-    { "one ball, size 1", "", 0, 1, 1 },
-    { "one ball, size 1/2", "", 0, 0.5f, 0 },
-    { "one ball, size 1/4", "", 0, 0.25f, 1 },
-    { "one ball, size 1/8", "", 0, 0.125f, 0 }
-};
-static const cost of_occluders[] = {
-    { "1 occluder", "", 1, 0, 1 },
-    { "10 occluders", "", 10, 0, 1 },
-    { "24 occluders", "", 24, 0, 1 },
-    { "100 occluders", "", 100, 0, 1 },
-    { "100 occluders", "reach=4", 100, 0, 0 }
-};
-static const struct { setup setup; const cost *costs; int count; } cost_sets[] = {
-    { { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL },
-        NO_SPOTS,
-        NO_BOXES,
-        0,
-        16 },
-      WITH_COUNT(of_triangles) },
-    { { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 16 }, WITH_COUNT(of_pixels) },
-    { { WHOLE("crowd", "crowd"), NO_SPOTS, NO_BOXES, 0, 16 }, WITH_COUNT(of_occluders) }
+#define ON_FLOOR(rays) \
+    { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL }, NO_SPOTS, \
+      NO_BOXES, 0, rays }
+#define ON_GROUND(shape, rays) \
+    { CLOSE(shape "-on-ground"), { { shape, 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, rays }
+#define TWO(shape) \
+    { CLOSE("two-" shape "s"), { { shape, 1, { -0.6f, 0.501f, 0 } }, { shape, 1, { 0.6f, 0.501f, 0 } } }, \
+      NO_BOXES, 0, 256 }
+
+/* What occluders cost. seen: of cost_setups, one after the other. occluders: so many objects from the scene's first on
+   that are no ground; 0: as the scene has it; -1: a cube with the occluder's bounding sphere in its place. */
+typedef struct cost { int seen; const char *label, *settings; int occluders; float size; int quick; } cost;
+static const setup cost_setups[] = { ON_FLOOR(16), ON_GROUND("ball", 16),
+                                     { WHOLE("crowd", "crowd"), NO_SPOTS, NO_BOXES, 0, 16 } };
+static const cost costs[] = {
+    { 0, "bunny, 69,000 triangles", "", 0, 0, 1 },
+    { 0, "cube, 12 triangles", "", -1, 0, 1 },
+    { 1, "one ball, size 2", "", 0, 2, 0 },
+    { 1, "one ball, size 1", "", 0, 1, 1 },
+    { 1, "one ball, size 1/2", "", 0, 0.5f, 0 },
+    { 1, "one ball, size 1/4", "", 0, 0.25f, 1 },
+    { 1, "one ball, size 1/8", "", 0, 0.125f, 0 },
+    { 2, "1 occluder", "", 1, 0, 1 },
+    { 2, "10 occluders", "", 10, 0, 1 },
+    { 2, "24 occluders", "", 24, 0, 1 },
+    { 2, "100 occluders", "", 100, 0, 1 },
+    { 2, "100 occluders", "reach=4", 100, 0, 0 }
 };
 
 /* triangles: of a lumpy ball; 0: the label's first word names the shape. threads: 0 = one a core. */
@@ -60,18 +57,8 @@ static const bake bakes[] = {
 };
 
 static const struct { const char *label[2]; setup setup; } pairs[] = {
-    { { "balls, each traced", "balls, each by its field" },
-      { CLOSE("two-balls"),
-        { { "ball", 1, { -0.6f, 0.501f, 0 } }, { "ball", 1, { 0.6f, 0.501f, 0 } } },
-        NO_BOXES,
-        0,
-        256 } },
-    { { "cubes, each traced", "cubes, each by its field" },
-      { CLOSE("two-cubes"),
-        { { "cube", 1, { -0.6f, 0.501f, 0 } }, { "cube", 1, { 0.6f, 0.501f, 0 } } },
-        NO_BOXES,
-        0,
-        256 } }
+    { { "balls, each traced", "balls, each by its field" }, TWO("ball") },
+    { { "cubes, each traced", "cubes, each by its field" }, TWO("cube") }
 };
 
 enum { FIELD_WIDTH = 240, FIELD_HEIGHT = 135, COST_WIDTH = 640, COST_HEIGHT = 360 };
@@ -108,21 +95,20 @@ static int costs_of(FILE *record, const options *o, row *all, kit_error *err)
 {
     (void)record;
     int sum = 0;
-    for (int k = 0; k < COUNT(cost_sets); ++k) {
-        kit_run run[COUNT(of_occluders)];
+    for (int k = 0; k < COUNT(cost_setups); ++k) {
+        kit_run run[COUNT(costs)];
         row *const rows = all + sum;
         int count = 0;
         stage s;
-        if (fields_open(&s, &cost_sets[k].setup, COST_WIDTH, COST_HEIGHT, err)) return -1;
-        for (int i = 0; i < cost_sets[k].count; ++i) {
-            const cost *c = &cost_sets[k].costs[i];
+        if (fields_open(&s, &cost_setups[k], COST_WIDTH, COST_HEIGHT, err)) return -1;
+        for (const cost *c = costs; c < costs + COUNT(costs); ++c) {
             ssgi_field_desc d;
-            if (o->quick && !c->quick) continue;
-            rows[count] = row_blank(OF_COST, cost_sets[k].setup.view.name, c->label, "aof", c->settings);
+            if (c->seen != k || (o->quick && !c->quick)) continue;
+            rows[count] = row_blank(OF_COST, cost_setups[k].view.name, c->label, "aof", c->settings);
             if (fields_desc(&d, c->settings, err) || cast_by(&s, c, &d, err)
-                || kit_fields_cover(&rows[count].figure[COVERED], &s.frame, &s.gbuffer.camera, &s.scene, &d, err))
+                || kit_fields_cover(&rows[count].figure[COVERED], &s.frame, &s.gbuffer.camera, &s.scene, &d, err)
+                || stage_run(&run[count], &s, "aof", c->settings, s.radius, err))
                 return -1;
-            if (stage_run(&run[count], &s, "aof", c->settings, s.radius, err)) return -1;
             kit_run_draw(&run[count++], 1);
         }
         if (clock_runs(rows, &s, run, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, err)) return -1;
@@ -252,8 +238,7 @@ static const set demos[] = {
              { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f },
                { -5, -1.6f, -1.3f, 5, 3, -1.2f },
                { -5, -1.8f, -1.3f, 5, -1.6f, 6 } },
-             0,
-             256 },
+             0, 256 },
       .rows = "fields-demo-texels",
       .crop = { { 108, 114, 107, 54 }, { 70, 4, 107, 54 } } },
     { "Fields: inside of the hull",
@@ -261,24 +246,14 @@ static const set demos[] = {
       "of the convex hull, where occlusion goes to A_0.",
       SEEN { { "sunk", "casters", 0, { 0.6f, 2.6f, 3.6f }, { 0, 0, 0.1f }, 34, 0, NULL },
              { { "torus", 1.4f, { 1, 0.05f, 0.1f } }, { "table", 1.6f, { -0.7f, 0.02f, 0 } } },
-             NO_BOXES,
-             0,
-             128 },
+             NO_BOXES, 0, 128 },
       .rows = "fields-demo-inside" }
 };
-#define ON_GROUND(shape) \
-    SEEN { CLOSE(shape "-on-ground"), { { shape, 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 512 }, \
-    .rows = "fields"
 static const set sets[] = {
-    { "Fields: error against memory", "Ball on a ground.", ON_GROUND("ball"), .quick = 1, .kind = "memory" },
-    { NULL, "Cube on a ground.", ON_GROUND("cube"), .quick = 1, .kind = "memory" },
-    { NULL, "Bunny on a floor.",
-      SEEN { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL },
-             NO_SPOTS,
-             NO_BOXES,
-             0,
-             512 },
-      .rows = "fields", .quick = 1, .kind = "memory" },
+    { "Fields: error against memory", "Ball on a ground.", SEEN ON_GROUND("ball", 512), .rows = "fields", .quick = 1,
+      .kind = "memory" },
+    { NULL, "Cube on a ground.", SEEN ON_GROUND("cube", 512), .rows = "fields", .quick = 1, .kind = "memory" },
+    { NULL, "Bunny on a floor.", SEEN ON_FLOOR(512), .rows = "fields", .quick = 1, .kind = "memory" },
     { NULL, "Two dozen occluders.", SEEN { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 },
       .rows = "fields", .kind = "memory" },
     { "Fields: what occluders cost",

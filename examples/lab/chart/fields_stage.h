@@ -16,7 +16,6 @@ typedef struct setup {
     int    rays;
 } setup;
 
-#define AOF(label, settings, quick) { label, "aof", settings, quick }
 #define WHOLE(name, scene)  { name, scene, 0, { 0 }, { 0 }, 0, 0, NULL }
 #define CLOSE(name)         { name, "casters", 0, { 1.5f, 2.3f, 3.3f }, { 0, 0.35f, 0 }, 34, 0, NULL }
 #define NO_BOXES            { { 0 } }
