@@ -271,19 +271,14 @@ static void differences(void)
               "%s: like itself %g, %g across, %g, %g down, %g from patch to patch", cases[k].name, c.across[0],
               c.across[1], c.down[0], c.down[1], c.patches);
     }
-    /* Halves of which 25 columns are seen: 16 and 9, which are off the mean by 18/25 and -32/25; of the last patches
-       too little. */
+    /* Halves of which 25 columns are seen: 16 and 9, which are off the mean by 18/25 and -32/25. */
     for (int i = 0; i < pixels; ++i) {
-        const int x = i % ACROSS_DIFFERS;
-        mask[i] = x < 25;
-        kit_image_channel(&a, "A")[i] = x < 25 ? (float)halves(x, 0) : NAN;
+        mask[i] = i % ACROSS_DIFFERS < 25;
+        kit_image_channel(&a, "A")[i] = mask[i] > 0 ? (float)halves(i % ACROSS_DIFFERS, 0) : NAN;
     }
     CHECK(!compared_of(&c, &a, &b, both, 1, mask, &err)
-              && fabs(c.across[0] - (15 * 324 + 8 * 1024 - 576) / 24.0 / 576) < 1e-9
-              && fabs(c.across[1] - (13 * 324 + 6 * 1024 - 3 * 576) / 22.0 / 576) < 1e-9 && fabs(c.down[0] - 1) < 1e-9
-              && fabs(c.patches - (-0.25 + 1) / 2) < 1e-9,
-          "halves, a part of them: like itself %g, %g across, %g down, %g from patch to patch", c.across[0],
-          c.across[1], c.down[0], c.patches);
+              && fabs(c.across[0] - (15 * 324 + 8 * 1024 - 576) / 24.0 / 576) < 1e-9 && fabs(c.down[0] - 1) < 1e-9,
+          "halves, a part of them: like itself %g across, %g down", c.across[0], c.down[0]);
     CHECK(!compared_of(&c, &a, &b, both, 1, NULL, &err) && isnan(c.rmse), "what is no number: RMSE %g", c.rmse);
     kit_image_free(&a);
     kit_image_free(&b);

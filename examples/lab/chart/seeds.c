@@ -78,29 +78,25 @@ static int count_of(const options *o)
 
 /* ---- >>picture: the scene as its own light shows it -------------------------------------------------------------- */
 
-/* What is seen where there is no surface: the environment. */
-static void fill_sky(kit_image *picture, const stage *s)
+/* Radiance (channels R, G, B first) as a picture of [0, 1), the environment where there is no surface: three of four
+   pixels lie below a middle grey's double. */
+static int tone_map(kit_image *picture, const stage *s, kit_error *err)
 {
     const size_t pixels = (size_t)picture->width * (size_t)picture->height;
     const float *z = kit_image_channel(&s->frame, "Z");
-    for (size_t i = 0; i < pixels; ++i) {
-        float origin[3], direction[3], rgb[3];
-        if (z[i] > 0) continue;
-        kit_camera_ray(&s->gbuffer.camera, (int)(i % (size_t)picture->width), (int)(i / (size_t)picture->width), origin,
-                       direction);
-        kit_env_radiance(&s->lighting.env, direction, rgb);
-        for (size_t c = 0; c < 3; ++c) picture->data[c * pixels + i] = rgb[c];
-    }
-}
-
-/* Radiance (channels R, G, B first) as a picture of [0, 1): three of four pixels lie below a middle grey's double. */
-static int tone_map(kit_image *picture, kit_error *err)
-{
-    const size_t pixels = (size_t)picture->width * (size_t)picture->height;
-    float *bright = malloc(pixels * sizeof *bright);
+    float *bright = calloc(pixels, sizeof *bright);
     if (!bright) return kit_fail(err, "out of memory");
-    for (size_t i = 0; i < pixels; ++i)
-        bright[i] = fmaxf(picture->data[i], fmaxf(picture->data[pixels + i], picture->data[2 * pixels + i]));
+    for (size_t i = 0; i < pixels; ++i) {
+        const int x = (int)i % picture->width, y = (int)i / picture->width;
+        float origin[3], direction[3], sky[3];
+        kit_camera_ray(&s->gbuffer.camera, x, y, origin, direction);
+        kit_env_radiance(&s->lighting.env, direction, sky);
+        for (size_t c = 0; c < 3; ++c) {
+            float *const v = &picture->data[c * pixels + i];
+            if (!(z[i] > 0)) *v = sky[c];
+            bright[i] = fmaxf(bright[i], *v);
+        }
+    }
     kit_middle(bright, pixels);                      /* sorts them */
     const float by = -0.6f / fmaxf(bright[pixels * 3 / 4], 1e-6f);
     for (size_t i = 0; i < 3 * pixels; ++i) picture->data[i] = 1 - expf(by * picture->data[i]);
@@ -114,8 +110,7 @@ static int own_picture(FILE *record, stage *s, const char *out, const char *slug
     kit_image picture;
     if (kit_light_scene(&s->lighting, &s->scene, err) || stage_drawn(&picture, s, "ssdo-best", "", s->radius, err))
         return -1;
-    fill_sky(&picture, s);
-    if (tone_map(&picture, err) || pictures_save(&picture, "R,G,B", 1, out, slug, ".png", err)) return -1;
+    if (tone_map(&picture, s, err) || pictures_save(&picture, "R,G,B", 1, out, slug, ".png", err)) return -1;
     page_figure(record, slug, "by its own light", note, picture.width, picture.height, 0);
     kit_image_free(&picture);
     kit_image_free(&s->lighting.env);

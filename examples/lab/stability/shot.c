@@ -53,7 +53,7 @@ static int look_around(shot *s, const look *l, kit_error *err)
         kit_camera_point(&s->gbuffer.camera, i % width, i / width, (double)z[i], p);
         s->mask[i] = 1;
         for (int c = 0; c < 3; ++c)
-            if (l->where[0][c] < l->where[1][c] && (p[c] < l->where[0][c] || p[c] > l->where[1][c])) s->mask[i] = 0;
+            if (l->where[c] < l->where[3 + c] && (p[c] < l->where[c] || p[c] > l->where[3 + c])) s->mask[i] = 0;
     }
     free(shown);
     return 0;

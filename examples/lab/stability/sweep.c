@@ -151,7 +151,8 @@ static double figure_of(float *map, const shot *shots, int frames, int kind, int
     const shot *s = &shots[frames - 1];
     switch (kind) {
     case ERROR:
-    case PRECISION: return shot_apart(m < 0 ? NULL : &s->picture[m], truth_of(shots, frames, kind, m, between), s->mask);
+    case PRECISION:
+        return shot_apart(m < 0 ? NULL : &s->picture[m], truth_of(shots, frames, kind, m, between), s->mask);
     case NEWLY:     return newly_over_alone(shots, frames, m);
     case TRAIL:     return remains(s, &shots[CHANGED - 1], m, 0);
     case HELD:      return remains(s, &shots[CHANGED - 1], m, 1);

@@ -50,16 +50,14 @@ static void tilt(look *l)
     const float a = l->value * DEGREE;
     camera(l, 0, 3 * cosf(a), 3 * sinf(a), 0, 0, 0, 30);
     set(l->up, 0, sinf(a), -cosf(a));
-    set(l->where[0], -1, -0.1f, -0.8f);
-    set(l->where[1], 1, 0.1f, 0.8f);
+    set_box(l->where, -1, -0.1f, -0.8f, 1, 0.1f, 0.8f);
 }
 
 static void tilt_wall(look *l)
 {
     tilt(l);
     set_box(l->box[0], 0.35f, 0.001f, -1, 0.55f, 0.6f, 1);
-    set(l->where[0], -0.3f, -0.1f, -0.6f);
-    set(l->where[1], 0.351f, 0.6f, 0.6f);
+    set_box(l->where, -0.3f, -0.1f, -0.6f, 0.351f, 0.6f, 0.6f);
 }
 
 /* Rolled by ten degrees: what is thinner than a pixel is seen here and there. */
@@ -71,8 +69,7 @@ static void pole(look *l)
     l->radius = 0.4f;
     set_box(l->box[0], -4, 6, -1.7f, 4, 14, -1.5f);
     set_box(l->box[1], -w, 7, -w, w, 13, w);
-    set(l->where[0], -0.8f, 9.3f, -1.6f);
-    set(l->where[1], 0.8f, 10.7f, -1.4f);
+    set_box(l->where, -0.8f, 9.3f, -1.6f, 0.8f, 10.7f, -1.4f);
 }
 
 static void rail(look *l)
@@ -82,8 +79,7 @@ static void rail(look *l)
     set(l->up, 0.1763f, 1, 0);
     l->radius = 0.4f;
     set_box(l->box[0], -2, 0.2f - w, -w, 2, 0.2f + w, w);
-    set(l->where[0], -0.8f, -0.1f, -0.5f);
-    set(l->where[1], 0.8f, 0.01f, 0.4f);
+    set_box(l->where, -0.8f, -0.1f, -0.5f, 0.8f, 0.01f, 0.4f);
 }
 
 static void screen(look *l)
@@ -93,8 +89,7 @@ static void screen(look *l)
     l->znear = 0.05f;
     set_box(l->box[0], -8, 6, -6.2f, 8, 14, -6);
     set_box(l->box[1], -8, 6, -6 + l->radius * l->value, 0, 14, -5.98f + l->radius * l->value);
-    set(l->where[0], 0, 9.5f, -6.1f);
-    set(l->where[1], 2 * l->radius, 10.5f, -5.99f);
+    set_box(l->where, 0, 9.5f, -6.1f, 2 * l->radius, 10.5f, -5.99f);
 }
 
 /* Two sheets side by side, half a radius before a wall; of the wall what is seen between them is scored. */
@@ -107,8 +102,7 @@ static void slot(look *l)
     set_box(l->box[0], -8, 6, -5.85f, -half, 14, -5.847f);
     set_box(l->box[1], half, 6, -5.85f, 8, 14, -5.847f);
     set_box(l->box[2], -8, 6, -6.2f, 8, 14, -6);
-    set(l->where[0], -half, 9.5f, -6.1f);
-    set(l->where[1], half, 10.5f, -5.99f);
+    set_box(l->where, -half, 9.5f, -6.1f, half, 10.5f, -5.99f);
 }
 
 static void of_pixels(look *l)
@@ -120,8 +114,7 @@ static void of_pixels(look *l)
 /* The ground along a box' side, as far as it is seen beside an edge: the picture's, or that of a screen in front. */
 static void along(look *l, float side, float edge, float z0, float z1)
 {
-    set(l->where[0], side > edge ? side : edge, -0.1f, z0);
-    set(l->where[1], (side > edge ? side : edge) + 0.4f, 0.01f, z1);
+    set_box(l->where, side > edge ? side : edge, -0.1f, z0, (side > edge ? side : edge) + 0.4f, 0.01f, z1);
 }
 
 static void off_screen(look *l)
@@ -160,8 +153,7 @@ static void near_plane(look *l)
     l->radius = 0.5f;
     l->znear = 0.5f;
     set_box(l->box[0], 0.1f, 0.001f, front - 0.4f, 0.5f, 0.45f, front);
-    set(l->where[0], -0.3f, -0.1f, -0.85f);
-    set(l->where[1], 0.08f, 0.01f, -0.55f);
+    set_box(l->where, -0.3f, -0.1f, -0.85f, 0.08f, 0.01f, -0.55f);
 }
 
 /* Depths of 4.9 times a power of two, so that nothing but depth's precision changes. */
@@ -222,8 +214,7 @@ static void turning(look *l)
     l->only = "table";
     memcpy(l->placed, m, sizeof m);
     camera(l, 1.5f, 2.3f, 3.3f, 0, 0.35f, 0, 30);
-    set(l->where[0], -1.1f, -0.1f, -1.1f);
-    set(l->where[1], 1.1f, 2, 1.1f);
+    set_box(l->where, -1.1f, -0.1f, -1.1f, 1.1f, 2, 1.1f);
 }
 
 static void sized(look *l)

@@ -44,7 +44,7 @@ typedef struct look {
     float scale, aside, nearer, roll, orbit;
     float shift[2];                        /* jitter of the projection, in pixels */
     float radius, pixels;                  /* pixels: of the radius at the target */
-    float where[2][3];                     /* what is scored: bounds, on each axis where the lower one is lower */
+    float where[6];                        /* what is scored: bounds, on each axis where the lower one is lower */
     float sun[3], dimmed;                  /* direction to the sun, in the sky, and the share of it that is taken away;
                                               else light is white from everywhere */
     float went;                            /* how far the first box moved along x since the frame before */
