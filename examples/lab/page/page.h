@@ -28,5 +28,7 @@ void page_key(FILE *f, double range);           /* the differences' colours, ful
 void page_table(FILE *f, const char *kind, page *csv);
 /* The same, and the csv becomes folder/name. */
 int page_csv(FILE *f, const char *kind, page *csv, const char *folder, const char *name, kit_error *err);
+/* The next field of a csv's line, without quotes around it; it ends there, and at goes on behind it. */
+char *page_field(char **at);
 
 #endif

@@ -19,17 +19,6 @@ int units_asked(const options *o, const char *method)
 enum { MOST_LINES = 512 };
 static struct { const char *set; entry entry; } lines[MOST_LINES + 1];
 
-/* The next field of a line, without quotes around it. */
-static char *field(char **at)
-{
-    const int quoted = **at == '"';
-    char *const text = *at + quoted;
-    *at = text + strcspn(text, quoted ? "\"" : ",\n");
-    if (**at) *(*at)++ = 0;
-    if (quoted && **at) ++*at;
-    return text;
-}
-
 int units_load(kit_error *err)
 {
     char *at;
@@ -38,7 +27,7 @@ int units_load(kit_error *err)
     if (kit_file_read(&at, &size, UNITS_ROWS, err)) return -1;      /* it stays: rows point into it */
     for (at += strcspn(at, "\n") + 1; *at; ++count) {
         char *f[5];
-        for (int k = 0; k < COUNT(f); ++k) f[k] = field(&at);
+        for (int k = 0; k < COUNT(f); ++k) f[k] = page_field(&at);
         of_set = count && !strcmp(lines[count - 1].set, f[0]) ? of_set + 1 : 1;
         if (count == MOST_LINES || of_set > MOST_ENTRIES || (strcmp(f[4], "0") && strcmp(f[4], "1")))
             return kit_fail(err, "%s: line %d is no row (set, label, method, settings, 0 or 1), or one too many",

@@ -158,8 +158,8 @@ int main(int argc, char **argv)
     sweep_options o;
     kit_error err = { "" };
     kit_streams_open();
-    if (!(moving ? parse_moves(&m, argc, argv, &err) : parse(&o, argc, argv, &err)) && !kit_gl_open(NULL, &err)
-        && !(moving ? moves(&m, NULL, &err) : stability(&o, &err)))
+    if (!sweeps_load(&err) && !(moving ? parse_moves(&m, argc, argv, &err) : parse(&o, argc, argv, &err))
+        && !kit_gl_open(NULL, &err) && !(moving ? moves(&m, NULL, &err) : stability(&o, &err)))
         kit_streams_close(&err);
     if (*err.text) {
         kit_progress("", 1);

@@ -1,8 +1,10 @@
-/* sweeps.c - what is swept: methods, and the causes of failure, each a scene and one thing in it that changes. Declared
-   in sweeps.h. */
+/* sweeps.c - what is swept: methods, and the causes of failure, each a line of a csv: a scene and one thing in it that
+   changes. Declared in sweeps.h. */
 #include "lab/stability/sweeps.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+#include "lab/page/page.h"
 #include "lab/stability/maths.h"
 
 /* ---- >>methods --------------------------------------------------------------------------------------------------- */
@@ -255,152 +257,74 @@ static void jumped(look *l)
 
 /* ---- >>causes ---------------------------------------------------------------------------------------------------- */
 
-#define DEPTHS   { 1.2225, 78.24, 1251.84, 5007.36, 10014.72, 20029.44, 40058.88, 80117.76 }
-#define SLIDING  { -0.8, -0.6, -0.4, -0.2, -0.001, 0.2, 0.4, 0.6, 0.8 }
-const cause sweeps_cause[] = {
-    { "tilt", "View tilt, a bare plane", "tilt of the view against the plane's normal, degrees",
-      "A plane occludes nothing of itself: all that is seen is false.",
-      ERROR, AMBIENT, 240, 16, 0, tilt, .value = { 0.001, 30, 50, 65, 75, 80, 84, 87, 89 } },
-    { "tilt-wall", "View tilt, a plane and a wall", "tilt of the view against the plane's normal, degrees",
-      "A low wall along the line of sight; both are scored.",
-      ERROR, AMBIENT, 240, 128, 0, tilt_wall, .value = { 0.001, 30, 50, 65, 75, 80, 84, 87, 89 } },
-    { "pole", "Thickness: a pole before a far wall", "thickness of the pole, pixels",
-      "The wall is almost four radii behind: it is open, and darkness around the pole is a halo.",
-      ERROR, AMBIENT | THIN, 240, 64, 1, pole, .value = { 0.1, 0.3, 1, 2, 4, 10, 20 } },
-    { "rail", "Thickness: a rail above a floor", "thickness of the rail, pixels",
-      "Half a radius above the floor: its occlusion goes with its thickness.",
-      ERROR, AMBIENT | THIN, 240, 128, 1, rail, .value = { 0.1, 0.3, 1, 2, 4, 10, 20 } },
-    { "halo", "Distance behind a depth discontinuity", "distance of the wall behind the screen's edge, radii",
-      "A screen before a wall; of the wall two radii beside the edge are scored. Beyond one radius it is open.",
-      ERROR, AMBIENT | THIN, 240, 128, 1, screen, .value = { 0.1, 0.3, 0.6, 1, 1.5, 3, 10, 30 } },
-    { "slot", "Through a slot between two sheets", "width of the slot, radii",
-      "Sheets a hundredth of the radius thick, half a radius before a wall, which is scored: taken for as thick as "
-      "they are wide, they darken it.",
-      ERROR, AMBIENT | THIN, 240, 128, 1, slot, .value = { 0.2, 0.4, 0.8, 1.6, 3.2 } },
-    { "radius", "Radius, from a tenth of a pixel to the whole screen", "radius, pixels at the middle of the room",
-      "Room.",
-      ERROR, AMBIENT, 240, 64, 1, of_pixels, .value = { 0.1, 0.3, 1, 3, 10, 30, 80, 240 } },
-    { "off-screen", "Sliding off the screen", "how far the box is off the screen, radii",
-      "A box slides off; the ground beside it, or beside the picture's border, is scored. Of aof: occlusion at any "
-      "distance, against its own truth, here and below.",
-      ERROR, AMBIENT | FIELD, 240, 128, 0, off_screen, .value = SLIDING },
-    { "turned-off", "Sliding off the screen as the camera turns", "pixels a frame",
-      "The last of a box leaves the picture: what is expected beyond the border is to follow it, not to flicker. The "
-      "ground beside the box.",
-      SECOND, AMBIENT, 240, 128, 1, turned_off, .value = { 0.25, 0.5, 1, 2, 4, 8 } },
-    { "hidden", "Sliding behind another", "how far the box is behind the screen's edge, radii",
-      "A box slides behind a screen in front; the ground beside it, or beside the screen's edge, is scored.",
-      ERROR, AMBIENT | FIELD, 240, 128, 0, behind, .value = SLIDING },
-    { "near-plane", "Crossing the near plane", "front of the box before the near plane, radii",
-      "A box comes toward the camera, is cut open, and is gone at -0.8; the ground beside it is scored.",
-      ERROR, AMBIENT | FIELD, 240, 128, 0, near_plane, .value = { 1.2, 0.8, 0.4, 0.1, -0.1, -0.3, -0.5, -0.7, -0.9 } },
-    { "depth-16f", "View depth stored as 16 bits of float", "view depth",
-      "Boxes, near plane at 0.1; the radius is of the same number of pixels at all depths, and only precision "
-      "changes. To the picture with exact depth.",
-      PRECISION, AMBIENT, 160, 0, 1, stored, .value = DEPTHS, .format = HALF },
-    { "depth-24", "View depth as 24 bits of window depth", "view depth",
-      "The same.",
-      PRECISION, AMBIENT, 160, 0, 1, stored, .value = DEPTHS, .format = UNORM24 },
-    { "depth-32f", "View depth as 32 bits of window depth, float", "view depth",
-      "The same.",
-      PRECISION, AMBIENT, 160, 0, 1, stored, .value = DEPTHS, .format = FLOAT32 },
-    { "depth-reversed", "View depth as 32 bits of reversed window depth, float", "view depth",
-      "The same.",
-      PRECISION, AMBIENT, 160, 0, 1, stored, .value = DEPTHS, .format = REVERSED32 },
-    { "camera", "The camera moves sideways", "pixels a frame",
-      "Two dozen shapes. Places that all frames show, between four pixels each.",
-      DEVIATION, AMBIENT | FIELD, 160, 128, 1, moved, .value = { 0.1, 0.25, 0.5, 1, 2, 4 } },
-    { "dolly", "The camera comes closer", "percent of the distance a frame",
-      "The same, for surfels that pop.",
-      DEVIATION, AMBIENT | FIELD, 160, 128, 1, closer, .value = { 0.1, 0.3, 1, 3 } },
-    { "light", "The sun turns", "degrees a frame",
-      "Three boxes under the sky and a soft sun, in the environment.",
-      LIT_SECOND, TURNED, 160, 256, 1, sun, .value = { 0.25, 0.5, 1, 2, 4, 8 } },
-    { "rotation", "An object turns", "degrees a frame",
-      "A table on a ground; places move with it.",
-      SECOND, AMBIENT | FIELD, 160, 256, 1, turning, .value = { 0.25, 0.5, 1, 2, 4, 8 } },
-    { "kept-camera", "Over frames: the camera moves sideways", "pixels a frame",
-      "Two dozen shapes, sixteen frames; the first value stands still. Under white light ssdo is all but hsao: the "
-      "same slices.",
-      FOLLOWS, KEPT, 160, 64, 1, moved, .value = { 1e-4, 0.1, 0.25, 0.5, 1, 2, 4 } },
-    { "kept-dolly", "Over frames: the camera comes closer", "percent a frame",
-      "The same.",
-      FOLLOWS, KEPT, 160, 64, 1, closer, .value = { 0.1, 0.3, 1 } },
-    { "kept-roll", "Over frames: the camera rolls", "degrees a frame",
-      "The same.",
-      FOLLOWS, KEPT, 160, 64, 1, rolled, .value = { 0.1, 0.3, 1 } },
-    { "kept-slide", "Over frames: a box slides over a floor", "pixels a frame",
-      "Without motion vectors.",
-      FOLLOWS, KEPT, 160, 64, 1, slid, .value = { 0.1, 0.25, 0.5, 1, 2, 4 } },
-    { "kept-appear", "Over frames: a box appears", "frames after",
-      "Without motion vectors.",
-      AFTER, KEPT, 160, 64, 1, appeared, .value = { 1, 2, 3, 5, 8 } },
-    { "kept-jump", "Over frames: a box is elsewhere at once", "frames after",
-      "Without motion vectors.",
-      AFTER, KEPT, 160, 64, 1, vanished, .value = { 1, 2, 3, 5, 8 } },
-    { "kept-trail-appear", "Over frames: a box appears, what is left of the light that was", "frames after",
-      "Where the truth changed by more than 0.05.",
-      TRAIL, KEPT, 160, 64, 1, appeared, .value = { 1, 2, 3, 5, 8 } },
-    { "kept-trail-jump", "Over frames: a box is elsewhere at once, what is left of what was", "frames after",
-      "Where the truth changed by more than 0.05.",
-      TRAIL, KEPT, 160, 64, 1, vanished, .value = { 1, 2, 3, 5, 8 } },
-    { "kept-held-appear", "Over frames: a box appears, pixels that hold what was", "frames after",
-      "Pixel by pixel, where the truth changed by more than 0.05.",
-      HELD, KEPT, 320, 64, 1, appeared, .value = { 1, 2, 3, 4, 8 } },
-    { "kept-held-jump", "Over frames: a box is elsewhere at once, pixels that hold what was", "frames after",
-      "The same.",
-      HELD, KEPT, 320, 64, 1, vanished, .value = { 1, 2, 3, 4, 8 } },
-    { "kept-slide-told", "Over frames: a box slides over a floor, with motion vectors", "pixels a frame",
-      "The box's own; of all else 0.",
-      FOLLOWS, KEPT, 160, 64, 1, slid, .value = { 0.1, 0.25, 0.5, 1, 2, 4 }, .told = 1 },
-    { "kept-held-appear-told", "Over frames: a box appears, pixels that hold what was, with motion vectors",
-      "frames after",
-      "They are 0: what was not there before has not moved.",
-      HELD, KEPT, 320, 64, 1, appeared, .value = { 1, 2, 3, 4, 8 }, .told = 1 },
-    { "kept-held-jump-told", "Over frames: a box is elsewhere at once, pixels that hold what was, with motion vectors",
-      "frames after",
-      "The box's own; of all else 0.",
-      HELD, KEPT, 320, 64, 1, vanished, .value = { 1, 2, 3, 4, 8 }, .told = 1 },
-    { "kept-flicker", "Over frames: deviation while the camera moves sideways", "pixels a frame",
-      "Eight frames, after eight that are not counted.",
-      DEVIATION, KEPT, 160, 64, 1, moved, .value = { 0.1, 0.25, 0.5, 1 } },
-    { "kept-cut", "Over frames: another view that nobody tells of", "frames after",
-      "A cut that is told of starts anew.",
-      AFTER, KEPT, 160, 64, 1, jumped, .value = { 1, 2, 3, 5, 8 } },
-    { "kept-newly", "Over frames: what the frame before did not show", "pixels a frame",
-      "Two dozen shapes, the camera moves sideways: beside silhouettes, and at the picture's border.",
-      NEWLY, KEPT, 160, 64, 1, moved, .value = { 1, 2, 4, 8 } },
-    { "kept-light", "Over frames: the sun turns", "degrees a frame",
-      "Three boxes under the sky and a soft sun; the first value stands still. Nothing tells that light changed: "
-      "what is seen is its lag.",
-      FOLLOWS, KEPT_LIGHT, 160, 64, 1, lit_within, .value = { 1e-4, 0.5, 2, 8 } },
-    { "kept-switch", "Over frames: the sun goes out", "frames after",
-      "The same, and nineteen parts of twenty of the sun are gone at once.",
-      AFTER, KEPT_LIGHT, 160, 64, 1, switched, .value = { 1, 2, 3, 5, 8 } },
-    { "kept-tremble", "Over frames: the sun flickers", "percent that each second frame lacks",
-      "The same: light that flickers must be seen to.",
-      FOLLOWS, KEPT_LIGHT, 160, 64, 1, trembling, .value = { 3, 10, 30, 90 } },
-    { "resolution", "Resolution at constant angular radius", "pixels across",
-      "Room, from 160 x 90 to 3840 x 2160.",
-      ERROR, AMBIENT, 160, 128, 1, sized, .value = { 160, 320, 640, 1280, 1920, 3840 } },
-    { "sh-open", "Ringing of a sun as harmonics: an open surface", "angle of the sun to the normal, degrees",
-      "Irradiance over that of an open surface that faces the sun.",
-      .curves = maths_ringing_open, .number = "most negative irradiance", .up = "irradiance" },
-    { "sh-shade", "Ringing of a sun as harmonics: in shade", "angle of the sun to the normal, degrees",
-      "The same where a cone of 30 degrees is seen, 45 degrees off the normal, and nothing else.",
-      .curves = maths_ringing_in_shade, .number = "most negative irradiance", .up = "irradiance" },
-    { "hull", "Through the hull of a field's occluder", "place along the line, in sizes of the table",
-      "Occlusion by a table, on a line between its legs, facing up.",
-      .curves = maths_hull, .number = "largest error", .up = "occlusion" },
-    { "hull-steps", "Through the hull of a field's occluder: steps", "place along the line, in sizes of the table",
-      "What a hundredth of the table's size adds.",
-      .curves = maths_hull_steps, .number = "largest step", .up = "step of occlusion" },
-    { "surfels", "Surfel counts with the camera's distance", "distance of the camera, times the nearest",
-      "Two dozen shapes; how many surfels a step of 1 % of the distance adds or takes. Areas alone would add 2 %.",
-      .curves = maths_popping, .log = 1, .number = "largest change", .up = "change of the count, a share of it" }
+static const struct { const char *name; void (*at)(look *l); } looks[] = {
+    { "tilt", tilt }, { "tilt-wall", tilt_wall }, { "pole", pole }, { "rail", rail }, { "screen", screen },
+    { "slot", slot }, { "of-pixels", of_pixels }, { "off-screen", off_screen }, { "turned-off", turned_off },
+    { "behind", behind }, { "near-plane", near_plane }, { "stored", stored }, { "moved", moved },
+    { "closer", closer }, { "sun", sun }, { "lit-within", lit_within }, { "switched", switched },
+    { "trembling", trembling }, { "turning", turning }, { "sized", sized }, { "rolled", rolled }, { "slid", slid },
+    { "appeared", appeared }, { "vanished", vanished }, { "jumped", jumped }
 };
-const int sweeps_causes = sizeof sweeps_cause / sizeof *sweeps_cause;
-_Static_assert(sizeof sweeps_cause / sizeof *sweeps_cause <= MOST_CAUSES, "more causes than MOST_CAUSES");
+static const struct { const char *name; int (*curves)(result *r, kit_error *err); } of_maths[] = {
+    { "ringing-open", maths_ringing_open }, { "ringing-in-shade", maths_ringing_in_shade }, { "hull", maths_hull },
+    { "hull-steps", maths_hull_steps }, { "popping", maths_popping }
+};
+
+cause sweeps_cause[MOST_CAUSES];
+int sweeps_causes;
+
+/* Which of words, separated by blanks, a text begins with, up to a + or its end; -1: none. */
+static int word(const char *words, const char *text)
+{
+    const size_t length = strcspn(text, "+");
+    int n = 0;
+    for (const char *at = words; *at; ++n, at += strspn(at, " ")) {
+        const size_t own = strcspn(at, " ");
+        if (own == length && !memcmp(at, text, own)) return n;
+        at += own;
+    }
+    return -1;
+}
+
+/* A cause of the fields of its line; 0: one of them is none. */
+static int cause_of(cause *c, char *const *f)
+{
+    *c = (cause){ .name = f[0], .title = f[1], .across = f[2], .about = f[3], .holds = f[15], .bounds = f[16] };
+    c->kind = word("error precision deviation second lit-second follows after newly trail held", f[4]);
+    for (const char *at = f[5]; *at; at += strcspn(at, "+"), at += *at == '+') {
+        const int bit = word("screen light surfels field thin turned kept kept-light", at);
+        if (bit < 0) return 0;
+        c->of |= 1 << bit;
+    }
+    c->width = atoi(f[6]);
+    c->rays = atoi(f[7]);
+    c->log = atoi(f[8]);
+    c->told = atoi(f[9]);
+    c->format = *f[10] ? 1 + word("exact half unorm24 float32 reversed32", f[10]) : 0;
+    for (size_t i = 0; i < sizeof looks / sizeof *looks; ++i) if (!strcmp(looks[i].name, f[11])) c->at = looks[i].at;
+    for (size_t i = 0; i < sizeof of_maths / sizeof *of_maths; ++i)
+        if (!strcmp(of_maths[i].name, f[11])) c->curves = of_maths[i].curves;
+    char *at = f[12], *end = at;
+    for (int i = 0; i < MOST_VALUES && *at; ++i, at = end) c->value[i] = strtod(at, &end);
+    c->number = *f[13] ? f[13] : NULL;
+    c->up = *f[14] ? f[14] : NULL;
+    return c->kind >= 0 && !*at && (c->curves || (c->at && c->of && c->width > 0 && (*f[12] != 0)));
+}
+
+int sweeps_load(kit_error *err)
+{
+    enum { FIELDS = 17 };
+
+    char *at, *f[FIELDS];
+    size_t size;
+    if (kit_file_read(&at, &size, SWEEPS_CAUSES, err)) return -1;   /* it stays: causes point into it */
+    for (at += strcspn(at, "\n") + 1, sweeps_causes = 0; *at; ++sweeps_causes) {
+        for (int k = 0; k < FIELDS; ++k) f[k] = page_field(&at);
+        if (sweeps_causes == MOST_CAUSES || !cause_of(&sweeps_cause[sweeps_causes], f))
+            return kit_fail(err, "%s: line %d is no cause, or one too many", SWEEPS_CAUSES, sweeps_causes + 2);
+    }
+    return 0;
+}
 
 look sweeps_look(const cause *c, double value, int frame)
 {

@@ -68,11 +68,18 @@ typedef struct cause {
     int told, format;                      /* with motion vectors; how depth is stored */
     int (*curves)(result *r, kit_error *err);      /* instead: of the library's maths alone */
     const char *number, *up;               /* what the number is, and the chart's other axis; NULL = the kind's */
+    /* What the test group stability holds of the quick values, "": nothing: a sentence, and bounds of curves' numbers,
+       "label=least,most|...", no label: of what is seen beside the methods. */
+    const char *holds, *bounds;
 } cause;
 
 enum { MOST_CAUSES = 48 };
-extern const cause sweeps_cause[];
-extern const int sweeps_causes;
+extern cause sweeps_cause[MOST_CAUSES];
+extern int sweeps_causes;
+/* Their lines; to be read before the others ask. Columns: as cause has them; of: words with + between; depth: as format
+   names it; look: a function of sweeps.c or, without values, of maths.c. */
+#define SWEEPS_CAUSES "examples/lab/stability/causes.csv"
+int sweeps_load(kit_error *err);
 
 /* What a frame of a cause shows, at a value. */
 look sweeps_look(const cause *c, double value, int frame);
