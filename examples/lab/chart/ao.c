@@ -1,7 +1,6 @@
 /* ao.c - ambient occlusion: a scanned mesh with every method beside the truth, and error against time on every scene,
    with what others have beside it. Declared in chart.h. */
 #include "lab/chart/chart.h"
-#include <math.h>
 #include <string.h>
 #include <unistd.h>
 #include "lab/chart/mottled.h"
@@ -64,32 +63,11 @@ static const char *peers_note(void)
                                          "picture, which ours does without.";
 }
 
-/* For each peer: does the library, raw, in no more than its time err no more than the peer
-   after its fit? Against how many it does, and each that it does not. */
-static void peers_verdict(FILE *f, const row *rows, int methods, int count)
-{
-    int all = 0, met = 0;
-    for (int i = methods; i < count; ++i) {
-        double best = HUGE_VAL;
-        for (int k = 0; k < methods; ++k) if (rows[k].relative <= rows[i].relative) best = fmin(best, rows[k].share);
-        ++all;
-        if (best <= rows[i].figure[FITTED]) ++met;
-        else
-            fprintf(f, "%s: %s (%s) errs by %.3f after its fit, the library in that time by %.3f\n", rows->scene,
-                    rows[i].label, rows[i].settings, rows[i].figure[FITTED], best);
-    }
-    if (all)
-        fprintf(f,
-                "%s: the library errs no more, raw, than %d of %d settings of " PEERS_THEY " in their time after their "
-                "fit\n",
-                rows->scene, met, all);
-}
-
 /* ---- >>chart ----------------------------------------------------------------------------------------------------- */
 
 enum { AO_GIVENS = 2 };                           /* floor and no AO */
 static found chart_found[MOST_SCENES];
-static int scenes, methods;                      /* of the chart, there or not; rows that are not peers' */
+static int scenes;                               /* of the chart, there or not */
 
 int ao_entries(const options *o)
 {
@@ -97,11 +75,7 @@ int ao_entries(const options *o)
     return units_chosen(e, "ao", o);
 }
 
-static int units(const options *o)
-{
-    methods = ao_entries(o) + AO_GIVENS;
-    return scenes = o->scenes ? o->scenes : stage_views_count;
-}
+static int units(const options *o) { return scenes = o->scenes ? o->scenes : stage_views_count; }
 
 /* The k-th scene of those asked for, else of all that are there. */
 static view view_at(const options *o, int k)
@@ -185,7 +159,6 @@ static void text(FILE *f)
     fprintf(f, "ambient occlusion, mean of %d scenes\n", shown);
     table_text(f, mean, count);
     fprintf(f, "%s\n", peers_note());
-    peers_verdict(f, mean, methods, count);
 }
 
 const section ao_chart = { .name = "ao", .csv = "chart.csv", .title = "Ambient occlusion", .kind = "ambient",
