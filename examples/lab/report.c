@@ -1,15 +1,6 @@
 /* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
 
-      build/report demo  [--out report] [--context egl] [--mesh MODEL]     pictures and tables, in a minute
-      build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME] [--commit HASH]
-         chart*.csv and the rest, in an hour
-      build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv
-      build/report seeds [--out report] [--context egl] [--quick] [--method NAME] [--from 1000] [--count 21]
-         [--commit HASH]     scenes by seed and models: seeds.csv
-      build/report papers [--out report] [--context egl] [--quick] [--paper "HSAO08 Table 1"]     papers.csv, in some
-         minutes
-      build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c
-      build/report plan  [--out report] [--context egl]     the chart's part on the plan: plan.csv
+      build/report demo, chart, light, seeds, papers, fit or plan; alone it prints what each takes
 
    Each writes a record of its name, demo.js, beside index.html, which shows all that are there.
    With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too, and with
@@ -182,13 +173,13 @@ static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err);
 enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, COMMIT = 64 };
 typedef int step(const options *o, kit_error *err);
 static const struct command { const char *name, *about; int takes; step *run, *ahead; } commands[] = {
-    { "demo",   "pictures beside the truth",                         MESH,           demo,   NULL },
-    { "chart",  "speed against accuracy",     QUICK | SCENES | METHOD | COMMIT,      chart,  chart_ahead },
-    { "light",  "the chart's part on light, every pair",             QUICK | SCENES | METHOD, light,  NULL },
-    { "seeds",  "scenes by seed",             QUICK | METHOD | SEEDS | COMMIT,       seeds,  seeds_ahead },
-    { "papers", "the papers' tables and figures",                    QUICK | PAPER,  papers, NULL },
-    { "fit",    "what the plan's table is fitted to",                MESH,           fit,    plan_fit_ahead },
-    { "plan",   "the plan on views that it was not fitted on",       MESH,           plan,   plan_ahead }
+    { "demo", "pictures and tables beside the truth, in a minute", MESH, demo, NULL },
+    { "chart", "speed against accuracy: chart*.csv, in an hour", QUICK | SCENES | METHOD | COMMIT, chart, chart_ahead },
+    { "light", "light on every pair: chart-pairs.csv", QUICK | SCENES | METHOD, light, NULL },
+    { "seeds", "scenes by seed and models: seeds.csv", QUICK | METHOD | SEEDS | COMMIT, seeds, seeds_ahead },
+    { "papers", "the papers' tables and figures: papers.csv, in some minutes", QUICK | PAPER, papers, NULL },
+    { "fit", "what the plan's table is fitted to, by fit.c: plan-fit.csv", MESH, fit, plan_fit_ahead },
+    { "plan", "the plan on views that it was not fitted on: plan.csv", MESH, plan, plan_ahead }
 };
 /* of: the commands that take it; what: of its value, NULL: it has none; most: of a number, 0: it is a text; at: its
    place in options. */
