@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include "lab/measure/ahead.h"
 #include "lab/measure/folder.h"
+#include "lab/page/units.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -18,15 +19,17 @@ typedef struct plan_view {
     int objects;
 } plan_view;
 
-static const plan_view planned_views[] = { { "room", 1, 0, 1, 1.2f, 0 },
-                                           { "colonnade", 1, -0.25f, 0.9f, 0.45f, 0 },
-                                           { "columns", 1, 0.7f, 0.8f, 0.45f, 0 },
-                                           { "pebbles", 1, 0, 1, 1.2f, 0 },
-                                           { "casters", 1, 0.7f, 0.8f, 0.45f, 1 },
-                                           { "iron-bed", 1, 0, 1, 1, 0 },
-                                           { "bunny", 0, 0, 1, 1.2f, 1 },
-                                           { "plates", 0, 0, 1, 1.2f, 0 },
-                                           { "crowd", 0, 0, 1, 1, 1 } };
+static const plan_view planned_views[] = {
+    { "room", 1, 0, 1, 1.2f, 0 },
+    { "colonnade", 1, -0.25f, 0.9f, 0.45f, 0 },
+    { "columns", 1, 0.7f, 0.8f, 0.45f, 0 },
+    { "pebbles", 1, 0, 1, 1.2f, 0 },
+    { "casters", 1, 0.7f, 0.8f, 0.45f, 1 },
+    { "iron-bed", 1, 0, 1, 1, 0 },
+    { "bunny", 0, 0, 1, 1.2f, 1 },
+    { "plates", 0, 0, 1, 1.2f, 0 },
+    { "crowd", 0, 0, 1, 1, 1 }
+};
 /* suns: two soft ones, pink and turquoise */
 static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };
 
@@ -218,15 +221,7 @@ static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
 }
 
 /* What is kept depends on the program and its tables. */
-static uint64_t program(void)
-{
-    char *data;
-    size_t size;
-    if (kit_file_read(&data, &size, "/proc/self/exe", NULL)) return KIT_HASH;
-    const uint64_t h = kit_hash(KIT_HASH, data, size);
-    free(data);
-    return h;
-}
+static uint64_t program(void) { return units_hash(KIT_HASH, "/proc/self/exe"); }
 
 /* A seed's rows, from build/cache where they are kept. */
 static int seed_rows(planned_row rows[SEED_WANTED], int seed, uint64_t key, kit_error *err)

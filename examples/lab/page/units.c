@@ -54,7 +54,7 @@ int units_chosen(entry out[MOST_ENTRIES], const char *set, const options *o)
 enum { MOST_UNITS = 96 + MOST_SEEDS };
 static struct { uint64_t key; int all, count, measured; double begun; char now[32], path[MOST_UNITS][96]; } units;
 
-static uint64_t hashed_file(uint64_t h, const char *path)
+uint64_t units_hash(uint64_t h, const char *path)
 {
     char *data;
     size_t size;
@@ -80,11 +80,11 @@ void units_begin(const options *o, int all)
     memset(&units, 0, sizeof units);
     units.all = all;
     units.begun = kit_seconds();
-    units.key = hashed_file(KIT_HASH, "/proc/self/exe");
-    for (int i = 0; i < COUNT(files); ++i) units.key = hashed_file(units.key, files[i]);
+    units.key = units_hash(KIT_HASH, "/proc/self/exe");
+    for (int i = 0; i < COUNT(files); ++i) units.key = units_hash(units.key, files[i]);
     for (int i = 0; i < COUNT(text); ++i) units.key = kit_hash(units.key, text[i], strlen(text[i]) + 1);
     for (int i = 0; i < o->scenes; ++i)
-        units.key = hashed_file(kit_hash(units.key, o->scene[i], strlen(o->scene[i]) + 1), o->scene[i]);
+        units.key = units_hash(kit_hash(units.key, o->scene[i], strlen(o->scene[i]) + 1), o->scene[i]);
 }
 
 void units_end(void)

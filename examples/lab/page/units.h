@@ -28,6 +28,8 @@ int units_chosen(entry out[MOST_ENTRIES], const char *set, const options *o);
 /* Measures the k-th of its kind: its rows, and what stands in the page. How many rows; -1 = failed. rows NULL: whether
    there are any. */
 typedef int measuring(FILE *f, const options *o, int k, row *rows, kit_error *err);
+/* A hash that goes on over a file; of one that cannot be read it stays. */
+uint64_t units_hash(uint64_t h, const char *path);
 /* How many of count are there. */
 int units_count(measuring *measure, int count, const options *o);
 /* all: how many units the chart has. end: of a chart that is whole, whose units need not be kept. */
