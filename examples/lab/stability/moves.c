@@ -287,7 +287,8 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
             const double *f = figure[i];
             if (skipped(methods[i], kind)) continue;
             print_figures(methods[i], f);
-            snprintf(taa, sizeof taa, stands(kind) ? "%.5f" : "", f[BY_TAA]);
+            *taa = 0;
+            if (stands(kind)) snprintf(taa, sizeof taa, "%.5f", f[BY_TAA]);
             if (csv)
                 fprintf(csv, "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f,%s\n", kind->name, scene, methods[i], f[FILLING],
                         f[FILLED], f[LAST], f[LAST] / f[ALONE], taa);
