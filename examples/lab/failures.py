@@ -21,7 +21,8 @@ SIZE = "--size 480x270"
 
 
 def said(program, line):
-    return subprocess.run([program] + line.split(), check=True, capture_output=True, text=True).stdout
+    at = ROOT if program == STABILITY else None  # its causes are a file of the tree
+    return subprocess.run([program] + line.split(), check=True, capture_output=True, text=True, cwd=at).stdout
 
 
 def channel(path, name):
@@ -52,7 +53,7 @@ def scored(scene, ways, truth=""):
 def swept(cause, *methods):
     """The figure of build/stability for each method."""
     asked = "".join(" --method " + m for m in methods)
-    lines = said(STABILITY, "--quick --out stability --cause %s%s" % (cause, asked)).splitlines()
+    lines = said(STABILITY, "--quick --out build/failures/stability --cause %s%s" % (cause, asked)).splitlines()
     for head, row in zip(lines, lines[1:]):
         if row.startswith(cause + " "):
             figures = dict(zip(head.split(), row.split()))
