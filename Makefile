@@ -115,10 +115,10 @@ build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
 REPORT = lab/report \
-         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved script peers ahead bands) \
+         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved script peers ahead bands csv) \
          $(addprefix lab/page/,page table pictures units) \
          $(addprefix lab/chart/,section mottled ao strip lit pairs seeds fields fields_stage deep deep_moving deep_stage \
-         plan planned) $(addprefix lab/papers/,papers sheet show hsao ssdo s3ho aof dss)
+         plan planned) $(addprefix lab/papers/,papers read sheet own show)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -262,8 +262,8 @@ build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
 # cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew. cost-shares measures how
 # many waves enter what they may leave out: examples/lab/cost/shares.csv, in three minutes.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev
-COST       = $(addprefix lab/cost/,cost plan peers against show passes entered share model count compile csv) \
-             tools/glsl/chains $(addprefix lab/measure/,folder rows picture stage script) lab/page/page
+COST       = $(addprefix lab/cost/,cost plan peers against show passes entered share model count compile) \
+             tools/glsl/chains $(addprefix lab/measure/,folder rows picture stage script csv) lab/page/page
 COST_LIBS  = -lvulkan -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
              -Wl,--end-group -lstdc++
 cost cost-test cost-record cost-shares cost-plan cost-peers: deps
@@ -357,7 +357,7 @@ glsl-out glsl-in: build/library
 OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps read plan math \
               twins library
 OF_EXAMPLES = tools stability errors files models seeds papers cost
-TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model lab/cost/csv \
+TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model lab/measure/csv \
          $(filter-out lab/report,$(REPORT)))
 build/test: $(addprefix build/tests/,main.o t.o frames.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@

@@ -8,7 +8,7 @@
 
    make errors writes errors, noise and bounds anew, as this tree has them; a row that is added leaves them empty. */
 #include "t.h"
-#include "lab/cost/csv.h"
+#include "lab/measure/csv.h"
 #include "lab/measure/picture.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* against.c - a run beside the rows of another. Declared in against.h. */
 #include "lab/cost/against.h"
-#include "lab/cost/csv.h"
+#include "lab/measure/csv.h"
 #include <math.h>
 #include <string.h>
 

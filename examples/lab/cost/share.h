@@ -4,7 +4,7 @@
 #define COST_SHARE_H
 
 #include "lab/cost/count.h"
-#include "lab/cost/csv.h"
+#include "lab/measure/csv.h"
 #include "ssgi_gl.h"
 
 /* line: no other line of a text has it; tells: goes before it, GLSL that sets told, a bit for each time that a pixel

@@ -4,16 +4,14 @@
 #include "lab/page/page.h"
 #include "lab/papers/sheet.h"
 
-static const paper *const papers[] = { &hsao_paper, &ssdo_paper, &s3ho_paper, &aof_paper, &dss_paper };
-enum { PAPERS = COUNT(papers), MOST_SHEETS = 48 };
+static const struct { const char *key, *title; } papers[] = {
+    { "HSAO08", "Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion" },
+    { "SSDO09", "Ritschel, Grosch, Seidel 2009, Approximating dynamic global illumination in image space" },
+    { "S3HO12", "Herholz, Schairer, Schilling, Strasser 2012, Screen space spherical harmonic occlusion" },
+    { "AOF05", "Kontkanen, Laine 2005, Ambient occlusion fields" },
+    { "DSS14", "Nalbach, Ritschel, Seidel 2014, Deep screen space" }
+};
 static row drawn[MOST_SHEETS][MOST_ROWS];
-
-const sheet *papers_sheet(int k)
-{
-    for (int p = 0; p < PAPERS && k >= 0; k -= papers[p++]->count)
-        if (k < papers[p]->count) return papers[p]->sheets[k];
-    return NULL;
-}
 
 /* --paper: those whose key and name begin so. */
 static int asked(const options *o, const sheet *t)
@@ -27,7 +25,7 @@ static int paper_unit(FILE *record, const options *o, int k, row *rows, kit_erro
 {
     const sheet *t = papers_sheet(k);
     if (!rows) return asked(o, t);
-    return t->draw(record, o, t, rows, err) ? -1 : t->count;
+    return sheet_draw(record, o, t, rows, err) ? -1 : t->count;
 }
 
 int papers_units(const options *o)
@@ -54,18 +52,16 @@ static int chart(FILE *record, FILE *csv, const options *o, int k, kit_error *er
 
 int papers_chart(FILE *record, const options *o, kit_error *err)
 {
+    const sheet *t;
     page csv;
     if (page_open(&csv, err)) return -1;
     show_csv_head(csv.file);
-    for (int p = 0, k = 0; p < PAPERS; ++p) {
-        page_heading(record, 2, "[%s] %s", papers[p]->key, papers[p]->title);
-        for (int i = 0; i < papers[p]->count; ++i, ++k) if (chart(record, csv.file, o, k, err)) return -1;
-        if (!o->paper) show_absent_csv(csv.file, papers[p]);
+    for (int p = 0; p < COUNT(papers); ++p) {
+        page_heading(record, 2, "[%s] %s", papers[p].key, papers[p].title);
+        for (int k = 0; (t = papers_sheet(k)) != NULL; ++k)
+            if (!strcmp(t->paper, papers[p].key) && chart(record, csv.file, o, k, err)) return -1;
     }
-    if (!o->paper) page_heading(record, 2, "What is not on this page");
-    for (int p = 0; p < PAPERS && !o->paper; ++p)
-        for (int i = 0; i < papers[p]->absents; ++i)
-            page_paragraph(record, "[%s] %s: %s", papers[p]->key, papers[p]->absent[i].name, papers[p]->absent[i].why);
+    if (!o->paper) show_absent(record, csv.file);
     return page_close(&csv, o->out, "papers.csv", err);
 }
 

@@ -2,28 +2,40 @@
 #include "lab/papers/sheet.h"
 #include <math.h>
 #include <string.h>
+#include "lab/chart/fields_stage.h"
 #include "lab/measure/halved.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
 
 int sheet_rounds(const options *o) { return o->quick ? 1 : SHEET_ROUNDS; }
 
-int sheet_load(stage *s, const sheet *t, kit_error *err)
+void sheet_blank(const sheet *t, row *rows)
 {
-    if (deep_load(s, &t->see, err)) return -1;
-    if (t->rays) s->rays = t->rays;
-    else if (!s->lit) s->rays = SHEET_RAYS;
-    s->stride = t->stride;
-    if (t->truth > 0) s->otherwise.hard = 1;
-    return 0;
+    for (int i = 0; i < t->count; ++i)
+        rows[i] = row_blank(OF_AO, t->paper, t->rows[i].what, t->rows[i].method ? t->rows[i].method : "",
+                            t->rows[i].settings ? t->rows[i].settings : "");
 }
 
 /* ---- >>values ---------------------------------------------------------------------------------------------------- */
 
+int sheet_heads(const sheet *t)
+{
+    int n = 0;
+    while (n < MOST_HEADS && t->head[n]) ++n;
+    return n;
+}
+
+int sheet_columns(const sheet *t)
+{
+    int n = 0;
+    while (n < MOST_HEADS && t->column[n].head) ++n;
+    return n;
+}
+
 /* The column of what is shown, else -1. */
 static int column_of(const sheet *t, quantity of)
 {
-    for (int c = 0; c < MOST_HEADS && t->column[c].head; ++c) if (t->column[c].of == (int)of) return c;
+    for (int c = 0; c < sheet_columns(t); ++c) if (t->column[c].of == (int)of) return c;
     return -1;
 }
 
@@ -68,8 +80,8 @@ double sheet_value(const sheet *t, const row *rows, int i, int c)
 
 double sheet_judged(const sheet *t, const claim *c, const row *rows)
 {
-    const double a = sheet_value(t, rows, c->a, c->column);
-    return c->b == ALONE ? a : a / sheet_value(t, rows, c->b, c->column);
+    const double v = sheet_value(t, rows, c->row, c->column);
+    return c->beside == ALONE ? v : v / sheet_value(t, rows, c->beside, c->column);
 }
 
 int sheet_holds(const sheet *t, const claim *c, const row *rows)
@@ -80,11 +92,11 @@ int sheet_holds(const sheet *t, const claim *c, const row *rows)
 
 int sheet_own(claim *own, const sheet *t, const claim *c)
 {
-    const int a = t->rows[c->a].ours, b = c->b == ALONE ? 0 : t->rows[c->b].ours;
+    const int ours = t->rows[c->row].ours, beside = c->beside == ALONE ? 0 : t->rows[c->beside].ours;
     *own = *c;
-    if (a) own->a = a - 1;
-    if (b) own->b = b - 1;
-    return a || b;
+    if (ours) own->row = ours - 1;
+    if (beside) own->beside = beside - 1;
+    return ours || beside;
 }
 
 /* ---- >>pictures -------------------------------------------------------------------------------------------------- */
@@ -134,27 +146,28 @@ static double level_of(const kit_image *picture, const kit_image *frame)
     return seen ? sum / (double)seen : (double)NAN;
 }
 
+/* What is drawn of a group of rows: which rows, and as what. */
+typedef struct chosen { int at[MOST_PAPER_ROWS], count; entry entry[MOST_PAPER_ROWS]; } chosen;
 enum { CROP_TIMES = 4 };
 
-/* ---- >>drawing --------------------------------------------------------------------------------------------------- */
-
-void sheet_blank(const sheet *t, row *rows)
+/* Close-ups of the truth, where it has every pixel, and of each row, as the light names them. */
+static int draw_crops(FILE *record, const options *o, const sheet *t, const stage *s, const kit_image *picture,
+                      const chosen *c, kit_error *err)
 {
-    for (int i = 0; i < t->count; ++i)
-        rows[i] = row_blank(OF_AO, t->paper, t->rows[i].what, t->rows[i].method ? t->rows[i].method : "",
-                            t->rows[i].settings ? t->rows[i].settings : "");
-}
-
-int sheet_chosen(int *at, entry *entries, const options *o, const sheet *t, int from, int to)
-{
-    int count = 0;
-    for (int i = from; i < to; ++i) {
-        const paper_row *p = &t->rows[i];
-        if (!p->method || (o->quick && p->slow)) continue;
-        entries[count] = (entry){ p->what, p->method, p->settings ? p->settings : "", 1 };
-        at[count++] = i;
+    const int gaps = s->stride > 1;
+    pictured p[1 + MOST_PAPER_ROWS];
+    for (int i = 0; i <= c->count; ++i) {
+        p[i].label = i ? t->rows[c->at[i - 1]].what : "ray-traced";
+        p[i].picture = i ? &picture[i - 1] : &s->truth;
+        sheet_slug(p[i].slug, t, i ? c->at[i - 1] + 1 : 100);
     }
-    return count;
+    for (int k = 0; k < MOST_CROPS && s->lit->crop[k][2]; ++k) {
+        int crop[4];
+        for (int j = 0; j < 4; ++j) crop[j] = s->lit->crop[k][j] / stage_thrift;
+        if (pictures_crops(record, o->out, p + gaps, c->count + 1 - gaps, k, crop, s->lit->exposure, CROP_TIMES, err))
+            return -1;
+    }
+    return 0;
 }
 
 void sheet_about(FILE *record, const stage *s)
@@ -167,113 +180,97 @@ void sheet_about(FILE *record, const stage *s)
                    s->gbuffer.camera.width, s->gbuffer.camera.height, (double)s->radius, truth);
 }
 
-/* Close-ups of the truth, where it has every pixel, and of each row, as the light names them. */
-static int draw_crops(FILE *record, const options *o, const sheet *t, const stage *s, const kit_image *picture,
-                      const int *at, int count, kit_error *err)
+/* ---- >>drawing --------------------------------------------------------------------------------------------------- */
+
+int sheet_open(stage *s, const sheet *t, const paper_row *first, kit_error *err)
 {
-    const int gaps = s->stride > 1;
-    pictured p[1 + MOST_PAPER_ROWS];
-    for (int i = 0; i <= count; ++i) {
-        p[i].label = i ? t->rows[at[i - 1]].what : "ray-traced";
-        p[i].picture = i ? &picture[i - 1] : &s->truth;
-        sheet_slug(p[i].slug, t, i ? at[i - 1] + 1 : 100);
-    }
-    for (int k = 0; k < MOST_CROPS && s->lit->crop[k][2]; ++k) {
-        int crop[4];
-        for (int j = 0; j < 4; ++j) crop[j] = s->lit->crop[k][j] / stage_thrift;
-        if (pictures_crops(record, o->out, p + gaps, count + 1 - gaps, k, crop, s->lit->exposure, CROP_TIMES, err))
-            return -1;
-    }
+    const int width = first->width ? first->width : t->width ? t->width : SHEET_WIDTH;
+    const int height = first->height ? first->height : t->height ? t->height : SHEET_HEIGHT;
+    const float reach = first->reach > 0 ? first->reach : 1;
+    const setup between = { .view = t->see, .rays = t->rays };
+    view seen = t->see;
+    if (t->drawn == FIELDS) return fields_open(s, &between, width, height, err);
+    if (stage_load(s, &t->see, err)) return -1;
+    s->otherwise = t->otherwise;
+    s->stride = t->stride;
+    if (t->rays) s->rays = t->rays;
+    else if (!s->lit) s->rays = SHEET_RAYS;
+    if (t->truth > 0) s->otherwise.hard = 1;
+    if (t->drawn >= TIMES) return stage_look(s, &seen, width, height, err);
+    const float own = seen.radius > 0 ? seen.radius : s->scene.radius;
+    seen.radius = t->truth > 0 ? t->truth : own * reach;
+    if (stage_show(s, &seen, width, height, err)) return -1;
+    s->radius = own * reach;
     return 0;
 }
 
-int sheet_show(FILE *record, const options *o, const sheet *t, const stage *s, kit_image *picture, const row *drawn,
-               const int *at, int count, row *rows, kit_error *err)
+/* Which of rows from .. to - 1 are drawn. */
+static chosen choose(const options *o, const sheet *t, int from, int to)
 {
-    if (t->pictured && sheet_picture(record, o, t, s, &s->truth, 100 + at[0], "ray-traced", "", err)) return -1;
-    for (int i = 0; i < count; ++i) {
-        rows[at[i]] = drawn[i];
-        rows[at[i]].figure[LEVEL] = level_of(&picture[i], &s->frame);
-        if (t->pictured && show_row(record, o, t, s, &picture[i], rows, at[i], err)) return -1;
+    chosen c = { .count = 0 };
+    for (int i = from; i < to; ++i) {
+        const paper_row *p = &t->rows[i];
+        if (!p->method || (o->quick && p->slow)) continue;
+        c.entry[c.count] = (entry){ p->what, p->method, p->settings, 1 };
+        c.at[c.count++] = i;
     }
-    if (t->pictured > 1 && draw_crops(record, o, t, s, picture, at, count, err)) return -1;
-    for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
-    return 0;
+    return c;
 }
 
-/* Rows from .. to - 1, which have one radius. */
+static int measure(row *drawn, stage *s, const options *o, const sheet *t, const chosen *c, kit_image *picture,
+                   kit_error *err)
+{
+    const int rounds = sheet_rounds(o), phases = o->quick && t->phases ? 2 : t->phases;
+    sized each[MOST_PAPER_ROWS];
+    for (int i = 0; i < c->count; ++i) each[i] = (sized){ c->entry[i], t->rows[c->at[i]].half };
+    switch (t->drawn) {
+    case FIELDS: return fields_measure(drawn, s, c->entry, c->count, picture, err);
+    case HALVES: return halved_entries(drawn, s, each, c->count, rounds, picture, err);
+    case PICTURES: return measure_entries(drawn, s, c->entry, c->count, rounds, phases, picture, err);
+    default: return (s->lit && stage_light(s, err)) || measure_times(drawn, s, c->entry, c->count, rounds, err);
+    }
+}
+
+/* Into their rows and, where the sheet is pictured, the page. */
+static int show(FILE *record, const options *o, const sheet *t, const stage *s, const kit_image *picture,
+                const row *drawn, const chosen *c, row *rows, kit_error *err)
+{
+    const int from = c->at[0];
+    if (t->drawn < TIMES || !from) sheet_about(record, s);
+    if (t->pictured && sheet_picture(record, o, t, s, &s->truth, 100 + from, "ray-traced", "", err)) return -1;
+    for (int i = 0; i < c->count; ++i) {
+        rows[c->at[i]] = drawn[i];
+        if (picture[i].data) rows[c->at[i]].figure[LEVEL] = level_of(&picture[i], &s->frame);
+        if (t->pictured && show_row(record, o, t, s, &picture[i], rows, c->at[i], err)) return -1;
+    }
+    return t->pictured > 1 ? draw_crops(record, o, t, s, picture, c, err) : 0;
+}
+
+/* Rows from .. to - 1, which have one radius and one size. */
 static int draw_group(FILE *record, const options *o, const sheet *t, int from, int to, row *rows, kit_error *err)
 {
-    const float reach = t->rows[from].reach > 0 ? t->rows[from].reach : 1;
-    int at[MOST_PAPER_ROWS];
-    entry entries[MOST_PAPER_ROWS];
-    kit_image picture[MOST_PAPER_ROWS];
+    const chosen c = choose(o, t, from, to);
+    kit_image picture[MOST_PAPER_ROWS] = { { .data = NULL } };
     row drawn[MOST_PAPER_ROWS + 2];
-    view seen = t->see.view;
-    const int count = sheet_chosen(at, entries, o, t, from, to), phases = o->quick && t->phases ? 2 : t->phases;
     stage s;
-    if (!count) return 0;
-    if (sheet_load(&s, t, err)) return -1;
-    const float own = seen.radius > 0 ? seen.radius : s.scene.radius;
-    seen.radius = t->truth > 0 ? t->truth : own * reach;
-    if (stage_show(&s, &seen, t->width ? t->width : SHEET_WIDTH, t->height ? t->height : SHEET_HEIGHT, err)) return -1;
-    s.radius = own * reach;
-    if (measure_entries(drawn, &s, entries, count, sheet_rounds(o), phases, picture, err)) return -1;
-    sheet_about(record, &s);
-    if (sheet_show(record, o, t, &s, picture, drawn, at, count, rows, err)) return -1;
+    if (!c.count) return 0;
+    if (sheet_open(&s, t, &t->rows[from], err) || measure(drawn, &s, o, t, &c, picture, err)
+        || show(record, o, t, &s, picture, drawn, &c, rows, err))
+        return -1;
+    for (int i = 0; i < c.count; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
     return 0;
 }
+
+static int alike(const paper_row *a, const paper_row *b) { return a->reach == b->reach && a->width == b->width; }
 
 int sheet_draw(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     sheet_blank(t, rows);
+    if (t->drawn > TIMES) return sheet_own_draw(record, o, t, rows, err);
     for (int from = 0, to; from < t->count; from = to) {
-        for (to = from + 1; to < t->count && t->rows[to].reach == t->rows[from].reach;) ++to;
+        for (to = from + 1; to < t->count && alike(&t->rows[to], &t->rows[from]);) ++to;
         if (draw_group(record, o, t, from, to, rows, err)) return -1;
     }
-    return 0;
-}
-
-int sheet_times(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
-{
-    sheet_blank(t, rows);
-    for (int from = 0, to; from < t->count; from = to) {
-        int at[MOST_PAPER_ROWS];
-        entry entries[MOST_PAPER_ROWS];
-        row timed[MOST_PAPER_ROWS];
-        stage s;
-        for (to = from + 1; to < t->count && t->rows[to].width == t->rows[from].width;) ++to;
-        const int count = sheet_chosen(at, entries, o, t, from, to);
-        const int width = t->rows[from].width, height = t->rows[from].height;
-        if (!count) continue;
-        if (sheet_load(&s, t, err)
-            || stage_look(&s, &t->see.view, width ? width : t->width, height ? height : t->height, err)
-            || (s.lit && stage_light(&s, err)) || measure_times(timed, &s, entries, count, sheet_rounds(o), err))
-            return -1;
-        if (!from) sheet_about(record, &s);
-        for (int i = 0; i < count; ++i) rows[at[i]] = timed[i];
-        stage_close(&s);
-    }
-    return 0;
-}
-
-int sheet_halves(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
-{
-    int at[MOST_PAPER_ROWS];
-    entry chosen[MOST_PAPER_ROWS];
-    sized entries[MOST_PAPER_ROWS];
-    const int count = sheet_chosen(at, chosen, o, t, 0, t->count);
-    kit_image picture[MOST_PAPER_ROWS];
-    row drawn[MOST_PAPER_ROWS];
-    stage s;
-    sheet_blank(t, rows);
-    for (int i = 0; i < count; ++i) entries[i] = (sized){ chosen[i], t->rows[at[i]].half };
-    if (sheet_load(&s, t, err) || stage_show(&s, &t->see.view, SHEET_WIDTH, HALVED_HEIGHT, err)
-        || halved_entries(drawn, &s, entries, count, sheet_rounds(o), picture, err))
-        return -1;
-    sheet_about(record, &s);
-    if (sheet_show(record, o, t, &s, picture, drawn, at, count, rows, err)) return -1;
-    stage_close(&s);
     return 0;
 }

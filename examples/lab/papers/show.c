@@ -1,20 +1,8 @@
 /* show.c - a paper's table or figure and what was drawn for it, side by side: csv, text. Declared in sheet.h. */
 #include <math.h>
+#include "lab/measure/csv.h"
+#include "lab/page/page.h"
 #include "lab/papers/sheet.h"
-
-static int heads(const sheet *t)
-{
-    int n = 0;
-    while (n < MOST_HEADS && t->head[n]) ++n;
-    return n;
-}
-
-static int columns(const sheet *t)
-{
-    int n = 0;
-    while (n < MOST_HEADS && t->column[n].head) ++n;
-    return n;
-}
 
 /* Our cell of a row; "" where there is nothing. */
 static const char *cell(char text[32], const sheet *t, const row *rows, int i, int c)
@@ -48,9 +36,9 @@ static void put_verdict(FILE *f, const sheet *t, const claim *c, const row *rows
 {
     const int holds = sheet_holds(t, c, rows);
     char a[32], b[32], of[32];
-    fprintf(f, "%s (%s", holds ? "agrees" : "does not agree", cell(a, t, rows, c->a, c->column));
-    if (c->b != ALONE)
-        fprintf(f, " beside %s: %s of it", cell(b, t, rows, c->b, c->column), number(of, sheet_judged(t, c, rows)));
+    fprintf(f, "%s (%s", holds ? "agrees" : "does not agree", cell(a, t, rows, c->row, c->column));
+    if (c->beside != ALONE)
+        fprintf(f, " beside %s: %s of it", cell(b, t, rows, c->beside, c->column), number(of, sheet_judged(t, c, rows)));
     fputs("; ", f);
     put_bounds(f, c, holds);
     fputc(')', f);
@@ -76,7 +64,7 @@ const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const
 
 /* ---- >>csv: a line a cell, as FIGURES.md's part is made of ------------------------------------------------------- */
 
-static void csv_text(FILE *f, const char *s)
+static void quoted(FILE *f, const char *s)
 {
     fputc('"', f);
     for (; *s; ++s) { if (*s == '"') fputc('"', f); fputc(*s, f); }
@@ -85,13 +73,13 @@ static void csv_text(FILE *f, const char *s)
 
 static void csv_cell(FILE *f, const sheet *t, int r, const char *kind, const char *head, const char *text)
 {
-    csv_text(f, t->paper);
+    quoted(f, t->paper);
     fputc(',', f);
-    csv_text(f, t->name);
+    quoted(f, t->name);
     fprintf(f, ",%d,%s,", r, kind);
-    csv_text(f, head);
+    quoted(f, head);
     fputc(',', f);
-    csv_text(f, text ? text : "");
+    quoted(f, text ? text : "");
     fputc('\n', f);
 }
 
@@ -110,8 +98,8 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
         csv_cell(f, t, i + 1, "what", "", p->what);
         csv_cell(f, t, i + 1, "method", p->method ? p->method : "", p->method ? p->settings : NULL);
         if (p->note) csv_cell(f, t, i + 1, "note", "", p->note);
-        for (int k = 0; k < heads(t); ++k) csv_cell(f, t, i + 1, "printed", t->head[k], p->printed[k]);
-        for (int c = 0; c < columns(t); ++c)
+        for (int k = 0; k < sheet_heads(t); ++k) csv_cell(f, t, i + 1, "printed", t->head[k], p->printed[k]);
+        for (int c = 0; c < sheet_columns(t); ++c)
             csv_cell(f, t, i + 1, "measured", t->column[c].head, cell(text, t, rows, i, c));
     }
     for (int k = 0; k < t->claimed; ++k)
@@ -119,11 +107,17 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
                  show_claim(said, t, &t->claims[k], rows));
 }
 
-void show_absent_csv(FILE *f, const paper *p)
+void show_absent(FILE *record, FILE *f)
 {
-    for (int i = 0; i < p->absents; ++i) {
-        const sheet none = { .paper = p->key, .name = p->absent[i].name };
-        csv_cell(f, &none, 0, "absent", "", p->absent[i].why);
+    const char *was = csv_folder;
+    csv_folder = SHEET_FOLDER;
+    const csv absent = csv_read("absent.csv");
+    csv_folder = was;
+    page_heading(record, 2, "What is not on this page");
+    for (int i = 0; i < absent.rows; ++i) {
+        const sheet none = { .paper = csv_text(&absent, i, "paper"), .name = csv_text(&absent, i, "name") };
+        csv_cell(f, &none, 0, "absent", "", csv_text(&absent, i, "why"));
+        page_paragraph(record, "[%s] %s: %s", none.paper, none.name, csv_text(&absent, i, "why"));
     }
 }
 

@@ -1,5 +1,5 @@
 /* csv.c - tables as make cost writes them. Declared in csv.h. */
-#include "lab/cost/csv.h"
+#include "lab/measure/csv.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
