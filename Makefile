@@ -14,7 +14,7 @@
 #   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
 #   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
 #   make demo-test     the page of make demo, in a browser without a window
-#   make web-first     how long it takes to its first picture. make web-shots: pictures of it, and of others' beside it
+#   make web-first     how long it takes to its first picture. make web-shots: pictures of it
 #   make viewer, bench   a window; milliseconds on a GPU. make viewer-test
 #   make hosts-test   the pages of examples/hosts, built and run
 #   make vulkan, vulkan-test     examples/hosts/vulkan.cpp, and its pictures beside GL's on lavapipe
@@ -553,13 +553,8 @@ web-test: web-deps
 web-first: web-deps web
 	@node tests/web-first.mjs $(or $(COUNT),5) $(BESIDE) build/web
 
-# Pictures of the page, and of its first view as three.js, n8ao and Babylon.js draw it, into examples/docs/pictures/page.
-# ONLY=phone: those whose name has that word.
+# Pictures of the page, into examples/docs/pictures/page. ONLY=phone: those whose name has that word.
 web-shots: web-deps web
-	@test -d build/peers/node_modules || $(MAKE) peers
-	@echo '<!doctype html><link rel="icon" href="data:,"><body><script src="beside.js"></script>' >build/peers/beside.html
-	@NODE_PATH=build/peers/node_modules $(MINIFY) --bundle --log-level=error --outfile=build/peers/beside.js \
-	  examples/lab/beside/beside.mjs
 	@node tests/web-shots.mjs $(ONLY)
 
 # Headless Chromium compiles the WGSL of every text on WebGPU's software adapter, makes pipelines of them, draws chains
