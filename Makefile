@@ -218,7 +218,7 @@ build/fit: examples/lab/fit.c ssgi.h
 
 # Milliseconds of every method on whatever GPU EGL finds, what bounds them, and the plan's costs: report/index.html,
 # bench.csv, plan-gpu.csv. METHOD=hsao: names that begin so, without the plan. SIZE=1920x1080,3840x2160 SECONDS=100
-BENCH = $(addprefix lab/bench/,bench peaks rows plan show) lab/page/page lab/measure/folder
+BENCH = $(addprefix lab/bench/,bench peaks rows plan show) lab/page/page lab/measure/folder lab/measure/csv
 bench: build/bench | page-deps
 	build/bench $(CONTEXT:%=--context %) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(SIZE:%=--size %) \
 	  $(PLAN:%=--plan %) $(SECONDS:%=--seconds %)

@@ -190,8 +190,7 @@ int main(int argc, char **argv)
     options a;
     kit_streams_open();
     int failed = parse(&a, argc, argv, &err) || bench_open(&b, &a, &err) || bench_all(&b, &err)
-              || show_all(&b, a.out, &err);
-    if (!failed) show_text(stdout, &b);
+              || show_all(stdout, &b, a.out, &err);
     kit_fields_free();
     kit_image_free(&b.sky.env);
     kit_scene_free(&b.scene);

@@ -3,7 +3,7 @@
      peaks.c    what the machine does at best
      rows.c     methods, timed
      plan.c     the plan's second column of costs
-     show.c     tables, a chart
+     show.c     csv, text, a record
      bench.c    the command */
 #ifndef LAB_BENCH_H
 #define LAB_BENCH_H
@@ -29,14 +29,12 @@ typedef struct peaks {
 
 enum { BOUND_TRAFFIC, BOUND_FETCHES, BOUND_OPERATIONS, BOUNDS };
 
-extern const char *const bound_name[BOUNDS];
-
 /* Full-screen passes that copy a texture, that fetch alone and that compute alone; what is better than p's becomes
    p's. */
 int peaks_measure(peaks *p, kit_error *err);
-/* Milliseconds that each part of a cost takes at these rates; the largest of them. covered: the share of the pixels
+/* Milliseconds that each part of a cost takes at these rates. covered: the share of the pixels
    that fetch and compute as they are said to. NAN: not known. */
-int peaks_bounds(double ms[BOUNDS], const peaks *p, const kit_cost *cost, double covered);
+void peaks_bounds(double ms[BOUNDS], const peaks *p, const kit_cost *cost, double covered);
 
 /* ---- >>rows ------------------------------------------------------------------------------------------------------ */
 
@@ -112,10 +110,7 @@ typedef struct bench {
     char command[256];
 } bench;
 
-/* The file that plans are written to: make fit takes a GPU's alone. */
-const char *show_plan_name(void);
-/* bench.csv, the record bench.js and the plan's costs, into a folder. */
-int show_all(bench *b, const char *folder, kit_error *err);
-void show_text(FILE *f, bench *b);
+/* bench.csv, the record bench.js and the plan's costs (make fit takes a GPU's alone) into a folder; and as text. */
+int show_all(FILE *f, bench *b, const char *folder, kit_error *err);
 
 #endif

@@ -2,7 +2,7 @@
 #include "lab/bench/bench.h"
 #include <math.h>
 
-const char *const bound_name[BOUNDS] = { "traffic", "fetches", "operations" };
+static const char *const bound_name[BOUNDS] = { "traffic", "fetches", "operations" };
 
 static const char *const triangle =
     "void main() {\n"
@@ -116,13 +116,9 @@ int peaks_measure(peaks *p, kit_error *err)
     return 0;
 }
 
-int peaks_bounds(double ms[BOUNDS], const peaks *p, const kit_cost *cost, double covered)
+void peaks_bounds(double ms[BOUNDS], const peaks *p, const kit_cost *cost, double covered)
 {
-    int largest = 0;
     ms[BOUND_TRAFFIC] = cost->bytes / p->bytes * 1e3;
     ms[BOUND_FETCHES] = covered * cost->fetches / p->fetches * 1e3;
     ms[BOUND_OPERATIONS] = covered * cost->operations / p->operations * 1e3;
-    for (int k = 1; k < BOUNDS; ++k)
-        if (!(ms[largest] >= ms[k])) largest = k;
-    return largest;
 }

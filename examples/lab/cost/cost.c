@@ -20,6 +20,7 @@
 #include "lab/cost/entered.h"
 #include "lab/cost/peers.h"
 #include "lab/cost/plan.h"
+#include "lab/cost/show.h"
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
 #include "tools/glsl/chains.h"
@@ -76,29 +77,17 @@ static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *e
     return 0;
 }
 
-static int write_page(const work *w, const char *folder, const char *name, void (*write)(FILE *, const work *),
-                      kit_error *err)
+static int write_record(page *table, const char *driver, int peers, kit_error *err)
 {
-    page p;
-    if (folder_make(folder, err) || page_open(&p, err)) return -1;
-    write(p.file, w);
-    return page_close(&p, folder, name, err);
-}
-
-static int write_record(const work *w, const char *name, const char *command, const char *heading, kit_error *err)
-{
+    const char *const name = peers ? "cost-peers" : "cost", *const command = peers ? "build/cost --peers" : "make cost";
     char file[32];
-    page record, table;
+    page record;
     snprintf(file, sizeof file, "%s.csv", name);
-    if (folder_make("report", err) || page_begin(&record, name, "full", command, w->driver, err)
-        || page_open(&table, err))
-        return -1;
-    page_heading(record.file, 2, "%s", heading);
+    if (folder_make("report", err) || page_begin(&record, name, "full", command, driver, err)) return -1;
+    page_heading(record.file, 2, "What passes%s cost, modelled", peers ? " of others" : "");
     page_paragraph(record.file, "A compiler's count of the instructions of every pass, and milliseconds of a few "
                                 "devices by a model of theirs, at 1920x1080, the G-buffer of room.");
-    write_costs(table.file, w);
-    return page_csv(record.file, "cost", &table, "report", file, err) || page_end(&record, "report", name, err) ? -1
-                                                                                                               : 0;
+    return page_csv(record.file, "cost", table, "report", file, err) || page_end(&record, "report", name, err) ? -1 : 0;
 }
 
 static int write_shares(kit_error *err)
@@ -107,22 +96,37 @@ static int write_shares(kit_error *err)
     return page_open(&p, err) || entered_write(p.file, err) || page_close(&p, ROOM, "shares.csv", err) ? -1 : 0;
 }
 
+static int write_plan(const work *w, kit_error *err)
+{
+    page p;
+    if (folder_make("report", err) || page_open(&p, err)) return -1;
+    plan_write(p.file, w);
+    return page_close(&p, "report", "plan-cost.csv", err);
+}
+
+static int write_recorded(const csv *now, kit_error *err)
+{
+    page p;
+    if (page_open(&p, err)) return -1;
+    csv_put(p.file, now, RECORDED_KEYS, "pass", 0);
+    return page_close(&p, ROOM, "recorded.csv", err);
+}
+
 static int run(work *w, const asked *a, kit_error *err)
 {
+    page table;
     if (work_do(w, err)) return -1;
-    if (a->check) {
-        const int wrong = against_check(w, RECORDED, err);
-        return wrong > 0 ? 1 : wrong;
-    }
-    if (a->record) return write_page(w, ROOM, "recorded.csv", write_recorded, err);
-    if (a->plan) return write_page(w, "report", "plan-cost.csv", plan_write, err);
-    show_costs(w, a->some);
-    if (a->peers)
-        return write_record(w, "cost-peers", "build/cost --peers", "What passes of others cost, modelled", err);
-    show_budget(w);
-    show_ranking(w);
-    if (!a->some && write_record(w, "cost", "make cost", "What passes cost, modelled", err)) return -1;
-    return a->against ? against_show(w, a->against, err) : 0;
+    if (a->plan) return write_plan(w, err);
+    if (page_open(&table, err)) return -1;
+    write_costs(table.file, w);
+    fflush(table.file);
+    const csv now = csv_of(strdup(table.text), "cost.csv");
+    if (a->check) return against_check(&now, RECORDED, err);
+    if (a->record) return write_recorded(&now, err);
+    show_costs(&now, a->some);
+    show_notes(w, a->some);
+    if (!a->some && write_record(&table, w->driver, a->peers, err)) return -1;
+    return a->against ? against_show(&now, a->against, err) : 0;
 }
 
 int main(int argc, char **argv)
@@ -150,5 +154,5 @@ int main(int argc, char **argv)
     work_free(w);
     if (status >= 0 && kit_streams_close(&err)) status = -1;
     if (status < 0) fprintf(stderr, "cost: %s\n", err.text);
-    return status < 0 ? 2 : status;
+    return status < 0 ? 2 : status > 0;
 }

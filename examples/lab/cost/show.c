@@ -16,7 +16,6 @@ sum sum_of(const work *w, const cost_chain *c, int family)
         if (of->waves < s.waves) s.waves = of->waves;
         s.spilled += of->spilled;
         s.scratch += of->scratch;
-        s.endless += of->report.loops;
         if (p->vertices) { ++s.splats; continue; }
         for (way how = BUSY; how < WAYS; ++how) counts_add(&s.way[how], &of->way[how], share);
         s.bytes_in += p->bytes_in / pixels;
@@ -62,73 +61,7 @@ static int family_of(const work *w, const device *d)
     return -1;
 }
 
-/* ---- tables on stdout -------------------------------------------------------------------------------------------- */
-
-static void print_heads(const work *w, const char *first, int family)
-{
-    char title[128];
-    snprintf(title, sizeof title, "%s, %s", w->family[family], w->driver);
-    printf("\n%-34s%14s%12s%20s\n%-27s%7s%7s%9s%6s%6s%6s%7s%7s%6s%6s%6s", title, "VALU", "transc.", "bytes", first,
-           "busy", "calm", "weighed", "busy", "calm", "SMEM", "fetch", "in", "out", "VGPRs", "waves");
-    for (int i = 0; i < devices_count; ++i)
-        if (family_of(w, &devices[i]) == family) printf("  %s, ms (busy, calm)", devices[i].name);
-    puts("");
-}
-
-static void print_counts(const char *name, const counts of[WAYS], double in, double out, int vgprs, int waves)
-{
-    const counts *busy = &of[BUSY], *calm = &of[CALM];
-    printf("%-26s %7.0f%7.0f%9.0f%6.0f%6.0f%6.0f%7.1f%7.1f%6.1f%6d%6d", name, busy->vector, calm->vector,
-           of[WEIGHED].vector, busy->transcendental, calm->transcendental, busy->scalar_loads, busy->fetches, in, out,
-           vgprs, waves);
-}
-
-/* "0.39 (0.44, 0.30)" */
-static void print_ms(const double ms[WAYS]) { printf("  %6.3f (%.3f, %.3f)", ms[WEIGHED], ms[BUSY], ms[CALM]); }
-
-static void print_trouble(int spilled, int scratch)
-{
-    if (spilled || scratch) printf("  SPILLED %d, SCRATCH %d", spilled, scratch);
-}
-
-static void show_chain(const work *w, const cost_chain *c, int family)
-{
-    const sum s = sum_of(w, c, family);
-    print_counts(c->name, s.way, s.bytes_in, s.bytes_out, s.vgprs, s.waves);
-    for (int k = 0; k < devices_count; ++k) {
-        double ms[WAYS];
-        if (family_of(w, &devices[k]) != family) continue;
-        for (way how = BUSY; how < WAYS; ++how) ms[how] = chain_ms(w, c, family, how, &devices[k]);
-        print_ms(ms);
-    }
-    if (s.splats) fputs("  counts less splats", stdout);
-    print_trouble(s.spilled, s.scratch);
-    puts("");
-}
-
-static void show_pass(const work *w, const cost_pass *p, int family)
-{
-    const compiled *of = &w->program[p->program].of[family];
-    const double texels = (double)p->width * p->height;
-    char name[64];
-    snprintf(name, sizeof name, "  %s, %dx%d", p->name, p->width, p->height);
-    print_counts(name, of->way, p->bytes_in / texels, p->bytes_out / texels, of->vgprs, of->waves);
-    for (int k = 0; k < devices_count; ++k) {
-        bound which[WAYS];
-        double ms[WAYS];
-        if (family_of(w, &devices[k]) != family) continue;
-        for (way how = BUSY; how < WAYS; ++how) ms[how] = pass_ms(w, p, family, how, &devices[k], &which[how]);
-        print_ms(ms);
-        printf(" %s", bound_names[which[WEIGHED]]);
-    }
-    if (p->vertices)
-        printf("  counts of a splat's fragment; a surfel has %d vertices of %.0f VALU", p->vertices, of->vertex);
-    print_trouble(of->spilled, of->scratch);
-    if (of->report.loops) fputs("  *", stdout);
-    if (of->untold) fputs("  BODIES ARE NOT TOLD APART: weighed is busy", stdout);
-    if (of->report.unknown) printf("  unknown conditions: %d", of->report.unknown);
-    puts("");
-}
+/* ---- what is not in the csv -------------------------------------------------------------------------------------- */
 
 /* Loops whose end no instruction tells, once a pass. */
 static void show_assumptions(const work *w)
@@ -138,7 +71,7 @@ static void show_assumptions(const work *w)
         int again = 0, known = 0;
         for (int k = 0; k < i; ++k) again |= w->program[k].of[0].report.loops && !strcmp(w->program[k].pass, p->pass);
         if (again || !p->of[0].report.loops) continue;
-        printf("* %s: nothing tells when its loop at BB%d ends: ", p->pass, p->of[0].report.endless[0]);
+        printf("%s: nothing tells when its loop at BB%d ends: ", p->pass, p->of[0].report.endless[0]);
         for (int k = 0; k < assumptions_count; ++k) {
             if (strcmp(assumptions[k].pass, p->pass)) continue;
             printf("%d turns busy, %d calm: %s\n", assumptions[k].turns[BUSY], assumptions[k].turns[CALM],
@@ -149,21 +82,22 @@ static void show_assumptions(const work *w)
     }
 }
 
-void show_costs(const work *w, int passes)
+void show_notes(const work *w, int passes)
 {
-    for (int family = 0; family < w->families; ++family) {
-        print_heads(w, passes ? "chain, a pixel; pass, a texel" : "chain, a pixel", family);
-        for (int i = 0; i < w->chains; ++i) {
-            const cost_chain *c = &w->chain[i];
-            if (c->passes) show_chain(w, c, family);
-            for (int k = 0; k < c->passes && passes; ++k)
-                if (*c->pass[k].name) show_pass(w, &c->pass[k], family);
-        }
-    }
     show_assumptions(w);
+    for (int family = 0; family < w->families; ++family)
+        for (int i = 0; i < w->programs; ++i) {
+            const compiled *of = &w->program[i].of[family];
+            const char *pass = w->program[i].pass;
+            if (of->untold) printf("%s, %s: BODIES ARE NOT TOLD APART: weighed is busy\n", w->family[family], pass);
+            if (of->report.unknown && passes)
+                printf("%s, %s: unknown conditions: %d\n", w->family[family], pass, of->report.unknown);
+        }
     for (int i = 0; i < w->chains; ++i)
         if (!w->chain[i].passes) printf("%s: not counted: %s\n", w->chain[i].name, w->chain[i].lacks.text);
 }
+
+/* ---- csv --------------------------------------------------------------------------------------------------------- */
 
 /* Programs of a chain, each once; bytes of their texts; milliseconds until they are compiled for a family. */
 static int programs_of(const work *w, const cost_chain *c, int family, size_t *text, double *ms)
@@ -182,28 +116,6 @@ static int programs_of(const work *w, const cost_chain *c, int family, size_t *t
     }
     return count;
 }
-
-void show_budget(const work *w)
-{
-    size_t text;
-    double ms;
-    printf("\n%-27s%9s%10s%9s", "budget", "programs", "text, kB", "ms*");
-    for (int i = 0; i < SIZES; ++i) printf("   %4dx%d", sizes[i][0], sizes[i][1]);
-    puts("   MB of targets");
-    for (int i = 0; i < w->chains; ++i) {
-        const cost_chain *c = &w->chain[i];
-        if (!c->passes) continue;
-        const int programs = programs_of(w, c, 0, &text, &ms);
-        printf("%-26s %9d%10.1f%9.0f", c->name, programs, (double)text / 1e3, ms);
-        for (int k = 0; k < SIZES; ++k) printf("%12.1f", c->targets[k] / 1e6);
-        puts("");
-    }
-    printf("* of processor here, for glslang and RADV (%s) to compile them\n", w->family[0]);
-}
-
-const char *const kind_names[KINDS] = { "ambient occlusion", "light" };
-
-/* ---- a ranking --------------------------------------------------------------------------------------------------- */
 
 /* Whether a chain is cheaper by instructions and by the model, in every family and on every device, in every way. */
 static int is_cheaper(const work *w, const cost_chain *a, const cost_chain *b)
@@ -233,51 +145,25 @@ static int kind_of(const cost_chain *c)
 
 static double busy_instructions(const work *w, const cost_chain *c) { return sum_of(w, c, 0).way[BUSY].vector; }
 
-int ranking(const work *w, int kind, rank order[MOST_CHAINS])
-{
-    int count = 0;
-    for (int i = 0; i < w->chains; ++i) {
-        const cost_chain *c = &w->chain[i];
-        if (kind_of(c) != kind) continue;
-        int at = count++;
-        for (; at && busy_instructions(w, order[at - 1].chain) > busy_instructions(w, c); --at)
-            order[at] = order[at - 1];
-        order[at].chain = c;
-    }
-    for (int i = 0; i < count; ++i) {
-        int from = count;
-        while (from > i + 1 && is_cheaper(w, order[i].chain, order[from - 1].chain)) --from;
-        order[i].than = from < count ? order[from].chain : NULL;
-    }
-    return count;
-}
-
-void show_ranking(const work *w)
-{
-    for (int kind = 0; kind < KINDS; ++kind) {
-        rank order[MOST_CHAINS];
-        const int count = ranking(w, kind, order);
-        if (count > 1) printf("\n%s: cheaper by instructions and by the model, in every family, busy, calm and "
-                              "weighed\n", kind_names[kind]);
-        for (int i = 0; i + 1 < count; ++i)
-            if (order[i].than)
-                printf("%-26s than %s and what follows it\n", order[i].chain->name, order[i].than->name);
-    }
-}
-
-/* ---- csv --------------------------------------------------------------------------------------------------------- */
-
-/* The first of those that a chain is cheaper than, all of them: "" where there is none, or it is not ranked. */
+/* The first, by instructions, of those of its kind that a chain is cheaper than, and than all that have more: by
+   instructions and by the model, in every family and on every device, in every way. "": there is none. */
 static const char *than_of(const work *w, const cost_chain *c)
 {
-    rank order[MOST_CHAINS];
-    for (int kind = 0; kind < KINDS; ++kind)
-        for (int i = ranking(w, kind, order); i-- > 0;)
-            if (order[i].chain == c && order[i].than) return order[i].than->name;
-    return "";
+    const cost_chain *than = NULL;
+    double most = busy_instructions(w, c);
+    for (int i = 0; i < w->chains; ++i)
+        if (kind_of(&w->chain[i]) == kind_of(c) && !is_cheaper(w, c, &w->chain[i]))
+            most = fmax(most, busy_instructions(w, &w->chain[i]));
+    for (int i = 0; i < w->chains; ++i) {
+        const cost_chain *other = &w->chain[i];
+        const double busy = busy_instructions(w, other);
+        if (kind_of(c) < 0 || kind_of(other) != kind_of(c) || busy <= most) continue;
+        if (!than || busy < busy_instructions(w, than)) than = other;
+    }
+    return than ? than->name : "";
 }
 
-const char *const way_names[WAYS] = { "busy", "calm", "weighed", "weighed 16x4" };
+static const char *const way_names[WAYS] = { "busy", "calm", "weighed", "weighed 16x4" };
 
 static void write_row(FILE *f, const work *w, int family, const cost_chain *c, const cost_pass *p)
 {
@@ -332,15 +218,15 @@ void write_costs(FILE *f, const work *w)
         }
 }
 
-void write_recorded(FILE *f, const work *w)
+void show_costs(const csv *c, int passes)
 {
-    fputs("family,driver,chain,pass,busy,calm,weighed,weighed 16x4,transcendental_busy,vgprs\n", f);
-    for (int family = 0; family < w->families; ++family)
-        for (int i = 0; i < w->chains; ++i) {
-            const sum s = sum_of(w, &w->chain[i], family);
-            if (!w->chain[i].passes) continue;
-            fprintf(f, "%s,%s,\"%s\",", w->family[family], w->driver, w->chain[i].name);
-            for (way how = BUSY; how < WAYS; ++how) fprintf(f, ",%.1f", s.way[how].vector);
-            fprintf(f, ",%.1f,%d\n", s.way[BUSY].transcendental, s.vgprs);
-        }
+    char keys[1024] = "family,chain,pass,width,height,busy,calm,weighed,transcendental_busy,scalar_loads,fetches,"
+                      "bytes_in,bytes_out,vgprs,waves,spilled,scratch";
+    for (int k = 0; k < devices_count; ++k)
+        snprintf(keys + strlen(keys), sizeof keys - strlen(keys), ",%s %s", devices[k].name, way_names[WEIGHED]);
+    if (passes) strcat(keys, ",bound");
+    csv_put(stdout, c, keys, passes ? NULL : "pass", 1);
+    puts("");
+    csv_put(stdout, c, "family,chain,programs,text_bytes,compile_ms,targets_720,targets_1080,targets_1440,targets_2160,"
+                       "splats,cheaper_than", "pass", 1);
 }

@@ -10,7 +10,7 @@
 typedef struct sum {
     counts way[WAYS];
     double bytes_in, bytes_out;             /* a pixel */
-    int vgprs, waves, spilled, scratch, splats, endless;
+    int vgprs, waves, spilled, scratch, splats;
 } sum;
 
 sum sum_of(const work *w, const cost_chain *c, int family);
@@ -29,23 +29,10 @@ double splat_ms(const work *w, const cost_pass *p, int family, way how, const de
 double pass_ms(const work *w, const cost_pass *p, int family, way how, const device *d, bound *which);
 double chain_ms(const work *w, const cost_chain *c, int family, way how, const device *d);
 
-/* Heads of columns; of a device's, behind its name. */
-extern const char *const way_names[WAYS];
-
-/* Chains of a kind by their instructions, each with the first of those that it is cheaper than, and than all that
-   follow: by instructions and by the model, in every family and on every device, in every way. NULL: there is none. */
-enum { KINDS = 2 };
-extern const char *const kind_names[KINDS];
-typedef struct rank { const cost_chain *chain, *than; } rank;
-int ranking(const work *w, int kind, rank order[MOST_CHAINS]);
-
-/* On stdout: a line a chain, with its passes or without; what an engine budgets; what is cheaper than what. */
-void show_costs(const work *w, int passes);
-void show_budget(const work *w);
-void show_ranking(const work *w);
-
-/* Lines of all passes and chains; those of chains alone that are recorded. */
+/* Lines of all passes and chains; on stdout: what of these is read first, an engine's budget, and what
+   is in no csv; passes: of each. */
 void write_costs(FILE *f, const work *w);
-void write_recorded(FILE *f, const work *w);
+void show_costs(const csv *c, int passes);
+void show_notes(const work *w, int passes);
 
 #endif

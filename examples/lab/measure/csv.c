@@ -1,27 +1,13 @@
-/* csv.c - tables as make cost writes them. Declared in csv.h. */
+/* csv.c - tables read, and shown. Declared in csv.h. */
 #include "lab/measure/csv.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kit/kit.h"
 
 const char *csv_folder = "report";
-
-char *csv_file(const char *name)
-{
-    char path[1024];
-    FILE *f;
-    char *text = NULL;
-    long size = -1;
-    snprintf(path, sizeof path, "%s/%s", csv_folder, name);
-    f = fopen(path, "rb");
-    if (!f) return NULL;
-    if (!fseek(f, 0, SEEK_END) && (size = ftell(f)) >= 0 && !fseek(f, 0, SEEK_SET)) text = calloc((size_t)size + 1, 1);
-    if (text && fread(text, 1, (size_t)size, f) != (size_t)size) { free(text); text = NULL; }
-    fclose(f);
-    return text;
-}
 
 /* The next cell from *in, its quotes taken off, at *out; returns what ended it. */
 static char cell(char **in, char **out)
@@ -38,15 +24,14 @@ static char cell(char **in, char **out)
     return end;
 }
 
-csv csv_read(const char *name)
+csv csv_of(char *text, const char *name)
 {
-    csv c = { NULL, NULL, 0, 0 };
-    char *in = csv_file(name), *out;
+    csv c = { text, NULL, 0, 0 };
+    char *in = text, *out = text;
     int cells = 0;
     if (!in || !*in) return c;
     c.cell = malloc(sizeof *c.cell * (strlen(in) + 2));
     if (!c.cell) { fprintf(stderr, "%s: out of memory\n", program_invocation_short_name); exit(2); }
-    c.text = out = in;
     while (*in) {
         c.cell[cells++] = out;
         if (cell(&in, &out) == ',') continue;
@@ -61,6 +46,15 @@ csv csv_read(const char *name)
     return c;
 }
 
+csv csv_read(const char *name)
+{
+    char path[1024], *text;
+    size_t size;
+    if (*name == '/') snprintf(path, sizeof path, "%s", name);
+    else snprintf(path, sizeof path, "%s/%s", csv_folder, name);
+    return csv_of(kit_file_read(&text, &size, path, NULL) ? NULL : text, name);
+}
+
 const char *csv_text(const csv *c, int row, const char *key)
 {
     for (int i = 0; i < c->columns; ++i) if (!strcmp(c->cell[i], key)) return c->cell[(row + 1) * c->columns + i];
@@ -71,4 +65,59 @@ double csv_number(const csv *c, int row, const char *key)
 {
     const char *t = csv_text(c, row, key);
     return *t ? atof(t) : (double)NAN;
+}
+
+/* ---- >>out ------------------------------------------------------------------------------------------------------- */
+
+enum { MOST_COLUMNS = 64 };
+
+static int is_empty(const csv *c, int column)
+{
+    int row = 1;
+    while (row <= c->rows && !*c->cell[row * c->columns + column]) ++row;
+    return row > c->rows;
+}
+
+/* The columns of some keys; one that is not there is left out; of what is to be read one without a cell, too. */
+static int columns_of(int column[MOST_COLUMNS], const csv *c, const char *keys, int aligned)
+{
+    int count = 0;
+    for (size_t length; *keys && count < MOST_COLUMNS; keys += length + (keys[length] == ',')) {
+        length = strcspn(keys, ",");
+        for (int i = 0; i < c->columns; ++i)
+            if (!strncmp(c->cell[i], keys, length) && !c->cell[i][length] && !(aligned && is_empty(c, i)))
+                column[count++] = i;
+    }
+    return count;
+}
+
+/* last: nothing stands behind it. */
+static void put_cell(FILE *f, const csv *c, int row, int column, int aligned, int last)
+{
+    const char *is = c->cell[row * c->columns + column];
+    size_t width = strlen(c->cell[column]);
+    int numbers = 1;
+    char *end;
+    for (int r = 1; r <= c->rows; ++r) {
+        const char *other = c->cell[r * c->columns + column];
+        if (strlen(other) > width) width = strlen(other);
+        strtod(other, &end);
+        numbers &= !*end;
+    }
+    if (aligned) fprintf(f, numbers ? "%*s" : "%-*s", numbers || !last ? (int)width : 0, is);
+    else fprintf(f, strchr(is, ',') ? "\"%s\"" : "%s", is);
+}
+
+void csv_put(FILE *f, const csv *c, const char *keys, const char *empty, int aligned)
+{
+    int column[MOST_COLUMNS];
+    const int count = columns_of(column, c, keys, aligned);
+    for (int row = 0; row <= c->rows; ++row) {
+        if (row && empty && *csv_text(c, row - 1, empty)) continue;
+        for (int k = 0; k < count; ++k) {
+            if (k) fputs(aligned ? "  " : ",", f);
+            put_cell(f, c, row, column[k], aligned, k + 1 == count);
+        }
+        fputc('\n', f);
+    }
 }
