@@ -226,7 +226,7 @@ build/bench: $(BENCH:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:steps=12.
-TRY = lab/try $(addprefix lab/measure/,folder rows picture stage score ahead bands)
+TRY = lab/try $(addprefix lab/measure/,folder rows spread picture stage score ahead bands)
 build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -237,7 +237,7 @@ build/reflection: $(REFLECTION:%=build/examples/%.o) $(KIT_O)
 
 # What the eye sees as mottling, of the presets and of what make peers brought. Other entries:
 # build/quiet --scene room hsao hsao:steps=12.
-QUIET = lab/quiet/quiet $(addprefix lab/measure/,folder rows picture stage score clock script peers bands) \
+QUIET = lab/quiet/quiet $(addprefix lab/measure/,folder rows picture stage score clock script peers bands csv) \
         $(addprefix lab/page/,page table pictures)
 build/quiet: $(QUIET:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@

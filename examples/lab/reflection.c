@@ -21,55 +21,30 @@ enum { ALBEDOS = (int)(sizeof albedos / sizeof *albedos), LOBES = (int)(sizeof r
 typedef struct seen { double visibility[2], bent[2], normal; } seen;
 enum { TRACED, DRAWN };
 
-static double nothing(const seen *s, int light)
-{
-    (void)s;
-    (void)light;
-    return 1;
-}
-
-static double dimmed(const seen *s, int light, int by, int bends)
-{
-    const float v = (float)s->visibility[by];
-    if (light < ALBEDOS) return (double)ssgi_interreflected(v, albedos[light]);
-    return (double)ssgi_specular_visibility(v, (float)(bends ? s->bent[by] : s->normal), (float)s->normal,
-                                            roughnesses[light - ALBEDOS]);
-}
-
-static double traced(const seen *s, int light)
-{
-    (void)light;
-    return s->visibility[TRACED];
-}
-
-static double traced_normal(const seen *s, int light) { return dimmed(s, light, TRACED, 0); }
-static double traced_bent(const seen *s, int light) { return dimmed(s, light, TRACED, 1); }
-static double strong(const seen *s, int light)
-{
-    (void)light;
-    return fmax(1 - 1.4 * (1 - s->visibility[TRACED]), 0);
-}
-
-static double drawn(const seen *s, int light)
-{
-    (void)light;
-    return s->visibility[DRAWN];
-}
-
-static double drawn_normal(const seen *s, int light) { return dimmed(s, light, DRAWN, 0); }
-static double drawn_bent(const seen *s, int light) { return dimmed(s, light, DRAWN, 1); }
-
-static const struct { const char *name; double (*of)(const seen *s, int light); } ways[] = {
-    { "nothing is dimmed", nothing },
-    { "visibility, traced", traced },
-    { "the functions of it, about the normal", traced_normal },
-    { "the functions of it, about the bent normal", traced_bent },
-    { "1 - 1.4 (1 - visibility), traced", strong },
-    { "visibility of hsao", drawn },
-    { "the functions of it, about the normal", drawn_normal },
-    { "the functions of it, about s3ho's bent normal", drawn_bent }
+/* NORMAL, BENT: by the functions of ssgi.h, about that direction. */
+typedef enum manner { NOTHING, PLAIN, STRONG, NORMAL, BENT } manner;
+static const struct { const char *name; int by; manner how; } ways[] = {
+    { "nothing is dimmed", TRACED, NOTHING },
+    { "visibility, traced", TRACED, PLAIN },
+    { "the functions of it, about the normal", TRACED, NORMAL },
+    { "the functions of it, about the bent normal", TRACED, BENT },
+    { "1 - 1.4 (1 - visibility), traced", TRACED, STRONG },
+    { "visibility of hsao", DRAWN, PLAIN },
+    { "the functions of it, about the normal", DRAWN, NORMAL },
+    { "the functions of it, about s3ho's bent normal", DRAWN, BENT }
 };
 enum { WAYS = (int)(sizeof ways / sizeof *ways) };
+
+static double dimmed(const seen *s, int light, int by, manner how)
+{
+    const double v = s->visibility[by];
+    if (how == NOTHING) return 1;
+    if (how == PLAIN) return v;
+    if (how == STRONG) return fmax(1 - 1.4 * (1 - v), 0);
+    if (light < ALBEDOS) return (double)ssgi_interreflected((float)v, albedos[light]);
+    return (double)ssgi_specular_visibility((float)v, (float)(how == BENT ? s->bent[by] : s->normal), (float)s->normal,
+                                            roughnesses[light - ALBEDOS]);
+}
 
 /* The cosine of the mirrored view direction to the direction of bands 0 and 1; view space. */
 static double cosine_to_bent(const kit_camera *camera, const kit_image *frame, const float *coefficient, int x, int y)
@@ -138,7 +113,7 @@ static int measure(double sum[WAYS][LIGHTS], int seed, kit_error *err)
             for (int w = 0; w < WAYS; ++w)
                 for (int light = 0; light < LIGHTS; ++light) {
                     const double is = (double)truth.data[(size_t)(FIRST + light) * pixels + i],
-                                 off = ways[w].of(&at, light) - is;
+                                 off = dimmed(&at, light, ways[w].by, ways[w].how) - is;
                     sum[w][light] += off * off;
                 }
         }

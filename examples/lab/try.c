@@ -25,6 +25,7 @@
 #include "lab/measure/bands.h"
 #include "lab/measure/folder.h"
 #include "lab/measure/score.h"
+#include "lab/measure/spread.h"
 
 enum { MOST_TRIED = 64, MOST_SEEDS = 1000 };
 enum { ERROR, NOISE, OFF = NOISE + BANDS, MEASURED = OFF + BANDS };
@@ -167,17 +168,16 @@ static int measure_all(trial *t, kit_error *err)
 
 /* ---- >>results --------------------------------------------------------------------------------------------------- */
 
-/* Mean and half of its 95 % interval of column i, less column from (below 0: of nothing). */
-static void mean_of(double out[2], const trial *t, int i, int from)
+/* Of the errors of column i, less those of column from (below 0: of nothing), where seeds are of a kind (below 0:
+   all). */
+static spread errors_of(const trial *t, int i, int from, int kind)
 {
-    double sum = 0, squares = 0;
+    double value[MOST_SEEDS];
     for (int k = 0; k < t->count; ++k) {
-        const double v = t->seed[k][i][ERROR] - (from < 0 ? 0 : t->seed[k][from][ERROR]);
-        sum += v;
-        squares += v * v;
+        value[k] = t->seed[k][i][ERROR] - (from < 0 ? 0 : t->seed[k][from][ERROR]);
+        if (kind >= 0 && (t->from + k) % KIT_KINDS != kind) value[k] = (double)NAN;
     }
-    out[0] = sum / t->count;
-    out[1] = 1.96 * sqrt(fmax(0, squares / t->count - out[0] * out[0]) / fmax(1, t->count - 1));
+    return spread_of(value, t->count);
 }
 
 /* Bands of noise or of error, in thousandths, over the scenes where they are known; and how they differ. */
@@ -200,33 +200,19 @@ static void print_bands(const trial *t, int i, int from, int first, const char *
 static void print_row(const trial *t, int i, int from)
 {
     const tried *e = &t->entry[i % MOST_TRIED];
-    double own[2], off[2], worst = 0;
-    int whose = 0, better = 0;
-    mean_of(own, t, i, -1);
-    mean_of(off, t, i, from);
-    for (int k = 0; k < t->count; ++k) {
-        if (t->seed[k][i][ERROR] > worst) {
-            worst = t->seed[k][i][ERROR];
-            whose = t->from + k;
-        }
-        better += t->seed[k][i][ERROR] < t->seed[k][from][ERROR];
-    }
-    printf("%-14s %-34s %6.4f +- %.4f  worst %.3f (%d)  %+.4f +- %.4f, better on %d\n", e->method, e->settings, own[0],
-           own[1], worst, whose, off[0], off[1], better);
+    const spread own = errors_of(t, i, -1, -1), off = errors_of(t, i, from, -1);
+    int better = 0;
+    for (int k = 0; k < t->count; ++k) better += t->seed[k][i][ERROR] < t->seed[k][from][ERROR];
+    printf("%-14s %-34s %6.4f +- %.4f  worst %.3f (%d)  %+.4f +- %.4f, better on %d\n", e->method, e->settings,
+           own.mean, own.half, own.most, t->from + own.worst, off.mean, off.half, better);
     if (!t->quick) print_bands(t, i, from, NOISE, "noise:");
     if (!t->quick && !t->light) print_bands(t, i, from, OFF, "error:");
     if (strcmp(t->scenes, "random")) return;
     printf("%-14s by kind:", "");
     for (int kind = 0; kind < KIT_KINDS; ++kind) {
-        double sum = 0, change = 0;
-        int n = 0;
-        for (int k = 0; k < t->count; ++k) {
-            if ((t->from + k) % KIT_KINDS != kind) continue;
-            sum += t->seed[k][i][ERROR];
-            change += t->seed[k][i][ERROR] - t->seed[k][from][ERROR];
-            ++n;
-        }
-        if (n) printf(" %s %.3f %+.3f", kit_scene_kind(kind, NULL), sum / n, change / n);
+        const spread of = errors_of(t, i, -1, kind);
+        if (of.count)
+            printf(" %s %.3f %+.3f", kit_scene_kind(kind, NULL), of.mean, errors_of(t, i, from, kind).mean);
     }
     puts("");
 }

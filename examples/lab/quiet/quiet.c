@@ -10,14 +10,16 @@
      all     the same walk at full size with 32 directions of 20 steps: noise, and the patterns of few steps and half
              size
      truth   what is ray-traced, which has a row of its own: what half of its rays are off by, no less than its grain
-   The first two are known of slices alone (hsao and its presets). CSV: RMS of visibility; what is printed
-   are thousandths. report/index.html has charts against milliseconds: measured, of a GPU that draws (--context egl);
+   The first two are known of slices alone (hsao and its presets). CSV, and what is printed:
+   RMS of visibility. report/index.html has charts against milliseconds: measured, of a GPU that draws (--context egl);
    else modelled, of entries that make cost names, since a CPU's time says nothing of these. --pictures: NN-method.png,
    and NN-method-band.png: 0.5 + 16 times the bands from 1.2 to 8 pixels: of noise where that is known, or of truth. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include "lab/measure/clock.h"
+#include "lab/measure/csv.h"
 #include "lab/measure/folder.h"
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
@@ -25,7 +27,6 @@
 #include "lab/measure/bands.h"
 
 #define DEVICE  "RX 6800"
-#define FIGURES_MD "examples/docs/FIGURES.md"      /* make cost writes the table of chains there */
 enum { MOST_QUIET = 48, GPU_ROUNDS = 25, MOST_LINES = MOST_QUIET + PEERS_QUICK + 1, CONVERGED = 32, WALKED = 20 };
 enum { NOISE, ALL, TRUTH, KINDS };
 
@@ -153,36 +154,22 @@ static int measure_grain(quiet *q, kit_error *err)
 
 /* ---- >>milliseconds ---------------------------------------------------------------------------------------------- */
 
-/* The text behind the n-th bar of a table's line; NULL: there are fewer. */
-static const char *cell_of(const char *at, int n)
+/* Of the chain that an entry is, as make cost has it; weighed, of 1920x1080. */
+static double ms_of(const line *l, const csv *costs)
 {
-    while (at && n--) if ((at = strchr(at, '|')) != NULL) ++at;
-    return at;
-}
-
-/* Of the chain that an entry is, as the table of make cost has it; weighed, of 1920x1080. */
-static double ms_of(const line *l, const char *table)
-{
-    static const char *const more[][2] = { { "", "" }, { "thickness=slabs", "-slabs" }, { "thickness=back", "-back" },
-                                           { "normal=depth", "-depth" } };
-    const char *head = strstr(table, "| chain | "), *column = head ? strstr(head, "| " DEVICE ", ms |") : NULL;
-    char name[96] = "";
-    int bars = 1;
-    for (int k = 0; k < COUNT(more); ++k)
-        if (!strcmp(l->settings, more[k][0])) snprintf(name, sizeof name, "\n| %s%s |", l->method, more[k][1]);
-    for (const char *c = head; c && c < column; ++c) bars += *c == '|';
-    const char *const found = *name && column ? strstr(column, name) : NULL, *const cell = cell_of(found, bars);
-    return cell && cell < found + 1 + strcspn(found + 1, "\n") ? atof(cell) : (double)NAN;
+    char name[336];
+    snprintf(name, sizeof name, "%s%s%s", l->method, *l->settings ? "," : "", l->settings);
+    for (int i = 0; i < costs->rows; ++i)
+        if (!strcasecmp(csv_text(costs, i, "chain"), name) && !*csv_text(costs, i, "pass"))
+            return csv_number(costs, i, DEVICE " weighed");
+    return (double)NAN;
 }
 
 static void take_modelled(quiet *q)
 {
-    char *table;
-    size_t size;
-    const int failed = kit_file_read(&table, &size, FIGURES_MD, NULL);
-    if (failed) fputs("quiet: note: " FIGURES_MD ": cannot be read: no milliseconds, no charts\n", stderr);
-    for (int i = 0; i < q->lines; ++i) q->line[i].ms = failed ? (double)NAN : ms_of(&q->line[i], table);
-    if (!failed) free(table);
+    const csv costs = csv_read("cost.csv");
+    if (!costs.rows) fputs("quiet: note: no report/cost.csv (make cost): no milliseconds, no charts\n", stderr);
+    for (int i = 0; i < q->lines; ++i) q->line[i].ms = ms_of(&q->line[i], &costs);
 }
 
 static int measure_ms(quiet *q, kit_error *err)
@@ -202,61 +189,34 @@ static int measure_ms(quiet *q, kit_error *err)
 
 /* ---- >>results --------------------------------------------------------------------------------------------------- */
 
-static void number(FILE *f, const char *format, const char *blank, double v)
-{
-    if (isnan(v)) fputs(blank, f);
-    else fprintf(f, format, v);
-}
+#define OF_KIND(kind) kind "_1," kind "_3," kind "_8," kind "_20," kind "_seen"
+#define FIGURES_OF "ms," OF_KIND("noise") "," OF_KIND("all") "," OF_KIND("truth")
 
-/* Every figure of a line, each so many times. */
-static void numbers(FILE *f, const char *format, const char *blank, const line *l, double times)
+static void put_figure(FILE *f, const char *format, double v)
 {
-    for (int k = 0; k < KINDS; ++k)
-        for (int b = 0; b <= BANDS; ++b)
-            number(f, format, blank, times * (b < BANDS ? l->of[k].rms[b] : l->of[k].seen));
-}
-
-static void print_line(const line *l)
-{
-    printf("%-28s", l->label);
-    number(stdout, "%7.3f", "       ", l->ms);
-    numbers(stdout, "%7.2f", "       ", l, 1e3);
-    puts("");
-    fflush(stdout);
-}
-
-static void print_head(const quiet *q)
-{
-    static const char *const kinds[KINDS] = { "noise", "all", "truth" };
-    printf("%s, %dx%d, radius %g: %zu shaded smooth pixels. RMS of visibility, thousandths, by bands of pixels\n%35s",
-           q->stage.name, q->width, q->height, (double)q->stage.radius, q->shaded.pixels, "");
-    for (int k = 0; k < KINDS; ++k) printf("%7s%28s", kinds[k], "");
-    printf("\n%-28s%7s", "method, settings", "ms");
-    for (int k = 0; k < KINDS; ++k) printf("%7s%7s%7s%7s%7s", "..1.2", "..3", "..8", "..20", "1.2-8");
-    puts("");
+    fputc(',', f);
+    if (!isnan(v)) fprintf(f, format, v);
 }
 
 static void put_csv(FILE *f, const quiet *q)
 {
-    static const char *const kinds[KINDS] = { "noise", "all", "truth" };
-    fputs("scene,width,height,radius,rays,pixels,method,settings,ms", f);
-    for (int k = 0; k < KINDS; ++k) fprintf(f, ",%s_1,%s_3,%s_8,%s_20,%s_seen", kinds[k], kinds[k], kinds[k], kinds[k],
-                                            kinds[k]);
+    fputs("scene,width,height,radius,rays,pixels,method,settings," FIGURES_OF, f);
     for (int i = 0; i < q->lines; ++i) {
         const line *l = &q->line[i];
-        fprintf(f, "\n\"%s\",%d,%d,%g,%d,%zu,\"%s\",\"%s\",", q->scene, q->width, q->height, (double)q->stage.radius,
-                q->rays, q->shaded.pixels, l->method, l->settings);
-        number(f, "%.3f", "", l->ms);
-        numbers(f, ",%.6f", ",", l, 1);
+        fprintf(f, "\n\"%s\",%d,%d,%g,%d,%zu,\"%s\",\"%s\"", q->scene, q->width, q->height,
+                (double)q->stage.radius, q->rays, q->shaded.pixels, l->method, l->settings);
+        put_figure(f, "%.3f", l->ms);
+        for (int k = 0; k < KINDS; ++k)
+            for (int b = 0; b <= BANDS; ++b) put_figure(f, "%.6f", b < BANDS ? l->of[k].rms[b] : l->of[k].seen);
     }
     fputs("\n", f);
 }
 
 static int write_files(const quiet *q, kit_error *err)
 {
-    page record, csv;
+    page record, table;
     if (folder_make("report", err) || page_begin(&record, "quiet", "full", "build/quiet", kit_gl_name(), err)
-        || page_open(&csv, err))
+        || page_open(&table, err))
         return -1;
     page_heading(record.file, 2, "What the eye sees as mottling");
     page_paragraph(record.file,
@@ -266,10 +226,12 @@ static int write_files(const quiet *q, kit_error *err)
                    "is what half of its rays are off by, no less than its grain. Milliseconds: %s.",
                    q->stage.name, q->width, q->height, (double)q->stage.radius, q->shaded.pixels, q->rays,
                    kit_gl_is_software() ? "of a " DEVICE " at 1920x1080, modelled" : kit_gl_name());
-    put_csv(csv.file, q);
-    fflush(csv.file);
-    const int failed = kit_file_write(q->out, csv.text, csv.size, err);
-    page_table(record.file, "quiet", &csv);
+    put_csv(table.file, q);
+    fflush(table.file);
+    const csv all = csv_of(strdup(table.text), q->out);
+    csv_put(stdout, &all, "method,settings," FIGURES_OF, NULL, 1);
+    const int failed = kit_file_write(q->out, table.text, table.size, err);
+    page_table(record.file, "quiet", &table);
     return page_end(&record, "report", "quiet", err) || failed ? -1 : 0;
 }
 
@@ -337,15 +299,11 @@ static int measure(quiet *q, kit_error *err)
         return -1;
     if (kit_gl_is_software()) take_modelled(q);
     else if (measure_ms(q, err)) return -1;
-    print_head(q);
     const int entries = q->lines;
-    for (int i = 0; i < entries; ++i) {
+    for (int i = 0; i < entries; ++i)
         if (measure_entry(q, i, err)) return -1;
-        print_line(&q->line[i]);
-    }
     const int peers = q->peers ? measure_peers(q, err) : 0;
     if (peers < 0 || measure_grain(q, err)) return -1;
-    for (int i = entries; i < q->lines; ++i) print_line(&q->line[i]);
     if (q->peers && *peers_missing()) puts(peers_missing());
     return write_files(q, err);
 }
