@@ -261,14 +261,14 @@ build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
 # ONLY="hsao hsao,best,steps=16 own.frag": those, with their passes; SINCE=FILE.csv: what has changed since that run.
 # cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew. cost-shares measures how
 # many waves enter what they may leave out: examples/lab/cost/shares.csv, in three minutes.
-COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev
+COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev libspirv-cross-c-shared-dev
 COST       = $(addprefix lab/cost/,cost plan peers against show passes entered share model count compile) \
              tools/glsl/chains $(addprefix lab/measure/,folder rows picture stage script csv) lab/page/page
-COST_LIBS  = -lvulkan -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
+COST_LIBS  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
              -Wl,--end-group -lstdc++
 cost cost-test cost-record cost-shares cost-plan cost-peers: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
-	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h; do \
+	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h spirv_cross/spirv_cross_c.h; do \
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
 	$(MAKE) -s --no-print-directory build/cost page-deps && build/cost $(if $(filter cost,$@),\
 	  $(SINCE:%=--against %) $(ONLY) $(if $(ONLY),,&& { $(FIGURES); }),--$(patsubst test,check,$(@:cost-%=%)))

@@ -4,6 +4,7 @@
 #include <glslang/Include/glslang_c_interface.h>
 #include <glslang/Public/resource_limits_c.h>
 #include <glob.h>
+#include <spirv_cross/spirv_cross_c.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -16,18 +17,6 @@ double compile_seconds(void)
 }
 
 /* ---- SPIR-V ------------------------------------------------------------------------------------------------------ */
-
-/* Numbers of the SPIR-V specification, of what is looked at here. */
-enum {
-    OP_ENTRY_POINT = 15, OP_TYPE_INT = 21, OP_TYPE_FLOAT, OP_TYPE_VECTOR, OP_TYPE_MATRIX, OP_TYPE_IMAGE,
-    OP_TYPE_SAMPLER, OP_TYPE_SAMPLED_IMAGE, OP_TYPE_ARRAY, OP_TYPE_STRUCT = 30, OP_TYPE_POINTER = 32, OP_CONSTANT = 43,
-    OP_VARIABLE = 59, OP_DECORATE = 71,
-    SET_BUILTIN = 11, SET_LOCATION = 30, SET_BINDING = 33, SET_GROUP = 34, SET_BUFFER_BLOCK = 3,
-    CLASS_CONSTANT = 0, CLASS_INPUT, CLASS_UNIFORM, CLASS_OUTPUT, CLASS_PUSH = 9, CLASS_STORAGE = 12, DIM_BUFFER = 5
-};
-
-/* Where an id was made, and how it is decorated. */
-typedef struct id { const uint32_t *at; int location, binding, group, builtin, storage; } id;
 
 int spirv_read(spirv *s, const char *path, kit_error *err)
 {
@@ -43,28 +32,12 @@ int spirv_read(spirv *s, const char *path, kit_error *err)
         if (length > n && !strcmp(path + length - n, endings[i].ending)) s->stage = endings[i].stage;
     }
     if (!s->stage) return kit_fail(err, "%s: must end in .frag.spv, or another stage's letters and .spv", path);
-    FILE *f = fopen(path, "rb");
-    if (!f) return kit_fail(err, "%s: cannot be read", path);
-    size_t room = 1 << 16;
-    s->word = malloc(room * sizeof *s->word);
-    while (s->word && (s->count += fread(s->word + s->count, sizeof *s->word, room - s->count, f)) == room)
-        s->word = realloc(s->word, (room *= 2) * sizeof *s->word);
-    fclose(f);
-    if (!s->word || s->count < 5 || s->word[0] != 0x07230203) return kit_fail(err, "%s: is not SPIR-V", path);
-    return 0;
-}
-
-int spirv_triangle(spirv *s)
-{
-    static const uint32_t words[] = {               /* void main() { gl_Position = vec4(0); } */
-        0x7230203, 0x10000, 0x70000, 0xa, 0x0, 0x20011, 0x1, 0x3000e, 0x0, 0x1, 0x6000f, 0x0, 0x1, 0x6e69616d, 0x0,
-        0x2, 0x40047, 0x2, 0xb, 0x0, 0x20013, 0x3, 0x30021, 0x4, 0x3, 0x30016, 0x5, 0x20, 0x40017, 0x6, 0x5, 0x4,
-        0x40020, 0x7, 0x3, 0x6, 0x4003b, 0x7, 0x2, 0x3, 0x3002e, 0x6, 0x8, 0x50036, 0x3, 0x1, 0x0, 0x4, 0x200f8, 0x9,
-        0x3003e, 0x2, 0x8, 0x100fd, 0x10038
-    };
-    *s = (spirv) { malloc(sizeof words), sizeof words / sizeof *words, VK_SHADER_STAGE_VERTEX_BIT };
-    if (s->word) memcpy(s->word, words, sizeof words);
-    return s->word ? 0 : -1;
+    char *bytes;
+    size_t size;
+    if (kit_file_read(&bytes, &size, path, err)) return -1;
+    s->word = (uint32_t *)(void *)bytes;
+    s->count = size / sizeof *s->word;
+    return s->count < 5 || s->word[0] != 0x07230203 ? kit_fail(err, "%s: is not SPIR-V", path) : 0;
 }
 
 static glslang_stage_t glslang_stage_of(VkShaderStageFlagBits stage)
@@ -112,31 +85,10 @@ int spirv_make(spirv *s, const char *text, VkShaderStageFlagBits stage, int rela
     return failed;
 }
 
-static id *read_ids(const spirv *s)
+int spirv_triangle(spirv *s, kit_error *err)
 {
-    id *ids = calloc(s->word[3], sizeof *ids);
-    for (const uint32_t *w = s->word + 5; ids && w < s->word + s->count && *w >> 16; w += *w >> 16) {
-        switch (*w & 0xffff) {
-        case OP_TYPE_INT: case OP_TYPE_FLOAT: case OP_TYPE_VECTOR: case OP_TYPE_MATRIX: case OP_TYPE_IMAGE:
-        case OP_TYPE_SAMPLER: case OP_TYPE_SAMPLED_IMAGE: case OP_TYPE_ARRAY: case OP_TYPE_STRUCT: case OP_TYPE_POINTER:
-            ids[w[1]].at = w;
-            break;
-        case OP_CONSTANT: case OP_VARIABLE:
-            ids[w[2]].at = w;
-            break;
-        case OP_DECORATE:
-            if (w[2] == SET_LOCATION) ids[w[1]].location = (int)w[3];
-            if (w[2] == SET_BINDING) ids[w[1]].binding = (int)w[3];
-            if (w[2] == SET_GROUP) ids[w[1]].group = (int)w[3];
-            if (w[2] == SET_BUILTIN) ids[w[1]].builtin = 1;
-            if (w[2] == SET_BUFFER_BLOCK) ids[w[1]].storage = 1;
-            break;
-        }
-    }
-    return ids;
+    return spirv_make(s, "#version 450\nvoid main() { gl_Position = vec4(0); }\n", VK_SHADER_STAGE_VERTEX_BIT, 0, err);
 }
-
-static uint32_t op(const id *ids, uint32_t i) { return ids[i].at ? *ids[i].at & 0xffff : 0; }
 
 /* ---- what a pipeline needs --------------------------------------------------------------------------------------- */
 
@@ -151,48 +103,31 @@ typedef struct needs {
     VkShaderStageFlags push;
 } needs;
 
-static VkDescriptorType descriptor_of(const id *ids, uint32_t type, uint32_t storage_class)
+static void add_binding(needs *n, spvc_compiler of, const spvc_reflected_resource *r, VkDescriptorType kind,
+                        VkShaderStageFlagBits stage)
 {
-    const uint32_t *image;
-    switch (op(ids, type)) {
-    case OP_TYPE_SAMPLER: return VK_DESCRIPTOR_TYPE_SAMPLER;
-    case OP_TYPE_SAMPLED_IMAGE:
-        image = ids[ids[type].at[2]].at;
-        return image[3] == DIM_BUFFER ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
-                                      : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    case OP_TYPE_IMAGE:
-        image = ids[type].at;
-        if (image[3] == DIM_BUFFER)
-            return image[7] == 2 ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER : VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
-        return image[7] == 2 ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
-    default:
-        return storage_class == CLASS_STORAGE || ids[type].storage ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-                                                                   : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    }
-}
-
-static void add_binding(needs *n, const id *ids, uint32_t variable, uint32_t type, VkShaderStageFlagBits stage)
-{
-    uint32_t count = 1;
-    if (op(ids, type) == OP_TYPE_ARRAY) {
-        count = ids[ids[type].at[3]].at[3];
-        type = ids[type].at[2];
-    }
-    const int group = ids[variable].group;
+    const spvc_type type = spvc_compiler_get_type_handle(of, r->type_id);
+    const uint32_t group = spvc_compiler_get_decoration(of, r->id, SpvDecorationDescriptorSet),
+                   binding = spvc_compiler_get_decoration(of, r->id, SpvDecorationBinding),
+                   count = spvc_type_get_num_array_dimensions(type) ? spvc_type_get_array_dimension(type, 0) : 1;
+    const int is_image = spvc_type_get_basetype(type) == SPVC_BASETYPE_IMAGE
+                      || spvc_type_get_basetype(type) == SPVC_BASETYPE_SAMPLED_IMAGE;
     if (group >= MOST_GROUPS) return;
+    if (is_image && spvc_type_get_image_dimension(type) == SpvDimBuffer)
+        kind = kind == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER
+                                                        : VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
     for (uint32_t i = 0; i < n->bindings[group]; ++i)
-        if (n->binding[group][i].binding == (uint32_t)ids[variable].binding) {
+        if (n->binding[group][i].binding == binding) {
             n->binding[group][i].stageFlags |= stage;
             return;
         }
     if (n->bindings[group] == MOST_BINDINGS) return;
-    n->binding[group][n->bindings[group]++] = (VkDescriptorSetLayoutBinding) {
-        (uint32_t)ids[variable].binding, descriptor_of(ids, type, ids[variable].at[3]), count, stage, NULL
-    };
+    n->binding[group][n->bindings[group]++] =
+        (VkDescriptorSetLayoutBinding) { binding, kind, count, stage, NULL };
 }
 
-/* The widest format of a number, a vector or a matrix' column; 0 float, 1 int, 2 uint. */
-static VkFormat format_of(const id *ids, uint32_t type, int half)
+/* The widest format of a number, a vector or a matrix' column; half: of floats that of 16 bits. */
+static VkFormat format_of(spvc_type type, int half)
 {
     static const VkFormat formats[3][4] = {
         { VK_FORMAT_R32_SFLOAT, VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT },
@@ -201,41 +136,69 @@ static VkFormat format_of(const id *ids, uint32_t type, int half)
     };
     static const VkFormat halves[4] = { VK_FORMAT_R16_SFLOAT, VK_FORMAT_R16G16_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
                                         VK_FORMAT_R16G16B16A16_SFLOAT };
-    uint32_t width = 1;
-    if (op(ids, type) == OP_TYPE_VECTOR) { width = ids[type].at[3]; type = ids[type].at[2]; }
-    const int kind = op(ids, type) == OP_TYPE_INT ? ids[type].at[3] ? 1 : 2 : 0;
+    const spvc_basetype base = spvc_type_get_basetype(type);
+    const int kind = base == SPVC_BASETYPE_INT32 ? 1 : base == SPVC_BASETYPE_UINT32 ? 2 : 0;
+    const uint32_t width = spvc_type_get_vector_size(type);
     if (half && !kind) return halves[width - 1];
-    if (half && width == 3) width = 4;
-    return formats[kind][width - 1];
+    return formats[kind][half && width == 3 ? 3 : width - 1];
 }
 
-static void add_attribute(needs *n, const id *ids, uint32_t variable, uint32_t type)
+static void add_attribute(needs *n, spvc_compiler of, const spvc_reflected_resource *r)
 {
-    uint32_t columns = 1;
-    if (op(ids, type) == OP_TYPE_MATRIX) { columns = ids[type].at[3]; type = ids[type].at[2]; }
-    for (uint32_t i = 0; i < columns && n->attributes < MOST_PLACES; ++i, ++n->attributes)
-        n->attribute[n->attributes] = (VkVertexInputAttributeDescription) {
-            (uint32_t)ids[variable].location + i, 0, format_of(ids, type, 0), 16 * n->attributes
-        };
+    const spvc_type type = spvc_compiler_get_type_handle(of, r->type_id);
+    const uint32_t location = spvc_compiler_get_decoration(of, r->id, SpvDecorationLocation);
+    for (uint32_t i = 0; i < spvc_type_get_columns(type) && n->attributes < MOST_PLACES; ++i, ++n->attributes)
+        n->attribute[n->attributes] = (VkVertexInputAttributeDescription) { location + i, 0, format_of(type, 0),
+                                                                            16 * n->attributes };
 }
 
-static void look(needs *n, const spirv *s)
+static void add_target(needs *n, spvc_compiler of, const spvc_reflected_resource *r)
 {
-    id *ids = read_ids(s);
-    for (uint32_t i = 0; ids && i < s->word[3]; ++i) {
-        if (op(ids, i) != OP_VARIABLE || op(ids, ids[i].at[1]) != OP_TYPE_POINTER) continue;
-        const uint32_t storage_class = ids[i].at[3], type = ids[ids[i].at[1]].at[3];
-        if (storage_class == CLASS_CONSTANT || storage_class == CLASS_UNIFORM || storage_class == CLASS_STORAGE)
-            add_binding(n, ids, i, type, s->stage);
-        if (storage_class == CLASS_PUSH) n->push |= s->stage;
-        if (ids[i].builtin) continue;
-        if (storage_class == CLASS_INPUT && s->stage == VK_SHADER_STAGE_VERTEX_BIT) add_attribute(n, ids, i, type);
-        if (storage_class == CLASS_OUTPUT && s->stage == VK_SHADER_STAGE_FRAGMENT_BIT && ids[i].location < 8) {
-            n->target[ids[i].location] = format_of(ids, type, 1);
-            if ((uint32_t)ids[i].location >= n->targets) n->targets = (uint32_t)ids[i].location + 1;
-        }
+    const uint32_t location = spvc_compiler_get_decoration(of, r->id, SpvDecorationLocation);
+    if (location >= 8) return;
+    n->target[location] = format_of(spvc_compiler_get_type_handle(of, r->type_id), 1);
+    if (location >= n->targets) n->targets = location + 1;
+}
+
+static int look(needs *n, const spirv *s, kit_error *err)
+{
+    static const struct { spvc_resource_type type; VkDescriptorType kind; } bound[] = {
+        { SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER },
+        { SPVC_RESOURCE_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER },
+        { SPVC_RESOURCE_TYPE_SAMPLED_IMAGE, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER },
+        { SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE },
+        { SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS, VK_DESCRIPTOR_TYPE_SAMPLER },
+        { SPVC_RESOURCE_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE }
+    };
+    const spvc_reflected_resource *r;
+    spvc_context context;
+    spvc_parsed_ir parsed;
+    spvc_compiler of;
+    spvc_resources all;
+    size_t count;
+    if (spvc_context_create(&context)) return kit_fail(err, "out of memory");
+    const int failed = spvc_context_parse_spirv(context, s->word, s->count, &parsed)
+                    || spvc_context_create_compiler(context, SPVC_BACKEND_NONE, parsed, SPVC_CAPTURE_MODE_COPY, &of)
+                    || spvc_compiler_create_shader_resources(of, &all);
+    if (failed) kit_fail(err, "SPIRV-Cross: %.900s", spvc_context_get_last_error_string(context));
+    for (size_t i = 0; i < sizeof bound / sizeof *bound && !failed; ++i) {
+        spvc_resources_get_resource_list_for_type(all, bound[i].type, &r, &count);
+        for (size_t k = 0; k < count; ++k) add_binding(n, of, &r[k], bound[i].kind, s->stage);
     }
-    free(ids);
+    if (!failed && s->stage == VK_SHADER_STAGE_VERTEX_BIT) {
+        spvc_resources_get_resource_list_for_type(all, SPVC_RESOURCE_TYPE_STAGE_INPUT, &r, &count);
+        for (size_t k = 0; k < count; ++k) add_attribute(n, of, &r[k]);
+    }
+    if (!failed && s->stage == VK_SHADER_STAGE_FRAGMENT_BIT) {
+        spvc_resources_get_resource_list_for_type(all, SPVC_RESOURCE_TYPE_STAGE_OUTPUT, &r, &count);
+        for (size_t k = 0; k < count; ++k) add_target(n, of, &r[k]);
+    }
+    if (!failed) {
+        spvc_resources_get_resource_list_for_type(all, SPVC_RESOURCE_TYPE_PUSH_CONSTANT, &r, &count);
+        if (count) n->push |= s->stage;
+    }
+    spvc_context_destroy(context);
+    return failed ? -1 : 0;
 }
 
 /* ---- the device -------------------------------------------------------------------------------------------------- */
@@ -439,7 +402,7 @@ int compile(const compiler *c, pipeline *p, const spirv *stage, int stages, cons
     for (int i = 0; i < stages; ++i) {
         const VkShaderModuleCreateInfo text = { .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                                 .codeSize = stage[i].count * 4, .pCode = stage[i].word };
-        look(&n, &stage[i]);
+        if (look(&n, &stage[i], err)) return -1;
         info[i] = (VkPipelineShaderStageCreateInfo) { .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                                                       .stage = stage[i].stage, .pName = "main" };
         vkCreateShaderModule(c->device, &text, NULL, &info[i].module);

@@ -44,7 +44,7 @@ int spirv_read(spirv *s, const char *path, kit_error *err);
 int spirv_make(spirv *s, const char *text, VkShaderStageFlagBits stage, int relaxed, kit_error *err);
 
 /* A vertex stage that only places vertices, for a fragment stage that takes nothing from one. */
-int spirv_triangle(spirv *s);
+int spirv_triangle(spirv *s, kit_error *err);
 
 /* formats: of the targets of the fragment stage by location, or NULL: as wide as what it writes. In any number of
    threads. */
