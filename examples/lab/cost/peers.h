@@ -4,8 +4,7 @@
 
 #include "lab/cost/passes.h"
 
-/* Has peers.mjs (make peers) write down the passes of each effect at WIDTH x HEIGHT, and adds these as chains. Whole
-   numbers among their uniforms are constants here: a loop's end is known then. */
+/* Has peers.mjs (make peers) write down the passes of each effect at WIDTH x HEIGHT, and adds these as chains. */
 int peers_add(work *w, kit_error *err);
 
 #endif

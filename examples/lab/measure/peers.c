@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "lab/measure/clock.h"
+#include "lab/measure/csv.h"
 #include "lab/measure/score.h"
 #include "lab/measure/script.h"
 
@@ -82,7 +83,7 @@ static void peer_uniform(GLuint program, const char *type, const char *name, int
 }
 
 /* N.vert and N.frag, and the same with its fetches counted. */
-static int peer_programs(peer_pass *pass, const peer_set *set, const char *number, kit_error *err)
+static int peer_programs(peer_pass *pass, const peer_set *set, int number, kit_error *err)
 {
     static const char *const counts = "float peer_fetches = 0.0;\n#define main peer_main\n#define texture(s, p) "
                                       "(peer_fetches += 1.0, texture(s, p))\n"
@@ -93,7 +94,7 @@ static int peer_programs(peer_pass *pass, const peer_set *set, const char *numbe
     char path[96], *text[2] = { NULL, NULL }, *more = NULL;
     size_t size;
     for (int k = 0; k < 2; ++k) {
-        snprintf(path, sizeof path, "%s/%.16s.%s", set->folder, number, k ? "frag" : "vert");
+        snprintf(path, sizeof path, "%s/%d.%s", set->folder, number, k ? "frag" : "vert");
         if (kit_file_read(&text[k], &size, path, err)) { free(text[0]); return -1; }
     }
     pass->program = kit_program_text("", text[0], text[1], err);
@@ -111,47 +112,48 @@ static int peer_programs(peer_pass *pass, const peer_set *set, const char *numbe
     return failed ? -1 : 0;
 }
 
-static int peer_texture_read(peer_texture *t, const peer_set *set, char *text, kit_error *err)
+/* A line of the script's manifest. */
+typedef struct told { const csv *all; int row; } told;
+
+static const char *text_of(const told *t, const char *key) { return csv_text(t->all, t->row, key); }
+static int whole_of(const told *t, const char *key) { return atoi(text_of(t, key)); }
+
+static int peer_texture_read(peer_texture *t, const peer_set *set, const told *is, kit_error *err)
 {
-    char path[128], file[32], *data = NULL;
-    int format, linear, repeat;
+    const int format = whole_of(is, "format"),
+              parts = format == GL_R8 || format == GL_R16F || format == GL_R32F ? 1 : 4;
+    char path[128], *data = NULL;
     size_t size = 0;
-    if (sscanf(text, "%*d %d %d %d %d %d %31s", &t->width, &t->height, &format, &linear, &repeat, file) != 6)
-        return kit_fail(err, "peers' manifest.txt: texture %s", text);
-    snprintf(path, sizeof path, "%s/%s", set->folder, file);
-    if (*file != '-' && kit_file_read(&data, &size, path, err)) return -1;
-    if (data
-        && size < (size_t)t->width * (size_t)t->height
-                      * (format == GL_R8 || format == GL_R16F || format == GL_R32F ? 4 : 16)) {
+    *t = (peer_texture){ 0, whole_of(is, "width"), whole_of(is, "height") };
+    snprintf(path, sizeof path, "%s/%s", set->folder, text_of(is, "file"));
+    if (*text_of(is, "file") && kit_file_read(&data, &size, path, err)) return -1;
+    if (data && size < (size_t)t->width * (size_t)t->height * (size_t)parts * sizeof(float)) {
         free(data);
         return kit_fail(err, "%s: is too short", path);
     }
     t->name = kit_texture(t->width, t->height, (GLenum)format, (const float *)(void *)data);
     free(data);
     glBindTexture(GL_TEXTURE_2D, t->name);
-    if (linear) kit_texture_linear(GL_TEXTURE_2D);
-    for (GLenum k = 0; k < 2 && repeat; ++k)
+    if (whole_of(is, "linear")) kit_texture_linear(GL_TEXTURE_2D);
+    for (GLenum k = 0; k < 2 && whole_of(is, "repeat"); ++k)
         glTexParameteri(GL_TEXTURE_2D, k ? GL_TEXTURE_WRAP_T : GL_TEXTURE_WRAP_S, GL_REPEAT);
-    return t->name ? 0 : kit_fail(err, "peers' manifest.txt: no such texture: %s", text);
+    return t->name ? 0 : kit_fail(err, "peers' manifest.csv, line %d: no such texture", is->row + 2);
 }
 
 /* The view depth times a number, and what stands where there is none. */
-static int peer_depth_read(peer_texture *t, const kit_image *frame, const char *text, kit_error *err)
+static int peer_depth_read(peer_texture *t, const kit_image *frame, const told *is, kit_error *err)
 {
     const int width = frame->width, height = frame->height;
     const float *z = kit_image_channel(frame, "Z");
-    float times, empty, *depths;
-    int linear;
-    if (sscanf(text, "%*d %f %f %d", &times, &empty, &linear) != 3)
-        return kit_fail(err, "peers' manifest.txt: depth %s", text);
-    depths = malloc((size_t)width * (size_t)height * sizeof *depths);
+    const float times = (float)atof(text_of(is, "scale")), empty = (float)atof(text_of(is, "empty"));
+    float *depths = malloc((size_t)width * (size_t)height * sizeof *depths);
     for (int y = 0; y < height && depths; ++y) for (int x = 0; x < width; ++x) {
         const float at = z[(size_t)(height - 1 - y) * (size_t)width + (size_t)x];
         depths[(size_t)y * (size_t)width + (size_t)x] = at > 0 ? at * times : empty;
     }
     *t = (peer_texture){ depths ? kit_texture(width, height, GL_R32F, depths) : 0, width, height };
     glBindTexture(GL_TEXTURE_2D, t->name);
-    if (linear) kit_texture_linear(GL_TEXTURE_2D);
+    if (whole_of(is, "linear")) kit_texture_linear(GL_TEXTURE_2D);
     free(depths);
     return t->name ? 0 : kit_fail(err, "out of memory");
 }
@@ -161,85 +163,86 @@ static const peer_texture *peer_texture_of(const peer_set *set, int number)
     return &set->texture[number < 0 || number >= set->textures ? 0 : number];
 }
 
-static int peer_pass_read(peer_pass *pass, const peer_set *set, char *text, kit_error *err)
+static int peer_pass_read(peer_pass *pass, const peer_set *set, const told *is, kit_error *err)
 {
     GLenum attachment[PEER_TARGETS];
-    char number[16], *at = text, *end;
-    int n = 0;
-    if (sscanf(text, "%15s %d %d %f %f %f%n", number, &pass->shown, &pass->cleared, &pass->colour[0], &pass->colour[1],
-               &pass->colour[2], &n)
-        != 6)
-        return kit_fail(err, "peers' manifest.txt: pass %s", text);
-    pass->colour[3] = 1;
-    if (peer_programs(pass, set, number, err)) return -1;
+    const char *at = text_of(is, "targets");
+    char *end;
+    float *const c = pass->colour;
+    pass->shown = whole_of(is, "shown");
+    pass->width = whole_of(is, "width");
+    pass->height = whole_of(is, "height");
+    pass->cleared = sscanf(text_of(is, "values"), "%f %f %f", &c[0], &c[1], &c[2]) == 3;
+    c[3] = 1;
+    if (peer_programs(pass, set, whole_of(is, "number"), err)) return -1;
     glGenFramebuffers(1, &pass->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
-    for (at += n; pass->targets < PEER_TARGETS; at = end) {
+    for (; *at && pass->targets < PEER_TARGETS; at = end) {
         const peer_texture *t = peer_texture_of(set, (int)strtol(at, &end, 10));
-        if (end == at) break;
-        pass->width = t->width;
-        pass->height = t->height;
         attachment[pass->targets] = GL_COLOR_ATTACHMENT0 + (GLenum)pass->targets;
         glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[pass->targets++], GL_TEXTURE_2D, t->name, 0);
     }
     glDrawBuffers(pass->targets, attachment);
     return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE
                ? 0
-               : kit_fail(err, "peers' manifest.txt: pass %s: no such targets", text);
+               : kit_fail(err, "peers' manifest.csv, line %d: no such targets", is->row + 2);
 }
 
-static int peer_value_read(peer_pass *pass, const peer_set *set, int is_sampler, char *text, kit_error *err)
+/* Of both programs. */
+static void peer_value_read(peer_pass *pass, const char *type, const told *is, int count, const float *values)
 {
-    char type[16] = "int", name[64], *at = text;
+    peer_uniform(pass->program, type, text_of(is, "name"), count, values);
+    if (pass->counter) peer_uniform(pass->counter, type, text_of(is, "name"), count, values);
+}
+
+static void peer_sampler_read(peer_pass *pass, const peer_set *set, const told *is)
+{
+    const float unit = (float)pass->samplers;
+    peer_value_read(pass, "int", is, 1, &unit);
+    pass->sampler[pass->samplers++] = peer_texture_of(set, whole_of(is, "number"))->name;
+}
+
+static void peer_uniform_read(peer_pass *pass, const told *is)
+{
     float values[16 * 64];
-    int count = 1, n = 0, number = 0;
-    if (is_sampler ? sscanf(text, "%63s %d", name, &number) != 2 || pass->samplers == PEER_SAMPLERS
-                   : sscanf(text, "%15s %63s %d%n", type, name, &count, &n) != 3)
-        return kit_fail(err, "peers' manifest.txt: uniform %s", text);
-    values[0] = (float)pass->samplers;
-    if (is_sampler) pass->sampler[pass->samplers++] = peer_texture_of(set, number)->name;
-    at += n;
-    for (int i = 0; !is_sampler && i < COUNT(values); ++i) values[i] = strtof(at, &at);
-    peer_uniform(pass->program, type, name, count, values);
-    if (pass->counter) peer_uniform(pass->counter, type, name, count, values);
+    char *at = (char *)(uintptr_t)text_of(is, "values");
+    for (int i = 0; i < COUNT(values); ++i) values[i] = strtof(at, &at);
+    peer_value_read(pass, text_of(is, "type"), is, whole_of(is, "count"), values);
+}
+
+static int peer_line_read(peer_set *set, const told *is, kit_error *err)
+{
+    const char *kind = text_of(is, "kind");
+    peer *p = set->peers ? &set->peer[set->peers - 1] : NULL;
+    peer_pass *pass = p && p->passes ? &p->pass[p->passes - 1] : NULL;
+    if (!strcmp(kind, "texture") && set->textures < PEER_TEXTURES)
+        return peer_texture_read(&set->texture[set->textures++], set, is, err);
+    if (!strcmp(kind, "depth") && set->textures < PEER_TEXTURES)
+        return peer_depth_read(&set->texture[set->textures++], &set->whole, is, err);
+    if (!strcmp(kind, "pass") && p && p->passes < PEER_PASSES)
+        return peer_pass_read(&p->pass[p->passes++], set, is, err);
+    if (!strcmp(kind, "peer") && set->peers < MOST_PEERS) {
+        p = &set->peer[set->peers++];
+        snprintf(p->label, sizeof p->label, "%s", text_of(is, "name"));
+        snprintf(p->settings, sizeof p->settings, "%s", text_of(is, "settings"));
+    } else if (!strcmp(kind, "uniform") && pass) peer_uniform_read(pass, is);
+    else if (!strcmp(kind, "sampler") && pass && pass->samplers < PEER_SAMPLERS) peer_sampler_read(pass, set, is);
+    else if (!strcmp(kind, "result") && p) p->result = whole_of(is, "number");
+    else return kit_fail(err, "peers' manifest.csv, line %d: %s: too many, or out of place", is->row + 2, kind);
     return 0;
 }
 
 /* Textures 0..3 of the set are the caller's. */
 static int peers_read(peer_set *set, kit_error *err)
 {
-    char *all, *rest, *line;
-    size_t size;
-    int failed = 0;
-    char path[96];
-    snprintf(path, sizeof path, "%s/manifest.txt", set->folder);
-    if (kit_file_read(&all, &size, path, err)) return -1;
-    for (line = strtok_r(all, "\n", &rest); line && !failed; line = strtok_r(NULL, "\n", &rest)) {
-        char *text = strchr(line, ' ');
-        peer *p = set->peers ? &set->peer[set->peers - 1] : NULL;
-        peer_pass *pass = p && p->passes ? &p->pass[p->passes - 1] : NULL;
-        if (text) *text++ = 0; else text = line + strlen(line);
-        if (!strcmp(line, "texture") && set->textures < PEER_TEXTURES)
-            failed = peer_texture_read(&set->texture[set->textures++], set, text, err);
-        else if (!strcmp(line, "depth") && set->textures < PEER_TEXTURES)
-            failed = peer_depth_read(&set->texture[set->textures++], &set->whole, text, err);
-        else if (!strcmp(line, "peer") && set->peers < MOST_PEERS)
-            failed =
-                sscanf(text, "%63[^/] / %127[^\n]", set->peer[set->peers].label, set->peer[set->peers].settings) == 2
-                        && set->peers++ < MOST_PEERS
-                    ? 0
-                    : kit_fail(err, "peers' manifest.txt: peer %s", text);
-        else if (!strcmp(line, "pass") && p && p->passes < PEER_PASSES)
-            failed = peer_pass_read(&p->pass[p->passes++], set, text, err);
-        else if ((!strcmp(line, "uniform") || !strcmp(line, "sampler")) && pass)
-            failed = peer_value_read(pass, set, *line == 's', text, err);
-        else if (!strcmp(line, "result") && p) p->result = atoi(text);
-        else failed = kit_fail(err, "peers' manifest.txt: %s %s: too many, or out of place", line, text);
-    }
-    free(all);
-    for (int i = 0; i < set->peers; ++i)
-        for (char *end = set->peer[i].label + strlen(set->peer[i].label); end > set->peer[i].label && end[-1] == ' ';)
-            *--end = 0;
+    const char *was = csv_folder;
+    csv_folder = set->folder;
+    const csv all = csv_read("manifest.csv");
+    csv_folder = was;
+    int failed = all.rows ? 0 : kit_fail(err, "%s/manifest.csv: cannot be read", set->folder);
+    for (told is = { &all, 0 }; is.row < all.rows && !failed; ++is.row) failed = peer_line_read(set, &is, err);
+    free(all.cell);
+    free(all.text);
     return failed;
 }
 

@@ -8,17 +8,20 @@
    Their own code drives them: each effect is rendered with a renderer that only writes down what it is told to draw, so
    that every text, uniform, kernel, noise texture, target and clear colour is theirs. Reads a view from stdin, numbers
    only: width, height, near, far, radius, its projection and world-to-view matrices (column-major), and the view depth
-   of the middle of the pixels. Writes into OUT: N.vert and N.frag (without a version line, for GLSL 330 and
-   ES 300), N.f32 (texels) and manifest.txt, lines of words; numbers are textures, in order of appearance, after 0,
-   window depth, 1, view normals as n/2 + 1/2, 2, the picture, and 3, view normals as they are, 0 where there are none:
+   of the middle of the pixels. Writes into OUT: N.vert and N.frag (without a version line, for GLSL 330 and ES 300),
+   N.cost.vert and N.cost.frag (the same for Vulkan, whole numbers among their uniforms as constants: a loop's end is
+   known then), N.f32 (texels) and manifest.csv. A line there is of a kind; numbers are textures, in order of
+   appearance, after 0, window depth, 1, view normals as n/2 + 1/2, 2, the picture, and 3, view normals as they are, 0
+   where there are none:
 
-      texture N WIDTH HEIGHT FORMAT LINEAR REPEAT FILE|-     FORMAT as GL numbers them
-      depth N SCALE EMPTY LINEAR                             distance along the view times SCALE, EMPTY without any
-      peer LABEL / SETTINGS
-      pass N SHOWN CLEAR R G B TARGETS..                     N.vert and N.frag; SHOWN: it only shows what is there
-         already, and is no cost of the effect
-      uniform TYPE NAME COUNT VALUES.. / sampler NAME TEXTURE of the pass above
-      result TEXTURE                                         ambient visibility, red */
+      texture    width, height, format (as GL numbers them), linear, repeat, file: its texels
+      depth      the distance along the view times scale, empty where there is none; linear
+      peer       name, settings
+      pass       number: N.vert and N.frag; shown: it only shows what is there already, and is no cost of the effect;
+                 values: the colour that clears it; targets; width, height, bytes_in and bytes_out of all its texels
+      sampler    name, number: of the pass above, a texture
+      uniform    type, name, count, values of the pass above
+      result     number: ambient visibility, red */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -46,6 +49,9 @@ if (v.length !== 38 || v.some(n => !Number.isFinite(n))) {
 }
 const [width, height, near, far, radius] = v, middle = v[37];
 const quick = process.argv[3] === 'quick', out = pathToFileURL(`${resolve(process.argv[2])}/`), lines = [];
+const heads = [ 'kind', 'name', 'settings', 'number', 'width', 'height', 'format', 'linear', 'repeat', 'file', 'scale',
+                'empty', 'shown', 'targets', 'type', 'count', 'values', 'bytes_in', 'bytes_out' ];
+const line = of => lines.push(heads.map(head => `"${of[head] ?? ''}"`).join());
 mkdirSync(out, { recursive: true });
 
 Logger.LogLevels = Logger.ErrorLogLevel;
@@ -63,17 +69,21 @@ const flat = value => value.toArray            ? value.toArray()
                       : value[Symbol.iterator] ? [...value ].flatMap(flat)
                                                : [ Number(value) ];
 
-const numbers = new Map();
-let textures = 4, programs = 0;
+const numbers = new Map(), bytes = new Map([ [ R8, 1 ], [ RGBA16F, 8 ], [ RGBA32F, 16 ] ]);
+/* Of textures their sides and the bytes of all texels. */
+const sized = [ 4, 8, 8, 8 ].map(texel => ({ width, height, bytes : texel * width * height }));
+let programs = 0;
 
 /* of: what it is, asked for once. */
 function number(texture, of) {
     if (!numbers.has(texture)) {
-        const { width : w, height : h, format, linear, repeat, data } = of(texture), n = textures++;
+        const { width : w, height : h, format, linear, repeat, data } = of(texture), n = sized.length;
         if (!format) throw new Error('a texture of an unknown format');
         if (data)
             writeFileSync(new URL(`${n}.f32`, out), Float32Array.from(data, format === RGBA8 ? c => c / 255 : c => c));
-        lines.push(`texture ${n} ${w} ${h} ${format} ${+ linear} ${+ repeat} ${data ? `${n}.f32` : '-'}`);
+        sized.push({ width : w, height : h, bytes : (bytes.get(format) ?? 4) * w * h });
+        line({ kind : 'texture', width : w, height : h, format, linear : +linear, repeat : +repeat,
+               file : data && `${n}.f32` });
         numbers.set(texture, n);
     }
     return numbers.get(texture);
@@ -81,8 +91,9 @@ function number(texture, of) {
 
 /* What stands for the depth of theirs. */
 function depth(texture, scale, empty, linear) {
-    numbers.set(texture, textures);
-    lines.push(`depth ${textures++} ${scale} ${empty} ${+ linear}`);
+    numbers.set(texture, sized.length);
+    sized.push({ width, height, bytes : 4 * width * height });
+    line({ kind : 'depth', scale, empty, linear : +linear });
 }
 
 /* value, texture: of the uniform of a name; the value of a sampler is asked of texture. */
@@ -93,17 +104,25 @@ function pass({ vertex, fragment, shown, cleared, targets, value, texture }) {
         const is = value(name);
         if (is === undefined || is === null || named.has(name)) continue;
         named.add(name);
-        if (type === 'sampler2D') { uniforms.push(`sampler ${name} ${texture(is)}`); continue; }
+        if (type === 'sampler2D') { uniforms.push({ kind : 'sampler', name, number : texture(is) }); continue; }
         if (!sizes[type]) throw new Error(`uniform ${type} ${name}`);
         const values = flat(is);
-        uniforms.push(
-            `uniform ${type} ${name} ${length || also ? values.length / sizes[type] : 1} ${values.join(' ')}`);
+        uniforms.push({ kind : 'uniform', type, name, count : length || also ? values.length / sizes[type] : 1,
+                        values : values.join(' ') });
     }
-    lines.push(`pass ${n} ${+ !!shown} ${cleared ? `1 ${cleared.join(' ')}` : '0 0 0 0'} ${targets.join(' ')}`,
-               ...uniforms);
-    writeFileSync(new URL(`${n}.vert`, out), vertex);
-    writeFileSync(new URL(`${n}.frag`, out), fragment);
+    const sum = list => list.reduce((all, number) => all + sized[number].bytes, 0);
+    line({ kind : 'pass', number : n, shown : +!!shown, values : cleared?.join(' '), targets : targets.join(' '),
+           ...sized[targets[0]], bytes_in : sum(uniforms.flatMap(is => is.number ?? [])), bytes_out : sum(targets) });
+    uniforms.forEach(line);
+    for (const [ending, text] of [ [ 'vert', vertex ], [ 'frag', fragment ] ]) {
+        writeFileSync(new URL(`${n}.${ending}`, out), text);
+        writeFileSync(new URL(`${n}.cost.${ending}`, out), uniforms.reduce(constant, vulkan + text));
+    }
 }
+const vulkan = '#version 450\n#define gl_VertexID gl_VertexIndex\n';
+const constant = (text, { type, name, count, values }) =>
+    count === 1 && ([ 'int', 'uint', 'bool' ].includes(type) || name.includes('Count'))
+        ? text.replace(`uniform ${type} ${name};`, `const ${type} ${name} = ${type}(${values.split(' ')});`) : text;
 
 /* Vertices without attributes: one triangle over all. */
 const triangle = (text, position, also = '') => `#define main peer_main
@@ -408,7 +427,7 @@ const peers = [
 ];
 for (const [label, settings, draw] of peers) {
     state = 1;
-    lines.push(`peer ${label} / ${settings}`);
-    lines.push(`result ${await draw()}`);
+    line({ kind : 'peer', name : label, settings });
+    line({ kind : 'result', number : await draw() });
 }
-writeFileSync(new URL('manifest.txt', out), lines.join('\n') + '\n');
+writeFileSync(new URL('manifest.csv', out), [ heads, ...lines ].join('\n') + '\n');
