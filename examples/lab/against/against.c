@@ -12,12 +12,9 @@
    the error goes further, and what differs has no shape, unless it is too little to see. Each row is printed; all
    scenes go to report/against.csv, and of a row that breaks a limit the worst scene's difference to
    report/against-ROW-QUANTITY.png. Status 0: all rows keep them; 1: some do not; 2: an error. */
-#include <fcntl.h>
 #include <math.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include "lab/against/compared.h"
 #include "lab/against/look.h"
@@ -51,63 +48,38 @@ static struct {
     int compared, broken, missing; /* rows */
 } all;
 
-/* The first line of what a program said. */
-static void read_line(char *line, size_t size, const char *path)
+/* Runs a command; the first line of what it says where it fails. */
+static int run(const char *command, kit_error *err)
 {
-    FILE *f = fopen(path, "r");
-    if (!f || !fgets(line, (int)size, f)) snprintf(line, size, "ended without a word");
-    if (f) fclose(f);
+    char line[512] = "", rest[512];
+    FILE *said = popen(command, "r");
+    if (!said) return kit_fail(err, "no shell");
+    if (!fgets(line, sizeof line, said)) snprintf(line, sizeof line, "ended without a word");
+    while (fgets(rest, sizeof rest, said)) {}
     line[strcspn(line, "\n")] = 0;
-}
-
-/* Runs a program without a shell; what it says goes into a file. */
-static int run(const char *const *words, const char *said, kit_error *err)
-{
-    extern char **environ;
-    posix_spawn_file_actions_t to;
-    pid_t child;
-    int status = 1;
-    char line[512];
-    posix_spawn_file_actions_init(&to);
-    posix_spawn_file_actions_addopen(&to, STDOUT_FILENO, said, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    posix_spawn_file_actions_adddup2(&to, STDOUT_FILENO, STDERR_FILENO);
-    const int failed = posix_spawnp(&child, words[0], &to, NULL, (char *const *)(uintptr_t)words, environ)
-                    || waitpid(child, &status, 0) < 0 || status;
-    posix_spawn_file_actions_destroy(&to);
-    if (failed) read_line(line, sizeof line, said);
-    unlink(said);
-    return failed ? kit_fail(err, "%s", line) : 0;
+    return pclose(said) ? kit_fail(err, "%s", line) : 0;
 }
 
 /* A build's picture, on one core. */
 static int draw(kit_image *out, const subject *u, const place *p, int is_new, kit_error *err)
 {
-    const char *const settings[2] = { u->settings, is_new ? u->new_alone : "" }, *words[32] = { "env" };
-    char base[64], said[80], path[80], last[80], frame[64], size[32], frames[16], orbit[16];
-    const int turned = u->view == TURNED;
-    int n = 1;
-    snprintf(base, sizeof base, LOOK_FOLDER "/%d-%s", p->seed, is_new ? "new" : "old");
-    snprintf(said, sizeof said, "%s.txt", base);
-    snprintf(path, sizeof path, "%s%s.exr", base, turned ? "-%d" : "");
-    snprintf(size, sizeof size, "%dx%d", LOOK_WIDTH, LOOK_HEIGHT);
-    snprintf(frames, sizeof frames, "%d", LOOK_FRAMES);
-    snprintf(orbit, sizeof orbit, "%g", LOOK_ORBIT);
+    const int turned = u->view == TURNED, frames = turned ? LOOK_FRAMES : 1;
+    char command[1024], source[160], more[64] = "", env[48] = "", frame[64], base[64], path[80];
     place_frame(frame, p, u->view);
-#define SAY(...) \
-    for (const char *const *w = (const char *const[]){ __VA_ARGS__, NULL }; *w; ++w) words[n++] = *w
-    SAY("LP_NUM_THREADS=0", "KIT_THREADS=1", all.render[is_new], "--method", u->method, "--out", path);
-    for (int i = 0; i < 2; ++i)
-        if (*settings[i]) SAY("--set", settings[i]);
-    if (quantities[u->quantity].lit) SAY("--env", p->env);
-    if (turned) SAY("--frames", frames, "--orbit", orbit);
-    if (turned || u->view == SCENE) SAY(p->name, "--size", size);
-    else SAY("--gbuffer", frame);
-#undef SAY
-    if (run(words, said, err)) return -1;
-    for (int k = turned ? 0 : LOOK_FRAMES - 1; k < LOOK_FRAMES; ++k) {
-        snprintf(last, sizeof last, turned ? "%s-%d.exr" : "%s.exr", base, k);
-        const int failed = k == LOOK_FRAMES - 1 && kit_exr_read(out, last, err);
-        if (unlink(last) || failed) return -1;
+    snprintf(base, sizeof base, LOOK_FOLDER "/%d-%s", p->seed, is_new ? "new" : "old");
+    if (turned) snprintf(more, sizeof more, "--frames %d --orbit %g", LOOK_FRAMES, LOOK_ORBIT);
+    if (quantities[u->quantity].lit) snprintf(env, sizeof env, "--env %s", p->env);
+    if (turned || u->view == SCENE)
+        snprintf(source, sizeof source, "%s --size %dx%d", p->name, LOOK_WIDTH, LOOK_HEIGHT);
+    else snprintf(source, sizeof source, "--gbuffer %s", frame);
+    snprintf(command, sizeof command, "LP_NUM_THREADS=0 KIT_THREADS=1 '%s' --method %s --set '%s' --set '%s' %s %s %s "
+             "--out %s%s.exr 2>&1", all.render[is_new], u->method, u->settings, is_new ? u->new_alone : "", env, source,
+             more, base, turned ? "-%d" : "");
+    if (run(command, err)) return -1;
+    for (int k = 0; k < frames; ++k) {
+        snprintf(path, sizeof path, turned ? "%s-%d.exr" : "%s.exr", base, k);
+        const int failed = k + 1 == frames && kit_exr_read(out, path, err);
+        if (unlink(path) || failed) return -1;
     }
     return 0;
 }

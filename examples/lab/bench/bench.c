@@ -18,31 +18,26 @@ enum { LIMIT_GPU = 270, LIMIT_SOFTWARE = 480 };
 
 #define PLAN_SHARE 0.3
 
-/* What the command is asked for; NULL: not said. */
-typedef struct options {
-    const char *context, *scene, *method, *size, *out, *plan, *seconds;
-} options;
+/* What the command is asked for, as it and as make name it; NULL: not said. */
+enum { CONTEXT, SCENE, METHOD, SIZE, OUT, PLAN, SECONDS, OPTIONS };
+static const struct { const char *name, *make; } names[OPTIONS] = {
+    { "--context", "CONTEXT" }, { "--scene", "SCENE" }, { "--method", "METHOD" }, { "--size", "SIZE" },
+    { "--out", NULL }, { "--plan", "PLAN" }, { "--seconds", "SECONDS" }
+};
+typedef const char *options[OPTIONS];
 
-static int parse(options *a, int argc, char **argv, kit_error *err)
+static int parse(options a, int argc, char **argv, kit_error *err)
 {
-    *a = (options){ NULL, "room", NULL, NULL, "report", NULL, NULL };
-
-    const struct {
-        const char *name, **value;
-    } table[] = { { "--context", &a->context }, { "--scene", &a->scene }, { "--method", &a->method },
-                  { "--size", &a->size },       { "--out", &a->out },     { "--plan", &a->plan },
-                  { "--seconds", &a->seconds } };
-
     for (int i = 1; i < argc; i += 2) {
-        size_t k = 0;
-        while (k < sizeof table / sizeof *table && strcmp(argv[i], table[k].name)) ++k;
-        if (k == sizeof table / sizeof *table)
+        int k = 0;
+        while (k < OPTIONS && strcmp(argv[i], names[k].name)) ++k;
+        if (k == OPTIONS)
             return kit_fail(err,
                             "%s: there is no such option (--context, --scene, --method, --size, --out, --plan, "
                             "--seconds)",
                             argv[i]);
         if (i + 1 == argc) return kit_fail(err, "%s: needs a value", argv[i]);
-        *table[k].value = argv[i + 1];
+        a[k] = argv[i + 1];
     }
     return 0;
 }
@@ -57,15 +52,15 @@ static int whole(int *out, const char *text, int least, int most)
 }
 
 /* What is said of the plan and the time; else what suits the context. */
-static int limits_of(bench *b, const options *a, kit_error *err)
+static int limits_of(bench *b, options a, kit_error *err)
 {
     int only = -1;
-    b->planned = a->plan ? strcmp(a->plan, "no") != 0 : !a->method && !kit_gl_is_software();
+    b->planned = a[PLAN] ? strcmp(a[PLAN], "no") != 0 : !a[METHOD] && !kit_gl_is_software();
     b->seconds = kit_gl_is_software() ? LIMIT_SOFTWARE : LIMIT_GPU;
-    if (b->planned && a->plan && strcmp(a->plan, "yes") && whole(&only, a->plan, 0, SSGI_PLAN_CHOICES - 1))
-        return kit_fail(err, "--plan %s: must be yes, no or 0..%d", a->plan, SSGI_PLAN_CHOICES - 1);
-    if (a->seconds && whole(&b->seconds, a->seconds, 1, 86400))
-        return kit_fail(err, "--seconds %s: must be 1..86400", a->seconds);
+    if (b->planned && a[PLAN] && strcmp(a[PLAN], "yes") && whole(&only, a[PLAN], 0, SSGI_PLAN_CHOICES - 1))
+        return kit_fail(err, "--plan %s: must be yes, no or 0..%d", a[PLAN], SSGI_PLAN_CHOICES - 1);
+    if (a[SECONDS] && whole(&b->seconds, a[SECONDS], 1, 86400))
+        return kit_fail(err, "--seconds %s: must be 1..86400", a[SECONDS]);
     return b->planned ? plan_choose(&b->plan, only, err) : 0;
 }
 
@@ -86,19 +81,12 @@ static int sizes_of(bench *b, const char *text, kit_error *err)
 }
 
 /* The options as make takes them. */
-static void command_of(bench *b, const options *a)
+static void command_of(bench *b, options a)
 {
-    const struct {
-        const char *name, *value;
-    } said[] = {
-        { "CONTEXT", a->context }, { "METHOD", a->method }, { "SCENE", strcmp(a->scene, "room") ? a->scene : NULL },
-        { "SIZE", a->size },       { "PLAN", a->plan },     { "SECONDS", a->seconds }
-    };
-
     size_t n = (size_t)snprintf(b->command, sizeof b->command, "make bench");
-    for (size_t i = 0; i < sizeof said / sizeof *said; ++i)
-        if (said[i].value && n < sizeof b->command)
-            n += (size_t)snprintf(b->command + n, sizeof b->command - n, " %s=%s", said[i].name, said[i].value);
+    for (int k = 0; k < OPTIONS; ++k)
+        if (a[k] && names[k].make && n < sizeof b->command)
+            n += (size_t)snprintf(b->command + n, sizeof b->command - n, " %s=%s", names[k].make, a[k]);
 }
 
 /* A GPU where EGL finds one; without EGL, unless it was asked for, the CPU. */
@@ -109,20 +97,20 @@ static int context_open(const char *context, kit_error *err)
     return kit_gl_open(NULL, err);
 }
 
-static int bench_open(bench *b, const options *a, kit_error *err)
+static int bench_open(bench *b, options a, kit_error *err)
 {
     static const kit_light sun = { KIT_SUN, { 0.4f, 0.8f, 0.45f }, { 3, 2.8f, 2.4f } };
-    if (context_open(a->context, err)) return -1;
-    const char *size = a->size ? a->size : kit_gl_is_software() ? "640x360" : "1920x1080,2560x1440,3840x2160";
-    if (sizes_of(b, size, err) || limits_of(b, a, err) || kit_scene_load(&b->scene, a->scene, 0, err)
+    if (context_open(a[CONTEXT], err)) return -1;
+    const char *size = a[SIZE] ? a[SIZE] : kit_gl_is_software() ? "640x360" : "1920x1080,2560x1440,3840x2160";
+    if (sizes_of(b, size, err) || limits_of(b, a, err) || kit_scene_load(&b->scene, a[SCENE] ? a[SCENE] : "room", 0, err)
         || kit_env_read(&b->sky.env, "sky", err))
         return -1;
     b->both = b->sky;
     b->both.lights = 1;
     b->both.light[0] = sun;
-    b->count = rows_new(b->row, a->method, err);
+    b->count = rows_new(b->row, a[METHOD], err);
     command_of(b, a);
-    return b->count < 0 || folder_make(a->out, err) ? -1 : 0;
+    return b->count < 0 || folder_make(a[OUT], err) ? -1 : 0;
 }
 
 /* The share of the pixels that show a surface. */
@@ -187,10 +175,10 @@ int main(int argc, char **argv)
 {
     static bench b;
     kit_error err = { "" };
-    options a;
+    options a = { [OUT] = "report" };
     kit_streams_open();
-    int failed = parse(&a, argc, argv, &err) || bench_open(&b, &a, &err) || bench_all(&b, &err)
-              || show_all(stdout, &b, a.out, &err);
+    int failed = parse(a, argc, argv, &err) || bench_open(&b, a, &err) || bench_all(&b, &err)
+              || show_all(stdout, &b, a[OUT], &err);
     kit_fields_free();
     kit_image_free(&b.sky.env);
     kit_scene_free(&b.scene);
