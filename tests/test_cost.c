@@ -7,147 +7,114 @@
 #include "lab/cost/share.h"
 #include "t.h"
 
-static counted count_all(const char *text, int turns)
+/* ---- >>walks ----------------------------------------------------------------------------------------------------- */
+
+/* An `if` whose condition all lanes share. */
+#define SIDES "\ts_cmp_eq_i32 s5, 0\n\ts_cbranch_scc1 BB3\n" \
+              "BB2:\n\tv_mov_b32_e32 v0, 0\n\ts_branch BB4\n" \
+              "BB3:\n\tv_mov_b32_e32 v0, 1\n\tv_rsq_f32_e32 v0, v1\n" \
+              "BB4:\n"
+/* Nothing tells how many turns a loop has whose bound is read from memory. */
+#define ENDLESS "BB0:\n\ts_mov_b32 s0, 0\n\ts_buffer_load_dword s1, s[4:7], 0x68\n" \
+                "BB3:\n\ts_cmp_ge_i32 s0, s1\n\ts_cbranch_scc1 BB9\n" \
+                "BB4:\n\tv_mul_f32_e32 v0, v0, v0\n\ts_add_u32 s0, s0, 1\n\ts_branch BB3\n" \
+                "BB9:\n\ts_endpgm\n"
+
+#define NO_BODY { { 0, 0, 0 }, { 0, 0, 0 } }
+typedef struct expected { double vector, transcendental, fetches; } expected;
+/* turns: of a loop without an end, whose block is named from 1 on; 0: there is none. */
+static const struct {
+    const char *sentence, *text;
+    expected busy, calm, body[2];
+    int bodies, turns, endless, unknown;
+} walks[] = {
+    /* three turns of two, in each an `if` of lanes: 1 + 6 * 4 vector instructions, 1 + 6 * 2 where no lane enters */
+    { "loops of constant count are counted as often as they run, an `if` in them busy and calm",
+      "BB0:\n\ts_mov_b32 s0, 0 ; be800380\n\tv_mov_b32_e32 v0, 0\n"
+      "BB1:\n\ts_cmp_ge_i32 s0, 3\n\ts_cbranch_scc1 BB6\n"
+      "BB2:\n\ts_movk_i32 s1, 0x0\n"
+      "BB3:\n\ts_cmp_lt_i32 s1, 2\n\ts_cbranch_scc0 BB5\n"
+      "BB4:\n\tv_add_f32_e32 v0, 1.0, v0\n"
+      "\timage_load v[2:5], v[0:1], s[8:15] dmask:0xf dim:SQ_RSRC_IMG_2D unorm\n"
+      "\tv_cmp_lt_f32_e32 vcc, 0, v2\n\ts_and_saveexec_b64 s[2:3], vcc\n"
+      "\ts_cbranch_execz BB7\n"
+      "BB8:\n\tv_rcp_f32_e32 v1, v2\n\tv_mul_f32_e32 v0, v0, v1\n"
+      "BB7:\n\ts_mov_b64 exec, s[2:3]\n\ts_add_u32 s1, s1, 1\n\ts_branch BB3\n"
+      "BB5:\n\ts_addk_i32 s0, 0x1\n\ts_branch BB1\n"
+      "BB6:\n\texp mrt0 v0, v0, v0, v0 done vm\n\ts_endpgm\n",
+      { 25, 6, 6 }, { 13, 0, 6 }, { { 12, 6, 0 }, { 0, 0, 0 } }, 1, 1, 0, 0 },
+    /* four turns that lanes leave one by one: the mask of those that are left, and the counter, end it */
+    { "a loop that lanes leave ends by its counter",
+      "BB0:\n\ts_mov_b64 s[0:1], exec\n\ts_mov_b32 s8, 0\n"
+      "BB1:\n\tv_cmp_gt_f32_e32 vcc, 1.0, v1\n\ts_cmp_lt_i32 s8, 4\n"
+      "\ts_cselect_b64 s[10:11], -1, 0\n\ts_and_b64 s[10:11], s[10:11], vcc\n"
+      "\ts_and_saveexec_b64 s[10:11], s[10:11]\n"
+      "BB4:\n\ts_andn2_b64 exec, s[10:11], exec\n"
+      "BB5:\n\ts_andn2_b64 s[10:11], s[10:11], exec\n\ts_cbranch_scc0 BB10\n"
+      "BB9:\n\ts_mov_b64 exec, s[10:11]\n\ts_add_u32 s8, s8, 1\n\tv_exp_f32_e32 v3, v4\n"
+      "\ts_branch BB1\n"
+      "BB10:\n\ts_mov_b64 exec, s[0:1]\n\tv_log_f32_e64 v0, -v0\n\ts_endpgm\n",
+      { 5 + 4 + 1, 4 + 1, 0 }, { 5 + 4 + 1, 4 + 1, 0 }, NO_BODY, 0, 1, 0, 0 },
+    { "a loop of none or three turns, as a lane chooses, has three busy, none calm",
+      "BB0:\n\tv_cndmask_b32_e64 v4, 3, 0, vcc\n\ts_mov_b64 s[8:9], exec\n\ts_mov_b32 s30, 0\n"
+      "BB1:\n\ts_mov_b64 s[10:11], exec\n\tv_cmpx_ge_i32_e32 s30, v4\n"
+      "BB2:\n\ts_andn2_b64 s[10:11], s[10:11], exec\n\ts_cbranch_scc0 BB4\n"
+      "BB3:\n\ts_mov_b64 exec, s[10:11]\n\tv_sin_f32_e32 v1, v1\n\ts_add_u32 s30, s30, 1\n"
+      "\ts_branch BB1\n"
+      "BB4:\n\ts_mov_b64 exec, s[8:9]\n\ts_endpgm\n",
+      { 1 + 4 + 3, 3, 0 }, { 1 + 1, 0, 0 }, NO_BODY, 0, 1, 0, 0 },
+    { "of an unknown condition that lanes share the dearer side counts",
+      "BB0:\n" SIDES "\ts_endpgm\n", { 2, 1, 0 }, { 2, 1, 0 }, NO_BODY, 0, 1, 0, 1 },
+    { "and calm, inside a loop, the cheaper one",
+      "BB0:\n\ts_mov_b32 s0, 0\nBB1:\n" SIDES "\ts_add_u32 s0, s0, 1\n\ts_cmp_lg_u32 s0, 7\n"
+      "\ts_cbranch_scc1 BB1\nBB5:\n\ts_endpgm\n", { 14, 7, 0 }, { 7, 0, 0 }, NO_BODY, 0, 1, 0, 1 },
+    { "a loop without a known end is named, and counted as told: never", ENDLESS, { 0, 0, 0 }, { 0, 0, 0 },
+      NO_BODY, 0, 0, 4, 0 },
+    { "or three times", ENDLESS, { 3, 0, 0 }, { 3, 0, 0 }, NO_BODY, 0, 3, 4, 0 },
+    /* four turns, in each an `if` with an else, which a wave enters in part or not at all, and another with one
+       inside; what is left of a wave does the else's instruction in any case */
+    { "each body that a wave may leave out is counted by itself, an else in any case",
+      "BB0:\n\ts_mov_b32 s0, 0\n"
+      "BB1:\n\tv_cmp_lt_f32_e32 vcc, 0, v2\n\ts_and_saveexec_b64 s[2:3], vcc\n"
+      "\ts_cbranch_execz BB3\n"
+      "BB2:\n\tv_rcp_f32_e32 v1, v2\n\tv_mul_f32_e32 v0, v0, v1\n"
+      "BB3:\n\ts_andn2_b64 exec, s[2:3], exec\n\ts_cbranch_execz BB5\n"
+      "BB4:\n\tv_mov_b32_e32 v0, 0\n"
+      "BB5:\n\ts_mov_b64 exec, s[2:3]\n\tv_cmp_lt_f32_e32 vcc, 0, v3\n"
+      "\ts_and_saveexec_b64 s[4:5], vcc\n\ts_cbranch_execz BB8\n"
+      "BB6:\n\tv_add_f32_e32 v0, v0, v1\n\tv_cmp_lt_f32_e32 vcc, 0, v4\n"
+      "\ts_and_saveexec_b64 s[6:7], vcc\n\ts_cbranch_execz BB8\n"
+      "BB7:\n\timage_load v[2:3], v[0:1], s[8:15] dmask:0x3 dim:SQ_RSRC_IMG_2D unorm\n"
+      "BB8:\n\ts_mov_b64 exec, s[4:5]\n\ts_add_u32 s0, s0, 1\n\ts_cmp_lg_u32 s0, 4\n"
+      "\ts_cbranch_scc1 BB1\nBB9:\n\ts_endpgm\n",
+      { 4 * (2 + 2 + 1 + 2), 4, 4 }, { 4 * (2 + 1), 0, 0 }, { { 4 * 2, 4, 0 }, { 4 * 2, 0, 4 } }, 2, 1, 0, 0 }
+};
+static size_t walked;
+
+static void expect(const char *what, const counts *c, const expected *e)
 {
-    const int both[2] = { turns, turns };
-    counted c;
+    CHECK(c->vector == e->vector && c->transcendental == e->transcendental && c->fetches == e->fetches,
+          "%s: %g vector (%g), %g transcendental (%g), %g fetches (%g)", what, c->vector, e->vector,
+          c->transcendental, e->transcendental, c->fetches, e->fetches);
+}
+
+static void walk(void)
+{
+    const int turns[2] = { walks[walked].turns, walks[walked].turns }, endless = walks[walked].endless;
     const char *bad = "";
-    CHECK(!count_instructions(&c, text, both, &bad), "not understood: %.60s", bad);
-    return c;
+    counted c;
+    CHECK(!count_instructions(&c, walks[walked].text, turns, &bad), "not understood: %.60s", bad);
+    expect("busy", &c.busy, &walks[walked].busy);
+    expect("calm", &c.calm, &walks[walked].calm);
+    CHECK(c.bodies == walks[walked].bodies && c.report.unknown == walks[walked].unknown, "%d bodies, %d unknown",
+          c.bodies, c.report.unknown);
+    for (int i = 0; i < walks[walked].bodies; ++i) expect("a body", &c.body[i], &walks[walked].body[i]);
+    CHECK(c.report.loops == (endless > 0) && (!endless || c.report.endless[0] == endless - 1),
+          "%d loops without an end, BB%d", c.report.loops, c.report.endless[0]);
+    CHECK(walked || c.busy.wide_fetches == 6, "four channels are more than 8 bytes");
 }
 
-static counts count(const char *text, way how, int turns, walk_report *report)
-{
-    const counted c = count_all(text, turns);
-    *report = c.report;
-    return how == BUSY ? c.busy : c.calm;
-}
-
-/* vector, transcendental, fetches */
-static void expect(const char *text, way how, double vector, double transcendental, double fetches)
-{
-    walk_report report;
-    const counts c = count(text, how, 1, &report);
-    CHECK(c.vector == vector && c.transcendental == transcendental && c.fetches == fetches && !report.loops,
-          "%s: %g vector (%g), %g transcendental (%g), %g fetches (%g), %d loops without an end",
-          how == BUSY ? "busy" : "calm", c.vector, vector, c.transcendental, transcendental, c.fetches, fetches,
-          report.loops);
-}
-
-/* Three turns of two, in each an `if` of lanes: 1 + 6 * 4 vector instructions, 1 + 6 * 2 where no lane enters. */
-static void nested_loops(void)
-{
-    static const char text[] = "BB0:\n\ts_mov_b32 s0, 0 ; be800380\n\tv_mov_b32_e32 v0, 0\n"
-                               "BB1:\n\ts_cmp_ge_i32 s0, 3\n\ts_cbranch_scc1 BB6\n"
-                               "BB2:\n\ts_movk_i32 s1, 0x0\n"
-                               "BB3:\n\ts_cmp_lt_i32 s1, 2\n\ts_cbranch_scc0 BB5\n"
-                               "BB4:\n\tv_add_f32_e32 v0, 1.0, v0\n"
-                               "\timage_load v[2:5], v[0:1], s[8:15] dmask:0xf dim:SQ_RSRC_IMG_2D unorm\n"
-                               "\tv_cmp_lt_f32_e32 vcc, 0, v2\n\ts_and_saveexec_b64 s[2:3], vcc\n"
-                               "\ts_cbranch_execz BB7\n"
-                               "BB8:\n\tv_rcp_f32_e32 v1, v2\n\tv_mul_f32_e32 v0, v0, v1\n"
-                               "BB7:\n\ts_mov_b64 exec, s[2:3]\n\ts_add_u32 s1, s1, 1\n\ts_branch BB3\n"
-                               "BB5:\n\ts_addk_i32 s0, 0x1\n\ts_branch BB1\n"
-                               "BB6:\n\texp mrt0 v0, v0, v0, v0 done vm\n\ts_endpgm\n";
-    walk_report report;
-    expect(text, BUSY, 25, 6, 6);
-    expect(text, CALM, 13, 0, 6);
-    CHECK(count(text, BUSY, 1, &report).wide_fetches == 6, "four channels are more than 8 bytes");
-}
-
-/* A loop of four turns that lanes leave one by one: the mask of those that are left, and the counter, end it. */
-static void loop_with_breaks(void)
-{
-    static const char text[] = "BB0:\n\ts_mov_b64 s[0:1], exec\n\ts_mov_b32 s8, 0\n"
-                               "BB1:\n\tv_cmp_gt_f32_e32 vcc, 1.0, v1\n\ts_cmp_lt_i32 s8, 4\n"
-                               "\ts_cselect_b64 s[10:11], -1, 0\n\ts_and_b64 s[10:11], s[10:11], vcc\n"
-                               "\ts_and_saveexec_b64 s[10:11], s[10:11]\n"
-                               "BB4:\n\ts_andn2_b64 exec, s[10:11], exec\n"
-                               "BB5:\n\ts_andn2_b64 s[10:11], s[10:11], exec\n\ts_cbranch_scc0 BB10\n"
-                               "BB9:\n\ts_mov_b64 exec, s[10:11]\n\ts_add_u32 s8, s8, 1\n\tv_exp_f32_e32 v3, v4\n"
-                               "\ts_branch BB1\n"
-                               "BB10:\n\ts_mov_b64 exec, s[0:1]\n\tv_log_f32_e64 v0, -v0\n\ts_endpgm\n";
-    expect(text, BUSY, 5 + 4 + 1, 4 + 1, 0);
-    expect(text, CALM, 5 + 4 + 1, 4 + 1, 0);
-}
-
-/* A loop of none or three turns, as a lane chooses. */
-static void chosen_turns(void)
-{
-    static const char text[] = "BB0:\n\tv_cndmask_b32_e64 v4, 3, 0, vcc\n\ts_mov_b64 s[8:9], exec\n\ts_mov_b32 s30, 0\n"
-                               "BB1:\n\ts_mov_b64 s[10:11], exec\n\tv_cmpx_ge_i32_e32 s30, v4\n"
-                               "BB2:\n\ts_andn2_b64 s[10:11], s[10:11], exec\n\ts_cbranch_scc0 BB4\n"
-                               "BB3:\n\ts_mov_b64 exec, s[10:11]\n\tv_sin_f32_e32 v1, v1\n\ts_add_u32 s30, s30, 1\n"
-                               "\ts_branch BB1\n"
-                               "BB4:\n\ts_mov_b64 exec, s[8:9]\n\ts_endpgm\n";
-    expect(text, BUSY, 1 + 4 + 3, 3, 0);
-    expect(text, CALM, 1 + 1, 0, 0);
-}
-
-/* Of an `if` whose condition all lanes share one side is executed: the dearer one; calm, inside a loop, the cheaper. */
-static void shared_conditions(void)
-{
-    static const char sides[] = "\ts_cmp_eq_i32 s5, 0\n\ts_cbranch_scc1 BB3\n"
-                                "BB2:\n\tv_mov_b32_e32 v0, 0\n\ts_branch BB4\n"
-                                "BB3:\n\tv_mov_b32_e32 v0, 1\n\tv_rsq_f32_e32 v0, v1\n"
-                                "BB4:\n";
-    char text[1024];
-    walk_report report;
-    snprintf(text, sizeof text, "BB0:\n%s\ts_endpgm\n", sides);
-    expect(text, BUSY, 2, 1, 0);
-    expect(text, CALM, 2, 1, 0);
-    CHECK(count(text, BUSY, 1, &report).vector > 0 && report.unknown == 1, "%d unknown", report.unknown);
-    snprintf(text, sizeof text, "BB0:\n\ts_mov_b32 s0, 0\nBB1:\n%s\ts_add_u32 s0, s0, 1\n\ts_cmp_lg_u32 s0, 7\n"
-             "\ts_cbranch_scc1 BB1\nBB5:\n\ts_endpgm\n", sides);
-    expect(text, BUSY, 14, 7, 0);
-    expect(text, CALM, 7, 0, 0);
-}
-
-/* Nothing tells how many turns a loop has whose bound is read from memory: it is named, and counted as told. */
-static void unknown_end(void)
-{
-    static const char text[] = "BB0:\n\ts_mov_b32 s0, 0\n\ts_buffer_load_dword s1, s[4:7], 0x68\n"
-                               "BB3:\n\ts_cmp_ge_i32 s0, s1\n\ts_cbranch_scc1 BB9\n"
-                               "BB4:\n\tv_mul_f32_e32 v0, v0, v0\n\ts_add_u32 s0, s0, 1\n\ts_branch BB3\n"
-                               "BB9:\n\ts_endpgm\n";
-    walk_report report;
-    for (int turns = 0; turns < 4; ++turns) {
-        const counts c = count(text, BUSY, turns, &report);
-        CHECK(c.vector == turns, "%g turns of %d", c.vector, turns);
-        CHECK(report.loops == 1 && report.endless[0] == 3, "%d loops, BB%d", report.loops, report.endless[0]);
-    }
-}
-
-/* Four turns, in each an `if` with an else, which a wave enters in part or not at all, and another with one inside.
-   What is left of a wave does the else's instruction in any case. */
-static void bodies_apart(void)
-{
-    static const char text[] = "BB0:\n\ts_mov_b32 s0, 0\n"
-                               "BB1:\n\tv_cmp_lt_f32_e32 vcc, 0, v2\n\ts_and_saveexec_b64 s[2:3], vcc\n"
-                               "\ts_cbranch_execz BB3\n"
-                               "BB2:\n\tv_rcp_f32_e32 v1, v2\n\tv_mul_f32_e32 v0, v0, v1\n"
-                               "BB3:\n\ts_andn2_b64 exec, s[2:3], exec\n\ts_cbranch_execz BB5\n"
-                               "BB4:\n\tv_mov_b32_e32 v0, 0\n"
-                               "BB5:\n\ts_mov_b64 exec, s[2:3]\n\tv_cmp_lt_f32_e32 vcc, 0, v3\n"
-                               "\ts_and_saveexec_b64 s[4:5], vcc\n\ts_cbranch_execz BB8\n"
-                               "BB6:\n\tv_add_f32_e32 v0, v0, v1\n\tv_cmp_lt_f32_e32 vcc, 0, v4\n"
-                               "\ts_and_saveexec_b64 s[6:7], vcc\n\ts_cbranch_execz BB8\n"
-                               "BB7:\n\timage_load v[2:3], v[0:1], s[8:15] dmask:0x3 dim:SQ_RSRC_IMG_2D unorm\n"
-                               "BB8:\n\ts_mov_b64 exec, s[4:5]\n\ts_add_u32 s0, s0, 1\n\ts_cmp_lg_u32 s0, 4\n"
-                               "\ts_cbranch_scc1 BB1\nBB9:\n\ts_endpgm\n";
-    const counted c = count_all(text, 1);
-    const struct { const char *name; const counts *of; double vector, transcendental, fetches; } cases[] = {
-        { "busy", &c.busy, 4 * (2 + 2 + 1 + 2), 4, 4 },
-        { "calm", &c.calm, 4 * (2 + 1), 0, 0 },
-        { "the first", &c.body[0], 4 * 2, 4, 0 },
-        { "the second", &c.body[1], 4 * 2, 0, 4 }
-    };
-    CHECK(c.bodies == 2, "%d bodies", c.bodies);
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i)
-        CHECK(cases[i].of->vector == cases[i].vector && cases[i].of->transcendental == cases[i].transcendental &&
-              cases[i].of->fetches == cases[i].fetches, "%s: %g vector, %g transcendental, %g fetches", cases[i].name,
-              cases[i].of->vector, cases[i].of->transcendental, cases[i].of->fetches);
-}
+/* ---- >>shares ---------------------------------------------------------------------------------------------------- */
 
 /* Five texels by three, each with the bits of two sides, "." where nothing is shown. Tiles of 2x2 are six waves, of
    which the last one shows nothing; the others enter 2 2 0 1 2 times of two. */
@@ -283,12 +250,7 @@ static void model_by_hand(void)
 
 void test_cost(void)
 {
-    RUN("loops of constant count are counted as often as they run, an `if` in them busy and calm", nested_loops);
-    RUN("a loop that lanes leave ends by its counter", loop_with_breaks);
-    RUN("a loop of none or three turns has three busy, none calm", chosen_turns);
-    RUN("of an unknown condition that lanes share one side counts", shared_conditions);
-    RUN("a loop without a known end is named, and counted as told", unknown_end);
-    RUN("each body that a wave may leave out is counted by itself, an else in any case", bodies_apart);
+    for (walked = 0; walked < sizeof walks / sizeof *walks; ++walked) RUN(walks[walked].sentence, walk);
     RUN("waves enter where one of their lanes does, of those that show something", waves_of_tiles);
     RUN("bodies are weighed by their own shares, or all by one", weighed_by_hand);
     RUN("a share is of the gather that is most alike; of each body one is recorded", shares_recorded);
