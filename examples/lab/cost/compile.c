@@ -272,9 +272,8 @@ void compiler_close(compiler *c)
 static void take_statistic(executable *e, const VkPipelineExecutableStatisticKHR *s)
 {
     const struct { const char *name; int *to; } wanted[] = {
-        { "VGPRs", &e->vgprs }, { "SGPRs", &e->sgprs }, { "Spilled VGPRs", &e->spilled },
-        { "Spilled SGPRs", &e->spilled }, { "Scratch size", &e->scratch }, { "Code size", &e->code },
-        { "Subgroups per SIMD", &e->waves }
+        { "VGPRs", &e->vgprs }, { "Spilled VGPRs", &e->spilled }, { "Spilled SGPRs", &e->spilled },
+        { "Scratch size", &e->scratch }, { "Subgroups per SIMD", &e->waves }
     };
     for (size_t i = 0; i < sizeof wanted / sizeof *wanted; ++i)
         if (!strcmp(s->name, wanted[i].name)) *wanted[i].to += (int)s->value.u64;

@@ -23,7 +23,7 @@ typedef struct spirv { uint32_t *word; size_t count; VkShaderStageFlagBits stage
 typedef struct executable {
     VkShaderStageFlags stages;
     char *assembly;
-    int vgprs, sgprs, spilled, scratch, code, waves;    /* waves of 64 that share a SIMD */
+    int vgprs, spilled, scratch, waves;    /* waves of 64 that share a SIMD */
 } executable;
 
 /* seconds: of processor, that it took to make. */

@@ -357,9 +357,8 @@ static void count_one(counts *c, const instruction *t)
     case TRANSCENDENTAL: ++c->transcendental; ++c->vector; break;
     case VECTOR: ++c->vector; break;
     case FETCH: ++c->fetches; c->wide_fetches += t->bytes > 8; break;
-    case BUFFER: ++c->buffer_loads; break;
     case SCALAR_LOAD: ++c->scalar_loads; break;
-    case EXPORT: ++c->exports; break;
+    case BUFFER: case EXPORT: break;
     default: ++c->scalar; break;
     }
 }
@@ -368,14 +367,7 @@ static double weight(const counts *c) { return c->vector + 3 * c->transcendental
 
 void counts_add(counts *to, const counts *c, double times)
 {
-    to->vector += times * c->vector;
-    to->transcendental += times * c->transcendental;
-    to->scalar_loads += times * c->scalar_loads;
-    to->fetches += times * c->fetches;
-    to->wide_fetches += times * c->wide_fetches;
-    to->buffer_loads += times * c->buffer_loads;
-    to->scalar += times * c->scalar;
-    to->exports += times * c->exports;
+    for (size_t i = 0; i < sizeof *c / sizeof(double); ++i) (&to->vector)[i] += times * (&c->vector)[i];
 }
 
 /* Whether a branch's condition holds: 1, 0, or -1: not known. */

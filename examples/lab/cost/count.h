@@ -4,7 +4,7 @@
 
 /* Of one lane. transcendental ones are among vector, wide_fetches (of more than 8 bytes) among fetches. */
 typedef struct counts {
-    double vector, transcendental, scalar_loads, fetches, wide_fetches, buffer_loads, scalar, exports;
+    double vector, transcendental, scalar_loads, fetches, wide_fetches, scalar;
 } counts;
 
 void counts_add(counts *to, const counts *c, double times);

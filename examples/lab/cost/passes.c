@@ -247,10 +247,8 @@ static int count_part(const work *w, const cost_program *p, compiled *to, const 
     weigh_ways(w, p, to, &c);
     to->report = c.report;
     to->vgprs = e->vgprs;
-    to->sgprs = e->sgprs;
     to->spilled = e->spilled;
     to->scratch = e->scratch;
-    to->code = e->code;
     to->waves = e->waves;
     return 0;
 }

@@ -14,7 +14,7 @@ typedef struct compiled {
     int untold;                             /* 1: bodies cannot be told apart, so that all counts where it is weighed */
     double vertex;                          /* vector instructions of a vertex */
     walk_report report;
-    int vgprs, sgprs, spilled, scratch, code, waves;
+    int vgprs, spilled, scratch, waves;
     double seconds;                         /* of processor, that the compiler takes */
 } compiled;
 

@@ -5,7 +5,14 @@
 
 /* ---- sums -------------------------------------------------------------------------------------------------------- */
 
-sum sum_of(const work *w, const cost_chain *c, int family)
+/* Of a chain in a family; counts a pixel of the picture. Splats are not among them, as their number is the scene's. */
+typedef struct sum {
+    counts way[WAYS];
+    double bytes_in, bytes_out;             /* a pixel */
+    int vgprs, waves, spilled, scratch, splats;
+} sum;
+
+static sum sum_of(const work *w, const cost_chain *c, int family)
 {
     sum s = { .waves = 99 };
     for (int i = 0; i < c->passes; ++i) {

@@ -6,15 +6,6 @@
 #include "lab/cost/passes.h"
 #include <stdio.h>
 
-/* Of a chain in a family; counts a pixel of the picture. Splats are not among them, as their number is the scene's. */
-typedef struct sum {
-    counts way[WAYS];
-    double bytes_in, bytes_out;             /* a pixel */
-    int vgprs, waves, spilled, scratch, splats;
-} sum;
-
-sum sum_of(const work *w, const cost_chain *c, int family);
-
 /* Scenes by seed have so many surfels at 1920x1080, and on a texel that is gathered so many texels of splats of
    occlusion: means of 0 to 20, which have 8 to 142 (build/render random:N --size 1920x1080 --method dss-best --set
    levels=4 --time 1 says both). Other effects are taken to have as many. */

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-const float bands_sigma[BANDS] = { 1.2f, 3, 8, 20 };
+static const float bands_sigma[BANDS] = { 1.2f, 3, 8, 20 };
 #define UNKNOWN ((double)NAN)
 const bands bands_unknown = { { UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN }, UNKNOWN };
 

@@ -5,10 +5,8 @@
 
 #include "lab/measure/stage.h"
 
-/* Band k lies between Gaussians of bands_sigma[k - 1] (of the first: the picture as it is) and bands_sigma[k]
-   pixels. */
+/* Band k lies between Gaussians of so many pixels, of the first between the picture as it is and one: 1.2, 3, 8, 20. */
 enum { BANDS = 4 };
-extern const float bands_sigma[BANDS];
 
 /* Where the eye looks for mottling: a surface is seen, the 5x5 pixels about it lie in its tangent plane to a pixel's
    footprint, its visibility is below SHADED, and the picture's border is BORDER pixels away or more. */
