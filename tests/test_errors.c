@@ -9,7 +9,7 @@
    make errors writes errors, noise and bounds anew, as this tree has them; a row that is added leaves them empty. */
 #include "t.h"
 #include "lab/measure/csv.h"
-#include "lab/measure/picture.h"
+#include "lab/measure/score.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,17 +25,12 @@ static double found, noise;                /* of that row */
 static int measures;                       /* 1: noise is asked for */
 static kit_error err;
 
-static const char *cell(int row, const char *key) { return csv_text(&rows, row, key); }
+static const char *cell(int at, const char *key) { return csv_text(&rows, at, key); }
 
 /* The scene of a row, its light, what is seen of it, its truth; of which row they are, -1 = of none. */
-static struct stage {
-    int          row, traced;
-    kit_scene    scene;
-    kit_lighting light;
-    kit_gbuffer  g;
-    kit_image    frame, truth, finer;
-    float        radius;
-} stage = { -1, -1, .radius = 0 };
+static stage seen;
+static kit_image finer;
+static int seen_of = -1, traced_of = -1;
 
 static int alike(int a, int b, const char *const *keys, int count)
 {
@@ -43,74 +38,65 @@ static int alike(int a, int b, const char *const *keys, int count)
     return a >= 0;
 }
 
-static void untrace(struct stage *s)
+static void leave_truth(void)
 {
-    if (s->traced >= 0) kit_image_free(&s->truth);
-    if (s->traced >= 0 && measures) kit_image_free(&s->finer);
-    s->traced = -1;
+    kit_image_free(&seen.truth);
+    kit_image_free(&finer);
+    traced_of = -1;
 }
 
-static void leave(struct stage *s)
+static void leave(void)
 {
-    untrace(s);
-    if (s->row >= 0) {
-        kit_image_free(&s->frame);
-        kit_gbuffer_free(&s->g);
-        kit_image_free(&s->light.env);
-        kit_scene_free(&s->scene);
-    }
-    s->row = -1;
+    leave_truth();
+    if (seen_of >= 0) stage_close(&seen);
+    seen_of = -1;
 }
 
-static int enter(struct stage *s, int row)
+static int enter(int at)
 {
-    const char *env = cell(row, "env"), *light = cell(row, "light"), *radius = cell(row, "radius");
-    memset(&s->light, 0, sizeof s->light);
-    if (!TRY(kit_scene_load(&s->scene, cell(row, "scene"), 0, &err))
-        || !CHECK(sscanf(cell(row, "size"), "%dx%d", &s->scene.camera.width, &s->scene.camera.height) == 2,
-                  "row %d: size \"%s\"", row + 2, cell(row, "size"))
-        || (*env && !TRY(kit_env_read(&s->light.env, env, &err)))
-        || (*light && !TRY(kit_light_parse(&s->light.light[s->light.lights++], light, NULL, &err)))
-        || !TRY(kit_gbuffer_from_scene(&s->g, &s->scene, &s->scene.camera, NULL, &err))
-        || !TRY(kit_gbuffer_read(&s->frame, &s->g, &err)))
+    static lit light;
+    const char *env = cell(at, "env"), *sun = cell(at, "light"), *radius = cell(at, "radius");
+    const view v = { .name = cell(at, "scene"), .path = cell(at, "scene"), .radius = (float)atof(radius),
+                     .lit = *env || *sun ? &light : NULL };
+    int width, height;
+    light = (lit){ .env = *env ? env : NULL, .light = { *sun ? sun : NULL } };
+    if (!TRY(stage_load(&seen, &v, &err))
+        || !CHECK(sscanf(cell(at, "size"), "%dx%d", &width, &height) == 2, "row %d: size \"%s\"", at + 2,
+                  cell(at, "size"))
+        || !TRY(stage_look(&seen, &v, width, height, &err)))
         return 0;
-    s->radius = *radius ? (float)atof(radius) : s->scene.radius;
-    s->row = row;
+    seen_of = at;
     return 1;
 }
 
-static int trace(struct stage *s, int row)
+static int trace(int at)
 {
-    const int own = !strcmp(cell(row, "truth"), cell(row, "method")), rays = atoi(cell(row, "rays"));
+    const int own = !strcmp(cell(at, "truth"), cell(at, "method")), rays = atoi(cell(at, "rays"));
+    kit_image *const truth[] = { &seen.truth, &finer };
     kit_method m;
-    if (!TRY(kit_method_find(&m, cell(row, "truth"), &err))
-        || !TRY(kit_method_set(&m, own ? cell(row, "settings") : "", &err))
-        || !TRY(kit_method_truth(&s->truth, &m, &s->scene, &s->g.camera, &s->light, s->radius, rays, 1, &err))
-        || (measures
-            && !TRY(kit_method_truth(&s->finer, &m, &s->scene, &s->g.camera, &s->light, s->radius, FINER * rays, 1,
-                                     &err))))
+    if (!TRY(kit_method_find(&m, cell(at, "truth"), &err))
+        || !TRY(kit_method_set(&m, own ? cell(at, "settings") : "", &err)))
         return 0;
-    s->traced = row;
+    for (int k = 0; k <= measures; ++k)
+        if (!TRY(kit_method_truth(truth[k], &m, &seen.scene, &seen.gbuffer.camera, &seen.lighting, seen.radius,
+                                  k ? FINER * rays : rays, 1, &err)))
+            return 0;
+    traced_of = at;
     return 1;
 }
 
 /* RMSE of a picture, of light over the truth's mean. */
-static int error_of(double *error, const kit_image *picture, const struct stage *s, const char *of)
+static int error_of(double *error, const kit_image *picture, const char *of)
 {
-    const int lit = strcmp(of, "visibility") != 0, radiance = !strcmp(of, "radiance");
-    const float *seen = kit_image_channel(&s->frame, "Z");
-    char name[3][32] = { "Y" };
-    const char *const names[3] = { name[0], name[1], name[2] };
-    kit_score score, dark;
-    kit_image none;
-    for (int c = 0; c < 3 && lit; ++c)
-        snprintf(name[c], sizeof *name, "%s%s%c", radiance ? "" : of, radiance ? "" : ".", "RGB"[c]);
-    if (!TRY(kit_score_channels(&score, picture, &s->truth, names, lit ? 3 : 1, seen, &err))
-        || !TRY(kit_image_new(&none, s->truth.width, s->truth.height, lit ? KIT_LIT_CHANNELS : "Y", &err)))
-        return 0;
-    const int failed = !TRY(kit_score_channels(&dark, &none, &s->truth, names, lit ? 3 : 1, seen, &err));
-    kit_image_free(&none);
-    *error = score.rmse / (lit ? -dark.bias : 1);
+    static const lit shown;
+    stage s = seen;
+    row r;
+    s.lit = strcmp(of, "visibility") ? &shown : NULL;
+    s.places.width = 0;                    /* the picture as a whole */
+    if (!TRY(kit_image_new(&s.unit, s.truth.width, s.truth.height, s.lit ? KIT_LIT_CHANNELS : "Y", &err))) return 0;
+    const int failed = !TRY(score_picture(&r, &s, picture, &err));
+    kit_image_free(&s.unit);
+    *error = !s.lit ? r.score.rmse : r.error[!strcmp(of, "radiance") ? 0 : !strcmp(of, "irradiance") ? 1 : 2];
     return !failed;
 }
 
@@ -123,25 +109,23 @@ static void bounded(void)
     kit_image picture;
     kit_run run;
     found = noise = (double)NAN;
-    if (!alike(stage.row, now, place, 5)) {
-        leave(&stage);
-        if (!enter(&stage, now)) return;
+    if (!alike(seen_of, now, place, 5)) {
+        leave();
+        if (!enter(now)) return;
     }
-    if (!alike(stage.traced, now, traced, 2)) {
-        untrace(&stage);
-        if (!trace(&stage, now)) return;
+    if (!alike(traced_of, now, traced, 2)) {
+        leave_truth();
+        if (!trace(now)) return;
     }
-    const kit_world world = { &stage.scene, &stage.light };
-    if (!TRY(picture_run(&run, &stage.g, &world, cell(now, "method"), cell(now, "settings"), stage.radius, &err)))
-        return;
+    if (!TRY(stage_run(&run, &seen, cell(now, "method"), cell(now, "settings"), seen.radius, &err))) return;
     const int drawn = TRY(picture_settled(&run, 0, 0, &err) < 0) && TRY(kit_run_read(&picture, &run, &err));
     kit_run_close(&run);
     if (!drawn) return;
-    const int scored = error_of(&found, &picture, &stage, of);
+    const int scored = error_of(&found, &picture, of);
     kit_image_free(&picture);
     if (!scored) return;
     if (measures) {
-        if (error_of(&noise, &stage.finer, &stage, of)) noise /= sqrt(1 + 1.0 / FINER);
+        if (error_of(&noise, &finer, of)) noise /= sqrt(1 + 1.0 / FINER);
         return;
     }
     CHECK(found <= bound, "%s: its error is %.4f, more than %.4f", cell(now, "method"), found, bound);
@@ -157,14 +141,14 @@ static void complete(void)
 {
     kit_method m;
     for (int i = 0; kit_method_at(&m, i); ++i) {
-        int row = 0;
-        while (row < rows.rows && strcmp(cell(row, "method"), m.name)) ++row;
-        rowless += !CHECK(row < rows.rows, "%s has no row in tests/errors.csv: copy that of its nearest relative",
+        int at = 0;
+        while (at < rows.rows && strcmp(cell(at, "method"), m.name)) ++at;
+        rowless += !CHECK(at < rows.rows, "%s has no row in tests/errors.csv: copy that of its nearest relative",
                           m.name);
     }
 }
 
-static void write_row(FILE *f, int row)
+static void write_row(FILE *f, int at)
 {
     for (int k = 0; k < rows.columns; ++k) {
         const char *key = rows.cell[k];
@@ -172,7 +156,7 @@ static void write_row(FILE *f, int row)
         if (!strcmp(key, "error")) fprintf(f, "%.4f", found);
         else if (!strcmp(key, "noise")) fprintf(f, "%.4f", noise);
         else if (!strcmp(key, "bound")) fprintf(f, "%.4f", margin * found);
-        else fprintf(f, strchr(cell(row, key), ',') ? "\"%s\"" : "%s", cell(row, key));
+        else fprintf(f, strchr(cell(at, key), ',') ? "\"%s\"" : "%s", cell(at, key));
     }
     fputc('\n', f);
 }
@@ -199,7 +183,7 @@ void test_errors(void)
         if (f) write_row(f, now);
     }
     if (f) CHECK(!fclose(f), "T_ERRORS=%s: cannot be written", out);
-    leave(&stage);
+    leave();
     kit_fields_free();
     kit_gl_close();
 }
