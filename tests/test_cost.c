@@ -248,6 +248,27 @@ static void model_by_hand(void)
     }
 }
 
+/* Cells with commas and quotes; columns by their keys, without those that nothing stands in; rows by one. */
+static void tables_put(void)
+{
+    static const char text[] = "a,b,c,d\n1,\"x, \"\"y\"\"\",,\n22.5,z,,p\n";
+    static const struct { const char *keys, *empty; int aligned; const char *put; } cases[] = {
+        { "b,a", NULL, 0, "b,a\n\"x, \"\"y\"\"\",1\nz,22.5\n" },
+        { "a,c,none,b", NULL, 0, "a,c,b\n1,,\"x, \"\"y\"\"\"\n22.5,,z\n" },
+        { "a,b,c", "d", 1, "   a  b\n   1  x, \"y\"\n" }
+    };
+    const csv c = csv_of(strdup(text), "text");
+    CHECK(c.rows == 2 && c.columns == 4 && csv_number(&c, 1, "a") == 22.5 && isnan(csv_number(&c, 0, "c")),
+          "%d rows of %d columns", c.rows, c.columns);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char out[128] = "";
+        FILE *f = fmemopen(out, sizeof out, "w");
+        csv_put(f, &c, cases[i].keys, cases[i].empty, cases[i].aligned);
+        fclose(f);
+        CHECK(!strcmp(out, cases[i].put), "%s: %s", cases[i].keys, out);
+    }
+}
+
 void test_cost(void)
 {
     for (walked = 0; walked < sizeof walks / sizeof *walks; ++walked) RUN(walks[walked].sentence, walk);
@@ -256,4 +277,5 @@ void test_cost(void)
     RUN("a share is of the gather that is most alike; of each body one is recorded", shares_recorded);
     RUN("texts have the lines that shares are told at", texts_have_bodies);
     RUN("milliseconds are those of the slowest of four", model_by_hand);
+    RUN("a table is put by its keys, as csv and to be read", tables_put);
 }

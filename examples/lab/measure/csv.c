@@ -69,6 +69,16 @@ double csv_number(const csv *c, int row, const char *key)
 
 /* ---- >>out ------------------------------------------------------------------------------------------------------- */
 
+void csv_quote(FILE *f, const char *text)
+{
+    fputc('"', f);
+    for (; *text; ++text) {
+        if (*text == '"') fputc('"', f);
+        fputc(*text, f);
+    }
+    fputc('"', f);
+}
+
 enum { MOST_COLUMNS = 64 };
 
 static int is_empty(const csv *c, int column)
@@ -105,7 +115,8 @@ static void put_cell(FILE *f, const csv *c, int row, int column, int aligned, in
         numbers &= !*end;
     }
     if (aligned) fprintf(f, numbers ? "%*s" : "%-*s", numbers || !last ? (int)width : 0, is);
-    else fprintf(f, strchr(is, ',') ? "\"%s\"" : "%s", is);
+    else if (strpbrk(is, ",\"")) csv_quote(f, is);
+    else fputs(is, f);
 }
 
 void csv_put(FILE *f, const csv *c, const char *keys, const char *empty, int aligned)

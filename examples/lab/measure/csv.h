@@ -16,6 +16,8 @@ csv         csv_of(char *text, const char *name);
 const char *csv_text(const csv *c, int row, const char *key);           /* "" = there is none */
 double      csv_number(const csv *c, int row, const char *key);         /* NAN = there is none */
 
+/* A cell of any text. */
+void        csv_quote(FILE *f, const char *text);
 /* The columns of some keys, with commas between, of those rows that have nothing in the column empty (NULL: of all).
    aligned: to be read; else as csv. */
 void        csv_put(FILE *f, const csv *c, const char *keys, const char *empty, int aligned);

@@ -64,22 +64,15 @@ const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const
 
 /* ---- >>csv: a line a cell, as FIGURES.md's part is made of ------------------------------------------------------- */
 
-static void quoted(FILE *f, const char *s)
-{
-    fputc('"', f);
-    for (; *s; ++s) { if (*s == '"') fputc('"', f); fputc(*s, f); }
-    fputc('"', f);
-}
-
 static void csv_cell(FILE *f, const sheet *t, int r, const char *kind, const char *head, const char *text)
 {
-    quoted(f, t->paper);
+    csv_quote(f, t->paper);
     fputc(',', f);
-    quoted(f, t->name);
+    csv_quote(f, t->name);
     fprintf(f, ",%d,%s,", r, kind);
-    quoted(f, head);
+    csv_quote(f, head);
     fputc(',', f);
-    quoted(f, text ? text : "");
+    csv_quote(f, text ? text : "");
     fputc('\n', f);
 }
 
