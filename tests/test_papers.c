@@ -26,8 +26,13 @@ static void paper_row_sound(const sheet *t, int i)
 static void sheet_sound(const sheet *t)
 {
     int printed[MOST_HEADS] = { 0 }, drawn = 0;
+    kit_scene scene;
+    kit_error err = { "" };
     CHECK(t->title && t->theirs && t->ours && t->count > 0,
           "%s %s: has no words, or %d rows", t->paper, t->name, t->count);
+    if (t->see.path == t->see.name)                    /* no view, so a scene */
+        if (CHECK(!kit_scene_load(&scene, t->see.path, 0, &err), "%s %s: %s", t->paper, t->name, err.text))
+            kit_scene_free(&scene);
     for (int i = 0; i < t->count; ++i) {
         paper_row_sound(t, i);
         drawn += t->rows[i].method != NULL;

@@ -419,32 +419,24 @@ static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
     static const float background[3] = { 0.184f, 0.184f, 1 };
     const kit_image *frame = &set->whole;
     const int width = frame->width, height = frame->height;
-    const size_t pixels = (size_t)width * (size_t)height;
+    const size_t stride = (size_t)width, pixels = stride * (size_t)height;
     const float *z = kit_image_channel(frame, "Z");
-    float *normals = malloc(4 * pixels * sizeof *normals), *white = malloc(4 * pixels * sizeof *white),
-          *plain = calloc(4 * pixels, sizeof *plain);
-    for (size_t i = 0; i < pixels && normals && white && plain; ++i) {
-        const size_t to = ((size_t)height - 1 - i / (size_t)width) * (size_t)width + i % (size_t)width;
-        for (size_t c = 0; c < 4; ++c)
-            normals[4 * to + c] = c == 3     ? 1
-                                  : z[i] > 0 ? kit_image_channel(frame, names[c])[i] / 2 + 0.5f
-                                             : background[c];
-        for (size_t c = 0; c < 4; ++c) white[4 * to + c] = 1;
-        for (size_t c = 0; c < 3 && z[i] > 0; ++c) plain[4 * to + c] = kit_image_channel(frame, names[c])[i];
+    float *texel = malloc(4 * pixels * sizeof *texel);
+    if (!texel) return kit_fail(err, "out of memory");
+    set->texture[set->textures++] = (peer_texture){ s->gbuffer.depth, width, height };
+    for (; set->textures < 4; ++set->textures) {
+        const int halved = set->textures == 1, white = set->textures == 2;
+        for (size_t i = 0; i < 4 * pixels; ++i) {
+            const size_t c = i % 4, to = i / 4, from = pixels - (to / stride + 1) * stride + to % stride;
+            const float n = c < 3 && z[from] > 0 ? kit_image_channel(frame, names[c])[from] : 0;
+            texel[i] = white ? 1 : !halved ? n : c == 3 ? 1 : z[from] > 0 ? n / 2 + 0.5f : background[c];
+        }
+        set->texture[set->textures] = (peer_texture){ kit_texture(width, height, GL_RGBA16F, texel), width, height };
     }
-    if (normals && white && plain) {
-        set->texture[0] = (peer_texture){ s->gbuffer.depth, width, height };
-        set->texture[1] = (peer_texture){ kit_texture(width, height, GL_RGBA16F, normals), width, height };
-        set->texture[2] = (peer_texture){ kit_texture(width, height, GL_RGBA16F, white), width, height };
-        set->texture[3] = (peer_texture){ kit_texture(width, height, GL_RGBA16F, plain), width, height };
-        glBindTexture(GL_TEXTURE_2D, set->texture[3].name);
-        kit_texture_linear(GL_TEXTURE_2D);
-        set->textures = 4;
-    }
-    free(normals);
-    free(white);
-    free(plain);
-    return set->textures ? 0 : kit_fail(err, "out of memory");
+    glBindTexture(GL_TEXTURE_2D, set->texture[3].name);
+    kit_texture_linear(GL_TEXTURE_2D);
+    free(texel);
+    return 0;
 }
 
 int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures, kit_error *err)
