@@ -2,6 +2,7 @@
    walked as often as it runs. Registers hold numbers, or are unknown; masks of lanes are known, unknown, or unknown
    but not empty, which is what a block that is entered may take for granted. */
 #include "lab/cost/count.h"
+#include <ctype.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,8 +33,6 @@ typedef struct program {
 
 static int starts(const char *text, const char *with) { return !strncmp(text, with, strlen(with)); }
 
-static int is_digit(char c) { return c >= '0' && c <= '9'; }
-
 static operand read_operand(const char *text)
 {
     static const struct { const char *name; int first, count; } named[] = {
@@ -49,12 +48,12 @@ static operand read_operand(const char *text)
             o.count = named[i].count;
             return o;
         }
-    if ((*text == 's' || *text == 'v') && (text[1] == '[' || is_digit(text[1]))) {      /* s3, s[2:3] */
+    if ((*text == 's' || *text == 'v') && (text[1] == '[' || isdigit((unsigned char)text[1]))) {      /* s3, s[2:3] */
         o.kind = REGISTER;
         o.first = (int)strtol(text + 1 + (text[1] == '['), &end, 10);
         o.count = *end == ':' ? (int)strtol(end + 1, NULL, 10) - o.first + 1 : 1;
         o.first += *text == 'v' ? REGISTERS : 0;
-    } else if (is_digit(text[*text == '-'])) {
+    } else if (isdigit((unsigned char)text[*text == '-'])) {
         const float real = strtof(text, NULL);
         o.kind = NUMBER;
         o.number = (uint32_t)strtoll(text, &end, 0);

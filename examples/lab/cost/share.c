@@ -27,13 +27,6 @@ int bodies_of(int of[BODIES], const char *text)
     return count;
 }
 
-static int ones(uint32_t bits)
-{
-    int count = 0;
-    for (; bits; bits &= bits - 1) ++count;
-    return count;
-}
-
 double share_of(const told *texel, int width, int height, const tile *t, int times, double *waves)
 {
     double entered = 0, held = 0, all = 0;
@@ -52,7 +45,7 @@ double share_of(const told *texel, int width, int height, const tile *t, int tim
             }
             ++all;
             held += shown;
-            if (shown) entered += ones(bits[0]) + ones(bits[1]);
+            if (shown) entered += __builtin_popcount(bits[0]) + __builtin_popcount(bits[1]);
         }
     *waves = held / all;
     return held > 0 ? entered / (held * times) : 0;
