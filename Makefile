@@ -115,7 +115,8 @@ build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
 REPORT = lab/report \
-         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved script peers ahead bands csv) \
+         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved script peers ahead \
+         bands csv) \
          $(addprefix lab/page/,page table pictures units) \
          $(addprefix lab/chart/,section mottled ao strip lit pairs seeds fields fields_stage deep deep_moving deep_stage \
          plan planned) $(addprefix lab/papers/,papers read sheet own show)
@@ -264,8 +265,8 @@ build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev libspirv-cross-c-shared-dev
 COST       = $(addprefix lab/cost/,cost plan peers against show passes entered share model count compile) \
              tools/glsl/chains $(addprefix lab/measure/,folder rows picture stage script csv) lab/page/page
-COST_LIBS  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
-             -Wl,--end-group -lstdc++
+COST_LIBS  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) \
+             -lglslang-default-resource-limits -Wl,--end-group -lstdc++
 cost cost-test cost-record cost-shares cost-plan cost-peers: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h spirv_cross/spirv_cross_c.h; do \
@@ -357,8 +358,8 @@ glsl-out glsl-in: build/library
 OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps read plan math \
               twins library
 OF_EXAMPLES = tools stability errors files models seeds papers cost
-TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model lab/measure/csv \
-         $(filter-out lab/report,$(REPORT)))
+TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model \
+         lab/measure/csv $(filter-out lab/report,$(REPORT)))
 build/test: $(addprefix build/tests/,main.o t.o frames.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 # Models that stand in scenes of rows, from packages.

@@ -102,7 +102,8 @@ static int bench_open(bench *b, options a, kit_error *err)
     static const kit_light sun = { KIT_SUN, { 0.4f, 0.8f, 0.45f }, { 3, 2.8f, 2.4f } };
     if (context_open(a[CONTEXT], err)) return -1;
     const char *size = a[SIZE] ? a[SIZE] : kit_gl_is_software() ? "640x360" : "1920x1080,2560x1440,3840x2160";
-    if (sizes_of(b, size, err) || limits_of(b, a, err) || kit_scene_load(&b->scene, a[SCENE] ? a[SCENE] : "room", 0, err)
+    if (sizes_of(b, size, err) || limits_of(b, a, err)
+        || kit_scene_load(&b->scene, a[SCENE] ? a[SCENE] : "room", 0, err)
         || kit_env_read(&b->sky.env, "sky", err))
         return -1;
     b->both = b->sky;

@@ -172,7 +172,8 @@ int work_add_file(work *w, const char *path, kit_error *err)
     if (!c) return -1;
     p.pass = c->name;
     const int triangle = access(vertex, R_OK) != 0;
-    if (triangle ? spirv_triangle(&p.stage[0], err) : read_stage(&p, vertex, VK_SHADER_STAGE_VERTEX_BIT, err)) return -1;
+    if (triangle ? spirv_triangle(&p.stage[0], err) : read_stage(&p, vertex, VK_SHADER_STAGE_VERTEX_BIT, err))
+        return -1;
     p.stages = 1;
     if (read_stage(&p, path, VK_SHADER_STAGE_FRAGMENT_BIT, err)) return -1;
     const int program = work_program(w, &p, err);

@@ -38,7 +38,8 @@ static void put_verdict(FILE *f, const sheet *t, const claim *c, const row *rows
     char a[32], b[32], of[32];
     fprintf(f, "%s (%s", holds ? "agrees" : "does not agree", cell(a, t, rows, c->row, c->column));
     if (c->beside != ALONE)
-        fprintf(f, " beside %s: %s of it", cell(b, t, rows, c->beside, c->column), number(of, sheet_judged(t, c, rows)));
+        fprintf(f, " beside %s: %s of it", cell(b, t, rows, c->beside, c->column),
+                number(of, sheet_judged(t, c, rows)));
     fputs("; ", f);
     put_bounds(f, c, holds);
     fputc(')', f);
