@@ -153,7 +153,8 @@ camera.updateMatrixWorld(true);
 const formats = new Map([
     [ [ THREE.RGBAFormat, THREE.UnsignedByteType ], RGBA8 ], [ [ THREE.RGBAFormat, THREE.HalfFloatType ], RGBA16F ],
     [ [ THREE.RGBAFormat, THREE.FloatType ], RGBA32F ], [ [ THREE.RedFormat, THREE.UnsignedByteType ], R8 ],
-    [ [ THREE.RedFormat, THREE.HalfFloatType ], R16F ], [ [ THREE.RedFormat, THREE.FloatType ], R32F ]
+    [ [ THREE.RedFormat, THREE.HalfFloatType ], R16F ], [ [ THREE.RedFormat, THREE.FloatType ], R32F ],
+    [ [ THREE.RGBFormat, THREE.UnsignedInt101111Type ], R11F_G11F_B10F ]
 ].map(([ kind, format ]) => [kind.join(), format]));
 const three_texture = texture => number(texture, ({ image, format, type, magFilter, wrapS }) => ({
     ...image, format : formats.get([ format, type ].join()), linear : magFilter === THREE.LinearFilter,
@@ -221,19 +222,14 @@ function three_draw(effect) {
 
 /* ---- >>three.js, nodes ------------------------------------------------------------------------------------------- */
 
-const named_formats = { RGBA8, RGBA16F, R8, R11F_G11F_B10F };
 const tsl_inputs = { depth: 0, picture: 2, normal: 3 };
-const tsl_texture = texture => tsl_inputs[texture.input]
-                               ?? number(texture, ({ width, height, format, data, ...set }) => ({
-                                             width, height, format : named_formats[format], data,
-                                             linear : set.TEXTURE_MAG_FILTER === 'LINEAR',
-                                             repeat : set.TEXTURE_WRAP_S === 'REPEAT' }));
 
 /* Its denoiser's distances of depth are in units of the scene. */
 async function tsl(effect, set, filter) {
     const view = { width, height, near, far, projection : v.slice(5, 21) };
-    const told = of => pass({...of, targets : of.targets.map(tsl_texture), texture : tsl_texture });
-    return tsl_texture(await tsl_draw(view, effect, set, filter, told));
+    const told = of => pass({...of, targets : of.targets.map(three_texture), texture : three_texture });
+    const input = (texture, name) => numbers.set(texture, tsl_inputs[name]);
+    return three_texture(await tsl_draw(view, effect, set, filter, told, input));
 }
 
 /* ---- >>Babylon.js: an engine without a GPU, whose draws are written down ----------------------------------------- */
