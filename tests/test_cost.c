@@ -212,11 +212,9 @@ static void texts_have_bodies(void)
                   { { .pass = SSGI_GL_PASS_CHANGE_MASK }, 1, { CHANGED } },
                   { { .pass = SSGI_GL_PASS_BLUR }, 0, { 0 } } };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        const size_t length = ssgi_gl_emit(NULL, 0, &cases[i].desc, SSGI_GL_STAGE_FRAGMENT);
-        char *text = malloc(length + 1);
+        char *text = text_of(&cases[i].desc, SSGI_GL_STAGE_FRAGMENT);
         int of[BODIES];
         if (!text) return;
-        ssgi_gl_emit(text, length + 1, &cases[i].desc, SSGI_GL_STAGE_FRAGMENT);
         const int count = bodies_of(of, text);
         CHECK(count == cases[i].count && !memcmp(of, cases[i].body, (size_t)count * sizeof *of),
               "%s, case %zu: %d bodies, the first %s", ssgi_gl_pass_name(cases[i].desc.pass), i, count,

@@ -35,15 +35,6 @@ enum { DRAWN = (int)(sizeof all / sizeof *all) };
 
 /* ---- the text ---------------------------------------------------------------------------------------------------- */
 
-/* For the caller to free. */
-static char *text_of(const ssgi_gl_desc *desc, int which)
-{
-    const size_t n = ssgi_gl_emit(NULL, 0, desc, which);
-    char *text = malloc(n + 1);
-    if (text) ssgi_gl_emit(text, n + 1, desc, which);
-    return text;
-}
-
 /* The fragment stage of a pass as one that tells of a body: at its line, and in a main of its own. For the caller to
    free. */
 static char *telling(const char *text, const body *b, const kit_pass *p, kit_error *err)

@@ -39,11 +39,9 @@ static int program_of_step(work *w, const ssgi_gl_step *s, kit_error *err)
     for (int i = 0; i < s->outputs; ++i)
         p.format[i] = s->output[i].format ? (VkFormat)s->output[i].format->vulkan : VK_FORMAT_R16G16B16A16_SFLOAT;
     for (int k = 0; k < SSGI_GL_STAGES; ++k) {
-        const size_t n = ssgi_gl_emit(NULL, 0, &s->desc, k);
-        if (!n) continue;
-        p.text[p.stages] = malloc(n + 1);
-        if (!p.text[p.stages]) return kit_fail(err, "out of memory");
-        ssgi_gl_emit(p.text[p.stages], n + 1, &s->desc, k);
+        char *text = text_of(&s->desc, k);
+        if (!text) continue;
+        p.text[p.stages] = text;
         p.kind[p.stages++] = kinds[k];
     }
     return work_program(w, &p, err);

@@ -2,6 +2,7 @@
 #include "lab/cost/share.h"
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Of a slice's sides one comes there after the other. */
@@ -19,6 +20,14 @@ const body bodies[BODIES] = {
 };
 
 const tile tiles[TILES] = { { "8x8", 8, 8 }, { "16x4", 16, 4 }, { "8x4", 8, 4 } };
+
+char *text_of(const ssgi_gl_desc *d, int stage)
+{
+    const size_t n = ssgi_gl_emit(NULL, 0, d, stage);
+    char *text = n ? malloc(n + 1) : NULL;
+    if (text) ssgi_gl_emit(text, n + 1, d, stage);
+    return text;
+}
 
 int bodies_of(int of[BODIES], const char *text)
 {

@@ -14,6 +14,9 @@ typedef struct body { const char *name, *line, *tells; int times; } body;
 enum { COVER, COVER_SOLID, SECOND, SENT, UNSETTLED, CHANGED, BODIES };
 extern const body bodies[BODIES];
 
+/* A stage of a pass, for the caller to free; NULL: it has none, or there is no memory. */
+char *text_of(const ssgi_gl_desc *d, int stage);
+
 /* Those that a text has, in its order; how many. */
 int bodies_of(int of[BODIES], const char *text);
 
