@@ -15,8 +15,10 @@ static line words = { .file = "words" }, views = { .file = "views" };
 
 static void fault(const line *l, const char *key)
 {
-    fprintf(stderr, "report: " SHEET_FOLDER "/%s.csv, line %d: %s \"%s\"\n", l->file, l->at + 2, key,
-            l->at < l->of.rows ? csv_text(&l->of, l->at, key) : "");
+    if (!l->of.rows) fprintf(stderr, "report: " SHEET_FOLDER "/%s.csv: cannot be read, or has no rows\n", l->file);
+    else
+        fprintf(stderr, "report: " SHEET_FOLDER "/%s.csv, line %d: %s \"%s\"\n", l->file, l->at + 2, key,
+                l->at < l->of.rows ? csv_text(&l->of, l->at, key) : "");
     exit(2);
 }
 
