@@ -60,8 +60,10 @@ int papers_chart(FILE *record, const options *o, kit_error *err)
         page_heading(record, 2, "[%s] %s", papers[p].key, papers[p].title);
         for (int k = 0; (t = papers_sheet(k)) != NULL; ++k)
             if (!strcmp(t->paper, papers[p].key) && chart(record, csv.file, o, k, err)) return -1;
+        if (!o->paper) show_absent(NULL, csv.file, papers[p].key);
     }
-    if (!o->paper) show_absent(record, csv.file);
+    if (!o->paper) page_heading(record, 2, "What is not on this page");
+    for (int p = 0; p < COUNT(papers) && !o->paper; ++p) show_absent(record, NULL, papers[p].key);
     return page_close(&csv, o->out, "papers.csv", err);
 }
 

@@ -120,8 +120,8 @@ int    sheet_own(claim *own, const sheet *t, const claim *c);
 
 void   show_csv_head(FILE *f);
 void   show_csv(FILE *f, const sheet *t, const row *rows);
-/* What of the papers is on no sheet: on the page, and as csv. */
-void   show_absent(FILE *record, FILE *f);
+/* What of a paper is on no sheet: on the page, or as csv. */
+void   show_absent(FILE *record, FILE *f, const char *paper);
 void   show_text(FILE *f, const sheet *t, const row *rows);
 /* A claim, what came of it, by which figures, and which would have made it otherwise. */
 enum { SENTENCE = 1024 };

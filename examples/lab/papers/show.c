@@ -1,5 +1,6 @@
 /* show.c - a paper's table or figure and what was drawn for it, side by side: csv, text. Declared in sheet.h. */
 #include <math.h>
+#include <string.h>
 #include "lab/measure/csv.h"
 #include "lab/page/page.h"
 #include "lab/papers/sheet.h"
@@ -101,17 +102,18 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
                  show_claim(said, t, &t->claims[k], rows));
 }
 
-void show_absent(FILE *record, FILE *f)
+void show_absent(FILE *record, FILE *f, const char *paper)
 {
     const char *was = csv_folder;
     csv_folder = SHEET_FOLDER;
     const csv absent = csv_read("absent.csv");
     csv_folder = was;
-    page_heading(record, 2, "What is not on this page");
     for (int i = 0; i < absent.rows; ++i) {
-        const sheet none = { .paper = csv_text(&absent, i, "paper"), .name = csv_text(&absent, i, "name") };
-        csv_cell(f, &none, 0, "absent", "", csv_text(&absent, i, "why"));
-        page_paragraph(record, "[%s] %s: %s", none.paper, none.name, csv_text(&absent, i, "why"));
+        const sheet none = { .paper = paper, .name = csv_text(&absent, i, "name") };
+        const char *why = csv_text(&absent, i, "why");
+        if (strcmp(csv_text(&absent, i, "paper"), paper)) continue;
+        if (f) csv_cell(f, &none, 0, "absent", "", why);
+        if (record) page_paragraph(record, "[%s] %s: %s", paper, none.name, why);
     }
 }
 
