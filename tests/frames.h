@@ -6,6 +6,11 @@
 #include <math.h>
 #include <string.h>
 
+#define ROWS(table) ((int)(sizeof(table) / sizeof *(table)))
+/* A check that notes what it found where it holds, too. */
+#define SHOW(condition, ...) \
+    t_is((condition) ? t_note(__VA_ARGS__), 1 : t_check(__FILE__, __LINE__, __VA_ARGS__))
+
 /* A unit vector, evenly over the sphere. */
 static inline void direction(float d[3])
 {
