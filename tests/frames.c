@@ -52,6 +52,12 @@ int planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4],
     return 1;
 }
 
+int walls(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes,
+          const char *more)
+{
+    return planes_seen(frame, c, plane, planes, more) && TRY(kit_gbuffer_from_frame(g, frame, c, &err));
+}
+
 void turn(kit_run *run, kit_gbuffer *g)
 {
     run->gbuffer = g;
@@ -137,20 +143,26 @@ int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, in
     return TRY(kit_gbuffer_from_scene(g, scene, &scene->camera, NULL, &err));
 }
 
-/* 33 samples: loops of up to 32 Mesa unrolls, and is then long at compiling them. */
-int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
-          const kit_lighting *lighting)
+int open_run(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
+             const kit_lighting *lighting)
 {
     const kit_world world = { scene, lighting };
     kit_method m;
     memset(run, 0, sizeof *run);
-    const char *plain =
-        strstr(method, "-points") ? "blur=0,samples=33,steps=1,range=0,fade=none" : "blur=0,half=0,steps=33";
-    return CHECK(!kit_method_find(&m, method, &err) && !kit_method_set(&m, plain, &err)
-                     && ((strncmp(method, "s3ho", 4) && strncmp(method, "ssdo", 4))
-                         || !kit_method_set(&m, "residual=0", &err))
-                     && !kit_method_set(&m, set, &err) && !kit_run_open(run, g, &m, radius, &world, &err),
+    return CHECK(!kit_method_find(&m, method, &err) && !kit_method_set(&m, set, &err)
+                     && !kit_run_open(run, g, &m, radius, &world, &err),
                  "%s %s: %s", method, set, err.text);
+}
+
+/* 33 samples: loops of up to 32 Mesa unrolls, and is then long at compiling them. */
+int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
+          const kit_lighting *lighting)
+{
+    char all[300];
+    snprintf(all, sizeof all, "%s%s%s%s",
+             strstr(method, "-points") ? "blur=0,samples=33,steps=1,range=0,fade=none" : "blur=0,half=0,steps=33",
+             strncmp(method, "s3ho", 4) && strncmp(method, "ssdo", 4) ? "" : ",residual=0", *set ? "," : "", set);
+    return open_run(run, g, method, all, radius, scene, lighting);
 }
 
 int drawn(kit_image *out, kit_run *run)
@@ -175,6 +187,26 @@ double mean(const kit_image *image, const char *name)
     double sum = 0;
     for (int i = 0; i < image->width * image->height; ++i) sum += (double)channel[i];
     return sum / (image->width * image->height);
+}
+
+void open_vector(double v[16], const double n[3])
+{
+    /* zonal harmonics of max(0, cos) */
+    static const double lobe[4] = { 0.886226925453, 1.02332670795, 0.4954159122, 0 };
+    const float direction[3] = { (float)n[0], (float)n[1], (float)n[2] };
+    float y[16];
+    ssgi_sh_basis(y, 4, direction);
+    for (int i = 0; i < 16; ++i) {
+        const int band = i < 1 ? 0 : i < 4 ? 1 : i < 9 ? 2 : 3;
+        v[i] = lobe[band] * sqrt(4 * pi / (2 * band + 1)) * (double)y[i];
+    }
+}
+
+double met(const double v[16], const float *light, int c, int bands)
+{
+    double sum = 0;
+    for (int i = 0; i < bands * bands; ++i) sum += v[i] * (double)light[3 * i + c];
+    return sum / pi;
 }
 
 int slab(kit_gbuffer *g, double c, double thickness, double gap, int layers)

@@ -54,6 +54,9 @@ int        view_of(ssgi_view *view, const kit_camera *c, int flipped);
    x * n = n[3] enclose, from within. */
 int        planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes, const char *more);
 int        flat(const kit_image *frame, int x, int y);          /* nothing but surface within 3 pixels */
+/* planes_seen, and a G-buffer of that frame */
+int        walls(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes,
+                 const char *more);
 void       turn(kit_run *run, kit_gbuffer *g);                  /* to another G-buffer of the same size */
 
 /* Floor and wall from 45 degrees above, orthographic; radius 1 is SPAN pixels down the floor, up the wall, and sqrt(2)
@@ -79,6 +82,9 @@ int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, in
 /* The corner with a slab of this thickness for a wall, layers of it: its face, its back, and the face of a wall without
    end, gap behind it. */
 int        slab(kit_gbuffer *g, double c, double thickness, double gap, int layers);
+/* A run of a method as the kit has it, but for what is set. */
+int open_run(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
+             const kit_lighting *lighting);
 /* A method of light: 33 directions of one point, unfiltered, harmonics as published, unless set says otherwise; its
    picture; both at once. */
 int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
@@ -87,6 +93,10 @@ int        drawn(kit_image *out, kit_run *run);
 int lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
         const kit_lighting *lighting);
 double     mean(const kit_image *image, const char *channel);
+/* 16 coefficients of the clamped cosine about a normal, which is what an open plane gets; what they make of light
+   [3*i + c] of so many bands: irradiance over pi. */
+void       open_vector(double v[16], const double n[3]);
+double     met(const double v[16], const float *light, int c, int bands);
 /* RMSE between a at (x, y) and b at (x + dx, y + dy), border pixels of a left out */
 double     difference(const kit_image *a, const kit_image *b, int dx, int dy, int border);
 #endif

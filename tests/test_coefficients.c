@@ -16,29 +16,10 @@ static const kit_lighting dark;
 
 /* ---- vectors: 16 coefficients of the clamped cosine times what is free ------------------------------------------- */
 
-static int band(int i) { return i < 1 ? 0 : i < 4 ? 1 : i < 9 ? 2 : 3; }
-
 static void basis(float y[16], const double d[3])
 {
     const float direction[3] = { (float)d[0], (float)d[1], (float)d[2] };
     ssgi_sh_basis(y, 4, direction);
-}
-
-static void open_vector(double v[16], const double n[3])
-{
-    /* zonal harmonics of max(0, cos) */
-    static const double lobe[4] = { 0.886226925453, 1.02332670795, 0.4954159122, 0 };
-    float y[16];
-    basis(y, n);
-    for (int i = 0; i < 16; ++i) v[i] = lobe[band(i)] * sqrt(4 * pi / (2 * band(i) + 1)) * (double)y[i];
-}
-
-/* What a vector makes of light [3*i + c], of so many bands: irradiance over pi. */
-static double met(const double v[16], const float *light, int c, int bands)
-{
-    double sum = 0;
-    for (int i = 0; i < bands * bands; ++i) sum += v[i] * (double)light[3 * i + c];
-    return sum / pi;
 }
 
 /* Four bands that no surface loses, different in all channels. */

@@ -115,14 +115,10 @@ static void as_the_filter(void)
         return;
     const float *const depth = kit_image_channel(&frame, "Z");
     for (const subject *s = subjects; s < subjects + sizeof subjects / sizeof *subjects; ++s) {
-        const kit_world world = { &scene, &light };
-        kit_method m;
         kit_run run;
         int seen = 0, differ = 0;
         double worst = 0;
-        if (!TRY(kit_method_find(&m, s->method, &err)) || !TRY(kit_method_set(&m, s->set, &err))
-            || !TRY(kit_run_open(&run, &g, &m, 0.5f, &world, &err)))
-            return;
+        if (!open_run(&run, &g, s->method, s->set, 0.5f, &scene, &light)) return;
         kit_run_update(&run);
         kit_run_draw(&run, 0);
         const int channels = *s->call == 'v' ? 1 : *s->set == 'i' && strstr(s->set, "coeff") ? 4 : 3;
@@ -138,9 +134,8 @@ static void as_the_filter(void)
                 worst = fmax(worst, off);
             }
         /* They do where no texel shows the surface: a quarter's are that far apart. */
-        CHECK(seen > W * H / 2 && differ <= seen / (strstr(s->set, "quarter") ? 100 : 1000),
-              "%s %s: of %d pixels %d are not the filter's, by %.4f", s->method, s->set, seen, differ, worst);
-        t_note("%s %s: of %d pixels %d are not the filter's; at most %.4f", s->method, s->set, seen, differ, worst);
+        SHOW(seen > W * H / 2 && differ <= seen / (strstr(s->set, "quarter") ? 100 : 1000),
+             "%s %s: of %d pixels %d are not the filter's, by %.4f", s->method, s->set, seen, differ, worst);
         kit_run_close(&run);
     }
     kit_image_free(&frame);
@@ -237,39 +232,61 @@ static int resolved(float *out, GLuint samples)
     return ok;
 }
 
-/* Wall and card, multisampled: each by the functions (read), or as bright as the texture says. */
-static int edges(float *out, const ssgi_gl_desc *d, const ssgi_gl_frame *f, GLuint result, int read, double eye)
+/* Draws a plane where a target is bound, by the functions: all over it, or the card alone. aside: of samples, from a
+   pixel's centre; away: how far it lies before what the result shows; share, is: what is drawn is share * v + is. */
+typedef struct painted { const float *plane; int card; float aside[2], away, share, is; } painted;
+static int paint(const ssgi_gl_desc *d, GLuint result, double eye, const painted *p)
 {
     static const char card[] = "uniform vec2 corner[4];\n"
                                "void main() { gl_Position = vec4(corner[gl_VertexID], 0.0, 1.0); }\n";
-    char main_[500];
-    GLuint samples, block = block_of(f);
-    snprintf(main_, sizeof main_, "uniform vec4 u_plane; uniform float u_is;\nvoid main() {\n"
-             "    vec2 ray = gl_FragCoord.xy * u_ssgi_unproject.xy + u_ssgi_unproject.zw;\n    float z = %s + %.1f;\n"
-             "    float v = ssgi_visibility_at(gl_FragCoord.xy, z, u_plane.xyz);\n    o = vec4(%s);\n}\n",
-             d->input.orthographic ? "(dot(ray, u_plane.xy) - u_plane.w) / u_plane.z"
-                                   : "u_plane.w / (dot(ray, u_plane.xy) - u_plane.z)", eye,
-             read ? "v" : "v * 1e-9 + u_is");
+    char main_[700];
+    snprintf(main_, sizeof main_, "uniform vec4 u_plane; uniform vec2 u_aside; uniform float u_away, u_share, u_is;\n"
+             "void main() {\n    vec2 place = gl_FragCoord.xy + u_aside;\n"
+             "    vec2 ray = place * u_ssgi_unproject.xy + u_ssgi_unproject.zw;\n    vec4 k = u_plane;\n"
+             "    k.w += u_away;\n    float z = %s + %.1f;\n"
+             "    o = vec4(ssgi_visibility_at(place, z, u_plane.xyz) * u_share + u_is);\n}\n",
+             d->input.orthographic ? "(dot(ray, k.xy) - k.w) / k.z" : "k.w / (dot(ray, k.xy) - k.z)", eye);
+    const GLuint program = program_of(d, p->card ? card : triangle, main_);
+    if (!program) return 0;
+    bind(program, "t_ssgi_ao", 9, GL_TEXTURE_2D, result);
+    glUniform4fv(glGetUniformLocation(program, "u_plane"), 1, p->plane);
+    glUniform2fv(glGetUniformLocation(program, "u_aside"), 1, p->aside);
+    glUniform1f(glGetUniformLocation(program, "u_away"), p->away);
+    glUniform1f(glGetUniformLocation(program, "u_share"), p->share);
+    glUniform1f(glGetUniformLocation(program, "u_is"), p->is);
+    if (p->card) glUniform2fv(glGetUniformLocation(program, "corner"), 4, corner[0]);
+    glDrawArrays(p->card ? GL_TRIANGLE_STRIP : GL_TRIANGLES, 0, p->card ? 4 : 3);
+    glDeleteProgram(program);
+    return 1;
+}
+
+/* Wall and card, multisampled: each by the functions (read), or as bright as the texture says. */
+static int edges(float *out, const ssgi_gl_desc *d, GLuint result, double eye, int read)
+{
+    GLuint samples;
+    int ok = 1;
     glGenTextures(1, &samples);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples);
     glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, SAMPLES, GL_RGBA32F, SIDE, SIDE, GL_TRUE);
     GLuint framebuffer = target_of(GL_TEXTURE_2D_MULTISAMPLE, samples);
-    glViewport(0, 0, SIDE, SIDE);
-    for (int k = 0; k < 2; ++k) {
-        const GLuint program = program_of(d, k ? card : triangle, main_);
-        if (!program) return 0;
-        bind(program, "t_ssgi_ao", 9, GL_TEXTURE_2D, result);
-        glUniform4fv(glGetUniformLocation(program, "u_plane"), 1, planes[k]);
-        glUniform1f(glGetUniformLocation(program, "u_is"), visibility[k]);
-        if (k) glUniform2fv(glGetUniformLocation(program, "corner"), 4, corner[0]);
-        glDrawArrays(k ? GL_TRIANGLE_STRIP : GL_TRIANGLES, 0, 3 + k);
-        glDeleteProgram(program);
+    for (int k = 0; k < 2 && ok; ++k) {
+        const painted p = { planes[k], k, { 0, 0 }, 0, read ? 1 : 1e-9f, read ? 0 : visibility[k] };
+        ok = paint(d, result, eye, &p);
     }
     glDeleteFramebuffers(1, &framebuffer);
-    const int ok = resolved(out, samples);
+    ok = ok && resolved(out, samples);
     glDeleteTextures(1, &samples);
-    glDeleteBuffers(1, &block);
     return ok;
+}
+
+/* The farthest that the middle of the card is off its visibility. */
+static double beside(const float *out)
+{
+    double worst = 0;
+    for (int y = 28; y < 36; ++y)
+        for (int x = 28; x < 36; ++x)
+            worst = fmax(worst, fabs((double)out[y * SIDE + x] - (double)visibility[1]));
+    return worst;
 }
 
 /* Results, and how far the eye stands before what is seen. */
@@ -285,89 +302,48 @@ static const struct { ssgi_gl_desc desc; float eye; } results[] = {
     { { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }, -20 }
 };
 
-static void on_edges(void)
-{
-    static float read[SIDE * SIDE], want[SIDE * SIDE];
-    if (!glTexImage2DMultisample) return;
-    for (size_t r = 0; r < sizeof results / sizeof *results; ++r) {
-        const ssgi_gl_desc *const d = &results[r].desc;
-        const float eye = results[r].eye;
-        ssgi_gl_frame f;
-        double worst = 0, plain = 0;
-        if (!frame_of(&f, d->input.orthographic, eye)) return;
-        GLuint result = result_of(&f, d, planes[1], (double)eye);
-        if (!edges(read, d, &f, result, 1, (double)eye) || !edges(want, d, &f, result, 0, (double)eye)) return;
-        for (int i = 0; i < SIDE * SIDE; ++i) {
-            const double x = 2 * (i % SIDE + 0.5) / SIDE - 1, y = 2 * (i / SIDE + 0.5) / SIDE - 1;
-            worst = fmax(worst, fabs((double)read[i] - (double)want[i]));
-            plain = fmax(plain, fabs((double)visibility[inside_card(x, y)] - (double)want[i]));
-        }
-        CHECK(worst < 2e-3 && plain > 0.3, "%s, half %d, orthographic %d, eye %g: off by %.4f; of one value a pixel by "
-              "%.4f", ssgi_gl_pass_name(d->pass), d->gather.half, d->input.orthographic, (double)eye, worst, plain);
-        t_note("%s, half %d, orthographic %d, eye %g: off by %.4f; of one value a pixel by %.4f",
-               ssgi_gl_pass_name(d->pass), d->gather.half, d->input.orthographic, (double)eye, worst, plain);
-        glDeleteTextures(1, &result);
-    }
-}
-
-/* A pane before the card, so far in radii, and a sample's place in the pixel that is not its centre. */
-static void on_panes(void)
+/* Edges between wall and card. A pane before the card, so far in radii, and a sample's place in the pixel that is not
+   its centre. */
+static void edges_and_panes(void)
 {
     static const float away[] = { 0, 0.1f, 0.5f, 2 };
-    enum { AWAY = (int)(sizeof away / sizeof *away) };
-    static float out[4 * SIDE * SIDE];
-    const GLuint target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL);
-    for (size_t r = 0; r < sizeof results / sizeof *results; ++r) {
+    static float read[SIDE * SIDE], want[SIDE * SIDE], out[SIDE * SIDE];
+    GLuint target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL);
+    glViewport(0, 0, SIDE, SIDE);
+    for (int r = 0; r < ROWS(results); ++r) {
         const ssgi_gl_desc *const d = &results[r].desc;
-        const float eye = results[r].eye;
-        const int half = d->gather.half != 0;
-        char main_[700];
+        const double eye = (double)results[r].eye;
+        char name[96];
         ssgi_gl_frame f;
-        double got[AWAY] = { 0 }, beside = 0, steeply = 0;
-        if (!frame_of(&f, d->input.orthographic, eye)) return;
-        snprintf(main_, sizeof main_, "uniform vec4 u_plane; uniform float u_away;\nvoid main() {\n"
-                 "    vec2 place = gl_FragCoord.xy + vec2(0.375, -0.125);\n"
-                 "    vec2 ray = place * u_ssgi_unproject.xy + u_ssgi_unproject.zw;\n    vec4 k = u_plane;\n"
-                 "    k.w += u_away;\n    float z = %s + %.1f;\n"
-                 "    o = vec4(ssgi_visibility_at(place, z, u_plane.xyz));\n}\n",
-                 d->input.orthographic ? "(dot(ray, k.xy) - k.w) / k.z" : "k.w / (dot(ray, k.xy) - k.z)", (double)eye);
-        GLuint result = result_of(&f, d, planes[1], (double)eye), other = result_of(&f, d, steep, (double)eye),
-               block = block_of(&f);
-        const GLuint program = program_of(d, triangle, main_);
-        if (!program) return;
-        GLuint framebuffer = target_of(GL_TEXTURE_2D, target);
-        glViewport(0, 0, SIDE, SIDE);
-        bind(program, "t_ssgi_ao", 9, GL_TEXTURE_2D, result);
-        glUniform4fv(glGetUniformLocation(program, "u_plane"), 1, planes[1]);
-        for (int a = 0; a < AWAY; ++a) {
-            glUniform1f(glGetUniformLocation(program, "u_away"), away[a]);
-            glDrawArrays(GL_TRIANGLES, 0, 3);
-            if (!TRY(kit_texture_read(target, SIDE, SIDE, 1, out))) return;
-            got[a] = (double)out[SIDE / 2 * SIDE + SIDE / 2];
-            for (int y = 28; y < 36 && !a; ++y) /* the middle of the card */
-                for (int x = 28; x < 36; ++x)
-                    beside = fmax(beside, fabs((double)out[y * SIDE + x] - (double)visibility[1]));
+        double got[ROWS(away)], worst = 0, plain = 0, lies = 0;
+        if (!frame_of(&f, d->input.orthographic, results[r].eye)) return;
+        GLuint result[2] = { result_of(&f, d, planes[1], eye), result_of(&f, d, steep, eye) }, block = block_of(&f);
+        snprintf(name, sizeof name, "%s, half %d, orthographic %d, eye %g", ssgi_gl_pass_name(d->pass), d->gather.half,
+                 d->input.orthographic, eye);
+        if (glTexImage2DMultisample) {
+            if (!edges(read, d, result[0], eye, 1) || !edges(want, d, result[0], eye, 0)) return;
+            for (int i = 0; i < SIDE * SIDE; ++i) {
+                const double x = 2 * (i % SIDE + 0.5) / SIDE - 1, y = 2 * (i / SIDE + 0.5) / SIDE - 1;
+                worst = fmax(worst, fabs((double)read[i] - (double)want[i]));
+                plain = fmax(plain, fabs((double)visibility[inside_card(x, y)] - (double)want[i]));
+            }
+            SHOW(worst < 2e-3 && plain > 0.3, "%s: off by %.4f; of one value a pixel by %.4f", name, worst, plain);
         }
-        bind(program, "t_ssgi_ao", 9, GL_TEXTURE_2D, other);
-        glUniform4fv(glGetUniformLocation(program, "u_plane"), 1, steep);
-        glUniform1f(glGetUniformLocation(program, "u_away"), 0);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        if (!TRY(kit_texture_read(target, SIDE, SIDE, 1, out))) return;
-        for (int y = 28; y < 36; ++y)
-            for (int x = 28; x < 36; ++x)
-                steeply = fmax(steeply, fabs((double)out[y * SIDE + x] - (double)visibility[1]));
-        glDeleteTextures(1, &other);
+        GLuint framebuffer = target_of(GL_TEXTURE_2D, target);
+        for (int a = 0; a <= ROWS(away); ++a) {            /* the last one, steep, is not away */
+            const int last = a == ROWS(away);
+            const painted p = { last ? steep : planes[1], 0, { 0.375f, -0.125f }, last ? 0 : away[a], 1, 0 };
+            if (!paint(d, result[last], eye, &p) || !TRY(kit_texture_read(target, SIDE, SIDE, 1, out))) return;
+            if (!last) got[a] = (double)out[SIDE / 2 * SIDE + SIDE / 2];
+            if (last || !a) lies = fmax(lies, beside(out));
+        }
         /* From full size a texel of another surface has no weight at all. */
-        CHECK(beside < 1e-3 && steeply < 1e-3
-                  && (half ? got[1] < 0.21 && got[2] > 0.25 && got[2] < 0.4 && got[3] > 0.65 && got[3] < 0.9
-                           : got[1] > 0.999 && got[2] > 0.999 && got[3] > 0.999 && got[3] < 1.0001),
-              "%s, half %d: %.4f, %.4f beside it; %.3f %.3f %.3f %.3f before it", ssgi_gl_pass_name(d->pass),
-              d->gather.half, beside, steeply, got[0], got[1], got[2], got[3]);
-        t_note("%s, half %d: %.4f, %.4f beside it; %.3f %.3f %.3f %.3f before it", ssgi_gl_pass_name(d->pass),
-               d->gather.half, beside, steeply, got[0], got[1], got[2], got[3]);
+        SHOW(lies < 1e-3
+                 && (d->gather.half ? got[1] < 0.21 && got[2] > 0.25 && got[2] < 0.4 && got[3] > 0.65 && got[3] < 0.9
+                                    : got[1] > 0.999 && got[2] > 0.999 && got[3] > 0.999 && got[3] < 1.0001),
+             "%s: %.4f beside it; %.3f %.3f %.3f %.3f before it", name, lies, got[0], got[1], got[2], got[3]);
         glDeleteFramebuffers(1, &framebuffer);
-        glDeleteProgram(program);
-        glDeleteTextures(1, &result);
+        glDeleteTextures(2, result);
         glDeleteBuffers(1, &block);
     }
     glDeleteTextures(1, &target);
@@ -399,8 +375,8 @@ void test_read(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("functions that read a result give what the filter gives: visibility, light, coefficients", as_the_filter);
-    RUN("on edges of multisampled pictures each surface reads its own", on_edges);
-    RUN("a pane reads what it lies on; far before all else nothing occludes it", on_panes);
+    RUN("on edges each surface reads its own, a pane what it lies on; far before all else nothing occludes it",
+        edges_and_panes);
     RUN("passes that leave nothing to read are refused", refused);
     kit_gl_close();
 }
