@@ -44,7 +44,8 @@ int planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4],
         for (int k = 0; k < planes; ++k) {
             const double *n = plane[k], across = n[0] * p[0] + n[1] * p[1],
                          z = c->fovy > 0 ? n[3] / (across - n[2]) : (n[3] - across) / -n[2];
-            if (!(z > (double)c->znear && z < 500) || (frame->data[at] > 0 && z >= (double)frame->data[at])) continue;
+            if (!(z > (double)c->znear && z < 0.5 * (double)c->zfar)) continue;
+            if (frame->data[at] > 0 && z >= (double)frame->data[at]) continue;
             frame->data[at] = (float)z;
             for (size_t i = 0; i < 3; ++i) frame->data[(1 + i) * pixels + at] = (float)n[i];
         }
@@ -141,6 +142,19 @@ int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, in
     scene->camera.width = width;
     scene->camera.height = height;
     return TRY(kit_gbuffer_from_scene(g, scene, &scene->camera, NULL, &err));
+}
+
+int set_scene(scenery *s, const char *name, const kit_camera *camera, const char *env, const char *light, int width,
+              int height)
+{
+    return lighten(&s->light, env, light) && see(&s->scene, &s->g, name, NULL, 0, camera, width, height);
+}
+
+void strike(scenery *s)
+{
+    kit_image_free(&s->light.env);
+    kit_gbuffer_free(&s->g);
+    kit_scene_free(&s->scene);
 }
 
 int open_run(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,

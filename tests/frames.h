@@ -79,6 +79,11 @@ int        lighten(kit_lighting *l, const char *env, const char *light);
 /* A built-in scene with boxes added, and its G-buffer; camera NULL: the scene's own. */
 int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera,
         int width, int height);
+/* A built-in scene, its light, and what is seen of it: by its own camera where that is NULL. */
+typedef struct scenery { kit_scene scene; kit_lighting light; kit_gbuffer g; } scenery;
+int        set_scene(scenery *s, const char *name, const kit_camera *camera, const char *env, const char *light,
+                     int width, int height);
+void       strike(scenery *s);
 /* The corner with a slab of this thickness for a wall, layers of it: its face, its back, and the face of a wall without
    end, gap behind it. */
 int        slab(kit_gbuffer *g, double c, double thickness, double gap, int layers);

@@ -481,31 +481,44 @@ static void rooms_are_seen(void)
 enum { SEEN_W = 96, SEEN_H = 56, SEEN = SEEN_W * SEEN_H };
 
 /* Visibility is compared, or outgoing radiance with the bounce. Compiling takes most of the time: these alone are drawn
-   in view depth, which frames have and their layers not, without perspective, and with the far plane at infinity. */
-enum { IN_VIEW_DEPTH = 1, FLAT_TOO = 2, ENDLESS_TOO = 4 };
+   in view depth, which frames have and their layers not, without perspective, with the far plane at infinity, from
+   afar, and with values that are set by the names of rows, one by one. */
+enum { IN_VIEW_DEPTH = 1, FLAT_TOO = 2, ENDLESS_TOO = 4, AFAR = 8, LOOSELY = 16, NOWHERE_ELSE = 32 };
 static const struct { const char *method, *set; int also; } alike[] = {
     { "ssao", "thickness=solid", IN_VIEW_DEPTH | ENDLESS_TOO },
-    { "hsao", "half=1", 0 },
+    { "ssao", "", NOWHERE_ELSE | AFAR },
+    { "hsao", "half=1", IN_VIEW_DEPTH | AFAR | LOOSELY },
+    { "hsao", "thickness=slabs", NOWHERE_ELSE | AFAR },
     { "hsao-best", "directions=1,steps=8", FLAT_TOO | ENDLESS_TOO },
     { "hsao-march", "directions=2,steps=4", IN_VIEW_DEPTH },
+    { "hsao-march", "layers=2", NOWHERE_ELSE | AFAR },
+    { "hsao-march", "directions=2,steps=4,views=2,view_layers=2,view_size=32", NOWHERE_ELSE | LOOSELY },
+    { "hsao-history", "directions=1,blur=1", NOWHERE_ELSE | LOOSELY },
     { "ssdo-points", "bounce=solid-angle,layers=2,samples=8,fade=smooth", ENDLESS_TOO },
     { "ssdo-points", "bounce=patch,samples=8,half=0,shadows=segment,points=4", 0 },
     { "ssdo", "half=1,shadow_size=64", IN_VIEW_DEPTH | ENDLESS_TOO },
+    { "ssdo", "bounce=solid-angle,shadow_size=256", NOWHERE_ELSE | AFAR },
+    { "ssdo", "vpls=4,shadow_size=32", NOWHERE_ELSE | LOOSELY },
     { "s3ho", "half=1,bands=2", 0 },
+    { "s3ho", "lights=shadowed,shadow_size=256", NOWHERE_ELSE | AFAR },
     { "s3ho-points", "layers=2,fade=lambda,range=1,samples=8", FLAT_TOO | ENDLESS_TOO },
     { "s3ho-points", "indirect=none,filtered=coefficients,half=1,blur=2,store=packed,samples=8", IN_VIEW_DEPTH },
     { "s3ho-points", "filtered=coefficients,indirect=apart,blur=1,half=1,samples=8", ENDLESS_TOO },
     { "ssbn-points", "lights=shadowed,shadow_size=64,blur=1,filtered=coefficients,fade=lambda,samples=8", 0 },
-    { "dss-lit", "size=0.06,shadow_size=64", IN_VIEW_DEPTH | ENDLESS_TOO },
-    { "aof", "resolution=4,radii=4,rays=32", 0 } };
+    { "dss-lit", "size=0.06,shadow_size=64", IN_VIEW_DEPTH | ENDLESS_TOO | LOOSELY },
+    { "dss-lit", "size=0.06,shadow_size=256", NOWHERE_ELSE | AFAR },
+    { "aof", "resolution=4,radii=4,rays=32", AFAR | LOOSELY } };
 
-enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, EIGHTH, EIGHT, TENTH, TEN, ROLLED, WAYS };
-/* most: the share of values that may be apart by over 1 % of the mean: samples that rounding puts beside an edge.
-   Powers of two change no digit of a float. */
-static const struct { const char *name; double scale, most; } way_of[WAYS] = {
-    { "reversed depth", 1, 0 }, { "normal depth", 1, 0.03 }, { "infinite far plane", 1, 0.01 },
-    { "view depth", 1, 0.01 }, { "inside larger textures", 1, 0.01 }, { "shifted", 1, 0.01 },
-    { "1/8", 0.125, 0 }, { "8", 8, 0 }, { "1/10", 0.1, 0.02 }, { "10", 10, 0.02 }, { "rolled", 1, 0 } };
+enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, EIGHTH, EIGHT, TENTH, TEN, ROLLED, DISTANT, DISTANT_LINEAR,
+       LOOSE, WAYS };
+/* most: the share of values that may be apart by over 1 % of the mean: samples that rounding puts beside an edge; from
+   afar, rolled: the RMSE, of the mean. Powers of two change no digit of a float. */
+static const struct { const char *name; double scale, most; int needs; } way_of[WAYS] = {
+    { "reversed depth", 1, 0, 0 }, { "normal depth", 1, 0.03, 0 }, { "infinite far plane", 1, 0.01, ENDLESS_TOO },
+    { "view depth", 1, 0.01, IN_VIEW_DEPTH }, { "inside larger textures", 1, 0.01, 0 }, { "shifted", 1, 0.01, 0 },
+    { "1/8", 0.125, 0, 0 }, { "8", 8, 0, 0 }, { "1/10", 0.1, 0.02, 0 }, { "10", 10, 0.02, 0 }, { "rolled", 1, 0, 0 },
+    { "from afar", 1, 0.006, AFAR }, { "from afar, view depth", 1, 0.006, AFAR | IN_VIEW_DEPTH },
+    { "loose uniforms", 1, 0, LOOSELY } };
 
 /* The room, under a sky and a lamp, in so many units, by a camera that differs. */
 static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, int orthographic)
@@ -525,13 +538,21 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
     c->height = way == ROLLED ? SEEN_W : SEEN_H;
     c->depth = way == NORMAL ? KIT_DEPTH_NORMAL : way == ENDLESS && !orthographic ? KIT_DEPTH_INFINITE
                                                                                   : KIT_DEPTH_REVERSED;
-    if (orthographic) { c->fovy = 0; c->ortho_height = 3.6f; }
+    if (orthographic) {
+        static const float toward[3] = { 2, 3, 6 };        /* of length 7: floats hold the place of a far eye */
+        const float away = way == DISTANT || way == DISTANT_LINEAR ? 14336 : 1.5f;
+        c->fovy = c->znear = c->zfar = 0;
+        c->ortho_height = 3.6f;
+        for (int i = 0; i < 3; ++i) {
+            c->target[i] = floorf(128 * c->target[i]) / 128;
+            c->eye[i] = c->target[i] + away * toward[i];
+        }
+    }
     /* multiples of the noise's tile */
     if (way == SHIFTED) { c->shift[0] = 16; c->shift[1] = -8; }
     if (way == ROLLED) {                                   /* what was to the left is up */
         c->up[0] = c->target[2] - c->eye[2]; c->up[1] = 0; c->up[2] = c->eye[0] - c->target[0];
-        if (orthographic) c->ortho_height *= (float)SEEN_W / SEEN_H;
-        else c->fovy = (float)(360 / pi * atan(tan((double)c->fovy * pi / 360) * SEEN_W / SEEN_H));
+        c->fovy = (float)(360 / pi * atan(tan((double)c->fovy * pi / 360) * SEEN_W / SEEN_H));
     }
     for (size_t i = 0; i < 9 * scene->mesh.triangles; ++i) scene->mesh.position[i] *= scale;
     for (int i = 0; i < 3; ++i) {
@@ -542,7 +563,7 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
     }
     c->znear *= scale; c->zfar *= scale; c->ortho_height *= scale;
     if (!TRY(kit_gbuffer_from_scene(g, scene, c, way == INSIDE ? margin : NULL, &err))) return 0;
-    if (way == LINEAR) {
+    if (way == LINEAR || way == DISTANT_LINEAR) {
         kit_gbuffer window = *g;
         kit_image frame;
         if (!TRY(kit_gbuffer_read(&frame, &window, &err))
@@ -581,33 +602,57 @@ static double apart(double *rmse, const kit_image *a, const kit_image *b, int dx
     return (double)off / n;
 }
 
-/* The ways from first to last, beside reversed depth. */
-static void nothing_changes(int first, int last, int projections)
+/* One picture of a way. */
+static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int way, const kit_scene *scene,
+                   const kit_lighting *l)
+{
+    kit_run run;
+    GLuint was[KIT_MAX_PASSES];
+    const int loose = way == LOOSE;
+    int ok = open_run(&run, g, alike[m].method, set, 0.15f * (float)way_of[way].scale, scene, l);
+    for (int k = 0; k < run.passes && loose && ok; ++k) {
+        kit_pass *p = &run.pass[k];
+        was[k] = p->program;
+        p->program = 0;
+        p->desc.text.uniforms = SSGI_GL_UNIFORMS_LOOSE;
+        ok = TRY(kit_pass_make(p, &err));
+    }
+    for (GLuint block = 0; block < 2 && loose; ++block) glBindBufferBase(GL_UNIFORM_BUFFER, block, 0);
+    ok = ok && drawn(out, &run);
+    for (int k = 0; k < run.passes && loose && ok; ++k) {
+        glDeleteProgram(run.pass[k].program);
+        run.pass[k].program = was[k];
+    }
+    kit_run_close(&run);
+    return ok;
+}
+
+/* The ways from first to last, beside reversed depth; without perspective from, to. */
+static void nothing_changes(int first, int last, int from, int to)
 {
     double worst[WAYS] = { 0 };
     kit_lighting l;
     if (!lighten(&l, NULL, NULL) || !TRY(kit_image_new(&l.env, 16, 8, "R,G,B", &err))) return;
     for (int i = 0; i < 3 * 128; ++i) l.env.data[i] = 0.5f + (float)(i % 7) / 7 + (float)(i / 16 % 8) / 8;
-    for (int orthographic = 0; orthographic < projections; ++orthographic) {
-        kit_image reference[ROWS(alike)], other, turned;
+    for (int orthographic = from; orthographic <= to; ++orthographic) {
+        kit_image reference[ROWS(alike)] = { 0 }, other, turned;
         for (int way = 0; way < WAYS; ++way) {
             if (way != REVERSED && (way < first || way > last)) continue;
+            const int needs = way_of[way ? way : first].needs | (orthographic > from ? FLAT_TOO : 0);
             kit_scene scene;
             kit_gbuffer g;
             if (!seen_in(&scene, &g, &l, way, orthographic)) return;
-            const kit_world world = { &scene, &l };
             for (int m = 0; m < ROWS(alike); ++m) {
-                const float radius = 0.15f * (float)way_of[way].scale;
                 char set[128];
                 const int gathers = strncmp(alike[m].method, "dss", 3) && strcmp(alike[m].method, "aof");
                 snprintf(set, sizeof set, "%s%s", gathers ? "noise=texture," : "", alike[m].set);
                 /* at half size another pixel of each 2x2 is drawn: another picture */
                 if (way == ROLLED && (!gathers || strstr(set, "half=1"))) continue;
                 if (way == SHIFTED && !strncmp(alike[m].method, "dss", 3)) continue; /* blocks are of 32 pixels */
-                if ((way == LINEAR && !(alike[m].also & IN_VIEW_DEPTH)) || (orthographic && !(alike[m].also & FLAT_TOO))
-                    || (way == ENDLESS && !(alike[m].also & ENDLESS_TOO)))
+                if ((alike[m].also & needs) != needs
+                    || (alike[m].also & NOWHERE_ELSE && !(way_of[first].needs & (AFAR | LOOSELY))))
                     continue;
-                if (!TRY(kit_run_picture(&other, &g, &world, alike[m].method, set, radius, &err))) return;
+                if (!seen_by(&other, &g, m, set, way, &scene, &l)) return;
                 if (way == REVERSED) { reference[m] = other; continue; }
                 double most = way_of[way].most;
                 if (way == ROLLED) {           /* turned back: no more than noise apart, which another phase tells */
@@ -617,7 +662,7 @@ static void nothing_changes(int first, int last, int projections)
                                                     - i % SEEN / SEEN_W];
                     snprintf(set + strlen(set), 16, ",phase=0.39");
                     kit_image again;
-                    if (!TRY(kit_run_picture(&again, &g, &world, alike[m].method, set, radius, &err))) return;
+                    if (!seen_by(&again, &g, m, set, way, &scene, &l)) return;
                     double sum = 0;
                     for (int i = 0; i < turned.channels * SEEN; ++i)
                         sum += pow((double)other.data[i] - (double)again.data[i], 2) / (turned.channels * SEEN);
@@ -628,7 +673,7 @@ static void nothing_changes(int first, int last, int projections)
                 }
                 const int dx = way == SHIFTED ? 16 : 0, dy = dx / 2, border = 3 * dx / 2;
                 double rmse, share = apart(&rmse, &reference[m], &other, dx, dy, border);
-                if (way == ROLLED) share = rmse;
+                if (way == ROLLED || way == DISTANT || way == DISTANT_LINEAR) share = rmse;
                 worst[way] = fmax(worst[way], share);
                 CHECK(share <= most, "%s %s, %s, %s: %.4f", alike[m].method, set,
                       orthographic ? "orthographic" : "perspective", way_of[way].name, share);
@@ -637,156 +682,16 @@ static void nothing_changes(int first, int last, int projections)
             kit_gbuffer_free(&g);
             kit_scene_free(&scene);
         }
-        for (int m = 0; m < ROWS(alike); ++m)
-            if (!orthographic || alike[m].also & FLAT_TOO) kit_image_free(&reference[m]);
+        for (int m = 0; m < ROWS(alike); ++m) kit_image_free(&reference[m]);
     }
     for (int w = first; w <= last; ++w) t_note("%s: %.4f", way_of[w].name, worst[w]);
     kit_image_free(&l.env);
 }
 
-/* The same picture, however far an orthographic camera's eye stands from it. The kit places shadow maps and extra
-   cameras by depths, which a far eye rounds: those of a row with OWN_MAP or OWN_CAMERAS stay where they are. */
-enum { OVER_FRAMES = 1, IN_LINEAR = 2, OWN_MAP = 4, OWN_CAMERAS = 8 };
-static const struct { const char *method, *set; int how; } from_afar[] = {
-    { "hsao", "", 0 },
-    { "hsao", "", IN_LINEAR },
-    { "hsao", "thickness=slabs", 0 },
-    { "hsao", "history=1", OVER_FRAMES },
-    { "ssao", "", 0 },
-    { "hsao-march", "layers=2", 0 },
-    { "ssdo", "bounce=solid-angle,shadow_size=256", 0 },
-    { "ssdo", "bounce=none,history=1,shadows=segment", OVER_FRAMES },
-    { "ssdo", "bounce=none,shadows=map", OWN_MAP },
-    { "ssdo-points", "bounce=none,environment=map,views=2,view_layers=2,layers=2", OWN_CAMERAS },
-    { "s3ho", "lights=shadowed,shadow_size=256", 0 },
-    { "dss-lit", "size=0.06,shadow_size=256", 0 },
-    { "aof", "resolution=4,radii=4,rays=32", 0 } };
-
-/* The world to the view of a camera that looks from 10 units above, right and before at the origin; what it sees. */
-static int own_camera(kit_gbuffer *g, ssgi_view *view, float to[16], const kit_scene *scene, float right)
-{
-    float projection[16];
-    kit_camera c = scene->camera;
-    memcpy(c.eye, (float[3]) { right, 8, 6 }, sizeof c.eye);
-    memset(c.target, 0, sizeof c.target);
-    c.fovy = 0;
-    c.ortho_height = 8;
-    c.znear = c.zfar = 0;
-    c.width = c.height = 256;
-    c.depth = KIT_DEPTH_NORMAL;
-    if (!TRY(kit_gbuffer_from_scene(g, scene, &c, NULL, &err))
-        || !CHECK(ssgi_view_from_projection(view, g->projection, SSGI_CLIP_GL, 256, 256, NULL) == SSGI_OK, "no view"))
-        return 0;
-    kit_camera_matrices(&g->camera, to, projection);
-    return 1;
-}
-
-/* Gives a run a sun whose map is seen by that camera, or two of them as extra cameras. */
-static int own_sources(kit_run *run, const kit_scene *scene, const float main_view[16], int how, GLuint made[2])
-{
-    static float depth[4 * 256 * 256];                         /* layers behind the first show nothing */
-    float to[16];
-    ssgi_view view;
-    for (int i = 0; i < 4 * 256 * 256; ++i) depth[i] = 1;
-    for (int v = 0; v < (how & OWN_CAMERAS ? 2 : 1); ++v) {
-        kit_gbuffer g = { 0 };
-        if (!own_camera(&g, &view, to, scene, v ? -5 : 5)
-            || !TRY(kit_texture_read(g.depth, 256, 256, 1, depth + 2 * v * 256 * 256)))
-            return 0;
-        kit_gbuffer_free(&g);
-        if (how & OWN_CAMERAS) ssgi_gl_views_set(&run->cameras, v, &view, main_view, to, NULL);
-    }
-    if (how & OWN_CAMERAS) {
-        made[0] = run->view_depth = kit_texture_array(256, 256, 4, GL_DEPTH_COMPONENT32F, depth);
-    } else {
-        ssgi_gl_light sun = { .kind = SSGI_GL_LIGHT_SUN, .colour = { 2, 2, 2 } };
-        for (int i = 0; i < 3; ++i)                            /* +z of the camera, turned to the main view space */
-            for (int k = 0; k < 3; ++k) sun.at[i] += main_view[4 * k + i] * to[4 * k + 2];
-        ssgi_gl_light_map(&sun, &view, 0, 0, main_view, to, NULL);
-        made[0] = run->atlas = kit_texture(256, 256, GL_DEPTH_COMPONENT32F, depth);
-        made[1] = kit_texture(8, 1, GL_RGBA32F, &sun.at[0]);
-        for (int i = 0; i < run->passes; ++i)
-            if (run->pass[i].lights) run->pass[i].lights = made[1];
-        run->frame.lights = 1;
-    }
-    kit_run_update(run);
-    return 1;
-}
-
-static int seen_from(kit_image *out, int row, float away, const kit_lighting *l)
-{
-    static const float toward[3] = { 2, 3, 6 };                /* of length 7: floats hold the place of a far eye */
-    enum { FRAMES = 4 };
-    const int how = from_afar[row].how, frames = how & OVER_FRAMES ? FRAMES : 1;
-    kit_scene scene;
-    kit_gbuffer g[2] = { 0 };
-    kit_frames sequence = { 0 };
-    kit_method method;
-    GLuint made[2] = { 0 };
-    int good = TRY(kit_scene_load(&scene, "boxes", 0, &err))
-            && TRY(kit_method_find(&method, from_afar[row].method, &err))
-            && TRY(kit_method_set(&method, from_afar[row].set, &err));
-    if (!good) return 0;
-    const kit_world world = { &scene, l };
-    kit_camera c = scene.camera;
-    c.width = 160;
-    c.height = 96;
-    c.fovy = 0;
-    c.ortho_height = 3.6f;
-    for (int k = 0; k < frames && good; ++k) {
-        float view[16], projection[16];
-        for (int i = 0; i < 3; ++i) {
-            c.target[i] = floorf(128 * scene.camera.target[i]) / 128 + (i == 0 ? 0.03125f * (float)k : 0);
-            c.eye[i] = c.target[i] + away / 7 * toward[i];
-        }
-        c.znear = c.zfar = 0;
-        kit_gbuffer_free(&g[k & 1]);
-        good = TRY(kit_gbuffer_from_scene(&g[k & 1], &scene, &c, NULL, &err));
-        if (good && how & IN_LINEAR) {
-            kit_gbuffer window = g[k & 1];
-            kit_image frame = { 0 };
-            good = TRY(kit_gbuffer_read(&frame, &window, &err))
-                && TRY(kit_gbuffer_from_frame(&g[k & 1], &frame, &window.camera, &err));
-            kit_image_free(&frame);
-            kit_gbuffer_free(&window);
-        }
-        kit_camera_matrices(&c, view, projection);
-        good = good && TRY(kit_frames_next(&sequence, &g[k & 1], &method, scene.radius, &world, NULL, &err))
-            && (how < OWN_MAP || own_sources(sequence.now, &scene, view, how, made));
-        if (good) kit_run_draw(sequence.now, 0);
-    }
-    good = good && TRY(kit_run_read(out, sequence.now, &err));
-    kit_frames_close(&sequence);
-    glDeleteTextures(2, made);
-    for (int k = 0; k < 2; ++k) kit_gbuffer_free(&g[k]);
-    kit_scene_free(&scene);
-    return good;
-}
-
-static void eyes_stand_anywhere(void)
-{
-    kit_lighting l;
-    if (!lighten(&l, NULL, "point:1.5,2.2,2.5,4,3,2") || !TRY(kit_image_new(&l.env, 16, 8, "R,G,B", &err))) return;
-    for (int i = 0; i < 3 * 128; ++i) l.env.data[i] = 0.5f + (float)(i % 7) / 7 + (float)(i / 16 % 8) / 8;
-    for (int k = 0; k < ROWS(from_afar); ++k) {
-        kit_image near, far;
-        if (!seen_from(&near, k, 10.5f, &l) || !seen_from(&far, k, 100352, &l)) return;
-        const int channels = near.channels > 1 ? 3 : 1;
-        const size_t n = (size_t)(channels * near.width * near.height);
-        const double middle = channels > 1 ? mean(&near, "G") : 1;
-        double sum = 0;
-        for (size_t i = 0; i < n; ++i) sum += pow((double)near.data[i] - (double)far.data[i], 2);
-        const double off = sqrt(sum / (double)n) / middle;
-        SHOW(off <= 0.006, "%s %s%s: RMSE %.4f", from_afar[k].method, from_afar[k].set,
-             from_afar[k].how & IN_LINEAR ? " of view depth" : "", off);
-        kit_image_free(&near);
-        kit_image_free(&far);
-    }
-    kit_image_free(&l.env);
-}
-
-static void layouts_do_not_matter(void) { nothing_changes(NORMAL, SHIFTED, 2); }
-static void units_do_not_matter(void)   { nothing_changes(EIGHTH, ROLLED, 1); }
+static void layouts_do_not_matter(void)    { nothing_changes(NORMAL, SHIFTED, 0, 1); }
+static void units_do_not_matter(void)      { nothing_changes(EIGHTH, ROLLED, 0, 0); }
+static void eyes_stand_anywhere(void)      { nothing_changes(DISTANT, DISTANT_LINEAR, 1, 1); }
+static void uniforms_may_be_loose(void)    { nothing_changes(LOOSE, LOOSE, 0, 0); }
 
 /* Targets that are larger, with the picture at (8, 6) in them; around it is what was there. */
 static void targets_have_room(void)
@@ -857,50 +762,6 @@ static void targets_have_room(void)
     kit_scene_free(&scene);
 }
 
-/* Values that are set by the names of rows, one by one, draw what blocks draw. */
-static void loose_uniforms(void)
-{
-    static const struct { const char *method, *set; } row[] = {
-        { "hsao", "directions=1,phase=0.3" },
-        { "hsao-march", "directions=2,steps=4,views=2,view_layers=2,view_size=32" },
-        { "ssdo", "vpls=4,shadow_size=32" },
-        { "hsao-history", "directions=1,blur=1" },
-        { "dss-lit", "size=0.06,shadow_size=64" },
-        { "aof", "resolution=4,radii=4,rays=32" } };
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_lighting l;
-    if (!lighten(&l, "white", NULL) || !seen_in(&scene, &g, &l, REVERSED, 0)) return;
-    for (int k = 0; k < l.env.width * l.env.height; ++k) l.env.data[k] = (float)(k % l.env.width) / 512;
-    for (int i = 0; i < ROWS(row); ++i) {
-        kit_run run;
-        kit_image out[2];
-        GLuint was[KIT_MAX_PASSES];
-        if (!open_run(&run, &g, row[i].method, row[i].set, 0.15f, &scene, &l) || !drawn(&out[0], &run)) return;
-        for (int k = 0; k < run.passes; ++k) {
-            kit_pass *p = &run.pass[k];
-            was[k] = p->program;
-            p->program = 0;
-            p->desc.text.uniforms = SSGI_GL_UNIFORMS_LOOSE;
-            if (!TRY(kit_pass_make(p, &err))) return;
-        }
-        for (GLuint block = 0; block < 2; ++block) glBindBufferBase(GL_UNIFORM_BUFFER, block, 0);
-        if (!drawn(&out[1], &run)) return;
-        const size_t bytes = (size_t)out[0].channels * SEEN * sizeof *out[0].data;
-        CHECK(!memcmp(out[0].data, out[1].data, bytes) && mean(&out[0], out[0].channels > 1 ? "G" : "Y") > 0,
-              "%s %s: loose uniforms draw another picture", row[i].method, row[i].set);
-        for (int k = 0; k < run.passes; ++k) {
-            glDeleteProgram(run.pass[k].program);
-            run.pass[k].program = was[k];
-        }
-        kit_run_close(&run);
-        for (int k = 0; k < 2; ++k) kit_image_free(&out[k]);
-    }
-    kit_image_free(&l.env);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
-}
-
 /* ---- beside rays ------------------------------------------------------------------------------------------------- */
 
 /* Turns every triangle the other way round. */
@@ -917,8 +778,8 @@ static void turn_inside_out(kit_mesh *mesh)
 
 /* A ball that is inside out looks like a sheet to who reads back faces, which costs little. A strip of 720 rows through
    a telescope, where rounded depths are nothing to see. What a picture from above lacks, which extra cameras know: a
-   wall beside it, and a plate whose underside it does not see, by which points below it seem to be blocked. Lamps alone,
-   which bent normals have shadowed by maps, and under a sky. */
+   wall beside it, and a plate whose underside it does not see, by which points below it seem to be blocked. Lamps
+   alone, which bent normals have shadowed by maps, and under a sky. */
 static void near_their_truth(void)
 {
     enum { BALL, LENS, NARROW, NARROWEST, BESIDE, AFLOAT, LAMP, UNDER_SKY, PLACES };
@@ -1019,7 +880,7 @@ void test_scenes(void)
         rooms_are_seen);
     RUN("depth layout, place in the textures and shift change no method's picture", layouts_do_not_matter);
     RUN("neither do units nor roll", units_do_not_matter);
-    RUN("values that are set one by one, by their names, draw the same", loose_uniforms);
+    RUN("values that are set one by one, by their names, draw the same", uniforms_may_be_loose);
     RUN("nor does an orthographic eye that is far away", eyes_stand_anywhere);
     RUN("pictures stand where they should in larger targets", targets_have_room);
     RUN("a ball turned inside out, narrow lenses, extra cameras and lamps are near their truth",
