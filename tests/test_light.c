@@ -102,12 +102,11 @@ static void furnace(void)
         const int kind = row[i].kind;
         const double within = kind == HALVES ? 2e-3 : 1e-5;
         int off = 0;
-        kit_scene scene;
-        kit_gbuffer g;
+        static scenery s;
         kit_run run;
         kit_image out;
-        if (!see(&scene, &g, row[i].scene, NULL, 0, NULL, SMALL_W, SMALL_H)
-            || !begin(&run, &g, row[i].method, row[i].set, scene.radius, &scene, &l))
+        if (!set_scene(&s, row[i].scene, NULL, NULL, NULL, SMALL_W, SMALL_H)
+            || !begin(&run, &s.g, row[i].method, row[i].set, s.scene.radius, &s.scene, &l))
             return;
         /* the picture's have a few 1e-6 in higher bands */
         ssgi_gl_harmonics_set(&run.frame, uniform, 1, NULL, NULL);
@@ -123,7 +122,7 @@ static void furnace(void)
                   && (kind == ONE_SIDED) == (least < 0.9),
               "%s %s %s: %.6f to %.6f, %d pixels off", row[i].method, row[i].scene, row[i].set, least, most, off);
         worst[kind] = fmax(worst[kind], kind == TWICE ? off : fmax(most - 1, 1 - least));
-        kit_run_close(&run); kit_image_free(&out); kit_gbuffer_free(&g); kit_scene_free(&scene);
+        kit_run_close(&run); kit_image_free(&out); strike(&s);
     }
     t_note("one gather: %.1e off at most, with halves %.1e; two: %g pixels are", worst[EXACT], worst[HALVES],
            worst[TWICE]);
@@ -315,10 +314,8 @@ static void settings_are_refused(void)
         kit_gbuffer g;
         kit_method m;
         kit_run run;
-        if (!planes_seen(&frame, &camera, (const double (*)[4])plane, 2,
-                         row[k].wall ? ",direct.R,direct.G,direct.B" : "")
-            || !TRY(kit_gbuffer_from_frame(&g, &frame, &camera, &err)) || !TRY(kit_method_find(&m, "s3ho", &err))
-            || !TRY(kit_method_set(&m, row[k].set, &err)))
+        if (!walls(&g, &frame, &camera, (const double (*)[4])plane, 2, row[k].wall ? ",direct.R,direct.G,direct.B" : "")
+            || !TRY(kit_method_find(&m, "s3ho", &err)) || !TRY(kit_method_set(&m, row[k].set, &err)))
             return;
         const int failed = kit_run_open(&run, &g, &m, 1, &world, &err);
         CHECK(row[k].says[0] ? failed && strstr(err.text, row[k].says[0]) && strstr(err.text, row[k].says[1]) : !failed,
@@ -378,8 +375,7 @@ static void creases_stay(void)
             square += off * off;
         }
         const double rms = sqrt(square * 3 * (double)pixels) / sum;
-        CHECK(sum > 0 && rms <= row[m].most && rms >= row[m].least, "%s %s: %.4f of the mean", row[m].method, set, rms);
-        t_note("%s %s: %.5f of the mean", row[m].method, row[m].set, rms);
+        SHOW(sum > 0 && rms <= row[m].most && rms >= row[m].least, "%s %s: %.5f of the mean", row[m].method, set, rms);
         kit_image_free(&out);
         kit_image_free(&open);
     }
@@ -408,9 +404,7 @@ static void slices_know_directions(void)
         const kit_camera camera = corner_planes(plane, c, 0);
         kit_image frame;
         for (int i = 0; i < 2 && down; ++i) plane[i][1] = -plane[i][1];
-        if (!planes_seen(&frame, &camera, (const double(*)[4])plane, 2, "")
-            || !TRY(kit_gbuffer_from_frame(&g[down], &frame, &camera, &err)))
-            return;
+        if (!walls(&g[down], &frame, &camera, (const double(*)[4])plane, 2, "")) return;
         kit_image_free(&frame);
     }
     for (int m = 0; m < ROWS(row); ++m) {
@@ -599,26 +593,19 @@ static void suns_shadow_what_they_should(void)
         { "crowd", "sun:1,0.3,0.5,3,3,3", "bounce=none,shadow_size=2048", 320 },
         { "pebbles", "sun:1,0.35,0.3,3,3,3", "bounce=none,shadow_size=512", 640 },
         { "boxes", "sun:1,0.35,0.3,3,3,3", "bounce=none,shadow_size=128", 320 } };
+    static const kit_camera low = { { 0, 0.6f, 9 }, { 0, 0.3f, -5 }, { 0, 1, 0 }, 40, 0, 0.05f, 60, 0, 0, { 0 },
+                                    KIT_DEPTH_REVERSED };
     for (int r = 0; r < ROWS(row); ++r) {
         const int width = row[r].width, height = width * 9 / 16;
         int count[2][PARTS] = { { 0 } }, dark = 0, open = 0;
-        kit_scene scene;
-        kit_gbuffer g;
-        kit_lighting l;
-        if (!TRY(kit_scene_load(&scene, row[r].scene, 0, &err))) return;
-        kit_camera camera = scene.camera;
-        kit_scene_free(&scene);
-        if (r == COVERED) {
-            memcpy(camera.eye, (float[3]){ 0, 0.6f, 9 }, sizeof camera.eye);
-            memcpy(camera.target, (float[3]){ 0, 0.3f, -5 }, sizeof camera.target);
-        }
-        if (!lighten(&l, NULL, row[r].light) || !see(&scene, &g, row[r].scene, NULL, 0, &camera, width, height)) return;
-        float *distance = blockers_new(&scene, &l.light[0]);
+        static scenery s;
+        if (!set_scene(&s, row[r].scene, r == COVERED ? &low : NULL, NULL, row[r].light, width, height)) return;
+        float *distance = blockers_new(&s.scene, &s.light.light[0]);
         for (int fill = 0; fill < 2 && distance; ++fill) {
             kit_image out;
             char set[96];
             snprintf(set, sizeof set, "%s,shadows=%s", row[r].set, fill ? "fill" : "map");
-            if (!lit(&out, &g, "ssdo-points", set, scene.radius, &scene, &l)) return;
+            if (!lit(&out, &s.g, "ssdo-points", set, s.scene.radius, &s.scene, &s.light)) return;
             for (int i = 0; i < width * height; ++i) {
                 const int shines = out.data[3 * width * height + i] > 0;
                 count[fill][LOST] += shines && distance[i] > 0;
@@ -636,54 +623,45 @@ static void suns_shadow_what_they_should(void)
              "%s: of %d dark pixels %d are lit by maps, %d filled, at contacts %d and %d; of %d lit ones %d and %d",
              row[r].scene, dark, map[LOST], fill[LOST], map[CONTACT], fill[CONTACT], open, map[RIGHT], fill[RIGHT]);
         free(distance);
-        kit_gbuffer_free(&g);
-        kit_scene_free(&scene);
+        strike(&s);
     }
 }
 
+/* In a closed box light is its truth, pixel by pixel; virtual lights bring what a bounce within the radius lacks. */
 static void point_light_in_a_box(void)
 {
-    static const char *const direct[2] = { "bounce=none,shadows=map", "bounce=none,shadows=fill" };
-    static const char *const indirect[3] = { "bounce=none,vpls=64,shadow_size=256",
-                                             "bounce=solid-angle,vpls=64,shadow_size=256", "bounce=solid-angle" };
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_lighting l;
+    enum { MAP, FILL, VIRTUAL, BOTH, NEAR_ALONE, WAYS };
+    static const char *const sets[WAYS] = { "bounce=none,shadows=map", "bounce=none,shadows=fill",
+                                            "bounce=none,vpls=64,shadow_size=256",
+                                            "bounce=solid-angle,vpls=64,shadow_size=256", "bounce=solid-angle" };
+    static scenery s;
     kit_image out, truth;
-    double share[3] = { 0 }, splash = 0;
-    if (!lighten(&l, NULL, "point:0,5,-2.8,15,15,15") || !see(&scene, &g, "cornell", NULL, 0, NULL, W, H) ||
-        !TRY(kit_truth_lit(&truth, &scene, &scene.camera, &l, INFINITY, KIT_ATTENUATION_NONE, 1, 64, 1, &err))) return;
-    for (int m = 0; m < 2; ++m) {
-        const float *b = kit_image_channel(&truth, "irradiance.G");
+    double share[WAYS] = { 0 }, splash = 0;
+    if (!set_scene(&s, "cornell", NULL, NULL, "point:0,5,-2.8,15,15,15", W, H)
+        || !TRY(kit_truth_lit(&truth, &s.scene, &s.scene.camera, &s.light, INFINITY, KIT_ATTENUATION_NONE, 1, 64, 1,
+                              &err)))
+        return;
+    const float *const direct = kit_image_channel(&truth, "irradiance.G"),
+                *const bounced = kit_image_channel(&truth, "bounce.G");
+    for (int m = 0; m < WAYS; ++m) {
         int bright = 0, dark = 0;
-        if (!lit(&out, &g, "ssdo-points", direct[m], scene.radius, &scene, &l)) return;
-        const float *a = kit_image_channel(&out, "irradiance.G");
+        if (!lit(&out, &s.g, "ssdo-points", sets[m], s.scene.radius, &s.scene, &s.light)) return;
+        const float *const a = kit_image_channel(&out, "irradiance.G"), *const b = kit_image_channel(&out, "bounce.G");
         for (int i = 0; i < W * H; ++i) {
-            bright += a[i] - b[i] > 0.1f * a[i];
-            dark += b[i] - a[i] > 0.1f * b[i];
+            bright += a[i] - direct[i] > 0.1f * a[i];
+            dark += direct[i] - a[i] > 0.1f * direct[i];
+            if (m == VIRTUAL) splash = fmax(splash, (double)(b[i] - bounced[i]) / mean(&truth, "bounce.G"));
         }
-        CHECK(bright + dark < W * H / 100, "%s: %d of %d pixels too bright, %d too dark", direct[m], bright, W * H,
-              dark);
-        t_note("%s: %d of %d pixels too bright, %d too dark", direct[m], bright, W * H, dark);
-        kit_image_free(&out);
-    }
-    for (int m = 0; m < 3; ++m) {
-        if (!lit(&out, &g, "ssdo-points", indirect[m], scene.radius, &scene, &l)) return;
         share[m] = mean(&out, "bounce.G") / mean(&truth, "bounce.G");
-        if (!m)
-            for (int i = 0; i < W * H; ++i)
-                splash = fmax(splash, (double)(kit_image_channel(&out, "bounce.G")[i]
-                                               - kit_image_channel(&truth, "bounce.G")[i]));
+        CHECK(bright + dark < W * H / 100, "%s: %d of %d pixels too bright, %d too dark", sets[m], bright, W * H, dark);
         kit_image_free(&out);
     }
-    splash /= mean(&truth, "bounce.G");
-    CHECK(splash < 4, "near a virtual light it is %.2f times the mean too bright", splash);
-    CHECK(fabs(share[0] - 1) < 0.25 && share[1] <= 1.1 && share[1] > share[0],
-          "virtual lights bring %.3f of the bounce, with what is near %.3f", share[0], share[1]);
-    t_note("virtual lights bring %.3f of the bounce, with what is near %.3f, a bounce within the radius alone %.3f; "
-           "brightest splash %.2f of the mean",
-           share[0], share[1], share[2], splash);
-    kit_image_free(&truth); kit_gbuffer_free(&g); kit_scene_free(&scene);
+    SHOW(splash < 4 && fabs(share[VIRTUAL] - 1) < 0.25 && share[BOTH] <= 1.1 && share[BOTH] > share[VIRTUAL],
+         "virtual lights bring %.3f of the bounce, with what is near %.3f, a bounce within the radius alone %.3f; "
+         "brightest splash %.2f of the mean",
+         share[VIRTUAL], share[BOTH], share[NEAR_ALONE], splash);
+    kit_image_free(&truth);
+    strike(&s);
 }
 
 /* With a margin the picture is what the middle of a larger picture is, bit by bit; what lies around it is not drawn. */
@@ -701,51 +679,43 @@ static void margins(void)
         { "ssbn", "directions=1,steps=3,half=0,blur=0", 0 } };
     const kit_camera camera = { { 4.55f, 1.75f, 4.25f }, { 1.35f, 0.85f, 0.85f }, { 0, 1, 0 }, 0, 3, 0.1f, 12, 67, 49,
                                 { 3, -2 }, KIT_DEPTH_NORMAL };
-    kit_lighting l;
-    kit_scene scene;
-    kit_gbuffer g;
-    if (!lighten(&l, "sky", "sun:1,2,1,3,3,3") || !see(&scene, &g, "room", NULL, 0, &camera, 67, 49)) return;
-    const kit_world world = { &scene, &l };
+    static scenery s;
+    if (!set_scene(&s, "room", &camera, "sky", "sun:1,2,1,3,3,3", 67, 49)) return;
     for (int r = 0; r < ROWS(rows); ++r) {
-        kit_method m;
         kit_run run;
         kit_gbuffer wide;
+        char set[128];
         kit_image inner, whole;
         int off = 0, shown = 0;
         /* orthographic: 0.45 units are 0.45 * 49 / 3 = 7.35 pixels, 1.5 radii 11.03: over the most, 49 / 16 * 4 */
         const int expected = r % 2 ? 12 : 8;
-        if (!TRY(kit_method_find(&m, rows[r].method, &err)) || !TRY(kit_method_set(&m, rows[r].set, &err))) return;
-        if (!TRY(kit_gbuffer_widen(&wide, &g, &scene, expected, &err))) return;
-        if (!TRY(kit_run_open(&run, &wide, &m, 0.45f, &world, &err))) return;
-        kit_run_draw(&run, 0);
-        if (!TRY(kit_run_read(&whole, &run, &err))) return;
+        snprintf(set, sizeof set, "%s,margin=%s", rows[r].set, r % 2 ? "1.7" : "1");
+        if (!TRY(kit_gbuffer_widen(&wide, &s.g, &s.scene, expected, &err))
+            || !open_run(&run, &wide, rows[r].method, rows[r].set, 0.45f, &s.scene, &s.light) || !drawn(&whole, &run))
+            return;
         kit_run_close(&run);
-        kit_method_set(&m, r % 2 ? "margin=1.7" : "margin=1", NULL);
-        if (!TRY(kit_run_open(&run, &g, &m, 0.45f, &world, &err))) return;
-        kit_run_draw(&run, 0);
-        if (!TRY(kit_run_read(&inner, &run, &err))) return;
-        CHECK(run.margin == expected, "%s: a margin of %d pixels, not %d", m.name, run.margin, expected);
-        CHECK(inner.width == 67 && inner.height == 49, "%s: the picture is %d x %d", m.name, inner.width, inner.height);
+        if (!open_run(&run, &s.g, rows[r].method, set, 0.45f, &s.scene, &s.light) || !drawn(&inner, &run)) return;
+        CHECK(run.margin == expected, "%s: a margin of %d pixels, not %d", rows[r].method, run.margin, expected);
+        CHECK(inner.width == 67 && inner.height == 49, "%s: the picture is %d x %d", rows[r].method, inner.width,
+              inner.height);
         for (int c = 0; c < inner.channels; ++c)
             for (int y = 0; y < inner.height; ++y)
                 off += memcmp(inner.data + (c * 49 + y) * 67, kit_image_channel(&whole, inner.name[c])
                               + (y + expected) * whole.width + expected, 67 * sizeof(float)) != 0;
-        CHECK(!off, "%s %s: %d rows are not those of a larger picture", m.name, rows[r].set, off);
+        CHECK(!off, "%s %s: %d rows are not those of a larger picture", rows[r].method, rows[r].set, off);
         const kit_pass *p =
             &run.pass[run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS]; /* widths are of all that is seen */
         const int half = p->desc.gather.half ? 2 : 1, drawn_columns = half * p->box[2];
         CHECK(rows[r].rim < 0 ? !p->box[2] : abs(drawn_columns - 67 - 2 * rows[r].rim) < half, "%s %s: its first pass "
-              "draws %d columns", m.name, rows[r].set, drawn_columns);
+              "draws %d columns", rows[r].method, rows[r].set, drawn_columns);
         for (int i = 0; i < run.passes; ++i) shown += run.pass[i].box[2] == 67 && run.pass[i].box[3] == 49;
-        CHECK(shown, "%s %s: no pass draws the picture alone", m.name, rows[r].set);
+        CHECK(shown, "%s %s: no pass draws the picture alone", rows[r].method, rows[r].set);
         kit_run_close(&run);
         kit_gbuffer_free(&wide);
         kit_image_free(&inner);
         kit_image_free(&whole);
     }
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
-    kit_image_free(&l.env);
+    strike(&s);
 }
 
 void test_light(void)

@@ -106,19 +106,15 @@ static void as_the_filter(void)
         { "s3ho", "indirect=none,filtered=coefficients,store=float", "ssgi_coefficients_at" AT ".c[0].a" }
     };
     static float out[4 * W * H], filtered[4 * W * H];
-    kit_scene scene;
-    kit_lighting light;
-    kit_gbuffer g;
+    static scenery of;
     kit_image frame;
-    if (!see(&scene, &g, "casters", NULL, 0, NULL, W, H) || !lighten(&light, "sky", NULL)
-        || !TRY(kit_gbuffer_read(&frame, &g, &err)))
-        return;
+    if (!set_scene(&of, "casters", NULL, "sky", NULL, W, H) || !TRY(kit_gbuffer_read(&frame, &of.g, &err))) return;
     const float *const depth = kit_image_channel(&frame, "Z");
     for (const subject *s = subjects; s < subjects + sizeof subjects / sizeof *subjects; ++s) {
         kit_run run;
         int seen = 0, differ = 0;
         double worst = 0;
-        if (!open_run(&run, &g, s->method, s->set, 0.5f, &scene, &light)) return;
+        if (!open_run(&run, &of.g, s->method, s->set, 0.5f, &of.scene, &of.light)) return;
         kit_run_update(&run);
         kit_run_draw(&run, 0);
         const int channels = *s->call == 'v' ? 1 : *s->set == 'i' && strstr(s->set, "coeff") ? 4 : 3;
@@ -139,9 +135,7 @@ static void as_the_filter(void)
         kit_run_close(&run);
     }
     kit_image_free(&frame);
-    kit_image_free(&light.env);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
+    strike(&of);
 }
 
 /* ---- edges, and surfaces that no texel shows -------------------------------------------------------------------- */
