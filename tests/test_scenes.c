@@ -481,15 +481,19 @@ static void rooms_are_seen(void)
 enum { SEEN_W = 96, SEEN_H = 56, SEEN = SEEN_W * SEEN_H };
 
 /* Visibility is compared, or outgoing radiance with the bounce. Compiling takes most of the time: these alone are drawn
-   in view depth, which frames have and their layers not, without perspective, with the far plane at infinity, from
-   afar, and with values that are set by the names of rows, one by one. */
-enum { IN_VIEW_DEPTH = 1, FLAT_TOO = 2, ENDLESS_TOO = 4, AFAR = 8, LOOSELY = 16, NOWHERE_ELSE = 32 };
+   in view depth, which frames have and their layers not, without perspective, with the far plane at infinity, by an
+   orthographic eye anywhere, with values that are set by the names of rows, one by one, and as engines have their
+   depth, without noise, which would be other noise upside down. */
+enum { IN_VIEW_DEPTH = 1, FLAT_TOO = 2, ENDLESS_TOO = 4, AFAR = 8, LOOSELY = 16, BARE = 32, NOWHERE_ELSE = 64 };
 static const struct { const char *method, *set; int also; } alike[] = {
     { "ssao", "thickness=solid", IN_VIEW_DEPTH | ENDLESS_TOO },
     { "ssao", "", NOWHERE_ELSE | AFAR },
     { "hsao", "half=1", IN_VIEW_DEPTH | AFAR | LOOSELY },
     { "hsao", "thickness=slabs", NOWHERE_ELSE | AFAR },
     { "hsao-best", "directions=1,steps=8", FLAT_TOO | ENDLESS_TOO },
+    { "hsao-best", "directions=2,steps=4,blur=0", NOWHERE_ELSE | BARE },
+    { "hsao-best", "directions=2,steps=4,blur=0,thickness=constant", NOWHERE_ELSE | BARE },
+    { "hsao-best", "directions=2,steps=4,blur=0,thickness=constant,normal=depth", NOWHERE_ELSE | BARE },
     { "hsao-march", "directions=2,steps=4", IN_VIEW_DEPTH },
     { "hsao-march", "layers=2", NOWHERE_ELSE | AFAR },
     { "hsao-march", "directions=2,steps=4,views=2,view_layers=2,view_size=32", NOWHERE_ELSE | LOOSELY },
@@ -510,15 +514,147 @@ static const struct { const char *method, *set; int also; } alike[] = {
     { "aof", "resolution=4,radii=4,rays=32", AFAR | LOOSELY } };
 
 enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, EIGHTH, EIGHT, TENTH, TEN, ROLLED, DISTANT, DISTANT_LINEAR,
-       LOOSE, WAYS };
-/* most: the share of values that may be apart by over 1 % of the mean: samples that rounding puts beside an edge; from
-   afar, rolled: the RMSE, of the mean. Powers of two change no digit of a float. */
-static const struct { const char *name; double scale, most; int needs; } way_of[WAYS] = {
-    { "reversed depth", 1, 0, 0 }, { "normal depth", 1, 0.03, 0 }, { "infinite far plane", 1, 0.01, ENDLESS_TOO },
-    { "view depth", 1, 0.01, IN_VIEW_DEPTH }, { "inside larger textures", 1, 0.01, 0 }, { "shifted", 1, 0.01, 0 },
-    { "1/8", 0.125, 0, 0 }, { "8", 8, 0, 0 }, { "1/10", 0.1, 0.02, 0 }, { "10", 10, 0.02, 0 }, { "rolled", 1, 0, 0 },
-    { "from afar", 1, 0.006, AFAR }, { "from afar, view depth", 1, 0.006, AFAR | IN_VIEW_DEPTH },
-    { "loose uniforms", 1, 0, LOOSELY } };
+       DISTANT_DECODED, DISTANT_OWN, WITHIN, WITHIN_LINEAR, WITHIN_DECODED, WITHIN_OWN, LOOSE, LEFT_HANDED, SLICED,
+       SAMPLED, OBLIQUE, UPSIDE_DOWN, WAYS };
+/* most: the share of values that may be apart by over 1 % of the mean: samples that rounding puts beside an edge; or
+   the RMSE, of the mean. Powers of two change no digit of a float. away: of an orthographic eye, in sevenths. decodes:
+   what a text of one's own calls. */
+static const struct { const char *name; double scale, most; int rmse, needs, linear; float away; const char *decodes;
+} way_of[WAYS] = { { "reversed depth", 1, 0, 0, 0, 0, 1.5f, NULL },
+                   { "normal depth", 1, 0.03, 0, 0, 0, 1.5f, NULL },
+                   { "infinite far plane", 1, 0.01, 0, ENDLESS_TOO, 0, 1.5f, NULL },
+                   { "view depth", 1, 0.01, 0, IN_VIEW_DEPTH, 1, 1.5f, NULL },
+                   { "inside larger textures", 1, 0.01, 0, 0, 0, 1.5f, NULL },
+                   { "shifted", 1, 0.01, 0, 0, 0, 1.5f, NULL },
+                   { "1/8", 0.125, 0, 0, 0, 0, 1.5f, NULL },
+                   { "8", 8, 0, 0, 0, 0, 1.5f, NULL },
+                   { "1/10", 0.1, 0.02, 0, 0, 0, 1.5f, NULL },
+                   { "10", 10, 0.02, 0, 0, 0, 1.5f, NULL },
+                   { "rolled", 1, 0, 1, 0, 0, 1.5f, NULL },
+                   { "from afar", 1, 0.008, 1, AFAR, 0, 14336, NULL },
+                   { "from afar, view depth", 1, 0.006, 1, AFAR | IN_VIEW_DEPTH, 1, 14336, NULL },
+                   { "from afar, decoded", 1, 0.006, 1, AFAR | IN_VIEW_DEPTH, 0, 14336, "ssgi_decode" },
+                   { "from afar, view depth of one's own", 1, 0.006, 1, AFAR | IN_VIEW_DEPTH, 1, 14336, "" },
+                   { "from within", 1, 0.006, 1, AFAR | IN_VIEW_DEPTH, 0, 1.5f, NULL },
+                   { "from within, view depth", 1, 0.006, 1, AFAR | IN_VIEW_DEPTH, 1, 1.5f, NULL },
+                   { "from within, decoded", 1, 0.006, 1, AFAR | IN_VIEW_DEPTH, 0, 1.5f, "ssgi_decode" },
+                   { "from within, view depth of one's own", 1, 0.006, 1, AFAR | IN_VIEW_DEPTH, 1, 1.5f, "" },
+                   { "loose uniforms", 1, 0, 0, LOOSELY, 0, 1.5f, NULL },
+                   { "left-handed", 1, 0, 0, BARE, 0, 1.5f, NULL },
+                   { "a slice", 1, 0, 0, BARE, 0, 1.5f, NULL },
+                   { "multisampled", 1, 0, 0, BARE, 0, 1.5f, NULL },
+                   { "an oblique near plane", 1, 0.003, 1, BARE, 0, 1.5f, NULL },
+                   { "upside down", 1, 0.001, 0, BARE, 0, 1.5f, NULL } };
+
+/* Two textures of four samples, bound where the gather reads them: the first sample of each is what the G-buffer has,
+   the others are nonsense. */
+static int sampled(GLuint texture[2], const kit_gbuffer *g)
+{
+    static const char *const source[2] = {
+        "#version 430\nvoid main() {\n"
+        "    gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);\n}\n",
+        "#version 430\nlayout(binding = 0) uniform sampler2D depth;\nlayout(binding = 1) uniform sampler2D normal;\n"
+        "out vec4 n;\nvoid main() {\n    ivec2 p = ivec2(gl_FragCoord.xy);\n"
+        "    gl_FragDepth = gl_SampleID == 0 ? texelFetch(depth, p, 0).x : 0.3;\n"
+        "    n = gl_SampleID == 0 ? texelFetch(normal, p, 0) : vec4(0.6, 0.8, 0.0, 0.0);\n}\n"
+    };
+    static const GLenum stages[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER },
+                        formats[2] = { GL_DEPTH_COMPONENT32F, GL_RGBA32F },
+                        places[2] = { GL_DEPTH_ATTACHMENT, GL_COLOR_ATTACHMENT0 };
+    GLuint program = kit_program(source, stages, 2, &err), framebuffer;
+    if (!TRY(!program)) return 0;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glGenTextures(2, texture);
+    for (unsigned i = 0; i < 2; ++i) {
+        glActiveTexture(GL_TEXTURE0 + i);
+        glBindTexture(GL_TEXTURE_2D, i ? g->normal : g->depth);
+        glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture[i]);
+        glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, 4, formats[i], SEEN_W, SEEN_H, GL_TRUE);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, places[i], GL_TEXTURE_2D_MULTISAMPLE, texture[i], 0);
+    }
+    glViewport(0, 0, SEEN_W, SEEN_H);
+    glUseProgram(program);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    const int ok = CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "no samples");
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteProgram(program);
+    return ok;
+}
+
+/* The projection with a near plane of its own, in view space, the scene beyond it [Lengyel 2005]. */
+static void oblique_plane(float m[16], const double plane[4])
+{
+    const double q[4] = { (copysign(1, plane[0]) + (double)m[8]) / (double)m[0],
+                          (copysign(1, plane[1]) + (double)m[9]) / (double)m[5], -1,
+                          (1 + (double)m[10]) / (double)m[14] };
+    double at = 0;
+    for (int k = 0; k < 4; ++k) at += plane[k] * q[k];
+    for (int k = 0; k < 4; ++k) m[4 * k + 2] = (float)(2 / at * plane[k] + (k == 2 ? 1 : 0));
+}
+
+/* The eye of an orthographic camera moves on until the near plane is two units behind it. */
+static int step_within(kit_gbuffer *g, int linear)
+{
+    static float z[SEEN];
+    const float by = -2 - g->camera.znear;
+    float view[16];
+    g->camera.znear += by;
+    g->camera.zfar += by;
+    kit_camera_matrices(&g->camera, view, g->projection);
+    if (!linear) return 1;
+    if (!TRY(kit_texture_read(g->depth, SEEN_W, SEEN_H, 1, z))) return 0;
+    for (int i = 0; i < SEEN; ++i) z[i] = z[i] > 0 ? z[i] + by : 1e18f;
+    glDeleteTextures(1, &g->depth);
+    g->depth = kit_texture(SEEN_W, SEEN_H, GL_R32F, z);
+    return 1;
+}
+
+/* Depth and normals as engines have them, in place of a G-buffer's. */
+static int as_engines_have(kit_gbuffer *g, int way)
+{
+    static float z[SEEN], n[4 * SEEN], depth[2 * SEEN], normal[8 * SEEN];
+    const int layer = way == SLICED;                       /* slice 0 shows nothing */
+    const float *const p = g->projection, was[16] = { p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10],
+                                                      p[11], p[12], p[13], p[14], p[15] };
+    GLuint texture[2];
+    int beyond = 0;
+    if (way >= WITHIN && way <= WITHIN_OWN) return step_within(g, way_of[way].linear);
+    if (way < LEFT_HANDED) return 1;
+    if (!TRY(kit_texture_read(g->depth, SEEN_W, SEEN_H, 1, z))
+        || !TRY(kit_texture_read(g->normal, SEEN_W, SEEN_H, 4, n)))
+        return 0;
+    if (way == OBLIQUE) oblique_plane(g->projection, (const double[4]) { 0.1, -0.2, -1, -0.05 });
+    for (int k = 8; k < 12 && way == LEFT_HANDED; ++k) g->projection[k] = -was[k];
+    for (int k = 5; k < 10 && way == UPSIDE_DOWN; k += 4) g->projection[k] = -was[k];
+    for (int i = 0; i < SEEN; ++i) {
+        const int to = layer * SEEN + (way == UPSIDE_DOWN ? (SEEN_H - 1 - i / SEEN_W) * SEEN_W + i % SEEN_W : i);
+        const double x = (2 * (i % SEEN_W + 0.5) / SEEN_W - 1 + (double)was[8]) / (double)was[0],
+                     y = (2 * (i / SEEN_W + 0.5) / SEEN_H - 1 + (double)was[9]) / (double)was[5],
+                     ahead = (double)was[14] / (2 * (double)z[i] - 1 + (double)was[10]),
+                     window = 0.5 + 0.5 * ((double)p[2] * x + (double)p[6] * y - (double)p[10] + (double)p[14] / ahead);
+        memcpy(normal + 4 * to, n + 4 * i, 4 * sizeof *n);
+        if (way == LEFT_HANDED) normal[4 * to + 2] = -n[4 * i + 2];
+        depth[to] = way == OBLIQUE && z[i] < 1 ? (float)window : z[i];
+        beyond += way == OBLIQUE && z[i] < 1 && !(window > 0 && window < 1);
+    }
+    for (int i = 0; i < 2 && way != SAMPLED; ++i) {
+        const GLenum format = i ? GL_RGBA32F : GL_DEPTH_COMPONENT32F;
+        texture[i] = layer ? kit_texture_array(SEEN_W, SEEN_H, 2, format, i ? normal : depth)
+                           : kit_texture(SEEN_W, SEEN_H, format, i ? normal : depth);
+    }
+    CHECK(!beyond, "%d pixels are outside of the oblique frustum", beyond);
+    if (way == SAMPLED && !sampled(texture, g)) return 0;
+    glDeleteTextures(1, &g->depth);
+    glDeleteTextures(1, &g->normal);
+    g->depth = texture[0];
+    g->normal = texture[1];
+    return 1;
+}
 
 /* The room, under a sky and a lamp, in so many units, by a camera that differs. */
 static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, int orthographic)
@@ -536,16 +672,15 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
     kit_camera *c = &scene->camera;
     c->width = way == ROLLED ? SEEN_H : SEEN_W;
     c->height = way == ROLLED ? SEEN_W : SEEN_H;
-    c->depth = way == NORMAL ? KIT_DEPTH_NORMAL : way == ENDLESS && !orthographic ? KIT_DEPTH_INFINITE
+    c->depth = way == NORMAL || way == OBLIQUE ? KIT_DEPTH_NORMAL : way == ENDLESS && !orthographic ? KIT_DEPTH_INFINITE
                                                                                   : KIT_DEPTH_REVERSED;
     if (orthographic) {
         static const float toward[3] = { 2, 3, 6 };        /* of length 7: floats hold the place of a far eye */
-        const float away = way == DISTANT || way == DISTANT_LINEAR ? 14336 : 1.5f;
         c->fovy = c->znear = c->zfar = 0;
         c->ortho_height = 3.6f;
         for (int i = 0; i < 3; ++i) {
             c->target[i] = floorf(128 * c->target[i]) / 128;
-            c->eye[i] = c->target[i] + away * toward[i];
+            c->eye[i] = c->target[i] + way_of[way].away * toward[i];
         }
     }
     /* multiples of the noise's tile */
@@ -563,7 +698,7 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
     }
     c->znear *= scale; c->zfar *= scale; c->ortho_height *= scale;
     if (!TRY(kit_gbuffer_from_scene(g, scene, c, way == INSIDE ? margin : NULL, &err))) return 0;
-    if (way == LINEAR || way == DISTANT_LINEAR) {
+    if (way_of[way].linear) {
         kit_gbuffer window = *g;
         kit_image frame;
         if (!TRY(kit_gbuffer_read(&frame, &window, &err))
@@ -572,6 +707,7 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
         kit_image_free(&frame);
         kit_gbuffer_free(&window);
     }
+    if (!as_engines_have(g, way)) return 0;
     for (int y = 0; y < g->height && way == INSIDE; ++y) {   /* near depths beside the picture must not matter */
         float beside[SEEN_W + 20];
         for (int i = 0; i < SEEN_W + 20; ++i) beside[i] = 0.9f;
@@ -602,25 +738,44 @@ static double apart(double *rmse, const kit_image *a, const kit_image *b, int dx
     return (double)off / n;
 }
 
-/* One picture of a way. */
-static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int way, const kit_scene *scene,
+/* One picture of a way; plain: without noise. Passes are given programs of their own. */
+static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int way, int plain, const kit_scene *scene,
                    const kit_lighting *l)
 {
+    static const float none[4] = { 0, 0, 0, 0 };
+    const char *const decodes = way_of[way].decodes;
+    const int otherwise = way >= LOOSE || decodes;
+    char text[200];
     kit_run run;
     GLuint was[KIT_MAX_PASSES];
-    const int loose = way == LOOSE;
     int ok = open_run(&run, g, alike[m].method, set, 0.15f * (float)way_of[way].scale, scene, l);
-    for (int k = 0; k < run.passes && loose && ok; ++k) {
+    snprintf(text, sizeof text, "uniform sampler2D my_depth;\nfloat ssgi_custom_depth(ivec2 texel, int layer) {\n"
+             "    return %s(texelFetch(my_depth, texel, layer).x);\n}", decodes ? decodes : "");
+    if (plain && ok) {
+        glBindTexture(GL_TEXTURE_2D, run.noise);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, none);
+    }
+    for (int k = 0; k < run.passes && otherwise; ++k) {
         kit_pass *p = &run.pass[k];
         was[k] = p->program;
+        if (decodes && p->desc.pass == SSGI_GL_PASS_BLUR) continue;
         p->program = 0;
-        p->desc.text.uniforms = SSGI_GL_UNIFORMS_LOOSE;
-        ok = TRY(kit_pass_make(p, &err));
+        if (way == LOOSE) p->desc.text.uniforms = SSGI_GL_UNIFORMS_LOOSE;
+        p->desc.input.left_handed = way == LEFT_HANDED;
+        p->desc.input.array = way == SLICED;
+        p->desc.input.multisampled = way == SAMPLED;
+        p->desc.input.oblique = way == OBLIQUE;
+        if (decodes) {                                     /* its sampler is at unit 0, where the rows have depth */
+            p->desc.input.depth = SSGI_GL_DEPTH_CUSTOM;
+            p->desc.text.fetch = text;
+            ok = ok && TRY(!(p->program = kit_pass_program(&p->desc, &err)));
+        } else ok = ok && TRY(kit_pass_make(p, &err));
     }
-    for (GLuint block = 0; block < 2 && loose; ++block) glBindBufferBase(GL_UNIFORM_BUFFER, block, 0);
+    run.frame.slice = way == SLICED;
+    for (GLuint block = 0; block < 2 && way == LOOSE; ++block) glBindBufferBase(GL_UNIFORM_BUFFER, block, 0);
     ok = ok && drawn(out, &run);
-    for (int k = 0; k < run.passes && loose && ok; ++k) {
-        glDeleteProgram(run.pass[k].program);
+    for (int k = 0; k < run.passes && otherwise; ++k) {
+        if (run.pass[k].program != was[k]) glDeleteProgram(run.pass[k].program);
         run.pass[k].program = was[k];
     }
     kit_run_close(&run);
@@ -630,6 +785,7 @@ static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int w
 /* The ways from first to last, beside reversed depth; without perspective from, to. */
 static void nothing_changes(int first, int last, int from, int to)
 {
+    const int apart_from_others = way_of[first].needs & (AFAR | LOOSELY | BARE), plain = way_of[first].needs == BARE;
     double worst[WAYS] = { 0 };
     kit_lighting l;
     if (!lighten(&l, NULL, NULL) || !TRY(kit_image_new(&l.env, 16, 8, "R,G,B", &err))) return;
@@ -650,30 +806,35 @@ static void nothing_changes(int first, int last, int from, int to)
                 if (way == ROLLED && (!gathers || strstr(set, "half=1"))) continue;
                 if (way == SHIFTED && !strncmp(alike[m].method, "dss", 3)) continue; /* blocks are of 32 pixels */
                 if ((alike[m].also & needs) != needs
-                    || (alike[m].also & NOWHERE_ELSE && !(way_of[first].needs & (AFAR | LOOSELY))))
+                    || (alike[m].also & NOWHERE_ELSE && !apart_from_others))
                     continue;
-                if (!seen_by(&other, &g, m, set, way, &scene, &l)) return;
+                /* widths begin at a 2x2's lower left, which is another upside down */
+                if (way == UPSIDE_DOWN && !strstr(set, "thickness=constant")) continue;
+                if (!seen_by(&other, &g, m, set, way, plain, &scene, &l)) return;
                 if (way == REVERSED) { reference[m] = other; continue; }
                 double most = way_of[way].most;
-                if (way == ROLLED) {           /* turned back: no more than noise apart, which another phase tells */
+                if (way == ROLLED || way == UPSIDE_DOWN) {                     /* turned back */
                     if (!TRY(kit_image_new(&turned, SEEN_W, SEEN_H, other.channels > 1 ? "R,G,B" : "Y", &err))) return;
-                    for (int i = 0; i < turned.channels * SEEN; ++i)
-                        turned.data[i] = other.data[i / SEEN * SEEN + i % SEEN_W * SEEN_H + SEEN_H - 1
-                                                    - i % SEEN / SEEN_W];
+                    for (int i = 0; i < turned.channels * SEEN; ++i) {
+                        const int x = i % SEEN_W, y = SEEN_H - 1 - i % SEEN / SEEN_W,
+                                  from_there = way == ROLLED ? x * SEEN_H + y : y * SEEN_W + x;
+                        turned.data[i] = other.data[i / SEEN * SEEN + from_there];
+                    }
+                }
+                if (way == ROLLED) {           /* no more than noise apart, which another phase tells */
                     snprintf(set + strlen(set), 16, ",phase=0.39");
                     kit_image again;
-                    if (!seen_by(&again, &g, m, set, way, &scene, &l)) return;
+                    if (!seen_by(&again, &g, m, set, way, plain, &scene, &l)) return;
                     double sum = 0;
                     for (int i = 0; i < turned.channels * SEEN; ++i)
                         sum += pow((double)other.data[i] - (double)again.data[i], 2) / (turned.channels * SEEN);
                     most = 1.4 * sqrt(sum) / mean(&other, turned.channels > 1 ? "G" : "Y");
                     kit_image_free(&again);
-                    kit_image_free(&other);
-                    other = turned;
                 }
+                if (way == ROLLED || way == UPSIDE_DOWN) { kit_image_free(&other); other = turned; }
                 const int dx = way == SHIFTED ? 16 : 0, dy = dx / 2, border = 3 * dx / 2;
                 double rmse, share = apart(&rmse, &reference[m], &other, dx, dy, border);
-                if (way == ROLLED || way == DISTANT || way == DISTANT_LINEAR) share = rmse;
+                if (way_of[way].rmse) share = rmse;
                 worst[way] = fmax(worst[way], share);
                 CHECK(share <= most, "%s %s, %s, %s: %.4f", alike[m].method, set,
                       orthographic ? "orthographic" : "perspective", way_of[way].name, share);
@@ -690,8 +851,9 @@ static void nothing_changes(int first, int last, int from, int to)
 
 static void layouts_do_not_matter(void)    { nothing_changes(NORMAL, SHIFTED, 0, 1); }
 static void units_do_not_matter(void)      { nothing_changes(EIGHTH, ROLLED, 0, 0); }
-static void eyes_stand_anywhere(void)      { nothing_changes(DISTANT, DISTANT_LINEAR, 1, 1); }
+static void eyes_stand_anywhere(void)      { nothing_changes(DISTANT, WITHIN_OWN, 1, 1); }
 static void uniforms_may_be_loose(void)    { nothing_changes(LOOSE, LOOSE, 0, 0); }
+static void what_engines_have(void)        { nothing_changes(LEFT_HANDED, UPSIDE_DOWN, 0, 0); }
 
 /* Targets that are larger, with the picture at (8, 6) in them; around it is what was there. */
 static void targets_have_room(void)
@@ -881,7 +1043,9 @@ void test_scenes(void)
     RUN("depth layout, place in the textures and shift change no method's picture", layouts_do_not_matter);
     RUN("neither do units nor roll", units_do_not_matter);
     RUN("values that are set one by one, by their names, draw the same", uniforms_may_be_loose);
-    RUN("nor does an orthographic eye that is far away", eyes_stand_anywhere);
+    RUN("nor does an orthographic eye that is far away or within what is seen, whichever way depth is given",
+        eyes_stand_anywhere);
+    RUN("nor does what engines have: left-handed, upside down, oblique, sampled, sliced", what_engines_have);
     RUN("pictures stand where they should in larger targets", targets_have_room);
     RUN("a ball turned inside out, narrow lenses, extra cameras and lamps are near their truth",
         near_their_truth);
