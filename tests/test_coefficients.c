@@ -188,6 +188,51 @@ static void walls_block(void)
     t_note("a coefficient is off by %.4f at most", worst);
 }
 
+/* Light that grows toward the wall, or away from it, and across: what slices block of it is what directions there
+   bring. The corner upside down has the wall on the slices' other side. */
+static void slices_know_directions(void)
+{
+    static const struct { const char *method, *set; } row[] = {
+        { "ssdo", "bounce=none,environment=sh,bands=2" }, { "s3ho", "indirect=none,bands=2" },
+        { "s3ho", "indirect=none,bands=4,thickness=solid" } };
+    static const wall w = { 0.25, 9, 1, whole };
+    double v[2][16], worst = 0;
+    kit_lighting white;
+    kit_gbuffer g[2];
+    if (!lighten(&white, "white", NULL)) return;
+    for (int down = 0; down < 2; ++down) {
+        double plane[2][4], along[3];
+        const kit_camera camera = corner_planes(plane, w.c, 0);
+        kit_image frame;
+        for (int i = 0; i < 2 && down; ++i) plane[i][1] = -plane[i][1];
+        for (int i = 0; i < 3; ++i) along[i] = -plane[1][i];
+        wall_vector(v[down], &w, plane[0], along);
+        if (!walls(&g[down], &frame, &camera, (const double (*)[4])plane, 2, "")) return;
+        kit_image_free(&frame);
+    }
+    for (int m = 0; m < ROWS(row); ++m) {
+        kit_run run;
+        char set[128];
+        snprintf(set, sizeof set, "directions=2,%s", row[m].set);
+        if (!begin(&run, &g[0], row[m].method, set, 1, NULL, &white)) return;
+        for (int k = 0; k < 4; ++k) {
+            const int down = k & 1, row_ = down ? HIGH - 1 - row_at(w.c) : row_at(w.c);
+            const double toward = (k & 2 ? 0.6 : -0.6) * sqrt(0.5), b[3] = { down ? -toward : toward, -toward, 0.3 };
+            float light[12];
+            for (int i = 0; i < 12; ++i) light[i] = i < 3 ? 3.5449077f : (float)(b[i / 3 - 1] / 0.48860251);
+            ssgi_gl_harmonics_set(&run.frame, light, 2, NULL, NULL);
+            const double got = row_of(&run, &g[down], row_, 16), want = met(v[down], light, 0, 2);
+            worst = fmax(worst, fabs(got - want));
+            CHECK(fabs(got - want) < 0.006, "%s %s, light %s the wall, %s: %.4f, truth %.4f", row[m].method, set,
+                  k & 2 ? "toward" : "off", down ? "down" : "up", got, want);
+        }
+        kit_run_close(&run);
+    }
+    for (int i = 0; i < 2; ++i) kit_gbuffer_free(&g[i]);
+    t_note("%.4f off at most", worst);
+    kit_image_free(&white.env);
+}
+
 /* A wall sends what its albedo makes of light from all sides, as far as it blocks the floor; normals of emitters have 6
    bits. */
 static void walls_reflect(void)
@@ -515,18 +560,38 @@ static void storage_rounds(void)
     strike(&place);
 }
 
+/* A ridge under the lamps of a street: nothing is occluded, and light differs across the edge. */
+static int ridge(kit_gbuffer *g)
+{
+    static const double side[2][1][4] = { { { 0.6, 0.1, 0.79372539, -1.5 } }, { { -0.6, 0.1, 0.79372539, -1.5 } } };
+    static const char slabs[] = ",back.Z,front2.Z,back2.Z";
+    enum { WIDTH = 97, PIXELS = WIDTH * 55 };
+    const kit_camera c = looking_along_z(WIDTH, PIXELS / WIDTH, 0);
+    kit_image frame, other;
+    if (!planes_seen(&frame, &c, side[0], 1, slabs) || !planes_seen(&other, &c, side[1], 1, slabs)) return 0;
+    for (int i = 0; i < PIXELS; ++i)                       /* the farther of the two */
+        for (int k = 3; other.data[i] > frame.data[i] && k >= 0; --k)
+            frame.data[k * PIXELS + i] = other.data[k * PIXELS + i];
+    const int ok = TRY(kit_gbuffer_from_frame(g, &frame, &c, &err));
+    kit_image_free(&frame);
+    kit_image_free(&other);
+    return ok;
+}
+
 /* Two pictures that are to be one, or are not: how far they are apart, of the first's mean. A sun whose series is below
    0 behind it. Vectors filtered and lit, or lit and filtered, with nothing restored; three of them packed, or lit at
    once. What is stored otherwise is rounded otherwise. Of one band most of a lamp is residual, which belongs to what
    arrives at once: in one gather the bounce is what it is in one of its own. What is reflected is not compared with
-   open light, which it has nothing to do with: it is smoothed as it is, whatever the filter restores of the rest. */
-static void pictures_are_alike(void)
+   open light, which it has nothing to do with: it is smoothed as it is, whatever the filter restores of the rest.
+   Default filters leave a ridge as it is at no radius; the filter that smooths light does not. */
+static void compare(int ridges)
 {
-    enum { UNDER_SKY, UNDER_SUN, BY_LAMP, AMONG_COLUMNS, STAGES };
+    enum { UNDER_SKY, UNDER_SUN, BY_LAMP, AMONG_COLUMNS, RIDGE, LIT_RIDGE, STAGES };
     enum { WORST, RMSE, MEANS };
     static const char *const stages[STAGES][3] = { { "room", "sky", NULL }, { "room", "sky", NULL },
                                                    { "cornell", NULL, "point:0,5,-2.8,20,20,20" },
-                                                   { "columns", "sky", NULL } };
+                                                   { "columns", "sky", NULL }, { "a ridge", "street", NULL },
+                                                   { "a ridge", "street", "point:0.5,1,1,2,1,1" } };
     static const char light_of[] = "irradiance.R", bounce[] = "bounce.R", points[] = "s3ho-points";
     static const float at[3] = { 0.5f, 0.7f, 0.4f }, colour[3] = { 3, 2, 1 };
     static const struct { const char *method[2], *set, *own[2], *channel; int stage, by; double least, most; } row[] = {
@@ -554,28 +619,50 @@ static void pictures_are_alike(void)
         { { "s3ho", "s3ho" }, "residual=1,blur=1,half=1,indirect=apart,restore=", { "none", how }, bounce, stage, \
           RMSE, 0, 1e-3 }
         RESTORES(BY_LAMP, "ratio"), RESTORES(AMONG_COLUMNS, "difference"),
-        { { "hsao", "hsao" }, "left_handed=", { "0", "1" }, "Y", UNDER_SKY, WORST, 0, 0 } };
-    static scenery s;
+        { { "hsao", "hsao" }, "left_handed=", { "0", "1" }, "Y", UNDER_SKY, WORST, 0, 0 },
+#define CREASE(method, set, half, stage, least, most) \
+        { { method, method }, set, { ",blur=1,steps=4,half=" half, ",blur=0,half=0,restore=none" }, light_of, stage, \
+          RMSE, least, most }
+        CREASE("ssdo", "bounce=none", "1", RIDGE, 0, 0.003),
+        CREASE("ssdo", "bounce=none,environment=sh", "1", RIDGE, 0, 0.003),
+        CREASE("ssdo-best", "bounce=none", "0", RIDGE, 0, 0.003),
+        CREASE("ssdo-points", "bounce=none", "1", RIDGE, 0, 0.003),
+        CREASE("ssdo", "bounce=none,thickness=slabs,restore=difference", "1", RIDGE, 0, 0.003),
+        CREASE("ssdo", "bounce=none,restore=none", "1", RIDGE, 0.005, 1),
+        CREASE("s3ho", "residual=1", "1", RIDGE, 0, 0.003),
+        CREASE("s3ho", "residual=1,bands=2,indirect=joint", "1", RIDGE, 0, 0.003),
+        CREASE("s3ho", "residual=1,bands=1,store=packed,lights=harmonics", "1", LIT_RIDGE, 0, 0.003),
+        CREASE("s3ho", "residual=1,restore=none", "1", RIDGE, 0.005, 1),
+        CREASE("ssbn", "cone=cone", "1", RIDGE, 0, 0.003), CREASE("ssbn", "cone=normal", "1", RIDGE, 0, 0.003) };
+    static scenery s;                      /* of the last row */
     float light[27] = { 0 }, view[16], projection[16];
     ssgi_sh_light(light, 3, at, 0, colour, SSGI_SH_WINDOW_NONE, NULL);
-    for (int m = 0; m < ROWS(row); ++m) {
+    for (int m = 0, last = -1; m < ROWS(row); ++m) {
         const char *const *const of = stages[row[m].stage];
+        const int on_ridge = row[m].stage >= RIDGE, stays = row[m].stage == last;
+        if (on_ridge != ridges) continue;
+        if (last >= 0 && !stays) strike(&s);
+        last = row[m].stage;
         kit_image out[2];
         double worst = 0, square = 0, sum[2] = { 0 };
-        if (!set_scene(&s, of[0], NULL, of[1], of[2], W, H)) return;
+        if (!stays
+            && (on_ridge ? !ridge(&s.g) || !lighten(&s.light, of[1], of[2])
+                         : !set_scene(&s, of[0], NULL, of[1], of[2], W, H)))
+            return;
         kit_camera_matrices(&s.g.camera, view, projection);
         for (int k = 0; k < 2; ++k) {
+            const float radius = !on_ridge ? s.scene.radius : k ? 1e-6f : 0.1f;
             kit_run run;
             char set[160];
             snprintf(set, sizeof set, "%s%s", row[m].set, row[m].own[k]);
-            if (!begin(&run, &s.g, row[m].method[k], set, s.scene.radius, &s.scene, &s.light)) return;
+            if (!begin(&run, &s.g, row[m].method[k], set, radius, on_ridge ? NULL : &s.scene, &s.light)) return;
             if (row[m].stage == UNDER_SUN) ssgi_gl_harmonics_set(&run.frame, light, 3, view, NULL);
             if (!drawn(&out[k], &run)) return;
             kit_run_close(&run);
         }
         const float *const a = kit_image_channel(&out[0], row[m].channel),
                     *const b = kit_image_channel(&out[1], row[m].channel);
-        const int values = (out[0].channels > 1 ? 3 : 1) * W * H;
+        const int values = (out[0].channels > 1 ? 3 : 1) * out[0].width * out[0].height;
         for (int i = 0; i < values; ++i) {
             const double off = (double)a[i] - (double)b[i];
             worst = fmax(worst, fabs(off));
@@ -588,9 +675,12 @@ static void pictures_are_alike(void)
         SHOW(sum[0] > 1e-4 && off >= row[m].least && off <= row[m].most, "%s: %s of %s%s and %s %s: %.1e of %.4f apart",
              of[0], row[m].channel, row[m].set, row[m].own[0], row[m].method[1], row[m].own[1], off, sum[0]);
         for (int k = 0; k < 2; ++k) kit_image_free(&out[k]);
-        strike(&s);
     }
+    strike(&s);
 }
+
+static void pictures_are_alike(void) { compare(0); }
+static void creases_stay(void)       { compare(1); }
 
 /* ---- bent normals and cones -------------------------------------------------------------------------------------- */
 
@@ -764,6 +854,7 @@ void test_coefficients(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("a wall's vector is its expectation, whatever the samples, layers and fading", walls_block);
+    RUN("what slices block of light that has a direction is what comes from there", slices_know_directions);
     RUN("a wall reflects its own lobe, times its albedo", walls_reflect);
     RUN("emitters reflect what the last frame let through to them", emitters_are_dimmed);
     RUN("what a gather reads of the last frame is what its filter wrote", filtered_sets_are_left);
@@ -772,6 +863,7 @@ void test_coefficients(void)
     RUN("what is open gets exactly what comes in, however few the bands", open_is_exact);
     RUN("vectors stored as halves are rounded, no more", storage_rounds);
     RUN("ssdo's harmonics are s3ho's, filtered and lit is lit and filtered, a bounce is itself", pictures_are_alike);
+    RUN("creases stay sharp where nothing is occluded, with the default filters", creases_stay);
     RUN("cones that are free are found again, with their light", cones_are_found);
     RUN("bent normals point where it is free", bent_normals_bend);
     RUN("light may be your own function of the place", light_varies);

@@ -326,123 +326,6 @@ static void settings_are_refused(void)
     }
 }
 
-/* A ridge under the lamps of a street: nothing is occluded, and light differs across the edge. Default filters leave it
-   as it is; the filter that smooths light does not. */
-static void creases_stay(void)
-{
-    static const struct { const char *method, *set; double most, least;
-    } row[] = { { "ssdo", "", 0.003, 0 },
-                { "ssdo", "environment=sh,", 0.003, 0 },
-                { "ssdo-best", "", 0.003, 0 },
-                { "ssdo-points", "half=1,", 0.003, 0 },
-                { "ssdo", "thickness=slabs,restore=difference,", 0.003, 0 },
-                { "ssdo", "restore=none,", 1, 0.005 },
-                { "s3ho", "residual=1,", 0.003, 0 },
-                { "s3ho", "residual=1,bands=2,indirect=joint,", 0.003, 0 },
-                { "s3ho", "residual=1,bands=1,store=packed,lights=harmonics,", 0.003, 0 },
-                { "s3ho", "residual=1,restore=none,", 1, 0.005 },
-                { "ssbn", "", 0.003, 0 },
-                { "ssbn", "cone=normal,", 0.003, 0 } };
-    const kit_camera c = looking_along_z(97, 55, 0);
-    const double side[2][1][4] = { { { 0.6, 0.1, 0.79372539, -1.5 } }, { { -0.6, 0.1, 0.79372539, -1.5 } } };
-    kit_image frame, other;
-    kit_gbuffer g;
-    kit_lighting l;
-    static const char slabs[] = ",back.Z,front2.Z,back2.Z";
-    if (!lighten(&l, "street", "point:0.5,1,1,2,1,1") || !planes_seen(&frame, &c, side[0], 1, slabs)
-        || !planes_seen(&other, &c, side[1], 1, slabs))
-        return;
-    const size_t pixels = 97 * 55;
-    for (size_t i = 0; i < pixels; ++i)             /* the farther of the two */
-        for (size_t k = 4; other.data[i] > frame.data[i] && k > 0; --k)
-            frame.data[(k - 1) * pixels + i] = other.data[(k - 1) * pixels + i];
-    if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
-    for (int m = 0; m < ROWS(row); ++m) {
-        const int map = row[m].method[3] == 'o' && row[m].method[1] == 's', lamp = strstr(row[m].set, "lights") != NULL;
-        const kit_lighting sky = { .env = l.env, .lights = lamp, .light = { l.light[0] } };
-        double sum = 0, square = 0;
-        char set[128], bare[128];
-        kit_image out, open;
-        snprintf(set, sizeof set, "blur=1,half=1,steps=4,%s%s", row[m].set, map ? "bounce=none" : "phase=0");
-        snprintf(bare, sizeof bare, "%s%s,blur=0,half=0,restore=none", row[m].set, map ? "bounce=none" : "phase=0");
-        if (!strcmp(row[m].method, "ssdo-best")) memcpy(strstr(set, "half=1"), "half=0", 6);
-        if (!lit(&out, &g, row[m].method, set, 0.1f, NULL, &sky)
-            || !lit(&open, &g, row[m].method, bare, 1e-6f, NULL, &sky))
-            return;
-        for (size_t i = 3 * pixels; i < 6 * pixels; ++i) {
-            const double off = (double)out.data[i] - (double)open.data[i];
-            sum += (double)open.data[i];
-            square += off * off;
-        }
-        const double rms = sqrt(square * 3 * (double)pixels) / sum;
-        SHOW(sum > 0 && rms <= row[m].most && rms >= row[m].least, "%s %s: %.5f of the mean", row[m].method, set, rms);
-        kit_image_free(&out);
-        kit_image_free(&open);
-    }
-    kit_gbuffer_free(&g);
-    kit_image_free(&frame);
-    kit_image_free(&other);
-    kit_image_free(&l.env);
-}
-
-/* Light that grows toward the wall of the corner, or away from it, and across: what slices block of it is what
-   directions there bring. The corner upside down has the wall on the slices' other side. */
-static void slices_know_directions(void)
-{
-    static const struct {
-        const char *method, *set;
-    } row[] = { { "ssdo", "bounce=none,environment=sh,bands=2" },
-                { "s3ho", "indirect=none,bands=2" },
-                { "s3ho", "indirect=none,bands=4,thickness=solid" } };
-    const double r = sqrt(0.5), c = 0.25;
-    double worst = 0;
-    kit_lighting l;
-    kit_gbuffer g[2];
-    if (!lighten(&l, "white", NULL)) return;
-    for (int down = 0; down < 2; ++down) {
-        double plane[2][4];
-        const kit_camera camera = corner_planes(plane, c, 0);
-        kit_image frame;
-        for (int i = 0; i < 2 && down; ++i) plane[i][1] = -plane[i][1];
-        if (!walls(&g[down], &frame, &camera, (const double(*)[4])plane, 2, "")) return;
-        kit_image_free(&frame);
-    }
-    for (int m = 0; m < ROWS(row); ++m) {
-        kit_run run;
-        char set[128];
-        snprintf(set, sizeof set, "directions=2,%s", row[m].set);
-        if (!begin(&run, &g[0], row[m].method, set, 1, NULL, &l)) return;
-        for (int k = 0; k < 4; ++k) {
-            enum { N = 400 };
-            const int down = k & 1, toward = k & 2 ? 1 : -1;
-            /* in view space; the wall is at (0, r, -r) */
-            const double sign = down ? -1 : 1, b[3] = { 0.3, toward * 0.6 * sign * r, -toward * 0.6 * r };
-            float coefficients[48] = { 0 };
-            double want = 0;
-            for (int i = 0; i < 3; ++i) {
-                coefficients[i] = 3.5449077f;
-                for (int j = 0; j < 3; ++j) coefficients[3 * (1 + j) + i] = (float)(b[(j + 1) % 3] / 0.48860251);
-            }
-            for (int i = 0; i < N * N; ++i) {            /* directions by the cosine about the floor's normal */
-                const double up = sqrt((i / N + 0.5) / N), a = 6.283185307179586 * (i % N + 0.5) / N,
-                             side = sqrt(1 - up * up) * cos(a), wall = sqrt(1 - up * up) * sin(a);
-                const double d[3] = { side, sign * (up * r + wall * r), up * r - wall * r },
-                             t = wall > 0 ? c / wall : 2;
-                want += (1 + b[0] * d[0] + b[1] * d[1] + b[2] * d[2]) * fmin(t, 1) / (N * N);
-            }
-            ssgi_gl_harmonics_set(&run.frame, coefficients, 2, NULL, NULL);
-            const double got = row_of(&run, &g[down], down ? HIGH - 1 - row_at(c) : row_at(c), 16);
-            worst = fmax(worst, fabs(got - want));
-            CHECK(fabs(got - want) < 0.006, "%s %s, light %s the wall, %s: %.4f, truth %.4f", row[m].method, set,
-                  toward > 0 ? "toward" : "off", down ? "down" : "up", got, want);
-        }
-        kit_run_close(&run);
-    }
-    for (int i = 0; i < 2; ++i) kit_gbuffer_free(&g[i]);
-    t_note("%.4f off at most", worst);
-    kit_image_free(&l.env);
-}
-
 /* ---- lights ------------------------------------------------------------------------------------------------------ */
 
 /* The floor y = 0, a wall from z = -1 to -1.1; a light before it and one behind, both nearer than the radius; the floor
@@ -724,8 +607,6 @@ void test_light(void)
     RUN("furnace: in uniform light every pixel gets exactly what comes in", furnace);
     RUN("further bounces: a white corner in uniform light ends as bright as what comes in", further_bounces);
     RUN("a corner and slabs darken and send by their closed forms, whatever the estimator", corners_are_closed_forms);
-    RUN("creases stay sharp where nothing is occluded, with the default filters", creases_stay);
-    RUN("what slices block of light that has a direction is what comes from there", slices_know_directions);
     RUN("what harmonics cannot carry, and storage that a gather lacks, is refused", settings_are_refused);
     RUN("a segment ends at its light", segments_end_at_lights);
     RUN("an emitter seen edge-on is dark", edge_on_is_dark);
