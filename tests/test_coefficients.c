@@ -1,5 +1,5 @@
 /* test_coefficients.c - s3ho and ssbn through the whole of GL: coefficients and light against closed forms, lamps,
-   storage, the filter, bent normals, range, fading, truth. */
+   storage, bent normals; pictures of light, by ssdo too, that are to be one. */
 #include "t.h"
 #include "frames.h"
 
@@ -515,7 +515,7 @@ static void open_is_exact(void)
          "suns, through a map of 32 x 32, are off by %.1e of what they send, lamps by %.1e", worst[0], worst[1]);
 }
 
-/* ---- storage, the filter ----------------------------------------------------------------------------------------- */
+/* ---- storage, two pictures that are one -------------------------------------------------------------------------- */
 
 /* Vectors without and with a filter, in units of the last place, with a filter of the largest coefficient's. Packed to
    nearest even; how a context rounds what goes to RGBA16F is its own affair, and so is it in dialects that pack

@@ -242,6 +242,37 @@ static void nothing_trails(void)
     end_frames(&s);
 }
 
+/* A camera that glides past solids: at their edges depths differ, where nothing came or went. */
+static void little_is_forgotten(void)
+{
+    enum { FRAMES = 8 };
+    static sequence s;
+    static float kept[W * H];
+    kit_scene scene;
+    double frames = 0;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err))
+        || !begin_frames(&s, "half=0,directions=1,steps=33,blur=1,history=1"))
+        return;
+    const kit_world world = { &scene, NULL };
+    scene.camera.width = W;
+    scene.camera.height = H;
+    for (int t = 0; t < FRAMES; ++t) {
+        kit_gbuffer *const g = &s.g[s.frames.number & 1];
+        scene.camera.eye[0] += 0.06f;
+        scene.camera.target[0] += 0.06f;
+        kit_gbuffer_free(g);
+        if (!TRY(kit_gbuffer_from_scene(g, &scene, &scene.camera, NULL, &err))
+            || !TRY(kit_frames_next(&s.frames, g, &s.method, scene.radius, &world, NULL, &err)))
+            return;
+        kit_run_draw(s.frames.now, 0);
+    }
+    if (!frames_kept(kept, s.frames.now)) return;
+    for (int p = 0; p < W * H; ++p) frames += (double)kept[p] / (W * H);
+    SHOW(frames > 5.5, "of %d frames a pixel averages %.2f", FRAMES, frames);
+    end_frames(&s);
+    kit_scene_free(&scene);
+}
+
 /* ---- noise, motion, what is hostile ----------------------------------------------------------------------------- */
 
 /* A run of a method on a built-in scene at a small size. */
@@ -490,6 +521,7 @@ void test_history(void)
         "sizes, under jitter",
         frames_are_counted);
     RUN("a bar that passes leaves no trail", nothing_trails);
+    RUN("a camera that glides past solids forgets little", little_is_forgotten);
     RUN("frames of NaN at depths that are right, and a hundred of anything, leave no trace, whatever is restored",
         hostile_history);
     RUN("a last frame is where both cameras say, of whatever size; bad ones are refused by name", last_frames);

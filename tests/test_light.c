@@ -1,5 +1,5 @@
-/* test_light.c - ssdo, lights and emitters through the whole of GL: furnace (of s3ho too), closed forms, layers, extra
-   cameras, shadows, virtual lights. */
+/* test_light.c - ssdo, lights and emitters through the whole of GL: furnace (of s3ho too), closed forms of corners and
+   layers (of AO too), shadows, virtual lights, margins. */
 #include "t.h"
 #include "frames.h"
 
@@ -140,18 +140,16 @@ static void further_bounces(void)
     kit_gbuffer g;
     camera.width /= 4;
     camera.height /= 4;
-    if (!lighten(&l, NULL, NULL) || !TRY(kit_image_new(&l.env, 32, 16, "R,G,B", &err))
+    if (!lighten(&l, "white", NULL)
         || !planes_seen(&frame, &camera, (const double (*)[4])plane, 2, ",albedo.R,albedo.G,albedo.B"))
         return;
-    for (int i = 0; i < 3 * 32 * 16; ++i) l.env.data[i] = 1;
     const size_t pixels = (size_t)frame.width * (size_t)frame.height;
     for (size_t i = 0; i < 3 * pixels; ++i) frame.data[4 * pixels + i] = 1;
     if (!TRY(kit_gbuffer_from_frame(&g, &frame, &camera, &err))) return;
     for (int k = 0; k < 2; ++k) {
         kit_image out;
         kit_run run;
-        if (!begin(&run, &g, "ssdo", sets[k], 1, NULL, &l)) return;
-        if (!drawn(&out, &run)) return;
+        if (!begin(&run, &g, "ssdo", sets[k], 1, NULL, &l) || !drawn(&out, &run)) return;
         for (size_t i = 0; i < pixels; ++i) {
             const double v = (double)kit_image_channel(&out, "irradiance.G")[i]
                            + (double)kit_image_channel(&out, "bounce.G")[i];

@@ -1,5 +1,5 @@
-/* test_pipeline.c - the AO passes through the whole of GL: closed forms, invariances, sizes, garbage, truth, cost, the
-   filter. */
+/* test_pipeline.c - the AO passes through the whole of GL: the march's closed forms, tiny radii, garbage and sizes (of
+   light's passes too), widths, fetches, the filter. */
 #include "t.h"
 #include "frames.h"
 #include "kit/kit_run.h"
@@ -126,7 +126,7 @@ static void corner_converges(void)
     for (int i = 0; i < 4; ++i) kit_gbuffer_free(&g[i]);
 }
 
-/* ---- the march's terms, layers and cameras: closed forms -------------------------------------------------------- */
+/* ---- the march's terms and layers: closed forms ----------------------------------------------------------------- */
 
 enum { PIT = 160, PIT_RADIUS = 60 };      /* pixels: of the picture, of the radius */
 static const double pit_lid = 0.6, pit_wall = 0.3;    /* radii over the floor; the wall also from its centre */
@@ -157,19 +157,19 @@ static int pit(kit_gbuffer *g, int lid, int wall)
     return ok;
 }
 
-/* occlusion at the one pixel at a picture's centre, over phases */
-static double at_centre(kit_run *run, int x, int y)
+/* Occlusion at the one pixel at the picture's centre, over phases. The frame's first row is the top. */
+static double at_centre(kit_run *run)
 {
-    enum { PHASES = 16 };
+    enum { PHASES = 16, X = PIT / 2, Y = PIT / 2 - 1 };
     double sum = 0;
     glEnable(GL_SCISSOR_TEST);
-    glScissor(x, y, 1, 1);
+    glScissor(X, Y, 1, 1);
     for (int k = 0; k < PHASES; ++k) {
         float visible = 0;
         run->frame.phase = (float)k / PHASES;
         kit_run_update(run);
         kit_run_draw(run, 0);
-        glReadPixels(x, y, 1, 1, GL_RED, GL_FLOAT, &visible);
+        glReadPixels(X, Y, 1, 1, GL_RED, GL_FLOAT, &visible);
         sum += 1 - (double)visible;
     }
     glDisable(GL_SCISSOR_TEST);
@@ -211,7 +211,7 @@ static void terms_of_the_march(void)
         snprintf(set, sizeof set,
                  "directions=32,normal_rays=8,steps=48,falloff=none,blur=0,offset=0,thickness=solid,%s", row[i].set);
         if (!pit(&g, row[i].lid, row[i].wall) || !open_run(&run, &g, "hsao-march", set, 1, NULL, NULL)) return;
-        o[i] = at_centre(&run, PIT / 2, PIT / 2 - 1);    /* the frame's first row is the top */
+        o[i] = at_centre(&run);
         CHECK(o[i] >= row[i].least - 1e-6 && o[i] <= row[i].most + 1e-6, "%s%s%s: %.4f, not in %g..%g", row[i].set,
               row[i].lid ? ", lid" : "", row[i].wall ? ", wall" : "", o[i], row[i].least, row[i].most);
         kit_run_close(&run);

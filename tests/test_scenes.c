@@ -614,7 +614,7 @@ static int step_within(kit_gbuffer *g, int linear)
     return 1;
 }
 
-/* Depth and normals as engines have them, in place of a G-buffer's. */
+/* Gives a G-buffer depth and normals as engines have them. */
 static int as_engines_have(kit_gbuffer *g, int way)
 {
     static float z[SEEN], n[4 * SEEN], depth[2 * SEEN], normal[8 * SEEN];
