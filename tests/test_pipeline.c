@@ -1,5 +1,5 @@
 /* test_pipeline.c - the AO passes through the whole of GL: the march's closed forms, tiny radii, garbage and sizes (of
-   light's passes too), widths, fetches, the filter. */
+   light's passes too), widths, the filter. */
 #include "t.h"
 #include "frames.h"
 #include "kit/kit_run.h"
@@ -399,69 +399,6 @@ static void widths_are_measured(void)
     }
 }
 
-/* On a plane exactly as many as foretold, on bumps no more; away from the border, where some taps are left out. */
-static void fetches_are_counted(void)
-{
-    enum { W = 64, H = 48, INSIDE = 16 };
-    static const char *const surface[2] = { "2.0", "((p.x / 5 + p.y / 4) & 1) == 0 ? 2.0 : 1.8" };
-    static const struct { int pass, search, rays, behind, normal; } row[] = {
-        { SSGI_GL_PASS_SSAO, 0, 0, 0, SSGI_GL_NORMAL_CUSTOM },
-        { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, 0, 1, SSGI_GL_NORMAL_CUSTOM },
-        { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, 0, 0, SSGI_GL_NORMAL_FROM_DEPTH },
-        { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH, 0, 1, SSGI_GL_NORMAL_CUSTOM },
-        { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH, 2, 1, SSGI_GL_NORMAL_CUSTOM } };
-    const kit_camera c = looking_along_z(W, H, 0);
-    uint32_t count[W * H];
-    ssgi_view view;
-    ssgi_gl_frame frame;
-    GLuint buffer[2], texture = kit_texture(W, H, GL_RG32F, NULL), framebuffer;
-    GLint blocks = 0;
-    glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
-    if (blocks < 1) { t_note("not counted: %s has no storage blocks in fragment shaders", kit_gl_name()); return; }
-    if (!view_of(&view, &c, 0) || ssgi_gl_frame_init(&frame, &view, 0.3f, NULL) != SSGI_OK) return;
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-    glGenBuffers(2, buffer);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer[0]);
-    glBufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)sizeof frame, &frame, GL_DYNAMIC_DRAW);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, buffer[1]);
-    glViewport(0, 0, W, H);
-    for (int i = 0; i < 2 * ROWS(row); ++i) {
-        char text[640];
-        ssgi_gl_desc d = { .pass = row[i / 2].pass, .text.dialect = SSGI_GL_DIALECT_450, .text.fetch = text,
-                           .input.depth = SSGI_GL_DEPTH_CUSTOM, .input.normal = row[i / 2].normal,
-                           .gather.search = row[i / 2].search, .gather.normal_rays = row[i / 2].rays,
-                           .gather.thickness = row[i / 2].behind, .gather.directions = 3 };
-        snprintf(text, sizeof text, "layout(std430, binding = 3) buffer counts { uint count[]; };\n"
-                 "void tick() { atomicAdd(count[uint(gl_FragCoord.y) * 64u + uint(gl_FragCoord.x)], 1u); }\n"
-                 "vec3 ssgi_custom_normal(ivec2 p) { tick(); return vec3(%s, 0.0, 1.0); }\n"
-                 "float ssgi_custom_depth(ivec2 p, int layer) { tick(); return %s; }\n", i & 1 ? "0.3" : "0.0",
-                 surface[i & 1]);
-        const GLuint program = kit_pass_program(&d, &err);
-        const uint32_t told = (uint32_t)kit_fetches(&d);
-        uint32_t least = ~0u, most = 0;
-        if (!CHECK(program != 0, "%s", err.text)) continue;
-        memset(count, 0, sizeof count);
-        glBufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof count, count, GL_DYNAMIC_READ);
-        glUseProgram(program);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)sizeof count, count);
-        for (int k = 0; k < W * H; ++k) {
-            const int x = k % W, y = k / W;
-            if (count[k] > most) most = count[k];
-            if (x >= INSIDE && y >= INSIDE && x < W - INSIDE && y < H - INSIDE && count[k] < least) least = count[k];
-        }
-        CHECK(most > 0 && most <= told && (i & 1 || least == told), "%s: %u to %u fetches a pixel, %u foretold",
-              ssgi_gl_pass_name(d.pass), least, most, told);
-        glDeleteProgram(program);
-    }
-    glDeleteBuffers(2, buffer);
-    glDeleteFramebuffers(1, &framebuffer);
-    glDeleteTextures(1, &texture);
-}
-
 /* ---- the filter -------------------------------------------------------------------------------------------------- */
 
 static float constant_value(int x, int y) { (void)x; (void)y; return 0.37f; }
@@ -570,7 +507,6 @@ void test_pipeline(void)
     RUN("garbage in depth and normals stays within [0,1], of light within all of it; so does every size of picture",
         garbage_is_survived);
     RUN("a post is as thick as it is wide, or as its back face says; a sheet half as thick", widths_are_measured);
-    RUN("the foretold number of fetches is what shaders make", fetches_are_counted);
     RUN("the filter keeps constants, edges and ramps, and averages a tile of noise", filter_keeps_its_word);
     kit_gl_close();
 }
