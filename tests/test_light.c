@@ -366,31 +366,6 @@ static void segments_end_at_lights(void)
     kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
-/* One pixel of a shining plane turned to look along it, as slivers at thin edges are: all emitters are edge-on,
-   whatever the rounding of their normals. */
-static void edge_on_is_dark(void)
-{
-    const kit_lighting dark = { .lights = 0 };
-    double worst = 0;
-    for (int k = 0; k < 12; ++k) {
-        const double a = (30 + 4.3 * k) * pi / 180, b = 1 + 0.7 * k,
-                     n[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
-        const kit_camera c = looking_along_z(81, 45, 0);
-        const int middle = 22 * 81 + 40;
-        kit_image frame, out;
-        kit_gbuffer g;
-        if (!planes_seen(&frame, &c, n, 1, ",direct.R,direct.G,direct.B")) return;
-        for (int i = 0; i < 3 * 81 * 45; ++i) kit_image_channel(&frame, "direct.R")[i] = 1;
-        kit_image_channel(&frame, "N.X")[middle] = (float)(-cos(a) * cos(b));
-        kit_image_channel(&frame, "N.Y")[middle] = (float)(-cos(a) * sin(b));
-        kit_image_channel(&frame, "N.Z")[middle] = (float)sin(a);
-        if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)) || !lit(&out, &g, "ssdo", "", 0.3f, NULL, &dark)) return;
-        worst = fmax(worst, (double)kit_image_channel(&out, "bounce.G")[middle]);
-        kit_image_free(&frame); kit_image_free(&out); kit_gbuffer_free(&g);
-    }
-    CHECK(worst < 0.01, "a receiver in the plane of its emitters gets %.3f", worst);
-}
-
 /* ---- shadow maps ------------------------------------------------------------------------------------------------- */
 
 /* A sun that shines down -z on a plane whose normal stands this far from it, half to the right and half up: its slope
@@ -607,7 +582,6 @@ void test_light(void)
     RUN("a corner and slabs darken and send by their closed forms, whatever the estimator", corners_are_closed_forms);
     RUN("what harmonics cannot carry, and storage that a gather lacks, is refused", settings_are_refused);
     RUN("a segment ends at its light", segments_end_at_lights);
-    RUN("an emitter seen edge-on is dark", edge_on_is_dark);
     RUN("with a margin the picture is the middle of a larger one, drawn alone", margins);
     RUN("a plane does not shadow itself in a map", planes_do_not_shadow_themselves);
     RUN("a sun's maps cover all that is seen, and what is filled is in shadow", suns_shadow_what_they_should);
