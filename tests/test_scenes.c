@@ -256,7 +256,6 @@ static void planes_stay_open(void)
         { "ssdo", "bounce=none", 1e-5, 0.01 },
         { "ssdo", "bounce=none,thickness=slabs,half=1,blur=1", 1e-5, 0.01 },
         { "ssdo", "bounce=none,environment=sh,thickness=back", 1e-5, -1e-6 },
-        { "ssdo", "bounce=none,thickness=solid,directions=3", 1e-5, 0.01 },
         { "s3ho", "indirect=none", 1e-5, 0.03 },
         { "s3ho-points", "indirect=none,store=float,filtered=coefficients,sets=16,steps=4", 1e-3, -1e-6 },
         { "s3ho-points", "indirect=none,store=float,filtered=light", 1e-3, -1e-6 },
@@ -274,7 +273,6 @@ static void planes_stay_open(void)
         { "ssdo", "facets=1,bounce=none", 1e-5, 9 },
         { "s3ho", "facets=1,indirect=none", 1e-5, 9 },
         { "hsao", "lift=1,offset=8", 1e-5, 0 },
-        { "hsao", "lift=1,offset=8,thickness=constant", 1e-5, 0 },
         { "ssdo", "lift=1,offset=8,bounce=none", 1e-5, 9 },
         { "hsao", "lift=1,offset=16,normal=depth", 1e-5, 0 } };
     static const double tilts[PLANES] = { 0, 40, 65, 85 };
@@ -956,10 +954,10 @@ static void near_their_truth(void)
         const char *env, *light;
         int width, height, rays;
     } place[PLACES] = {
-        { "a ball inside out", "sphere", NULL, 0, NULL, 0, 0.7f, NULL, NULL, 160, 90, 128 },
-        { "a common lens", "boxes", NULL, 0, NULL, 20, 0, NULL, NULL, 40, 720, 64 },
-        { "a narrow lens", "boxes", NULL, 0, NULL, 1, 0, NULL, NULL, 40, 720, 64 },
-        { "a narrower lens", "boxes", NULL, 0, NULL, 0.2f, 0, NULL, NULL, 40, 720, 64 },
+        { "a ball inside out", "sphere", NULL, 0, NULL, 0, 0.7f, NULL, NULL, 160, 90, 64 },
+        { "a common lens", "boxes", NULL, 0, NULL, 20, 0, NULL, NULL, 40, 720, 48 },
+        { "a narrow lens", "boxes", NULL, 0, NULL, 1, 0, NULL, NULL, 40, 720, 48 },
+        { "a narrower lens", "boxes", NULL, 0, NULL, 0.2f, 0, NULL, NULL, 40, 720, 48 },
         { "a wall beside the picture", "plane", &beside, 1, &above, 0, 0.4f, NULL, NULL, 112, 63, 64 },
         { "a plate afloat", "plane", &afloat, 1, &above, 0, 0.3f, NULL, NULL, 112, 63, 64 },
         { "a lamp in a box", "cornell", NULL, 0, NULL, 0, 0, NULL, "point:0,5,-2.8,20,20,20", 96, 54, 1 },
