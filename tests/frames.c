@@ -247,15 +247,10 @@ int slab(kit_gbuffer *g, double c, double thickness, double gap, int layers)
     return ok;
 }
 
-double difference(const kit_image *a, const kit_image *b, int dx, int dy, int border)
+double difference(const kit_image *a, const kit_image *b)
 {
+    const int pixels = a->width * a->height;
     double sum = 0;
-    int n = 0;
-    for (int y = border; y < a->height - border; ++y)
-        for (int x = border; x < a->width - border; ++x) {
-            const double d = (double)a->data[y * a->width + x] - (double)b->data[(y + dy) * b->width + x + dx];
-            sum += d * d;
-            ++n;
-        }
-    return sqrt(sum / n);
+    for (int i = 0; i < pixels; ++i) sum += pow((double)a->data[i] - (double)b->data[i], 2);
+    return sqrt(sum / pixels);
 }

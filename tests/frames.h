@@ -102,6 +102,6 @@ double     mean(const kit_image *image, const char *channel);
    [3*i + c] of so many bands: irradiance over pi. */
 void       open_vector(double v[16], const double n[3]);
 double     met(const double v[16], const float *light, int c, int bands);
-/* RMSE between a at (x, y) and b at (x + dx, y + dy), border pixels of a left out */
-double     difference(const kit_image *a, const kit_image *b, int dx, int dy, int border);
+/* RMSE between the first channels */
+double     difference(const kit_image *a, const kit_image *b);
 #endif

@@ -312,8 +312,8 @@ static void history_is_quiet(void)
                 if (!k && !TRY(kit_run_read(&first[turn], &run, &err))) return;
             if (!TRY(kit_run_read(&last[turn], &run, &err))) return;
         }
-        noise[0] = difference(&first[0], &first[1], 0, 0, 0);
-        noise[1] = difference(&last[0], &last[1], 0, 0, 0);
+        noise[0] = difference(&first[0], &first[1]);
+        noise[1] = difference(&last[0], &last[1]);
         SHOW(noise[0] > 0.003 && noise[0] < kept[i].alone && noise[1] < kept[i].kept,
              "%s %s: noise of %.4f becomes %.4f", kept[i].method, kept[i].set, noise[0], noise[1]);
         run.frame.history = 0;
@@ -425,7 +425,7 @@ static void hostile_history(void)
                 for (int k = 0; k < out.channels * out.width * out.height; ++k)
                     bad += grey ? !(out.data[k] >= 0 && out.data[k] < 1.001f) : !(fabsf(out.data[k]) < 1e10f);
                 if (f == last && !i) { sound = out; continue; }
-                if (f == last) left = fmax(left, difference(&out, &sound, 0, 0, 0));
+                if (f == last) left = fmax(left, difference(&out, &sound));
                 kit_image_free(&out);
             }
             CHECK(!bad, "%s %s: %s %d %g: %d values are none, or none that can be", kept[m].method, kept[m].set, of,
