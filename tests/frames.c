@@ -65,6 +65,19 @@ void turn(kit_run *run, kit_gbuffer *g)
     for (int i = 0; i < run->passes; ++i) run->pass[i].gbuffer = g;
 }
 
+void resize(kit_pass *p, int width, int height, const float *data)
+{
+    p->width = width;
+    p->height = height;
+    for (int t = 0; t < p->step->outputs; ++t) {
+        const ssgi_gl_format *f = p->step->output[t].format;
+        if (!p->target[t]) continue;
+        glBindTexture(GL_TEXTURE_2D, p->target[t]);
+        glTexImage2D(GL_TEXTURE_2D, 0, (GLint)f->internal, width, height, 0, f->format,
+                     f->type == GL_UNSIGNED_INT ? f->type : GL_FLOAT, data);
+    }
+}
+
 int flat(const kit_image *frame, int x, int y)
 {
     for (int k = 0; k < 49; ++k) {

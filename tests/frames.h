@@ -58,6 +58,8 @@ int        flat(const kit_image *frame, int x, int y);          /* nothing but s
 int        walls(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes,
                  const char *more);
 void       turn(kit_run *run, kit_gbuffer *g);                  /* to another G-buffer of the same size */
+/* Gives the targets of a pass, but for slices of arrays, another size; data: what they hold, NULL = anything. */
+void       resize(kit_pass *p, int width, int height, const float *data);
 
 /* Floor and wall from 45 degrees above, orthographic; radius 1 is SPAN pixels down the floor, up the wall, and sqrt(2)
    times as many sideways and in front of the wall, where what stands behind it is seen. The floor at distance c from

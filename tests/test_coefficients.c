@@ -779,7 +779,7 @@ static void light_varies(void)
     static scenery s;
     float light[48], view[16], projection[16];
     double worst = 0;
-    for (int i = 0; i < 48; ++i) light[i] = i < 3 ? 3 + 0.5f * (float)i : 0.4f * sinf(2.3f * (float)i);
+    some_light(light);
     if (!set_scene(&s, "room", NULL, "sky", NULL, W, H)) return;
     kit_camera_matrices(&s.g.camera, view, projection);
     for (int m = 0; m < ROWS(row); ++m) {

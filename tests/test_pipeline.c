@@ -44,16 +44,8 @@ static int fit(kit_run *run, kit_gbuffer *g, float radius)
     turn(run, g);
     for (int i = 0; i < 2; ++i) run->frame.origin[i] = g->viewport[i];
     for (int i = 0; i < run->passes; ++i) {
-        kit_pass *p = &run->pass[i];
-        const int by = kit_step_part(p->step);
-        p->width = (g->viewport[2] + by - 1) / by;
-        p->height = (g->viewport[3] + by - 1) / by;
-        for (int t = 0; t < p->step->outputs; ++t) {
-            const ssgi_gl_format *f = p->step->output[t].format;
-            glBindTexture(GL_TEXTURE_2D, p->target[t]);
-            glTexImage2D(GL_TEXTURE_2D, 0, (GLint)f->internal, p->width, p->height, 0, f->format,
-                         f->type == GL_UNSIGNED_INT ? f->type : GL_FLOAT, NULL);
-        }
+        const int by = kit_step_part(run->pass[i].step);
+        resize(&run->pass[i], (g->viewport[2] + by - 1) / by, (g->viewport[3] + by - 1) / by, NULL);
     }
     return 1;
 }

@@ -878,21 +878,13 @@ static void targets_have_room(void)
         run.frame.target[0] = 8; run.frame.target[1] = 6;
         for (int k = 0; k < run.passes; ++k) {
             kit_pass *p = &run.pass[k];
-            p->width += BEYOND; p->height += BEYOND;
-            for (int t = 0; t < p->step->outputs; ++t) {
-                const ssgi_gl_format *f = p->step->output[t].format;
-                if (!p->target[t]) {                       /* a slice of emitters */
-                    const GLuint array = run.texture[run.textures++] =
-                        kit_texture_array(p->width, p->height, 1, f->internal, sevens);
-                    kit_run_input(&run, "t_ssgi_emitters", array);
-                    glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
-                    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, 0);
-                    continue;
-                }
-                glBindTexture(GL_TEXTURE_2D, p->target[t]);
-                glTexImage2D(GL_TEXTURE_2D, 0, (GLint)f->internal, p->width, p->height, 0, f->format,
-                             f->type == GL_UNSIGNED_INT ? f->type : GL_FLOAT, sevens);
-            }
+            resize(p, p->width + BEYOND, p->height + BEYOND, sevens);
+            if (p->target[0]) continue;
+            const GLuint array = run.texture[run.textures++] =  /* its target is a slice of emitters */
+                kit_texture_array(p->width, p->height, 1, p->step->output[0].format->internal, sevens);
+            kit_run_input(&run, "t_ssgi_emitters", array);
+            glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, 0);
         }
         kit_run_update(&run);
         kit_run_draw(&run, 0);
