@@ -38,7 +38,7 @@ KIT_SCENE   = $(addprefix scene/,soup mesh texture cards gltf assimp models shap
 KIT_TABLES  = $(addprefix tables/,shared rooms streets halls foliage machines scans terrain)
 KIT_TRACE   = $(addprefix trace/,camera truth lit scatter reflected floor places agree)
 KIT_GL      = $(addprefix gl/,gl gbuffer foreign shadow field)
-KIT_RUN     = $(addprefix run/,settings fetches truth draw cost passes margin views lights lit occluders deep run \
+KIT_RUN     = $(addprefix run/,settings truth draw cost passes margin views lights lit occluders deep run \
               frames plan)
 KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
 LIBRARY   = library.o library_gl.o

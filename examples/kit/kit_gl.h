@@ -339,10 +339,6 @@ typedef struct kit_pass {
     double             ms;                 /* of the last kit_run_draw that timed passes */
 } kit_pass;
 
-/* What a pass takes of one frame. bytes: as kit_run's; fetches, operations: the most that a pixel takes (kit_fetches,
-   kit_operations) times what is drawn; of surfels that are made, bytes alone. */
-typedef struct kit_cost { double bytes, fetches, operations; } kit_cost;
-
 /* ---- >>run -------------------------------------------------------------------------------------------------- */
 
 /* A method made ready on one G-buffer: programs, targets, uniforms, and what it needs of the world. The G-buffer stays
@@ -374,7 +370,6 @@ typedef struct kit_run {
     GLuint        joint;                   /* what bounce holds beside the bounce; 0 = nothing */
     /* the environment, interleaved; its harmonics, if a pass reads them (with the suns, as lobes, for s3ho) */
     float        *equirect, harmonics[48];
-    double        fetches;                 /* texel fetches a pixel of the picture, all passes */
     /* moved a pixel of the picture, all passes: each reads each texel of its inputs once and writes each of its
        outputs once, as stored, of farther layers those that it asks for; of splats surfels once and each texel that
        they cover, read and written. NAN: the context cannot tell */
@@ -394,10 +389,9 @@ void kit_run_update(kit_run *run);         /* uploads run->frame */
    an engine's; passes that only tell parts apart are not drawn then. */
 enum { KIT_UNTIMED, KIT_PASSES, KIT_FRAME };
 void kit_run_draw(kit_run *run, int timed);
-kit_cost kit_pass_cost(const kit_run *run, const kit_pass *pass);
+double kit_pass_bytes(const kit_run *run, const kit_pass *pass);   /* of one frame, as run->bytes counts them */
 /* The texture of the run that inputs of that name read; 0: none is read. instead, unless 0, replaces it for all. */
 GLuint kit_run_input(kit_run *run, const char *name, GLuint instead);
-double kit_run_operations(const kit_run *run);     /* as run->fetches: kit_operations of all passes */
 double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */
 /* The picture: Y, or R G B (outgoing radiance; where there is no albedo, it is 0.8), irradiance.R .., bounce.R ..
    (irradiance over pi, before albedo). */
@@ -462,13 +456,6 @@ int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *
 
 /* ---- >>passes ----------------------------------------------------------------------------------------------- */
 
-/* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and occluders
-   count as one of each. 0 for a bad desc. */
-int    kit_fetches(const ssgi_gl_desc *desc);
-/* The same of operators, constructors and calls of GLSL's own functions, vectors counting once. A guess at a GPU's time
-   for what make cost cannot count: KIT_FETCH_OPERATIONS for a fetch, 1 for an operation. */
-int    kit_operations(const ssgi_gl_desc *desc);
-enum { KIT_FETCH_OPERATIONS = 8 };
 /* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers
    and block to their slots. */
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);

@@ -2,7 +2,7 @@
 
    Each calls those above it alone; make tree proves that none call each other in a circle:
 
-     settings.c, fetches.c      what a method is; what a pass fetches
+     settings.c  what a method is
      truth.c     the ray-traced truth of what a method computes
      draw.c      a run that is open: drawn, read back, closed
      cost.c      what it costs

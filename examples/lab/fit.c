@@ -3,9 +3,9 @@
 
       build/fit report/plan-fit.csv [report/plan-gpu.csv]
 
-   The second is what make bench measured on a GPU, or what make cost models of one (report/plan-cost.csv); without it
-   that column is a model of fetches and operations. Of an empty plan-fit.csv (/dev/null: make fit-gpu, make fit-cost)
-   all but that column stays as ssgi.h has it.
+   The second is what make bench measured on a GPU, or what make cost models of one (report/plan-cost.csv). What neither
+   has, splats among it, stays as ssgi.h has it; so does all but that column of an empty plan-fit.csv (/dev/null: make
+   fit-gpu, make fit-cost).
    A choice's squared error is a sum of terms, each times a number that is 0 or more: least squares of relative errors,
    by coordinates. */
 #define SSGI_STATIC
@@ -15,14 +15,13 @@
 #include <stdlib.h>
 
 enum { MOST_ROWS = 8192, MOST_TERMS = SSGI__PLAN_TERMS };
-/* cost: in software, and the model of a GPU's; of choices that were not timed the first is only what was predicted.
-   captured: a survey without slabs */
+/* cost: in software; of choices that were not timed it is only what was predicted. captured: a survey without slabs */
 typedef struct measured {
     char            view[64];
     ssgi_plan_scene scene;
     ssgi_survey     captured;
     int             choice, timed;
-    double          error, cost[2];
+    double          error, cost;
 } measured;
 typedef struct equation { double term[MOST_TERMS], square; } equation;
 
@@ -83,8 +82,8 @@ static int read_row(measured *m, int *fits, const char *line)
                          &s->energy[0], &s->energy[1], &s->energy[2], &s->energy[3] };
     int at;
     memset(m, 0, sizeof *m);
-    if (sscanf(line, "%63[^,],%d,%d,%d,%lf,%lf,%lf%n", m->view, fits, &s->wanted, &m->choice, &m->error, &m->cost[0],
-               &m->cost[1], &at) != 7)
+    if (sscanf(line, "%63[^,],%d,%d,%d,%lf,%lf%n", m->view, fits, &s->wanted, &m->choice, &m->error, &m->cost, &at)
+        != 6)
         return -1;
     for (size_t k = 0; k < sizeof v / sizeof *v; ++k) {
         int more;
@@ -125,23 +124,21 @@ static int own_term(const ssgi__plan_row *r)
     return r->half == SSGI__PLAN_QUARTER ? OF_QUARTER : r->half ? OF_HALF : OF_FULL;
 }
 
-/* Fits the cost of splats, in both columns. */
-static void fit_splats(int count, double own[2][MOST_TERMS])
+/* Fits the cost of splats in software. */
+static void fit_splats(int count, double own[MOST_TERMS])
 {
-    for (int c = 0; c < 2; ++c) {
-        int n = 0;
-        for (int i = 0; i < count; ++i) {
-            const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
-            if (r->method != SSGI_PLAN_METHOD_SURFELS) continue;
-            equations[n] = (equation){ { 0 }, row[i].cost[c] };
-            equations[n].term[own_term(r)] = 1;
-            equations[n].term[OF_TEXELS] = row[i].scene.splats / ssgi__plan_drawn(r);
-            equations[n++].term[OF_SURFELS] = row[i].scene.surfels;
-        }
-        const double spread = solve(own[c], equations, n, SPLAT_TERMS);
-        fprintf(stderr, "splats, column %d: %.4g a texel, %.4g a surfel, spread %.3f of %d\n", c, own[c][OF_TEXELS],
-                own[c][OF_SURFELS], 2 * spread, n);
+    int n = 0;
+    for (int i = 0; i < count; ++i) {
+        const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
+        if (r->method != SSGI_PLAN_METHOD_SURFELS) continue;
+        equations[n] = (equation){ { 0 }, row[i].cost };
+        equations[n].term[own_term(r)] = 1;
+        equations[n].term[OF_TEXELS] = row[i].scene.splats / ssgi__plan_drawn(r);
+        equations[n++].term[OF_SURFELS] = row[i].scene.surfels;
     }
+    const double spread = solve(own, equations, n, SPLAT_TERMS);
+    fprintf(stderr, "splats: %.4g a texel, %.4g a surfel, spread %.3f of %d\n", own[OF_TEXELS], own[OF_SURFELS],
+            2 * spread, n);
 }
 
 /* What a survey alone tells of a calibration of visibility, without slabs and with. */
@@ -203,14 +200,14 @@ static int read_gpu(double gpu[SSGI_PLAN_CHOICES], FILE *f, const char *path)
 }
 
 /* The equations of a choice's error, how many; and what it cost where it was timed. */
-static int equations_of(double costs[2][MOST_ROWS], int *timed, int c, int count)
+static int equations_of(double costs[MOST_ROWS], int *timed, int c, int count)
 {
     const ssgi__plan_row *r = &ssgi__plan_rows[c];
     int n = 0;
     *timed = 0;
     for (int i = 0; i < count; ++i) {
         if (row[i].choice != c) continue;
-        for (int k = 0; k < 2 && row[i].timed; ++k) costs[k][*timed] = row[i].cost[k];
+        if (row[i].timed) costs[*timed] = row[i].cost;
         *timed += row[i].timed;
         equations[n].square = row[i].error * row[i].error;
         ssgi__plan_terms(equations[n].term, r, &row[i].scene);
@@ -222,24 +219,22 @@ static int equations_of(double costs[2][MOST_ROWS], int *timed, int c, int count
     return n;
 }
 
-/* In software, and on a GPU: as given, else by fetches and operations; what was not measured stays as it is. */
-static double cost_of(double *costs, int n, const ssgi__plan_row *r, int column, double own, double gpu)
+/* In software; what was not measured stays as it is. */
+static double cost_of(double *costs, int n, const ssgi__plan_row *r, double own)
 {
     qsort(costs, (size_t)n, sizeof *costs, by_value);
-    return column && gpu > 0                    ? gpu
-           : r->method == SSGI_PLAN_METHOD_SURFELS && own > 0
-                                                ? own
-           : r->method == SSGI_PLAN_METHOD_FIELD || !n ? (double)r->cost[column]
-                                                : costs[n / 2];
+    return r->method == SSGI_PLAN_METHOD_SURFELS && own > 0 ? own
+           : r->method == SSGI_PLAN_METHOD_FIELD || !n      ? (double)r->cost[0]
+                                                            : costs[n / 2];
 }
 
 /* A line of the table. */
-static void print_choice(int c, int count, double own[2][MOST_TERMS], double gpu)
+static void print_choice(int c, int count, double own[MOST_TERMS], double gpu)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
                              *const method[] = { "NOTHING", "HSAO", "SSDO", "S3HO", "SURFELS", "FIELD" },
                              *const thickness[] = { "WIDTH", "CONSTANT", "BACK", "SLABS" };
-    static double costs[2][MOST_ROWS];
+    static double costs[MOST_ROWS];
     const ssgi__plan_row *r = &ssgi__plan_rows[c];
     double x[MOST_TERMS];
     int timed;
@@ -251,7 +246,8 @@ static void print_choice(int c, int count, double own[2][MOST_TERMS], double gpu
            "",
            r->half, r->directions, r->steps, r->steps < 10, "", r->bands, r->history, r->resolution);
     literal((double)r->size, 5, ",");
-    for (int k = 0; k < 2; ++k) literal(cost_of(costs[k], timed, r, k, own[k][own_term(r)], gpu), 5, ",");
+    literal(cost_of(costs, timed, r, own[own_term(r)]), 5, ",");
+    literal(gpu > 0 ? gpu : (double)r->cost[1], 5, ",");
     for (int k = 0; k < MOST_TERMS; ++k)
         literal(x[k] < 1e-3 ? 0 : x[k], "555450"[k] - '0', k + 1 < MOST_TERMS ? "," : ")");
     puts(c + 1 < SSGI_PLAN_CHOICES ? "," : "");
@@ -260,7 +256,7 @@ static void print_choice(int c, int count, double own[2][MOST_TERMS], double gpu
 
 int main(int argc, char **argv)
 {
-    double own[2][MOST_TERMS], gpu[SSGI_PLAN_CHOICES] = { 0 };
+    double own[MOST_TERMS], gpu[SSGI_PLAN_CHOICES] = { 0 };
     FILE *f = argc == 2 || argc == 3 ? fopen(argv[1], "r") : NULL;
     FILE *measured_gpu = argc == 3 ? fopen(argv[2], "r") : NULL;
     if (!f || (argc == 3 && !measured_gpu)) {

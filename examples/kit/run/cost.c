@@ -1,4 +1,4 @@
-/* cost.c - what a run costs: pixels that its passes draw, operations, bytes that they move. Declared in kit_gl.h and
+/* cost.c - what a run costs: pixels that its passes draw, bytes that they move. Declared in kit_gl.h and
    kit_run.h. */
 #include "kit/kit_run.h"
 #include <math.h>
@@ -50,7 +50,7 @@ static double row_bytes(const kit_run *run, const kit_pass *p, const ssgi_gl_io 
     return texel * texels;
 }
 
-static double pass_bytes(const kit_run *run, const kit_pass *p)
+double kit_pass_bytes(const kit_run *run, const kit_pass *p)
 {
     double bytes = 0;
     if (p->aside) return 0;
@@ -60,33 +60,9 @@ static double pass_bytes(const kit_run *run, const kit_pass *p)
     return bytes;
 }
 
-/* The texels that a pass computes; of surfels that are made none. */
-static double texels_of(const kit_run *run, const kit_pass *p)
-{
-    if (p->aside || !p->step->outputs) return 0;
-    return p->desc.pass == SSGI_GL_PASS_SPLAT ? run->splat_pixels : kit_pass_pixels(p);
-}
-
-kit_cost kit_pass_cost(const kit_run *run, const kit_pass *p)
-{
-    const double texels = texels_of(run, p);
-    return (kit_cost){ pass_bytes(run, p), kit_fetches(&p->desc) * texels, kit_operations(&p->desc) * texels };
-}
-
 double kit_run_bytes(const kit_run *run)
 {
     double bytes = 0;
-    for (int i = 0; i < run->passes; ++i) bytes += pass_bytes(run, &run->pass[i]);
+    for (int i = 0; i < run->passes; ++i) bytes += kit_pass_bytes(run, &run->pass[i]);
     return bytes / kit_run_pixels(run);
-}
-
-double kit_run_operations(const kit_run *run)
-{
-    double operations = 0;
-    for (int i = 0; i < run->passes; ++i) {
-        const kit_pass *p = &run->pass[i];
-        const double texels = texels_of(run, p);
-        if (texels > 0) operations += kit_operations(&p->desc) * texels;
-    }
-    return operations / kit_run_pixels(run);
 }

@@ -243,7 +243,6 @@ static int add_surfel_passes(kit_making *m, surfels *s, const ssgi_view *view, c
 {
     kit_run *run = m->run;
     if ((run->lit && light_surfels(m, s, picture)) || make_surfels(m, s, view, picture)) return -1;
-    run->fetches += run->splat_pixels / ((double)view->width * view->height);
     add_buffers(run, s, m->set->way);
     const ssgi_gl_chain chain = chain_of(m, s);
     if (m->desc.surfel.effect == SSGI_GL_EFFECT_SCATTER) add_dipole(m);

@@ -90,7 +90,6 @@ void kit_limit_passes(kit_run *run)
     int rim[KIT_MAX_PASSES];
     if (!run->margin) return;
     rims_of(run, rim);
-    run->fetches = 0;
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
         const int part = kit_step_part(p->step), from = run->margin - rim[i];
@@ -99,6 +98,5 @@ void kit_limit_passes(kit_run *run)
             p->box[k] = from / part;
             p->box[2 + k] = (to + part - 1) / part - p->box[k];
         }
-        if (!p->aside) run->fetches += kit_fetches(&p->desc) * kit_pass_pixels(p) / kit_run_pixels(run);
     }
 }

@@ -172,12 +172,7 @@ static int add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textures[], 
         return -1;
     }
     ++run->passes;
-    if (!step->outputs) return 0;
-    if (add_targets(m, p, textures)) return -1;
-    if (step->desc.pass != SSGI_GL_PASS_SPLAT && !aside)
-        run->fetches += kit_fetches(&step->desc) * (double)p->width * p->height
-                        / ((double)run->frame.size[0] * run->frame.size[1]);
-    return 0;
+    return step->outputs ? add_targets(m, p, textures) : 0;
 }
 
 /* What a pass's inputs are, and where a result is. last: what steps' numbers were in the last frame, 0 = not kept. */

@@ -114,21 +114,6 @@ static int bench_open(bench *b, options a, kit_error *err)
     return b->count < 0 || folder_make(a[OUT], err) ? -1 : 0;
 }
 
-/* The share of the pixels that show a surface. */
-static int covered_of(double *share, const kit_gbuffer *g, kit_error *err)
-{
-    const size_t pixels = (size_t)g->width * (size_t)g->height;
-    float *normal = malloc(3 * pixels * sizeof *normal);
-    size_t seen = 0;
-    if (!normal) return kit_fail(err, "out of memory");
-    const int failed = kit_texture_read(g->normal, g->width, g->height, 3, normal);
-    for (size_t i = 0; i < pixels && !failed; ++i)
-        seen += fabsf(normal[3 * i]) + fabsf(normal[3 * i + 1]) + fabsf(normal[3 * i + 2]) > 0;
-    free(normal);
-    *share = (double)seen / (double)pixels;
-    return failed ? kit_fail(err, "%s: normals cannot be read back", kit_gl_name()) : 0;
-}
-
 /* At one size. end: of all rows; of the plan's choices, 0: not here; of all that there is to do. */
 static int bench_size(bench *b, int s, const double end[3], kit_error *err)
 {
@@ -140,7 +125,7 @@ static int bench_size(bench *b, int s, const double end[3], kit_error *err)
     place p = {
         &g, &b->scene, &b->sky, &b->both, end[0], end[2], (1 - PLAN_SHARE * b->planned) / (b->sizes * BENCH_ROUNDS)
     };
-    int failed = s ? 0 : covered_of(&b->covered, &g, err), k = 0;
+    int failed = 0, k = 0;
     for (double longest = 0; k < BENCH_ROUNDS && !failed && (!k || kit_seconds() + longest < end[0]); ++k) {
         const double began = kit_seconds();
         p.end = began + (end[0] - began) / (BENCH_ROUNDS - k);

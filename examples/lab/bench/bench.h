@@ -1,6 +1,6 @@
 /* bench.h - what make bench measures: rows at sizes, what bounds them, the plan's choices.
 
-     peaks.c    what the machine does at best
+     peaks.c    what the machine copies at best
      rows.c     methods, timed
      plan.c     the plan's second column of costs
      show.c     csv, text, a record
@@ -22,35 +22,22 @@ enum {
 
 /* ---- >>peaks ----------------------------------------------------------------------------------------------------- */
 
-/* The most of each a second, of the draws until now. */
-typedef struct peaks {
-    double bytes, fetches, operations;
-} peaks;
-
-enum { BOUND_TRAFFIC, BOUND_FETCHES, BOUND_OPERATIONS, BOUNDS };
-
-/* Full-screen passes that copy a texture, that fetch alone and that compute alone; what is better than p's becomes
-   p's. */
-int peaks_measure(peaks *p, kit_error *err);
-/* Milliseconds that each part of a cost takes at these rates. covered: the share of the pixels
-   that fetch and compute as they are said to. NAN: not known. */
-void peaks_bounds(double ms[BOUNDS], const peaks *p, const kit_cost *cost, double covered);
+/* Bytes a second of a full-screen pass that copies a texture; what is more than best becomes best. */
+int peaks_measure(double *best, kit_error *err);
 
 /* ---- >>rows ------------------------------------------------------------------------------------------------------ */
 
 /* The passes of a name: what they take together, a round each. */
 typedef struct part {
     const char *name;
-    double ms[BENCH_ROUNDS];
-    kit_cost cost;
+    double ms[BENCH_ROUNDS], bytes;
 } part;
 
 /* ms: of frames; slabs: the scene's back faces, 0: none are drawn. */
 typedef struct timing {
-    double ms[BENCH_SAMPLES], slabs;
+    double ms[BENCH_SAMPLES], bytes, slabs;
     int frames, rounds, parts;
     part part[BENCH_PARTS];
-    kit_cost cost;
 } timing;
 
 typedef struct bench_row {
@@ -101,8 +88,7 @@ int plan_measure(plan_costs *costs, const place *p, kit_error *err);
 typedef struct bench {
     bench_row row[BENCH_ROWS];
     int count, sizes, size[BENCH_SIZES][2];
-    peaks best;
-    double covered; /* share of the pixels that show a surface */
+    double best; /* bytes a second */
     plan_costs plan;
     int planned, seconds; /* seconds: for all */
     kit_scene scene;

@@ -1,8 +1,6 @@
-/* peaks.c - what the machine does at best: copying, fetching, computing. Declared in bench.h. */
+/* peaks.c - what the machine copies at best. Declared in bench.h. */
 #include "lab/bench/bench.h"
 #include <math.h>
-
-static const char *const bound_name[BOUNDS] = { "traffic", "fetches", "operations" };
 
 static const char *const triangle =
     "void main() {\n"
@@ -19,39 +17,14 @@ static const char *const noise = "out vec4 o_noise;\n"
                                  "    o_noise = vec4(h & 255u, (h >> 8) & 255u, (h >> 16) & 255u, h >> 24) / 255.0;\n"
                                  "}\n";
 
-#define HEAD "uniform sampler2D t_from;\nout vec4 o_to;\nvoid main() {\n    ivec2 p = ivec2(gl_FragCoord.xy);\n"
+static const char *const copy = "uniform sampler2D t_from;\n"
+                                "out vec4 o_to;\n"
+                                "void main() { o_to = texelFetch(t_from, ivec2(gl_FragCoord.xy), 0); }\n";
 
-enum { WINDOW = 8 }; /* texels that are fetched each way */
+/* A CPU draws the smaller one. */
+static const int sizes[2][2] = { { 3840, 2160 }, { 1280, 720 } };
 
-/* amount: bytes, texels or operations a pixel. A CPU draws the smaller size, whose shortest draw is one that nothing
-   else interrupted. */
-static const struct {
-    const char *text;
-    double amount;
-    GLenum from;
-    int size[2][2];
-} probes[BOUNDS] = {
-    { HEAD "    o_to = texelFetch(t_from, p, 0);\n}\n", 16, GL_RGBA16F, { { 3840, 2160 }, { 1280, 720 } } },
-    { HEAD "    float sum = 0.0;\n"
-           "    for (int y = 0; y < 8; ++y)\n"
-           "        for (int x = 0; x < 8; ++x) sum += texelFetch(t_from, p + ivec2(x, y), 0).r;\n"
-           "    o_to = vec4(sum);\n}\n",
-      WINDOW *WINDOW,
-      GL_R32F,
-      { { 3840, 2160 }, { 256, 128 } } },
-    /* eight chains of four floats, so that none waits for the one before; a multiplication and an addition each */
-    { HEAD "    vec4 m = fract(vec4(p, p.yx) * 0.0137) * 0.5, n = m + 0.25;\n"
-           "    vec4 a = m, b = m + 0.1, c = m + 0.2, d = m + 0.3;\n"
-           "    vec4 e = m + 0.4, f = m + 0.5, g = m + 0.6, h = m + 0.7;\n"
-           "    for (int i = 0; i < 128; ++i) {\n"
-           "        a = a * m + n; b = b * m + n; c = c * m + n; d = d * m + n;\n"
-           "        e = e * m + n; f = f * m + n; g = g * m + n; h = h * m + n;\n"
-           "    }\n"
-           "    o_to = a + b + c + d + e + f + g + h;\n}\n",
-      128 * 8 * 4 * 2,
-      GL_R32F,
-      { { 3840, 2160 }, { 256, 128 } } }
-};
+enum { MOVED = 16 }; /* bytes a pixel, read and written */
 
 static void draw(GLuint program, GLuint framebuffer, GLuint to, const int size[2])
 {
@@ -76,21 +49,22 @@ static double shortest(GLuint program, GLuint framebuffer, GLuint to, const int 
     return least;
 }
 
-/* A second; 0: it cannot be measured here. */
-static double probe(int k, kit_error *err)
+int peaks_measure(double *best, kit_error *err)
 {
-    const int *size = probes[k].size[kit_gl_is_software()], beyond[2] = { size[0] + WINDOW, size[1] + WINDOW };
-    const GLuint texture[2] = { kit_texture(beyond[0], beyond[1], probes[k].from, NULL),
+    const int *size = sizes[kit_gl_is_software()];
+    const GLuint texture[2] = { kit_texture(size[0], size[1], GL_RGBA16F, NULL),
                                 kit_texture(size[0], size[1], GL_RGBA16F, NULL) };
     const GLuint program[2] = { kit_program_text("", triangle, noise, err),
-                                kit_program_text("", triangle, probes[k].text, err) };
+                                kit_program_text("", triangle, copy, err) };
     GLuint framebuffer;
     double ms = 0;
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
     glGenFramebuffers(1, &framebuffer);
-    if (!texture[0] || !texture[1]) kit_fail(err, "%s: no texture to measure it", bound_name[k]);
+    if (!texture[0] || !texture[1]) kit_fail(err, "traffic: no texture to measure it");
     else if (program[0] && program[1]) {
         glActiveTexture(GL_TEXTURE0);
-        draw(program[0], framebuffer, texture[0], beyond);
+        draw(program[0], framebuffer, texture[0], size);
         glBindTexture(GL_TEXTURE_2D, texture[0]);
         ms = shortest(program[1], framebuffer, texture[1], size);
         glBindTexture(GL_TEXTURE_2D, 0);
@@ -100,25 +74,7 @@ static double probe(int k, kit_error *err)
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteTextures(2, texture);
     for (int i = 0; i < 2; ++i) glDeleteProgram(program[i]);
-    return ms > 0 ? probes[k].amount * size[0] * size[1] / ms * 1e3 : 0;
-}
-
-int peaks_measure(peaks *p, kit_error *err)
-{
-    double *const best[BOUNDS] = { &p->bytes, &p->fetches, &p->operations };
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
-    for (int k = 0; k < BOUNDS; ++k) {
-        const double rate = probe(k, err);
-        if (!(rate > 0)) return -1;
-        *best[k] = fmax(*best[k], rate);
-    }
+    if (!(ms > 0)) return -1;
+    *best = fmax(*best, MOVED * (double)size[0] * size[1] / ms * 1e3);
     return 0;
-}
-
-void peaks_bounds(double ms[BOUNDS], const peaks *p, const kit_cost *cost, double covered)
-{
-    ms[BOUND_TRAFFIC] = cost->bytes / p->bytes * 1e3;
-    ms[BOUND_FETCHES] = covered * cost->fetches / p->fetches * 1e3;
-    ms[BOUND_OPERATIONS] = covered * cost->operations / p->operations * 1e3;
 }

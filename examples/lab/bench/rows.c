@@ -59,24 +59,17 @@ static part *part_of(timing *t, const kit_pass *p)
     return &t->part[k];
 }
 
-static void add_cost(kit_cost *sum, kit_cost more_)
+/* What a frame moves by its passes; the same in each round. */
+static void note_bytes(timing *t, const kit_run *run)
 {
-    sum->bytes += more_.bytes;
-    sum->fetches += more_.fetches;
-    sum->operations += more_.operations;
-}
-
-/* What a frame takes by its passes; the same in each round. */
-static void note_cost(timing *t, const kit_run *run)
-{
-    t->cost = (kit_cost){ 0, 0, 0 };
-    for (int k = 0; k < t->parts; ++k) t->part[k].cost = t->cost;
+    t->bytes = 0;
+    for (int k = 0; k < t->parts; ++k) t->part[k].bytes = 0;
     for (int i = 0; i < run->passes; ++i) {
         const kit_pass *p = &run->pass[i];
         part *of = p->aside ? NULL : part_of(t, p);
-        const kit_cost cost = kit_pass_cost(run, p);
-        if (of) add_cost(&of->cost, cost);
-        add_cost(&t->cost, cost);
+        const double bytes = kit_pass_bytes(run, p);
+        if (of) of->bytes += bytes;
+        t->bytes += bytes;
     }
 }
 
@@ -93,7 +86,7 @@ static int time_passes(timing *t, kit_run *run, unsigned n, double seconds, kit_
         for (int i = 0; i < run->passes; ++i) ms[i][draws] = run->pass[i].ms;
         ++draws;
     }
-    note_cost(t, run);
+    note_bytes(t, run);
     for (int k = 0; k < t->parts; ++k) t->part[k].ms[t->rounds] = 0;
     for (int i = 0; i < run->passes; ++i) {
         part *of = run->pass[i].aside ? NULL : part_of(t, &run->pass[i]);

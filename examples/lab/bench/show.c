@@ -4,8 +4,7 @@
 #include "lab/measure/csv.h"
 #include "lab/page/page.h"
 
-#define KEYS "method,settings,width,height,pass,measured,ms,lower_quartile,upper_quartile,bytes,fetches,operations," \
-             "traffic_ms,fetches_ms,operations_ms"
+#define KEYS "method,settings,width,height,pass,measured,ms,lower_quartile,upper_quartile,bytes,traffic_ms"
 
 static int most_of(const bench *b, int frames)
 {
@@ -35,33 +34,23 @@ static void about_times(char out[1200], const bench *b)
 static void about_bounds(char out[1600], const bench *b)
 {
     snprintf(out, 1600,
-             "What bounds these times, at %dx%d. In the same run full-screen passes copied %.3g GB/s (read and "
-             "written, RGBA16F), fetched %.3g billion texels a second (R32F, neighbours) and made %.3g billion "
-             "operations a second (a multiplication and an addition are two). Traffic, fetches, operations: the "
-             "milliseconds that a frame's own would take at these rates. Traffic: every pass reads each texel of its "
-             "inputs once and writes its outputs once; where a cache holds one pass's output for the next, a frame "
-             "can take less. Fetches: the most that a pixel makes, read off the text, in the %.1f %% of the pixels "
-             "that show a surface. Operations: the same of operators and calls, the dearer way through each branch, "
-             "where one on a vector counts once and any call once: an estimate, mostly too low. A largest near the "
-             "whole time is what limits a row; where it is far below, waiting does: latency, caches that miss, small "
-             "passes.",
-             b->size[0][0], b->size[0][1], b->best.bytes * 1e-9, b->best.fetches * 1e-9, b->best.operations * 1e-9,
-             100 * b->covered);
+             "What bounds these times, at %dx%d. In the same run full-screen passes copied %.3g GB/s (read and written, "
+             "RGBA16F). Traffic: the milliseconds that a frame's own would take at this rate, where every pass reads "
+             "each texel of its inputs once and writes its outputs once; where a cache holds one pass's output for the "
+             "next, a frame can take less. Near 100 %% of the time, traffic is what limits a row; where it is far "
+             "below, instructions do (make cost counts them), or waiting: latency, caches that miss, small passes.",
+             b->size[0][0], b->size[0][1], b->best * 1e-9);
 }
 
 /* ---- >>csv ------------------------------------------------------------------------------------------------------- */
 
 static void csv_row(FILE *f, const bench *b, const bench_row *r, int s, const char *pass, double *ms, int count,
-                    const kit_cost *cost)
+                    double bytes)
 {
-    double q[3], bound[BOUNDS];
+    double q[3];
     rows_quartiles(q, ms, count);
-    peaks_bounds(bound, &b->best, cost, b->covered);
-    fprintf(f, "%s,\"%s\",%d,%d,%s,%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g", r->method.name, r->set, b->size[s][0],
-            b->size[s][1], pass, count, q[1], q[0], q[2], cost->bytes, b->covered * cost->fetches,
-            b->covered * cost->operations);
-    for (int k = 0; k < BOUNDS; ++k) fprintf(f, ",%.6g", bound[k]);
-    fputc('\n', f);
+    fprintf(f, "%s,\"%s\",%d,%d,%s,%d,%.6g,%.6g,%.6g,%.6g,%.6g\n", r->method.name, r->set, b->size[s][0],
+            b->size[s][1], pass, count, q[1], q[0], q[2], bytes, bytes / b->best * 1e3);
 }
 
 static void csv_all(FILE *f, bench *b)
@@ -71,9 +60,9 @@ static void csv_all(FILE *f, bench *b)
         for (int s = 0; s < b->sizes; ++s) {
             timing *t = &b->row[i].at[s];
             if (!t->rounds) continue;
-            csv_row(f, b, &b->row[i], s, "frame", t->ms, t->frames, &t->cost);
+            csv_row(f, b, &b->row[i], s, "frame", t->ms, t->frames, t->bytes);
             for (int k = 0; k < t->parts; ++k)
-                csv_row(f, b, &b->row[i], s, t->part[k].name, t->part[k].ms, t->rounds, &t->part[k].cost);
+                csv_row(f, b, &b->row[i], s, t->part[k].name, t->part[k].ms, t->rounds, t->part[k].bytes);
         }
 }
 

@@ -85,7 +85,7 @@ static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
     const ssgi_plan_scene *n = &r->numbers;
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (isnan(r->error[i])) continue;
-        const double value[] = { r->error[i], r->cost[i], r->model[i], (double)n->calibration.unoccluded,
+        const double value[] = { r->error[i], r->cost[i], (double)n->calibration.unoccluded,
                                  (double)n->calibration.hsao, (double)n->calibration.slabs,
                                  (double)n->survey.occlusion, (double)n->survey.detail, (double)n->survey.solid,
                                  (double)n->survey.slabs, (double)n->screen_radius,

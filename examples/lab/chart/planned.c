@@ -87,17 +87,15 @@ static int planned_open(stage *s, const plan_view *p, const lit *light, int suns
     return stage_look(s, &v, SEED_WIDTH, SEED_HEIGHT, err) ? -1 : 1;
 }
 
-static double model_of(const kit_run *run) { return KIT_FETCH_OPERATIONS * run->fetches + kit_run_operations(run); }
-
 /* The picture of a choice, and its time; of light, what visibility leaves of an open surface's. */
-static int planned_draw(kit_image *out, double *time, double *model, stage *s, const ssgi_plan *p, int wanted,
-                        kit_run *fixed, int timed, kit_error *err)
+static int planned_draw(kit_image *out, double *time, stage *s, const ssgi_plan *p, int wanted, kit_run *fixed,
+                        int timed, kit_error *err)
 {
     const kit_world world = { &s->scene, &s->lighting };
     double before, after;
     kit_method m;
     kit_run run;
-    *time = *model = 0;
+    *time = 0;
     if (p->method == SSGI_PLAN_METHOD_NOTHING) {
         if (kit_image_new(out, s->frame.width, s->frame.height, "Y", err)) return -1;
         for (int i = 0; i < out->width * out->height; ++i) out->data[i] = 1;
@@ -106,7 +104,6 @@ static int planned_draw(kit_image *out, double *time, double *model, stage *s, c
     if (kit_plan_method(&m, p, wanted, err) || kit_run_open(&run, &s->gbuffer, &m, s->radius, &world, err)
         || stage_settled(out, s, &run, 0, 1, err))
         return -1;
-    *model = model_of(&run);
     if (!timed) {
         *time = (double)p->cost;
         kit_run_close(&run);
@@ -139,11 +136,10 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
     if (stage_run(&fixed, s, clock_reference.method, clock_reference.settings, s->radius, err)) return -1;
     kit_run_draw(&fixed, 1);
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
-        r->error[i] = r->cost[i] = r->model[i] = (double)NAN;
+        r->error[i] = r->cost[i] = (double)NAN;
         if (!ssgi_plan_choice(&p, i, &r->numbers)) continue;
         const int time = timed || p.method == SSGI_PLAN_METHOD_SURFELS || p.method == SSGI_PLAN_METHOD_FIELD;
-        if (planned_draw(&picture, &r->cost[i], &r->model[i], s, &p, wanted, &fixed, time, err)) return -1;
-        r->model[i] /= model_of(&fixed);
+        if (planned_draw(&picture, &r->cost[i], s, &p, wanted, &fixed, time, err)) return -1;
         r->error[i] = kit_plan_error(&picture, truth, &s->frame, wanted);
         kit_image_free(&picture);
     }

@@ -10,8 +10,7 @@ typedef struct planned_row {
     int  timed;                             /* 0: costs are what is predicted, but surfels' and fields' */
     ssgi_plan_scene numbers;
     ssgi_plan_scene captured;               /* of the frame alone: no scene, no calibration, no slabs */
-    /* NAN: not for this; operations and fetches of all passes, a pixel */
-    double error[SSGI_PLAN_CHOICES], cost[SSGI_PLAN_CHOICES], model[SSGI_PLAN_CHOICES];
+    double error[SSGI_PLAN_CHOICES], cost[SSGI_PLAN_CHOICES];   /* NAN: not for this */
 } planned_row;
 
 enum { PLANNED_SEEDS = 28, PLANNED_JUDGES = 21, PLANNED_QUICK_SEEDS = 7, MOST_PLANNED = 512 };

@@ -8,7 +8,6 @@ static int measure_entry(row *r, kit_run *run, kit_image *picture, stage *s, con
 {
     *r = row_blank(0, s->name, e->label, e->method, e->settings);
     if (stage_run(run, s, e->method, e->settings, s->radius, err)) return -1;
-    r->fetches = run->fetches + (s->lit && !run->lit ? s->lights.fetches : 0);
     return stage_settled(picture, s, run, 0, 1, err) || score_picture(r, s, picture, err)
                    || (phases && score_phases(r, s, run, phases, picture, err))
                ? -1

@@ -20,19 +20,18 @@
 enum { PEER_PASSES = 8, PEER_SAMPLERS = 12, PEER_TARGETS = 2, PEER_TEXTURES = 160, PEER_BINS = 1024 };
 
 typedef struct peer_pass {
-    /* counter: the same, but writes how many texels it fetched */
-    GLuint program, counter, framebuffer, sampler[PEER_SAMPLERS];
+    GLuint program, framebuffer, sampler[PEER_SAMPLERS];
     int    samplers, targets, width, height, shown, cleared;
     float  colour[4];
 } peer_pass;
 typedef struct peer { char label[64], settings[128]; peer_pass pass[PEER_PASSES]; int passes, result; } peer;
 typedef struct peer_texture { GLuint name; int width, height; } peer_texture;
-/* folder: the script's, of this process alone. counted: fetches are. whole: the frame, also where the stage's has
-   nothing since there is no truth. */
+/* folder: the script's, of this process alone. whole: the frame, also where the stage's has nothing since there is no
+   truth. */
 typedef struct peer_set {
     peer         peer[MOST_PEERS];
     peer_texture texture[PEER_TEXTURES];
-    int          peers, textures, counted;
+    int          peers, textures;
     char         folder[64];
     kit_image    whole;
 } peer_set;
@@ -82,34 +81,19 @@ static void peer_uniform(GLuint program, const char *type, const char *name, int
     else glUniform1i(at, (int)values[0]);
 }
 
-/* N.vert and N.frag, and the same with its fetches counted. */
+/* Of N.vert and N.frag. */
 static int peer_programs(peer_pass *pass, const peer_set *set, int number, kit_error *err)
 {
-    static const char *const counts = "float peer_fetches = 0.0;\n#define main peer_main\n#define texture(s, p) "
-                                      "(peer_fetches += 1.0, texture(s, p))\n"
-                                      "#define textureLod(s, p, l) (peer_fetches += 1.0, textureLod(s, p, l))\n#define "
-                                      "texelFetch(s, p, l) (peer_fetches += 1.0, texelFetch(s, p, l))\n";
-    static const char *const counted =
-        "%s%s\n#undef main\nvoid main() { peer_main(); gl_FragColor = vec4(peer_fetches); }\n";
-    char path[96], *text[2] = { NULL, NULL }, *more = NULL;
+    char path[96], *text[2] = { NULL, NULL };
     size_t size;
     for (int k = 0; k < 2; ++k) {
         snprintf(path, sizeof path, "%s/%d.%s", set->folder, number, k ? "frag" : "vert");
         if (kit_file_read(&text[k], &size, path, err)) { free(text[0]); return -1; }
     }
     pass->program = kit_program_text("", text[0], text[1], err);
-    int failed = !pass->program;
-    if (!failed && set->counted) {
-        size = strlen(counts) + strlen(text[1]) + strlen(counted);
-        if (!(more = malloc(size))) kit_fail(err, "out of memory");
-        else snprintf(more, size, counted, counts, text[1]);
-        pass->counter = more ? kit_program_text("", text[0], more, err) : 0;
-        failed = !pass->counter;
-    }
     free(text[0]);
     free(text[1]);
-    free(more);
-    return failed ? -1 : 0;
+    return pass->program ? 0 : -1;
 }
 
 /* A line of the script's manifest. */
@@ -188,17 +172,10 @@ static int peer_pass_read(peer_pass *pass, const peer_set *set, const told *is, 
                : kit_fail(err, "peers' manifest.csv, line %d: no such targets", is->row + 2);
 }
 
-/* Of both programs. */
-static void peer_value_read(peer_pass *pass, const char *type, const told *is, int count, const float *values)
-{
-    peer_uniform(pass->program, type, text_of(is, "name"), count, values);
-    if (pass->counter) peer_uniform(pass->counter, type, text_of(is, "name"), count, values);
-}
-
 static void peer_sampler_read(peer_pass *pass, const peer_set *set, const told *is)
 {
     const float unit = (float)pass->samplers;
-    peer_value_read(pass, "int", is, 1, &unit);
+    peer_uniform(pass->program, "int", text_of(is, "name"), 1, &unit);
     pass->sampler[pass->samplers++] = peer_texture_of(set, whole_of(is, "number"))->name;
 }
 
@@ -207,7 +184,7 @@ static void peer_uniform_read(peer_pass *pass, const told *is)
     float values[16 * 64];
     char *at = (char *)(uintptr_t)text_of(is, "values");
     for (int i = 0; i < COUNT(values); ++i) values[i] = strtof(at, &at);
-    peer_value_read(pass, text_of(is, "type"), is, whole_of(is, "count"), values);
+    peer_uniform(pass->program, text_of(is, "type"), text_of(is, "name"), whole_of(is, "count"), values);
 }
 
 static int peer_line_read(peer_set *set, const told *is, kit_error *err)
@@ -272,46 +249,6 @@ static double peer_draw(void *set, int i)
         ms += p->pass[k].shown ? (kit_timer_end(), 0) : kit_timer_end();
     }
     return ms;
-}
-
-/* Texels fetched for a pixel that shows something: a pass's mean over the texels that it writes there, by how many all
-   are. */
-static int peer_fetches(double *fetches, const peer *p, const stage *s, kit_error *err)
-{
-    const float *z = kit_image_channel(&s->frame, "Z");
-    GLuint framebuffer, target = 0;
-    *fetches = 0;
-    glGenFramebuffers(1, &framebuffer);
-    for (int k = 0; k < p->passes; ++k) {
-        peer_pass pass = p->pass[k];
-        const size_t texels = (size_t)pass.width * (size_t)pass.height;
-        float *counts = malloc(texels * sizeof *counts);
-        double sum = 0, written = 0;
-        pass.cleared = 1;
-        for (int c = 0; c < 4; ++c) pass.colour[c] = 0;
-        target = kit_texture(pass.width, pass.height, GL_RGBA32F, NULL);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
-        peer_pass_draw(&pass, pass.counter);
-        if (!counts || kit_texture_read(target, pass.width, pass.height, 1, counts)) {
-            free(counts);
-            return kit_fail(err, "%s: its fetches cannot be read", p->label);
-        }
-        for (size_t i = 0; i < texels; ++i) {
-            const size_t x = i % (size_t)pass.width * (size_t)s->frame.width / (size_t)pass.width,
-                         y = ((size_t)pass.height - 1 - i / (size_t)pass.width) * (size_t)s->frame.height
-                             / (size_t)pass.height;
-            if (!(z[y * (size_t)s->frame.width + x] > 0) || !(counts[i] > 0)) continue;
-            sum += (double)counts[i];
-            written += 1;
-        }
-        if (written > 0 && !pass.shown)
-            *fetches += sum / written * (double)texels / ((double)s->truth.width * s->truth.height);
-        free(counts);
-        glDeleteTextures(1, &target);
-    }
-    glDeleteFramebuffers(1, &framebuffer);
-    return 0;
 }
 
 static int peer_picture(kit_image *out, const peer_set *set, const peer *p, const stage *s, kit_error *err)
@@ -401,7 +338,6 @@ static void peers_free(peer_set *set)
 {
     for (int i = 0; i < set->peers; ++i) for (int k = 0; k < set->peer[i].passes; ++k) {
         glDeleteProgram(set->peer[i].pass[k].program);
-        glDeleteProgram(set->peer[i].pass[k].counter);
         glDeleteFramebuffers(1, &set->peer[i].pass[k].framebuffer);
     }
     for (int i = 1; i < set->textures; ++i) glDeleteTextures(1, &set->texture[i].name);     /* 0 is the stage's depth */
@@ -444,7 +380,6 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures
     static peer_set set;
     char what[128], command[96];
     memset(&set, 0, sizeof set);
-    set.counted = rounds > 0;
     snprintf(set.folder, sizeof set.folder, PEERS "out-%ld", (long)getpid());
     int failed = peers_write(&set, s, most < MOST_PEERS, err), count;
     if (failed <= 0) return failed;
@@ -461,8 +396,7 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures
         *r = row_blank(0, s->name, set.peer[i].label, set.peer[i].label, set.peer[i].settings);
         r->bytes = 0;                          /* nobody counts theirs */
         peer_draw(&set, i);
-        failed = (rounds && peer_fetches(&r->fetches, &set.peer[i], s, err))
-              || peer_picture(&picture, &set, &set.peer[i], s, err);
+        failed = peer_picture(&picture, &set, &set.peer[i], s, err);
         if (failed) break;
         histogram_of(&h, &picture, s);         /* before its values are clamped */
         for (size_t k = 0; k < (size_t)picture.width * (size_t)picture.height; ++k)

@@ -9,7 +9,7 @@ enum { MOST_PEERS = 32, PEERS_QUICK = 10 };
 
 /* Rows of ambient visibility: each peer with the radius matched to the stage's, at some of its
    qualities; with room for fewer than MOST_PEERS rows, one of each, PEERS_QUICK in all. figure[FITTED] is the share
-   after the best fit, figure[FIT + i] those after each of a table of fits. rounds 0: not timed, fetches not counted.
+   after the best fit, figure[FIT + i] those after each of a table of fits. rounds 0: not timed.
    pictures: NULL, or room for one a row. How many there are; 0 = none, peers_missing() says why; -1 = failed. Their
    names last until the next call. */
 int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures, kit_error *err);

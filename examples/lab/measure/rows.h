@@ -83,7 +83,7 @@ enum {
 /* What does not apply is NAN. scene: or "mean", of several. */
 typedef struct row {
     const char *scene, *label, *method, *settings;   /* label: names the curve; rows of one curve follow each other */
-    double fetches, bytes, relative, ms, share;
+    double bytes, relative, ms, share;
     kit_score score;                                 /* of ambient visibility, or of radiance */
     /* the columns that it is shown with; not OF_AO: share is error[0], and these are known: */
     int of;

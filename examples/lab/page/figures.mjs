@@ -57,7 +57,7 @@ const found = (record, kind) => report.entry(record.name, kind) ?? [];
 /* ---- >>parts: the text of each, from its rows ------------------------------------------------------------------- */
 
 function ambient(all, record) {
-    const columns = [METHOD, ['fetches', , 1], ['bytes', , 0], TIME, ON_GPU, ['error', 'share']];
+    const columns = [METHOD, ['bytes', , 0], TIME, ON_GPU, ['error', 'share']];
     return `![Cost against error](${record.kind === 'full' ? 'pictures/' : ''}chart-cpu.svg)
 
 Mean of ${grouped(all, 'scene').size} scenes. Noise: deviation over two phases of it; model error: RMSE of their mean.
@@ -74,7 +74,7 @@ ${listed(rows, ['what', 'label'], ['settings'], TIME, ['error', 'share'], ['erro
 
 function light(rows) {
     const bias = key => ['bias', `${key}_bias`, 3, true];
-    const columns = [METHOD, ['fetches', , 1], TIME, ['radiance'], ['irradiance'], bias('irradiance')];
+    const columns = [METHOD, TIME, ['radiance'], ['irradiance'], bias('irradiance')];
     return `The bunny and four boxes under a sky, one bounce: RMSE over the mean of the truth.
 
 ${listed(rows, ...columns, ['bounce', , 2], bias('bounce'))}`;
@@ -284,7 +284,7 @@ the csv of full runs are in [figures](figures).
 
 - Time: GL time of all passes, filter included, over one unblurred 16-sample \`ssao\` in the same interleaved run.
 - Error: RMSE against ray-traced truth over the RMSE of having no ambient occlusion. Raw output: no gain, no exponent.
-- Biases: below 0 is too dark. Bytes and fetches: a pixel, all passes.
+- Biases: below 0 is too dark. Bytes: a pixel, all passes.
 `;
 
 /* ---- >>writing --------------------------------------------------------------------------------------------------- */

@@ -455,8 +455,7 @@ const terms = [
         + 'fitted. For occlusion it is divided by the RMSE of a picture without any (tables: share): 0 is the truth, 1 '
         + 'no better than doing nothing. For light it is divided by the truth\'s mean (radiance).'],
     ['milliseconds, modelled', 'Of a device, by a compiler\'s count of instructions.'],
-    ['fetches, bytes', 'A pixel, all passes: texels fetched; what is read and written, each texel of a pass\'s inputs '
-        + 'and outputs once.'],
+    ['bytes', 'A pixel, all passes: what is read and written, each texel of a pass\'s inputs and outputs once.'],
     ['bias, p95, SSIM', 'The mean difference (below 0: too dark), the difference that 95 % of the pixels stay under, '
         + 'structural similarity.'],
     ['edge, border, inside', 'Shares of the squared error within 3 pixels of a jump in depth; elsewhere, nearer to the '

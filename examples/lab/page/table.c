@@ -5,7 +5,8 @@
 #include "kit/kit_gl.h"
 #include "lab/page/page.h"
 
-const char *table_settings(const row *r) { return *r->settings ? r->settings : isnan(r->fetches) ? "" : "defaults"; }
+/* The truth's floor and a picture without occlusion have no settings; rows that a method drew move bytes. */
+const char *table_settings(const row *r) { return *r->settings ? r->settings : isnan(r->bytes) ? "" : "defaults"; }
 
 /* ---- >>columns --------------------------------------------------------------------------------------------------- */
 
@@ -43,7 +44,6 @@ static const column columns[] = {
     { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "splats", "splat_pixels",
       "texels that splats cover at all levels, over the picture's pixels; predicted", AT(figure[SPLATS]), 1, 0 },
     { OF_TURN, "degrees", "degrees", "that the camera has turned away", AT(figure[DEGREES]), 1, 0 },
-    { OF_AO | OF_LIT | OF_SPLIT, "fetches", "fetches", "texel fetches per pixel, all passes", AT(fetches), 1, 0 },
     { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH, "bytes", "bytes",
       "moved per pixel, all passes, each texel of a pass's inputs and outputs once", AT(bytes), 0, 0 },
     { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "time", "relative_time",

@@ -296,13 +296,12 @@ static void print_passes(void)
                                      { SSGI_GL_IO_PARAM, SSGI_GL_IO_PARAM },
                                      { SSGI_GL_IO_OUTPUT, SSGI_GL_IO_CAPTURE } };
     puts("# Passes\n\nMade by `make passes`. `ssgi_gl_reflect` returns these rows for your variant, with formats, "
-         "slots, and offsets in\n`ssgi_gl_frame`; the declarations in the text are printed from them. Fetches: the "
-         "most that a pixel (of `surfels`: a\nsurfel) takes at default counts, as the text has it.");
+         "slots, and offsets in\n`ssgi_gl_frame`; the declarations in the text are printed from them.");
     variant v;
     for (int i = 0; variant_at(&v, i); ++i) {
         ssgi_gl_io io[SSGI_GL_MAX_IO];
         const int n = ssgi_gl_reflect(&v.desc, io, SSGI_GL_MAX_IO);
-        printf("\n### %s: %d fetches\n\n", v.title, kit_fetches(&v.desc));
+        printf("\n### %s\n\n", v.title);
         for (size_t k = 0; k < 3; ++k) {
             const char *between = " ";
             for (int r = 0; r < n; ++r) {

@@ -86,7 +86,6 @@ static void json_settings(const kit_method *m, const kit_run *run)
     }
     printf("}");
     json_value(", ", "margin_pixels", run->margin, 0);
-    json_value(", ", "fetches", run->fetches, -6);
     json_text(", ", "context", kit_gl_name());
     if (!m->between) return;
     json_value(", ", "occluders", run->occluders, 0);
@@ -101,7 +100,6 @@ static void json_times(const result *r)
         const ssgi_gl_desc *d = &r->run->pass[i].desc;
         json_text(i ? ", {" : "{", "pass", ssgi_gl_pass_name(d->pass));
         json_value(", ", "ms", r->ms[i], 4);
-        json_value(", ", "fetches", kit_fetches(d), 0);
         printf("}");
     }
     printf("]");
@@ -158,8 +156,7 @@ static void text_times(const result *r)
 {
     double sum = 0;
     for (int i = 0; i < r->run->passes; ++i) {
-        printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i],
-               kit_fetches(&r->run->pass[i].desc));
+        printf("%-8s %9.3f ms\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i]);
         sum += r->ms[i];
     }
     if (r->run->surfels) {
@@ -175,8 +172,8 @@ static void text_times(const result *r)
     if (r->run->margin)
         printf("margin   %d pixels on each side: a G-buffer of %dx%d\n", r->run->margin, r->run->wide.width,
                r->run->wide.height);
-    printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches,
-           r->frames, r->picture.width, r->picture.height, kit_gl_name());
+    printf("%-8s %9.3f ms; medians of %d frames, %dx%d, %s\n", "all", sum, r->frames, r->picture.width,
+           r->picture.height, kit_gl_name());
 }
 
 static void text_score(const options *o, const char *what, const result *r, int g)
