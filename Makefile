@@ -11,7 +11,7 @@
 #   make failures  each row of README's table of where it fails, and its remedies
 #   make mutants   wrong edits of the headers, each with the test that notices it
 #   make passes    examples/docs/PASSES.md, the table of them
-#   make glsl-out DIR=d, glsl-in DIR=d   the header's GLSL as files, and back into it
+#   make glsl-out DIR=d   the header's GLSL as files, to be read in an editor
 #   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
 #   make demo-test     the page of make demo, in a browser without a window
 #   make web-first     how long it takes to its first picture. make web-shots: pictures of it
@@ -347,12 +347,10 @@ npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/package.json >build/npm/package.json
 	@packed=$$(npm pack ./build/npm --pack-destination build --silent) && echo "npm install $(CURDIR)/build/$$packed"
 
-# The GLSL of ssgi_gl.h as files, for an editor: make glsl-out DIR=d writes them, make glsl-in DIR=d reads them back.
-build/library: $(addprefix build/examples/tools/glsl/,library.o choices.o) build/kit/util.o $(LIBRARY:%=build/kit/%)
-	@echo '  cc $@'; $(CC) $^ -lm -lpthread -o $@
-glsl-out glsl-in: build/library
+# The GLSL of ssgi_gl.h as files, a room each, to be read in an editor or beside another revision's.
+glsl-out:
 	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }
-	build/library $(@:glsl-%=%) ssgi_gl.h '$(DIR)'
+	@mkdir -p '$(DIR)' && awk -v folder='$(DIR)' -f examples/tools/glsl/rooms.awk ssgi_gl.h
 
 # Groups of tests: those of the library are make test, those of the examples follow in make test-all.
 OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps read plan math \
@@ -388,7 +386,7 @@ tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(G
 # the library and of the examples alike: only the programs that their files name are built.
 GROUPS_OF = $(shell sh tests/groups.sh $(1))
 ASKED     = $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
-PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text fuzz-files library bench fit)
+PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text fuzz-files bench fit)
 NAMED_IN  = $(filter $(PROGRAMS),$(shell grep -oh 'build/[a-z-]*' $(1:%=tests/test_%.c) /dev/null 2>/dev/null))
 RUN      := $(or $(strip $(ASKED)),$(OF_LIBRARY))
 test: $(if $(filter files,$(RUN)),page-deps) \
@@ -424,7 +422,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out glsl-in demo demo-test test test-all tree \
+.PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out demo demo-test test test-all tree \
         chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
         cost-record cost-shares cost-plan glsl mutants failures deps unlisted format clean
 
