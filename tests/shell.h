@@ -29,11 +29,18 @@ static inline int shell(char *text, size_t size, const char *format, const char 
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + (WIFSIGNALED(status) ? WTERMSIG(status) : 0);
 }
 
+static inline const char *in_folder(const char *name)      /* valid until the fourth next call */
+{
+    static char path[4][1024];
+    static int turn;
+    turn = (turn + 1) % 4;
+    snprintf(path[turn], sizeof path[turn], "%s/%s", folder, name);
+    return path[turn];
+}
+
 static inline void write_text(const char *name, const char *text)
 {
-    char path[256];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    kit_file_write(path, text, strlen(text), NULL);
+    kit_file_write(in_folder(name), text, strlen(text), NULL);
 }
 
 static inline char *read_text(const char *path)

@@ -137,7 +137,8 @@ typedef struct kit_header {
 int    kit_exr_header(kit_header *header, int wanted, const char *path, kit_error *err);
 /* kit_exr_write with what the header has; NULL: nothing */
 int    kit_exr_write_frame(const kit_image *image, const kit_header *header, const char *path, kit_error *err);
-/* Radiance .hdr, rows flat or in runs (not the old way, a pixel repeated): channels R, G, B; the same of its header. */
+/* Radiance .hdr through stb, rows flat or in runs (not the old way, a pixel repeated): channels R, G, B; the same of
+   its header. */
 int    kit_hdr_read(kit_image *image, const char *path, kit_error *err);
 
 /* 8-bit PNG through stb, 1 channel (grey) or 3 (rgb), taken in the given order from names ("Y" or "R,G,B"); values

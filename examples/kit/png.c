@@ -1,4 +1,4 @@
-/* png.c - PNG out, through stb; its reader is texture.c's, too. Declared in kit.h. */
+/* png.c - PNG out, through stb, whose readers are hdr.c's and texture.c's, too. Declared in kit.h. */
 #include "kit/kit_image.h"
 #include <math.h>
 #include <stdlib.h>
@@ -33,6 +33,7 @@ static unsigned char *png_deflate(unsigned char *data, int size, int *packed, in
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP
+#define STBI_ONLY_HDR
 #define STBI_NO_STDIO
 #include <stb/stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION
