@@ -40,14 +40,3 @@ int others_write(const char *path, int width, int height, int compression, int t
     ImfDeleteHeader(header);
     return good ? 0 : -1;
 }
-
-int others_read(const char *path, int width, int height, ImfRgba *pixels)
-{
-    ImfInputFile *file = ImfOpenInputFile(path);
-    int x0 = 0, y0 = 0, x1 = -1, y1 = -1;
-    if (file) ImfHeaderDataWindow(ImfInputHeader(file), &x0, &y0, &x1, &y1);
-    const int good = file && !x0 && !y0 && x1 == width - 1 && y1 == height - 1
-                  && ImfInputSetFrameBuffer(file, pixels, 1, (size_t)width) && ImfInputReadPixels(file, 0, height - 1);
-    if (file) ImfCloseInputFile(file);
-    return good ? 0 : -1;
-}

@@ -1,4 +1,4 @@
-/* others.h - EXR files by OpenEXR's older library, which is C++ beneath a C interface: what it writes and reads is half
+/* others.h - EXR files by OpenEXR's older library, which is C++ beneath a C interface: what it writes is half
    floats R, G, B, A. 0, or -1. */
 #ifndef OTHERS_H
 #define OTHERS_H
@@ -7,6 +7,4 @@
 ImfRgba others_pixel(float r, float g, float b, float a);
 /* compression: IMF_.._COMPRESSION; tile: the side of a tile, 0 = rows */
 int others_write(const char *path, int width, int height, int compression, int tile, const ImfRgba *pixels);
-/* of a file with a data window of just that size; what it does not hold is 0, A 1 */
-int others_read(const char *path, int width, int height, ImfRgba *pixels);
 #endif

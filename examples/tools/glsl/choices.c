@@ -1,6 +1,6 @@
-/* choices.c - the passes, and the choices that change their text, one at a time. Declared in choices.h. */
+/* choices.c - the passes, and values of fields that change their text. Declared in choices.h. */
 #include "tools/glsl/choices.h"
-#include <stddef.h>
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -23,102 +23,30 @@
 static const char custom[] = "uniform sampler2D my_gbuffer;\n" CUSTOM,
                   custom_vulkan[] = "layout(set = 1, binding = 0) uniform texture2D my_gbuffer;\n" CUSTOM;
 
-#define CHOICE(name, field, value) { name, offsetof(ssgi_gl_desc, field), value }
-const choice choices[] = { { "", 0, 0 },
-                           CHOICE("orthographic", input.orthographic, 1),
-                           CHOICE("linear", input.depth, SSGI_GL_DEPTH_LINEAR),
-                           CHOICE("customdepth", input.depth, SSGI_GL_DEPTH_CUSTOM),
-                           CHOICE("unsigned", input.normal, SSGI_GL_NORMAL_UNSIGNED),
-                           CHOICE("octahedral", input.normal, SSGI_GL_NORMAL_OCTAHEDRAL),
-                           CHOICE("fromdepth", input.normal, SSGI_GL_NORMAL_FROM_DEPTH),
-                           CHOICE("customnormal", input.normal, SSGI_GL_NORMAL_CUSTOM),
-                           CHOICE("world", input.world_normals, 1),
-                           CHOICE("jitter", gather.noise, SSGI_GL_NOISE_TEXTURE),
-                           CHOICE("points", gather.search, SSGI_GL_SEARCH_POINTS),
-                           CHOICE("march", gather.search, SSGI_GL_SEARCH_MARCH),
-                           CHOICE("rays", gather.normal_rays, 1),
-                           CHOICE("normalterm", gather.terms, SSGI_GL_TERMS_NORMAL),
-                           CHOICE("raysterm", gather.terms, SSGI_GL_TERMS_RAYS),
-                           CHOICE("spheres", gather.spheres, 1),
-                           CHOICE("nofalloff", gather.falloff, SSGI_GL_FALLOFF_NONE),
-                           CHOICE("facets", gather.facets, 1),
-                           CHOICE("lift", gather.lift, 1),
-                           CHOICE("solid", gather.thickness, SSGI_GL_THICKNESS_SOLID),
-                           CHOICE("width", gather.thickness, SSGI_GL_THICKNESS_WIDTH),
-                           CHOICE("back", gather.thickness, SSGI_GL_THICKNESS_BACK),
-                           CHOICE("slabs", gather.thickness, SSGI_GL_THICKNESS_SLABS),
-                           CHOICE("steps", gather.steps, 3),
-                           CHOICE("square", gather.falloff, SSGI_GL_FALLOFF_SQUARE),
-                           CHOICE("kernel", gather.kernel, 1),
-                           CHOICE("uniform", gather.uniform, 1),
-                           CHOICE("fade", gather.fade, SSGI_GL_FADE_SMOOTH),
-                           CHOICE("lambda", gather.fade, SSGI_GL_FADE_LAMBDA),
-                           CHOICE("range", gather.range, 1),
-                           CHOICE("layers", gather.layers, 2),
-                           CHOICE("receiver", light.receiver, 1),
-                           CHOICE("views", gather.views, 2),
-                           CHOICE("viewlayers", gather.view_layers, 2),
-                           CHOICE("sh", light.environment, SSGI_GL_ENVIRONMENT_SH),
-                           CHOICE("solidangle", light.bounce, SSGI_GL_BOUNCE_SOLID_ANGLE),
-                           CHOICE("patch", light.bounce, SSGI_GL_BOUNCE_PATCH),
-                           CHOICE("twosided", light.two_sided, 1),
-                           CHOICE("onesided", light.one_sided, 1),
-                           CHOICE("clamp", light.clamp, 1),
-                           CHOICE("1band", light.bands, 1),
-                           CHOICE("2bands", light.bands, 2),
-                           CHOICE("3bands", light.bands, 3),
-                           CHOICE("4bands", light.bands, 4),
-                           CHOICE("packed", light.packed, 1),
-                           CHOICE("transfer", light.transfer, SSGI_GL_TRANSFER_BOTH),
-                           CHOICE("reflected", light.transfer, SSGI_GL_TRANSFER_REFLECTED),
-                           CHOICE("dimmed", light.dimmed, 1),
-                           CHOICE("shaded", light.shaded, 1),
-                           CHOICE("customharmonics", light.harmonics, SSGI_GL_HARMONICS_CUSTOM),
-                           CHOICE("residual", light.residual, 1),
-                           CHOICE("bentnormal", light.shading, SSGI_GL_SHADING_BENT_NORMAL),
-                           CHOICE("bentcone", light.shading, SSGI_GL_SHADING_BENT_CONE),
-                           CHOICE("bent", light.shading, SSGI_GL_SHADING_BENT),
-                           CHOICE("lights", light.lights, 1),
-                           CHOICE("albedo", light.albedo, 1),
-                           CHOICE("map", light.shadow, SSGI_GL_SHADOW_MAP),
-                           CHOICE("fill", light.shadow, SSGI_GL_SHADOW_FILL),
-                           CHOICE("unshadowed", light.shadow, SSGI_GL_SHADOW_NONE),
-                           CHOICE("accumulate", light.accumulate, 1),
-                           CHOICE("bounced", light.bounced, 1),
-                           CHOICE("direct", light.radiance, SSGI_GL_RADIANCE_DIRECT),
-                           CHOICE("both", light.radiance, SSGI_GL_RADIANCE_BOTH),
-                           CHOICE("albedos", light.radiance, SSGI_GL_RADIANCE_ALBEDO),
-                           CHOICE("objects", input.objects, SSGI_GL_OBJECTS_TEXTURE),
-                           CHOICE("customobjects", input.objects, SSGI_GL_OBJECTS_CUSTOM),
-                           CHOICE("captable", input.cap_table, 1),
-                           CHOICE("light", surfel.effect, SSGI_GL_EFFECT_LIGHT),
-                           CHOICE("bounce", surfel.effect, SSGI_GL_EFFECT_BOUNCE),
-                           CHOICE("specular", surfel.effect, SSGI_GL_EFFECT_SPECULAR),
-                           CHOICE("scatter", surfel.effect, SSGI_GL_EFFECT_SCATTER),
-                           CHOICE("customeffect", surfel.effect, SSGI_GL_EFFECT_CUSTOM),
-                           CHOICE("levels", surfel.levels, 6),
-                           CHOICE("tessellate", surfel.tessellate, 1),
-                           CHOICE("centroid", surfel.overhang, SSGI_OVERHANG_CENTROID),
-                           CHOICE("lit", surfel.sends, SSGI_GL_SENDS_LIGHTS),
-                           CHOICE("customlight", surfel.sends, SSGI_GL_SENDS_CUSTOM),
-                           CHOICE("near", surfel.near_samples, 4),
-                           CHOICE("enlarge", surfel.enlarge, 1),
-                           CHOICE("add", surfel.combine, SSGI_GL_COMBINE_ADD),
-                           CHOICE("span", surfel.span, 4),
-                           CHOICE("vertical", surfel.axis, 1),
-                           CHOICE("half", gather.half, 1),
-                           CHOICE("turns", gather.half, 2),
-                           CHOICE("colour", filter.quantity, SSGI_GL_QUANTITY_LIGHT),
-                           CHOICE("coefficients", filter.quantity, SSGI_GL_QUANTITY_COEFFICIENTS),
-                           CHOICE("motion", input.motion, 1),
-                           CHOICE("gaussian", filter.kind, SSGI_GL_FILTER_GAUSSIAN),
-                           CHOICE("normals", filter.normals, 1),
-                           CHOICE("radius2", filter.radius, 2),
-                           CHOICE("lefthanded", input.left_handed, 1),
-                           CHOICE("oblique", input.oblique, 1),
-                           CHOICE("multisampled", input.multisampled, 1),
-                           CHOICE("array", input.array, 1) };
-const int choices_count = (int)(sizeof choices / sizeof choices[0]);
+int choice_at(choice *c, int i)
+{
+    const ssgi_gl_choice *field;
+    *c = (choice){ "", 0, 0 };
+    if (!i--) return 1;
+    for (int k = 0; (field = ssgi_gl_choice_at(k)) != NULL; ++k) {
+        const int each = *field->values || field->most <= 4, values = each ? field->most : 1;
+        if (!strcmp(field->name, "pass") || !strncmp(field->field, "text.", 5)) continue;
+        if (i >= values) {
+            i -= values;
+            continue;
+        }
+        c->offset = field->offset;
+        c->value = each ? i + 1 : 3;
+        const char *word = field->values;
+        for (int w = 0; w < c->value && *word; ++w) word += strcspn(word, " ") + 1;
+        if (*word) snprintf(c->name, sizeof c->name, "%s-%.*s", field->name, (int)strcspn(word, " "), word);
+        else if (field->most > 1) snprintf(c->name, sizeof c->name, "%s-%d", field->name, c->value);
+        else snprintf(c->name, sizeof c->name, "%s", field->name);
+        for (char *at = c->name; *at; ++at) *at = (char)tolower((unsigned char)*at);
+        return 1;
+    }
+    return 0;
+}
 
 /* Sections of PASSES.md beside the plain one that each pass has. */
 typedef struct section { const char *which; ssgi_gl_desc desc; } section;
@@ -164,7 +92,8 @@ int variant_at(variant *v, int i)
 
 ssgi_gl_desc with_choice(ssgi_gl_desc d, int c)
 {
-    if (c) memcpy((char *)&d + choices[c].offset, &choices[c].value, sizeof(int));
+    choice changed;
+    if (c && choice_at(&changed, c)) memcpy((char *)&d + changed.offset, &changed.value, sizeof(int));
     if (d.input.depth == SSGI_GL_DEPTH_CUSTOM || d.input.normal == SSGI_GL_NORMAL_CUSTOM
         || d.input.objects == SSGI_GL_OBJECTS_CUSTOM || d.light.harmonics == SSGI_GL_HARMONICS_CUSTOM
         || (d.surfel.sends == SSGI_GL_SENDS_CUSTOM && (d.pass == SSGI_GL_PASS_SURFELS || d.pass == SSGI_GL_PASS_SPLAT))

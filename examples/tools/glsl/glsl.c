@@ -1,13 +1,13 @@
 /* glsl.c - writes the text of every pass in every dialect, with every choice that changes it, as plain files for
    reading, diffing and validating.
 
-      build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one
-         choice changed; in 450 two, too:
-                                     FOLDER/hsao.450.half.slabs.frag
+      build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.facets.frag:
+         one field changed; in 450 two, too:
+                                     FOLDER/hsao.450.thickness-slabs.half-first.frag
 
    One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag. Functions for
-   shaders of yours: FOLDER/field.glsl, FOLDER/field.vulkan.glsl (ssgi_gl_field); FOLDER/hsao.half.glsl (ssgi_gl_read
-   reads what that pass wrote); FOLDER/sh4.glsl (ssgi_gl_sh(.., 4)), and so on; FOLDER/reflection.glsl
+   shaders of yours: FOLDER/field.glsl, FOLDER/field.vulkan.glsl (ssgi_gl_field); FOLDER/hsao.half-first.glsl
+   (ssgi_gl_read reads what that pass wrote); FOLDER/sh4.glsl (ssgi_gl_sh(.., 4)), and so on; FOLDER/reflection.glsl
    (ssgi_gl_reflection). ssdo's default here is an environment map. translate.sh makes WGSL, HLSL and MSL of
    FOLDER/hsao.vulkan.frag and its like: make glsl WGSL=1.
 
@@ -98,7 +98,7 @@ static int write_text(const char *folder, const ssgi_gl_desc *d, int kind, const
 static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
 {
     const char *together[SSGI_GL_STAGES + 1] = { NULL };
-    char more[64];
+    char more[96];
     snprintf(more, sizeof more, "%s%s%s%s", *first ? "." : "", first, *second ? "." : "", second);
     for (int kind = 0; kind <= (*second ? SSGI_GL_STAGES - 1 : SSGI_GL_STAGES); ++kind)
         if (write_text(folder, d, kind, ssgi_gl_pass_name(d->pass), more, &together[kind])) return -1;
@@ -391,13 +391,13 @@ static void list_chains(void)
 static int write_all(const char *folder, int alone, kit_error *err)
 {
     if (make_folder(folder, err)) return -1;
+    choice first, second;
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
-            for (int a = 0; a < choices_count; ++a)
-                for (int b = 0; b <= (dialect == SSGI_GL_DIALECT_450 ? a : 0); ++b) {
+            for (int a = 0; choice_at(&first, a) && (alone < 0 || alone == dialect); ++a)
+                for (int b = 0; b <= (dialect == SSGI_GL_DIALECT_450 ? a : 0) && choice_at(&second, b); ++b) {
                     const ssgi_gl_desc d = variant_of(pass, dialect, a, b);
-                    if (alone >= 0 && alone != dialect) continue;
-                    if (write_texts(folder, &d, choices[a].name, choices[b].name)) return -1;
+                    if (write_texts(folder, &d, first.name, second.name)) return -1;
                 }
     for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
         if ((alone < 0 || alone == dialect) && write_named_chains(folder, dialect, err)) return -1;
