@@ -1,28 +1,13 @@
 # ssgi: the library is ssgi.h and ssgi_gl.h; everything here is examples, tests and measuring.
 #
-#   make         everything, into build/          make chart       speed against accuracy, into report/
-#   make demo    the main job, into report/       make stability   where methods fail, into report/
-#   make test    the library's tests              make peers       what others have, for the chart
-#   make test-all  those, then examples, page, hosts, Vulkan; tree: who calls whom
-#   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
-#   make quiet     what the eye sees as mottling, in bands of pixels, of presets and of others' beside them
-#   make seeds   the chart's part on scenes by seed
-#   make against OLD=HEAD   what this tree draws beside what a revision draws, of every accumulator; METHOD=hsao: a row
-#   make failures  each row of README's table of where it fails, and its remedies
-#   make mutants   wrong edits of the headers, each with the test that notices it
-#   make passes    examples/docs/PASSES.md, the table of them
-#   make glsl-out DIR=d   the header's GLSL as files, to be read in an editor
-#   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
-#   make demo-test     the page of make demo, in a browser without a window
-#   make web-first     how long it takes to its first picture. make web-shots: pictures of it
-#   make viewer, bench   a window; milliseconds on a GPU. make viewer-test
-#   make hosts-test   the pages of examples/hosts, built and run
-#   make vulkan, vulkan-test     examples/hosts/vulkan.cpp, and its pictures beside GL's on lavapipe
-#   make cost      what a GPU's compiler makes of every chain, and milliseconds by a model; make cost-test for CI
-#   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
-#   make wasm      the headers as WebAssembly       make npm         a package with it, as npm install takes it
-#   make format    the layout of both headers, by clang-format 14
-#   make clean
+#   make            everything that the kit draws with, into build/
+#   make test       the library's tests; test-all: all others, too: examples, page, hosts, Vulkan, viewer
+#   make demo       the main job, into report/; chart, stability, papers, quiet, peers: what is measured
+#   make viewer     a window; web: a page in build/web/; hosts-test, vulkan: the library in others' hands
+#   make glsl       the text of every pass; wasm, npm: the headers for JavaScript; install: for pkg-config and CMake
+#
+# All targets stand below, each under what it is for; those for who edits the headers are in
+# examples/docs/CONTRIBUTING.md.
 
 CFLAGS   ?= -O2 -g
 WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
@@ -30,17 +15,11 @@ EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/inclu
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE -ffp-contract=off -Iexamples -Ibuild/include $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lz -lm -lpthread -ldl \
             -Wl,--as-needed $(shell pkg-config --libs assimp 2>/dev/null)
-# The rooms of the kit, each of which calls those before it alone, as make tree proves.
-KIT_BASE    = util image exr hdr png score
-KIT_SCENE   = $(addprefix scene/,soup mesh texture cards gltf assimp models shapes buildings thin solids \
-              scenes scene light seeds catalogue grammar look parts $(KIT_TABLES))
-# Scenes by seed: a table of rows a kind, and one that all share.
-KIT_TABLES  = $(addprefix tables/,shared rooms streets halls foliage machines scans terrain)
-KIT_TRACE   = $(addprefix trace/,camera truth lit scatter reflected floor places agree)
-KIT_GL      = $(addprefix gl/,gl gbuffer foreign shadow field)
-KIT_RUN     = $(addprefix run/,settings truth draw cost passes margin views lights lit occluders deep run \
-              frames plan)
-KIT       = $(KIT_BASE) $(KIT_SCENE) $(KIT_TRACE) $(KIT_GL) $(KIT_RUN)
+# Those files of a folder, without their ending.
+all_of    = $(patsubst $(1)/%.c,%,$(wildcard $(addprefix $(1)/,$(2))))
+# The kit's rooms, none of which calls another in a circle, as make tree proves.
+KIT_BASE  = $(filter-out library%,$(call all_of,examples/kit,*.c))
+KIT       = $(KIT_BASE) $(call all_of,examples/kit,$(addsuffix /*.c,scene scene/tables trace gl run))
 LIBRARY   = library.o library_gl.o
 KIT_O     = $(KIT:%=build/kit/%.o) $(LIBRARY:%=build/kit/%)
 
@@ -69,28 +48,23 @@ $(DECLARED): build/include/%.h: %.h Makefile
 # object without a list, as older Makefiles left them, is made again. Tests take -O1: they compile in two thirds of the
 # time, and run as fast.
 compile   = @mkdir -p $(@D); echo '  cc $@'; $(CC) $(1) -MMD -MP -c $< -o $@
-SANITIZE  = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
-THREADS   = $(KIT_FLAGS) -O1 -fsanitize=thread
+FLAGS_sanitized = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+FLAGS_threads   = $(KIT_FLAGS) -O1 -fsanitize=thread
 MADE     := $(shell find build/kit build/examples build/tests build/sanitized build/threads -name '*.[do]' 2>/dev/null)
 LISTS    := $(filter %.d,$(MADE))
 -include $(LISTS)
 $(filter-out $(LISTS:.d=.o),$(filter %.o,$(MADE))): unlisted
-build/kit/%.o: examples/kit/%.c | deps $(DECLARED)
-	$(call compile,$(KIT_FLAGS))
-build/examples/%.o: examples/%.c | deps $(DECLARED)
-	$(call compile,$(KIT_FLAGS))
-build/tests/%.o: tests/%.c | deps $(DECLARED)
-	$(call compile,$(KIT_FLAGS:-O2=-O1))
-build/sanitized/%.o: examples/kit/%.c | deps $(DECLARED)
-	$(call compile,$(SANITIZE))
-build/sanitized/examples/%.o: examples/%.c | deps $(DECLARED)
-	$(call compile,$(SANITIZE))
-build/sanitized/tests/%.o: tests/%.c | deps $(DECLARED)
-	$(call compile,$(SANITIZE))
-build/threads/%.o: examples/kit/%.c | deps $(DECLARED)
-	$(call compile,$(THREADS))
-build/threads/examples/%.o: examples/%.c | deps $(DECLARED)
-	$(call compile,$(THREADS))
+# into which folder, of which, with which flags
+define objects
+$(1)/%.o: $(2)/%.c | deps $(DECLARED)
+	$$(call compile,$(3))
+endef
+$(eval $(call objects,build/kit,examples/kit,$$(KIT_FLAGS)))
+$(eval $(call objects,build/examples,examples,$$(KIT_FLAGS)))
+$(eval $(call objects,build/tests,tests,$$(KIT_FLAGS:-O2=-O1)))
+$(foreach way,sanitized threads,$(eval $(call objects,build/$(way),examples/kit,$$(FLAGS_$(way)))) \
+  $(eval $(call objects,build/$(way)/examples,examples,$$(FLAGS_$(way)))))
+$(eval $(call objects,build/sanitized/tests,tests,$$(FLAGS_sanitized)))
 $(LIBRARY:%=build/kit/%): build/kit/%.o: examples/kit/%.c | deps $(DECLARED)
 	$(call compile,-std=c99 $(WARNINGS) $(CFLAGS))
 
@@ -104,34 +78,35 @@ build/assimp: deps
 	@version=$$(pkg-config --modversion assimp 2>/dev/null || echo none); \
 	  test "$$version" = "$$(cat $@ 2>/dev/null)" || echo "$$version" >$@
 
-RENDER = $(addprefix tools/render/,render options report frames)
-build/render: $(RENDER:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
+# Programs of the kit and of what is named here, under examples/.
+examples_of   = $(call all_of,examples,$(addsuffix /*.c,$(1)))
+LAB           = $(call examples_of,lab/measure lab/page)
+OF_render     = $(call examples_of,tools/render)
+OF_report     = lab/report $(LAB) $(call examples_of,lab/chart lab/papers)
+OF_stability  = $(LAB) $(call examples_of,lab/stability)
+OF_bench      = $(LAB) $(call examples_of,lab/bench)
+# Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:steps=12.
+OF_try        = lab/try $(LAB)
+# Which light ambient visibility dims: interreflection and glossy lobes beside their truth.
+OF_reflection = lab/reflection $(LAB)
+OF_quiet      = $(LAB) $(call examples_of,lab/quiet)
+OF_against    = $(LAB) $(call examples_of,lab/against)
+OF_cost       = tools/glsl/chains $(LAB) $(call examples_of,lab/cost)
+GLSL          = $(addprefix tools/glsl/,choices chains manifest)
+OF_glsl-text  = tools/glsl/glsl $(GLSL)
+OF_web-scenes = web/scenes
+KITS          = render report stability bench try reflection quiet against cost glsl-text web-scenes
+$(foreach p,$(KITS),$(eval build/$(p): $(OF_$(p):%=build/examples/%.o)))
+# A method's chain with all that it reads and its picture, for tests that draw it through another API.
+build/capture: build/tests/capture.o $(GLSL:%=build/examples/%.o)
+$(KITS:%=build/%) build/capture: $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) $(LIBS_$(@F)) -o $@
 
 # The same under sanitizers, for make test: drawn with once a method.
 SANITIZED = $(KIT:%=build/sanitized/%.o) $(LIBRARY:%=build/sanitized/%) \
-            $(RENDER:%=build/sanitized/examples/%.o)
+            $(OF_render:%=build/sanitized/examples/%.o)
 build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
-
-REPORT = lab/report \
-         $(addprefix lab/measure/,folder rows spread picture stage score clock measure halved script peers ahead \
-         bands csv) \
-         $(addprefix lab/page/,page table pictures units) \
-         $(addprefix lab/chart/,section mottled ao strip lit pairs seeds fields fields_stage deep deep_moving deep_stage \
-         plan planned) $(addprefix lab/papers/,papers read sheet own show)
-build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
-
-# What sweeps and measures, which make test does as well; and what shows it.
-SWEEP     = lab/measure/picture $(addprefix lab/stability/,sweeps curve shot sweep maths)
-STABILITY = $(SWEEP) $(addprefix lab/measure/,folder rows stage) lab/page/page $(addprefix lab/stability/,moves show stability)
-build/stability: $(STABILITY:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
-
-GLSL_O = $(addprefix build/examples/tools/glsl/,choices.o chains.o manifest.o)
-build/glsl-text: build/examples/tools/glsl/glsl.o $(GLSL_O) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
@@ -177,13 +152,15 @@ seeds: build/report | page-deps
 	build/report seeds $(if $(QUICK),--quick) $(METHOD:%=--method %) $(FROM:%=--from %) $(COUNT:%=--count %) \
 	  $(CONTEXT:%=--context %) $(DRAWN)
 
+NPM = npm install --no-save --ignore-scripts --no-audit --no-fund --silent --prefix
+
 # Effects of other libraries from npm, for the next make chart to measure; none of it is part of the library. make
 # cost-peers models their costs on a GPU.
 PEERS = three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6 @babylonjs/core@9.34.0 playcanvas@2.23.3
 peers:
 	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }
 	@mkdir -p build/peers
-	npm install --prefix build/peers --no-save --ignore-scripts --no-audit --no-fund --silent $(PEERS)
+	$(NPM) build/peers $(PEERS)
 	@cp examples/lab/measure/peers.mjs examples/lab/measure/tsl.mjs build/peers/
 
 # Where methods fail; report/index.html. make stability QUICK=1 is smaller.
@@ -196,8 +173,8 @@ stability: build/stability | page-deps
 FIGURES = if command -v node >/dev/null; then node examples/lab/page/figures.mjs report; \
   else echo 'figures: FIGURES.md and charts are left as they are: node is missing (apt-get install nodejs npm)'; fi
 page-deps:
-	@test -d build/page/node_modules/linkedom || ! command -v npm >/dev/null || { mkdir -p build/page && npm install \
-	  --prefix build/page --no-save --ignore-scripts --no-audit --no-fund --silent @observablehq/plot@0.6.17 \
+	@test -d build/page/node_modules/linkedom || ! command -v npm >/dev/null || { mkdir -p build/page && \
+	  $(NPM) build/page @observablehq/plot@0.6.17 \
 	  linkedom@0.18.12; } || { rm -rf build/page/node_modules; false; } || echo 'page: npm brought no @observablehq/plot; the page has tables and pictures alone'
 
 # Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table (never on seeds from
@@ -219,63 +196,37 @@ build/fit: examples/lab/fit.c ssgi.h
 
 # Milliseconds of every method on whatever GPU EGL finds, what bounds them, and the plan's costs: report/index.html,
 # bench.csv, plan-gpu.csv. METHOD=hsao: names that begin so, without the plan. SIZE=1920x1080,3840x2160 SECONDS=100
-BENCH = $(addprefix lab/bench/,bench peaks rows plan show) lab/page/page lab/measure/folder lab/measure/csv
 bench: build/bench | page-deps
 	build/bench $(CONTEXT:%=--context %) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(SIZE:%=--size %) \
 	  $(PLAN:%=--plan %) $(SECONDS:%=--seconds %)
-build/bench: $(BENCH:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
-
-# Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:steps=12.
-TRY = lab/try $(addprefix lab/measure/,folder rows spread picture stage score ahead bands)
-build/try: $(TRY:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
-
-# Which light ambient visibility dims: interreflection and glossy lobes beside their truth.
-REFLECTION = lab/reflection $(addprefix lab/measure/,folder rows picture stage score)
-build/reflection: $(REFLECTION:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # What the eye sees as mottling, of the presets and of what make peers brought. Other entries:
 # build/quiet --scene room hsao hsao:steps=12.
-QUIET = lab/quiet/quiet $(addprefix lab/measure/,folder rows picture stage score clock script peers bands csv) \
-        $(addprefix lab/page/,page table pictures)
-build/quiet: $(QUIET:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 quiet: build/quiet | page-deps
 	build/quiet
 
 # A revision's build/render is made of its own sources, under build/old, once; METHOD="hsao ssdo": those rows, or all whose
 # names begin so. Status 1 is a row that breaks a limit: examples/docs/CONTRIBUTING.md.
-AGAINST = $(addprefix lab/against/,against compared look subjects) $(addprefix lab/measure/,folder rows picture stage) \
-          lab/page/page
 against: build/against build/render
 	@revision=$$(git rev-parse --verify -q --short=12 '$(OLD)^{commit}') || \
 	  { echo 'against: OLD=$(OLD) is no revision' >&2; exit 2; }; old=build/old/$$revision; \
 	test -d $$old || { rm -rf $$old.part && mkdir -p $$old.part && git archive $$revision | tar -x -C $$old.part && \
 	  mv $$old.part $$old; } || exit 2; \
 	$(MAKE) -C $$old build/render || exit 2; build/against $$old/build/render build/render $(METHOD)
-build/against: $(AGAINST:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # What RADV's compiler makes of every chain for GPUs that need not be here, and milliseconds by a model; report/cost.csv.
 # ONLY="hsao hsao,best,steps=16 own.frag": those, with their passes; SINCE=FILE.csv: what has changed since that run.
 # cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew. cost-shares measures how
 # many waves enter what they may leave out: examples/lab/cost/shares.csv, in three minutes.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev libspirv-cross-c-shared-dev
-COST       = $(addprefix lab/cost/,cost plan peers against show passes entered share model count compile) \
-             tools/glsl/chains $(addprefix lab/measure/,folder rows picture stage script csv) lab/page/page
-COST_LIBS  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) \
-             -lglslang-default-resource-limits -Wl,--end-group -lstdc++
+LIBS_cost  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
+             -Wl,--end-group -lstdc++
 cost cost-test cost-record cost-shares cost-plan cost-peers: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h spirv_cross/spirv_cross_c.h; do \
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
 	$(MAKE) -s --no-print-directory build/cost page-deps && build/cost $(if $(filter cost,$@),\
 	  $(SINCE:%=--against %) $(ONLY) $(if $(ONLY),,&& { $(FIGURES); }),--$(patsubst test,check,$(@:cost-%=%)))
-build/cost: $(COST:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) $(COST_LIBS) -o $@
-
 # The text of every pass, dialect and feature choice, as plain files; manifest.json says what belongs together.
 # make glsl WGSL=1 HLSL=1 MSL=1 SPV=1: what other compilers make of the vulkan ones, beside them; each needs a tool, which
 # is named where it is missing.
@@ -356,8 +307,9 @@ glsl-out:
 OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps read plan math \
               twins library
 OF_EXAMPLES = tools stability errors files models seeds papers cost
-TESTED = $(sort $(SWEEP) lab/against/compared lab/against/subjects lab/cost/count lab/cost/share lab/cost/model \
-         lab/measure/csv $(filter-out lab/report,$(REPORT)))
+# What tests of the examples call: all but the programs.
+TESTED = $(sort $(filter-out lab/report lab/stability/stability lab/stability/show,$(OF_report) $(OF_stability)) \
+         $(addprefix lab/,against/compared against/subjects cost/count cost/share cost/model measure/csv))
 build/test: $(addprefix build/tests/,main.o t.o frames.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 # Models that stand in scenes of rows, from packages.
@@ -378,8 +330,7 @@ build/fuzz-files: $(addprefix build/sanitized/,tests/fuzz_files.o tests/others.o
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(KIT_LIBS) -lOpenEXR-3_1 -o $@
 
 # No room of examples/ calls one above it.
-tree: $(KIT_O) $(RENDER:%=build/examples/%.o) $(REPORT:%=build/examples/%.o) $(GLSL_O) $(BENCH:%=build/examples/%.o) \
-      $(AGAINST:%=build/examples/%.o)
+tree: $(KIT_O) $(patsubst %,build/examples/%.o,$(OF_render) $(OF_report) $(GLSL) $(OF_bench) $(OF_against))
 	@sh tests/tree.sh $(sort $^)
 
 # make test ONLY="math text" runs those groups, make test PASS=blur those that name that pass (SSGI_GL_PASS_BLUR), of
@@ -403,13 +354,7 @@ test-all:
 	T_ALL=1 $(MAKE) test
 	$(MAKE) tree
 	$(MAKE) test ONLY='$(OF_EXAMPLES)'
-	$(MAKE) demo-test
-	$(MAKE) web-test
-	$(MAKE) webgpu-test
-	$(MAKE) hosts-test
-	$(MAKE) vulkan-test
-	$(MAKE) viewer-test
-	$(MAKE) cost-test
+	for part in demo web webgpu hosts vulkan viewer cost; do $(MAKE) $$part-test || exit 1; done
 
 # In place. Another version of clang-format lays out otherwise, so that only 14 is taken; tables that it would break
 # stand between clang-format off and on.
@@ -463,7 +408,7 @@ viewer-test: build/render build/rmse
 # installed is named as skipped. ONLY="glfw sdl": those hosts.
 HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl python3-cffi libegl1 libopenscenegraph-dev \
                 libvtk9-dev
-NPM_HOSTS = npm install --prefix build/hosts --no-save --ignore-scripts --no-audit --no-fund --silent babylonjs@9.34.0 \
+NPM_HOSTS = $(NPM) build/hosts babylonjs@9.34.0 \
             playcanvas@2.23.3 three@0.187.0 vite@7.3.8 typescript@5.9.3 @types/three@0.187.0
 hosts-test: build/render build/rmse web-deps
 	@for p in $(HOST_PACKAGES); do sh examples/kit/install.sh $$p || true; done
@@ -481,7 +426,7 @@ THREE    = build/three.module.js build/three.core.js LICENSE $(addprefix example
            $(patsubst %,loaders/%Loader.js,GLTF OBJ MTL DRACO HDR EXR) utils/BufferGeometryUtils.js \
            utils/SkeletonUtils.js libs/meshopt_decoder.module.js libs/fflate.module.js libs/draco/README.md \
            libs/draco/gltf/draco_wasm_wrapper.js libs/draco/gltf/draco_decoder.wasm)
-NPM_WEB  = npm install --prefix build/web-deps --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 \
+NPM_WEB  = $(NPM) build/web-deps three@0.187.0 \
            puppeteer-core@24.43.1 esbuild@0.25.12
 web: build/web/index.html
 WEB_SSGI = $(addprefix examples/tools/wasm/,ssgi.mjs webgl.mjs three.mjs webgpu.mjs)
@@ -515,9 +460,6 @@ build/web/index.html: build/web/bake.wasm
 build/web/bake.wasm: examples/web/bake.c $(WASM_LIBC) ssgi.h | build/wasm/ssgi.wasm
 	@mkdir -p $(@D)
 	@echo '  clang $@'; clang $(WASM_FLAGS) -O3 $< -o $@
-
-build/web-scenes: build/examples/web/scenes.o $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # A picture of each scene, where it can be drawn, for the page to choose by.
 THUMB = --method ssdo --env sky --light sun:0.58,0.57,0.58,0.5,0.5,0.4 --size 160x100
@@ -568,10 +510,6 @@ webgpu-test: web-deps build/glsl-text build/capture
 	node tests/webgpu.mjs $(ONLY)
 
 .PHONY: web web-deps web-test web-first web-shots webgpu-test
-
-# A method's chain with all that it reads and its picture, for tests that draw it through another API.
-build/capture: build/tests/capture.o $(GLSL_O) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
 # Vulkan as the host, and its drawing loop on captures, under sanitizers.
 VULKAN_O     = $(KIT_BASE:%=build/kit/%.o) $(LIBRARY:%=build/kit/%)
