@@ -329,15 +329,6 @@ static void exr_camera(void)
         for (int i = 0; i < 2; ++i) was.shift[i] = (float)((double)c.shift[i] * scale);
         const double cut = astray(&part, &was, 8, 2);
         CHECK(cut < 0.02, "camera %d, a part of the picture: %.4f pixels astray", k, cut);
-        if (c.shift[0] != 0 || c.shift[1] != 0) continue;
-        const double high = 2 * tan((double)was.fovy * acos(-1) / 360);
-        back = (kit_header){ .orthographic = k % 2, .height = k % 2 ? was.ortho_height : (float)high };
-        CHECK(!kit_exr_header(&back, KIT_HEADER_PART, in_folder("c.exr"), &err), "%s", err.text);
-        part = was;
-        part.width = 8;
-        part.height = 6;
-        kit_camera_from_header(&part, &back);
-        CHECK(astray(&part, &was, 8, 2) < 0.02, "camera %d, a part by the whole's angle", k);
     }
     t_note("cameras read back: %.1e pixels astray at most", worst);
 }
@@ -894,22 +885,6 @@ static void obj_objects(void)
         free(object);
         kit_mesh_free(&m);
     }
-    size_t n = 0;                                       /* 300 parts, of which the first 45 and one more are smaller */
-    for (int k = 0; k < 300; ++k) {
-        n += (size_t)snprintf(text + n, sizeof text - n, "v %d 0 0\nv %d 1 0\nv %d 0 1\nv %d 1 1\nf -4 -3 -2\n", k, k,
-                              k, k);
-        if (k > 44 && k != 100) n += (size_t)snprintf(text + n, sizeof text - n, "f -3 -2 -1\n");
-    }
-    put("a.obj", text, n);
-    if (!CHECK(!kit_mesh_obj(&m, &object, &objects, in_folder("a.obj"), &err), "%s", err.text)) return;
-    CHECK(objects == KIT_MAX_OBJECTS && !strcmp(object[255].name, "rest") && object[255].casts == 0
-              && object[255].first == 1,
-          "%d objects, the last is %s", objects, object[255].name);
-    CHECK(m.object[0] == 1 && m.object[1] == 256 && m.object[44] == 256 && m.object[45] == 2 && m.object[46] == 2
-              && m.object[45 + 2 * 55] == 256 && m.object[m.triangles - 1] == 255,
-          "triangles are objects %u %u %u", (unsigned)m.object[1], (unsigned)m.object[45], (unsigned)m.object[155]);
-    free(object);
-    kit_mesh_free(&m);
 }
 
 static void add_cube(char *text, const char *name, double x, double y, double z, double size, double height)
@@ -1005,45 +980,6 @@ static void objects_cast_and_move(void)
     kit_scene_free(&s);
 }
 
-/* What the G-buffer names is what rays hit, but at edges. */
-static void object_numbers(void)
-{
-    kit_error err = {{0}};
-    kit_gbuffer g;
-    kit_scene s;
-    ssgi_trace trace;
-    uint32_t number[160 * 90];
-    int other = 0, empty = 0;
-    if (!CHECK(!kit_scene_load(&s, "casters", 0, &err), "%s", err.text)) return;
-    s.camera.width = 160;
-    s.camera.height = 90;
-    s.camera.eye[1] = 2;                                                /* sees past the ground */
-    const size_t size = ssgi_trace_size(s.mesh.triangles);
-    void *memory = malloc(size);
-    if (!memory
-        || !CHECK(!ssgi_trace_build(&trace, memory, size, s.mesh.position, 12, NULL, s.mesh.triangles, NULL),
-                  "no trace"))
-        return;
-    if (!CHECK(!kit_gl_open(NULL, &err) && !kit_gbuffer_from_scene(&g, &s, &s.camera, NULL, &err), "%s", err.text))
-        return;
-    CHECK(!kit_texture_read(g.object, 160, 90, 1, (float *)number), "the numbers cannot be read");
-    for (int i = 0; i < 160 * 90; ++i) {
-        ssgi_hit hit;
-        float from[3], to[3];
-        kit_camera_ray(&s.camera, i % 160, 89 - i / 160, from, to);
-        const uint32_t is = ssgi_trace_closest(&hit, &trace, from, to, 0, INFINITY) ? s.mesh.object[hit.triangle] : 0;
-        other += is != number[i];
-        empty += !is;
-    }
-    CHECK(other < 160 * 90 / 500 && empty > 100, "%d of %d pixels name another object; %d see none", other, 160 * 90,
-          empty);
-    t_note("%d of %d pixels name another object than rays hit", other, 160 * 90);
-    kit_gbuffer_free(&g);
-    kit_gl_close();
-    free(memory);
-    kit_scene_free(&s);
-}
-
 /* The greatest error of a truth between objects seen from above: of the plane by the ball, 1 / (1 + rho^2)^1.5, or if
    the plane casts of the ball by it, (1 - n.y) / 2. */
 static double ball_and_plane(int ball, int plane, kit_image *y)
@@ -1074,40 +1010,14 @@ static double ball_and_plane(int ball, int plane, kit_image *y)
 
 static void truth_of_objects(void)
 {
-    kit_error err = {{0}};
-    kit_image y = { 0 }, bare = { 0 };
+    kit_image y = { 0 };
     for (int k = 0; k < 4; ++k) {
         const double worst = ball_and_plane(k & 1, k >> 1, &y);
         CHECK(worst < (k ? 0.006 : 1e-6), "a ball that casts %d, a plane that casts %d: off by %g", k & 1, k >> 1,
               worst);
         t_note("a ball that casts %d, a plane that casts %d: off by %.1e", k & 1, k >> 1, worst);
     }
-    /* through the wall, which is one object with the floor, a box behind it occludes as if there were no wall */
-    static const float lower[3] = { -1.5f, 0.1f, -0.5f }, upper[3] = { -0.2f, 2, 0.5f }, grey[3] = { 0.5f, 0.5f, 0.5f };
-    static const char *const names[2] = { "corner", "plane" };
-    double darkest = 1, apart = 0;
-    for (int k = 0; k < 2; ++k) {
-        const kit_camera above = { .eye = { 1.05f, 10, 0 },
-                                   .target = { 1.05f, 0, 0 },
-                                   .up = { 0, 0, -1 },
-                                   .ortho_height = 1,
-                                   .width = 32,
-                                   .height = 16 };
-        kit_scene s;
-        if (!CHECK(!kit_scene_load(&s, names[k], 0, &err) && !kit_scene_add_box(&s, lower, upper, grey, &err), "%s",
-                   err.text))
-            return;
-        if (!CHECK(!kit_truth_objects(k ? &bare : &y, &s, &above, 256, 1, &err), "%s", err.text)) return;
-        kit_scene_free(&s);
-    }
-    for (int i = 0; i < 32 * 16; ++i) {
-        darkest = fmin(darkest, (double)bare.data[i]);
-        apart = fmax(apart, fabs((double)(bare.data[i] - y.data[i])));
-    }
-    CHECK(apart < 0.009 && darkest < 0.9, "a box behind the own object: off by %g, down to %g", apart, darkest);
-    t_note("a box behind the own object: off by %.1e, down to %.2f", apart, darkest);
     kit_image_free(&y);
-    kit_image_free(&bare);
 }
 
 /* ---- environments ------------------------------------------------------------------------------------------------ */
@@ -1137,35 +1047,16 @@ static double facing(const kit_image *env, const float to[3], double *peak, doub
     return sum;
 }
 
-/* The share of the light that comes from a share of the sphere, the brightest. */
-static double brightest(const kit_image *env, double share)
-{
-    const size_t w = (size_t)env->width, texels = w * (size_t)env->height;
-    double low = 0, high = 1e6, found = 0;
-    for (int k = 0; k < 40; ++k) {
-        const double level = sqrt(fmax(low, 1e-6) * high);
-        double sum[2] = { 0 }, area = 0;
-        for (size_t i = 0; i < texels; ++i) {
-            const double of = sin(acos(-1) * ((double)(i / w) + 0.5) / env->height) * acos(-1) / 2 / (double)texels,
-                         v = (double)env->data[texels + i];
-            sum[0] += of * v;
-            if (v > level) { sum[1] += of * v; area += of; }
-        }
-        if (area > share) { low = level; continue; }
-        high = level;
-        found = sum[1] / sum[0];
-    }
-    return found;
-}
-
 static void environments(void)
 {
     static const struct {
         const char *name;
-        double up, least, most, step, bright[2];    /* of the light, from a thousandth of the sphere: least, most */
-    } built_in[] = { { "sky", 1.0103, 3, 6, 0.45, { 0, 0.01 } },   { "probe", 1, 150, 300, 0.45, { 0.1, 0.3 } },
-                     { "windows", 1, 8, 14, 0.95, { 0, 0.02 } },   { "street", 1, 800, 2000, 0.95, { 0.75, 0.95 } },
-                     { "white", 1, 1, 1, 0.45, { 0, 0.002 } } };
+        double up, least, most, step;       /* facing up; of the brightest texel; between texels, of that one */
+    } built_in[] = { { "sky", 1.0103, 3, 6, 0.45 },
+                     { "probe", 1, 150, 300, 0.45 },
+                     { "windows", 1, 8, 14, 0.95 },
+                     { "street", 1, 800, 2000, 0.95 },
+                     { "white", 1, 1, 1, 0.45 } };
     static const float up[3] = { 0, 1, 0 };
     kit_image env = { 0 };
     kit_error err = {{0}};
@@ -1176,11 +1067,7 @@ static void environments(void)
         CHECK(fabs(is - built_in[i].up) < 5e-4, "%s: irradiance over pi is %.4f facing up", built_in[i].name, is);
         CHECK(peak >= built_in[i].least && peak <= built_in[i].most && step < built_in[i].step * peak,
               "%s: peak %g, steps of %g", built_in[i].name, peak, step);
-        const double share = brightest(&env, 0.001);
-        CHECK(share >= built_in[i].bright[0] && share <= built_in[i].bright[1],
-              "%s: %.3f of the light from a thousandth of the sphere", built_in[i].name, share);
-        t_note("%s: %.4f facing up, peak %.1f, steps up to %.1f, %.3f of the light from a thousandth", built_in[i].name,
-               is, peak, step, share);
+        t_note("%s: %.4f facing up, peak %.1f, steps up to %.1f", built_in[i].name, is, peak, step);
         kit_image_free(&env);
     }
     CHECK(kit_env_read(&env, "dusk", &err) == -1 && strstr(err.text, "dusk") && strstr(err.text, "probe"), "\"%s\"",
@@ -1207,23 +1094,19 @@ static void count_visit(void *context, int i) { ++((unsigned char *)context)[i];
 
 static void parallel(void)
 {
-    static const int counts[] = { 0, 1, 2, 7, 1000, 100003 };
+    static const int counts[] = { 0, 1, 7, 100003 };
     static const char *const threads[] = { "1", "3", "16", "nonsense" };
     static unsigned char visits[100003];
-    const char *old = getenv("KIT_THREADS");
-    char kept[32] = "";
-    if (old) snprintf(kept, sizeof kept, "%s", old);
-    for (int k = 0; k < 6; ++k)
-        for (int j = 0; j < 4; ++j) {
-            int wrong = 0;
-            memset(visits, 0, sizeof visits);
-            setenv("KIT_THREADS", threads[j], 1);
-            kit_parallel(j == 1 ? "counting" : NULL, counts[k], count_visit, visits);
-            for (int i = 0; i < 100003; ++i) wrong += visits[i] != (i < counts[k]);
-            CHECK(wrong == 0, "%d of %d indices were not visited once (KIT_THREADS=%s)", wrong, counts[k], threads[j]);
-        }
-    if (old) setenv("KIT_THREADS", kept, 1);
-    else unsetenv("KIT_THREADS");
+    for (int k = 0; k < 16; ++k) {
+        const int count = counts[k / 4];
+        int wrong = 0;
+        memset(visits, 0, sizeof visits);
+        setenv("KIT_THREADS", threads[k % 4], 1);
+        kit_parallel(k % 2 ? "counting" : NULL, count, count_visit, visits);
+        for (int i = 0; i < 100003; ++i) wrong += visits[i] != (i < count);
+        CHECK(wrong == 0, "%d of %d indices were not visited once (KIT_THREADS=%s)", wrong, count, threads[k % 4]);
+    }
+    unsetenv("KIT_THREADS");
 }
 
 void test_files(void)
@@ -1247,11 +1130,9 @@ void test_files(void)
     RUN("SSIM agrees with its definition", ssim);
     RUN("an OBJ with every quirk gives exactly its triangles", obj_quirks);
     RUN("a bad OBJ is an error that names file, line and fault", obj_bad);
-    RUN("objects of an OBJ are told apart by o, by g, by what hangs together; a rest does not cast", obj_objects);
+    RUN("objects of an OBJ are told apart by o, by g, by what hangs together", obj_objects);
     RUN("rooms and sheets do not cast; what is placed elsewhere is there, all else as it was", objects_cast_and_move);
-    RUN("the G-buffer names the objects that rays hit", object_numbers);
-    RUN("truth between objects: a ball on a plane, casting or not, and what lies behind the own object",
-        truth_of_objects);
+    RUN("truth between objects: a ball on a plane, casting or not", truth_of_objects);
     RUN("built-in environments are as bright as they say, with soft edges; a sun's disc brings the sun's light",
         environments);
     RUN("threads visit each index exactly once", parallel);

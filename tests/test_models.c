@@ -8,35 +8,6 @@
 #include <stb/stb_image_write.h>
 #include <sys/stat.h>
 
-#define CORNERS "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
-
-/* As if each line read its file again: what the last one names counts, wherever else the file is named. */
-static void materials_by_order(void)
-{
-    static const struct { const char *lines; float red; } files[] = {
-        { "mtllib one.mtl\nmtllib two.mtl\n", 0.5f },
-        { "mtllib one.mtl\nmtllib two.mtl\nmtllib .//one.mtl # again\n", 0.25f },
-        { "mtllib two.mtl\nmtllib one.mtl\nmtllib link.mtl\n", 0.5f },
-        { "mtllib two.mtl\nmtllib one.mtl\nmtllib absent.mtl\n", 0.25f },
-    };
-
-    char text[500], one[1024];
-    write_text("one.mtl", "newmtl x\nKd .75\nnewmtl x\nKd .25\n");
-    write_text("two.mtl", "newmtl x # y\nKd .75\nnewmtl x\nKd .5\n");
-    snprintf(one, sizeof one, "%s", in_folder("two.mtl"));
-    CHECK(!symlink(one, in_folder("link.mtl")), "no link can be made");
-    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
-        kit_error err = {{0}};
-        kit_mesh mesh;
-        snprintf(text, sizeof text, CORNERS "%susemtl x\nf 1 2 3\n", files[i].lines);
-        write_text("order.obj", text);
-        if (!CHECK(!kit_mesh_obj(&mesh, NULL, NULL, in_folder("order.obj"), &err), "%s", err.text)) return;
-        CHECK(mesh.albedo[0] == files[i].red, "file %zu: red is %g, not %g", i, (double)mesh.albedo[0],
-              (double)files[i].red);
-        kit_mesh_free(&mesh);
-    }
-}
-
 /* ---- PNG --------------------------------------------------------------------------------------------------------- */
 
 /* What is out of range, and no number; sRGB, of which 0.5 is 188 of 255; colours in the order of their names. */
@@ -391,7 +362,9 @@ static void morphs(void)
         { NODES("{\"mesh\":0}") LIGHT("0") MORPHED(",\"weights\":[2]"), "", 3 },
         { NODES("{\"mesh\":0,\"weights\":[0.5]}") LIGHT("0") MORPHED(",\"weights\":[2]"), "", 1.5 },
         { NODES("{\"mesh\":0,\"weights\":[0]}") LIGHT("0.5") MORPHED(",\"weights\":[2]"),
-          "its materials emit light, which is not read", 1 } };
+          "its materials emit light, which is not read", 1 },
+        { NODES("{\"mesh\":0}") "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+          "\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"no.png\"}]," MORPHED(""), "no.png", 1 } };
     kit_error err = { { 0 } };
     kit_scene s;
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
@@ -399,7 +372,7 @@ static void morphs(void)
         if (!CHECK(!kit_scene_load(&s, in_folder("a.gltf"), 0, &err), "%zu: %s", i, err.text)) continue;
         const double area = 0.5 * sqrt(3) * all[i].size * all[i].size;
         CHECK(fabs(area_of(&s) - area) < 1e-6, "%zu: covers %g, not %g", i, area_of(&s), area);
-        CHECK(!strcmp(s.note, all[i].note), "%zu: \"%s\"", i, s.note);
+        CHECK(*all[i].note ? strstr(s.note, all[i].note) != NULL : !*s.note, "%zu: \"%s\"", i, s.note);
         kit_scene_free(&s);
     }
 }
@@ -467,23 +440,6 @@ static void upright(void)
     kit_scene_free(&s);
 }
 
-/* A texture that is not there is said, and all else is read. */
-static void textures_missing(void)
-{
-    kit_error err = { { 0 } };
-    kit_scene s;
-    write_text("note.gltf",
-        GLTF("\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,0.5,1,1],"
-             "\"baseColorTexture\":{\"index\":0}}}],\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"no.png\"}],"
-             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}],\"accessors\":["
-             "{\"bufferView\":0,\"count\":3,\"componentType\":5126,\"type\":\"VEC3\"}],\"bufferViews\":["
-             "{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"" CORNERS_64 "AIA/\"}]}"));
-    if (!CHECK(!kit_scene_load(&s, in_folder("note.gltf"), 0, &err), "%s", err.text)) return;
-    CHECK(strstr(s.note, "no.png") && s.mesh.albedo[1] == 0.5f, "\"%s\", green is %g", s.note,
-          (double)s.mesh.albedo[1]);
-    kit_scene_free(&s);
-}
-
 static void without_assimp(void)
 {
     kit_error err = { { 0 } };
@@ -516,7 +472,6 @@ static void no_scene(void)
 void test_models(void)
 {
     if (!folder_begin()) return;
-    RUN("a file of materials that is named often counts where it is named last", materials_by_order);
     RUN("a PNG read back is what was written", png);
     if (kit_assimp_version()) {
         RUN("nodes of a .glb stand, are scaled and mirrored as it says; their names, colours and normals",
@@ -525,9 +480,8 @@ void test_models(void)
         RUN("a PLY's polygons, parts and colours", ply);
         RUN("an FBX whose z axis is up stands upright", upright);
         RUN("models far from 0 stand where their files say, to doubles; what is coarse is said", far_away);
-        RUN("a glTF's morphs stand by its weights; that it emits light is said", morphs);
+        RUN("a glTF's morphs stand by its weights; that it emits light or lacks a picture is said", morphs);
         RUN("what cannot be read is refused in one line that says why", refused);
-        RUN("a texture that is not there is said, all else is read", textures_missing);
     } else {
         RUN("without Assimp a .glb is refused in one line that says what would help", without_assimp);
         printf("skipped: models but OBJ: Assimp is missing (apt-get install libassimp-dev)\n");
