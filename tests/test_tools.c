@@ -96,31 +96,6 @@ static void without_osmesa(void)
     REFUSED("LD_LIBRARY_PATH=lacks $R", asked);
 }
 
-/* install.sh as root on a Debian where these packages are there, and those can be had. */
-static void installs(void)
-{
-    static const char rest[] = "gcc make pkg-config libopenexr-dev libstb-dev glslang-tools glmark2-data",
-                      egl[] = "libegl-dev libegl-mesa0 libgl1-mesa-dri";
-    static const struct { const char *has, *can, *got; } cases[] = {   /* got NULL: status 1 */
-        { "libosmesa6-dev", "", "" }, { egl, "libosmesa6-dev", "" },
-        { "", "libosmesa6-dev libegl-dev libegl-mesa0 libgl1-mesa-dri", "libosmesa6-dev\n" },
-        { "libegl-mesa0", egl, "libegl-dev libgl1-mesa-dri\n" }, { "", "", NULL } };
-    char line[600];
-    run("mkdir bin");
-    write_text("bin/id", "echo 0\n");
-    write_text("bin/dpkg-query", "case \" $HAS \" in *\" $4 \"*) echo install ok installed ;; *) exit 1 ;; esac\n");
-    write_text("bin/apt-get", "[ $1 = update ] && exit\nshift 3\necho \"$@\" >asked\n"
-                              "for p; do case \" $CAN \" in *\" $p \"*) ;; *) exit 100 ;; esac; done\nmv asked got\n");
-    run("chmod +x bin/*");
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        snprintf(line, sizeof line, "export HAS='%s %s' CAN='%s' PATH=\"$PWD/bin:$PATH\"; : >got; "
-                 "sh $T/examples/kit/install.sh >log 2>&1; s=$?; cat got; exit $s", rest, cases[i].has, cases[i].can);
-        const int status = run(line);
-        CHECK(cases[i].got ? !status && !strcmp(said, cases[i].got) : status == 1, "%s: status %d, installs %s", line,
-              status, said);
-    }
-}
-
 /* A file a room, without C's quotes, whose conditions are in pairs; all main functions are there. */
 static void rooms_as_files(void)
 {
@@ -1185,7 +1160,6 @@ void test_tools(void)
     RUN("an edit of GLSL compiles again what holds the implementation, one of a declaration all that calls it", edits);
     RUN("examples/minimal.c draws the same by OSMesa and by EGL", minimal);
     RUN("without OSMesa the default context is EGL's, and draws the same", without_osmesa);
-    RUN("install.sh takes OSMesa or EGL, whichever can be had", installs);
     RUN("the library of GLSL as files: a room each, of GLSL alone", rooms_as_files);
     RUN("the manifest names every file, what belongs together, and rows that the texts have", manifest);
     RUN("a chain as one writes it is made in the languages named, or refused by its field", own_chain);

@@ -49,8 +49,6 @@ GLenum    kit_target_of(const ssgi_gl_io *io);
 /* ---- >>cost */
 
 int       kit_step_part(const ssgi_gl_step *step);       /* how many pixels are as wide as a texel of its targets */
-double    kit_pass_pixels(const kit_pass *p);          /* of its targets, that it draws */
-double    kit_run_pixels(const kit_run *run);          /* of the picture */
 double    kit_run_bytes(const kit_run *run);           /* see kit_run */
 
 /* ---- >>passes */

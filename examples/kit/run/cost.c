@@ -3,14 +3,10 @@
 #include "kit/kit_run.h"
 #include <math.h>
 
-double kit_pass_pixels(const kit_pass *p)
+/* Of its targets, that it draws. */
+static double pass_pixels(const kit_pass *p)
 {
     return p->box[2] ? (double)p->box[2] * p->box[3] : (double)p->width * p->height;
-}
-
-double kit_run_pixels(const kit_run *run)
-{
-    return (double)(run->frame.size[0] - 2 * run->margin) * (run->frame.size[1] - 2 * run->margin);
 }
 
 /* Bytes of a texel, and how many texels there are. */
@@ -46,7 +42,7 @@ static double row_bytes(const kit_run *run, const kit_pass *p, const ssgi_gl_io 
     const double texel =
         texel_of(&texels, texture, in ? kit_target_of(io) : p->target[0] ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY);
     if (slices) texels *= (double)slices / (g->layers - 1);
-    if (!in) texels = p->desc.pass == SSGI_GL_PASS_SPLAT ? 2 * run->splat_pixels : kit_pass_pixels(p);
+    if (!in) texels = p->desc.pass == SSGI_GL_PASS_SPLAT ? 2 * run->splat_pixels : pass_pixels(p);
     return texel * texels;
 }
 
@@ -62,7 +58,8 @@ double kit_pass_bytes(const kit_run *run, const kit_pass *p)
 
 double kit_run_bytes(const kit_run *run)
 {
+    const double wide = run->frame.size[0] - 2 * run->margin, high = run->frame.size[1] - 2 * run->margin;
     double bytes = 0;
     for (int i = 0; i < run->passes; ++i) bytes += kit_pass_bytes(run, &run->pass[i]);
-    return bytes / kit_run_pixels(run);
+    return bytes / (wide * high);
 }

@@ -30,16 +30,6 @@ static int number_of(table *t, const char *key, const char *line)
     }
 }
 
-static void put_string(FILE *f, const char *s)
-{
-    fputc('"', f);
-    for (; *s; ++s) {
-        if (*s == '"' || *s == '\\') fputc('\\', f);
-        if ((unsigned char)*s < 32) fprintf(f, "\\u%04x", (unsigned)(unsigned char)*s); else fputc(*s, f);
-    }
-    fputc('"', f);
-}
-
 /* Word i of those that a field's values have; at the empty end of them when there are fewer. */
 static const char *word_at(const ssgi_gl_choice *c, int i, int *length)
 {
@@ -73,7 +63,7 @@ static int row_number(const ssgi_gl_io *io)
     if (!f) abort();
     fprintf(f, "{ \"name\": \"%s\", \"kind\": \"%s\", \"type\": \"%s\", \"slot\": %d, \"offset\": %zu, \"format\": ",
             io->name, kinds[io->kind], io->type, io->slot, io->offset);
-    put_string(f, io->format);
+    kit_json_string(f, io->format);
     fputs(" }", f);
     fclose(f);
     const int number = number_of(&rows, line, line);
@@ -227,7 +217,7 @@ void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *ch
     snprintf(key, sizeof key, "{ \"name\": \"%s\", \"dialect\": \"%s\",", name,
              ssgi_gl_dialect_name(steps[0].desc.text.dialect));
     fprintf(f, "%s \"about\": ", key);
-    put_string(f, about);
+    kit_json_string(f, about);
     fputs(",\n\"chain\": { \"desc\": ", f);
     ssgi_gl_chain in = *chain;                              /* in that dialect */
     in.desc.text.dialect = in.lights.text.dialect = steps[0].desc.text.dialect;
@@ -327,7 +317,7 @@ static void put_block(FILE *f, const char *name, int block, const char *prefix, 
         if (m->slot != block) continue;
         fprintf(f, "%s\n{ \"name\": \"%s\", \"glsl\": \"%s\", \"type\": \"%s\", \"offset\": %zu, \"bytes\": %zu, "
                    "\"units\": ", between, m->name + strlen(prefix), m->name, m->type, m->offset, bytes_of(m->type));
-        put_string(f, m->format);
+        kit_json_string(f, m->format);
         if (!block) put_default(f, compared, m);
         fputs(" }", f);
         between = ",";
@@ -370,7 +360,7 @@ static void put_about(FILE *f)
     fprintf(f, "{ \"ssgi\": \"%d.%d\",\n\"about\": [", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);
     for (size_t i = 0; i < sizeof about / sizeof *about; ++i) {
         fputs(i ? ",\n" : "\n", f);
-        put_string(f, about[i]);
+        kit_json_string(f, about[i]);
     }
 }
 
@@ -391,7 +381,7 @@ static void put_fields(FILE *f)
             fprintf(f, "%s\"%.*s\"", k ? ", " : "", n, word);
         }
         fputs("], \"sentence\": ", f);
-        put_string(f, c->sentence);
+        kit_json_string(f, c->sentence);
         fputs(" }", f);
     }
 }
@@ -429,9 +419,9 @@ int manifest_write(const char *path, kit_error *err)
     put_table(f, "formats", &formats);
     put_table(f, "chains", &chains);
     fprintf(f, ",\n\"fetch\": ");
-    put_string(f, fetch[0]);
+    kit_json_string(f, fetch[0]);
     fprintf(f, ",\n\"fetch_vulkan\": ");
-    put_string(f, fetch[1]);
+    kit_json_string(f, fetch[1]);
     fputs(" }\n", f);
     fclose(f);
     const int bad = kit_file_write(path, text, size, err);

@@ -6,8 +6,7 @@
 /* A line of a sequence: a frame, and where it was taken, unless the frame tells. */
 typedef struct line {
     const char *frame;
-    double camera[6];
-    float up[3];
+    double camera[6], up[3];
     int has_camera, has_up, number;
 } line;
 
@@ -36,7 +35,7 @@ static int parse_line(line *l, char *text)
     if (render_numbers("camera", camera, v, commas == 8 ? 9 : 6, NULL)) return -1;
     l->has_camera = 1;
     memcpy(l->camera, v, sizeof l->camera);
-    for (int i = 0; i < 3; ++i) l->up[i] = (float)v[6 + i];
+    memcpy(l->up, v + 6, sizeof l->up);
     l->has_up = commas == 8;
     return 1;
 }
@@ -125,7 +124,7 @@ static int open_next(kit_gbuffer *g, job *j, const sequence *s, const kit_camera
     kit_camera camera = *from;
     if (j->o.sequence) return open_line(g, j, &s->line[k], err);
     kit_camera_orbit(&camera, from, j->o.orbit * k);
-    return kit_scene_slide(&j->scene, j->o.slide, k > 0, err)
+    return render_slide(j, k > 0, err)
         || kit_gbuffer_from_scene(g, &j->scene, &camera, NULL, err);
 }
 

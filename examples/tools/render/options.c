@@ -161,16 +161,6 @@ int render_numbered(char *out, size_t size, const char *path, int k)
     return !out || (n > 0 && (size_t)n < size);
 }
 
-/* Whether the usage has an option of that name. */
-static int is_option(const char *name)
-{
-    const size_t n = strlen(name);
-    for (size_t i = 0; i < sizeof usage / sizeof *usage; ++i)
-        for (const char *at = usage[i]; (at = strstr(at, name)) != NULL; ++at)
-            if (at[-1] == ' ' && strchr(" \n", at[n])) return 1;
-    return 0;
-}
-
 /* ---- >>table ---------------------------------------------------------------------------------------------------- */
 
 static int take_size(options *o, const char *name, const char *text, kit_error *err)
@@ -191,116 +181,82 @@ static int take_radius(options *o, const char *name, const char *text, kit_error
     return 0;
 }
 
-static int take_near(options *o, const char *name, const char *text, kit_error *err)
-{
-    o->has_near = 1;
-    return number(name, text, -KIT_MOST, KIT_MOST, &o->znear, err);
-}
-
-/* One more of an option that may be repeated. */
-static int add(const char **list, int *count, int most, const char *name, const char *text, kit_error *err)
-{
-    if (*count == most) return kit_fail(err, "%s %s: at most %d of them", name, text, most);
-    list[(*count)++] = text;
-    return 0;
-}
-
-static int take_set(options *o, const char *name, const char *text, kit_error *err)
-{
-    return add(o->set, &o->sets, RENDER_SETS, name, text, err);
-}
-
-static int take_channel(options *o, const char *name, const char *text, kit_error *err)
-{
-    return add(o->channel, &o->channels, RENDER_SETS, name, text, err);
-}
-
-static int take_light(options *o, const char *name, const char *text, kit_error *err)
-{
-    return add(o->light, &o->lights, KIT_MAX_LIGHTS, name, text, err);
-}
-
-static int take_camera(options *o, const char *name, const char *text, kit_error *err)
-{
-    o->has_camera = 1;
-    return render_numbers(name, text, o->camera, 6, err);
-}
-
-static int take_way(float out[3], const char *name, const char *text, kit_error *err)
-{
-    double v[3];
-    if (render_numbers(name, text, v, 3, err)) return -1;
-    for (int i = 0; i < 3; ++i) out[i] = (float)v[i];
-    return 0;
-}
-
-static int take_up(options *o, const char *name, const char *text, kit_error *err)
-{
-    o->has_up = 1;
-    return take_way(o->up, name, text, err);
-}
-
-static int take_slide(options *o, const char *name, const char *text, kit_error *err)
-{
-    return take_way(o->slide, name, text, err);
-}
-
-/* An option with a value: what takes it, or the member that gets it. */
+/* An option: what takes its value, or the member that gets it. FLAG: it has no value; NUMBERS: so many as least says;
+   LIST: one more of most, whose number is said; of others said, unless 0, becomes 1. */
 typedef struct option {
     const char *name;
-    enum { TAKEN, TEXT, WHOLE, NUMBER } kind;
-    size_t      at;                        /* const char *, int, double */
+    enum { TAKEN, FLAG, TEXT, WHOLE, NUMBER, NUMBERS, LIST } kind;
+    size_t      at;                        /* int, const char *, int, double, double[], const char *[] */
     double      least, most;
+    size_t      said;
     int       (*take)(options *o, const char *name, const char *text, kit_error *err);
 } option;
 #define TO(member) offsetof(options, member)
 static const option table[] = {
-    { "--gbuffer", TEXT, TO(gbuffer), 0, 0, NULL },
-    { "--sequence", TEXT, TO(sequence), 0, 0, NULL },
-    { "--frames", WHOLE, TO(frames), 1, 9999, NULL },
-    { "--still", WHOLE, TO(still), 1, 9999, NULL },
-    { "--orbit", NUMBER, TO(orbit), -360, 360, NULL },
-    { "--slide", TAKEN, 0, 0, 0, take_slide },
-    { "--method", TEXT, TO(method), 0, 0, NULL },
-    { "--score", TEXT, TO(score), 0, 0, NULL },
-    { "--out", TEXT, TO(out), 0, 0, NULL },
-    { "--save-gbuffer", TEXT, TO(save), 0, 0, NULL },
-    { "--context", TEXT, TO(context), 0, 0, NULL },
-    { "--set", TAKEN, 0, 0, 0, take_set },
-    { "--layer", TEXT, TO(layer), 0, 0, NULL },
-    { "--channel", TAKEN, 0, 0, 0, take_channel },
-    { "--env", TEXT, TO(env), 0, 0, NULL },
-    { "--env-turn", NUMBER, TO(turn), -360, 360, NULL },
-    { "--env-strength", NUMBER, TO(strength), 0, 1e6, NULL },
-    { "--light", TAKEN, 0, 0, 0, take_light },
-    { "--camera", TAKEN, 0, 0, 0, take_camera },
-    { "--up", TAKEN, 0, 0, 0, take_up },
-    { "--fovy", NUMBER, TO(fovy), 0.1, 179, NULL },
-    { "--ortho-height", NUMBER, TO(ortho_height), 1e-12, KIT_MOST, NULL },
-    { "--near", TAKEN, 0, 0, 0, take_near },
-    { "--far", NUMBER, TO(zfar), 1e-12, KIT_MOST, NULL },
-    { "--plan", TAKEN, 0, 0, 0, take_plan },
-    { "--radius", TAKEN, 0, 0, 0, take_radius },
-    { "--truth", WHOLE, TO(truth), 1, 65536, NULL },
-    { "--floor", WHOLE, TO(floor), 1, 65536, NULL },
-    { "--time", WHOLE, TO(time), 1, 100000, NULL },
-    { "--size", TAKEN, 0, 0, 0, take_size }
+    { "--help", FLAG, TO(help), 0, 0, 0, NULL },
+    { "-h", FLAG, TO(help), 0, 0, 0, NULL },
+    { "--json", FLAG, TO(json), 0, 0, 0, NULL },
+    { "--ground", FLAG, TO(ground), 0, 0, 0, NULL },
+    { "--flat", FLAG, TO(flat), 0, 0, 0, NULL },
+    { "--colours", FLAG, TO(colours), 0, 0, 0, NULL },
+    { "--backdrop", FLAG, TO(backdrop), 0, 0, 0, NULL },
+    { "--gbuffer", TEXT, TO(gbuffer), 0, 0, 0, NULL },
+    { "--sequence", TEXT, TO(sequence), 0, 0, 0, NULL },
+    { "--frames", WHOLE, TO(frames), 1, 9999, 0, NULL },
+    { "--still", WHOLE, TO(still), 1, 9999, 0, NULL },
+    { "--orbit", NUMBER, TO(orbit), -360, 360, 0, NULL },
+    { "--slide", NUMBERS, TO(slide), 3, 0, TO(has_slide), NULL },
+    { "--method", TEXT, TO(method), 0, 0, 0, NULL },
+    { "--score", TEXT, TO(score), 0, 0, 0, NULL },
+    { "--out", TEXT, TO(out), 0, 0, 0, NULL },
+    { "--save-gbuffer", TEXT, TO(save), 0, 0, 0, NULL },
+    { "--context", TEXT, TO(context), 0, 0, 0, NULL },
+    { "--set", LIST, TO(set), 0, RENDER_SETS, TO(sets), NULL },
+    { "--layer", TEXT, TO(layer), 0, 0, 0, NULL },
+    { "--channel", LIST, TO(channel), 0, RENDER_SETS, TO(channels), NULL },
+    { "--env", TEXT, TO(env), 0, 0, 0, NULL },
+    { "--env-turn", NUMBER, TO(turn), -360, 360, 0, NULL },
+    { "--env-strength", NUMBER, TO(strength), 0, 1e6, 0, NULL },
+    { "--light", LIST, TO(light), 0, KIT_MAX_LIGHTS, TO(lights), NULL },
+    { "--camera", NUMBERS, TO(camera), 6, 0, TO(has_camera), NULL },
+    { "--up", NUMBERS, TO(up), 3, 0, TO(has_up), NULL },
+    { "--fovy", NUMBER, TO(fovy), 0.1, 179, 0, NULL },
+    { "--ortho-height", NUMBER, TO(ortho_height), 1e-12, KIT_MOST, 0, NULL },
+    { "--near", NUMBER, TO(znear), -KIT_MOST, KIT_MOST, TO(has_near), NULL },
+    { "--far", NUMBER, TO(zfar), 1e-12, KIT_MOST, 0, NULL },
+    { "--plan", TAKEN, 0, 0, 0, 0, take_plan },
+    { "--radius", TAKEN, 0, 0, 0, 0, take_radius },
+    { "--truth", WHOLE, TO(truth), 1, 65536, 0, NULL },
+    { "--floor", WHOLE, TO(floor), 1, 65536, 0, NULL },
+    { "--time", WHOLE, TO(time), 1, 100000, 0, NULL },
+    { "--size", TAKEN, 0, 0, 0, 0, take_size }
 };
 
+/* Takes an option, and its value, of which there may be none. Returns how many arguments that were; -1: refused. */
 static int take(options *o, const char *name, const char *text, kit_error *err)
 {
-    for (size_t i = 0; i < sizeof table / sizeof *table; ++i) {
-        const option *t = &table[i];
-        void *member = (char *)o + t->at;
-        if (strcmp(name, t->name)) continue;
-        switch (t->kind) {
-        case TEXT:   memcpy(member, &text, sizeof text); return 0;
-        case WHOLE:  return whole(name, text, (int)t->least, (int)t->most, member, err);
-        case NUMBER: return number(name, text, t->least, t->most, member, err);
-        default:     return t->take(o, name, text, err);
-        }
+    const option *t = table, *const end = table + sizeof table / sizeof *table;
+    while (t < end && strcmp(name, t->name)) ++t;
+    if (t == end) return kit_fail(err, "%s: there is no such option (--help names all)", name);
+    void *const member = (char *)o + t->at;
+    int *const said = (int *)(void *)((char *)o + t->said);
+    int failed = 0;
+    if (t->kind == FLAG) return *(int *)member = 1;
+    if (!text) return kit_fail(err, "%s: needs a value", name);
+    if (!*text && strcmp(name, "--set")) return kit_fail(err, "%s: its value is empty", name);
+    if (t->said && t->kind != LIST) *said = 1;
+    switch (t->kind) {
+    case TEXT:    memcpy(member, &text, sizeof text); break;
+    case WHOLE:   failed = whole(name, text, (int)t->least, (int)t->most, member, err); break;
+    case NUMBER:  failed = number(name, text, t->least, t->most, member, err); break;
+    case NUMBERS: failed = render_numbers(name, text, member, (int)t->least, err); break;
+    case LIST:
+        if (*said >= (int)t->most) return kit_fail(err, "%s %s: at most %g of them", name, text, t->most);
+        ((const char **)member)[(*said)++] = text;
+        break;
+    default: failed = t->take(o, name, text, err);
     }
-    return kit_fail(err, "%s: there is no such option (--help names all)", name);
+    return failed ? -1 : 2;
 }
 
 /* ---- >>what goes with what --------------------------------------------------------------------------------------- */
@@ -309,7 +265,7 @@ static int check_frames(const options *o, kit_error *err)
 {
     const int many = o->sequence || o->frames;
     if (o->frames && !o->scene) return kit_fail(err, "--frames: is of a scene; frames that are files are a --sequence");
-    if ((o->slide[0] != 0 || o->slide[1] != 0 || o->slide[2] != 0) && !o->scene)
+    if (o->has_slide && !o->scene)
         return kit_fail(err, "--slide: needs a scene; a frame has no objects");
     if (o->still && (many || o->truth || o->floor || o->time))
         return kit_fail(err, "--still: cannot go with %s", o->frames   ? "--frames"
@@ -318,7 +274,7 @@ static int check_frames(const options *o, kit_error *err)
                                                            : o->floor ? "--floor"
                                                                       : "--time");
     for (int i = 0; i < 3; ++i)
-        if (fabs((double)o->slide[i]) * o->frames > 1e14)
+        if (fabs(o->slide[i]) * o->frames > 1e14)
             return kit_fail(err, "--slide: in %d frames the object would be beyond 1e14", o->frames);
     if (many && (o->truth || o->floor || o->score || o->time || o->save || o->planned))
         return kit_fail(err, "%s: writes a method's pictures alone", o->frames ? "--frames" : "--sequence");
@@ -378,41 +334,22 @@ static int check_results(const options *o, kit_error *err)
 
 /* ---- >>parse ----------------------------------------------------------------------------------------------------- */
 
-/* 1: an option that stands alone, or --list with the name that may follow. */
-static int take_alone(options *o, const char *name, const char *next, int *i)
-{
-    if (!strcmp(name, "--help") || !strcmp(name, "-h")) o->help = 1;
-    else if (!strcmp(name, "--json")) o->json = 1;
-    else if (!strcmp(name, "--ground")) o->ground = 1;
-    else if (!strcmp(name, "--flat")) o->flat = 1;
-    else if (!strcmp(name, "--colours")) o->colours = 1;
-    else if (!strcmp(name, "--backdrop")) o->backdrop = 1;
-    else if (!strcmp(name, "--list")) {
-        o->list = 1;
-        if (next && *next != '-') { o->listed = next; ++*i; }
-    } else return 0;
-    return 1;
-}
-
 int render_parse(options *o, int argc, char **argv, kit_error *err)
 {
     memset(o, 0, sizeof *o);
     o->method = "hsao";
     o->strength = 1;
-    for (int i = 1; i < argc; ++i) {
+    for (int i = 1, taken; i < argc; i += taken) {
         const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
-        if (strncmp(a, "--", 2) && strcmp(a, "-h")) {
-            if (o->scene) return kit_fail(err, "%s: only one scene can be given (%s is one already)", a, o->scene);
-            o->scene = a;
-            continue;
-        }
-        if (take_alone(o, a, v, &i)) continue;
-        if (!v)
-            return kit_fail(err, "%s: %s", a,
-                            is_option(a) ? "needs a value" : "there is no such option (--help names all)");
-        if (!*v && strcmp(a, "--set")) return kit_fail(err, "%s: its value is empty", a);
-        ++i;
-        if (take(o, a, v, err)) return -1;
+        taken = 1;
+        if (!strcmp(a, "--list")) {            /* perhaps with a name */
+            o->list = 1;
+            if (v && *v != '-') o->listed = v, taken = 2;
+        } else if (*a == '-') {
+            if ((taken = take(o, a, v, err)) < 0) return -1;
+        } else if (o->scene) {
+            return kit_fail(err, "%s: only one scene can be given (%s is one already)", a, o->scene);
+        } else o->scene = a;
     }
     if (o->list || o->help) return 0;
     if (o->sequence && (o->scene || o->gbuffer || o->has_camera || o->frames))

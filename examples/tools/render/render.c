@@ -33,7 +33,7 @@ static void camera_of(kit_camera *c, const options *o, const double origin[3])
         c->eye[i] = (float)(o->camera[i] - origin[i]);
         c->target[i] = (float)(o->camera[3 + i] - origin[i]);
     }
-    if (o->has_up) memcpy(c->up, o->up, sizeof c->up);
+    for (int i = 0; i < 3 && o->has_up; ++i) c->up[i] = (float)o->up[i];
     if (o->fovy > 0) { c->fovy = (float)o->fovy; c->ortho_height = 0; }
     if (o->ortho_height > 0) { c->fovy = 0; c->ortho_height = (float)o->ortho_height; }
     if (o->znear > 0) c->znear = (float)o->znear;
@@ -238,6 +238,12 @@ static void flatten(kit_mesh *mesh)
     }
 }
 
+int render_slide(job *j, int times, kit_error *err)
+{
+    const float by[3] = { (float)j->o.slide[0], (float)j->o.slide[1], (float)j->o.slide[2] };
+    return kit_scene_slide(&j->scene, by, times, err);
+}
+
 int render_open_scene(job *j, kit_error *err)
 {
     kit_camera camera;
@@ -247,7 +253,7 @@ int render_open_scene(job *j, kit_error *err)
     camera = j->scene.camera;
     if (settle_origin(j, j->scene.mesh.origin, err)) return -1;
     camera_of(&camera, &j->o, j->origin);
-    if (!j->o.frames && kit_scene_slide(&j->scene, j->o.slide, 1, err)) return -1;
+    if (!j->o.frames && render_slide(j, 1, err)) return -1;
     if (camera_check(&camera, err) || kit_gbuffer_from_scene(&j->gbuffer, &j->scene, &camera, NULL, err)) return -1;
     if (j->o.guess && guess_radius(&j->radius, &j->scene, j->o.json, err)) return -1;
     if (!(j->radius > 0)) j->radius = (double)j->scene.radius;

@@ -15,10 +15,9 @@ typedef struct options {
     int         channels, lights, ground, flat, frames, still, width, height;
     double      turn, strength;            /* of env */
     double      orbit;                     /* degrees a frame */
-    float       slide[3];                  /* a frame */
-    int         has_camera, has_up, has_near;
-    double      camera[6];                 /* eye, target */
-    float       up[3];
+    int         has_camera, has_up, has_near, has_slide;
+    double      slide[3];                  /* a frame */
+    double      camera[6], up[3];          /* eye, target */
     double      fovy, ortho_height, znear, zfar;       /* 0: not said */
     /* how */
     const char *method, *set[RENDER_SETS], *context;
@@ -87,6 +86,8 @@ int  render_open_settings(job *j, kit_error *err);
 /* What options do not say its header does; a radius that nobody gave is the job's from then on. */
 int  render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err);
 int  render_open_scene(job *j, kit_error *err);
+/* Moves the first object that casts by --slide, so many times. */
+int  render_slide(job *j, int times, kit_error *err);
 /* As its ending says, EXR or PNG; with the colours or the backdrop that are asked for. */
 int  render_write(const job *j, const kit_gbuffer *g, kit_image *picture, int lit, const char *path, kit_error *err);
 
