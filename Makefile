@@ -174,7 +174,8 @@ FIGURES = if command -v node >/dev/null; then node examples/lab/page/figures.mjs
   else echo 'figures: FIGURES.md and charts are left as they are: node is missing (apt-get install nodejs npm)'; fi
 page-deps:
 	@test -d build/page/node_modules/linkedom || ! command -v npm >/dev/null || { mkdir -p build/page && \
-	  $(NPM) build/page @observablehq/plot@0.6.17 linkedom@0.18.12; } || { rm -rf build/page/node_modules; false; } || echo 'page: npm brought no @observablehq/plot; the page has tables and pictures alone'
+	  $(NPM) build/page @observablehq/plot@0.6.17 linkedom@0.18.12; } || { rm -rf build/page/node_modules; false; } || \
+	  echo 'page: npm brought no @observablehq/plot; the page has tables and pictures alone'
 
 # Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table (never on seeds from
 # 1000 on, which only report). Its second column of costs is what make bench measured on a GPU; else what fit-cost

@@ -255,10 +255,11 @@ static void ply(void)
 {
     kit_error err = { { 0 } };
     kit_scene s;
-    write_text("quad.ply", "ply\nformat ascii 1.0\nelement vertex 7\nproperty float x\nproperty float y\nproperty float z\n"
-                    "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 2\n"
-                    "property list uchar int vertex_indices\nend_header\n0 0 0 188 0 0\n2 0 0 188 0 0\n2 3 0 188 0 0\n"
-                    "0 3 0 188 0 0\n5 0 0 0 255 0\n6 0 0 0 255 0\n5 1 0 0 255 0\n4 0 1 2 3\n3 4 5 6\n");
+    write_text("quad.ply",
+               "ply\nformat ascii 1.0\nelement vertex 7\nproperty float x\nproperty float y\nproperty float z\n"
+               "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 2\n"
+               "property list uchar int vertex_indices\nend_header\n0 0 0 188 0 0\n2 0 0 188 0 0\n2 3 0 188 0 0\n"
+               "0 3 0 188 0 0\n5 0 0 0 255 0\n6 0 0 0 255 0\n5 1 0 0 255 0\n4 0 1 2 3\n3 4 5 6\n");
     if (!CHECK(!kit_scene_load(&s, in_folder("quad.ply"), 0, &err), "%s", err.text)) return;
     CHECK(s.mesh.triangles == 3 && s.objects == 2, "%zu triangles, %d objects", s.mesh.triangles, s.objects);
     CHECK(fabs(area_of(&s) - 6.5) < 1e-6, "covers %g, not 6.5", area_of(&s));

@@ -1,11 +1,15 @@
 # rooms.awk - the GLSL of ssgi_gl.h to be read as GLSL: in an editor with its colours, or beside another revision's by
-# diff -r. make glsl-out DIR=d writes a file a room, d/fetch.glsl, d/visibility.glsl .., with the header's comments, each
-# condition as #if and #endif, and above each main function its name in the tables of passes.
+# diff -r. make glsl-out DIR=d writes a file a room, d/fetch.glsl, d/visibility.glsl .., with the header's comments,
+# each condition as #if and #endif, and above each main function its name in the tables of passes.
 
 /^static const ssgi_gl__code ssgi_gl__library/ { inside = 1; next }
 !inside { next }
 /^};/ { exit }
-/^\/\* ==== >>/ { match($0, />>[a-z_]+/); file = folder "/" substr($0, RSTART + 2, RLENGTH - 2) ".glsl"; printf "" >file }
+/^\/\* ==== >>/ {
+    match($0, />>[a-z_]+/)
+    file = folder "/" substr($0, RSTART + 2, RLENGTH - 2) ".glsl"
+    printf "" >file
+}
 /^\{ "/ {
     condition = ""
     if (split($0, part, "\"") > 3) condition = part[4]
