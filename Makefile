@@ -310,7 +310,7 @@ OF_EXAMPLES = tools stability errors files models seeds papers cost
 # What tests of the examples call: all but the programs.
 TESTED = $(sort $(filter-out lab/report lab/stability/stability lab/stability/show,$(OF_report) $(OF_stability)) \
          $(addprefix lab/,against/compared against/subjects cost/count cost/share cost/model measure/csv))
-build/test: $(addprefix build/tests/,main.o t.o frames.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
+build/test: $(addprefix build/tests/,main.o t.o frames.o arguments.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 # Models that stand in scenes of rows, from packages.
 model-deps:
