@@ -113,7 +113,7 @@ else
     close=$(awk -v a="$is" -v b="$be" 'BEGIN { print (a * b > 0 && (a - b) ^ 2 < 9e-6) }')
     check 'viewer, error to the truth' "$close"
     if [ -x build/press ]; then . tests/viewer_keys.sh
-    else skip 'viewer, keys and drops: X11 is missing (apt-get install libx11-dev)'; fi
+    else skip 'viewer, keys and drops: python3-xlib is missing (apt-get install python3-xlib)'; fi
     . tests/viewer_bad.sh
 fi
 
