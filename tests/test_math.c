@@ -1,5 +1,5 @@
 /* test_math.c - ssgi.h's rooms of view, bias, kernel, sh and environment against double precision and closed forms. */
-#include "t.h"
+#include "frames.h"
 #include "ssgi.h"
 
 #include <math.h>
@@ -21,14 +21,6 @@ static double apart(const float *a, const float *b, int count)
     double worst = 0;
     for (int i = 0; i < count; ++i) grow(&worst, (double)a[i] - (double)b[i]);
     return worst;
-}
-
-static void direction(float d[3])
-{
-    const float z = t_uniform(-1, 1), a = t_uniform(0, 6.2831853f), r = sqrtf(1 - z * z);
-    d[0] = r * cosf(a);
-    d[1] = r * sinf(a);
-    d[2] = z;
 }
 
 static double dot(const float *a, const float *b)
@@ -446,7 +438,7 @@ static void evenness(void)
 
 /* ---- >>sh -------------------------------------------------------------------------------------------------------- */
 
-enum { WIDE = 128, HIGH = 64, CUBE = 24, MOST = SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS };
+enum { SKY = 64, CUBE = 24, MOST = SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS };
 static const float axis_z[3] = { 0, 0, 1 };
 
 /* The channel at a direction; factor: of each band, NULL: 1. */
@@ -540,11 +532,11 @@ static void harmonics(void)
 
 static void projections(void)
 {
-    static float rgb[3 * WIDE * HIGH], cube[6][3 * CUBE * CUBE];
+    static float rgb[6 * SKY * SKY], cube[6][3 * CUBE * CUBE];
     const float *const faces[6] = { cube[0], cube[1], cube[2], cube[3], cube[4], cube[5] };
     float given[48] = { 0 }, got[2][48];
     const char *why = "";
-    smooth(rgb, given, WIDE, HIGH);
+    smooth(rgb, given, 2 * SKY, SKY);
     for (int i = 0; i < 6 * CUBE * CUBE; ++i) {
         const int face = i / (CUBE * CUBE), at = i % (CUBE * CUBE);
         const float s = ((float)(at % CUBE) * 2 + 1) / CUBE - 1, t = ((float)(at / CUBE) * 2 + 1) / CUBE - 1,
@@ -555,7 +547,7 @@ static void projections(void)
         const float p[3] = { table[face][0] / l, table[face][1] / l, table[face][2] / l };
         for (int c = 0; c < 3; ++c) cube[face][3 * at + c] = (float)value(given + c, 3, 3, p, NULL);
     }
-    CHECK(ssgi_sh_project_equirect(got[0], 4, rgb, WIDE, HIGH, &why) == SSGI_OK
+    CHECK(ssgi_sh_project_equirect(got[0], 4, rgb, 2 * SKY, SKY, &why) == SSGI_OK
               && ssgi_sh_project_cube(got[1], 4, faces, CUBE, &why) == SSGI_OK,
           "%s", why);
     for (int i = 0; i < 2 * 48; ++i)
@@ -572,7 +564,7 @@ static void projections(void)
 /* The most that a mask which lets through what is below 0, and nothing else, takes of any surface's light. */
 static double worst_mask(const float *c, int bands)
 {
-    enum { PANELS = 128, COLUMNS = 180 };
+    enum { PANELS = 128, TURNS = 180 };
     double worst = 0;
     for (int degrees = 0; degrees <= 180; degrees += 2) {
         double taken = 0;
@@ -580,9 +572,9 @@ static double worst_mask(const float *c, int bands)
             const double z = 2 * (row + 0.5) / PANELS - 1, r = sqrt(1 - z * z);
             const float d[3] = { (float)r, 0, (float)z };
             const double negative = fmin(value(c, 3, bands, d, NULL), 0);
-            for (int k = 0; k < COLUMNS && negative < 0; ++k)
-                taken += negative * 4 * PI / (PANELS * COLUMNS)
-                         * fmax(r * cos(2 * PI * (k + 0.5) / COLUMNS) * sin(degrees * PI / 180)
+            for (int k = 0; k < TURNS && negative < 0; ++k)
+                taken += negative * 4 * PI / (PANELS * TURNS)
+                         * fmax(r * cos(2 * PI * (k + 0.5) / TURNS) * sin(degrees * PI / 180)
                                     + z * cos(degrees * PI / 180), 0);
         }
         worst = fmin(worst, taken);
@@ -1143,6 +1135,8 @@ static void biases(void)
                 { 90, 512, 5, 89.9, 0.01953125, 5.59528529, 7.91292834 },
                 { 45, 2048, 20, 60, 0.00809010864, 0.0070062396, 0.00990831907 } };
     static const float odd[] = { NAN, INFINITY, -INFINITY, -1, 0, 1, 1e38f };
+    static const float wide[2][16] = { { 1.5f, 0, 0, 0, 0, -2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 },
+                                       { 0.02f, 0, 0, 0, 0, 0.05f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
     enum { ODD = (int)(sizeof odd / sizeof *odd) };
     ssgi_view v;
     ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 1280, 720, NULL); /* 60 degrees high */
@@ -1150,6 +1144,14 @@ static void biases(void)
     CHECK(fabs(offset - 10 / (sqrt(3) * 720)) < 1e-8 && fabs(offset - 0.00802) < 2e-6
               && ssgi_normal_offset(&v, 3) == ssgi_pixel_footprint(&v, 3) / 2,
           "eq. 13: %.9g", offset);
+    for (float z = 0.2f; z < 1e4f; z *= 3)     /* [HSAO08 eq. 13]: z / (f res), of the axis whose pixels are wider */
+        for (int ortho = 0; ortho < 2; ++ortho) {
+            ssgi_view other;
+            ssgi_view_from_projection(&other, wide[ortho], SSGI_CLIP_GL, 1000, 500, NULL);
+            const double want = ortho ? 2 / (0.02 * 1000) : (double)(2 * z) / (2.4 * 500),
+                         is = (double)ssgi_pixel_footprint(&other, z);
+            CHECK(fabs(is / want - 1) < 1e-6, "footprint %g at %g, twice eq. 13 %g", is, (double)z, want);
+        }
     for (size_t i = 0; i < sizeof row / sizeof *row; ++i) {
         const float patch = ssgi_shadow_patch((float)row[i].z, (float)(row[i].angle * PI / 180), row[i].resolution),
                     c = (float)cos(row[i].alpha * PI / 180);
@@ -1249,23 +1251,6 @@ static void radii(void)
     }
 }
 
-static void footprints(void)
-{
-    static const float m[2][16] = { { 1.5f, 0, 0, 0, 0, -2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 },
-                                    { 0.02f, 0, 0, 0, 0, 0.05f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
-    for (int ortho = 0; ortho < 2; ++ortho) {
-        ssgi_view v;
-        ssgi_view_from_projection(&v, m[ortho], SSGI_CLIP_GL, 1000, 500, NULL);
-        /* [HSAO08 eq. 13] z / (f res), the axis whose pixels are wider; f: element 0 or 5 */
-        for (float z = 0.2f; z < 1e4f; z *= 3) {
-            const double x = 1 / ((double)m[ortho][0] * 1000), y = 1 / (fabs((double)m[ortho][5]) * 500),
-                         want = fmax(x, y) * (ortho ? 1 : (double)z);
-            CHECK(fabs((double)ssgi_pixel_footprint(&v, z) / (2 * want) - 1) < 1e-6,
-                  "footprint %g at %g, twice eq. 13 %g", (double)ssgi_pixel_footprint(&v, z), (double)z, want);
-        }
-    }
-}
-
 /* ---- >>reflection ------------------------------------------------------------------------------------------------ */
 
 /* The same, or both no numbers. */
@@ -1316,8 +1301,7 @@ void test_math(void)
     RUN("directions of every kind are the kernel's points of the square, with sums that are exact", spread);
     RUN("tiles of noise: every window has every set once, every stratum is there, copies are far apart", tiles);
     RUN("points are spread far better than random", evenness);
-    RUN("a pixel's footprint", footprints);
-    RUN("bias: the papers' and the oracles' numbers, what a plane needs, finite whatever comes", biases);
+    RUN("footprints and bias: the papers' and the oracles' numbers, what a plane needs, finite whatever comes", biases);
     RUN("a radius to begin with: hills' and corners' spacing; a sphere has none", radii);
     RUN("harmonics: the table's functions, the addition theorem, the cosine's factors", harmonics);
     RUN("harmonics: latitude-longitude and cube maps give back what made them", projections);
