@@ -727,7 +727,7 @@ static void twin_halves(void)
 
 /* What the numbers of a row are, and what is wanted of them. */
 typedef enum numbers {
-    AMBIENT, SECOND_LAYER, WAY, WIDTH, SHORT_WIDTH, LIT, GLOSS, ARC, SLAB, KERNEL, OCTAHEDRAL, DISC
+    AMBIENT, SECOND_LAYER, WAY, WIDTH, SHORT_WIDTH, LIT, GLOSS, ARC, SECTORS, SLAB, KERNEL, OCTAHEDRAL, DISC
 } numbers;
 
 /* From a, in [low,high] or as give has it, the statement makes o; want makes three of it of the same numbers. A pass
@@ -798,6 +798,10 @@ static void want(double *o, const term *t, const double *a, int i)
         o[0] = arc(atan2(a[1], a[0]), a[2]) / (fabs(sin(a[2])) + 0.003);
         o[1] = arc(atan2(a[1], -a[0]), -a[2]) / (fabs(sin(a[2])) + 0.003);
         break;
+    case SECTORS:                  /* from one to the other; from 0 to the other, twice */
+        o[1] = o[2] = floor(fmin(fmax(a[0], a[1]), 32));
+        o[0] = o[1] - floor(fmin(fmin(a[0], a[1]), 32));
+        break;
     case SLAB:                     /* as measured, at least a gap, at most the radius; of sheets the thickness */
         o[0] = (i & 3) == 1 ? fmax(fmin(a[1] - a[0], 0.5), a[2]) : fmax(0.3, a[2]);
         o[1] = 0.2;
@@ -818,6 +822,9 @@ static void want(double *o, const term *t, const double *a, int i)
     }
 }
 
+#define BITS "vec2 s = min(vec2(min(a.x, a.y), max(a.x, a.y)), 32.0); uint m = ssgi_sectors(s.x, s.y);" \
+             "uint all = ssgi_sectors(0.0, s.y), low = ssgi_sectors(0.0, s.x);" \
+             "o = vec4(ssgi_count(m), ssgi_count(m ^ low), ssgi_count(all), 0.0);"
 #define POINTS "vec3 d = vec3(0.0, 0.0, a.x), n = vec3(0.0, 0.0, 1.0);" \
                "o = vec4(ssgi_form(d, n, -n, a.y) * a.x * (a.x * a.x + a.y), vec3(0.0));"
 #define TABLE "vec4 k = SSGI_KERNEL_TABLE[int(a.x)]; o = (texel.x & 1) == 0 ? k : k.wzyx;"
@@ -845,6 +852,8 @@ static const term terms[] = {
       "vec2 arcs = g - g * q + way * vec2(ssgi_arc_odd(c.x, q.x), ssgi_arc_odd(c.y, q.y));"
       "o = vec4(arcs / (abs(sin(a.z)) + 0.003), 0.0, 0.0);",
       -1.57f, 1.57f, ARC, 0, 0.5 * 0.0015 },
+    { "sectors", "hsao", "dialect=450", BITS, 0, 33, SECTORS, 0, 0 },
+    { "sectors in a language that does not count bits", "hsao", "dialect=330", BITS, 0, 33, SECTORS, 0, 0 },
     { "slabs are as deep as their backs say, sheets by the thickness", "ssao", "thickness=back",
       "o = vec4(ssgi_slab_thickness(vec2(a.x, 1.0), vec2(a.y, 1.2), vec2(a.z, 0.0)), 0.0, 0.0);", 0, 1, SLAB, 0, 2e-5 },
     { "the kernel", "ssao", "samples=64", TABLE, 0, 1, KERNEL, SSGI_DIRECTIONS_COSINE, 1.2e-7 },
@@ -855,6 +864,7 @@ static const term terms[] = {
     { "four points over a disc", "splat", "near_samples=4", POINTS, 0, 1, DISC, 4, 2e-5 },
     { "16 points over a disc", "splat", "near_samples=16", POINTS, 0, 1, DISC, 16, 2e-5 },
 };
+#undef BITS
 #undef POINTS
 #undef TABLE
 #undef WIDTHS
@@ -889,46 +899,6 @@ static void functions_of_numbers(void)
 }
 
 /* ---- >>walk: slices, a bit or a vector at a time ----------------------------------------------------------------- */
-
-/* Four arcs, from near to far, first come first counted: a bit at a time in C. A span ends the arcs' shares at 2.5,
-   from half of it on. */
-static void twin_sectors(void)
-{
-    static const char *const words[] = { "dialect=330", "dialect=450", "span=1" };
-    static const double share[2][4] = { { 1, 0.75, 0.5, 0.25 }, { 1, 0.75, 0.4 * 0.5, 0 } };   /* by distance, near */
-    const ssgi_gl_frame frame = { .radius = 4 };
-    for (int v = 0; v < 3; ++v) {
-        const ssgi_gl_desc d = desc_of("hsao", words[v]);
-        char statements[400];
-        t_seed(31);
-        for (int i = 0; i < MANY; ++i) {
-            const float a = t_uniform(0, 33), b = t_uniform(0, 33), whole[4] = { 0, 32, 0, 1 };
-            const float tap[4] = { fminf(a, b), fmaxf(a, b), (float)(i % 4), 0 };
-            memcpy(in[i], i % 1000 == 3 ? whole : tap, sizeof tap);
-        }
-        snprintf(statements, sizeof statements,
-                 "uint one = 0xffffffffu, two = one; vec2 sum = vec2(0.0); %s"
-                 "for (int k = 0; k < 4; ++k) { vec4 x = X(k);"
-                 "sum.x += ssgi_cover_sectors(one, ssgi_sectors(x.x, x.y), 0.25 * x.z);"
-                 "sum.y += ssgi_cover_sectors(two, ssgi_sectors(0.0, x.x), 0.25 * x.z); }"
-                 "o = vec4(sum, ssgi_count(~one), ssgi_count(~two));", d.surfel.span ? "ssgi_span = 2.5;" : "");
-        if (!probe(&d, &frame, statements)) return;
-        for (int i = 0; i < MANY; ++i) {
-            double want[4] = { 0 };
-            int taken[2][32] = { { 0 } };
-            const float (*tap)[4] = (const float (*)[4])in[i & ~3];
-            for (int k = 0; k < 8; ++k) {
-                const int side = k & 1;
-                for (int s = side ? 0 : (int)tap[k / 2][0]; s < (int)tap[k / 2][!side]; ++s) {
-                    if (taken[side][s]++) continue;
-                    want[side] += share[d.surfel.span][(int)tap[k / 2][2]];
-                    ++want[2 + side];
-                }
-            }
-            for (int k = 0; k < 4; ++k) NEAR(out[i][k], want[k], 1e-5, "sectors");
-        }
-    }
-}
 
 /* A side's sectors with what its steps missed and what is beyond the picture, which goes on for so many radii. */
 static double expected(double found, double open, int steps, double edge)
@@ -2013,7 +1983,6 @@ void test_twins(void)
     RUN("a quarter of the size: the nearest pixel of those that are gathered, each in its turn", quarters);
     RUN("halves, where the language has them and where it has not", twin_halves);
     RUN("functions of numbers are what their comments say", functions_of_numbers);
-    RUN("sectors are covered once, by the nearest", twin_sectors);
     RUN("a slice leaves out taps below 0.004 over the plane, and beyond the normal below 0.4", slices_limits);
     RUN("the walk by linear forms is that by vectors, whatever the thickness, with perspective and without",
         walks_by_vectors);
