@@ -238,12 +238,40 @@ static ssgi_gl_desc facing_of(const char *pass, const char *words)
     return d;
 }
 
+/* One output of a program alone, into floats. It binds what it made; textures are bound before. */
+static int draw(float *result, GLuint program, int output, int components, int width, int height,
+                const ssgi_gl_frame *frame)
+{
+    const GLenum to = GL_COLOR_ATTACHMENT0 + (GLenum)output;
+    GLenum buffers[8] = { GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE };
+    GLuint block[2], framebuffer, target = kit_texture(width, height, components == 1 ? GL_R32F : GL_RGBA32F, NULL);
+    glGenBuffers(2, block);
+    for (GLuint b = 0; b < 2; ++b) {
+        glBindBuffer(GL_UNIFORM_BUFFER, block[b]);
+        glBufferData(GL_UNIFORM_BUFFER, b ? (GLsizeiptr)sizeof probed : (GLsizeiptr)sizeof *frame,
+                     b ? (const void *)&probed : frame, GL_STATIC_DRAW);
+        glBindBufferBase(GL_UNIFORM_BUFFER, b, block[b]);
+    }
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, to, GL_TEXTURE_2D, target, 0);
+    buffers[output] = to;
+    glDrawBuffers(1 + output, buffers);
+    glViewport(0, 0, width, height);
+    glUseProgram(program);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    const int read = kit_texture_read(target, width, height, components, result);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteTextures(1, &target);
+    glDeleteBuffers(2, block);
+    return CHECK(!read, "what is drawn cannot be read");
+}
+
 /* A text up to its main or its varyings, and a main that makes o of inputs: in to out. X(k): texel k of the pixel's
    four of the input, a: its own; Y(k): the same of map, which all textures of the text read too if it is `mapped`. */
 static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, int mapped, const char *statements)
 {
-    static const GLenum buffers[8] = { GL_NONE, GL_NONE, GL_NONE, GL_NONE,
-                                       GL_NONE, GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT7 };
     static const GLenum stages[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
     static const char *const ends[] = { "void main", "flat in", "flat out", "layout(vertices" };
     static char triangle[TEXT];
@@ -264,43 +292,27 @@ static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, int m
     ssgi_gl_emit(triangle, TEXT, &plain, SSGI_GL_STAGE_VERTEX);
     const GLuint program = kit_program(source, stages, 2, &err);
     if (!CHECK(program, "%s: %s", statements, err.text)) return 0;
-    GLuint block[2], framebuffer;
-    GLuint target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL), input = kit_texture(SIDE, SIDE, GL_RGBA32F, in[0]),
-           maps = mapped ? kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]) : 0,
-           width = probed_width ? texture_of(SIDE / 2, SIDE / 2, 0, GL_RGBA32UI, probed_width) : 0,
-           layers = probed_layers.count
-                        ? texture_of(SIDE, SIDE, probed_layers.count, probed_layers.format, probed_layers.texels) : 0;
-    glGenBuffers(2, block);
-    for (GLuint b = 0; b < 2; ++b) {
-        glBindBuffer(GL_UNIFORM_BUFFER, block[b]);
-        glBufferData(GL_UNIFORM_BUFFER, b ? (GLsizeiptr)sizeof probed : (GLsizeiptr)sizeof *frame,
-                     b ? (const void *)&probed : frame, GL_STATIC_DRAW);
-        glBindBufferBase(GL_UNIFORM_BUFFER, b, block[b]);
-    }
+    const GLuint input = kit_texture(SIDE, SIDE, GL_RGBA32F, in[0]),
+                 maps = mapped ? kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]) : 0,
+                 width = probed_width ? texture_of(SIDE / 2, SIDE / 2, 0, GL_RGBA32UI, probed_width) : 0,
+                 layers = probed_layers.count ? texture_of(SIDE, SIDE, probed_layers.count, probed_layers.format,
+                                                           probed_layers.texels)
+                                              : 0,
+                 made[4] = { input, maps, width, layers };
     for (GLenum unit = 0; unit < 16; ++unit) {
         glActiveTexture(GL_TEXTURE0 + unit);
         glBindTexture(GL_TEXTURE_2D, unit == 15 ? input : unit == 2 && width ? width : maps);
         glBindTexture(GL_TEXTURE_2D_ARRAY, layers);
     }
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT7, GL_TEXTURE_2D, target, 0);
-    glDrawBuffers(8, buffers);
-    glViewport(0, 0, SIDE, SIDE);
     glUseProgram(program);
     glUniform1i(glGetUniformLocation(program, "t_in"), 15);
     glUniform1i(glGetUniformLocation(program, "t_maps"), 14);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    const int read = kit_texture_read(target, SIDE, SIDE, 4, out[0]);
-    const GLuint made[] = { target, input, maps, width, layers };
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glDeleteFramebuffers(1, &framebuffer);
-    glDeleteTextures(sizeof made / sizeof *made, made);
-    glDeleteBuffers(2, block);
+    const int went = draw(out[0], program, 7, 4, SIDE, SIDE, frame);
+    glDeleteTextures(4, made);
     glDeleteProgram(program);
     memset(&probed_layers, 0, sizeof probed_layers);
     probed_width = NULL;
-    return CHECK(!read, "the probe cannot be read");
+    return went;
 }
 
 static int probe_stage(const ssgi_gl_desc *d, int stage, const ssgi_gl_frame *frame, int mapped, const char *statements)
@@ -329,20 +341,13 @@ typedef struct given { const char *name; GLenum format; int width, height, layer
 static int pass_drawn(float *result, int output, int components, int width, int height, const ssgi_gl_desc *d,
                       const ssgi_gl_frame *frame, const given *textures, int count)
 {
-    const GLenum to = GL_COLOR_ATTACHMENT0 + (GLenum)output, buffers[2] = { output ? GL_NONE : to, to };
     kit_error err = { "" };
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     const uint64_t key = ssgi_gl_key(d);
     const GLuint kept = kit_program_kept(key), program = kept ? kept : kit_pass_program(d, &err);
-    GLuint block, framebuffer, made[8];
-    GLuint target = kit_texture(width, height, components == 1 ? GL_R32F : GL_RGBA32F, NULL);
+    GLuint made[8];
     int given_ = 0;
     if (!CHECK(program && (kept || !kit_program_keep(key, program, &err)), "%s", err.text)) return 0;
-    glGenBuffers(1, &block);
-    glBindBuffer(GL_UNIFORM_BUFFER, block);
-    glBufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)sizeof *frame, frame, GL_STATIC_DRAW);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, block);
-    glUseProgram(program);
     for (int i = 0; i < count; ++i)
         made[i] = texture_of(textures[i].width, textures[i].height, textures[i].layers, textures[i].format,
                              textures[i].texels);
@@ -353,20 +358,10 @@ static int pass_drawn(float *result, int output, int components, int width, int 
                 glBindTexture(textures[k].layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, made[k]);
                 ++given_;
             }
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, to, GL_TEXTURE_2D, target, 0);
-    glDrawBuffers(1 + output, buffers);
-    glViewport(0, 0, width, height);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    const int read = kit_texture_read(target, width, height, components, result);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glDeleteFramebuffers(1, &framebuffer);
-    glDeleteTextures(1, &target);
+    const int went = draw(result, program, output, components, width, height, frame);
     glDeleteTextures(count, made);
-    glDeleteBuffers(1, &block);
-    return CHECK(!read && given_ == count, "%s: %d of %d textures are its own", ssgi_gl_pass_name(d->pass), given_,
-                 count);
+    return went && CHECK(given_ == count, "%s: %d of %d textures are its own", ssgi_gl_pass_name(d->pass), given_,
+                         count);
 }
 
 /* Makes it the camera of a probe; its frame. */
