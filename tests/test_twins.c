@@ -722,7 +722,7 @@ static void twin_halves(void)
 
 /* What the numbers of a row are, and what is wanted of them. */
 typedef enum numbers {
-    AMBIENT, SECOND_LAYER, WAY, WIDTH, SHORT_WIDTH, LIT, GLOSS, ARC, SECTORS, SLAB, KERNEL, OCTAHEDRAL, DISC
+    AMBIENT, SECOND_LAYER, WAY, WIDTH, SHORT_WIDTH, SHORT, LIT, GLOSS, ARC, SECTORS, SLAB, KERNEL, OCTAHEDRAL, DISC
 } numbers;
 
 /* From a, in [low,high] or as give has it, the statement makes o; want makes three of it of the same numbers. A pass
@@ -785,6 +785,7 @@ static void want(double *o, const term *t, const double *a, int i)
     case SHORT_WIDTH:                                                            /* at most twice a segment's length */
         for (int k = 0; k < 3; ++k) o[k] = fmin(a[k] / 63, 2 * a[3] / 63);
         break;
+    case SHORT: o[0] = o[1] = o[2] = fmin(0.3, 2 * a[3] / 63); break;
     case LIT: for (int c = 0; c < 3; ++c) o[c] = (double)ssgi_interreflected(f[0], f[1 + c]); break;
     case GLOSS:
         o[0] = o[1] = o[2] = (double)ssgi_specular_visibility(f[0], 2 * f[1] - 1, 2 * f[2] - 1, f[3]);
@@ -838,6 +839,8 @@ static const term terms[] = {
     { "the width that a texel holds", "ssao", "thickness=width", WIDTHS, 0, 63, WIDTH, 0, 1e-6 },
     { "the width that a segment to a light takes", "lights", "thickness=width",
       "ssgi_segment_length = a.w / 63.0;" WIDTHS, 0, 63, SHORT_WIDTH, 0, 1e-6 },
+    { "the constant thickness that a segment to a light takes", "lights", "thickness=constant",
+      "ssgi_segment_length = a.w / 63.0; o = vec4(vec3(ssgi_thickness()), 0.0);", 0, 63, SHORT, 0, 1e-6 },
     { "interreflected light", "reflection", "", "o = vec4(ssgi_interreflected(a.x, a.yzw), 0.0);", 0, 1, LIT, 0, 1e-6 },
     { "visibility of a lobe", "reflection", "",
       "o = vec4(ssgi_specular_visibility(a.x, 2.0 * a.y - 1.0, 2.0 * a.z - 1.0, a.w));", 0, 1, GLOSS, 0, 1e-6 },
