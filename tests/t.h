@@ -3,12 +3,20 @@
 #define T_H
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 #include <sys/resource.h>
 
 /* what the message is made of is looked at when it fails */
 #define CHECK(condition, ...) t_is((condition) || t_check(__FILE__, __LINE__, __VA_ARGS__))
 static inline int t_is(int ok) { return ok; }
 #define RUN(sentence, function) t_run(sentence, function)
+/* A call that is refused: it returns that result and names what is bad, by &why; out stays what it was. */
+#define T_REFUSED(call, result, name, out, was) \
+    do { \
+        const char *why = ""; \
+        CHECK((call) == (result) && !strncmp(why, name, strlen(name)) && !memcmp(&(out), &(was), sizeof(out)), \
+              "%s: \"%s\", or something was written", name, why); \
+    } while (0)
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
