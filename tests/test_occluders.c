@@ -85,43 +85,50 @@ static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expressio
     return ok;
 }
 
+/* By the closed form and by a table; x: shares of a half space, both grids with both ends, the table's beyond them. */
 static void caps(void)
 {
-    static float at[4 * POINTS], out[POINTS];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_FIELD };
-    const GLuint none[2] = { 0, 0 };
-    double worst = 0;
-    for (int i = 0; i < POINTS; ++i) {         /* a grid with both ends, and small caps */
-        at[4 * i] = i % 64 < 56 ? (float)(i % 64) / 55 : powf(10, (float)(55 - i % 64));
-        at[4 * i + 1] = 2 * (float)(i / 64) / 63 - 1;
-    }
-    if (!evaluated(out, &d, "ssgi_cap(1.0 - a.x, a.x * (2.0 - a.x), a.y)", at, at, none)) return;
-    for (int i = 0; i < POINTS; ++i)
-        worst =
-            fmax(worst, fabs((double)out[i] - (double)ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1])));
-    CHECK(worst < 1e-5, "off by %.2g", worst);
-    t_note("off by at most %.1e", worst);
-    /* by a table: beyond both ends, too */
-    static float table[48 * 48];
-    const ssgi_gl_desc of_table = { .pass = SSGI_GL_PASS_FIELD, .input.cap_table = 1 };
+    static float at[4 * POINTS], out[POINTS], table[48 * 48];
     ssgi_cap_table(table, 48, NULL);
-    const GLuint texture[3] = { 0, 0, kit_texture(48, 48, GL_R32F, table) };
-    for (int i = 0; i < POINTS; ++i) {
-        at[4 * i] = 2.1f * (float)(i % 64) / 63 - 0.05f;
-        at[4 * i + 1] = 2.2f * (float)(i / 64) / 63 - 1.1f;
+    for (int tabled = 0; tabled < 2; ++tabled) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_FIELD, .input.cap_table = tabled };
+        const GLuint texture[3] = { 0, 0, tabled ? kit_texture(48, 48, GL_R32F, table) : 0 };
+        double worst = 0;
+        for (int i = 0; i < POINTS; ++i) {
+            const float x = (float)(i % 64) / 63, y = (float)(i / 64) / 63, small = powf(10, (float)(55 - i % 64));
+            at[4 * i] = tabled ? 2.1f * x - 0.05f : i % 64 < 56 ? (float)(i % 64) / 55 : small;
+            at[4 * i + 1] = tabled ? 2.2f * y - 1.1f : 2 * y - 1;
+        }
+        if (!evaluated(out, &d, tabled ? "ssgi_cap_table(a.x, a.y)" : "ssgi_cap(1.0 - a.x, a.x * (2.0 - a.x), a.y)", at,
+                       at, texture))
+            return;
+        for (int i = 0; i < POINTS; ++i) {
+            const float exact = ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1]);
+            worst = fmax(worst, fabs((double)(out[i] - exact)));
+        }
+        CHECK(tabled ? worst < 2e-3 && worst > 1e-4 : worst < 1e-5, "table %d: off by %.2g", tabled, worst);
+        t_note("%s: off by at most %.1e", tabled ? "a table of 48" : "closed form", worst);
+        glDeleteTextures(1, &texture[2]);
     }
-    if (!evaluated(out, &of_table, "ssgi_cap_table(a.x, a.y)", at, at, texture)) return;
-    for (int i = 0; i < POINTS; ++i)
-        worst =
-            fmax(worst, fabs((double)out[i] - (double)ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1])));
-    CHECK(worst < 2e-3 && worst > 1e-4, "a table of 48: off by %.2g", worst);
-    t_note("a table of 48: off by at most %.1e", worst);
-    glDeleteTextures(1, &texture[2]);
 }
 
 static int scene_of(kit_scene *scene, kit_gbuffer *g, const char *name, const kit_camera *camera)
 {
     return see(scene, g, name, NULL, 0, camera, W, H);
+}
+
+/* Occlusion by a field that stands elsewhere, of a point and a normal in that space. */
+static double occluded(const ssgi_field *f, const ssgi_field_limits *l, const float to[16], const float p[3],
+                       const float n[3])
+{
+    const float square = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
+    float q[3] = { 0 }, turned[3] = { 0 };
+    for (int k = 0; k < 3; ++k)
+        for (int j = 0; j < 3; ++j) {
+            q[k] += to[4 * k + j] * (p[j] - to[12 + j]) / square;
+            turned[k] += to[4 * k + j] * n[j] / sqrtf(square);
+        }
+    return (double)ssgi_field_occlusion(f, l, q, turned);
 }
 
 /* The field of a built-in scene's object. */
@@ -172,15 +179,9 @@ static void same_as_on_the_cpu(void)
             first[4 * i + 3] = second[4 * i + 3] = 0;
             expected[i] = 1;
             for (int c = 0; c < 2; ++c) {
-                ssgi_field_limits l = { occluder[c].ramp, occluder[c].reach, occluder[c].inside, occluder[c].power };
-                const float square = to[c][0] * to[c][0] + to[c][1] * to[c][1] + to[c][2] * to[c][2];
-                float q[3] = { 0 }, turned[3] = { 0 };
-                for (int k = 0; k < 3; ++k)
-                    for (int j = 0; j < 3; ++j) {
-                        q[k] += to[c][4 * k + j] * (first[4 * i + j] - to[c][12 + j]) / square;
-                        turned[k] += to[c][4 * k + j] * n[j] / sqrtf(square);
-                    }
-                expected[i] *= 1 - ssgi_field_occlusion(f[c], &l, q, turned);
+                const ssgi_field_limits l = { occluder[c].ramp, occluder[c].reach, occluder[c].inside,
+                                              occluder[c].power };
+                expected[i] *= (float)(1 - occluded(f[c], &l, to[c], &first[4 * i], n));
             }
         }
         textures[0] = kit_texture(10, 2, GL_RGBA32F, occluder[0].at);
@@ -222,56 +223,43 @@ static int drawn_aof(kit_image *out, kit_gbuffer *g, const kit_scene *scene, con
 }
 
 /* Every pixel of the plane against the closed form of a resting ball; the ball itself, and the background, are left
-   alone. */
+   alone. By a table the picture is the closed form's within what the table's size says. */
 static void ball_on_a_plane(void)
 {
+    static const struct { const char *set; double most; } tables[] = { { "cap_table=128", 6.6e-4 },
+                                                                       { "cap_table=32", 2.9e-3 } };
     kit_scene scene;
     kit_gbuffer g;
-    kit_image out;
-    if (!scene_of(&scene, &g, "sphere", NULL)) return;
-    double worst = 0, sum = 0;
+    kit_image closed, out, frame;
+    double off = 0, sum = 0;
     int plane = 0, own = 0;
-    kit_image frame;
-    if (!drawn_aof(&out, &g, &scene, "") || !TRY(kit_gbuffer_read(&frame, &g, &err))) return;
+    if (!scene_of(&scene, &g, "sphere", NULL) || !drawn_aof(&closed, &g, &scene, "")
+        || !TRY(kit_gbuffer_read(&frame, &g, &err)))
+        return;
     for (int i = 0; i < W * H; ++i) {
         const float z = kit_image_channel(&frame, "Z")[i];
         float p[3];
         if (z > 0) kit_camera_point(&g.camera, i % W, i / W, (double)z, p);
-        const double rho2 = z > 0 ? (double)(p[0] * p[0] + p[2] * p[2]) : 0;
-        if (!(z > 0) || p[1] > 1e-3f) own += out.data[i] < 1;
+        const double rho2 = z > 0 ? (double)(p[0] * p[0] + p[2] * p[2]) : 0, dark = 1 - (double)closed.data[i];
+        if (!(z > 0) || p[1] > 1e-3f) own += closed.data[i] < 1;
         else if (rho2 < 25) {              /* beyond, the ramp */
-            worst = fmax(worst, fabs(1 - (double)out.data[i] - pow(1 + rho2, -1.5)));
-            sum += 1 - (double)out.data[i];
+            off = fmax(off, fabs(dark - pow(1 + rho2, -1.5)));
+            sum += dark;
             ++plane;
         }
     }
-    CHECK(worst < 0.012 && plane > 1000 && sum > 0.05 * plane && !own,
-          "off by %.4f over %d pixels (mean %.3f), %d of the ball's own shaded", worst, plane,
-          sum / plane, own);
-    t_note("off by %.4f at most", worst);
-    kit_image_free(&frame);
-    kit_image_free(&out);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
-}
-
-/* A picture by a table is the closed form's within what the table's size says; one occluder. */
-static void tables_of_caps(void)
-{
-    static const struct { const char *set; double most; } rows[] = { { "cap_table=128", 6.6e-4 },
-                                                                     { "cap_table=32", 2.9e-3 } };
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_image closed, out;
-    if (!scene_of(&scene, &g, "sphere", NULL) || !drawn_aof(&closed, &g, &scene, "")) return;
+    CHECK(off < 0.012 && plane > 1000 && sum > 0.05 * plane && !own,
+          "off by %.4f over %d pixels (mean %.3f), %d of the ball's own shaded", off, plane, sum / plane, own);
+    t_note("off by %.4f at most", off);
     for (int n = 0; n < 2; ++n) {
         double worst = 0;
-        if (!drawn_aof(&out, &g, &scene, rows[n].set)) return;
+        if (!drawn_aof(&out, &g, &scene, tables[n].set)) return;
         for (int i = 0; i < W * H; ++i) worst = fmax(worst, fabs((double)out.data[i] - (double)closed.data[i]));
-        CHECK(worst < rows[n].most && worst > 0.01 * rows[n].most, "%s: off by %.2e", rows[n].set, worst);
-        t_note("%s: off by at most %.1e", rows[n].set, worst);
+        CHECK(worst < tables[n].most && worst > 0.01 * tables[n].most, "%s: off by %.2e", tables[n].set, worst);
+        t_note("%s: off by at most %.1e", tables[n].set, worst);
         kit_image_free(&out);
     }
+    kit_image_free(&frame);
     kit_image_free(&closed);
     kit_gbuffer_free(&g);
     kit_scene_free(&scene);
@@ -343,15 +331,8 @@ static void what_a_draw_covers(void)
                 if (!object->casts || shown == (uint32_t)o + 1) continue;
                 const ssgi_field *f = field[object->shape];
                 ssgi_field_limits l = ssgi_field_limits_of(f);
-                const float *t = object->to_world, square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
-                float q[3] = { 0 }, turned[3] = { 0 };
                 l.ramp = 0.6f * l.reach;
-                for (int k = 0; k < 3; ++k)
-                    for (int j = 0; j < 3; ++j) {
-                        q[k] += t[4 * k + j] * (p[j] - t[12 + j]) / square;
-                        turned[k] += t[4 * k + j] * n[j] / sqrtf(square);
-                    }
-                expected *= 1 - (double)ssgi_field_occlusion(f, &l, q, turned);
+                expected *= 1 - occluded(f, &l, object->to_world, p, n);
             }
             off = fmax(off, fabs(expected - (double)out.data[i]));
         }
@@ -400,28 +381,25 @@ static void combination(void)
     kit_scene_free(&scene);
 }
 
-/* Against rays: share of no occlusion's error, and what a coarse cube map loses. */
+/* Against rays: the share of no occlusion's error, which a coarse cube map and normals of depth raise. */
 static void against_truth(void)
 {
-    static const struct {
-        const char *set;
-        double share;
-    } row[] = { { "rays=32", 0.16 }, { "resolution=4,rays=32", 0.18 }, { "normal=depth,rays=32", 0.25 } };
+    static const struct { const char *set; double share; } row[] = { { "rays=32", 0.16 },
+                                                                    { "resolution=4,rays=32", 0.18 },
+                                                                    { "normal=depth,rays=32", 0.25 } };
     kit_scene scene;
     kit_gbuffer g;
     kit_image truth, out, none;
-    kit_score score, nothing;
     if (!scene_of(&scene, &g, "casters", NULL) || !TRY(kit_truth_objects(&truth, &scene, &g.camera, 64, 1, &err))
         || !TRY(kit_image_new(&none, W, H, "Y", &err)))
         return;
     for (int i = 0; i < W * H; ++i) none.data[i] = 1;
-    TRY(kit_score_channel(&nothing, &none, &truth, "Y", NULL, &err));
-    for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
+    const double nothing = difference(&none, &truth, 0, 0, 0);
+    for (int m = 0; m < 3; ++m) {
         if (!drawn_aof(&out, &g, &scene, row[m].set)) return;
-        TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err));
-        CHECK(score.rmse < row[m].share * nothing.rmse, "%s: RMSE %.4f of %.4f", row[m].set, score.rmse, nothing.rmse);
-        t_note("%s: RMSE %.4f, %.3f of no occlusion's, bias %+.4f", *row[m].set ? row[m].set : "default", score.rmse,
-               score.rmse / nothing.rmse, score.bias);
+        const double rmse = difference(&out, &truth, 0, 0, 0);
+        CHECK(rmse < row[m].share * nothing, "%s: RMSE %.4f of %.4f", row[m].set, rmse, nothing);
+        t_note("%s: RMSE %.4f, %.3f of no occlusion's", row[m].set, rmse, rmse / nothing);
         kit_image_free(&out);
     }
     kit_image_free(&truth);
@@ -439,34 +417,31 @@ static void refusals(void)
     const ssgi_field *f = field_of(&scene, 3, 4);
     const ssgi_field_limits fine = ssgi_field_limits_of(f);
     memset(&was, 0x5a, sizeof was);
-    for (int k = 0; k < 14; ++k) {
-        static const char *const names[] = { "occluder",     "field",         "mesh_to_view", "slice",
-                                             "slice",        "object",        "limits.reach", "limits.reach",
-                                             "limits",       "limits.inside", "limits.power", "mesh_to_view",
-                                             "mesh_to_view", "mesh_to_view" };
-        ssgi_field_limits l = fine;
-        ssgi_field none = *f;
-        const char *why = "";
+    occluder = was;
+    placed(m, 1, 2, 0, 0, -5);
+#define REFUSED(name, ...) T_REFUSED(ssgi_gl_occluder_set(__VA_ARGS__, &why), SSGI_BAD_ARGUMENT, name, occluder, was)
+    const ssgi_field none = { .resolution = f->resolution, .reach = f->reach };
+    REFUSED("occluder", NULL, f, &fine, m, 0, 0);
+    REFUSED("field", &occluder, &none, &fine, m, 0, 0);
+    REFUSED("mesh_to_view", &occluder, f, &fine, NULL, 0, 0);
+    REFUSED("slice", &occluder, f, &fine, m, -1, 0);
+    REFUSED("slice", &occluder, f, &fine, m, 2048, 0);
+    REFUSED("object", &occluder, f, &fine, m, 0, 1 << 24);
+    const struct { const char *name; ssgi_field_limits l; } bad[] = {
+        { "limits.reach", { fine.reach, fine.reach, fine.inside, 1 } },
+        { "limits.reach", { fine.ramp, 1.01f * fine.reach, fine.inside, 1 } },
+        { "limits", { NAN, fine.reach, fine.inside, 1 } },
+        { "limits.inside", { fine.ramp, fine.reach, 1.1f, 1 } },
+        { "limits.power", { fine.ramp, fine.reach, fine.inside, 0 } } };
+    for (int k = 0; k < 5; ++k) REFUSED(bad[k].name, &occluder, f, &bad[k].l, m, 0, 0);
+    for (int k = 0; k < 3; ++k) {              /* stretched, sheared, not finite */
         placed(m, 1, 2, 0, 0, -5);
-        none.texels = NULL;
-        if (k == 6) l.ramp = l.reach;
-        if (k == 7) l.reach *= 1.01f;
-        if (k == 8) l.ramp = NAN;
-        if (k == 9) l.inside = 1.1f;
-        if (k == 10) l.power = 0;
-        if (k == 11) for (int i = 0; i < 3; ++i) m[i] *= 1.1f;
-        if (k == 12) m[4] += m[0];
-        if (k == 13) m[13] = INFINITY;
-        occluder = was;
-        CHECK(ssgi_gl_occluder_set(k ? &occluder : NULL, k == 1 ? &none : f, &l, k == 2 ? NULL : m,
-                                   k == 3   ? -1
-                                   : k == 4 ? 2048
-                                            : 0,
-                                   k == 5 ? 1 << 24 : 0, &why)
-                      == SSGI_BAD_ARGUMENT
-                  && !strncmp(why, names[k], strlen(names[k])) && !memcmp(&occluder, &was, sizeof was),
-              "%d: \"%s\" (expected %s)", k, why, names[k]);
+        for (int i = 0; i < 3 && !k; ++i) m[i] *= 1.1f;
+        if (k == 1) m[4] += m[0];
+        if (k == 2) m[13] = INFINITY;
+        REFUSED("mesh_to_view", &occluder, f, &fine, m, 0, 0);
     }
+#undef REFUSED
     placed(m, 1, 2, 0, 0, -5);
     for (int i = 2; i < 16; i += 4) m[i] = -m[i];          /* a left-handed engine's */
     CHECK(ssgi_gl_occluder_set(&occluder, f, &fine, m, 0, 0, NULL) == SSGI_OK, "a mirrored occluder is refused");
@@ -479,225 +454,16 @@ static void refusals(void)
     kit_scene_free(&scene);
 }
 
-/* ---- frames ------------------------------------------------------------------------------------------------------ */
-
-/* Closing what was never opened, before there is any context: no function of GL may be called. */
-static void closing_nothing(void)
-{
-    static kit_frames frames;
-    static kit_run run;
-    static const kit_frames closed;
-    kit_run_close(&run);
-    kit_frames_close(&frames);
-    kit_frames_close(&frames);
-    CHECK(!memcmp(&frames, &closed, sizeof closed), "what was closed is not all zero");
-}
-
-static int same_pictures(const kit_image *a, const kit_image *b)
-{
-    return a->width == b->width && a->height == b->height && a->channels == b->channels
-           && !memcmp(a->data, b->data, sizeof *a->data * (size_t)(a->width * a->height * a->channels));
-}
-
-/* A frame of "casters" from so many degrees around, further away from frame to frame. */
-static int frame_seen(kit_gbuffer *g, const kit_scene *scene, int k)
-{
-    kit_camera camera = scene->camera;
-    camera.width = 160;
-    camera.height = 90;
-    for (int i = 0; i < 3; ++i) camera.eye[i] += 0.3f * (float)k * (camera.eye[i] - camera.target[i]);
-    kit_camera_orbit(&camera, &camera, 3 * k);
-    return TRY(kit_gbuffer_from_scene(g, scene, &camera, NULL, &err));
-}
-
-static int frame_drawn(kit_image *out, kit_run *run)
-{
-    kit_run_draw(run, 0);
-    return TRY(kit_run_read(out, run, &err));
-}
-
-/* Frames are what is opened, followed and closed by hand; alone they are what is opened by hand and follows none; a
-   margin stays as wide as the first one's; after a failure all is closed. */
-static void frames_follow(void)
-{
-    enum { FRAMES = 3 };
-    static kit_frames frames;
-    static kit_run run[FRAMES];
-    static const kit_frames closed;
-    kit_scene scene;
-    kit_gbuffer g[FRAMES];
-    kit_method m;
-    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_method_find(&m, "hsao-history", &err))) return;
-    const kit_world world = { &scene, NULL }, frame = { NULL, NULL };
-    for (int k = 0; k < FRAMES; ++k) if (!frame_seen(&g[k], &scene, k)) return;
-    frames.number = 5;
-    for (int k = 0; k < FRAMES; ++k) {
-        kit_image by_hand, alone, out, single;
-        float phase;
-        if (!TRY(kit_run_open(&run[k], &g[k], &m, scene.radius, &world, &err))) return;
-        phase = run[k].frame.phase;
-        run[k].frame.phase = ssgi_gl_phase(5 + (unsigned)k);
-        kit_run_update(&run[k]);
-        if (!frame_drawn(&by_hand, &run[k])) return;
-        run[k].frame.phase = k ? phase : run[k].frame.phase;
-        if (k && !TRY(kit_run_follow(&run[k], &run[k - 1], 5 + (unsigned)k, &err))) return;
-        if (!frame_drawn(&out, &run[k])) return;
-        if (!TRY(kit_frames_next(&frames, &g[k], &m, scene.radius, &world, &alone, &err))
-            || !frame_drawn(&single, frames.now))
-            return;
-        CHECK(same_pictures(&alone, &by_hand) && same_pictures(&single, &out), "frame %d is not that by hand", k);
-        CHECK(!frames.run[frames.now == &frames.run[0]].textures, "frame %d: the one before is open", k);
-        CHECK(same_pictures(&alone, &single) == !k, "frame %d %s history", k, k ? "has no" : "has a");
-        kit_image_free(&by_hand); kit_image_free(&alone); kit_image_free(&out); kit_image_free(&single);
-    }
-    for (int k = 0; k < FRAMES; ++k) kit_run_close(&run[k]);
-    CHECK(!kit_method_set(&m, "margin=1", &err), "%s", err.text);
-    for (int turn = 0; turn < 2; ++turn) {          /* with frames that are open, and from all zero */
-        err.text[0] = 0;
-        CHECK(kit_frames_next(&frames, &g[1], &m, scene.radius, &frame, NULL, &err) == -1 && strstr(err.text, "margin"),
-              "a margin of a frame: \"%s\"", err.text);
-        CHECK(!memcmp(&frames, &closed, sizeof closed), "what failed is not closed");
-    }
-    int margin = 0;
-    for (int k = 0; k < FRAMES; ++k) {
-        if (!TRY(kit_run_open(&run[0], &g[k], &m, scene.radius, &world, &err))
-            || !TRY(kit_frames_next(&frames, &g[k], &m, scene.radius, &world, NULL, &err)))
-            return;
-        kit_run_draw(frames.now, 0);
-        if (!k) margin = run[0].margin;
-        CHECK(frames.now->margin == margin && (k < FRAMES - 1 || run[0].margin < margin),
-              "frame %d: a margin of %d pixels, alone %d, the first %d", k, frames.now->margin, run[0].margin, margin);
-        kit_run_close(&run[0]);
-    }
-    kit_frames_close(&frames);
-    for (int k = 0; k < FRAMES; ++k) kit_gbuffer_free(&g[k]);
-    kit_scene_free(&scene);
-}
-
-/* A picture that stays is followed by itself; it begins anew at 0. */
-static void frames_stay(void)
-{
-    static kit_run run[2];
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_method m;
-    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !frame_seen(&g, &scene, 0)
-        || !TRY(kit_method_find(&m, "hsao-history", &err)))
-        return;
-    const kit_world world = { &scene, NULL };
-    for (int r = 0; r < 2; ++r) if (!TRY(kit_run_open(&run[r], &g, &m, scene.radius, &world, &err))) return;
-    for (unsigned k = 0; k < 7; ++k) {
-        kit_image out[2];
-        const unsigned frame = k % 4;
-        if (!frame) {
-            run[0].frame.history = 0;
-            run[0].frame.phase = ssgi_gl_phase(9);
-            kit_run_update(&run[0]);
-        } else if (!TRY(kit_run_follow(&run[0], &run[0], 9 + frame, &err))) return;
-        if (!frame_drawn(&out[0], &run[0]) || !TRY(kit_frames_still(&run[1], 9, frame, 0, &err))
-            || !TRY(kit_run_read(&out[1], &run[1], &err)))
-            return;
-        CHECK(same_pictures(&out[0], &out[1]), "frame %u is not that by hand", frame);
-        for (int r = 0; r < 2; ++r) kit_image_free(&out[r]);
-    }
-    for (int r = 0; r < 2; ++r) kit_run_close(&run[r]);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
-}
-
-/* A frame of other passes follows none: it is as if it were the first of its number; one of another size goes on. One
-   more of the same G-buffer is what opening that again makes. */
-static void frames_restart(void)
-{
-    enum { FRAMES = 7 };
-    static const struct { const char *method; int width; unsigned since; } frame[FRAMES] = {
-        { "hsao-history", 160, 1 }, { "hsao-history", 160, 2 }, { "hsao-history", 96, 3 }, { "hsao-history", 96, 4 },
-        { "hsao-best", 96, 1 },     { "hsao-best", 96, 2 },     { "hsao-history", 96, 1 } };
-    static kit_frames frames, again;
-    kit_scene scene;
-    kit_gbuffer g[FRAMES];
-    kit_method m;
-    if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
-    const kit_world world = { &scene, NULL };
-    for (int k = 0; k < FRAMES; ++k) {
-        static kit_frames first;
-        kit_camera camera = scene.camera;
-        kit_image out[2];
-        camera.width = frame[k].width;
-        camera.height = 90;
-        if (!TRY(kit_gbuffer_from_scene(&g[k], &scene, &camera, NULL, &err))
-            || !TRY(kit_method_find(&m, frame[k].method, &err)) || !TRY(kit_method_set(&m, "history=1", &err))
-            || !TRY(kit_frames_next(&frames, &g[k], &m, scene.radius, &world, NULL, &err)))
-            return;
-        CHECK(frames.since == frame[k].since, "frame %d: the %u. of those that follow each other", k, frames.since);
-        first.number = (unsigned)k;
-        if (!frame_drawn(&out[0], frames.now)
-            || !TRY(kit_frames_next(&first, &g[k], &m, scene.radius, &world, NULL, &err))
-            || !frame_drawn(&out[1], first.now))
-            return;
-        CHECK(same_pictures(&out[0], &out[1]) == (frame[k].since == 1), "frame %d %s history", k,
-              frame[k].since == 1 ? "has a" : "has no");
-        kit_image_free(&out[1]);
-        kit_frames_close(&first);
-        if (k < 4) {
-            if (!TRY(k & 1 ? kit_frames_again(&again, &err)
-                           : kit_frames_next(&again, &g[k], &m, scene.radius, &world, NULL, &err))
-                || !frame_drawn(&out[1], again.now))
-                return;
-            CHECK(same_pictures(&out[0], &out[1]) && again.since == frames.since && again.number == frames.number,
-                  "frame %d of a G-buffer that stays is not that of one opened again", k);
-            kit_image_free(&out[1]);
-        }
-        kit_image_free(&out[0]);
-    }
-    kit_frames_close(&frames);
-    kit_frames_close(&again);
-    for (int k = 0; k < FRAMES; ++k) kit_gbuffer_free(&g[k]);
-    kit_scene_free(&scene);
-}
-
-/* Triangles that are kept are drawn as others are, also what light sees of them, until they are forgotten. */
-static void mesh_kept(void)
-{
-    static const float by[3] = { 0.8f, 0, 0 };
-    kit_scene scene;
-    kit_lighting sun = { .lights = 1, .light = { { KIT_SUN, { 0.6f, 0.6f, 0.529f }, { 1, 1, 1 } } } };
-    kit_image out[4];
-    if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
-    const kit_world world = { &scene, &sun };
-    for (int k = 0; k < 4; ++k) {          /* as they are; kept; moved, but not forgotten; forgotten */
-        kit_gbuffer g;
-        if (k == 1 && !TRY(kit_mesh_keep(&scene.mesh, &err))) return;
-        if (k == 2 && !TRY(kit_scene_slide(&scene, by, 1, &err))) return;
-        if (k == 3) kit_mesh_forget();
-        if (!frame_seen(&g, &scene, 0)
-            || !TRY(kit_run_picture(&out[k], &g, &world, "ssdo", "bounce=none", scene.radius, &err)))
-            return;
-        kit_gbuffer_free(&g);
-    }
-    CHECK(same_pictures(&out[0], &out[1]), "kept triangles are drawn otherwise");
-    CHECK(same_pictures(&out[1], &out[2]), "triangles that are kept were uploaded again");
-    CHECK(!same_pictures(&out[2], &out[3]), "forgotten triangles are where they were");
-    for (int k = 0; k < 4; ++k) kit_image_free(&out[k]);
-    kit_scene_free(&scene);
-}
-
 void test_occluders(void)
 {
-    RUN("what was never opened can be closed, with no context", closing_nothing);
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("the shader's caps are the CPU's", caps);
     RUN("the shader's fields are the CPU's: turned, scaled and moved", same_as_on_the_cpu);
     RUN("a ball on a plane is its closed form", ball_on_a_plane);
-    RUN("caps from a table are within its error of the closed form's", tables_of_caps);
     RUN("a draw covers each occluder's sphere of influence from anywhere", what_a_draw_covers);
     RUN("occluders combine to between the most and the sum; one draw and a draw each agree", combination);
     RUN("two dozen occluders against rays", against_truth);
     RUN("an occluder that cannot be set is refused", refusals);
-    RUN("frames follow the one before, a failed one ends them", frames_follow);
-    RUN("frames of a picture that stays follow themselves", frames_stay);
-    RUN("frames of other passes begin anew, of another size they go on", frames_restart);
-    RUN("triangles that are kept are drawn as others are", mesh_kept);
     kit_fields_free();
     kit_gl_close();
 }
