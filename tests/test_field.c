@@ -532,8 +532,9 @@ static int count_hit(void *user, const float o[3], const float d[3])
 
 static void sampled(void)
 {
-    static const struct { double w[3], r; } rows[] = { { { 1, 0, 0 }, 1.4 }, { { 1, 0, 0 }, 7 }, { { 1, 1, 0 }, 2.2 },
-                                                       { { 1, 1, 1 }, 3.2 }, { { 6, 3, 2 }, 1.4 }, { { 9, 1, 7 }, 2.7 } };
+    static const struct { double w[3], r; } rows[] = { { { 1, 0, 0 }, 1.4 }, { { 1, 0, 0 }, 7 },
+                                                       { { 1, 1, 0 }, 2.2 }, { { 1, 1, 1 }, 3.2 },
+                                                       { { 6, 3, 2 }, 1.4 }, { { 9, 1, 7 }, 2.7 } };
     ssgi_trace trace;
     double worst = 0, bias = 0;
     if (!traced_by(&trace, box_mesh(cube))) return;
@@ -768,44 +769,16 @@ static void ball_on_plane(void)
     }
 }
 
-/* Without the Gaussian a texel is what its own direction fits, from a quarter of the directions. */
-static void unfiltered(void)
-{
-    double error[2] = { 0, 0 };
-    for (int n = 0; n < 2; ++n) {
-        rasters of = { .half = cube };
-        const ssgi_field_desc d = { .resolution = 6, .radii = 8, .rays = 16, .unfiltered = n, .sample = rasterised,
-                                    .user = &of };
-        const ssgi_field f = baked(n, &d, box_mesh(cube));
-        CHECK(of.calls == (n ? 6 : 24) * 36, "%d: %d directions", n, of.calls);
-        for (int face = 0; face < 6; ++face)
-            for (int i = 0; i < 36; ++i) {
-                double w[3], q[3], radii[8], values[8], exact[4], p[3];
-                float solid_angle, axis[3], fill;
-                ssgi__cube_direction(w, face, (2 * (i % 6) + 1.0) / 6 - 1, (2 * (i / 6) + 1.0) / 6 - 1);
-                const double hull = 1.0002 / fmax(fabs(w[0]), fmax(fabs(w[1]), fabs(w[2]))), reach = (double)f.reach;
-                for (int j = 0; j < 8; ++j) {
-                    radii[j] = hull * pow(reach / hull, j / 7.0);
-                    for (int k = 0; k < 3; ++k) p[k] = radii[j] * w[k];
-                    box_exact(exact, cube, p);
-                    values[j] = normalise(exact + 1);
-                }
-                ssgi__field_fit(q, radii, values, 8, PI);
-                ssgi_field_cap(&solid_angle, axis, &fill, &f, point_at(NULL, 1.8, w));
-                const double h = (double)solid_angle / (2 * PI), one = 1 / quadratic(q, (1.8 - hull) / (reach - hull));
-                error[n] = fmax(error[n], fabs((double)fill * PI * h * (2 - h) - one) / PI);
-            }
-    }
-    CHECK(error[1] < 0.5 * error[0], "directions of texels: off by %.4f, filtered %.4f", error[1], error[0]);
-    t_note("directions of texels: off by %.4f, filtered %.4f", error[1], error[0]);
-}
-
 /* The centres of three fine texels of 16 a side on the cube: within faces, and beside an edge. */
 static const double impulses[3][3] = { { 1, 0.0625, -0.4375 }, { 0.3125, -1, 0.1875 }, { 0.9375, -0.1875, 1 } };
+
+typedef struct looked { float solid_angle; _Atomic int directions; } looked;
 
 /* What is seen from those texels' directions leaves most of its cap open, what is seen from others fills it. */
 static void impulse(void *user, float *out, const float *point, int count)
 {
+    looked *l = (looked *)user;
+    ++l->directions;
     for (int i = 0; i < count; ++i, point += 3, out += 4) {
         const double p[3] = { (double)point[0], (double)point[1], (double)point[2] },
                      most = fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2])), length = sqrt(kit_dot(p, p));
@@ -815,45 +788,52 @@ static void impulse(void *user, float *out, const float *point, int count)
             for (int k = 0; k < 3; ++k) off = fmax(off, fabs(p[k] / most - impulses[n][k]));
             here |= off < 0.04;
         }
-        out[0] = *(const float *)user;
+        out[0] = l->solid_angle;
         for (int k = 0; k < 3; ++k) out[1 + k] = (float)(-p[k] / length * (here ? 0.25 : 1));
     }
 }
 
 /* A texel is the mean of 4 x 4 fine ones by a Gaussian whose deviation is one of them. One that differs counts in the
-   texels around it by the bell's values at half a fine texel and at one and a half, across edges as within faces. */
+   texels around it by the bell's values at half a fine texel and at one and a half, across edges as within faces.
+   Without the Gaussian a texel is what its own direction has, of a quarter of the directions. */
 static void filtered(void)
 {
-    static float solid_angle = 0.2f;
-    const double open = 1 - 0.25 * (double)solid_angle / PI, sum = 2 * (exp(-0.125) + exp(-1.125)),
-                 bell[3] = { exp(-0.125) / sum, exp(-1.125) / sum, 0 };
-    const ssgi_field_desc d = { .resolution = 8, .radii = 4, .rays = 16, .hit = nothing_hit, .sample = impulse,
-                                .user = &solid_angle };
-    const ssgi_field f = baked(0, &d, box_mesh(cube));
-    double worst = 0;
-    for (int i = 0; i < 6 * 64; ++i) {
-        const int a = i / 64 % 3;
-        double p[3], want = 1;
-        float angle, axis[3], fill;
-        p[a] = i / 64 < 3 ? 1 : -1;
-        p[(a + 1) % 3] = (i % 8 - 3.5) / 4;
-        p[(a + 2) % 3] = (i / 8 % 8 - 3.5) / 4;
-        for (int n = 0; n < 3; ++n) {
-            const double *q = impulses[n];
-            const int b = fabs(q[0]) == 1 ? 0 : fabs(q[1]) == 1 ? 1 : 2;
-            double weight = a == b && p[a] != q[a] ? 0 : open;
-            for (int k = 0; k < 3; ++k) { /* a neighbouring face is laid flat beside this one */
-                const double at = k == a ? p[a] * (2 - p[b] * q[b]) : p[k];
-                if (k != b) weight *= bell[(int)fmin(2, fabs(at - q[k]) * 8)];
+    const double sum = 2 * (exp(-0.125) + exp(-1.125));
+    for (int unfiltered = 0; unfiltered < 2; ++unfiltered) {
+        const int side = unfiltered ? 16 : 8;
+        const double bell[3] = { unfiltered ? 1 : exp(-0.125) / sum, unfiltered ? 0 : exp(-1.125) / sum, 0 };
+        looked l = { .solid_angle = 0.2f };
+        const ssgi_field_desc d = { .resolution = side, .radii = 4, .rays = 16, .unfiltered = unfiltered,
+                                    .hit = nothing_hit, .sample = impulse, .user = &l };
+        const ssgi_field f = baked(0, &d, box_mesh(cube));
+        const double open = 1 - 0.25 * (double)l.solid_angle / PI;
+        double worst = 0;
+        for (int i = 0; i < 6 * side * side; ++i) {
+            const int face = i / (side * side), a = face % 3;
+            double p[3], want = 1;
+            float angle, axis[3], fill;
+            p[a] = face < 3 ? 1 : -1;
+            p[(a + 1) % 3] = (2 * (i % side) + 1.0) / side - 1;
+            p[(a + 2) % 3] = (2 * (i / side % side) + 1.0) / side - 1;
+            for (int n = 0; n < 3; ++n) {
+                const double *q = impulses[n];
+                const int b = fabs(q[0]) == 1 ? 0 : fabs(q[1]) == 1 ? 1 : 2;
+                double weight = a == b && p[a] != q[a] ? 0 : open;
+                for (int k = 0; k < 3; ++k) { /* a neighbouring face is laid flat beside this one */
+                    const double at = k == a ? p[a] * (2 - p[b] * q[b]) : p[k];
+                    if (k != b) weight *= bell[(int)fmin(2, fabs(at - q[k]) * 8)];
+                }
+                want -= weight;
             }
-            want -= weight;
+            ssgi_field_cap(&angle, axis, &fill, &f, point_at(f.centre, 1.5, p));
+            worst = fmax(worst, fabs((double)fill - want));
         }
-        ssgi_field_cap(&angle, axis, &fill, &f, point_at(f.centre, 1.5, p));
-        worst = fmax(worst, fabs((double)fill - want));
+        CHECK(worst < 0.51 / 255 * (double)f.span[7]
+                  && fabs((double)f.span[7] / (open * bell[0] * bell[0]) - 1) < 1e-4,
+              "unfiltered %d: off by %g, of which storing takes %g; at most %g of an impulse, not %g", unfiltered,
+              worst, 0.5 / 255 * (double)f.span[7], (double)f.span[7] / open, bell[0] * bell[0]);
+        CHECK(l.directions == 6 * 16 * 16, "unfiltered %d: %d directions", unfiltered, l.directions);
     }
-    CHECK(worst < 0.51 / 255 * (double)f.span[7] && fabs((double)f.span[7] / (open * bell[0] * bell[0]) - 1) < 1e-4,
-          "off by %g, of which storing takes %g; at most %g of an impulse, not %g", worst,
-          0.5 / 255 * (double)f.span[7], (double)f.span[7] / open, bell[0] * bell[0]);
 }
 
 typedef struct told { int calls, most, descends; float last; } told;
@@ -1021,64 +1001,6 @@ static void hulls(void)
               i ? "a cube" : "a ball", worst, creases);
         t_note("%s's hull: off by up to %.5f radii, %.5f near its edges", i ? "a cube" : "a ball", worst, creases);
     }
-    double half[3] = { 1, 1, 1 }, contact = 1;
-    const ssgi_field_desc touch = { .resolution = 8, .rays = 64, .hit = box_hit, .user = half };
-    const ssgi_field f = baked(0, &touch, box_mesh(cube));
-    for (int k = 0; k < 600; ++k) {                      /* on a face, not near its edges, looking at it */
-        double p[3] = { t_within(-0.7, 0.7), t_within(-0.7, 0.7), t_within(-0.7, 0.7) }, normal[3] = { 0, 0, 0 };
-        p[k % 3] = k % 2 ? 1 : -1;
-        normal[k % 3] = -p[k % 3];
-        contact = fmin(contact, seen(&f, point_at(NULL, 1, p), normal));
-    }
-    CHECK(contact > 0.95, "a cube's faces, touched: occlusion is as low as %g", contact);
-    t_note("a cube's faces, touched: occlusion is at least %.4f", contact);
-}
-
-/* Rays go into a cone, about few directions, that holds all of the mesh: also what sticks out between them, as of small
-   triangles by chance about the unit sphere. */
-static void cones(void)
-{
-    static float cloud[9 * 400];
-    const kit_mesh of_cloud = { .triangles = 400, .position = cloud };
-    double widest = 0;
-    int wide = 0, all = 0;
-    for (int k = 0; k < 12; ++k) {
-        const kit_mesh *m = k == 0 ? ball_mesh() : k == 1 ? box_mesh(cube) : table_mesh();
-        double w[3], length = 0;
-        for (int i = 0; i < 9 * 400 && k > 2; ++i) {
-            if (i % 9 == 0) {
-                direction(w);
-                length = t_within(0.85, 1);
-            }
-            cloud[i] = (float)(length * w[i % 3] + t_within(-0.03, 0.03));
-        }
-        if (k > 2) m = &of_cloud;
-        ssgi__field_occluder o = { .radius = 0 };
-        if (!traced_by(&o.trace, m) || !CHECK(ssgi__field_measure(&o), "mesh %d", k)) return;
-        for (int i = 0; i < 300; ++i) {
-            double at[3], axis[3], least = 1;
-            ssgi__field_portal portal;
-            direction(w);
-            const double hull = ssgi__field_exit(&o, w, &portal) + ssgi__field_slack(&o);
-            for (int c = 0; c < 3; ++c) at[c] = w[c] * hull * (1 + (i % 4) * t_within(0, 3));
-            const double cosine = (double)ssgi__field_cone(axis, &o, at, portal.normal);
-            for (size_t t = 0; t < 3 * m->triangles; ++t) {
-                double d[3];
-                for (int c = 0; c < 3; ++c) d[c] = (double)m->position[3 * t + (size_t)c] - o.centre[c] - at[c];
-                normalise(d);
-                least = fmin(least, kit_dot(d, axis));
-            }
-            CHECK(least >= cosine - 1e-5, "mesh %d: %.2f degrees outside of the cone", k,
-                  (acos(least) - acos(cosine)) * 180 / PI);
-            wide += !(cosine > 0);
-            ++all;
-            if (k < 3 && cosine > 0) widest = fmax(widest, acos(cosine) - acos(least));
-        }
-    }
-    CHECK(wide < all / 2 && widest < 0.5, "%d of %d cones are half spaces, others wider by up to %.2f", wide, all,
-          widest);
-    t_note("%d of %d cones are half spaces, those of a ball, a cube and a table wider by up to %.2f", wide, all,
-           widest);
 }
 
 /* Where a bake looks from inside the cube, and how many of its rays hit. */
@@ -1306,13 +1228,12 @@ void test_field(void)
     RUN("a ray caster of one's own gives the same field", own_rays);
     RUN("samples of one's own give the field of exact rays", own_samples);
     RUN("a ball on a plane has the closed form's contact shadow, by rays and by samples", ball_on_plane);
-    RUN("unfiltered texels are what their own directions fit", unfiltered);
-    RUN("texels are means by a Gaussian, a fine texel in deviation, across edges too", filtered);
+    RUN("texels are means by a Gaussian, a fine texel in deviation, across edges too; or of their own directions",
+        filtered);
     RUN("progress ascends to 1, and giving up leaves the field untouched", progress);
     RUN("bad descs, meshes and sizes are named and leave the field untouched", bad_arguments);
     RUN("triangles, needles, flat occluders, far, tiny and huge ones stay in [0,1]; scale does not matter", degenerate);
-    RUN("hulls are where the mesh ends, and what touches one is dark", hulls);
-    RUN("cones to which rays are confined hold all of a mesh", cones);
+    RUN("hulls are where the mesh ends", hulls);
     RUN("inside a hull points that are not enclosed count by what is left of the way to it", toward_the_centre);
     RUN("there is no seam at edges and corners", borders);
     RUN("limits: ramp, reach, inside and power; points that are not finite", limits);

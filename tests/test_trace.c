@@ -1,4 +1,4 @@
-/* test_trace.c - the tracer against brute force, cameras, the ray-traced truth and its floor against closed forms. */
+/* test_trace.c - the tracer against brute force, the ray-traced truth and its floor against closed forms. */
 #include "t.h"
 #include "frames.h"
 #include "kit/kit_build.h"
@@ -220,38 +220,6 @@ static void bad_arguments(void)
                   && !memcmp(exact + all, was.memory, 64),
               "%zu triangles: more than %zu bytes were written, or none", n, all);
         free(exact);
-    }
-}
-
-/* The library's view of a camera sees what a pixel's ray meets at that pixel, and so does kit_camera_point. */
-static void cameras(void)
-{
-    for (int k = 0; k < 24; ++k) {
-        kit_camera c = { .eye = { 3, 2, 5 }, .target = { -0.5f, 0.25f, 1 }, .up = { 0.1f, 1, 0.2f },
-                         .fovy = k & 1 ? 0.0f : 55.0f, .ortho_height = 4, .znear = 0.5f, .zfar = 20, .width = 97,
-                         .height = 64, .shift = { k & 2 ? 20.25f : 0.0f, k & 2 ? 11.5f : 0.0f }, .depth = k / 4 % 3 };
-        float world[16], projection[16];
-        ssgi_view view;
-        for (int i = 0; i < 3 && k >= 12; ++i) c.up[i] = c.eye[i] - c.target[i];
-        kit_camera_matrices(&c, world, projection);
-        if (!view_of(&view, &c, 0)) return;
-        for (int i = 0; i < 60; ++i) {
-            const int x = i * 37 % c.width, y = i * 23 % c.height;
-            const float depth = i & 1 ? 0.5f : 20;
-            float o[3], d[3], p[3], v[3], seen[3];
-            kit_camera_ray(&c, x, y, o, d);
-            kit_camera_point(&c, x, y, (double)depth, p);
-            const float t = (p[0] - o[0]) * d[0] + (p[1] - o[1]) * d[1] + (p[2] - o[2]) * d[2];
-            for (int r = 0; r < 3; ++r) {
-                v[r] = world[12 + r];
-                for (int j = 0; j < 3; ++j) v[r] += world[4 * j + r] * (o[j] + t * d[j]);
-            }
-            ssgi_view_project(seen, &view, v);
-            CHECK(fabsf(seen[0] - (float)x - 0.5f) < 2e-3f && fabsf((float)c.height - seen[1] - (float)y - 0.5f) < 2e-3f
-                      && fabsf(seen[2] / depth - 1) < 1e-4f,
-                  "camera %d: what pixel %d, %d shows at %g is seen at %.4f, %.4f, %g", k, x, y, (double)depth,
-                  (double)seen[0], (double)seen[1], (double)seen[2]);
-        }
     }
 }
 
@@ -627,7 +595,6 @@ void test_trace(void)
     RUN("triangles that coincide or shrink without end are all found", deep_trees);
     RUN("no ray slips between triangles that share an edge", no_cracks);
     RUN("bad arguments are named and leave everything as it was", bad_arguments);
-    RUN("camera rays and matrices agree, in every depth layout", cameras);
     RUN("visibility of points: corner, wall and groove are their closed forms, by the point alone", visibility);
     RUN("a ball's own corners and faces are open, from within closed; bad arguments are named", own_visibility);
     RUN("truth: a bare plane is exactly open; a corner and a ball on a plane agree with their closed forms, "
