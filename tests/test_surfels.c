@@ -329,35 +329,13 @@ static void odd_triangles(void)
 
 static void reach_and_shells(void)
 {
-    static const double epsilon[] = { 0.5, 0.1, 0.02, 0.001 };
     int wrong = 0;
-    for (int e = 0; e < 4; ++e)
-        for (int k = 0; k < 20; ++k) {
-            const double r = pow(10, 4 * t_within(0, 1) - 2), reach = ssgi_surfel_reach(r, 1, epsilon[e]),
-                         bright = 0.3 + 5 * t_within(0, 1), far = ssgi_surfel_reach(r, bright, epsilon[e]);
-            ssgi_surfel s = { .radius = (float)r };
-            CHECK(fabs(ssgi_surfel_reach(2 * r, 1, epsilon[e]) / (2 * reach) - 1) < 1e-12, "not linear");
-            for (int i = 0; i < 200; ++i) {
-                const float up[3] = { 0, 0, 1 }, origin[3] = { 0, 0, 0 };
-                float v[3];
-                direction(v);
-                v[2] = fabsf(v[2]);
-                direction(s.normal);
-                /* facing each other: the most that there is */
-                if (i == 0) { v[0] = v[1] = 0; v[2] = 1; }
-                if (i < 20) for (int c = 0; c < 3; ++c) s.normal[c] = -v[c];
-                for (int inside = 0; inside < 2; ++inside) {
-                    const double at = reach * (inside ? 0.9999 : 1.0001);
-                    for (int c = 0; c < 3; ++c) s.position[c] = (float)at * v[c];
-                    const double f = (double)form_factor(&s, origin, up);
-                    wrong += inside ? i == 0 && !(f > 0.9 * epsilon[e]) : !(f < epsilon[e]);
-                }
-            }
-            if (bright > epsilon[e])
-                CHECK(fabs(bright * r * r / (far * far + r * r) / epsilon[e] - 1) < 1e-9, "brightest %g: reach %g",
-                      bright, far);
-        }
-    CHECK(!wrong, "%d surfels bring more beyond their reach, or less within it", wrong);
+    for (int k = 0; k < 100; ++k) {                        /* where the brightest, facing it, brings epsilon */
+        const double r = pow(10, 4 * t_within(0, 1) - 2), bright = 0.3 + 5 * t_within(0, 1),
+                     epsilon = pow(10, -3 * t_within(0.17, 1)), far = ssgi_surfel_reach(r, bright, epsilon);
+        CHECK(bright <= epsilon || fabs(bright * ssgi_surfel_form_factor(r, far) / epsilon - 1) < 1e-9,
+              "epsilon %g, brightest %g: reach %g", epsilon, bright, far);
+    }
     CHECK(ssgi_surfel_reach(1, 0.01, 0.02) == 0 && ssgi_surfel_reach(1, 0.02, 0.02) == 0,
           "what is too faint reaches somewhere");
     /* level borders too; nothing beyond most */
@@ -411,40 +389,25 @@ static const float both_sides[3] = { 0, 0, 0 };
 
 static void bounds(void)
 {
-    ssgi_view view;
-    float b[4] = { 0 };
     double worst[2] = { 0, 0 };
     int outside = 0, loose = 0, some = 0;
-    for (int k = 0; k < 4000; ++k) {
+    for (int k = 0; k < 1200; ++k) {
         const int flipped = k & 1, orthographic = k >> 1 & 1, half = k >> 2 & 1;
-        float centre[3], normal[3] = { 0, 0, 0 }, front, low[2] = { 1e9f, 1e9f }, high[2] = { -1e9f, -1e9f };
-        const float r = powf(10, 2 * t_uniform(0, 1) - 1.3f);
+        const float r = powf(10, 2 * t_uniform(0, 1) - 1.3f), front = k % 3 ? 0.05f : t_uniform(0.05f, 2.05f);
+        float centre[3], normal[3] = { 0, 0, 0 }, b[4] = { 0 }, low[2] = { 1e9f, 1e9f }, high[2] = { -1e9f, -1e9f };
         kit_camera c = looking_along_z(160, 90, orthographic);
+        ssgi_view view;
         c.shift[0] = 30 * t_uniform(0, 1);
         c.shift[1] = -20 * t_uniform(0, 1);
         if (!view_of(&view, &c, flipped)) return;
         for (int i = 0; i < 3; ++i) centre[i] = 4 * t_uniform(0, 1) - (i == 2 ? 3.5f : 2);
-        front = k % 3 ? 0.05f : 2 * t_uniform(0, 1) + 0.05f;
         if (half) direction(normal);
-        /* circles through the centre hold the extremes, or points at the front; so does the edge of a half; others are
-           for sure */
-        for (int i = 0; i < 1200 + 500 * half; ++i) {
-            const double a = 2 * pi * i / 500;
-            float p[3], edge[3], out[3];
+        for (int i = 0; i < 3000; ++i) {
+            float p[3], out[3];
             direction(p);
-            cross(normal, p, edge);
-            for (int x = 0; x < 3 && i >= 1200; ++x) p[x] = edge[x] / sqrtf((float)dot(edge, edge));
-            for (int x = 0; x < 3 && i < 1000; ++x) p[x] = x == 2 ? (float)sin(a) : x == i / 500 ? (float)cos(a) : 0;
+            const int behind = dot(p, normal) < 0;
             for (int x = 0; x < 3; ++x) p[x] = centre[x] + r * p[x];
-            if (i < 1000 && i % 500 < 2) {                                     /* where the circle meets the front */
-                const float off = -centre[2] - front, chord = r * r - off * off;
-                if (chord <= 0) continue;
-                p[2] = -front;
-                p[i / 500] = centre[i / 500] + (i % 500 ? -sqrtf(chord) : sqrtf(chord));
-                p[1 - i / 500] = centre[1 - i / 500];
-            }
-            for (int x = 0; x < 3; ++x) edge[x] = p[x] - centre[x];
-            if (-p[2] < front || (i < 1200 && dot(edge, normal) < 0)) continue;
+            if (-p[2] < front || behind) continue;
             ssgi_view_project(out, &view, p);
             for (int x = 0; x < 2; ++x) { low[x] = fminf(low[x], out[x]); high[x] = fmaxf(high[x], out[x]); }
         }
@@ -456,22 +419,21 @@ static void bounds(void)
                   is = ssgi__sphere_bounds(b, &view, centre, normal, r, front),
                   exact = !half || -centre[2] - r * hypotf(normal[0], normal[1]) > front;
         some += met;
-        if (met && !is) ++outside;
-        if (exact && !met && is && (b[2] - b[0] > 0.1f && b[3] - b[1] > 0.1f)) ++loose;
+        outside += met && !is;
         for (int x = 0; x < 2 && met && is; ++x) {
             const double wide = (double)(high[x] - low[x]),
                          out = fmax((double)(b[x] - low[x]), (double)(high[x] - b[x + 2])),
-                         in = fmax((double)(low[x] - b[x]), (double)(b[x + 2] - high[x]));
+                         in = fmax((double)(low[x] - b[x]), (double)(b[x + 2] - high[x])) / (wide + 1);
             outside += out > 1e-3;
-            loose += exact && in > 0.01 * wide + 0.02;
+            loose += exact && in > 0.1;
             worst[0] = fmax(worst[0], out);
             worst[1] = fmax(worst[1], exact ? in : 0);
         }
     }
-    CHECK(!outside && !loose && some > 1500,
-          "of %d spheres %d reach out of their bounds (%.3g pixels), %d bounds are loose (%.3g pixels)", some, outside,
-          worst[0], loose, worst[1]);
-    t_note("%d spheres: out by %.1e pixels at most, bounds wider by %.2f at most", some, worst[0], worst[1]);
+    CHECK(!outside && 50 * loose < some && some > 400,
+          "of %d spheres %d reach out of their bounds (%.3g pixels), %d bounds are loose (%.3f of a sphere)", some,
+          outside, worst[0], loose, worst[1]);
+    t_note("%d spheres: out by %.1e pixels at most, bounds wider by %.3f of one at most", some, worst[0], worst[1]);
 }
 
 /* A surfel facing the viewer is s/2 heights wide, whatever its depth; behind the near plane surfels grow again. */
@@ -512,7 +474,7 @@ static void predictions(void)
         const ssgi_surfel_desc d = { .size = 0.03f };
         const ssgi_splat splat = { .epsilon = 0.05f, .levels = 4 };
         float projection[16];
-        double sum[2] = { 0, 0 }, most = 0;
+        double sum[2] = { 0, 0 }, share[2] = { 0, 0 };
         size_t n = 0;
         if (!TRY(kit_scene_load(&scene, names[k], 0, &err))) return;
         scene.camera.width = 160;
@@ -533,11 +495,9 @@ static void predictions(void)
             if (l >= 4) CHECK(triangles.pixels[l] == 0 && surfels.pixels[l] == 0, "level %d is not drawn", l);
             sum[0] += triangles.pixels[l];
             sum[1] += surfels.pixels[l];
-            most = fmax(most, triangles.pixels[l]);
         }
         CHECK(fabs(sum[0] / sum[1] - 1) < 0.25 && sum[0] > 0, "%s: %g pixels of triangles, %g of surfels", names[k],
               sum[0], sum[1]);
-        double share[2] = { 0, 0 };
         for (int i = 0; i < 2; ++i) {
             const ssgi_splat other = { .epsilon = 0.05f, .levels = 4, .part = i ? 0 : 2, .two_sided = i };
             ssgi_surfels_predict(&surfels, &d, &other, &view, &source, NULL);
@@ -1518,7 +1478,7 @@ void test_surfels(void)
     RUN("surfels have their triangles' area: split ones, and by chance small ones", areas);
     RUN("of 10,000 slivers none turns over, no surfel is outside; discs end at edges where they fit", slivers);
     RUN("degenerate, endless, tiny, far and mirrored triangles", odd_triangles);
-    RUN("reach is tight and linear; every distance is in one shell", reach_and_shells);
+    RUN("a reach ends where epsilon is brought; every distance is in one shell", reach_and_shells);
     RUN("a room of surfels is what it subtends", closed_forms);
     RUN("bounds of spheres and halves of them hold what is deeper than the front, and no more", bounds);
     RUN("surfels are as large on the screen as asked for", radii);
