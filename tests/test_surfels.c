@@ -1253,9 +1253,9 @@ static void turned_over(void)
         "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 c, float e) { return r * sqrt(1.0 / e - 1.0); }\n"
         "vec4 ssgi_custom_effect(vec3 p, vec3 n, float r, vec3 c, vec3 P, vec3 m) { return vec4(0.1); }\n";
     static const struct { const char *method, *set, *channel, *custom;
-    } row[] = { { "dss", "two_sided=1,near_samples=1,span=0", "Y", NULL },
-                { "dss-scatter", "shadows=none,levels=1,epsilon=0.3,unit=0.05", "irradiance.R", NULL },
-                { "dss-gloss", "half=0,shadows=none", "irradiance.R", even } };
+    } row[] = { { "dss", "half=first,two_sided=1,near_samples=1,span=0", "Y", NULL },
+                { "dss-scatter", "half=first,shadows=none,levels=1,epsilon=0.3,unit=0.05", "irradiance.R", NULL },
+                { "dss-gloss", "shadows=none", "irradiance.R", even } };
     kit_lighting l;
     if (!lighten(&l, "white", NULL)) return;
     for (int k = 0; k < COUNT(row); ++k) {
