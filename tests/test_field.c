@@ -999,6 +999,53 @@ static void hulls(void)
     }
 }
 
+/* Rays go into a cone, about few directions, that holds all of the mesh: also what sticks out between them, as of small
+   triangles by chance about the unit sphere. */
+static void cones(void)
+{
+    static float cloud[9 * 400];
+    const kit_mesh of_cloud = { .triangles = 400, .position = cloud };
+    double widest = 0;
+    int wide = 0, all = 0;
+    for (int k = 0; k < 12; ++k) {
+        const kit_mesh *m = k == 0 ? ball_mesh() : k == 1 ? box_mesh(cube) : table_mesh();
+        double w[3], length = 0;
+        for (int i = 0; i < 9 * 400 && k > 2; ++i) {
+            if (i % 9 == 0) {
+                direction(w);
+                length = t_within(0.85, 1);
+            }
+            cloud[i] = (float)(length * w[i % 3] + t_within(-0.03, 0.03));
+        }
+        if (k > 2) m = &of_cloud;
+        ssgi__field_occluder o = { .radius = 0 };
+        if (!traced_by(&o.trace, m) || !CHECK(ssgi__field_measure(&o), "mesh %d", k)) return;
+        for (int i = 0; i < 300; ++i) {
+            double at[3], axis[3], least = 1;
+            ssgi__field_portal portal;
+            direction(w);
+            const double hull = ssgi__field_exit(&o, w, &portal) + ssgi__field_slack(&o);
+            for (int c = 0; c < 3; ++c) at[c] = w[c] * hull * (1 + (i % 4) * t_within(0, 3));
+            const double cosine = (double)ssgi__field_cone(axis, &o, at, portal.normal);
+            for (size_t t = 0; t < 3 * m->triangles; ++t) {
+                double d[3];
+                for (int c = 0; c < 3; ++c) d[c] = (double)m->position[3 * t + (size_t)c] - o.centre[c] - at[c];
+                ssgi__normalise(d);
+                least = fmin(least, kit_dot(d, axis));
+            }
+            CHECK(least >= cosine - 1e-5, "mesh %d: %.2f degrees outside of the cone", k,
+                  (acos(least) - acos(cosine)) * 180 / PI);
+            wide += !(cosine > 0);
+            ++all;
+            if (k < 3 && cosine > 0) widest = fmax(widest, acos(cosine) - acos(least));
+        }
+    }
+    CHECK(wide < all / 2 && widest < 0.5, "%d of %d cones are half spaces, others wider by up to %.2f", wide, all,
+          widest);
+    t_note("%d of %d cones are half spaces, those of a ball, a cube and a table wider by up to %.2f", wide, all,
+           widest);
+}
+
 /* Where a bake looks from inside the cube, and how many of its rays hit. */
 typedef struct looks { int points, rays[256], hits[256]; float from[256][3]; } looks;
 
@@ -1233,6 +1280,7 @@ void test_field(void)
     RUN("bad descs, meshes and sizes are named and leave the field untouched", bad_arguments);
     RUN("triangles, needles, flat occluders, far, tiny and huge ones stay in [0,1]; scale does not matter", degenerate);
     RUN("hulls are where the mesh ends", hulls);
+    RUN("cones to which rays are confined hold all of a mesh", cones);
     RUN("inside a hull points that are not enclosed count by what is left of the way to it", toward_the_centre);
     RUN("there is no seam at edges and corners", borders);
     RUN("limits: ramp, reach, inside and power; points that are not finite", limits);
