@@ -10,7 +10,7 @@ static void on_key(GLFWwindow *window, int code, int scan, int action, int mods)
     (void)scan;
     if (action == GLFW_RELEASE) return;
     for (const key *k = keys; k->code; ++k)
-        if (k->code == code) k->press(v, mods & GLFW_MOD_SHIFT);
+        if (k->code == code) k->press((press){ v, k, mods & GLFW_MOD_SHIFT });
     v->redraw = 1;
 }
 

@@ -16,11 +16,12 @@ static int methods(void)
 }
 
 /* The method by so many in the list; that of the right half may be the truth, behind the last. */
-static void by_method(viewer *v, int shift, int by)
+static void method(press p)
 {
-    side *s = &v->side[shift && v->split_on];
+    viewer *v = p.v;
+    side *s = &v->side[p.shift && v->split_on];
     const int count = methods(), all = count + (s != v->side), at = s->truth ? count : s->method.number;
-    const int next = (at + by + all) % all;
+    const int next = (at + (int)p.key->by + all) % all;
     kit_method m;
     char text[sizeof v->note];
     v->restart = 1;
@@ -30,10 +31,6 @@ static void by_method(viewer *v, int shift, int by)
     snprintf(text, sizeof text, "%s: %s  (%d of %d)", m.name, m.about, next + 1, all);
     panel_say(v, text);
 }
-
-static void next_method(viewer *v, int shift) { by_method(v, shift, 1); }
-
-static void last_method(viewer *v, int shift) { by_method(v, shift, -1); }
 
 static void wish_both(viewer *v, const char *text)
 {
@@ -48,8 +45,10 @@ static void wish_both(viewer *v, const char *text)
 }
 
 /* The next value of a setting that is a choice, or 0 and 1. */
-static void next_value(viewer *v, const char *name)
+static void next_value(press p)
 {
+    viewer *v = p.v;
+    const char *name = p.key->setting;
     const kit_method *m = &v->side[0].method;
     kit_setting s;
     char text[200];
@@ -63,48 +62,18 @@ static void next_value(viewer *v, const char *name)
     wish_both(v, text);
 }
 
-static void thickness(viewer *v, int shift)
+static void radius(press p)
 {
-    (void)shift;
-    next_value(v, "thickness");
-}
-
-static void normals(viewer *v, int shift)
-{
-    (void)shift;
-    next_value(v, "normal");
-}
-
-static void history(viewer *v, int shift)
-{
-    (void)shift;
-    next_value(v, "history");
-}
-
-static void by_radius(viewer *v, float factor)
-{
-    v->radius *= factor;
-    v->restart = 1;
-}
-
-static void less_radius(viewer *v, int shift)
-{
-    (void)shift;
-    by_radius(v, 1 / 1.1f);
-}
-
-static void more_radius(viewer *v, int shift)
-{
-    (void)shift;
-    by_radius(v, 1.1f);
+    p.v->radius *= (float)p.key->by;
+    p.v->restart = 1;
 }
 
 /* ---- >>halves ---------------------------------------------------------------------------------------------------- */
 
-static void split(viewer *v, int shift)
+static void split(press p)
 {
+    viewer *v = p.v;
     side *right = &v->side[1];
-    (void)shift;
     if (!v->split_on) {
         v->split_on = 1;
         right->truth = 0;
@@ -114,36 +83,22 @@ static void split(viewer *v, int shift)
     v->restart = 1;
 }
 
-static void by_split(viewer *v, float by)
+static void split_moved(press p)
 {
-    v->split = fminf(fmaxf(v->split + by, 0.05f), 0.95f);
-    v->mean = 0;
+    p.v->split = fminf(fmaxf(p.v->split + (float)p.key->by, 0.05f), 0.95f);
+    p.v->mean = 0;
 }
 
-static void split_left(viewer *v, int shift)
+static void error(press p)
 {
-    (void)shift;
-    by_split(v, -0.02f);
+    p.v->error = !p.v->error;
+    p.v->moved = 1;
 }
 
-static void split_right(viewer *v, int shift)
+static void colours(press p)
 {
-    (void)shift;
-    by_split(v, 0.02f);
-}
-
-static void error(viewer *v, int shift)
-{
-    (void)shift;
-    v->error = !v->error;
-    v->moved = 1;
-}
-
-static void colours(viewer *v, int shift)
-{
-    (void)shift;
-    v->colours = !v->colours;
-    v->mean = 0;
+    p.v->colours = !p.v->colours;
+    p.v->mean = 0;
 }
 
 /* ---- >>light ----------------------------------------------------------------------------------------------------- */
@@ -179,54 +134,22 @@ static void turn_sun(viewer *v, double about, double up)
     say_sun(v);
 }
 
-static void scale_sun(viewer *v, float by)
+static void sun_about(press p) { turn_sun(p.v, p.key->by, 0); }
+
+static void sun_up(press p) { turn_sun(p.v, 0, p.key->by); }
+
+static void sun_scaled(press p)
 {
-    light_changed(v);
-    for (int c = 0; c < 3; ++c) sun_of(v)->colour[c] *= by;
-    say_sun(v);
+    light_changed(p.v);
+    for (int c = 0; c < 3; ++c) sun_of(p.v)->colour[c] *= (float)p.key->by;
+    say_sun(p.v);
 }
 
-static void sun_left(viewer *v, int shift)
+static void sun(press p)
 {
-    (void)shift;
-    turn_sun(v, 5, 0);
-}
-
-static void sun_right(viewer *v, int shift)
-{
-    (void)shift;
-    turn_sun(v, -5, 0);
-}
-
-static void sun_up(viewer *v, int shift)
-{
-    (void)shift;
-    turn_sun(v, 0, 5);
-}
-
-static void sun_down(viewer *v, int shift)
-{
-    (void)shift;
-    turn_sun(v, 0, -5);
-}
-
-static void weaker_sun(viewer *v, int shift)
-{
-    (void)shift;
-    scale_sun(v, 0.8f);
-}
-
-static void stronger_sun(viewer *v, int shift)
-{
-    (void)shift;
-    scale_sun(v, 1.25f);
-}
-
-static void sun(viewer *v, int shift)
-{
+    viewer *v = p.v;
     kit_lighting *l = &v->light.now;
     int i = 0;
-    (void)shift;
     light_changed(v);
     while (i < l->lights && l->light[i].kind != KIT_SUN) ++i;
     if (i == l->lights) {
@@ -239,15 +162,15 @@ static void sun(viewer *v, int shift)
     say_light(v, "no sun");
 }
 
-static void next_sky(viewer *v, int shift)
+static void next_sky(press p)
 {
+    viewer *v = p.v;
     static const char *const names[] = { "sky", "probe", "windows", "street", "white", "" };
 
     enum { NAMES = (int)(sizeof names / sizeof *names) };
 
     char text[200];
     int i = 0;
-    (void)shift;
     while (i < NAMES && strcmp(names[i], v->light.env)) ++i;
     v->light.asked = 1;
     if (env_open(v, names[i < NAMES ? (i + 1) % NAMES : 0])) {
@@ -272,29 +195,9 @@ static void by_sky(viewer *v, double turn, double factor)
     say_light(v, text);
 }
 
-static void sky_left(viewer *v, int shift)
-{
-    (void)shift;
-    by_sky(v, 15, 1);
-}
+static void sky_about(press p) { by_sky(p.v, p.key->by, 1); }
 
-static void sky_right(viewer *v, int shift)
-{
-    (void)shift;
-    by_sky(v, -15, 1);
-}
-
-static void weaker_sky(viewer *v, int shift)
-{
-    (void)shift;
-    by_sky(v, 0, 0.8);
-}
-
-static void stronger_sky(viewer *v, int shift)
-{
-    (void)shift;
-    by_sky(v, 0, 1.25);
-}
+static void sky_scaled(press p) { by_sky(p.v, 0, p.key->by); }
 
 /* ---- >>the rest -------------------------------------------------------------------------------------------------- */
 
@@ -314,10 +217,10 @@ void slide_to(viewer *v, const float to[3])
     v->moved = 1;
 }
 
-static void back(viewer *v, int shift)
+static void back(press p)
 {
+    viewer *v = p.v;
     static const float nowhere[3];
-    (void)shift;
     memcpy(v->camera.eye, v->home.eye, sizeof v->home.eye);
     memcpy(v->camera.target, v->home.target, sizeof v->home.target);
     v->camera.ortho_height = v->home.ortho_height;
@@ -327,59 +230,30 @@ static void back(viewer *v, int shift)
     v->moved = 1;
 }
 
-static void circle(viewer *v, int shift)
+static void circle(press p) { p.v->circles = !p.v->circles; }
+
+static void slide(press p) { p.v->slides = !p.v->slides; }
+
+static void save_png(press p)
 {
-    (void)shift;
-    v->circles = !v->circles;
+    draw_window(p.v);
+    picture_save(p.v, 0);
 }
 
-static void slide(viewer *v, int shift)
-{
-    (void)shift;
-    v->slides = !v->slides;
-}
+static void save_exr(press p) { picture_save(p.v, 1); }
 
-static void save_png(viewer *v, int shift)
-{
-    (void)shift;
-    draw_window(v);
-    picture_save(v, 0);
-}
+static void command(press p) { p.v->asks = 1; }
 
-static void save_exr(viewer *v, int shift)
-{
-    (void)shift;
-    picture_save(v, 1);
-}
+static void panel(press p) { p.v->panel = !p.v->panel; }
 
-static void command(viewer *v, int shift)
-{
-    (void)shift;
-    v->asks = 1;
-}
+static void help(press p) { p.v->help = !p.v->help; }
 
-static void panel(viewer *v, int shift)
-{
-    (void)shift;
-    v->panel = !v->panel;
-}
+static void quit(press p) { glfwSetWindowShouldClose(p.v->window, 1); }
 
-static void help(viewer *v, int shift)
+static void next_size(press p)
 {
-    (void)shift;
-    v->help = !v->help;
-}
-
-static void quit(viewer *v, int shift)
-{
-    (void)shift;
-    glfwSetWindowShouldClose(v->window, 1);
-}
-
-static void next_size(viewer *v, int shift)
-{
+    viewer *v = p.v;
     char text[100];
-    (void)shift;
     v->pace.fixed = !(v->pace.fixed > 0) ? 1 : v->pace.fixed > 0.3 ? v->pace.fixed / 2 : 0;
     v->restart = 1;
     if (v->pace.fixed > 0) snprintf(text, sizeof text, "size: %g of the window's, fixed", v->pace.fixed);
@@ -387,39 +261,39 @@ static void next_size(viewer *v, int shift)
     panel_say(v, text);
 }
 
-const key keys[] = { { GLFW_KEY_M, "m M", "next method: left, right half", next_method },
-                     { GLFW_KEY_N, "n N", "method before: left, right half", last_method },
-                     { GLFW_KEY_S, "s", "split: off, a method, the truth", split },
-                     { GLFW_KEY_LEFT, "left", "split to the left", split_left },
-                     { GLFW_KEY_RIGHT, "right", "split to the right", split_right },
-                     { GLFW_KEY_E, "e", "error to the truth", error },
-                     { GLFW_KEY_LEFT_BRACKET, "[", "smaller radius", less_radius },
-                     { GLFW_KEY_RIGHT_BRACKET, "]", "larger radius", more_radius },
-                     { GLFW_KEY_B, "b", "the thickness of surfaces (thickness=)", thickness },
-                     { GLFW_KEY_D, "d", "normals: given, of depth (normal=)", normals },
-                     { GLFW_KEY_T, "t", "history on, off (history=)", history },
-                     { GLFW_KEY_C, "c", "visibility: on colours, alone", colours },
-                     { GLFW_KEY_U, "u", "sun on, off", sun },
-                     { GLFW_KEY_J, "j", "sun to the left", sun_left },
-                     { GLFW_KEY_L, "l", "sun to the right", sun_right },
-                     { GLFW_KEY_I, "i", "sun higher", sun_up },
-                     { GLFW_KEY_K, "k", "sun lower", sun_down },
-                     { GLFW_KEY_MINUS, "-", "sun weaker", weaker_sun },
-                     { GLFW_KEY_EQUAL, "=", "sun stronger", stronger_sun },
-                     { GLFW_KEY_Y, "y", "next environment, or none", next_sky },
-                     { GLFW_KEY_COMMA, ",", "environment to the left", sky_left },
-                     { GLFW_KEY_PERIOD, ".", "environment to the right", sky_right },
-                     { GLFW_KEY_9, "9", "environment weaker", weaker_sky },
-                     { GLFW_KEY_0, "0", "environment stronger", stronger_sky },
-                     { GLFW_KEY_R, "r", "camera and object back", back },
-                     { GLFW_KEY_A, "a", "camera circles", circle },
-                     { GLFW_KEY_V, "v", "an object moves", slide },
-                     { GLFW_KEY_F, "f", "size: by time, whole, 1/2, 1/4", next_size },
-                     { GLFW_KEY_O, "o", "PNG of the window, without text", save_png },
-                     { GLFW_KEY_X, "x", "EXR of the left half", save_exr },
-                     { GLFW_KEY_W, "w", "build/render's line, printed", command },
-                     { GLFW_KEY_G, "g", "panel", panel },
-                     { GLFW_KEY_H, "h", "these keys", help },
-                     { GLFW_KEY_Q, "q", "quit", quit },
-                     { GLFW_KEY_ESCAPE, "escape", "quit", quit },
-                     { 0, NULL, NULL, NULL } };
+const key keys[] = { { GLFW_KEY_M, "m M", "next method: left, right half", method, 1, NULL },
+                     { GLFW_KEY_N, "n N", "method before: left, right half", method, -1, NULL },
+                     { GLFW_KEY_S, "s", "split: off, a method, the truth", split, 0, NULL },
+                     { GLFW_KEY_LEFT, "left", "split to the left", split_moved, -0.02, NULL },
+                     { GLFW_KEY_RIGHT, "right", "split to the right", split_moved, 0.02, NULL },
+                     { GLFW_KEY_E, "e", "error to the truth", error, 0, NULL },
+                     { GLFW_KEY_LEFT_BRACKET, "[", "smaller radius", radius, 1 / 1.1, NULL },
+                     { GLFW_KEY_RIGHT_BRACKET, "]", "larger radius", radius, 1.1, NULL },
+                     { GLFW_KEY_B, "b", "the thickness of surfaces (thickness=)", next_value, 0, "thickness" },
+                     { GLFW_KEY_D, "d", "normals: given, of depth (normal=)", next_value, 0, "normal" },
+                     { GLFW_KEY_T, "t", "history on, off (history=)", next_value, 0, "history" },
+                     { GLFW_KEY_C, "c", "visibility: on colours, alone", colours, 0, NULL },
+                     { GLFW_KEY_U, "u", "sun on, off", sun, 0, NULL },
+                     { GLFW_KEY_J, "j", "sun to the left", sun_about, 5, NULL },
+                     { GLFW_KEY_L, "l", "sun to the right", sun_about, -5, NULL },
+                     { GLFW_KEY_I, "i", "sun higher", sun_up, 5, NULL },
+                     { GLFW_KEY_K, "k", "sun lower", sun_up, -5, NULL },
+                     { GLFW_KEY_MINUS, "-", "sun weaker", sun_scaled, 0.8, NULL },
+                     { GLFW_KEY_EQUAL, "=", "sun stronger", sun_scaled, 1.25, NULL },
+                     { GLFW_KEY_Y, "y", "next environment, or none", next_sky, 0, NULL },
+                     { GLFW_KEY_COMMA, ",", "environment to the left", sky_about, 15, NULL },
+                     { GLFW_KEY_PERIOD, ".", "environment to the right", sky_about, -15, NULL },
+                     { GLFW_KEY_9, "9", "environment weaker", sky_scaled, 0.8, NULL },
+                     { GLFW_KEY_0, "0", "environment stronger", sky_scaled, 1.25, NULL },
+                     { GLFW_KEY_R, "r", "camera and object back", back, 0, NULL },
+                     { GLFW_KEY_A, "a", "camera circles", circle, 0, NULL },
+                     { GLFW_KEY_V, "v", "an object moves", slide, 0, NULL },
+                     { GLFW_KEY_F, "f", "size: by time, whole, 1/2, 1/4", next_size, 0, NULL },
+                     { GLFW_KEY_O, "o", "PNG of the window, without text", save_png, 0, NULL },
+                     { GLFW_KEY_X, "x", "EXR of the left half", save_exr, 0, NULL },
+                     { GLFW_KEY_W, "w", "build/render's line, printed", command, 0, NULL },
+                     { GLFW_KEY_G, "g", "panel", panel, 0, NULL },
+                     { GLFW_KEY_H, "h", "these keys", help, 0, NULL },
+                     { GLFW_KEY_Q, "q", "quit", quit, 0, NULL },
+                     { GLFW_KEY_ESCAPE, "escape", "quit", quit, 0, NULL },
+                     { 0, NULL, NULL, NULL, 0, NULL } };

@@ -175,7 +175,9 @@ void   command_print(viewer *v);
 
 /* ---- >>keys.c, input.c, window.c */
 
-typedef struct key { int code; const char *label, *about; void (*press)(viewer *v, int shift); } key;
+typedef struct press { viewer *v; const struct key *key; int shift; } press;
+/* by, setting: by how much it changes, or which setting */
+typedef struct key { int code; const char *label, *about; void (*press)(press p); double by; const char *setting; } key;
 extern const key keys[];                    /* ends with code 0 */
 void   slide_to(viewer *v, const float to[3]);      /* the first object that casts, from its place */
 void   input_open(viewer *v);
