@@ -468,7 +468,7 @@ build/web/scenes/scenes.json: build/web-scenes build/render
 	@build/web-scenes $(@D)
 
 # Every text that its settings can ask for, in WGSL; without a translator the page has WebGL 2 alone.
-TO_WGSL = examples/web/make/wgsl.mjs $(addprefix examples/web/,chain.mjs settings.mjs webgpu-keys.mjs) \
+TO_WGSL = examples/web/make/wgsl.mjs $(addprefix examples/web/,chain.mjs settings.mjs show-texts.mjs webgpu-keys.mjs) \
           $(addprefix examples/tools/glsl/,translate.sh wgsl.mjs)
 build/web/wgsl/list.json: build/wasm/ssgi.wasm $(TO_WGSL)
 	@echo '  wgsl $(@D)'; node $(firstword $(TO_WGSL)) build/wasm/ssgi.wasm build/wasm/ssgi.mjs build/web-wgsl $(@D)
@@ -496,10 +496,10 @@ web-first: web-deps web
 web-shots: web-deps web
 	@node tests/web-shots.mjs $(ONLY)
 
-# Headless Chromium compiles the WGSL of every text on WebGPU's software adapter, makes pipelines of them, draws chains
-# beside what GL drew of them, and the page of examples/hosts.
+# Headless Chromium compiles the WGSL of every text on WebGPU's software adapter, makes pipelines of them, and draws the
+# page of examples/hosts.
 WEBGPU = build/webgpu-test
-webgpu-test: web-deps build/glsl-text build/capture
+webgpu-test: web-deps build/glsl-text
 	@lacks=; for p in node npm glslangValidator; do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; \
 	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
 	rm -rf $(WEBGPU) && mkdir -p $(WEBGPU) && echo '<!doctype html><link rel="icon" href="data:,">' >$(WEBGPU)/empty.html && \

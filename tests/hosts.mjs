@@ -1,13 +1,10 @@
 /* hosts.mjs - what Chromium without a window shows of pages of examples/hosts, once its size has changed; prints what
    the consoles say that is wrong. For hosts.sh, from the repository's root.
       node tests/hosts.mjs FOLDER PAGE PICTURE.png .. */
-import { launch, serve } from './web-kit.mjs';
+import { launch, serve, withWebgpu } from './web-kit.mjs';
 
 const [folder, ...pairs] = process.argv.slice(2), root = await serve(folder);
-const browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
-                             '--hide-scrollbars', '--force-color-profile=srgb', '--enable-unsafe-webgpu',
-                             '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan',
-                             '--use-vulkan=swiftshader');
+const browser = await launch(...withWebgpu, '--force-color-profile=srgb');
 const said = [];
 for (let i = 0; i + 1 < pairs.length; i += 2) {
     const page = await browser.newPage(), [address, path] = pairs.slice(i, i + 2);

@@ -1,16 +1,15 @@
 /* web-first.mjs - make web-first: how long the page takes to its first picture in a browser without a window, a new
    profile each time: node tests/web-first.mjs COUNT FOLDER.. Folders take turns, so that what else the machine does
    meets all of them; a line each, median, least and most. */
-import { launch, serve } from './web-kit.mjs';
+import { launch, serve, software } from './web-kit.mjs';
 
 const [count = 5, ...folders] = process.argv.slice(2), middle = all => all.toSorted((a, b) => a - b)[all.length >> 1];
-const flags = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--hide-scrollbars'];
 const pages = await Promise.all((folders.length ? folders : ['build/web']).map(async folder => (
     { folder, root: await serve(folder), first: [], steps: new Map() })));
 
 for (let i = 0; i < +count; ++i)
     for (const of of pages) {
-        const browser = await launch(...flags), page = await browser.newPage();
+        const browser = await launch(...software), page = await browser.newPage();
         await page.setViewport({ width: 1280, height: 800 });
         await page.goto(`${of.root}/#size=960x540`, { waitUntil: 'domcontentloaded' });
         await page.waitForFunction(`globalThis.page && page.first && (performance.getEntriesByName('in its size').length

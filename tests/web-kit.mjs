@@ -58,6 +58,12 @@ export async function serve(folder) {
     return `http://127.0.0.1:${server.address().port}`;
 }
 
+/* What a browser is launched with for WebGL 2, and for WebGPU beside it, without a GPU. */
+export const software = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
+                         '--hide-scrollbars'];
+export const withWebgpu = [...software, '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader',
+                                '--enable-features=Vulkan', '--use-vulkan=swiftshader'];
+
 export async function launch(...args) {
     const chromium = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
     if (!chromium) await skip('everything: no browser (apt-get install chromium)');

@@ -1,11 +1,10 @@
-/* web-shots.mjs - make web-shots: pictures of the page for examples/docs/pictures/page, and the same view as others
-   draw it. node tests/web-shots.mjs [WORD]: those whose name has it. */
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { launch, rest, serve } from './web-kit.mjs';
+/* web-shots.mjs - make web-shots: pictures of the page for examples/docs/pictures/page.
+   node tests/web-shots.mjs [WORD]: those whose name has it. */
+import { mkdirSync, readFileSync } from 'node:fs';
+import { launch, rest, serve, software } from './web-kit.mjs';
 
 const folder = 'examples/docs/pictures/page', only = process.argv[2] ?? '';
-const browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
-                             '--hide-scrollbars');
+const browser = await launch(...software);
 const root = await serve('build');
 mkdirSync(folder, { recursive: true });
 
@@ -22,10 +21,6 @@ async function open(hash, width, height) {
     await page.waitForFunction(`!page.making() && document.getElementById('loading').hidden
                                 && (page.smooth() || !page.resting())`, { timeout: 180000, polling: 250 });
     return page;
-}
-async function shoot(page, name, quality = 82) {
-    await page.screenshot({ path: `${folder}/${name}.jpg`, type: 'jpeg', quality });
-    console.log(`${folder}/${name}.jpg: ${(readFileSync(`${folder}/${name}.jpg`).length / 1000).toFixed(0)} KB`);
 }
 
 const wide = [1280, 800], phone = [390, 844];
@@ -49,56 +44,10 @@ for (const [name, hash, [width, height], then] of [
     const page = await open(hash, width, height);
     if (then) await page.waitForFunction(then, { timeout: 180000, polling: 250 });
     if (then && !then.startsWith('page')) await rest(1000);
-    await shoot(page, name);
+    const path = `${folder}/${name}.jpg`;
+    await page.screenshot({ path, type: 'jpeg', quality: 82 });
+    console.log(`${path}: ${(readFileSync(path).length / 1000).toFixed(0)} KB`);
     await page.close();
-}
-
-/* One view by four: the page at rest, without its texts, and the others; of a scene whose surfaces have no pictures of
-   their own, which the others would lack. */
-if ('beside'.includes(only) && existsSync('build/peers/beside.js')) {
-    const [width, height] = [800, 500], page = await open(`scene=slats&b=off&size=${width}x${height}`, 1400, 900);
-    const look = await page.evaluate(() => {
-        const { stage, sky } = page.inside(), { camera, controls, sun, info } = stage, { shadow } = sun;
-        return { file: `/web/scenes/${info.name}.bin`, radius: info.radius * 2 ** page.set.radius, sky: [...sky()],
-                 camera: { position: camera.position.toArray(), target: controls.target.toArray(), fov: camera.fov,
-                           near: camera.near, far: camera.far },
-                 sun: { ...stage.sunlight, position: sun.position.toArray(), target: sun.target.position.toArray(),
-                        half: shadow.camera.right, near: shadow.camera.near, far: shadow.camera.far,
-                        normalBias: shadow.normalBias, bias: shadow.bias } };
-    });
-    const shots = [['ssgi: hsao, balanced, as the page rests', await page.evaluate(() => {
-        const { size: { width, height } } = page.inside(), all = page.picture();
-        const canvas = new OffscreenCanvas(width, height), image = new ImageData(width, height);
-        for (let y = 0; y < height; ++y)
-            image.data.set(all.subarray(4 * width * (height - 1 - y), 4 * width * (height - y)), 4 * width * y);
-        canvas.getContext('2d').putImageData(image, 0, 0);
-        return canvas.convertToBlob().then(blob => new Promise(done => {
-            const reader = new FileReader();
-            reader.onload = () => done(reader.result);
-            reader.readAsDataURL(blob);
-        }));
-    })]];
-    await page.close();
-    for (const [name, title] of [['gtao', 'three.js: GTAOPass'], ['n8ao', 'n8ao'],
-                                 ['babylon', 'Babylon.js: SSAO2']]) {
-        const page = await browser.newPage();
-        page.on('pageerror', e => console.log(`${name}: ${e.message}`));
-        page.on('console', m => { if (m.type() === 'error') console.log(`${name}: ${m.text()}`); });
-        await page.setViewport({ width, height });
-        await page.goto(`${root}/peers/beside.html`);
-        await page.waitForFunction('globalThis.draw');
-        await page.evaluate((name, look) => draw(name, look), name, { ...look, width, height });
-        await rest(300);
-        shots.push([title, `data:image/png;base64,${await page.screenshot({ encoding: 'base64' })}`]);
-        await page.close();
-    }
-    const sheet = await browser.newPage();
-    await sheet.setViewport({ width: 2 * width, height: 2 * (height + 30) });
-    await sheet.setContent(`<style>body { margin: 0; display: grid; grid-template-columns: 1fr 1fr; background: #111;
-        color: #eee; font: 15px/30px sans-serif } div { padding-left: 8px } img { display: block; margin-left: -8px }
-        </style>${shots.map(([title, src]) => `<div>${title}<img src="${src}"></div>`).join('')}`);
-    await rest(300);
-    await shoot(sheet, 'beside', 85);
 }
 await browser.close();
 process.exit(0);

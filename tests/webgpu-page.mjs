@@ -1,11 +1,8 @@
 /* webgpu-page.mjs - of make web-test: the page with ?webgpu beside the page without, in one browser that has both. */
 import { readFileSync } from 'node:fs';
-import { check, launch, note, rest, run, serve } from './web-kit.mjs';
+import { check, launch, note, rest, run, serve, withWebgpu } from './web-kit.mjs';
 
-const browser = await launch('--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan',
-                             '--use-vulkan=swiftshader', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-                             '--ignore-gpu-blocklist', '--hide-scrollbars');
-const root = await serve('build');
+const browser = await launch(...withWebgpu), root = await serve('build');
 
 const said = [];                                    /* but for what ANGLE says of the test's own reading of pixels */
 async function open(query, hash, before = null) {
@@ -38,7 +35,7 @@ const compare = (page, hash) => page.evaluate(async hash => {
     };
     const is = await draw(true), wanted = await draw(false);
     return is.map((of, i) => {
-        if (!of) return null;
+        if (!of) return 0;
         let sum = 0, n = 0, level = 0;
         const light = of.length === 4 * page.inside().size.width * page.inside().size.height;
         of.forEach((value, k) => {
@@ -57,57 +54,17 @@ if ((await state(first)).notice) console.log(`skipped: the page in WebGPU: ${(aw
 else {
     /* Both rasterise: a pixel of a silhouette that one of them covers is most of this. */
     const most = 0.006, small = 'sky=sky&size=320x180&history=0';
-    for (const [what, hashes] of Object.entries({
-        'hsao in each preset': [`${small}&p=FAST&b=hsao&q=BEST`, small],
-        'ssao, and the march': [`${small}&a=ssao&b=march`],
-        'ssdo in each preset': [`${small}&a=ssdo&p=FAST&b=ssdo&q=BEST`, `${small}&a=ssdo`],
-        'ssdo by points, and with a bounce': [`${small}&a=points&b=ssdo&bounce=1&view=ambient`],
-        's3ho in each preset': [`${small}&a=s3ho&p=FAST&b=s3ho&q=BEST`, `${small}&a=s3ho`],
-        'the sun through its shadow map, on the screen': [`${small}&a=ssdo&shadow=FILL&b=s3ho`,
-                                                          `${small}&a=ssdo&shadow=SEGMENT&bounce=1`],
-        'history': ['sky=sky&size=320x180&a=hsao&b=s3ho'],
-        'two slabs, back faces': [`${small}&thickness=SLABS&b=ssdo`, `${small}&thickness=BACK&scene=casters`],
-        'normals from depth, numbers of one\'s own': [`${small}&normals=FROM_DEPTH&slices=3&steps=4&half=FIRST&filter=3`]
-    }))
-        await run(`WebGPU draws what WebGL 2 does: ${what}`, async () => {
-            for (const hash of hashes) {
-                const differs = await compare(first, hash), [left, right, picture] = differs;
-                note(`${hash}: RMSE ${differs.map(v => v?.toExponential(1) ?? '-').join(' ')}`);
-                check(left < most && (right ?? 0) < most && picture < most, `${hash}: ${differs}`);
-                const { notice } = await state(first);
-                check(!notice, notice);
-            }
-        });
-
-    await run('WebGPU draws a model that is dropped, with its picture', async () => {
-        await first.evaluate('page.webgpu(true)');
-        await first.evaluate(async () => {
-            const canvas = new OffscreenCanvas(8, 8), context = canvas.getContext('2d');
-            context.fillStyle = '#36f';
-            context.fillRect(0, 0, 8, 8);
-            context.fillStyle = '#fa2';
-            context.fillRect(0, 0, 5, 3);
-            const blob = await canvas.convertToBlob(), dataTransfer = new DataTransfer();
-            const box = 'mtllib a.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\n'
-                + 'v 1 1 1\nv 0 1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n'
-                + 'f 5/1 6/2 7/3 8/4\nf 6/1 2/2 3/3 7/4\nf 8/1 7/2 3/3 4/4\n'
-                + 'f 2/1 1/2 4/3 3/4\nf 1/1 5/2 8/3 4/4\n';
-            for (const [name, content] of [['a.obj', box], ['a.mtl', 'newmtl m\nKd 1 1 1\nmap_Kd p.png\n'],
-                                           ['p.png', blob]]) dataTransfer.items.add(new File([content], name));
-            dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
-            while (page.set.scene !== 'file') await new Promise(requestAnimationFrame);
-        });
-        const differs = await compare(first, null);
-        note(`RMSE ${differs.map(v => v?.toExponential(1) ?? '-').join(' ')}`);
-        check(differs[0] < most && differs[2] < most, `${differs}`);
-        const blue = await first.evaluate(() => {
-            const all = page.picture();
-            let found = 0;
-            for (let i = 0; i < all.length; i += 4) found += all[i + 2] > 1.5 * all[i] && all[i + 2] > 60;
-            return found / all.length * 4;
-        });
-        check(blue > 0.02, `blue are ${blue} of the pixels`);
-    });
+    const alike = async hash => {
+        const differs = await compare(first, hash), { notice } = await state(first);
+        note(`${hash ?? 'the same'}: RMSE ${differs.map(v => v.toExponential(1)).join(' ')}`);
+        check(differs.every(v => v < most) && !notice, `${hash}: ${differs} ${notice}`);
+    };
+    for (const of of ['p=FAST&b=hsao&q=BEST', '', 'a=ssao&b=march', 'a=ssdo&p=FAST&b=ssdo&q=BEST',
+                      'a=points&b=ssdo&bounce=1&view=ambient', 'a=s3ho&p=FAST&b=s3ho&q=BEST',
+                      'a=ssdo&shadow=FILL&b=s3ho', 'a=ssdo&shadow=SEGMENT&bounce=1', 'history=1&b=s3ho',
+                      'thickness=SLABS&b=ssdo', 'thickness=BACK&scene=casters',
+                      'normals=FROM_DEPTH&slices=3&steps=4&half=FIRST&filter=3'])
+        await run(`WebGPU draws what WebGL 2 does: ${of || 'hsao'}`, () => alike(`${small}&${of}`));
 
     await run('WebGPU: what moves is followed, the truth is traced, a change of size is drawn', async () => {
         await first.evaluate('page.webgpu(true)');
@@ -125,9 +82,7 @@ else {
                 return gpu.canvas.width === size.width && Math.abs(size.width / size.height - box.width / box.height)
                     < 0.02; })()`, { timeout: 20000 });
         }
-        const differs = await compare(first, null), { notice } = await state(first);
-        check(differs[0] < most && differs[2] < most && !notice, `${differs} ${notice}`);
-        await first.setViewport({ width: 900, height: 600 });
+        await alike(null);
     });
 
     await run('WebGPU: a device that is lost leaves the page to WebGL 2', async () => {
@@ -143,13 +98,12 @@ else {
     });
 
     await run('WebGPU: its files come when it is asked for, and are small', async () => {
-        const page = await open('', small), names = () => page.evaluate(
-            () => performance.getEntriesByType('resource').map(r => r.name.split('/web/')[1]).filter(Boolean));
-        const files = all => all.filter(name => /^webgpu|^wgsl/.test(name));
-        check(!files(await names()).length, `without ?webgpu: ${files(await names())}`);
+        const page = await open('', small), files = () => page.evaluate(() => performance.getEntriesByType('resource')
+            .map(r => r.name.split('/web/')[1]).filter(name => /^webgpu|^wgsl/.test(name)));
+        check(!(await files()).length, `without ?webgpu: ${await files()}`);
         await page.evaluate('page.webgpu(true)');
         await page.waitForFunction('page.smooth()');
-        const come = files(await names());
+        const come = await files();
         const bytes = come.reduce((sum, name) => sum + readFileSync(`build/web/${name}`).length, 0);
         note(`${come.length} files, ${(bytes / 1000).toFixed(0)} KB: ${come.join(' ')}`);
         check(come.some(name => name.endsWith('.wgsl')) && bytes < 150e3, `${bytes} bytes`);
@@ -157,17 +111,13 @@ else {
     });
 }
 
-await run('a browser without WebGPU is told so in a sentence, and goes on in WebGL 2', async () => {
-    const page = await open('?webgpu', 'size=160x90&history=0', 
-                            `Object.defineProperty(navigator, 'gpu', { value: null })`);
-    const { notice, draws, search } = await state(page);
+await run('without WebGPU, or without a text in WGSL, the page says so and goes on in WebGL 2', async () => {
+    const blind = await open('?webgpu', 'size=160x90&history=0', `Object.defineProperty(navigator, 'gpu', {})`);
+    const { notice, draws, search } = await state(blind);
     check(notice === 'This browser has no WebGPU: WebGL 2 draws' && !draws && !search, `${notice} ${search}`);
-    const [grey, why] = await page.$eval('#webgpu-box', box => [box.disabled, box.parentElement.title]);
-    check(grey && why === 'This browser has no WebGPU', `${grey} ${why}`);
-    await page.close();
-});
-
-await run('what has no text in WGSL is grey, and says why', async () => {
+    const [off, reason] = await blind.$eval('#webgpu-box', box => [box.disabled, box.parentElement.title]);
+    check(off && reason === 'This browser has no WebGPU', `${off} ${reason}`);
+    await blind.close();
     const page = await open('', 'size=160x90&history=0&a=none', `{ const all = globalThis.fetch;
         globalThis.fetch = async (url, ...more) => (String(url).endsWith('list.json') && String(url).includes('wgsl')
             ? new Response('["0"]') : all(url, ...more)); }`);

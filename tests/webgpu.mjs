@@ -1,10 +1,10 @@
 /* webgpu.mjs - make webgpu-test: WGSL in a browser. Every text that make glsl WGSL=1 makes becomes a module and, with
    its other stage, a pipeline (the tint that translates lets pass what browsers refuse: words that WGSL reserves);
-   chains draw what tests/capture.c took from GL; examples/hosts/webgpu.html draws out of what make npm packs.
+   examples/hosts/webgpu.html draws out of what make npm packs. What chains draw is compared in webgpu-page.mjs.
    node tests/webgpu.mjs [WORD OF A TEST], from the repository's root; the texts lie in build/webgpu-test. */
 import { execFileSync, spawnSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
-import { check, end, launch, note, run, serve, skip } from './web-kit.mjs';
+import { copyFileSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
+import { check, end, launch, note, run, serve, skip, withWebgpu } from './web-kit.mjs';
 
 const top = 'build/webgpu-test', folder = `${top}/glsl`, ending = '.wgsl';
 const names = readdirSync(folder).filter(name => name.endsWith(ending));
@@ -13,22 +13,13 @@ const { rows, row_lists, variants, chains } = manifest;
 const programs = variants.filter(({ files: { vert, frag, tesc } }) => vert && frag && !tesc)
     .map(({ files, rows: list }) => ({ vert: files.vert + ending, frag: files.frag + ending,
                                        rows: row_lists[list].map(i => rows[i]) }));
-const steps = chains.flatMap(chain => chain.steps.map(({ files, ...step }, i) =>
-    ({ ...step, chain, name: `${chain.name}, step ${i + 1}`, vert: files.vert + ending, frag: files.frag + ending })));
-await run('every program has its two texts', () => {
-    const needed = [...programs, ...steps].flatMap(({ vert, frag }) => [vert, frag]);
-    const lacking = needed.filter(name => !names.includes(name));
-    check(programs.length > 200 && steps.length > 100 && !lacking.length,
-          `${programs.length} programs, ${steps.length} steps lack ${lacking.join(' ')}`);
-});
+const steps = chains.flatMap(chain => chain.steps.map(({ files }) =>
+    ({ vert: files.vert + ending, frag: files.frag + ending })));
 
-const browser = await launch('--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan',
-                             '--use-vulkan=swiftshader', '--use-angle=swiftshader', '--enable-unsafe-swiftshader');
+const browser = await launch(...withWebgpu);
 const page = await browser.newPage();
 const address = await serve(top);
-copyFileSync('tests/webgpu-replay.mjs', `${top}/replay.mjs`);
-for (const path of ['tools/wasm/webgpu', 'web/webgpu-texels'])
-    copyFileSync(`examples/${path}.mjs`, `${top}/${path.split('/').at(-1)}.mjs`);
+copyFileSync('examples/tools/wasm/webgpu.mjs', `${top}/webgpu.mjs`);
 await page.goto(`${address}/empty.html`);
 const adapter = await page.evaluate(async () => {
     const adapter = await navigator.gpu?.requestAdapter();
@@ -52,15 +43,15 @@ const said = new Map(await page.evaluate(async names => {
     }));
 }, names));
 
-const passOf = name => /^[^.]+\.\d+-(\w+)/.exec(name)?.[1] ?? name.split('.')[0];
-for (const pass of new Set(names.map(passOf)))
-    await run(`every text of ${pass} is a module`, () => {
-        const texts = names.filter(name => passOf(name) === pass);
-        const wrong = texts.filter(name => said.get(name).length);
-        note(`${texts.length} texts, ${wrong.length} refused`);
-        check(!wrong.length, wrong.map(name => said.get(name)[0]).join('\n'));
-    });
-
+await run('every text is there, and a module', () => {
+    const needed = [...programs, ...steps].flatMap(({ vert, frag }) => [vert, frag]);
+    const lacking = needed.filter(name => !said.has(name));
+    const refused = [...said.values()].flatMap(lines => lines[0] ?? []);
+    note(`${names.length} texts, ${refused.length} refused`);
+    check(programs.length > 200 && steps.length > 100 && !lacking.length,
+          `${programs.length} programs, ${steps.length} steps lack ${lacking.join(' ')}`);
+    check(!refused.length, refused.join('\n'));
+});
 await run('both stages of every program make a pipeline', async () => {
     const sound = programs.filter(({ vert, frag }) => said.get(vert)?.length === 0 && said.get(frag)?.length === 0);
     const wrong = await page.evaluate(programs => {
@@ -96,47 +87,6 @@ await run('every step of every chain makes a pipeline of its formats, blending a
     note(`${steps.length} steps of ${chains.length} chains`);
     check(!wrong.length, wrong.join('\n'));
 });
-
-/* ---- draws, beside GL's */
-
-/* What tests/capture.c takes: a folder; its arguments. */
-const captures = {
-    hsao: ['room', 'hsao', 'set', 'half=0'],
-    half: ['room', 'hsao'],
-    few: ['room', 'hsao', 'set', 'half=0,steps=6'],
-    ssdo: ['room', 'ssdo', 'set', 'half=0'],
-    s3ho: ['room', 's3ho', 'set', 'half=0'],
-    history: ['room', 'hsao', 'set', 'half=0,history=1', 'frames', '5'],
-    aof: ['casters', 'aof', 'set', 'occluders=all,resolution=4,rays=16'],
-    dss: ['casters', 'dss']
-};
-const most = 0.0005;
-
-function capture(name) {
-    const to = `${top}/captured/${name}`;
-    if (existsSync(`${to}/capture.json`)) return;
-    mkdirSync(`${top}/captured`, { recursive: true });
-    execFileSync('build/capture', [to, ...captures[name]]);
-    execFileSync('sh', ['examples/tools/glsl/translate.sh', to, 'wgsl']);
-}
-
-const draws = [['hsao'], ['hsao, at half size', 'half'], ['ssdo with its bounce', 'ssdo'], ['s3ho'],
-               ['history, the camera turning', 'history'], ['aof'], ['dss', 'dss'],
-               ['hsao of 6 steps, by texts of 10 and a constant', 'few', 'hsao']];
-for (const [what, name = what, texts = name] of draws)
-    await run(`${what}: the picture is GL's`, async () => {
-        [name, texts].forEach(capture);
-        const differs = await page.evaluate(async (name, texts) => {
-            device.pushErrorScope('validation');
-            const { replay } = await import('./replay.mjs');
-            const found = await replay(device, `captured/${name}`, `captured/${texts}`);
-            const error = await device.popErrorScope();
-            if (error) throw new Error(error.message);
-            return found;
-        }, name, texts);
-        note(`RMSE ${differs.map(rmse => rmse.toExponential(1)).join(' ')}`);
-        check(differs.length && differs.every(rmse => rmse < most), `RMSE ${differs.join(' ')}`);
-    });
 
 /* ---- the page */
 
@@ -181,8 +131,5 @@ else await run('examples/hosts/webgpu.html draws hsao out of what make npm packs
     await host.close();
 });
 
-const reserved = names.flatMap(name => said.get(name).map(line => /'(\w+)' is a reserved keyword/.exec(line)?.[1]))
-    .filter(Boolean);
-if (reserved.length) console.log(`        WGSL reserves: ${[...new Set(reserved)].join(' ')}`);
 console.log(`        ${names.length} texts; WebGPU on ${adapter.vendor} ${adapter.architecture}`);
 await end();

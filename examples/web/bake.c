@@ -16,15 +16,13 @@ static struct {
     ssgi_surfel_source source;
 } now;
 
-const char *bake_why(void) EXPORT("bake_why");
-
+EXPORT("bake_why")
 const char *bake_why(void) { return now.why; }
 
 /* ---- surfels */
 
 /* What the next are made for: the picture's projection, surfels of this size, occluders this far away at most. */
-int bake_look(const float *projection, int width, int height, float size, float reach) EXPORT("bake_look");
-
+EXPORT("bake_look")
 int bake_look(const float *projection, int width, int height, float size, float reach)
 {
     now.surfels = (ssgi_surfel_desc){ .size = size, .max_distance = reach };
@@ -39,9 +37,7 @@ static void look_at(const float *to_view, const float *position, const float *no
 }
 
 /* Triangles near enough, huge ones divided: 27 floats each. Returns how many there are; writes at most `capacity`. */
-int bake_divide(float *out, int capacity, const float *to_view, const float *position, const float *normal,
-                int triangles) EXPORT("bake_divide");
-
+EXPORT("bake_divide")
 int bake_divide(float *out, int capacity, const float *to_view, const float *position, const float *normal,
                 int triangles)
 {
@@ -53,8 +49,7 @@ int bake_divide(float *out, int capacity, const float *to_view, const float *pos
 }
 
 /* Those that ask for splits last: the order of build/render, which patches want, so that both have the same surfels. */
-void bake_sort(float *sorted, const float *to_view, const float *divided, int triangles) EXPORT("bake_sort");
-
+EXPORT("bake_sort")
 void bake_sort(float *sorted, const float *to_view, const float *divided, int triangles)
 {
     const ssgi_splat splat = { 0 };
@@ -68,9 +63,7 @@ void bake_sort(float *sorted, const float *to_view, const float *divided, int tr
 }
 
 /* Surfels of such triangles. Returns how many there are; writes at most `capacity`. */
-int bake_surfels(ssgi_surfel *out, int capacity, const float *to_view, const float *divided, int triangles)
-    EXPORT("bake_surfels");
-
+EXPORT("bake_surfels")
 int bake_surfels(ssgi_surfel *out, int capacity, const float *to_view, const float *divided, int triangles)
 {
     size_t count = 0;
@@ -98,22 +91,18 @@ static ssgi_field_desc field_of(int resolution, int rays)
 }
 
 /* Bytes of its work memory, and of its texels; 0: bad numbers. */
-int bake_field_work(int resolution, int rays, int triangles) EXPORT("bake_field_work");
-
+EXPORT("bake_field_work")
 int bake_field_work(int resolution, int rays, int triangles)
 {
     const ssgi_field_desc d = field_of(resolution, rays);
     return (int)ssgi_field_bake_size(&d, (size_t)triangles);
 }
 
-int bake_field_texels(int resolution) EXPORT("bake_field_texels");
-
+EXPORT("bake_field_texels")
 int bake_field_texels(int resolution) { return (int)ssgi_field_size(resolution); }
 
 /* Bakes, then writes the field as ssgi_field_save does over the work memory; returns how many bytes. */
-int bake_field(void *work, int work_size, uint32_t *texels, int resolution, int rays, const float *position,
-               int triangles) EXPORT("bake_field");
-
+EXPORT("bake_field")
 int bake_field(void *work, int work_size, uint32_t *texels, int resolution, int rays, const float *position,
                int triangles)
 {

@@ -113,6 +113,4 @@ export class Fields {
         gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 10, most, gl.RGBA, gl.FLOAT, rows);
         return { FIELDS: this.#slices, OCCLUDERS: this.#rows, instances: this.#shown.length };
     }
-
-    get shown() { return this.#shown.map(({ field: { resolution, p95 } }) => ({ resolution, p95 })); }
 }

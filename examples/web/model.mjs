@@ -20,8 +20,11 @@ export async function readScene(path) {
     const fours = (Type, offset) => new THREE.InterleavedBufferAttribute(
         new THREE.InterleavedBuffer(new Type(file, offset, 4 * vertices), 4), 3, 0, true);
     geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(file, at[0], 3 * vertices), 3));
-    geometry.setAttribute('normal', fours(Int16Array, at[1]));
     geometry.setAttribute('color', fours(Uint16Array, at[2]));
+    geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(file, at[3], indices), 1));
+    if (new Int16Array(file, at[1], 4 * vertices).some(v => v))
+        geometry.setAttribute('normal', fours(Int16Array, at[1]));
+    else geometry.computeVertexNormals();                       /* of a scan */
 
     const index = new Uint32Array(file, at[3], indices), covers = new Uint16Array(file, at[2], 4 * vertices);
     const numberOf = i => covers[4 * index[i] + 3], model = new THREE.Group(), parts = new Map();

@@ -1053,24 +1053,21 @@ function first() {
     loading(null);
     showThumbs();
     toPanel();
-    page.ready();
     request();
 }
 
 /* For scripts: make web-test waits for it, and reads results. */
 const page = globalThis.page = { set, first: null, lacks: null, result,
-                                 error: i => errors[i]?.rmse ?? null, errors: () => errors,
+                                 error: i => errors[i]?.rmse ?? null,
                                  rays: () => (truth?.step === 1 ? truth.rays : 0), truth: () => truth,
-                                 ms: i => sides[i]?.ms ?? null,
                                  settled: () => !averages() || still >= settled,
-                                 making: () => makers.busy, makers: () => makers,
+                                 making: () => makers.busy,
                                  resting: () => wantedSamples() > 0,
                                  smooth: () => samples > 0 && samples >= wantedSamples(),
                                  code: codeOf, chain: chainShown,
                                  inside: () => ({ stage, show, buffers, size, gl, gpu, sky: () => coefficients(3) }),
                                  frame: frameFile,
                                  limits, picture, webgpu: chooseGpu };
-page.drawn = new Promise(resolve => { page.ready = resolve; });
 /* Settings as the address has them; resolves when they are drawn. */
 page.go = async hash => {
     history.replaceState(null, '', '#' + hash);

@@ -3,8 +3,8 @@
    each name and what build/render calls it; FOLDER/NAME.png, if it is there, is named as the scene's picture.
 
    NAME.bin, little-endian: vertices, indices (uint32); positions (3 floats a vertex); normals (3 int16 and a 0, of
-   32767), albedo (3 uint16, linear, of 65535, and the number of its finish, 0: none); indices (uint32,
-   counter-clockwise as their normals say). */
+   32767; all 0 in a scan, whose corners at one place share the mean of their faces'); albedo (3 uint16, linear, of
+   65535, and the number of its finish, 0: none); indices (uint32, counter-clockwise as their normals say). */
 #include "kit/kit.h"
 #include <math.h>
 #include <stdio.h>
@@ -34,13 +34,13 @@ static uint16_t finish_of(const char *scene, const float *albedo)
     return 0;
 }
 
-static corner corner_of(const kit_mesh *mesh, const char *scene, size_t triangle, size_t k)
+static corner corner_of(const kit_mesh *mesh, const char *scene, int scan, size_t triangle, size_t k)
 {
     corner c;
     memset(&c, 0, sizeof c);
     for (size_t i = 0; i < 3; ++i) {
         c.at[i] = mesh->position[9 * triangle + 3 * k + i];
-        c.normal[i] = snorm(mesh->normal[9 * triangle + 3 * k + i]);
+        c.normal[i] = scan ? 0 : snorm(mesh->normal[9 * triangle + 3 * k + i]);
         c.albedo[i] = unorm(mesh->albedo[3 * triangle + i]);
     }
     c.albedo[3] = finish_of(scene, mesh->albedo + 3 * triangle);
@@ -61,41 +61,6 @@ static int turned(const kit_mesh *mesh, size_t triangle)
     return sum < 0;
 }
 
-/* A scan without normals has its faces' in the kit: here corners at one place share the mean of them, by area, which
-   shades better and makes a third of the file. */
-static int smooth(kit_mesh *mesh)
-{
-    const size_t corners = 3 * mesh->triangles;
-    size_t slots = 16;
-    while (slots < 2 * corners) slots *= 2;
-    uint32_t *slot = calloc(slots, sizeof *slot), *place = malloc(corners * sizeof *place);
-    double *sum = calloc(3 * corners, sizeof *sum);
-    for (size_t i = 0; i < corners && slot && place && sum; ++i) {
-        const float *at = mesh->position + 3 * i, *p = mesh->position + 9 * (i / 3), *n = mesh->normal + 3 * i;
-        size_t s = (size_t)kit_hash(KIT_HASH, at, 3 * sizeof *at) & (slots - 1);
-        double face[3], length = 0;
-        while (slot[s] && memcmp(mesh->position + 3 * (slot[s] - 1), at, 3 * sizeof *at)) s = (s + 1) & (slots - 1);
-        if (!slot[s]) slot[s] = (uint32_t)i + 1;
-        place[i] = slot[s] - 1;
-        for (int k = 0; k < 3; ++k) {
-            const int a = (k + 1) % 3, b = (k + 2) % 3;
-            face[k] = (double)(p[3 + a] - p[a]) * (double)(p[6 + b] - p[b])
-                    - (double)(p[3 + b] - p[b]) * (double)(p[6 + a] - p[a]);
-            length += face[k] * face[k];
-        }
-        for (int k = 0; k < 3; ++k) sum[3 * place[i] + (size_t)k] += (double)n[k] * sqrt(length);
-    }
-    const int failed = !slot || !place || !sum;
-    for (size_t i = 0; i < corners && !failed; ++i) {
-        const double *n = sum + 3 * place[i], length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        for (int k = 0; k < 3 && length > 0; ++k) mesh->normal[3 * i + (size_t)k] = (float)(n[k] / length);
-    }
-    free(slot);
-    free(place);
-    free(sum);
-    return failed;
-}
-
 /* A scan is nearly white, as is its ground: in grey it shows what light and occlusion do to it. */
 static void grey(kit_mesh *mesh)
 {
@@ -103,7 +68,7 @@ static void grey(kit_mesh *mesh)
 }
 
 /* Equal corners become one vertex. */
-static int write_mesh(const kit_mesh *mesh, const char *scene, const char *path, uint32_t head[2])
+static int write_mesh(const kit_mesh *mesh, const char *scene, int scan, const char *path, uint32_t head[2])
 {
     const size_t corners = 3 * mesh->triangles;
     size_t slots = 16;
@@ -115,7 +80,7 @@ static int write_mesh(const kit_mesh *mesh, const char *scene, const char *path,
     int failed = !file;
     for (size_t i = 0; i < corners && !failed; ++i) {
         const size_t t = i / 3, k = i % 3, flip = k && turned(mesh, t) ? 3 - k : k;
-        const corner c = corner_of(mesh, scene, t, flip);
+        const corner c = corner_of(mesh, scene, scan, t, flip);
         size_t at = (size_t)kit_hash(KIT_HASH, &c, sizeof c) & (slots - 1);
         while (slot[at] && memcmp(&vertex[slot[at] - 1], &c, sizeof c)) at = (at + 1) & (slots - 1);
         if (!slot[at]) { vertex[vertices] = c; slot[at] = ++vertices; }
@@ -174,7 +139,7 @@ int main(int count, char **word)
         kit_camera_planes(&c, &scene.mesh);
         snprintf(path, sizeof path, "%s/%s.bin", word[1], wanted[i].name);
         if (wanted[i].scan) grey(&scene.mesh);
-        if ((wanted[i].scan && smooth(&scene.mesh)) || write_mesh(&scene.mesh, wanted[i].name, path, head)) {
+        if (write_mesh(&scene.mesh, wanted[i].name, wanted[i].scan, path, head)) {
             fprintf(stderr, "scenes: %s: cannot be written\n", path);
             return 2;
         }

@@ -121,6 +121,4 @@ export class Surfels {
         });
         gl.bindVertexArray(null);
     }
-
-    get count() { return this.#made?.surfels.length / 12 || 0; }
 }

@@ -25,7 +25,6 @@ export async function open(ssgi, canvas, gone) {
     const { device, info } = await deviceOf(), over = document.createElement('canvas');
     const scene = new Scene(device);
     let closed = false;
-    await scene.link();
     const give = why => {
         if (!closed) gone(`${why}: WebGL 2 draws`);
     };
@@ -36,6 +35,7 @@ export async function open(ssgi, canvas, gone) {
     over.style.cssText = 'position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: none';
     canvas.after(over);
     const show = new Show(device, over), drawer = new Drawer(device, ssgi, keys);
+    await Promise.all([scene.link(), show.link()]);
     return {
         device, drawer, show, canvas: over, name: `WebGPU: ${[info.vendor, info.architecture, info.description]
             .filter(Boolean).join(' ')}`,

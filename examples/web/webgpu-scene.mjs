@@ -2,6 +2,7 @@
    with its lambert material, its shadow map and the same noise in its edge. Row 0 of every target is the bottom one and
    depth is that of GL, so that ssgi's frames are the same bytes for both. */
 import * as THREE from 'three';
+import { drawTriangle } from './webgpu-triangle.mjs';
 
 const text = `
 struct Frame {
@@ -109,8 +110,6 @@ const packed = `
 @group(0) @binding(0) var t_0: texture_depth_2d;
 @group(0) @binding(1) var t_1: texture_depth_2d;
 @group(0) @binding(2) var t_2: texture_depth_2d;
-@vertex fn all(@builtin(vertex_index) v: u32) -> @builtin(position) vec4f {
-    return vec4f(f32(v & 1) * 4 - 1, f32(v >> 1) * 4 - 1, 0, 1); }
 @fragment fn pack(@builtin(position) p: vec4f) -> @location(0) vec4f {
     let at = vec2u(p.xy);
     return vec4f(textureLoad(t_0, at, 0), textureLoad(t_1, at, 0), textureLoad(t_2, at, 0), 0); }`;
@@ -118,11 +117,9 @@ const packed = `
 const halved = `
 @group(0) @binding(0) var t_whole: texture_2d<f32>;
 @group(0) @binding(1) var s_whole: sampler;
-struct At { @builtin(position) place: vec4f, @location(0) uv: vec2f }
-@vertex fn all(@builtin(vertex_index) v: u32) -> At {
-    let p = vec2f(f32(v & 1) * 2, f32(v >> 1) * 2);
-    return At(vec4f(p.x * 2 - 1, 1 - p.y * 2, 0, 1), p); }
-@fragment fn half_of(a: At) -> @location(0) vec4f { return textureSample(t_whole, s_whole, a.uv); }`;
+@fragment fn half_of(@builtin(position) p: vec4f) -> @location(0) vec4f {
+    let size = max(textureDimensions(t_whole) / 2, vec2u(1));
+    return textureSampleLevel(t_whole, s_whole, p.xy / vec2f(size), 0); }`;
 
 const partSize = 256, corner = 14;                  /* bytes of a Part; floats of a Corner */
 const shadowSize = 2048;
@@ -132,7 +129,7 @@ const wraps = { [THREE.RepeatWrapping]: 'repeat', [THREE.ClampToEdgeWrapping]: '
 
 export class Scene {
     #device; #layouts; #pipelines; #frame; #sun; #shadow; #parts = null; #room = 0; #white; #size = {};
-    #target = null; #back = []; #slabs = null; #halves = new Map(); #materials = new WeakMap();
+    #target = null; #back = []; #slabs = null; #materials = new WeakMap();
     #textures = new Map(); #geometries = new Map();     /* of three's, freed with its materials and geometries */
     #samplers = new Map(); #shadowed = false;
 
@@ -147,8 +144,7 @@ export class Scene {
             bare: layout([uniform(false)]),
             part: layout([uniform(true)]),
             maps: layout([{ texture: {} }, { sampler: {} }, { texture: {} }, { sampler: {} }]),
-            none: layout([]), before: layout([depth]), pack: layout([depth, depth, depth]),
-            half: layout([{ texture: {} }, { sampler: {} }])
+            none: layout([]), before: layout([depth])
         };
         this.#frame = device.createBuffer({ size: 176, usage: 64 | 8 });
         this.#shadow = device.createTexture({ size: [shadowSize, shadowSize], format: 'depth32float', usage: 4 | 16 });
@@ -235,21 +231,10 @@ export class Scene {
     /* Each level is the one before, halved. */
     #shrink(texture, levels) {
         const device = this.#device, { format } = texture, encoder = device.createCommandEncoder();
-        if (!this.#halves.has(format)) {
-            const module = device.createShaderModule({ code: halved });
-            this.#halves.set(format, device.createRenderPipeline({
-                layout: device.createPipelineLayout({ bindGroupLayouts: [this.#layouts.half] }),
-                vertex: { module }, fragment: { module, targets: [{ format }] } }));
-        }
         const view = baseMipLevel => texture.createView({ baseMipLevel, mipLevelCount: 1 });
-        for (let level = 1; level < levels; ++level) {
-            const pass = encoder.beginRenderPass({ colorAttachments: [
-                { view: view(level), loadOp: 'clear', storeOp: 'store' }] });
-            pass.setPipeline(this.#halves.get(format));
-            pass.setBindGroup(0, this.#group('half', [view(level - 1), this.#sampler(null)]));
-            pass.draw(3);
-            pass.end();
-        }
+        for (let level = 1; level < levels; ++level)
+            drawTriangle(device, encoder, halved, { view: view(level), format },
+                         [view(level - 1), this.#sampler(null)]);
         device.queue.submit([encoder.finish()]);
     }
 
@@ -424,20 +409,10 @@ export class Scene {
     }
 
     #pack(encoder) {
-        const device = this.#device, { width, height } = this.#size;
-        const made = this.#pipelines.pack ??= (() => {
-            const module = device.createShaderModule({ code: packed });
-            return device.createRenderPipeline({
-                layout: device.createPipelineLayout({ bindGroupLayouts: [this.#layouts.pack] }),
-                vertex: { module }, fragment: { module, targets: [{ format: 'rgba32float' }] } });
-        })();
-        this.#slabs ??= device.createTexture({ size: [width, height], format: 'rgba32float', usage: 1 | 4 | 16 });
-        const pass = encoder.beginRenderPass({ colorAttachments: [
-            { view: this.#slabs.createView(), loadOp: 'clear', storeOp: 'store' }] });
-        pass.setPipeline(made);
-        pass.setBindGroup(0, this.#group('pack', this.#back.map(texture => texture.createView())));
-        pass.draw(3);
-        pass.end();
+        const { width, height } = this.#size, format = 'rgba32float';
+        this.#slabs ??= this.#device.createTexture({ size: [width, height], format, usage: 1 | 4 | 16 });
+        drawTriangle(this.#device, encoder, packed, { view: this.#slabs.createView(), format },
+                     this.#back.map(texture => texture.createView()));
     }
 }
 

@@ -12,6 +12,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Worker, isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { chainAs } from '../chain.mjs';
 import { defaults, halves, methods, normals, presets, shadows, thicknesses } from '../settings.mjs';
+import { textOf } from '../show-texts.mjs';
 import { bare, keyOf } from '../webgpu-keys.mjs';
 
 const [wasm, loader, folder, to] = process.argv.slice(2);
@@ -72,6 +73,10 @@ async function translated() {
         Array.from({ length: parts }, (_, part) =>
             once(new Worker(new URL(import.meta.url), { argv, workerData: { part, parts } }), 'message')));
     for (const [some] of all) for (const [at, is] of some) add(at, is);
+    for (const name of ['picture', 'smooth', 'motion']) {           /* the page's own, as webgpu-show.mjs draws them */
+        const text = textOf(name, 'VULKAN');
+        add(keyOf(text), { text, stage: 'frag' });
+    }
 
     for (const path of [folder, to]) {
         rmSync(path, { recursive: true, force: true });
