@@ -22,7 +22,7 @@ finish() {
 }
 open_window() {    # sets DISPLAY; without Xvfb all that follows is skipped
     if ! command -v Xvfb >/dev/null; then skip 'all windows, Xvfb is missing (apt-get install xvfb)'; finish; fi
-    Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3>$work/display 2>/dev/null &
+    Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp -noreset 3>$work/display 2>/dev/null &
     x=$!
     for i in $(seq 100); do [ -s $work/display ] && break; sleep 0.2; done
     DISPLAY=:$(cat $work/display)
