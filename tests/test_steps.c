@@ -452,90 +452,80 @@ static void onto_a_picture(void)
     kit_scene_free(&scene);
 }
 
+/* The value of a field in words: a number, or one of its own. */
+static int value_in(const ssgi_gl_choice *c, const char *text, size_t length)
+{
+    int value = 0;
+    for (const char *word = c->values; *word; ++value, word += strcspn(word, " "), word += *word == ' ')
+        if (strcspn(word, " ") == length && !strncmp(word, text, length)) return value;
+    return atoi(text);
+}
+
+/* A chain in words: "pass=HSAO,blur=1" is fields of desc and of the chain; lights has lights by pass lights, and fields
+   behind it are theirs. */
+static ssgi_gl_chain chain_in(const char *words)
+{
+    ssgi_gl_chain chain;
+    const ssgi_gl_choice *c;
+    char *desc = (char *)&chain.desc;
+    memset(&chain, 0, sizeof chain);
+    chain.width = chain.height = 8;
+    for (size_t n; *words; words += n, words += *words == ',') {
+        const size_t name = strcspn(words, ",=");
+        int set = 0;
+        n = strcspn(words, ",");
+        if (name == n) {
+            chain.lights.pass = SSGI_GL_PASS_LIGHTS;
+            desc = (char *)&chain.lights;
+            continue;
+        }
+        for (int k = 0; k < 2 && !set; ++k)
+            for (int i = 0; (c = k ? ssgi_gl_chain_choice_at(i) : ssgi_gl_choice_at(i)) != NULL; ++i) {
+                if (strlen(c->name) != name || strncmp(c->name, words, name)) continue;
+                const int value = value_in(c, words + name + 1, n - name - 1);
+                memcpy((k ? (char *)&chain : desc) + c->offset, &value, sizeof value);
+                set = 1;
+            }
+        CHECK(set, "there is no field %s", words);
+    }
+    return chain;
+}
+
 /* What a chain may not ask for is named, and nothing is written. */
 static void refusals(void)
 {
-    enum { BENT = SSGI_GL_SHADING_BENT, ONTO = SSGI_GL_ONTO_MULTIPLY };
-    static const struct { const char *names; ssgi_gl_chain chain;
-    } row[] = {
-        { "chain.desc.pass", { .desc = { .pass = SSGI_GL_PASS_BLUR }, .width = 8, .height = 8 } },
-        { "chain.width, height", { .desc = { .pass = SSGI_GL_PASS_HSAO }, .width = 0, .height = 8 } },
-        { "chain.history",
-          { .desc = { .pass = SSGI_GL_PASS_S3HO },
-            .width = 8,
-            .height = 8,
-            .blur = 1,
-            .history = 1,
-            .coefficients = 1 } },
-        { "chain.history: filters", { .desc = { .pass = SSGI_GL_PASS_HSAO }, .width = 8, .height = 8, .history = 1 } },
-        { "chain: nothing lights",
-          { .desc = { .pass = SSGI_GL_PASS_SSDO, .light.bounce = 1 }, .width = 8, .height = 8 } },
-        { "chain: nothing lights",
-          { .desc = { .pass = SSGI_GL_PASS_SSDO, .light.bounce = 1, .filter.onto = ONTO }, .width = 8, .height = 8 } },
-        { "chain: nothing lights",
-          { .desc = { .pass = SSGI_GL_PASS_SPLAT, .surfel.effect = SSGI_GL_EFFECT_LIGHT }, .width = 8, .height = 8 } },
-        { "chain.direct",
-          { .desc = { .pass = SSGI_GL_PASS_SSDO,
-                      .gather.search = SSGI_GL_SEARCH_POINTS,
-                      .light.bounce = 1,
-                      .gather.views = 1 },
-            .width = 8,
-            .height = 8,
-            .direct = 1 } },
-        { "chain.direct",
-          { .desc = { .pass = SSGI_GL_PASS_SSDO,
-                      .gather.search = SSGI_GL_SEARCH_POINTS,
-                      .light.bounce = 1,
-                      .gather.layers = 2 },
-            .width = 8,
-            .height = 8,
-            .direct = 1 } },
-        { "chain.desc.light.shading",
-          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = BENT }, .width = 8, .height = 8, .blur = 1 } },
-        { "chain.desc.light.shading",
-          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = BENT },
-            .width = 8,
-            .height = 8,
-            .blur = 1,
-            .history = 1,
-            .coefficients = 0 } },
-        { "chain.desc.light.shading",
-          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = BENT, .filter.onto = ONTO },
-            .width = 8,
-            .height = 8 } },
-        { "chain.desc.light.shading",
-          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = BENT },
-            .width = 8,
-            .height = 8,
-            .lights = { .pass = SSGI_GL_PASS_LIGHTS } } },
-        { "chain.desc.light.dimmed",
-          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.packed = 1, .light.transfer = 1, .light.dimmed = 1 },
-            .width = 8,
-            .height = 8,
-            .coefficients = 1 } },
-        { "chain.desc.light.dimmed",
-          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.packed = 1, .light.transfer = 1, .light.dimmed = 1 },
-            .width = 8,
-            .height = 8,
-            .blur = 1 } },
-        { "chain.desc.light.dimmed",
-          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.packed = 1, .light.transfer = 2, .light.dimmed = 1 },
-            .width = 8,
-            .height = 8,
-            .blur = 1,
-            .coefficients = 1 } },
-        { "desc.gather.steps", { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.steps = 65 }, .width = 8, .height = 8 } },
-        { "desc.light.packed", { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.transfer = 1 }, .width = 8, .height = 8 } }
+    static const char *const row[][2] = {
+        { "chain.desc.pass", "pass=BLUR" },
+        { "chain.history", "pass=S3HO,blur=1,history=1,coefficients=1" },
+        { "chain.history: filters", "pass=HSAO,history=1" },
+        { "chain: nothing lights", "pass=SSDO,bounce=1" },
+        { "chain: nothing lights", "pass=SSDO,bounce=1,onto=MULTIPLY" },
+        { "chain: nothing lights", "pass=SPLAT,effect=LIGHT" },
+        { "chain.direct", "pass=SSDO,search=POINTS,bounce=1,views=1,direct=1" },
+        { "chain.direct", "pass=SSDO,search=POINTS,bounce=1,layers=2,direct=1" },
+        { "chain.desc.light.shading", "pass=S3HO,shading=BENT,blur=1" },
+        { "chain.desc.light.shading", "pass=S3HO,shading=BENT,blur=1,history=1" },
+        { "chain.desc.light.shading", "pass=S3HO,shading=BENT,onto=MULTIPLY" },
+        { "chain.desc.light.shading", "pass=S3HO,shading=BENT,lights" },
+        { "chain.desc.light.dimmed", "pass=S3HO,packed=1,transfer=BOTH,dimmed=1,coefficients=1" },
+        { "chain.desc.light.dimmed", "pass=S3HO,packed=1,transfer=BOTH,dimmed=1,blur=1" },
+        { "chain.desc.light.dimmed", "pass=S3HO,packed=1,transfer=REFLECTED,dimmed=1,blur=1,coefficients=1" },
+        { "desc.gather.steps", "pass=HSAO,steps=65" },
+        { "desc.light.packed", "pass=S3HO,transfer=BOTH" }
     };
+    const ssgi_gl_chain flat = { .desc.pass = SSGI_GL_PASS_HSAO, .height = 8 };
     ssgi_gl_step step, was;
+    const char *why = "";
     memset(&step, 7, sizeof step);
     was = step;
-    for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
-        const char *why = "";
-        const int n = ssgi_gl_steps(&step, 1, &row[i].chain, &why);
-        CHECK(!n && !strncmp(why, row[i].names, strlen(row[i].names)) && !memcmp(&step, &was, sizeof was),
-              "%d: %d, \"%s\" (expected %s)", i, n, why, row[i].names);
+    for (size_t i = 0; i < sizeof row / sizeof *row; ++i) {
+        const ssgi_gl_chain chain = chain_in(row[i][1]);
+        why = "";
+        const int n = ssgi_gl_steps(&step, 1, &chain, &why);
+        CHECK(!n && !strncmp(why, row[i][0], strlen(row[i][0])) && !memcmp(&step, &was, sizeof was),
+              "%s: %d, \"%s\" (expected %s)", row[i][1], n, why, row[i][0]);
     }
+    CHECK(!ssgi_gl_steps(&step, 1, &flat, &why) && !strncmp(why, "chain.width, height", 19), "no width: %s", why);
     CHECK(!ssgi_gl_steps(NULL, 0, NULL, NULL), "a chain of NULL");
 }
 
@@ -699,63 +689,40 @@ static void eyes(void)
    costs as many fetches with it as without. */
 static void widths(void)
 {
-    static const struct { int at, thickness; ssgi_gl_chain chain;
-    } row[] = {
-        { 0, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_PASS_HSAO } } },
-        { 0, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_PASS_S3HO }, .coefficients = 1, .blur = 1 } },
-        { 0,
-          SSGI_GL_THICKNESS_SLABS,
-          { .desc = { .pass = SSGI_GL_PASS_SSDO,
-                      .light.environment = SSGI_GL_ENVIRONMENT_MAP,
-                      .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE,
-                      .gather.thickness = SSGI_GL_THICKNESS_SLABS },
-            .blur = 1 } },
-        { 1,
-          SSGI_GL_THICKNESS_WIDTH,
-          { .desc = { .pass = SSGI_GL_PASS_SSDO, .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE }, .direct = 1 } },
-        { 0,
-          SSGI_GL_THICKNESS_BACK,
-          { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.thickness = SSGI_GL_THICKNESS_BACK } } },
-        { -1, 0, { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.thickness = SSGI_GL_THICKNESS_CONSTANT } } },
-        { -1, 0, { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.search = SSGI_GL_SEARCH_MARCH, .gather.layers = 2 } } },
-        { -1, 0, { .desc = { .pass = SSGI_GL_PASS_SSAO } } },
-        { -1, 0, { .desc = { .pass = SSGI_GL_PASS_SSAO, .gather.thickness = SSGI_GL_THICKNESS_BACK } } },
-        { 1, SSGI_GL_THICKNESS_WIDTH, { .desc = { .pass = SSGI_GL_PASS_SPLAT, .surfel.span = 4 } } },
-        { -1,
-          0,
-          { .desc = { .pass = SSGI_GL_PASS_SPLAT,
-                      .surfel.span = 4,
-                      .gather.thickness = SSGI_GL_THICKNESS_CONSTANT } } },
-        { 0,
-          SSGI_GL_THICKNESS_WIDTH,
-          { .desc = { .pass = SSGI_GL_PASS_SSAO, .gather.thickness = SSGI_GL_THICKNESS_WIDTH } } },
+    static const struct { int at, thickness; const char *chain; } row[] = {
+        { 0, SSGI_GL_THICKNESS_WIDTH, "pass=HSAO" },
+        { 0, SSGI_GL_THICKNESS_WIDTH, "pass=S3HO,coefficients=1,blur=1" },
+        { 0, SSGI_GL_THICKNESS_SLABS, "pass=SSDO,environment=MAP,bounce=SOLID_ANGLE,thickness=SLABS,blur=1" },
+        { 1, SSGI_GL_THICKNESS_WIDTH, "pass=SSDO,bounce=SOLID_ANGLE,direct=1" },
+        { 0, SSGI_GL_THICKNESS_BACK, "pass=HSAO,thickness=BACK" },
+        { -1, 0, "pass=HSAO,thickness=CONSTANT" },
+        { -1, 0, "pass=HSAO,search=MARCH,layers=2" },
+        { -1, 0, "pass=SSAO" },
+        { -1, 0, "pass=SSAO,thickness=BACK" },
+        { 1, SSGI_GL_THICKNESS_WIDTH, "pass=SPLAT,span=4" },
+        { -1, 0, "pass=SPLAT,span=4,thickness=CONSTANT" },
+        { 0, SSGI_GL_THICKNESS_WIDTH, "pass=SSAO,thickness=WIDTH" }
     };
     const ssgi_gl_desc alone = { .pass = SSGI_GL_PASS_HSAO }, resolved = ssgi_gl_resolve(&alone);
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
         ssgi_gl_step step[STEPS];
-        ssgi_gl_chain chain = row[i].chain;
+        const ssgi_gl_chain chain = chain_in(row[i].chain);
         const char *why = "";
         int times = 0, at = -1;
-        chain.width = chain.height = 8;
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
-        if (!CHECK(n > 0, "%d: %s", i, why)) continue;
+        if (!CHECK(n > 0, "%s: %s", row[i].chain, why)) continue;
         for (int k = n - 1; k >= 0; --k) {
             if (step[k].desc.pass != SSGI_GL_PASS_THICKNESS) continue;
             at = k;
             ++times;
         }
         CHECK(at == row[i].at && times == (at >= 0) && (at < 0 || step[at].desc.gather.thickness == row[i].thickness),
-              "%d: step %d, %d of them, thickness %d", i, at, times, at < 0 ? 0 : step[at].desc.gather.thickness);
+              "%s: step %d, %d of them, thickness %d", row[i].chain, at, times, at < 0 ? 0 : step[at].desc.gather.thickness);
     }
     for (int thickness = SSGI_GL_THICKNESS_WIDTH; thickness <= SSGI_GL_THICKNESS_SLABS; ++thickness) {
         ssgi_gl_step step[STEPS];
-        const ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_PASS_SSDO,
-                                                .gather.search = SSGI_GL_SEARCH_POINTS,
-                                                .gather.views = 1,
-                                                .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
-                                      .lights = { .pass = SSGI_GL_PASS_LIGHTS, .gather.thickness = thickness },
-                                      .width = 8,
-                                      .height = 8 };
+        ssgi_gl_chain chain = chain_in("pass=SSDO,search=POINTS,views=1,bounce=SOLID_ANGLE,lights");
+        chain.lights.gather.thickness = thickness;
         const char *why = "";
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
         int others = 0, wide = 0;
@@ -782,30 +749,22 @@ static void widths(void)
 /* The formats that steps give are among those that the rows of their outputs name; precise ones are wider. */
 static void formats(void)
 {
-    static const ssgi_gl_desc descs[] = { { .pass = SSGI_GL_PASS_SSAO },
-                                          { .pass = SSGI_GL_PASS_HSAO, .gather.half = 1 },
-                                          { .pass = SSGI_GL_PASS_FIELD },
-                                          { .pass = SSGI_GL_PASS_SSDO,
-                                            .light.environment = SSGI_GL_ENVIRONMENT_MAP,
-                                            .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
-                                          { .pass = SSGI_GL_PASS_S3HO, .light.bands = 1 },
-                                          { .pass = SSGI_GL_PASS_S3HO, .light.packed = 1, .light.bands = 3 },
-                                          { .pass = SSGI_GL_PASS_SPLAT },
-                                          { .pass = SSGI_GL_PASS_SPLAT,
-                                            .surfel.effect = SSGI_GL_EFFECT_LIGHT,
-                                            .light.environment = SSGI_GL_ENVIRONMENT_MAP } };
-    for (int i = 0; i < (int)(sizeof descs / sizeof *descs); ++i) {
+    static const char *const chains[] = {
+        "pass=SSAO,blur=1", "pass=HSAO,half=1,blur=1", "pass=FIELD", "pass=SSDO,environment=MAP,bounce=1,blur=1",
+        "pass=S3HO,bands=1,blur=1", "pass=S3HO,packed=1,bands=3,blur=1", "pass=SPLAT,blur=1",
+        "pass=SPLAT,effect=LIGHT,environment=MAP,blur=1" };
+    for (int i = 0; i < (int)(sizeof chains / sizeof *chains); ++i) {
         ssgi_gl_step step[STEPS];
-        ssgi_gl_chain chain = { .desc = descs[i], .blur = 1, .width = 64, .height = 36 };
+        ssgi_gl_chain chain = chain_in(chains[i]);
         const char *why = "";
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
         const ssgi_gl_format *const last = step[n > 0 ? n - 1 : 0].output[0].format;
-        CHECK(n > 0, "%d: %s", i, why);
+        CHECK(n > 0, "%s: %s", chains[i], why);
         if (!strcmp(last->name, "R8")) { /* nothing else is in RGBA8 */
             chain.rgba8 = 1;
             ssgi_gl_steps(step, STEPS, &chain, &why);
             CHECK(step[n - 1].output[0].format->internal == GL_RGBA8 && (n < 2 || step[0].output[0].format->bytes != 4
-                  || strcmp(step[0].output[0].format->name, "RGBA8")), "%d: bytes in RGBA8", i);
+                  || strcmp(step[0].output[0].format->name, "RGBA8")), "%s: bytes in RGBA8", chains[i]);
         }
         for (int k = 0; k < n; ++k) {
             ssgi_gl_io row[SSGI_GL_MAX_IO];
@@ -823,72 +782,29 @@ static void formats(void)
 /* What the last step of a chain brings, by its output's name, and whether that is its result or your picture. */
 static void results(void)
 {
-    static const struct { const char *output; int steps; ssgi_gl_chain chain;
-    } row[] = {
-        { "o_ssgi_bent",
-          3,
-          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = SSGI_GL_SHADING_BENT }, .width = 8, .height = 8 } },
-        { "o_ssgi_bent",
-          4,
-          { .desc = { .pass = SSGI_GL_PASS_S3HO, .light.shading = SSGI_GL_SHADING_BENT },
-            .width = 8,
-            .height = 8,
-            .blur = 1,
-            .coefficients = 1 } },
-        { "o_ssgi_light",
-          3,
-          { .desc = { .pass = SSGI_GL_PASS_SSDO, .light.environment = SSGI_GL_ENVIRONMENT_SH },
-            .width = 8,
-            .height = 8,
-            .blur = 1 } },
-        { "o_ssgi_picture", /* of light that no filter puts there */
-          3,
-          { .desc = { .pass = SSGI_GL_PASS_SSDO,
-                      .light.environment = SSGI_GL_ENVIRONMENT_MAP,
-                      .filter.onto = SSGI_GL_ONTO_AMBIENT },
-            .width = 8,
-            .height = 8 } },
-        { "o_ssgi_light", /* of virtual point lights, added to the bounce */
-          6,
-          { .desc = { .pass = SSGI_GL_PASS_SSDO,
-                      .light.environment = SSGI_GL_ENVIRONMENT_MAP,
-                      .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
-            .lights = { .pass = SSGI_GL_PASS_LIGHTS },
-            .width = 8,
-            .height = 8,
-            .vpls = 1,
-            .direct = 1 } },
-        { "o_ssgi_picture",
-          10,
-          { .desc = { .pass = SSGI_GL_PASS_SPLAT,
-                      .surfel.span = 4,
-                      .surfel.levels = 2,
-                      .filter.onto = SSGI_GL_ONTO_AMBIENT },
-            .width = 8,
-            .height = 8 } },
-        { "o_ssgi_ao",
-          1,
-          { .desc = { .pass = SSGI_GL_PASS_FIELD, .input.objects = SSGI_GL_OBJECTS_TEXTURE },
-            .width = 8,
-            .height = 8 } },
-        { "o_ssgi_ao", 1, { .desc = { .pass = SSGI_GL_PASS_SSAO, .gather.layers = 2 }, .width = 8, .height = 8 } },
-        { "o_ssgi_ao",
-          5,
-          { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.thickness = SSGI_GL_THICKNESS_SLABS, .input.motion = 1 },
-            .width = 8,
-            .height = 8,
-            .blur = 1,
-            .history = 1 } },
+    static const struct { const char *output; int steps; const char *chain; } row[] = {
+        { "o_ssgi_bent", 3, "pass=S3HO,shading=BENT" },
+        { "o_ssgi_bent", 4, "pass=S3HO,shading=BENT,blur=1,coefficients=1" },
+        { "o_ssgi_light", 3, "pass=SSDO,environment=SH,blur=1" },
+        /* of light that no filter puts there */
+        { "o_ssgi_picture", 3, "pass=SSDO,environment=MAP,onto=AMBIENT" },
+        /* of virtual point lights, added to the bounce */
+        { "o_ssgi_light", 6, "pass=SSDO,environment=MAP,bounce=SOLID_ANGLE,vpls=1,direct=1,lights" },
+        { "o_ssgi_picture", 10, "pass=SPLAT,span=4,levels=2,onto=AMBIENT" },
+        { "o_ssgi_ao", 1, "pass=FIELD,objects=TEXTURE" },
+        { "o_ssgi_ao", 1, "pass=SSAO,layers=2" },
+        { "o_ssgi_ao", 5, "pass=HSAO,thickness=SLABS,motion=1,blur=1,history=1" }
     };
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
         ssgi_gl_step step[STEPS];
+        const ssgi_gl_chain chain = chain_in(row[i].chain);
         const char *why = "";
-        const int n = ssgi_gl_steps(step, STEPS, &row[i].chain, &why), picture = row[i].chain.desc.filter.onto != 0;
-        if (!CHECK(n == row[i].steps, "%d: %d steps: %s", i, n, why)) continue;
+        const int n = ssgi_gl_steps(step, STEPS, &chain, &why), picture = chain.desc.filter.onto != 0;
+        if (!CHECK(n == row[i].steps, "%s: %d steps: %s", row[i].chain, n, why)) continue;
         const ssgi_gl_output *last = step[n - 1].output;
         CHECK(!strcmp(last->name, row[i].output) && picture == (last->texture < 0)
                   && last->result == (picture ? SSGI_GL_RESULT_NONE
-                                      : row[i].chain.vpls ? SSGI_GL_RESULT_BOUNCE : SSGI_GL_RESULT_LIGHT),
+                                      : chain.vpls ? SSGI_GL_RESULT_BOUNCE : SSGI_GL_RESULT_LIGHT),
               "%d: the last step writes %s, result %d, texture %d", i, last->name, last->result, last->texture);
         for (int k = 0; k < n - 1; ++k)
             for (int o = 0; o < step[k].outputs; ++o)
@@ -985,9 +901,12 @@ static ssgi_gl_chain any_chain(void)
     chain.lights.pass = t_below(2) ? SSGI_GL_PASS_LIGHTS : SSGI_GL_PASS_SSAO;
     chain.width = 1 + (int)t_below(24);
     chain.height = 1 + (int)t_below(24);
-    int *const flags[] = { &chain.blur, &chain.history, &chain.coefficients, &chain.reuse, &chain.vpls, &chain.direct,
-                           &chain.hidden_sky, &chain.unsmoothed, &chain.precise, &chain.rgba8 };
-    for (size_t i = 0; i < sizeof flags / sizeof *flags; ++i) *flags[i] = (int)t_below(2);
+    const ssgi_gl_choice *c;
+    for (int i = 0; (c = ssgi_gl_chain_choice_at(i)) != NULL; ++i) {
+        const int value = (int)t_below(2);
+        memcpy((char *)&chain + c->offset, &value, sizeof value);
+    }
+    chain.surfels = 0; /* These go into a buffer, which nothing here has. */
     return chain;
 }
 
