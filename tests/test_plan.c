@@ -219,34 +219,24 @@ static void by_hand(void)
     }
 }
 
+/* Floats that are no numbers are tests/nan.c's. */
 static void refused(void)
 {
-    const ssgi_plan_scene good = { .error = 0.05f };
-    const float nan_ = NAN;
+    static const struct { const char *start; ssgi_plan_scene scene; } bad[] = {
+        { "scene.wanted", { .wanted = 4 } }, { "scene.wanted", { .wanted = -1 } },
+        { "scene.error", { .error = -1 } },
+        { "scene.error, .budget, .screen_radius", { .depth_pass = -1 } },
+        { "scene.device, .thickness", { .thickness = 4 } },
+        { "scene.device", { .device = 3 } },
+        { "scene.device, .thickness, .history, .occluders", { .occluders = -1 } } };
     ssgi_plan plan, was;
     ssgi_survey survey, none;
-    const struct { size_t offset; int whole; float value; const char *start;
-    } bad[] = { { offsetof(ssgi_plan_scene, wanted), 1, 4, "scene.wanted" },
-                { offsetof(ssgi_plan_scene, wanted), 1, -1, "scene.wanted" },
-                { offsetof(ssgi_plan_scene, error), 0, -1, "scene.error" },
-                { offsetof(ssgi_plan_scene, error), 0, nan_, "scene.error" },
-                { offsetof(ssgi_plan_scene, screen_radius), 0, INFINITY, "scene.error, .budget, .screen_radius" },
-                { offsetof(ssgi_plan_scene, thickness), 1, 4, "scene.device, .thickness" },
-                { offsetof(ssgi_plan_scene, device), 1, 3, "scene.device" },
-                { offsetof(ssgi_plan_scene, depth_pass), 0, -1, "scene.error, .budget, .screen_radius" },
-                { offsetof(ssgi_plan_scene, occluders), 1, -1, "scene.device, .thickness, .history, .occluders" },
-                { offsetof(ssgi_plan_scene, energy) + 8, 0, nan_, "scene.energy" },
-                { offsetof(ssgi_plan_scene, survey), 0, nan_, "scene.survey" },
-                { offsetof(ssgi_plan_scene, calibration) + 4, 0, nan_, "scene.calibration" } };
     memset(&was, 7, sizeof was);
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
-        ssgi_plan_scene s = good;
-        const int whole = (int)bad[i].value;
         const char *why = "";
-        memcpy((char *)&s + bad[i].offset, bad[i].whole ? (const void *)&whole : (const void *)&bad[i].value, 4);
         plan = was;
-        CHECK(ssgi_plan_make(&plan, &s, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, bad[i].start, strlen(bad[i].start))
-                  && !memcmp(&plan, &was, sizeof plan),
+        CHECK(ssgi_plan_make(&plan, &bad[i].scene, &why) == SSGI_BAD_ARGUMENT
+                  && !strncmp(why, bad[i].start, strlen(bad[i].start)) && !memcmp(&plan, &was, sizeof plan),
               "%s: \"%s\"", bad[i].start, why);
     }
     memset(&none, 7, sizeof none);
@@ -264,36 +254,21 @@ static void refused(void)
           "nothing becomes a desc");
 }
 
-enum { SHADER = 1 << 17 };
-
-/* The first field in which descs differ; "" where there is none. */
-static const char *differs(const ssgi_gl_desc *a, const ssgi_gl_desc *b)
-{
-    const ssgi_gl_choice *c;
-    for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i)
-        if (memcmp((const char *)a + c->offset, (const char *)b + c->offset, sizeof(int))) return c->name;
-    return "";
-}
-
 /* The kit draws the passes of a chain, each by the same shader but for the frame's format. */
 static void draws(const kit_run *run, const ssgi_gl_chain *chain, int i)
 {
     static ssgi_gl_step step[KIT_MAX_PASSES];
-    static char text[2][SHADER];
     const char *why = "";
     const int steps = ssgi_gl_steps(step, KIT_MAX_PASSES, chain, &why);
     int n = 0;
     for (int k = 0; k < run->passes; ++k) {
         if (run->pass[k].aside) continue;
         if (n++ >= steps) break;
-        ssgi_gl_desc want = step[n - 1].desc, is = run->pass[k].desc;
-        want.input = is.input;
-        want.text = is.text;
-        CHECK(ssgi_gl_emit(text[0], SHADER, &is, SSGI_GL_STAGE_FRAGMENT) < SHADER
-                  && ssgi_gl_emit(text[1], SHADER, &want, SSGI_GL_STAGE_FRAGMENT) < SHADER
-                  && !strcmp(text[0], text[1]),
-              "choice %d: in pass %s the kit has another %s than ssgi_gl_plan", i, ssgi_gl_pass_name(is.pass),
-              differs(&is, &want));
+        ssgi_gl_desc want = step[n - 1].desc;
+        want.input = run->pass[k].desc.input;
+        want.text = run->pass[k].desc.text;
+        CHECK(ssgi_gl_key(&run->pass[k].desc) == ssgi_gl_key(&want), "choice %d: the kit has another pass %s", i,
+              ssgi_gl_pass_name(want.pass));
     }
     CHECK(n == steps, "choice %d: the kit draws %d passes, ssgi_gl_plan has %d: %s", i, n, steps, why);
 }
@@ -358,6 +333,64 @@ static void drawable(void)
     kit_scene_free(&scene);
 }
 
+/* Pixels of a frame with their truth, as a calibration wants them: by another way than the kit's. */
+static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_plan_scene *s)
+{
+    enum { MOST = 2000 };
+    static float position[MOST][3], normal[MOST][3], seen[MOST], open[MOST];
+    static const char *const names[] = { "Z", "N.X", "N.Y", "N.Z" };
+    const float *channel[4];
+    ssgi_trace trace;
+    ssgi_calibration c[2];
+    kit_image frame, truth;
+    kit_error err;
+    float to_view[16], projection[16];
+    double square = 0;
+    size_t count = 0, pixels = 0;
+    if (!CHECK(!kit_gbuffer_read(&frame, g, &err)
+                   && !kit_truth_ao(&truth, scene, &g->camera, scene->radius, KIT_ATTENUATION_LINEAR, 256, 1, &err),
+               "%s", err.text))
+        return;
+    for (int i = 0; i < 4; ++i) channel[i] = kit_image_channel(&frame, names[i]);
+    kit_camera_matrices(&g->camera, to_view, projection);
+    for (int i = 0; i < frame.width * frame.height; ++i) {
+        const float z = channel[0][i];
+        if (!(z > 0)) continue;
+        square += pow(1 - (double)truth.data[i], 2);
+        ++pixels;
+        if (i % 23 || count == MOST) continue;
+        kit_camera_point(&g->camera, i % frame.width, i / frame.width, (double)z, position[count]);
+        for (int k = 0; k < 3; ++k)
+            for (int n = 0; n < 3; ++n) normal[count][k] += to_view[4 * k + n] * channel[n + 1][i];
+        seen[count] = truth.data[i];
+        open[count++] = 1;
+    }
+    const size_t size = ssgi_trace_size(scene->mesh.triangles);
+    void *const memory = malloc(size);
+    CHECK(ssgi_trace_build(&trace, memory, size, scene->mesh.position, 12, NULL, scene->mesh.triangles, NULL) == SSGI_OK,
+          "no tree");
+    for (int with = 0; with < 2; ++with)
+        CHECK(ssgi_plan_calibrate(&c[with], &trace, *position, *normal, seen, with ? open : NULL, count, 16,
+                                  scene->radius, NULL) == SSGI_OK, "no calibration");
+    free(memory);
+    kit_image_free(&truth);
+    kit_image_free(&frame);
+    const double nothing = sqrt(square / (double)pixels);
+    CHECK(fabsf(c[1].slabs - c[1].unoccluded) < 1e-6f && !(c[0].slabs > 0), "slabs that find nothing err by %g, %g",
+          (double)c[1].slabs, (double)c[0].slabs);
+    CHECK(c[0].known && c[0].hsao < 0.006f && fabs((double)c[0].unoccluded / nothing - 1) < 0.05,
+          "a calibration of the truth: %g, of nothing %g, which is %g", (double)c[0].hsao, (double)c[0].unoccluded,
+          nothing);
+    CHECK(fabs((double)s->calibration.unoccluded / nothing - 1) < 0.05 && s->calibration.hsao > 0.1f * (float)nothing
+              && s->calibration.hsao < 0.22f * (float)nothing,
+          "the kit's calibration: open %g of %g, hsao %g", (double)s->calibration.unoccluded, nothing,
+          (double)s->calibration.hsao);
+    CHECK(fabs((double)s->survey.occlusion / nothing - 1) < 0.25 && s->calibration.slabs > 0 && s->surfels > 0.01
+              && s->splats > 10,
+          "the survey finds an occlusion of %g, of %g; %g surfels, %g splats", (double)s->survey.occlusion, nothing,
+          s->surfels, s->splats);
+}
+
 /* A survey's figures, of pixels by hand; a plane's is empty, a corner's is not; a calibration of the truth itself finds
    no error, however few its rays, and of nothing what the truth's picture says. */
 static void measured(void)
@@ -377,73 +410,15 @@ static void measured(void)
     for (int k = 0; k < 2; ++k) {
         kit_scene scene;
         kit_gbuffer g;
-        kit_image truth, frame;
         ssgi_plan_scene s;
-        ssgi_trace trace;
-        ssgi_calibration calibration;
-        CHECK(!kit_scene_load(&scene, k ? "corner" : "plane", 0, &err), "%s", err.text);
-        scene.camera.width = 288;
-        scene.camera.height = 162;
+        if (!see(&scene, &g, k ? "corner" : "plane", NULL, 0, NULL, 288, 162)) return;
         const kit_world world = { &scene, NULL };
-        CHECK(!kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err) && !kit_gbuffer_read(&frame, &g, &err),
-              "%s", err.text);
         CHECK(!kit_plan_numbers(&s, &g, &world, scene.radius, SSGI_PLAN_WANTED_VISIBILITY, &err), "%s", err.text);
-        if (!k)
+        if (k) calibrated(&scene, &g, &s);
+        else
             CHECK(s.survey.occlusion < 2e-3f && s.survey.slabs < 2e-3f && s.calibration.unoccluded < 1e-3f,
                   "a plane occludes by %g, and errs by %g", (double)s.survey.occlusion,
                   (double)s.calibration.unoccluded);
-        if (k) {
-            CHECK(!kit_truth_ao(&truth, &scene, &g.camera, scene.radius, KIT_ATTENUATION_LINEAR, 256, 1, &err), "%s",
-                  err.text);
-            const size_t size = ssgi_trace_size(scene.mesh.triangles);
-            void *memory = malloc(size);
-            float *place = malloc(8 * 2000 * sizeof *place), to_view[16], projection[16];
-            const float *z = kit_image_channel(&frame, "Z"),
-                        *n[3] = { kit_image_channel(&frame, "N.X"), kit_image_channel(&frame, "N.Y"),
-                                  kit_image_channel(&frame, "N.Z") };
-            double square = 0;
-            size_t count = 0, seen = 0;
-            kit_camera_matrices(&g.camera, to_view, projection);
-            for (int i = 0; i < 288 * 162; ++i) {
-                if (!(z[i] > 0)) continue;
-                square += pow(1 - (double)truth.data[i], 2);
-                ++seen;
-                if (i % 23 || count == 2000) continue;
-                kit_camera_point(&g.camera, i % 288, i / 288, (double)z[i], place + 3 * count);
-                for (int c = 0; c < 3; ++c)
-                    place[3 * (2000 + count) + (size_t)c] =
-                        to_view[4 * c] * n[0][i] + to_view[4 * c + 1] * n[1][i] + to_view[4 * c + 2] * n[2][i];
-                place[7 * 2000 + count] = 1;
-                place[6 * 2000 + count++] = truth.data[i];
-            }
-            const double open = sqrt(square / (double)seen);
-            CHECK(ssgi_trace_build(&trace, memory, size, scene.mesh.position, 12, NULL, scene.mesh.triangles, NULL)
-                          == SSGI_OK
-                      && ssgi_plan_calibrate(&calibration, &trace, place, place + 6000, place + 12000, place + 14000,
-                                             count, 16, scene.radius, NULL)
-                             == SSGI_OK
-                      && fabsf(calibration.slabs - calibration.unoccluded) < 1e-6f
-                      && ssgi_plan_calibrate(&calibration, &trace, place, place + 6000, place + 12000, NULL, count,
-                                             16, scene.radius, NULL)
-                             == SSGI_OK,
-                  "no calibration, or slabs that find nothing err by %g", (double)calibration.slabs);
-            CHECK(calibration.known && calibration.hsao < 0.006f
-                      && fabs((double)calibration.unoccluded / open - 1) < 0.05,
-                  "a calibration of the truth: %g, of nothing %g, which is %g", (double)calibration.hsao,
-                  (double)calibration.unoccluded, open);
-            CHECK(fabs((double)s.calibration.unoccluded / open - 1) < 0.05 && s.calibration.hsao > 0.1f * (float)open
-                      && s.calibration.hsao < 0.22f * (float)open,
-                  "the kit's calibration: open %g of %g, hsao %g", (double)s.calibration.unoccluded, open,
-                  (double)s.calibration.hsao);
-            CHECK(fabs((double)s.survey.occlusion / open - 1) < 0.25 && !(calibration.slabs > 0)
-                      && s.calibration.slabs > 0 && s.surfels > 0.01 && s.splats > 10,
-                  "the survey finds an occlusion of %g, of %g; slabs err by %g; %g surfels, %g splats",
-                  (double)s.survey.occlusion, open, (double)s.calibration.slabs, s.surfels, s.splats);
-            free(place);
-            free(memory);
-            kit_image_free(&truth);
-        }
-        kit_image_free(&frame);
         kit_gbuffer_free(&g);
         kit_scene_free(&scene);
     }
