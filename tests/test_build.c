@@ -7,124 +7,6 @@
 #define MSVC "--target=x86_64-pc-windows-msvc -ffreestanding -isystem \"$root/examples/tools/wasm/libc\""
 #define WARNINGS "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror"
 
-/* One call into every room, so that linking is proved and not only parsing. */
-static const char *const rooms =
-    "#include \"ssgi_gl.h\"\n"
-    "#include <stdio.h>\n"
-    "int use(void);\n"
-    "int light(void);\n"
-    "int field(void);\n"
-    "int deep(void);\n"
-    "int use(void) {\n"
-    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, tri[9] = { 0, 0, "
-    "-1, 1, 0, -1, 0, 1, -1 };\n"
-    "    static const float o[3] = { 0.2f, 0.2f, 0 }, d[3] = { 0, 0, -1 };\n"
-    "    static float memory[4096];\n"
-    "    float k[64]; uint32_t work[9]; ssgi_view v; ssgi_gl_frame f; ssgi_gl_desc desc; ssgi_gl_io "
-    "io[SSGI_GL_MAX_IO]; ssgi_trace t; "
-    "char text[64]; int i, bad = 0;\n"
-    "    for (i = 0; i < (int)sizeof desc; ++i) ((char *)&desc)[i] = 0;\n"
-    "    for (i = 0; i < (int)sizeof v; ++i) ((char *)&v)[i] = 0;\n"
-    "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK;\n"
-    "    bad += ssgi_kernel(k, 1, 16, NULL) != SSGI_OK || ssgi_directions(k, SSGI_DIRECTIONS_SPHERE, 1, 16, NULL) != "
-    "SSGI_OK || ssgi_noise_tile(k, 4, 16, 1, NULL) != SSGI_OK;\n"
-    "    bad += !(ssgi_normal_offset(&v, 1.0f) > 0.0f) || !(ssgi_shadow_bias(ssgi_shadow_patch(1.0f, 1.0f, 64), 0.5f, "
-    "1.0f, SSGI_BIAS_SAFE) > 0.0f) || ssgi_radius_guess(k, NULL, tri, 12, NULL, 1, d, work, 9, NULL) != SSGI_OK;\n"
-    "    bad += ssgi_trace_build(&t, memory, sizeof memory, tri, 12, NULL, 1, NULL) != SSGI_OK || !ssgi_trace_any(&t, "
-    "o, d, 0.0f, 2.0f);\n"
-    "    bad += !ssgi_gl_emit(text, sizeof text, &desc, SSGI_GL_STAGE_FRAGMENT) || !ssgi_gl_reflect(&desc, io, "
-    "SSGI_GL_MAX_IO) || !ssgi_gl_key(&desc);\n"
-    "    bad += ssgi_gl_preset(&desc, SSGI_GL_PRESET_FAST, NULL) != SSGI_OK || !ssgi_gl_pass_name(0) || "
-    "!ssgi_gl_dialect_name(0) || !ssgi_gl_choice_at(0) || !ssgi_gl_member_at(0);\n"
-    "    bad += !ssgi_gl_resolve(&desc).gather.steps;\n"
-    "    bad += ssgi_gl_frame_init(&f, &v, 1.0f, NULL) != SSGI_OK || ssgi_trace_size(1) > sizeof memory;\n"
-    "    return bad + light() + field() + deep();\n"
-    "}\n"
-    "int light(void) {\n"
-    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, rigid[16] = { 1, 0, "
-    "0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 };\n"
-    "    static const float texel[6] = { 1, 2, 3, 4, 5, 6 }, up[3] = { 0, 1, 0 };\n"
-    "    const float *faces[6] = { texel, texel, texel, texel, texel, texel };\n"
-    "    static float map[3 * 64];\n"
-    "    float sh[27], w[3], basis[9], e[2], d[3], to[16], projection[16]; char text[64]; ssgi_gl_frame f; ssgi_sun "
-    "sun[2]; ssgi_vpl vpl[2]; ssgi_view v; ssgi_gl_views views; ssgi_gl_light light; int bad = 0;\n"
-    "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK;\n"
-    "    ssgi_sh_basis(basis, 3, up);\n"
-    "    bad += ssgi_sh_project_equirect(sh, 3, texel, 2, 1, NULL) != SSGI_OK || ssgi_sh_project_cube(sh, 3, faces, 1, "
-    "NULL) != SSGI_OK || !(ssgi_sh_cosine(0) > 3.0f) || !(basis[0] > 0.0f);\n"
-    "    ssgi_sh_rotate(sh, 3, sh, 3, rigid);\n"
-    "    ssgi_sh_window(w, 3, SSGI_SH_WINDOW_HANN);\n"
-    "    ssgi_sh_zonal(basis, 3, w, up);\n"
-    "    bad += ssgi_sh_light(sh, 3, up, 0.1f, texel, SSGI_SH_WINDOW_HANN, NULL) != SSGI_OK;\n"
-    "    bad += ssgi_gl_harmonics_set(&f, sh, 3, rigid, NULL) != SSGI_OK || !ssgi_gl_sh(text, sizeof text, 3);\n"
-    "    ssgi_octahedral_encode(e, up);\n"
-    "    ssgi_octahedral_decode(d, e);\n"
-    "    bad += !(d[1] > 0.99f) || ssgi_environment_map(map, 8, texel, 2, 1, 0.0f, NULL) != SSGI_OK || "
-    "ssgi_environment_cone(map, 8, texel, 2, 1, 0.5f, NULL) != SSGI_OK || ssgi_environment_suns(sun, 2, texel, 2, 1, "
-    "NULL) != SSGI_OK;\n"
-    "    bad += ssgi_vpl_choose(vpl, 2, texel, texel, texel, 2, NULL) != SSGI_OK || ssgi_vpl_area(vpl, 2, texel, up, "
-    "texel, 1, texel, NULL) != SSGI_OK;\n"
-    "    ssgi_extra_displacement(d, 0);\n"
-    "    bad += ssgi_extra_camera(to, projection, rigid, up, 1.0f, d, NULL) != SSGI_OK;\n"
-    "    bad += ssgi_gl_views_set(&views, 0, &v, rigid, to, NULL) != SSGI_OK || ssgi_gl_light_map(&light, &v, 0, 0, "
-    "rigid, to, NULL) != SSGI_OK;\n"
-    "    return bad;\n"
-    "}\n";
-static const char *const field_rooms =
-    "#include \"ssgi_gl.h\"\n"
-    "int field(void);\n"
-    "int field(void) {\n"
-    "    static const float tri[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 }, rigid[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, "
-    "0, 0, 0, -2, 1 }, up[3] = { 0, 0, 1 };\n"
-    "    static float work[1 << 17]; static uint32_t texels[432]; static unsigned char file[8192];\n"
-    "    ssgi_field_desc desc; ssgi_field f; ssgi_gl_desc gl; ssgi_gl_occluder occluder; float axis[3], angle, fill; "
-    "char text[64]; size_t i, n; int bad = 0;\n"
-    "    for (i = 0; i < sizeof desc; ++i) ((char *)&desc)[i] = 0;\n"
-    "    for (i = 0; i < sizeof gl; ++i) ((char *)&gl)[i] = 0;\n"
-    "    desc.resolution = desc.radii = 4;\n"
-    "    bad += !(ssgi_cap_occlusionf(1.0f, 1.0f) > 0.0f);\n"
-    "    bad += ssgi_field_size(4) != sizeof texels || ssgi_field_bake_size(&desc, 1) > sizeof work;\n"
-    "    bad += ssgi_field_bake(&f, texels, work, sizeof work, &desc, tri, 12, NULL, 1, NULL) != SSGI_OK || "
-    "!(ssgi_field_limits_of(&f).reach > 0.0f);\n"
-    "    bad += !(ssgi_field_occlusion(&f, NULL, up, up) >= 0.0f) || !(ssgi_field_cap(&angle, axis, &fill, &f, up) > "
-    "0.0f);\n"
-    "    i = ssgi_field_save(file, sizeof file, &f);\n"
-    "    bad += i > sizeof file || ssgi_field_load(&f, NULL, 0, file, i, NULL) != SSGI_OK || (n = "
-    "ssgi_field_size(f.resolution)) == 0 || ssgi_field_load(&f, texels, n, file, i, NULL) != SSGI_OK;\n"
-    "    return bad + (ssgi_gl_occluder_set(&occluder, &f, NULL, rigid, 0, 1, NULL) != SSGI_OK) + !ssgi_gl_field(text, "
-    "sizeof text, &gl);\n"
-    "}\n";
-static const char *const deep_rooms =
-    "#include \"ssgi_gl.h\"\n"
-    "int deep(void);\n"
-    "int deep(void) {\n"
-    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, still[16] = { 1, 0, "
-    "0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };\n"
-    "    static const float tri[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 };\n"
-    "    static ssgi_surfel surfel[64]; float scale[4]; int size[2]; size_t i, n = 0;\n"
-    "    ssgi_surfel_desc desc; ssgi_surfel_source source; ssgi_splat splat; ssgi_surfel_cost cost; ssgi_view v; "
-    "ssgi_dipole dipole; ssgi_gl_frame frame; int bad = 0;\n"
-    "    static const float marble[2][3] = { { 2.19f, 2.62f, 3.00f }, { 0.0021f, 0.0041f, 0.0071f } };\n"
-    "    for (i = 0; i < sizeof desc; ++i) ((char *)&desc)[i] = 0;\n"
-    "    for (i = 0; i < sizeof source; ++i) ((char *)&source)[i] = 0;\n"
-    "    for (i = 0; i < sizeof splat; ++i) ((char *)&splat)[i] = 0;\n"
-    "    for (i = 0; i < 16; ++i) source.to_view[i] = still[i];\n"
-    "    desc.size = 0.2f;\n"
-    "    source.position = tri;\n"
-    "    source.triangles = 1;\n"
-    "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK || !(ssgi_view_near(&v) > "
-    "0.0f);\n"
-    "    bad += ssgi_surfel_scale(scale, &desc, &v, NULL) != SSGI_OK || ssgi_surfels_divide(NULL, 0, &n, &desc, &v, "
-    "&source, NULL) != SSGI_OK || ssgi_splat_size(size, 64, 64, 4, NULL) != SSGI_OK;\n"
-    "    bad += ssgi_surfels(surfel, 64, &n, &desc, &v, &source, NULL) != SSGI_OK || n < 1 || n > 64;\n"
-    "    bad += ssgi_surfels_predict(&cost, &desc, &splat, &v, &source, NULL) != SSGI_OK || cost.surfels != n;\n"
-    "    bad += ssgi_dipole_set(&dipole, marble[0], marble[1], 1.5f, NULL) != SSGI_OK;\n"
-    "    bad += !(ssgi_dipole_reflectance(&dipole, 0, 1.0) > 0.0);\n"
-    "    bad += ssgi_gl_frame_init(&frame, &v, 1.0f, NULL) != SSGI_OK || ssgi_gl_surfels_set(&frame, &v, &desc, "
-    "still, NULL) != SSGI_OK || ssgi_gl_dipole_set(&frame, &dipole, 0.001f, NULL) != SSGI_OK;\n"
-    "    return bad;\n"
-    "}\n";
-
 static double implementation_seconds;          /* of processor, that gcc took for both of them at -O2 */
 
 /* Each compiler takes both ways and both standards; what optimisers alone see (values that may be unset, arithmetic
@@ -143,13 +25,13 @@ static void compilers(void)
     write_text("implementation.c",
                "#include \"ssgi_gl.h\"\n#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n"
                "#include \"ssgi_gl.h\"\n");
-    write_text("rooms.c", rooms);
-    write_text("field.c", field_rooms);
-    write_text("deep.c", deep_rooms);
-    write_text("main.c", "#include \"ssgi_gl.h\"\nint use(void);\nint main(void) { return use(); }\n");
-    write_text("static.c",
-               "#define SSGI_STATIC\n#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include "
-               "\"rooms.c\"\n#include \"field.c\"\n#include \"deep.c\"\nint main(void) { return use(); }\n");
+    CHECK(!shell(text, sizeof text,
+                 "cat ssgi.h ssgi_gl.h | sed -n 's/^SSGI_DEF [^(]*[ *]\\(ssgi_[a-z0-9_]*\\)(.*/    AT(\\1)/p' | sort -u >names "
+                 "&& { printf '#include \"ssgi_gl.h\"\ntypedef void (*any)(void);\n#define AT(name) (any)name,\n'; "
+                 "echo 'static any const all[] = {'; cat names; echo '};'; echo '%s'; } >all.c && "
+                 "{ cat implementation.c; sed 1d all.c; } | sed '1i #define %s' >static.c",
+                 "int main(void) { return !all[sizeof all / sizeof *all - 1]; }", "SSGI_STATIC"),
+          "%s", text);
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
         snprintf(compiler, sizeof compiler, "%.*s", (int)strcspn(modes[i].whole, " "), modes[i].whole);
         if (!has(compiler)) continue;
@@ -168,7 +50,7 @@ static void compilers(void)
         if (!i) implementation_seconds = t_spent(1) - before;
         CHECK(!failed
                   && !shell(text, sizeof text,
-                            "%s rooms.c field.c deep.c main.c -x none %s -lm -o two && ./two", compile, object)
+                            "%s all.c -x none %s -lm -o two && ./two && test $(wc -l <names) -gt 100", compile, object)
                   && !text[0],
               "%s: %s", modes[i].whole, text);
         CHECK(!shell(text, sizeof text, "%s %s " WARNINGS " -I. static.c -o one -lm && ./one", modes[i].one, optimised)
