@@ -746,13 +746,13 @@ static void widths(void)
     CHECK(fetches[0] > 1 && fetches[0] == fetches[1], "%d fetches with widths, %d without", fetches[1], fetches[0]);
 }
 
-/* The formats that steps give are among those that the rows of their outputs name; precise ones are wider. */
+/* The formats that steps give are among those that the rows of their outputs name, and inputs are where rows say. */
 static void formats(void)
 {
     static const char *const chains[] = {
         "pass=SSAO,blur=1", "pass=HSAO,half=1,blur=1", "pass=FIELD", "pass=SSDO,environment=MAP,bounce=1,blur=1",
-        "pass=S3HO,bands=1,blur=1", "pass=S3HO,packed=1,bands=3,blur=1", "pass=SPLAT,blur=1",
-        "pass=SPLAT,effect=LIGHT,environment=MAP,blur=1" };
+        "pass=S3HO,bands=1,blur=1", "pass=S3HO,packed=1,bands=3,blur=1,dialect=VULKAN,dense=1,texture_set=1",
+        "pass=SPLAT,blur=1", "pass=SPLAT,effect=LIGHT,environment=MAP,blur=1" };
     for (int i = 0; i < (int)(sizeof chains / sizeof *chains); ++i) {
         ssgi_gl_step step[STEPS];
         ssgi_gl_chain chain = chain_in(chains[i]);
@@ -775,6 +775,15 @@ static void formats(void)
                         CHECK(strstr(row[r].format, step[k].output[o].format->name), "%s: %s is %s, its row says %s",
                               ssgi_gl_pass_name(step[k].desc.pass), row[r].name, step[k].output[o].format->name,
                               row[r].format);
+            for (int m = 0; m < step[k].inputs; ++m) {
+                const ssgi_gl_input *const in = &step[k].input[m];
+                int r = 0;
+                while (r < rows && strcmp(row[r].name, in->name)) ++r;
+                CHECK(r < rows && in->unit == row[r].slot
+                          && (step[k].desc.text.dialect != SSGI_GL_DIALECT_VULKAN
+                              || (in->set == row[r].set && in->binding == row[r].binding)),
+                      "%s: %s is not where its row says", ssgi_gl_pass_name(step[k].desc.pass), in->name);
+            }
         }
     }
 }

@@ -1,5 +1,5 @@
 /* test_text.c - the emitted text, by what any program may call: compilers, snprintf's law, reflection, names,
-   sentences, speed. */
+   sentences. */
 #include "own.h"
 #include "kit/kit_gl.h"
 
@@ -281,10 +281,11 @@ static void speak(void)
     }
 }
 
-/* Many files a call, as a call takes a fifth of a second. For Vulkan (v) glslang links what it is called with, and
-   refuses to link many texts, but reads each first by Vulkan's rules, and that is what is looked at. */
+/* of the stages' files, and of TOOLBOX's */
 static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "frag" };
 
+/* Many files a call, as a call takes a fifth of a second. For Vulkan (v) glslang links what it is called with, and
+   refuses to link many texts, but reads each first by Vulkan's rules, and that is what is looked at. */
 static void *glslang_run(void *folder)
 {
     static char text[TEXT];
@@ -1089,37 +1090,6 @@ static void defaults(void)
     }
 }
 
-/* ---- >>speed ------------------------------------------------------------------------------------------------------ */
-
-/* Against a plain loop over the text on the same machine, which nobody can do without who makes it: its hash, byte by
-   byte. The fastest of many, by turns. Processors differ by a third in it (blur: 11.2 and 14.9), so
-   that the limit is twice what was seen. */
-static void speed(void)
-{
-    enum { RUNS = 400 };
-    static char text[TEXT];
-    static const char *const descs[] = {
-        "ssao,samples=64", "hsao", "blur",
-        "ssdo,search=points,environment=map,bounce=patch,layers=2,views=2,fade=smooth,samples=64",
-        "s3ho,search=points,transfer=both,packed=1,layers=2,views=2,fade=lambda,range=1,samples=64" };
-    uint64_t sum = 0;
-    for (int k = 0; k < 5; ++k) {
-        const ssgi_gl_desc d = desc_of(descs[k]);
-        double best[2] = { 1, 1 };
-        for (int i = 0; i < RUNS; ++i) {
-            const double began = kit_seconds();
-            const size_t n = ssgi_gl_emit(text, TEXT, &d, SSGI_GL_STAGE_FRAGMENT);
-            const double made = kit_seconds();
-            sum += kit_hash(KIT_HASH, text, n);
-            best[0] = fmin(best[0], made - began);
-            best[1] = fmin(best[1], kit_seconds() - made);
-        }
-        CHECK(best[0] < 30 * best[1] && sum, "%s: its emission takes %.2f times as long as its hash", descs[k],
-              best[0] / best[1]);
-        t_note("%.2f times as long as its hash: %s", best[0] / best[1], descs[k]);
-    }
-}
-
 /* ---- >>complete: whoever adds something is told where it is missing ---------------------------------------------- */
 
 /* Every field of the struct's groups, as the header has it, is in the library's table, and a count's comment tells the
@@ -1271,7 +1241,6 @@ void test_text(void)
     RUN("what is off leaves nothing: every name that a text declares is used, in functions that stand alone, too",
         closed);
     RUN("text is plain: ASCII, our own names, nothing reserved in GLSL, HLSL, MSL or WGSL", lint);
-    RUN("a text takes a few times as long as reading it", speed);
     RUN("every text compiles: each pass, dialect and choice, with Khronos' compiler and Mesa's; a vertex stage of its "
         "own links",
         compilers);
