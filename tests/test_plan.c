@@ -367,8 +367,8 @@ static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_
     }
     const size_t size = ssgi_trace_size(scene->mesh.triangles);
     void *const memory = malloc(size);
-    CHECK(ssgi_trace_build(&trace, memory, size, scene->mesh.position, 12, NULL, scene->mesh.triangles, NULL) == SSGI_OK,
-          "no tree");
+    CHECK(ssgi_trace_build(&trace, memory, size, scene->mesh.position, 12, NULL, scene->mesh.triangles, NULL)
+              == SSGI_OK, "no tree");
     for (int with = 0; with < 2; ++with)
         CHECK(ssgi_plan_calibrate(&c[with], &trace, *position, *normal, seen, with ? open : NULL, count, 16,
                                   scene->radius, NULL) == SSGI_OK, "no calibration");

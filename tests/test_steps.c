@@ -717,7 +717,8 @@ static void widths(void)
             ++times;
         }
         CHECK(at == row[i].at && times == (at >= 0) && (at < 0 || step[at].desc.gather.thickness == row[i].thickness),
-              "%s: step %d, %d of them, thickness %d", row[i].chain, at, times, at < 0 ? 0 : step[at].desc.gather.thickness);
+              "%s: step %d, %d of them, thickness %d", row[i].chain, at, times,
+              at < 0 ? 0 : step[at].desc.gather.thickness);
     }
     for (int thickness = SSGI_GL_THICKNESS_WIDTH; thickness <= SSGI_GL_THICKNESS_SLABS; ++thickness) {
         ssgi_gl_step step[STEPS];

@@ -114,19 +114,20 @@ static ssgi_gl_desc drawn(int t)
     return d;
 }
 
-/* How many pairs of values, of fields as they are resolved, no variant of the shape has; take: they now have them. */
+/* Of two values of fields as they are resolved: whether a variant of the shape has both. */
+enum { VALUES = 16 };
+static char together[VALUES * SSGI_GL__FIELDS][VALUES * SSGI_GL__FIELDS];
+
+/* How many pairs of values a desc has that no variant has. take: they now have them. */
 static int fresh_pairs(const ssgi_gl_desc *d, int take)
 {
-    enum { VALUES = 16 };
-    static char met[VALUES * SSGI_GL__FIELDS][VALUES * SSGI_GL__FIELDS];
     const ssgi_gl_desc resolved = ssgi_gl_resolve(d);
     int at[SSGI_GL__FIELDS], fresh = 0;
-    if (take < 0) memset(met, 0, sizeof met);
     for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
         at[i] = VALUES * i + ssgi_gl__get(&resolved, ssgi_gl__fields[i].choice.offset) % VALUES;
         for (int k = 0; k < i; ++k) {
-            fresh += !met[at[i]][at[k]];
-            met[at[i]][at[k]] |= (char)(take > 0);
+            fresh += !together[at[i]][at[k]];
+            together[at[i]][at[k]] |= (char)take;
         }
     }
     return fresh;
@@ -161,7 +162,7 @@ static void make_variants(void)
     }
     for (int t = 0; t < shapes; ++t) {
         const int before = variants;
-        fresh_pairs(&shape[t], -1);
+        memset(together, 0, sizeof together);
         for (int stale = 0; stale < STALE && variants < MOST;) {
             int most = 0;
             for (int k = 0; k < TRIES; ++k) {
@@ -405,22 +406,27 @@ static void compilers(void)
 
 /* ---- >>law: snprintf's ------------------------------------------------------------------------------------------- */
 
+/* Text number k: stages of some variants, then the functions that stand alone. */
+static size_t any_text(int k, char *out, size_t capacity)
+{
+    const ssgi_gl_desc *const d = &variant[k * (variants / 40)];
+    return k < 34   ? ssgi_gl_emit(out, capacity, d, k % 2 ? SSGI_GL_STAGE_FRAGMENT : k / 2 % SSGI_GL_STAGES)
+           : k < 38 ? ssgi_gl_sh(out, capacity, k - 33)
+           : k < 39 ? ssgi_gl_field(out, capacity, d)
+                    : ssgi_gl_reflection(out, capacity);
+}
+
 static void law(void)
 {
     static char full[TEXT], part[TEXT], clean[TEXT];
     const ssgi_gl_desc fine = { 0 }, bad = { .gather.steps = 65 };
     memset(clean, 0x5a, sizeof clean);
     memcpy(part, clean, sizeof part);
-    for (int k = 0; k < 40; ++k) {             /* stages of variants, then the functions that stand alone */
-        const ssgi_gl_desc *const d = &variant[k * (variants / 40)];
-        const int stage = k % 2 ? SSGI_GL_STAGE_FRAGMENT : k / 2 % SSGI_GL_STAGES;
-#define ANY(out, capacity) \
-        (k < 34 ? ssgi_gl_emit(out, capacity, d, stage) : k < 38 ? ssgi_gl_sh(out, capacity, k - 33) \
-         : k < 39 ? ssgi_gl_field(out, capacity, d) : ssgi_gl_reflection(out, capacity))
-        const size_t n = ANY(NULL, 0);
-        CHECK(ANY(full, TEXT) == n && strlen(full) == n, "text %d: the length asked for with NULL differs", k);
+    for (int k = 0; k < 40; ++k) {
+        const size_t n = any_text(k, NULL, 0);
+        CHECK(any_text(k, full, TEXT) == n && strlen(full) == n, "text %d: the length asked for with NULL differs", k);
         for (size_t capacity = 0; capacity <= n + 1; capacity += capacity < 40 || capacity + 40 > n ? 1 : 197) {
-            const size_t got = ANY(part, capacity), used = capacity > n ? n + 1 : capacity;
+            const size_t got = any_text(k, part, capacity), used = capacity > n ? n + 1 : capacity;
             int right = got == n && (!used || (!memcmp(part, full, used - 1) && !part[used - 1]))
                         && !memcmp(part + used, clean, n + 64 - used);
             if (!CHECK(right, "text %d, capacity %zu of %zu: length %zu, or wrong bytes in or beyond it", k, capacity,
@@ -685,42 +691,40 @@ static void places_in_spirv(void)
 /* examples/tools/glsl/translate.sh: in every language every texture is at its binding, and vertex stages turn y. */
 static void translated(void)
 {
-    static const struct { const char *ending, *texture, *turned, *has;
-    } into[] = { { "wgsl", "@group(0) @binding(%d) var t_ssgi_", "gl_Position.y = -(",
-                   "test -s build/tint/twgsl.wasm && command -v node || ! echo tint: make glsl WGSL=1 brings it" },
-                 { "hlsl", "register(t%d);", "gl_Position.y = -",
-                   "command -v spirv-cross || ! echo spirv-cross: apt-get install spirv-cross" },
-                 { "msl", "[[texture(%d)]]", "gl_Position.y = -",
-                   "command -v spirv-cross || ! echo spirv-cross: apt-get install spirv-cross" } };
+    static const struct { const char *ending, *texture, *turned, *has, *tool; } into[] = {
+        { "wgsl", "@group(0) @binding(%d) var t_ssgi_", "gl_Position.y = -(",
+          "test -s build/tint/twgsl.wasm && command -v node", "tint: make glsl WGSL=1 brings it" },
+        { "hlsl", "register(t%d);", "gl_Position.y = -", "command -v spirv-cross", "spirv-cross (apt-get)" },
+        { "msl", "[[texture(%d)]]", "gl_Position.y = -", "command -v spirv-cross", "spirv-cross (apt-get)" } };
     static const char *const descs[] = { "hsao", "ssdo,environment=map,bounce=1", "s3ho", "blur,dense=1", "history",
                                          "field", "splat" };
     enum { TEXTS = 2 * (int)(sizeof descs / sizeof *descs) };
     static char text[TEXT];
-    char folder[] = "/tmp/ssgi-text-XXXXXX", path[300], line[400];
+    char folder[] = "/tmp/ssgi-text-XXXXXX", path[300], line[400], *got;
     ssgi_gl_io row[SSGI_GL_MAX_IO];
+    size_t size;
     if (!CHECK(mkdtemp(folder), "no folder in /tmp")) return;
+    for (int i = 0; i < TEXTS; ++i) {
+        ssgi_gl_desc d = desc_of(descs[i / 2]);
+        d.text.dialect = SSGI_GL_DIALECT_VULKAN;
+        snprintf(path, sizeof path, "%s/%s.vulkan.%s", folder, ssgi_gl_pass_name(d.pass), endings[i % 2]);
+        CHECK(!kit_file_write(path, text, strlen(emit(text, &d, i % 2)), NULL), "%s cannot be written", path);
+    }
     for (int k = 0; k < 3; ++k) {
         int textures = 0;
         snprintf(line, sizeof line, "{ %s; } >/dev/null", into[k].has);
-        if (system(line)) { t_note("%s skipped: make glsl, or apt-get, brings its tool", into[k].ending); continue; }
-        for (int i = 0; i < 2 * TEXTS; ++i) {              /* All are written, translated by one call, then read. */
-            ssgi_gl_desc d = desc_of(descs[i % TEXTS / 2]);
-            const int stage = i % 2 ? SSGI_GL_STAGE_FRAGMENT : SSGI_GL_STAGE_VERTEX;
-            char *got;
-            size_t size;
+        if (system(line)) { t_note("%s skipped, without %s", into[k].ending, into[k].tool); continue; }
+        snprintf(line, sizeof line, "sh examples/tools/glsl/translate.sh %s %s | grep -q ' %d of %d$'", folder,
+                 into[k].ending, TEXTS, TEXTS);
+        if (!CHECK(!system(line), "%s", line)) continue;
+        for (int i = 0; i < TEXTS; ++i) {
+            ssgi_gl_desc d = desc_of(descs[i / 2]);
             d.text.dialect = SSGI_GL_DIALECT_VULKAN;
-            emit(text, &d, stage);
-            if (i == TEXTS) {
-                snprintf(line, sizeof line, "sh examples/tools/glsl/translate.sh %s %s | grep -q ' %d of %d$'", folder,
-                         into[k].ending, TEXTS, TEXTS);
-                CHECK(!system(line), "%s", line);
-            }
-            snprintf(path, sizeof path, "%s/%s.vulkan.%s%s%s", folder, ssgi_gl_pass_name(d.pass), i % 2 ? "frag" : "vert",
-                     i < TEXTS ? "" : ".", i < TEXTS ? "" : into[k].ending);
-            if (!CHECK(i < TEXTS ? !kit_file_write(path, text, strlen(text), NULL)
-                                 : !kit_file_read(&got, &size, path, NULL), "%s is missing", path) || i < TEXTS)
-                continue;
+            snprintf(path, sizeof path, "%s/%s.vulkan.%s.%s", folder, ssgi_gl_pass_name(d.pass), endings[i % 2],
+                     into[k].ending);
+            if (!CHECK(!kit_file_read(&got, &size, path, NULL), "%s is missing", path)) continue;
             CHECK(i % 2 || strstr(got, into[k].turned), "%s: y is not turned", path);
+            emit(text, &d, i % 2);
             for (int r = 0, rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); r < rows; ++r) {
                 if (row[r].kind != SSGI_GL_IO_TEXTURE || !strstr(text, row[r].name)) continue;
                 snprintf(line, sizeof line, into[k].texture, row[r].binding);
@@ -743,7 +747,8 @@ static void translated(void)
 static int all_used(const char *text, const char *of)
 {
     enum { KNOWN = 400 };
-    static struct { const char *word; size_t length; int declared, used; } known[KNOWN];
+    typedef struct used_name { const char *word; size_t length; int declared, used; } used_name;
+    static used_name known[KNOWN];
     int count = 0, block = 0;
     for (const char *line = text; *line; line += strcspn(line, "\n"), line += *line != 0) {
         const size_t whole = strcspn(line, "\n");
@@ -762,8 +767,7 @@ static int all_used(const char *text, const char *of)
                 continue;
             while (k < count && (known[k].length != n || memcmp(known[k].word, word, n))) ++k;
             if (!CHECK(k < KNOWN, "%s: too many names", of)) return 0;
-            if (k == count) known[count].word = word, known[count].length = n, known[count].declared = 0,
-                            known[count++].used = 0;
+            if (k == count) known[count++] = (used_name){ word, n, 0, 0 };
             const char *const value = after + (*after == '.' ? 1 + strspn(after + 1, "xyzw") : 0);
             const int global = isalpha((unsigned char)*line), written = !global && !strncmp(value, " = ", 3);
             /* a type, of what follows */
@@ -779,17 +783,32 @@ static int all_used(const char *text, const char *of)
     return 1;
 }
 
+/* Whether a text has a word that it also declares, as members of a block are. */
+static int reads(const char *text, const char *word)
+{
+    int times = 0;
+    for (const char *at = text; (at = strstr(at, word)) != NULL; ++at) times += !ssgi_gl__letter(at[strlen(word)]);
+    return times > 1;
+}
+
 static void closed(void)
 {
-    static char text[SSGI_GL_STAGES * TEXT];
-    int names = 0, bad = 0;
-    for (int i = 0; i < texts && bad < 5; ++i, ++names) {
+    static char text[TEXT];
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    for (int i = 0, bad = 0; i < texts && bad < 5; ++i) {
         const ssgi_gl_desc *const d = &spoken[i].desc;
-        const int all = spoken[i].stage == PROGRAM;
-        for (int stage = all ? 0 : spoken[i].stage; stage < (all ? SSGI_GL_STAGES : spoken[i].stage + 1); ++stage)
+        const int all = spoken[i].stage == PROGRAM,
+                  rows = spoken[i].stage == TOOLBOX ? 0 : ssgi_gl_reflect(d, row, SSGI_GL_MAX_IO);
+        char read[SSGI_GL_MAX_IO] = { 0 };
+        for (int stage = all ? 0 : spoken[i].stage; stage < (all ? SSGI_GL_STAGES : spoken[i].stage + 1); ++stage) {
             bad += !all_used(source_of(text, d, stage), describe(d));
+            for (int k = 0; k < rows; ++k) read[k] |= (char)reads(text, row[k].name);
+        }
+        for (int k = 0; k < rows; ++k)
+            bad += !CHECK(read[k] || row[k].kind != SSGI_GL_IO_PARAM || spoken[i].stage == SSGI_GL_STAGE_VERTEX,
+                          "%s: %s is in no stage used", describe(d), row[k].name);
     }
-    t_note("%d texts", names);
+    t_note("%d texts", texts);
 }
 
 /* ---- >>lint ------------------------------------------------------------------------------------------------------ */
@@ -1085,8 +1104,8 @@ static void defaults(void)
         const ssgi_gl_desc plain = desc_of(rows[i].plain), whole = desc_of(words);
         CHECK(ssgi_gl_key(&plain) == ssgi_gl_key(&whole), "%s: its defaults written out give another text", words);
         const int read[2] = { kit_fetches(&plain), kit_fetches(&whole) };
-        CHECK(read[0] == rows[i].fetches && read[1] == rows[i].fetches, "%s: %d, %d fetches, by hand %d", words, read[0],
-              read[1], rows[i].fetches);
+        CHECK(read[0] == rows[i].fetches && read[1] == rows[i].fetches, "%s: %d, %d fetches, by hand %d", words,
+              read[0], read[1], rows[i].fetches);
     }
 }
 
@@ -1187,7 +1206,7 @@ static uint64_t drawn_passes(void)
     const ssgi_gl_method *method;
     uint64_t passes = 0;
     for (int m = 0; m < SSGI_GL_PASSES || ssgi_gl_method_at(m); ++m)
-        for (int flags = 0; flags < 32; ++flags) {
+        for (int flags = 0; flags < 16; ++flags) {
             ssgi_gl_chain chain = { .desc = { .pass = m, .light.environment = SSGI_GL_ENVIRONMENT_SH } };
             if (flags & 1 && m < SSGI_GL_PASSES) passes |= passes_of(&chain);
             if ((method = ssgi_gl_method_at(m)) == NULL || ssgi_gl_chain_of(&chain, method->name, NULL)) continue;
