@@ -685,7 +685,7 @@ static void eyes(void)
     kit_scene_free(&scene);
 }
 
-/* Pass width: once, before all that read it, for the one that wants the most of it; only where slices read it. A tap
+/* Pass thickness: once, before all that read it, for the one that wants the most of it; only where slices read it. A tap
    costs as many fetches with it as without. */
 static void widths(void)
 {

@@ -133,6 +133,7 @@ static int fresh_pairs(const ssgi_gl_desc *d, int take)
     return fresh;
 }
 
+/* Whether a desc has a line that the set did not have. */
 static int has_new_line(set_of *lines, const ssgi_gl_desc *d)
 {
     static char text[TEXT];
@@ -143,8 +144,9 @@ static int has_new_line(set_of *lines, const ssgi_gl_desc *d)
     return lines->count > before;
 }
 
-/* Of a few drawn descs the one with most pairs that are new is taken, until none has any; then those with a line that
-   none has yet, which wants more than two fields; with T_ALL as many at random, for what three may do together. */
+/* A search or a tessellator is a shape where it changes the plain text. Of a few drawn descs of a shape the one with
+   most pairs that are new is taken, until none has any; then those with a line that none has yet, which wants more than
+   two fields; with T_ALL as many at random, for what three may do together. */
 static void make_variants(void)
 {
     enum { TRIES = 8, STALE = 4, MORE = 60 };
@@ -156,7 +158,7 @@ static void make_variants(void)
         if (d.pass == SSGI_GL_PASS_SSDO) d.light.environment = SSGI_GL_ENVIRONMENT_SH;
         ssgi_gl_desc slices = d, whole = d;
         slices.gather.search = whole.surfel.tessellate = 0;
-        const uint64_t key = ssgi_gl_key(&d);
+        const uint64_t key = ssgi_gl_key(&d);              /* 0: it is refused */
         if (key && (i % 3 == 0 || key != ssgi_gl_key(&slices)) && (i % 6 < 3 || key != ssgi_gl_key(&whole)))
             shape[shapes++] = d;
     }
@@ -1207,8 +1209,10 @@ static uint64_t drawn_passes(void)
     uint64_t passes = 0;
     for (int m = 0; m < SSGI_GL_PASSES || ssgi_gl_method_at(m); ++m)
         for (int flags = 0; flags < 16; ++flags) {
-            ssgi_gl_chain chain = { .desc = { .pass = m, .light.environment = SSGI_GL_ENVIRONMENT_SH } };
-            if (flags & 1 && m < SSGI_GL_PASSES) passes |= passes_of(&chain);
+            ssgi_gl_chain chain = { .desc = { .pass = m, .light.environment = SSGI_GL_ENVIRONMENT_SH },
+                                    .width = 64,
+                                    .height = 36 };
+            if (!flags && m < SSGI_GL_PASSES) passes |= passes_of(&chain);
             if ((method = ssgi_gl_method_at(m)) == NULL || ssgi_gl_chain_of(&chain, method->name, NULL)) continue;
             chain.width = 64;
             chain.height = 36;
