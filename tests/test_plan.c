@@ -306,6 +306,9 @@ static void drawable(void)
                       && desc->gather.steps == p.steps && desc->gather.thickness == thickness[p.thickness]
                       && desc->gather.half == p.half,
                   "choice %d: %s", i, why);
+            CHECK(desc->surfel.span == (p.method == SSGI_PLAN_METHOD_SURFELS ? 6 : 0)
+                      && desc->light.environment == (p.method == SSGI_PLAN_METHOD_SSDO ? SSGI_GL_ENVIRONMENT_MAP : 0),
+                  "choice %d: span %d, environment %d", i, desc->surfel.span, (int)desc->light.environment);
             const int s3ho = desc->pass == SSGI_GL_PASS_S3HO;
             CHECK(desc->light.shaded == s3ho && desc->light.residual == s3ho
                       && (!s3ho

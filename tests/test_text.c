@@ -629,6 +629,14 @@ static int place_in(const uint32_t *word, size_t words, const char *name)
     return set < 0 || binding < 0 ? -1 : 100 * set + binding;
 }
 
+/* Whether a text has a word that it also declares, as members of a block are. */
+static int reads(const char *text, const char *word)
+{
+    int times = 0;
+    for (const char *at = text; (at = strstr(at, word)) != NULL; ++at) times += !ssgi_gl__letter(at[strlen(word)]);
+    return times > 1;
+}
+
 /* What glslang makes of a text for Vulkan, all stages of which it links, has the sets and bindings of the rows, in the
    block and in textures that the fragment stage reads. Returns how many. */
 static int asked_of_spirv(const char *in, const ssgi_gl_desc *d, const char *name, int place)
@@ -651,7 +659,7 @@ static int asked_of_spirv(const char *in, const ssgi_gl_desc *d, const char *nam
     for (int k = 0, n = ssgi_gl_reflect(d, io, SSGI_GL_MAX_IO); k < n; ++k) {
         const int texture = io[k].kind == SSGI_GL_IO_TEXTURE;
         const char *const is = texture ? io[k].name : io[k].slot ? "ssgi_views" : "ssgi_frame";
-        if (!strstr(text, is) || (!texture && io[k].kind != SSGI_GL_IO_PARAM)) continue;
+        if (texture ? !reads(text, is) : io[k].kind != SSGI_GL_IO_PARAM || !strstr(text, is)) continue;
         const int at = place_in(word, size / 4, is), want = 100 * io[k].set + io[k].binding;
         CHECK(at == want && (!name || strcmp(is, name) || at == place), "%s: %s is at %d in SPIR-V, its row says %d",
               describe(d), is, at, want);
@@ -783,14 +791,6 @@ static int all_used(const char *text, const char *of)
                    known[k].word))
             return 0;
     return 1;
-}
-
-/* Whether a text has a word that it also declares, as members of a block are. */
-static int reads(const char *text, const char *word)
-{
-    int times = 0;
-    for (const char *at = text; (at = strstr(at, word)) != NULL; ++at) times += !ssgi_gl__letter(at[strlen(word)]);
-    return times > 1;
 }
 
 static void closed(void)
