@@ -239,7 +239,12 @@ glsl: build/glsl-text
 passes: build/glsl-text
 	build/glsl-text --passes ssgi_gl.h >examples/docs/PASSES.md
 
-# README's table of where it fails, again. ONLY=word: rows whose name has it.
+# Pictures of README and TUNING.md. ONLY=radius: those whose names have it. The crop beside others' effects:
+# examples/docs/beside.py.
+pictures: build/render
+	@ONLY='$(ONLY)' sh examples/docs/pictures.sh
+
+# The figures of LIMITS.md, again. ONLY=word: rows whose name has it.
 failures: build/render build/stability
 	@command -v python3 >/dev/null || sh examples/kit/install.sh python3
 	@python3 examples/lab/failures.py $(ONLY)

@@ -5168,6 +5168,10 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    corners. Set filter.radius = 1 and gather.steps = 6 for what 0.4 drew. With chain.history radius 1 suffices, as
    hsao-history has it. Pass thickness reads no normals.
 
+   GLSL has whole words instead of letters, and one quantity a line: shaders compute what they did. Where your own GLSL
+   reads coefficients, ssgi_coefficients.c is now .channel, and the members a to d of ssgi_sh are word0 to word3. Your
+   fetch code is called as before.
+
    Mended: rays passed between triangles where multiply and add are fused, past long edges from close by, and through
    triangles that they meet along their plane. A bad count of lights, occluders or levels could keep a GPU busy for
    seconds: texts count to the rows that the textures have. Numbers that are not finite were taken for finite by some

@@ -787,9 +787,10 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
    texels around the pixel as that pass does, but for the surface that you shade.
      float ssgi_visibility_at(vec2 pixel, float depth, vec3 normal);              of SSAO, HSAO
      vec3 ssgi_irradiance_at(vec2 pixel, float depth, vec3 normal);               of SSDO, SHADE, LIGHTS, S3HO shaded
-     ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float depth, vec3 normal);    of S3HO: c[0] .. are ssgi_gl_sh's
-         struct, for ssgi_sh_dot; ssgi_ambient(coefficients).x is ambient visibility, ssgi_bent(c[0]).xyz of 2 bands or
-         more the bent normal, in view space: both by one gather, for ssgi_specular_visibility
+     ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float depth, vec3 normal);    of S3HO: channel[0] ..
+         are ssgi_gl_sh's struct, for ssgi_sh_dot; ssgi_ambient(coefficients).x is ambient visibility,
+         ssgi_bent(channel[0]).xyz of 2 bands or more the bent normal, in view space: both by one gather, for
+         ssgi_specular_visibility
    Of HISTORY, SUM, and of a BLUR of light or coefficients, which are filtered already, they read the pixel's own texel,
    and those around it where it shows another surface.
      desc      of the step that wrote the result. Another pass, and a BLUR of visibility, which holds no depth, return 0
@@ -1276,9 +1277,9 @@ extern "C" {
    main_*), and if the condition `when` holds (NULL: always): entries of one name are alternatives, and exclude each
    other. Conditions, of #if and #elif lines, too, are GLSL's. They name fields of the desc as macros, SSGI_THICKNESS
    for desc.gather.thickness, and their values, SSGI_THICKNESS_SLABS for SSGI_GL_THICKNESS_SLABS. The emitter resolves
-   these lines, and none reaches the text. Your textures are fetched at ", p + u_ssgi_origin, 0": where they are arrays
-   (desc.input.array) the emitter puts the slice in. make glsl-out DIR=d writes the library as files that glslang and
-   editors read, make glsl-in DIR=d reads them back. */
+   these lines, and none reaches the text. Your textures are fetched at ", pixel + u_ssgi_origin, 0": where they are
+   arrays (desc.input.array) the emitter puts the slice in. make glsl-out DIR=d writes the library as files that
+   editors read. */
 typedef struct ssgi_gl__code {
     const char *name, *when;
     int line;
@@ -1302,8 +1303,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_OVER_PI = 0.31830989;\n" },
 
 { "ssgi_inside", NULL, __LINE__ + 1,
-    "bool ssgi_inside(ivec2 p) {\n"
-    "    return all(lessThan(uvec2(p), uvec2(u_ssgi_size))); // uint(-1) is large\n"
+    "bool ssgi_inside(ivec2 pixel) {\n"
+    "    return all(lessThan(uvec2(pixel), uvec2(u_ssgi_size))); // uint(-1) is large\n"
     "}\n" },
 
 { "ssgi_gathered_texel", NULL, __LINE__ + 1,
@@ -1380,13 +1381,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_window_depth", NULL, __LINE__ + 1,
-    "float ssgi_window_depth(float d) { // returns the view depth of a window depth\n"
+    "float ssgi_window_depth(float window) { // returns the view depth of a window depth\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    float z = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
+    "    float z = u_ssgi_decode.x + u_ssgi_decode.y * window;\n"
     "#else\n"
-    "    float z = 1.0 / (u_ssgi_decode.x + u_ssgi_decode.y * d);\n"
+    "    float z = 1.0 / (u_ssgi_decode.x + u_ssgi_decode.y * window);\n"
     "#endif\n"
-    "    return d != u_ssgi_decode.z && z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "    return window != u_ssgi_decode.z && z > SSGI_NEAR && z < SSGI_FAR ? z : SSGI_FAR;\n"
     "}\n" },
 
 { "ssgi_linear_depth", NULL, __LINE__ + 1,
@@ -1399,8 +1400,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_decode", NULL, __LINE__ + 1,
-    "float ssgi_decode(float d) { // returns the depth in your view space of a window depth\n"
-    "    return ssgi_window_depth(d)\n"
+    "float ssgi_decode(float window) { // returns the depth in your view space of a window depth\n"
+    "    return ssgi_window_depth(window)\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "        + u_ssgi_decode.w\n"
     "#endif\n"
@@ -1409,8 +1410,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_unskew", NULL, __LINE__ + 1,
     "// Returns the window depth that a near plane which is not oblique would give, as u_ssgi_decode takes it.\n"
-    "float ssgi_unskew(float d, ivec2 p) {\n"
-    "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n"
+    "float ssgi_unskew(float window, ivec2 pixel) {\n"
+    "    return window == u_ssgi_decode.z ? window : window + dot(vec2(pixel) + 0.5, u_ssgi_oblique);\n"
     "}\n" },
 
 { "ssgi_measured_origin", NULL, __LINE__ + 1,
@@ -1424,64 +1425,64 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    to it in the first 24 bits of a float, then 2 bits of the first one's thickness, then the 6 bits of their own.
    Thickness 0 is background, as are fetches beyond the picture. */
 { "ssgi_measured_texel", NULL, __LINE__ + 1,
-    "// Returns view depth, and thickness in radii / 63, as pass thickness wrote them for pixel p of its texture.\n"
-    "vec2 ssgi_measured_texel(ivec2 p) {\n"
-    "    uvec4 m = texelFetch(t_ssgi_thickness, p >> 1, 0);\n"
+    "// Returns view depth, and thickness in radii / 63, as pass thickness wrote them for a pixel of its texture.\n"
+    "vec2 ssgi_measured_texel(ivec2 pixel) {\n"
+    "    uvec4 bits = texelFetch(t_ssgi_thickness, pixel >> 1, 0);\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    uvec3 first = m.yzw >> 6u & 3u;\n"
-    "    float z = uintBitsToFloat(m.x);\n"
-    "    m.x = first.x | first.y << 2u | first.z << 4u; // a difference of 0, and its thickness\n"
+    "    uvec3 first = bits.yzw >> 6u & 3u;\n"
+    "    float z = uintBitsToFloat(bits.x);\n"
+    "    bits.x = first.x | first.y << 2u | first.z << 4u; // a difference of 0, and its thickness\n"
     "#endif\n"
-    "    m.xy = (p.y & 1) == 0 ? m.xy : m.zw;\n"
-    "    m.x = (p.x & 1) == 0 ? m.x : m.y;\n"
+    "    bits.xy = (pixel.y & 1) == 0 ? bits.xy : bits.zw;\n"
+    "    bits.x = (pixel.x & 1) == 0 ? bits.x : bits.y;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    return vec2((m.x & 63u) == 0u ? SSGI_FAR : z + uintBitsToFloat(m.x & 0xffffff00u), m.x & 63u);\n"
+    "    return vec2((bits.x & 63u) == 0u ? SSGI_FAR : z + uintBitsToFloat(bits.x & 0xffffff00u), bits.x & 63u);\n"
     "#else\n"
-    "    return vec2(uintBitsToFloat(m.x & 0xffffffc0u), m.x & 63u);\n"
+    "    return vec2(uintBitsToFloat(bits.x & 0xffffffc0u), bits.x & 63u);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_measured", NULL, __LINE__ + 1,
-    "vec2 ssgi_measured(ivec2 p) { // returns these for pixel p of the picture\n"
-    "    return ssgi_measured_texel(p + ssgi_measured_origin());\n"
+    "vec2 ssgi_measured(ivec2 pixel) { // returns these for a pixel of the picture\n"
+    "    return ssgi_measured_texel(pixel + ssgi_measured_origin());\n"
     "}\n" },
 
 { "SSGI_MEASURED_ROUNDS", NULL, __LINE__ + 1,
     "const float SSGI_MEASURED_ROUNDS = 4e-6; // the share by which packing changes a depth, at most\n" },
 
 { "ssgi_depth", "SSGI_MEASURED", __LINE__ + 1,
-    "float ssgi_depth(ivec2 p) { // returns the view depth at a pixel\n"
-    "    float z = ssgi_measured(p).x;\n"
+    "float ssgi_depth(ivec2 pixel) { // returns the view depth at a pixel\n"
+    "    float z = ssgi_measured(pixel).x;\n"
     "    return z > 0.0 ? z : SSGI_FAR; // fetches beyond the picture give 0\n"
     "}\n" },
 
 { "ssgi_depth", "!SSGI_MEASURED", __LINE__ + 1,
-    "float ssgi_depth(ivec2 p) { // returns the view depth at a pixel\n"
+    "float ssgi_depth(ivec2 pixel) { // returns the view depth at a pixel\n"
     "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && !SSGI_OBLIQUE\n"
-    "    return ssgi_window_depth(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x);\n"
+    "    return ssgi_window_depth(texelFetch(t_ssgi_depth, pixel + u_ssgi_origin, 0).x);\n"
     "#elif SSGI_DEPTH == SSGI_DEPTH_LINEAR || !SSGI_DEPTH && SSGI_OBLIQUE\n"
-    "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x;\n"
+    "    float z = texelFetch(t_ssgi_depth, pixel + u_ssgi_origin, 0).x;\n"
     "#else\n"
-    "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0);\n"
+    "    float z = ssgi_custom_depth(pixel + u_ssgi_origin, 0);\n"
     "#endif\n"
     "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && SSGI_OBLIQUE\n"
-    "    return ssgi_window_depth(ssgi_unskew(z, p));\n"
+    "    return ssgi_window_depth(ssgi_unskew(z, pixel));\n"
     "#elif SSGI_DEPTH != SSGI_DEPTH_WINDOW\n"
     "    return ssgi_linear_depth(z);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_layer", NULL, __LINE__ + 1,
-    "float ssgi_layer(ivec2 p, int j) { // returns the view depth of hidden layer j, 1 .., at a pixel\n"
+    "float ssgi_layer(ivec2 pixel, int layer) { // returns the view depth of a hidden layer, 1 .., at a pixel\n"
     "#if SSGI_DEPTH != SSGI_DEPTH_CUSTOM\n"
-    "    float z = texelFetch(t_ssgi_layers, ivec3(p + u_ssgi_origin, j - 1), 0).x;\n"
+    "    float z = texelFetch(t_ssgi_layers, ivec3(pixel + u_ssgi_origin, layer - 1), 0).x;\n"
     "#else\n"
-    "    float z = ssgi_custom_depth(p + u_ssgi_origin, j);\n"
+    "    float z = ssgi_custom_depth(pixel + u_ssgi_origin, layer);\n"
     "#endif\n"
     "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && !SSGI_OBLIQUE\n"
     "    return ssgi_window_depth(z);\n"
     "#elif SSGI_DEPTH == SSGI_DEPTH_WINDOW && SSGI_OBLIQUE\n"
-    "    return ssgi_window_depth(ssgi_unskew(z, p));\n"
+    "    return ssgi_window_depth(ssgi_unskew(z, pixel));\n"
     "#else\n"
     "    return ssgi_linear_depth(z);\n"
     "#endif\n"
@@ -1489,14 +1490,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
     "// Returns view depths: of the back face nearest behind the visible surface, of the next front face, its back.\n"
-    "vec3 ssgi_slabs(ivec2 p) {\n"
+    "vec3 ssgi_slabs(ivec2 pixel) {\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_BACK\n"
-    "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0);\n"
+    "    vec3 z = vec3(texelFetch(t_ssgi_back, pixel + u_ssgi_origin, 0).x, 0.0, 0.0);\n"
     "#else\n"
-    "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz;\n"
+    "    vec3 z = texelFetch(t_ssgi_back, pixel + u_ssgi_origin, 0).xyz;\n"
     "#endif\n"
     "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW && SSGI_OBLIQUE\n"
-    "    z = vec3(ssgi_unskew(z.x, p), ssgi_unskew(z.y, p), ssgi_unskew(z.z, p));\n"
+    "    z = vec3(ssgi_unskew(z.x, pixel), ssgi_unskew(z.y, pixel), ssgi_unskew(z.z, pixel));\n"
     "#endif\n"
     "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW\n"
     "    return vec3(ssgi_window_depth(z.x), ssgi_window_depth(z.y), ssgi_window_depth(z.z));\n"
@@ -1534,31 +1535,31 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_plane", NULL, __LINE__ + 1,
-    "vec4 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P in the form that ssgi_above_plane takes\n"
+    "vec4 ssgi_plane(vec3 P, vec3 normal) { // the tangent plane at P in the form that ssgi_above_plane takes\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    return vec4(n.xy * u_ssgi_unproject.xy, -n.z, -n.z * P.z);\n"
+    "    return vec4(normal.xy * u_ssgi_unproject.xy, -normal.z, -normal.z * P.z);\n"
     "#else\n"
-    "    return vec4(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z, -dot(n, P));\n"
+    "    return vec4(normal.xy * u_ssgi_unproject.xy, dot(normal, P) / -P.z, -dot(normal, P));\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_above_plane", NULL, __LINE__ + 1,
-    "// Returns how high a point stands above that plane: it is seen o pixels from P at view depth z.\n"
-    "float ssgi_above_plane(vec4 k, vec2 o, float z) {\n"
+    "// Returns how high a point stands above that plane: it is seen at that offset in pixels from P at view depth z.\n"
+    "float ssgi_above_plane(vec4 plane, vec2 offset, float z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    return k.x * o.x + (k.y * o.y + (k.z * z + k.w));\n"
+    "    return plane.x * offset.x + (plane.y * offset.y + (plane.z * z + plane.w));\n"
     "#else\n"
-    "    return (k.x * o.x + (k.y * o.y + k.z)) * z + k.w;\n"
+    "    return (plane.x * offset.x + (plane.y * offset.y + plane.z)) * z + plane.w;\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_screen", NULL, __LINE__ + 1,
-    "// Returns how many pixels a small step from P along t covers, per unit of length.\n"
-    "vec2 ssgi_screen(vec3 P, vec3 t) {\n"
+    "// Returns how many pixels a small step from P along a direction covers, per unit of length.\n"
+    "vec2 ssgi_screen(vec3 P, vec3 direction) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    return t.xy * u_ssgi_project.xy;\n"
+    "    return direction.xy * u_ssgi_project.xy;\n"
     "#else\n"
-    "    return (t.xy - P.xy * (t.z / P.z)) * (u_ssgi_project.xy / -P.z);\n"
+    "    return (direction.xy - P.xy * (direction.z / P.z)) * (u_ssgi_project.xy / -P.z);\n"
     "#endif\n"
     "}\n" },
 
@@ -1573,148 +1574,170 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_sphere", NULL, __LINE__ + 1,
     "// Returns the corner, 0 or 1 along x and y, of a sphere's pixels beyond the near depth; empty: all are one.\n"
-    "// Unless n is 0, only the half before its disc counts.\n"
-    "vec2 ssgi_sphere(vec4 at, vec3 n, vec2 corner) {\n"
-    "    float near = ssgi_own_depth(u_ssgi_near_depth), z = -at.z, r = at.w, deep = r * length(n.xy);\n"
-    "    if (z + (n.z > 0.0 ? deep : r) <= near) return vec2(0.0);\n"
+    "// Unless normal is 0, only the half before its disc counts.\n"
+    "vec2 ssgi_sphere(vec4 ball, vec3 normal, vec2 corner) {\n"
+    "    float near = ssgi_own_depth(u_ssgi_near_depth);\n"
+    "    float z = -ball.z;\n"
+    "    float radius = ball.w;\n"
+    "    float deep = radius * length(normal.xy);\n"
+    "    if (z + (normal.z > 0.0 ? deep : radius) <= near) return vec2(0.0);\n"
     "    // Axes are mirrored so that the bound is the upper one.\n"
-    "    vec2 side = (corner * 2.0 - 1.0) * sign(u_ssgi_project.xy), x = side * at.xy, m = side * n.xy;\n"
-    "    float chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
+    "    vec2 side = (corner * 2.0 - 1.0) * sign(u_ssgi_project.xy);\n"
+    "    vec2 x = side * ball.xy;\n"
+    "    vec2 facing = side * normal.xy;\n"
+    "    float chord = sqrt(max(radius * radius - (near - z) * (near - z), 0.0));\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    vec2 e = x + (z > near ? r : chord), disc = x + r * sqrt(n.yx * n.yx + n.z * n.z), away = m;\n"
+    "    vec2 edge = x + (z > near ? radius : chord);\n"
+    "    vec2 disc = x + radius * sqrt(normal.yx * normal.yx + normal.z * normal.z);\n"
+    "    vec2 away = facing;\n"
     "#else\n"
     "    // It is the slope of the tangent, or where the near depth cuts the sphere.\n"
-    "    vec2 cc = x * x + z * z, off = cc - r * r, t = sqrt(max(off, 0.0)), b = z * t - x * r;\n"
-    "    vec2 e = mix((x + chord) / near, (x * t + z * r) / b, greaterThan(b * t, near * cc));\n"
-    "    vec2 plane = x * m - z * n.z, wide = sqrt(max(off * n.yx * n.yx + plane * plane, 0.0));\n"
-    "    vec2 disc = (x * z - r * r * n.z * m + r * wide) / ((z - deep) * (z + deep));\n"
-    "    vec2 away = z - deep > near ? m + disc * n.z : vec2(0.0);\n"
+    "    vec2 squared = x * x + z * z;\n"
+    "    vec2 off = squared - radius * radius;\n"
+    "    vec2 tangent = sqrt(max(off, 0.0));\n"
+    "    vec2 rise = z * tangent - x * radius;\n"
+    "    vec2 edge = mix((x + chord) / near, (x * tangent + z * radius) / rise,\n"
+    "        greaterThan(rise * tangent, near * squared));\n"
+    "    vec2 plane = x * facing - z * normal.z;\n"
+    "    vec2 wide = sqrt(max(off * normal.yx * normal.yx + plane * plane, 0.0));\n"
+    "    vec2 disc = (x * z - radius * radius * normal.z * facing + radius * wide) / ((z - deep) * (z + deep));\n"
+    "    vec2 away = z - deep > near ? facing + disc * normal.z : vec2(0.0);\n"
     "#endif\n"
     "    // Where a tangent touches the other half, the disc's counts.\n"
-    "    e = mix(e, min(e, disc), lessThan(away, vec2(0.0)));\n"
-    "    return side * e * u_ssgi_project.xy + u_ssgi_project.zw;\n"
+    "    edge = mix(edge, min(edge, disc), lessThan(away, vec2(0.0)));\n"
+    "    return side * edge * u_ssgi_project.xy + u_ssgi_project.zw;\n"
     "}\n" },
 
 { "ssgi_octahedral", NULL, __LINE__ + 1,
-    "vec2 ssgi_octahedral(vec3 d) { // where a direction lies on the square of the octahedral map, [-1,1]\n"
-    "    vec2 e = d.xy / (abs(d.x) + abs(d.y) + abs(d.z));\n"
-    "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n"
+    "vec2 ssgi_octahedral(vec3 direction) { // where a direction lies on the square of the octahedral map, [-1,1]\n"
+    "    vec2 square = direction.xy / (abs(direction.x) + abs(direction.y) + abs(direction.z));\n"
+    "    return direction.z >= 0.0 ? square : (1.0 - abs(square.yx))\n"
+    "        * vec2(square.x >= 0.0 ? 1.0 : -1.0, square.y >= 0.0 ? 1.0 : -1.0);\n"
     "}\n" },
 
 { "ssgi_octahedral_decode", NULL, __LINE__ + 1,
-    "vec3 ssgi_octahedral_decode(vec2 e) { // the direction of a point of that square; its length is not 1\n"
-    "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
-    "    float t = max(-n.z, 0.0);\n"
-    "    return vec3(n.x + (n.x >= 0.0 ? -t : t), n.y + (n.y >= 0.0 ? -t : t), n.z);\n"
+    "vec3 ssgi_octahedral_decode(vec2 square) { // the direction of a point of that square; its length is not 1\n"
+    "    vec3 direction = vec3(square, 1.0 - abs(square.x) - abs(square.y));\n"
+    "    float fold = max(-direction.z, 0.0);\n"
+    "    return vec3(direction.x + (direction.x >= 0.0 ? -fold : fold),\n"
+    "        direction.y + (direction.y >= 0.0 ? -fold : fold), direction.z);\n"
     "}\n" },
 
 { "ssgi_unit", NULL, __LINE__ + 1,
-    "vec3 ssgi_unit(vec3 n) { // returns a unit normal, whatever the texture held\n"
-    "    float l = dot(n, n);\n"
-    "    return l > 1e-12 && l < 1e12 ? n * inversesqrt(l) : vec3(0.0, 0.0, 1.0);\n"
+    "vec3 ssgi_unit(vec3 normal) { // returns a unit normal, whatever the texture held\n"
+    "    float squared = dot(normal, normal);\n"
+    "    return squared > 1e-12 && squared < 1e12 ? normal * inversesqrt(squared) : vec3(0.0, 0.0, 1.0);\n"
     "}\n" },
 
 { "ssgi_normal_texel", NULL, __LINE__ + 1,
-    "vec4 ssgi_normal_texel(ivec2 p) {\n"
+    "vec4 ssgi_normal_texel(ivec2 pixel) {\n"
     "#if SSGI_RECEIVER\n"
-    "    return texelFetch(t_ssgi_normal, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0);\n"
+    "    return texelFetch(t_ssgi_normal, ivec3(pixel + u_ssgi_origin, SSGI_RECEIVER - 1), 0);\n"
     "#else\n"
-    "    return texelFetch(t_ssgi_normal, p + u_ssgi_origin, 0);\n"
+    "    return texelFetch(t_ssgi_normal, pixel + u_ssgi_origin, 0);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_raw_normal", "SSGI_NORMAL != SSGI_NORMAL_FROM_DEPTH", __LINE__ + 1,
-    "vec3 ssgi_raw_normal(ivec2 p) {\n"
+    "vec3 ssgi_raw_normal(ivec2 pixel) {\n"
     "#if SSGI_NORMAL == SSGI_NORMAL_SIGNED\n"
-    "    return ssgi_normal_texel(p).xyz;\n"
+    "    return ssgi_normal_texel(pixel).xyz;\n"
     "#elif SSGI_NORMAL == SSGI_NORMAL_UNSIGNED\n"
-    "    return ssgi_normal_texel(p).xyz * 2.0 - 1.0;\n"
+    "    return ssgi_normal_texel(pixel).xyz * 2.0 - 1.0;\n"
     "#elif SSGI_NORMAL == SSGI_NORMAL_OCTAHEDRAL\n"
-    "    return ssgi_octahedral_decode(ssgi_normal_texel(p).xy);\n"
+    "    return ssgi_octahedral_decode(ssgi_normal_texel(pixel).xy);\n"
     "#elif SSGI_NORMAL == SSGI_NORMAL_CUSTOM\n"
-    "    return ssgi_custom_normal(p + u_ssgi_origin);\n"
+    "    return ssgi_custom_normal(pixel + u_ssgi_origin);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_tangent", NULL, __LINE__ + 1,
     "// The tangent along +step: the difference to that neighbour of the two whose depth is closer to the pixel's.\n"
-    "vec3 ssgi_tangent(ivec2 p, vec3 P, ivec2 step_) {\n"
+    "vec3 ssgi_tangent(ivec2 pixel, vec3 P, ivec2 step_) {\n"
     "#if SSGI_LIFT\n"
     "    step_ *= max(int(ceil(0.5 * u_ssgi_offset)), 1); // neighbours beyond the edge of a splat\n"
     "#endif\n"
-    "    float a = ssgi_inside(p + step_) ? ssgi_depth(p + step_) : SSGI_FAR;\n"
-    "    float b = ssgi_inside(p - step_) ? ssgi_depth(p - step_) : SSGI_FAR;\n"
-    "    vec3 A = ssgi_position(vec2(p + step_) + 0.5, a) - P, B = P - ssgi_position(vec2(p - step_) + 0.5, b);\n"
-    "    return abs(A.z) < abs(B.z) ? A : B;\n"
+    "    float depth_after = ssgi_inside(pixel + step_) ? ssgi_depth(pixel + step_) : SSGI_FAR;\n"
+    "    float depth_before = ssgi_inside(pixel - step_) ? ssgi_depth(pixel - step_) : SSGI_FAR;\n"
+    "    vec3 after = ssgi_position(vec2(pixel + step_) + 0.5, depth_after) - P;\n"
+    "    vec3 before = P - ssgi_position(vec2(pixel - step_) + 0.5, depth_before);\n"
+    "    return abs(after.z) < abs(before.z) ? after : before;\n"
     "}\n" },
 
 { "ssgi_normal", "SSGI_NORMAL == SSGI_NORMAL_FROM_DEPTH", __LINE__ + 1,
     "// Returns the unit view-space normal at a pixel whose point is P, facing the viewer.\n"
-    "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
-    "    vec3 x = ssgi_tangent(p, P, ivec2(1, 0)), y = ssgi_tangent(p, P, ivec2(0, 1));\n"
-    "    vec3 n = ssgi_unit(cross(x * inversesqrt(dot(x, x) + 1e-30), y * inversesqrt(dot(y, y) + 1e-30)));\n"
-    "    return dot(n, ssgi_toward(P)) < 0.0 ? -n : n;\n"
+    "vec3 ssgi_normal(ivec2 pixel, vec3 P) {\n"
+    "    vec3 x = ssgi_tangent(pixel, P, ivec2(1, 0));\n"
+    "    vec3 y = ssgi_tangent(pixel, P, ivec2(0, 1));\n"
+    "    vec3 normal = ssgi_unit(cross(x * inversesqrt(dot(x, x) + 1e-30), y * inversesqrt(dot(y, y) + 1e-30)));\n"
+    "    return dot(normal, ssgi_toward(P)) < 0.0 ? -normal : normal;\n"
     "}\n" },
 
 { "ssgi_view_normal", NULL, __LINE__ + 1,
-    "vec3 ssgi_view_normal(vec3 n) { // returns your normal in view space, of length 1\n"
+    "vec3 ssgi_view_normal(vec3 normal) { // returns your normal in view space, of length 1\n"
     "#if SSGI_WORLD_NORMALS\n"
-    "    return ssgi_unit(u_ssgi_rotation * n);\n"
+    "    return ssgi_unit(u_ssgi_rotation * normal);\n"
     "#elif SSGI_LEFT_HANDED && !SSGI_WORLD_NORMALS\n"
-    "    return ssgi_unit(n * vec3(1.0, 1.0, -1.0));\n"
+    "    return ssgi_unit(normal * vec3(1.0, 1.0, -1.0));\n"
     "#else\n"
-    "    return ssgi_unit(n);\n"
+    "    return ssgi_unit(normal);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_normal", "SSGI_NORMAL != SSGI_NORMAL_FROM_DEPTH", __LINE__ + 1,
     "// Returns the unit view-space normal at a pixel whose point is P.\n"
-    "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
-    "    return ssgi_view_normal(ssgi_raw_normal(p));\n"
+    "vec3 ssgi_normal(ivec2 pixel, vec3 P) {\n"
+    "    return ssgi_view_normal(ssgi_raw_normal(pixel));\n"
     "}\n" },
 
 { "ssgi_noise", NULL, __LINE__ + 1,
-    "vec2 ssgi_noise(ivec2 p) { // in [0,1): x turns the directions, y offsets the steps\n"
+    "vec2 ssgi_noise(ivec2 pixel) { // in [0,1): x turns the directions, y offsets the steps\n"
     "#if SSGI_NOISE == SSGI_NOISE_GRADIENT\n"
     "    // x is interleaved gradient noise, which spreads evenly over every 3x3 block; y is the R2 sequence.\n"
-    "    float gradient = 52.9829189 * fract(dot(vec2(p), vec2(0.06711056, 0.00583715)));\n"
-    "    vec2 xi = vec2(gradient, dot(vec2(p), vec2(0.75487767, 0.56984029)));\n"
+    "    float gradient = 52.9829189 * fract(dot(vec2(pixel), vec2(0.06711056, 0.00583715)));\n"
+    "    vec2 random = vec2(gradient, dot(vec2(pixel), vec2(0.75487767, 0.56984029)));\n"
     "#else\n"
     "    ivec2 tile = textureSize(t_ssgi_noise, 0);\n"
-    "    vec2 xi = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0).wz + vec2(0.0, 0.5);\n"
+    "    vec2 random = texelFetch(t_ssgi_noise, ivec2(pixel.x % tile.x, pixel.y % tile.y), 0).wz + vec2(0.0, 0.5);\n"
     "#endif\n"
-    "    return fract(xi + u_ssgi_phase);\n"
+    "    return fract(random + u_ssgi_phase);\n"
     "}\n" },
 
 { "ssgi_basis", NULL, __LINE__ + 1,
-    "mat3 ssgi_basis(vec3 n) { // any rotation that takes +z to unit n [Duff et al. 2017]\n"
-    "    float s = n.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;\n"
-    "    return mat3(1.0 + s * n.x * n.x * a, s * b, -s * n.x, b, s + n.y * n.y * a, -n.y, n);\n"
+    "mat3 ssgi_basis(vec3 normal) { // any rotation that takes +z to a unit normal [Duff et al. 2017]\n"
+    "    float side = normal.z >= 0.0 ? 1.0 : -1.0;\n"
+    "    float scale = -1.0 / (side + normal.z);\n"
+    "    float mixed = normal.x * normal.y * scale;\n"
+    "    return mat3(1.0 + side * normal.x * normal.x * scale, side * mixed, -side * normal.x, mixed,\n"
+    "        side + normal.y * normal.y * scale, -normal.y, normal);\n"
     "}\n" },
 
 { "ssgi_environment", NULL, __LINE__ + 1,
-    "vec3 ssgi_environment(vec3 d) { // returns the radiance that arrives from a world direction\n"
-    "    ivec2 size = textureSize(t_ssgi_environment, 0), p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
-    "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n"
+    "vec3 ssgi_environment(vec3 direction) { // returns the radiance that arrives from a world direction\n"
+    "    ivec2 size = textureSize(t_ssgi_environment, 0);\n"
+    "    ivec2 texel = ivec2((ssgi_octahedral(direction) * 0.5 + 0.5) * vec2(size));\n"
+    "    return texelFetch(t_ssgi_environment, min(texel, size - 1), 0).xyz;\n"
     "}\n" },
 
 { "ssgi_irradiance_texel", NULL, __LINE__ + 1,
-    "vec3 ssgi_irradiance_texel(ivec2 p, ivec2 last, int slice) {\n"
+    "vec3 ssgi_irradiance_texel(ivec2 texel, ivec2 last, int slice) {\n"
     "    // Beyond an edge the octahedral square continues as its mirror image.\n"
-    "    if (p.x < 0 || p.x > last.x) p = ivec2(clamp(p.x, 0, last.x), last.y - p.y);\n"
-    "    if (p.y < 0 || p.y > last.y) p = ivec2(last.x - p.x, clamp(p.y, 0, last.y));\n"
-    "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n"
+    "    if (texel.x < 0 || texel.x > last.x) texel = ivec2(clamp(texel.x, 0, last.x), last.y - texel.y);\n"
+    "    if (texel.y < 0 || texel.y > last.y) texel = ivec2(last.x - texel.x, clamp(texel.y, 0, last.y));\n"
+    "    return texelFetch(t_ssgi_irradiance, ivec3(texel, slice), 0).xyz;\n"
     "}\n" },
 
 { "ssgi_irradiance_map", NULL, __LINE__ + 1,
     "// Unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it; bilinear.\n"
-    "vec3 ssgi_irradiance_map(vec3 n, int slice) {\n"
+    "vec3 ssgi_irradiance_map(vec3 normal, int slice) {\n"
     "    ivec2 last = textureSize(t_ssgi_irradiance, 0).xy - 1;\n"
-    "    vec2 t = (ssgi_octahedral(n) * 0.5 + 0.5) * vec2(last + 1) - 0.5;\n"
-    "    ivec2 p = ivec2(floor(t)); t -= vec2(p);\n"
-    "    vec3 a = ssgi_irradiance_texel(p, last, slice), b = ssgi_irradiance_texel(p + ivec2(1, 0), last, slice);\n"
-    "    vec3 c = ssgi_irradiance_texel(p + ivec2(0, 1), last, slice), d = ssgi_irradiance_texel(p + 1, last, slice);\n"
-    "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n"
+    "    vec2 place = (ssgi_octahedral(normal) * 0.5 + 0.5) * vec2(last + 1) - 0.5;\n"
+    "    ivec2 texel = ivec2(floor(place)); place -= vec2(texel);\n"
+    "    vec3 lower_left = ssgi_irradiance_texel(texel, last, slice);\n"
+    "    vec3 lower_right = ssgi_irradiance_texel(texel + ivec2(1, 0), last, slice);\n"
+    "    vec3 upper_left = ssgi_irradiance_texel(texel + ivec2(0, 1), last, slice);\n"
+    "    vec3 upper_right = ssgi_irradiance_texel(texel + 1, last, slice);\n"
+    "    return mix(mix(lower_left, lower_right, place.x), mix(upper_left, upper_right, place.x), place.y);\n"
     "}\n" },
 
 /* ---- Pass emitters packs a surface into 64 bits, so that a sample fetches it at once. Radiance is m * 2^(e - 24),
@@ -1722,46 +1745,46 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    mantissa. The normal has 6 bits of each octahedral coordinate. */
 
 { "ssgi_unpack_radiance", NULL, __LINE__ + 1,
-    "vec3 ssgi_unpack_radiance(uint u) { // returns the radiance that pass emitters packed\n"
-    "    vec3 m = vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u));\n"
-    "    return m * uintBitsToFloat(((u >> 27u) + 103u) << 23u);\n"
+    "vec3 ssgi_unpack_radiance(uint bits) { // returns the radiance that pass emitters packed\n"
+    "    vec3 mantissas = vec3(float(bits & 511u), float((bits >> 9u) & 511u), float((bits >> 18u) & 511u));\n"
+    "    return mantissas * uintBitsToFloat(((bits >> 27u) + 103u) << 23u);\n"
     "}\n" },
 
 { "ssgi_unpack_depth", NULL, __LINE__ + 1,
-    "float ssgi_unpack_depth(uint u) { // returns the view depth that it packed\n"
-    "    return u < 0xfffff000u ? uintBitsToFloat(((u >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n"
+    "float ssgi_unpack_depth(uint bits) { // returns the view depth that it packed\n"
+    "    return bits < 0xfffff000u ? uintBitsToFloat(((bits >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n"
     "}\n" },
 
 { "ssgi_unpack_normal", NULL, __LINE__ + 1,
-    "vec3 ssgi_unpack_normal(uint u) { // returns the normal that it packed; its length is not 1\n"
-    "    return ssgi_octahedral_decode((vec2(float(u & 63u), float((u >> 6u) & 63u)) - 32.0) / 31.0);\n"
+    "vec3 ssgi_unpack_normal(uint bits) { // returns the normal that it packed; its length is not 1\n"
+    "    return ssgi_octahedral_decode((vec2(float(bits & 63u), float((bits >> 6u) & 63u)) - 32.0) / 31.0);\n"
     "}\n" },
 
 { "ssgi_pack_radiance", NULL, __LINE__ + 1,
     "// Packs radiance in [0, 65408] as three mantissas of 9 bits and one exponent.\n"
-    "uint ssgi_pack_radiance(vec3 c) {\n"
-    "    c = clamp(c, 0.0, 65408.0);\n"
+    "uint ssgi_pack_radiance(vec3 radiance) {\n"
+    "    radiance = clamp(radiance, 0.0, 65408.0);\n"
     "    // Times 1 + 2^-10, as a mantissa that would round to 512 belongs to the next exponent.\n"
-    "    float most = max(max(c.x, c.y), max(c.z, 6.1035156e-5)) * 1.0009775;\n"
-    "    uint e = min((floatBitsToUint(most) >> 23u) - 111u, 31u);\n"
-    "    uvec3 m = min(uvec3(c * uintBitsToFloat((151u - e) << 23u) + 0.5), uvec3(511u));\n"
-    "    return m.x | (m.y << 9u) | (m.z << 18u) | (e << 27u);\n"
+    "    float most = max(max(radiance.x, radiance.y), max(radiance.z, 6.1035156e-5)) * 1.0009775;\n"
+    "    uint exponent = min((floatBitsToUint(most) >> 23u) - 111u, 31u);\n"
+    "    uvec3 mantissas = min(uvec3(radiance * uintBitsToFloat((151u - exponent) << 23u) + 0.5), uvec3(511u));\n"
+    "    return mantissas.x | (mantissas.y << 9u) | (mantissas.z << 18u) | (exponent << 27u);\n"
     "}\n" },
 
 { "ssgi_pack_place", NULL, __LINE__ + 1,
     "// A view depth in [1e-6, 1e13] keeps 3e-5 of itself, a normal is kept to 4 degrees.\n"
-    "uint ssgi_pack_place(float z, vec3 n) {\n"
-    "    uvec2 e = uvec2(round(ssgi_octahedral(n) * 31.0) + 32.0);\n"
+    "uint ssgi_pack_place(float z, vec3 normal) {\n"
+    "    uvec2 square = uvec2(round(ssgi_octahedral(normal) * 31.0) + 32.0);\n"
     "    uint depth = ((floatBitsToUint(clamp(z, 1e-6, 1e13)) + 256u) >> 9u) - (107u << 14u);\n"
-    "    return (depth << 12u) | (e.y << 6u) | e.x;\n"
+    "    return (depth << 12u) | (square.y << 6u) | square.x;\n"
     "}\n" },
 
 /* ==== >>visibility: is this point behind a surface, and which one =============================================== */
 
 { "ssgi_lift", NULL, __LINE__ + 1,
     "// The receiver is lifted, so that its own plane, fetched at whole pixels, stays below it [HSAO08 eq. 13].\n"
-    "vec3 ssgi_lift(vec3 P, vec3 n) {\n"
-    "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
+    "vec3 ssgi_lift(vec3 P, vec3 normal) {\n"
+    "    return P + normal * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
     "}\n" },
 
 { "ssgi_segment_length", NULL, __LINE__ + 1,
@@ -1834,8 +1857,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_STEEPEST = 2.0; // footprints a pixel\n" },
 
 { "ssgi_flat_depth", NULL, __LINE__ + 1,
-    "float ssgi_flat_depth(ivec2 q) { // returns depth, or one over depth in perspective: linear in q on a plane\n"
-    "    float z = ssgi_inside(q) ? ssgi_depth(q) : SSGI_FAR;\n"
+    "// Returns depth, or one over depth in perspective: linear in the pixel on a plane.\n"
+    "float ssgi_flat_depth(ivec2 pixel) {\n"
+    "    float z = ssgi_inside(pixel) ? ssgi_depth(pixel) : SSGI_FAR;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return z;\n"
     "#else\n"
@@ -1847,12 +1871,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    Where neither side has a line, as on leaves, the lesser difference counts, and none if both are steep and differ. On
    14 scenes by seed hsao has an error of .4022; by lesser differences alone .4035, by normals .4016. */
 { "ssgi_slope", NULL, __LINE__ + 1,
-    "// Returns how much ssgi_flat_depth grows a pixel along a direction of the picture. At p it is `at`, at the next\n"
-    "// pixel `next`. More than `steep` is trusted only if both sides agree.\n"
-    "float ssgi_slope(ivec2 p, ivec2 way, float at, float next, float steep) {\n"
-    "    float last = ssgi_flat_depth(p - way), ahead = next - at, behind = at - last;\n"
-    "    float bend_ahead = abs(ssgi_flat_depth(p + 2 * way) - next - ahead);\n"
-    "    float bend_behind = abs(last - ssgi_flat_depth(p - 2 * way) - behind);\n"
+    "// Returns how much ssgi_flat_depth grows a pixel along a direction of the picture. At the pixel it is `here`,\n"
+    "// at the next pixel `next`. More than `steep` is trusted only if both sides agree.\n"
+    "float ssgi_slope(ivec2 pixel, ivec2 way, float here, float next, float steep) {\n"
+    "    float last = ssgi_flat_depth(pixel - way);\n"
+    "    float ahead = next - here;\n"
+    "    float behind = here - last;\n"
+    "    float bend_ahead = abs(ssgi_flat_depth(pixel + 2 * way) - next - ahead);\n"
+    "    float bend_behind = abs(last - ssgi_flat_depth(pixel - 2 * way) - behind);\n"
     "    if (min(bend_ahead, bend_behind) < steep) return bend_ahead < bend_behind ? ahead : behind;\n"
     "    float lesser = abs(ahead) < abs(behind) ? ahead : behind;\n"
     "    return abs(lesser) < steep || abs(ahead - behind) < abs(lesser) ? lesser : 0.0;\n"
@@ -1860,9 +1886,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* It needs no normals, which would double the bytes that the pass reads. */
 { "ssgi_facet", NULL, __LINE__ + 1,
-    "// The plane of the surface at P by depth alone, in the form of ssgi_plane. z: view depths of p and its next\n"
+    "// The plane of the surface at P by depth alone, in the form of ssgi_plane. z: view depths of pixel and its next\n"
     "// pixels along x and along y.\n"
-    "vec4 ssgi_facet(ivec2 p, vec3 P, vec3 z) {\n"
+    "vec4 ssgi_facet(ivec2 pixel, vec3 P, vec3 z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    float unit = 1.0;\n"
     "#else\n"
@@ -1870,35 +1896,38 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float unit = z.x;\n"
     "#endif\n"
     "    vec2 steep = SSGI_STEEPEST * unit * abs(u_ssgi_unproject.xy);\n"
-    "    vec2 slope = vec2(ssgi_slope(p, ivec2(1, 0), z.x, z.y, steep.x),\n"
-    "        ssgi_slope(p, ivec2(0, 1), z.x, z.z, steep.y)), a = slope / u_ssgi_unproject.xy;\n"
+    "    vec2 slope = vec2(ssgi_slope(pixel, ivec2(1, 0), z.x, z.y, steep.x),\n"
+    "        ssgi_slope(pixel, ivec2(0, 1), z.x, z.z, steep.y)), tilt = slope / u_ssgi_unproject.xy;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    return vec4(slope, -1.0, z.x) * inversesqrt(1.0 + dot(a, a));\n"
+    "    return vec4(slope, -1.0, z.x) * inversesqrt(1.0 + dot(tilt, tilt));\n"
     "#else\n"
-    "    float c = z.x - dot(a, P.xy) * z.x;\n"
-    "    return vec4(-slope, -z.x, 1.0) * inversesqrt(dot(a, a) + c * c);\n"
+    "    float at_origin = z.x - dot(tilt, P.xy) * z.x;\n"
+    "    return vec4(-slope, -z.x, 1.0) * inversesqrt(dot(tilt, tilt) + at_origin * at_origin);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_end", NULL, __LINE__ + 1,
-    "// Whether the surface at P ends o pixels away: -1 it drops below the tangent plane there, away from the viewer,\n"
-    "// or nothing is seen; 1 another surface rises above the plane, or the picture ends; 0 it goes on.\n"
-    "int ssgi_end(ivec2 p, ivec2 o, vec3 P, vec4 plane, float slack) {\n"
-    "    float z = ssgi_depth(p + o), h = ssgi_above_plane(plane, vec2(o), z);\n"
-    "    if (!ssgi_inside(p + o)) return 1;\n"
-    "    if (z >= SSGI_FAR || (h < -slack && z > -P.z)) return -1;\n"
-    "    return h > slack ? 1 : 0;\n"
+    "// Whether the surface at P ends so many pixels away: -1 it drops below the tangent plane there, away from the\n"
+    "// viewer, or nothing is seen; 1 another surface rises above the plane, or the picture ends; 0 it goes on.\n"
+    "int ssgi_end(ivec2 pixel, ivec2 offset, vec3 P, vec4 plane, float slack) {\n"
+    "    float z = ssgi_depth(pixel + offset);\n"
+    "    float height = ssgi_above_plane(plane, vec2(offset), z);\n"
+    "    if (!ssgi_inside(pixel + offset)) return 1;\n"
+    "    if (z >= SSGI_FAR || (height < -slack && z > -P.z)) return -1;\n"
+    "    return height > slack ? 1 : 0;\n"
     "}\n" },
 
 { "ssgi_run", NULL, __LINE__ + 1,
     "// How many pixels the surface at P goes on along a direction of the picture until it drops away. Where another\n"
     "// surface rises above it, and at the picture's edge, its end is hidden, and counts as not found.\n"
-    "float ssgi_run(ivec2 p, ivec2 way, vec3 P, vec4 plane, float footprint, float pixels) {\n"
-    "    float run = pixels, reach = max(0.5 * pixels, SSGI_LONGEST);\n"
+    "float ssgi_run(ivec2 pixel, ivec2 way, vec3 P, vec4 plane, float footprint, float pixels) {\n"
+    "    float run = pixels;\n"
+    "    float reach = max(0.5 * pixels, SSGI_LONGEST);\n"
     "    for (int i = 0; i < 5; ++i) { // from far to near, so that the nearest end counts\n"
-    "        float k = floor(reach * exp2(-float(i)));\n"
-    "        int end_ = ssgi_end(p, way * int(k), P, plane, SSGI_LIFTED * u_ssgi_radius + 0.5 * footprint * k);\n"
-    "        run = end_ > 0 ? pixels : end_ < 0 ? 0.5 * k : run;\n"
+    "        float probe = floor(reach * exp2(-float(i)));\n"
+    "        int end_ = ssgi_end(pixel, way * int(probe), P, plane,\n"
+    "            SSGI_LIFTED * u_ssgi_radius + 0.5 * footprint * probe);\n"
+    "        run = end_ > 0 ? pixels : end_ < 0 ? 0.5 * probe : run;\n"
     "    }\n"
     "    return run;\n"
     "}\n" },
@@ -1906,9 +1935,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_slab_widths", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
     "// Of a 2x2, pixels with a back face are as thick as that is far; others keep their width, but for sheets,\n"
     "// which show their back face and have half of it.\n"
-    "vec4 ssgi_slab_widths(ivec2 p, vec4 z, vec4 width) {\n"
+    "vec4 ssgi_slab_widths(ivec2 pixel, vec4 z, vec4 width) {\n"
     "    for (int i = 0; i < 4; ++i) {\n"
-    "        float back = ssgi_slabs(p + ivec2(i & 1, i >> 1)).x;\n"
+    "        float back = ssgi_slabs(pixel + ivec2(i & 1, i >> 1)).x;\n"
     "        if (back < SSGI_FAR) width[i] = ssgi_closed(z[i], back) ? back - z[i] : 0.5 * width[i];\n"
     "    }\n"
     "    return width;\n"
@@ -1932,24 +1961,27 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_thickness", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel;\n"
-    "    vec4 z = vec4(ssgi_depth(p), ssgi_depth(p + ivec2(1, 0)), ssgi_depth(p + ivec2(0, 1)), ssgi_depth(p + 1));\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2;\n"
+    "    ivec2 pixel = 2 * texel;\n"
+    "    vec4 z = vec4(ssgi_depth(pixel), ssgi_depth(pixel + ivec2(1, 0)), ssgi_depth(pixel + ivec2(0, 1)),\n"
+    "        ssgi_depth(pixel + 1));\n"
     "    vec4 width = vec4(SSGI_OTHER * u_ssgi_radius);\n"
     "    if (z.x < SSGI_FAR) {\n"
-    "        vec3 P = ssgi_position(vec2(p) + 0.5, z.x);\n"
-    "        vec4 plane = ssgi_facet(p, P, z.xyz);\n"
-    "        float footprint = ssgi_footprint(z.x), pixels = u_ssgi_radius / footprint;\n"
-    "        float x = ssgi_run(p, ivec2(1, 0), P, plane, footprint, pixels);\n"
-    "        float y = ssgi_run(p, ivec2(0, 1), P, plane, footprint, pixels);\n"
-    "        x += ssgi_run(p, ivec2(-1, 0), P, plane, footprint, pixels);\n"
-    "        y += ssgi_run(p, ivec2(0, -1), P, plane, footprint, pixels);\n"
+    "        vec3 P = ssgi_position(vec2(pixel) + 0.5, z.x);\n"
+    "        vec4 plane = ssgi_facet(pixel, P, z.xyz);\n"
+    "        float footprint = ssgi_footprint(z.x);\n"
+    "        float pixels = u_ssgi_radius / footprint;\n"
+    "        float x = ssgi_run(pixel, ivec2(1, 0), P, plane, footprint, pixels);\n"
+    "        float y = ssgi_run(pixel, ivec2(0, 1), P, plane, footprint, pixels);\n"
+    "        x += ssgi_run(pixel, ivec2(-1, 0), P, plane, footprint, pixels);\n"
+    "        y += ssgi_run(pixel, ivec2(0, -1), P, plane, footprint, pixels);\n"
     "        vec4 off = vec4(0.0, ssgi_above_plane(plane, vec2(1.0, 0.0), z.y),\n"
     "            ssgi_above_plane(plane, vec2(0.0, 1.0), z.z), ssgi_above_plane(plane, vec2(1.0), z.w));\n"
     "        bvec4 same = lessThan(abs(off), vec4(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
     "        width = mix(width, vec4(min(min(x, y) * footprint, u_ssgi_thickness_limit)), same);\n"
     "    }\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_WIDTH\n"
-    "    width = ssgi_slab_widths(p, z, width);\n"
+    "    width = ssgi_slab_widths(pixel, z, width);\n"
     "#endif\n"
     "    o_ssgi_thickness = ssgi_pack_measured(z, clamp(width / u_ssgi_radius, SSGI_THINNEST, 1.0));\n"
     "}\n" },
@@ -1963,13 +1995,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_n; // the unit normal of the receiver\n" },
 
 { "ssgi_point", NULL, __LINE__ + 1,
-    "// Returns the view-space point of a pixel and depth of camera v; -1 is the main one.\n"
-    "vec3 ssgi_point(int v, ivec2 p, float z) {\n"
+    "// Returns the view-space point of a pixel and depth of camera view; -1 is the main one.\n"
+    "vec3 ssgi_point(int view, ivec2 pixel, float z) {\n"
     "#if SSGI_VIEWS\n"
-    "    float unit = u_ssgi_view_decode[max(v, 0)].w > 0.0 ? 1.0 : z;\n"
-    "    if (v >= 0) return ssgi_from_yours((u_ssgi_view_from[v] * vec4((vec2(p) + 0.5) * unit, z, 1.0)).xyz);\n"
+    "    float unit = u_ssgi_view_decode[max(view, 0)].w > 0.0 ? 1.0 : z;\n"
+    "    if (view >= 0)\n"
+    "        return ssgi_from_yours((u_ssgi_view_from[view] * vec4((vec2(pixel) + 0.5) * unit, z, 1.0)).xyz);\n"
     "#endif\n"
-    "    return ssgi_position(vec2(p) + 0.5, z);\n"
+    "    return ssgi_position(vec2(pixel) + 0.5, z);\n"
     "}\n" },
 
 { "ssgi_emitter", NULL, __LINE__ + 1,
@@ -1983,68 +2016,73 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ivec2 ssgi_emitter_pixel; // the pixel that shows the occluder of a sample\n" },
 
 { "ssgi_emitter_texel", NULL, __LINE__ + 1,
-    "// Returns the surface that layer j of camera v has at a pixel: its radiance; its normal and view depth.\n"
-    "uvec2 ssgi_emitter_texel(int v, ivec2 p, int j) {\n"
+    "// Returns the surface that a layer of camera view has at a pixel: its radiance; its normal and view depth.\n"
+    "uvec2 ssgi_emitter_texel(int view, ivec2 pixel, int layer) {\n"
     "#if SSGI_VIEWS\n"
-    "    if (v >= 0) return texelFetch(t_ssgi_view_emitters, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy;\n"
+    "    if (view >= 0) return texelFetch(t_ssgi_view_emitters, ivec3(pixel, view * SSGI_VIEW_LAYERS + layer), 0).xy;\n"
     "#endif\n"
-    "    return texelFetch(t_ssgi_emitters, ivec3(p + u_ssgi_target, j), 0).xy;\n"
+    "    return texelFetch(t_ssgi_emitters, ivec3(pixel + u_ssgi_target, layer), 0).xy;\n"
     "}\n" },
 
 { "ssgi_radiance_from", "SSGI_BOUNCE != SSGI_BOUNCE_PATCH", __LINE__ + 1,
-    "vec3 ssgi_radiance_from(uvec2 s, vec3 Q) { // radiance that the receiver gets from a surface at Q\n"
+    "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) { // radiance that the receiver gets from a surface there\n"
     "#if !SSGI_TWO_SIDED\n"
-    "    if (!(dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0)) return vec3(0.0);\n"
+    "    if (!(dot(ssgi_unpack_normal(emitter.y), ssgi_P - place) > 0.0)) return vec3(0.0);\n"
     "#endif\n"
-    "    return ssgi_unpack_radiance(s.x);\n"
+    "    return ssgi_unpack_radiance(emitter.x);\n"
     "}\n" },
 
 { "ssgi_radiance_from", "SSGI_BOUNCE == SSGI_BOUNCE_PATCH", __LINE__ + 1,
-    "// Radiance that the receiver gets from a patch of area pi r^2 / N at Q [SSDO09 3], without the factor pi / N.\n"
-    "vec3 ssgi_radiance_from(uvec2 s, vec3 Q) {\n"
-    "    vec3 d = ssgi_P - Q;\n"
-    "    float dd = max(dot(d, d), 1e-30), area = u_ssgi_radius * u_ssgi_radius * u_ssgi_gain;\n"
-    "    float receives = -dot(ssgi_n, d), sends = dot(normalize(ssgi_unpack_normal(s.y)), d);\n"
+    "// Radiance that the receiver gets from a patch of area pi r^2 / N at place [SSDO09 3], without the factor pi /\n"
+    "// N.\n"
+    "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) {\n"
+    "    vec3 offset = ssgi_P - place;\n"
+    "    float squared = max(dot(offset, offset), 1e-30);\n"
+    "    float area = u_ssgi_radius * u_ssgi_radius * u_ssgi_gain;\n"
+    "    float receives = -dot(ssgi_n, offset);\n"
+    "    float sends = dot(normalize(ssgi_unpack_normal(emitter.y)), offset);\n"
     "#if SSGI_TWO_SIDED\n"
     "    sends = abs(sends);\n"
     "#endif\n"
     "    float least = u_ssgi_distance_clamp * u_ssgi_radius;\n"
-    "    float form = area * max(receives, 0.0) * max(sends, 0.0) / (dd * max(dd, least * least));\n"
-    "    return ssgi_unpack_radiance(s.x) * form;\n"
+    "    float form = area * max(receives, 0.0) * max(sends, 0.0) / (squared * max(squared, least * least));\n"
+    "    return ssgi_unpack_radiance(emitter.x) * form;\n"
     "}\n" },
 
 { "ssgi_fade_weight", NULL, __LINE__ + 1,
-    "float ssgi_fade_weight(vec3 Q) { // how much an occluder counts that the depth buffer has at Q\n"
-    "    vec3 d = Q - ssgi_P;\n"
-    "    float t = length(d) / u_ssgi_radius, weight = 1.0;\n"
+    "float ssgi_fade_weight(vec3 place) { // how much an occluder counts that the depth buffer has at place\n"
+    "    vec3 offset = place - ssgi_P;\n"
+    "    float radii = length(offset) / u_ssgi_radius;\n"
+    "    float weight = 1.0;\n"
     "#if SSGI_RANGE\n"
-    "    if (t > 1.0 || dot(d, ssgi_n) <= 0.0) return 0.0;\n"
+    "    if (radii > 1.0 || dot(offset, ssgi_n) <= 0.0) return 0.0;\n"
     "#endif\n"
     "#if SSGI_FADE == SSGI_FADE_SMOOTH\n"
-    "    weight -= smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, t * u_ssgi_radius);\n"
+    "    weight -= smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, radii * u_ssgi_radius);\n"
     "#elif SSGI_FADE == SSGI_FADE_LAMBDA\n"
-    "    weight /= 1.0 + u_ssgi_lambda * t;\n"
+    "    weight /= 1.0 + u_ssgi_lambda * radii;\n"
     "#endif\n"
     "    return max(weight, 1e-6); // not 0, which would mean that nothing occludes\n"
     "}\n" },
 
 { "ssgi_view_depth", NULL, __LINE__ + 1,
     "// Returns the view depth of a depth texel. decode: ssgi_view.depth[0], [1], the clear depth, 1 if orthographic.\n"
-    "float ssgi_view_depth(vec4 decode, float d) {\n"
-    "    float w = decode.x + decode.y * d, z = decode.w > 0.0 ? w : 1.0 / w;\n"
-    "    return d != decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "float ssgi_view_depth(vec4 decode, float window) {\n"
+    "    float decoded = decode.x + decode.y * window;\n"
+    "    float z = decode.w > 0.0 ? decoded : 1.0 / decoded;\n"
+    "    return window != decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
     "}\n" },
 
 { "ssgi_surface", NULL, __LINE__ + 1,
-    "float ssgi_surface(int v, ivec2 p, int j) { // returns the view depth of camera v's layer j at p\n"
+    "float ssgi_surface(int view, ivec2 pixel, int layer) { // the view depth of a layer of camera view at a pixel\n"
     "#if SSGI_VIEWS\n"
-    "    ivec3 at = ivec3(p, v * SSGI_VIEW_LAYERS + j);\n"
-    "    if (v >= 0) return ssgi_view_depth(u_ssgi_view_decode[v], texelFetch(t_ssgi_views, at, 0).x);\n"
+    "    ivec3 texel = ivec3(pixel, view * SSGI_VIEW_LAYERS + layer);\n"
+    "    if (view >= 0) return ssgi_view_depth(u_ssgi_view_decode[view], texelFetch(t_ssgi_views, texel, 0).x);\n"
     "#endif\n"
     "#if SSGI_LAYERS > 1\n"
-    "    if (j > 0) return ssgi_layer(p, j);\n"
+    "    if (layer > 0) return ssgi_layer(pixel, layer);\n"
     "#endif\n"
-    "    return ssgi_depth(p);\n"
+    "    return ssgi_depth(pixel);\n"
     "}\n" },
 
 { "ssgi_way", NULL, __LINE__ + 1,
@@ -2052,13 +2090,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_offer_emitter", NULL, __LINE__ + 1,
     "// Keeps the surface that is closest to the segment from the receiver to the sample.\n"
-    "void ssgi_offer_emitter(uvec2 s, vec3 Q) {\n"
-    "    vec3 L = ssgi_radiance_from(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
-    "    float gap = dot(d, d);\n"
+    "void ssgi_offer_emitter(uvec2 emitter, vec3 place) {\n"
+    "    vec3 L = ssgi_radiance_from(emitter, place);\n"
+    "    vec3 across = cross(place - ssgi_P, ssgi_way);\n"
+    "    float gap = dot(across, across);\n"
     "    if (gap >= ssgi_emitter.w || L == vec3(0.0)) return;\n"
     "    ssgi_emitter = vec4(L, gap);\n"
     "#if SSGI_TRANSFER\n"
-    "    ssgi_emitter_place = s.y;\n"
+    "    ssgi_emitter_place = emitter.y;\n"
     "#endif\n"
     "}\n" },
 
@@ -2073,10 +2112,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_rising ssgi_rise;\n" },
 
 { "ssgi_offer_rise", NULL, __LINE__ + 1,
-    "void ssgi_offer_rise(vec3 I) { // raises the horizon to the front of a solid\n"
-    "    vec3 d = I - ssgi_P;\n"
-    "    float x = dot(d, ssgi_rise.tangent), y = dot(d, ssgi_n), l = length(d), H = y * inversesqrt(x * x + y * y);\n"
-    "    if (x > 0.0 && l < ssgi_rise.within && H > ssgi_rise.sine) ssgi_rise.sine = H, ssgi_rise.away = l;\n"
+    "void ssgi_offer_rise(vec3 front) { // raises the horizon to the front of a solid\n"
+    "    vec3 offset = front - ssgi_P;\n"
+    "    float x = dot(offset, ssgi_rise.tangent);\n"
+    "    float y = dot(offset, ssgi_n);\n"
+    "    float away = length(offset);\n"
+    "    float H = y * inversesqrt(x * x + y * y);\n"
+    "    if (x > 0.0 && away < ssgi_rise.within && H > ssgi_rise.sine) ssgi_rise.sine = H, ssgi_rise.away = away;\n"
     "}\n" },
 
 { "ssgi_solid", NULL, __LINE__ + 1,
@@ -2088,79 +2130,84 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "};\n" },
 
 { "ssgi_solid_at", NULL, __LINE__ + 1,
-    "ssgi_solid ssgi_solid_at(int v, ivec2 p, int j, int layers) {\n"
+    "ssgi_solid ssgi_solid_at(int view, ivec2 pixel, int layer, int layers) {\n"
     "#if SSGI_BOUNCE\n"
-    "    uvec2 a = ssgi_emitter_texel(v, p, j);\n"
-    "    uvec2 b = j + 1 < layers ? ssgi_emitter_texel(v, p, j + 1) : uvec2(0xffffffffu);\n"
-    "    return ssgi_solid(ssgi_unpack_depth(a.y), ssgi_unpack_depth(b.y), a, b);\n"
+    "    uvec2 front = ssgi_emitter_texel(view, pixel, layer);\n"
+    "    uvec2 back = layer + 1 < layers ? ssgi_emitter_texel(view, pixel, layer + 1) : uvec2(0xffffffffu);\n"
+    "    return ssgi_solid(ssgi_unpack_depth(front.y), ssgi_unpack_depth(back.y), front, back);\n"
     "#else\n"
-    "    return ssgi_solid(ssgi_surface(v, p, j), j + 1 < layers ? ssgi_surface(v, p, j + 1) : SSGI_FAR);\n"
+    "    return ssgi_solid(ssgi_surface(view, pixel, layer),\n"
+    "        layer + 1 < layers ? ssgi_surface(view, pixel, layer + 1) : SSGI_FAR);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_solid_occludes", NULL, __LINE__ + 1,
-    "// Returns how much the solid that holds depth s at a pixel of camera v counts.\n"
-    "float ssgi_solid_occludes(ssgi_solid a, int v, ivec2 p, float s) {\n"
+    "// Returns how much the solid that holds depth at a pixel of camera view counts.\n"
+    "float ssgi_solid_occludes(ssgi_solid solid, int view, ivec2 pixel, float depth) {\n"
     "#if SSGI_PASS == SSGI_PASS_HSAO && SSGI_TERMS != SSGI_TERMS_RAYS\n"
-    "    ssgi_offer_rise(ssgi_point(v, p, a.front));\n"
+    "    ssgi_offer_rise(ssgi_point(view, pixel, solid.front));\n"
     "#endif\n"
     "#if SSGI_BOUNCE\n"
-    "    ssgi_offer_emitter(a.front_emitter, ssgi_point(v, p, a.front));\n"
-    "    if (a.back < SSGI_FAR) ssgi_offer_emitter(a.back_emitter, ssgi_point(v, p, a.back));\n"
+    "    ssgi_offer_emitter(solid.front_emitter, ssgi_point(view, pixel, solid.front));\n"
+    "    if (solid.back < SSGI_FAR) ssgi_offer_emitter(solid.back_emitter, ssgi_point(view, pixel, solid.back));\n"
     "#endif\n"
     "#if SSGI_FADE || SSGI_RANGE\n"
-    "    return ssgi_fade_weight(ssgi_point(v, p, s - a.front < a.back - s ? a.front : a.back));\n"
+    "    return ssgi_fade_weight(ssgi_point(view, pixel,\n"
+    "        depth - solid.front < solid.back - depth ? solid.front : solid.back));\n"
     "#else\n"
     "    return 1.0;\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_occupancy", NULL, __LINE__ + 1,
-    "// Where depth s lies at a pixel of camera v. Above 0: inside a solid, which reaches from an odd layer to the\n"
+    "// Where depth lies at a pixel of camera view. Above 0: inside a solid, which reaches from an odd layer to the\n"
     "// next; -1: before the visible surface by more than the slack; 0: that is unknown.\n"
-    "float ssgi_occupancy(int v, ivec2 p, float s, int layers, float slack) {\n"
+    "float ssgi_occupancy(int view, ivec2 pixel, float depth, int layers, float slack) {\n"
     "    // A solid whose far side no layer has is as thick as ssgi_thickness(), or endless; the rest is unknown.\n"
     "    float found = 0.0;\n"
     "    bool known = false;\n"
-    "    for (int j = 0; j < layers; j += 2) {\n"
-    "        ssgi_solid a = ssgi_solid_at(v, p, j, layers);\n"
-    "        float back = a.back;\n"
+    "    for (int layer = 0; layer < layers; layer += 2) {\n"
+    "        ssgi_solid solid = ssgi_solid_at(view, pixel, layer, layers);\n"
+    "        float back = solid.back;\n"
     "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
-    "        if (a.back >= SSGI_FAR) back = a.front + ssgi_thickness();\n"
+    "        if (solid.back >= SSGI_FAR) back = solid.front + ssgi_thickness();\n"
     "#endif\n"
-    "        if (!known && s <= a.front - slack) found = -1.0;\n"
-    "        if (!known && s > a.front && s < back) found = ssgi_solid_occludes(a, v, p, s);\n"
+    "        if (!known && depth <= solid.front - slack) found = -1.0;\n"
+    "        if (!known && depth > solid.front && depth < back)\n"
+    "            found = ssgi_solid_occludes(solid, view, pixel, depth);\n"
     "        // Within the slack before a surface it is unknown, too.\n"
-    "        known = known || s < back || a.back >= SSGI_FAR;\n"
+    "        known = known || depth < back || solid.back >= SSGI_FAR;\n"
     "    }\n"
     "    return found;\n"
     "}\n" },
 
 { "ssgi_occupancy_of_view", NULL, __LINE__ + 1,
-    "// Returns where S lies as extra camera v sees it, as ssgi_occupancy says; 0 out of its picture.\n"
-    "float ssgi_occupancy_of_view(int v, vec3 S) {\n"
-    "    vec3 shift = u_ssgi_view_to[v][3].xyz;\n"
+    "// Returns where the probe lies as extra camera view sees it, as ssgi_occupancy says; 0 out of its picture.\n"
+    "float ssgi_occupancy_of_view(int view, vec3 probe) {\n"
+    "    vec3 shift = u_ssgi_view_to[view][3].xyz;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    shift -= u_ssgi_view_to[v][2].xyz * u_ssgi_decode.w; // Of S.z it would round each point by itself.\n"
+    "    shift -= u_ssgi_view_to[view][2].xyz * u_ssgi_decode.w; // Of probe.z it would round each point by itself.\n"
     "#endif\n"
-    "    vec3 q = mat3(u_ssgi_view_to[v]) * S + shift;\n"
-    "    float unit = u_ssgi_view_decode[v].w > 0.0 ? 1.0 : q.z;\n"
-    "    ivec2 p = ivec2(floor(q.xy / unit)), size = ivec2(u_ssgi_view_size[v].xy);\n"
-    "    if (!(q.z > 0.0 && p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y)) return 0.0;\n"
-    "    return ssgi_occupancy(v, p, q.z, SSGI_VIEW_LAYERS, u_ssgi_view_size[v].z * unit);\n"
+    "    vec3 seen = mat3(u_ssgi_view_to[view]) * probe + shift;\n"
+    "    float unit = u_ssgi_view_decode[view].w > 0.0 ? 1.0 : seen.z;\n"
+    "    ivec2 pixel = ivec2(floor(seen.xy / unit));\n"
+    "    ivec2 size = ivec2(u_ssgi_view_size[view].xy);\n"
+    "    if (!(seen.z > 0.0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.x && pixel.y < size.y)) return 0.0;\n"
+    "    return ssgi_occupancy(view, pixel, seen.z, SSGI_VIEW_LAYERS, u_ssgi_view_size[view].z * unit);\n"
     "}\n" },
 
 { "ssgi_occlusion_at", "SSGI_LAYERS > 1 || SSGI_VIEWS", __LINE__ + 1,
-    "float ssgi_occlusion_at(vec3 S) { // how much the solid counts that S is in; 0: it is in none\n"
-    "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
+    "float ssgi_occlusion_at(vec3 probe) { // how much the solid counts that the probe is in; 0: it is in none\n"
+    "    ivec2 pixel = ivec2(floor(ssgi_project(probe)));\n"
     "#if SSGI_BOUNCE\n"
     "    ssgi_emitter = vec4(0.0, 0.0, 0.0, SSGI_FAR);\n"
-    "    ssgi_way = S - ssgi_P;\n"
+    "    ssgi_way = probe - ssgi_P;\n"
     "#endif\n"
-    "    float found = S.z < 0.0 && ssgi_inside(p) ? ssgi_occupancy(-1, p, -S.z, SSGI_LAYERS, 0.0) : 0.0;\n"
+    "    float found = probe.z < 0.0 && ssgi_inside(pixel) ? ssgi_occupancy(-1, pixel, -probe.z, SSGI_LAYERS, 0.0)\n"
+    "        : 0.0;\n"
     "#if SSGI_VIEWS\n"
-    "    for (int v = 0; v < SSGI_VIEWS; ++v) { // one camera that sees S unoccluded outvotes all others\n"
-    "        float known = ssgi_occupancy_of_view(v, S);\n"
+    "    for (int view = 0; view < SSGI_VIEWS; ++view) { // one camera that sees it unoccluded outvotes all others\n"
+    "        float known = ssgi_occupancy_of_view(view, probe);\n"
     "        found = min(found, known) < 0.0 ? -1.0 : max(found, known);\n"
     "    }\n"
     "#endif\n"
@@ -2168,32 +2215,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sending_depth", NULL, __LINE__ + 1,
-    "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel; its surface becomes ssgi_emitter\n"
-    "    uvec2 s = ssgi_emitter_texel(-1, p, 0);\n"
-    "    float z = ssgi_unpack_depth(s.y);\n"
-    "    ssgi_emitter.xyz = ssgi_radiance_from(s, ssgi_point(-1, p, z));\n"
+    "float ssgi_sending_depth(ivec2 pixel) { // view depth of a pixel; its surface becomes ssgi_emitter\n"
+    "    uvec2 emitter = ssgi_emitter_texel(-1, pixel, 0);\n"
+    "    float z = ssgi_unpack_depth(emitter.y);\n"
+    "    ssgi_emitter.xyz = ssgi_radiance_from(emitter, ssgi_point(-1, pixel, z));\n"
     "#if SSGI_TRANSFER && !SSGI_DIMMED\n"
-    "    ssgi_emitter_place = s.y;\n"
+    "    ssgi_emitter_place = emitter.y;\n"
     "#elif SSGI_DIMMED\n"
-    "    ssgi_emitter_pixel = p;\n"
+    "    ssgi_emitter_pixel = pixel;\n"
     "#endif\n"
     "    return z;\n"
     "}\n" },
 
 { "ssgi_thickness_at", NULL, __LINE__ + 1,
-    "float ssgi_thickness_at(ivec2 p, float z) { // The visible surface at depth z is a pixel thick at least.\n"
-    "    return max(ssgi_measured_width(ssgi_measured(p).y), ssgi_footprint(z));\n"
+    "float ssgi_thickness_at(ivec2 pixel, float z) { // The visible surface at depth z is a pixel thick at least.\n"
+    "    return max(ssgi_measured_width(ssgi_measured(pixel).y), ssgi_footprint(z));\n"
     "}\n" },
 
 { "ssgi_in_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// Whether depth s lies in a pixel's first slab, which begins at z, or in its second, whose front z becomes.\n"
-    "bool ssgi_in_slabs(ivec2 p, float s, inout float z) {\n"
-    "    vec3 back = ssgi_slabs(p);\n"
+    "// Whether depth lies in a pixel's first slab, which begins at z, or in its second, whose front z becomes.\n"
+    "bool ssgi_in_slabs(ivec2 pixel, float depth, inout float z) {\n"
+    "    vec3 back = ssgi_slabs(pixel);\n"
     "    vec2 front = vec2(z, back.y);\n"
     "    vec2 end_ = front + ssgi_slab_thickness(front, back.xz, vec2(ssgi_footprint(z)));\n"
-    "    bool first = s > z && s < end_.x;\n"
+    "    bool first = depth > z && depth < end_.x;\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_SLABS\n"
-    "    bool second = !first && s > back.y && s < end_.y;\n"
+    "    bool second = !first && depth > back.y && depth < end_.y;\n"
     "    if (second) z = back.y;\n"
     "#if SSGI_BOUNCE\n"
     "    if (second) ssgi_emitter.xyz = vec3(0.0); // its radiance is unknown\n"
@@ -2205,31 +2252,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occlusion_at", "!(SSGI_LAYERS > 1 || SSGI_VIEWS)", __LINE__ + 1,
-    "// How much the surface counts that S is in, behind its front; 0: it is in none, off screen, or behind the eye.\n"
-    "float ssgi_occlusion_at(vec3 S) {\n"
-    "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
+    "// How much the surface counts that the probe is in, behind its front; 0: it is in none, off screen, or\n"
+    "// behind the eye.\n"
+    "float ssgi_occlusion_at(vec3 probe) {\n"
+    "    ivec2 pixel = ivec2(floor(ssgi_project(probe)));\n"
     "#if !SSGI_BOUNCE\n"
-    "    float z = ssgi_depth(p);\n"
+    "    float z = ssgi_depth(pixel);\n"
     "#else\n"
-    "    float z = ssgi_sending_depth(p);\n"
+    "    float z = ssgi_sending_depth(pixel);\n"
     "#endif\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_SOLID\n"
-    "    bool found = -S.z > z;\n"
+    "    bool found = -probe.z > z;\n"
     "#endif\n"
-    "    bool seen = ssgi_inside(p); // not behind &&, where compilers read the uniforms anew for every point\n"
+    "    bool seen = ssgi_inside(pixel); // not behind &&, where compilers read the uniforms anew for every point\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
     "    float end_ = z + ssgi_thickness();\n"
     "#elif SSGI_THICKNESS == SSGI_THICKNESS_WIDTH\n"
-    "    float end_ = z + ssgi_thickness_at(p, z);\n"
+    "    float end_ = z + ssgi_thickness_at(pixel, z);\n"
     "#endif\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT || SSGI_THICKNESS == SSGI_THICKNESS_WIDTH\n"
-    "    bool found = -S.z > z && -S.z < end_;\n"
+    "    bool found = -probe.z > z && -probe.z < end_;\n"
     "#elif SSGI_THICKNESS > SSGI_THICKNESS_WIDTH\n"
-    "    bool found = ssgi_in_slabs(p, -S.z, z);\n"
+    "    bool found = ssgi_in_slabs(pixel, -probe.z, z);\n"
     "#endif\n"
-    "    return S.z < 0.0 && seen && found\n"
+    "    return probe.z < 0.0 && seen && found\n"
     "#if SSGI_FADE || SSGI_RANGE\n"
-    "        ? ssgi_fade_weight(ssgi_point(-1, p, z)) : 0.0;\n"
+    "        ? ssgi_fade_weight(ssgi_point(-1, pixel, z)) : 0.0;\n"
     "#else\n"
     "        ? 1.0 : 0.0;\n"
     "#endif\n"
@@ -2237,47 +2285,49 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
 
-/* Coefficient 4w + k is lane k of word w: a, b, c, d. Lanes beyond the bands are 0. Twins in C: >>sh of ssgi.h. */
+/* Coefficient 4w + k is lane k of word w. Lanes beyond the bands are 0. Twins in C: >>sh of ssgi.h. */
 
 { "ssgi_sh", NULL, __LINE__ + 1,
     "struct ssgi_sh { // lane k of word w holds coefficient 4w + k\n"
-    "    vec4 a;\n"
+    "    vec4 word0;\n"
     "#if SSGI_BANDS > 2\n"
-    "    vec4 b, c;\n"
+    "    vec4 word1, word2;\n"
     "#endif\n"
     "#if SSGI_BANDS > 3\n"
-    "    vec4 d;\n"
+    "    vec4 word3;\n"
     "#endif\n"
     "};\n" },
 
 { "ssgi_coefficients", NULL, __LINE__ + 1,
     "#if SSGI_TRANSFER\n"
-    "struct ssgi_coefficients { ssgi_sh c[3]; };\n"
+    "struct ssgi_coefficients { ssgi_sh channel[3]; };\n"
     "#else\n"
-    "struct ssgi_coefficients { ssgi_sh c[1]; };\n"
+    "struct ssgi_coefficients { ssgi_sh channel[1]; };\n"
     "#endif\n" },
 
 { "ssgi_sh_basis", NULL, __LINE__ + 1,
     "// Evaluates the real spherical harmonics at a unit direction, in the order l*l + l + m, without the\n"
     "// Condon-Shortley sign.\n"
-    "ssgi_sh ssgi_sh_basis(vec3 n) {\n"
+    "ssgi_sh ssgi_sh_basis(vec3 direction) {\n"
     "    ssgi_sh y;\n"
-    "    y.a = vec4(0.28209479, 0.0, 0.0, 0.0);\n"
+    "    y.word0 = vec4(0.28209479, 0.0, 0.0, 0.0);\n"
     "#if SSGI_BANDS > 1\n"
-    "    y.a.yzw = 0.48860251 * n.yzx;\n"
+    "    y.word0.yzw = 0.48860251 * direction.yzx;\n"
     "#endif\n"
     "#if SSGI_BANDS > 2\n"
-    "    float zz = n.z * n.z;\n"
-    "    vec3 m = n.xyz * n.yzx;\n"
-    "    vec2 q = n.xy * n.xy;\n"
-    "    y.b = vec4(1.09254843 * m.xy, 0.94617470 * zz - 0.31539157, 1.09254843 * m.z);\n"
-    "    y.c = vec4(0.54627422 * (q.x - q.y), 0.0, 0.0, 0.0);\n"
+    "    float z_squared = direction.z * direction.z;\n"
+    "    vec3 products = direction.xyz * direction.yzx;\n"
+    "    vec2 squares = direction.xy * direction.xy;\n"
+    "    y.word1 = vec4(1.09254843 * products.xy, 0.94617470 * z_squared - 0.31539157, 1.09254843 * products.z);\n"
+    "    y.word2 = vec4(0.54627422 * (squares.x - squares.y), 0.0, 0.0, 0.0);\n"
     "#endif\n"
     "#if SSGI_BANDS > 3\n"
-    "    float five = 2.28522901 * zz - 0.45704580;\n"
-    "    y.c.yzw = vec3(0.59004359 * n.y * (3.0 * q.x - q.y), 2.89061144 * m.x * n.z, n.y * five);\n"
-    "    y.d = vec4(n.z * (1.86588166 * zz - 1.11952900), n.x * five, 1.44530572 * n.z * (q.x - q.y),\n"
-    "               0.59004359 * n.x * (q.x - 3.0 * q.y));\n"
+    "    float five = 2.28522901 * z_squared - 0.45704580;\n"
+    "    y.word2.yzw = vec3(0.59004359 * direction.y * (3.0 * squares.x - squares.y),\n"
+    "        2.89061144 * products.x * direction.z, direction.y * five);\n"
+    "    y.word3 = vec4(direction.z * (1.86588166 * z_squared - 1.11952900), direction.x * five,\n"
+    "        1.44530572 * direction.z * (squares.x - squares.y),\n"
+    "               0.59004359 * direction.x * (squares.x - 3.0 * squares.y));\n"
     "#endif\n"
     "    return y;\n"
     "}\n" },
@@ -2290,273 +2340,306 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0);\n" },
 
 { "ssgi_sh_zonal", NULL, __LINE__ + 1,
-    "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n) { // a lobe about n; zonal has one lane for each band\n"
-    "    ssgi_sh y = ssgi_sh_basis(n);\n"
+    "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 axis) { // a lobe about axis; zonal has one lane for each band\n"
+    "    ssgi_sh y = ssgi_sh_basis(axis);\n"
     "    zonal *= vec4(3.54490770, 2.04665341, 1.58533092, 1.33984917);\n"
-    "    y.a *= zonal.xyyy;\n"
+    "    y.word0 *= zonal.xyyy;\n"
     "#if SSGI_BANDS > 2\n"
-    "    y.b *= zonal.z, y.c *= zonal.zwww;\n"
+    "    y.word1 *= zonal.z;\n"
+    "    y.word2 *= zonal.zwww;\n"
     "#endif\n"
     "#if SSGI_BANDS > 3\n"
-    "    y.d *= zonal.w;\n"
+    "    y.word3 *= zonal.w;\n"
     "#endif\n"
     "    return y;\n"
     "}\n" },
 
 { "ssgi_sh_add", NULL, __LINE__ + 1,
-    "void ssgi_sh_add(inout ssgi_sh s, ssgi_sh y, float w) {\n"
-    "    s.a += y.a * w;\n"
+    "void ssgi_sh_add(inout ssgi_sh sum, ssgi_sh y, float weight) {\n"
+    "    sum.word0 += y.word0 * weight;\n"
     "#if SSGI_BANDS > 2\n"
-    "    s.b += y.b * w, s.c += y.c * w;\n"
+    "    sum.word1 += y.word1 * weight;\n"
+    "    sum.word2 += y.word2 * weight;\n"
     "#endif\n"
     "#if SSGI_BANDS > 3\n"
-    "    s.d += y.d * w;\n"
+    "    sum.word3 += y.word3 * weight;\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_sh_dot", NULL, __LINE__ + 1,
     "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) { // returns the integral of the product of two functions\n"
-    "    float s = dot(x.a, y.a);\n"
+    "    float sum = dot(x.word0, y.word0);\n"
     "#if SSGI_BANDS > 2\n"
-    "    s += dot(x.b, y.b) + dot(x.c, y.c);\n"
+    "    sum += dot(x.word1, y.word1) + dot(x.word2, y.word2);\n"
     "#endif\n"
     "#if SSGI_BANDS > 3\n"
-    "    s += dot(x.d, y.d);\n"
+    "    sum += dot(x.word3, y.word3);\n"
     "#endif\n"
-    "    return s;\n"
+    "    return sum;\n"
     "}\n" },
 
 { "ssgi_sh_complex", NULL, __LINE__ + 1,
-    "vec2 ssgi_sh_complex(vec2 a, vec2 b) {\n"
-    "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n"
+    "vec2 ssgi_sh_complex(vec2 first, vec2 second) {\n"
+    "    return vec2(first.x * second.x - first.y * second.y, first.x * second.y + first.y * second.x);\n"
     "}\n" },
 
 { "ssgi_sh_about_z", "SSGI_BANDS > 2", __LINE__ + 1,
-    "// Turns the bands from the third on about z by the angle whose cosine and sine are u.\n"
-    "void ssgi_sh_about_z(inout ssgi_sh s, vec2 u) {\n"
-    "    vec2 uu = ssgi_sh_complex(u, u), t = ssgi_sh_complex(vec2(s.c.x, s.b.x), uu);\n"
-    "    s.b.wy = ssgi_sh_complex(s.b.wy, u);\n"
-    "    s.c.x = t.x, s.b.x = t.y;\n"
+    "// Turns the bands from the third on about z by the angle whose cosine and sine are turn.\n"
+    "void ssgi_sh_about_z(inout ssgi_sh harmonics, vec2 turn) {\n"
+    "    vec2 twice = ssgi_sh_complex(turn, turn);\n"
+    "    vec2 turned = ssgi_sh_complex(vec2(harmonics.word2.x, harmonics.word1.x), twice);\n"
+    "    harmonics.word1.wy = ssgi_sh_complex(harmonics.word1.wy, turn);\n"
+    "    harmonics.word2.x = turned.x;\n"
+    "    harmonics.word1.x = turned.y;\n"
     "#if SSGI_BANDS > 3\n"
-    "    vec2 one = ssgi_sh_complex(vec2(s.d.y, s.c.w), u), two = ssgi_sh_complex(vec2(s.d.z, s.c.z), uu);\n"
-    "    vec2 three = ssgi_sh_complex(vec2(s.d.w, s.c.y), ssgi_sh_complex(uu, u));\n"
-    "    s.d.yzw = vec3(one.x, two.x, three.x);\n"
-    "    s.c.yzw = vec3(three.y, two.y, one.y);\n"
+    "    vec2 one = ssgi_sh_complex(vec2(harmonics.word3.y, harmonics.word2.w), turn);\n"
+    "    vec2 two = ssgi_sh_complex(vec2(harmonics.word3.z, harmonics.word2.z), twice);\n"
+    "    vec2 three = ssgi_sh_complex(vec2(harmonics.word3.w, harmonics.word2.y), ssgi_sh_complex(twice, turn));\n"
+    "    harmonics.word3.yzw = vec3(one.x, two.x, three.x);\n"
+    "    harmonics.word2.yzw = vec3(three.y, two.y, one.y);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_sh_quarter", "SSGI_BANDS > 2", __LINE__ + 1,
     "// Turns those bands about x by a quarter, forth (way 1) or back (-1).\n"
-    "void ssgi_sh_quarter(inout ssgi_sh s, float way) {\n"
-    "    float q = s.c.x;\n"
-    "    s.c.x = 0.5 * q - 0.86602540 * s.b.z;\n"
-    "    s.b = vec4(-way * s.b.w, -s.b.y, -0.5 * s.b.z - 0.86602540 * q, way * s.b.x);\n"
+    "void ssgi_sh_quarter(inout ssgi_sh harmonics, float way) {\n"
+    "    float flat_ = harmonics.word2.x;\n"
+    "    harmonics.word2.x = 0.5 * flat_ - 0.86602540 * harmonics.word1.z;\n"
+    "    harmonics.word1 = vec4(-way * harmonics.word1.w, -harmonics.word1.y,\n"
+    "        -0.5 * harmonics.word1.z - 0.86602540 * flat_, way * harmonics.word1.x);\n"
     "#if SSGI_BANDS > 3\n"
-    "    vec4 o = vec4(s.c.y, s.c.w, s.d.x, s.d.z);\n"
-    "    s.c.yzw = vec3(way * (0.79056942 * o.z - 0.61237244 * o.w), -s.c.z,\n"
-    "                   way * (0.61237244 * o.z + 0.79056942 * o.w));\n"
-    "    s.d = vec4(way * (-0.79056942 * o.x - 0.61237244 * o.y), -0.25 * s.d.y - 0.96824584 * s.d.w,\n"
-    "               way * (0.61237244 * o.x - 0.79056942 * o.y), 0.25 * s.d.w - 0.96824584 * s.d.y);\n"
+    "    vec4 old = vec4(harmonics.word2.y, harmonics.word2.w, harmonics.word3.x, harmonics.word3.z);\n"
+    "    harmonics.word2.yzw = vec3(way * (0.79056942 * old.z - 0.61237244 * old.w), -harmonics.word2.z,\n"
+    "                   way * (0.61237244 * old.z + 0.79056942 * old.w));\n"
+    "    harmonics.word3 = vec4(way * (-0.79056942 * old.x - 0.61237244 * old.y),\n"
+    "        -0.25 * harmonics.word3.y - 0.96824584 * harmonics.word3.w,\n"
+    "               way * (0.61237244 * old.x - 0.79056942 * old.y),\n"
+    "                   0.25 * harmonics.word3.w - 0.96824584 * harmonics.word3.y);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_sh_turn", NULL, __LINE__ + 1,
-    "// Turns a function by a rotation R: R n gets the value that n had.\n"
-    "void ssgi_sh_turn(inout ssgi_sh s, mat3 R) {\n"
+    "// Turns a function: the value of a direction goes to rotation * that direction.\n"
+    "void ssgi_sh_turn(inout ssgi_sh harmonics, mat3 rotation) {\n"
     "#if SSGI_BANDS > 1\n"
-    "    s.a.yzw = (R * s.a.wyz).yzx;\n"
+    "    harmonics.word0.yzw = (rotation * harmonics.word0.wyz).yzx;\n"
     "#endif\n"
     "#if SSGI_BANDS > 2\n"
-    "    // R = Rz(phi) Ry(theta) Rz(psi), and Ry is Rz between two quarters about x. Near a pole only phi + psi or\n"
-    "    // phi - psi is defined (gimbal lock), so psi comes from that sum.\n"
-    "    float m = dot(R[2].xy, R[2].xy);\n"
-    "    vec2 phi = m > 1e-30 ? R[2].xy * inversesqrt(m) : vec2(1.0, 0.0);\n"
-    "    vec2 psi = R[2].z < 0.0 ? ssgi_sh_complex(vec2(R[1].y - R[0].x, R[0].y + R[1].x), phi)\n"
-    "                            : ssgi_sh_complex(vec2(R[0].x + R[1].y, R[0].y - R[1].x), vec2(phi.x, -phi.y));\n"
-    "    ssgi_sh_about_z(s, normalize(psi));\n"
-    "    ssgi_sh_quarter(s, 1.0);\n"
-    "    ssgi_sh_about_z(s, vec2(R[2].z, sqrt(m)));\n"
-    "    ssgi_sh_quarter(s, -1.0);\n"
-    "    ssgi_sh_about_z(s, phi);\n"
+    "    // rotation = Rz(phi) Ry(theta) Rz(psi), and Ry is Rz between two quarters about x. Near a pole only phi +\n"
+    "    // psi or phi - psi is defined (gimbal lock), so psi comes from that sum.\n"
+    "    float squared = dot(rotation[2].xy, rotation[2].xy);\n"
+    "    vec2 phi = squared > 1e-30 ? rotation[2].xy * inversesqrt(squared) : vec2(1.0, 0.0);\n"
+    "    vec2 psi = rotation[2].z < 0.0 ? ssgi_sh_complex(vec2(rotation[1].y - rotation[0].x,\n"
+    "        rotation[0].y + rotation[1].x), phi)\n"
+    "                            : ssgi_sh_complex(vec2(rotation[0].x + rotation[1].y,\n"
+    "                                rotation[0].y - rotation[1].x), vec2(phi.x, -phi.y));\n"
+    "    ssgi_sh_about_z(harmonics, normalize(psi));\n"
+    "    ssgi_sh_quarter(harmonics, 1.0);\n"
+    "    ssgi_sh_about_z(harmonics, vec2(rotation[2].z, sqrt(squared)));\n"
+    "    ssgi_sh_quarter(harmonics, -1.0);\n"
+    "    ssgi_sh_about_z(harmonics, phi);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_pack_half", NULL, __LINE__ + 1,
-    "uint ssgi_pack_half(vec2 v) {\n"
-    "    v = clamp(v, -65504.0, 65504.0);\n"
+    "uint ssgi_pack_half(vec2 values) {\n"
+    "    values = clamp(values, -65504.0, 65504.0);\n"
     "#if SSGI_DIALECT != SSGI_DIALECT_330 && SSGI_DIALECT != SSGI_DIALECT_410\n"
-    "    return packHalf2x16(v);\n"
+    "    return packHalf2x16(values);\n"
     "#endif\n"
     "#if SSGI_DIALECT == SSGI_DIALECT_330 || SSGI_DIALECT == SSGI_DIALECT_410\n"
-    "    uvec2 u = floatBitsToUint(v), a = u & 0x7fffffffu; // these languages lack it; this rounds to nearest even\n"
-    "    uvec2 h = (a - 0x38000000u + 0xfffu + ((a >> 13u) & 1u)) >> 13u;\n"
-    "    uvec2 small = floatBitsToUint(uintBitsToFloat(a) + 0.5) - 0x3f000000u; // this sum rounds below 2^-14\n"
-    "    h = uvec2(a.x < 0x38800000u ? small.x : h.x, a.y < 0x38800000u ? small.y : h.y) | ((u >> 16u) & 0x8000u);\n"
-    "    return h.x | (h.y << 16u);\n"
+    "    uvec2 bits = floatBitsToUint(values); // these languages lack it; this rounds to nearest even\n"
+    "    uvec2 magnitudes = bits & 0x7fffffffu;\n"
+    "    uvec2 halves = (magnitudes - 0x38000000u + 0xfffu + ((magnitudes >> 13u) & 1u)) >> 13u;\n"
+    "    // This sum rounds below 2^-14.\n"
+    "    uvec2 small = floatBitsToUint(uintBitsToFloat(magnitudes) + 0.5) - 0x3f000000u;\n"
+    "    halves = uvec2(magnitudes.x < 0x38800000u ? small.x : halves.x,\n"
+    "        magnitudes.y < 0x38800000u ? small.y : halves.y) | ((bits >> 16u) & 0x8000u);\n"
+    "    return halves.x | (halves.y << 16u);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_unpack_half", NULL, __LINE__ + 1,
-    "vec2 ssgi_unpack_half(uint u) {\n"
+    "vec2 ssgi_unpack_half(uint bits) {\n"
     "#if SSGI_DIALECT != SSGI_DIALECT_330 && SSGI_DIALECT != SSGI_DIALECT_410\n"
-    "    return unpackHalf2x16(u);\n"
+    "    return unpackHalf2x16(bits);\n"
     "#endif\n"
     "#if SSGI_DIALECT == SSGI_DIALECT_330 || SSGI_DIALECT == SSGI_DIALECT_410\n"
-    "    uvec2 h = uvec2(u & 0xffffu, u >> 16u), e = h & 0x7c00u;\n"
-    "    vec2 v = uintBitsToFloat(((h & 0x7fffu) << 13u) + 0x38000000u), small = vec2(h & 0x3ffu) * 5.9604645e-8;\n"
-    "    v = vec2(e.x == 0u ? small.x : v.x, e.y == 0u ? small.y : v.y);\n"
-    "    return vec2(h.x > 0x7fffu ? -v.x : v.x, h.y > 0x7fffu ? -v.y : v.y);\n"
+    "    uvec2 halves = uvec2(bits & 0xffffu, bits >> 16u);\n"
+    "    uvec2 exponents = halves & 0x7c00u;\n"
+    "    vec2 values = uintBitsToFloat(((halves & 0x7fffu) << 13u) + 0x38000000u);\n"
+    "    vec2 small = vec2(halves & 0x3ffu) * 5.9604645e-8;\n"
+    "    values = vec2(exponents.x == 0u ? small.x : values.x, exponents.y == 0u ? small.y : values.y);\n"
+    "    return vec2(halves.x > 0x7fffu ? -values.x : values.x, halves.y > 0x7fffu ? -values.y : values.y);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_unpack", NULL, __LINE__ + 1,
-    "ssgi_sh ssgi_unpack(uvec4 u, uvec4 v) {\n"
-    "    ssgi_sh s;\n"
-    "    s.a = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y));\n"
+    "ssgi_sh ssgi_unpack(uvec4 first, uvec4 second) {\n"
+    "    ssgi_sh harmonics;\n"
+    "    harmonics.word0 = vec4(ssgi_unpack_half(first.x), ssgi_unpack_half(first.y));\n"
     "#if SSGI_BANDS > 2\n"
-    "    s.b = vec4(ssgi_unpack_half(u.z), ssgi_unpack_half(u.w));\n"
-    "    s.c = vec4(ssgi_unpack_half(v.x), ssgi_unpack_half(v.y));\n"
+    "    harmonics.word1 = vec4(ssgi_unpack_half(first.z), ssgi_unpack_half(first.w));\n"
+    "    harmonics.word2 = vec4(ssgi_unpack_half(second.x), ssgi_unpack_half(second.y));\n"
     "#endif\n"
     "#if SSGI_BANDS > 3\n"
-    "    s.d = vec4(ssgi_unpack_half(v.z), ssgi_unpack_half(v.w));\n"
+    "    harmonics.word3 = vec4(ssgi_unpack_half(second.z), ssgi_unpack_half(second.w));\n"
     "#endif\n"
-    "    return s;\n"
+    "    return harmonics;\n"
     "}\n" },
 
 { "ssgi_load", NULL, __LINE__ + 1,
-    "ssgi_coefficients ssgi_load(ivec2 p) { // reads the coefficients that pass s3ho wrote at a texel\n"
-    "    ssgi_coefficients v;\n"
+    "ssgi_coefficients ssgi_load(ivec2 texel) { // reads the coefficients that pass s3ho wrote at a texel\n"
+    "    ssgi_coefficients coefficients;\n"
     "#if SSGI_TRANSFER\n"
     "#if SSGI_BANDS < 3\n"
-    "    uvec4 red = uvec4(0u), green = red, blue = red;\n"
+    "    uvec4 red = uvec4(0u);\n"
+    "    uvec4 green = red;\n"
+    "    uvec4 blue = red;\n"
     "#else\n"
-    "    uvec4 red = texelFetch(t_ssgi_red1, p, 0), green = texelFetch(t_ssgi_green1, p, 0);\n"
-    "    uvec4 blue = texelFetch(t_ssgi_blue1, p, 0);\n"
+    "    uvec4 red = texelFetch(t_ssgi_red1, texel, 0);\n"
+    "    uvec4 green = texelFetch(t_ssgi_green1, texel, 0);\n"
+    "    uvec4 blue = texelFetch(t_ssgi_blue1, texel, 0);\n"
     "#endif\n"
-    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_red0, p, 0), red);\n"
-    "    v.c[1] = ssgi_unpack(texelFetch(t_ssgi_green0, p, 0), green);\n"
-    "    v.c[2] = ssgi_unpack(texelFetch(t_ssgi_blue0, p, 0), blue);\n"
+    "    coefficients.channel[0] = ssgi_unpack(texelFetch(t_ssgi_red0, texel, 0), red);\n"
+    "    coefficients.channel[1] = ssgi_unpack(texelFetch(t_ssgi_green0, texel, 0), green);\n"
+    "    coefficients.channel[2] = ssgi_unpack(texelFetch(t_ssgi_blue0, texel, 0), blue);\n"
     "#elif SSGI_PACKED\n"
     "#if SSGI_BANDS < 3\n"
-    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, p, 0), uvec4(0u));\n"
+    "    coefficients.channel[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, texel, 0), uvec4(0u));\n"
     "#else\n"
-    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, p, 0), texelFetch(t_ssgi_sh1, p, 0));\n"
+    "    coefficients.channel[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, texel, 0), texelFetch(t_ssgi_sh1, texel, 0));\n"
     "#endif\n"
     "#else\n"
     "#if SSGI_BANDS == 1\n"
-    "    v.c[0].a = vec4(texelFetch(t_ssgi_sh0, p, 0).x, 0.0, 0.0, 0.0);\n"
+    "    coefficients.channel[0].word0 = vec4(texelFetch(t_ssgi_sh0, texel, 0).x, 0.0, 0.0, 0.0);\n"
     "#else\n"
-    "    v.c[0].a = texelFetch(t_ssgi_sh0, p, 0);\n"
+    "    coefficients.channel[0].word0 = texelFetch(t_ssgi_sh0, texel, 0);\n"
     "#endif\n"
     "#if SSGI_BANDS > 2\n"
-    "    v.c[0].b = texelFetch(t_ssgi_sh1, p, 0);\n"
+    "    coefficients.channel[0].word1 = texelFetch(t_ssgi_sh1, texel, 0);\n"
     "#endif\n"
     "#if SSGI_BANDS == 3\n"
-    "    v.c[0].c = vec4(texelFetch(t_ssgi_sh2, p, 0).x, 0.0, 0.0, 0.0);\n"
+    "    coefficients.channel[0].word2 = vec4(texelFetch(t_ssgi_sh2, texel, 0).x, 0.0, 0.0, 0.0);\n"
     "#elif SSGI_BANDS == 4\n"
-    "    v.c[0].c = texelFetch(t_ssgi_sh2, p, 0);\n"
-    "    v.c[0].d = texelFetch(t_ssgi_sh3, p, 0);\n"
+    "    coefficients.channel[0].word2 = texelFetch(t_ssgi_sh2, texel, 0);\n"
+    "    coefficients.channel[0].word3 = texelFetch(t_ssgi_sh3, texel, 0);\n"
     "#endif\n"
     "#endif\n"
-    "    return v;\n"
+    "    return coefficients;\n"
     "}\n" },
 
 { "ssgi_load_last", "SSGI_TRANSFER", __LINE__ + 1,
-    "ssgi_coefficients ssgi_load_last(ivec2 p) { // the filtered coefficients of the last frame, three sets\n"
-    "    ssgi_coefficients v;\n"
+    "ssgi_coefficients ssgi_load_last(ivec2 texel) { // the filtered coefficients of the last frame, three sets\n"
+    "    ssgi_coefficients coefficients;\n"
     "#if SSGI_BANDS < 3\n"
-    "    uvec4 red = uvec4(0u), green = red, blue = red;\n"
+    "    uvec4 red = uvec4(0u);\n"
+    "    uvec4 green = red;\n"
+    "    uvec4 blue = red;\n"
     "#else\n"
-    "    uvec4 red = texelFetch(t_ssgi_last_red1, p, 0);\n"
-    "    uvec4 green = texelFetch(t_ssgi_last_green1, p, 0);\n"
-    "    uvec4 blue = texelFetch(t_ssgi_last_blue1, p, 0);\n"
+    "    uvec4 red = texelFetch(t_ssgi_last_red1, texel, 0);\n"
+    "    uvec4 green = texelFetch(t_ssgi_last_green1, texel, 0);\n"
+    "    uvec4 blue = texelFetch(t_ssgi_last_blue1, texel, 0);\n"
     "#endif\n"
-    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_last_red0, p, 0), red);\n"
-    "    v.c[1] = ssgi_unpack(texelFetch(t_ssgi_last_green0, p, 0), green);\n"
-    "    v.c[2] = ssgi_unpack(texelFetch(t_ssgi_last_blue0, p, 0), blue);\n"
-    "    return v;\n"
+    "    coefficients.channel[0] = ssgi_unpack(texelFetch(t_ssgi_last_red0, texel, 0), red);\n"
+    "    coefficients.channel[1] = ssgi_unpack(texelFetch(t_ssgi_last_green0, texel, 0), green);\n"
+    "    coefficients.channel[2] = ssgi_unpack(texelFetch(t_ssgi_last_blue0, texel, 0), blue);\n"
+    "    return coefficients;\n"
     "}\n" },
 
 { "ssgi_pack_first", NULL, __LINE__ + 1,
-    "uvec4 ssgi_pack_first(ssgi_sh s) { // packs coefficients 0..7\n"
-    "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), ssgi_pack_half(s.a.zw), 0u, 0u);\n"
+    "uvec4 ssgi_pack_first(ssgi_sh harmonics) { // packs coefficients 0..7\n"
+    "    uvec4 words = uvec4(ssgi_pack_half(harmonics.word0.xy), ssgi_pack_half(harmonics.word0.zw), 0u, 0u);\n"
     "#if SSGI_BANDS > 2\n"
-    "    u.zw = uvec2(ssgi_pack_half(s.b.xy), ssgi_pack_half(s.b.zw));\n"
+    "    words.zw = uvec2(ssgi_pack_half(harmonics.word1.xy), ssgi_pack_half(harmonics.word1.zw));\n"
     "#endif\n"
-    "    return u;\n"
+    "    return words;\n"
     "}\n" },
 
 { "ssgi_pack_more", "SSGI_BANDS > 2", __LINE__ + 1,
-    "uvec4 ssgi_pack_more(ssgi_sh s) { // packs coefficients 8..15\n"
-    "    uvec4 u = uvec4(ssgi_pack_half(s.c.xy), 0u, 0u, 0u);\n"
+    "uvec4 ssgi_pack_more(ssgi_sh harmonics) { // packs coefficients 8..15\n"
+    "    uvec4 words = uvec4(ssgi_pack_half(harmonics.word2.xy), 0u, 0u, 0u);\n"
     "#if SSGI_BANDS > 3\n"
-    "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw));\n"
+    "    words.yzw = uvec3(ssgi_pack_half(harmonics.word2.zw), ssgi_pack_half(harmonics.word3.xy),\n"
+    "        ssgi_pack_half(harmonics.word3.zw));\n"
     "#endif\n"
-    "    return u;\n"
+    "    return words;\n"
     "}\n" },
 
 { "ssgi_store", "SSGI_PACKED || !SSGI_TRANSFER", __LINE__ + 1,
-    "void ssgi_store(ssgi_coefficients v) { // writes coefficients to the outputs of pass s3ho\n"
+    "void ssgi_store(ssgi_coefficients coefficients) { // writes coefficients to the outputs of pass s3ho\n"
     "#if SSGI_TRANSFER\n"
-    "    o_ssgi_red0 = ssgi_pack_first(v.c[0]), o_ssgi_green0 = ssgi_pack_first(v.c[1]);\n"
-    "    o_ssgi_blue0 = ssgi_pack_first(v.c[2]);\n"
+    "    o_ssgi_red0 = ssgi_pack_first(coefficients.channel[0]);\n"
+    "    o_ssgi_green0 = ssgi_pack_first(coefficients.channel[1]);\n"
+    "    o_ssgi_blue0 = ssgi_pack_first(coefficients.channel[2]);\n"
     "#if SSGI_BANDS > 2\n"
-    "    o_ssgi_red1 = ssgi_pack_more(v.c[0]), o_ssgi_green1 = ssgi_pack_more(v.c[1]);\n"
-    "    o_ssgi_blue1 = ssgi_pack_more(v.c[2]);\n"
+    "    o_ssgi_red1 = ssgi_pack_more(coefficients.channel[0]);\n"
+    "    o_ssgi_green1 = ssgi_pack_more(coefficients.channel[1]);\n"
+    "    o_ssgi_blue1 = ssgi_pack_more(coefficients.channel[2]);\n"
     "#endif\n"
     "#elif SSGI_PACKED\n"
-    "    o_ssgi_sh0 = ssgi_pack_first(v.c[0]);\n"
+    "    o_ssgi_sh0 = ssgi_pack_first(coefficients.channel[0]);\n"
     "#if SSGI_BANDS > 2\n"
-    "    o_ssgi_sh1 = ssgi_pack_more(v.c[0]);\n"
+    "    o_ssgi_sh1 = ssgi_pack_more(coefficients.channel[0]);\n"
     "#endif\n"
     "#else\n"
-    "    o_ssgi_sh0 = v.c[0].a;\n"
+    "    o_ssgi_sh0 = coefficients.channel[0].word0;\n"
     "#if SSGI_BANDS > 2\n"
-    "    o_ssgi_sh1 = v.c[0].b, o_ssgi_sh2 = v.c[0].c;\n"
+    "    o_ssgi_sh1 = coefficients.channel[0].word1;\n"
+    "    o_ssgi_sh2 = coefficients.channel[0].word2;\n"
     "#endif\n"
     "#if SSGI_BANDS > 3\n"
-    "    o_ssgi_sh3 = v.c[0].d;\n"
+    "    o_ssgi_sh3 = coefficients.channel[0].word3;\n"
     "#endif\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_coefficients_none", NULL, __LINE__ + 1,
     "ssgi_coefficients ssgi_coefficients_none() {\n"
-    "    ssgi_coefficients v;\n"
-    "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n"
-    "    return v;\n"
+    "    ssgi_coefficients coefficients;\n"
+    "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
+    "        coefficients.channel[channel] = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n"
+    "    return coefficients;\n"
     "}\n" },
 
 { "ssgi_ambient", NULL, __LINE__ + 1,
-    "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility, which is coefficient 0 but for a factor\n"
-    "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
+    "// Ambient visibility, which is coefficient 0 but for a factor.\n"
+    "vec3 ssgi_ambient(ssgi_coefficients coefficients) {\n"
+    "    vec3 ambient = vec3(coefficients.channel[0].word0.x,\n"
+    "        coefficients.channel[1 % coefficients.channel.length()].word0.x,\n"
+    "            coefficients.channel[2 % coefficients.channel.length()].word0.x);\n"
     "#if SSGI_TRANSFER == SSGI_TRANSFER_BOTH && SSGI_BANDS == 1\n"
-    "    a -= vec3(v.c[0].a.y, v.c[1].a.y, v.c[2].a.y);\n"
+    "    ambient -= vec3(coefficients.channel[0].word0.y, coefficients.channel[1].word0.y,\n"
+    "        coefficients.channel[2].word0.y);\n"
     "#endif\n"
-    "    return clamp(a * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
+    "    return clamp(ambient * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
     "}\n" },
 
 { "ssgi_incoming", "SSGI_HARMONICS == SSGI_HARMONICS_FRAME", __LINE__ + 1,
-    "float ssgi_incoming(int c, ssgi_sh s) { // channel c of the irradiance that visibility s lets in [S3HO12 eq. 3]\n"
-    "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
+    "// One channel of the irradiance that visibility lets in [S3HO12 eq. 3].\n"
+    "float ssgi_incoming(int channel, ssgi_sh visibility) {\n"
+    "    float irradiance = dot(u_ssgi_harmonics[channel], visibility.word0);\n"
     "#if SSGI_BANDS > 2\n"
-    "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c);\n"
+    "    irradiance += dot(u_ssgi_harmonics[3 + channel], visibility.word1)\n"
+    "        + dot(u_ssgi_harmonics[6 + channel], visibility.word2);\n"
     "#endif\n"
     "#if SSGI_BANDS > 3\n"
-    "    e += dot(u_ssgi_harmonics[9 + c], s.d);\n"
+    "    irradiance += dot(u_ssgi_harmonics[9 + channel], visibility.word3);\n"
     "#endif\n"
-    "    return e;\n"
+    "    return irradiance;\n"
     "}\n" },
 
 { "ssgi_irradiance", "SSGI_HARMONICS == SSGI_HARMONICS_FRAME", __LINE__ + 1,
-    "// Returns the irradiance over pi of a surface with normal n.\n"
-    "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
-    "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
-    "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * SSGI_OVER_PI;\n"
+    "// Returns the irradiance over pi of a surface.\n"
+    "vec3 ssgi_irradiance(ssgi_coefficients coefficients, vec3 normal) {\n"
+    "    float red = ssgi_incoming(0, coefficients.channel[0]);\n"
+    "    float green = ssgi_incoming(1, coefficients.channel[1 % coefficients.channel.length()]);\n"
+    "    vec3 irradiance = vec3(red, green, ssgi_incoming(2,\n"
+    "        coefficients.channel[2 % coefficients.channel.length()])) * SSGI_OVER_PI;\n"
     "#if SSGI_RESIDUAL\n"
-    "    e += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) * ssgi_ambient(v);\n"
+    "    irradiance += ssgi_irradiance_map(transpose(u_ssgi_rotation) * normal, 0) * ssgi_ambient(coefficients);\n"
     "#endif\n"
-    "    return e;\n"
+    "    return irradiance;\n"
     "}\n" },
 
 { "ssgi_lit_at", NULL, __LINE__ + 1,
@@ -2564,32 +2647,37 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_incoming", "SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM", __LINE__ + 1,
     "// Irradiance by your coefficients i to i + count - 1: each channel's transfer has a lane for each of them.\n"
-    "vec3 ssgi_incoming(int i, int count, vec4 r, vec4 g, vec4 b) {\n"
-    "    vec3 e = vec3(0.0);\n"
-    "    vec3 at = ssgi_to_yours(ssgi_lit_at);\n"
-    "    for (int k = 0; k < count; ++k) e += ssgi_custom_harmonic(i + k, at) * vec3(r[k], g[k], b[k]);\n"
-    "    return e;\n"
+    "vec3 ssgi_incoming(int i, int count, vec4 red, vec4 green, vec4 blue) {\n"
+    "    vec3 irradiance = vec3(0.0);\n"
+    "    vec3 place = ssgi_to_yours(ssgi_lit_at);\n"
+    "    for (int lane = 0; lane < count; ++lane)\n"
+    "        irradiance += ssgi_custom_harmonic(i + lane, place) * vec3(red[lane], green[lane], blue[lane]);\n"
+    "    return irradiance;\n"
     "}\n" },
 
 { "ssgi_irradiance", "SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM", __LINE__ + 1,
     "// Irradiance over pi by your harmonics. They are in world space, so the transfer is turned there.\n"
-    "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
-    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_turn(v.c[c], transpose(u_ssgi_rotation));\n"
-    "    ssgi_sh r = v.c[0], g = v.c[1 % v.c.length()], b = v.c[2 % v.c.length()];\n"
+    "vec3 ssgi_irradiance(ssgi_coefficients coefficients, vec3 normal) {\n"
+    "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
+    "        ssgi_sh_turn(coefficients.channel[channel], transpose(u_ssgi_rotation));\n"
+    "    ssgi_sh red = coefficients.channel[0];\n"
+    "    ssgi_sh green = coefficients.channel[1 % coefficients.channel.length()];\n"
+    "    ssgi_sh blue = coefficients.channel[2 % coefficients.channel.length()];\n"
     "#if SSGI_BANDS == 1\n"
-    "    vec3 e = ssgi_incoming(0, 1, r.a, g.a, b.a);\n"
+    "    vec3 irradiance = ssgi_incoming(0, 1, red.word0, green.word0, blue.word0);\n"
     "#elif SSGI_BANDS > 1\n"
-    "    vec3 e = ssgi_incoming(0, 4, r.a, g.a, b.a);\n"
+    "    vec3 irradiance = ssgi_incoming(0, 4, red.word0, green.word0, blue.word0);\n"
     "#endif\n"
     "#if SSGI_BANDS > 2\n"
-    "    e += ssgi_incoming(4, 4, r.b, g.b, b.b);\n"
+    "    irradiance += ssgi_incoming(4, 4, red.word1, green.word1, blue.word1);\n"
     "#endif\n"
     "#if SSGI_BANDS == 3\n"
-    "    e += ssgi_incoming(8, 1, r.c, g.c, b.c);\n"
+    "    irradiance += ssgi_incoming(8, 1, red.word2, green.word2, blue.word2);\n"
     "#elif SSGI_BANDS == 4\n"
-    "    e += ssgi_incoming(8, 4, r.c, g.c, b.c) + ssgi_incoming(12, 4, r.d, g.d, b.d);\n"
+    "    irradiance += ssgi_incoming(8, 4, red.word2, green.word2, blue.word2)\n"
+    "        + ssgi_incoming(12, 4, red.word3, green.word3, blue.word3);\n"
     "#endif\n"
-    "    return e * SSGI_OVER_PI;\n"
+    "    return irradiance * SSGI_OVER_PI;\n"
     "}\n" },
 
 /* ==== >>light: lights, emitters, shading of coefficients ========================================================= */
@@ -2598,35 +2686,37 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_SUN = 0.5; // a light whose kind is below this is a sun\n" },
 
 { "SSGI_POINT", NULL, __LINE__ + 1,
-    "const float SSGI_POINT = 1.5;\n" },
+    "const float SSGI_POINT = 1.5; // below this: a point light or a spot\n" },
 
 { "SSGI_SPOT", NULL, __LINE__ + 1,
-    "const float SSGI_SPOT = 2.5;\n" },
+    "const float SSGI_SPOT = 2.5; // below this: a spot light or a point; above it a virtual point light\n" },
 
 { "ssgi_light", NULL, __LINE__ + 1,
     "struct ssgi_light { // how a row of t_ssgi_lights shines on a point\n"
-    "    vec4 at, colour, facing;\n"
+    "    vec4 position, colour, facing;\n"
     "    vec3 way; // unit vector to the light\n"
     "    float distance, falloff; // falloff is all that dims it but the receiver's cosine\n"
     "};\n" },
 
 { "ssgi_light_at", NULL, __LINE__ + 1,
     "ssgi_light ssgi_light_at(int i, vec3 P) {\n"
-    "    ssgi_light s;\n"
-    "    s.at = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
-    "    s.colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0), s.facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
-    "    s.way = s.at.w > SSGI_SUN ? ssgi_from_yours(s.at.xyz) - P : s.at.xyz;\n"
-    "    float dd = max(dot(s.way, s.way), 1e-30);\n"
-    "    s.distance = sqrt(dd), s.way /= s.distance;\n"
-    "    s.falloff = s.at.w > SSGI_SUN ? 1.0 / max(dd, s.colour.w * s.colour.w) : 1.0;\n"
-    "    if (s.at.w > SSGI_SPOT) s.falloff *= max(-dot(s.facing.xyz, s.way), 0.0);\n"
-    "    return s;\n"
+    "    ssgi_light light;\n"
+    "    light.position = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
+    "    light.colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0);\n"
+    "    light.facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
+    "    light.way = light.position.w > SSGI_SUN ? ssgi_from_yours(light.position.xyz) - P : light.position.xyz;\n"
+    "    float squared = max(dot(light.way, light.way), 1e-30);\n"
+    "    light.distance = sqrt(squared);\n"
+    "    light.way /= light.distance;\n"
+    "    light.falloff = light.position.w > SSGI_SUN ? 1.0 / max(squared, light.colour.w * light.colour.w) : 1.0;\n"
+    "    if (light.position.w > SSGI_SPOT) light.falloff *= max(-dot(light.facing.xyz, light.way), 0.0);\n"
+    "    return light;\n"
     "}\n" },
 
 { "ssgi_segment_occlusion", "SSGI_SHADOW == SSGI_SHADOW_SEGMENT || SSGI_SHADOW == SSGI_SHADOW_FILL", __LINE__ + 1,
     "// Returns 1 if any point of the segment from P to light i is occluded. ssgi_shadow explains contact.\n"
-    "float ssgi_segment_occlusion(int i, vec3 P, vec3 n, ssgi_light s, float contact, float xi) {\n"
-    "    float reach = s.at.w > SSGI_SUN ? min(u_ssgi_radius, s.distance) : u_ssgi_radius;\n"
+    "float ssgi_segment_occlusion(int i, vec3 P, vec3 normal, ssgi_light light, float contact, float random) {\n"
+    "    float reach = light.position.w > SSGI_SUN ? min(u_ssgi_radius, light.distance) : u_ssgi_radius;\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_FILL\n"
     "    if (contact >= 0.0) reach = min(reach, contact);\n"
     "    // The map decides on distances below a pixel.\n"
@@ -2635,14 +2725,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
     "    ssgi_segment_length = reach;\n"
     "#endif\n"
-    "    vec3 start = ssgi_lift(P, n), along = s.way * reach;\n"
+    "    vec3 start = ssgi_lift(P, normal);\n"
+    "    vec3 along = light.way * reach;\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_FILL\n"
     "    // Short segments stay near the surfaces of a crease, whose depth whole pixels round.\n"
-    "    if (contact >= 0.0) start = ssgi_lift(start, n);\n"
+    "    if (contact >= 0.0) start = ssgi_lift(start, normal);\n"
     "#endif\n"
-    "    xi = fract(xi + 0.61803399 * float(i)); // the golden ratio gives every light another offset\n"
-    "    for (int k = 0; k < SSGI_SAMPLES; ++k)\n"
-    "        if (ssgi_occlusion_at(start + along * ((float(k + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
+    "    random = fract(random + 0.61803399 * float(i)); // the golden ratio gives every light another offset\n"
+    "    for (int nth = 0; nth < SSGI_SAMPLES; ++nth)\n"
+    "        if (ssgi_occlusion_at(start + along * ((float(nth + 1) - random) / float(SSGI_SAMPLES))) > 0.0)\n"
+    "            return 1.0;\n"
     "    return 0.0;\n"
     "}\n" },
 
@@ -2651,171 +2743,187 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// that keeps a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map.\n"
     "// contact returns how far along the ray to the light the map may see the plane itself, or an occluder\n"
     "// that the bias loses; 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected].\n"
-    "float ssgi_shadow(int i, vec3 P, vec3 n, ssgi_light s, float cosine, out float contact) {\n"
-    "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0), tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
-    "    vec4 axis = texelFetch(t_ssgi_lights, ivec2(5, i), 0), Q = vec4(P, 1.0);\n"
-    "    vec4 across = texelFetch(t_ssgi_lights, ivec2(3, i), 0), down = texelFetch(t_ssgi_lights, ivec2(4, i), 0);\n"
-    "    // q.z is the depth in the map; q.xy are in texels, times that depth if the map is perspective.\n"
-    "    vec3 q = vec3(dot(ssgi_row_of_yours(across), Q), dot(ssgi_row_of_yours(down), Q),\n"
-    "        dot(ssgi_row_of_yours(axis), Q));\n"
+    "float ssgi_shadow(int i, vec3 P, vec3 normal, ssgi_light light, float cosine, out float contact) {\n"
+    "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0);\n"
+    "    vec4 tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
+    "    vec4 axis = texelFetch(t_ssgi_lights, ivec2(5, i), 0);\n"
+    "    vec4 place = vec4(P, 1.0);\n"
+    "    vec4 across = texelFetch(t_ssgi_lights, ivec2(3, i), 0);\n"
+    "    vec4 down = texelFetch(t_ssgi_lights, ivec2(4, i), 0);\n"
+    "    // mapped.z is the depth in the map; mapped.xy are in texels, times that depth if the map is perspective.\n"
+    "    vec3 mapped = vec3(dot(ssgi_row_of_yours(across), place), dot(ssgi_row_of_yours(down), place),\n"
+    "        dot(ssgi_row_of_yours(axis), place));\n"
     "    bool flat_ = decode.w > 0.0; // the map is orthographic\n"
-    "    vec2 texel = floor(flat_ ? q.xy : q.xy / q.z);\n"
+    "    vec2 texel = floor(flat_ ? mapped.xy : mapped.xy / mapped.z);\n"
     "    contact = -1.0;\n"
-    "    if (q.z <= 0.0 || texel.x < 0.0 || texel.y < 0.0 || texel.x >= tile.z || texel.y >= tile.w) return 0.0;\n"
-    "    float facing = dot(n, axis.xyz), ray = flat_ ? 1.0 : s.distance / q.z; // ray is the length per depth.\n"
+    "    if (mapped.z <= 0.0 || texel.x < 0.0 || texel.y < 0.0 || texel.x >= tile.z || texel.y >= tile.w) return 0.0;\n"
+    "    float facing = dot(normal, axis.xyz); // ray is the length per depth.\n"
+    "    float ray = flat_ ? 1.0 : light.distance / mapped.z;\n"
     "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * ray), u_ssgi_max_slope);\n"
-    "    float width = s.facing.w * (flat_ ? 1.0 : q.z), bias = width * 0.70710678 * slope;\n"
+    "    float width = light.facing.w * (flat_ ? 1.0 : mapped.z);\n"
+    "    float bias = width * 0.70710678 * slope;\n"
     "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + texel), 0).x);\n"
     "    // The slack is a fiftieth of a texel, the rounding of the map's depth, and that of P.\n"
-    "    float slack = 0.02 * width + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
+    "    float slack = 0.02 * width + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : mapped.z * mapped.z) - 2e-5 * P.z;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    slack += 6e-8 * abs(u_ssgi_decode.w); // the rounding of matrices that hold a far eye\n"
     "#endif\n"
-    "    contact = max(q.z - slack - z, 0.0) * ray;\n"
-    "    return q.z - bias - slack > z ? 1.0 : 0.0;\n"
+    "    contact = max(mapped.z - slack - z, 0.0) * ray;\n"
+    "    return mapped.z - bias - slack > z ? 1.0 : 0.0;\n"
     "}\n" },
 
 { "ssgi_lit", NULL, __LINE__ + 1,
     "// Returns the irradiance of P by the lights of t_ssgi_lights, with shadows as desc.light.shadow says.\n"
-    "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
+    "vec3 ssgi_lit(vec3 P, vec3 normal, float random) {\n"
     "    vec3 sum = vec3(0.0);\n"
     "    int lights = min(u_ssgi_lights, textureSize(t_ssgi_lights, 0).y); // A wrong count must not hang the GPU.\n"
     "    for (int i = 0; i < lights; ++i) {\n"
-    "        ssgi_light s = ssgi_light_at(i, P);\n"
-    "        float cosine = dot(n, s.way), g = s.falloff * cosine;\n"
-    "        if (cosine <= 0.0 || g <= 0.0) continue;\n"
+    "        ssgi_light light = ssgi_light_at(i, P);\n"
+    "        float cosine = dot(normal, light.way);\n"
+    "        float arriving = light.falloff * cosine;\n"
+    "        if (cosine <= 0.0 || arriving <= 0.0) continue;\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_SEGMENT\n"
     "        float contact = -1.0;\n"
     "#endif\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_MAP || SSGI_SHADOW == SSGI_SHADOW_FILL\n"
-    "        float contact, shadow = ssgi_shadow(i, P, n, s, cosine, contact);\n"
+    "        float contact;\n"
+    "        float shadow = ssgi_shadow(i, P, normal, light, cosine, contact);\n"
     "        // How many rows of this sun follow. It is never less than 0, since that would visit rows again.\n"
-    "        int wider = s.at.w < SSGI_SUN ? clamp(int(s.colour.w), 0, lights) : 0;\n"
-    "        if (contact < 0.0 && (wider > 0 || (s.at.w > SSGI_POINT && s.at.w < SSGI_SPOT))) continue;\n"
+    "        int wider = light.position.w < SSGI_SUN ? clamp(int(light.colour.w), 0, lights) : 0;\n"
+    "        if (contact < 0.0 && (wider > 0 || (light.position.w > SSGI_POINT && light.position.w < SSGI_SPOT)))\n"
+    "            continue;\n"
     "        i += wider;\n"
     "        if (shadow > 0.0) continue;\n"
     "#endif\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_SEGMENT || SSGI_SHADOW == SSGI_SHADOW_FILL\n"
-    "        g *= 1.0 - ssgi_segment_occlusion(i, P, n, s, contact, xi);\n"
+    "        arriving *= 1.0 - ssgi_segment_occlusion(i, P, normal, light, contact, random);\n"
     "#endif\n"
-    "        sum += s.colour.xyz * g;\n"
+    "        sum += light.colour.xyz * arriving;\n"
     "    }\n"
     "    return sum;\n"
     "}\n" },
 
 { "ssgi_receiver_depth", NULL, __LINE__ + 1,
-    "float ssgi_receiver_depth(ivec2 p) { // view depth of the layer that receives light\n"
+    "float ssgi_receiver_depth(ivec2 pixel) { // view depth of the layer that receives light\n"
     "#if SSGI_RECEIVER\n"
-    "    return ssgi_layer(p, SSGI_RECEIVER);\n"
+    "    return ssgi_layer(pixel, SSGI_RECEIVER);\n"
     "#else\n"
-    "    return ssgi_depth(p);\n"
+    "    return ssgi_depth(pixel);\n"
     "#endif\n"
     "}\n" },
 
 { "main_lights", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_receiver_depth(p);\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    float z = ssgi_receiver_depth(pixel);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
+    "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
+    "    vec3 normal = ssgi_normal(pixel, P);\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_SEGMENT || SSGI_SHADOW == SSGI_SHADOW_FILL\n"
-    "    float xi = ssgi_noise(p).y;\n"
+    "    float random = ssgi_noise(pixel).y;\n"
     "#else\n"
-    "    float xi = 0.0;\n"
+    "    float random = 0.0;\n"
     "#endif\n"
-    "    o_ssgi_light.xyz = ssgi_lit(P, n, xi) * SSGI_OVER_PI;\n"
+    "    o_ssgi_light.xyz = ssgi_lit(P, normal, random) * SSGI_OVER_PI;\n"
     "#if SSGI_ACCUMULATE\n"
-    "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
+    "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, pixel + u_ssgi_target, 0).xyz;\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_albedo", NULL, __LINE__ + 1,
-    "vec3 ssgi_albedo(ivec2 p) { // albedo of the layer that receives light\n"
+    "vec3 ssgi_albedo(ivec2 pixel) { // albedo of the layer that receives light\n"
     "#if SSGI_RECEIVER\n"
-    "    return texelFetch(t_ssgi_albedo, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz;\n"
+    "    return texelFetch(t_ssgi_albedo, ivec3(pixel + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz;\n"
     "#else\n"
-    "    return texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz;\n"
+    "    return texelFetch(t_ssgi_albedo, pixel + u_ssgi_origin, 0).xyz;\n"
     "#endif\n"
     "}\n" },
 
 { "main_emitters", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_receiver_depth(p);\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    float z = ssgi_receiver_depth(pixel);\n"
     "    o_ssgi_emitter = uvec2(0u, 0xffffffffu);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "#if SSGI_RADIANCE != SSGI_RADIANCE_DIRECT\n"
-    "    vec3 sum = ssgi_albedo(p);\n"
+    "    vec3 sum = ssgi_albedo(pixel);\n"
     "#else\n"
     "    vec3 sum = vec3(0.0);\n"
     "#endif\n"
     "#if SSGI_RADIANCE == SSGI_RADIANCE_LIGHT || SSGI_RADIANCE == SSGI_RADIANCE_BOTH\n"
-    "    vec3 light = texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
+    "    vec3 light = texelFetch(t_ssgi_light, pixel + u_ssgi_target, 0).xyz;\n"
     "#if SSGI_BOUNCED\n"
-    "    light += texelFetch(t_ssgi_last_bounce, p + u_ssgi_target, 0).xyz;\n"
+    "    light += texelFetch(t_ssgi_last_bounce, pixel + u_ssgi_target, 0).xyz;\n"
     "#endif\n"
     "    sum *= light;\n"
     "#endif\n"
     "#if SSGI_RADIANCE == SSGI_RADIANCE_DIRECT || SSGI_RADIANCE == SSGI_RADIANCE_BOTH\n"
-    "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz;\n"
+    "    sum += texelFetch(t_ssgi_direct, pixel + u_ssgi_origin, 0).xyz;\n"
     "#endif\n"
     "#if SSGI_CLAMP\n"
     "    sum = clamp(sum, 0.0, 65408.0); // Infinity times 0 is no number.\n"
     "    sum *= min(u_ssgi_sent / max(dot(sum, vec3(0.2126, 0.7152, 0.0722)), 1e-6), 1.0); // The hue stays.\n"
     "#endif\n"
-    "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
-    "    o_ssgi_emitter = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n"
+    "    vec3 normal = ssgi_normal(pixel, ssgi_position(vec2(pixel) + 0.5, z));\n"
+    "    o_ssgi_emitter = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, normal));\n"
     "}\n" },
 
 { "ssgi_bent", NULL, __LINE__ + 1,
     "// The mean unoccluded direction, which is 2/3 sqrt(3/pi) of band 1, and the cosine c of the half-angle of the\n"
     "// cone that spreads as much: its cosine-weighted directions have a mean of length 2/3 (1 + c + c^2) / (1 + c)\n"
     "// [SSBN11].\n"
-    "vec4 ssgi_bent(ssgi_sh s) {\n"
-    "    vec3 mean = s.a.wyz * 0.65147002;\n"
-    "    float l = length(mean), q = clamp(3.0 * l / max(s.a.x * SSGI_SH_AMBIENT, 1e-6) - 2.0, 0.0, 1.0);\n"
-    "    return vec4(l > 1e-6 ? mean / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
+    "vec4 ssgi_bent(ssgi_sh harmonics) {\n"
+    "    vec3 mean = harmonics.word0.wyz * 0.65147002;\n"
+    "    float reach = length(mean);\n"
+    "    float spread = clamp(3.0 * reach / max(harmonics.word0.x * SSGI_SH_AMBIENT, 1e-6) - 2.0, 0.0, 1.0);\n"
+    "    return vec4(reach > 1e-6 ? mean / reach : vec3(0.0, 0.0, 1.0),\n"
+    "        0.25 * (spread + sqrt(spread * spread + 8.0 * spread)));\n"
     "}\n" },
 
 { "ssgi_light_harmonics", NULL, __LINE__ + 1,
     "// Irradiance by a light whose cap is projected onto harmonics and windowed. It is normalised, so that an\n"
     "// unoccluded surface that faces the light receives its full irradiance [S3HO12 2.2, normalised]. One band knows\n"
     "// no normals: every surface receives the mean over all of them.\n"
-    "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) {\n"
-    "    float radius = s.colour.w / s.distance; // This is the sine of the cap's half-angle.\n"
-    "    float c = s.at.w > SSGI_SUN ? sqrt(max(1.0 - radius * radius, 0.0)) : 1.0;\n"
+    "vec3 ssgi_light_harmonics(ssgi_light light, ssgi_coefficients coefficients, vec3 normal) {\n"
+    "    float radius = light.colour.w / light.distance; // This is the sine of the cap's half-angle.\n"
+    "    float cosine = light.position.w > SSGI_SUN ? sqrt(max(1.0 - radius * radius, 0.0)) : 1.0;\n"
     "    // These are the means of the Legendre polynomials over the cap.\n"
-    "    vec4 w = vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
-    "    w *= u_ssgi_window;\n"
+    "    vec4 means = vec4(1.0, 0.5 + 0.5 * cosine, 0.5 * cosine * (1.0 + cosine),\n"
+    "        0.125 * (1.0 + cosine) * (5.0 * cosine * cosine - 1.0));\n"
+    "    means *= u_ssgi_window;\n"
     "#if SSGI_BANDS == 1\n"
     "    float open = 1.0;\n"
     "#else\n"
-    "    float open = 0.25 * w.x;\n"
-    "    open += 0.5 * w.y;\n"
+    "    float open = 0.25 * means.x;\n"
+    "    open += 0.5 * means.y;\n"
     "#endif\n"
     "#if SSGI_BANDS > 2\n"
-    "    open += 0.3125 * w.z;\n"
+    "    open += 0.3125 * means.z;\n"
     "#endif\n"
-    "    ssgi_sh y = ssgi_sh_zonal(w * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), s.way);\n"
-    "    vec3 e;\n"
-    "    for (int k = 0; k < 3; ++k) e[k] = ssgi_sh_dot(y, v.c[k % v.c.length()]) / open;\n"
+    "    ssgi_sh y = ssgi_sh_zonal(means * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), light.way);\n"
+    "    vec3 irradiance;\n"
+    "    for (int channel = 0; channel < 3; ++channel)\n"
+    "        irradiance[channel] = ssgi_sh_dot(y, coefficients.channel[channel % coefficients.channel.length()])\n"
+    "            / open;\n"
     "#if SSGI_RESIDUAL\n"
-    "    float lost = max(dot(n, s.way), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open;\n"
-    "    e += ssgi_ambient(v) * lost;\n"
+    "    float lost = max(dot(normal, light.way), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, normal)) / open;\n"
+    "    irradiance += ssgi_ambient(coefficients) * lost;\n"
     "#endif\n"
-    "    return s.colour.xyz * e * s.falloff;\n"
+    "    return light.colour.xyz * irradiance * light.falloff;\n"
     "}\n" },
 
 { "ssgi_shade", "SSGI_SHADING == SSGI_SHADING_HARMONICS", __LINE__ + 1,
-    "vec3 ssgi_shade(ssgi_coefficients v, vec3 n) { // returns the irradiance over pi by frame.harmonics\n"
-    "    return ssgi_irradiance(v, n);\n"
+    "// Returns the irradiance over pi by frame.harmonics.\n"
+    "vec3 ssgi_shade(ssgi_coefficients coefficients, vec3 normal) {\n"
+    "    return ssgi_irradiance(coefficients, normal);\n"
     "}\n" },
 
 { "ssgi_shade", "SSGI_SHADING != SSGI_SHADING_HARMONICS", __LINE__ + 1,
-    "vec3 ssgi_shade(ssgi_coefficients v, vec3 n) { // irradiance over pi along the mean unoccluded direction\n"
-    "    float visibility = clamp(v.c[0].a.x * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
-    "    vec4 bent = ssgi_bent(v.c[0]);\n"
+    "// Irradiance over pi along the mean unoccluded direction.\n"
+    "vec3 ssgi_shade(ssgi_coefficients coefficients, vec3 normal) {\n"
+    "    float visibility = clamp(coefficients.channel[0].word0.x * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
+    "    vec4 bent = ssgi_bent(coefficients.channel[0]);\n"
     "    vec3 axis = transpose(u_ssgi_rotation) * bent.xyz;\n"
     "#if SSGI_SHADING == SSGI_SHADING_BENT_NORMAL\n"
     "    return visibility * ssgi_irradiance_map(axis, 0);\n"
@@ -2829,65 +2937,66 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_shaded", NULL, __LINE__ + 1,
     "// Returns the irradiance over pi that a receiver with these coefficients gets from all lights.\n"
-    "vec3 ssgi_shaded(ssgi_coefficients v, vec3 P, vec3 n) {\n"
+    "vec3 ssgi_shaded(ssgi_coefficients coefficients, vec3 P, vec3 normal) {\n"
     "#if SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM\n"
     "    ssgi_lit_at = P;\n"
     "#endif\n"
-    "    vec3 sum = ssgi_shade(v, n);\n"
+    "    vec3 sum = ssgi_shade(coefficients, normal);\n"
     "#if SSGI_LIGHTS\n"
     "    int lights = min(u_ssgi_lights, textureSize(t_ssgi_lights, 0).y);\n"
     "    for (int i = 0; i < lights; ++i)\n"
-    "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * SSGI_OVER_PI;\n"
+    "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), coefficients, normal) * SSGI_OVER_PI;\n"
     "#endif\n"
     "    return sum;\n"
     "}\n" },
 
 { "ssgi_open_light", NULL, __LINE__ + 1,
-    "vec3 ssgi_open_light(vec3 P, vec3 n) { // returns the unoccluded irradiance over pi\n"
+    "vec3 ssgi_open_light(vec3 P, vec3 normal) { // returns the unoccluded irradiance over pi\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
-    "    return ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0);\n"
+    "    return ssgi_irradiance_map(transpose(u_ssgi_rotation) * normal, 0);\n"
     "#else\n"
-    "    ssgi_coefficients v;\n"
-    "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
-    "    return ssgi_shaded(v, P, n);\n"
+    "    ssgi_coefficients coefficients;\n"
+    "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
+    "        coefficients.channel[channel] = ssgi_sh_zonal(SSGI_COSINE, normal);\n"
+    "    return ssgi_shaded(coefficients, P, normal);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_encode_for_filter", NULL, __LINE__ + 1,
-    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 n) { // writes light as desc.light.restore says\n"
+    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 normal) { // writes light as desc.light.restore says\n"
     "#if !SSGI_RESTORE\n"
     "    return max(light, 0.0);\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
-    "    return clamp(light / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0);\n"
+    "    return clamp(light / max(ssgi_open_light(P, normal), 1e-9), 0.0, 1.0);\n"
     "#else\n"
-    "    return light - ssgi_open_light(P, n);\n"
+    "    return light - ssgi_open_light(P, normal);\n"
     "#endif\n"
     "}\n" },
 
 { "main_shade", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ssgi_gathered(ssgi_gathered_texel());\n"
-    "    float z = ssgi_depth(p);\n"
+    "    ivec2 pixel = ssgi_gathered(ssgi_gathered_texel());\n"
+    "    float z = ssgi_depth(pixel);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
+    "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
     "#if SSGI_RESIDUAL || SSGI_RESTORE && (SSGI_BANDS > 1 || SSGI_SHADING)\n"
-    "    vec3 n = ssgi_normal(p, P);\n"
+    "    vec3 normal = ssgi_normal(pixel, P);\n"
     "#else\n"
-    "    vec3 n = vec3(0.0); // coefficients need no normal\n"
+    "    vec3 normal = vec3(0.0); // coefficients need no normal\n"
     "#endif\n"
-    "    vec3 light = ssgi_shaded(ssgi_load(ivec2(gl_FragCoord.xy)), P, n);\n"
-    "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, n);\n"
+    "    vec3 light = ssgi_shaded(ssgi_load(ivec2(gl_FragCoord.xy)), P, normal);\n"
+    "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, normal);\n"
     "#if SSGI_ALBEDO\n"
-    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz;\n"
+    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, pixel + u_ssgi_origin, 0).xyz;\n"
     "#endif\n"
     "}\n" },
 
 { "main_bent", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ssgi_gathered(ssgi_gathered_texel());\n"
-    "    float z = ssgi_depth(p);\n"
-    "    o_ssgi_bent = z < SSGI_FAR ? ssgi_bent(ssgi_load(ivec2(gl_FragCoord.xy)).c[0]) : vec4(0.0);\n"
+    "    ivec2 pixel = ssgi_gathered(ssgi_gathered_texel());\n"
+    "    float z = ssgi_depth(pixel);\n"
+    "    o_ssgi_bent = z < SSGI_FAR ? ssgi_bent(ssgi_load(ivec2(gl_FragCoord.xy)).channel[0]) : vec4(0.0);\n"
     "}\n" },
 
 /* ==== >>gather: sampling around a pixel ========================================================================= */
@@ -2914,7 +3023,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "};\n" },
 
 { "ssgi_sums_none", NULL, __LINE__ + 1,
-    "ssgi_sums ssgi_sums_none(vec3 n) { // nothing is occluded; n is the axis of the cosine lobe\n"
+    "ssgi_sums ssgi_sums_none(vec3 axis) { // nothing is occluded; axis is the axis of the cosine lobe\n"
     "    ssgi_sums sums;\n"
     "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
     "    sums.all = 0.0;\n"
@@ -2922,7 +3031,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
     "    sums.dark = vec3(0.0);\n"
     "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
-    "    sums.lobe = ssgi_sh_zonal(SSGI_COSINE, n);\n"
+    "    sums.lobe = ssgi_sh_zonal(SSGI_COSINE, axis);\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_SSDO && SSGI_BOUNCE\n"
     "    sums.bounce = vec3(0.0);\n"
@@ -2930,37 +3039,40 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    sums.bounce = ssgi_coefficients_none();\n"
     "#endif\n"
     "#if SSGI_SEARCH == SSGI_SEARCH_SLICES && SSGI_BOUNCE\n"
-    "    sums.found = 1e-6, sums.expected = 0.0;\n"
+    "    sums.found = 1e-6;\n"
+    "    sums.expected = 0.0;\n"
     "#endif\n"
     "    return sums;\n"
     "}\n" },
 
 { "ssgi_reflected", "SSGI_DIMMED", __LINE__ + 1,
-    "// Adds the last frame's coefficients of the surface at pixel q, times albedo and share [S3HO12 2.3].\n"
-    "void ssgi_reflected(inout ssgi_coefficients v, ivec2 q, vec3 albedo) {\n"
-    "    ssgi_coefficients y = ssgi_load_last(q + u_ssgi_target);\n"
-    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y.c[c], albedo[c]);\n"
+    "// Adds the last frame's coefficients of the surface at a pixel, times albedo and share [S3HO12 2.3].\n"
+    "void ssgi_reflected(inout ssgi_coefficients coefficients, ivec2 pixel, vec3 albedo) {\n"
+    "    ssgi_coefficients last = ssgi_load_last(pixel + u_ssgi_target);\n"
+    "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
+    "        ssgi_sh_add(coefficients.channel[channel], last.channel[channel], albedo[channel]);\n"
     "}\n" },
 
 { "ssgi_reflected", "!SSGI_DIMMED", __LINE__ + 1,
-    "// Adds the cosine lobe of a surface with normal o, seen along w, times albedo and share [S3HO12 eq. 5].\n"
-    "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
-    "    o = normalize(o);\n"
+    "// Adds the cosine lobe of a surface that is seen along direction, times albedo and share [S3HO12 eq. 5].\n"
+    "void ssgi_reflected(inout ssgi_coefficients coefficients, vec3 normal, vec3 direction, vec3 albedo) {\n"
+    "    normal = normalize(normal);\n"
     "#if SSGI_TWO_SIDED\n"
-    "    if (dot(o, w) > 0.0) o = -o;\n"
+    "    if (dot(normal, direction) > 0.0) normal = -normal;\n"
     "#endif\n"
-    "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
-    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
+    "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, normal);\n"
+    "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
+    "        ssgi_sh_add(coefficients.channel[channel], lobe, albedo[channel]);\n"
     "}\n" },
 
 { "ssgi_attenuation", NULL, __LINE__ + 1,
-    "float ssgi_attenuation(float d) { // returns an occluder's weight at distance d, in radii [HSAO08 3.5]\n"
+    "float ssgi_attenuation(float away) { // an occluder's weight by its distance in radii [HSAO08 3.5]\n"
     "#if SSGI_FALLOFF == SSGI_FALLOFF_NONE\n"
-    "    return d < 1.0 ? 1.0 : 0.0;\n"
+    "    return away < 1.0 ? 1.0 : 0.0;\n"
     "#elif SSGI_FALLOFF == SSGI_FALLOFF_LINEAR\n"
-    "    return clamp(1.0 - d, 0.0, 1.0);\n"
+    "    return clamp(1.0 - away, 0.0, 1.0);\n"
     "#else\n"
-    "    return clamp(1.0 - d * d, 0.0, 1.0);\n"
+    "    return clamp(1.0 - away * away, 0.0, 1.0);\n"
     "#endif\n"
     "}\n" },
 
@@ -2974,11 +3086,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_length", NULL, __LINE__ + 1,
-    "float ssgi_length(float xi) { // returns how far a sample lies along its direction, in radii\n"
+    "float ssgi_length(float random) { // returns how far a sample lies along its direction, in radii\n"
     "#if SSGI_FALLOFF == SSGI_FALLOFF_SQUARE\n"
-    "    return sqrt(xi);\n"
+    "    return sqrt(random);\n"
     "#else\n"
-    "    return xi;\n"
+    "    return random;\n"
     "#endif\n"
     "}\n" },
 
@@ -2993,42 +3105,46 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "};\n" },
 
 { "ssgi_points_of", NULL, __LINE__ + 1,
-    "ssgi_points ssgi_points_of(vec3 P, vec3 n, vec2 xi) { // also sets the receiver\n"
+    "ssgi_points ssgi_points_of(vec3 P, vec3 normal, vec2 random) { // also sets the receiver\n"
     "#if SSGI_FADE || SSGI_RANGE\n"
     "    ssgi_P = P;\n"
     "#elif SSGI_BOUNCE && (!SSGI_TWO_SIDED || SSGI_BOUNCE == SSGI_BOUNCE_PATCH || SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
     "    ssgi_P = P;\n"
     "#endif\n"
     "#if SSGI_RANGE || SSGI_BOUNCE == SSGI_BOUNCE_PATCH\n"
-    "    ssgi_n = n;\n"
+    "    ssgi_n = normal;\n"
     "#endif\n"
     "#if SSGI_KERNEL\n"
-    "    int row = int(xi.x * float(textureSize(t_ssgi_kernel, 0).y));\n"
-    "    return ssgi_points(ssgi_lift(P, n), ssgi_basis(n), xi.y, row);\n"
+    "    int row = int(random.x * float(textureSize(t_ssgi_kernel, 0).y));\n"
+    "    return ssgi_points(ssgi_lift(P, normal), ssgi_basis(normal), random.y, row);\n"
     "#else\n"
-    "    float a = 2.0 * SSGI_PI * xi.x, c = cos(a), s = sin(a);\n"
-    "    return ssgi_points(ssgi_lift(P, n), ssgi_basis(n) * mat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0), xi.y);\n"
+    "    float angle = 2.0 * SSGI_PI * random.x;\n"
+    "    float cosine = cos(angle);\n"
+    "    float sine = sin(angle);\n"
+    "    return ssgi_points(ssgi_lift(P, normal), ssgi_basis(normal)\n"
+    "        * mat3(cosine, sine, 0.0, -sine, cosine, 0.0, 0.0, 0.0, 1.0), random.y);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_point_occlusion", NULL, __LINE__ + 1,
     "// Returns how much the first occluded point of direction i counts, or 0. +z of direction is the normal.\n"
-    "float ssgi_point_occlusion(ssgi_points s, int i, out vec3 direction) {\n"
+    "float ssgi_point_occlusion(ssgi_points points, int i, out vec3 direction) {\n"
     "#if SSGI_KERNEL\n"
-    "    vec4 k = texelFetch(t_ssgi_kernel, ivec2(i, s.row), 0);\n"
+    "    vec4 entry = texelFetch(t_ssgi_kernel, ivec2(i, points.row), 0);\n"
     "#else\n"
-    "    vec4 k = SSGI_KERNEL_TABLE[i];\n"
+    "    vec4 entry = SSGI_KERNEL_TABLE[i];\n"
     "#endif\n"
-    "    direction = k.xyz;\n"
-    "    float t = fract(k.w + s.offset);\n"
+    "    direction = entry.xyz;\n"
+    "    float shift = fract(entry.w + points.offset);\n"
     "#if SSGI_STEPS > 1\n"
-    "    vec3 way = s.basis * k.xyz * u_ssgi_radius;\n"
+    "    vec3 way = points.basis * entry.xyz * u_ssgi_radius;\n"
     "    float occlusion = 0.0;\n"
-    "    for (int j = 0; j < SSGI_STEPS && occlusion <= 0.0; ++j)\n"
-    "        occlusion = ssgi_occlusion_at(s.start + way * ssgi_length((float(j) + t) / float(SSGI_STEPS)));\n"
+    "    for (int nth = 0; nth < SSGI_STEPS && occlusion <= 0.0; ++nth)\n"
+    "        occlusion = ssgi_occlusion_at(points.start\n"
+    "            + way * ssgi_length((float(nth) + shift) / float(SSGI_STEPS)));\n"
     "    return occlusion;\n"
     "#else\n"
-    "    return ssgi_occlusion_at(s.start + s.basis * k.xyz * (u_ssgi_radius * ssgi_length(t)));\n"
+    "    return ssgi_occlusion_at(points.start + points.basis * entry.xyz * (u_ssgi_radius * ssgi_length(shift)));\n"
     "#endif\n"
     "}\n" },
 
@@ -3050,25 +3166,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
     "    vec3 albedo = ssgi_emitter.xyz * (occlusion / float(SSGI_SAMPLES));\n"
     "#if !SSGI_DIMMED\n"
-    "    vec3 o = ssgi_unpack_normal(ssgi_emitter_place);\n"
-    "    if (occlusion > 0.0) ssgi_reflected(sums.bounce, o, basis * direction, albedo);\n"
+    "    vec3 normal = ssgi_unpack_normal(ssgi_emitter_place);\n"
+    "    if (occlusion > 0.0) ssgi_reflected(sums.bounce, normal, basis * direction, albedo);\n"
     "#else\n"
     "    if (occlusion > 0.0) ssgi_reflected(sums.bounce, ssgi_emitter_pixel, albedo);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_gather", "SSGI_SEARCH == SSGI_SEARCH_POINTS", __LINE__ + 1,
-    "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
+    "ssgi_sums ssgi_gather(ivec2 pixel, vec3 P, vec3 normal, vec2 random) {\n"
     "    ssgi_sums sums = ssgi_sums_none(vec3(0.0, 0.0, 1.0));\n"
-    "    ssgi_points s = ssgi_points_of(P, n, xi);\n"
+    "    ssgi_points points = ssgi_points_of(P, normal, random);\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
-    "    mat3 world = transpose(u_ssgi_rotation) * s.basis;\n"
+    "    mat3 world = transpose(u_ssgi_rotation) * points.basis;\n"
     "#endif\n"
-    "    vec3 direction, light = vec3(0.0);\n"
+    "    vec3 direction;\n"
+    "    vec3 light = vec3(0.0);\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
-    "        float occlusion = ssgi_point_occlusion(s, i, direction);\n"
+    "        float occlusion = ssgi_point_occlusion(points, i, direction);\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM\n"
-    "        ssgi_add_bounce(sums, direction, s.basis, occlusion); // Each patch has pi r^2/N, not 2 cos of it.\n"
+    "        ssgi_add_bounce(sums, direction, points.basis, occlusion); // Each patch has pi r^2/N, not 2 cos of it.\n"
     "#endif\n"
     "#if SSGI_UNIFORM\n"
     "        float weight = 2.0 * direction.z; // A sample has 2 pi/N steradians; the cosine's integral is pi.\n"
@@ -3084,31 +3201,33 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec3 L = ssgi_environment(world * direction);\n"
     "#endif\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP && !SSGI_UNIFORM\n"
-    "        light += L, sums.dark += L * occlusion;\n"
+    "        light += L;\n"
+    "        sums.dark += L * occlusion;\n"
     "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP && SSGI_UNIFORM\n"
-    "        light += L * weight, sums.dark += L * occlusion;\n"
+    "        light += L * weight;\n"
+    "        sums.dark += L * occlusion;\n"
     "#endif\n"
     "#if SSGI_BOUNCE && !(SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM)\n"
-    "        ssgi_add_bounce(sums, direction, s.basis, occlusion);\n"
+    "        ssgi_add_bounce(sums, direction, points.basis, occlusion);\n"
     "#endif\n"
     "    }\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
     "    sums.dark /= max(light, 1e-30);\n"
     "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
-    "    ssgi_sh_turn(sums.lobe, s.basis);\n"
+    "    ssgi_sh_turn(sums.lobe, points.basis);\n"
     "#endif\n"
     "    return sums;\n"
     "}\n" },
 
 { "ssgi_map_light", "SSGI_SEARCH == SSGI_SEARCH_POINTS", __LINE__ + 1,
     "// Returns the environment's light in the form of desc.light.restore; where nothing occludes it is exact.\n"
-    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) {\n"
+    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 normal) {\n"
     "#if !SSGI_RESTORE\n"
-    "    return (1.0 - dark) * ssgi_open_light(P, n);\n"
+    "    return (1.0 - dark) * ssgi_open_light(P, normal);\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
     "    return 1.0 - dark;\n"
     "#else\n"
-    "    return -dark * ssgi_open_light(P, n);\n"
+    "    return -dark * ssgi_open_light(P, normal);\n"
     "#endif\n"
     "}\n" },
 
@@ -3116,102 +3235,106 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_ray", NULL, __LINE__ + 1,
     "// Returns the weight of the first occluded step on a ray from the lifted receiver; 0: no step is occluded.\n"
-    "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
+    "float ssgi_ray(vec3 start, vec3 direction, float random) {\n"
     "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
-    "        float d = (float(i) + xi) / float(SSGI_STEPS);\n"
-    "        if (ssgi_occlusion_at(start + direction * (u_ssgi_radius * d)) > 0.0) return ssgi_attenuation(d);\n"
+    "        float radii = (float(i) + random) / float(SSGI_STEPS);\n"
+    "        if (ssgi_occlusion_at(start + direction * (u_ssgi_radius * radii)) > 0.0)\n"
+    "            return ssgi_attenuation(radii);\n"
     "    }\n"
     "    return 0.0;\n"
     "}\n" },
 
 { "ssgi_horizon", NULL, __LINE__ + 1,
-    "// Finds the horizon along tangent t by deflecting a ray toward the surface [HSAO08 fig. 4]. Returns H, the\n"
+    "// Finds the horizon along tangent by deflecting a ray toward the surface [HSAO08 fig. 4]. Returns H, the\n"
     "// sine of its elevation, and the occlusion below, which sums the increments of H^2, each attenuated by its own\n"
     "// distance. beta shifts the steps.\n"
-    "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 n, vec3 t, float beta) {\n"
-    "    vec3 h = t;\n"
-    "    vec2 r = vec2(0.0);\n"
+    "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 normal, vec3 tangent, float beta) {\n"
+    "    vec3 direction = tangent;\n"
+    "    vec2 horizon = vec2(0.0);\n"
     "    for (int i = 1; i <= SSGI_STEPS; ++i) {\n"
-    "        vec3 Q = start + h * (u_ssgi_radius * (float(i) + beta) / float(SSGI_STEPS));\n"
+    "        vec3 probe = start + direction * (u_ssgi_radius * (float(i) + beta) / float(SSGI_STEPS));\n"
     "#if SSGI_SPHERES\n"
     "        float ahead = u_ssgi_radius * (float(i + 1) + beta) / float(SSGI_STEPS);\n"
     "        float grown = min(ahead, u_ssgi_radius);\n"
     "#endif\n"
     "#if SSGI_LAYERS > 1 || SSGI_VIEWS\n"
     "#if !SSGI_SPHERES\n"
-    "        ssgi_rise = ssgi_rising(t, u_ssgi_radius, r.x, 0.0);\n"
+    "        ssgi_rise = ssgi_rising(tangent, u_ssgi_radius, horizon.x, 0.0);\n"
     "#else\n"
-    "        ssgi_rise = ssgi_rising(t, grown, r.x, 0.0);\n"
+    "        ssgi_rise = ssgi_rising(tangent, grown, horizon.x, 0.0);\n"
     "#endif\n"
-    "        if (ssgi_occlusion_at(Q) > 0.0) {\n"
-    "            float H = ssgi_rise.sine, l = ssgi_rise.away;\n"
-    "            if (H > r.x) {\n"
+    "        if (ssgi_occlusion_at(probe) > 0.0) {\n"
+    "            float H = ssgi_rise.sine;\n"
+    "            float away = ssgi_rise.away;\n"
+    "            if (H > horizon.x) {\n"
     "#else\n"
-    "        if (Q.z >= 0.0) break;\n"
-    "        ivec2 q = ivec2(floor(ssgi_project(Q)));\n"
-    "        if (!ssgi_inside(q)) break;\n"
-    "        float z = ssgi_depth(q);\n"
-    "        vec3 d = ssgi_position(vec2(q) + 0.5, z) - P;\n"
-    "        float x = dot(d, t), y = dot(d, n), l = length(d);\n"
+    "        if (probe.z >= 0.0) break;\n"
+    "        ivec2 pixel = ivec2(floor(ssgi_project(probe)));\n"
+    "        if (!ssgi_inside(pixel)) break;\n"
+    "        float z = ssgi_depth(pixel);\n"
+    "        vec3 offset = ssgi_position(vec2(pixel) + 0.5, z) - P;\n"
+    "        float x = dot(offset, tangent);\n"
+    "        float y = dot(offset, normal);\n"
+    "        float away = length(offset);\n"
     "#if !SSGI_SPHERES\n"
-    "        if (z < -Q.z && l < u_ssgi_radius && x > 0.0) {\n"
+    "        if (z < -probe.z && away < u_ssgi_radius && x > 0.0) {\n"
     "#else\n"
-    "        if (z < -Q.z && l < grown && x > 0.0) {\n"
+    "        if (z < -probe.z && away < grown && x > 0.0) {\n"
     "#endif\n"
     "            float H = y * inversesqrt(x * x + y * y);\n"
-    "            if (H > r.x) {\n"
+    "            if (H > horizon.x) {\n"
     "#endif\n"
-    "                r = vec2(H, r.y + (H * H - r.x * r.x) * ssgi_attenuation(l / u_ssgi_radius));\n"
-    "                h = H * n + sqrt(max(1.0 - H * H, 0.0)) * t;\n"
+    "                horizon = vec2(H, horizon.y + (H * H - horizon.x * horizon.x)\n"
+    "                    * ssgi_attenuation(away / u_ssgi_radius));\n"
+    "                direction = H * normal + sqrt(max(1.0 - H * H, 0.0)) * tangent;\n"
     "            }\n"
     "        }\n"
     "    }\n"
-    "    return r;\n"
+    "    return horizon;\n"
     "}\n" },
 
 { "ssgi_above", NULL, __LINE__ + 1,
-    "// Returns occlusion above H in direction t, by normal rays even over z^2 in [H^2, 1] [HSAO08 3.3, corrected].\n"
-    "float ssgi_above(vec3 start, vec3 n, vec3 t, float H, vec2 xi) {\n"
+    "// Returns the occlusion above H along a tangent, by normal rays spread evenly over z^2 in [H^2, 1] [HSAO08 3.3,\n"
+    "// corrected].\n"
+    "float ssgi_above(vec3 start, vec3 normal, vec3 tangent, float H, vec2 random) {\n"
     "    float sum = 0.0;\n"
-    "    for (int k = 0; k < SSGI_NORMAL_RAYS; ++k) {\n"
-    "        float zz = H * H + (1.0 - H * H) * (float(k) + xi.x) / float(SSGI_NORMAL_RAYS);\n"
-    "        sum += ssgi_ray(start, n * sqrt(zz) + t * sqrt(1.0 - zz), xi.y);\n"
+    "    for (int ray = 0; ray < SSGI_NORMAL_RAYS; ++ray) {\n"
+    "        float z_squared = H * H + (1.0 - H * H) * (float(ray) + random.x) / float(SSGI_NORMAL_RAYS);\n"
+    "        sum += ssgi_ray(start, normal * sqrt(z_squared) + tangent * sqrt(1.0 - z_squared), random.y);\n"
     "    }\n"
     "    return (1.0 - H * H) * sum / float(SSGI_NORMAL_RAYS);\n"
     "}\n" },
 
 { "ssgi_gather", "SSGI_SEARCH == SSGI_SEARCH_MARCH", __LINE__ + 1,
-    "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // averages over tangents [HSAO08 eq. 6]\n"
-    "    mat3 basis = ssgi_basis(n);\n"
-    "    vec3 start = ssgi_lift(P, n);\n"
+    "ssgi_sums ssgi_gather(ivec2 pixel, vec3 P, vec3 normal, vec2 random) { // averages over tangents [HSAO08 eq. 6]\n"
+    "    mat3 basis = ssgi_basis(normal);\n"
+    "    vec3 start = ssgi_lift(P, normal);\n"
     "#if SSGI_TERMS != SSGI_TERMS_RAYS && (SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
-    "    ssgi_P = P, ssgi_n = n;\n"
+    "    ssgi_P = P;\n"
+    "    ssgi_n = normal;\n"
     "#endif\n"
     "    float sum = 0.0;\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
-    "        float a = 2.0 * SSGI_PI * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
-    "        vec3 t = basis[0] * cos(a) + basis[1] * sin(a);\n"
+    "        float angle = 2.0 * SSGI_PI * (float(i) + random.x) / float(SSGI_DIRECTIONS);\n"
+    "        vec3 tangent = basis[0] * cos(angle) + basis[1] * sin(angle);\n"
     "#if SSGI_TERMS != SSGI_TERMS_RAYS\n"
-    "        vec2 h = ssgi_horizon(P, start, n, t, xi.y - 0.5);\n"
+    "        vec2 horizon = ssgi_horizon(P, start, normal, tangent, random.y - 0.5);\n"
     "#else\n"
-    "        vec2 h = vec2(0.0);\n"
+    "        vec2 horizon = vec2(0.0);\n"
     "#endif\n"
     "#if !SSGI_TERMS\n"
-    "        sum += h.y;\n"
+    "        sum += horizon.y;\n"
     "#endif\n"
     "#if SSGI_NORMAL_RAYS\n"
-    "        vec2 u = vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y);\n"
-    "        sum += ssgi_above(start, n, t, h.x, u);\n"
+    "        vec2 jitter = vec2(fract(random.x * 3.0 + float(i) * 0.61803399), random.y);\n"
+    "        sum += ssgi_above(start, normal, tangent, horizon.x, jitter);\n"
     "#endif\n"
     "    }\n"
     "    return ssgi_sums(sum / float(SSGI_DIRECTIONS));\n"
     "}\n" },
 
-/* ---- The walk: slices are planes through the view direction, and each side of one is walked from near to far [TLG23].
-   A side has 32 sectors of equal cosine-weighted measure. The surface of a tap occludes the sectors that this tap is
-   the first to cover, attenuated by its distance; it is as thick as desc.gather.thickness says. Taps of one surface
-   join: they also cover the sectors between them, at their mean distance. The normal is divided by the length l of its
-   projection onto the slice, so that dot(d, n) is the height above the tangent plane within the slice, exactly 0 on a
+/* ---- The walk: ssgi_walk_slice says how it goes. The normal is divided by the length of its projection onto the
+   slice, so that its dot product with an offset is the height above the tangent plane within the slice, exactly 0 on a
    plane wherever texels lie. Most taps lie in the tangent plane or below it, so an arc is worked out only if a tap or
    the last one rises. */
 
@@ -3229,22 +3352,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_span; // view units: slices fade out from half of this distance to its end\n" },
 
 { "ssgi_near", NULL, __LINE__ + 1,
-    "float ssgi_near(float d) { // returns how much slices count at distance d; surfels have the rest\n"
-    "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
+    "float ssgi_near(float away) { // returns how much slices count at distance away; surfels have the rest\n"
+    "    return clamp(2.0 - 2.0 * away / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 
 /* Occlusion of a slice's side from the tangent plane up to an elevation with cosine c is the integral of
    sin x cos(g - x), where x is the angle from the view direction, g the signed angle from it to the projected normal:
    cos g / 2 * (1 - c * c) + sin g / 2 * ssgi_arc_odd(c, c * c). */
 { "ssgi_arc_slope", NULL, __LINE__ + 1,
-    "float ssgi_arc_slope(float q) { // fits (pi / 2 - acos c + c sin acos c) / c\n"
-    "    return 2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q));\n"
+    "float ssgi_arc_slope(float squared) { // fits (pi / 2 - acos c + c sin acos c) / c\n"
+    "    return 2.01098408 + squared * (-0.43954273 + squared * (0.21090284 - 0.21154786 * squared));\n"
     "}\n" },
 
 { "ssgi_arc_odd", NULL, __LINE__ + 1,
-    "// Returns acos c - c sin acos c, to 0.0015; q is c * c. It is 0 at c = 1, and odd in c but for pi / 2.\n"
-    "float ssgi_arc_odd(float c, float q) {\n"
-    "    return 1.57079633 - c * ssgi_arc_slope(q);\n"
+    "// Returns acos c - c sin acos c of a cosine c, to 0.0015; squared is c * c. It is 0 at c = 1, and odd in c but\n"
+    "// for pi / 2.\n"
+    "float ssgi_arc_odd(float cosine, float squared) {\n"
+    "    return 1.57079633 - cosine * ssgi_arc_slope(squared);\n"
     "}\n" },
 
 { "SSGI_LEVEL", NULL, __LINE__ + 1,
@@ -3281,20 +3405,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_sectors", NULL, __LINE__ + 1,
     "uint ssgi_sectors(float low, float high) { // returns a bit for each sector from low to high, 0..32\n"
     "    // A shift by 32 is undefined. For 32 each term is 1 - 1, which is 2^32 in 32 bits.\n"
-    "    uint a = uint(low), b = uint(high);\n"
-    "    return ((1u << (b & 31u)) - (b >> 5u)) - ((1u << (a & 31u)) - (a >> 5u));\n"
+    "    uint first = uint(low);\n"
+    "    uint last = uint(high);\n"
+    "    return ((1u << (last & 31u)) - (last >> 5u)) - ((1u << (first & 31u)) - (first >> 5u));\n"
     "}\n" },
 
 { "ssgi_count", NULL, __LINE__ + 1,
-    "float ssgi_count(uint m) { // returns how many bits are set\n"
+    "float ssgi_count(uint bits) { // returns how many bits are set\n"
     "#if SSGI_DIALECT != SSGI_DIALECT_330 && SSGI_DIALECT != SSGI_DIALECT_300ES\n"
-    "    return float(bitCount(m));\n"
+    "    return float(bitCount(bits));\n"
     "#endif\n"
     "#if SSGI_DIALECT == SSGI_DIALECT_330 || SSGI_DIALECT == SSGI_DIALECT_300ES\n"
-    "    m -= (m >> 1u) & 0x55555555u;\n"
-    "    m = (m & 0x33333333u) + ((m >> 2u) & 0x33333333u);\n"
-    "    m = (m + (m >> 4u)) & 0x0f0f0f0fu;\n"
-    "    return float((m * 0x01010101u) >> 24u);\n"
+    "    bits -= (bits >> 1u) & 0x55555555u;\n"
+    "    bits = (bits & 0x33333333u) + ((bits >> 2u) & 0x33333333u);\n"
+    "    bits = (bits + (bits >> 4u)) & 0x0f0f0f0fu;\n"
+    "    return float((bits * 0x01010101u) >> 24u);\n"
     "#endif\n"
     "}\n" },
 
@@ -3309,7 +3434,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_receiver", NULL, __LINE__ + 1,
     "struct ssgi_receiver { // values that its slices share\n"
-    "    vec3 P, normal, n; // n is the normal in the basis\n"
+    "    vec3 P, normal, local_normal; // local_normal is the normal in the basis\n"
     "    mat3 basis; // z points to the eye\n"
     "#if !SSGI_ORTHOGRAPHIC\n"
     "    vec2 unproject; // how many radii a pixel is wide at depth 1\n"
@@ -3328,16 +3453,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_receiver_of", NULL, __LINE__ + 1,
     "ssgi_receiver ssgi_receiver_of(vec3 P, vec3 normal) {\n"
-    "    ssgi_receiver r;\n"
+    "    ssgi_receiver receiver;\n"
     "    vec3 V = ssgi_toward(P);\n"
     "    float per = 1.0 / u_ssgi_radius;\n"
-    "    r.P = P, r.normal = normal, r.basis = ssgi_basis(V), r.n = normal * r.basis;\n"
-    "    r.unproject = u_ssgi_unproject.xy * per;\n"
-    "    r.across = ssgi_screen(P, r.basis[0]) * u_ssgi_radius, r.up = ssgi_screen(P, r.basis[1]) * u_ssgi_radius;\n"
+    "    receiver.P = P;\n"
+    "    receiver.normal = normal;\n"
+    "    receiver.basis = ssgi_basis(V);\n"
+    "    receiver.local_normal = normal * receiver.basis;\n"
+    "    receiver.unproject = u_ssgi_unproject.xy * per;\n"
+    "    receiver.across = ssgi_screen(P, receiver.basis[0]) * u_ssgi_radius;\n"
+    "    receiver.up = ssgi_screen(P, receiver.basis[1]) * u_ssgi_radius;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    r.ray = per;\n"
+    "    receiver.ray = per;\n"
     "#else\n"
-    "    r.ray = per / V.z;\n"
+    "    receiver.ray = per / V.z;\n"
     "#endif\n"
     "    float rounded = SSGI_ROUNDED * ssgi_footprint(-P.z);\n"
     "#if SSGI_ORTHOGRAPHIC && SSGI_DEPTH == SSGI_DEPTH_WINDOW\n"
@@ -3348,13 +3477,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float lost = SSGI_MEASURED_ROUNDS * -P.z;\n"
     "#endif\n"
     "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
-    "    r.lift = max(lost - rounded, 0.0) * per;\n"
+    "    receiver.lift = max(lost - rounded, 0.0) * per;\n"
     "#endif\n"
     "#if SSGI_LIFT\n"
-    "    r.raised = 0.5 * u_ssgi_offset * ssgi_footprint(-P.z) * per;\n"
+    "    receiver.raised = 0.5 * u_ssgi_offset * ssgi_footprint(-P.z) * per;\n"
     "#endif\n"
-    "    r.rounded = max(rounded * per, 1e-18);\n"
-    "    return r;\n"
+    "    receiver.rounded = max(rounded * per, 1e-18);\n"
+    "    return receiver;\n"
     "}\n" },
 
 /* Forms are linear, as that of ssgi_plane. For the point Q that pixel q sees at view depth z, the form of a vector v
@@ -3363,106 +3492,130 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_slice", NULL, __LINE__ + 1,
     "struct ssgi_slice { // lengths in radii\n"
     "    vec3 along; // spans the slice together with the view direction\n"
-    "    vec4 x, y; // forms of a point's place along the tangent plane, and of its height within the slice\n"
-    "    vec4 off; // dot(xy, q) + z: how far pixel q is off the slice at the depth of P; w: height per unit off it\n"
-    "    vec2 lean; // half of the sine and the cosine of the projected normal's angle from the view direction\n"
-    "    float open; // the measure that both sides have alike; the lean adds to one side and takes from the other\n"
+    "    vec4 place, height; // forms of a point's place along the tangent plane, and of its height within the slice\n"
+    "    // dot(xy, pixel) + z says how far a pixel is off the slice at the depth of P; w: height per unit off it.\n"
+    "    vec4 deviation;\n"
+    "    vec2 half_normal; // half of the sine and the cosine of the projected normal's angle from the view direction\n"
+    "    float measure; // the measure that both sides have alike; the tilt adds to one and takes from the other\n"
     "    float width; // length of the normal's projection\n"
     "    float rounded, least; // the most that rounding moves a point; least is added to squared distances\n"
-    "    float grain; // view units: one step of the thickness that pass thickness wrote\n"
+    "    float thickness_unit; // view units: one step of the thickness that pass thickness wrote\n"
     "};\n" },
 
 { "ssgi_slice_of", NULL, __LINE__ + 1,
-    "// Returns the slice at a turn (cosine, sine) about the view direction. p is the receiver's pixel, counted as\n"
-    "// the pixels of taps are.\n"
-    "ssgi_slice ssgi_slice_of(ssgi_receiver r, ivec2 p, vec2 turn) {\n"
-    "    vec3 along = r.basis[0] * turn.x + r.basis[1] * turn.y, across = r.basis[1] * turn.x - r.basis[0] * turn.y;\n"
-    "    float a = dot(r.n.xy, turn), b = r.n.z, l = max(sqrt(a * a + b * b), 1e-4), per = 1.0 / l;\n"
-    "    float tilt = (r.n.y * turn.x - r.n.x * turn.y) * per;\n"
-    "    a *= per, b *= per;\n"
-    "    ssgi_slice s;\n"
-    "    s.along = along, s.lean = 0.5 * vec2(a, b), s.width = l;\n"
-    "    s.open = s.lean.y - s.lean.y * a * a + 0.5 * a * a * ssgi_arc_slope(a * a);\n"
-    "    s.x = vec4((along.xy * b - r.basis[2].xy * a) * r.unproject, r.ray * a, r.ray * a * r.P.z);\n"
-    "    s.y = vec4(r.normal.xy * per * r.unproject, -r.ray * b, -r.ray * b * r.P.z);\n"
-    "    s.off = vec4(across.xy * r.unproject, 0.0, tilt);\n"
+    "// Returns the slice at a turn (cosine, sine) about the view direction. pixel is the receiver's pixel, counted\n"
+    "// as the pixels of taps are.\n"
+    "ssgi_slice ssgi_slice_of(ssgi_receiver receiver, ivec2 pixel, vec2 turn) {\n"
+    "    vec3 along = receiver.basis[0] * turn.x + receiver.basis[1] * turn.y;\n"
+    "    vec3 across = receiver.basis[1] * turn.x - receiver.basis[0] * turn.y;\n"
+    "    float sine = dot(receiver.local_normal.xy, turn);\n"
+    "    float cosine = receiver.local_normal.z;\n"
+    "    float projected = max(sqrt(sine * sine + cosine * cosine), 1e-4);\n"
+    "    float per = 1.0 / projected;\n"
+    "    float tilt = (receiver.local_normal.y * turn.x - receiver.local_normal.x * turn.y) * per;\n"
+    "    sine *= per;\n"
+    "    cosine *= per;\n"
+    "    ssgi_slice slice;\n"
+    "    slice.along = along;\n"
+    "    slice.half_normal = 0.5 * vec2(sine, cosine);\n"
+    "    slice.width = projected;\n"
+    "    slice.measure = slice.half_normal.y - slice.half_normal.y * sine * sine\n"
+    "        + 0.5 * sine * sine * ssgi_arc_slope(sine * sine);\n"
+    "    slice.place = vec4((along.xy * cosine - receiver.basis[2].xy * sine) * receiver.unproject,\n"
+    "        receiver.ray * sine, receiver.ray * sine * receiver.P.z);\n"
+    "    slice.height = vec4(receiver.normal.xy * per * receiver.unproject, -receiver.ray * cosine,\n"
+    "        -receiver.ray * cosine * receiver.P.z);\n"
+    "    slice.deviation = vec4(across.xy * receiver.unproject, 0.0, tilt);\n"
     "#if !SSGI_ORTHOGRAPHIC\n"
-    "    s.off.xy *= -r.P.z;\n"
+    "    slice.deviation.xy *= -receiver.P.z;\n"
     "#endif\n"
-    "    vec2 q = vec2(p);\n"
+    "    vec2 origin = vec2(pixel);\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    s.x.w -= dot(s.x.xy, q), s.y.w -= dot(s.y.xy, q);\n"
+    "    slice.place.w -= dot(slice.place.xy, origin);\n"
+    "    slice.height.w -= dot(slice.height.xy, origin);\n"
     "#else\n"
-    "    s.x.z -= dot(s.x.xy, q), s.y.z -= dot(s.y.xy, q);\n"
+    "    slice.place.z -= dot(slice.place.xy, origin);\n"
+    "    slice.height.z -= dot(slice.height.xy, origin);\n"
     "#endif\n"
     "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
-    "    s.y.w -= r.lift;\n"
+    "    slice.height.w -= receiver.lift;\n"
     "#endif\n"
     "#if SSGI_LIFT\n"
-    "    s.y.w -= r.raised * per;\n"
+    "    slice.height.w -= receiver.raised * per;\n"
     "#endif\n"
-    "    s.off.z = -dot(s.off.xy, q);\n"
+    "    slice.deviation.z = -dot(slice.deviation.xy, origin);\n"
     "    // Rounding puts the receiver's own texel beside the receiver, in any direction. As ten times as much is\n"
     "    // added to its distance, the sine of its elevation is 0.1 at most.\n"
-    "    s.rounded = r.rounded, s.least = 100.0 * r.rounded * r.rounded, s.grain = u_ssgi_radius / 63.0;\n"
-    "    return s;\n"
+    "    slice.rounded = receiver.rounded;\n"
+    "    slice.least = 100.0 * receiver.rounded * receiver.rounded;\n"
+    "    slice.thickness_unit = u_ssgi_radius / 63.0;\n"
+    "    return slice;\n"
     "}\n" },
 
 { "ssgi_side", NULL, __LINE__ + 1,
     "struct ssgi_side { // one side of a slice, from the receiver outwards\n"
-    "    vec4 x; // form of a point's place along the tangent plane\n"
-    "    float cosg, sing, rest; // half of cos g and of sin g, in sectors; cosg plus the noise that rounds sectors\n"
+    "    vec4 place; // form of a point's place along the tangent plane\n"
+    "    // Half of cos g and of sin g, in sectors; base: half_cosine plus the noise that rounds sectors.\n"
+    "    float half_cosine, half_sine, base;\n"
     "    float share; // share of the hemisphere that a sector has\n"
     "    float edge; // share of the way at which the picture ends\n"
     "};\n" },
 
-/* A side reaches from the tangent plane to where c is -sin g. ssgi_slice.open has the part of its measure that both
+/* A side reaches from the tangent plane to where c is -sin g. ssgi_slice.measure has the part of its measure that both
    sides have alike: of the whole formula NVIDIA's compiler for GL (driver 580) loses a sign where way is -1. */
 { "ssgi_side_of", NULL, __LINE__ + 1,
-    "// way is 1 for the side toward s.along, -1 for the other; noise rounds its sectors\n"
-    "ssgi_side ssgi_side_of(ssgi_slice s, float way, float noise, float edge) {\n"
-    "    ssgi_side e;\n"
-    "    float a = way * s.lean.x, whole = max(s.open + 1.57079633 * a, 1e-5);\n"
+    "// way is 1 for the side toward slice.along, -1 for the other; noise rounds its sectors\n"
+    "ssgi_side ssgi_side_of(ssgi_slice slice, float way, float noise, float edge) {\n"
+    "    ssgi_side side;\n"
+    "    float sine = way * slice.half_normal.x;\n"
+    "    float whole = max(slice.measure + 1.57079633 * sine, 1e-5);\n"
     "    float scale = 32.0 / whole;\n"
-    "    e.x = way * s.x, e.cosg = s.lean.y * scale, e.sing = a * scale, e.rest = e.cosg + noise;\n"
-    "    e.share = whole * s.width / (32.0 * float(SSGI_DIRECTIONS)), e.edge = edge;\n"
-    "    return e;\n"
+    "    side.place = way * slice.place;\n"
+    "    side.half_cosine = slice.half_normal.y * scale;\n"
+    "    side.half_sine = sine * scale;\n"
+    "    side.base = side.half_cosine + noise;\n"
+    "    side.share = whole * slice.width / (32.0 * float(SSGI_DIRECTIONS));\n"
+    "    side.edge = edge;\n"
+    "    return side;\n"
     "}\n" },
 
 { "ssgi_edges", NULL, __LINE__ + 1,
-    "// Returns the shares of the way along pixels, ahead of p and behind it, that lie in the picture: a little less,\n"
-    "// so that rounding reads no texel beyond.\n"
-    "vec2 ssgi_edges(ivec2 p, vec2 pixels) {\n"
+    "// Returns the shares of the way along pixels, ahead of pixel and behind it, that lie in the picture: a little\n"
+    "// less, so that rounding reads no texel beyond.\n"
+    "vec2 ssgi_edges(ivec2 pixel, vec2 pixels) {\n"
     "    vec2 per = 1.0 / (pixels + 1e-9);\n"
-    "    vec2 low = (vec2(p) + 0.499) * per, high = (vec2(u_ssgi_size - p) - 0.501) * per;\n"
-    "    vec2 ahead = max(high, -low), behind = max(low, -high);\n"
+    "    vec2 low = (vec2(pixel) + 0.499) * per;\n"
+    "    vec2 high = (vec2(u_ssgi_size - pixel) - 0.501) * per;\n"
+    "    vec2 ahead = max(high, -low);\n"
+    "    vec2 behind = max(low, -high);\n"
     "    return vec2(min(ahead.x, ahead.y), min(behind.x, behind.y));\n"
     "}\n" },
 
 { "ssgi_sector", NULL, __LINE__ + 1,
-    "// Returns the sector of an elevation with cosine c, whose square is q: at most `most`, and 0 unless it is up.\n"
-    "float ssgi_sector(ssgi_side e, float c, float q, bool up, float most) {\n"
-    "    float sector = e.rest - e.cosg * q + e.sing * ssgi_arc_odd(c, q);\n"
+    "// Returns the sector of an elevation by its cosine and the square of that: at most `most`, and 0 unless it is\n"
+    "// up.\n"
+    "float ssgi_sector(ssgi_side side, float cosine, float squared, bool up, float most) {\n"
+    "    float sector = side.base - side.half_cosine * squared + side.half_sine * ssgi_arc_odd(cosine, squared);\n"
     "    return up ? clamp(sector, 0.0, most) : 0.0;\n"
     "}\n" },
 
 { "ssgi_cover_sectors", NULL, __LINE__ + 1,
-    "// Covers the sectors of an arc, and returns how many of them were free, times the weight of d radii.\n"
-    "float ssgi_cover_sectors(inout uint left, uint arc, float d) {\n"
+    "// Covers the sectors of an arc; returns how many of them were free, times their weight at a distance in radii.\n"
+    "float ssgi_cover_sectors(inout uint left, uint arc, float away) {\n"
     "    arc &= left;\n"
     "    left ^= arc;\n"
     "    float fresh = ssgi_count(arc);\n"
     "#if SSGI_SPAN\n"
-    "    fresh *= ssgi_near(d * u_ssgi_radius);\n"
+    "    fresh *= ssgi_near(away * u_ssgi_radius);\n"
     "#endif\n"
-    "    return fresh * ssgi_attenuation(d);\n"
+    "    return fresh * ssgi_attenuation(away);\n"
     "}\n" },
 
 { "ssgi_tap", NULL, __LINE__ + 1,
     "struct ssgi_tap {\n"
-    "    ivec2 q; // the texel of depth\n"
-    "    vec2 k; // the forms at that texel, which ssgi_on_ray takes\n"
-    "    float z, distance, h; // view depth; distance in radii; sine of the elevation, at least 0\n"
+    "    ivec2 texel; // the texel of depth\n"
+    "    vec2 forms; // the forms at that texel, which ssgi_on_ray takes\n"
+    "    float z, distance, sine; // view depth; distance in radii; sine of the elevation, at least 0\n"
     "    bool inside, seen; // the tap is in the picture; it is within the radius, too\n"
     "    bool beyond, up; // it is past the zenith; it is seen and rises above the tangent plane\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
@@ -3471,54 +3624,61 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "};\n" },
 
 { "ssgi_ray_of", NULL, __LINE__ + 1,
-    "vec2 ssgi_ray_of(ssgi_slice s, ssgi_side e, vec2 q) { // returns both forms at a pixel, without the view depth\n"
+    "// Returns both forms at a pixel, without the view depth.\n"
+    "vec2 ssgi_ray_of(ssgi_slice slice, ssgi_side side, vec2 pixel) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    return vec2(dot(e.x.xy, q) + e.x.w, dot(s.y.xy, q) + s.y.w);\n"
+    "    return vec2(dot(side.place.xy, pixel) + side.place.w, dot(slice.height.xy, pixel) + slice.height.w);\n"
     "#else\n"
-    "    return vec2(dot(e.x.xy, q) + e.x.z, dot(s.y.xy, q) + s.y.z);\n"
+    "    return vec2(dot(side.place.xy, pixel) + side.place.z, dot(slice.height.xy, pixel) + slice.height.z);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_on_ray", NULL, __LINE__ + 1,
-    "vec2 ssgi_on_ray(ssgi_slice s, ssgi_side e, vec2 k, float z) { // returns place and height at view depth z\n"
+    "// Returns place and height at view depth z.\n"
+    "vec2 ssgi_on_ray(ssgi_slice slice, ssgi_side side, vec2 forms, float z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    return k + z * vec2(e.x.z, s.y.z);\n"
+    "    return forms + z * vec2(side.place.z, slice.height.z);\n"
     "#else\n"
-    "    return k * z + vec2(e.x.w, s.y.w);\n"
+    "    return forms * z + vec2(side.place.w, slice.height.w);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_squared", NULL, __LINE__ + 1,
-    "float ssgi_squared(ssgi_slice s, vec2 d) { // returns |d|^2, never 0\n"
-    "    return d.x * d.x + (d.y * d.y + s.least);\n"
+    "float ssgi_squared(ssgi_slice slice, vec2 offset) { // returns |offset|^2, never 0\n"
+    "    return offset.x * offset.x + (offset.y * offset.y + slice.least);\n"
     "}\n" },
 
 { "ssgi_tap_at", NULL, __LINE__ + 1,
-    "ssgi_tap ssgi_tap_at(ssgi_slice s, ssgi_side e, vec2 place, float u) { // u is the share of the way\n"
-    "    ssgi_tap t;\n"
-    "    t.q = ivec2(place);\n"
+    "ssgi_tap ssgi_tap_at(ssgi_slice slice, ssgi_side side, vec2 place, float way) { // way is the share of the way\n"
+    "    ssgi_tap tap;\n"
+    "    tap.texel = ivec2(place);\n"
     "#if SSGI_THICKNESS < SSGI_THICKNESS_WIDTH\n"
-    "    t.z = ssgi_depth(t.q);\n"
+    "    tap.z = ssgi_depth(tap.texel);\n"
     "#else\n"
-    "    vec2 m = ssgi_measured_texel(t.q);\n"
-    "    t.z = m.x, t.width = m.y * s.grain;\n"
+    "    vec2 measured = ssgi_measured_texel(tap.texel);\n"
+    "    tap.z = measured.x;\n"
+    "    tap.width = measured.y * slice.thickness_unit;\n"
     "#endif\n"
-    "    vec2 q = vec2(t.q);\n"
-    "    t.k = ssgi_ray_of(s, e, q);\n"
-    "    vec2 d = ssgi_on_ray(s, e, t.k, t.z);\n"
+    "    vec2 pixel = vec2(tap.texel);\n"
+    "    tap.forms = ssgi_ray_of(slice, side, pixel);\n"
+    "    vec2 offset = ssgi_on_ray(slice, side, tap.forms, tap.z);\n"
     "    // A texel is up to half a pixel off its slice. If distances left that out, slices that graze a plane\n"
     "    // would darken it in dots.\n"
-    "    float off = s.off.x * q.x + (s.off.y * q.y + s.off.z), up = d.y - s.off.w * off;\n"
-    "    float ll = d.x * d.x + (up * up + (off * off + s.least));\n"
-    "    t.distance = sqrt(ll), t.h = clamp(d.y * inversesqrt(ll), 0.0, 1.0);\n"
-    "    t.inside = u < e.edge, t.seen = t.inside && ll < 1.0, t.beyond = d.x < -s.rounded;\n"
-    "    t.up = t.seen && t.h > (t.beyond ? SSGI_OVER : SSGI_LEVEL);\n"
-    "    return t;\n"
+    "    float off = slice.deviation.x * pixel.x + (slice.deviation.y * pixel.y + slice.deviation.z);\n"
+    "    float up = offset.y - slice.deviation.w * off;\n"
+    "    float squared = offset.x * offset.x + (up * up + (off * off + slice.least));\n"
+    "    tap.distance = sqrt(squared);\n"
+    "    tap.sine = clamp(offset.y * inversesqrt(squared), 0.0, 1.0);\n"
+    "    tap.inside = way < side.edge;\n"
+    "    tap.seen = tap.inside && squared < 1.0;\n"
+    "    tap.beyond = offset.x < -slice.rounded;\n"
+    "    tap.up = tap.seen && tap.sine > (tap.beyond ? SSGI_OVER : SSGI_LEVEL);\n"
+    "    return tap;\n"
     "}\n" },
 
 { "ssgi_cosine", NULL, __LINE__ + 1,
-    "float ssgi_cosine(float q, bool beyond) { // returns the cosine of an elevation from its square\n"
-    "    return beyond ? -sqrt(q) : sqrt(q);\n"
+    "float ssgi_cosine(float squared, bool beyond) { // returns the cosine of an elevation from its square\n"
+    "    return beyond ? -sqrt(squared) : sqrt(squared);\n"
     "}\n" },
 
 { "ssgi_walked", NULL, __LINE__ + 1,
@@ -3543,54 +3703,63 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_walked_none", NULL, __LINE__ + 1,
     "ssgi_walked ssgi_walked_none(float z) { // the receiver counts as the last tap\n"
-    "    ssgi_walked w;\n"
-    "    w.left = 0xffffffffu, w.distance = 0.0;\n"
+    "    ssgi_walked walked;\n"
+    "    walked.left = 0xffffffffu;\n"
+    "    walked.distance = 0.0;\n"
     "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
-    "    w.low = w.high = 0.0, w.z = z, w.seen = true, w.rose = false;\n"
+    "    walked.low = walked.high = 0.0;\n"
+    "    walked.z = z;\n"
+    "    walked.seen = true;\n"
+    "    walked.rose = false;\n"
     "#endif\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
-    "    w.end_ = z;\n"
+    "    walked.end_ = z;\n"
     "#endif\n"
     "#if SSGI_ENVIRONMENT\n"
-    "    w.sine = 0.0, w.toward = vec2(0.0);\n"
+    "    walked.sine = 0.0;\n"
+    "    walked.toward = vec2(0.0);\n"
     "#endif\n"
-    "    w.share = 0.0;\n"
-    "    return w;\n"
+    "    walked.share = 0.0;\n"
+    "    return walked;\n"
     "}\n" },
 
 { "ssgi_last_elevation", "SSGI_ENVIRONMENT", __LINE__ + 1,
-    "vec2 ssgi_last_elevation(ssgi_walked w) { // returns cosine and sine of the last tap's elevation\n"
-    "    return vec2(ssgi_cosine(1.0 - w.sine * w.sine, w.sine < 0.0), abs(w.sine));\n"
+    "vec2 ssgi_last_elevation(ssgi_walked walked) { // returns cosine and sine of the last tap's elevation\n"
+    "    return vec2(ssgi_cosine(1.0 - walked.sine * walked.sine, walked.sine < 0.0), abs(walked.sine));\n"
     "}\n" },
 
 { "ssgi_add_elevation", "SSGI_ENVIRONMENT", __LINE__ + 1,
     "// Adds `share` occluded sectors at an elevation, given as cosine and sine times any length.\n"
-    "void ssgi_add_elevation(inout ssgi_walked w, vec2 elevation, float share) {\n"
-    "    w.toward += elevation * (inversesqrt(max(dot(elevation, elevation), 1e-12)) * share);\n"
+    "void ssgi_add_elevation(inout ssgi_walked walked, vec2 elevation, float share) {\n"
+    "    walked.toward += elevation * (inversesqrt(max(dot(elevation, elevation), 1e-12)) * share);\n"
     "}\n" },
 
 { "ssgi_add_occluded", "SSGI_ENVIRONMENT", __LINE__ + 1,
     "// Adds the light that a side occludes; environment or harmonics are evaluated once, in the mean direction.\n"
-    "void ssgi_add_occluded(inout ssgi_sums sums, ssgi_slice s, vec3 V, ssgi_walked w, float way, float share) {\n"
-    "    vec2 e = vec2(way * w.toward.x, w.toward.y), lean = 2.0 * s.lean; // e.x is along the tangent plane, e.y up.\n"
-    "    vec3 to = s.along * dot(e, lean.yx) + V * (e.y * lean.y - e.x * lean.x);\n"
-    "    to *= inversesqrt(max(dot(to, to), 1e-24));\n"
-    "    share *= w.share;\n"
+    "void ssgi_add_occluded(inout ssgi_sums sums, ssgi_slice slice, vec3 V, ssgi_walked walked, float way,\n"
+    "    float share) {\n"
+    "    // Its x is along the tangent plane, its y up.\n"
+    "    vec2 elevation = vec2(way * walked.toward.x, walked.toward.y);\n"
+    "    vec2 lean = 2.0 * slice.half_normal;\n"
+    "    vec3 direction = slice.along * dot(elevation, lean.yx) + V * (elevation.y * lean.y - elevation.x * lean.x);\n"
+    "    direction *= inversesqrt(max(dot(direction, direction), 1e-24));\n"
+    "    share *= walked.share;\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
-    "    sums.dark += ssgi_environment(transpose(u_ssgi_rotation) * to) * share;\n"
+    "    sums.dark += ssgi_environment(transpose(u_ssgi_rotation) * direction) * share;\n"
     "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
-    "    ssgi_sh_add(sums.lobe, ssgi_sh_basis(to), -SSGI_PI * share);\n"
+    "    ssgi_sh_add(sums.lobe, ssgi_sh_basis(direction), -SSGI_PI * share);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_add_sent", "SSGI_BOUNCE", __LINE__ + 1,
-    "// Adds the light that the surface at pixel q, at an offset d from the receiver, and the second slab behind it\n"
+    "// Adds the light that the surface at a pixel, at an offset from the receiver, and the second slab behind it\n"
     "// send, by their shares. Edge-on, within the rounding of its normal, a surface sends nothing.\n"
-    "void ssgi_add_sent(inout ssgi_sums sums, ivec2 q, vec3 d, float share, float second) {\n"
-    "    uvec2 s = texelFetch(t_ssgi_emitters, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
-    "    vec3 o = ssgi_unpack_normal(s.y);\n"
+    "void ssgi_add_sent(inout ssgi_sums sums, ivec2 pixel, vec3 offset, float share, float second) {\n"
+    "    uvec2 texel = texelFetch(t_ssgi_emitters, ivec3(pixel + u_ssgi_target, 0), 0).xy;\n"
+    "    vec3 normal = ssgi_unpack_normal(texel.y);\n"
     "#if !SSGI_TWO_SIDED\n"
-    "    float facing = -dot(o, d), edge = SSGI_EDGE_ON * length(d);\n"
+    "    float facing = -dot(normal, offset);\n"
+    "    float edge = SSGI_EDGE_ON * length(offset);\n"
     "#endif\n"
     "#if SSGI_ONE_SIDED\n"
     "    share *= facing > edge ? 1.0 : 0.0;\n"
@@ -3601,11 +3770,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    share += SSGI_SECOND * second;\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_SSDO\n"
-    "    sums.bounce += ssgi_unpack_radiance(s.x) * share;\n"
+    "    sums.bounce += ssgi_unpack_radiance(texel.x) * share;\n"
     "#elif !SSGI_DIMMED\n"
-    "    ssgi_reflected(sums.bounce, o, d, ssgi_unpack_radiance(s.x) * share);\n"
+    "    ssgi_reflected(sums.bounce, normal, offset, ssgi_unpack_radiance(texel.x) * share);\n"
     "#else\n"
-    "    ssgi_reflected(sums.bounce, q, ssgi_unpack_radiance(s.x) * share);\n"
+    "    ssgi_reflected(sums.bounce, pixel, ssgi_unpack_radiance(texel.x) * share);\n"
     "#endif\n"
     "}\n" },
 
@@ -3621,87 +3790,104 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_cover", "SSGI_THICKNESS == SSGI_THICKNESS_SOLID", __LINE__ + 1,
     "// Covers the sectors that a tap occludes; returns how many were free, attenuated.\n"
-    "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
+    "float ssgi_cover(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap, ssgi_gap gap) {\n"
     "    float fresh = 0.0;\n"
-    "    if (t.up) {\n"
-    "        float q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
-    "        uint arc = ssgi_sectors(0.0, ssgi_sector(e, c, q, true, 32.0));\n"
-    "        fresh = ssgi_cover_sectors(w.left, arc, 0.5 * (t.distance + w.distance));\n"
-    "        w.share += fresh;\n"
+    "    if (tap.up) {\n"
+    "        float squared = 1.0 - tap.sine * tap.sine;\n"
+    "        float cosine = ssgi_cosine(squared, tap.beyond);\n"
+    "        uint arc = ssgi_sectors(0.0, ssgi_sector(side, cosine, squared, true, 32.0));\n"
+    "        fresh = ssgi_cover_sectors(walked.left, arc, 0.5 * (tap.distance + walked.distance));\n"
+    "        walked.share += fresh;\n"
     "#if SSGI_ENVIRONMENT\n"
-    "        ssgi_add_elevation(w, vec2(c, t.h) + ssgi_last_elevation(w), fresh);\n"
+    "        ssgi_add_elevation(walked, vec2(cosine, tap.sine) + ssgi_last_elevation(walked), fresh);\n"
     "#endif\n"
     "    }\n"
     "#if SSGI_ENVIRONMENT\n"
-    "    w.sine = t.beyond ? -t.h : t.h;\n"
+    "    walked.sine = tap.beyond ? -tap.sine : tap.sine;\n"
     "#endif\n"
-    "    w.distance = min(t.distance, 1.0);\n"
+    "    walked.distance = min(tap.distance, 1.0);\n"
     "    return fresh;\n"
     "}\n" },
 
 { "ssgi_cover", "SSGI_THICKNESS != SSGI_THICKNESS_SOLID", __LINE__ + 1,
     "// Covers the sectors that a tap occludes; returns how many were free, attenuated.\n"
-    "float ssgi_cover(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
+    "float ssgi_cover(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap, ssgi_gap gap) {\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
-    "    float end_ = t.z + t.width + 0.5 * ssgi_between(gap);\n"
+    "    float end_ = tap.z + tap.width + 0.5 * ssgi_between(gap);\n"
     "#elif SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
-    "    float end_ = t.z + u_ssgi_thickness_limit;\n"
+    "    float end_ = tap.z + u_ssgi_thickness_limit;\n"
     "#endif\n"
-    "    float fresh = 0.0, low = 0.0, high = 0.0, l = t.distance;\n"
-    "    vec2 back = ssgi_on_ray(s, e, t.k, end_);\n"
-    "    float ll = ssgi_squared(s, back);\n"
+    "    float fresh = 0.0;\n"
+    "    float low = 0.0;\n"
+    "    float high = 0.0;\n"
+    "    float radii = tap.distance;\n"
+    "    vec2 back = ssgi_on_ray(slice, side, tap.forms, end_);\n"
+    "    float back_squared = ssgi_squared(slice, back);\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
-    "    l = 0.5 * (l + min(l, sqrt(ll)));\n"
+    "    radii = 0.5 * (radii + min(radii, sqrt(back_squared)));\n"
     "#endif\n"
-    "    if (t.up || (w.rose && t.seen)) { // Else neither this tap rises nor did the last one.\n"
-    "        float q = 1.0 - t.h * t.h, c = ssgi_cosine(q, t.beyond);\n"
-    "        back *= inversesqrt(ll);\n"
-    "        high = ssgi_sector(e, c, q, t.up, 32.0);\n"
-    "        low = ssgi_sector(e, back.x, back.x * back.x, back.y > SSGI_LEVEL, high);\n"
+    "    if (tap.up || (walked.rose && tap.seen)) { // Else neither this tap rises nor did the last one.\n"
+    "        float squared = 1.0 - tap.sine * tap.sine;\n"
+    "        float cosine = ssgi_cosine(squared, tap.beyond);\n"
+    "        back *= inversesqrt(back_squared);\n"
+    "        high = ssgi_sector(side, cosine, squared, tap.up, 32.0);\n"
+    "        low = ssgi_sector(side, back.x, back.x * back.x, back.y > SSGI_LEVEL, high);\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
-    "        float apart = abs(t.z - w.z) / SSGI_JOINED;\n"
+    "        float apart = abs(tap.z - walked.z) / SSGI_JOINED;\n"
     "#elif SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
-    "        float apart = max(t.z - w.end_, w.z - end_); // Below 0 their depths overlap.\n"
+    "        float apart = max(tap.z - walked.end_, walked.z - end_); // Below 0 their depths overlap.\n"
     "#endif\n"
-    "        bool joined = apart < ssgi_between(gap) && t.seen && w.seen;\n"
-    "        uint arc = ssgi_sectors(joined ? min(low, w.low) : low, joined ? max(high, w.high) : high);\n"
+    "        bool joined = apart < ssgi_between(gap) && tap.seen && walked.seen;\n"
+    "        uint arc = ssgi_sectors(joined ? min(low, walked.low) : low, joined ? max(high, walked.high) : high);\n"
     "        // The distance of a joined arc is halfway to the last tap.\n"
     "        float part = joined ? 0.5 : SSGI_APART;\n"
-    "        fresh = ssgi_cover_sectors(w.left, arc, mix(min(l, 2.0), min(w.distance, 1.0), part));\n"
-    "        w.share += fresh;\n"
+    "        fresh = ssgi_cover_sectors(walked.left, arc, mix(min(radii, 2.0), min(walked.distance, 1.0), part));\n"
+    "        walked.share += fresh;\n"
     "#if SSGI_ENVIRONMENT\n"
     "        back = back.y > 0.0 ? back : vec2(1.0, 0.0); // This is the lower end of the arc.\n"
-    "        ssgi_add_elevation(w, vec2(c, t.h) + (joined ? ssgi_last_elevation(w) : back), fresh);\n"
+    "        ssgi_add_elevation(walked, vec2(cosine, tap.sine) + (joined ? ssgi_last_elevation(walked) : back),\n"
+    "            fresh);\n"
     "#endif\n"
     "    }\n"
     "#if SSGI_ENVIRONMENT\n"
-    "    w.sine = t.beyond ? -t.h : t.h;\n"
+    "    walked.sine = tap.beyond ? -tap.sine : tap.sine;\n"
     "#endif\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
-    "    w.end_ = end_;\n"
+    "    walked.end_ = end_;\n"
     "#endif\n"
-    "    w.low = low, w.high = high, w.z = t.z, w.seen = t.seen, w.distance = l, w.rose = t.up;\n"
+    "    walked.low = low;\n"
+    "    walked.high = high;\n"
+    "    walked.z = tap.z;\n"
+    "    walked.seen = tap.seen;\n"
+    "    walked.distance = radii;\n"
+    "    walked.rose = tap.up;\n"
     "    return fresh;\n"
     "}\n" },
 
 { "ssgi_cover_second", "SSGI_THICKNESS == SSGI_THICKNESS_SLABS", __LINE__ + 1,
     "// Covers the sectors that the second slab behind a tap occludes; returns how many were free, attenuated.\n"
-    "float ssgi_cover_second(ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap) {\n"
-    "    vec3 slab = ssgi_slabs(t.q);\n"
-    "    vec2 front = ssgi_on_ray(s, e, t.k, slab.y);\n"
-    "    float ll = ssgi_squared(s, front), r = inversesqrt(ll), fresh = 0.0;\n"
-    "    if (t.inside && ll < 1.0 && front.y * r > SSGI_LEVEL) {\n"
-    "        float deep = max(ssgi_second_thickness(slab.y, slab.z, t.width), 2.0 * ssgi_between(gap));\n"
-    "        vec2 back = ssgi_on_ray(s, e, t.k, slab.y + deep);\n"
-    "        float back_ll = ssgi_squared(s, back), back_r = inversesqrt(back_ll), l = ll * r, c = front.x * r;\n"
-    "        float high = ssgi_sector(e, c, c * c, true, 32.0);\n"
-    "        c = back.x * back_r;\n"
-    "        float low = ssgi_sector(e, c, c * c, back.y * back_r > SSGI_LEVEL, high);\n"
-    "        l = 0.5 * (l + min(l, back_ll * back_r));\n"
-    "        fresh = ssgi_cover_sectors(w.left, ssgi_sectors(low, high), l);\n"
-    "        w.share += fresh;\n"
+    "float ssgi_cover_second(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap,\n"
+    "    ssgi_gap gap) {\n"
+    "    vec3 slab = ssgi_slabs(tap.texel);\n"
+    "    vec2 front = ssgi_on_ray(slice, side, tap.forms, slab.y);\n"
+    "    float front_squared = ssgi_squared(slice, front);\n"
+    "    float front_inverse = inversesqrt(front_squared);\n"
+    "    float fresh = 0.0;\n"
+    "    if (tap.inside && front_squared < 1.0 && front.y * front_inverse > SSGI_LEVEL) {\n"
+    "        float deep = max(ssgi_second_thickness(slab.y, slab.z, tap.width), 2.0 * ssgi_between(gap));\n"
+    "        vec2 back = ssgi_on_ray(slice, side, tap.forms, slab.y + deep);\n"
+    "        float back_squared = ssgi_squared(slice, back);\n"
+    "        float back_inverse = inversesqrt(back_squared);\n"
+    "        float radii = front_squared * front_inverse;\n"
+    "        float cosine = front.x * front_inverse;\n"
+    "        float high = ssgi_sector(side, cosine, cosine * cosine, true, 32.0);\n"
+    "        cosine = back.x * back_inverse;\n"
+    "        float low = ssgi_sector(side, cosine, cosine * cosine, back.y * back_inverse > SSGI_LEVEL, high);\n"
+    "        radii = 0.5 * (radii + min(radii, back_squared * back_inverse));\n"
+    "        fresh = ssgi_cover_sectors(walked.left, ssgi_sectors(low, high), radii);\n"
+    "        walked.share += fresh;\n"
     "#if SSGI_ENVIRONMENT\n"
-    "        ssgi_add_elevation(w, front, fresh);\n"
+    "        ssgi_add_elevation(walked, front, fresh);\n"
     "#endif\n"
     "    }\n"
     "    return fresh;\n"
@@ -3709,19 +3895,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_step", NULL, __LINE__ + 1,
     "// Takes one step of a side: its tap occludes sectors, and sends light from them.\n"
-    "void ssgi_step(inout ssgi_sums sums, ssgi_slice s, ssgi_side e, inout ssgi_walked w, ssgi_tap t, ssgi_gap gap,\n"
+    "void ssgi_step(inout ssgi_sums sums, ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap,\n"
+    "    ssgi_gap gap,\n"
     "    vec3 P) {\n"
-    "    float first = ssgi_cover(s, e, w, t, gap), second = 0.0;\n"
+    "    float first = ssgi_cover(slice, side, walked, tap, gap);\n"
+    "    float second = 0.0;\n"
     "#if SSGI_BOUNCE || SSGI_THICKNESS == SSGI_THICKNESS_SLABS\n"
-    "    t.q -= ssgi_walked_origin();\n"
+    "    tap.texel -= ssgi_walked_origin();\n"
     "#endif\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_SLABS\n"
-    "    second = ssgi_cover_second(s, e, w, t, gap);\n"
+    "    second = ssgi_cover_second(slice, side, walked, tap, gap);\n"
     "#endif\n"
     "#if SSGI_BOUNCE\n"
     "    if (first + second > 0.0) {\n"
-    "        vec3 d = ssgi_position(vec2(t.q) + 0.5, t.z) - P;\n"
-    "        ssgi_add_sent(sums, t.q, d, first * e.share, second * e.share);\n"
+    "        vec3 offset = ssgi_position(vec2(tap.texel) + 0.5, tap.z) - P;\n"
+    "        ssgi_add_sent(sums, tap.texel, offset, first * side.share, second * side.share);\n"
     "    }\n"
     "#endif\n"
     "}\n" },
@@ -3735,20 +3923,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const vec2 SSGI_MISSED = vec2(0.09375, 0.0028); // With 34 steps none is missed.\n" },
 
 { "SSGI_BEYOND", NULL, __LINE__ + 1,
-    "const vec2 SSGI_BEYOND = vec2(0.05, 0.4);\n" },
+    "const vec2 SSGI_BEYOND = vec2(0.05, 0.4); // occluded shares beyond the picture: of what is found; the most\n" },
 
 /* Leaving the directions that steps miss open would err more. Where no sector is occluded nothing is expected, so that
    planes stay open. Expected occluders send light as the found ones do. */
 { "ssgi_expect", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
-    "void ssgi_expect(inout ssgi_sums sums, ssgi_side e, inout ssgi_walked w) { // adds occlusion that a side missed\n"
+    "// Adds occlusion that a side missed.\n"
+    "void ssgi_expect(inout ssgi_sums sums, ssgi_side side, inout ssgi_walked walked) {\n"
     "    float missed = max(SSGI_MISSED.x / float(SSGI_STEPS) - SSGI_MISSED.y, 0.0);\n"
-    "    float beyond = max(1.0 - e.edge, 0.0);\n"
-    "    float more = missed * w.share + beyond * beyond * min(SSGI_BEYOND.x * w.share, SSGI_BEYOND.y);\n"
-    "    more = ssgi_count(w.left) * min(more, 1.0);\n"
+    "    float beyond = max(1.0 - side.edge, 0.0);\n"
+    "    float more = missed * walked.share + beyond * beyond * min(SSGI_BEYOND.x * walked.share, SSGI_BEYOND.y);\n"
+    "    more = ssgi_count(walked.left) * min(more, 1.0);\n"
     "#if SSGI_BOUNCE\n"
-    "    sums.found += w.share * e.share, sums.expected += more * e.share;\n"
+    "    sums.found += walked.share * side.share;\n"
+    "    sums.expected += more * side.share;\n"
     "#endif\n"
-    "    w.share += more;\n"
+    "    walked.share += more;\n"
     "}\n" },
 
 { "ssgi_expect_sent", "SSGI_BOUNCE && SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
@@ -3757,62 +3947,77 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_PASS == SSGI_PASS_SSDO\n"
     "    sums.bounce *= 1.0 + more;\n"
     "#elif SSGI_PASS == SSGI_PASS_S3HO\n"
-    "    for (int c = 0; c < 3; ++c) ssgi_sh_add(sums.bounce.c[c], sums.bounce.c[c], more);\n"
+    "    for (int channel = 0; channel < 3; ++channel)\n"
+    "        ssgi_sh_add(sums.bounce.channel[channel], sums.bounce.channel[channel], more);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_walk_slice", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
-    "// Walks both sides of a slice from near to far. pixels: how many a radius along it covers in x and y.\n"
-    "void ssgi_walk_slice(ssgi_slice s, vec3 P, ivec2 p, vec2 pixels, vec2 xi, vec2 noise, inout ssgi_sums sums) {\n"
-    "    float unit = 1.0 / float(SSGI_STEPS), reach = u_ssgi_radius;\n"
+    "// Walks both sides of a slice, a plane through the view direction, from near to far [TLG23]. A side has 32\n"
+    "// sectors of equal cosine-weighted measure. The surface of a tap occludes the sectors that this tap is the\n"
+    "// first to cover, weighted by its distance; it is as thick as desc.gather.thickness says. Taps of one surface\n"
+    "// join: they also cover the sectors between them, at their mean distance. pixels: how many a radius along the\n"
+    "// slice covers in x and y.\n"
+    "void ssgi_walk_slice(ssgi_slice slice, vec3 P, ivec2 pixel, vec2 pixels, vec2 random, vec2 noise,\n"
+    "    inout ssgi_sums sums) {\n"
+    "    float unit = 1.0 / float(SSGI_STEPS);\n"
+    "    float reach = u_ssgi_radius;\n"
     "#if SSGI_SPAN\n"
     "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // Slices look through this share of the radius.\n"
-    "    pixels *= share, reach *= share;\n"
+    "    pixels *= share;\n"
+    "    reach *= share;\n"
     "#endif\n"
-    "    vec2 edges = ssgi_edges(p, pixels), pixel = vec2(p + ssgi_walked_origin()) + 0.5;\n"
-    "    ssgi_side a = ssgi_side_of(s, 1.0, noise.x, edges.x), b = ssgi_side_of(s, -1.0, noise.y, edges.y);\n"
+    "    vec2 edges = ssgi_edges(pixel, pixels);\n"
+    "    vec2 start = vec2(pixel + ssgi_walked_origin()) + 0.5;\n"
+    "    ssgi_side ahead = ssgi_side_of(slice, 1.0, noise.x, edges.x);\n"
+    "    ssgi_side behind = ssgi_side_of(slice, -1.0, noise.y, edges.y);\n"
     "    // Taps stand at the squares of even steps, so that the gaps between them grow evenly.\n"
-    "    vec2 at = vec2(xi.y, 1.0 - xi.y) * unit, first = at * at * reach;\n"
-    "    float grows = 2.0 * reach * unit, less = reach * unit * unit;\n"
-    "    ssgi_walked wa = ssgi_walked_none(-P.z), wb = wa;\n"
-    "    for (int k = 0; k < SSGI_STEPS; ++k) {\n"
-    "        vec2 u = at * at, last = at * grows - less;\n"
-    "        ssgi_tap ta = ssgi_tap_at(s, a, pixel + pixels * u.x, u.x);\n"
-    "        ssgi_tap tb = ssgi_tap_at(s, b, pixel - pixels * u.y, u.y); // The GPU then waits for both at once.\n"
-    "        ssgi_step(sums, s, a, wa, ta, ssgi_gap(last.x, first.x), P);\n"
-    "        ssgi_step(sums, s, b, wb, tb, ssgi_gap(last.y, first.y), P);\n"
-    "        at += unit;\n"
+    "    vec2 root = vec2(random.y, 1.0 - random.y) * unit;\n"
+    "    vec2 first = root * root * reach;\n"
+    "    float grows = 2.0 * reach * unit;\n"
+    "    float less = reach * unit * unit;\n"
+    "    ssgi_walked walked_ahead = ssgi_walked_none(-P.z);\n"
+    "    ssgi_walked walked_behind = walked_ahead;\n"
+    "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
+    "        vec2 way = root * root;\n"
+    "        vec2 last = root * grows - less;\n"
+    "        ssgi_tap tap_ahead = ssgi_tap_at(slice, ahead, start + pixels * way.x, way.x);\n"
+    "        // The GPU then waits for both at once.\n"
+    "        ssgi_tap tap_behind = ssgi_tap_at(slice, behind, start - pixels * way.y, way.y);\n"
+    "        ssgi_step(sums, slice, ahead, walked_ahead, tap_ahead, ssgi_gap(last.x, first.x), P);\n"
+    "        ssgi_step(sums, slice, behind, walked_behind, tap_behind, ssgi_gap(last.y, first.y), P);\n"
+    "        root += unit;\n"
     "    }\n"
-    "    ssgi_expect(sums, a, wa);\n"
-    "    ssgi_expect(sums, b, wb);\n"
+    "    ssgi_expect(sums, ahead, walked_ahead);\n"
+    "    ssgi_expect(sums, behind, walked_behind);\n"
     "#if SSGI_PASS == SSGI_PASS_HSAO\n"
-    "    sums.all += wa.share * a.share + wb.share * b.share;\n"
+    "    sums.all += walked_ahead.share * ahead.share + walked_behind.share * behind.share;\n"
     "#endif\n"
     "#if SSGI_ENVIRONMENT\n"
-    "    ssgi_add_occluded(sums, s, ssgi_toward(P), wa, 1.0, a.share);\n"
-    "    ssgi_add_occluded(sums, s, ssgi_toward(P), wb, -1.0, b.share);\n"
+    "    ssgi_add_occluded(sums, slice, ssgi_toward(P), walked_ahead, 1.0, ahead.share);\n"
+    "    ssgi_add_occluded(sums, slice, ssgi_toward(P), walked_behind, -1.0, behind.share);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_gather", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
-    "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
-    "    ssgi_sums sums = ssgi_sums_none(n);\n"
+    "ssgi_sums ssgi_gather(ivec2 pixel, vec3 P, vec3 normal, vec2 random) {\n"
+    "    ssgi_sums sums = ssgi_sums_none(normal);\n"
     "#if SSGI_SPAN\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z);\n"
     "#endif\n"
     "#if !SSGI_ENVIRONMENT\n"
-    "    ssgi_receiver r = ssgi_receiver_of(P, n);\n"
+    "    ssgi_receiver receiver = ssgi_receiver_of(P, normal);\n"
     "#endif\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
-    "        float phi = SSGI_PI * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
+    "        float phi = SSGI_PI * (float(i) + random.x) / float(SSGI_DIRECTIONS);\n"
     "#if SSGI_ENVIRONMENT\n"
-    "        ssgi_receiver r = ssgi_receiver_of(P, n); // It is made anew, which keeps registers free.\n"
+    "        ssgi_receiver receiver = ssgi_receiver_of(P, normal); // It is made anew, which keeps registers free.\n"
     "#endif\n"
     "        vec2 turn = vec2(cos(phi), sin(phi));\n"
     "        // The noise that rounds the sectors must not correlate with the turn or the offset.\n"
-    "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
-    "        ssgi_slice s = ssgi_slice_of(r, p + ssgi_walked_origin(), turn);\n"
-    "        ssgi_walk_slice(s, P, p, r.across * turn.x + r.up * turn.y, xi, noise, sums);\n"
+    "        vec2 noise = fract(random.y * vec2(7.23, 11.41) + random.x * 3.7 + float(i) * 0.61803399);\n"
+    "        ssgi_slice slice = ssgi_slice_of(receiver, pixel + ssgi_walked_origin(), turn);\n"
+    "        ssgi_walk_slice(slice, P, pixel, receiver.across * turn.x + receiver.up * turn.y, random, noise, sums);\n"
     "    }\n"
     "#if SSGI_BOUNCE\n"
     "    ssgi_expect_sent(sums);\n"
@@ -3821,11 +4026,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_map_light", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
-    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) { // dark is irradiance over pi here\n"
+    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 normal) { // dark is irradiance over pi here\n"
     "#if !SSGI_RESTORE\n"
-    "    return max(ssgi_open_light(P, n) - dark, 0.0);\n"
+    "    return max(ssgi_open_light(P, normal) - dark, 0.0);\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
-    "    return clamp(1.0 - dark / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0);\n"
+    "    return clamp(1.0 - dark / max(ssgi_open_light(P, normal), 1e-9), 0.0, 1.0);\n"
     "#else\n"
     "    return -dark;\n"
     "#endif\n"
@@ -3836,34 +4041,39 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_transfer", NULL, __LINE__ + 1,
     "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // The dot product with light is irradiance [S3HO12 eq. 2].\n"
     "#if !(SSGI_PASS == SSGI_PASS_S3HO && SSGI_BOUNCE)\n"
-    "    ssgi_coefficients v = ssgi_coefficients_none();\n"
+    "    ssgi_coefficients coefficients = ssgi_coefficients_none();\n"
     "#else\n"
-    "    ssgi_coefficients v = sums.bounce;\n"
+    "    ssgi_coefficients coefficients = sums.bounce;\n"
     "#endif\n"
     "#if SSGI_TRANSFER == SSGI_TRANSFER_BOTH && SSGI_BANDS == 1\n"
     "    // One band leaves lane y free, which keeps the reflected part, as that gets no residual.\n"
-    "    for (int c = 0; c < 3; ++c) v.c[c].a.y = v.c[c].a.x;\n"
+    "    for (int channel = 0; channel < 3; ++channel)\n"
+    "        coefficients.channel[channel].word0.y = coefficients.channel[channel].word0.x;\n"
     "#endif\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
-    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], sums.lobe, 1.0);\n"
+    "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
+    "        ssgi_sh_add(coefficients.channel[channel], sums.lobe, 1.0);\n"
     "#endif\n"
-    "    return v;\n"
+    "    return coefficients;\n"
     "}\n" },
 
 { "main_occlusion", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
-    "    float z = ssgi_depth(p);\n"
+    "    ivec2 texel = ssgi_gathered_texel();\n"
+    "    ivec2 pixel = ssgi_gathered(texel);\n"
+    "    float z = ssgi_depth(pixel);\n"
     "    o_ssgi_ao = vec2(1.0, SSGI_FAR);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "    o_ssgi_ao = vec2(clamp(1.0 - ssgi_gather(p, P, n, ssgi_noise(texel)).all, 0.0, 1.0), z);\n"
+    "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
+    "    vec3 normal = ssgi_normal(pixel, P);\n"
+    "    o_ssgi_ao = vec2(clamp(1.0 - ssgi_gather(pixel, P, normal, ssgi_noise(texel)).all, 0.0, 1.0), z);\n"
     "}\n" },
 
 { "main_ssdo", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
-    "    float z = ssgi_receiver_depth(p);\n"
+    "    ivec2 texel = ssgi_gathered_texel();\n"
+    "    ivec2 pixel = ssgi_gathered(texel);\n"
+    "    float z = ssgi_receiver_depth(pixel);\n"
     "#if SSGI_ENVIRONMENT\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "#endif\n"
@@ -3871,17 +4081,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_bounce = vec4(0.0, 0.0, 0.0, z);\n"
     "#endif\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "    ssgi_sums sums = ssgi_gather(p, P, n, ssgi_noise(texel));\n"
+    "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
+    "    vec3 normal = ssgi_normal(pixel, P);\n"
+    "    ssgi_sums sums = ssgi_gather(pixel, P, normal, ssgi_noise(texel));\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
-    "    o_ssgi_light.xyz = ssgi_map_light(sums.dark, P, n);\n"
+    "    o_ssgi_light.xyz = ssgi_map_light(sums.dark, P, normal);\n"
     "#endif\n"
     "#if SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM\n"
     "    ssgi_lit_at = P;\n"
     "#endif\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
-    "    vec3 light = ssgi_irradiance(ssgi_transfer(sums), n);\n"
-    "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, n);\n"
+    "    vec3 light = ssgi_irradiance(ssgi_transfer(sums), normal);\n"
+    "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, normal);\n"
     "#endif\n"
     "#if SSGI_BOUNCE\n"
     "    o_ssgi_bounce.xyz = sums.bounce;\n"
@@ -3890,41 +4101,45 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_s3ho", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
-    "    float z = ssgi_depth(p);\n"
-    "    ssgi_coefficients v = ssgi_coefficients_none();\n"
+    "    ivec2 texel = ssgi_gathered_texel();\n"
+    "    ivec2 pixel = ssgi_gathered(texel);\n"
+    "    float z = ssgi_depth(pixel);\n"
+    "    ssgi_coefficients coefficients = ssgi_coefficients_none();\n"
     "    if (z < SSGI_FAR) {\n"
-    "        vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "        v = ssgi_transfer(ssgi_gather(p, P, n, ssgi_noise(texel)));\n"
+    "        vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
+    "        vec3 normal = ssgi_normal(pixel, P);\n"
+    "        coefficients = ssgi_transfer(ssgi_gather(pixel, P, normal, ssgi_noise(texel)));\n"
     "    }\n"
-    "    ssgi_store(v);\n"
+    "    ssgi_store(coefficients);\n"
     "}\n" },
 
 { "main_s3ho_shaded", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
-    "    float z = ssgi_depth(p);\n"
+    "    ivec2 texel = ssgi_gathered_texel();\n"
+    "    ivec2 pixel = ssgi_gathered(texel);\n"
+    "    float z = ssgi_depth(pixel);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "    ssgi_coefficients v = ssgi_transfer(ssgi_gather(p, P, n, ssgi_noise(texel)));\n"
+    "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
+    "    vec3 normal = ssgi_normal(pixel, P);\n"
+    "    ssgi_coefficients coefficients = ssgi_transfer(ssgi_gather(pixel, P, normal, ssgi_noise(texel)));\n"
     "#if SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM\n"
     "    ssgi_lit_at = P;\n"
     "#endif\n"
-    "    o_ssgi_light.xyz = ssgi_encode_for_filter(ssgi_irradiance(v, n), P, n);\n"
+    "    o_ssgi_light.xyz = ssgi_encode_for_filter(ssgi_irradiance(coefficients, normal), P, normal);\n"
     "}\n" },
 
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
 
 { "ssgi_quad", NULL, __LINE__ + 1,
     "vec2 ssgi_quad(int i) { // returns a unit square's corner at vertex 0 .. 5\n"
-    "    int c = i < 3 ? i : 6 - i;\n"
-    "    return vec2(c & 1, c >> 1);\n"
+    "    int corner = i < 3 ? i : 6 - i;\n"
+    "    return vec2(corner & 1, corner >> 1);\n"
     "}\n" },
 
 { "ssgi_clip", NULL, __LINE__ + 1,
-    "vec4 ssgi_clip(vec2 at, ivec2 size) { // returns a pixel's clip position\n"
-    "    return vec4(at / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
+    "vec4 ssgi_clip(vec2 place, ivec2 size) { // returns a pixel's clip position\n"
+    "    return vec4(place / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
     "}\n" },
 
 { "main_occluder", NULL, __LINE__ + 1,
@@ -3941,101 +4156,122 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_field_texel", NULL, __LINE__ + 1,
     "// Adds a texel's eight bytes times a weight.\n"
-    "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
-    "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
-    "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
-    "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n"
+    "void ssgi_field_texel(ivec3 texel, float weight, inout vec4 first, inout vec4 second) {\n"
+    "    uvec2 bytes = texelFetch(t_ssgi_fields, texel, 0).xy;\n"
+    "    first += weight * vec4(bytes.x & 255u, bytes.x >> 8 & 255u, bytes.x >> 16 & 255u, bytes.x >> 24);\n"
+    "    second += weight * vec4(bytes.y & 255u, bytes.y >> 8 & 255u, bytes.y >> 16 & 255u, bytes.y >> 24);\n"
     "}\n" },
 
 { "ssgi_field_fetch", NULL, __LINE__ + 1,
-    "// Writes the field's components along w, in [0,1], bilinear with the border; at holds resolution and slice.\n"
-    "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
-    "    vec3 m = abs(w), s = vec3(vec2(w.z < 0.0 ? -w.x : w.x, -w.y) / m.z, w.z < 0.0 ? 5.0 : 4.0); // s.z: face\n"
-    "    if (m.x >= m.y && m.x >= m.z) s = vec3(vec2(w.x < 0.0 ? w.z : -w.z, -w.y) / m.x, w.x < 0.0 ? 1.0 : 0.0);\n"
-    "    else if (m.y >= m.z) s = vec3(vec2(w.x, w.y < 0.0 ? -w.z : w.z) / m.y, w.y < 0.0 ? 3.0 : 2.0);\n"
-    "    s.xy = (s.xy * 0.5 + 0.5) * at.x + 0.5;\n"
-    "    vec2 f = clamp(floor(s.xy), 0.0, at.x);\n"
-    "    ivec3 p = ivec3(f.x, f.y + s.z * (at.x + 2.0), at.y);\n"
-    "    f = s.xy - f;\n"
-    "    a = b = vec4(0.0);\n"
-    "    ssgi_field_texel(p, (1.0 - f.x) * (1.0 - f.y), a, b);\n"
-    "    ssgi_field_texel(p + ivec3(1, 0, 0), f.x * (1.0 - f.y), a, b);\n"
-    "    ssgi_field_texel(p + ivec3(0, 1, 0), (1.0 - f.x) * f.y, a, b);\n"
-    "    ssgi_field_texel(p + ivec3(1, 1, 0), f.x * f.y, a, b);\n"
-    "    a *= 1.0 / 255.0, b *= 1.0 / 255.0;\n"
+    "// Writes the field's components along direction, in [0,1], bilinear with the border; layer holds\n"
+    "// resolution and slice.\n"
+    "void ssgi_field_fetch(vec3 direction, vec2 layer, out vec4 first, out vec4 second) {\n"
+    "    vec3 lengths = abs(direction); // square.z: face\n"
+    "    vec3 square = vec3(vec2(direction.z < 0.0 ? -direction.x : direction.x, -direction.y) / lengths.z,\n"
+    "        direction.z < 0.0 ? 5.0 : 4.0);\n"
+    "    if (lengths.x >= lengths.y && lengths.x >= lengths.z)\n"
+    "        square = vec3(vec2(direction.x < 0.0 ? direction.z : -direction.z, -direction.y) / lengths.x,\n"
+    "            direction.x < 0.0 ? 1.0 : 0.0);\n"
+    "    else if (lengths.y >= lengths.z)\n"
+    "        square = vec3(vec2(direction.x, direction.y < 0.0 ? -direction.z : direction.z) / lengths.y,\n"
+    "            direction.y < 0.0 ? 3.0 : 2.0);\n"
+    "    square.xy = (square.xy * 0.5 + 0.5) * layer.x + 0.5;\n"
+    "    vec2 low = clamp(floor(square.xy), 0.0, layer.x);\n"
+    "    ivec3 texel = ivec3(low.x, low.y + square.z * (layer.x + 2.0), layer.y);\n"
+    "    low = square.xy - low;\n"
+    "    first = second = vec4(0.0);\n"
+    "    ssgi_field_texel(texel, (1.0 - low.x) * (1.0 - low.y), first, second);\n"
+    "    ssgi_field_texel(texel + ivec3(1, 0, 0), low.x * (1.0 - low.y), first, second);\n"
+    "    ssgi_field_texel(texel + ivec3(0, 1, 0), (1.0 - low.x) * low.y, first, second);\n"
+    "    ssgi_field_texel(texel + ivec3(1, 1, 0), low.x * low.y, first, second);\n"
+    "    first *= 1.0 / 255.0;\n"
+    "    second *= 1.0 / 255.0;\n"
     "}\n" },
 
 /* [AOF05 eq. 3] */
 { "ssgi_cap", NULL, __LINE__ + 1,
-    "// Returns the cosine-weighted occlusion, 0..1, of a spherical cap, at most a hemisphere. k is the cosine of its\n"
-    "// radius, S the square of the sine, c the cosine between its axis and the normal.\n"
-    "float ssgi_cap(float k, float S, float c) {\n"
-    "    if (c * c >= S) return S * max(c, 0.0);\n"
-    "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
-    "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n"
+    "// Returns the cosine-weighted occlusion, 0..1, of a spherical cap, at most a hemisphere. edge is the cosine of\n"
+    "// its radius, sine_squared the square of the sine, cosine the cosine between its axis and the normal.\n"
+    "float ssgi_cap(float edge, float sine_squared, float cosine) {\n"
+    "    if (cosine * cosine >= sine_squared) return sine_squared * max(cosine, 0.0);\n"
+    "    float x = edge * inversesqrt(sine_squared);\n"
+    "    float width = sqrt(max(1.0 - cosine * cosine / sine_squared, 0.0));\n"
+    "    return ((cosine * atan(width, -x * cosine) - x * width) * sine_squared + atan(width, x)) * 0.318309886;\n"
     "}\n" },
 
 /* [AOF05 section 4.2] */
 { "ssgi_cap_table", NULL, __LINE__ + 1,
-    "// Returns a cap's occlusion from your table, bilinear between texels' centres; h is its solid angle over 2 pi.\n"
-    "float ssgi_cap_table(float h, float c) {\n"
+    "// Returns a cap's occlusion from your table, bilinear between texels' centres; solid_angle is its solid angle\n"
+    "// over 2 pi.\n"
+    "float ssgi_cap_table(float solid_angle, float cosine) {\n"
     "    ivec2 last = textureSize(t_ssgi_cap, 0) - 1;\n"
-    "    vec2 at = clamp(vec2(h, c + 1.0) * 0.5, 0.0, 1.0) * vec2(last);\n"
-    "    ivec2 p = min(ivec2(at), last - 1);\n"
-    "    at -= vec2(p);\n"
-    "    float a = mix(texelFetch(t_ssgi_cap, p, 0).x, texelFetch(t_ssgi_cap, p + ivec2(1, 0), 0).x, at.x);\n"
-    "    float b = mix(texelFetch(t_ssgi_cap, p + ivec2(0, 1), 0).x, texelFetch(t_ssgi_cap, p + 1, 0).x, at.x);\n"
-    "    return mix(a, b, at.y);\n"
+    "    vec2 place = clamp(vec2(solid_angle, cosine + 1.0) * 0.5, 0.0, 1.0) * vec2(last);\n"
+    "    ivec2 texel = min(ivec2(place), last - 1);\n"
+    "    place -= vec2(texel);\n"
+    "    float lower = mix(texelFetch(t_ssgi_cap, texel, 0).x, texelFetch(t_ssgi_cap, texel + ivec2(1, 0), 0).x,\n"
+    "        place.x);\n"
+    "    float upper = mix(texelFetch(t_ssgi_cap, texel + ivec2(0, 1), 0).x, texelFetch(t_ssgi_cap, texel + 1, 0).x,\n"
+    "        place.x);\n"
+    "    return mix(lower, upper, place.y);\n"
     "}\n" },
 
 { "ssgi_field_at", NULL, __LINE__ + 1,
     "// Returns P in the occluder's space: its unit direction from the centre, and its distance.\n"
     "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) { // occluder has ssgi_gl_occluder's members from to_field on\n"
-    "    vec4 p = vec4(P, 1.0);\n"
-    "    vec3 w = vec3(dot(occluder[0], p), dot(occluder[1], p), dot(occluder[2], p));\n"
-    "    float r = length(w);\n"
-    "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n"
+    "    vec4 homogeneous = vec4(P, 1.0);\n"
+    "    vec3 direction = vec3(dot(occluder[0], homogeneous), dot(occluder[1], homogeneous),\n"
+    "        dot(occluder[2], homogeneous));\n"
+    "    float away = length(direction);\n"
+    "    return away > 0.0 ? vec4(direction / away, away) : vec4(0.0, 0.0, 1.0, 0.0);\n"
     "}\n" },
 
 /* [AOF05 algorithm 1] */
 { "ssgi_field_occlusion", NULL, __LINE__ + 1,
-    "// Returns the occlusion, in [0,1], of a surface with unit normal n, whose place in the field is at.\n"
-    "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
-    "    vec4 a, b;\n"
-    "    ssgi_field_fetch(at.xyz, occluder[8].xy, a, b);\n"
-    "    a = occluder[4] + occluder[6] * a, b = occluder[5] + occluder[7] * b;\n"
-    "    float hull = a.w, r = max(at.w, hull);\n"
-    "    float t = r > hull ? min((r - hull) / (occluder[8].z - hull), 1.0) : 0.0; // The hull may be as far out.\n"
-    "    a.xyz = exp2(a.xyz);\n"
-    "    a.y -= sqrt(a.x * a.z); // q is quadratic in r: Bernstein form from the hull to the end\n"
-    "    float q = mix(mix(a.x, a.y, t), mix(a.y, a.z, t), t);\n"
-    "    vec3 axis = b.xyz - r * at.xyz;\n"
-    "    axis = dot(axis, axis) > 0.0 ? normalize(axis) : -at.xyz;\n"
-    "    n = normalize(vec3(dot(occluder[0].xyz, n), dot(occluder[1].xyz, n), dot(occluder[2].xyz, n)));\n"
-    "    float c = dot(axis, n);\n"
-    "    // S is 1 / (pi q), the vector irradiance over pi of a cap of which the occluder covers the share fill.\n"
-    "    float S = 0.318309886 / max(q, 0.318309886), fill = max(b.w, S);\n"
-    "    S /= fill;\n"
+    "// Returns the occlusion, in [0,1], of a surface with unit normal, whose place in the field is `place`.\n"
+    "float ssgi_field_occlusion(vec4 occluder[9], vec4 place, vec3 normal) {\n"
+    "    vec4 first, second;\n"
+    "    ssgi_field_fetch(place.xyz, occluder[8].xy, first, second);\n"
+    "    first = occluder[4] + occluder[6] * first;\n"
+    "    second = occluder[5] + occluder[7] * second;\n"
+    "    float hull = first.w;\n"
+    "    float away = max(place.w, hull);\n"
+    "    // The hull may be as far out.\n"
+    "    float share = away > hull ? min((away - hull) / (occluder[8].z - hull), 1.0) : 0.0;\n"
+    "    first.xyz = exp2(first.xyz);\n"
+    "    first.y -= sqrt(first.x * first.z); // spread is quadratic in away: Bernstein form from the hull to the end\n"
+    "    float spread = mix(mix(first.x, first.y, share), mix(first.y, first.z, share), share);\n"
+    "    vec3 axis = second.xyz - away * place.xyz;\n"
+    "    axis = dot(axis, axis) > 0.0 ? normalize(axis) : -place.xyz;\n"
+    "    normal = normalize(vec3(dot(occluder[0].xyz, normal), dot(occluder[1].xyz, normal),\n"
+    "        dot(occluder[2].xyz, normal)));\n"
+    "    float cosine = dot(axis, normal);\n"
+    "    // sine_squared is 1 / (pi spread), the vector irradiance over pi of a cap of which the occluder covers the\n"
+    "    // share fill.\n"
+    "    float sine_squared = 0.318309886 / max(spread, 0.318309886);\n"
+    "    float fill = max(second.w, sine_squared);\n"
+    "    sine_squared /= fill;\n"
     "#if !SSGI_CAP_TABLE\n"
-    "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c);\n"
+    "    float occlusion = fill * ssgi_cap(sqrt(max(1.0 - sine_squared, 0.0)), sine_squared, cosine);\n"
     "#else\n"
-    "    float A = fill * ssgi_cap_table(S / (1.0 + sqrt(max(1.0 - S, 0.0))), c);\n"
+    "    float occlusion = fill * ssgi_cap_table(sine_squared / (1.0 + sqrt(max(1.0 - sine_squared, 0.0))), cosine);\n"
     "#endif\n"
-    "    if (at.w < hull) A = mix(occluder[3].z, A, pow(at.w / hull, occluder[3].w));\n"
-    "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n"
+    "    if (place.w < hull) occlusion = mix(occluder[3].z, occlusion, pow(place.w / hull, occluder[3].w));\n"
+    "    return clamp(occlusion, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, place.w));\n"
     "}\n" },
 
 { "ssgi_field_visibility", NULL, __LINE__ + 1,
     "// Returns the ambient visibility that all occluders leave, but for those of the object itself.\n"
-    "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 n) {\n"
+    "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 normal) {\n"
     "    float visibility = 1.0;\n"
     "    int rows = min(occluders, textureSize(t_ssgi_occluders, 0).y);\n"
     "    for (int i = 0; i < rows; ++i) {\n"
-    "        vec4 sphere = texelFetch(t_ssgi_occluders, ivec2(0, i), 0), occluder[9];\n"
+    "        vec4 sphere = texelFetch(t_ssgi_occluders, ivec2(0, i), 0);\n"
+    "        vec4 occluder[9];\n"
     "        if (!(distance(P, sphere.xyz) < sphere.w)) continue;\n"
-    "        for (int k = 0; k < 9; ++k) occluder[k] = texelFetch(t_ssgi_occluders, ivec2(k + 1, i), 0);\n"
+    "        for (int member = 0; member < 9; ++member)\n"
+    "            occluder[member] = texelFetch(t_ssgi_occluders, ivec2(member + 1, i), 0);\n"
     "        if (object != 0 && object == int(occluder[8].w)) continue;\n"
-    "        visibility *= 1.0 - ssgi_field_occlusion(occluder, ssgi_field_at(occluder, P), n);\n"
+    "        visibility *= 1.0 - ssgi_field_occlusion(occluder, ssgi_field_at(occluder, P), normal);\n"
     "    }\n"
     "    return visibility;\n"
     "}\n" },
@@ -4043,20 +4279,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "main_field", NULL, __LINE__ + 1,
     "flat in vec4 v_ssgi_occluder[9];\n"
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_depth(p);\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "    vec4 at = ssgi_field_at(v_ssgi_occluder, P);\n"
-    "    if (!(z < SSGI_FAR && at.w < v_ssgi_occluder[3].y)) discard;\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    float z = ssgi_depth(pixel);\n"
+    "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
+    "    vec4 place = ssgi_field_at(v_ssgi_occluder, P);\n"
+    "    if (!(z < SSGI_FAR && place.w < v_ssgi_occluder[3].y)) discard;\n"
     "#if SSGI_OBJECTS == SSGI_OBJECTS_CUSTOM\n"
-    "    uint object = ssgi_custom_object(p + u_ssgi_origin);\n"
+    "    uint object = ssgi_custom_object(pixel + u_ssgi_origin);\n"
     "#elif SSGI_OBJECTS == SSGI_OBJECTS_TEXTURE\n"
-    "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x;\n"
+    "    uint object = texelFetch(t_ssgi_objects, pixel + u_ssgi_origin, 0).x;\n"
     "#endif\n"
     "#if SSGI_OBJECTS\n"
     "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // The occluder is the object itself.\n"
     "#endif\n"
-    "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n"
+    "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, place, ssgi_normal(pixel, P));\n"
     "}\n" },
 
 /* ==== >>splat: surfels and their effect on pixels; twins of >>surfels in ssgi.h ================================= */
@@ -4065,10 +4301,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
     "out vec2 v_ssgi_part; // which part of splits * splits; which vertex of the mesh, in 24 bits\n"
     "void main() {\n"
-    "    mat3 m = mat3(u_ssgi_mesh);\n"
-    "    vec3 x = cross(m[1], m[2]);\n"
-    "    v_ssgi_position = m * a_ssgi_position + ssgi_from_yours(u_ssgi_mesh[3].xyz);\n"
-    "    v_ssgi_normal = mat3(x, cross(m[2], m[0]), cross(m[0], m[1])) * a_ssgi_normal * sign(dot(x, m[0]));\n"
+    "    mat3 mesh = mat3(u_ssgi_mesh);\n"
+    "    vec3 x = cross(mesh[1], mesh[2]);\n"
+    "    v_ssgi_position = mesh * a_ssgi_position + ssgi_from_yours(u_ssgi_mesh[3].xyz);\n"
+    "    v_ssgi_normal = mat3(x, cross(mesh[2], mesh[0]), cross(mesh[0], mesh[1])) * a_ssgi_normal\n"
+    "        * sign(dot(x, mesh[0]));\n"
     "    v_ssgi_colour = a_ssgi_colour;\n"
     "    v_ssgi_part = vec2(gl_InstanceID, gl_VertexID & 16777215);\n"
     "}\n" },
@@ -4080,24 +4317,29 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_part_corner", NULL, __LINE__ + 1,
-    "vec3 ssgi_part_corner(int i, int n, int c) { // returns barycentric weights of corner c of part i of n * n\n"
-    "    int row = int(sqrt(float(i) + 0.5)), place = i - row * row, odd = place & 1;\n"
-    "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0));\n"
-    "    int across = place / 2 + (odd == 1 ? (c > 0 ? 1 : 0) : (c > 1 ? 1 : 0));\n"
-    "    return vec3(n - down, down - across, across) / float(n);\n"
+    "// Returns barycentric weights of a corner of part i of rows * rows.\n"
+    "vec3 ssgi_part_corner(int i, int rows, int corner) {\n"
+    "    int row = int(sqrt(float(i) + 0.5));\n"
+    "    int place = i - row * row;\n"
+    "    int odd = place & 1;\n"
+    "    int down = row + (odd == 1 ? (corner == 1 ? 1 : 0) : (corner > 0 ? 1 : 0));\n"
+    "    int across = place / 2 + (odd == 1 ? (corner > 0 ? 1 : 0) : (corner > 1 ? 1 : 0));\n"
+    "    return vec3(rows - down, down - across, across) / float(rows);\n"
     "}\n" },
 
 { "ssgi_outside", NULL, __LINE__ + 1,
     "float ssgi_outside(vec3 P) { // returns how far a point is outside the frustum; 0 inside\n"
-    "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a;\n"
-    "    vec2 low = min(a, b), high = max(a, b);\n"
+    "    vec2 corner = u_ssgi_unproject.zw;\n"
+    "    vec2 opposite = u_ssgi_unproject.xy * vec2(u_ssgi_size) + corner;\n"
+    "    vec2 low = min(corner, opposite);\n"
+    "    vec2 high = max(corner, opposite);\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    vec2 d = max(low - P.xy, P.xy - high);\n"
+    "    vec2 beyond = max(low - P.xy, P.xy - high);\n"
     "#else\n"
     "    vec2 below = (low * -P.z - P.xy) * inversesqrt(1.0 + low * low);\n"
-    "    vec2 d = max(below, (P.xy + high * P.z) * inversesqrt(1.0 + high * high));\n"
+    "    vec2 beyond = max(below, (P.xy + high * P.z) * inversesqrt(1.0 + high * high));\n"
     "#endif\n"
-    "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + ssgi_to_yours(P).z, 0.0));\n"
+    "    return max(max(beyond.x, beyond.y), max(u_ssgi_surfel.y + ssgi_to_yours(P).z, 0.0));\n"
     "}\n" },
 
 { "SSGI_MOST", NULL, __LINE__ + 1,
@@ -4109,11 +4351,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_parts", NULL, __LINE__ + 1,
     "// Returns how many parts of each edge a triangle needs, 1 if level 64 suffices; z: its corners' view depths.\n"
     "int ssgi_parts(vec3 z, float area) {\n"
-    "    float low = min(z.x, min(z.y, z.z)), high = max(z.x, max(z.y, z.z));\n"
+    "    float low = min(z.x, min(z.y, z.z));\n"
+    "    float high = max(z.x, max(z.y, z.z));\n"
     "    float nearest = low > 0.0 ? low : high < 0.0 ? high : 0.0;\n"
     "    if (nearest >= 0.0) nearest = max(nearest, u_ssgi_surfel.y);\n"
-    "    float r = ssgi_surfel_radius(nearest);\n"
-    "    return int(clamp(ceil(sqrt(area / (SSGI_PI * SSGI_MOST * r * r)) - SSGI_WHOLE), 1.0, u_ssgi_surfel.w));\n"
+    "    float radius = ssgi_surfel_radius(nearest);\n"
+    "    return int(clamp(ceil(sqrt(area / (SSGI_PI * SSGI_MOST * radius * radius)) - SSGI_WHOLE), 1.0,\n"
+    "        u_ssgi_surfel.w));\n"
     "}\n" },
 
 { "ssgi_tess_level", NULL, __LINE__ + 1,
@@ -4132,18 +4376,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_inset", "SSGI_OVERHANG == SSGI_OVERHANG_INCENTRE", __LINE__ + 1,
     "// A corner is scaled about the centre of the inscribed circle, by 1/4 at least, so that discs end at the edges.\n"
-    "vec3 ssgi_inset(vec3 at[3], int corner, float r, float area) {\n"
-    "    vec3 edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
-    "    float perimeter = edge.x + edge.y + edge.z, inset = max(1.0 - r * perimeter / (2.0 * area), 0.25);\n"
-    "    vec3 centre = (edge.x * at[0] + edge.y * at[1] + edge.z * at[2]) / perimeter;\n"
-    "    return centre + inset * (at[corner] - centre);\n"
+    "vec3 ssgi_inset(vec3 corners[3], int corner, float radius, float area) {\n"
+    "    vec3 edge = vec3(length(corners[2] - corners[1]), length(corners[0] - corners[2]),\n"
+    "        length(corners[1] - corners[0]));\n"
+    "    float perimeter = edge.x + edge.y + edge.z;\n"
+    "    float inset = max(1.0 - radius * perimeter / (2.0 * area), 0.25);\n"
+    "    vec3 centre = (edge.x * corners[0] + edge.y * corners[1] + edge.z * corners[2]) / perimeter;\n"
+    "    return centre + inset * (corners[corner] - centre);\n"
     "}\n" },
 
 { "ssgi_inset", "SSGI_OVERHANG == SSGI_OVERHANG_CENTROID", __LINE__ + 1,
-    "// A corner is moved by r toward the centroid, by 0.9 of the way at most.\n"
-    "vec3 ssgi_inset(vec3 at[3], int corner, float r, float area) {\n"
-    "    vec3 centre = (at[0] + at[1] + at[2]) / 3.0, way = at[corner] - centre;\n"
-    "    return centre + max(1.0 - r * inversesqrt(dot(way, way)), 0.1) * way;\n"
+    "// A corner is moved by radius toward the centroid, by 0.9 of the way at most.\n"
+    "vec3 ssgi_inset(vec3 corners[3], int corner, float radius, float area) {\n"
+    "    vec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;\n"
+    "    vec3 way = corners[corner] - centre;\n"
+    "    return centre + max(1.0 - radius * inversesqrt(dot(way, way)), 0.1) * way;\n"
     "}\n" },
 
 { "main_levels", NULL, __LINE__ + 1,
@@ -4153,31 +4400,44 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "out vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch out vec4 v_ssgi_patch; // radius, level, key: upper half under the bits of alive, lower half\n"
     "void main() {\n"
-    "    vec3 z = -vec3(v_ssgi_position[0].z, v_ssgi_position[1].z, v_ssgi_position[2].z), at[3];\n"
+    "    vec3 z = -vec3(v_ssgi_position[0].z, v_ssgi_position[1].z, v_ssgi_position[2].z);\n"
+    "    vec3 corners[3];\n"
     "    vec3 sides[2] = vec3[2](v_ssgi_position[1] - v_ssgi_position[0], v_ssgi_position[2] - v_ssgi_position[0]);\n"
     "    float whole = 0.5 * length(cross(sides[0], sides[1]));\n"
-    "    int n = ssgi_parts(z, whole), part = int(v_ssgi_part[0].x + 0.5);\n"
-    "    bool empty = part >= n * n || !(whole > 0.0 && whole < SSGI_FAR);\n"
-    "    part = min(part, n * n - 1);\n"
-    "    for (int c = 0; c < 3; ++c) {\n"
-    "        vec3 w = ssgi_part_corner(part, n, c);\n"
-    "        at[c] = v_ssgi_position[0] * w.x + v_ssgi_position[1] * w.y + v_ssgi_position[2] * w.z;\n"
+    "    int rows = ssgi_parts(z, whole);\n"
+    "    int part = int(v_ssgi_part[0].x + 0.5);\n"
+    "    bool empty = part >= rows * rows || !(whole > 0.0 && whole < SSGI_FAR);\n"
+    "    part = min(part, rows * rows - 1);\n"
+    "    for (int corner = 0; corner < 3; ++corner) {\n"
+    "        vec3 weights = ssgi_part_corner(part, rows, corner);\n"
+    "        corners[corner] = v_ssgi_position[0] * weights.x + v_ssgi_position[1] * weights.y\n"
+    "            + v_ssgi_position[2] * weights.z;\n"
     "    }\n"
-    "    vec3 middle = (at[0] + at[1] + at[2]) / 3.0;\n"
-    "    float area = whole / float(n * n), aside = ssgi_outside(middle);\n"
-    "    float extent = max(distance(at[0], middle), max(distance(at[1], middle), distance(at[2], middle)));\n"
-    "    float r = ssgi_surfel_radius(-middle.z) + u_ssgi_surfel.z * aside;\n"
-    "    uint a = uint(v_ssgi_part[0].y), b = uint(v_ssgi_part[1].y), c = uint(v_ssgi_part[2].y);\n"
-    "    uint key = a + (b - a) * 2654435769u + (c - a) * 3266489909u + uint(part) * 2246822507u;\n"
-    "    float discs = area / (SSGI_PI * r * r), share = u_ssgi_keep_small > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
-    "    int alive = ssgi_alive(key, share), level = ssgi_tess_level(discs);\n"
+    "    vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;\n"
+    "    float area = whole / float(rows * rows);\n"
+    "    float aside = ssgi_outside(middle);\n"
+    "    float extent = max(distance(corners[0], middle),\n"
+    "        max(distance(corners[1], middle), distance(corners[2], middle)));\n"
+    "    float radius = ssgi_surfel_radius(-middle.z) + u_ssgi_surfel.z * aside;\n"
+    "    uint first = uint(v_ssgi_part[0].y);\n"
+    "    uint second = uint(v_ssgi_part[1].y);\n"
+    "    uint third = uint(v_ssgi_part[2].y);\n"
+    "    uint key = first + (second - first) * 2654435769u + (third - first) * 3266489909u\n"
+    "        + uint(part) * 2246822507u;\n"
+    "    float discs = area / (SSGI_PI * radius * radius);\n"
+    "    float share = u_ssgi_keep_small > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
+    "    int alive = ssgi_alive(key, share);\n"
+    "    int level = ssgi_tess_level(discs);\n"
     "    empty = empty || aside - extent > u_ssgi_radius || alive == 0;\n"
-    "    r = sqrt(area / (SSGI_PI * share * float(ssgi_tess_count(level)))); // the discs have the triangle's area\n"
-    "    vec3 w = ssgi_part_corner(part, n, gl_InvocationID);\n"
-    "    v_ssgi_corner[gl_InvocationID] = ssgi_inset(at, gl_InvocationID, r, area);\n"
-    "    v_ssgi_facing[gl_InvocationID] = v_ssgi_normal[0] * w.x + v_ssgi_normal[1] * w.y + v_ssgi_normal[2] * w.z;\n"
-    "    v_ssgi_tint[gl_InvocationID] = v_ssgi_colour[0] * w.x + v_ssgi_colour[1] * w.y + v_ssgi_colour[2] * w.z;\n"
-    "    v_ssgi_patch = vec4(r, level, (key >> 16) + uint(alive) * 65536u, key & 65535u);\n"
+    "    // The discs have the triangle's area.\n"
+    "    radius = sqrt(area / (SSGI_PI * share * float(ssgi_tess_count(level))));\n"
+    "    vec3 weights = ssgi_part_corner(part, rows, gl_InvocationID);\n"
+    "    v_ssgi_corner[gl_InvocationID] = ssgi_inset(corners, gl_InvocationID, radius, area);\n"
+    "    v_ssgi_facing[gl_InvocationID] = v_ssgi_normal[0] * weights.x + v_ssgi_normal[1] * weights.y\n"
+    "        + v_ssgi_normal[2] * weights.z;\n"
+    "    v_ssgi_tint[gl_InvocationID] = v_ssgi_colour[0] * weights.x + v_ssgi_colour[1] * weights.y\n"
+    "        + v_ssgi_colour[2] * weights.z;\n"
+    "    v_ssgi_patch = vec4(radius, level, (key >> 16) + uint(alive) * 65536u, key & 65535u);\n"
     "    float all = empty ? 0.0 : float(level);\n"
     "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n"
     "}\n" },
@@ -4195,16 +4455,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_surfel_sent", NULL, __LINE__ + 1,
     "// Returns the radiance that a surfel sends, by desc.surfel.sends.\n"
-    "vec3 ssgi_surfel_sent(vec3 P, vec3 n, vec3 colour) {\n"
+    "vec3 ssgi_surfel_sent(vec3 P, vec3 normal, vec3 colour) {\n"
     "#if SSGI_SENDS == SSGI_SENDS_COLOUR\n"
     "    return colour;\n"
     "#elif SSGI_SENDS == SSGI_SENDS_CUSTOM\n"
-    "    return ssgi_custom_surfel(ssgi_to_yours(P), n, colour);\n"
+    "    return ssgi_custom_surfel(ssgi_to_yours(P), normal, colour);\n"
     "#else\n"
-    "    vec3 sum = ssgi_lit(P, n, 0.0) * SSGI_OVER_PI;\n"
+    "    vec3 sum = ssgi_lit(P, normal, 0.0) * SSGI_OVER_PI;\n"
     "#endif\n"
     "#if SSGI_SENDS == SSGI_SENDS_LIGHTS && SSGI_ENVIRONMENT\n"
-    "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0);\n"
+    "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * normal, 0);\n"
     "#endif\n"
     "#if SSGI_SENDS == SSGI_SENDS_LIGHTS\n"
     "    return colour * sum;\n"
@@ -4216,27 +4476,29 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "in vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch in vec4 v_ssgi_patch;\n"
     "void main() {\n"
-    "    vec3 w = gl_TessCoord, P = v_ssgi_corner[0] * w.x + v_ssgi_corner[1] * w.y + v_ssgi_corner[2] * w.z;\n"
+    "    vec3 weights = gl_TessCoord;\n"
+    "    vec3 P = v_ssgi_corner[0] * weights.x + v_ssgi_corner[1] * weights.y + v_ssgi_corner[2] * weights.z;\n"
     "    vec3 flat_ = normalize(cross(v_ssgi_corner[1] - v_ssgi_corner[0], v_ssgi_corner[2] - v_ssgi_corner[0]));\n"
-    "    vec3 n = v_ssgi_facing[0] * w.x + v_ssgi_facing[1] * w.y + v_ssgi_facing[2] * w.z;\n"
-    "    vec3 colour = v_ssgi_tint[0] * w.x + v_ssgi_tint[1] * w.y + v_ssgi_tint[2] * w.z;\n"
-    "    n = dot(n, n) > 0.0 ? normalize(n) : flat_ * sign(determinant(mat3(u_ssgi_mesh)));\n"
+    "    vec3 normal = v_ssgi_facing[0] * weights.x + v_ssgi_facing[1] * weights.y + v_ssgi_facing[2] * weights.z;\n"
+    "    vec3 colour = v_ssgi_tint[0] * weights.x + v_ssgi_tint[1] * weights.y + v_ssgi_tint[2] * weights.z;\n"
+    "    normal = dot(normal, normal) > 0.0 ? normalize(normal) : flat_ * sign(determinant(mat3(u_ssgi_mesh)));\n"
     "    // The number of this point in the tessellator's rings is the same on every machine.\n"
-    "    float ring = floor(min(w.x, min(w.y, w.z)) * 1.5 * v_ssgi_patch.y + 0.5);\n"
-    "    uvec3 place = uvec3(max(w * v_ssgi_patch.y - ring / 1.5 + 0.5, 0.0));\n"
-    "    uint h = ssgi_hash((uint(v_ssgi_patch.z) << 16) | uint(v_ssgi_patch.w));\n"
-    "    h = ssgi_hash(h + (place.x | (place.y << 7) | (uint(ring) << 14)));\n"
+    "    float ring = floor(min(weights.x, min(weights.y, weights.z)) * 1.5 * v_ssgi_patch.y + 0.5);\n"
+    "    uvec3 place = uvec3(max(weights * v_ssgi_patch.y - ring / 1.5 + 0.5, 0.0));\n"
+    "    uint hash = ssgi_hash((uint(v_ssgi_patch.z) << 16) | uint(v_ssgi_patch.w));\n"
+    "    hash = ssgi_hash(hash + (place.x | (place.y << 7) | (uint(ring) << 14)));\n"
     "    bool kept = v_ssgi_patch.y > 1.0 || (uint(v_ssgi_patch.z) >> (16u + place.y + 2u * place.z) & 1u) > 0u;\n"
     "    v_ssgi_surfel0 = vec4(ssgi_to_yours(P), kept ? v_ssgi_patch.x : 0.0); // Of radius 0 it affects nothing.\n"
-    "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
-    "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, n, colour), 0.0);\n"
+    "    v_ssgi_surfel1 = vec4(normal, float(hash >> 8) / 16777216.0);\n"
+    "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, normal, colour), 0.0);\n"
     "}\n" },
 
 { "main_buffer", NULL, __LINE__ + 1,
     "void main() {\n"
     "    vec3 P = ssgi_from_yours(a_ssgi_surfel0.xyz);\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, a_ssgi_surfel1.xyz, a_ssgi_surfel2.xyz), 0.0);\n"
-    "    v_ssgi_surfel0 = a_ssgi_surfel0, v_ssgi_surfel1 = a_ssgi_surfel1;\n"
+    "    v_ssgi_surfel0 = a_ssgi_surfel0;\n"
+    "    v_ssgi_surfel1 = a_ssgi_surfel1;\n"
     "}\n" },
 
 { "main_nothing", NULL, __LINE__ + 1,
@@ -4245,8 +4507,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_interleave", NULL, __LINE__ + 1,
     "// Returns a block's hash: exclusive or turns a pixel's place in the block into its sub-buffer, and back.\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
-    "    uint h = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
-    "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n"
+    "    uint hash = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
+    "    return ivec2(int(hash & 255u), int((hash >> 8) & 255u)) & mask;\n"
     "}\n" },
 
 { "ssgi_shift", NULL, __LINE__ + 1,
@@ -4276,32 +4538,41 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_interleave", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 q = ivec2(gl_FragCoord.xy), level = ssgi_level();\n"
-    "    int l = q.y / level.y, mask = (1 << l) - 1;\n"
-    "    q.y -= l * level.y;\n"
-    "    ivec2 across = (ssgi_dealt() + mask) >> l, sub = q / across, block = q - sub * across;\n"
-    "    ivec2 p = ssgi_gathered((block << l) | ((sub ^ ssgi_interleave(block, mask)) & mask));\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy);\n"
+    "    ivec2 extent = ssgi_level();\n"
+    "    int level = texel.y / extent.y;\n"
+    "    int mask = (1 << level) - 1;\n"
+    "    texel.y -= level * extent.y;\n"
+    "    ivec2 across = (ssgi_dealt() + mask) >> level;\n"
+    "    ivec2 sub = texel / across;\n"
+    "    ivec2 block = texel - sub * across;\n"
+    "    ivec2 pixel = ssgi_gathered((block << level) | ((sub ^ ssgi_interleave(block, mask)) & mask));\n"
     "    o_ssgi_interleaved = uvec4(floatBitsToUint(vec3(SSGI_FAR)), 0u);\n"
-    "    if (max(sub.x, sub.y) > mask || !ssgi_inside(p)) return; // the size need not be a multiple\n"
-    "    float z = ssgi_depth(p);\n"
+    "    if (max(sub.x, sub.y) > mask || !ssgi_inside(pixel)) return; // the size need not be a multiple\n"
+    "    float z = ssgi_depth(pixel);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "    ivec2 e = ivec2(round(ssgi_octahedral(ssgi_normal(p, P)) * 32767.0));\n"
-    "    o_ssgi_interleaved = uvec4(floatBitsToUint(P), (uint(e.x + 32768) << 16) | uint(e.y + 32768));\n"
+    "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
+    "    ivec2 square = ivec2(round(ssgi_octahedral(ssgi_normal(pixel, P)) * 32767.0));\n"
+    "    o_ssgi_interleaved = uvec4(floatBitsToUint(P), (uint(square.x + 32768) << 16) | uint(square.y + 32768));\n"
     "}\n" },
 
 { "main_deinterleave", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 q = ivec2(gl_FragCoord.xy), level = ssgi_level(), dealt = ssgi_dealt();\n"
-    "    int l = q.y / level.y, mask = (1 << l) - 1;\n"
-    "    ivec2 p = ivec2(q.x, q.y - l * level.y), block = p >> l, across = (dealt + mask) >> l;\n"
-    "    ivec2 sub = (p & mask) ^ ssgi_interleave(block, mask);\n"
-    "    if (p.x >= dealt.x || p.y >= dealt.y) discard;\n"
-    "    ivec2 at = sub * across + block + ivec2(0, l * level.y);\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy);\n"
+    "    ivec2 extent = ssgi_level();\n"
+    "    ivec2 dealt = ssgi_dealt();\n"
+    "    int level = texel.y / extent.y;\n"
+    "    int mask = (1 << level) - 1;\n"
+    "    ivec2 pixel = ivec2(texel.x, texel.y - level * extent.y);\n"
+    "    ivec2 block = pixel >> level;\n"
+    "    ivec2 across = (dealt + mask) >> level;\n"
+    "    ivec2 sub = (pixel & mask) ^ ssgi_interleave(block, mask);\n"
+    "    if (pixel.x >= dealt.x || pixel.y >= dealt.y) discard;\n"
+    "    ivec2 place = sub * across + block + ivec2(0, level * extent.y);\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_OCCLUSION\n"
-    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0).x;\n"
+    "    o_ssgi_levels = texelFetch(t_ssgi_levels, place, 0).x;\n"
     "#else\n"
-    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0);\n"
+    "    o_ssgi_levels = texelFetch(t_ssgi_levels, place, 0);\n"
     "#endif\n"
     "}\n" },
 
@@ -4314,15 +4585,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_SPAN\n"
     "flat out float v_ssgi_seen; // 1: slices can see the surfel\n"
     "#endif\n"
-    "vec2 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l, vec2 corner) { // in texels; empty: all are one\n"
-    "    at.xyz = ssgi_from_yours(at.xyz);\n"
+    "vec2 ssgi_shell(vec4 disc, vec4 turned, vec3 sent, int level, vec2 corner) { // in texels; empty: all are one\n"
+    "    disc.xyz = ssgi_from_yours(disc.xyz);\n"
     "#if SSGI_SPAN\n"
-    "    ivec2 p = ivec2(floor(ssgi_project(at.xyz)));\n"
-    "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w);\n"
+    "    ivec2 pixel = ivec2(floor(ssgi_project(disc.xyz)));\n"
+    "    v_ssgi_seen = float(disc.z < 0.0 && ssgi_inside(pixel) && abs(ssgi_depth(pixel) + disc.z) < 2.0 * disc.w);\n"
     "#endif\n"
     "#if SSGI_SPAN && SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
-    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(at.xyz)) > 0.0) // it has the visible surface's light\n"
-    "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_emitters, ivec3(p + u_ssgi_target, 0), 0).x);\n"
+    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(disc.xyz)) > 0.0) // it has the visible surface's light\n"
+    "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_emitters, ivec3(pixel + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
     "#if SSGI_EFFECT < SSGI_EFFECT_BOUNCE\n"
     "    float most = 1.0;\n"
@@ -4332,43 +4603,46 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
     "    most *= 0.5 * (u_ssgi_exponent + 1.0); // This is the peak of the lobe.\n"
     "#elif SSGI_EFFECT == SSGI_EFFECT_CUSTOM\n"
-    "    float reach = ssgi_custom_reach(ssgi_to_yours(at.xyz), turned.xyz, at.w, sent, u_ssgi_epsilon);\n"
+    "    float reach = ssgi_custom_reach(ssgi_to_yours(disc.xyz), turned.xyz, disc.w, sent, u_ssgi_epsilon);\n"
     "#endif\n"
     "#if SSGI_EFFECT != SSGI_EFFECT_CUSTOM\n"
-    "    float reach = at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0));\n"
+    "    float reach = disc.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0));\n"
     "#endif\n"
-    "    float block = exp2(float(l));\n"
-    "    float inner = l > 0 ? reach * 0.5 * block : -1.0, outer = min(reach * block, u_ssgi_radius);\n"
+    "    float block = exp2(float(level));\n"
+    "    float inner = level > 0 ? reach * 0.5 * block : -1.0;\n"
+    "    float outer = min(reach * block, u_ssgi_radius);\n"
     "    if (!(outer > max(inner, 0.0))) return vec2(0.0);\n"
-    "    vec3 n = turned.xyz; // Nothing behind the surfel receives.\n"
+    "    vec3 normal = turned.xyz; // Nothing behind the surfel receives.\n"
     "#if SSGI_TWO_SIDED || SSGI_EFFECT > SSGI_EFFECT_SPECULAR\n"
-    "    n = vec3(0.0);\n"
+    "    normal = vec3(0.0);\n"
     "#endif\n"
     "    float side = block * float(1 << ssgi_shift());\n"
-    "    vec2 b = ssgi_sphere(vec4(at.xyz, outer), n, corner) / side;\n"
-    "    b = clamp(mix(floor(b), ceil(b), corner), vec2(0.0), ceil(vec2(u_ssgi_size) / side));\n"
+    "    vec2 texel = ssgi_sphere(vec4(disc.xyz, outer), normal, corner) / side;\n"
+    "    texel = clamp(mix(floor(texel), ceil(texel), corner), vec2(0.0), ceil(vec2(u_ssgi_size) / side));\n"
     "    // Sub-buffers are chosen by a hash, as taking turns would correlate with the tessellator's order.\n"
-    "    int mask = (1 << uint(l)) - 1, seed = int(turned.w * 16777216.0);\n"
+    "    int mask = (1 << uint(level)) - 1;\n"
+    "    int seed = int(turned.w * 16777216.0);\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
-    "    b += vec2(sub * ((ssgi_dealt() + mask) >> l) + ivec2(0, l * ssgi_level().y));\n"
+    "    texel += vec2(sub * ((ssgi_dealt() + mask) >> level) + ivec2(0, level * ssgi_level().y));\n"
     "#if SSGI_ENLARGE\n"
     "    // Of block * block surfels a pixel meets one, which stands for all of them.\n"
-    "    v_ssgi_at = vec4(at.xyz, at.w * at.w * block * block);\n"
+    "    v_ssgi_at = vec4(disc.xyz, disc.w * disc.w * block * block);\n"
     "    v_ssgi_turned = vec4(turned.xyz, 1.0);\n"
     "#else\n"
-    "    v_ssgi_at = vec4(at.xyz, at.w * at.w);\n"
+    "    v_ssgi_at = vec4(disc.xyz, disc.w * disc.w);\n"
     "    v_ssgi_turned = vec4(turned.xyz, block * block); // of block * block surfels a pixel meets one\n"
     "#endif\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
-    "    return b;\n"
+    "    return texel;\n"
     "}\n" },
 
 { "main_quad", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    int l = gl_VertexID / 6;\n"
-    "    vec2 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, l, ssgi_quad(gl_VertexID % 6));\n"
-    "    gl_Position = ssgi_clip(b, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
+    "    int level = gl_VertexID / 6;\n"
+    "    vec2 texel = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, level,\n"
+    "        ssgi_quad(gl_VertexID % 6));\n"
+    "    gl_Position = ssgi_clip(texel, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
     "}\n" },
 
 { "main_strip", NULL, __LINE__ + 1,
@@ -4377,9 +4651,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
     "void main() {\n"
     "    for (int i = 0; i < SSGI_LEVELS * 4; ++i) { // anew, as EmitVertex() leaves outputs undefined\n"
-    "        vec2 at = ssgi_quad(i % 4);\n"
-    "        at = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, i / 4, at);\n"
-    "        gl_Position = ssgi_clip(at, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
+    "        vec2 texel = ssgi_quad(i % 4);\n"
+    "        texel = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, i / 4, texel);\n"
+    "        gl_Position = ssgi_clip(texel, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
     "        EmitVertex();\n"
     "        if (i % 4 == 3) EndPrimitive();\n"
     "    }\n"
@@ -4390,29 +4664,33 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* Returns one disc's part of ssgi_form; adds that of ssgi_gloss. */
 { "ssgi_disc", NULL, __LINE__ + 1,
-    "float ssgi_disc(vec3 v, vec3 n, float rr) {\n"
-    "    float dd = max(dot(v, v), 1e-30);\n"
+    "float ssgi_disc(vec3 offset, vec3 normal, float radius_squared) {\n"
+    "    float squared = max(dot(offset, offset), 1e-30);\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
-    "    float mirrored = max(dot(v, reflect(-ssgi_toward(ssgi_P), n)), 1e-20) * inversesqrt(dd);\n"
+    "    float mirrored = max(dot(offset, reflect(-ssgi_toward(ssgi_P), normal)), 1e-20) * inversesqrt(squared);\n"
     "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent); // normalised, times pi\n"
-    "    ssgi_gloss += lobe * inversesqrt(dd) / (dd + rr);\n"
+    "    ssgi_gloss += lobe * inversesqrt(squared) / (squared + radius_squared);\n"
     "#endif\n"
-    "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n"
+    "    return max(dot(offset, normal), 0.0) / (squared * (squared + radius_squared));\n"
     "}\n" },
 
 { "ssgi_form", NULL, __LINE__ + 1,
-    "// Returns the form factor of a disc with normal m, whose centre is at v, but for its area/pi, weight, cosine.\n"
-    "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
+    "// Returns the form factor of a disc with normal facing, whose centre is at offset, but for its area/pi, weight,\n"
+    "// cosine.\n"
+    "float ssgi_form(vec3 offset, vec3 normal, vec3 facing, float radius_squared) {\n"
     "#if SSGI_NEAR_SAMPLES > 1\n"
     "    // Near by, the disc counts as several smaller ones, as a part of it may rise above the horizon although its\n"
     "    // centre does not.\n"
-    "    if (dot(v, v) < 16.0 * rr) {\n"
-    "        vec3 a = normalize(abs(m.z) < 0.7 ? vec3(m.y, -m.x, 0.0) : vec3(0.0, m.z, -m.y)), b = cross(m, a);\n"
+    "    if (dot(offset, offset) < 16.0 * radius_squared) {\n"
+    "        vec3 along = normalize(abs(facing.z) < 0.7 ? vec3(facing.y, -facing.x, 0.0)\n"
+    "            : vec3(0.0, facing.z, -facing.y));\n"
+    "        vec3 across = cross(facing, along);\n"
     "        vec2 turn = vec2(1.0, 0.0);\n"
-    "        float form = 0.0, part = 1.0 / float(SSGI_NEAR_SAMPLES);\n"
+    "        float form = 0.0;\n"
+    "        float part = 1.0 / float(SSGI_NEAR_SAMPLES);\n"
     "        for (int i = 0; i < SSGI_NEAR_SAMPLES; ++i) {\n"
-    "            vec2 o = turn * sqrt((float(i) + 0.5) * part * rr);\n"
-    "            form += ssgi_disc(v + a * o.x + b * o.y, n, rr * part);\n"
+    "            vec2 shift = turn * sqrt((float(i) + 0.5) * part * radius_squared);\n"
+    "            form += ssgi_disc(offset + along * shift.x + across * shift.y, normal, radius_squared * part);\n"
     "            turn = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888) * turn; // by the golden angle\n"
     "        }\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
@@ -4421,13 +4699,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        return form * part;\n"
     "    }\n"
     "#endif\n"
-    "    return ssgi_disc(v, n, rr);\n"
+    "    return ssgi_disc(offset, normal, radius_squared);\n"
     "}\n" },
 
 { "ssgi_effect", NULL, __LINE__ + 1,
-    "vec4 ssgi_effect(vec3 sent, vec3 v, float form, float area) { // returns a surfel's contribution; w: form factor\n"
+    "// Returns a surfel's contribution; w: form factor.\n"
+    "vec4 ssgi_effect(vec3 sent, vec3 direction, float form, float area) {\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_LIGHT\n"
-    "    return form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * v), 1.0);\n"
+    "    return form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * direction), 1.0);\n"
     "#elif SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
     "    return form * vec4(sent, 1.0);\n"
     "#else\n"
@@ -4442,12 +4721,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "flat in float v_ssgi_seen;\n"
     "#endif\n"
     "void main() {\n"
-    "    uvec4 t = texelFetch(t_ssgi_interleaved, ivec2(gl_FragCoord.xy), 0);\n"
-    "    vec3 P = uintBitsToFloat(t.xyz), v = v_ssgi_at.xyz - P;\n"
-    "    float dd = dot(v, v);\n"
-    "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
-    "    vec3 n = normalize(ssgi_octahedral_decode((vec2(t.w >> 16, t.w & 65535u) - 32768.0) * (1.0 / 32767.0)));\n"
-    "    float away = -dot(v, v_ssgi_turned.xyz), rr = v_ssgi_at.w;\n"
+    "    uvec4 texel = texelFetch(t_ssgi_interleaved, ivec2(gl_FragCoord.xy), 0);\n"
+    "    vec3 P = uintBitsToFloat(texel.xyz);\n"
+    "    vec3 offset = v_ssgi_at.xyz - P;\n"
+    "    float squared = dot(offset, offset);\n"
+    "    if (!(squared > v_ssgi_sent.w && squared <= v_ssgi_end)) discard;\n"
+    "    vec3 normal = normalize(ssgi_octahedral_decode((vec2(texel.w >> 16, texel.w & 65535u) - 32768.0)\n"
+    "        * (1.0 / 32767.0)));\n"
+    "    float away = -dot(offset, v_ssgi_turned.xyz);\n"
+    "    float radius_squared = v_ssgi_at.w;\n"
     "#if SSGI_TWO_SIDED\n"
     "    away = abs(away);\n"
     "#else\n"
@@ -4455,20 +4737,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "#if SSGI_SPAN\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z);\n"
-    "    away *= 1.0 - v_ssgi_seen * ssgi_near(sqrt(dd));\n"
+    "    away *= 1.0 - v_ssgi_seen * ssgi_near(sqrt(squared));\n"
     "#endif\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
-    "    ssgi_P = P, ssgi_gloss = 0.0;\n"
+    "    ssgi_P = P;\n"
+    "    ssgi_gloss = 0.0;\n"
     "#endif\n"
-    "    float area = v_ssgi_turned.w * rr * away, form = ssgi_form(v, n, v_ssgi_turned.xyz, rr) * area;\n"
+    "    float area = v_ssgi_turned.w * radius_squared * away;\n"
+    "    float form = ssgi_form(offset, normal, v_ssgi_turned.xyz, radius_squared) * area;\n"
     "    if (!(form > 0.0)) discard;\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_OCCLUSION && SSGI_FALLOFF != SSGI_FALLOFF_NONE\n"
-    "    form *= max(1.0 - sqrt(dd) / u_ssgi_radius, 0.0);\n"
+    "    form *= max(1.0 - sqrt(squared) / u_ssgi_radius, 0.0);\n"
     "#endif\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_OCCLUSION\n"
     "    o_ssgi_levels = form;\n"
     "#else\n"
-    "    o_ssgi_levels = ssgi_effect(v_ssgi_sent.xyz, v, form, area);\n"
+    "    o_ssgi_levels = ssgi_effect(v_ssgi_sent.xyz, offset, form, area);\n"
     "#endif\n"
     "}\n" },
 
@@ -4478,15 +4762,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "flat in float v_ssgi_end;\n"
     "void main() {\n"
     "    vec3 P = uintBitsToFloat(texelFetch(t_ssgi_interleaved, ivec2(gl_FragCoord.xy), 0).xyz);\n"
-    "    vec3 v = v_ssgi_at.xyz - P;\n"
-    "    float dd = dot(v, v);\n"
-    "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
+    "    vec3 offset = v_ssgi_at.xyz - P;\n"
+    "    float squared = dot(offset, offset);\n"
+    "    if (!(squared > v_ssgi_sent.w && squared <= v_ssgi_end)) discard;\n"
     "    // Surfels that are wider than their sources are deep would show as dots, which deeper sources blur.\n"
-    "    vec3 s = u_ssgi_dipole[2].xyz, h = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0);\n"
-    "    vec3 y = u_ssgi_dipole[0].xyz + h, z = u_ssgi_dipole[1].xyz + h;\n"
-    "    vec3 a = inversesqrt(dd + y * y), b = inversesqrt(dd + z * z);\n"
-    "    vec3 R = y * (s + a) * exp(s * (h - 1.0 / a)) * a * a + z * (s + b) * exp(s * (h - 1.0 / b)) * b * b;\n"
-    "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * u_ssgi_dipole[3].xyz * R, 1.0) * (v_ssgi_turned.w * v_ssgi_at.w);\n"
+    "    vec3 transport = u_ssgi_dipole[2].xyz;\n"
+    "    vec3 deeper = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0);\n"
+    "    vec3 y = u_ssgi_dipole[0].xyz + deeper;\n"
+    "    vec3 z = u_ssgi_dipole[1].xyz + deeper;\n"
+    "    vec3 from_real = inversesqrt(squared + y * y);\n"
+    "    vec3 from_virtual = inversesqrt(squared + z * z);\n"
+    "    vec3 reflectance = y * (transport + from_real) * exp(transport * (deeper - 1.0 / from_real)) * from_real\n"
+    "        * from_real + z * (transport + from_virtual) * exp(transport * (deeper - 1.0 / from_virtual))\n"
+    "            * from_virtual * from_virtual;\n"
+    "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * u_ssgi_dipole[3].xyz * reflectance, 1.0)\n"
+    "        * (v_ssgi_turned.w * v_ssgi_at.w);\n"
     "}\n" },
 
 /* ssgi_custom_effect is yours. */
@@ -4494,13 +4784,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
     "void main() {\n"
-    "    uvec4 t = texelFetch(t_ssgi_interleaved, ivec2(gl_FragCoord.xy), 0);\n"
-    "    vec3 P = uintBitsToFloat(t.xyz), m = v_ssgi_turned.xyz, v = v_ssgi_at.xyz - P;\n"
-    "    float dd = dot(v, v), r = sqrt(v_ssgi_at.w);\n"
-    "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
-    "    vec3 n = normalize(ssgi_octahedral_decode((vec2(t.w >> 16, t.w & 65535u) - 32768.0) * (1.0 / 32767.0)));\n"
-    "    vec3 at = ssgi_to_yours(v_ssgi_at.xyz);\n"
-    "    o_ssgi_levels = ssgi_custom_effect(at, m, r, v_ssgi_sent.xyz, ssgi_to_yours(P), n) * v_ssgi_turned.w;\n"
+    "    uvec4 texel = texelFetch(t_ssgi_interleaved, ivec2(gl_FragCoord.xy), 0);\n"
+    "    vec3 P = uintBitsToFloat(texel.xyz);\n"
+    "    vec3 facing = v_ssgi_turned.xyz;\n"
+    "    vec3 offset = v_ssgi_at.xyz - P;\n"
+    "    float squared = dot(offset, offset);\n"
+    "    float radius = sqrt(v_ssgi_at.w);\n"
+    "    if (!(squared > v_ssgi_sent.w && squared <= v_ssgi_end)) discard;\n"
+    "    vec3 normal = normalize(ssgi_octahedral_decode((vec2(texel.w >> 16, texel.w & 65535u) - 32768.0)\n"
+    "        * (1.0 / 32767.0)));\n"
+    "    vec3 centre = ssgi_to_yours(v_ssgi_at.xyz);\n"
+    "    o_ssgi_levels = ssgi_custom_effect(centre, facing, radius, v_ssgi_sent.xyz, ssgi_to_yours(P), normal)\n"
+    "        * v_ssgi_turned.w;\n"
     "}\n" },
 
 /* ==== >>filter: within surfaces, over frames, onto your picture ================================================= */
@@ -4509,26 +4804,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_smooth", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 q = ivec2(gl_FragCoord.xy), level = ssgi_level();\n"
-    "    int l = clamp(q.y / level.y, 0, SSGI_LEVELS - 1), reach = (1 << l) >> 1;\n"
-    "    ivec2 p = ssgi_gathered(q - ivec2(0, l * level.y));\n"
-    "    float z = ssgi_inside(p) ? ssgi_depth(p) : SSGI_FAR;\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy);\n"
+    "    ivec2 extent = ssgi_level();\n"
+    "    int level = clamp(texel.y / extent.y, 0, SSGI_LEVELS - 1);\n"
+    "    int reach = (1 << level) >> 1;\n"
+    "    ivec2 pixel = ssgi_gathered(texel - ivec2(0, level * extent.y));\n"
+    "    float z = ssgi_inside(pixel) ? ssgi_depth(pixel) : SSGI_FAR;\n"
     "    if (z >= SSGI_FAR) discard;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "    vec4 plane = ssgi_plane(P, n);\n"
-    "    float footprint = ssgi_footprint(z), near = 1.0 / (footprint * (1.0 + float(reach << ssgi_shift())));\n"
-    "    vec4 sum = vec4(texelFetch(t_ssgi_levels, q, 0));\n"
+    "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
+    "    vec3 normal = ssgi_normal(pixel, P);\n"
+    "    vec4 plane = ssgi_plane(P, normal);\n"
+    "    float footprint = ssgi_footprint(z);\n"
+    "    float near = 1.0 / (footprint * (1.0 + float(reach << ssgi_shift())));\n"
+    "    vec4 sum = vec4(texelFetch(t_ssgi_levels, texel, 0));\n"
     "    float weights = 1.0;\n"
     "    for (int i = -reach; i <= reach; ++i) { // This is the mean over the block that the level interleaves.\n"
-    "        ivec2 along = SSGI_AXIS == 0 ? ivec2(i, 0) : ivec2(0, i), o = along << ssgi_shift();\n"
-    "        if (i == 0 || !ssgi_inside(p + o)) continue;\n"
-    "        float d = ssgi_depth(p + o), off = abs(ssgi_above_plane(plane, vec2(o), d)) * near;\n"
-    "        float w = max(1.0 - off, 0.0) * (abs(i) == reach ? 0.5 : 1.0);\n"
+    "        ivec2 along = SSGI_AXIS == 0 ? ivec2(i, 0) : ivec2(0, i);\n"
+    "        ivec2 offset = along << ssgi_shift();\n"
+    "        if (i == 0 || !ssgi_inside(pixel + offset)) continue;\n"
+    "        float depth = ssgi_depth(pixel + offset);\n"
+    "        float off = abs(ssgi_above_plane(plane, vec2(offset), depth)) * near;\n"
+    "        float weight = max(1.0 - off, 0.0) * (abs(i) == reach ? 0.5 : 1.0);\n"
     "#if SSGI_FILTER_NORMALS\n"
-    "        if (w > 0.0) w *= max(dot(n, ssgi_normal(p + o, ssgi_position(vec2(p + o) + 0.5, d))), 0.0);\n"
+    "        if (weight > 0.0)\n"
+    "            weight *= max(dot(normal, ssgi_normal(pixel + offset,\n"
+    "                ssgi_position(vec2(pixel + offset) + 0.5, depth))), 0.0);\n"
     "#endif\n"
-    "        if (!(w > 0.0) || d >= SSGI_FAR) continue;\n"
-    "        sum += w * texelFetch(t_ssgi_levels, q + along, 0), weights += w;\n"
+    "        if (!(weight > 0.0) || depth >= SSGI_FAR) continue;\n"
+    "        sum += weight * texelFetch(t_ssgi_levels, texel + along, 0);\n"
+    "        weights += weight;\n"
     "    }\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_OCCLUSION\n"
     "    o_ssgi_levels = sum.x / weights;\n"
@@ -4552,15 +4856,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_sum_levels", NULL, __LINE__ + 1,
     "vec4 ssgi_sum_levels(ivec2 texel, float z) {\n"
     "    vec4 sum = vec4(0.0);\n"
-    "    for (int l = 0; l < SSGI_LEVELS && z < SSGI_FAR; ++l)\n"
-    "        sum += texelFetch(t_ssgi_levels, texel + ivec2(0, l * ssgi_level().y), 0);\n"
+    "    for (int level = 0; level < SSGI_LEVELS && z < SSGI_FAR; ++level)\n"
+    "        sum += texelFetch(t_ssgi_levels, texel + ivec2(0, level * ssgi_level().y), 0);\n"
     "    return sum;\n"
     "}\n" },
 
 { "main_sum_occlusion", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 texel = ssgi_gathered_texel();\n"
-    "    float z = ssgi_depth(ssgi_gathered(texel)), sum = ssgi_sum_levels(texel, z).x;\n"
+    "    float z = ssgi_depth(ssgi_gathered(texel));\n"
+    "    float sum = ssgi_sum_levels(texel, z).x;\n"
     "    o_ssgi_ao = vec2(1.0 - sum * ssgi_saturate_form(sum), z);\n"
     "#if SSGI_SPAN\n"
     "    o_ssgi_ao.x *= texelFetch(t_ssgi_ao, ivec2(gl_FragCoord.xy), 0).x;\n"
@@ -4569,13 +4874,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_sum_light", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 texel = ssgi_gathered_texel(), p = ssgi_gathered(texel);\n"
-    "    float z = ssgi_depth(p);\n"
+    "    ivec2 texel = ssgi_gathered_texel();\n"
+    "    ivec2 pixel = ssgi_gathered(texel);\n"
+    "    float z = ssgi_depth(pixel);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec4 sum = ssgi_sum_levels(texel, z);\n"
-    "    vec3 n = transpose(u_ssgi_rotation) * ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
-    "    vec3 open = ssgi_irradiance_map(n, 0), dark = sum.xyz * ssgi_saturate_form(sum.w);\n"
+    "    vec3 normal = transpose(u_ssgi_rotation) * ssgi_normal(pixel, ssgi_position(vec2(pixel) + 0.5, z));\n"
+    "    vec3 open = ssgi_irradiance_map(normal, 0);\n"
+    "    vec3 dark = sum.xyz * ssgi_saturate_form(sum.w);\n"
     "#if SSGI_RESTORE\n"
     "    o_ssgi_light.xyz = max(1.0 - dark / max(open, 1e-9), 0.0);\n"
     "#else\n"
@@ -4612,7 +4919,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_blurred", NULL, __LINE__ + 1,
     "struct ssgi_blurred { // the pixel that is filtered\n"
-    "    vec3 P, n;\n"
+    "    vec3 P, normal;\n"
     "#if SSGI_FILTER == SSGI_FILTER_BILATERAL\n"
     "    vec4 plane; // A unit of height is SSGI_OFF radii and a pixel.\n"
     "#endif\n"
@@ -4627,20 +4934,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_texel", NULL, __LINE__ + 1,
     "// Returns light or visibility, and view depth, as the pass before wrote them.\n"
-    "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
+    "vec4 ssgi_texel(sampler2D source, ivec2 texel) {\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
-    "    return texelFetch(t, q, 0);\n"
+    "    return texelFetch(source, texel, 0);\n"
     "#else\n"
-    "    return texelFetch(t, q, 0).xxxy;\n"
+    "    return texelFetch(source, texel, 0).xxxy;\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_now", NULL, __LINE__ + 1,
-    "vec4 ssgi_now(ivec2 q) { // returns light or visibility of this frame; w: view depth\n"
+    "vec4 ssgi_now(ivec2 texel) { // returns light or visibility of this frame; w: view depth\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
-    "    return ssgi_texel(t_ssgi_light, q);\n"
+    "    return ssgi_texel(t_ssgi_light, texel);\n"
     "#else\n"
-    "    return ssgi_texel(t_ssgi_ao, q);\n"
+    "    return ssgi_texel(t_ssgi_ao, texel);\n"
     "#endif\n"
     "}\n" },
 
@@ -4650,37 +4957,40 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_OFF = 0.01; // of the radius\n" },
 
 { "ssgi_blurred_at", NULL, __LINE__ + 1,
-    "ssgi_blurred ssgi_blurred_at(ivec2 p) {\n"
-    "    ssgi_blurred c;\n"
+    "ssgi_blurred ssgi_blurred_at(ivec2 pixel) {\n"
+    "    ssgi_blurred centre;\n"
     "#if !SSGI_HALF && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
-    "    c.now = ssgi_now(p + u_ssgi_target), c.z = c.now.w;\n"
+    "    centre.now = ssgi_now(pixel + u_ssgi_target);\n"
+    "    centre.z = centre.now.w;\n"
     "#else\n"
-    "    c.z = ssgi_depth(p);\n"
+    "    centre.z = ssgi_depth(pixel);\n"
     "#endif\n"
-    "    c.P = ssgi_position(vec2(p) + 0.5, c.z), c.footprint = ssgi_footprint(c.z);\n"
+    "    centre.P = ssgi_position(vec2(pixel) + 0.5, centre.z);\n"
+    "    centre.footprint = ssgi_footprint(centre.z);\n"
     "#if SSGI_FILTER == SSGI_FILTER_BILATERAL || SSGI_RESTORE || SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    c.n = ssgi_normal(p, c.P);\n"
+    "    centre.normal = ssgi_normal(pixel, centre.P);\n"
     "#endif\n"
     "#if SSGI_FILTER == SSGI_FILTER_BILATERAL\n"
-    "    c.plane = ssgi_plane(c.P, c.n) / (SSGI_OFF * u_ssgi_radius + c.footprint);\n"
+    "    centre.plane = ssgi_plane(centre.P, centre.normal) / (SSGI_OFF * u_ssgi_radius + centre.footprint);\n"
     "#endif\n"
-    "    return c;\n"
+    "    return centre;\n"
     "}\n" },
 
 { "ssgi_neighbour", NULL, __LINE__ + 1,
     "struct ssgi_neighbour { // a neighbour of the pixel that is filtered\n"
-    "    ivec2 at, q; // the texel of the neighbour; its pixel\n"
-    "    vec2 o; // how many pixels away the neighbour is\n"
+    "    ivec2 texel, pixel; // the texel of the neighbour; its pixel\n"
+    "    vec2 offset; // how many pixels away the neighbour is\n"
     "};\n" },
 
 { "ssgi_beside", NULL, __LINE__ + 1,
-    "ssgi_blurred ssgi_beside(ssgi_blurred c, vec2 o) { // counts neighbours from o pixels beside the pixel on\n"
+    "// Counts neighbours from offset pixels beside the pixel on.\n"
+    "ssgi_blurred ssgi_beside(ssgi_blurred centre, vec2 offset) {\n"
     "#if SSGI_FILTER == SSGI_FILTER_BILATERAL && SSGI_ORTHOGRAPHIC\n"
-    "    c.plane.w += dot(c.plane.xy, o);\n"
+    "    centre.plane.w += dot(centre.plane.xy, offset);\n"
     "#elif SSGI_FILTER == SSGI_FILTER_BILATERAL\n"
-    "    c.plane.z += dot(c.plane.xy, o);\n"
+    "    centre.plane.z += dot(centre.plane.xy, offset);\n"
     "#endif\n"
-    "    return c;\n"
+    "    return centre;\n"
     "}\n" },
 
 { "ssgi_stride", NULL, __LINE__ + 1,
@@ -4695,28 +5005,30 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_from_gathered", NULL, __LINE__ + 1,
-    "ivec2 ssgi_from_gathered(ivec2 p) { // how far p is from the pixel that is gathered of the first 4x4\n"
+    "ivec2 ssgi_from_gathered(ivec2 pixel) { // how far pixel is from the pixel that is gathered of the first 4x4\n"
     "#if SSGI_HALF == SSGI_HALF_QUARTER_IN_TURN\n"
-    "    return p - ssgi_turn_of_16();\n"
+    "    return pixel - ssgi_turn_of_16();\n"
     "#else\n"
-    "    return p;\n"
+    "    return pixel;\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_neighbour_at", NULL, __LINE__ + 1,
-    "ssgi_neighbour ssgi_neighbour_at(ivec2 p, int x, int y) {\n"
+    "ssgi_neighbour ssgi_neighbour_at(ivec2 pixel, int x, int y) {\n"
     "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
-    "    ivec2 h = (ssgi_from_gathered(p) + 2 >> 2) + ivec2(x, y), q = ssgi_gathered(h); // from the nearest one on\n"
-    "    return ssgi_neighbour(h + (u_ssgi_target >> 2), q, vec2(q - p));\n"
+    "    ivec2 texel = (ssgi_from_gathered(pixel) + 2 >> 2) + ivec2(x, y); // from the nearest one on\n"
+    "    ivec2 gathered = ssgi_gathered(texel);\n"
+    "    return ssgi_neighbour(texel + (u_ssgi_target >> 2), gathered, vec2(gathered - pixel));\n"
     "#elif SSGI_HALF\n"
-    "    ivec2 h = (p >> 1) + ivec2(x, y), q = ssgi_gathered(h);\n"
+    "    ivec2 texel = (pixel >> 1) + ivec2(x, y);\n"
+    "    ivec2 gathered = ssgi_gathered(texel);\n"
     "#endif\n"
     "#if SSGI_HALF == SSGI_HALF_IN_TURN\n"
-    "    return ssgi_neighbour(h + (u_ssgi_target >> 1), q, vec2(q - p));\n"
+    "    return ssgi_neighbour(texel + (u_ssgi_target >> 1), gathered, vec2(gathered - pixel));\n"
     "#elif SSGI_HALF == SSGI_HALF_FIRST\n"
-    "    return ssgi_neighbour(h + (u_ssgi_target >> 1), q, vec2(2 * x, 2 * y) - vec2(p & 1));\n"
+    "    return ssgi_neighbour(texel + (u_ssgi_target >> 1), gathered, vec2(2 * x, 2 * y) - vec2(pixel & 1));\n"
     "#elif !SSGI_HALF\n"
-    "    return ssgi_neighbour(p + ivec2(x, y) + u_ssgi_target, p + ivec2(x, y), vec2(x, y));\n"
+    "    return ssgi_neighbour(pixel + ivec2(x, y) + u_ssgi_target, pixel + ivec2(x, y), vec2(x, y));\n"
     "#endif\n"
     "}\n" },
 
@@ -4724,7 +5036,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    .3676, of 50 .3672, of 100 .3673. The weight is scaled and shifted so that it is 1 on the plane, and 0 from one unit
    off it on. */
 { "SSGI_STEEP", NULL, __LINE__ + 1,
-    "const float SSGI_STEEP = 50.0;\n" },
+    "const float SSGI_STEEP = 50.0; // how fast a neighbour's weight falls off the pixel's plane\n" },
 
 /* From half size the weight is never 0, so that the tap closest to the plane wins if none lies on it. The square of a
    distance from the plane at which a tap has half of its weight: .03 gives hsao-fast an error of .4508, .1 .4460, .3
@@ -4732,7 +5044,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    closer the more it has: over four moves by seed its first eight frames deviate by .0038 over the truth's with .02
    throughout, .0030 with .3 over the frames, .0028 with .6. */
 { "SSGI_HALF_OFF", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
-    "const float SSGI_HALF_OFF = 0.1;\n" },
+    "const float SSGI_HALF_OFF = 0.1; // a texel so far off the plane, squared, has half of its weight\n" },
 
 { "SSGI_HALF_OFF", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
     "const float SSGI_HALF_OFF = 0.3; // over frames\n" },
@@ -4740,80 +5052,80 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* From five frames on the filter needs no more than the four texels next to a pixel: from three on it deviates by a
    third more (as above). Counts are whole where a camera stands, so that rounding must not decide. */
 { "SSGI_SETTLED", NULL, __LINE__ + 1,
-    "const float SSGI_SETTLED = 4.5;\n" },
+    "const float SSGI_SETTLED = 4.5; // frames from which on the four nearest texels suffice\n" },
 
 /* Where a pixel has an average over frames, these sharpen the filter: a tap's tent, 1 to 16, is multiplied by this plus
    the tent, so that the nearest texel counts most. 4 gives hsao-history an error of .3737, 12 .3740, 36 .3743. */
 { "SSGI_TENT", NULL, __LINE__ + 1,
-    "const float SSGI_TENT = 12.0;\n" },
+    "const float SSGI_TENT = 12.0; // added to the tent: the nearest texel counts most where frames are averaged\n" },
 
 { "ssgi_tent", "SSGI_FILTER == SSGI_FILTER_GAUSSIAN", __LINE__ + 1,
-    "// Returns the weight of a neighbour o pixels away along x or y: a Gaussian [HSAO08 4.1.3].\n"
-    "float ssgi_tent(float o) {\n"
+    "// Returns the weight of a neighbour that is so many pixels away along x or y: a Gaussian [HSAO08 4.1.3].\n"
+    "float ssgi_tent(float away) {\n"
     "    float variance = 0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25;\n"
-    "    return exp(-0.5 * o * o / variance);\n"
+    "    return exp(-0.5 * away * away / variance);\n"
     "}\n" },
 
 /* From half size a tent of 4 pixels, and of 5.5 with radius 2. Of 6 pixels and all 25 taps hsao by 2x6 has an error of
    .4220 on 13 scenes by seed, of 5.5 without the corners .4217, with a third fewer instructions. At full size a
    box over a tile of noise. */
 { "ssgi_tent", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
-    "// Returns the weight of a neighbour o pixels away along x or y.\n"
-    "float ssgi_tent(float o) {\n"
+    "// Returns the weight of a neighbour that is so many pixels away along x or y.\n"
+    "float ssgi_tent(float away) {\n"
     "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
-    "    o *= 0.5; // The tent is twice as wide.\n"
+    "    away *= 0.5; // The tent is twice as wide.\n"
     "#endif\n"
     "#if SSGI_HALF && SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    return float(2 * SSGI_FILTER_RADIUS + 3) - abs(o);\n"
+    "    return float(2 * SSGI_FILTER_RADIUS + 3) - abs(away);\n"
     "#elif SSGI_HALF\n"
-    "    return 2.5 + 1.5 * float(SSGI_FILTER_RADIUS) - abs(o);\n"
+    "    return 2.5 + 1.5 * float(SSGI_FILTER_RADIUS) - abs(away);\n"
     "#else\n"
-    "    return SSGI_FILTER_RADIUS > 1 && abs(o) == float(SSGI_FILTER_RADIUS) ? 0.5 : 1.0;\n"
+    "    return SSGI_FILTER_RADIUS > 1 && abs(away) == float(SSGI_FILTER_RADIUS) ? 0.5 : 1.0;\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_GAUSSIAN", __LINE__ + 1,
     "// How much a neighbour counts, by its view depth z: differences may be a pixel's footprint.\n"
-    "float ssgi_blur_weight(ssgi_blurred c, ivec2 q, vec2 o, float z) {\n"
-    "    return c.footprint / (c.footprint + abs(z - c.z));\n"
+    "float ssgi_blur_weight(ssgi_blurred centre, ivec2 pixel, vec2 offset, float z) {\n"
+    "    return centre.footprint / (centre.footprint + abs(z - centre.z));\n"
     "}\n" },
 
 { "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
-    "// How much a neighbour counts, the less the farther it is off the plane. o: how many pixels away pixel q is.\n"
-    "float ssgi_blur_weight(ssgi_blurred c, ivec2 q, vec2 o, float z) {\n"
-    "    float off = ssgi_above_plane(c.plane, o, z);\n"
+    "// How much a neighbour counts, the less the farther it is off the plane. offset: how many pixels away pixel is.\n"
+    "float ssgi_blur_weight(ssgi_blurred centre, ivec2 pixel, vec2 offset, float z) {\n"
+    "    float off = ssgi_above_plane(centre.plane, offset, z);\n"
     "#if SSGI_HALF && SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    float w = 1.0 / (SSGI_HALF_OFF / c.frames + off * off);\n"
+    "    float weight = 1.0 / (SSGI_HALF_OFF / centre.frames + off * off);\n"
     "#elif SSGI_HALF\n"
-    "    float w = 1.0 / (SSGI_HALF_OFF + off * off);\n"
+    "    float weight = 1.0 / (SSGI_HALF_OFF + off * off);\n"
     "#else\n"
     "    const float least = 1.0 / SSGI_STEEP;\n"
-    "    float w = max((1.0 + least) / (1.0 + SSGI_STEEP * off * off) - least, 0.0);\n"
+    "    float weight = max((1.0 + least) / (1.0 + SSGI_STEEP * off * off) - least, 0.0);\n"
     "#endif\n"
     "#if SSGI_FILTER_NORMALS\n"
-    "    w *= max(dot(c.n, ssgi_normal(q, ssgi_position(vec2(q) + 0.5, z))), 1e-3);\n"
+    "    weight *= max(dot(centre.normal, ssgi_normal(pixel, ssgi_position(vec2(pixel) + 0.5, z))), 1e-3);\n"
     "#endif\n"
-    "    return w;\n"
+    "    return weight;\n"
     "}\n" },
 
 { "ssgi_onto", "SSGI_ONTO", __LINE__ + 1,
-    "vec4 ssgi_onto(ivec2 p, float ao) { // the colour that is blended onto your picture\n"
-    "    ao = max(1.0 + u_ssgi_strength * (ao - 1.0), 0.0);\n"
+    "vec4 ssgi_onto(ivec2 pixel, float visibility) { // the colour that is blended onto your picture\n"
+    "    visibility = max(1.0 + u_ssgi_strength * (visibility - 1.0), 0.0);\n"
     "#if SSGI_ONTO == SSGI_ONTO_AMBIENT\n"
-    "    return vec4((1.0 - ao) * texelFetch(t_ssgi_ambient, p + u_ssgi_origin, 0).xyz, 0.0);\n"
+    "    return vec4((1.0 - visibility) * texelFetch(t_ssgi_ambient, pixel + u_ssgi_origin, 0).xyz, 0.0);\n"
     "#elif SSGI_ONTO == SSGI_ONTO_MULTIPLY_SRGB\n"
-    "    return vec4(vec3(pow(ao, 1.0 / 2.2)), 1.0);\n"
+    "    return vec4(vec3(pow(visibility, 1.0 / 2.2)), 1.0);\n"
     "#else\n"
-    "    return vec4(vec3(ao), 1.0);\n"
+    "    return vec4(vec3(visibility), 1.0);\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_grey", NULL, __LINE__ + 1,
-    "float ssgi_grey(vec4 t) {\n"
+    "float ssgi_grey(vec4 light) {\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
-    "    return dot(t.xyz, vec3(0.2126, 0.7152, 0.0722));\n"
+    "    return dot(light.xyz, vec3(0.2126, 0.7152, 0.0722));\n"
     "#else\n"
-    "    return t.x;\n"
+    "    return light.x;\n"
     "#endif\n"
     "}\n" },
 
@@ -4840,48 +5152,53 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_filtered_add", "SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
-    "void ssgi_filtered_add(inout ssgi_filtered f, ssgi_coefficients t, float w) {\n"
-    "    for (int k = 0; k < t.c.length(); ++k) ssgi_sh_add(f.sums.c[k], t.c[k], w);\n"
-    "    f.light.w += w;\n"
+    "void ssgi_filtered_add(inout ssgi_filtered filtered, ssgi_coefficients coefficients, float weight) {\n"
+    "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
+    "        ssgi_sh_add(filtered.sums.channel[channel], coefficients.channel[channel], weight);\n"
+    "    filtered.light.w += weight;\n"
     "}\n" },
 
 { "ssgi_filtered_add", "SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
-    "void ssgi_filtered_add(inout ssgi_filtered f, vec4 t, float w) {\n"
-    "    f.light += vec4(t.xyz, 1.0) * w;\n"
+    "void ssgi_filtered_add(inout ssgi_filtered filtered, vec4 texel, float weight) {\n"
+    "    filtered.light += vec4(texel.xyz, 1.0) * weight;\n"
     "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    float v = ssgi_grey(t);\n"
-    "    f.spread += vec2(v * v, w) * w;\n"
+    "    float grey = ssgi_grey(texel);\n"
+    "    filtered.spread += vec2(grey * grey, weight) * weight;\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_filter_tap", "SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
-    "void ssgi_filter_tap(inout ssgi_filtered f, ssgi_blurred c, ssgi_neighbour t, float w, bool inside) {\n"
-    "    float z = ssgi_depth(t.q);\n"
-    "    w *= ssgi_blur_weight(c, t.q, t.o, z);\n"
-    "    if (inside && z < SSGI_FAR && w > 0.0) ssgi_filtered_add(f, ssgi_load(t.at), w);\n"
+    "void ssgi_filter_tap(inout ssgi_filtered filtered, ssgi_blurred centre, ssgi_neighbour neighbour, float weight,\n"
+    "    bool inside) {\n"
+    "    float z = ssgi_depth(neighbour.pixel);\n"
+    "    weight *= ssgi_blur_weight(centre, neighbour.pixel, neighbour.offset, z);\n"
+    "    if (inside && z < SSGI_FAR && weight > 0.0) ssgi_filtered_add(filtered, ssgi_load(neighbour.texel), weight);\n"
     "}\n" },
 
 { "ssgi_filter_tap", "SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
-    "void ssgi_filter_tap(inout ssgi_filtered f, ssgi_blurred c, ssgi_neighbour t, float w, bool inside) {\n"
-    "    vec4 s = ssgi_now(t.at);\n"
+    "void ssgi_filter_tap(inout ssgi_filtered filtered, ssgi_blurred centre, ssgi_neighbour neighbour, float weight,\n"
+    "    bool inside) {\n"
+    "    vec4 texel = ssgi_now(neighbour.texel);\n"
     "#if SSGI_HALF && SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    if (c.frames >= SSGI_SETTLED) w *= SSGI_TENT + w;\n"
+    "    if (centre.frames >= SSGI_SETTLED) weight *= SSGI_TENT + weight;\n"
     "#endif\n"
-    "    w *= ssgi_blur_weight(c, t.q, t.o, s.w);\n"
+    "    weight *= ssgi_blur_weight(centre, neighbour.pixel, neighbour.offset, texel.w);\n"
     "    // Not >=, as background in 16 bits is infinity or NaN.\n"
-    "    if (inside && s.w < SSGI_FAR) ssgi_filtered_add(f, s, w);\n"
+    "    if (inside && texel.w < SSGI_FAR) ssgi_filtered_add(filtered, texel, weight);\n"
     "}\n" },
 
 { "ssgi_filter_at", NULL, __LINE__ + 1,
-    "void ssgi_filter_at(inout ssgi_filtered f, ivec2 p, ssgi_blurred c, ivec2 o) { // adds the texel o texels from p\n"
-    "    ssgi_neighbour t = ssgi_neighbour_at(p, o.x, o.y);\n"
-    "    ssgi_filter_tap(f, c, t, ssgi_tent(t.o.x) * ssgi_tent(t.o.y), ssgi_inside(t.q));\n"
+    "// Adds the texel that is offset texels away.\n"
+    "void ssgi_filter_at(inout ssgi_filtered filtered, ivec2 pixel, ssgi_blurred centre, ivec2 offset) {\n"
+    "    ssgi_neighbour neighbour = ssgi_neighbour_at(pixel, offset.x, offset.y);\n"
+    "    ssgi_filter_tap(filtered, centre, neighbour, ssgi_tent(neighbour.offset.x) * ssgi_tent(neighbour.offset.y),\n"
+    "        ssgi_inside(neighbour.pixel));\n"
     "}\n" },
 
 { "ssgi_corner", NULL, __LINE__ + 1,
-    "bool ssgi_corner(ivec2 o) { // whether that is a corner of the filter, which it goes without\n"
+    "bool ssgi_corner(ivec2 offset) { // whether that is a corner of the filter, which it goes without\n"
     "#if SSGI_HALF && SSGI_FILTER_RADIUS > 1\n"
-    "    return abs(o.x) + abs(o.y) == 2 * SSGI_FILTER_RADIUS;\n"
+    "    return abs(offset.x) + abs(offset.y) == 2 * SSGI_FILTER_RADIUS;\n"
     "#else\n"
     "    return false;\n"
     "#endif\n"
@@ -4889,50 +5206,53 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The loops have short bodies, so that a GPU's compiler unrolls them, and computes a row's or a column's terms once. */
 { "ssgi_filter", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
-    "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over p and the pixels around it\n"
+    "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) { // sums over pixel and the pixels around it\n"
     "    int stride = ssgi_stride();\n"
-    "    ssgi_filtered f = ssgi_filtered_none();\n"
+    "    ssgi_filtered filtered = ssgi_filtered_none();\n"
     "#if !SSGI_HALF && SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
-    "    ssgi_filtered_add(f, ssgi_load(p + u_ssgi_target), 1.0);\n"
+    "    ssgi_filtered_add(filtered, ssgi_load(pixel + u_ssgi_target), 1.0);\n"
     "#elif !SSGI_HALF\n"
-    "    ssgi_filtered_add(f, c.now, 1.0);\n"
+    "    ssgi_filtered_add(filtered, centre.now, 1.0);\n"
     "#endif\n"
-    "    ssgi_neighbour nearest = ssgi_neighbour_at(p, 0, 0);\n"
-    "    c = ssgi_beside(c, nearest.o);\n"
+    "    ssgi_neighbour nearest = ssgi_neighbour_at(pixel, 0, 0);\n"
+    "    centre = ssgi_beside(centre, nearest.offset);\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y) {\n"
-    "        ssgi_blurred row = ssgi_beside(c, vec2(0.0, stride * y));\n"
-    "        float tent = ssgi_tent(nearest.o.y + float(stride * y));\n"
-    "        bool inside = uint(nearest.q.y + stride * y) < uint(u_ssgi_size.y);\n"
+    "        ssgi_blurred row = ssgi_beside(centre, vec2(0.0, stride * y));\n"
+    "        float tent = ssgi_tent(nearest.offset.y + float(stride * y));\n"
+    "        bool inside = uint(nearest.pixel.y + stride * y) < uint(u_ssgi_size.y);\n"
     "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
-    "            ivec2 o = ivec2(x, y);\n"
-    "            if (ssgi_corner(o)) continue;\n"
+    "            ivec2 offset = ivec2(x, y);\n"
+    "            if (ssgi_corner(offset)) continue;\n"
     "#if !SSGI_HALF\n"
     "            if (x == 0 && y == 0) continue;\n"
     "#endif\n"
-    "            ssgi_neighbour t = ssgi_neighbour(nearest.at + o, nearest.q + stride * o, vec2(stride * x, 0.0));\n"
-    "            float w = tent * ssgi_tent(nearest.o.x + float(stride * x));\n"
-    "            ssgi_filter_tap(f, row, t, w, inside && uint(t.q.x) < uint(u_ssgi_size.x));\n"
+    "            ssgi_neighbour neighbour = ssgi_neighbour(nearest.texel + offset, nearest.pixel + stride * offset,\n"
+    "                vec2(stride * x, 0.0));\n"
+    "            float weight = tent * ssgi_tent(nearest.offset.x + float(stride * x));\n"
+    "            ssgi_filter_tap(filtered, row, neighbour, weight, inside\n"
+    "                && uint(neighbour.pixel.x) < uint(u_ssgi_size.x));\n"
     "        }\n"
     "    }\n"
-    "    return f;\n"
+    "    return filtered;\n"
     "}\n" },
 
 /* Frames average, too: where a pixel has some, the four texels next to it suffice. */
 { "ssgi_filter", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
-    "ssgi_filtered ssgi_filter(ivec2 p, ssgi_blurred c) { // sums over the texels around p, or next to it\n"
-    "    ssgi_filtered f = ssgi_filtered_none();\n"
+    "// Sums over the texels around pixel, or next to it.\n"
+    "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) {\n"
+    "    ssgi_filtered filtered = ssgi_filtered_none();\n"
     "#if !SSGI_HALF\n"
-    "    ssgi_filtered_add(f, c.now, 1.0);\n"
+    "    ssgi_filtered_add(filtered, centre.now, 1.0);\n"
     "#elif SSGI_HALF > SSGI_HALF_IN_TURN\n"
-    "    ivec2 next = -(ssgi_from_gathered(p) >> 1 & 1);\n"
+    "    ivec2 next = -(ssgi_from_gathered(pixel) >> 1 & 1);\n"
     "#else\n"
-    "    ivec2 next = (p & 1) - 1;\n"
+    "    ivec2 next = (pixel & 1) - 1;\n"
     "#endif\n"
-    "    for (int k = 0; k < 4; ++k) {\n"
+    "    for (int i = 0; i < 4; ++i) {\n"
     "#if SSGI_HALF\n"
-    "        ssgi_filter_at(f, p, c, next + ivec2(k & 1, k >> 1));\n"
+    "        ssgi_filter_at(filtered, pixel, centre, next + ivec2(i & 1, i >> 1));\n"
     "#else\n"
-    "        ssgi_filter_at(f, p, c, ivec2((k & 1) * (k - 2), ((k + 1) & 1) * (k - 1)));\n"
+    "        ssgi_filter_at(filtered, pixel, centre, ivec2((i & 1) * (i - 2), ((i + 1) & 1) * (i - 1)));\n"
     "#endif\n"
     "    }\n"
     "#if SSGI_HALF\n"
@@ -4940,80 +5260,86 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    const int side = 2 * SSGI_FILTER_RADIUS + 1;\n"
     "#endif\n"
-    "    int more = c.frames < SSGI_SETTLED ? side * side : 0;\n"
-    "    for (int k = 0; k < more; ++k) {\n"
-    "        ivec2 o = ivec2(k % side, k / side) - SSGI_FILTER_RADIUS;\n"
+    "    int more = centre.frames < SSGI_SETTLED ? side * side : 0;\n"
+    "    for (int i = 0; i < more; ++i) {\n"
+    "        ivec2 offset = ivec2(i % side, i / side) - SSGI_FILTER_RADIUS;\n"
     "#if SSGI_HALF\n"
-    "        if ((o.x | o.y) >> 1 == 0) continue;\n"
-    "        ssgi_filter_at(f, p, c, next + o);\n"
+    "        if ((offset.x | offset.y) >> 1 == 0) continue;\n"
+    "        ssgi_filter_at(filtered, pixel, centre, next + offset);\n"
     "#else\n"
-    "        if (abs(o.x) + abs(o.y) < 2) continue;\n"
-    "        ssgi_filter_at(f, p, c, o);\n"
+    "        if (abs(offset.x) + abs(offset.y) < 2) continue;\n"
+    "        ssgi_filter_at(filtered, pixel, centre, offset);\n"
     "#endif\n"
     "    }\n"
-    "    return f;\n"
+    "    return filtered;\n"
     "}\n" },
 
 { "main_blur_grey", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    ssgi_blurred c = ssgi_blurred_at(p);\n"
-    "    ssgi_filtered f = ssgi_filter(p, c);\n"
-    "    float ao = c.z < SSGI_FAR && f.light.w > 0.0 ? f.light.x / f.light.w : 1.0;\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    ssgi_blurred centre = ssgi_blurred_at(pixel);\n"
+    "    ssgi_filtered filtered = ssgi_filter(pixel, centre);\n"
+    "    float visibility = centre.z < SSGI_FAR && filtered.light.w > 0.0 ? filtered.light.x / filtered.light.w\n"
+    "        : 1.0;\n"
     "#if SSGI_ONTO\n"
-    "    o_ssgi_picture = ssgi_onto(p, ao);\n"
+    "    o_ssgi_picture = ssgi_onto(pixel, visibility);\n"
     "#else\n"
-    "    o_ssgi_ao = ao;\n"
+    "    o_ssgi_ao = visibility;\n"
     "#endif\n"
     "}\n" },
 
 { "ssgi_restored", NULL, __LINE__ + 1,
-    "vec3 ssgi_restored(vec3 light, ssgi_blurred c) { // returns the light itself from the form that was filtered\n"
+    "// Returns the light itself from the form that was filtered.\n"
+    "vec3 ssgi_restored(vec3 light, ssgi_blurred centre) {\n"
     "#if !SSGI_RESTORE\n"
     "    return light;\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
-    "    return light * ssgi_open_light(c.P, c.n);\n"
+    "    return light * ssgi_open_light(centre.P, centre.normal);\n"
     "#else\n"
-    "    return max(light + ssgi_open_light(c.P, c.n), 0.0);\n"
+    "    return max(light + ssgi_open_light(centre.P, centre.normal), 0.0);\n"
     "#endif\n"
     "}\n" },
 
 { "main_blur_light", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    ssgi_blurred c = ssgi_blurred_at(p);\n"
-    "    ssgi_filtered f = ssgi_filter(p, c);\n"
-    "    o_ssgi_light = vec4(f.light.w > 0.0 ? f.light.xyz / f.light.w : vec3(0.0), c.z);\n"
-    "    o_ssgi_light.xyz = c.z < SSGI_FAR ? ssgi_restored(o_ssgi_light.xyz, c) : vec3(0.0);\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    ssgi_blurred centre = ssgi_blurred_at(pixel);\n"
+    "    ssgi_filtered filtered = ssgi_filter(pixel, centre);\n"
+    "    o_ssgi_light = vec4(filtered.light.w > 0.0 ? filtered.light.xyz / filtered.light.w : vec3(0.0), centre.z);\n"
+    "    o_ssgi_light.xyz = centre.z < SSGI_FAR ? ssgi_restored(o_ssgi_light.xyz, centre) : vec3(0.0);\n"
     "}\n" },
 
 { "ssgi_scaled", NULL, __LINE__ + 1,
-    "ssgi_coefficients ssgi_scaled(ssgi_coefficients v, float by) {\n"
-    "    for (int k = 0; k < v.c.length(); ++k) ssgi_sh_add(v.c[k], v.c[k], by - 1.0);\n"
-    "    return v;\n"
+    "ssgi_coefficients ssgi_scaled(ssgi_coefficients coefficients, float factor) {\n"
+    "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
+    "        ssgi_sh_add(coefficients.channel[channel], coefficients.channel[channel], factor - 1.0);\n"
+    "    return coefficients;\n"
     "}\n" },
 
 { "main_blur_coefficients", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    ssgi_blurred c = ssgi_blurred_at(p);\n"
-    "    ssgi_filtered f = ssgi_filter(p, c);\n"
-    "    ssgi_store(ssgi_scaled(f.sums, c.z < SSGI_FAR && f.light.w > 0.0 ? 1.0 / f.light.w : 0.0));\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    ssgi_blurred centre = ssgi_blurred_at(pixel);\n"
+    "    ssgi_filtered filtered = ssgi_filter(pixel, centre);\n"
+    "    ssgi_store(ssgi_scaled(filtered.sums, centre.z < SSGI_FAR\n"
+    "        && filtered.light.w > 0.0 ? 1.0 / filtered.light.w : 0.0));\n"
     "}\n" },
 
 /* ---- ssgi_gl_reflection: twins of ssgi.h's >>reflection */
 
 { "ssgi_interreflected", NULL, __LINE__ + 1,
-    "vec3 ssgi_interreflected(float v, vec3 albedo) {\n"
-    "    vec3 a = 2.0404 * albedo - 0.3324, b = 0.6417 - 4.7951 * albedo, c = 2.7552 * albedo + 0.6903;\n"
-    "    return clamp(((a * v + b) * v + c) * v, v, 1.0);\n"
+    "vec3 ssgi_interreflected(float visibility, vec3 albedo) {\n"
+    "    vec3 cubic = 2.0404 * albedo - 0.3324;\n"
+    "    vec3 square = 0.6417 - 4.7951 * albedo;\n"
+    "    vec3 slope = 2.7552 * albedo + 0.6903;\n"
+    "    return clamp(((cubic * visibility + square) * visibility + slope) * visibility, visibility, 1.0);\n"
     "}\n" },
 
 { "ssgi_specular_visibility", NULL, __LINE__ + 1,
     "// bent, normal: cosines of the mirrored view direction to the bent normal and to the normal.\n"
-    "float ssgi_specular_visibility(float v, float bent, float normal, float roughness) {\n"
-    "    vec2 k = vec2(0.82, 2.4) + vec2(0.32, -1.77) * roughness;\n"
-    "    return clamp(1.0 - k.x * (1.0 - v) - k.y * v * (normal - bent), 0.0, 1.0);\n"
+    "float ssgi_specular_visibility(float visibility, float bent, float normal, float roughness) {\n"
+    "    vec2 slopes = vec2(0.82, 2.4) + vec2(0.32, -1.77) * roughness;\n"
+    "    return clamp(1.0 - slopes.x * (1.0 - visibility) - slopes.y * visibility * (normal - bent), 0.0, 1.0);\n"
     "}\n" },
 
 /* ---- ssgi_gl_read: functions by which your own shaders read results of gathers, or of filters behind them. They weigh
@@ -5025,9 +5351,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    would serve panes better, but errs more on leaves whose texels are all another leaf's: on grass .272 where the filter
    has .258, of a whole radius .270 where it has .264, over the pixels that differ by .002. */
 { "ssgi_unshown", NULL, __LINE__ + 1,
-    "float ssgi_unshown(ssgi_blurred c) {\n"
+    "float ssgi_unshown(ssgi_blurred centre) {\n"
     "#if SSGI_HALF\n"
-    "    float away = max(u_ssgi_radius / (SSGI_OFF * u_ssgi_radius + c.footprint), 16.0);\n"
+    "    float away = max(u_ssgi_radius / (SSGI_OFF * u_ssgi_radius + centre.footprint), 16.0);\n"
     "    return 50.0 / (away * away);\n"
     "#else\n"
     "    return 1e-4;\n"
@@ -5035,43 +5361,47 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_surface_at", NULL, __LINE__ + 1,
-    "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 n) { // the place need not be a pixel's centre\n"
-    "    ssgi_blurred c;\n"
+    "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 normal) { // the place need not be a pixel's centre\n"
+    "    ssgi_blurred centre;\n"
     "    z = ssgi_own_depth(z);\n"
     "    vec2 off = fract(pixel) - 0.5;\n"
-    "    c.z = z, c.n = ssgi_view_normal(n), c.P = ssgi_position(pixel, z), c.footprint = ssgi_footprint(z);\n"
-    "    c.plane = ssgi_plane(c.P, c.n) / (SSGI_OFF * u_ssgi_radius + c.footprint);\n"
-    "    c = ssgi_beside(c, -off);\n"
+    "    centre.z = z;\n"
+    "    centre.normal = ssgi_view_normal(normal);\n"
+    "    centre.P = ssgi_position(pixel, z);\n"
+    "    centre.footprint = ssgi_footprint(z);\n"
+    "    centre.plane = ssgi_plane(centre.P, centre.normal) / (SSGI_OFF * u_ssgi_radius + centre.footprint);\n"
+    "    centre = ssgi_beside(centre, -off);\n"
     "#if !SSGI_HALF && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
-    "    c.now = vec4(0.0); // Nothing reads it here.\n"
+    "    centre.now = vec4(0.0); // Nothing reads it here.\n"
     "#endif\n"
-    "    return c;\n"
+    "    return centre;\n"
     "}\n" },
 
 { "ssgi_read", NULL, __LINE__ + 1,
-    "ssgi_filtered ssgi_read(vec2 pixel, ssgi_blurred c) { // sums over the texels around, if they show the surface\n"
+    "// Sums over the texels around, if they show the surface.\n"
+    "ssgi_filtered ssgi_read(vec2 pixel, ssgi_blurred centre) {\n"
     "    const int side = 2 * SSGI_FILTER_RADIUS + 1;\n"
-    "    ivec2 p = ivec2(floor(pixel));\n"
-    "    ssgi_filtered f = ssgi_filtered_none();\n"
+    "    ivec2 whole = ivec2(floor(pixel));\n"
+    "    ssgi_filtered filtered = ssgi_filtered_none();\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY || SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
-    "    f.light = vec4(ssgi_unshown(c));\n"
+    "    filtered.light = vec4(ssgi_unshown(centre));\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_DIFFERENCE\n"
-    "    f.light.w = ssgi_unshown(c);\n"
+    "    filtered.light.w = ssgi_unshown(centre);\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_COMPOSE\n"
-    "    ssgi_filter_at(f, p, c, ivec2(0)); // It is filtered already.\n"
-    "    int more = f.light.w < 0.5 ? side * side : 0;\n"
+    "    ssgi_filter_at(filtered, whole, centre, ivec2(0)); // It is filtered already.\n"
+    "    int more = filtered.light.w < 0.5 ? side * side : 0;\n"
     "#else\n"
     "    const int more = side * side;\n"
     "#endif\n"
-    "    for (int k = 0; k < more; ++k) {\n"
+    "    for (int i = 0; i < more; ++i) {\n"
     "#if SSGI_PASS == SSGI_PASS_COMPOSE\n"
-    "        if (k == side * side / 2) continue; // the pixel's own\n"
+    "        if (i == side * side / 2) continue; // the pixel's own\n"
     "#endif\n"
-    "        ivec2 o = ivec2(k % side, k / side) - SSGI_FILTER_RADIUS;\n"
-    "        if (!ssgi_corner(o)) ssgi_filter_at(f, p, c, o);\n"
+    "        ivec2 offset = ivec2(i % side, i / side) - SSGI_FILTER_RADIUS;\n"
+    "        if (!ssgi_corner(offset)) ssgi_filter_at(filtered, whole, centre, offset);\n"
     "    }\n"
-    "    return f;\n"
+    "    return filtered;\n"
     "}\n" },
 
 { "ssgi_fragment_depth", "SSGI_DEPTH == SSGI_DEPTH_WINDOW", __LINE__ + 1,
@@ -5084,44 +5414,44 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_visibility_at", "SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY", __LINE__ + 1,
-    "// Returns the ambient visibility of a surface of view depth z and unit normal n that is seen at a place in the\n"
+    "// Returns the ambient visibility of a surface of view depth z and unit normal that is seen at a place in the\n"
     "// picture, in pixels from its first corner.\n"
-    "float ssgi_visibility_at(vec2 pixel, float z, vec3 n) {\n"
-    "    ssgi_filtered f = ssgi_read(pixel, ssgi_surface_at(pixel, z, n));\n"
-    "    return f.light.x / f.light.w;\n"
+    "float ssgi_visibility_at(vec2 pixel, float z, vec3 normal) {\n"
+    "    ssgi_filtered filtered = ssgi_read(pixel, ssgi_surface_at(pixel, z, normal));\n"
+    "    return filtered.light.x / filtered.light.w;\n"
     "}\n" },
 
 { "ssgi_irradiance_at", "SSGI_QUANTITY == SSGI_QUANTITY_LIGHT", __LINE__ + 1,
     "// Returns irradiance over pi; 0 where no texel near shows the surface, and nothing is restored.\n"
-    "vec3 ssgi_irradiance_at(vec2 pixel, float z, vec3 n) {\n"
-    "    ssgi_blurred c = ssgi_surface_at(pixel, z, n);\n"
-    "    ssgi_filtered f = ssgi_read(pixel, c);\n"
-    "    return f.light.w > 0.0 ? ssgi_restored(f.light.xyz / f.light.w, c) : vec3(0.0);\n"
+    "vec3 ssgi_irradiance_at(vec2 pixel, float z, vec3 normal) {\n"
+    "    ssgi_blurred centre = ssgi_surface_at(pixel, z, normal);\n"
+    "    ssgi_filtered filtered = ssgi_read(pixel, centre);\n"
+    "    return filtered.light.w > 0.0 ? ssgi_restored(filtered.light.xyz / filtered.light.w, centre) : vec3(0.0);\n"
     "}\n" },
 
 { "ssgi_coefficients_at", "SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
     "// Returns coefficients, for ssgi_sh_dot; 0 where no texel near shows the surface.\n"
-    "ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float z, vec3 n) {\n"
-    "    ssgi_filtered f = ssgi_read(pixel, ssgi_surface_at(pixel, z, n));\n"
-    "    return ssgi_scaled(f.sums, f.light.w > 0.0 ? 1.0 / f.light.w : 0.0);\n"
+    "ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float z, vec3 normal) {\n"
+    "    ssgi_filtered filtered = ssgi_read(pixel, ssgi_surface_at(pixel, z, normal));\n"
+    "    return ssgi_scaled(filtered.sums, filtered.light.w > 0.0 ? 1.0 / filtered.light.w : 0.0);\n"
     "}\n" },
 
 /* ---- compose */
 
 { "main_compose_grey", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    o_ssgi_picture = ssgi_onto(p, texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x);\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    o_ssgi_picture = ssgi_onto(pixel, texelFetch(t_ssgi_ao, pixel + u_ssgi_target, 0).x);\n"
     "}\n" },
 
 { "main_compose_light", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    vec3 light = texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    vec3 light = texelFetch(t_ssgi_light, pixel + u_ssgi_target, 0).xyz;\n"
     "#if SSGI_BOUNCE\n"
-    "    light += texelFetch(t_ssgi_bounce, p + u_ssgi_target, 0).xyz;\n"
+    "    light += texelFetch(t_ssgi_bounce, pixel + u_ssgi_target, 0).xyz;\n"
     "#endif\n"
-    "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz, 0.0);\n"
+    "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, pixel + u_ssgi_origin, 0).xyz, 0.0);\n"
     "}\n" },
 
 /* ---- history filters as blur does, and averages that over the last frames in which this surface was seen. Where light
@@ -5131,36 +5461,36 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    the noise of a filtered value, so that a greater difference is a change; and 2 % of the value, for neighbours without
    a deviation. */
 { "SSGI_JUMP", NULL, __LINE__ + 1,
-    "const vec2 SSGI_JUMP = vec2(0.7, 0.02);\n" },
+    "const vec2 SSGI_JUMP = vec2(0.7, 0.02); // the quick mean's bound: deviations; share of the value\n" },
 
 /* How far the mean over all frames may be from quick: by the noise of a filtered value, which is a quarter to a seventh
    of the deviation; and by 0.5 % of the mean, about a step of 8 bits. */
 { "SSGI_DRIFT", NULL, __LINE__ + 1,
-    "const vec2 SSGI_DRIFT = vec2(0.2, 0.005);\n" },
+    "const vec2 SSGI_DRIFT = vec2(0.2, 0.005); // how far the mean may be from the quick one, likewise\n" },
 
 /* The share of the frames that is forgotten where the mean had to follow by a drift or more: of 16 frames two stay. */
 { "SSGI_FORGOTTEN", NULL, __LINE__ + 1,
-    "const float SSGI_FORGOTTEN = 0.85;\n" },
+    "const float SSGI_FORGOTTEN = 0.85; // share of the frames that is forgotten where the mean had to follow\n" },
 
 /* Interpolation blurs once a frame, so that fewer frames are kept the more it blurs: of 16 frames 10.7 where a place
    lies midway between two pixels, 8 amid four. */
 { "SSGI_BLURRED", NULL, __LINE__ + 1,
-    "const float SSGI_BLURRED = 2.0;\n" },
+    "const float SSGI_BLURRED = 2.0; // how many fewer frames are kept, the more interpolation blurs them\n" },
 
 /* The share of all surfaces within the radius whose change leaves one frame beside this one: of .01 a box that slides
    errs 1.051 times as its frame alone, of .007 1.042 (make stability, kept-slide). */
 { "SSGI_CHANGED", NULL, __LINE__ + 1,
-    "const float SSGI_CHANGED = 0.007;\n" },
+    "const float SSGI_CHANGED = 0.007; // share of changed surfaces that leaves one frame beside this\n" },
 
 /* Where motion vectors say that nothing moves, fewer changed depths of a tile than this share are edges that pixels
    sample otherwise than in the last frame, such as leaves'. */
 { "SSGI_APPEARED", NULL, __LINE__ + 1,
-    "const float SSGI_APPEARED = 0.25;\n" },
+    "const float SSGI_APPEARED = 0.25; // fewer changed depths of a tile are edges that are sampled otherwise\n" },
 
 /* Neither NaN nor more than 1e9. The bits decide, since compilers turn !(a < b) into a >= b. */
 { "ssgi_finite", NULL, __LINE__ + 1,
-    "bool ssgi_finite(vec4 v) {\n"
-    "    return all(lessThan(floatBitsToUint(v) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n"
+    "bool ssgi_finite(vec4 values) {\n"
+    "    return all(lessThan(floatBitsToUint(values) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n"
     "}\n" },
 
 { "ssgi_reproject", NULL, __LINE__ + 1,
@@ -5181,12 +5511,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "};\n" },
 
 { "ssgi_kept_at", NULL, __LINE__ + 1,
-    "ssgi_kept ssgi_kept_at(ivec2 q) { // reads the averages that the last frame kept\n"
-    "    vec4 t = texelFetch(t_ssgi_history, q + u_ssgi_target, 0);\n"
+    "ssgi_kept ssgi_kept_at(ivec2 texel) { // reads the averages that the last frame kept\n"
+    "    vec4 history = texelFetch(t_ssgi_history, texel + u_ssgi_target, 0);\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
-    "    return ssgi_kept(t, texelFetch(t_ssgi_means, q + u_ssgi_target, 0).xy);\n"
+    "    return ssgi_kept(history, texelFetch(t_ssgi_means, texel + u_ssgi_target, 0).xy);\n"
     "#else\n"
-    "    return ssgi_kept(t.xxxy, t.zw);\n"
+    "    return ssgi_kept(history.xxxy, history.zw);\n"
     "#endif\n"
     "}\n" },
 
@@ -5210,9 +5540,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_own_motion", "SSGI_MOTION", __LINE__ + 1,
-    "vec2 ssgi_own_motion(ivec2 p, vec2 was) { // returns its own motion; by the camera's it was at `was`\n"
-    "    vec2 moved = texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy;\n"
-    "    return (vec2(p) + 0.5 - moved) * vec2(u_ssgi_last_size) / vec2(u_ssgi_size) - was;\n"
+    "vec2 ssgi_own_motion(ivec2 pixel, vec2 was) { // returns its own motion; by the camera's it was at `was`\n"
+    "    vec2 moved = texelFetch(t_ssgi_motion, pixel + u_ssgi_origin, 0).xy;\n"
+    "    return (vec2(pixel) + 0.5 - moved) * vec2(u_ssgi_last_size) / vec2(u_ssgi_size) - was;\n"
     "}\n" },
 
 { "ssgi_moves", NULL, __LINE__ + 1,
@@ -5231,40 +5561,46 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* Reprojects P and interpolates between those of the last frame's four texels around it that show P's plane. A texel
    shows it if it is within the slack of it: half a footprint and the rounding of kept depths. */
 { "ssgi_last_of", NULL, __LINE__ + 1,
-    "ssgi_last ssgi_last_of(ivec2 p, vec3 P, vec3 n) {\n"
-    "    ssgi_last none = ssgi_last_none(), sum = none;\n"
+    "ssgi_last ssgi_last_of(ivec2 pixel, vec3 P, vec3 normal) {\n"
+    "    ssgi_last none = ssgi_last_none();\n"
+    "    ssgi_last sum = none;\n"
     "    vec3 was = ssgi_reproject(P);\n"
-    "    vec2 at = was.xy + u_ssgi_jitter;\n"
+    "    vec2 place = was.xy + u_ssgi_jitter;\n"
     "    float footprint = u_ssgi_last_footprint * ssgi_footprint(-P.z);\n"
-    "    vec4 plane = vec4(n, 0.0) * u_ssgi_last_from; // It takes pixels and depths of the last frame.\n"
-    "    plane.w -= dot(n, P);\n"
+    "    vec4 plane = vec4(normal, 0.0) * u_ssgi_last_from; // It takes pixels and depths of the last frame.\n"
+    "    plane.w -= dot(normal, P);\n"
     "    float slack = 0.5 * footprint - SSGI_KEPT_ROUNDS * P.z;\n"
     "#if SSGI_MOTION\n"
-    "    vec2 own = ssgi_own_motion(p, at);\n"
+    "    vec2 own = ssgi_own_motion(pixel, place);\n"
     "    slack += max(length(own) - 0.5, 0.0) * footprint; // Its depth may have changed by that.\n"
-    "    at += own;\n"
+    "    place += own;\n"
     "    sum.moves = ssgi_moves(own);\n"
     "#endif\n"
-    "    at -= 0.5;\n"
-    "    bool shown = all(lessThan(abs(2.0 * at - vec2(u_ssgi_last_size)), vec2(u_ssgi_last_size + 2)));\n"
-    "    if (!shown || !ssgi_finite(vec4(at, was.z, 0.0)) || was.z <= 0.0 || u_ssgi_history <= 1.0) return none;\n"
-    "    vec2 low = floor(at), part = at - low;\n"
+    "    place -= 0.5;\n"
+    "    bool shown = all(lessThan(abs(2.0 * place - vec2(u_ssgi_last_size)), vec2(u_ssgi_last_size + 2)));\n"
+    "    if (!shown || !ssgi_finite(vec4(place, was.z, 0.0)) || was.z <= 0.0 || u_ssgi_history <= 1.0) return none;\n"
+    "    vec2 low = floor(place);\n"
+    "    vec2 part = place - low;\n"
     "    part = clamp((1.0 + 2.0 * SSGI_CENTRED) * part - SSGI_CENTRED, 0.0, 1.0);\n"
-    "    for (int k = 0; k < 4; ++k) {\n"
-    "        ivec2 corner = ivec2(k & 1, k >> 1), q = clamp(ivec2(low) + corner, ivec2(0), u_ssgi_last_size - 1);\n"
-    "        ssgi_kept t = ssgi_kept_at(q);\n"
+    "    for (int i = 0; i < 4; ++i) {\n"
+    "        ivec2 corner = ivec2(i & 1, i >> 1);\n"
+    "        ivec2 texel = clamp(ivec2(low) + corner, ivec2(0), u_ssgi_last_size - 1);\n"
+    "        ssgi_kept kept = ssgi_kept_at(texel);\n"
     "#if !SSGI_ORTHOGRAPHIC\n"
-    "        vec4 Q = vec4((vec2(q) + 0.5) * t.light.w, t.light.w, 1.0);\n"
+    "        vec4 texel_place = vec4((vec2(texel) + 0.5) * kept.light.w, kept.light.w, 1.0);\n"
     "#else\n"
-    "        vec4 Q = vec4(vec2(q) + 0.5, t.light.w, 1.0);\n"
+    "        vec4 texel_place = vec4(vec2(texel) + 0.5, kept.light.w, 1.0);\n"
     "#endif\n"
     "        vec2 share = mix(1.0 - part, part, vec2(corner));\n"
-    "        float w = share.x * share.y;\n"
-    "        if (!(abs(dot(plane, Q)) < slack && t.means.y >= 1.0 && w > 0.0)) continue;\n"
-    "        sum.known += w, sum.kept.light += w * t.light, sum.kept.means += w * t.means;\n"
+    "        float weight = share.x * share.y;\n"
+    "        if (!(abs(dot(plane, texel_place)) < slack && kept.means.y >= 1.0 && weight > 0.0)) continue;\n"
+    "        sum.known += weight;\n"
+    "        sum.kept.light += weight * kept.light;\n"
+    "        sum.kept.means += weight * kept.means;\n"
     "    }\n"
     "    if (sum.known < 0.25 || !ssgi_finite(sum.kept.light) || !ssgi_finite(sum.kept.means.xyxy)) return none;\n"
-    "    sum.kept.light /= sum.known, sum.kept.means /= sum.known;\n"
+    "    sum.kept.light /= sum.known;\n"
+    "    sum.kept.means /= sum.known;\n"
     "    sum.blurred = dot(part, 1.0 - part);\n"
     "    return sum;\n"
     "}\n" },
@@ -5273,32 +5609,34 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    weights fall off. A third of 9 and 7 takes the error of hsao-history from .3740 to .3888, three times as much
    to .3683 (scenes: SSGI_STEEP); the larger it is, the later a change of light is noticed. */
 { "SSGI_EVEN", "!SSGI_HALF", __LINE__ + 1,
-    "const float SSGI_EVEN = 9.0;\n" },
+    "const float SSGI_EVEN = 9.0; // neighbours of equal weight that the filter sees on a plane\n" },
 
 { "SSGI_EVEN", "SSGI_HALF", __LINE__ + 1,
-    "const float SSGI_EVEN = 7.0;\n" },
+    "const float SSGI_EVEN = 7.0; // neighbours of equal weight that the filter sees on a plane\n" },
 
 /* The deviation of few neighbours says little, so it is taken to be larger, and this share of the mean is added by
    squares. Without it hsao-history has an error of .3932, of twice as much .3703 (scenes: SSGI_STEEP), but the
    more is added the later a change of light is noticed. */
 { "SSGI_DOUBT", NULL, __LINE__ + 1,
-    "const float SSGI_DOUBT = 0.1;\n" },
+    "const float SSGI_DOUBT = 0.1; // share of the mean that is added to the deviation of few neighbours\n" },
 
 /* The variance of one neighbour is 0 / 0 without this bound. */
 { "SSGI_ALONE", NULL, __LINE__ + 1,
-    "const float SSGI_ALONE = 0.2;\n" },
+    "const float SSGI_ALONE = 0.2; // without this bound the variance of one neighbour would be 0 / 0\n" },
 
 { "ssgi_deviation", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
-    "float ssgi_deviation(ssgi_filtered f, float mean) {\n"
-    "    float one = f.spread.y / (f.light.w * f.light.w), few = SSGI_EVEN * one;\n"
-    "    float variance = max(f.spread.x / f.light.w - mean * mean, 0.0), doubt = SSGI_DOUBT * mean;\n"
+    "float ssgi_deviation(ssgi_filtered filtered, float mean) {\n"
+    "    float one = filtered.spread.y / (filtered.light.w * filtered.light.w);\n"
+    "    float few = SSGI_EVEN * one;\n"
+    "    float variance = max(filtered.spread.x / filtered.light.w - mean * mean, 0.0);\n"
+    "    float doubt = SSGI_DOUBT * mean;\n"
     "    variance /= max(1.0 - one, SSGI_ALONE); // This makes it unbiased.\n"
     "    return sqrt((variance + doubt * doubt * max(few - 1.0, 0.0)) * few);\n"
     "}\n" },
 
 { "ssgi_frames", NULL, __LINE__ + 1,
-    "float ssgi_frames(ivec2 p, ssgi_last last) { // how many frames are averaged, this one among them\n"
-    "    float changed = texelFetch(t_ssgi_change_share, p / 8 + u_ssgi_target / 8, 0).x;\n"
+    "float ssgi_frames(ivec2 pixel, ssgi_last last) { // how many frames are averaged, this one among them\n"
+    "    float changed = texelFetch(t_ssgi_change_share, pixel / 8 + u_ssgi_target / 8, 0).x;\n"
     "#if SSGI_MOTION\n"
     "    if (last.moves) changed = 0.0; // most of the change is its own motion, which is followed\n"
     "#endif\n"
@@ -5310,20 +5648,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* Averages this frame with the last ones. Where their mean differs from it by more than noise, it follows. */
 { "ssgi_averaged", NULL, __LINE__ + 1,
     "ssgi_kept ssgi_averaged(vec4 now, float deviation, float frames, ssgi_last last) {\n"
-    "    float v = ssgi_grey(now);\n"
-    "    float jump = SSGI_JUMP.x * deviation + SSGI_JUMP.y * abs(v);\n"
-    "    float drift = SSGI_DRIFT.x * deviation + SSGI_DRIFT.y * abs(v) + 1e-9;\n"
-    "    float quick = mix(last.kept.means.x, v, 1.0 / min(frames, 3.0));\n"
-    "    quick = clamp(quick, v - jump, v + jump);\n"
+    "    float grey = ssgi_grey(now);\n"
+    "    float jump = SSGI_JUMP.x * deviation + SSGI_JUMP.y * abs(grey);\n"
+    "    float drift = SSGI_DRIFT.x * deviation + SSGI_DRIFT.y * abs(grey) + 1e-9;\n"
+    "    float quick = mix(last.kept.means.x, grey, 1.0 / min(frames, 3.0));\n"
+    "    quick = clamp(quick, grey - jump, grey + jump);\n"
     "    vec4 average = vec4(mix(last.kept.light.xyz, now.xyz, 1.0 / frames), now.w);\n"
-    "    float mean = ssgi_grey(average), by = clamp(mean, quick - drift, quick + drift) - mean;\n"
-    "    frames = max(frames * (1.0 - SSGI_FORGOTTEN * min(abs(by) / drift, 1.0)), 1.0);\n"
+    "    float mean = ssgi_grey(average);\n"
+    "    float correction = clamp(mean, quick - drift, quick + drift) - mean;\n"
+    "    frames = max(frames * (1.0 - SSGI_FORGOTTEN * min(abs(correction) / drift, 1.0)), 1.0);\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_LIGHT && SSGI_RESTORE != SSGI_RESTORE_DIFFERENCE\n"
-    "    bool scales = mean > 0.0 && by < 2.0 * mean;\n"
-    "    if (!scales) return ssgi_kept(now, vec2(v, 1.0));\n"
-    "    average.xyz = max(average.xyz * (1.0 + by / mean), 0.0);\n"
+    "    bool scales = mean > 0.0 && correction < 2.0 * mean;\n"
+    "    if (!scales) return ssgi_kept(now, vec2(grey, 1.0));\n"
+    "    average.xyz = max(average.xyz * (1.0 + correction / mean), 0.0);\n"
     "#else\n"
-    "    average.xyz += by;\n"
+    "    average.xyz += correction;\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY\n"
     "    average.xyz = clamp(average.xyz, 0.0, 1.0);\n"
     "#endif\n"
@@ -5333,21 +5672,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_history", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    ssgi_blurred c = ssgi_blurred_at(p);\n"
-    "    ssgi_last last = ssgi_last_of(p, c.P, c.n);\n"
-    "    float frames = ssgi_frames(p, last);\n"
-    "    c.frames = c.z < SSGI_FAR ? frames : SSGI_SETTLED; // background needs no filter\n"
-    "    ssgi_filtered f = ssgi_filter(p, c);\n"
-    "    vec4 now = vec4(f.light.xyz / f.light.w, c.z);\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    ssgi_blurred centre = ssgi_blurred_at(pixel);\n"
+    "    ssgi_last last = ssgi_last_of(pixel, centre.P, centre.normal);\n"
+    "    float frames = ssgi_frames(pixel, last);\n"
+    "    centre.frames = centre.z < SSGI_FAR ? frames : SSGI_SETTLED; // background needs no filter\n"
+    "    ssgi_filtered filtered = ssgi_filter(pixel, centre);\n"
+    "    vec4 now = vec4(filtered.light.xyz / filtered.light.w, centre.z);\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY\n"
     "    float open = 1.0;\n"
     "#elif SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
     "    float open = 0.0;\n"
     "#endif\n"
-    "    ssgi_kept kept = ssgi_kept(vec4(vec3(open), c.z), vec2(open, 1.0));\n"
-    "    if (c.z < SSGI_FAR && f.light.w > 0.0 && ssgi_finite(now)) {\n"
-    "        kept = ssgi_averaged(now, ssgi_deviation(f, ssgi_grey(now)), frames, last);\n"
+    "    ssgi_kept kept = ssgi_kept(vec4(vec3(open), centre.z), vec2(open, 1.0));\n"
+    "    if (centre.z < SSGI_FAR && filtered.light.w > 0.0 && ssgi_finite(now)) {\n"
+    "        kept = ssgi_averaged(now, ssgi_deviation(filtered, ssgi_grey(now)), frames, last);\n"
     "    }\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY\n"
     "    o_ssgi_ao = vec4(kept.light.xw, kept.means);\n"
@@ -5358,7 +5697,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    o_ssgi_light = kept.light;\n"
     "#if SSGI_RESTORE\n"
-    "    if (c.z < SSGI_FAR) o_ssgi_light.xyz = ssgi_restored(kept.light.xyz, c);\n"
+    "    if (centre.z < SSGI_FAR) o_ssgi_light.xyz = ssgi_restored(kept.light.xyz, centre);\n"
     "#endif\n"
     "    o_ssgi_means = kept.means;\n"
     "#endif\n"
@@ -5369,8 +5708,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    nothing. */
 
 { "ssgi_depth_last", NULL, __LINE__ + 1,
-    "float ssgi_depth_last(ivec2 q) {\n"
-    "    float z = ssgi_texel(t_ssgi_history, clamp(q, ivec2(0), u_ssgi_last_size - 1) + u_ssgi_target).w;\n"
+    "float ssgi_depth_last(ivec2 pixel) {\n"
+    "    float z = ssgi_texel(t_ssgi_history, clamp(pixel, ivec2(0), u_ssgi_last_size - 1) + u_ssgi_target).w;\n"
     "    return z < SSGI_FAR ? z : SSGI_FAR; // background in 16 bits is infinity or NaN\n"
     "}\n" },
 
@@ -5381,20 +5720,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* Finds the pixel of least depth among the four that a place lies between, in the last frame or in this: its place and
    its depth. */
 { "ssgi_nearest", NULL, __LINE__ + 1,
-    "vec3 ssgi_nearest(vec2 at, bool last) {\n"
-    "    vec3 nearest = vec3(at, 2.0 * SSGI_FAR);\n"
-    "    for (int k = 0; k < 4; ++k) {\n"
-    "        vec2 o = SSGI_BESIDE + (1.0 - 2.0 * SSGI_BESIDE) * vec2(k & 1, k >> 1);\n"
-    "        ivec2 q = clamp(ivec2(floor(at + o)), ivec2(0), (last ? u_ssgi_last_size : u_ssgi_size) - 1);\n"
-    "        float z = last ? ssgi_depth_last(q) : ssgi_depth(q);\n"
-    "        if (z < nearest.z) nearest = vec3(vec2(q), z);\n"
+    "vec3 ssgi_nearest(vec2 place, bool last) {\n"
+    "    vec3 nearest = vec3(place, 2.0 * SSGI_FAR);\n"
+    "    for (int i = 0; i < 4; ++i) {\n"
+    "        vec2 offset = SSGI_BESIDE + (1.0 - 2.0 * SSGI_BESIDE) * vec2(i & 1, i >> 1);\n"
+    "        ivec2 pixel = clamp(ivec2(floor(place + offset)), ivec2(0),\n"
+    "            (last ? u_ssgi_last_size : u_ssgi_size) - 1);\n"
+    "        float z = last ? ssgi_depth_last(pixel) : ssgi_depth(pixel);\n"
+    "        if (z < nearest.z) nearest = vec3(vec2(pixel), z);\n"
     "    }\n"
     "    return nearest;\n"
     "}\n" },
 
 { "ssgi_within", NULL, __LINE__ + 1,
-    "bool ssgi_within(vec2 at, ivec2 size) { // whole numbers are centres of pixels\n"
-    "    return all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, vec2(size) - 0.5));\n"
+    "bool ssgi_within(vec2 place, ivec2 size) { // whole numbers are centres of pixels\n"
+    "    return all(greaterThan(place, vec2(-0.5))) && all(lessThan(place, vec2(size) - 0.5));\n"
     "}\n" },
 
 { "ssgi_slack", NULL, __LINE__ + 1,
@@ -5415,19 +5755,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    nearer surface that hides or bares it as the camera moves counts for neither. To stand in front means to be off the
    plane, too, as depths on a steep surface differ from pixel to pixel. */
 { "ssgi_change", NULL, __LINE__ + 1,
-    "float ssgi_change(ivec2 q, vec3 was) { // returns its view depth; 0: none came or went\n"
-    "    vec3 E = ssgi_nearest(was.xy - 0.5, true);\n"
-    "    bool came = E.z > was.z;\n"
-    "    E.xy += 0.5;\n"
+    "float ssgi_change(ivec2 pixel, vec3 was) { // returns its view depth; 0: none came or went\n"
+    "    vec3 occluder = ssgi_nearest(was.xy - 0.5, true);\n"
+    "    bool came = occluder.z > was.z;\n"
+    "    occluder.xy += 0.5;\n"
     "#if !SSGI_ORTHOGRAPHIC\n"
-    "    E.xy *= E.z;\n"
+    "    occluder.xy *= occluder.z;\n"
     "#endif\n"
-    "    E = (u_ssgi_last_from * vec4(E, 1.0)).xyz;\n"
-    "    vec2 at = ssgi_project(E) - 0.5;\n"
-    "    if (!came && !ssgi_within(at, u_ssgi_size)) return 0.0;\n"
-    "    vec3 seen = came ? vec3(vec2(q), ssgi_depth(q)) : ssgi_nearest(at, false);\n"
-    "    float apart = came ? -E.z - seen.z : seen.z + E.z;\n"
-    "    return apart > ssgi_slack(seen.z) ? (came ? seen.z : -E.z) : 0.0;\n"
+    "    occluder = (u_ssgi_last_from * vec4(occluder, 1.0)).xyz;\n"
+    "    vec2 place = ssgi_project(occluder) - 0.5;\n"
+    "    if (!came && !ssgi_within(place, u_ssgi_size)) return 0.0;\n"
+    "    vec3 seen = came ? vec3(vec2(pixel), ssgi_depth(pixel)) : ssgi_nearest(place, false);\n"
+    "    float apart = came ? -occluder.z - seen.z : seen.z + occluder.z;\n"
+    "    return apart > ssgi_slack(seen.z) ? (came ? seen.z : -occluder.z) : 0.0;\n"
     "}\n" },
 
 { "ssgi_tile", NULL, __LINE__ + 1,
@@ -5436,39 +5776,40 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tested", NULL, __LINE__ + 1,
-    "ivec2 ssgi_tested(int k) { // returns the k-th of 16 pixels of the tile, other ones in each frame\n"
-    "    return min(8 * ssgi_tile() + 2 * ivec2(k & 3, k >> 2) + ssgi_turn(0), u_ssgi_size - 1);\n"
+    "ivec2 ssgi_tested(int nth) { // returns the nth of 16 pixels of the tile, other ones in each frame\n"
+    "    return min(8 * ssgi_tile() + 2 * ivec2(nth & 3, nth >> 2) + ssgi_turn(0), u_ssgi_size - 1);\n"
     "}\n" },
 
 { "ssgi_pixel_was", NULL, __LINE__ + 1,
-    "vec3 ssgi_pixel_was(ivec2 q, float z) { // where its point was in the last frame, unless it moves\n"
-    "    return ssgi_reproject(ssgi_position(vec2(q) + 0.5, z));\n"
+    "vec3 ssgi_pixel_was(ivec2 pixel, float z) { // where its point was in the last frame, unless it moves\n"
+    "    return ssgi_reproject(ssgi_position(vec2(pixel) + 0.5, z));\n"
     "}\n" },
 
 /* The places where depths differ are found first, since they are few: the loop over them ends at once elsewhere. */
 { "main_change_mask", NULL, __LINE__ + 1,
     "void main() {\n"
     "    vec4 mask = vec4(0.0, SSGI_FAR, 0.0, 0.0);\n"
-    "    float nearest = SSGI_FAR, farthest = 0.0;\n"
+    "    float nearest = SSGI_FAR;\n"
+    "    float farthest = 0.0;\n"
     "    uint differ = 0u;\n"
     "#if SSGI_MOTION\n"
     "    bool moves = false;\n"
     "#endif\n"
-    "    for (int k = 0; k < 16; ++k) {\n"
-    "        ivec2 q = ssgi_tested(k);\n"
-    "        float z = ssgi_depth(q);\n"
-    "        vec3 was = ssgi_pixel_was(q, z);\n"
+    "    for (int nth = 0; nth < 16; ++nth) {\n"
+    "        ivec2 pixel = ssgi_tested(nth);\n"
+    "        float z = ssgi_depth(pixel);\n"
+    "        vec3 was = ssgi_pixel_was(pixel, z);\n"
     "        nearest = min(nearest, z);\n"
     "        if (z < SSGI_FAR) farthest = max(farthest, z);\n"
-    "        if (ssgi_depth_differs(was)) differ |= 1u << uint(k);\n"
+    "        if (ssgi_depth_differs(was)) differ |= 1u << uint(nth);\n"
     "#if SSGI_MOTION\n"
-    "        if (ssgi_moves(ssgi_own_motion(q, was.xy + u_ssgi_jitter))) moves = true;\n"
+    "        if (ssgi_moves(ssgi_own_motion(pixel, was.xy + u_ssgi_jitter))) moves = true;\n"
     "#endif\n"
     "    }\n"
-    "    for (int k = 0; differ >> uint(k) != 0u; ++k) {\n"
-    "        if ((differ >> uint(k) & 1u) == 0u) continue;\n"
-    "        ivec2 q = ssgi_tested(k);\n"
-    "        float z = ssgi_change(q, ssgi_pixel_was(q, ssgi_depth(q)));\n"
+    "    for (int nth = 0; differ >> uint(nth) != 0u; ++nth) {\n"
+    "        if ((differ >> uint(nth) & 1u) == 0u) continue;\n"
+    "        ivec2 pixel = ssgi_tested(nth);\n"
+    "        float z = ssgi_change(pixel, ssgi_pixel_was(pixel, ssgi_depth(pixel)));\n"
     "        if (z > 0.0) mask = vec4(mask.x + 1.0 / 16.0, min(mask.y, z), max(mask.z, z), 0.0);\n"
     "    }\n"
     "#if SSGI_MOTION\n"
@@ -5481,19 +5822,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* Seven tiles on a side are read, farther apart where the radius reaches beyond them. */
 { "main_change_share", NULL, __LINE__ + 1,
     "void main() {\n"
-    "    ivec2 tile = ssgi_tile(), tiles = (u_ssgi_size + 7) / 8;\n"
+    "    ivec2 tile = ssgi_tile();\n"
+    "    ivec2 tiles = (u_ssgi_size + 7) / 8;\n"
     "    vec4 own = texelFetch(t_ssgi_change_mask, tile + u_ssgi_target / 8, 0);\n"
-    "    float nearest = own.w, farthest = max(own.z, nearest), share = 0.0;\n"
+    "    float nearest = own.w;\n"
+    "    float farthest = max(own.z, nearest);\n"
+    "    float share = 0.0;\n"
     "    o_ssgi_change_share = 0.0;\n"
     "    if (nearest >= SSGI_FAR) return; // background\n"
-    "    float reach = u_ssgi_radius / ssgi_footprint(nearest) / 8.0, apart = max(reach / 3.0, 1.0);\n"
+    "    float reach = u_ssgi_radius / ssgi_footprint(nearest) / 8.0;\n"
+    "    float apart = max(reach / 3.0, 1.0);\n"
     "    for (int y = -3; y <= 3; ++y)\n"
     "        for (int x = -3; x <= 3; ++x) {\n"
-    "            vec2 o = round(apart * vec2(x, y));\n"
-    "            ivec2 q = tile + ivec2(o);\n"
-    "            if (max(abs(o.x), abs(o.y)) > reach + 1.0 || clamp(q, ivec2(0), tiles - 1) != q) continue;\n"
-    "            vec4 c = texelFetch(t_ssgi_change_mask, q + u_ssgi_target / 8, 0);\n"
-    "            if (c.y < farthest + u_ssgi_radius && c.z > nearest - u_ssgi_radius) share += c.x;\n"
+    "            vec2 offset = round(apart * vec2(x, y));\n"
+    "            ivec2 neighbour = tile + ivec2(offset);\n"
+    "            if (max(abs(offset.x), abs(offset.y)) > reach + 1.0\n"
+    "                || clamp(neighbour, ivec2(0), tiles - 1) != neighbour) continue;\n"
+    "            vec4 change = texelFetch(t_ssgi_change_mask, neighbour + u_ssgi_target / 8, 0);\n"
+    "            if (change.y < farthest + u_ssgi_radius && change.z > nearest - u_ssgi_radius) share += change.x;\n"
     "        }\n"
     "    o_ssgi_change_share = min(share * apart * apart / max(4.0 * reach * reach, 1.0), 1.0);\n"
     "}\n" },
@@ -6852,14 +7198,14 @@ static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, 
 /* Prints a line of a kept function; where your textures are arrays (desc.input.array) it fetches them from a slice. */
 static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t length, const ssgi_gl_desc *d, int place[2])
 {
-    static const char flat[] = ", p + u_ssgi_origin"; /* A slice is put in where ", 0" follows. */
-    const char *yours = d->input.array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
+    static const char flat[] = ", pixel + u_ssgi_origin"; /* A slice is put in where ", 0" follows. */
+    const char *yours = d->input.array ? strstr(line, ", pixel + u_ssgi_origin, 0") : NULL;
     for (;;) {
         const size_t part = yours && yours < line + length ? (size_t)(yours - line) : length;
         if (d->text.dialect == SSGI_GL_DIALECT_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
         else ssgi_gl__put(t, line, part);
         if (part == length) break;
-        ssgi_gl__print(t, ", ivec3(p + u_ssgi_origin, u_ssgi_slice)");
+        ssgi_gl__print(t, ", ivec3(pixel + u_ssgi_origin, u_ssgi_slice)");
         length -= part + sizeof flat - 1;
         line = yours + sizeof flat - 1;
         yours = NULL;

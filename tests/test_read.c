@@ -103,7 +103,7 @@ static void as_the_filter(void)
         { "ssdo", "bounce=none,history=1", "ssgi_irradiance_at" AT ", 1.0" },
         { "ssdo", "bounce=none,environment=sh,half=0", "ssgi_irradiance_at" AT ", 1.0" },
         { "s3ho", "indirect=none", "ssgi_irradiance_at" AT ", 1.0" },
-        { "s3ho", "indirect=none,filtered=coefficients,store=float", "ssgi_coefficients_at" AT ".c[0].a" }
+        { "s3ho", "indirect=none,filtered=coefficients,store=float", "ssgi_coefficients_at" AT ".channel[0].word0" }
     };
     static float out[4 * W * H], filtered[4 * W * H];
     static scenery of;

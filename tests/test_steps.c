@@ -685,8 +685,8 @@ static void eyes(void)
     kit_scene_free(&scene);
 }
 
-/* Pass thickness: once, before all that read it, for the one that wants the most of it; only where slices read it. A tap
-   costs as many fetches with it as without. */
+/* Pass thickness: once, before all that read it, for the one that wants the most of it; only where slices read it. A
+   tap costs as many fetches with it as without. */
 static void widths(void)
 {
     static const struct { int at, thickness; const char *chain; } row[] = {

@@ -604,12 +604,13 @@ static void twin_harmonics(void)
 {
     enum { BASIS, ZONAL, TURN, SUMS, FUNCTIONS };
     static const char *const heads[] = { "#version 330 core\n", "#version 300 es\nprecision highp float;\n" };
-    static const char *const words[] = { "s.a", "s.a", "w == 0 ? s.a : w == 1 ? s.b : s.c",
-                                         "w == 0 ? s.a : w == 1 ? s.b : w == 2 ? s.c : s.d" };
-    static const char *const parts[] = { "", "", " s.b = b; s.c = c;", " s.b = b; s.c = c; s.d = d;" };
+    static const char *const words[] = { "s.word0", "s.word0", "w == 0 ? s.word0 : w == 1 ? s.word1 : s.word2",
+                                         "w == 0 ? s.word0 : w == 1 ? s.word1 : w == 2 ? s.word2 : s.word3" };
+    static const char *const parts[] = { "", "", " s.word1 = b; s.word2 = c;",
+                                         " s.word1 = b; s.word2 = c; s.word3 = d;" };
     static const char *const calls[] = { "s = ssgi_sh_basis(Y(2).xyz);", "s = ssgi_sh_zonal(X(0), Y(2).xyz);",
                                          "ssgi_sh_turn(s, mat3(Y(0).xyz, Y(1).xyz, Y(2).xyz));",
-                                         "float both = ssgi_sh_dot(s, y); ssgi_sh_add(s, y, 0.5); s.a.x = both;" };
+                                         "float both = ssgi_sh_dot(s, y); ssgi_sh_add(s, y, 0.5); s.word0.x = both;" };
     static const double tilts[8] = { 1e-2, 1e-3, 1e-4, 1e-5, 2e-6, 5e-7, 1e-7, 0 };   /* of the axis from either pole */
     static char text[TEXT], body[600];
     static float others[4 * MANY];
@@ -633,7 +634,7 @@ static void twin_harmonics(void)
         size_t n = (size_t)snprintf(text, sizeof text, "%s", heads[es]);
         n += ssgi_gl_sh(text + n, sizeof text - n, bands);
         snprintf(text + n, sizeof text - n,
-                 "ssgi_sh given(vec4 a, vec4 b, vec4 c, vec4 d) { ssgi_sh s; s.a = a;%s return s; }\n",
+                 "ssgi_sh given(vec4 a, vec4 b, vec4 c, vec4 d) { ssgi_sh s; s.word0 = a;%s return s; }\n",
                  parts[bands - 1]);
         snprintf(body, sizeof body,
                  "int w = texel.x & 3; ssgi_sh s = given(X(0), X(1), X(2), X(3)), y = given(Y(0), Y(1), Y(2), Y(3)); "
@@ -827,7 +828,7 @@ static void want(double *o, const term *t, const double *a, int i)
 #define WIDTHS "o = vec4(ssgi_measured_width(a.x), ssgi_measured_width(a.y), ssgi_measured_width(a.z), 0.0);"
 static const term terms[] = {
     { "ambient visibility of coefficients", "shade", "residual=1",
-      "ssgi_coefficients v; for (int c = 0; c < v.c.length(); ++c) v.c[c].a = vec4(a.x, 0.0, 0.0, 0.0);"
+      "ssgi_coefficients v; for (int c = 0; c < v.channel.length(); ++c) v.channel[c].word0 = vec4(a.x, 0.0, 0.0, 0.0);"
       " o = vec4(ssgi_ambient(v), 0.0);",
       -0.5f, 1.5f, AMBIENT, 0, 1e-6 },
     { "the normal of the layer that receives", "lights", "layers=4,receiver=2", "o = ssgi_normal_texel(texel);", 0, 1,
