@@ -828,8 +828,8 @@ static void results(void)
                                              "t_ssgi_fields"; /* of any size */
                 const ssgi_gl_input *in = &step[k].input[m];
                 const int size = strstr(others, in->name) ? 0 : 8;
-                CHECK(in->texture >= 0 || (in->texture == -1 && in->meaning >= 0), "%d: step %d reads texture %d", i, k,
-                      in->texture);
+                CHECK(in->texture >= 0 ? in->meaning == -1 : in->texture == -1 && in->meaning >= 0,
+                      "%d: step %d reads texture %d, meaning %d", i, k, in->texture, in->meaning);
                 CHECK(in->texture >= 0 || (in->width == size && in->height == size), "%d: step %d, %s: %dx%d", i, k,
                       in->name, in->width, in->height);
             }
