@@ -214,13 +214,14 @@ static int set_by(const char *text, const char *name, const char *word, const ch
 }
 
 /* Whether no texture and no frame moves what a loop counts to: literals, constants, lengths of arrays; a name that is
-   clamped by a constant or by the rows of the texture; counts that are one of two constants, or that calls give. */
+   clamped by a constant or by the rows of the texture; counts that are one of two constants, or that calls give; the
+   reach of a level that is clamped. */
 static int bounded(const char *text, const char *bound)
 {
-    static const char *const constants[] = { "more", "layers", "count" };
+    static const char *const constants[] = { "more", "layers", "count", "reach" };
     bound += *bound == '-';
     for (size_t k = 0; k < sizeof constants / sizeof *constants; ++k) if (!strcmp(bound, constants[k])) return 1;
-    return strcspn(bound, "abcdefghijklmnopqrstuvwxyz") == strlen(bound) || strstr(bound, ".c.length()")
+    return strcspn(bound, "abcdefghijklmnopqrstuvwxyz") == strlen(bound) || strstr(bound, ".channel.length()")
            || set_by(text, bound, ", SSGI_", ", textureSize(");
 }
 

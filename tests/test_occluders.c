@@ -394,10 +394,10 @@ static void against_truth(void)
         || !TRY(kit_image_new(&none, W, H, "Y", &err)))
         return;
     for (int i = 0; i < W * H; ++i) none.data[i] = 1;
-    const double nothing = difference(&none, &truth, 0, 0, 0);
+    const double nothing = difference(&none, &truth);
     for (int m = 0; m < 3; ++m) {
         if (!drawn_aof(&out, &g, &scene, row[m].set)) return;
-        const double rmse = difference(&out, &truth, 0, 0, 0);
+        const double rmse = difference(&out, &truth);
         CHECK(rmse < row[m].share * nothing, "%s: RMSE %.4f of %.4f", row[m].set, rmse, nothing);
         t_note("%s: RMSE %.4f, %.3f of no occlusion's", row[m].set, rmse, rmse / nothing);
         kit_image_free(&out);

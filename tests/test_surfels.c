@@ -879,7 +879,7 @@ static void three_ways(void)
         }
         CHECK((row[m].every ? n[0] == 70256 : n[0] > 2000) && same * 1000 > 995 * n[0] && same * 1000 > 995 * n[1],
               "%s, %s: of %zu surfels and %zu captured %zu are the same", row[m].scene, row[m].set, n[0], n[1], same);
-        for (int a = 0; a < 2; ++a) rmse[a] = difference(&out[0], &out[1 + a], 0, 0, 0);
+        for (int a = 0; a < 2; ++a) rmse[a] = difference(&out[0], &out[1 + a]);
         CHECK(rmse[0] < 4e-3 && rmse[1] < 4e-3 && mean(&out[0], "Y") < 0.99,
               "%s, %s: RMSE of capture %.2g, of direct %.2g, mean %.3f", row[m].scene, row[m].set, rmse[0], rmse[1],
               mean(&out[0], "Y"));
@@ -976,8 +976,8 @@ static double brought(const deep *d, const splatted *of, const ssgi_surfel *s, i
     return (double)form_factor(&wide, p, n) * fade * (of->enlarge ? 1 : 1 << 2 * l);
 }
 
-/* How far a picture is from that sum over all surfels, at every step-th pixel; most: the largest sum. What is not seen
-   is 1. */
+/* SSGI_GL_PASS_SPLAT, _DEINTERLEAVE and _SUM: how far a picture is from that sum over all surfels, at every step-th
+   pixel; most: the largest sum. What is not seen is 1. */
 typedef struct offset { double worst, most, rmse, bias, dark; int off, pixels; } offset;
 
 static offset compared(const deep *d, const kit_image *out, const splatted *of, int step)

@@ -858,7 +858,8 @@ static void lint_line(const char *line, const char *end, int vulkan)
     while (t < end && !(t[0] == '/' && t[1] == '/')) {
         size_t k = 0;
         while (ssgi_gl__letter(t[k])) ++k;
-        CHECK(!k || isdigit((unsigned char)*t) || !reserved(t, k) || (vulkan && !strncmp(t, "texture2D t", 11)),
+        CHECK(!k || isdigit((unsigned char)*t) || !reserved(t, k)
+                  || (vulkan && (!strncmp(t, "texture2D t_", 12) || !strncmp(t, "texture2D source,", 17))),
               "reserved, %.*s: %.*s", (int)k, t, (int)(end - line), line);
         t += k ? k : 1;
     }

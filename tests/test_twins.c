@@ -1156,7 +1156,9 @@ static void walks_by_vectors(void)
         for (int i = 0; i < MANY; ++i) blocked[i] = out[i][0];
         lit.light.environment = SSGI_GL_ENVIRONMENT_SH;
         probed_width = width;
-        if (!probe_map(&lit, &frame, WALK "o = (ssgi_sh_zonal(SSGI_COSINE, a.xyz).a - s.lobe.a) / SSGI_PI;")) return;
+        if (!probe_map(&lit, &frame,
+                       WALK "o = (ssgi_sh_zonal(SSGI_COSINE, a.xyz).word0 - s.lobe.word0) / SSGI_PI;"))
+            return;
 #undef WALK
         int off = 0, many = 0, astray = 0;
         double bias = 0, mean = 0, light[3];
@@ -1943,7 +1945,8 @@ static void quarters(void)
             for (int i = 0; i < MANY; ++i) in[i][0] = (float)(20 + i / 2 % 8), in[i][1] = (float)(20 + i / 16 % 8);
             if (!probe_map(&d, &frame, "ivec2 p = ivec2(a.xy); ssgi_neighbour t = ssgi_neighbour_at(p, 0, 0),"
                                        " s = ssgi_neighbour_at(p, -1, 1);"
-                                       "o = texel.x % 2 == 0 ? vec4(t.at, t.q) : vec4(t.o, s.q - t.q);"))
+                                       "o = texel.x % 2 == 0 ? vec4(t.texel, t.pixel)"
+                                       " : vec4(t.offset, s.pixel - t.pixel);"))
                 return;
             for (int i = 0; i < MANY / 2; ++i) {
                 const float *of = out[2 * i], *rest = out[2 * i + 1], *pixel = in[2 * i];
