@@ -385,6 +385,28 @@ static void formatted(void)
           "longer than 120 columns: %s", text);
 }
 
+/* Lines of what surrounds the headers, without data and documents: what is added is paid for by what goes. A bound is
+   lowered when its folder shrinks, and not raised. */
+static void surroundings(void)
+{
+    static const struct { const char *folders; int most; } rows[] = {
+        { "tests", 25600 },         { "examples/lab", 15800 },
+        { "examples/kit", 16100 },  { "examples/tools", 5400 },
+        { "Makefile", 540 },        { "examples/web examples/viewer examples/hosts", 9800 }
+    };
+    char text[400];
+    if (shell(text, sizeof text, "p=$(git -C '%s' rev-parse --show-prefix 2>/dev/null) && test -z \"$p\"%s", t_root,
+              "")) {
+        t_note("no repository of its own: not counted");
+        return;
+    }
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i)
+        CHECK(!shell(text, sizeof text,
+                     "cd '%s' && git ls-files %s | grep -vE '[.](png|jpg|svg|csv|wasm|hdr|exr)$' | tr '\\n' '\\0' | "
+                     "xargs -0 cat | wc -l", t_root, rows[i].folders) && atoi(text) > 0 && atoi(text) <= rows[i].most,
+              "%s: %d lines, at most %d", rows[i].folders, atoi(text), rows[i].most);
+}
+
 void test_build(void)
 {
     if (!folder_begin()) return;
@@ -395,6 +417,7 @@ void test_build(void)
     RUN("the code in the headers' comments and in the README compiles as C99, C++11 and C++20, and runs",
         documentation);
     RUN("comments and the README name fields, functions and passes that there are", names);
+    RUN("what surrounds the headers does not grow", surroundings);
     RUN("no function takes NaN or infinity for a number, by whatever rules of arithmetic", not_numbers);
     RUN("no ray leaves a closed mesh between its triangles, by whatever rules of arithmetic", closed_meshes);
     if (t_all()) {                                 /* these compile the library again and again */

@@ -9,14 +9,14 @@
 #define GATHERED(condition) "told[times & 1] |= uint(" condition ") << uint(times >> 1); ++times; shown = true;"
 
 const body bodies[BODIES] = {
-    { "cover", "if (t.up || (w.rose && t.seen)) {", GATHERED("t.up || (w.rose && t.seen)"), 0 },
-    { "cover of solids", "if (t.up) {", GATHERED("t.up"), 0 },
-    { "second", "if (t.inside && ll < 1.0 && front.y * r > SSGI_LEVEL) {",
-      GATHERED("t.inside && ll < 1.0 && front.y * r > SSGI_LEVEL"), 0 },
+    { "cover", "if (tap.up || (walked.rose && tap.seen)) {", GATHERED("tap.up || (walked.rose && tap.seen)"), 0 },
+    { "cover of solids", "if (tap.up) {", GATHERED("tap.up"), 0 },
+    { "second", "if (tap.inside && front_squared < 1.0 && front.y * front_inverse > SSGI_LEVEL) {",
+      GATHERED("tap.inside && front_squared < 1.0 && front.y * front_inverse > SSGI_LEVEL"), 0 },
     { "sent", "if (first + second > 0.0) {", GATHERED("first + second > 0.0"), 0 },
-    { "unsettled", "int more = c.frames < SSGI_SETTLED ? side * side : 0;",
-      "told.x = uint(c.frames < SSGI_SETTLED); shown = c.z < SSGI_FAR;", 1 },
-    { "changed", "for (int k = 0; differ >> uint(k) != 0u; ++k) {", "told.x = differ; shown = true;", 16 }
+    { "unsettled", "int more = centre.frames < SSGI_SETTLED ? side * side : 0;",
+      "told.x = uint(centre.frames < SSGI_SETTLED); shown = centre.z < SSGI_FAR;", 1 },
+    { "changed", "for (int nth = 0; differ >> uint(nth) != 0u; ++nth) {", "told.x = differ; shown = true;", 16 }
 };
 
 const tile tiles[TILES] = { { "8x8", 8, 8 }, { "16x4", 16, 4 }, { "8x4", 8, 4 } };
