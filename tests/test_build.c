@@ -273,15 +273,27 @@ static void documentation(void)
         CHECK(!shell(text, sizeof text, "for s in c++11 c++20; do g++ -std=$s -Wall -Wextra -Werror -fsyntax-only -I. "
                      "snippets.cpp || exit 1; done%s%s", "", ""), "usages as C++: %s", text);
     CHECK(!shell(text, sizeof text,
-                 "awk 'length($0) > 120 || NR > 250 { print \"line \" NR; bad = 1 } END { exit bad }' '%s/README.md'%s",
+                 "awk 'length($0) > 120 || NR > 200 { print \"line \" NR; bad = 1 } END { exit bad }' '%s/README.md'%s",
                  t_root, ""),
-          "README.md: 250 lines of 120 columns are enough: %s", text);
+          "README.md: 200 lines of 120 columns are enough: %s", text);
     CHECK(!shell(text, sizeof text,
                  "cd '%s' && for f in README.md examples/docs/*.md; do "
                  "for l in $(grep -o '](%s)' $f | tr -d '()]' | cut -d'#' -f1); do "
                  "test -e \"$(dirname $f)/$l\" || { echo \"$f: $l\"; exit 1; }; done; done",
                  t_root, "[^)]*"),
           "a link leads nowhere: %s", text);
+    CHECK(!shell(text, sizeof text,
+                 "cd '%s' && for t in $(grep -ohE '(`|^    )make [a-z][a-z-]*' README.md examples/docs/*.md | "
+                 "awk '{ print $2 }' | sort -u); do test -e $t || "
+                 "grep -qE \"^([a-z-]+ )*$t( [a-z-]+)*:%s\" Makefile || { echo \"make $t\"; exit 1; }; done", t_root,
+                 ""),
+          "a document names a target that there is not: %s", text);
+    if (has("node"))
+        CHECK(!shell(text, sizeof text,
+                     "for f in README.md examples/docs/INTEGRATE.md; do "
+                     "awk '/^```js/ { on = 1; next } /^```/ { on = 0 } on' \"%s/$f\" >code.mjs && test -s code.mjs && "
+                     "node --check code.mjs%s || exit 1; done", t_root, ""),
+              "JavaScript of a document cannot be read: %s", text);
     /* figures: decimals but versions and those of code, "3 of 4" from the chart on */
     CHECK(!shell(text, sizeof text,
                  "cd '%s' && { sed -E '/^    /d; s/((GL|ES|From|Mesa|Version) |ssgi-)[0-9.]+//g' README.md | "
