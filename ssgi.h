@@ -5172,6 +5172,9 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    reads coefficients, ssgi_coefficients.c is now .channel, and the members a to d of ssgi_sh are word0 to word3. Your
    fetch code is called as before.
 
+   Tools: files of make glsl are named by field and word (hsao.450.thickness-slabs.frag), make glsl-in is gone, and no
+   tool counts fetches in GLSL any more: make cost counts what a compiler makes of it.
+
    Mended: rays passed between triangles where multiply and add are fused, past long edges from close by, and through
    triangles that they meet along their plane. A bad count of lights, occluders or levels could keep a GPU busy for
    seconds: texts count to the rows that the textures have. Numbers that are not finite were taken for finite by some
