@@ -51,13 +51,15 @@ static double product_of(const float m[16], int r, const double p[4], double *lo
     return sum;
 }
 
-/* An off-centre camera of 640 x 480; its projection may be anything that a view decodes. */
-static int any_view(int ortho)
+/* An off-centre camera of 640 x 480; its projection may be anything that a view decodes. starts: the view depth of an
+   orthographic near plane, which may lie behind the eye. */
+static int any_view(int ortho, float starts)
 {
     const float x = t_uniform(-0.3f, 0.3f), y = t_uniform(-0.3f, 0.3f), wide = t_uniform(0.5f, 3),
                 high = t_uniform(-3, -0.5f);
     const float m[2][16] = { { wide, 0, 0, 0, 0, high, 0, 0, x, y, -1.002f, -1, 0, 0, -0.2f, 0 },
-                             { wide, 0, 0, 0, 0, high, 0, 0, 0, 0, -0.02f, 0, x, y, -1, 1 } };
+                             { wide, 0, 0, 0, 0, high, 0, 0, 0, 0, -0.02f, 0, x, y,
+                               -1 - 0.02f * starts, 1 } };
     const char *why = "";
     return CHECK(ssgi_view_from_projection(&view, m[ortho], SSGI_CLIP_GL, 640, 480, &why) == SSGI_OK, "%s", why);
 }
@@ -76,7 +78,8 @@ static void cameras(void)
         double p[4] = { (double)t_uniform(-5, 5), (double)t_uniform(-5, 5), -(double)t_uniform(0.2f, 30), 1 },
                q[4] = { 0, 0, 0, 1 }, lost, at[4] = { 0, 0, 0, 1 };
         const float spot[3] = { (float)p[0], (float)p[1], (float)p[2] };
-        if (!any_view(ortho)) return;
+        const float starts = ortho && i % 3 == 0 ? -50.0f : 0.0f;
+        if (!any_view(ortho, starts)) return;
         rigid(picture);
         rigid(other);
         for (int k = 2; k < 16 && i % 4 > 1; k += 4) {     /* both mirrored, as left-handed engines' are */
@@ -96,12 +99,14 @@ static void cameras(void)
             for (int c = 0; c < 3; ++c) at[k] += (double)other[4 * k + c] * (p[c] - (double)other[12 + c]);
         for (int k = 0; k < 3; ++k) q[k] = product_of(picture, k, at, &lost);
         ssgi_view_project(seen, &view, spot);
-        for (int k = 0; k < 3; ++k) at[k] = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]);
+        /* behind the eye the shaders' space begins a pixel's width in front of the near plane */
+        const double begins = starts < 0 ? (double)starts - (double)ssgi_pixel_footprint(&view, 1) : 0;
+        for (int k = 0; k < 3; ++k) at[k] = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]) - (k == 2 ? begins : 0);
         for (int k = 0; k < 6; ++k) {                      /* there, and back */
             const int back = k / 3, row = k % 3;
             const double want = back ? q[row] : at[row],
                          got = product_of(back ? v.from[slot] : v.to[slot], row, back ? at : q, &lost),
-                         off = fabs(got - want) / (lost + 4e-7 * fabs(want));
+                         off = fabs(got - want) / (lost + 4e-7 * fabs(want) - 1e-6 * begins);
             CHECK(off <= 1, "%s, %s, row %d: %.9g, ssgi_view_project says %.9g", back ? "from" : "to",
                   ortho ? "orthographic" : "perspective", row, got, want);
             worst[back] = fmax(worst[back], off);
@@ -109,11 +114,14 @@ static void cameras(void)
                 CHECK(light.map[row][c] == v.to[slot][4 * c + row],
                       "a light's map and an extra camera differ in row %d", row);
         }
-        const float decode[4] = { view.depth[0], view.depth[1], view.clear, (float)ortho },
+        const float decode[4] = { starts < 0 ? v.decode[slot][0] : view.depth[0], view.depth[1], view.clear,
+                                  (float)ortho },
                     tile[4] = { 7, 9, 640, 480 };
         CHECK(!memcmp(decode, v.decode[slot], sizeof decode) && !memcmp(decode, light.decode, sizeof decode)
               && !memcmp(tile, light.tile, sizeof tile) && v.size[slot][0] == 640 && v.size[slot][1] == 480,
               "decode, size or tile of %s", ortho ? "orthographic" : "perspective");
+        CHECK(fabs((double)v.decode[slot][0] - ((double)view.depth[0] - begins)) <= 2e-5,
+              "the near plane is at %g", (double)v.decode[slot][0]);
         CHECK(light.patch == ssgi_pixel_footprint(&view, 1) && !memcmp(&light, &bare, offsetof(ssgi_gl_light, patch)),
               "a light's patch, or what is not of its map");
         memcpy(was.to[slot], v.to[slot], sizeof was.to[slot]);
@@ -577,7 +585,7 @@ static void twin_views_of_others(void)
     t_seed(11);
     for (int ortho = 0; ortho < 2; ++ortho) {
         float picture[16], other[16];
-        if (!any_view(ortho)) return;
+        if (!any_view(ortho, 0)) return;
         rigid(picture);
         rigid(other);
         memset(&probed, 0x5a, sizeof probed);
