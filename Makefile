@@ -219,8 +219,8 @@ against: build/against build/render
 # cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew. cost-shares measures how
 # many waves enter what they may leave out: examples/lab/cost/shares.csv, in three minutes.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev libspirv-cross-c-shared-dev
-LIBS_cost  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) -lglslang-default-resource-limits \
-             -Wl,--end-group -lstdc++
+LIBS_cost  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) \
+             -lglslang-default-resource-limits -Wl,--end-group -lstdc++
 cost cost-test cost-record cost-shares cost-plan cost-peers: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h spirv_cross/spirv_cross_c.h; do \
