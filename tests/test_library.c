@@ -218,11 +218,13 @@ static int set_by(const char *text, const char *name, const char *word, const ch
    reach of a level that is clamped. */
 static int bounded(const char *text, const char *bound)
 {
-    static const char *const constants[] = { "more", "layers", "count", "reach" };
+    static const char *const constants[] = { "more", "layers", "count" };
     bound += *bound == '-';
     for (size_t k = 0; k < sizeof constants / sizeof *constants; ++k) if (!strcmp(bound, constants[k])) return 1;
     return strcspn(bound, "abcdefghijklmnopqrstuvwxyz") == strlen(bound) || strstr(bound, ".channel.length()")
-           || set_by(text, bound, ", SSGI_", ", textureSize(");
+           || set_by(text, bound, ", SSGI_", ", textureSize(")
+           || (set_by(text, bound, " = (1 << level) >> 1;", " = (1 << level) >> 1;")
+               && set_by(text, "level", ", SSGI_", ", textureSize("));
 }
 
 /* Returns the loop of a text that might not end whatever textures and the frame hold; NULL: all do. Loops count up by a

@@ -223,7 +223,9 @@ static void extra_camera_at(int t)
     const float there[3] = { centre[0], centre[1], -centre[2] };
     CHECK(ssgi_extra_camera(mirrored, clip, main_view, there, radius, offset, &why) == SSGI_OK, "%s", why);
     for (int k = 8; k < 12; ++k) mirrored[k] = -mirrored[k];
-    CHECK(apart(view, mirrored, 16) < 2e-5 * (double)(reach + 10), "mirrored, off by %g", apart(view, mirrored, 16));
+    CHECK(apart(view, mirrored, 12) < 2e-5
+              && apart(view + 12, mirrored + 12, 4) < 2e-6 * (double)(reach + radius + 10),
+          "mirrored, off by %g, its place by %g", apart(view, mirrored, 12), apart(view + 12, mirrored + 12, 4));
     through(view, centre, 1, p);
     CHECK(fabsf(p[0]) < within && fabsf(p[1]) < within && fabsf(p[2] + reach) < within,
           "the centre at %g %g %g, %g away", (double)p[0], (double)p[1], (double)p[2], (double)reach);
