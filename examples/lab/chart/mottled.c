@@ -14,19 +14,19 @@ void mottled_close(mottled *m)
 
 int mottled_row(row *r, const mottled *m, stage *s, kit_error *err)
 {
-    kit_image picture;
+    kit_image picture = { 0 };
     kit_run run;
     bands noise, off;
     if (!m->smooth.pixels) return 0;
-    if (stage_run(&run, s, r->method, r->settings, s->radius, err) || stage_settled(&picture, s, &run, 0, 0, err)
-        || bands_noise(&noise, s, &run, &m->smooth, &picture, err)
-        || bands_off(&off, &m->smooth, &picture, &m->pair, err))
-        return -1;
-    for (int k = 0; k < BANDS; ++k) {
+    if (stage_run(&run, s, r->method, r->settings, s->radius, err)) return -1;
+    const int failed = stage_settled(&picture, s, &run, 0, 0, err)
+                    || bands_noise(&noise, s, &run, &m->smooth, &picture, err)
+                    || bands_off(&off, &m->smooth, &picture, &m->pair, err);
+    for (int k = 0; k < BANDS && !failed; ++k) {
         r->figure[NOISE_BAND + k] = 1e3 * noise.rms[k];
         r->figure[ERROR_BAND + k] = 1e3 * off.rms[k];
     }
     kit_image_free(&picture);
     kit_run_close(&run);
-    return 0;
+    return failed ? -1 : 0;
 }
