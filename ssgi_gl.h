@@ -1732,7 +1732,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_irradiance_map(vec3 normal, int slice) {\n"
     "    ivec2 last = textureSize(t_ssgi_irradiance, 0).xy - 1;\n"
     "    vec2 place = (ssgi_octahedral(normal) * 0.5 + 0.5) * vec2(last + 1) - 0.5;\n"
-    "    ivec2 texel = ivec2(floor(place)); place -= vec2(texel);\n"
+    "    ivec2 texel = ivec2(floor(place));\n"
+    "    place -= vec2(texel);\n"
     "    vec3 lower_left = ssgi_irradiance_texel(texel, last, slice);\n"
     "    vec3 lower_right = ssgi_irradiance_texel(texel + ivec2(1, 0), last, slice);\n"
     "    vec3 upper_left = ssgi_irradiance_texel(texel + ivec2(0, 1), last, slice);\n"
@@ -3923,7 +3924,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const vec2 SSGI_MISSED = vec2(0.09375, 0.0028); // With 34 steps none is missed.\n" },
 
 { "SSGI_BEYOND", NULL, __LINE__ + 1,
-    "const vec2 SSGI_BEYOND = vec2(0.05, 0.4); // occluded shares beyond the picture: of what is found; the most\n" },
+    "const vec2 SSGI_BEYOND = vec2(0.05, 0.4); // occluded shares beyond the picture: per found one; the most\n" },
 
 /* Leaving the directions that steps miss open would err more. Where no sector is occluded nothing is expected, so that
    planes stay open. Expected occluders send light as the found ones do. */

@@ -167,7 +167,7 @@ def copy_tree(folder):
     os.makedirs(folder, exist_ok=True)
     files = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], text=True,
                            stdout=subprocess.PIPE, check=True).stdout.split("\0")
-    for where, inside, names in os.walk(folder):            # what went from the tree: the Makefile takes what lies there
+    for where, inside, names in os.walk(folder):       # files that the tree lost: the Makefile would take them
         inside[:] = [name for name in inside if os.path.join(where, name) != folder + "/build"]
         for name in names:
             if os.path.relpath(os.path.join(where, name), folder) not in files:

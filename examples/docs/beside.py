@@ -59,8 +59,8 @@ def picture(seed, ms, folder):
     table = f"{folder}/quiet.csv"
     os.makedirs(folder, exist_ok=True)
     if not os.path.exists(table):
-        subprocess.run(["build/quiet", "--scene", f"random:{seed}", "--size", f"{SIZE[0]}x{SIZE[1]}", "--rays", str(RAYS),
-                        "--pictures", folder, "--out", table], check=True)
+        subprocess.run(["build/quiet", "--scene", f"random:{seed}", "--size", f"{SIZE[0]}x{SIZE[1]}",
+                        "--rays", str(RAYS), "--pictures", folder, "--out", table], check=True)
     settings = {r["method"]: r["settings"] for r in reversed(list(csv.DictReader(open(table))))}   # the first row's
     files = {re.sub(r"^\d+-", "", os.path.basename(f)[:-4]): f for f in glob.glob(f"{folder}/*[0-9a-z].png")}
     truth = read(files["truth"])

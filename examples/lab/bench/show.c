@@ -34,11 +34,12 @@ static void about_times(char out[1200], const bench *b)
 static void about_bounds(char out[1600], const bench *b)
 {
     snprintf(out, 1600,
-             "What bounds these times, at %dx%d. In the same run full-screen passes copied %.3g GB/s (read and written, "
-             "RGBA16F). Traffic: the milliseconds that a frame's own would take at this rate, where every pass reads "
-             "each texel of its inputs once and writes its outputs once; where a cache holds one pass's output for the "
-             "next, a frame can take less. Near 100 %% of the time, traffic is what limits a row; where it is far "
-             "below, instructions do (make cost counts them), or waiting: latency, caches that miss, small passes.",
+             "What bounds these times, at %dx%d. In the same run full-screen passes copied %.3g GB/s (read and "
+             "written, RGBA16F). Traffic: the milliseconds that a frame's own would take at this rate, where every"
+             " pass reads each texel of its inputs once and writes its outputs once; where a cache holds one "
+             "pass's output for the next, a frame can take less. Near 100 %% of the time, traffic is what limits a"
+             " row; where it is far below, instructions do (make cost counts them), or waiting: latency, caches "
+             "that miss, small passes.",
              b->size[0][0], b->size[0][1], b->best * 1e-9);
 }
 

@@ -396,7 +396,8 @@ static int tell_normals(const job *j, kit_error *err)
     if (!(a.angle > 5)) return 0;
     const int faces = !o->truth && (o->flat || j->method.set.normal || j->method.set.facets);
     fprintf(stderr, "render: note: --%s: is about %s; the mesh's own normals lean off its faces by %.0f degrees "
-                    "(median)%s\n", o->truth ? "truth" : "score", faces ? "the faces" : "the mesh's own normals", a.angle,
+                    "(median)%s\n",
+            o->truth ? "truth" : "score", faces ? "the faces" : "the mesh's own normals", a.angle,
             o->truth ? "; --flat: about the faces"
             : faces  ? "; a --truth with --flat is about the faces, too"
                      : "; --set facets=1, or normal=depth: about the faces, as a --truth with --flat");
